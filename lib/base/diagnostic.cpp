@@ -1,0 +1,50 @@
+#include "lib/base/diagnostic.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace gouge {
+namespace {
+
+Diagnostic make(Severity severity, std::string&& code, std::string&& message, std::string&& file,
+                std::size_t line) {
+  return {severity, std::move(code), std::move(file), line, std::move(message)};
+}
+
+const char* word(Severity severity) {
+  switch (severity) {
+    case Severity::note: return "note";
+    case Severity::warning: return "warning";
+    case Severity::error: break;
+  }
+  return "error";
+}
+
+}  // namespace
+
+Diagnostic make_error(std::string code, std::string message, std::string file, std::size_t line) {
+  return make(Severity::error, std::move(code), std::move(message), std::move(file), line);
+}
+
+Diagnostic make_warning(std::string code, std::string message, std::string file, std::size_t line) {
+  return make(Severity::warning, std::move(code), std::move(message), std::move(file), line);
+}
+
+Diagnostic make_note(std::string code, std::string message, std::string file, std::size_t line) {
+  return make(Severity::note, std::move(code), std::move(message), std::move(file), line);
+}
+
+bool has_error(const Diagnostics& diagnostics) {
+  return std::any_of(diagnostics.begin(), diagnostics.end(),
+                     [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+std::string to_text(const Diagnostic& diagnostic) {
+  std::string text = diagnostic.file.empty() ? "gougecheck" : diagnostic.file;
+  if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
+  text += std::string(": ") + word(diagnostic.severity) + ": " + diagnostic.message;
+  if (!diagnostic.code.empty()) text += " [" + diagnostic.code + "]";
+  return text;
+}
+
+}  // namespace gouge

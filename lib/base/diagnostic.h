@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+// What the user is told about input: one sentence with the place, what was found, what was expected
+// and what to do. The input being wrong is data (a Diagnostic); the program being wrong is an assert.
+
+namespace gouge {
+
+enum class Severity { note, warning, error };
+
+struct Diagnostic {
+  Severity severity = Severity::error;
+  std::string code;     ///< stable and kebab-case, for example "stl-truncated"; listed in docs/errors.md
+  std::string file;     ///< as the user named it; empty when no file is concerned
+  std::size_t line = 0; ///< counted from 1; 0 when there is no line
+  std::string message;  ///< found, expected, what to do; one line, no full stop at the end
+};
+
+using Diagnostics = std::vector<Diagnostic>;
+
+[[nodiscard]] Diagnostic make_error(std::string code, std::string message, std::string file = {},
+                                    std::size_t line = 0);
+[[nodiscard]] Diagnostic make_warning(std::string code, std::string message, std::string file = {},
+                                      std::size_t line = 0);
+[[nodiscard]] Diagnostic make_note(std::string code, std::string message, std::string file = {},
+                                   std::size_t line = 0);
+
+[[nodiscard]] bool has_error(const Diagnostics& diagnostics);
+
+/// "file:line: error: message [code]", the form compilers use, without a line break.
+[[nodiscard]] std::string to_text(const Diagnostic& diagnostic);
+
+}  // namespace gouge

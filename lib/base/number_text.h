@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+// Numbers as text, independent of any locale. Text that is not wholly a finite number is not a number:
+// "1.2.3", "nan", "inf", "1e400", "0x10" and "" are refused.
+
+namespace gouge {
+
+/// Accepts what CAM systems write: an optional sign (also '+'), digits with or without a leading or
+/// trailing point (".5", "25."), an optional exponent (e, E). Surrounding blanks are not accepted.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+/// The whole number in `text`, or nothing (also when it does not fit).
+[[nodiscard]] std::optional<long long> parse_integer(std::string_view text);
+
+/// Shortest text that reads back as exactly `value`. Requires a finite value. Never "-0".
+[[nodiscard]] std::string exact_text(double value);
+
+/// Fixed notation with `decimals` digits after the point; never "-0.000".
+[[nodiscard]] std::string fixed_text(double value, int decimals);
+
+}  // namespace gouge

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+// Work cut into fixed chunks. What a chunk computes may not depend on which thread runs it or when, and
+// results are joined in index order, so any number of threads gives the same bytes.
+
+namespace gouge {
+
+/// Calls `body(first, last)` once for each chunk of [0, count) with `chunk` items (the last one shorter).
+/// `threads` = 0 takes all the machine has; 1 runs in the calling thread, in order.
+/// Requires chunk > 0. An exception of `body` reaches the caller after the other chunks have stopped.
+void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads,
+                    const std::function<void(std::size_t, std::size_t)>& body);
+
+}  // namespace gouge

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/geom/vec.h"
+#include "lib/tool/compiled_tool.h"
+
+// What the check says of every move, and the findings made of it. Words as in docs/method.md.
+
+namespace gouge {
+
+enum class MoveState : std::uint8_t { clean, near_miss, gouge, buried, not_checked, not_certified };
+[[nodiscard]] const char* state_name(MoveState state);  ///< clean, near, gouge, buried, not-checked, not-certified
+
+enum class Against : std::uint8_t { part, fixture };
+[[nodiscard]] const char* against_name(Against against);  ///< part, fixture
+
+/// The evidence for a depth: at instant t of the move, surface point `point` is `depth` deep in the tool.
+struct Witness {
+  double t = 0;                 ///< instant of the move, in [0, 1]
+  Vec3 point = Vec3::Zero();    ///< on the triangle, mm, part coordinates
+  Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must give way by the depth
+  Body body = Body::cutter;     ///< body of the boundary element nearest to the point
+  Against against = Against::part;
+  std::uint32_t mesh = 0;       ///< index into the scene's meshes of that kind
+  std::uint32_t triangle = 0;   ///< index in the STL file, counted from 0
+};
+
+struct MoveVerdict {
+  MoveState state = MoveState::clean;
+  double depth_mm = 0;        ///< realised by the witness; depth <= true depth <= depth_upper
+  double depth_upper_mm = 0;
+  std::optional<Witness> witness;      ///< where depth > 0 (for near: the surface point that comes closest)
+  std::optional<double> clearance_mm;  ///< near: realised distance at the witness
+  std::string reason;                  ///< for not_checked and not_certified
+};
+
+/// Neighbouring moves of one state, tool, body and counterpart, told as one finding.
+struct Event {
+  MoveState state = MoveState::gouge;
+  std::size_t first_move = 0, last_move = 0;  ///< inclusive
+  std::size_t worst_move = 0;
+  std::size_t moves = 0;                      ///< how many moves of the span are in this state
+  std::size_t tool = 0;                       ///< index into Toolpath::tools
+  Body body = Body::cutter;
+  Against against = Against::part;
+};
+
+struct StateCounts {
+  std::size_t clean = 0, near_miss = 0, gouge = 0, buried = 0, not_checked = 0, not_certified = 0;
+  std::size_t skipped = 0;  ///< of not_checked: rapids left out because the user asked for it
+};
+
+/// The verdict on a whole path. verdicts.size() == toolpath.moves.size(); every move has one state.
+struct CheckResult {
+  std::vector<MoveVerdict> verdicts;
+  std::vector<Event> events;     ///< in path order
+  StateCounts counts;
+  double worst_depth_mm = 0;
+  std::size_t worst_move = static_cast<std::size_t>(-1);
+  double largest_gap_mm = 0;     ///< largest depth_upper - depth over gouging moves
+  std::uint64_t evaluations = 0; ///< tool evaluations spent; the same on every run
+};
+
+}  // namespace gouge

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+// Plain values. Vec2 is a point or direction of the tool's (r, z) half plane, Vec3 one of space.
+
+namespace gouge {
+
+using Vec2 = Eigen::Vector2d;
+using Vec3 = Eigen::Vector3d;
+using Box3 = Eigen::AlignedBox3d;
+
+}  // namespace gouge

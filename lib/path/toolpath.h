@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/base/diagnostic.h"
+#include "lib/base/units.h"
+#include "lib/geom/pose.h"
+#include "lib/geom/rigid_transform.h"
+
+// The neutral toolpath: what a cutter-location file says, free of any dialect, in mm and part coordinates,
+// every move remembering the source line its statement begins on. Readers and writers: postproc/cldata.
+
+namespace gouge {
+
+enum class MoveKind : std::uint8_t { feed, rapid, arc, cycle };
+[[nodiscard]] const char* kind_name(MoveKind kind);
+
+/// The APT parameters of CUTTER/d,r,e,f,alpha,beta,h in mm and degrees (FORMATS: e and f are recomputed where
+/// alpha = beta = 0, because writers disagree about them).
+struct CutterStatement {
+  double d_mm = 0, r_mm = 0, e_mm = 0, f_mm = 0;
+  double alpha_deg = 0, beta_deg = 0;
+  double h_mm = 0;           ///< 0: not given
+  int given = 0;             ///< how many numbers the statement had
+};
+
+/// A tool as the toolpath knows it.
+struct PathTool {
+  std::optional<int> number;              ///< LOADTL, LOAD/TOOL
+  std::string name;                       ///< as in the file; may be empty
+  std::optional<CutterStatement> cutter;  ///< from CUTTER or TLDATA
+  double flute_length_mm = 0;             ///< 0: not given
+  std::size_t line = 0;                   ///< where it is defined or loaded
+};
+
+struct Operation {
+  std::string name;      ///< may be empty
+  std::size_t line = 0;
+};
+
+inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// One motion to one position. Without `start` it is the position alone: the first of the file, of a tool,
+/// of a block, or after a motion whose end is unknown.
+struct Move {
+  MoveKind kind = MoveKind::feed;
+  std::size_t line = 0;            ///< where its statement begins, counted from 1
+  std::size_t statement = kNone;   ///< index into Toolpath::statements
+  std::size_t point_in_statement = 0;  ///< a GOTO may hold several positions
+  std::optional<Pose> start;
+  Pose end;
+  std::size_t tool = kNone;        ///< index into Toolpath::tools; kNone: no tool named yet
+  std::size_t operation = kNone;   ///< index into Toolpath::operations
+  double feed_mm_per_min = 0;      ///< 0: rapid or not given
+  std::string not_checked_reason;  ///< not empty: why this motion cannot be checked (arc, cycle, unknown start)
+};
+
+/// A logical statement and the bytes it spans, line end included, so that a writer can leave it untouched.
+struct SourceStatement {
+  std::size_t line = 0;
+  std::size_t first_byte = 0, last_byte = 0;  ///< [first, last)
+};
+
+struct Toolpath {
+  std::string file;      ///< as the user named it
+  std::string dialect;   ///< "apt" or "nx-clsf"
+  LengthUnit unit = LengthUnit::mm;
+  bool is_unit_stated = false;
+  std::string source;    ///< the file's bytes
+  std::vector<SourceStatement> statements;
+  std::vector<PathTool> tools;
+  std::vector<Operation> operations;
+  std::vector<Move> moves;
+  std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; told to the user
+  Diagnostics notes;     ///< warnings and notes of reading; errors make reading fail instead
+};
+
+}  // namespace gouge

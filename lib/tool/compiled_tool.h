@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/geom/pose.h"
+#include "lib/geom/vec.h"
+
+// The tool as the check sees it: a closed solid of revolution about the tool axis, described by the
+// boundary of its half profile in the (r, z) plane (r >= 0, z = 0 at the tip, z grows to the spindle, mm)
+// and a BSP over the 2D Voronoi diagram of that boundary. It is plain data; `toolmodels` compiles it from
+// named dimensions, `evaluate.h` answers questions about it.
+// Source: Ho 1999 as told in thesis 2.4.18 and appendix C.
+
+namespace gouge {
+
+enum class Body : std::uint8_t { cutter, shank, holder };
+[[nodiscard]] const char* body_name(Body body);
+
+enum class ElementKind : std::uint8_t { segment, arc, vertex };
+
+/// Where the plane tangent to the boundary at a foot on this element bounds the solid.
+/// For a query hull Q (convex, in tool coordinates) and the plane {n.x = n.foot}, n outward: when the z of
+/// every point of Q, and of its projection onto the plane for points behind it, lies in [z_lo, z_hi] and
+/// every point of Q has r >= r_min, then depth(q) <= max(0, n.foot - n.q) for every q in Q.
+/// Proof: docs/algorithms/certified_sweep.md. An empty range (z_lo > z_hi) claims nothing.
+struct SupportRange {
+  double z_lo_mm = 0;
+  double z_hi_mm = -1;
+  double r_min_mm = 0;
+};
+
+/// One feature of the boundary, in the order of the contour from the tip to the top.
+/// A vertex is where two features meet; it owns points that no open segment or arc is nearest to.
+struct BoundaryElement {
+  ElementKind kind = ElementKind::segment;
+  Body body = Body::cutter;
+  bool is_reflex = false;  ///< arc: solid outside the circle; vertex: interior angle above 180 degrees
+  Vec2 a = Vec2::Zero();   ///< start on the contour; a vertex has a == b
+  Vec2 b = Vec2::Zero();   ///< end on the contour
+  Vec2 center = Vec2::Zero();  ///< arcs: centre of the circle
+  double radius_mm = 0;        ///< arcs: its radius
+  Vec2 normal = Vec2::Zero();  ///< segment: outward unit normal; vertex: outward mean direction; arc: unused
+  SupportRange support;
+};
+
+/// A node of the BSP; leaves name the nearest element, inner nodes a curve f(r, z) =
+/// c[0] + c[1] r + c[2] z + c[3] r^2 + c[4] r z + c[5] z^2 whose sign picks the child.
+struct BspNode {
+  double c[6] = {0, 0, 0, 0, 0, 0};
+  std::int32_t negative = -1;  ///< child where f < 0: >= 0 a node, else ~element
+  std::int32_t positive = -1;  ///< child where f >= 0
+};
+
+struct CompiledTool {
+  std::string name;
+  std::vector<BoundaryElement> elements;
+  std::vector<BspNode> nodes;  ///< nodes[0] is the root; empty when there is a single element
+  double z_min_mm = 0, z_max_mm = 0, r_max_mm = 0;
+  Vec2 core = Vec2::Zero();     ///< a point on the axis (r = 0) deepest inside the cutter's part of the solid
+  double core_depth_mm = 0;     ///< its depth
+};
+
+}  // namespace gouge

@@ -1,0 +1,30 @@
+#include "lib/base/files.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace gouge {
+namespace {
+
+TEST(Files, WriteThenReadGivesTheSameBytes) {
+  const std::string path = testing::TempDir() + "gouge_files_test.bin";
+  const std::string bytes("a\0b\r\n\xff", 6);
+  ASSERT_TRUE(write_file(path, bytes).has_value());
+  EXPECT_EQ(*read_file(path), bytes);
+  std::filesystem::remove(path);
+}
+
+TEST(Files, WhatCannotBeReadSaysWhy) {
+  EXPECT_EQ(read_file("/no/such/file").error().code, "file-not-found");
+  EXPECT_EQ(read_file("/tmp").error().code, "file-is-folder");
+}
+
+TEST(Files, AFailedWriteLeavesNothingBehind) {
+  EXPECT_EQ(write_file("/no/such/folder/out.txt", "x").error().code, "file-unwritable");
+  EXPECT_FALSE(std::filesystem::exists("/no/such/folder"));
+  EXPECT_EQ(write_file("/dev/full", "x").error().code, "file-unwritable");
+}
+
+}  // namespace
+}  // namespace gouge
