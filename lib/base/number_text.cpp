@@ -14,6 +14,10 @@ bool looks_like_number(std::string_view text) {
   return i < text.size() && ((text[i] >= '0' && text[i] <= '9') || text[i] == '.');
 }
 
+bool has_negative_exponent(std::string_view text) {
+  return text.find("e-") != std::string_view::npos || text.find("E-") != std::string_view::npos;
+}
+
 bool is_negative_zero_text(std::string_view text) {
   return text.front() == '-' &&
          std::none_of(text.begin(), text.end(), [](char c) { return c >= '1' && c <= '9'; });
@@ -29,9 +33,10 @@ std::optional<double> parse_number(std::string_view text) {
   if (!looks_like_number(text)) return std::nullopt;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  const bool is_underflow = error == std::errc::result_out_of_range && std::abs(value) < 1;
-  if (end != text.data() + text.size() || (error != std::errc{} && !is_underflow)) return std::nullopt;
-  if (!std::isfinite(value)) return std::nullopt;
+  if (end != text.data() + text.size()) return std::nullopt;
+  // Out of range leaves `value` alone; a number too small to tell from zero is zero, one too large is none.
+  if (error == std::errc::result_out_of_range && has_negative_exponent(text)) return 0.0;
+  if (error != std::errc{} || !std::isfinite(value)) return std::nullopt;
   return value;
 }
 
