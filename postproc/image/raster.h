@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+// Pixels as plain data, so that only canvas_opencv.cpp needs to know OpenCV.
+
+namespace gouge {
+
+/// Every picture is painted this many times larger in each direction and then averaged down.
+inline constexpr int kSupersampling = 2;
+
+/// Rows from the top; three bytes (red, green, blue) a pixel.
+struct Raster {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> rgb;
+
+  Raster() = default;
+  Raster(int w, int h, std::uint8_t r, std::uint8_t g, std::uint8_t b) : width(w), height(h) {
+    rgb.resize(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * 3);
+    for (std::size_t i = 0; i < rgb.size(); i += 3) {
+      rgb[i] = r;
+      rgb[i + 1] = g;
+      rgb[i + 2] = b;
+    }
+  }
+  [[nodiscard]] std::uint8_t* pixel(int x, int y) {
+    return rgb.data() +
+           (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x)) * 3;
+  }
+};
+
+/// A raster of kSupersampling times the size it takes in the picture, its left top corner at (x, y) there.
+struct PlacedRaster {
+  int x = 0, y = 0;
+  Raster raster;
+};
+
+}  // namespace gouge
