@@ -1,0 +1,61 @@
+#include "lib/path/path_info.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gouge {
+namespace {
+
+using AxisKey = std::array<double, 3>;
+
+// Adding zero turns -0 into 0, so that both count as one orientation.
+AxisKey key_of(const Vec3& axis) { return {axis.x() + 0.0, axis.y() + 0.0, axis.z() + 0.0}; }
+
+void count_motion(const Move& move, std::size_t index, PathInfo& info) {
+  if (!move.start) {
+    ++info.alone;
+    return;
+  }
+  const double turn = angle_between_deg(move.start->axis, move.end.axis);
+  if (turn > info.largest_turn_deg) {
+    info.largest_turn_deg = turn;
+    info.largest_turn_move = index;
+  }
+  const double length = (move.end.tip - move.start->tip).norm();
+  if (move.kind == MoveKind::feed) info.feed_length_mm += length;
+  if (move.kind == MoveKind::rapid) info.rapid_length_mm += length;
+}
+
+}  // namespace
+
+double angle_between_deg(const Vec3& a, const Vec3& b) {
+  return 2 * std::atan2((a - b).norm(), (a + b).norm()) * 180 / std::numbers::pi;
+}
+
+PathInfo describe_path(const Toolpath& path) {
+  PathInfo info;
+  info.moves_of_tool.assign(path.tools.size(), 0);
+  info.moves_of_operation.assign(path.operations.size(), 0);
+  std::vector<AxisKey> axes;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    ++info.moves_by_kind[static_cast<std::size_t>(move.kind)];
+    info.box.extend(move.end.tip);
+    const AxisKey key = key_of(move.end.axis);
+    if (axes.empty() || axes.back() != key) axes.push_back(key);
+    count_motion(move, i, info);
+    if (!move.not_checked_reason.empty()) ++info.not_checkable[move.not_checked_reason];
+    if (move.tool == kNone) {
+      ++info.moves_without_tool;
+    } else {
+      ++info.moves_of_tool[move.tool];
+    }
+    if (move.operation != kNone) ++info.moves_of_operation[move.operation];
+  }
+  std::sort(axes.begin(), axes.end());
+  info.orientations = static_cast<std::size_t>(std::unique(axes.begin(), axes.end()) - axes.begin());
+  return info;
+}
+
+}  // namespace gouge
