@@ -1,0 +1,135 @@
+#include "lib/check/check_path.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "lib/base/parallel.h"
+#include "lib/check/buried.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kMovesPerChunk = 32;
+
+MoveVerdict not_checked(std::string reason) {
+  MoveVerdict verdict;
+  verdict.state = MoveState::not_checked;
+  verdict.reason = std::move(reason);
+  return verdict;
+}
+
+class PathChecker {
+ public:
+  PathChecker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
+              const CheckOptions& options)
+      : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options) {}
+
+  MoveVerdict check(const Move& move, std::uint64_t* bounds) const {
+    if (!move.not_checked_reason.empty()) return not_checked(move.not_checked_reason);
+    if (move.tool == kNone) return not_checked("no tool is defined before this move");
+    if (tools_[move.tool] == nullptr) return not_checked("the tool has no definition");
+    if (move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip) return not_checked(kSkippedRapid);
+    const Motion motion = motion_of(move, options_.rapid);
+    if (!motion.is_defined()) return not_checked("the axis turns by 180 degrees: its way is not defined");
+    return check_move(motion, move.kind, *tools_[move.tool], scene_, options_, bounds);
+  }
+
+ private:
+  const Toolpath& toolpath_;
+  const std::vector<const ToolForms*>& tools_;
+  const PreparedScene& scene_;
+  const CheckOptions& options_;
+};
+
+void count(CheckResult& result) {
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+    const MoveVerdict& v = result.verdicts[i];
+    switch (v.state) {
+      case MoveState::clean: ++result.counts.clean; break;
+      case MoveState::near_miss: ++result.counts.near_miss; break;
+      case MoveState::gouge: ++result.counts.gouge; break;
+      case MoveState::buried: ++result.counts.buried; break;
+      case MoveState::not_checked: ++result.counts.not_checked; break;
+      case MoveState::not_certified: ++result.counts.not_certified; break;
+    }
+    if (v.state == MoveState::not_checked && v.reason == kSkippedRapid) ++result.counts.skipped;
+    if (v.state != MoveState::gouge) continue;
+    result.largest_gap_mm = std::max(result.largest_gap_mm, v.depth_upper_mm - v.depth_mm);
+    if (v.depth_mm > result.worst_depth_mm) {
+      result.worst_depth_mm = v.depth_mm;
+      result.worst_move = i;
+    }
+  }
+}
+
+bool is_told(const MoveVerdict& v) { return v.state != MoveState::clean && v.state != MoveState::not_checked; }
+
+bool belongs(const Event& event, const Move& last, const Move& move, const MoveVerdict& v) {
+  if (event.state != v.state || last.tool != move.tool || last.operation != move.operation) return false;
+  return !v.witness || (event.body == v.witness->body && event.against == v.witness->against);
+}
+
+bool is_worse(const MoveVerdict& a, const MoveVerdict& b) {
+  if (a.clearance_mm && b.clearance_mm) return *a.clearance_mm < *b.clearance_mm;
+  return a.depth_mm > b.depth_mm;
+}
+
+}  // namespace
+
+Motion motion_of(const Move& move, RapidMode rapid) {
+  if (!move.start) return Motion(move.end);
+  return Motion(*move.start, move.end, move.kind == MoveKind::rapid && rapid == RapidMode::dogleg);
+}
+
+std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts) {
+  std::vector<Event> events;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const MoveVerdict& v = verdicts[i];
+    if (!is_told(v)) continue;
+    const Move& move = toolpath.moves[i];
+    const bool is_next = !events.empty() && events.back().last_move + 1 == i;
+    if (is_next && belongs(events.back(), toolpath.moves[i - 1], move, v)) {
+      Event& event = events.back();
+      event.last_move = i;
+      ++event.moves;
+      if (is_worse(v, verdicts[event.worst_move])) event.worst_move = i;
+      continue;
+    }
+    Event event;
+    event.state = v.state;
+    event.first_move = event.last_move = event.worst_move = i;
+    event.moves = 1;
+    event.tool = move.tool;
+    if (v.witness) {
+      event.body = v.witness->body;
+      event.against = v.witness->against;
+    }
+    events.push_back(event);
+  }
+  return events;
+}
+
+CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+                       const PreparedScene& scene, const CheckOptions& options, const ProgressCall& progress) {
+  CheckResult result;
+  const std::size_t total = toolpath.moves.size();
+  result.verdicts.resize(total);
+  const PathChecker checker(toolpath, tools, scene, options);
+  std::vector<std::uint64_t> bounds(total, 0);
+  std::mutex told;
+  std::size_t done = 0;
+  for_each_chunk(total, kMovesPerChunk, options.threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) result.verdicts[i] = checker.check(toolpath.moves[i], &bounds[i]);
+    if (!progress) return;
+    const std::scoped_lock lock(told);
+    done += last - first;
+    progress(done, total);
+  });
+  mark_buried(toolpath, tools, *scene.scene, options, result.verdicts);
+  for (const std::uint64_t b : bounds) result.evaluations += b;
+  result.events = gather_events(toolpath, result.verdicts);
+  count(result);
+  return result;
+}
+
+}  // namespace gouge

@@ -1,0 +1,213 @@
+#include "lib/check/hull_bound.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kCorners = 6;
+using Hull = std::array<Vec3, kCorners>;          // three corners at the start, the same three at the end
+using HullDepths = std::array<double, kCorners>;  // behind a plane
+
+double distance_to_axis(const Vec3& a, const Vec3& b) {
+  const Eigen::Vector2d p = a.head<2>();
+  const Eigen::Vector2d way = b.head<2>() - p;
+  const double length2 = way.squaredNorm();
+  const double s = length2 > 0 ? std::clamp(-p.dot(way) / length2, 0.0, 1.0) : 0.0;
+  return (p + s * way).norm();
+}
+
+// The hull lies on the far side of the line through its closest corner square to that corner's direction, if
+// all corners do; otherwise it may reach the axis.
+double smallest_r(const Hull& hull) {
+  std::size_t closest = 0;
+  for (std::size_t i = 1; i < kCorners; ++i) {
+    if (hull[i].head<2>().squaredNorm() < hull[closest].head<2>().squaredNorm()) closest = i;
+  }
+  const double r = hull[closest].head<2>().norm();
+  if (!(r > 0)) return 0;
+  const Eigen::Vector2d out = hull[closest].head<2>() / r;
+  double least = r;
+  for (const Vec3& q : hull) least = std::min(least, out.dot(q.head<2>()));
+  return std::max(0.0, least);
+}
+
+struct HullPlane {
+  HullDepths depths{};
+  double largest_mm = 0;  ///< with the bulge
+  std::size_t deepest = 0;
+  bool is_valid = false;
+};
+
+class PieceBounder {
+ public:
+  PieceBounder(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const TimeSpan& span, double reach_mm)
+      : tool_(tool), reach_mm_(reach_mm) {
+    double far = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      hull_[k] = span.f0.to_tool(piece[k]);
+      hull_[k + 3] = span.f1.to_tool(piece[k]);
+      far = std::max(far, (piece[k] - span.tip_middle).norm());
+    }
+    bulge_ = span.bulge_mm(far);
+    center_ = (hull_[0] + hull_[1] + hull_[2] + hull_[3] + hull_[4] + hull_[5]) / 6.0;
+    z_lo_ = z_hi_ = hull_[0].z();
+    for (const Vec3& q : hull_) {
+      radius_ = std::max(radius_, (q - center_).norm());
+      z_lo_ = std::min(z_lo_, q.z());
+      z_hi_ = std::max(z_hi_, q.z());
+    }
+  }
+
+  PieceBound run(double enough_mm) {
+    PieceBound bound;
+    const ToolSample middle = sample_tool(tool_, center_);
+    bound.upper_mm = reach_mm_ - middle.answer.signed_distance_mm + radius_ + bulge_;
+    if (bound.upper_mm <= enough_mm) return bound;
+    HullPlane planes[3];
+    planes[0] = plane_at(middle);
+    improve(bound, planes[0].largest_mm, planes[0].is_valid);
+    std::size_t corner = planes[0].deepest;
+    for (std::size_t k = 1; k < 3 && bound.upper_mm > enough_mm; ++k) {
+      const ToolSample sample = sample_tool(tool_, hull_[corner]);
+      const double value = reach_mm_ - sample.answer.signed_distance_mm;
+      if (value > bound.value_mm) {
+        bound.value_mm = value;
+        bound.corner = corner % 3;
+        bound.is_at_end = corner >= 3;
+      }
+      planes[k] = plane_at(sample);
+      improve(bound, planes[k].largest_mm, planes[k].is_valid);
+      for (std::size_t j = 0; j < k && bound.upper_mm > enough_mm; ++j) {
+        const bool is_valid = planes[j].is_valid && planes[k].is_valid;
+        if (is_valid) improve(bound, blended(planes[j].depths, planes[k].depths) + bulge_, true);
+      }
+      const std::size_t next = deepest_behind_all(planes, k + 1);
+      if (next == corner) break;
+      corner = next;
+    }
+    bound.is_time_next = is_time_worse(planes[0]);
+    return bound;
+  }
+
+ private:
+  void improve(PieceBound& bound, double depth_mm, bool is_valid) const {
+    if (is_valid) bound.upper_mm = std::min(bound.upper_mm, std::max(0.0, reach_mm_ + depth_mm));
+  }
+
+  HullPlane plane_at(const ToolSample& sample) const {
+    const SupportPlane plane = support_plane(tool_, sample);
+    HullPlane result;
+    result.largest_mm = -1e300;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+      result.depths[i] = plane.depth_mm(hull_[i]);
+      if (result.depths[i] > result.largest_mm) {
+        result.largest_mm = result.depths[i];
+        result.deepest = i;
+      }
+    }
+    result.largest_mm += bulge_;
+    const double r = plane.range.r_min_mm > 0 ? smallest_r(hull_) - bulge_ : 0.0;
+    result.is_valid = supports(plane, z_lo_ - bulge_, z_hi_ + bulge_, result.largest_mm, r, reach_mm_);
+    return result;
+  }
+
+  // Behind two planes at once nothing is deeper than behind any blend of them; the best blend is where two
+  // corners balance.
+  static double blended(const HullDepths& a, const HullDepths& b) {
+    double best = 1e300;
+    const auto try_blend = [&](double share) {
+      double largest = -1e300;
+      for (std::size_t i = 0; i < kCorners; ++i) largest = std::max(largest, share * a[i] + (1 - share) * b[i]);
+      best = std::min(best, largest);
+    };
+    for (std::size_t i = 0; i < kCorners; ++i) {
+      for (std::size_t j = i + 1; j < kCorners; ++j) {
+        const double slope = (a[i] - b[i]) - (a[j] - b[j]);
+        if (std::abs(slope) < 1e-12) continue;
+        const double share = (b[j] - b[i]) / slope;
+        if (share > 0 && share < 1) try_blend(share);
+      }
+    }
+    return best;
+  }
+
+  static std::size_t deepest_behind_all(const HullPlane* planes, std::size_t count) {
+    std::size_t deepest = 0;
+    double most = -1e300;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+      double least = planes[0].depths[i];
+      for (std::size_t k = 1; k < count; ++k) least = std::min(least, planes[k].depths[i]);
+      if (least > most) {
+        most = least;
+        deepest = i;
+      }
+    }
+    return deepest;
+  }
+
+  // Which of the two makes the plane bound slack: how much it varies along the chords or across the piece;
+  // plain lengths count a little, for tools that curve away, and the bulge belongs to time alone.
+  bool is_time_worse(const HullPlane& plane) const {
+    double along = 0, across = 0, chord = 0, edge = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::size_t next = (k + 1) % 3;
+      along = std::max(along, std::abs(plane.depths[k] - plane.depths[k + 3]));
+      chord = std::max(chord, (hull_[k] - hull_[k + 3]).norm());
+      for (const std::size_t end : {std::size_t{0}, std::size_t{3}}) {
+        across = std::max(across, std::abs(plane.depths[k + end] - plane.depths[next + end]));
+      }
+      edge = std::max(edge, (hull_[k] - hull_[next]).norm());
+    }
+    return along + kPlainShare * chord + 4 * bulge_ > across + kPlainShare * edge;
+  }
+
+  static constexpr double kPlainShare = 0.2;
+
+  const CompiledTool& tool_;
+  double reach_mm_;
+  Hull hull_;
+  Vec3 center_ = Vec3::Zero();
+  double radius_ = 0, bulge_ = 0, z_lo_ = 0, z_hi_ = 0;
+};
+
+}  // namespace
+
+NodeBound bound_node(const CompiledTool& tool, const SurfaceNode& node, const TimeSpan& span, double reach_mm) {
+  const Vec3 q0 = span.f0.to_tool(node.center);
+  const Vec3 q1 = span.f1.to_tool(node.center);
+  const double half_chord = 0.5 * (q1 - q0).norm();
+  const double bulge = span.bulge_mm((node.center - span.tip_middle).norm() + node.radius_mm);
+  const ToolSample middle = sample_tool(tool, 0.5 * (q0 + q1));
+  NodeBound bound;
+  bound.upper_mm = reach_mm - middle.answer.signed_distance_mm + node.radius_mm + half_chord + bulge;
+  bound.is_time_longer = half_chord + 4 * bulge > node.radius_mm;
+
+  const SupportPlane plane = support_plane(tool, middle);
+  double deepest = -1e300, z_lo = 1e300, z_hi = -1e300;
+  for (const auto& [frame, q] : {std::pair(&span.f0, q0), std::pair(&span.f1, q1)}) {
+    const Vec3 normal = frame->rows * node.normal;
+    const auto half_width = [&](double cosine) {
+      return std::abs(cosine) * node.half_thickness_mm +
+             std::sqrt(std::max(0.0, 1 - cosine * cosine)) * node.disc_radius_mm;
+    };
+    deepest = std::max(deepest, plane.depth_mm(q) + half_width(plane.normal.dot(normal)));
+    const double height = half_width(normal.z());
+    z_lo = std::min(z_lo, q.z() - height);
+    z_hi = std::max(z_hi, q.z() + height);
+  }
+  deepest += bulge;
+  const double r = distance_to_axis(q0, q1) - node.radius_mm - bulge;
+  if (supports(plane, z_lo - bulge, z_hi + bulge, deepest, r, reach_mm)) {
+    bound.upper_mm = std::min(bound.upper_mm, std::max(0.0, reach_mm + deepest));
+  }
+  return bound;
+}
+
+PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const TimeSpan& span,
+                       double reach_mm, double enough_mm) {
+  return PieceBounder(tool, piece, span, reach_mm).run(enough_mm);
+}
+
+}  // namespace gouge

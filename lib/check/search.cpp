@@ -1,0 +1,193 @@
+#include "lib/check/search.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/check/hull_bound.h"
+#include "lib/check/time_spans.h"
+
+namespace gouge {
+namespace {
+
+// Covers the rounding of coordinates up to 1e5 mm in all bounds together.
+constexpr double kRounding_mm = 1e-9;
+
+/// Either a node of a tree or a piece of a triangle, over a time span, with its upper bound.
+struct Candidate {
+  double upper_mm = 0;
+  std::uint32_t serial = 0;  ///< ties are taken in the order they came up
+  std::uint32_t span = 0;
+  std::uint32_t target = 0;
+  std::uint32_t index = 0;   ///< node, or triangle
+  bool is_triangle = false;
+  bool is_time_next = false;
+  std::array<Vec3, 3> piece;
+};
+
+bool comes_later(const Candidate& a, const Candidate& b) {
+  if (a.upper_mm < b.upper_mm) return true;
+  return !(b.upper_mm < a.upper_mm) && a.serial > b.serial;
+}
+
+class Search {
+ public:
+  Search(const Motion& motion, const std::vector<SearchTarget>& targets, const SearchQuestion& question)
+      : motion_(motion), spans_(motion), targets_(targets), question_(question) {}
+
+  SearchAnswer run() {
+    for (std::uint32_t k = 0; k < targets_.size(); ++k) {
+      if (targets_[k].tree->nodes.empty() || targets_[k].tool->elements.empty()) continue;
+      for (const std::uint32_t span : spans_.roots()) add_node(span, k, 0);
+    }
+    while (!heap_.empty() && heap_.front().upper_mm > settled()) {
+      if (answer_.bounds > question_.budget) {
+        answer_.is_decided = false;
+        break;
+      }
+      std::pop_heap(heap_.begin(), heap_.end(), comes_later);
+      const Candidate next = heap_.back();
+      heap_.pop_back();
+      expand(next);
+    }
+    if (!heap_.empty()) discarded_mm_ = std::max(discarded_mm_, heap_.front().upper_mm);
+    answer_.value_upper_mm = std::max({answer_.value_mm, discarded_mm_, 0.0});
+    return answer_;
+  }
+
+ private:
+  /// Candidates whose bound is not above this need no further look.
+  [[nodiscard]] double settled() const {
+    return std::max(question_.tolerance_mm, answer_.value_mm) + question_.resolution_mm;
+  }
+
+  void offer(const Candidate& c) {
+    if (c.upper_mm <= settled()) {
+      discarded_mm_ = std::max(discarded_mm_, c.upper_mm);
+      return;
+    }
+    heap_.push_back(c);
+    heap_.back().serial = serial_++;
+    std::push_heap(heap_.begin(), heap_.end(), comes_later);
+  }
+
+  void add_node(std::uint32_t span_index, std::uint32_t target, std::uint32_t node) {
+    ++answer_.bounds;
+    const TimeSpan& span = spans_.span(span_index);
+    const NodeBound bound = bound_node(*targets_[target].tool, targets_[target].tree->nodes[node], span,
+                                       question_.reach_mm);
+    Candidate c;
+    c.upper_mm = bound.upper_mm + kRounding_mm;
+    c.span = span_index;
+    c.target = target;
+    c.index = node;
+    c.is_time_next = bound.is_time_longer && spans_.can_halve(span_index);
+    offer(c);
+  }
+
+  void add_piece(std::uint32_t span_index, std::uint32_t target, std::uint32_t triangle,
+                 const std::array<Vec3, 3>& piece) {
+    ++answer_.bounds;
+    const TimeSpan& span = spans_.span(span_index);
+    const PieceBound bound = bound_piece(*targets_[target].tool, piece, span, question_.reach_mm, settled());
+    if (bound.value_mm > answer_.value_mm) {
+      take(bound.value_mm, bound.is_at_end ? span.t1 : span.t0, piece[bound.corner], target, triangle);
+    }
+    Candidate c;
+    c.upper_mm = bound.upper_mm + kRounding_mm;
+    c.span = span_index;
+    c.target = target;
+    c.index = triangle;
+    c.is_triangle = true;
+    c.piece = piece;
+    c.is_time_next = bound.is_time_next && spans_.can_halve(span_index);
+    if (c.upper_mm > settled()) try_middle(c);
+    offer(c);
+  }
+
+  /// The middle of the piece at mid span: where a tool that dips in and out again is met.
+  void try_middle(const Candidate& c) {
+    const TimeSpan& span = spans_.span(c.span);
+    const double t = 0.5 * (span.t0 + span.t1);
+    const Vec3 p = (c.piece[0] + c.piece[1] + c.piece[2]) / 3.0;
+    const ToolFrame frame = spans_.frame_at(t, span.stretch);
+    const ToolSample sample = sample_tool(*targets_[c.target].tool, frame.to_tool(p));
+    const double value = question_.reach_mm - sample.answer.signed_distance_mm;
+    if (value > answer_.value_mm) take(value, t, p, c.target, c.index);
+  }
+
+  void take(double value, double t, const Vec3& point, std::uint32_t target, std::uint32_t triangle) {
+    answer_.value_mm = value;
+    answer_.has_witness = true;
+    answer_.t = t;
+    answer_.point = point;
+    answer_.target = target;
+    answer_.triangle = triangle;
+  }
+
+  void expand(const Candidate& c) {
+    if (c.is_time_next) {
+      const std::uint32_t half = spans_.halve(c.span);
+      for (std::uint32_t k = 0; k < 2; ++k) {
+        if (c.is_triangle) {
+          add_piece(half + k, c.target, c.index, c.piece);
+        } else {
+          add_node(half + k, c.target, c.index);
+        }
+      }
+    } else if (c.is_triangle) {
+      halve_piece(c);
+    } else {
+      descend(c);
+    }
+  }
+
+  void descend(const Candidate& c) {
+    const SurfaceTree& tree = *targets_[c.target].tree;
+    const SurfaceNode& node = tree.nodes[c.index];
+    if (node.count == 0) {
+      add_node(c.span, c.target, node.first);
+      add_node(c.span, c.target, node.first + 1);
+      return;
+    }
+    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
+      add_piece(c.span, c.target, t, tree.triangles[t].corners);
+    }
+  }
+
+  void halve_piece(const Candidate& c) {
+    std::size_t longest = 0;
+    double length2 = -1;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double l2 = (c.piece[(k + 1) % 3] - c.piece[k]).squaredNorm();
+      if (l2 > length2) {
+        length2 = l2;
+        longest = k;
+      }
+    }
+    const Vec3 middle = 0.5 * (c.piece[longest] + c.piece[(longest + 1) % 3]);
+    std::array<Vec3, 3> half = c.piece;
+    half[(longest + 1) % 3] = middle;
+    add_piece(c.span, c.target, c.index, half);
+    half = c.piece;
+    half[longest] = middle;
+    add_piece(c.span, c.target, c.index, half);
+  }
+
+  const Motion& motion_;
+  TimeSpans spans_;
+  const std::vector<SearchTarget>& targets_;
+  const SearchQuestion& question_;
+  std::vector<Candidate> heap_;
+  std::uint32_t serial_ = 0;
+  double discarded_mm_ = 0;
+  SearchAnswer answer_;
+};
+
+}  // namespace
+
+SearchAnswer search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
+                         const SearchQuestion& question) {
+  return Search(motion, targets, question).run();
+}
+
+}  // namespace gouge

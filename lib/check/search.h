@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lib/check/motion.h"
+#include "lib/check/verdict.h"
+#include "lib/hierarchy/surface_tree.h"
+#include "lib/tool/compiled_tool.h"
+
+// The certified sweep of one move: one best-first recursion over (instant x surface), every step with a proven
+// upper bound, every candidate a real point of a triangle at a real instant.
+// Method and proofs: docs/algorithms/certified_sweep.md. Goes beyond thesis 2.4.18 (points at single poses).
+
+namespace gouge {
+
+/// A tool form against a surface.
+struct SearchTarget {
+  const CompiledTool* tool = nullptr;
+  const SurfaceTree* tree = nullptr;
+  Against against = Against::part;
+};
+
+struct SearchQuestion {
+  /// What is sought is the largest `reach_mm - signed distance`: 0 for the depth, a near-miss distance for the
+  /// closest approach.
+  double reach_mm = 0;
+  double tolerance_mm = 0;   ///< no more is asked than a proof that the value is at most this ...
+  double resolution_mm = 0;  ///< ... plus this; above it the value itself, to this gap
+  std::uint64_t budget = 0;  ///< bounds to compute before giving up
+};
+
+struct SearchAnswer {
+  double value_mm = 0;        ///< largest value met at a real point and instant, at least 0
+  double value_upper_mm = 0;  ///< proven: nowhere in the move is it larger
+  bool has_witness = false;   ///< value > 0
+  double t = 0;
+  Vec3 point = Vec3::Zero();
+  std::uint32_t target = 0, triangle = 0;  ///< triangle: index into the tree's triangles
+  bool is_decided = true;     ///< false: the budget ran out first; value_upper is still true
+  std::uint64_t bounds = 0;   ///< how many were computed
+};
+
+/// Requires motion.is_defined(), tools with at least one element, resolution > 0.
+/// Ensures  value <= true value <= value_upper; when decided, value_upper <= max(tolerance, value) + resolution.
+/// Cost     a few hundred bounds for a clean move near the surface, no allocation that outlives the call.
+[[nodiscard]] SearchAnswer search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
+                                       const SearchQuestion& question);
+
+}  // namespace gouge

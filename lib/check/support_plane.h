@@ -1,0 +1,37 @@
+#pragma once
+
+#include "lib/geom/vec.h"
+#include "lib/tool/compiled_tool.h"
+#include "lib/tool/evaluate.h"
+
+// First-order bounds: behind a plane tangent to the tool nothing is deeper than its distance from the plane,
+// as far as the plane supports the tool (SupportRange). Proof: docs/algorithms/certified_sweep.md.
+
+namespace gouge {
+
+/// A point in tool coordinates with the tool's answer for it.
+struct ToolSample {
+  Vec3 q = Vec3::Zero();
+  ToolAnswer answer;
+};
+
+[[nodiscard]] ToolSample sample_tool(const CompiledTool& tool, const Vec3& q_tool);
+
+/// The plane {x : normal . x = offset} tangent to the tool at the foot of a sample, normal outward.
+struct SupportPlane {
+  Vec3 normal = Vec3::UnitZ();
+  double offset_mm = 0;
+  SupportRange range;
+
+  /// How far q lies behind the plane (positive on the tool's side).
+  [[nodiscard]] double depth_mm(const Vec3& q) const { return offset_mm - normal.dot(q); }
+};
+
+[[nodiscard]] SupportPlane support_plane(const CompiledTool& tool, const ToolSample& sample);
+
+/// Whether the plane bounds the tool over a set: z of the set in [z_lo, z_hi], its largest depth behind the plane,
+/// its smallest distance from the tool axis. `margin_mm` asks for the bound up to that far outside as well.
+[[nodiscard]] bool supports(const SupportPlane& plane, double z_lo_mm, double z_hi_mm, double largest_depth_mm,
+                            double smallest_r_mm, double margin_mm);
+
+}  // namespace gouge
