@@ -1,0 +1,22 @@
+#pragma once
+
+#include "samples/sample.h"
+
+// The samples, one function each. docs/testing.md tells what each is for.
+
+namespace gouge::samples {
+
+[[nodiscard]] Sample make_freeform();       ///< ball cutter, 5-axis, on a wavy surface beside a wall
+[[nodiscard]] Sample make_pocket();         ///< bull-nose in a filleted pocket, a clamp beside it
+[[nodiscard]] Sample make_blade();          ///< tapered ball around a twisted blade, NX CLSF with MSYS
+[[nodiscard]] Sample make_between_rib();    ///< both positions clean, a rib between them
+[[nodiscard]] Sample make_between_swing();  ///< the tip rests, the holder swings through a post
+[[nodiscard]] Sample make_thin_post();      ///< a post 0.04 mm thick, one long rapid
+[[nodiscard]] Sample make_buried();         ///< the tool inside a block, no surface inside the tool
+[[nodiscard]] Sample make_inch();           ///< inch toolpath, inch part
+[[nodiscard]] Sample make_needles();        ///< flat end mill exactly on a plane of needle triangles
+[[nodiscard]] Sample make_big_triangles();  ///< ball on an inclined plane of two triangles 2 m wide
+
+[[nodiscard]] std::vector<Sample> make_all();
+
+}  // namespace gouge::samples

@@ -1,0 +1,165 @@
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lib/base/number_text.h"
+#include "samples/cases.h"
+#include "samples/cl_text.h"
+
+// A wavy surface z = f(x, y) with a wall behind it, finished by a ball D10 with lead and tilt that vary along
+// the path. The ball's centre lies at radius + kAllowance from the true surface along its normal, so that chords of
+// the mesh and of the path (each below 5 um) stay within the tolerance. Where `dip` says so the tool is pushed in
+// along the normal; the smallest radius of curvature is 20 mm, so the depth of the cut is the push.
+
+namespace gouge::samples {
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+constexpr double kRadius = 5, kAllowance = 0.005;
+constexpr double kWallX = 106, kWallTop = 57.5, kHolderStart = 50;
+constexpr int kPasses = 25, kPerPass = 97;
+
+double height(double x, double y) {
+  return 6 + 4 * std::sin(kTurn * x / 98) * std::sin(kTurn * y / 80 + 0.4) + 0.5 * std::cos(kTurn * y / 50);
+}
+
+Vec3 normal(double x, double y) {
+  const double wave = kTurn * y / 80 + 0.4;
+  const double dx = 4 * kTurn / 98 * std::cos(kTurn * x / 98) * std::sin(wave);
+  const double dy =
+      4 * kTurn / 80 * std::sin(kTurn * x / 98) * std::cos(wave) - 0.5 * kTurn / 50 * std::sin(kTurn * y / 50);
+  return Vec3(-dx, -dy, 1).normalized();
+}
+
+/// Away from the wall in the passes near it, except in the last one, where the axis is upright: there the
+/// holder's lower face reaches below the top of the wall.
+Vec3 tool_axis(int pass, double x, double y) {
+  if (pass == kPasses - 1) return Vec3::UnitZ();
+  const double s = std::clamp((x - 50) / 34, 0.0, 1.0);
+  const double blend = s * s * (3 - 2 * s);
+  const double tilt_deg = 12 * std::sin(kTurn * x / 60) * (1 - blend) - 20 * blend;
+  const double lead_deg = 10 * std::sin(kTurn * y / 50 + 0.7 * pass);
+  return Vec3(std::tan(tilt_deg * kTurn / 360), std::tan(lead_deg * kTurn / 360), 1).normalized();
+}
+
+/// How far position j of a pass is pushed below the surface, mm: a slow dive, one bad point, a level stretch.
+double dip(int pass, int j) {
+  if (pass == 6 && j >= 30 && j <= 42) return std::min(0.3, 0.05 * std::min(j - 29, 43 - j));
+  if (pass == 12 && j == 50) return 0.5;
+  if (pass == 17 && j >= 60 && j <= 70) return 0.12;
+  return 0;
+}
+
+Solid make_part() {
+  std::vector<double> columns, rows;
+  for (int i = 0; i <= 142; ++i) columns.push_back(kWallX * i / 142);
+  for (int j = 0; j <= 134; ++j) rows.push_back(100.0 * j / 134);
+  std::vector<std::vector<Vec3>> grid;
+  for (const double x : columns) {
+    grid.emplace_back();
+    for (const double y : rows) grid.back().emplace_back(x, y, height(x, y));
+  }
+  for (const double x : {kWallX + 1, kWallX + 20}) {
+    grid.emplace_back();
+    for (const double y : rows) grid.back().emplace_back(x, y, kWallTop);
+  }
+  Solid solid;
+  const std::size_t last_i = grid.size() - 1, last_j = rows.size() - 1;
+  for (std::size_t i = 0; i < last_i; ++i) {
+    for (std::size_t j = 0; j < last_j; ++j) {
+      add_quad(solid, grid[i][j], grid[i + 1][j], grid[i + 1][j + 1], grid[i][j + 1]);
+    }
+  }
+  Ring rim;
+  for (std::size_t i = 0; i < last_i; ++i) rim.push_back(grid[i][0]);
+  for (std::size_t j = 0; j < last_j; ++j) rim.push_back(grid[last_i][j]);
+  for (std::size_t i = last_i; i > 0; --i) rim.push_back(grid[i][last_j]);
+  for (std::size_t j = last_j; j > 0; --j) rim.push_back(grid[0][j]);
+  Ring base = rim;
+  for (Vec3& p : base) p.z() = -20;
+  add_strip(solid, rim, base);
+  add_cap(solid, Vec3(60, 50, -20), base, true);
+  return solid;
+}
+
+struct Position {
+  Pose pose;
+  double cutter_depth = 0;  ///< of the resting cutter; below 0: clear
+  double holder_depth = 0;  ///< of the resting holder in the wall's top, where the axis is upright
+};
+
+Position position(int pass, int j) {
+  const double x = 2 + 4 * pass, y = 2 + 96.0 * (pass % 2 == 0 ? j : kPerPass - 1 - j) / (kPerPass - 1);
+  const Vec3 axis = tool_axis(pass, x, y);
+  const double offset = kRadius + kAllowance - dip(pass, j);
+  Position p;
+  p.pose.axis = axis;
+  p.pose.tip = Vec3(x, y, height(x, y)) + offset * normal(x, y) - kRadius * axis;
+  p.cutter_depth = dip(pass, j) - kAllowance;
+  if (pass == kPasses - 1) p.holder_depth = kWallTop - (p.pose.tip.z() + kHolderStart);
+  return p;
+}
+
+/// The finding for the move between two positions; depths are largest at one of its ends.
+void add_finding(Sample& sample, std::size_t line, const Position& a, const Position& b) {
+  const double holder = std::max(a.holder_depth, b.holder_depth);
+  const double cutter = std::max(a.cutter_depth, b.cutter_depth);
+  if (holder > 0) {
+    sample.findings.push_back({line, "gouge", "holder", "part", holder - 1e-3, holder + 1e-3});
+  } else if (cutter > 0) {
+    sample.findings.push_back({line, "gouge", "cutter", "part", cutter - 0.01, cutter + 0.01});
+  }
+}
+
+Position raised(const Position& p, double by) {
+  Position up;
+  up.pose = {p.pose.tip + by * p.pose.axis, p.pose.axis};
+  return up;
+}
+
+}  // namespace
+
+Sample make_freeform() {
+  Sample sample;
+  sample.name = "freeform";
+  sample.about =
+      "A wavy surface finished with a ball D10 in 5-axis: two dives, one bad point, and a last pass whose holder "
+      "rubs the wall";
+  sample.toolpath_file = "freeform.apt";
+  sample.tools =
+      R"({"units":"mm","tools":[{"number":1,"name":"ball D10","cutter":{"shape":"ball","diameter":10,"length":30},
+  "shank":[{"lower_diameter":10,"upper_diameter":10,"length":20}],
+  "holder":[{"lower_diameter":32,"upper_diameter":32,"length":40},{"lower_diameter":40,"upper_diameter":46,"length":30}]}]}
+)";
+  sample.parts.push_back({"part.stl", make_part()});
+  sample.check_exit = 1;
+  ClText cl(ClText::Form::apt);
+  cl.line("PARTNO/FREEFORM SAMPLE");
+  cl.line("UNITS/MM");
+  cl.line("MULTAX/ON");
+  cl.line("CUTTER/10.000000, 5.000000, 0.000000, 5.000000, 0.000000, 0.000000, 30.000000");
+  cl.line("LOADTL/1");
+  cl.line("SPINDL/12000.000, RPM, CLW");
+  cl.rapid({Vec3(50, 50, 150), Vec3::UnitZ()});
+  for (int pass = 0; pass < kPasses; ++pass) {
+    cl.line("PPRINT/PASS " + std::to_string(pass + 1) + ", X " + fixed_text(2 + 4 * pass, 1));
+    Position before = raised(position(pass, 0), 30);
+    cl.rapid(before.pose);
+    cl.line("FEDRAT/1200.0000, MMPM");
+    for (int j = 0; j < kPerPass; ++j) {
+      const Position here = position(pass, j);
+      add_finding(sample, cl.feed(here.pose), before, here);
+      before = here;
+    }
+    const Position retracted = raised(before, 30);
+    add_finding(sample, cl.rapid(retracted.pose), before, retracted);
+  }
+  cl.rapid({Vec3(50, 50, 150), Vec3::UnitZ()});
+  cl.line("SPINDL/OFF");
+  cl.line("FINI");
+  sample.toolpath = cl.text();
+  sample.moves = cl.positions();
+  return sample;
+}
+
+}  // namespace gouge::samples

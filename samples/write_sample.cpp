@@ -1,0 +1,72 @@
+#include "samples/write_sample.h"
+
+#include "lib/base/files.h"
+#include "lib/base/number_text.h"
+
+namespace gouge::samples {
+namespace {
+
+std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+
+std::string file_list(const std::vector<NamedSolid>& solids) {
+  std::string out = "[";
+  for (const NamedSolid& solid : solids) out += (out.size() > 1 ? ", " : "") + quoted(solid.file);
+  return out + "]";
+}
+
+}  // namespace
+
+std::string expected_json(const Sample& sample) {
+  std::string out = "{\n";
+  const auto field = [&out](const std::string& name, const std::string& value) {
+    out += "  " + quoted(name) + ": " + value + ",\n";
+  };
+  field("name", quoted(sample.name));
+  field("about", quoted(sample.about));
+  field("toolpath", quoted(sample.toolpath_file));
+  field("tools", quoted("tools.json"));
+  field("unit", quoted(sample.unit));
+  field("parts", file_list(sample.parts));
+  field("fixtures", file_list(sample.fixtures));
+  field("check_exit", std::to_string(sample.check_exit));
+  field("correct_exit", std::to_string(sample.correct_exit));
+  field("moves", std::to_string(sample.moves));
+  out += "  \"findings\": [";
+  for (std::size_t i = 0; i < sample.findings.size(); ++i) {
+    const ExpectedFinding& f = sample.findings[i];
+    out += (i == 0 ? "\n    {" : ",\n    {");
+    out += "\"line\": " + std::to_string(f.line) + ", \"state\": " + quoted(f.state) + ", \"body\": " +
+           quoted(f.body) + ", \"against\": " + quoted(f.against) + ", \"depth_min\": " +
+           fixed_text(f.depth_min, 5) + ", \"depth_max\": " + fixed_text(f.depth_max, 5) + "}";
+  }
+  return out + (sample.findings.empty() ? "]\n}\n" : "\n  ]\n}\n");
+}
+
+Outcome write_sample(const Sample& sample, const std::string& folder) {
+  const std::string own = folder + "/" + sample.name;
+  if (const Outcome made = make_folder(own); !made) return made;
+  std::vector<std::pair<std::string, std::string>> files = {{sample.toolpath_file, sample.toolpath},
+                                                            {"tools.json", sample.tools},
+                                                            {"expected.json", expected_json(sample)}};
+  for (const auto* solids : {&sample.parts, &sample.fixtures}) {
+    for (const NamedSolid& solid : *solids) files.emplace_back(solid.file, stl_bytes(solid.solid));
+  }
+  for (const auto& [name, bytes] : files) {
+    if (const Outcome written = write_file(own + "/" + name, bytes); !written) return written;
+  }
+  return Done{};
+}
+
+std::string index_text(const std::vector<Sample>& samples) {
+  std::string out;
+  for (const Sample& sample : samples) {
+    out += sample.name + " " + std::to_string(sample.check_exit) + " " + std::to_string(sample.correct_exit) +
+           " " + sample.toolpath_file + " --tools tools.json";
+    for (const NamedSolid& part : sample.parts) out += " --part " + part.file;
+    for (const NamedSolid& fixture : sample.fixtures) out += " --fixture " + fixture.file;
+    out += "\n";
+  }
+  return out;
+}
+
+}  // namespace gouge::samples

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "samples/sample.h"
+
+namespace gouge::samples {
+
+/// The expected verdict as JSON text; the form is described in docs/testing.md.
+[[nodiscard]] std::string expected_json(const Sample& sample);
+
+/// Writes the sample's files into `folder`/`sample.name`. Errors: those of write_file and make_folder.
+[[nodiscard]] Outcome write_sample(const Sample& sample, const std::string& folder);
+
+/// One line per sample for shell scripts: name, exit of check, exit of correct, toolpath, options.
+[[nodiscard]] std::string index_text(const std::vector<Sample>& samples);
+
+}  // namespace gouge::samples
