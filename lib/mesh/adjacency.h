@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/mesh/indexed_mesh.h"
+
+// Which triangles meet at an edge and at a vertex (thesis 4.2, 4.5.2.3). Any mesh has an adjacency: an edge
+// may be used by one triangle or by many, in either direction.
+
+namespace gouge {
+
+/// One triangle's use of an edge.
+struct EdgeUse {
+  std::uint32_t triangle = 0;
+  bool is_forward = true;  ///< the triangle runs from the edge's lower vertex index to the higher one
+};
+
+struct MeshEdge {
+  Corner low = 0;  ///< low < high
+  Corner high = 0;
+  std::uint32_t first_use = 0;  ///< into MeshAdjacency::uses
+  std::uint32_t use_count = 0;  ///< 1 boundary, 2 manifold, more: non-manifold
+};
+
+class MeshAdjacency {
+ public:
+  /// Cost O(n). Requires triangles with three distinct corners (what build_mesh gives).
+  explicit MeshAdjacency(const IndexedMesh& mesh);
+
+  /// In increasing order of (low, high).
+  [[nodiscard]] const std::vector<MeshEdge>& edges() const { return edges_; }
+
+  /// In increasing order of triangle.
+  [[nodiscard]] std::span<const EdgeUse> uses(const MeshEdge& edge) const {
+    return {uses_.data() + edge.first_use, edge.use_count};
+  }
+
+  /// Edge k runs from corner k to corner k + 1 (mod 3).
+  [[nodiscard]] const std::array<std::uint32_t, 3>& edges_of_triangle(std::size_t triangle) const {
+    return triangle_edges_[triangle];
+  }
+
+  /// In increasing order.
+  [[nodiscard]] std::span<const std::uint32_t> triangles_of_vertex(Corner vertex) const {
+    return {vertex_triangles_.data() + vertex_first_[vertex],
+            vertex_first_[vertex + 1] - vertex_first_[vertex]};
+  }
+
+  /// Edges used by one triangle, and by more than two; indices into edges(), increasing.
+  [[nodiscard]] const std::vector<std::uint32_t>& boundary_edges() const { return boundary_edges_; }
+  [[nodiscard]] const std::vector<std::uint32_t>& non_manifold_edges() const { return non_manifold_edges_; }
+
+ private:
+  void collect_triangles_of_vertices(const IndexedMesh& mesh);
+  void collect_edges(const IndexedMesh& mesh);
+
+  std::vector<MeshEdge> edges_;
+  std::vector<EdgeUse> uses_;
+  std::vector<std::array<std::uint32_t, 3>> triangle_edges_;
+  std::vector<std::uint32_t> vertex_first_;
+  std::vector<std::uint32_t> vertex_triangles_;
+  std::vector<std::uint32_t> boundary_edges_;
+  std::vector<std::uint32_t> non_manifold_edges_;
+};
+
+}  // namespace gouge

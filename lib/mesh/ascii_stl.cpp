@@ -1,0 +1,244 @@
+#include "lib/mesh/ascii_stl.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "lib/base/number_text.h"
+
+namespace gouge::detail {
+namespace {
+
+constexpr std::size_t kLongestQuote = 40;
+
+char lower(char c) {
+  return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+bool is_line_end(char c) {
+  return c == '\n' || c == '\r';
+}
+
+bool equals(std::string_view word, std::string_view lower_case) {
+  return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(),
+                    [](char a, char b) { return lower(a) == b; });
+}
+
+// What stands in the file, fit for a message of one line.
+std::string quoted(std::string_view word) {
+  if (word.empty()) return "the end of the file";
+  std::string text = "'";
+  for (const char c : word.substr(0, kLongestQuote)) text += (c > ' ' && c <= '~') ? c : '?';
+  return text + (word.size() > kLongestQuote ? "...'" : "'");
+}
+
+// Words of the file one after the other, with the line each stands in. LF, CRLF and CR end a line.
+class Words {
+ public:
+  explicit Words(std::string_view text) : text_(text) {
+    if (text_.substr(0, 3) == "\xEF\xBB\xBF") at_ = 3;
+  }
+
+  std::string_view next() {
+    skip_space();
+    const std::size_t first = at_;
+    while (at_ < text_.size() && !is_blank(text_[at_]) && !is_line_end(text_[at_])) ++at_;
+    return text_.substr(first, at_ - first);
+  }
+
+  std::string_view peek() {
+    skip_space();
+    const std::size_t first = at_;
+    const std::string_view word = next();
+    at_ = first;
+    return word;
+  }
+
+  // The rest of the line is a name, which may be anything; only a facet may stand behind it, since some
+  // writers use no line ends at all.
+  void skip_name() {
+    while (at_ < text_.size() && !is_line_end(text_[at_])) {
+      if (is_blank(text_[at_]) && equals(text_.substr(at_ + 1, 13), "facet normal ")) return;
+      ++at_;
+    }
+  }
+
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+ private:
+  void skip_space() {
+    for (; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (c == '\n' || (c == '\r' && text_.substr(at_ + 1, 1) != "\n")) ++line_;
+      if (!is_blank(c) && !is_line_end(c)) return;
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t line_ = 1;
+};
+
+class AsciiParser {
+ public:
+  AsciiParser(std::string_view bytes, const std::string& name) : words_(bytes) {
+    soup_.name = name;
+    soup_.format = StlFormat::ascii;
+    soup_.triangles.reserve(bytes.size() / 260);
+  }
+
+  Result<TriangleSoup> parse() {
+    while (!words_.peek().empty()) {
+      if (!parse_statement()) return *error_;
+    }
+    if (soup_.triangles.empty()) {
+      return make_error("stl-no-triangles", "the ASCII STL holds no facet; expected at least one",
+                        soup_.name);
+    }
+    if (is_in_solid_) {
+      soup_.notes.push_back(make_warning("stl-no-endsolid",
+                                         "the file ends without 'endsolid' after facet " +
+                                             std::to_string(soup_.triangles.size()) +
+                                             "; it may be cut off, export it again to be sure",
+                                         soup_.name, words_.line()));
+    }
+    return std::move(soup_);
+  }
+
+ private:
+  bool parse_statement() {
+    const std::string_view word = words_.next();
+    if (equals(word, "solid")) {
+      words_.skip_name();
+      is_in_solid_ = true;
+      return true;
+    }
+    if (equals(word, "endsolid")) {
+      words_.skip_name();
+      is_in_solid_ = false;
+      return true;
+    }
+    if (equals(word, "facet")) return parse_facet();
+    return fail("expected 'facet' or 'endsolid', found " + quoted(word));
+  }
+
+  bool parse_facet() {
+    if (!expect("normal")) return false;
+    const std::optional<Vec3> normal = parse_normal();
+    if (!normal || !expect("outer") || !expect("loop")) return false;
+    std::array<Vec3, 3> triangle;
+    for (int k = 0; k < 3; ++k) {
+      if (!expect_vertex(k) || !parse_vertex(triangle[static_cast<std::size_t>(k)])) return false;
+    }
+    if (equals(words_.peek(), "vertex")) {
+      return fail("a fourth vertex in " + facet() + "; expected triangles only: export it triangulated");
+    }
+    if (!expect("endloop") || !expect("endfacet")) return false;
+    soup_.triangles.push_back(triangle);
+    count_normal(soup_, *normal);
+    return true;
+  }
+
+  // Writers put "nan" and the like here for triangles without area; a normal is never needed.
+  std::optional<Vec3> parse_normal() {
+    Vec3 normal;
+    for (int k = 0; k < 3; ++k) {
+      if (equals(words_.peek(), "outer") || words_.peek().empty()) {
+        fail("the normal of " + facet() + " has " + std::to_string(k) + " numbers; expected 3");
+        return std::nullopt;
+      }
+      normal[k] = parse_number(words_.next()).value_or(0.0);
+    }
+    return normal;
+  }
+
+  bool expect_vertex(int k) {
+    if (equals(words_.peek(), "vertex")) {
+      words_.next();
+      return true;
+    }
+    const std::string_view found = words_.peek();
+    if (found.empty()) return cut_off();
+    return fail(facet() + " has " + std::to_string(k) + (k == 1 ? " vertex" : " vertices") +
+                "; expected 3: found " + quoted(found) + " where 'vertex' should be");
+  }
+
+  bool parse_vertex(Vec3& vertex) {
+    for (int k = 0; k < 3; ++k) {
+      const std::string_view word = words_.next();
+      if (word.empty()) return cut_off();
+      const std::optional<double> number = parse_number(word);
+      if (!number) {
+        return fail(
+            facet() + ": expected a finite number as " + "xyz"[k] + " of a vertex, found " + quoted(word),
+            "stl-bad-number");
+      }
+      vertex[k] = *number;
+    }
+    return true;
+  }
+
+  bool expect(std::string_view expected) {
+    const std::string_view found = words_.next();
+    if (equals(found, expected)) return true;
+    if (found.empty()) return cut_off();
+    return fail("expected '" + std::string(expected) + "' in " + facet() + ", found " + quoted(found));
+  }
+
+  [[nodiscard]] std::string facet() const { return "facet " + std::to_string(soup_.triangles.size() + 1); }
+
+  bool cut_off() {
+    return fail("the file ends inside " + facet() + "; it is cut off, export or copy it again",
+                "stl-truncated");
+  }
+
+  bool fail(std::string message, std::string code = "stl-syntax") {
+    error_ = make_error(std::move(code), std::move(message), soup_.name, words_.line());
+    return false;
+  }
+
+  Words words_;
+  TriangleSoup soup_;
+  std::optional<Diagnostic> error_;
+  bool is_in_solid_ = false;
+};
+
+}  // namespace
+
+bool looks_like_ascii_stl(std::string_view bytes) {
+  Words words(bytes);
+  const std::string_view first = words.next();
+  if (equals(first, "facet")) return true;
+  if (!equals(first, "solid")) return false;
+  words.skip_name();
+  const std::string_view second = words.peek();
+  if (equals(second, "facet") || equals(second, "endsolid") || equals(second, "solid")) return true;
+  // Neither word follows: text (then its errors deserve a line number) or a binary header?
+  return std::all_of(bytes.begin(),
+                     bytes.begin() + static_cast<std::ptrdiff_t>(std::min<std::size_t>(bytes.size(), 512)),
+                     [](char c) { return is_blank(c) || is_line_end(c) || (c >= ' ' && c <= '~'); });
+}
+
+Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& name) {
+  return AsciiParser(bytes, name).parse();
+}
+
+void count_normal(TriangleSoup& soup, const Vec3& stored_normal) {
+  constexpr double kThinnest = 1e-3;  // area over longest side squared: below it float rounding turns normals
+  const auto& [a, b, c] = soup.triangles.back();
+  const Vec3 ab = b - a;
+  const Vec3 ac = c - a;
+  const Vec3 cross = ab.cross(ac);
+  const double longest2 = std::max(ab.squaredNorm(), ac.squaredNorm());
+  const double turn = cross.dot(stored_normal);
+  if (!std::isfinite(turn) || turn >= 0) return;
+  if (cross.squaredNorm() < kThinnest * kThinnest * longest2 * longest2) return;
+  if (soup.opposite_normals == 0) soup.first_opposite_normal = soup.triangles.size() - 1;
+  ++soup.opposite_normals;
+}
+
+}  // namespace gouge::detail

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lib/base/result.h"
+#include "lib/mesh/triangle_soup.h"
+
+// The ASCII half of read_stl; callers outside this room use read_stl.h.
+
+namespace gouge::detail {
+
+/// Whether the bytes are meant as ASCII STL: the first word is `solid` (then `facet`, `solid` or `endsolid`
+/// begins a later line or follows) or `facet`.
+[[nodiscard]] bool looks_like_ascii_stl(std::string_view bytes);
+
+/// Errors and tolerance as told at parse_stl.
+[[nodiscard]] Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& name);
+
+/// Counts a stored normal that points to the other side of the triangle added last. Normals that are zero or
+/// not finite say nothing, nor do triangles too thin to have a normal.
+void count_normal(TriangleSoup& soup, const Vec3& stored_normal);
+
+}  // namespace gouge::detail

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "lib/base/result.h"
+#include "lib/mesh/mesh_builder.h"
+#include "lib/mesh/mesh_findings.h"
+
+namespace gouge {
+
+struct LoadedMesh {
+  IndexedMesh mesh;  ///< mm, part coordinates
+  MeshFindings findings;
+  Diagnostics notes;  ///< what the reader tolerated, then describe(findings); warnings and notes
+};
+
+/// From an STL file to a mesh and what there is to say about it.
+/// Errors: those of read_file, parse_stl and build_mesh.
+[[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {});
+
+/// The same from the bytes of a file.
+[[nodiscard]] Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name,
+                                                 const MeshPlacement& placement = {});
+
+}  // namespace gouge

@@ -1,0 +1,41 @@
+#pragma once
+
+#include "lib/base/result.h"
+#include "lib/base/units.h"
+#include "lib/geom/rigid_transform.h"
+#include "lib/mesh/indexed_mesh.h"
+#include "lib/mesh/mesh_spot.h"
+#include "lib/mesh/triangle_soup.h"
+
+// Triangle soup to indexed mesh (thesis 4.1.1, 4.2): one vertex for all corners with identical coordinates.
+// Corners that are merely near each other stay apart; the surface is exactly that of the file.
+
+namespace gouge {
+
+/// How a body's file coordinates become part coordinates: scaled to mm first, then placed.
+struct MeshPlacement {
+  LengthUnit unit = LengthUnit::mm;
+  RigidTransform place;
+};
+
+struct BuiltMesh {
+  IndexedMesh mesh;
+  /// Triangles with two identical corners: left out of the mesh (they are a line, which their neighbours
+  /// have).
+  MeshSpot degenerate;
+  /// Triangles whose three distinct corners lie on one line: kept, since the check is about every point of
+  /// the surface and in an open mesh no neighbour need have theirs.
+  MeshSpot collinear;
+  /// Triangles whose stored normal points to their other side (see TriangleSoup).
+  MeshSpot opposite_normals;
+};
+
+/// Welds, scales and places. Vertices stand in the order of their first appearance, triangles in file order;
+/// -0 and +0 are the same coordinate. Duplicated triangles stay.
+///
+/// Errors   stl-no-surface: every triangle is degenerate. stl-coordinate-too-large: a coordinate beyond
+///          1e9 mm after scaling.
+/// Cost     O(n).
+[[nodiscard]] Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& placement = {});
+
+}  // namespace gouge

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "lib/base/diagnostic.h"
+#include "lib/base/units.h"
+#include "lib/mesh/adjacency.h"
+#include "lib/mesh/indexed_mesh.h"
+#include "lib/mesh/mesh_builder.h"
+#include "lib/mesh/mesh_spot.h"
+
+// What can be said about a mesh by counting: the part of validation that every check runs. Whether the
+// surface crosses itself needs exact predicates and is lib/validate's business.
+
+namespace gouge {
+
+/// Lengths in mm, part coordinates.
+struct MeshFindings {
+  std::size_t vertices = 0;    ///< V
+  std::size_t edges = 0;       ///< E
+  std::size_t triangles = 0;   ///< F
+  std::size_t components = 0;  ///< pieces of surface connected through edges
+
+  MeshSpot boundary_edges;      ///< edges with one triangle
+  MeshSpot non_manifold_edges;  ///< edges with more than two triangles
+  MeshSpot misoriented_edges;   ///< edges whose two triangles run along them in the same direction
+  MeshSpot unbalanced_edges;  ///< edges not used equally often in both directions (contains the boundary and
+                              ///< the misoriented ones)
+  MeshSpot non_manifold_vertices;  ///< vertices where separate fans of triangles touch
+  MeshSpot duplicate_triangles;    ///< triangles with the corners of an earlier one, in any order
+  MeshSpot inside_out_components;  ///< closed pieces that face inward and are not a cavity of another piece
+  std::size_t cavities = 0;        ///< closed pieces that face inward inside another piece
+
+  MeshSpot degenerate_triangles;  ///< from build_mesh: left out
+  MeshSpot collinear_triangles;   ///< from build_mesh: kept
+  MeshSpot opposite_normals;      ///< from build_mesh
+
+  double signed_volume_mm3 =
+      0;  ///< positive for an outward closed mesh; means nothing unless is_watertight()
+  double area_mm2 = 0;
+  Box3 box_mm;
+
+  [[nodiscard]] bool is_closed() const { return boundary_edges.count == 0; }
+  [[nodiscard]] bool is_manifold() const {
+    return non_manifold_edges.count == 0 && non_manifold_vertices.count == 0;
+  }
+  [[nodiscard]] bool is_consistently_oriented() const { return misoriented_edges.count == 0; }
+  /// The surface separates inside from outside: winding numbers are whole.
+  [[nodiscard]] bool is_watertight() const { return unbalanced_edges.count == 0; }
+  /// Inside is where the triangles say it is: a buried tool can be told.
+  [[nodiscard]] bool is_solid() const { return is_watertight() && inside_out_components.count == 0; }
+
+  /// V - E + F: 2 for a surface like a sphere, 0 for one like a torus.
+  [[nodiscard]] long long euler_number() const {
+    return static_cast<long long>(vertices) - static_cast<long long>(edges) +
+           static_cast<long long>(triangles);
+  }
+  /// Number of handles (genus) summed over the components; nothing unless closed and manifold.
+  /// 0 for one component means E = 3V - 6 and F = 2V - 4 (thesis 5.2).
+  [[nodiscard]] std::optional<long long> handles() const;
+};
+
+/// Counts. Deterministic: "first" is the lowest edge by vertex numbers, triangle by file order, or vertex.
+/// Requires what build_mesh ensures.
+/// Cost     O(n), and O(n) for each of the pieces that face inward (the first 64; later ones count as inside
+/// out).
+[[nodiscard]] MeshFindings find_mesh_findings(const IndexedMesh& mesh);
+[[nodiscard]] MeshFindings find_mesh_findings(const IndexedMesh& mesh, const MeshAdjacency& adjacency);
+[[nodiscard]] MeshFindings find_mesh_findings(const BuiltMesh& built);
+
+/// One sentence for each kind of finding: how many, where the first is, and what it means for a check.
+/// Warnings where a check can no longer tell a buried tool, notes for the rest; empty for a clean solid.
+/// Codes: mesh-open, mesh-misoriented, mesh-inside-out, mesh-non-manifold-edges, mesh-non-manifold-vertices,
+/// mesh-duplicate-triangles, mesh-degenerate-triangles, mesh-collinear-triangles, mesh-opposite-normals.
+[[nodiscard]] Diagnostics describe(const MeshFindings& findings, const std::string& file,
+                                   LengthUnit unit = LengthUnit::mm);
+
+/// "(1.000, 2.000, 3.000) mm, triangle 17": where a spot is, triangles counted from 1.
+[[nodiscard]] std::string place_text(const MeshSpot& spot, LengthUnit unit);
+
+}  // namespace gouge

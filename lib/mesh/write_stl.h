@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+#include "lib/base/units.h"
+#include "lib/mesh/indexed_mesh.h"
+
+namespace gouge {
+
+/// The mesh as binary STL in `unit`, with computed normals. Coordinates become single precision, as the
+/// format wants: what was read from a binary STL (unplaced) comes back bit for bit. Requires fewer than 2^32
+/// triangles.
+[[nodiscard]] std::string binary_stl_bytes(const IndexedMesh& mesh, LengthUnit unit);
+
+}  // namespace gouge
