@@ -1,0 +1,118 @@
+#include "postproc/report/findings_text.h"
+
+#include <algorithm>
+
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+std::string place(const ReportModel& model, std::size_t move) {
+  return model.toolpath->file + ":" + std::to_string(model.toolpath->moves[move].line) + ": ";
+}
+
+std::string bodies(const ReportModel& model) {
+  std::string text;
+  for (const std::vector<MeshFacts>* meshes : {&model.parts, &model.fixtures}) {
+    for (const MeshFacts& mesh : *meshes) text += (text.empty() ? " against " : ", ") + mesh.name;
+  }
+  return text;
+}
+
+std::string headline(const ReportModel& model) {
+  const CheckResult& result = *model.result;
+  const StateCounts& n = result.counts;
+  const std::string of_moves = " of " + count_text(result.verdicts.size(), "move");
+  switch (overall_verdict(result)) {
+    case OverallVerdict::clean:
+      return "clean: no gouge in " + count_text(result.verdicts.size(), "move");
+    case OverallVerdict::not_fully_checked:
+      return "not fully checked: no gouge found, but " +
+             std::to_string(n.not_checked - n.skipped + n.not_certified) + of_moves +
+             " could not be checked or certified";
+    case OverallVerdict::gouges:
+      break;
+  }
+  if (n.gouge == 0) return "gouges: the tool is buried in " + std::to_string(n.buried) + of_moves;
+  const auto gouges = std::count_if(result.events.begin(), result.events.end(),
+                                    [](const Event& event) { return event.state == MoveState::gouge; });
+  std::string text = "gouges: " + count_text(static_cast<std::size_t>(gouges), "finding") + " in " +
+                     std::to_string(n.gouge) + of_moves;
+  if (result.worst_move < result.verdicts.size()) {
+    text += ", the deepest " + depth_text(result.worst_depth_mm, model.toolpath->unit) + " at line " +
+            std::to_string(model.toolpath->moves[result.worst_move].line);
+  }
+  if (n.buried > 0) text += "; the tool is buried in " + count_text(n.buried, "move");
+  return text;
+}
+
+std::string counts_line(const StateCounts& n) {
+  std::string text = std::to_string(n.clean) + " clean";
+  const auto add = [&](std::size_t count, const char* word) {
+    if (count > 0) text += ", " + std::to_string(count) + " " + word;
+  };
+  add(n.near_miss, "near");
+  add(n.gouge, "gouge");
+  add(n.buried, "buried");
+  add(n.not_certified, "not certified");
+  add(n.not_checked, "not checked");
+  if (n.skipped > 0) text += " (" + count_text(n.skipped, "rapid") + " left out as asked)";
+  return text;
+}
+
+std::string correction_lines(const ReportModel& model) {
+  const CorrectionFacts& correction = model.correction;
+  const LengthUnit unit = model.toolpath->unit;
+  std::size_t inserted = 0;
+  double largest_mm = 0;
+  for (const CorrectedRecord& change : correction.changes) {
+    if (change.strategy == "inserted")
+      ++inserted;
+    else
+      largest_mm = std::max(largest_mm, change.shift_length_mm);
+  }
+  const std::size_t moved = correction.changes.size() - inserted;
+  std::string text = "corrected: " + count_text(moved, "position") + " moved";
+  if (moved > 0) text += " by up to " + depth_text(largest_mm, unit);
+  text += ", " + std::to_string(inserted) + " inserted, " + std::to_string(correction.uncorrected.size()) +
+          " left as it was";
+  if (correction.uncorrected.size() != 1) text.replace(text.size() - 6, 6, "they were");
+  if (!correction.output_file.empty()) text += "; written to " + correction.output_file;
+  return text + "\n";
+}
+
+}  // namespace
+
+std::string summary_text(const ReportModel& model) {
+  std::string text = model.toolpath->file + bodies(model) + "\n";
+  text += headline(model) + "\n";
+  text += "moves: " + counts_line(model.result->counts) + "\n";
+  if (model.has_correction) text += correction_lines(model);
+  return text + "promise: " + promise_text(model) + "\n";
+}
+
+std::string findings_text(const ReportModel& model) {
+  std::string text;
+  for (const Event& event : model.result->events) {
+    if (event.state != MoveState::gouge && event.state != MoveState::buried &&
+        event.state != MoveState::near_miss) {
+      continue;
+    }
+    text += place(model, event.worst_move) + event_text(model, event) + span_text(event) + "\n";
+  }
+  for (const ReasonGroup& group : group_reasons(*model.result)) {
+    text += place(model, group.first_move) + group_text(group) + "\n";
+  }
+  if (model.has_correction) {
+    for (const UncorrectedRecord& left : model.correction.uncorrected) {
+      const Toolpath& before =
+          model.correction.toolpath_before ? *model.correction.toolpath_before : *model.toolpath;
+      text += before.file + ":" + std::to_string(left.line) +
+              ": not corrected: " + depth_text(left.depth_mm, model.toolpath->unit) + ", move " +
+              std::to_string(left.move) + ": " + left.reason + "\n";
+    }
+  }
+  return text + summary_text(model);
+}
+
+}  // namespace gouge

@@ -1,0 +1,72 @@
+#include "postproc/report/report_model.h"
+
+#include <map>
+#include <utility>
+
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+
+InputFile describe_input(std::string role, std::string name, std::string_view bytes) {
+  return {std::move(role), std::move(name), bytes.size(), "fnv1a64:" + hex_text(fnv1a64(bytes))};
+}
+
+OverallVerdict overall_verdict(const CheckResult& result) {
+  const StateCounts& n = result.counts;
+  if (n.gouge + n.buried > 0) return OverallVerdict::gouges;
+  return n.not_checked > n.skipped || n.not_certified > 0 ? OverallVerdict::not_fully_checked
+                                                          : OverallVerdict::clean;
+}
+
+const char* verdict_name(OverallVerdict verdict) {
+  switch (verdict) {
+    case OverallVerdict::clean:
+      return "clean";
+    case OverallVerdict::gouges:
+      return "gouges";
+    case OverallVerdict::not_fully_checked:
+      break;
+  }
+  return "not-fully-checked";
+}
+
+int exit_status(OverallVerdict verdict) {
+  switch (verdict) {
+    case OverallVerdict::clean:
+      return 0;
+    case OverallVerdict::gouges:
+      return 1;
+    case OverallVerdict::not_fully_checked:
+      break;
+  }
+  return 4;
+}
+
+std::string promise_text(const ReportModel& model) {
+  const LengthUnit unit = model.toolpath->unit;
+  const CheckOptions& options = model.options;
+  const double limit_mm = options.tolerance_mm + options.resolution_mm;
+  std::string text =
+      "no gouge deeper than tolerance + resolution = " + length_text(limit_mm, unit) + " goes untold";
+  const StateCounts& n = model.result->counts;
+  const std::size_t left_out = n.not_checked + n.not_certified;
+  if (left_out > 0) {
+    text += ", save in the " + count_text(left_out, "move") + " not checked or not certified";
+  }
+  return text;
+}
+
+std::vector<ReasonGroup> group_reasons(const CheckResult& result) {
+  std::vector<ReasonGroup> groups;
+  std::map<std::pair<MoveState, std::string>, std::size_t> known;
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+    const MoveVerdict& verdict = result.verdicts[i];
+    if (verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified) continue;
+    const auto [entry, is_new] = known.try_emplace({verdict.state, verdict.reason}, groups.size());
+    if (is_new) groups.push_back({verdict.state, verdict.reason, 0, i});
+    ++groups[entry->second].moves;
+  }
+  return groups;
+}
+
+}  // namespace gouge

@@ -1,0 +1,115 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/diagnostic.h"
+#include "lib/base/units.h"
+#include "lib/check/check_options.h"
+#include "lib/check/verdict.h"
+#include "lib/geom/vec.h"
+#include "lib/path/toolpath.h"
+
+// What every writer of a report shares, as plain data. Lengths are in mm here and turned into the toolpath's
+// unit when they are written. The model points at the toolpath and the verdicts; they must outlive it.
+
+namespace gouge {
+
+inline constexpr const char* kProgramName = "gougecheck";
+inline constexpr const char* kProgramVersion = "0.1.0";
+
+/// A file that was read, so that a reader of the report can tell which one it was.
+struct InputFile {
+  std::string role;  ///< "toolpath", "part", "fixture", "tools"
+  std::string name;  ///< as the user named it
+  std::uint64_t bytes = 0;
+  std::string checksum;  ///< "fnv1a64:" and 16 hexadecimal digits; tells versions apart, no protection
+};
+[[nodiscard]] InputFile describe_input(std::string role, std::string name, std::string_view bytes);
+
+struct MeshFacts {
+  std::string name;  ///< as the user named it
+  std::size_t triangles = 0, vertices = 0;
+  std::size_t dropped = 0;  ///< degenerate triangles of the file that have no area
+  bool is_closed = false;
+  std::string meaning;  ///< what that means for the result, a sentence; may be empty
+};
+
+/// One entry per Toolpath::tools, in its order.
+struct ToolFacts {
+  std::string name;
+  std::string defined_in;   ///< "tools.json", "path.apt:12"; empty: nowhere, so it could not be checked
+  std::string description;  ///< for people: "ball D10, holder D32"; may be empty
+};
+
+/// A record of the toolpath that was changed or added.
+struct CorrectedRecord {
+  std::size_t move = 0;  ///< of the path before the correction
+  std::size_t line = 0;  ///< of the file before the correction
+  std::string strategy;  ///< "weighted", "axis", "inserted"
+  Vec3 shift_mm = Vec3::Zero();
+  double shift_length_mm = 0;
+  double depth_before_mm = 0, depth_after_mm = 0;
+  int iterations = 0;
+};
+
+struct UncorrectedRecord {
+  std::size_t move = 0;
+  std::size_t line = 0;
+  double depth_mm = 0;
+  std::string reason;
+};
+
+struct CorrectionFacts {
+  std::string output_file;  ///< empty: none was written
+  std::string strategy;     ///< as asked
+  double max_shift_mm = 0;  ///< 0: no limit
+  std::vector<CorrectedRecord> changes;
+  std::vector<UncorrectedRecord> uncorrected;
+  const Toolpath* toolpath_before = nullptr;   ///< the path as read
+  const CheckResult* result_before = nullptr;  ///< its verdicts
+};
+
+struct OptionText {
+  std::string name, value;
+};
+
+struct ReportModel {
+  std::vector<InputFile> inputs;
+  CheckOptions options;
+  std::vector<OptionText> more_options;    ///< in force beside `options`: "place", "stl-units", ...
+  const Toolpath* toolpath = nullptr;      ///< what was checked; for a correction the corrected path
+  const CheckResult* result = nullptr;     ///< its verdicts
+  std::vector<MeshFacts> parts, fixtures;  ///< as in Scene
+  std::vector<ToolFacts> tools;            ///< as in Toolpath::tools
+  Diagnostics notes;                       ///< warnings and notes of all inputs
+  bool has_correction = false;
+  CorrectionFacts correction;
+};
+
+enum class OverallVerdict { clean, gouges, not_fully_checked };
+
+/// Gouges and buried tools come first, then anything not checked that was not left out on request.
+[[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
+/// clean, gouges, not-fully-checked
+[[nodiscard]] const char* verdict_name(OverallVerdict verdict);
+/// 0, 1 and 4 as in docs: the exit status of `check`.
+[[nodiscard]] int exit_status(OverallVerdict verdict);
+
+/// "no gouge deeper than tolerance + resolution = 0.011 mm goes untold", in the toolpath's unit, with what it
+/// does not cover when something was not checked.
+[[nodiscard]] std::string promise_text(const ReportModel& model);
+
+/// Moves that share a reason for not being checked or certified, in order of their first move.
+struct ReasonGroup {
+  MoveState state = MoveState::not_checked;
+  std::string reason;
+  std::size_t moves = 0;
+  std::size_t first_move = 0;
+};
+[[nodiscard]] std::vector<ReasonGroup> group_reasons(const CheckResult& result);
+
+}  // namespace gouge

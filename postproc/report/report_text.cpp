@@ -1,0 +1,138 @@
+#include "postproc/report/report_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+std::string trimmed(std::string text) {
+  if (text.find('.') == std::string::npos) return text;
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+// Power of ten of the first digit, found by comparing so that no rounding of a logarithm enters.
+int first_digit(double value) {
+  int power = 0;
+  for (double x = std::abs(value); x >= 10 && power < 300; x /= 10) ++power;
+  for (double x = std::abs(value); x < 1 && x > 0 && power > -300; x *= 10) --power;
+  return power;
+}
+
+std::string tool_phrase(const ReportModel& model, const Event& event) {
+  return std::string(body_name(event.body)) + " " + tool_label(*model.toolpath, event.tool);
+}
+
+std::string counterpart(const ReportModel& model, const Witness& witness) {
+  const std::string name = mesh_name(model, witness);
+  const bool is_plain = witness.against == Against::part && model.parts.size() < 2;
+  if (is_plain) return {};
+  return " against " + std::string(against_name(witness.against)) + (name.empty() ? "" : " " + name);
+}
+
+}  // namespace
+
+std::string depth_text(double length_mm, LengthUnit unit) {
+  const double value = length_mm / mm_per(unit);
+  if (!std::isfinite(value)) return "any depth";
+  const int usual = unit == LengthUnit::inch ? 4 : 3;
+  const int decimals = value > 0 ? std::clamp(1 - first_digit(value), usual, 12) : usual;
+  return fixed_text(value, decimals) + " " + unit_name(unit);
+}
+
+std::string length_text(double length_mm, LengthUnit unit) {
+  const double value = length_mm / mm_per(unit);
+  if (!std::isfinite(value)) return "any length";
+  return trimmed(fixed_text(value, std::clamp(5 - first_digit(value), 0, 15))) + " " + unit_name(unit);
+}
+
+std::string point_text(const Vec3& point_mm, LengthUnit unit) {
+  const int decimals = unit == LengthUnit::inch ? 4 : 3;
+  std::string text = "(";
+  for (int k = 0; k < 3; ++k) {
+    text += (k > 0 ? ", " : "") + trimmed(fixed_text(point_mm[k] / mm_per(unit), decimals));
+  }
+  return text + ")";
+}
+
+std::string instant_text(double t) {
+  return trimmed(fixed_text(t, 4));
+}
+
+std::string count_text(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+std::string tool_label(const Toolpath& toolpath, std::size_t tool) {
+  if (tool >= toolpath.tools.size()) return "no tool";
+  const PathTool& t = toolpath.tools[tool];
+  if (t.number) return "T" + std::to_string(*t.number);
+  return t.name.empty() ? "unnamed tool" : "\"" + t.name + "\"";
+}
+
+std::string tool_key(const Toolpath& toolpath, std::size_t tool) {
+  if (tool >= toolpath.tools.size()) return {};
+  const PathTool& t = toolpath.tools[tool];
+  return t.number ? std::to_string(*t.number) : t.name;
+}
+
+std::string mesh_name(const ReportModel& model, const Witness& witness) {
+  const std::vector<MeshFacts>& meshes = witness.against == Against::part ? model.parts : model.fixtures;
+  return witness.mesh < meshes.size() ? meshes[witness.mesh].name : std::string();
+}
+
+std::string operation_name(const Toolpath& toolpath, std::size_t operation) {
+  return operation < toolpath.operations.size() ? toolpath.operations[operation].name : std::string();
+}
+
+std::string event_text(const ReportModel& model, const Event& event) {
+  const LengthUnit unit = model.toolpath->unit;
+  const MoveVerdict& verdict = model.result->verdicts[event.worst_move];
+  const std::string move = ", move " + std::to_string(event.worst_move);
+  std::string text = std::string(state_name(event.state)) + ": ";
+  if (event.state == MoveState::buried) {
+    const std::string what = event.against == Against::part ? "a part" : "a fixture";
+    return text + tool_phrase(model, event) + " lies inside " + what + ", no surface within the tool" + move;
+  }
+  const bool is_near = event.state == MoveState::near_miss;
+  const double length_mm = is_near ? verdict.clearance_mm.value_or(0) : verdict.depth_mm;
+  text += depth_text(length_mm, unit) + (is_near ? " left " : " ") + tool_phrase(model, event);
+  if (!verdict.witness) return text + move;
+  return text + counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) +
+         move + " t=" + instant_text(verdict.witness->t);
+}
+
+std::string span_text(const Event& event) {
+  if (event.moves < 2) return {};
+  return " (" + count_text(event.moves, "move") + ", " + std::to_string(event.first_move) + "-" +
+         std::to_string(event.last_move) + ")";
+}
+
+std::string group_text(const ReasonGroup& group) {
+  const std::string what = group.state == MoveState::not_checked ? "not checked" : "not certified";
+  const std::string reason = group.reason.empty() ? "no reason given" : group.reason;
+  if (group.moves == 1) return what + ": " + reason + ", move " + std::to_string(group.first_move);
+  return what + ": " + reason + " (" + count_text(group.moves, "move") + ", the first is move " +
+         std::to_string(group.first_move) + ")";
+}
+
+std::uint64_t fnv1a64(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+  for (const char c : bytes) {
+    hash ^= static_cast<unsigned char>(c);
+    hash *= 0x100000001b3ULL;
+  }
+  return hash;
+}
+
+std::string hex_text(std::uint64_t value) {
+  std::string text(16, '0');
+  for (std::size_t i = 16; i-- > 0; value >>= 4U) text[i] = "0123456789abcdef"[value & 15U];
+  return text;
+}
+
+}  // namespace gouge

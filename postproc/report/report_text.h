@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "postproc/report/report_model.h"
+
+// Wording and escapes that the writers share. Text for people is rounded; text for programs goes through
+// exact_text instead.
+
+namespace gouge {
+
+/// A length for people, in `unit`, with its name: "0.213 mm", "0.0084 in". Small lengths keep two digits.
+[[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit);
+/// Up to six digits, no trailing zeros: "0.011 mm", "0.00043307 in".
+[[nodiscard]] std::string length_text(double length_mm, LengthUnit unit);
+/// "(12.3, 4.5, 6.7)" in `unit`: three decimals in mm and four in inches, trailing zeros dropped.
+[[nodiscard]] std::string point_text(const Vec3& point_mm, LengthUnit unit);
+/// "0.42": four decimals, trailing zeros dropped.
+[[nodiscard]] std::string instant_text(double t);
+/// "1 move", "7 moves".
+[[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
+
+/// "T1", else the quoted name, else "unnamed tool"; "no tool" for kNone.
+[[nodiscard]] std::string tool_label(const Toolpath& toolpath, std::size_t tool);
+/// For programs: the number, else the name, else nothing.
+[[nodiscard]] std::string tool_key(const Toolpath& toolpath, std::size_t tool);
+/// Name of the mesh a witness lies on; empty when the model does not tell.
+[[nodiscard]] std::string mesh_name(const ReportModel& model, const Witness& witness);
+[[nodiscard]] std::string operation_name(const Toolpath& toolpath, std::size_t operation);
+
+/// One finding without its place: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".
+[[nodiscard]] std::string event_text(const ReportModel& model, const Event& event);
+/// " (7 moves, 118-124)", or nothing when the event is one move.
+[[nodiscard]] std::string span_text(const Event& event);
+/// One of group_reasons without its place: "not checked: <reason> (3 moves, the first is move 7)".
+[[nodiscard]] std::string group_text(const ReasonGroup& group);
+
+/// For XML and HTML text and attributes. Bytes that are not UTF-8 become U+FFFD, control characters blanks.
+[[nodiscard]] std::string xml_escaped(std::string_view text);
+/// Broken UTF-8 replaced by U+FFFD.
+[[nodiscard]] std::string valid_utf8(std::string_view text);
+[[nodiscard]] std::string base64(std::string_view bytes);
+
+[[nodiscard]] std::uint64_t fnv1a64(std::string_view bytes);
+/// 16 hexadecimal digits.
+[[nodiscard]] std::string hex_text(std::uint64_t value);
+
+}  // namespace gouge

@@ -1,0 +1,255 @@
+#include "postproc/report/write_json.h"
+
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Text of files may hold anything; JSON may not.
+Json text(std::string_view value) {
+  return valid_utf8(value);
+}
+
+class JsonReport {
+ public:
+  explicit JsonReport(const ReportModel& model) : model_(model), unit_(model.toolpath->unit) {}
+
+  [[nodiscard]] Json build() const {
+    const CheckResult& result = *model_.result;
+    const OverallVerdict verdict = overall_verdict(result);
+    Json out;
+    out["format"] = "gougecheck-report";
+    out["format_version"] = 1;
+    out["program"] = {{"name", kProgramName}, {"version", kProgramVersion}};
+    out["verdict"] = verdict_name(verdict);
+    out["exit_status"] = exit_status(verdict);
+    out["promise"] = promise_text(model_);
+    out["unit"] = unit_name(unit_);
+    out["inputs"] = inputs();
+    out["options"] = options();
+    out["toolpath"] = toolpath();
+    out["parts"] = meshes(model_.parts);
+    out["fixtures"] = meshes(model_.fixtures);
+    out["tools"] = tools();
+    out["totals"] = totals();
+    out["events"] = events();
+    out["reasons"] = reasons();
+    out["moves"] = moves();
+    out["correction"] = model_.has_correction ? correction() : Json(nullptr);
+    out["notes"] = notes();
+    return out;
+  }
+
+ private:
+  // A bound that was never reached has no number.
+  [[nodiscard]] Json length(double length_mm) const {
+    const double value = length_mm / mm_per(unit_);
+    return std::isfinite(value) ? Json(value + 0.0) : Json(nullptr);
+  }
+  [[nodiscard]] Json lengths(const Vec3& v) const {
+    return Json::array({length(v.x()), length(v.y()), length(v.z())});
+  }
+
+  [[nodiscard]] Json inputs() const {
+    Json all = Json::array();
+    for (const InputFile& input : model_.inputs) {
+      all.push_back({{"role", text(input.role)},
+                     {"name", text(input.name)},
+                     {"bytes", input.bytes},
+                     {"checksum", text(input.checksum)}});
+    }
+    return all;
+  }
+
+  [[nodiscard]] Json options() const {
+    static constexpr std::array<const char*, 3> kRapid{"straight", "dogleg", "skip"};
+    const CheckOptions& o = model_.options;
+    Json more = Json::object();
+    for (const OptionText& option : model_.more_options) more[valid_utf8(option.name)] = text(option.value);
+    return {{"tolerance", length(o.tolerance_mm)},
+            {"resolution", length(o.resolution_mm)},
+            {"stock_to_leave", length(o.stock_to_leave_mm)},
+            {"shank_clearance", length(o.shank_clearance_mm)},
+            {"holder_clearance", length(o.holder_clearance_mm)},
+            {"near_miss", length(o.near_miss_mm)},
+            {"rapid", kRapid.at(static_cast<std::size_t>(o.rapid))},
+            {"more", more}};
+  }
+
+  [[nodiscard]] Json toolpath() const {
+    const Toolpath& path = *model_.toolpath;
+    Json kinds = {{"feed", 0}, {"rapid", 0}, {"arc", 0}, {"cycle", 0}};
+    for (const Move& move : path.moves)
+      kinds[kind_name(move.kind)] = kinds[kind_name(move.kind)].get<std::size_t>() + 1;
+    Json words = Json::object();
+    for (const auto& [word, count] : path.words_not_understood) words[valid_utf8(word)] = count;
+    return {{"file", text(path.file)},
+            {"dialect", text(path.dialect)},
+            {"unit_is_stated", path.is_unit_stated},
+            {"moves", path.moves.size()},
+            {"moves_by_kind", kinds},
+            {"operations", path.operations.size()},
+            {"words_not_understood", words}};
+  }
+
+  [[nodiscard]] static Json meshes(const std::vector<MeshFacts>& meshes) {
+    Json all = Json::array();
+    for (const MeshFacts& mesh : meshes) {
+      all.push_back({{"name", text(mesh.name)},
+                     {"triangles", mesh.triangles},
+                     {"vertices", mesh.vertices},
+                     {"dropped_triangles", mesh.dropped},
+                     {"is_closed", mesh.is_closed},
+                     {"meaning", text(mesh.meaning)}});
+    }
+    return all;
+  }
+
+  [[nodiscard]] Json tools() const {
+    Json all = Json::array();
+    for (std::size_t i = 0; i < model_.toolpath->tools.size(); ++i) {
+      const PathTool& tool = model_.toolpath->tools[i];
+      const ToolFacts facts = i < model_.tools.size() ? model_.tools[i] : ToolFacts{tool.name, "", ""};
+      all.push_back({{"number", tool.number ? Json(*tool.number) : Json(nullptr)},
+                     {"name", text(facts.name)},
+                     {"defined_in", text(facts.defined_in)},
+                     {"description", text(facts.description)},
+                     {"line", tool.line}});
+    }
+    return all;
+  }
+
+  [[nodiscard]] Json totals() const {
+    const CheckResult& result = *model_.result;
+    const StateCounts& n = result.counts;
+    const bool has_worst = result.worst_move < result.verdicts.size();
+    return {{"moves", result.verdicts.size()},
+            {"clean", n.clean},
+            {"near", n.near_miss},
+            {"gouge", n.gouge},
+            {"buried", n.buried},
+            {"not_checked", n.not_checked},
+            {"not_certified", n.not_certified},
+            {"left_out_as_asked", n.skipped},
+            {"worst_depth", length(result.worst_depth_mm)},
+            {"worst_move", has_worst ? Json(result.worst_move) : Json(nullptr)},
+            {"largest_gap", length(result.largest_gap_mm)}};
+  }
+
+  [[nodiscard]] Json witness(const Witness& w) const {
+    return {{"t", w.t},
+            {"point", lengths(w.point)},
+            {"normal", Json::array({w.normal.x(), w.normal.y(), w.normal.z()})},
+            {"body", body_name(w.body)},
+            {"against", against_name(w.against)},
+            {"mesh", text(mesh_name(model_, w))},
+            {"triangle", w.triangle}};
+  }
+
+  [[nodiscard]] Json events() const {
+    Json all = Json::array();
+    for (const Event& event : model_.result->events) {
+      all.push_back({{"state", state_name(event.state)},
+                     {"first_move", event.first_move},
+                     {"last_move", event.last_move},
+                     {"moves", event.moves},
+                     {"worst_move", event.worst_move},
+                     {"line", model_.toolpath->moves[event.worst_move].line},
+                     {"tool", text(tool_key(*model_.toolpath, event.tool))},
+                     {"body", body_name(event.body)},
+                     {"against", against_name(event.against)}});
+    }
+    return all;
+  }
+
+  [[nodiscard]] Json reasons() const {
+    Json all = Json::array();
+    for (const ReasonGroup& group : group_reasons(*model_.result)) {
+      all.push_back({{"state", state_name(group.state)},
+                     {"reason", text(group.reason)},
+                     {"moves", group.moves},
+                     {"first_move", group.first_move},
+                     {"first_line", model_.toolpath->moves[group.first_move].line}});
+    }
+    return all;
+  }
+
+  [[nodiscard]] Json moves() const {
+    Json all = Json::array();
+    for (std::size_t i = 0; i < model_.result->verdicts.size(); ++i) {
+      const MoveVerdict& verdict = model_.result->verdicts[i];
+      if (verdict.state == MoveState::clean) continue;
+      const bool has_depth = verdict.state != MoveState::buried && verdict.state != MoveState::not_checked;
+      const Move& move = model_.toolpath->moves[i];
+      all.push_back({{"move", i},
+                     {"line", move.line},
+                     {"kind", kind_name(move.kind)},
+                     {"tool", text(tool_key(*model_.toolpath, move.tool))},
+                     {"operation", text(operation_name(*model_.toolpath, move.operation))},
+                     {"state", state_name(verdict.state)},
+                     {"depth", has_depth ? length(verdict.depth_mm) : Json(nullptr)},
+                     {"depth_upper", has_depth ? length(verdict.depth_upper_mm) : Json(nullptr)},
+                     {"clearance", verdict.clearance_mm ? length(*verdict.clearance_mm) : Json(nullptr)},
+                     {"witness", verdict.witness ? witness(*verdict.witness) : Json(nullptr)},
+                     {"reason", text(verdict.reason)}});
+    }
+    return all;
+  }
+
+  [[nodiscard]] Json correction() const {
+    const CorrectionFacts& c = model_.correction;
+    Json changes = Json::array();
+    for (const CorrectedRecord& r : c.changes) {
+      changes.push_back({{"move", r.move},
+                         {"line", r.line},
+                         {"strategy", text(r.strategy)},
+                         {"shift", lengths(r.shift_mm)},
+                         {"shift_length", length(r.shift_length_mm)},
+                         {"depth_before", length(r.depth_before_mm)},
+                         {"depth_after", length(r.depth_after_mm)},
+                         {"iterations", r.iterations}});
+    }
+    Json left = Json::array();
+    for (const UncorrectedRecord& r : c.uncorrected) {
+      left.push_back(
+          {{"move", r.move}, {"line", r.line}, {"depth", length(r.depth_mm)}, {"reason", text(r.reason)}});
+    }
+    return {{"output_file", text(c.output_file)},
+            {"strategy", text(c.strategy)},
+            {"max_shift", c.max_shift_mm > 0 ? length(c.max_shift_mm) : Json(nullptr)},
+            {"changes", changes},
+            {"uncorrected", left}};
+  }
+
+  [[nodiscard]] Json notes() const {
+    Json all = Json::array();
+    for (const Diagnostic& note : model_.notes) {
+      const char* severity = note.severity == Severity::error     ? "error"
+                             : note.severity == Severity::warning ? "warning"
+                                                                  : "note";
+      all.push_back({{"severity", severity},
+                     {"code", text(note.code)},
+                     {"file", text(note.file)},
+                     {"line", note.line},
+                     {"message", text(note.message)}});
+    }
+    return all;
+  }
+
+  const ReportModel& model_;
+  LengthUnit unit_;
+};
+
+}  // namespace
+
+std::string write_json(const ReportModel& model) {
+  return JsonReport(model).build().dump(1) + "\n";
+}
+
+}  // namespace gouge

@@ -1,0 +1,170 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "lib/base/files.h"
+#include "postproc/report/write_json.h"
+#include "postproc/report/write_sarif.h"
+#include "tests/postproc/report/small_report.h"
+
+namespace gouge {
+namespace {
+
+using nlohmann::json;
+
+bool has_type(const json& value, const std::string& type) {
+  if (type == "object") return value.is_object();
+  if (type == "array") return value.is_array();
+  if (type == "string") return value.is_string();
+  if (type == "integer") return value.is_number_integer();
+  if (type == "number") return value.is_number();
+  if (type == "boolean") return value.is_boolean();
+  return type == "null" && value.is_null();
+}
+
+// The part of JSON Schema that report.schema.json uses. Unknown keywords count as errors, so that the schema
+// cannot ask for something this does not look at.
+void check_schema(const json& root, const json& schema, const json& value, const std::string& where,
+                  std::vector<std::string>& errors) {
+  for (const auto& [keyword, rule] : schema.items()) {
+    if (keyword == "$ref") {
+      check_schema(root, root.at(json::json_pointer(rule.get<std::string>().substr(1))), value, where,
+                   errors);
+    } else if (keyword == "type") {
+      const json types = rule.is_array() ? rule : json::array({rule});
+      bool fits = false;
+      for (const json& type : types) fits = fits || has_type(value, type.get<std::string>());
+      if (!fits) errors.push_back(where + ": not " + rule.dump() + " but " + value.dump());
+    } else if (keyword == "enum") {
+      if (std::find(rule.begin(), rule.end(), value) == rule.end()) errors.push_back(where + ": not in enum");
+    } else if (keyword == "const") {
+      if (value != rule) errors.push_back(where + ": not " + rule.dump());
+    } else if (keyword == "required") {
+      for (const json& key : rule) {
+        if (value.is_object() && !value.contains(key.get<std::string>()))
+          errors.push_back(where + ": no " + key.dump());
+      }
+    } else if (keyword == "properties") {
+      for (const auto& [key, rest] : rule.items()) {
+        if (value.is_object() && value.contains(key))
+          check_schema(root, rest, value[key], where + "/" + key, errors);
+      }
+    } else if (keyword == "additionalProperties") {
+      const json object = value.is_object() ? value : json::object();
+      for (const auto& [key, rest] : object.items()) {
+        const bool is_known = schema.contains("properties") && schema["properties"].contains(key);
+        if (is_known) continue;
+        if (rule.is_boolean())
+          errors.push_back(where + ": unknown key " + key);
+        else
+          check_schema(root, rule, rest, where + "/" + key, errors);
+      }
+    } else if (keyword == "items") {
+      for (std::size_t i = 0; value.is_array() && i < value.size(); ++i) {
+        check_schema(root, rule, value[i], where + "/" + std::to_string(i), errors);
+      }
+    } else if (keyword == "minItems") {
+      if (value.is_array() && value.size() < rule.get<std::size_t>()) errors.push_back(where + ": too short");
+    } else if (keyword == "maxItems") {
+      if (value.is_array() && value.size() > rule.get<std::size_t>()) errors.push_back(where + ": too long");
+    } else if (keyword == "minimum") {
+      if (value.is_number() && value < rule) errors.push_back(where + ": below minimum");
+    } else if (!std::set<std::string>{"$schema", "$id", "title", "description", "$defs"}.contains(keyword)) {
+      errors.push_back(where + ": the schema uses " + keyword);
+    }
+  }
+}
+
+std::vector<std::string> schema_errors(const json& value) {
+  const Result<std::string> text =
+      read_file(std::string(GOUGE_SOURCE_DIR) + "/docs/formats/report.schema.json");
+  if (!text) return {text.error().message};
+  std::vector<std::string> errors;
+  const json schema = json::parse(*text);
+  check_schema(schema, schema, value, "", errors);
+  return errors;
+}
+
+TEST(WriteJson, ObeysItsSchema) {
+  SmallReport report;
+  EXPECT_EQ(schema_errors(json::parse(write_json(report.model))), std::vector<std::string>{});
+  report.add_correction();
+  report.path.unit = LengthUnit::inch;
+  report.result.verdicts[5].depth_upper_mm = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(schema_errors(json::parse(write_json(report.model))), std::vector<std::string>{});
+}
+
+TEST(WriteJson, SchemaCheckCanFail) {
+  const SmallReport report;
+  json value = json::parse(write_json(report.model));
+  value["verdict"] = "fine";
+  EXPECT_EQ(schema_errors(value).size(), 1U);
+  value.erase("verdict");
+  EXPECT_EQ(schema_errors(value), std::vector<std::string>{": no \"verdict\""});
+  value["surprise"] = 1;
+  EXPECT_EQ(schema_errors(value).size(), 2U);
+}
+
+TEST(WriteJson, KeepsItsKeyOrderAndItsNumbers) {
+  const SmallReport report;
+  const std::string text = write_json(report.model);
+  EXPECT_EQ(text.substr(0, 33), "{\n \"format\": \"gougecheck-report\",");
+  const json value = json::parse(text);
+  EXPECT_EQ(value["moves"].size(), 7U);
+  EXPECT_EQ(value["moves"][1]["depth"].get<double>(), 0.3333);
+  EXPECT_EQ(value["moves"][1]["witness"]["mesh"], "part.stl");
+  EXPECT_TRUE(value["moves"][3]["depth"].is_null());
+  EXPECT_EQ(value["totals"]["gouge"], 2);
+  EXPECT_EQ(value["exit_status"], 1);
+  EXPECT_EQ(text, write_json(report.model));
+}
+
+TEST(WriteJson, SurvivesNamesThatAreNotUtf8) {
+  SmallReport report;
+  report.path.file = "p\xFFth.apt";
+  report.path.words_not_understood["\xC0"] = 1;
+  EXPECT_EQ(json::parse(write_json(report.model))["toolpath"]["file"], "p\xEF\xBF\xBDth.apt");
+  EXPECT_TRUE(json::accept(write_sarif(report.model)));
+}
+
+TEST(WriteSarif, HasAResultForEveryFindingAndReason) {
+  SmallReport report;
+  report.path.file = "my paths/path 1.apt";
+  const json log = json::parse(write_sarif(report.model));
+  EXPECT_EQ(log["version"], "2.1.0");
+  const json& run = log["runs"][0];
+  std::vector<std::string> ids;
+  for (const json& result : run["results"]) {
+    ids.push_back(result["ruleId"]);
+    EXPECT_EQ(run["tool"]["driver"]["rules"][result["ruleIndex"].get<std::size_t>()]["id"], result["ruleId"]);
+    EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"],
+              "my%20paths/path%201.apt");
+  }
+  EXPECT_EQ(ids, (std::vector<std::string>{"gouge", "near", "buried", "not-certified", "not-checked"}));
+  EXPECT_EQ(run["results"][0]["level"], "error");
+  EXPECT_EQ(run["results"][0]["locations"][0]["physicalLocation"]["region"]["startLine"], 12);
+  EXPECT_EQ(run["results"][0]["message"]["text"],
+            "gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)");
+}
+
+TEST(WriteSarif, FingerprintsHoldWhenLinesMoveAndDifferBetweenFindings) {
+  SmallReport report;
+  const auto prints = [&] {
+    std::vector<std::string> all;
+    const json log = json::parse(write_sarif(report.model));
+    for (const json& result : log["runs"][0]["results"]) {
+      all.push_back(result["partialFingerprints"]["gougecheckFinding/v1"]);
+    }
+    return all;
+  };
+  const std::vector<std::string> before = prints();
+  EXPECT_EQ(std::set<std::string>(before.begin(), before.end()).size(), before.size());
+  for (Move& move : report.path.moves) move.line += 100;
+  EXPECT_EQ(prints(), before);
+}
+
+}  // namespace
+}  // namespace gouge

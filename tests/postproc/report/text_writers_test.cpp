@@ -1,0 +1,161 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <sstream>
+
+#include "postproc/report/findings_text.h"
+#include "postproc/report/report_text.h"
+#include "postproc/report/write_csv.h"
+#include "postproc/report/write_junit.h"
+#include "tests/postproc/report/small_report.h"
+
+namespace gouge {
+namespace {
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream in(text);
+  for (std::string line; std::getline(in, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(FindingsText, TellsEveryFindingAndTheSummary) {
+  const SmallReport report;
+  EXPECT_EQ(
+      findings_text(report.model),
+      "path.apt:12: gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)\n"
+      "path.apt:13: near: 0.125 mm left holder T1 against fixture vise.stl at (1, 2, 3), move 3 t=0.5\n"
+      "path.apt:14: buried: cutter T1 lies inside a part, no surface within the tool, move 4\n"
+      "path.apt:15: not certified: budget of 10 bounds spent, move 5\n"
+      "path.apt:16: not checked: arcs, as yet, are not read (2 moves, the first is move 6)\n"
+      "path.apt against part.stl, vise.stl\n"
+      "gouges: 1 finding in 2 of 8 moves, the deepest 0.333 mm at line 12; the tool is buried in 1 move\n"
+      "moves: 1 clean, 1 near, 2 gouge, 1 buried, 1 not certified, 2 not checked\n"
+      "promise: no gouge deeper than tolerance + resolution = 0.011 mm goes untold, save in the 3 moves not "
+      "checked or not certified\n");
+}
+
+TEST(FindingsText, SaysCleanOnlyWhenEverythingWasChecked) {
+  SmallReport report;
+  report.result.verdicts.assign(8, MoveVerdict{});
+  report.result.events.clear();
+  report.result.counts = {8, 0, 0, 0, 0, 0, 0};
+  EXPECT_EQ(lines_of(findings_text(report.model))[1], "clean: no gouge in 8 moves");
+  report.result.counts = {6, 0, 0, 0, 2, 0, 2};
+  EXPECT_EQ(lines_of(summary_text(report.model))[1], "clean: no gouge in 8 moves");
+  EXPECT_EQ(lines_of(summary_text(report.model))[2],
+            "moves: 6 clean, 2 not checked (2 rapids left out as asked)");
+  report.result.counts = {5, 0, 0, 0, 3, 0, 2};
+  EXPECT_EQ(lines_of(summary_text(report.model))[1],
+            "not fully checked: no gouge found, but 1 of 8 moves could not be checked or certified");
+}
+
+TEST(FindingsText, TellsTheCorrection) {
+  SmallReport report;
+  report.add_correction();
+  const std::string text = findings_text(report.model);
+  EXPECT_NE(text.find("path.apt:14: not corrected: 0.800 mm, move 4: the shift would exceed 0.5 mm\n"),
+            std::string::npos);
+  EXPECT_NE(
+      text.find("corrected: 1 position moved by up to 0.250 mm, 1 inserted, 1 left as it was; written to "
+                "out.apt\n"),
+      std::string::npos);
+}
+
+TEST(FindingsText, IsInInchesForAnInchPath) {
+  SmallReport report;
+  report.path.unit = LengthUnit::inch;
+  const std::string text = findings_text(report.model);
+  EXPECT_NE(text.find("gouge: 0.0131 in cutter T1 at (0.4843, 0.1772, 0.2638), move 2"), std::string::npos);
+  EXPECT_NE(text.find("= 0.000433071 in goes untold"), std::string::npos);
+}
+
+TEST(OverallVerdict, NeverCallsAnOpenQuestionClean) {
+  CheckResult result;
+  EXPECT_EQ(overall_verdict(result), OverallVerdict::clean);
+  result.counts.not_certified = 1;
+  EXPECT_EQ(exit_status(overall_verdict(result)), 4);
+  result.counts.buried = 1;
+  EXPECT_EQ(exit_status(overall_verdict(result)), 1);
+}
+
+TEST(WriteCsv, HasOneRowForEveryMoveAndTheContractsColumns) {
+  const SmallReport report;
+  const std::vector<std::string> lines = lines_of(write_csv(report.model));
+  ASSERT_EQ(lines.size(), 9U);
+  EXPECT_EQ(lines[0],
+            "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz,mesh,triangle,"
+            "operation,reason,"
+            "clearance");
+  EXPECT_EQ(lines[1], "0,10,rapid,1,clean,0,0,,,,,,,,,,,,finish <1>,,");
+  EXPECT_EQ(lines[3],
+            "2,12,feed,1,gouge,0.3333,0.3338,0.42,cutter,part,12.3,4.5,6.7,0,0,1,part.stl,5,finish <1>,,");
+  EXPECT_EQ(lines[4], "3,13,feed,1,near,0,0,,,,,,,,,,,,finish <1>,,0.125");
+  EXPECT_EQ(lines[5], "4,14,feed,1,buried,,,,,,,,,,,,,,finish <1>,,");
+  EXPECT_EQ(lines[6], "5,15,feed,1,not-certified,0,0.5,,,,,,,,,,,,finish <1>,budget of 10 bounds spent,");
+  EXPECT_EQ(lines[7],
+            "6,16,feed,\"long, \"\"thin\"\"\",not-checked,,,,,,,,,,,,,,,\"arcs, as yet, are not read\",");
+}
+
+TEST(WriteCsv, LeavesABoundThatWasNeverReachedEmpty) {
+  SmallReport report;
+  report.result.verdicts[5].depth_upper_mm = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(lines_of(write_csv(report.model))[6].substr(0, 28), "5,15,feed,1,not-certified,0,");
+  EXPECT_EQ(lines_of(write_csv(report.model))[6][28], ',');
+}
+
+TEST(WriteCsv, WritesInchesForAnInchPath) {
+  SmallReport report;
+  report.path.unit = LengthUnit::inch;
+  report.result.verdicts[2].depth_mm = 25.4;
+  report.result.verdicts[2].witness->point = {50.8, 0, -25.4};
+  EXPECT_NE(write_csv(report.model).find("gouge,1,0.01314173228346"), std::string::npos);
+  EXPECT_NE(write_csv(report.model).find(",2,0,-1,0,0,1,part.stl"), std::string::npos);
+}
+
+TEST(WriteJunit, FailsTheOperationsThatGougeAndSkipsTheOpenOnes) {
+  const SmallReport report;
+  const std::string text = write_junit(report.model);
+  EXPECT_NE(text.find("tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"1\""), std::string::npos);
+  EXPECT_NE(text.find("name=\"finish &lt;1&gt;, T1\""), std::string::npos);
+  EXPECT_NE(
+      text.find("message=\"gouge 0.333 mm deep at line 12; 2 of 6 moves gouge; tool buried in 1 move\""),
+      std::string::npos);
+  EXPECT_NE(
+      text.find(
+          "<skipped message=\"2 of 2 moves not checked or not certified: arcs, as yet, are not read\"/>"),
+      std::string::npos);
+}
+
+TEST(Escapes, NeverLetBrokenBytesThrough) {
+  EXPECT_EQ(xml_escaped("a<b>&\"'\x01"), "a&lt;b&gt;&amp;&quot;&#39; ");
+  EXPECT_EQ(
+      valid_utf8("\xC3\xA4 \xFF\xC0\x80\xED\xA0\x80"), "\xC3\xA4 " + [] {
+        std::string replaced;
+        for (int i = 0; i < 6; ++i) replaced += "\xEF\xBF\xBD";
+        return replaced;
+      }());
+}
+
+TEST(Base64, FollowsTheVectorsOfRfc4648) {
+  EXPECT_EQ(base64(""), "");
+  EXPECT_EQ(base64("f"), "Zg==");
+  EXPECT_EQ(base64("fo"), "Zm8=");
+  EXPECT_EQ(base64("foo"), "Zm9v");
+  EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
+}
+
+TEST(Fnv1a64, FollowsItsPublishedVectors) {
+  EXPECT_EQ(hex_text(fnv1a64("")), "cbf29ce484222325");
+  EXPECT_EQ(hex_text(fnv1a64("foobar")), "85944171f73967e8");
+}
+
+TEST(DepthText, KeepsTwoDigitsOfSmallDepths) {
+  EXPECT_EQ(depth_text(0.2134, LengthUnit::mm), "0.213 mm");
+  EXPECT_EQ(depth_text(0.00012, LengthUnit::mm), "0.00012 mm");
+  EXPECT_EQ(depth_text(0, LengthUnit::mm), "0.000 mm");
+  EXPECT_EQ(depth_text(12.5, LengthUnit::inch), "0.4921 in");
+}
+
+}  // namespace
+}  // namespace gouge
