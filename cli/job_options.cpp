@@ -1,0 +1,106 @@
+#include "cli/job_options.h"
+
+#include <CLI/CLI.hpp>
+
+#include "cli/length_text.h"
+
+namespace gouge {
+namespace {
+
+void add_input_options(CLI::App& command, JobArguments& a) {
+  command.add_option("PATH", a.path, "Toolpath: APT CL text or NX CLSF")->required();
+  command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")->required();
+  command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)");
+  command.add_option("--place", a.place, "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z");
+  command.add_option("--stl-units", a.stl_units, "Unit of the STL files (default: the toolpath's)")
+      ->check(CLI::IsMember({"mm", "inch"}));
+  command.add_option("--tools", a.tools_file, "Tool library (JSON); tools it lacks come from CUTTER or TLDATA");
+  command.add_option("--tool", a.tool_names, "N=NAME: tool number N of the toolpath is NAME of the library (repeatable)");
+  command.add_option("--holder", a.holder, "Holder of the library for tools that have none");
+}
+
+void add_check_options(CLI::App& command, JobArguments& a) {
+  command.add_option("--tolerance", a.tolerance, "Depth a move may have")->capture_default_str();
+  command.add_option("--stock-to-leave", a.stock_to_leave, "Grow the cutter by this against the part")
+      ->capture_default_str();
+  command.add_option("--clearance", a.clearance, "Keep bodies away from everything: shank=0.5,holder=1");
+  command.add_option("--near-miss", a.near_miss, "Tell moves that come closer than this (0: do not)")
+      ->capture_default_str();
+  command.add_option("--resolution", a.resolution, "Certified gap: the largest depth that may go untold")
+      ->capture_default_str();
+  command.add_option("--rapid", a.rapid, "How rapid moves run")
+      ->check(CLI::IsMember({"straight", "dogleg", "skip"}))
+      ->capture_default_str();
+  command.add_option("--threads", a.threads, "Threads to use (0: all)")->capture_default_str();
+}
+
+void add_output_options(CLI::App& command, JobArguments& a) {
+  command.add_option("--report", a.report_folder, "Folder for the report: report.html, pictures, JSON and CSV");
+  command.add_option("--json", a.json_file, "Write the result as JSON (- for standard output alone)");
+  command.add_option("--csv", a.csv_file, "Write one row for every move (- for standard output alone)");
+  command.add_option("--sarif", a.sarif_file, "Write SARIF 2.1.0 for code review tools");
+  command.add_option("--junit", a.junit_file, "Write JUnit XML for build servers");
+  command.add_option("--progress", a.progress, "Show progress on standard error")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+  command.add_flag("-q,--quiet", a.is_quiet, "Print no findings, only errors");
+  command.add_flag("-v,--verbose", a.is_verbose, "Print notes of all inputs and what the check spent");
+}
+
+Diagnostic usage(const std::string& option, const std::string& typed, const std::string& expected) {
+  return make_error("usage", option + " '" + typed + "': expected " + expected);
+}
+
+}  // namespace
+
+void add_job_options(CLI::App& command, JobArguments& arguments) {
+  add_input_options(command, arguments);
+  add_check_options(command, arguments);
+  add_output_options(command, arguments);
+}
+
+Result<JobOptions> understand(const JobArguments& a) {
+  JobOptions options;
+  const struct {
+    const char* name;
+    const std::string& text;
+    double& value;
+    bool is_zero_allowed;
+  } lengths[] = {{"--tolerance", a.tolerance, options.check.tolerance_mm, true},
+                 {"--stock-to-leave", a.stock_to_leave, options.check.stock_to_leave_mm, true},
+                 {"--near-miss", a.near_miss, options.check.near_miss_mm, true},
+                 {"--resolution", a.resolution, options.check.resolution_mm, false}};
+  for (const auto& length : lengths) {
+    const auto value = parse_length_mm(length.text);
+    if (!value || *value < 0 || (!length.is_zero_allowed && !(*value > 0))) {
+      return usage(length.name, length.text,
+                   std::string("a length ") + (length.is_zero_allowed ? "of 0 or more" : "above 0") +
+                       " in mm, or with a unit (0.0005in)");
+    }
+    length.value = *value;
+  }
+  constexpr double kFinestResolution_mm = 1e-6;
+  if (options.check.resolution_mm < kFinestResolution_mm) {
+    return usage("--resolution", a.resolution, "at least 0.000001 mm, what double precision can certify");
+  }
+  if (!a.clearance.empty()) {
+    if (const auto wrong = parse_clearance(a.clearance, options.check)) {
+      return make_error("usage", "--clearance: " + *wrong);
+    }
+  }
+  if (!a.place.empty()) {
+    const auto place = parse_place(a.place);
+    if (!place) return usage("--place", a.place, "x,y,z or x,y,z,rx,ry,rz");
+    options.place = *place;
+  }
+  options.check.rapid = a.rapid == "skip"     ? RapidMode::skip
+                        : a.rapid == "dogleg" ? RapidMode::dogleg
+                                              : RapidMode::straight;
+  options.check.threads = a.threads;
+  options.progress = a.progress == "always"  ? ProgressMode::always
+                     : a.progress == "never" ? ProgressMode::never
+                                             : ProgressMode::automatic;
+  return options;
+}
+
+}  // namespace gouge

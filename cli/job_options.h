@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/progress.h"
+#include "lib/base/result.h"
+#include "lib/check/check_options.h"
+#include "lib/geom/rigid_transform.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+/// The options common to `check` and `correct`, as typed.
+struct JobArguments {
+  std::string path;
+  std::vector<std::string> parts, fixtures;
+  std::string place, stl_units;
+  std::string tools_file, holder;
+  std::vector<std::string> tool_names;  ///< N=NAME
+  std::string tolerance = "0.01", stock_to_leave = "0", clearance, near_miss = "0", resolution = "0.001";
+  std::string rapid = "straight", progress = "auto";
+  unsigned threads = 0;
+  std::string report_folder, json_file, csv_file, sarif_file, junit_file;
+  bool is_quiet = false;
+  bool is_verbose = false;
+};
+
+/// The same, understood.
+struct JobOptions {
+  CheckOptions check;
+  RigidTransform place;
+  ProgressMode progress = ProgressMode::automatic;
+};
+
+void add_job_options(CLI::App& command, JobArguments& arguments);
+
+/// Errors (code usage): names the option, what was typed and what was expected.
+[[nodiscard]] Result<JobOptions> understand(const JobArguments& arguments);
+
+}  // namespace gouge

@@ -1,0 +1,83 @@
+#include "cli/length_text.h"
+
+#include <cmath>
+#include <vector>
+
+#include "lib/base/number_text.h"
+#include "lib/base/units.h"
+
+namespace gouge {
+namespace {
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= text.size(); ++i) {
+    if (i < text.size() && text[i] != separator) continue;
+    parts.push_back(text.substr(begin, i - begin));
+    begin = i + 1;
+  }
+  return parts;
+}
+
+Eigen::Matrix3d turn(double degrees, const Vec3& axis) {
+  const double quarters = degrees / 90;
+  const double whole = std::round(quarters);
+  // Quarter turns are exact, so that a part set on its side keeps its coordinates.
+  if (std::abs(quarters - whole) < 1e-12) {
+    const Eigen::Matrix3d exact = Eigen::AngleAxisd(whole * M_PI / 2, axis).toRotationMatrix();
+    return exact.unaryExpr([](double x) { return std::round(x); });
+  }
+  return Eigen::AngleAxisd(degrees * M_PI / 180, axis).toRotationMatrix();
+}
+
+}  // namespace
+
+std::optional<double> parse_length_mm(const std::string& text) {
+  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch}) {
+    const std::string suffix = unit_name(unit);
+    if (!text.ends_with(suffix)) continue;
+    const auto value = parse_number(text.substr(0, text.size() - suffix.size()));
+    if (!value) return std::nullopt;
+    return *value * mm_per(unit);
+  }
+  return parse_number(text);
+}
+
+std::optional<RigidTransform> parse_place(const std::string& text) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3 && parts.size() != 6) return std::nullopt;
+  RigidTransform place;
+  for (int k = 0; k < 3; ++k) {
+    const auto length = parse_length_mm(parts[static_cast<std::size_t>(k)]);
+    if (!length) return std::nullopt;
+    place.shift[k] = *length;
+  }
+  for (int k = 0; k < 3 && parts.size() == 6; ++k) {
+    const auto degrees = parse_number(parts[static_cast<std::size_t>(k) + 3]);
+    if (!degrees) return std::nullopt;
+    place.rotation = turn(*degrees, Vec3::Unit(k)) * place.rotation;
+  }
+  return place;
+}
+
+std::optional<std::string> parse_clearance(const std::string& text, CheckOptions& options) {
+  for (const std::string& part : split(text, ',')) {
+    const std::size_t equals = part.find('=');
+    const std::string body = part.substr(0, equals);
+    const auto length = equals == std::string::npos ? std::nullopt : parse_length_mm(part.substr(equals + 1));
+    if (!length || *length < 0) {
+      return "'" + part + "' is not BODY=LENGTH with a length of 0 or more; expected for example shank=0.5,holder=1";
+    }
+    if (body == "shank") {
+      options.shank_clearance_mm = *length;
+    } else if (body == "holder") {
+      options.holder_clearance_mm = *length;
+    } else {
+      return "'" + body + "' has no clearance; expected shank or holder (for the cutter use --stock-to-leave)";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace gouge

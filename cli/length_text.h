@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lib/check/check_options.h"
+#include "lib/geom/rigid_transform.h"
+
+// Values of command-line options. Lengths are millimetres unless they carry a unit: 0.5, 0.5mm, 0.02in.
+
+namespace gouge {
+
+[[nodiscard]] std::optional<double> parse_length_mm(const std::string& text);
+
+/// "x,y,z" or "x,y,z,rx,ry,rz": lengths, then degrees about the fixed X, Y and Z axes in this order.
+[[nodiscard]] std::optional<RigidTransform> parse_place(const std::string& text);
+
+/// "shank=0.5,holder=1" into the options. Returns what is wrong, or nothing.
+[[nodiscard]] std::optional<std::string> parse_clearance(const std::string& text, CheckOptions& options);
+
+}  // namespace gouge
