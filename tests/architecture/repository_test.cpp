@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/architecture/source_rules.h"
+
+// The rules of the house on the house itself.
+
+namespace gouge::architecture {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+const std::vector<SourceFile>& repository() {
+  static const std::vector<SourceFile> kFiles = [] {
+    const fs::path root = GOUGE_SOURCE_DIR;
+    std::vector<SourceFile> files;
+    const auto add = [&](const fs::path& path) {
+      files.push_back({path.lexically_relative(root).generic_string(), text_of(path)});
+    };
+    for (const char* folder : {"cli", "lib", "toolmodels", "postproc", "tests", "samples", "docs", ".ci"}) {
+      for (auto it = fs::recursive_directory_iterator(root / folder); it != fs::end(it); ++it) {
+        const std::string path = it->path().lexically_relative(root).generic_string();
+        if (path == "samples/out" || path == "tests/corpus") it.disable_recursion_pending();
+        const std::string extension = it->path().extension().string();
+        const bool is_text = extension == ".h" || extension == ".cpp" || extension == ".txt" || extension == ".md" ||
+                             extension == ".sh" || extension == ".cmake" || extension == ".json" || extension.empty();
+        if (it->is_regular_file() && is_text) add(it->path());
+      }
+    }
+    for (const char* file : {"README.md", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"}) {
+      if (fs::exists(root / file)) add(root / file);
+    }
+    std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
+    return files;
+  }();
+  return kFiles;
+}
+
+std::vector<Room> rooms() {
+  std::vector<Room> all;
+  for (const SourceFile& file : repository()) {
+    if (file.path.rfind("tests/", 0) == 0 || file.path == "CMakeLists.txt") continue;
+    if (fs::path(file.path).filename() != "CMakeLists.txt") continue;
+    for (Room& room : rooms_of(file.text)) all.push_back(std::move(room));
+  }
+  return all;
+}
+
+std::string listed(const Complaints& complaints) {
+  std::string out;
+  for (const std::string& complaint : complaints) out += complaint + "\n";
+  return out;
+}
+
+TEST(Repository, HasSourcesAndRooms) {
+  EXPECT_GT(repository().size(), 100U);
+  EXPECT_GT(rooms().size(), 10U);
+}
+
+TEST(Repository, EverySourceBelowCliLiesInARoom) {
+  const std::vector<Room> all = rooms();
+  for (const SourceFile& file : repository()) {
+    const std::string folder = fs::path(file.path).parent_path().generic_string();
+    const std::string top = file.path.substr(0, file.path.find('/'));
+    const std::string extension = fs::path(file.path).extension().string();
+    if ((top != "lib" && top != "toolmodels" && top != "postproc") || (extension != ".h" && extension != ".cpp")) continue;
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Room& room) { return room.path == folder; })) << file.path;
+  }
+}
+
+TEST(Repository, RoomsImportOneWay) { EXPECT_EQ(listed(check_rooms(rooms())), ""); }
+TEST(Repository, IncludesKeepToTheImports) { EXPECT_EQ(listed(check_includes(repository(), rooms())), ""); }
+TEST(Repository, CgalAndOpenCvStayInOneSourceEach) { EXPECT_EQ(listed(check_heavy_libraries(repository())), ""); }
+TEST(Repository, NothingBelowCliPrintsEndsOrThrows) { EXPECT_EQ(listed(check_banned_words(repository())), ""); }
+TEST(Repository, FilesAreShortAndHeadersGuarded) { EXPECT_EQ(listed(check_shape(repository())), ""); }
+TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) { EXPECT_EQ(listed(check_stray_text(repository())), ""); }
+
+}  // namespace
+}  // namespace gouge::architecture

@@ -1,0 +1,195 @@
+#include "tests/architecture/source_rules.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+namespace gouge::architecture {
+namespace {
+
+constexpr std::size_t kLongestFile = 500, kLargestMedian = 150;
+
+bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+bool ends_with(const std::string& text, const std::string& end) {
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+bool is_code(const std::string& path) { return ends_with(path, ".h") || ends_with(path, ".cpp"); }
+bool is_below_cli(const std::string& path) {
+  return starts_with(path, "lib/") || starts_with(path, "toolmodels/") || starts_with(path, "postproc/");
+}
+
+/// The room a path lies in, or null.
+const Room* room_of(const std::string& path, const std::vector<Room>& rooms) {
+  const Room* found = nullptr;
+  for (const Room& room : rooms) {
+    if (starts_with(path, room.path + "/") && (found == nullptr || room.path.size() > found->path.size())) {
+      found = &room;
+    }
+  }
+  return found;
+}
+
+std::string layer_of(const std::string& room) { return room.substr(0, room.find('/')); }
+
+bool may_import(const std::string& from, const std::string& to) {
+  const std::string above = layer_of(from), below = layer_of(to);
+  if (below == "lib") return true;
+  if (above == "cli") return below == "toolmodels" || below == "postproc";
+  return above == below && above != "lib" && above != "samples";
+}
+
+void check_circles(const std::vector<Room>& rooms, Complaints& complaints) {
+  std::map<std::string, std::set<std::string>> open;
+  for (const Room& room : rooms) open[room.path] = {room.imports.begin(), room.imports.end()};
+  for (bool removed = true; removed;) {
+    removed = false;
+    for (auto it = open.begin(); it != open.end();) {
+      const bool is_leaf =
+          std::none_of(it->second.begin(), it->second.end(), [&](const auto& r) { return open.count(r) != 0; });
+      removed = removed || is_leaf;
+      it = is_leaf ? open.erase(it) : std::next(it);
+    }
+  }
+  for (const auto& [room, imports] : open) complaints.push_back(room + ": imports itself through other rooms");
+}
+
+void complain(Complaints& complaints, const SourceFile& file, std::size_t line, const std::string& what) {
+  complaints.push_back(file.path + ":" + std::to_string(line) + ": " + what);
+}
+
+}  // namespace
+
+Complaints check_rooms(const std::vector<Room>& rooms) {
+  Complaints complaints;
+  std::set<std::string> names;
+  for (const Room& room : rooms) names.insert(room.path);
+  for (const Room& room : rooms) {
+    for (const std::string& import : room.imports) {
+      if (names.count(import) == 0) {
+        complaints.push_back(room.path + ": imports " + import + ", which is no room");
+      } else if (!may_import(room.path, import)) {
+        complaints.push_back(room.path + ": imports " + import + ", which does not lie below it");
+      }
+    }
+  }
+  check_circles(rooms, complaints);
+  return complaints;
+}
+
+Complaints check_includes(const std::vector<SourceFile>& files, const std::vector<Room>& rooms) {
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    const Room* own = room_of(file.path, rooms);
+    if (!is_code(file.path) || own == nullptr) continue;
+    for (const Include& include : includes_of(file.text)) {
+      if (!include.is_quoted) continue;
+      const Room* target = room_of(include.target, rooms);
+      if (target == own) continue;
+      if (target == nullptr) {
+        complain(complaints, file, include.line, "includes " + include.target + ", which lies in no room");
+      } else if (std::find(own->imports.begin(), own->imports.end(), target->path) == own->imports.end()) {
+        complain(complaints, file, include.line,
+                 "includes " + include.target + ", but " + own->path + " does not import " + target->path);
+      }
+    }
+  }
+  return complaints;
+}
+
+Complaints check_heavy_libraries(const std::vector<SourceFile>& files) {
+  struct Heavy {
+    std::string prefix, room;
+    std::set<std::string> users;
+  };
+  std::array<Heavy, 2> libraries = {Heavy{"CGAL/", "lib/validate/", {}}, Heavy{"opencv2/", "postproc/image/", {}}};
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    if (!is_code(file.path) || starts_with(file.path, "tests/")) continue;
+    for (const Include& include : includes_of(file.text)) {
+      for (Heavy& library : libraries) {
+        if (!starts_with(include.target, library.prefix)) continue;
+        library.users.insert(file.path);
+        if (!starts_with(file.path, library.room) || ends_with(file.path, ".h")) {
+          complain(complaints, file, include.line,
+                   "includes " + include.target + ", which only one source of " + library.room + " may");
+        }
+      }
+    }
+  }
+  for (const Heavy& library : libraries) {
+    if (library.users.size() > 1) {
+      complaints.push_back(library.prefix + " is included by " + std::to_string(library.users.size()) +
+                           " files; it may be by one");
+    }
+  }
+  return complaints;
+}
+
+Complaints check_banned_words(const std::vector<SourceFile>& files) {
+  static const std::array<const char*, 27> kBanned = {
+      "cout",  "cerr", "clog",       "printf", "fprintf", "puts",   "fputs", "putchar", "perror",
+      "exit",  "_Exit", "quick_exit", "abort",  "terminate", "throw", "hypot", "fma",     "stod",
+      "stof",  "atof", "atoi",       "strtod", "sscanf",  "rand",   "srand", "system",  "setlocale"};
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    if (!is_code(file.path) || !is_below_cli(file.path)) continue;
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(without_comments_and_literals(file.text))) {
+      ++number;
+      if (starts_with(line, "#include")) continue;
+      for (const char* word : kBanned) {
+        if (has_word(line, word)) complain(complaints, file, number, std::string("uses ") + word + " below cli");
+      }
+    }
+  }
+  return complaints;
+}
+
+Complaints check_shape(const std::vector<SourceFile>& files) {
+  Complaints complaints;
+  std::vector<std::size_t> lengths;
+  for (const SourceFile& file : files) {
+    if (!is_code(file.path)) continue;
+    const std::vector<std::string> lines = lines_of(file.text);
+    lengths.push_back(lines.size());
+    if (lines.size() > kLongestFile) {
+      complain(complaints, file, lines.size(), "is longer than " + std::to_string(kLongestFile) + " lines");
+    }
+    if (ends_with(file.path, ".h") && (lines.empty() || lines.front() != "#pragma once")) {
+      complain(complaints, file, 1, "a header begins with #pragma once");
+    }
+  }
+  if (lengths.empty()) return complaints;
+  std::sort(lengths.begin(), lengths.end());
+  const std::size_t median = lengths[lengths.size() / 2];
+  if (median > kLargestMedian) {
+    complaints.push_back("the median length of a file is " + std::to_string(median) + " lines; at most " +
+                         std::to_string(kLargestMedian) + " is wanted");
+  }
+  return complaints;
+}
+
+Complaints check_stray_text(const std::vector<SourceFile>& files) {
+  // Put together here so that this file does not complain about itself.
+  static const std::array<std::string, 3> kNotes = {std::string("TO") + "DO", std::string("FIX") + "ME",
+                                                    std::string("XX") + "X"};
+  static const std::array<std::string, 3> kPlaces = {std::string("/wo") + "rk/", std::string("/ro") + "ot/",
+                                                     std::string("/.lib") + "rary"};
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(file.text)) {
+      ++number;
+      for (const std::string& note : kNotes) {
+        if (has_word(line, note)) complain(complaints, file, number, "has a " + note);
+      }
+      for (const std::string& place : kPlaces) {
+        if (line.find(place) != std::string::npos) complain(complaints, file, number, "names " + place);
+      }
+    }
+  }
+  return complaints;
+}
+
+}  // namespace gouge::architecture

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "tests/architecture/source_text.h"
+
+// The rules of the house as functions: files in, complaints out ("path:line: what is wrong"); no complaints, no
+// violation. docs/layout.md tells the rules in prose.
+
+namespace gouge::architecture {
+
+using Complaints = std::vector<std::string>;
+
+/// Rooms import one way: no circles; lib imports only lib; toolmodels and postproc do not know each other; nobody
+/// imports cli or samples; every import is a room.
+[[nodiscard]] Complaints check_rooms(const std::vector<Room>& rooms);
+
+/// Every quoted #include of a file in a room names a file of that room or of one it imports.
+[[nodiscard]] Complaints check_includes(const std::vector<SourceFile>& files, const std::vector<Room>& rooms);
+
+/// CGAL stays in one source of lib/validate, OpenCV in one source of postproc/image.
+[[nodiscard]] Complaints check_heavy_libraries(const std::vector<SourceFile>& files);
+
+/// Below cli: no printing, no ending of the program, no throwing, no number functions that depend on locale or libm.
+[[nodiscard]] Complaints check_banned_words(const std::vector<SourceFile>& files);
+
+/// Headers begin with #pragma once; no file is longer than 500 lines; the median is at most 150.
+[[nodiscard]] Complaints check_shape(const std::vector<SourceFile>& files);
+
+/// No notes to self, and no paths of the machine the project was written on.
+[[nodiscard]] Complaints check_stray_text(const std::vector<SourceFile>& files);
+
+}  // namespace gouge::architecture

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Just enough reading of C++ and CMake text for the rules of the house.
+
+namespace gouge::architecture {
+
+struct SourceFile {
+  std::string path;  ///< from the repository's root, with forward slashes
+  std::string text;
+};
+
+struct Include {
+  std::size_t line = 0;
+  std::string target;      ///< between the quotes or brackets
+  bool is_quoted = false;
+};
+
+/// One gouge_room(...) call.
+struct Room {
+  std::string path;
+  std::vector<std::string> imports;
+};
+
+[[nodiscard]] std::vector<std::string> lines_of(std::string_view text);
+
+/// The text with comments and the contents of string and character literals blanked; line ends stay.
+[[nodiscard]] std::string without_comments_and_literals(std::string_view text);
+
+[[nodiscard]] std::vector<Include> includes_of(std::string_view text);
+
+/// Whether `word` stands in `text` as a whole identifier (a leading "std::" in `word` included).
+[[nodiscard]] bool has_word(std::string_view text, std::string_view word);
+
+[[nodiscard]] std::vector<Room> rooms_of(std::string_view cmake_text);
+
+}  // namespace gouge::architecture

@@ -1,0 +1,29 @@
+#!/usr/bin/env bash
+# Builds everything and runs all tests. Run it from any folder, as root or with sudo at hand. Ends in one line:
+# N passed, N failed, N skipped. The exit status is 0 only when tests ran and none failed.
+set -u
+. "$(dirname "${BASH_SOURCE[0]}")/../samples/setup.sh"
+build
+
+JUNIT="$ROOT/build/tests.xml"
+rm -f "$JUNIT"
+ctest --test-dir "$BUILD" --parallel 2 --output-on-failure --no-tests=error --timeout 900 \
+  --output-junit "$JUNIT" </dev/null >"$ROOT/build/tests.log" 2>&1
+status=$?
+# What ctest says of a failing test stands before the summary.
+awk '/^The following tests FAILED:/ { exit } /\*\*\*(Failed|Timeout|Exception|Not Run)/ { show = 1 }
+     /^[[:space:]]*[0-9]+\/[0-9]+ Test.*Passed/ { show = 0 } /^[[:space:]]*[0-9]+\/[0-9]+ Test.*Skipped/ { show = 0 }
+     show { print }' "$ROOT/build/tests.log" | grep -v '^[[:space:]]*Start ' || true
+[ -f "$JUNIT" ] || { tail -n 30 "$ROOT/build/tests.log" >&2; fail "ctest wrote no results"; }
+
+# One <testcase ... status="run|fail|notrun|disabled"> per test.
+awk -v status="$status" '
+  /<testcase / {
+    if (/ status="run"/) passed++
+    else if (/ status="fail"/) failed++
+    else skipped++
+  }
+  END {
+    printf "%d passed, %d failed, %d skipped\n", passed, failed, skipped
+    if (status != 0 || failed > 0 || passed == 0) exit 1
+  }' "$JUNIT"
