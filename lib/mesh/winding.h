@@ -8,14 +8,14 @@ namespace gouge {
 /// How often the surface winds around `point_part`: the sum of the triangles' signed solid angles over 4 pi.
 ///
 /// Units    mm, part coordinates.
-/// Ensures  (1) For a surface whose every edge is used equally often in both directions
-///          (MeshFindings::is_watertight) and a point off the surface it is a whole number up to about
-///          1e-12 sqrt(n): 1 inside an outward closed solid, 0 outside, 0 in a cavity, -1 inside an
-///          inside-out one. (2) For other surfaces it is a fraction that changes continuously; only a hint.
+/// Ensures  (1) For a surface whose every edge is used equally often in both directions (what
+///          MeshFindings::is_watertight tells) and a point off the surface it is a whole number up to about
+///          1e-15 (sqrt(n) + size / distance to the surface): 1 inside an outward closed solid, 0 outside,
+///          0 in a cavity, -1 inside an inside-out one.
+///          (2) For other surfaces it is a fraction that changes continuously; only a hint.
 ///          (3) Summed in triangle order in one thread: always the same bits.
-/// Degenerate  A triangle with the point in its plane, on an edge or on a corner adds 0 when the point is not
-/// in
-///          its inside, half a sphere of undefined sign when it is; never NaN.
+/// Degenerate  A triangle with the point in its plane adds 0 when the point is outside it or on its rim, half
+///          of the sphere with either sign when it is inside; never NaN.
 /// Cost     O(n), one atan2 a triangle (100,000 triangles: about 5 ms).
 /// Source   A. Van Oosterom, J. Strackee, The solid angle of a plane triangle, IEEE Trans. Biomed. Eng.
 ///          BME-30 (1983) 125-126; as a test for inside: A. Jacobson et al., Robust inside-outside

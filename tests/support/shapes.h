@@ -44,7 +44,9 @@ inline IndexedMesh box(const Vec3& low, const Vec3& high) {
 }
 
 /// Cube [0, size]^3.
-inline IndexedMesh cube(double size = 10) { return box(Vec3::Zero(), Vec3::Constant(size)); }
+inline IndexedMesh cube(double size = 10) {
+  return box(Vec3::Zero(), Vec3::Constant(size));
+}
 
 /// Cube without its top: 4 boundary edges.
 inline IndexedMesh open_cube(double size = 10) {
@@ -117,8 +119,7 @@ inline IndexedMesh sphere(double radius = 10, std::size_t rings = 16, std::size_
   mesh.name = "sphere";
   mesh.vertices.emplace_back(0, 0, -radius);
   for (std::size_t i = 1; i < rings; ++i) {
-    const double latitude =
-        std::numbers::pi * (static_cast<double>(i) / static_cast<double>(rings) - 0.5);
+    const double latitude = std::numbers::pi * (static_cast<double>(i) / static_cast<double>(rings) - 0.5);
     for (std::size_t j = 0; j < sectors; ++j) {
       const double longitude = 2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(sectors);
       mesh.vertices.emplace_back(radius * std::cos(latitude) * std::cos(longitude),
@@ -141,7 +142,8 @@ inline IndexedMesh sphere(double radius = 10, std::size_t rings = 16, std::size_
 }
 
 /// Ring about the z axis (genus 1).
-inline IndexedMesh torus(double major = 20, double minor = 5, std::size_t around = 24, std::size_t tube = 12) {
+inline IndexedMesh torus(double major = 20, double minor = 5, std::size_t around = 24,
+                         std::size_t tube = 12) {
   IndexedMesh mesh;
   mesh.name = "torus";
   for (std::size_t i = 0; i < around; ++i) {

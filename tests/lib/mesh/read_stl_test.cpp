@@ -1,0 +1,214 @@
+#include "lib/mesh/read_stl.h"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <limits>
+
+#include "lib/mesh/write_stl.h"
+#include "tests/support/shapes.h"
+#include "tests/support/stl_text.h"
+
+namespace gouge {
+namespace {
+
+const std::vector<float> kTriangle = {0, 0, 0, 1, 0, 0, 0, 1, 0.5F};
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  text.replace(text.find(from), from.size(), to);
+  return text;
+}
+
+std::string error_of(std::string_view bytes) {
+  const Result<TriangleSoup> soup = parse_stl(bytes, "part.stl");
+  return soup ? "no error" : to_text(soup.error());
+}
+
+TEST(ReadStl, BinaryGivesEveryCoordinate) {
+  const auto soup = parse_stl(shapes::binary_stl("a part", 2, {kTriangle, kTriangle}), "part.stl");
+  ASSERT_TRUE(soup.has_value());
+  EXPECT_EQ(soup->format, StlFormat::binary);
+  EXPECT_EQ(soup->name, "part.stl");
+  ASSERT_EQ(soup->triangles.size(), 2U);
+  EXPECT_EQ(soup->triangles[1][2], Vec3(0, 1, 0.5));
+  EXPECT_TRUE(soup->notes.empty());
+}
+
+TEST(ReadStl, BinaryHeaderMayBeginWithSolid) {
+  const auto soup = parse_stl(shapes::binary_stl("solid basemach", 1, {kTriangle}), "part.stl");
+  ASSERT_TRUE(soup.has_value());
+  EXPECT_EQ(soup->format, StlFormat::binary);
+}
+
+TEST(ReadStl, BinaryWithSolidHeaderAndOneTrailingByteIsReadWithANote) {
+  const auto soup = parse_stl(shapes::binary_stl("solid test.stl", 1, {kTriangle}) + "x", "part.stl");
+  ASSERT_TRUE(soup.has_value());
+  EXPECT_EQ(soup->triangles.size(), 1U);
+  ASSERT_EQ(soup->notes.size(), 1U);
+  EXPECT_EQ(to_text(soup->notes[0]),
+            "part.stl: note: 1 byte after the last triangle ignored [stl-trailing-bytes]");
+}
+
+TEST(ReadStl, ZeroPaddingIsNoGeometryButOtherBytesMightBe) {
+  const std::string one = shapes::binary_stl("x", 1, {kTriangle});
+  EXPECT_TRUE(parse_stl(one + std::string(512, '\0'), "part.stl").has_value());
+  EXPECT_EQ(
+      error_of(one + std::string(50, 'x')),
+      "part.stl: error: the header promises 1 triangle but 50 bytes follow them; expected the file to end "
+      "there, export it again [stl-trailing-data]");
+}
+
+TEST(ReadStl, TruncatedBinarySaysHowManyOfHowMany) {
+  const std::string two = shapes::binary_stl("x", 2, {kTriangle, kTriangle});
+  EXPECT_EQ(
+      error_of(std::string_view(two).substr(0, two.size() - 1)),
+      "part.stl: error: the header promises 2 triangles (184 bytes) but the file holds 1 whole (183 bytes); "
+      "it is cut off or not an STL, export or copy it again [stl-truncated]");
+  EXPECT_EQ(
+      error_of(std::string("\x01\x02\x03", 3)),
+      "part.stl: error: the file has 3 bytes; a binary STL has at least 84 and an ASCII one begins with "
+      "'solid' [stl-truncated]");
+}
+
+TEST(ReadStl, EmptyAndEmptied) {
+  EXPECT_EQ(error_of(""),
+            "part.stl: error: the file is empty (0 bytes); expected a binary or ASCII STL [stl-empty]");
+  EXPECT_EQ(error_of(shapes::binary_stl("x", 0, {})),
+            "part.stl: error: the binary STL holds no triangle; expected at least one [stl-no-triangles]");
+  EXPECT_EQ(error_of("solid Empty\nendsolid Empty"),
+            "part.stl: error: the ASCII STL holds no facet; expected at least one [stl-no-triangles]");
+}
+
+TEST(ReadStl, BinaryCoordinateThatIsNoNumberNamesTheTriangle) {
+  std::vector<float> bad = kTriangle;
+  bad[4] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(
+      error_of(shapes::binary_stl("x", 2, {kTriangle, bad})),
+      "part.stl: error: triangle 2 of 2 has a coordinate that is infinite or not a number; expected finite "
+      "coordinates [stl-bad-number]");
+  bad[4] = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(parse_stl(shapes::binary_stl("x", 1, {bad}), "").error().code, "stl-bad-number");
+}
+
+TEST(ReadStl, TextThatIsNoStlIsToldSo) {
+  EXPECT_EQ(
+      error_of("PARTNO/BLADE\nGOTO/1,2,3\n"),
+      "part.stl: error: the file is text but not ASCII STL; expected it to begin with 'solid' [stl-not-stl]");
+}
+
+TEST(ReadStl, AsciiInAnyCaseWithExponentsAndAnyLineEnds) {
+  const std::string text =
+      "\xEF\xBB\xBF Solid a name\r\nFACET Normal 0 0 1\r\n OUTER LOOP\r\n\tVertex 0 0 0\r\nVERTEX +1.0E+000 "
+      ".5 "
+      "-2.5e-1\r\nvertex 0 1. -0\r\nEndLoop\r\nendFacet\r\nEndSolid\r\n";
+  for (const std::string& variant : {text, std::string(text).append("\n\n")}) {
+    const auto soup = parse_stl(variant, "part.stl");
+    ASSERT_TRUE(soup.has_value()) << to_text(soup.error());
+    EXPECT_EQ(soup->format, StlFormat::ascii);
+    ASSERT_EQ(soup->triangles.size(), 1U);
+    EXPECT_EQ(soup->triangles[0][1], Vec3(1, 0.5, -0.25));
+    EXPECT_TRUE(soup->notes.empty());
+  }
+}
+
+TEST(ReadStl, SeveralSolidsWithOddNamesAreOneSoup) {
+  const std::string text = shapes::ascii_stl(shapes::cube(), "\xe6\x9c\x88 \xff facet") +
+                           shapes::ascii_stl(shapes::tetrahedron(), "");
+  const auto soup = parse_stl(text, "part.stl");
+  ASSERT_TRUE(soup.has_value()) << to_text(soup.error());
+  EXPECT_EQ(soup->triangles.size(), 16U);
+}
+
+TEST(ReadStl, OldMacLineEndsCountAsLines) {
+  std::string text = replaced(shapes::ascii_stl(shapes::tetrahedron()), "vertex 0 10 0", "vertex 0 oops 0");
+  for (char& c : text) c = c == '\n' ? '\r' : c;
+  EXPECT_EQ(
+      error_of(text),
+      "part.stl:5: error: facet 1: expected a finite number as y of a vertex, found 'oops' [stl-bad-number]");
+}
+
+TEST(ReadStl, AsciiBadNumbersAreToldWithTheirLine) {
+  const std::string good = shapes::ascii_stl(shapes::tetrahedron());
+  for (const std::string bad : {"nan", "inf", "1.2.3", "1e400", "1,5", "-nan(ind)"}) {
+    EXPECT_EQ(error_of(replaced(good, "vertex 0 10 0", "vertex 0 10 " + bad)),
+              "part.stl:5: error: facet 1: expected a finite number as z of a vertex, found '" + bad +
+                  "' [stl-bad-number]");
+  }
+}
+
+TEST(ReadStl, ANormalThatIsNoNumberIsIgnored) {
+  const std::string text =
+      replaced(shapes::ascii_stl(shapes::tetrahedron()), "normal 0 0 0", "normal nan -nan(ind) 1.#IND");
+  EXPECT_TRUE(parse_stl(text, "part.stl").has_value());
+}
+
+TEST(ReadStl, AsciiOutOfPlaceIsToldWithTheLine) {
+  const std::string good = shapes::ascii_stl(shapes::tetrahedron());
+  EXPECT_EQ(error_of(replaced(good, "      vertex 10 0 0\n", "")),
+            "part.stl:6: error: facet 1 has 2 vertices; expected 3: found 'endloop' where 'vertex' should be "
+            "[stl-syntax]");
+  EXPECT_EQ(error_of(replaced(good, "    endloop\n", "vertex 1 1 1\nendloop\n")),
+            "part.stl:7: error: a fourth vertex in facet 1; expected triangles only: export it triangulated "
+            "[stl-syntax]");
+  EXPECT_EQ(error_of(replaced(good, "normal 0 0 0", "normal 0 0")),
+            "part.stl:3: error: the normal of facet 1 has 2 numbers; expected 3 [stl-syntax]");
+  EXPECT_EQ(error_of(replaced(good, "endfacet", "endfact")),
+            "part.stl:8: error: expected 'endfacet' in facet 1, found 'endfact' [stl-syntax]");
+  EXPECT_EQ(error_of("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 1"),
+            "part.stl:4: error: the file ends inside facet 1; it is cut off, export or copy it again "
+            "[stl-truncated]");
+  EXPECT_EQ(error_of("solid a\nsquare 1 2 3\n"),
+            "part.stl:2: error: expected 'facet' or 'endsolid', found 'square' [stl-syntax]");
+  EXPECT_EQ(error_of("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1\0"
+                     "2\n"),
+            "part.stl:4: error: the file ends inside facet 1; it is cut off, export or copy it again "
+            "[stl-truncated]");
+}
+
+TEST(ReadStl, MissingEndsolidIsAWarning) {
+  const std::string text = shapes::ascii_stl(shapes::tetrahedron());
+  const auto soup = parse_stl(std::string_view(text).substr(0, text.find("endsolid")), "part.stl");
+  ASSERT_TRUE(soup.has_value());
+  ASSERT_EQ(soup->notes.size(), 1U);
+  EXPECT_EQ(to_text(soup->notes[0]),
+            "part.stl:30: warning: the file ends without 'endsolid' after facet 4; it may be cut off, export "
+            "it again "
+            "to be sure [stl-no-endsolid]");
+}
+
+TEST(ReadStl, StoredNormalsOfTheOtherSideAreCounted) {
+  std::string text = shapes::ascii_stl(shapes::tetrahedron());
+  text = replaced(text, "normal 0 0 0", "normal 0 0 -1");  // the bottom: right
+  text = replaced(text, "normal 0 0 0", "normal 0 1 0");   // the front: wrong
+  const auto soup = parse_stl(text, "part.stl");
+  ASSERT_TRUE(soup.has_value());
+  EXPECT_EQ(soup->opposite_normals, 1U);
+  EXPECT_EQ(soup->first_opposite_normal, 1U);
+}
+
+TEST(ReadStl, EveryPrefixOfAFileIsReadOrRefusedWithoutHarm) {
+  const std::string binary = binary_stl_bytes(shapes::cube(), LengthUnit::mm);
+  const std::string ascii = shapes::ascii_stl(shapes::cube());
+  for (const std::string& whole : {binary, ascii}) {
+    const std::size_t end = std::min(whole.size(), whole.find("endsolid") + 8);
+    for (std::size_t n = 0; n < end; ++n) {
+      const auto soup = parse_stl(std::string_view(whole).substr(0, n), "part.stl");
+      EXPECT_TRUE(!soup || !soup->notes.empty()) << n << " bytes of " << whole.size();
+    }
+  }
+}
+
+TEST(ReadStl, TwoMillionBinaryTrianglesTakeWellUnderASecond) {
+  const IndexedMesh sheet = shapes::sheet(100, 100, 0, 1000, 1000);
+  const std::string bytes = binary_stl_bytes(sheet, LengthUnit::mm);
+  const auto start = std::chrono::steady_clock::now();
+  const auto soup = parse_stl(bytes, "part.stl");
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  ASSERT_TRUE(soup.has_value());
+  EXPECT_EQ(soup->triangles.size(), 2000000U);
+  RecordProperty("milliseconds", static_cast<int>(1000 * seconds.count()));
+  EXPECT_LT(seconds.count(), 5.0);  // far above what it takes, for shared machines and sanitizers
+}
+
+}  // namespace
+}  // namespace gouge
