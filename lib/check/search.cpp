@@ -21,7 +21,7 @@ struct Candidate {
   std::uint32_t index = 0;   ///< node, or triangle
   bool is_triangle = false;
   bool is_time_next = false;
-  std::array<Vec3, 3> piece;
+  std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
 
 bool comes_later(const Candidate& a, const Candidate& b) {
