@@ -1,0 +1,14 @@
+#include "lib/tool/compiled_tool.h"
+
+namespace gouge {
+
+const char* body_name(Body body) {
+  switch (body) {
+    case Body::cutter: return "cutter";
+    case Body::shank: return "shank";
+    case Body::holder: break;
+  }
+  return "holder";
+}
+
+}  // namespace gouge

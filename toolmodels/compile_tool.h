@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "lib/tool/compiled_tool.h"
+#include "lib/tool/tool_forms.h"
+#include "toolmodels/assembly.h"
+#include "toolmodels/profile.h"
+
+// From a contour to the structure the check evaluates: elements with their support ranges, the BSP over their
+// Voronoi diagram, extent and core.
+
+namespace gouge {
+
+/// Requires  verify_profile(profile).empty(), or a profile without elements (gives a tool without elements).
+/// Ensures   (1) verify_tool is empty; (2) the contract of evaluate.h; (3) the contract of SupportRange.
+/// Cost      milliseconds for a tool of twenty elements.
+/// Source    Ho 1999, thesis 2.4.18, appendix C; docs/algorithms/tool_voronoi.md
+[[nodiscard]] CompiledTool compile_tool(const std::string& name, const Profile& profile);
+
+/// All forms a check needs. Growth is rounded: the body's solid of revolution plus a ball.
+///
+/// Requires  the three lengths are finite and >= 0.
+/// Errors    those of make_body_profiles.
+[[nodiscard]] Result<ToolForms> make_tool_forms(const ToolAssembly& tool, double stock_to_leave_mm,
+                                                double shank_clearance_mm, double holder_clearance_mm);
+
+/// Broken invariants of a compiled tool: indices in range, every element owned by some leaf, unit normals,
+/// elements that join, extent and core that fit. Empty for a sound tool.
+[[nodiscard]] std::vector<std::string> verify_tool(const CompiledTool& tool);
+
+}  // namespace gouge

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/geom/vec.h"
+#include "lib/tool/compiled_tool.h"
+
+// The boundary of a tool's half section: segments and circular arcs in the (r, z) half plane, r >= 0, mm. The
+// contour starts on the axis at the tip and ends on the axis at the top; the axis closes it. The solid is on
+// its left, so convex arcs run counter-clockwise and concave ones clockwise.
+//
+//      z ^ <--------+
+//        |  solid   |
+//        |         /        outward normal: on the right of the direction of travel
+//        +---------->  r
+
+namespace gouge {
+
+struct ProfileElement {
+  Body body = Body::cutter;
+  bool is_arc = false;
+  bool is_concave = false;     ///< arc with the solid outside its circle
+  Vec2 a = Vec2::Zero();       ///< start
+  Vec2 b = Vec2::Zero();       ///< end
+  Vec2 center = Vec2::Zero();  ///< of an arc
+  double radius_mm = 0;        ///< of an arc
+};
+
+struct Profile {
+  std::vector<ProfileElement> elements;
+};
+
+[[nodiscard]] ProfileElement make_segment(Body body, const Vec2& a, const Vec2& b);
+[[nodiscard]] ProfileElement make_convex_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center,
+                                             double radius_mm);
+[[nodiscard]] ProfileElement make_concave_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center,
+                                              double radius_mm);
+
+/// Unit direction of travel at the start and at the end. Requires an element that verify_profile accepts.
+[[nodiscard]] Vec2 start_direction(const ProfileElement& element);
+[[nodiscard]] Vec2 end_direction(const ProfileElement& element);
+
+/// Outward unit normal belonging to a direction of travel.
+[[nodiscard]] inline Vec2 outward_normal(const Vec2& direction) { return {direction.y(), -direction.x()}; }
+
+/// Angle an arc sweeps, in (0, 2 pi); 0 for a segment.
+[[nodiscard]] double sweep_rad(const ProfileElement& element);
+
+/// The element as points: its two ends for a segment, `steps` + 1 points for an arc.
+[[nodiscard]] std::vector<Vec2> sample(const ProfileElement& element, int steps);
+
+/// Largest coordinate of the contour: what "relative to the tool's size" refers to.
+[[nodiscard]] double size_of(const Profile& profile);
+
+/// True when every height has one radius: the solid is {r <= rho(z)}. No undercut seen along the radius.
+[[nodiscard]] bool is_single_valued(const Profile& profile);
+
+/// Broken invariants, empty when the contour is a closed half section: it starts and ends on the axis and
+/// touches it nowhere else, elements join end to start, have length, lie on their circles, do not cross, and
+/// keep the solid on the left.
+/// Cost     quadratic in the number of elements; arcs are looked at as polygons of 48 chords.
+[[nodiscard]] std::vector<std::string> verify_profile(const Profile& profile);
+
+}  // namespace gouge
