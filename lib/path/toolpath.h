@@ -69,7 +69,7 @@ struct SourceStatement {
 
 struct Toolpath {
   std::string file;      ///< as the user named it
-  std::string dialect;   ///< "apt" or "nx-clsf"
+  std::string dialect;   ///< "apt", "nx-clsf", "apt-autodesk", ...: docs/formats/apt_cl.md
   LengthUnit unit = LengthUnit::mm;
   bool is_unit_stated = false;
   std::string source;    ///< the file's bytes

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "postproc/cldata/lexer.h"
+
+namespace gouge {
+
+/// One argument of a statement: a number or a word. `text` is a view into the file's bytes, so that a writer
+/// knows which bytes to replace; it is empty where a comma follows a comma.
+struct Argument {
+  std::string_view text;
+  std::optional<double> number;
+};
+
+/// The arguments of `statement`, into `arguments` (whose memory is used again). Commas separate them; so do blanks,
+/// line ends, brackets and further slashes, as CAM systems write them. One trailing comma is allowed.
+void split_arguments(const Statement& statement, std::vector<Argument>& arguments);
+
+/// The first argument that is not a number, or nothing.
+[[nodiscard]] const Argument* find_word_argument(std::span<const Argument> arguments);
+
+/// True where an argument is the word `word`, in any case.
+[[nodiscard]] bool has_argument(std::span<const Argument> arguments, std::string_view word);
+
+}  // namespace gouge

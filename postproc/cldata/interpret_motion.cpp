@@ -1,0 +1,304 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/interpreter.h"
+#include "postproc/cldata/text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kAxisLengthError = 1e-3;      // beyond it an axis is refused
+constexpr double kAxisLengthTold = 1e-5;       // 5 decimals are what axes have; below it nothing is told
+constexpr double kTiltTold = 1e-3;             // sine of the angle to +Z from which an axis counts as tilted
+constexpr double kFarthest_mm = 1e7;           // ten kilometres: no machine is that large
+constexpr const char* kPositionForm = "expected x,y,z or x,y,z,i,j,k";
+
+double length_error(const Vec3& axis) { return std::abs(axis.norm() - 1); }
+
+bool begins_with_letter(std::string_view text) {
+  return !text.empty() && ((text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= 'a' && text[0] <= 'z'));
+}
+
+bool is_number_word(std::string_view text) {
+  return starts_with_ignoring_case(text, "nan") || starts_with_ignoring_case(text, "inf");
+}
+
+}  // namespace
+
+bool Interpreter::check_all_numbers(std::string_view expected) {
+  const Argument* word = find_word_argument(arguments_);
+  if (word == nullptr) return true;
+  if (begins_with_letter(word->text) && !is_number_word(word->text) && path_.moves.empty()) {
+    refuse_part_program(std::string(statement_->major) + "/" + std::string(word->text));
+    return false;
+  }
+  const std::string what = word->text.empty() ? "an empty argument" : quoted_text(word->text);
+  fail("path-number", std::string(statement_->major) + ": " + what + " is not a finite number; " +
+                          std::string(expected) + " in numbers");
+  return false;
+}
+
+// How many numbers of the statement make a position: 3 or 6, or 0 after an error.
+std::size_t Interpreter::numbers_per_point() {
+  const std::size_t count = arguments_.size();
+  if (count == 3) return 3;
+  const auto axes_are_unit = [&] {
+    for (std::size_t i = 3; i < count; i += 6) {
+      const Vec3 axis(*arguments_[i].number, *arguments_[i + 1].number, *arguments_[i + 2].number);
+      if (length_error(axis) > kAxisLengthError) return false;
+    }
+    return true;
+  };
+  const bool is_list = statement_->word == Word::go_to && !dialect_.is_axis_modal;
+  if (count == 6 || (is_list && count > 6 && count % 6 == 0)) {
+    if (!is_list || multax_.value_or(false)) return 6;
+    if (axes_are_unit()) return 6;
+    // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect tells is it two positions.
+    if (multax_.has_value() || dialect_.kind == DialectKind::creo || count > 6) return 3;
+    return 6;
+  }
+  if (is_list && !multax_.value_or(false) && count > 6 && count % 3 == 0) return 3;
+  fail("path-count", std::string(statement_->major) + " has " + std::to_string(count) + " numbers; " + kPositionForm);
+  return 0;
+}
+
+std::optional<Vec3> Interpreter::read_tip(std::size_t first) {
+  const Vec3 tip = Vec3(*arguments_[first].number, *arguments_[first + 1].number, *arguments_[first + 2].number) *
+                   mm_per_unit_;
+  if (tip.cwiseAbs().maxCoeff() <= kFarthest_mm) return tip;
+  fail("path-range", std::string(statement_->major) + ": a coordinate is beyond " + fixed_text(kFarthest_mm, 0) +
+                         " mm; expected a position within a machine");
+  return std::nullopt;
+}
+
+std::optional<Vec3> Interpreter::read_axis(std::size_t first) {
+  const Vec3 axis(*arguments_[first].number, *arguments_[first + 1].number, *arguments_[first + 2].number);
+  const double length = axis.norm();
+  const double error = std::abs(length - 1);
+  if (!(error <= kAxisLengthError)) {
+    fail("path-axis", std::string(statement_->major) + ": the tool axis has length " + fixed_text(length, 6) +
+                          "; expected a unit vector i,j,k (length 1 within 0.001)");
+    return std::nullopt;
+  }
+  if (error > kAxisLengthTold) {
+    ++renormalised_;
+    if (error > std::abs(worst_axis_length_ - 1)) worst_axis_length_ = length;
+  }
+  return axis / length;
+}
+
+Vec3 Interpreter::implied_axis() const { return dialect_.is_axis_modal ? modal_axis_ : fixed_axis_; }
+
+void Interpreter::note_plain_axis(const Position& position) {
+  if (dialect_.is_axis_modal || dialect_.has_known_plain_axis || multax_ == false) return;
+  if (position.numbers == 6) {
+    is_last_tilted_ = position.axis_local.cross(fixed_axis_).norm() > kTiltTold;
+  } else if (is_last_tilted_) {
+    if (plain_after_tilt_++ == 0) first_plain_after_tilt_ = statement_->line;
+  }
+}
+
+void Interpreter::take_positions(PositionForm form) {
+  if (!check_all_numbers(kPositionForm)) return;
+  const std::size_t numbers = numbers_per_point();
+  if (numbers == 0) return;
+  const std::size_t points = arguments_.size() / numbers;
+  for (std::size_t i = 0; i < points; ++i) {
+    Position position;
+    position.first_argument = i * numbers;
+    position.numbers = numbers;
+    position.point = i;
+    position.points = points;
+    position.form = form;
+    const std::optional<Vec3> tip = read_tip(position.first_argument);
+    std::optional<Vec3> axis = implied_axis();
+    if (numbers == 6) axis = read_axis(position.first_argument + 3);
+    if (!tip || !axis) return;
+    position.tip_local = *tip;
+    position.axis_local = *axis;
+    if (form == PositionForm::from) break_motion();
+    note_plain_axis(position);
+    emit(position);
+  }
+  is_arc_ = false;
+}
+
+void Interpreter::take_godlta() {
+  if (!check_all_numbers("expected dx,dy,dz or one distance along the tool axis")) return;
+  const std::size_t count = arguments_.size();
+  if (count != 1 && count != 3) {
+    return fail("path-count", "GODLTA has " + std::to_string(count) +
+                                  " numbers; expected dx,dy,dz or one distance along the tool axis");
+  }
+  if (!last_pose_ || unknown_start_ != nullptr) {
+    return fail("path-statement", "GODLTA moves on from a position that is not known; expected a FROM or GOTO before it");
+  }
+  const Pose here = to_part_.inverse().pose(*last_pose_);
+  Position position;
+  position.form = PositionForm::godlta;
+  position.axis_local = here.axis;
+  if (count == 1) {
+    position.tip_local = here.tip + here.axis * (*arguments_[0].number * mm_per_unit_);
+  } else {
+    const std::optional<Vec3> step = read_tip(0);
+    if (!step) return;
+    position.tip_local = here.tip + *step;
+  }
+  emit(position);
+  is_arc_ = false;
+}
+
+void Interpreter::take_gohome() {
+  if (!arguments_.empty()) return take_positions(PositionForm::gohome);
+  is_rapid_ = false;
+  break_motion();
+}
+
+// CATIA: TLON,GOFWD/(CIRCLE/cx,cy,cz,r),ON,(LINE/cx,cy,cz,ex,ey,ez); the second point of LINE is the end.
+void Interpreter::take_tlon() {
+  const auto line = std::find_if(arguments_.begin(), arguments_.end(),
+                                 [](const Argument& a) { return equals_ignoring_case(a.text, "LINE"); });
+  const bool is_catia_arc = has_argument(arguments_, "CIRCLE") && arguments_.end() - line == 7 &&
+                            std::all_of(line + 1, arguments_.end(), [](const Argument& a) { return a.number.has_value(); });
+  if (!is_catia_arc) return refuse_part_program("TLON");
+  const std::optional<Vec3> tip = read_tip(static_cast<std::size_t>(line - arguments_.begin()) + 4);
+  if (!tip) return;
+  Position position;
+  position.form = PositionForm::curve;
+  position.tip_local = *tip;
+  // The arc keeps the axis of the position before it.
+  position.axis_local = last_pose_ && multax_.value_or(false) ? to_part_.inverse().direction(last_pose_->axis)
+                                                              : implied_axis();
+  is_arc_ = true;
+  emit(position);
+  is_arc_ = false;
+}
+
+void Interpreter::begin_curve() {
+  curve_statement_ = path_.statements.size() - 1;
+  curve_line_ = statement_->line;
+}
+
+void Interpreter::take_control_point() {
+  if (!check_all_numbers(kPositionForm)) return;
+  const std::size_t count = arguments_.size();
+  if (curve_statement_ == kNone) {
+    return fail("path-statement", "CNTRL without a NURBS before it; expected NURBS/, KNOT/ and then CNTRL/ lines");
+  }
+  if (count != 3 && count != 6) {
+    return fail("path-count", "CNTRL has " + std::to_string(count) + " numbers; " + kPositionForm);
+  }
+  const std::optional<Vec3> tip = read_tip(0);
+  std::optional<Vec3> axis = implied_axis();
+  if (count == 6) axis = read_axis(3);
+  if (!tip || !axis) return;
+  Position position;
+  position.form = PositionForm::curve;
+  position.tip_local = *tip;
+  position.axis_local = *axis;
+  curve_end_ = position;
+}
+
+void Interpreter::flush_curve() {
+  if (!curve_end_) {
+    curve_statement_ = kNone;
+    return fail("path-statement", "the NURBS before this line has no CNTRL points; expected at least one");
+  }
+  emit(*curve_end_);
+  path_.moves.back().statement = curve_statement_;
+  path_.moves.back().line = curve_line_;
+  if (records_ != nullptr) records_->back().statement = curve_statement_;
+  curve_end_.reset();
+  curve_statement_ = kNone;
+}
+
+void Interpreter::take_cycle() {
+  if (arguments_.empty()) return count_unknown();
+  const std::string_view what = arguments_.front().text;
+  if (equals_ignoring_case(what, "INIT") || equals_ignoring_case(what, "CLEAR")) return;
+  is_cycle_ = !equals_ignoring_case(what, "OFF") && !equals_ignoring_case(what, "NOMORE");
+}
+
+void Interpreter::take_rapid() {
+  is_rapid_ = true;
+  rapid_statement_ = path_.statements.size() - 1;
+}
+
+void Interpreter::take_fedrat() {
+  is_rapid_ = false;
+  const auto number = std::find_if(arguments_.begin(), arguments_.end(), [](const Argument& a) { return a.number.has_value(); });
+  if (number == arguments_.end()) return;
+  double mm_per_feed_unit = mm_per_unit_;
+  for (const Argument& argument : arguments_) {
+    if (equals_ignoring_case(argument.text, "MMPM")) mm_per_feed_unit = 1;
+    if (equals_ignoring_case(argument.text, "IPM")) mm_per_feed_unit = mm_per(LengthUnit::inch);
+    if (equals_ignoring_case(argument.text, "FPM")) mm_per_feed_unit = 12 * mm_per(LengthUnit::inch);
+    for (const char* per_turn : {"MMPR", "IPR", "FPR", "PERREV", "INVERS"}) {
+      if (equals_ignoring_case(argument.text, per_turn)) mm_per_feed_unit = 0;
+    }
+  }
+  feed_mm_per_min_ = std::max(0.0, *number->number * mm_per_feed_unit);
+}
+
+void Interpreter::take_multax() {
+  multax_ = !has_argument(arguments_, "OFF");
+  is_last_tilted_ = is_last_tilted_ && *multax_;
+}
+
+void Interpreter::break_motion() {
+  last_pose_.reset();
+  unknown_start_ = nullptr;
+  last_frame_reason_ = nullptr;
+  is_arc_ = false;
+}
+
+void Interpreter::emit(const Position& position) {
+  resolve_tool();
+  resolve_operation();
+  const char* frame = frame_reason();
+  const bool is_curve = position.form == PositionForm::curve;
+  const bool is_from = position.form == PositionForm::from;
+  const bool is_cycle = is_cycle_ && !is_from;
+  const bool is_arc = !is_cycle && (is_arc_ || is_curve);
+  const bool is_rapid = is_rapid_ || is_from || position.form == PositionForm::gohome;
+
+  Move move;
+  move.kind = is_cycle ? MoveKind::cycle : is_arc ? MoveKind::arc : is_rapid ? MoveKind::rapid : MoveKind::feed;
+  move.line = statement_->line;
+  move.statement = path_.statements.size() - 1;
+  move.point_in_statement = position.point;
+  move.end = to_part_.pose({position.tip_local, position.axis_local});
+  move.end.axis.normalize();
+  move.tool = tool_index_;
+  move.operation = operation_index_;
+  if (move.kind != MoveKind::rapid) move.feed_mm_per_min = feed_mm_per_min_;
+  if (unknown_start_ == nullptr && last_frame_reason_ == nullptr) move.start = last_pose_;
+  if (frame != nullptr) {
+    move.not_checked_reason = frame;
+  } else if (is_cycle) {
+    move.not_checked_reason = Reasons::kCycle;
+  } else if (is_arc) {
+    move.not_checked_reason = is_curve && curve_end_ ? Reasons::kCurve : Reasons::kArc;
+  } else if (last_frame_reason_ != nullptr) {
+    move.not_checked_reason = last_frame_reason_;
+  } else if (unknown_start_ != nullptr) {
+    move.not_checked_reason = unknown_start_;
+  }
+
+  if (records_ != nullptr) {
+    records_->push_back({move.statement, position.point, position.points, position.first_argument, position.numbers,
+                         position.form, is_rapid_, multax_ == false, rapid_statement_, block_, position.axis_local,
+                         implied_axis(), mm_per_unit_, to_part_});
+  }
+  if (dialect_.is_axis_modal) modal_axis_ = position.axis_local;
+  last_pose_ = move.end;
+  last_frame_reason_ = frame;
+  unknown_start_ = is_cycle ? Reasons::kAfterCycle : nullptr;
+  is_rapid_ = false;
+  was_from_ = is_from;
+  path_.moves.push_back(std::move(move));
+}
+
+}  // namespace gouge

@@ -1,0 +1,175 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "postproc/cldata/cutter_statement.h"
+#include "postproc/cldata/interpreter.h"
+#include "postproc/cldata/text.h"
+
+namespace gouge {
+namespace {
+
+bool equal(double a, double b) { return !(a < b) && !(b < a); }
+
+bool equal(const std::optional<CutterStatement>& a, const std::optional<CutterStatement>& b) {
+  if (!a || !b) return a.has_value() == b.has_value();
+  return equal(a->d_mm, b->d_mm) && equal(a->r_mm, b->r_mm) && equal(a->e_mm, b->e_mm) && equal(a->f_mm, b->f_mm) &&
+         equal(a->alpha_deg, b->alpha_deg) && equal(a->beta_deg, b->beta_deg) && equal(a->h_mm, b->h_mm);
+}
+
+std::optional<int> whole_number(const Argument& argument) {
+  if (!argument.number) return std::nullopt;
+  const double value = *argument.number;
+  if (!equal(value, std::floor(value)) || std::abs(value) > std::numeric_limits<int>::max()) return std::nullopt;
+  return static_cast<int>(value);
+}
+
+}  // namespace
+
+void Interpreter::set_cutter(const CutterStatement& cutter, double flute_length_mm) {
+  turning_reason_ = nullptr;
+  tool_.cutter = cutter;
+  tool_.flute_length_mm = flute_length_mm;
+  tool_.line = statement_->line;
+  tool_.is_fresh = true;
+  is_tool_changed_ = true;
+}
+
+void Interpreter::take_cutter() {
+  CutterOutcome outcome = make_cutter(arguments_, mm_per_unit_);
+  if (!outcome.error.empty()) {
+    const Argument* word = find_word_argument(arguments_);
+    if (word != nullptr && path_.moves.empty() && !word->text.empty() && word->text[0] >= 'A') {
+      return refuse_part_program(std::string(statement_->major) + "/" + std::string(word->text));
+    }
+    return fail("path-cutter", "CUTTER: " + outcome.error + "; expected d or d,r or d,r,e,f,alpha,beta,h");
+  }
+  if (previous_word_ == Word::insert) tool_.name = last_insert_;
+  if (outcome.cutter) return set_cutter(*outcome.cutter, outcome.flute_length_mm);
+  tool_.cutter.reset();
+  is_tool_changed_ = true;
+  path_.notes.push_back(make_warning("path-cutter", outcome.note, path_.file, statement_->line));
+}
+
+void Interpreter::take_tldata() {
+  if (arguments_.empty()) return count_unknown();
+  const std::string_view type = arguments_.front().text;
+  const bool is_drill = equals_ignoring_case(type, "DRILL");
+  tool_.cutter.reset();
+  is_tool_changed_ = true;
+  if (!is_drill && !equals_ignoring_case(type, "MILL")) {
+    turning_reason_ = Reasons::kTurning;
+    return;
+  }
+  std::span<const Argument> numbers(arguments_);
+  numbers = numbers.subspan(1);
+  if (is_drill && !numbers.empty() && !numbers.front().number) numbers = numbers.subspan(1);
+  const CutterOutcome outcome = make_tldata_cutter(numbers, is_drill, mm_per_unit_);
+  if (!outcome.error.empty()) {
+    return fail("path-cutter", "TLDATA: " + outcome.error +
+                                   (is_drill ? "; expected DRILL,MILL,diameter,radius,length,point angle,flute length"
+                                             : "; expected MILL,diameter,radius,length,taper angle,tip angle"));
+  }
+  if (outcome.cutter) return set_cutter(*outcome.cutter, outcome.flute_length_mm);
+  turning_reason_ = nullptr;
+  path_.notes.push_back(make_warning("path-cutter", outcome.note, path_.file, statement_->line));
+}
+
+void Interpreter::take_tool_number() {
+  if (has_argument(arguments_, "TURN")) turning_reason_ = Reasons::kTurning;
+  if (arguments_.empty()) return count_unknown();
+  const std::optional<int> number = whole_number(arguments_.front());
+  if (!number) {
+    return fail("path-statement", std::string(statement_->major) + ": " + quoted_text(arguments_.front().text) +
+                                      " is not a tool number; expected a whole number");
+  }
+  change_number(*number);
+}
+
+void Interpreter::take_load() {
+  if (arguments_.empty() || !equals_ignoring_case(arguments_.front().text, "TOOL")) {
+    if (has_argument(arguments_, "WIRE")) turning_reason_ = Reasons::kTurning;
+    return count_unknown();
+  }
+  const std::optional<int> number = arguments_.size() > 1 ? whole_number(arguments_[1]) : std::nullopt;
+  if (!number) return fail("path-statement", "LOAD/TOOL without a tool number; expected LOAD/TOOL,number");
+  change_number(*number);
+}
+
+// A tool that was not described since the last motion is the one last seen under that number, or one the file says
+// nothing about: never the one before it.
+void Interpreter::change_number(int number) {
+  if (tool_.number == number) return;
+  is_tool_changed_ = true;
+  tool_.number = number;
+  if (tool_.is_fresh) return;
+  tool_.cutter.reset();
+  tool_.name.clear();
+  tool_.flute_length_mm = 0;
+  tool_.line = statement_->line;
+  for (const PathTool& tool : path_.tools) {
+    if (tool.number != number) continue;
+    tool_.cutter = tool.cutter;
+    tool_.name = tool.name;
+    tool_.flute_length_mm = tool.flute_length_mm;
+  }
+}
+
+void Interpreter::take_flute_length() {
+  if (arguments_.size() != 1 || !arguments_.front().number || *arguments_.front().number < 0) return count_unknown();
+  tool_.flute_length_mm = *arguments_.front().number * mm_per_unit_;
+  is_tool_changed_ = true;
+}
+
+void Interpreter::take_tool_name(std::string_view text) {
+  tool_.name = name_text(text);
+  is_tool_changed_ = true;
+}
+
+// Number and cutter (NX: and name) make a tool; the same ones again are the same tool and no break of the motion.
+void Interpreter::resolve_tool() {
+  tool_.is_fresh = false;
+  if (!is_tool_changed_) return;
+  is_tool_changed_ = false;
+  const bool is_known = tool_.number || tool_.cutter || (dialect_.kind == DialectKind::nx_clsf && !tool_.name.empty());
+  std::size_t index = kNone;
+  if (is_known) {
+    for (index = 0; index < path_.tools.size(); ++index) {
+      const PathTool& tool = path_.tools[index];
+      if (tool.number == tool_.number && equal(tool.cutter, tool_.cutter) &&
+          (dialect_.kind != DialectKind::nx_clsf || tool.name == tool_.name)) {
+        break;
+      }
+    }
+    if (index == path_.tools.size()) {
+      path_.tools.push_back({tool_.number, tool_.name, tool_.cutter, tool_.flute_length_mm, tool_.line});
+    } else if (path_.tools[index].flute_length_mm <= 0) {
+      path_.tools[index].flute_length_mm = tool_.flute_length_mm;
+    }
+  }
+  if (index == tool_index_) return;
+  if (tool_index_ == kNone && was_from_) {
+    path_.moves.back().tool = index;  // FROM says where the first tool stands
+  } else {
+    const bool was_arc = is_arc_;
+    break_motion();
+    is_arc_ = was_arc;
+  }
+  tool_index_ = index;
+}
+
+void Interpreter::name_operation(std::string name) {
+  operation_name_ = std::move(name);
+  operation_line_ = statement_->line;
+  is_operation_new_ = true;
+}
+
+void Interpreter::resolve_operation() {
+  if (!is_operation_new_) return;
+  is_operation_new_ = false;
+  operation_index_ = path_.operations.size();
+  path_.operations.push_back({operation_name_, operation_line_});
+}
+
+}  // namespace gouge

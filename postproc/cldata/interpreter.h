@@ -1,0 +1,211 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/geom/rigid_transform.h"
+#include "lib/path/toolpath.h"
+#include "postproc/cldata/arguments.h"
+#include "postproc/cldata/dialect.h"
+#include "postproc/cldata/lexer.h"
+
+// Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it again
+// over the same bytes to know in which state (axis, frame, unit, rapid) each position was read.
+
+namespace gouge {
+
+/// How a position is written, as far as a writer must know.
+enum class PositionForm : std::uint8_t { go_to, from, gohome, godlta, curve };
+
+/// The state a move was read in. One for each of Toolpath::moves, in the same order.
+struct MotionRecord {
+  std::size_t statement = 0;
+  std::size_t point = 0, points = 1;   ///< which of how many positions of its statement
+  std::size_t first_argument = 0;      ///< of this position
+  std::size_t numbers = 0;             ///< 3 or 6; 0 where the form is godlta or curve
+  PositionForm form = PositionForm::go_to;
+  bool is_rapid = false;               ///< by a RAPID before it
+  bool is_multax_off = false;          ///< MULTAX/OFF is stated: positions with an axis would be read as two
+  std::size_t rapid_statement = kNone; ///< the last RAPID before it
+  std::size_t block = 0;               ///< number of the TOOL PATH block; the modal axis does not cross blocks
+  Vec3 axis_local = Vec3::UnitZ();     ///< axis of this position, in the block's frame
+  Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
+  double mm_per_unit = 1;
+  RigidTransform to_part;
+};
+
+/// Why moves are not checked. The texts are told to the user.
+struct Reasons {
+  static constexpr const char* kArc = "arcs are not checked yet";
+  static constexpr const char* kCurve = "NURBS curves are not checked yet";
+  static constexpr const char* kCycle = "drilling cycles are not checked yet";
+  static constexpr const char* kAfterCycle = "starts at an unknown retract height after a drilling cycle";
+  static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
+  static constexpr const char* kTurning = "turning and wire tools are not understood";
+  static constexpr const char* kContour = "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";
+  static constexpr const char* kCsys = "positions are in a coordinate system (CSYS) that is not applied";
+  static constexpr const char* kMcs = "positions are in a coordinate system (MCS) that is not applied";
+  static constexpr const char* kCatia = "positions are in a machining axis system ($$*CATIA0) that is not applied";
+  static constexpr const char* kTurned = "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
+  static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
+};
+
+class Interpreter {
+ public:
+  /// `path.source` holds the bytes. `records` may be null; else it gets one entry for each move.
+  Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit, std::vector<MotionRecord>* records);
+
+  /// Takes the next statement. Errors go to errors(); once is_hopeless(), reading further has no use.
+  void take(const Statement& statement);
+  /// To be called once, after the last statement.
+  void finish();
+
+  [[nodiscard]] Diagnostics take_errors();
+  [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
+
+ private:
+  struct Position {  // of one statement, before it becomes a move; file numbers made mm, in the block's frame
+    Vec3 tip_local = Vec3::Zero();
+    Vec3 axis_local = Vec3::UnitZ();
+    std::size_t point = 0, points = 1, first_argument = 0, numbers = 0;
+    PositionForm form = PositionForm::go_to;
+  };
+  struct ToolState {
+    std::optional<int> number;
+    std::optional<CutterStatement> cutter;
+    std::string name;
+    double flute_length_mm = 0;
+    std::size_t line = 0;
+    bool is_fresh = false;  // defined since the last motion
+  };
+
+  void fail(std::string code, std::string message);
+  void refuse_part_program(std::string_view what);
+  void count_unknown();
+  [[nodiscard]] std::string found() const;  // the statement as written, for messages
+
+  [[nodiscard]] bool take_motion_word();
+  [[nodiscard]] bool take_tool_word();
+  [[nodiscard]] bool take_frame_word();
+  [[nodiscard]] bool take_text_word();
+
+  // interpret_motion.cpp
+  void take_positions(PositionForm form);
+  void take_godlta();
+  void take_gohome();
+  void take_tlon();
+  void begin_curve();
+  void take_control_point();
+  void flush_curve();
+  void take_cycle();
+  void take_rapid();
+  void take_fedrat();
+  void take_multax();
+  [[nodiscard]] std::size_t numbers_per_point();
+  [[nodiscard]] bool check_all_numbers(std::string_view expected);
+  [[nodiscard]] std::optional<Vec3> read_axis(std::size_t first);
+  [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
+  [[nodiscard]] Vec3 implied_axis() const;
+  void emit(const Position& position);
+  void note_plain_axis(const Position& position);
+  void break_motion();
+
+  // interpret_tool.cpp
+  void take_cutter();
+  void take_tldata();
+  void take_tool_number();
+  void take_load();
+  void take_flute_length();
+  void take_tool_name(std::string_view text);
+  void set_cutter(const CutterStatement& cutter, double flute_length_mm);
+  void change_number(int number);
+  void resolve_tool();
+  void name_operation(std::string name);
+  void resolve_operation();
+
+  // interpret_frame.cpp
+  void take_comment();
+  void take_catia_row(std::string_view text);
+  void take_creo_comment();
+  void take_msys();
+  void take_frame_matrix(const char* reason);
+  void take_mcsys();
+  void take_rotabl();
+  void take_trntyp();
+  void take_tlaxis();
+  void take_units();
+  void take_tool_path();
+  [[nodiscard]] const char* frame_reason() const;
+
+  Toolpath& path_;
+  Dialect dialect_;
+  std::vector<MotionRecord>* records_;
+  const Statement* statement_ = nullptr;  // the one being taken
+  std::vector<Argument> arguments_;       // of it
+  Diagnostics errors_;
+  std::size_t errors_not_listed_ = 0;
+  bool is_hopeless_ = false;
+
+  // motion
+  std::optional<Pose> last_pose_;         // part coordinates; nothing: the next position is alone
+  const char* unknown_start_ = nullptr;   // why the next motion's start is not known
+  const char* last_frame_reason_ = nullptr;
+  bool is_rapid_ = false;
+  bool is_arc_ = false;
+  bool is_cycle_ = false;
+  std::size_t rapid_statement_ = kNone;
+  std::optional<bool> multax_;
+  Vec3 modal_axis_ = Vec3::UnitZ();       // the last axis given, or TLAXIS
+  Vec3 fixed_axis_ = Vec3::UnitZ();       // TLAXIS
+  double feed_mm_per_min_ = 0;
+  std::size_t curve_statement_ = kNone;   // NURBS whose control points are being read
+  std::size_t curve_line_ = 0;
+  std::optional<Position> curve_end_;
+  bool was_from_ = false;                 // the last move was FROM
+
+  // tools and operations
+  ToolState tool_;
+  std::size_t tool_index_ = kNone;
+  bool is_tool_changed_ = false;
+  std::string operation_name_;
+  std::size_t operation_line_ = 0;
+  bool is_operation_new_ = false;
+  std::size_t operation_index_ = kNone;
+  Word previous_word_ = Word::comment;
+  std::string last_insert_;
+
+  // frames
+  double mm_per_unit_;
+  RigidTransform to_part_;
+  std::size_t block_ = 0;
+  bool is_block_open_ = false;
+  const char* csys_reason_ = nullptr;
+  const char* mcs_reason_ = nullptr;
+  const char* catia_reason_ = nullptr;
+  const char* contour_reason_ = nullptr;
+  const char* turning_reason_ = nullptr;
+  const char* trntyp_reason_ = nullptr;
+  std::array<double, 3> turned_{};        // sum of table turns about A, B, C
+  int catia_row_ = -1;                    // lines seen since $$*CATIA0; -1: none
+  bool is_catia_identity_ = true;
+  bool is_tlaxis_ignored_ = false;
+
+  // told once at the end
+  std::size_t renormalised_ = 0;
+  double worst_axis_length_ = 1;
+  std::size_t cutcoms_ = 0, first_cutcom_line_ = 0;
+  std::size_t plain_after_tilt_ = 0, first_plain_after_tilt_ = 0;
+  bool is_last_tilted_ = false;
+  bool has_end_ = false;
+};
+
+/// The records of `path`'s moves, by reading its bytes once more.
+[[nodiscard]] std::vector<MotionRecord> read_motion_records(const Toolpath& path);
+
+}  // namespace gouge

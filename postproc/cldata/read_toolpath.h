@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "lib/base/diagnostic.h"
+#include "lib/path/toolpath.h"
+
+// Reads cutter-location text: APT CL data in the forms CAM systems write it, and Siemens NX CLSF. The dialect is
+// told by the content, never by the file's name. docs/formats/apt_cl.md and nx_clsf.md say what is understood.
+
+namespace gouge {
+
+/// Either a toolpath or at least one error. At most 20 errors are listed, then one that counts the rest.
+/// Warnings and notes of a path that was read are in Toolpath::notes.
+struct ReadOutcome {
+  std::optional<Toolpath> toolpath;
+  Diagnostics errors;
+};
+
+/// Units    The file's unit becomes mm; the frame of each block (NX: MSYS) becomes part coordinates.
+/// Ensures  (1) Every GOTO, FROM, GOHOME, GODLTA, arc, spline or cycle point of the file is one move, or the
+///              file is refused. (2) What is not understood is a move with a reason, a counted word or a note.
+/// Errors   path-empty, path-binary, path-nccs-binary, path-no-motion, path-part-program, path-unterminated,
+///          path-number, path-count, path-axis, path-cutter, path-statement, path-frame, path-range,
+///          path-more-errors.
+/// Cost     One pass; memory is the file plus about 250 bytes for each move.
+[[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, std::string bytes);
+
+}  // namespace gouge

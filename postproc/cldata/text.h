@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+// Bytes of a CL file as words. Case matters nowhere in CL data.
+
+namespace gouge {
+
+[[nodiscard]] constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\x1a';
+}
+
+[[nodiscard]] std::string_view trim(std::string_view text);
+
+/// < 0, 0, > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.
+[[nodiscard]] int compare_ignoring_case(std::string_view a, std::string_view b);
+[[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
+[[nodiscard]] bool starts_with_ignoring_case(std::string_view text, std::string_view start);
+
+/// `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text that
+/// is not UTF-8 is taken as Latin-1 (CATIA writes the code page of its user). At most 200 bytes.
+[[nodiscard]] std::string name_text(std::string_view text);
+
+/// `text` for use in a message: as name_text, cut to 40 bytes.
+[[nodiscard]] std::string quoted_text(std::string_view text);
+
+}  // namespace gouge

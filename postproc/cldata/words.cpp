@@ -1,0 +1,171 @@
+#include "postproc/cldata/words.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "postproc/cldata/text.h"
+
+namespace gouge {
+namespace {
+
+using Entry = std::pair<std::string_view, Word>;
+
+constexpr auto kWords = std::to_array<Entry>({
+    {"AIR", Word::harmless},
+    {"APPLY", Word::harmless},
+    {"ARCSLP", Word::harmless},
+    {"AUTOPS", Word::harmless},
+    {"AUXFUN", Word::harmless},
+    {"BEGIN", Word::harmless},
+    {"BOX", Word::harmless},
+    {"BREAK", Word::harmless},
+    {"CALL", Word::part_program},
+    {"CIRCLE", Word::circle},
+    {"CLAMP", Word::harmless},
+    {"CLEARP", Word::harmless},
+    {"CLPRNT", Word::harmless},
+    {"CLRSRF", Word::harmless},
+    {"CNTRL", Word::cntrl},
+    {"COOLNT", Word::harmless},
+    {"COPY", Word::part_program},
+    {"CSI_PATH_TOLERANCE", Word::harmless},
+    {"CSI_SET_EXTENSION_LENGTH", Word::harmless},
+    {"CSI_SET_FLUTE_LENGTH", Word::flute_length},
+    {"CSI_TOOL_PATH", Word::operation},
+    {"CSYS", Word::csys},
+    {"CUTCOM", Word::cutcom},
+    {"CUTTER", Word::cutter},
+    {"CYCLE", Word::cycle},
+    {"DELAY", Word::harmless},
+    {"DISPLY", Word::harmless},
+    {"DNTCUT", Word::part_program},
+    {"END", Word::fini},
+    {"END-OF-PATH", Word::end_of_path},
+    {"FEDRAT", Word::fedrat},
+    {"FINI", Word::fini},
+    {"FLUSH", Word::harmless},
+    {"FROM", Word::from},
+    {"GO", Word::part_program},
+    {"GOBACK", Word::part_program},
+    {"GODLTA", Word::godlta},
+    {"GODOWN", Word::part_program},
+    {"GOFWD", Word::part_program},
+    {"GOHOME", Word::gohome},
+    {"GOLFT", Word::part_program},
+    {"GORGT", Word::part_program},
+    {"GOTO", Word::go_to},
+    {"GOUP", Word::part_program},
+    {"INDEX", Word::part_program},
+    {"INDIRP", Word::part_program},
+    {"INDIRV", Word::harmless},
+    {"INSERT", Word::insert},
+    {"INTOL", Word::harmless},
+    {"KNOT", Word::knot},
+    {"LEADER", Word::harmless},
+    {"LETTER", Word::free_text},
+    {"LINTOL", Word::harmless},
+    {"LOAD", Word::load},
+    {"LOADTL", Word::loadtl},
+    {"MACHIN", Word::harmless},
+    {"MACRO", Word::part_program},
+    {"MATERL", Word::harmless},
+    {"MCS", Word::mcs},
+    {"MCSYS", Word::mcsys},
+    {"MODE", Word::harmless},
+    {"MOVARC", Word::movarc},
+    {"MOVE_ATTRIB", Word::harmless},
+    {"MSYS", Word::msys},
+    {"MULTAX", Word::multax},
+    {"NOPOST", Word::harmless},
+    {"NURBS", Word::nurbs},
+    {"OPFEATEND", Word::free_text},
+    {"OPFEATSTART", Word::operation},
+    {"OPNAME", Word::operation},
+    {"OPSKIP", Word::harmless},
+    {"OPSTOP", Word::harmless},
+    {"OUTTOL", Word::harmless},
+    {"PAINT", Word::harmless},
+    {"PARTNO", Word::free_text},
+    {"PITCH", Word::harmless},
+    {"POCKET", Word::part_program},
+    {"PPFUN", Word::harmless},
+    {"PPRINT", Word::pprint},
+    {"PREFUN", Word::harmless},
+    {"PRINT", Word::harmless},
+    {"PSIS", Word::part_program},
+    {"RAPID", Word::rapid},
+    {"REMARK", Word::free_text},
+    {"RESERV", Word::part_program},
+    {"RETRCT", Word::retrct},
+    {"REWIND", Word::harmless},
+    {"ROTABL", Word::rotabl},
+    {"ROTATE", Word::rotabl},
+    {"ROTHED", Word::rotabl},
+    {"SELCTL", Word::harmless},
+    {"SELECT", Word::harmless},
+    {"SEQNO", Word::harmless},
+    {"SETUP", Word::harmless},
+    {"SPINDL", Word::harmless},
+    {"STOP", Word::harmless},
+    {"SWITCH", Word::harmless},
+    {"SYN", Word::syn},
+    {"TCP", Word::harmless},
+    {"TITLES", Word::free_text},
+    {"TLAXIS", Word::tlaxis},
+    {"TLDATA", Word::tldata},
+    {"TLLFT", Word::part_program},
+    {"TLOFPS", Word::part_program},
+    {"TLON", Word::tlon},
+    {"TLONPS", Word::part_program},
+    {"TLRGT", Word::part_program},
+    {"TMARK", Word::harmless},
+    {"TOLER", Word::harmless},
+    {"TOOL PATH", Word::tool_path},
+    {"TOOLNO", Word::toolno},
+    {"TPRINT", Word::tprint},
+    {"TRACUT", Word::part_program},
+    {"TRNTYP", Word::trntyp},
+    {"TURRET", Word::turret},
+    {"UNIT", Word::units},
+    {"UNITS", Word::units},
+    {"UNLOAD", Word::harmless},
+    {"ZERO", Word::harmless},
+    {"ZSURF", Word::part_program},
+});
+
+static_assert(std::is_sorted(kWords.begin(), kWords.end(),
+                             [](const Entry& a, const Entry& b) { return a.first < b.first; }));
+
+constexpr std::array<std::string_view, 6> kSixLetterTexts = {"INSERT", "LETTER", "PARTNO", "PPRINT", "REMARK", "TPRINT"};
+constexpr std::array<std::string_view, 6> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART",
+                                                             "OPNAME", "TITLES", "TOOL PATH"};
+
+bool is_word_character(char c) {
+  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+}
+
+}  // namespace
+
+Word find_word(std::string_view major) {
+  const auto* const it = std::lower_bound(kWords.begin(), kWords.end(), major, [](const Entry& e, std::string_view m) {
+    return compare_ignoring_case(e.first, m) < 0;
+  });
+  if (it == kWords.end() || compare_ignoring_case(it->first, major) != 0) return Word::unknown;
+  return it->second;
+}
+
+std::size_t free_text_word_length(std::string_view line) {
+  if (line.empty() || line[0] == 'G' || line[0] == 'g') return 0;
+  for (const std::string_view word : kSixLetterTexts) {
+    if (starts_with_ignoring_case(line, word)) return word.size();
+  }
+  for (const std::string_view word : kWholeWordTexts) {
+    if (starts_with_ignoring_case(line, word) && (line.size() == word.size() || !is_word_character(line[word.size()]))) {
+      return word.size();
+    }
+  }
+  return 0;
+}
+
+}  // namespace gouge
