@@ -1,4 +1,5 @@
-# Sourced by quickstart.sh and tests/run.sh (POSIX-like bash). Makes sure the packages are there and the release build
+# shellcheck shell=bash
+# Sourced by quickstart.sh and tests/run.sh (bash). Makes sure the packages are there and the release build
 # folder is configured. Sets ROOT and BUILD; logs go to $ROOT/build. Does nothing twice.
 
 ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -28,8 +29,9 @@ missing_packages() {
 }
 
 install_missing() {
-  command -v dpkg-query >/dev/null && command -v apt-get >/dev/null ||
+  if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
     fail "this script installs with apt-get (Debian 12); elsewhere install these yourself and build with CMake: $PACKAGES"
+  fi
   local missing as_root=""
   missing=$(missing_packages)
   [ -z "$missing" ] && return

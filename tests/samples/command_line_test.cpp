@@ -1,0 +1,103 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "tests/samples/csv.h"
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+// Exit statuses and streams, as docs/exit_codes.md promises them.
+
+namespace gouge::testing_samples {
+namespace {
+
+TEST(CommandLine, WithoutACommandOrWithAnUnknownOneIsStatus2) {
+  const std::string folder = fresh_folder();
+  EXPECT_EQ(run_gougecheck(folder, {}).exit_status, 2);
+  const Outcome unknown = run_gougecheck(folder, {"chekc", "a.apt"});
+  EXPECT_EQ(unknown.exit_status, 2);
+  EXPECT_EQ(unknown.out, "");
+  EXPECT_NE(unknown.err, "");
+}
+
+TEST(CommandLine, MissingAndUnknownOptionsAreStatus2) {
+  const SampleFolder sample = open_sample("needles");
+  const std::string path = sample.toolpath();
+  EXPECT_EQ(run_gougecheck(sample.path, {"check", path}).exit_status, 2) << "no part";
+  EXPECT_EQ(run_gougecheck(sample.path, {"check", "--part", "part.stl"}).exit_status, 2) << "no toolpath";
+  EXPECT_EQ(run_gougecheck(sample.path, {"correct", path, "--part", "part.stl"}).exit_status, 2) << "no output";
+  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", path, {"--no-such-option"})).exit_status, 2);
+  for (const std::string tolerance : {"-1", "abc", "nan", "1e400", ""}) {
+    const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", path, {"--tolerance", tolerance}));
+    EXPECT_EQ(ran.exit_status, 2) << "tolerance " << tolerance;
+    EXPECT_NE(ran.err.find("--tolerance"), std::string::npos) << ran.err;
+  }
+}
+
+TEST(CommandLine, HelpIsStatus0AndHasAnExamplePerCommand) {
+  const std::string folder = fresh_folder();
+  EXPECT_EQ(run_gougecheck(folder, {"--help"}).exit_status, 0);
+  for (const std::string command : {"check", "correct", "mesh", "tool", "path"}) {
+    const Outcome ran = run_gougecheck(folder, {command, "--help"});
+    EXPECT_EQ(ran.exit_status, 0) << command;
+    EXPECT_NE(ran.out.find("gougecheck " + command), std::string::npos) << command << ran.out;
+    EXPECT_EQ(ran.err, "") << command;
+  }
+}
+
+TEST(CommandLine, CsvOnStandardOutputIsAlone) {
+  const SampleFolder sample = open_sample("pocket");
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "-"}));
+  EXPECT_EQ(ran.exit_status, 1);
+  EXPECT_EQ(ran.out.rfind(kCsvHeader, 0), 0U) << ran.out.substr(0, 200);
+  EXPECT_EQ(parse_csv(ran.out).size(), sample.expected.at("moves").get<std::size_t>() + 1);
+}
+
+TEST(CommandLine, JsonOnStandardOutputIsAlone) {
+  const SampleFolder sample = open_sample("pocket");
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--json", "-"}));
+  EXPECT_EQ(ran.exit_status, 1);
+  EXPECT_TRUE(nlohmann::json::accept(ran.out)) << ran.out.substr(0, 200);
+}
+
+TEST(CommandLine, QuietPrintsNothingButKeepsTheStatus) {
+  const SampleFolder sample = open_sample("between_rib");
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"-q"}));
+  EXPECT_EQ(ran.exit_status, 1);
+  EXPECT_EQ(ran.out, "");
+}
+
+TEST(CommandLine, AMoveThatCannotBeCheckedIsStatus4) {
+  const SampleFolder sample = open_sample("needles");
+  // From one axis to the opposite one the great circle is not determined.
+  write_text(sample.path + "/turn.apt", "UNITS/MM\nMULTAX/ON\nLOADTL/1\nGOTO/0,0,500,0,0,1\nGOTO/0,0,510,0,0,-1\n");
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "turn.apt", {"--csv", "all.csv"}));
+  EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
+  const std::vector<MoveRow> rows = parse_moves(text_of(sample.path + "/all.csv"));
+  ASSERT_EQ(rows.size(), 2U);
+  EXPECT_EQ(rows[0].state, "clean");
+  EXPECT_EQ(rows[1].state, "not-checked");
+  EXPECT_EQ(rows[1].depth + rows[1].depth_upper, "");
+}
+
+TEST(CommandLine, ALargerToleranceTurnsAShallowGougeClean) {
+  const SampleFolder sample = open_sample("big_triangles");
+  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.2"})).exit_status, 0);
+  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.05"})).exit_status, 1);
+}
+
+TEST(CommandLine, ReportsLeavePicturesAndAPageInTheFolder) {
+  const SampleFolder sample = open_sample("between_rib");
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--report", "report"}));
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  std::size_t pictures = 0;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(sample.path + "/report")) {
+    if (entry.path().extension() != ".png") continue;
+    ++pictures;
+    EXPECT_EQ(text_of(entry.path().string()).substr(1, 3), "PNG") << entry.path();
+  }
+  EXPECT_GE(pictures, 2U);
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples

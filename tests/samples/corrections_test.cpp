@@ -1,0 +1,88 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <set>
+#include <sstream>
+
+#include "tests/samples/csv.h"
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+// Corrected samples re-check clean, and what did not gouge stays byte for byte.
+
+namespace gouge::testing_samples {
+namespace {
+
+class Corrections : public ::testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Samples, Corrections, ::testing::ValuesIn(sample_names()),
+                         [](const auto& test) { return test.param; });
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::vector<std::string> lines;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+/// Lines that a correction may change: the positions at both ends of moves with a finding.
+std::set<std::size_t> changeable_lines(const SampleFolder& sample, const std::vector<std::string>& lines) {
+  std::set<std::size_t> changeable;
+  for (const auto& finding : sample.expected.at("findings")) {
+    const std::size_t line = finding.at("line");
+    changeable.insert(line);
+    for (std::size_t before = line - 1; before > 0; --before) {
+      if (lines[before - 1].rfind("GOTO", 0) != 0) continue;
+      changeable.insert(before);
+      break;
+    }
+  }
+  return changeable;
+}
+
+TEST_P(Corrections, ExitAsExpectedAndReCheckClean) {
+  const SampleFolder sample = open_sample(GetParam());
+  const std::string corrected = "corrected_" + sample.toolpath();
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", corrected}));
+  const int expected = sample.expected.at("correct_exit");
+  ASSERT_EQ(ran.exit_status, expected) << ran.out << ran.err;
+  if (expected != 0) return;
+  const Outcome again = run_gougecheck(sample.path, sample.arguments("check", corrected));
+  EXPECT_EQ(again.exit_status, 0) << again.out << again.err;
+}
+
+TEST_P(Corrections, LeaveEveryOtherLineByteForByte) {
+  const SampleFolder sample = open_sample(GetParam());
+  const std::string corrected = "corrected_" + sample.toolpath();
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", corrected}));
+  const std::string before = text_of(sample.path + "/" + sample.toolpath());
+  const std::string after = text_of(sample.path + "/" + corrected);
+  const std::vector<std::string> old_lines = lines_of(before), new_lines = lines_of(after);
+  const std::set<std::size_t> changeable = changeable_lines(sample, old_lines);
+  std::size_t at = 0;
+  for (std::size_t i = 0; i < old_lines.size(); ++i) {
+    if (changeable.count(i + 1) != 0) continue;
+    while (at < new_lines.size() && new_lines[at] != old_lines[i]) ++at;
+    ASSERT_LT(at, new_lines.size()) << "line " << i + 1 << " is gone: " << old_lines[i] << "\n" << ran.err;
+    ++at;
+  }
+  EXPECT_EQ(before == after, changeable.empty() || ran.exit_status != 0);
+}
+
+TEST_P(Corrections, AreTheSameBytesAtOneAndTwoThreads) {
+  const SampleFolder sample = open_sample(GetParam());
+  for (const std::string threads : {"1", "2"}) {
+    const std::string folder = sample.path + "/" + threads;
+    std::filesystem::create_directory(folder);
+    const Outcome ran = run_gougecheck(
+        sample.path, sample.arguments("correct", sample.toolpath(),
+                                      {"-o", threads + "/corrected", "--csv", threads + "/all.csv", "--threads", threads}));
+    EXPECT_EQ(ran.exit_status, sample.expected.at("correct_exit").get<int>()) << ran.err;
+  }
+  EXPECT_FALSE(text_of(sample.path + "/1/corrected").empty());
+  EXPECT_EQ(text_of(sample.path + "/1/corrected"), text_of(sample.path + "/2/corrected"));
+  EXPECT_EQ(text_of(sample.path + "/1/all.csv"), text_of(sample.path + "/2/all.csv"));
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
