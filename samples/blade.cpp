@@ -6,9 +6,10 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// A twisted blade: an ellipse of half axes 20 x 3 mm carried up 60 mm while it turns by 35 degrees, milled in one
-// spiral by a tapered ball whose axis leans 60 degrees from the surface normal. Every section is convex, so a ball
-// on the true surface never enters the mesh but for the twist (below 3 um) and the chords of the path (below 4 um).
+// A twisted blade: an ellipse of half axes 20 x 3 mm carried up 60 mm while it turns by 35 degrees, milled in
+// one spiral by a tapered ball whose axis leans 60 degrees from the surface normal. Every section is convex,
+// so a ball on the true surface never enters the mesh but for the twist (below 3 um) and the chords of the
+// path (below 4 um).
 
 namespace gouge::samples {
 namespace {
@@ -22,7 +23,9 @@ Vec3 turned(double x, double y, double z) {
   return {c * x - s * y, s * x + c * y, z};
 }
 
-Vec3 surface(double u, double z) { return turned(kA * std::cos(u), kB * std::sin(u), z); }
+Vec3 surface(double u, double z) {
+  return turned(kA * std::cos(u), kB * std::sin(u), z);
+}
 
 Vec3 normal(double u, double z) {
   const Vec3 along_u = turned(-kA * std::sin(u), kB * std::cos(u), z) - Vec3(0, 0, z);
@@ -93,14 +96,18 @@ std::vector<Position> make_spiral() {
   return spiral;
 }
 
-Pose raised(const Pose& pose, double by) { return {pose.tip + by * pose.axis, pose.axis}; }
+Pose raised(const Pose& pose, double by) {
+  return {pose.tip + by * pose.axis, pose.axis};
+}
 
 }  // namespace
 
 Sample make_blade() {
   Sample sample;
   sample.name = "blade";
-  sample.about = "A twisted blade milled in one spiral with a tapered ball D4 from a CLSF with a turned MSYS: five bad points";
+  sample.about =
+      "A twisted blade milled in one spiral with a tapered ball D4 from a CLSF with a turned MSYS: five bad "
+      "points";
   sample.toolpath_file = "blade.cls";
   sample.tools =
       R"({"units":"mm","tools":[{"number":7,"name":"tapered ball D4","cutter":{"shape":"tapered","diameter":4,"corner_radius":2,"taper_angle":5,"length":30},

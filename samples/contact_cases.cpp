@@ -32,7 +32,8 @@ Sample make_inch() {
 )";
   const std::array<double, 3> x = {0, 1.5, 3}, z = {-1, 0, 0.25};
   const std::array<double, 2> y = {0, 2};
-  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int, int k) { return k == 0 || i == 1; })});
+  sample.parts.push_back(
+      {"part.stl", make_grid_solid(x, y, z, [](int i, int, int k) { return k == 0 || i == 1; })});
   ClText cl(ClText::Form::apt_xyz);
   cl.line("PARTNO/INCH SAMPLE");
   cl.line("UNITS/INCHES");
@@ -47,8 +48,8 @@ Sample make_inch() {
     cl.feed(pose(-0.5, py, 0));
     if (row == 2) {
       cl.feed(pose(0, py, 0));
-      for (const std::size_t line : {cl.feed(pose(0.3, py, -0.02)), cl.feed(pose(0.6, py, -0.02)),
-                                     cl.feed(pose(0.9, py, 0))}) {
+      for (const std::size_t line :
+           {cl.feed(pose(0.3, py, -0.02)), cl.feed(pose(0.6, py, -0.02)), cl.feed(pose(0.9, py, 0))}) {
         sample.findings.push_back({line, "gouge", "cutter", "part", 0.0199, 0.0201});
       }
     }
@@ -62,7 +63,8 @@ Sample make_inch() {
 Sample make_needles() {
   Sample sample;
   sample.name = "needles";
-  sample.about = "A flat end mill lies exactly on a round plate whose top is a fan of 718 needle triangles: clean";
+  sample.about =
+      "A flat end mill lies exactly on a round plate whose top is a fan of 718 needle triangles: clean";
   sample.toolpath_file = "needles.apt";
   sample.tools =
       R"({"units":"mm","tools":[{"number":1,"name":"flat D20","cutter":{"shape":"flat","diameter":20,"length":40},
@@ -96,7 +98,8 @@ Sample make_needles() {
 Sample make_big_triangles() {
   Sample sample;
   sample.name = "big_triangles";
-  sample.about = "A ball on an inclined plane made of two triangles 2 m wide, cutting 0.1 mm where no vertex is near";
+  sample.about =
+      "A ball on an inclined plane made of two triangles 2 m wide, cutting 0.1 mm where no vertex is near";
   sample.toolpath_file = "big_triangles.apt";
   sample.check_exit = 1;
   sample.tools =

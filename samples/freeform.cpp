@@ -7,9 +7,10 @@
 #include "samples/cl_text.h"
 
 // A wavy surface z = f(x, y) with a wall behind it, finished by a ball D10 with lead and tilt that vary along
-// the path. The ball's centre lies at radius + kAllowance from the true surface along its normal, so that chords of
-// the mesh and of the path (each below 5 um) stay within the tolerance. Where `dip` says so the tool is pushed in
-// along the normal; the smallest radius of curvature is 20 mm, so the depth of the cut is the push.
+// the path. The ball's centre lies at radius + kAllowance from the true surface along its normal, so that
+// chords of the mesh and of the path (each below 5 um) stay within the tolerance. Where `dip` says so the
+// tool is pushed in along the normal; the smallest radius of curvature is 20 mm, so the depth of the cut is
+// the push.
 
 namespace gouge::samples {
 namespace {
@@ -26,8 +27,8 @@ double height(double x, double y) {
 Vec3 normal(double x, double y) {
   const double wave = kTurn * y / 80 + 0.4;
   const double dx = 4 * kTurn / 98 * std::cos(kTurn * x / 98) * std::sin(wave);
-  const double dy =
-      4 * kTurn / 80 * std::sin(kTurn * x / 98) * std::cos(wave) - 0.5 * kTurn / 50 * std::sin(kTurn * y / 50);
+  const double dy = 4 * kTurn / 80 * std::sin(kTurn * x / 98) * std::cos(wave) -
+                    0.5 * kTurn / 50 * std::sin(kTurn * y / 50);
   return Vec3(-dx, -dy, 1).normalized();
 }
 
@@ -123,7 +124,8 @@ Sample make_freeform() {
   Sample sample;
   sample.name = "freeform";
   sample.about =
-      "A wavy surface finished with a ball D10 in 5-axis: two dives, one bad point, and a last pass whose holder "
+      "A wavy surface finished with a ball D10 in 5-axis: two dives, one bad point, and a last pass whose "
+      "holder "
       "rubs the wall";
   sample.toolpath_file = "freeform.apt";
   sample.tools =

@@ -6,7 +6,8 @@
 #include "samples/cases.h"
 #include "samples/write_sample.h"
 
-// make_samples FOLDER: writes every sample and index.txt into FOLDER. A program of its own, not part of the tool.
+// make_samples FOLDER: writes every sample and index.txt into FOLDER. A program of its own, not part of the
+// tool.
 
 int main(int argc, char** argv) {
   if (argc != 2) {

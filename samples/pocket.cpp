@@ -4,9 +4,9 @@
 #include "samples/cases.h"
 #include "samples/cl_text.h"
 
-// A block with a pocket whose floor edge has a fillet of 3 mm, cleared by a bull-nose D16 r2 down to the floor
-// itself: the flat of the tool lies exactly on it. The wall is at 40 x 20 (half sizes), the floor at z = -15, the
-// top at z = 0; a clamp 12 mm high stands on the block.
+// A block with a pocket whose floor edge has a fillet of 3 mm, cleared by a bull-nose D16 r2 down to the
+// floor itself: the flat of the tool lies exactly on it. The wall is at 40 x 20 (half sizes), the floor at z
+// = -15, the top at z = 0; a clamp 12 mm high stands on the block.
 
 namespace gouge::samples {
 namespace {
@@ -98,8 +98,8 @@ void write_clean_part(PocketPath& path) {
   path.clear_level(-10);
   path.feed(28, 8, kFloor);
   path.clear_level(kFloor);
-  // The corner arc of the tool (centre 2 above the floor) is clear of the fillet when the wall is 9 mm or more from
-  // the axis; 9.2 leaves room for the fillet's chords.
+  // The corner arc of the tool (centre 2 above the floor) is clear of the fillet when the wall is 9 mm or
+  // more from the axis; 9.2 leaves room for the fillet's chords.
   path.contour(kHalfX - 9.2, kHalfY - 9.2, kCorner - 9.2, kFloor);
 }
 
@@ -109,7 +109,8 @@ Sample make_pocket() {
   Sample sample;
   sample.name = "pocket";
   sample.about =
-      "A filleted pocket cleared with a bull-nose D16 r2: one point cuts the wall, one rapid drags through the block, "
+      "A filleted pocket cleared with a bull-nose D16 r2: one point cuts the wall, one rapid drags through "
+      "the block, "
       "one hits the clamp";
   sample.toolpath_file = "pocket.apt";
   sample.tools =

@@ -26,11 +26,11 @@ struct ExpectedFinding {
 };
 
 struct Sample {
-  std::string name;           ///< also the name of its folder and toolpath
-  std::string about;          ///< one sentence for people
+  std::string name;   ///< also the name of its folder and toolpath
+  std::string about;  ///< one sentence for people
   std::string toolpath_file;
-  std::string toolpath;       ///< text
-  std::string tools;          ///< library, JSON text
+  std::string toolpath;  ///< text
+  std::string tools;     ///< library, JSON text
   std::string unit = "mm";
   std::vector<NamedSolid> parts, fixtures;
   int check_exit = 0, correct_exit = 0;

@@ -50,32 +50,37 @@ constexpr const char* kFlatD6 =
 }  // namespace
 
 Sample make_between_rib() {
-  Sample sample = small_case("between_rib", "Both positions are clear, the rib between them is cut 3 mm deep", kFlatD10, 1);
+  Sample sample = small_case("between_rib", "Both positions are clear, the rib between them is cut 3 mm deep",
+                             kFlatD10, 1);
   const std::array<double, 4> x = {-40, -1, 1, 40};
   const std::array<double, 2> y = {-30, 30};
   const std::array<double, 3> z = {-10, 0, 8};
-  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int, int k) { return k == 0 || i == 1; })});
+  sample.parts.push_back(
+      {"part.stl", make_grid_solid(x, y, z, [](int i, int, int k) { return k == 0 || i == 1; })});
   ClText cl = start_text(sample);
   cl.feed({Vec3(-20, 0, 5), Vec3::UnitZ()});
-  sample.findings.push_back({cl.feed({Vec3(20, 0, 5), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.001});
+  sample.findings.push_back(
+      {cl.feed({Vec3(20, 0, 5), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.001});
   finish(sample, cl);
   return sample;
 }
 
 Sample make_between_swing() {
-  Sample sample = small_case("between_swing",
-                             "The tip rests while the axis swings over: the holder grazes a post between two clear positions",
-                             R"({"units":"mm","tools":[{"number":1,"name":"ball D6","cutter":{"shape":"ball","diameter":6,"length":20},
+  Sample sample = small_case(
+      "between_swing",
+      "The tip rests while the axis swings over: the holder grazes a post between two clear positions",
+      R"({"units":"mm","tools":[{"number":1,"name":"ball D6","cutter":{"shape":"ball","diameter":6,"length":20},
   "shank":[{"lower_diameter":6,"upper_diameter":6,"length":20}],
   "holder":[{"lower_diameter":30,"upper_diameter":30,"length":30}]}]}
 )",
-                             1);
+      1);
   // The post's top corner (1, 11..13, 41) comes deepest when the axis points along (1, 0, 41): sqrt(41^2 + 1)
   // along the axis, and the holder begins at 40.
   const std::array<double, 4> x = {-30, -1, 1, 30}, y = {-30, 11, 13, 30};
   const std::array<double, 3> z = {-12, -2, 41};
-  sample.parts.push_back(
-      {"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); })});
+  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) {
+                            return k == 0 || (i == 1 && j == 1);
+                          })});
   const double deepest = std::sqrt(41.0 * 41.0 + 1) - 40;
   const double tilt = std::numbers::pi / 6;
   ClText cl = start_text(sample);
@@ -90,27 +95,29 @@ Sample make_thin_post() {
   Sample sample = small_case("thin_post", "A rapid 120 mm long crosses a post 0.04 mm thick", kFlatD6, 1);
   const std::array<double, 4> x = {-70, -0.02, 0.02, 70}, y = {-20, -5, 5, 20};
   const std::array<double, 3> z = {-10, 0, 10};
-  sample.parts.push_back(
-      {"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); })});
+  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) {
+                            return k == 0 || (i == 1 && j == 1);
+                          })});
   ClText cl = start_text(sample);
   cl.feed({Vec3(-60, 0, 4), Vec3::UnitZ()});
   // On the axis the depth is the tool's radius: the post reaches 6 mm above the tip.
-  sample.findings.push_back({cl.rapid({Vec3(60, 0, 4), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.0001});
+  sample.findings.push_back(
+      {cl.rapid({Vec3(60, 0, 4), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.0001});
   finish(sample, cl);
   return sample;
 }
 
 Sample make_buried() {
-  Sample sample = small_case("buried", "The whole tool is inside a closed block; the way out cuts through its face",
-                             kFlatD6, 1);
+  Sample sample = small_case(
+      "buried", "The whole tool is inside a closed block; the way out cuts through its face", kFlatD6, 1);
   sample.parts.push_back({"part.stl", make_box({-200, -200, -200}, {200, 200, 200})});
   sample.correct_exit = 1;
   ClText cl = start_text(sample);
   for (const double x : {0.0, 10.0}) {
     sample.findings.push_back({cl.feed({Vec3(x, 0, 0), Vec3::UnitZ()}), "buried", "cutter", "part", 0, 0});
   }
-  // Where the face is in the middle of the holder (20 mm high, radius 15, on a shank of radius 3), a point on the
-  // axis is as far from the top as from the shank's edge: 60 - z = sqrt(3^2 + (z - 40)^2), so z = 49.775.
+  // Where the face is in the middle of the holder (20 mm high, radius 15, on a shank of radius 3), a point on
+  // the axis is as far from the top as from the shank's edge: 60 - z = sqrt(3^2 + (z - 40)^2), so z = 49.775.
   sample.findings.push_back(
       {cl.rapid({Vec3(10, 0, 250), Vec3::UnitZ()}), "gouge", "holder", "part", 10.224, 10.2251});
   cl.rapid({Vec3(0, 0, 260), Vec3::UnitZ()});

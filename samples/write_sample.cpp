@@ -6,7 +6,9 @@
 namespace gouge::samples {
 namespace {
 
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+std::string quoted(const std::string& text) {
+  return "\"" + text + "\"";
+}
 
 std::string file_list(const std::vector<NamedSolid>& solids) {
   std::string out = "[";
@@ -35,9 +37,10 @@ std::string expected_json(const Sample& sample) {
   for (std::size_t i = 0; i < sample.findings.size(); ++i) {
     const ExpectedFinding& f = sample.findings[i];
     out += (i == 0 ? "\n    {" : ",\n    {");
-    out += "\"line\": " + std::to_string(f.line) + ", \"state\": " + quoted(f.state) + ", \"body\": " +
-           quoted(f.body) + ", \"against\": " + quoted(f.against) + ", \"depth_min\": " +
-           fixed_text(f.depth_min, 5) + ", \"depth_max\": " + fixed_text(f.depth_max, 5) + "}";
+    out += "\"line\": " + std::to_string(f.line) + ", \"state\": " + quoted(f.state) +
+           ", \"body\": " + quoted(f.body) + ", \"against\": " + quoted(f.against) +
+           ", \"depth_min\": " + fixed_text(f.depth_min, 5) +
+           ", \"depth_max\": " + fixed_text(f.depth_max, 5) + "}";
   }
   return out + (sample.findings.empty() ? "]\n}\n" : "\n  ]\n}\n");
 }

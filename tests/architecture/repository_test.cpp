@@ -31,12 +31,14 @@ const std::vector<SourceFile>& repository() {
         const std::string path = it->path().lexically_relative(root).generic_string();
         if (path == "samples/out" || path == "tests/corpus") it.disable_recursion_pending();
         const std::string extension = it->path().extension().string();
-        const bool is_text = extension == ".h" || extension == ".cpp" || extension == ".txt" || extension == ".md" ||
-                             extension == ".sh" || extension == ".cmake" || extension == ".json" || extension.empty();
+        const bool is_text = extension == ".h" || extension == ".cpp" || extension == ".txt" ||
+                             extension == ".md" || extension == ".sh" || extension == ".cmake" ||
+                             extension == ".json" || extension.empty();
         if (it->is_regular_file() && is_text) add(it->path());
       }
     }
-    for (const char* file : {"README.md", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"}) {
+    for (const char* file :
+         {"README.md", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"}) {
       if (fs::exists(root / file)) add(root / file);
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
@@ -72,17 +74,32 @@ TEST(Repository, EverySourceBelowCliLiesInARoom) {
     const std::string folder = fs::path(file.path).parent_path().generic_string();
     const std::string top = file.path.substr(0, file.path.find('/'));
     const std::string extension = fs::path(file.path).extension().string();
-    if ((top != "lib" && top != "toolmodels" && top != "postproc") || (extension != ".h" && extension != ".cpp")) continue;
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Room& room) { return room.path == folder; })) << file.path;
+    if ((top != "lib" && top != "toolmodels" && top != "postproc") ||
+        (extension != ".h" && extension != ".cpp"))
+      continue;
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Room& room) { return room.path == folder; }))
+        << file.path;
   }
 }
 
-TEST(Repository, RoomsImportOneWay) { EXPECT_EQ(listed(check_rooms(rooms())), ""); }
-TEST(Repository, IncludesKeepToTheImports) { EXPECT_EQ(listed(check_includes(repository(), rooms())), ""); }
-TEST(Repository, CgalAndOpenCvStayInOneSourceEach) { EXPECT_EQ(listed(check_heavy_libraries(repository())), ""); }
-TEST(Repository, NothingBelowCliPrintsEndsOrThrows) { EXPECT_EQ(listed(check_banned_words(repository())), ""); }
-TEST(Repository, FilesAreShortAndHeadersGuarded) { EXPECT_EQ(listed(check_shape(repository())), ""); }
-TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) { EXPECT_EQ(listed(check_stray_text(repository())), ""); }
+TEST(Repository, RoomsImportOneWay) {
+  EXPECT_EQ(listed(check_rooms(rooms())), "");
+}
+TEST(Repository, IncludesKeepToTheImports) {
+  EXPECT_EQ(listed(check_includes(repository(), rooms())), "");
+}
+TEST(Repository, CgalAndOpenCvStayInOneSourceEach) {
+  EXPECT_EQ(listed(check_heavy_libraries(repository())), "");
+}
+TEST(Repository, NothingBelowCliPrintsEndsOrThrows) {
+  EXPECT_EQ(listed(check_banned_words(repository())), "");
+}
+TEST(Repository, FilesAreShortAndHeadersGuarded) {
+  EXPECT_EQ(listed(check_shape(repository())), "");
+}
+TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) {
+  EXPECT_EQ(listed(check_stray_text(repository())), "");
+}
 
 }  // namespace
 }  // namespace gouge::architecture

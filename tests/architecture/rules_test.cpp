@@ -15,13 +15,16 @@ const std::vector<Room> kRooms = {{"lib/base", {}},
                                   {"cli", {"lib/base", "toolmodels", "postproc/report"}}};
 
 TEST(Rooms, AreReadFromCMakeCalls) {
-  const auto rooms = rooms_of("gouge_room(lib/mesh\n  SOURCES a.cpp\n  IMPORTS lib/base lib/geom\n  LIBRARIES X::y)\n");
+  const auto rooms =
+      rooms_of("gouge_room(lib/mesh\n  SOURCES a.cpp\n  IMPORTS lib/base lib/geom\n  LIBRARIES X::y)\n");
   ASSERT_EQ(rooms.size(), 1U);
   EXPECT_EQ(rooms[0].path, "lib/mesh");
   EXPECT_EQ(rooms[0].imports, (std::vector<std::string>{"lib/base", "lib/geom"}));
 }
 
-TEST(Rooms, OneWayImportsAreAccepted) { EXPECT_EQ(check_rooms(kRooms), Complaints{}); }
+TEST(Rooms, OneWayImportsAreAccepted) {
+  EXPECT_EQ(check_rooms(kRooms), Complaints{});
+}
 
 TEST(Rooms, UpwardSidewaysUnknownAndCircularImportsAreRefused) {
   EXPECT_EQ(check_rooms({{"lib/base", {"toolmodels"}}, {"toolmodels", {}}}),
@@ -30,21 +33,25 @@ TEST(Rooms, UpwardSidewaysUnknownAndCircularImportsAreRefused) {
             (Complaints{"toolmodels: imports postproc/report, which does not lie below it"}));
   EXPECT_EQ(check_rooms({{"cli", {"samples"}}, {"samples", {}}}),
             (Complaints{"cli: imports samples, which does not lie below it"}));
-  EXPECT_EQ(check_rooms({{"cli", {"lib/nowhere"}}}), (Complaints{"cli: imports lib/nowhere, which is no room"}));
-  EXPECT_EQ(check_rooms({{"lib/a", {"lib/b"}}, {"lib/b", {"lib/a"}}, {"lib/c", {}}}),
-            (Complaints{"lib/a: imports itself through other rooms", "lib/b: imports itself through other rooms"}));
+  EXPECT_EQ(check_rooms({{"cli", {"lib/nowhere"}}}),
+            (Complaints{"cli: imports lib/nowhere, which is no room"}));
+  EXPECT_EQ(
+      check_rooms({{"lib/a", {"lib/b"}}, {"lib/b", {"lib/a"}}, {"lib/c", {}}}),
+      (Complaints{"lib/a: imports itself through other rooms", "lib/b: imports itself through other rooms"}));
 }
 
 TEST(Includes, OfImportedRoomsAndOfTheOwnRoomAreAccepted) {
-  EXPECT_EQ(check_includes({{"lib/check/a.cpp", "#include \"lib/check/a.h\"\n#include <vector>\n"
-                                                "#include \"lib/mesh/m.h\"\n"}},
+  EXPECT_EQ(check_includes({{"lib/check/a.cpp",
+                             "#include \"lib/check/a.h\"\n#include <vector>\n"
+                             "#include \"lib/mesh/m.h\"\n"}},
                            kRooms),
             Complaints{});
 }
 
 TEST(Includes, OfOtherRoomsAreRefusedWithTheirLine) {
-  EXPECT_EQ(check_includes({{"lib/mesh/m.h", "#pragma once\n#  include \"lib/check/verdict.h\"\n"}}, kRooms),
-            (Complaints{"lib/mesh/m.h:2: includes lib/check/verdict.h, but lib/mesh does not import lib/check"}));
+  EXPECT_EQ(
+      check_includes({{"lib/mesh/m.h", "#pragma once\n#  include \"lib/check/verdict.h\"\n"}}, kRooms),
+      (Complaints{"lib/mesh/m.h:2: includes lib/check/verdict.h, but lib/mesh does not import lib/check"}));
   EXPECT_EQ(check_includes({{"toolmodels/t.cpp", "#include \"t.h\"\n"}}, kRooms),
             (Complaints{"toolmodels/t.cpp:1: includes t.h, which lies in no room"}));
 }
@@ -53,8 +60,10 @@ TEST(HeavyLibraries, StayInOneSourceOfTheirRoom) {
   EXPECT_EQ(check_heavy_libraries({{"lib/validate/v.cpp", "#include <CGAL/Surface_mesh.h>\n"},
                                    {"postproc/image/c.cpp", "#include <opencv2/core.hpp>\n"}}),
             Complaints{});
-  EXPECT_EQ(check_heavy_libraries({{"lib/mesh/m.cpp", "#include <CGAL/Surface_mesh.h>\n"}}),
-            (Complaints{"lib/mesh/m.cpp:1: includes CGAL/Surface_mesh.h, which only one source of lib/validate/ may"}));
+  EXPECT_EQ(
+      check_heavy_libraries({{"lib/mesh/m.cpp", "#include <CGAL/Surface_mesh.h>\n"}}),
+      (Complaints{
+          "lib/mesh/m.cpp:1: includes CGAL/Surface_mesh.h, which only one source of lib/validate/ may"}));
   EXPECT_EQ(check_heavy_libraries({{"postproc/image/a.h", "#include <opencv2/core.hpp>\n"}}).size(), 1U);
   EXPECT_EQ(check_heavy_libraries({{"postproc/image/a.cpp", "#include <opencv2/core.hpp>\n"},
                                    {"postproc/image/b.cpp", "#include <opencv2/core.hpp>\n"}}),
@@ -64,14 +73,16 @@ TEST(HeavyLibraries, StayInOneSourceOfTheirRoom) {
 TEST(BannedWords, AreFoundInCodeBelowCli) {
   EXPECT_EQ(check_banned_words({{"lib/mesh/m.cpp", "void f() {\n  std::cout << 1;\n}\n"}}),
             (Complaints{"lib/mesh/m.cpp:2: uses cout below cli"}));
-  for (const char* line : {"std::printf(\"x\");", "exit(1);", "std::abort();", "throw 1;", "std::hypot(a, b);"}) {
+  for (const char* line :
+       {"std::printf(\"x\");", "exit(1);", "std::abort();", "throw 1;", "std::hypot(a, b);"}) {
     EXPECT_EQ(check_banned_words({{"toolmodels/t.cpp", line}}).size(), 1U) << line;
   }
 }
 
 TEST(BannedWords, MayStandInCommentsInTextInLongerNamesAndInCli) {
-  EXPECT_EQ(check_banned_words({{"lib/a.cpp", "// never exit here\n/* printf\n throw */ int on_exit = 0;\n"
-                                              "auto s = \"cannot exit\"; auto r = R\"(throw \")\"; int n = 1'000;\n"},
+  EXPECT_EQ(check_banned_words({{"lib/a.cpp",
+                                 "// never exit here\n/* printf\n throw */ int on_exit = 0;\n"
+                                 "auto s = \"cannot exit\"; auto r = R\"(throw \")\"; int n = 1'000;\n"},
                                 {"cli/main.cpp", "std::exit(1);\n"}}),
             Complaints{});
 }
@@ -79,8 +90,10 @@ TEST(BannedWords, MayStandInCommentsInTextInLongerNamesAndInCli) {
 TEST(Shape, LongFilesAndHeadersWithoutPragmaOnceAreRefused) {
   std::string long_text;
   for (int i = 0; i < 501; ++i) long_text += "\n";
-  const Complaints complaints = check_shape({{"lib/a.cpp", long_text}, {"lib/b.h", "int x;\n"}, {"lib/c.h", "#pragma once\n"}});
-  EXPECT_EQ(complaints, (Complaints{"lib/a.cpp:501: is longer than 500 lines", "lib/b.h:1: a header begins with #pragma once"}));
+  const Complaints complaints =
+      check_shape({{"lib/a.cpp", long_text}, {"lib/b.h", "int x;\n"}, {"lib/c.h", "#pragma once\n"}});
+  EXPECT_EQ(complaints, (Complaints{"lib/a.cpp:501: is longer than 500 lines",
+                                    "lib/b.h:1: a header begins with #pragma once"}));
 }
 
 TEST(Shape, ALargeMedianIsRefused) {

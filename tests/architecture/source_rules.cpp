@@ -10,11 +10,15 @@ namespace {
 
 constexpr std::size_t kLongestFile = 500, kLargestMedian = 150;
 
-bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
+bool starts_with(const std::string& text, const std::string& start) {
+  return text.rfind(start, 0) == 0;
+}
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
-bool is_code(const std::string& path) { return ends_with(path, ".h") || ends_with(path, ".cpp"); }
+bool is_code(const std::string& path) {
+  return ends_with(path, ".h") || ends_with(path, ".cpp");
+}
 bool is_below_cli(const std::string& path) {
   return starts_with(path, "lib/") || starts_with(path, "toolmodels/") || starts_with(path, "postproc/");
 }
@@ -30,7 +34,9 @@ const Room* room_of(const std::string& path, const std::vector<Room>& rooms) {
   return found;
 }
 
-std::string layer_of(const std::string& room) { return room.substr(0, room.find('/')); }
+std::string layer_of(const std::string& room) {
+  return room.substr(0, room.find('/'));
+}
 
 bool may_import(const std::string& from, const std::string& to) {
   const std::string above = layer_of(from), below = layer_of(to);
@@ -45,13 +51,14 @@ void check_circles(const std::vector<Room>& rooms, Complaints& complaints) {
   for (bool removed = true; removed;) {
     removed = false;
     for (auto it = open.begin(); it != open.end();) {
-      const bool is_leaf =
-          std::none_of(it->second.begin(), it->second.end(), [&](const auto& r) { return open.count(r) != 0; });
+      const bool is_leaf = std::none_of(it->second.begin(), it->second.end(),
+                                        [&](const auto& r) { return open.count(r) != 0; });
       removed = removed || is_leaf;
       it = is_leaf ? open.erase(it) : std::next(it);
     }
   }
-  for (const auto& [room, imports] : open) complaints.push_back(room + ": imports itself through other rooms");
+  for (const auto& [room, imports] : open)
+    complaints.push_back(room + ": imports itself through other rooms");
 }
 
 void complain(Complaints& complaints, const SourceFile& file, std::size_t line, const std::string& what) {
@@ -102,7 +109,8 @@ Complaints check_heavy_libraries(const std::vector<SourceFile>& files) {
     std::string prefix, room;
     std::set<std::string> users;
   };
-  std::array<Heavy, 2> libraries = {Heavy{"CGAL/", "lib/validate/", {}}, Heavy{"opencv2/", "postproc/image/", {}}};
+  std::array<Heavy, 2> libraries = {Heavy{"CGAL/", "lib/validate/", {}},
+                                    Heavy{"opencv2/", "postproc/image/", {}}};
   Complaints complaints;
   for (const SourceFile& file : files) {
     if (!is_code(file.path) || starts_with(file.path, "tests/")) continue;
@@ -128,9 +136,9 @@ Complaints check_heavy_libraries(const std::vector<SourceFile>& files) {
 
 Complaints check_banned_words(const std::vector<SourceFile>& files) {
   static const std::array<const char*, 27> kBanned = {
-      "cout",  "cerr", "clog",       "printf", "fprintf", "puts",   "fputs", "putchar", "perror",
-      "exit",  "_Exit", "quick_exit", "abort",  "terminate", "throw", "hypot", "fma",     "stod",
-      "stof",  "atof", "atoi",       "strtod", "sscanf",  "rand",   "srand", "system",  "setlocale"};
+      "cout", "cerr",  "clog",       "printf", "fprintf",   "puts",  "fputs", "putchar", "perror",
+      "exit", "_Exit", "quick_exit", "abort",  "terminate", "throw", "hypot", "fma",     "stod",
+      "stof", "atof",  "atoi",       "strtod", "sscanf",    "rand",  "srand", "system",  "setlocale"};
   Complaints complaints;
   for (const SourceFile& file : files) {
     if (!is_code(file.path) || !is_below_cli(file.path)) continue;
@@ -139,7 +147,8 @@ Complaints check_banned_words(const std::vector<SourceFile>& files) {
       ++number;
       if (starts_with(line, "#include")) continue;
       for (const char* word : kBanned) {
-        if (has_word(line, word)) complain(complaints, file, number, std::string("uses ") + word + " below cli");
+        if (has_word(line, word))
+          complain(complaints, file, number, std::string("uses ") + word + " below cli");
       }
     }
   }

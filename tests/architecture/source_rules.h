@@ -5,15 +5,15 @@
 
 #include "tests/architecture/source_text.h"
 
-// The rules of the house as functions: files in, complaints out ("path:line: what is wrong"); no complaints, no
-// violation. docs/layout.md tells the rules in prose.
+// The rules of the house as functions: files in, complaints out ("path:line: what is wrong"); no complaints,
+// no violation. docs/layout.md tells the rules in prose.
 
 namespace gouge::architecture {
 
 using Complaints = std::vector<std::string>;
 
-/// Rooms import one way: no circles; lib imports only lib; toolmodels and postproc do not know each other; nobody
-/// imports cli or samples; every import is a room.
+/// Rooms import one way: no circles; lib imports only lib; toolmodels and postproc do not know each other;
+/// nobody imports cli or samples; every import is a room.
 [[nodiscard]] Complaints check_rooms(const std::vector<Room>& rooms);
 
 /// Every quoted #include of a file in a room names a file of that room or of one it imports.
@@ -22,7 +22,8 @@ using Complaints = std::vector<std::string>;
 /// CGAL stays in one source of lib/validate, OpenCV in one source of postproc/image.
 [[nodiscard]] Complaints check_heavy_libraries(const std::vector<SourceFile>& files);
 
-/// Below cli: no printing, no ending of the program, no throwing, no number functions that depend on locale or libm.
+/// Below cli: no printing, no ending of the program, no throwing, no number functions that depend on locale
+/// or libm.
 [[nodiscard]] Complaints check_banned_words(const std::vector<SourceFile>& files);
 
 /// Headers begin with #pragma once; no file is longer than 500 lines; the median is at most 150.

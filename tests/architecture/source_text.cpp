@@ -6,7 +6,9 @@
 namespace gouge::architecture {
 namespace {
 
-bool is_identifier(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+bool is_identifier(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
+}
 
 /// Position after the literal that begins at `i` (a quote character).
 std::size_t end_of_literal(std::string_view text, std::size_t i) {
@@ -84,7 +86,8 @@ std::vector<Include> includes_of(std::string_view text) {
 bool has_word(std::string_view text, std::string_view word) {
   for (std::size_t i = text.find(word); i != std::string_view::npos; i = text.find(word, i + 1)) {
     const std::size_t end = i + word.size();
-    if ((i == 0 || !is_identifier(text[i - 1])) && (end >= text.size() || !is_identifier(text[end]))) return true;
+    if ((i == 0 || !is_identifier(text[i - 1])) && (end >= text.size() || !is_identifier(text[end])))
+      return true;
   }
   return false;
 }

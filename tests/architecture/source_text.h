@@ -16,7 +16,7 @@ struct SourceFile {
 
 struct Include {
   std::size_t line = 0;
-  std::string target;      ///< between the quotes or brackets
+  std::string target;  ///< between the quotes or brackets
   bool is_quoted = false;
 };
 

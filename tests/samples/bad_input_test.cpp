@@ -18,7 +18,9 @@ struct BadInput {
 };
 
 /// Keeps the bytes of the content out of test listings.
-void PrintTo(const BadInput& bad, std::ostream* out) { *out << bad.name; }
+void PrintTo(const BadInput& bad, std::ostream* out) {
+  *out << bad.name;
+}
 
 const std::string kStart = "UNITS/MM\nMULTAX/ON\nLOADTL/1\n";
 
@@ -37,17 +39,24 @@ const std::vector<BadInput>& bad_inputs() {
       {"PartProgram", "bad.apt", "PARTNO/X\nP1=POINT/0,0,0\nGO/TO,P1\n", ""},
       {"StlMissing", "bad.stl", "-", ""},
       {"StlEmpty", "bad.stl", "", ""},
-      {"StlTruncated", "bad.stl", std::string(80, ' ') + std::string("\x02\0\0\0", 4) + std::string(60, '\0'), ""},
+      {"StlTruncated", "bad.stl", std::string(80, ' ') + std::string("\x02\0\0\0", 4) + std::string(60, '\0'),
+       ""},
       {"StlWithoutTriangles", "bad.stl", std::string(84, '\0'), ""},
       {"StlText", "bad.stl", "this is no mesh\n", ""},
-      {"StlNotANumber", "bad.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex nan 0 0\nvertex 0 1 0\n"
-                                   "endloop\nendfacet\nendsolid a\n", ":5: "},
+      {"StlNotANumber", "bad.stl",
+       "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex nan 0 0\nvertex 0 1 0\n"
+       "endloop\nendfacet\nendsolid a\n",
+       ":5: "},
       {"ToolsMissing", "bad.json", "-", ""},
       {"ToolsNotJson", "bad.json", "{\"units\":", ""},
-      {"ToolNegativeLength", "bad.json", "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"a\",\"cutter\":{\"shape\":\"flat\","
-                                         "\"diameter\":6,\"length\":-1}}]}", "length"},
-      {"ToolCornerTooLarge", "bad.json", "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"a\",\"cutter\":{\"shape\":\"bull_nose\","
-                                         "\"diameter\":6,\"corner_radius\":4,\"length\":9}}]}", "corner_radius"},
+      {"ToolNegativeLength", "bad.json",
+       "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"a\",\"cutter\":{\"shape\":\"flat\","
+       "\"diameter\":6,\"length\":-1}}]}",
+       "length"},
+      {"ToolCornerTooLarge", "bad.json",
+       "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"a\",\"cutter\":{\"shape\":\"bull_nose\","
+       "\"diameter\":6,\"corner_radius\":4,\"length\":9}}]}",
+       "corner_radius"},
   };
   return kAll;
 }
@@ -66,9 +75,12 @@ TEST_P(BadInputs, AreStatus3NameTheFileAndLeaveNoOutput) {
     return usual_path.extension() == bad_path.extension() ? bad.file : usual;
   };
   for (const std::string command : {"check", "correct"}) {
-    std::vector<std::string> arguments = {command,        chosen("needles.apt"), "--part", chosen("part.stl"), "--tools",
-                                          chosen("tools.json"), "--csv", "out.csv", "--json", "out.json",
-                                          "--report",     "report"};
+    std::vector<std::string> arguments = {command,    chosen("needles.apt"),
+                                          "--part",   chosen("part.stl"),
+                                          "--tools",  chosen("tools.json"),
+                                          "--csv",    "out.csv",
+                                          "--json",   "out.json",
+                                          "--report", "report"};
     if (command == "correct") arguments.insert(arguments.end(), {"-o", "out.apt"});
     const Outcome ran = run_gougecheck(sample.path, arguments);
     EXPECT_EQ(ran.exit_status, 3) << ran.out << ran.err;
@@ -91,7 +103,8 @@ TEST(OtherBadInput, AToolWithoutADefinitionIsStatus3AndNamed) {
 
 TEST(OtherBadInput, AnOutputThatCannotBeWrittenIsStatus3) {
   const SampleFolder sample = open_sample("needles");
-  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "no/such/out.csv"}));
+  const Outcome ran =
+      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "no/such/out.csv"}));
   EXPECT_EQ(ran.exit_status, 3);
   EXPECT_NE(ran.err.find("no/such/out.csv"), std::string::npos) << ran.err;
 }

@@ -25,10 +25,13 @@ TEST(CommandLine, MissingAndUnknownOptionsAreStatus2) {
   const std::string path = sample.toolpath();
   EXPECT_EQ(run_gougecheck(sample.path, {"check", path}).exit_status, 2) << "no part";
   EXPECT_EQ(run_gougecheck(sample.path, {"check", "--part", "part.stl"}).exit_status, 2) << "no toolpath";
-  EXPECT_EQ(run_gougecheck(sample.path, {"correct", path, "--part", "part.stl"}).exit_status, 2) << "no output";
-  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", path, {"--no-such-option"})).exit_status, 2);
+  EXPECT_EQ(run_gougecheck(sample.path, {"correct", path, "--part", "part.stl"}).exit_status, 2)
+      << "no output";
+  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", path, {"--no-such-option"})).exit_status,
+            2);
   for (const std::string tolerance : {"-1", "abc", "nan", "1e400", ""}) {
-    const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", path, {"--tolerance", tolerance}));
+    const Outcome ran =
+        run_gougecheck(sample.path, sample.arguments("check", path, {"--tolerance", tolerance}));
     EXPECT_EQ(ran.exit_status, 2) << "tolerance " << tolerance;
     EXPECT_NE(ran.err.find("--tolerance"), std::string::npos) << ran.err;
   }
@@ -47,7 +50,8 @@ TEST(CommandLine, HelpIsStatus0AndHasAnExamplePerCommand) {
 
 TEST(CommandLine, CsvOnStandardOutputIsAlone) {
   const SampleFolder sample = open_sample("pocket");
-  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "-"}));
+  const Outcome ran =
+      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "-"}));
   EXPECT_EQ(ran.exit_status, 1);
   EXPECT_EQ(ran.out.rfind(kCsvHeader, 0), 0U) << ran.out.substr(0, 200);
   EXPECT_EQ(parse_csv(ran.out).size(), sample.expected.at("moves").get<std::size_t>() + 1);
@@ -55,7 +59,8 @@ TEST(CommandLine, CsvOnStandardOutputIsAlone) {
 
 TEST(CommandLine, JsonOnStandardOutputIsAlone) {
   const SampleFolder sample = open_sample("pocket");
-  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--json", "-"}));
+  const Outcome ran =
+      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--json", "-"}));
   EXPECT_EQ(ran.exit_status, 1);
   EXPECT_TRUE(nlohmann::json::accept(ran.out)) << ran.out.substr(0, 200);
 }
@@ -70,8 +75,10 @@ TEST(CommandLine, QuietPrintsNothingButKeepsTheStatus) {
 TEST(CommandLine, AMoveThatCannotBeCheckedIsStatus4) {
   const SampleFolder sample = open_sample("needles");
   // From one axis to the opposite one the great circle is not determined.
-  write_text(sample.path + "/turn.apt", "UNITS/MM\nMULTAX/ON\nLOADTL/1\nGOTO/0,0,500,0,0,1\nGOTO/0,0,510,0,0,-1\n");
-  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "turn.apt", {"--csv", "all.csv"}));
+  write_text(sample.path + "/turn.apt",
+             "UNITS/MM\nMULTAX/ON\nLOADTL/1\nGOTO/0,0,500,0,0,1\nGOTO/0,0,510,0,0,-1\n");
+  const Outcome ran =
+      run_gougecheck(sample.path, sample.arguments("check", "turn.apt", {"--csv", "all.csv"}));
   EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
   const std::vector<MoveRow> rows = parse_moves(text_of(sample.path + "/all.csv"));
   ASSERT_EQ(rows.size(), 2U);
@@ -82,13 +89,18 @@ TEST(CommandLine, AMoveThatCannotBeCheckedIsStatus4) {
 
 TEST(CommandLine, ALargerToleranceTurnsAShallowGougeClean) {
   const SampleFolder sample = open_sample("big_triangles");
-  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.2"})).exit_status, 0);
-  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.05"})).exit_status, 1);
+  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.2"}))
+                .exit_status,
+            0);
+  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.05"}))
+                .exit_status,
+            1);
 }
 
 TEST(CommandLine, ReportsLeavePicturesAndAPageInTheFolder) {
   const SampleFolder sample = open_sample("between_rib");
-  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--report", "report"}));
+  const Outcome ran =
+      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--report", "report"}));
   EXPECT_EQ(ran.exit_status, 1) << ran.err;
   std::size_t pictures = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(sample.path + "/report")) {

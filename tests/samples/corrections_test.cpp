@@ -43,7 +43,8 @@ std::set<std::size_t> changeable_lines(const SampleFolder& sample, const std::ve
 TEST_P(Corrections, ExitAsExpectedAndReCheckClean) {
   const SampleFolder sample = open_sample(GetParam());
   const std::string corrected = "corrected_" + sample.toolpath();
-  const Outcome ran = run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", corrected}));
+  const Outcome ran =
+      run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", corrected}));
   const int expected = sample.expected.at("correct_exit");
   ASSERT_EQ(ran.exit_status, expected) << ran.out << ran.err;
   if (expected != 0) return;
@@ -54,7 +55,8 @@ TEST_P(Corrections, ExitAsExpectedAndReCheckClean) {
 TEST_P(Corrections, LeaveEveryOtherLineByteForByte) {
   const SampleFolder sample = open_sample(GetParam());
   const std::string corrected = "corrected_" + sample.toolpath();
-  const Outcome ran = run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", corrected}));
+  const Outcome ran =
+      run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", corrected}));
   const std::string before = text_of(sample.path + "/" + sample.toolpath());
   const std::string after = text_of(sample.path + "/" + corrected);
   const std::vector<std::string> old_lines = lines_of(before), new_lines = lines_of(after);
@@ -74,9 +76,10 @@ TEST_P(Corrections, AreTheSameBytesAtOneAndTwoThreads) {
   for (const std::string threads : {"1", "2"}) {
     const std::string folder = sample.path + "/" + threads;
     std::filesystem::create_directory(folder);
-    const Outcome ran = run_gougecheck(
-        sample.path, sample.arguments("correct", sample.toolpath(),
-                                      {"-o", threads + "/corrected", "--csv", threads + "/all.csv", "--threads", threads}));
+    const Outcome ran =
+        run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(),
+                                                     {"-o", threads + "/corrected", "--csv",
+                                                      threads + "/all.csv", "--threads", threads}));
     EXPECT_EQ(ran.exit_status, sample.expected.at("correct_exit").get<int>()) << ran.err;
   }
   EXPECT_FALSE(text_of(sample.path + "/1/corrected").empty());

@@ -11,7 +11,8 @@
 namespace gouge::testing_samples {
 namespace {
 
-Outcome run(const std::string& program, const std::string& folder, const std::vector<std::string>& arguments) {
+Outcome run(const std::string& program, const std::string& folder,
+            const std::vector<std::string>& arguments) {
   const std::string out = folder + "/.stdout", err = folder + "/.stderr";
   std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -44,7 +45,9 @@ Outcome run_gougecheck(const std::string& folder, const std::vector<std::string>
   return run(GOUGE_BINARY, folder, arguments);
 }
 
-Outcome run_make_samples(const std::string& folder) { return run(GOUGE_MAKE_SAMPLES, folder, {folder}); }
+Outcome run_make_samples(const std::string& folder) {
+  return run(GOUGE_MAKE_SAMPLES, folder, {folder});
+}
 
 std::string text_of(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
