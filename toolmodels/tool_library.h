@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "lib/base/units.h"
+#include "toolmodels/assembly.h"
+
+// The project's own tool library file: JSON, one unit for the file, segments from the tip side up.
+// Format: docs/formats/tool_library.md.
+
+namespace gouge {
+
+/// A holder by itself, to be put on tools that have none.
+struct NamedHolder {
+  std::string name;
+  std::vector<ToolSegment> segments;
+};
+
+struct ToolLibrary {
+  std::string file;  ///< as the user named it
+  LengthUnit unit = LengthUnit::mm;
+  std::vector<ToolAssembly> tools;  ///< mm
+  std::vector<NamedHolder> holders;
+  Diagnostics notes;  ///< warnings: keys that are not known, and the like
+
+  /// Null when there is none.
+  [[nodiscard]] const ToolAssembly* with_number(int number) const;
+  [[nodiscard]] const ToolAssembly* with_name(std::string_view name) const;
+  /// Segments of the holder called `name`, or of the holder of the tool called so; null when there is neither.
+  [[nodiscard]] const std::vector<ToolSegment>* holder_called(std::string_view name) const;
+};
+
+/// Every tool is built once to see that it can be; what cannot is an error that names tool and field.
+/// Errors   library-syntax (with the line), library-field (missing, of the wrong kind, unknown shape or unit),
+///          library-duplicate-number, library-empty, and those of make_cutter_profile.
+[[nodiscard]] Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes);
+
+/// The library as a file, in its unit, that reads back as the same library. Ends with a line break.
+[[nodiscard]] std::string write_tool_library(const ToolLibrary& library);
+
+}  // namespace gouge
