@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lib/geom/pose.h"
+#include "postproc/image/picture_input.h"
+#include "postproc/image/surface_buffer.h"
+
+namespace gouge {
+
+/// How deep the gouging moves of a path reach into the surface, at any point of it. The depth is sampled at
+/// many instants of each gouging move, the worst one among them; it is for pictures and promises nothing.
+class DepthField {
+ public:
+  struct Point {
+    Vec3 at = Vec3::Zero();
+    bool is_fixture = false;
+  };
+
+  /// Picks the instants. Cost: proportional to the length of the gouging moves, at most kMostPoses poses.
+  explicit DepthField(const PictureInput& input);
+
+  /// For each point the largest depth that counts as a gouge, in mm, else 0.
+  [[nodiscard]] std::vector<float> depth_at(const std::vector<Point>& points) const;
+
+  /// The same for every pixel of a buffer (0 where nothing is seen).
+  [[nodiscard]] std::vector<float> depth_on_pixels(const PictureScene& scene,
+                                                   const SurfaceBuffer& buffer) const;
+
+  [[nodiscard]] bool is_empty() const { return poses_.empty(); }
+
+ private:
+  struct FieldPose {
+    Pose pose;
+    const ToolForms* tool = nullptr;
+  };
+  class PointTree;
+
+  void add_move(const PictureInput& input, std::size_t move, double detail);
+
+  std::vector<FieldPose> poses_;
+  double tolerance_mm_ = 0;
+};
+
+}  // namespace gouge

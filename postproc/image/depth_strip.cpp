@@ -1,0 +1,225 @@
+#include "postproc/image/depth_strip.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "postproc/image/render_png.h"
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr Colour kNotCheckedFill{226, 229, 233, 1};
+constexpr Colour kNotCertifiedFill{252, 232, 190, 1};
+constexpr Colour kBuriedFill{64, 20, 84, 1};
+
+// What one column of the strip shows: one move, or the worst of several.
+struct Column {
+  double depth_mm = 0, upper_mm = 0;
+  Body body = Body::cutter;
+  bool is_gouge = false, is_not_checked = false, is_not_certified = false, is_buried = false;
+};
+
+class Strip {
+ public:
+  Strip(const PictureSet& set, const Area& area) : set_(set), area_(area) {
+    const std::vector<MoveVerdict>& verdicts = set.input.result->verdicts;
+    moves_ = std::max<std::size_t>(verdicts.size(), 1);
+    columns_.resize(std::min(moves_, static_cast<std::size_t>(area.width)));
+    for (std::size_t i = 0; i < verdicts.size(); ++i)
+      add(columns_[i * columns_.size() / moves_], verdicts[i]);
+    const double unit = mm_per(set.model.toolpath->unit);
+    const double worst =
+        std::max({set.input.result->worst_depth_mm, 3 * set.model.options.tolerance_mm, 1e-6});
+    high_ = round_up(worst * 1.12 / unit) * unit;
+  }
+
+  [[nodiscard]] double x_of(double move) const {
+    return area_.x + area_.width * move / static_cast<double>(moves_);
+  }
+  [[nodiscard]] double y_of(double depth_mm) const {
+    return area_.bottom() - area_.height * std::clamp(depth_mm / high_, 0.0, 1.0);
+  }
+
+  void draw(Page& page) const {
+    draw_states(page);
+    draw_grid(page);
+    draw_bars(page);
+    draw_tolerance(page);
+    draw_markers(page);
+  }
+
+ private:
+  static void add(Column& column, const MoveVerdict& verdict) {
+    column.is_gouge = column.is_gouge || verdict.state == MoveState::gouge;
+    column.is_buried = column.is_buried || verdict.state == MoveState::buried;
+    column.is_not_checked = column.is_not_checked || verdict.state == MoveState::not_checked;
+    column.is_not_certified = column.is_not_certified || verdict.state == MoveState::not_certified;
+    if (verdict.depth_mm > column.depth_mm) {
+      column.depth_mm = verdict.depth_mm;
+      if (verdict.witness) column.body = verdict.witness->body;
+    }
+    column.upper_mm = std::max(column.upper_mm, verdict.depth_upper_mm);
+  }
+
+  [[nodiscard]] Area column_area(std::size_t first, std::size_t last) const {
+    const double width = area_.width / static_cast<double>(columns_.size());
+    return {area_.x + width * static_cast<double>(first), area_.y, width * static_cast<double>(last - first),
+            area_.height};
+  }
+
+  // Stretches of one state as one box, so that no seams show between columns.
+  template <class Flag>
+  void draw_stretches(Page& page, const Flag& has_flag, const Colour& fill) const {
+    for (std::size_t i = 0; i < columns_.size();) {
+      std::size_t j = i;
+      while (j < columns_.size() && has_flag(columns_[j])) ++j;
+      if (j > i) {
+        Area area = column_area(i, j);
+        area.width = std::max(area.width, 1.5);
+        page.box(area, fill);
+      }
+      i = std::max(j, i + 1);
+    }
+  }
+
+  void draw_states(Page& page) const {
+    draw_stretches(
+        page, [](const Column& c) { return c.is_not_checked; }, kNotCheckedFill);
+    draw_stretches(
+        page, [](const Column& c) { return c.is_not_certified; }, kNotCertifiedFill);
+    draw_stretches(
+        page, [](const Column& c) { return c.is_buried; }, kBuriedFill);
+  }
+
+  void draw_grid(Page& page) const {
+    const LengthUnit unit = set_.model.toolpath->unit;
+    const double per = mm_per(unit);
+    const double step = round_step(high_ / per, 6);
+    for (int k = 0; k * step <= high_ / per * (1 + 1e-9); ++k) {
+      const double y = y_of(k * step * per);
+      page.line({area_.x, y}, {area_.right(), y}, kHairline, 1);
+      page.text({area_.x - 10, y + 5}, tick_text(k * step, step), 15, kInk, TextAnchor::right);
+    }
+    page.text({area_.x - 62, area_.y - 16}, "depth in " + std::string(unit_name(unit)), 15, kInk,
+              TextAnchor::left, true);
+    const double move_step = std::max(1.0, round_step(static_cast<double>(moves_), 10));
+    for (int k = 0; k * move_step <= static_cast<double>(moves_) - 0.5; ++k) {
+      const double x = x_of(k * move_step + 0.5);
+      page.line({x, area_.bottom()}, {x, area_.bottom() + 6}, kSoftInk, 1);
+      page.text({x, area_.bottom() + 24}, tick_text(k * move_step, move_step), 15, kInk, TextAnchor::middle);
+    }
+    page.text({area_.middle().x(), area_.bottom() + 50}, "move", 15, kInk, TextAnchor::middle, true);
+  }
+
+  void draw_bars(Page& page) const {
+    for (std::size_t i = 0; i < columns_.size(); ++i) {
+      const Column& c = columns_[i];
+      Area bar = column_area(i, i + 1);
+      if (bar.width > 6) {
+        bar.x += 0.1 * bar.width;
+        bar.width *= 0.8;
+      }
+      bar.width = std::max(bar.width, 1.0);
+      const double top = y_of(c.depth_mm);
+      const double upper = std::isfinite(c.upper_mm) ? y_of(c.upper_mm) : area_.y;
+      const Colour colour = body_colour(static_cast<int>(c.body));
+      Colour pale = c.is_not_certified ? Colour{214, 150, 40, 0.55} : colour;
+      if (!c.is_not_certified) pale.opacity = 0.22;
+      if (c.upper_mm > c.depth_mm) page.box({bar.x, upper, bar.width, top - upper}, pale);
+      if (!(c.depth_mm > 0)) continue;
+      Colour solid = colour;
+      if (!c.is_gouge) solid.opacity = 0.5;
+      page.box({bar.x, top, bar.width, area_.bottom() - top}, solid);
+    }
+    page.line({area_.x, area_.bottom()}, {area_.right(), area_.bottom()}, kInk, 1.5);
+  }
+
+  void draw_tolerance(Page& page) const {
+    const double tolerance_mm = set_.model.options.tolerance_mm;
+    const double y = y_of(tolerance_mm);
+    page.line({area_.x, y}, {area_.right() + 8, y}, kAlarm, 1.5, {9, 6});
+    page.text({area_.right() + 14, y - 2}, "tolerance", 14, kAlarm);
+    page.text({area_.right() + 14, y + 15}, length_text(tolerance_mm, set_.model.toolpath->unit), 14, kAlarm);
+  }
+
+  void draw_markers(Page& page) const {
+    std::vector<double> used;
+    for (const PictureEvent& event : set_.events) {
+      double x = x_of(static_cast<double>(event.event.worst_move) + 0.5);
+      const double y = std::max(y_of(event.depth_mm) - 22, area_.y + 12);
+      // Markers of neighbouring events move aside rather than cover each other.
+      for (int k = 1; k < 40; ++k) {
+        const bool is_free =
+            std::none_of(used.begin(), used.end(), [&](double other) { return std::abs(other - x) < 27; });
+        if (is_free) break;
+        x = x_of(static_cast<double>(event.event.worst_move) + 0.5) +
+            (k % 2 == 0 ? 1 : -1) * 14 * ((k + 1) / 2);
+        x = std::clamp(x, area_.x + 12, area_.right() - 12);
+      }
+      used.push_back(x);
+      const double target = x_of(static_cast<double>(event.event.worst_move) + 0.5);
+      page.line({x, y}, {target, y_of(event.depth_mm)}, kInk, 1.2);
+      page.disc({x, y}, 12, kInk);
+      page.text({x, y + 5}, std::to_string(event.number), 14, {255, 255, 255, 1}, TextAnchor::middle, true);
+    }
+  }
+
+  const PictureSet& set_;
+  Area area_;
+  std::vector<Column> columns_;
+  std::size_t moves_ = 1;
+  double high_ = 1;
+};
+
+// Which operation and tool is at work, as a row of labelled spans above the strip.
+void draw_operations(Page& page, const PictureSet& set, const Area& area) {
+  const Toolpath& path = *set.input.toolpath;
+  const std::vector<Move>& moves = path.moves;
+  bool is_even = false;
+  for (std::size_t i = 0; i < moves.size();) {
+    std::size_t j = i;
+    while (j < moves.size() && moves[j].tool == moves[i].tool && moves[j].operation == moves[i].operation)
+      ++j;
+    const double first = area.x + area.width * static_cast<double>(i) / static_cast<double>(moves.size());
+    const double last = area.x + area.width * static_cast<double>(j) / static_cast<double>(moves.size());
+    const Area span{first, area.y, last - first, area.height};
+    page.box(span, is_even ? Colour{226, 232, 238, 1} : Colour{238, 242, 246, 1});
+    page.line({first, area.y}, {first, area.bottom()}, kSoftInk, 1);
+    const std::string operation = operation_name(path, moves[i].operation);
+    const std::string words = tool_label(path, moves[i].tool) + (operation.empty() ? "" : "  " + operation);
+    if (span.width > 34) page.text({first + 8, area.y + 19}, fitted(words, 14, span.width - 14), 14, kInk);
+    is_even = !is_even;
+    i = j;
+  }
+}
+
+void draw_legend(Page& page, const PictureSet& set, double y) {
+  double x = 100;
+  const auto entry = [&](const Colour& colour, const std::string& words) {
+    page.box({x, y - 12, 22, 14}, colour);
+    page.text({x + 30, y}, words, 15, kInk);
+    x += 30 + text_width(words, 15) + 34;
+  };
+  for (const Body body : {Body::cutter, Body::shank, Body::holder})
+    entry(body_colour(static_cast<int>(body)), body_name(body));
+  entry({38, 112, 178, 0.22}, "not excluded (upper bound)");
+  const StateCounts& n = set.input.result->counts;
+  if (n.not_checked > 0) entry(kNotCheckedFill, "not checked");
+  if (n.not_certified > 0) entry(kNotCertifiedFill, "not certified");
+  if (n.buried > 0) entry(kBuriedFill, "tool buried");
+}
+
+}  // namespace
+
+Page draw_depth_strip(const PictureSet& set) {
+  Page page = make_page("Depth along the path", badge_text(set.model, *set.input.result),
+                        badge_colour(*set.input.result), caption_lines(set.model, *set.input.toolpath));
+  const Area area{100, 206, 1390, 636};
+  draw_operations(page, set, {area.x, 130, area.width, 28});
+  Strip(set, area).draw(page);
+  draw_legend(page, set, 944);
+  return page;
+}
+
+}  // namespace gouge

@@ -1,0 +1,162 @@
+#include "postproc/image/heat_map.h"
+
+#include <algorithm>
+
+#include "postproc/image/shade.h"
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kContentTop = 118;
+constexpr double kContentBottom = kPageHeight - 24;
+
+View view_for(const PictureSet& set, const Vec3& toward, const Area& area) {
+  View view = make_view(toward, Vec3::UnitZ(), static_cast<int>(area.width) * kSupersampling,
+                        static_cast<int>(area.height) * kSupersampling);
+  fit_view(view, set.scene.part_points(), 0.07);
+  return view;
+}
+
+// Draws one view into `area` and hands it back for the labels.
+View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area& area) {
+  const View view = view_for(set, toward, area);
+  const SurfaceBuffer buffer = draw_surface(set.scene, view);
+  const std::vector<float> depth = set.field.depth_on_pixels(set.scene, buffer);
+  page.rasters.push_back(
+      {static_cast<int>(area.x), static_cast<int>(area.y), shade(set.scene, buffer, depth, set.scale)});
+  for (const PictureEvent& event : set.events) {
+    const Vec2 target = on_page(area, view.project(event.at));
+    page.taken.push_back({target.x() - 8, target.y() - 8, 16, 16});
+  }
+  for (const PictureEvent& event : set.events) {
+    add_marker(page, area, on_page(area, view.project(event.at)), event.number,
+               !is_visible(buffer, event.at, 3 * view.mm_per_pixel + 1e-3));
+  }
+  return view;
+}
+
+void add_corner_furniture(Page& page, const View& view, const Area& area, LengthUnit unit) {
+  add_triad(page, {area.x + 52, area.bottom() - 62}, view, 34);
+  add_scale_bar(page, {area.x + 120, area.bottom() - 26}, view, unit, 180);
+}
+
+std::string tool_names(const ReportModel& model) {
+  std::string text;
+  const std::vector<PathTool>& tools = model.toolpath->tools;
+  for (std::size_t i = 0; i < tools.size(); ++i) {
+    if (i == 4) return text + " and " + std::to_string(tools.size() - i) + " more";
+    const std::string words = i < model.tools.size() ? model.tools[i].description : std::string();
+    const std::string name =
+        i < model.tools.size() && !model.tools[i].name.empty() ? model.tools[i].name : tools[i].name;
+    text += (i > 0 ? ", " : "") + tool_label(*model.toolpath, i);
+    const std::string& more = words.empty() ? name : words;
+    if (!more.empty() && tools[i].number) text += " " + more;
+  }
+  return text.empty() ? "no tool" : text;
+}
+
+void add_event_key(Page& page, const PictureSet& set, double x, double y) {
+  if (set.events.empty()) return;
+  page.text({x, y}, "Deepest findings", 15, kInk, TextAnchor::left, true);
+  const LengthUnit unit = set.model.toolpath->unit;
+  for (const PictureEvent& event : set.events) {
+    y += 40;
+    page.disc({x + 11, y - 5}, 11, kInk);
+    page.text({x + 11, y}, std::to_string(event.number), 14, {255, 255, 255, 1}, TextAnchor::middle, true);
+    const std::string depth =
+        event.event.state == MoveState::buried ? std::string("buried") : depth_text(event.depth_mm, unit);
+    page.text({x + 30, y - 7}, depth, 15, kInk, TextAnchor::left, true);
+    page.text({x + 30, y + 11},
+              std::string(body_name(event.event.body)) + ", line " +
+                  std::to_string(set.input.toolpath->moves[event.event.worst_move].line),
+              13, kSoftInk);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> caption_lines(const ReportModel& model, const Toolpath& toolpath) {
+  std::string files = toolpath.file;
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    files += (i == 0 ? " against " : ", ") + model.parts[i].name;
+  for (std::size_t i = 0; i < model.fixtures.size(); ++i) {
+    files += (i == 0 ? ", fixture " : ", ") + model.fixtures[i].name;
+  }
+  const LengthUnit unit = toolpath.unit;
+  return {files, tool_names(model) + "; tolerance " + length_text(model.options.tolerance_mm, unit) +
+                     ", resolution " + length_text(model.options.resolution_mm, unit)};
+}
+
+std::string badge_text(const ReportModel& model, const CheckResult& result) {
+  switch (overall_verdict(result)) {
+    case OverallVerdict::clean:
+      return "CLEAN";
+    case OverallVerdict::not_fully_checked:
+      return "NOT FULLY CHECKED";
+    case OverallVerdict::gouges:
+      break;
+  }
+  return result.worst_depth_mm > 0 ? "WORST " + depth_text(result.worst_depth_mm, model.toolpath->unit)
+                                   : "TOOL BURIED";
+}
+
+Colour badge_colour(const CheckResult& result) {
+  switch (overall_verdict(result)) {
+    case OverallVerdict::clean:
+      return kCalm;
+    case OverallVerdict::not_fully_checked:
+      return {166, 110, 12, 1};
+    case OverallVerdict::gouges:
+      break;
+  }
+  return kAlarm;
+}
+
+Page draw_heat_map(const PictureSet& set) {
+  Page page = make_page("Gouge depth on the part", badge_text(set.model, *set.input.result),
+                        badge_colour(*set.input.result), caption_lines(set.model, *set.input.toolpath));
+  const LengthUnit unit = set.model.toolpath->unit;
+  const double height = kContentBottom - kContentTop;
+  const Area first{36, kContentTop, 780, height};
+  const Area second{832, kContentTop, 560, height};
+  for (std::size_t i = 0; i < set.directions.size() && i < 2; ++i) {
+    const Area& area = i == 0 ? first : second;
+    const View view = add_view(page, set, set.directions[i], area);
+    add_corner_furniture(page, view, area, unit);
+  }
+  page.line({824, kContentTop + 20}, {824, kContentBottom - 20}, kHairline, 1);
+  page.line({1400, kContentTop + 20}, {1400, kContentBottom - 20}, kHairline, 1);
+  add_colour_bar(page, {1426, 190, 26, 360}, set.scale, unit, "Gouge depth");
+  add_event_key(page, set, 1426, 604);
+  return page;
+}
+
+Page draw_before_after(const PictureSet& before, const PictureSet& after) {
+  Page page = make_page("Before and after correction", badge_text(after.model, *after.input.result),
+                        badge_colour(*after.input.result), caption_lines(after.model, *after.input.toolpath));
+  const LengthUnit unit = after.model.toolpath->unit;
+  constexpr double kHalf = 672;
+  const Area left{36, 156, kHalf, kContentBottom - 156};
+  const Area right{36 + kHalf + 12, 156, kHalf, kContentBottom - 156};
+  const Vec3& toward = before.directions.front();
+  const View view = add_view(page, before, toward, left);
+  add_view(page, after, toward, right);
+  add_corner_furniture(page, view, left, unit);
+  const auto label = [&](const Area& area, const std::string& words, const CheckResult& result) {
+    page.text({area.x, area.y - 12}, words, 19, kInk, TextAnchor::left, true);
+    const std::string state =
+        std::to_string(result.counts.gouge) + " of " + count_text(result.verdicts.size(), "move") + " gouge" +
+        (result.counts.gouge > 0 ? ", worst " + depth_text(result.worst_depth_mm, unit) : std::string());
+    page.text({area.right() - 12, area.y - 12}, state, 16, result.counts.gouge > 0 ? kAlarm : kCalm,
+              TextAnchor::right);
+  };
+  label(left, "Before", *before.input.result);
+  label(right, "After", *after.input.result);
+  page.line({36 + kHalf + 6, 130}, {36 + kHalf + 6, kContentBottom - 10}, kHairline, 1);
+  page.line({1400, 130}, {1400, kContentBottom - 10}, kHairline, 1);
+  add_colour_bar(page, {1426, 200, 26, 360}, before.scale, unit, "Gouge depth");
+  return page;
+}
+
+}  // namespace gouge

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "postproc/image/choose_views.h"
+#include "postproc/image/page.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+
+/// Everything the pictures of one report share.
+struct PictureSet {
+  const ReportModel& model;
+  const PictureInput& input;
+  const PictureScene& scene;
+  const DepthField& field;
+  std::vector<PictureEvent> events;
+  ColourScale scale;
+  std::vector<Vec3> directions;
+};
+
+/// The part from the chosen views, coloured by gouge depth, with the worst events numbered.
+[[nodiscard]] Page draw_heat_map(const PictureSet& set);
+
+/// The part before (left) and after a correction (right), same views, same colours. `after` describes the
+/// corrected path, `before` the path as read.
+[[nodiscard]] Page draw_before_after(const PictureSet& before, const PictureSet& after);
+
+/// "path.apt against part.stl", and the tools with tolerance and resolution: the two lines below a title.
+[[nodiscard]] std::vector<std::string> caption_lines(const ReportModel& model, const Toolpath& toolpath);
+/// "worst 0.213 mm" and the like, for the badge of a page.
+[[nodiscard]] std::string badge_text(const ReportModel& model, const CheckResult& result);
+[[nodiscard]] Colour badge_colour(const CheckResult& result);
+
+}  // namespace gouge

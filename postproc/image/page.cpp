@@ -1,0 +1,191 @@
+#include "postproc/image/page.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "postproc/image/ascii_text.h"
+#include "postproc/image/render_png.h"
+
+namespace gouge {
+
+void Page::line(const Vec2& a, const Vec2& b, const Colour& colour, double width,
+                std::vector<double> dashes) {
+  drawing.items.emplace_back(DrawnLine{{a, b}, colour, width, false, std::move(dashes)});
+}
+
+void Page::shape(std::vector<Vec2> points, const Colour& fill) {
+  drawing.items.emplace_back(DrawnShape{std::move(points), fill});
+}
+
+void Page::box(const Area& a, const Colour& fill) {
+  shape({{a.x, a.y}, {a.right(), a.y}, {a.right(), a.bottom()}, {a.x, a.bottom()}}, fill);
+}
+
+void Page::frame(const Area& a, const Colour& colour, double width) {
+  drawing.items.emplace_back(DrawnLine{
+      {{a.x, a.y}, {a.right(), a.y}, {a.right(), a.bottom()}, {a.x, a.bottom()}}, colour, width, true, {}});
+}
+
+void Page::disc(const Vec2& centre, double radius, const Colour& fill) {
+  std::vector<Vec2> points;
+  for (int k = 0; k < 48; ++k) {
+    const double angle = 2 * std::numbers::pi * k / 48;
+    points.emplace_back(centre + radius * Vec2(std::cos(angle), std::sin(angle)));
+  }
+  shape(std::move(points), fill);
+}
+
+void Page::text(const Vec2& at, const std::string& words, double size, const Colour& colour,
+                TextAnchor anchor, bool is_bold) {
+  drawing.items.emplace_back(DrawnText{at, words, size, colour, anchor, is_bold});
+}
+
+std::string fitted(const std::string& words, double size, double width, bool is_bold) {
+  const std::string text = ascii_text(words);
+  if (text_width(text, size, is_bold) <= width) return text;
+  for (std::size_t keep = text.size(); keep > 2; --keep) {
+    const std::size_t head = (keep + 1) / 2;
+    const std::string cut = text.substr(0, head) + "..." + text.substr(text.size() - (keep - head));
+    if (text_width(cut, size, is_bold) <= width) return cut;
+  }
+  return {};
+}
+
+Page make_page(const std::string& title, const std::string& verdict, const Colour& verdict_colour,
+               const std::vector<std::string>& lines) {
+  Page page;
+  page.drawing.width = kPageWidth;
+  page.drawing.height = kPageHeight;
+  const double verdict_width = verdict.empty() ? 0 : text_width(verdict, 19, true) + 36;
+  page.text({36, 46}, fitted(title, 27, kPageWidth - 100 - verdict_width, true), 27, kInk, TextAnchor::left,
+            true);
+  if (!verdict.empty()) {
+    const Area badge{kPageWidth - 36 - verdict_width, 20, verdict_width, 36};
+    page.box(badge, verdict_colour);
+    page.text({badge.middle().x(), badge.y + 25}, verdict, 19, {255, 255, 255, 1}, TextAnchor::middle, true);
+  }
+  double y = 74;
+  for (const std::string& line : lines) {
+    page.text({36, y}, fitted(line, 15.5, kPageWidth - 72), 15.5, kSoftInk);
+    y += 22;
+  }
+  page.line({36, 104}, {kPageWidth - 36, 104}, kHairline, 1);
+  return page;
+}
+
+void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit,
+                    const std::string& title) {
+  const double per = mm_per(unit);
+  const double high = scale.high_mm / per;
+  const auto y_of = [&](double value) { return area.bottom() - area.height * value / high; };
+  page.box({area.x, area.y, area.width, area.height}, kPartGrey);
+  const int strips = static_cast<int>(area.height);
+  for (int k = 0; k < strips; ++k) {
+    const double top = area.y + k;
+    const double depth_mm = scale.high_mm * (area.bottom() - top - 0.5) / area.height;
+    if (depth_mm > scale.low_mm) page.box({area.x, top, area.width, 1.0}, scale.at(depth_mm));
+  }
+  page.frame(area, kSoftInk, 1);
+  page.text({area.x, area.y - 32}, title, 15, kInk, TextAnchor::left, true);
+  page.text({area.x, area.y - 13}, "in " + std::string(unit_name(unit)), 14, kSoftInk);
+  const double step = round_step(high, 5);
+  const double tolerance_y = y_of(scale.low_mm / per);
+  for (int k = 0; k * step <= high * (1 + 1e-9); ++k) {
+    const double y = y_of(k * step);
+    if (scale.low_mm > 0 && std::abs(y - tolerance_y) < 15) continue;
+    page.line({area.right(), y}, {area.right() + 6, y}, kSoftInk, 1);
+    page.text({area.right() + 11, y + 5}, tick_text(k * step, step), 15, kInk);
+  }
+  if (scale.low_mm > 0) {
+    page.line({area.x - 5, tolerance_y}, {area.right() + 6, tolerance_y}, kInk, 1.5);
+    page.text({area.right() + 11, tolerance_y + 5}, "tolerance", 14, kInk);
+  }
+}
+
+void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double most_width) {
+  const double unit_per_picture = view.mm_per_pixel * kSupersampling / mm_per(unit);
+  const double most = most_width * unit_per_picture;
+  const double length = round_down(most);
+  const double width = length / unit_per_picture;
+  page.line(at, at + Vec2(width, 0), kInk, 2);
+  page.line(at + Vec2(0, -5), at + Vec2(0, 5), kInk, 2);
+  page.line(at + Vec2(width, -5), at + Vec2(width, 5), kInk, 2);
+  page.text(at + Vec2(width + 10, 5), tick_text(length, length) + " " + unit_name(unit), 15, kInk);
+}
+
+void add_triad(Page& page, const Vec2& at, const View& view, double size) {
+  struct Axis {
+    Vec3 direction;
+    const char* name;
+    Colour colour;
+  };
+  std::vector<Axis> axes{{Vec3::UnitX(), "X", {192, 57, 43, 1}},
+                         {Vec3::UnitY(), "Y", {39, 134, 74, 1}},
+                         {Vec3::UnitZ(), "Z", {36, 93, 173, 1}}};
+  // The one that points at the viewer is painted last.
+  std::sort(axes.begin(), axes.end(), [&](const Axis& a, const Axis& b) {
+    const double za = a.direction.dot(view.toward);
+    const double zb = b.direction.dot(view.toward);
+    return za < zb || (!(zb < za) && a.name[0] < b.name[0]);
+  });
+  for (const Axis& axis : axes) {
+    const Vec2 d(axis.direction.dot(view.right), -axis.direction.dot(view.up));
+    const Vec2 tip = at + size * d;
+    page.line(at, tip, axis.colour, 2.5);
+    const double length = d.norm();
+    if (length < 0.12) {
+      page.disc(at, 3.5, axis.colour);
+      continue;
+    }
+    const Vec2 along = d / length;
+    const Vec2 across(-along.y(), along.x());
+    page.shape({tip + 7 * along, tip + 4 * across, tip - 4 * across}, axis.colour);
+    page.text(tip + 17 * along + Vec2(0, 5), axis.name, 14, axis.colour, TextAnchor::middle, true);
+  }
+}
+
+namespace {
+
+bool overlaps(const Area& a, const Area& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.bottom() && b.y < a.bottom();
+}
+
+}  // namespace
+
+void add_marker(Page& page, const Area& area, const Vec2& target, int number, bool is_hidden) {
+  constexpr double kRadius = 14;
+  Vec2 best = target + Vec2(40, -40);
+  bool is_found = false;
+  for (const double distance : {44.0, 60.0, 80.0, 105.0, 135.0, 170.0}) {
+    for (int k = 0; k < 16 && !is_found; ++k) {
+      // Up and to the right first, then alternately to both sides of it.
+      const double turn = (k % 2 == 0 ? 1 : -1) * ((k + 1) / 2) * std::numbers::pi / 8;
+      const double angle = -std::numbers::pi / 4 + turn;
+      const Vec2 centre = target + distance * Vec2(std::cos(angle), std::sin(angle));
+      const Area spot{centre.x() - kRadius - 3, centre.y() - kRadius - 3, 2 * kRadius + 6, 2 * kRadius + 6};
+      const bool is_inside = spot.x >= area.x && spot.y >= area.y && spot.right() <= area.right() &&
+                             spot.bottom() <= area.bottom();
+      const bool is_free = std::none_of(page.taken.begin(), page.taken.end(),
+                                        [&](const Area& other) { return overlaps(spot, other); });
+      if (!is_inside || !is_free) continue;
+      best = centre;
+      is_found = true;
+      page.taken.push_back(spot);
+    }
+    if (is_found) break;
+  }
+  page.taken.push_back({target.x() - 8, target.y() - 8, 16, 16});
+  const Vec2 along = (target - best).normalized();
+  page.line(best + along * kRadius, target, {255, 255, 255, 0.85}, 4);
+  page.line(best + along * kRadius, target, kInk, 1.6,
+            is_hidden ? std::vector<double>{5, 4} : std::vector<double>{});
+  page.disc(target, 4.5, {255, 255, 255, 1});
+  page.disc(target, 3, kInk);
+  page.disc(best, kRadius, is_hidden ? kSoftInk : kInk);
+  page.disc(best, kRadius - 2, is_hidden ? Colour{255, 255, 255, 1} : kInk);
+  page.text(best + Vec2(0, 5.5), std::to_string(number), 16, is_hidden ? kSoftInk : Colour{255, 255, 255, 1},
+            TextAnchor::middle, true);
+}
+
+}  // namespace gouge

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/drawing/drawing.h"
+#include "postproc/image/colour_scale.h"
+#include "postproc/image/raster.h"
+#include "postproc/image/view.h"
+
+// The furniture that the pictures share. Coordinates in picture units.
+
+namespace gouge {
+
+inline constexpr int kPageWidth = 1600;
+inline constexpr int kPageHeight = 1000;
+
+struct Area {
+  double x = 0, y = 0, width = 0, height = 0;
+  [[nodiscard]] double right() const { return x + width; }
+  [[nodiscard]] double bottom() const { return y + height; }
+  [[nodiscard]] Vec2 middle() const { return {x + 0.5 * width, y + 0.5 * height}; }
+};
+
+struct Page {
+  Drawing drawing;
+  std::vector<PlacedRaster> rasters;
+  std::vector<Area> taken;  ///< by labels, so that later ones keep clear of them
+
+  void line(const Vec2& a, const Vec2& b, const Colour& colour, double width = 1,
+            std::vector<double> dashes = {});
+  void shape(std::vector<Vec2> points, const Colour& fill);
+  void box(const Area& area, const Colour& fill);
+  void frame(const Area& area, const Colour& colour, double width = 1);
+  void disc(const Vec2& centre, double radius, const Colour& fill);
+  void text(const Vec2& at, const std::string& words, double size, const Colour& colour,
+            TextAnchor anchor = TextAnchor::left, bool is_bold = false);
+};
+
+/// A page with its title and up to two lines below it, all shortened to fit.
+[[nodiscard]] Page make_page(const std::string& title, const std::string& verdict,
+                             const Colour& verdict_colour, const std::vector<std::string>& lines);
+
+/// `words`, cut short with "..." in the middle when wider than `width`.
+[[nodiscard]] std::string fitted(const std::string& words, double size, double width, bool is_bold = false);
+
+/// Vertical bar with numbers; grey below the tolerance.
+void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit,
+                    const std::string& title);
+/// A round length drawn to the view's scale, its left end at `at`. The view's pixels are supersampled ones.
+void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double most_width);
+/// The directions of x, y and z as the view sees them.
+void add_triad(Page& page, const Vec2& at, const View& view, double size);
+
+/// Point of a picture for a point of a view whose raster lies at `area`.
+[[nodiscard]] inline Vec2 on_page(const Area& area, const Vec3& projected) {
+  return {area.x + projected.x() / kSupersampling, area.y + projected.y() / kSupersampling};
+}
+
+/// A numbered disc beside `target` that covers no other label, with a line to it; it stays within `area`.
+void add_marker(Page& page, const Area& area, const Vec2& target, int number, bool is_hidden);
+
+}  // namespace gouge

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/check/check_options.h"
+#include "lib/check/scene.h"
+#include "lib/check/verdict.h"
+#include "lib/path/toolpath.h"
+
+namespace gouge {
+
+/// What pictures are made of. Everything pointed at must outlive it; a tool without forms is left out.
+struct PictureInput {
+  const Toolpath* toolpath = nullptr;
+  const Scene* scene = nullptr;
+  std::vector<const ToolForms*> tools;  ///< per tool index of the toolpath; may hold nullptr
+  const CheckResult* result = nullptr;
+  CheckOptions options;
+};
+
+/// Whether a move turns on the spot or travels in dogleg: the motion the check looked at.
+[[nodiscard]] inline bool is_dogleg(const Move& move, const CheckOptions& options) {
+  return move.kind == MoveKind::rapid && options.rapid == RapidMode::dogleg;
+}
+
+}  // namespace gouge

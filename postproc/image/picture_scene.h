@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lib/check/scene.h"
+#include "lib/geom/vec.h"
+
+namespace gouge {
+
+/// Parts and fixtures as one list of faces ready to be shaded.
+struct PictureScene {
+  struct Face {
+    std::array<std::uint32_t, 3> corners{};
+    std::array<Eigen::Vector3f, 3> normals{
+        Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(),
+        Eigen::Vector3f::Zero()};  ///< smooth across edges that bend less than 35 degrees
+    bool is_fixture = false;
+  };
+  struct Edge {
+    std::uint32_t a = 0, b = 0;
+  };
+  std::vector<Vec3> vertices;
+  std::vector<Face> faces;  ///< parts first
+  std::vector<Edge> edges;  ///< sharp edges and borders
+  std::size_t part_vertices = 0;
+
+  /// Vertices of the parts: what a picture should show whole.
+  [[nodiscard]] std::vector<Vec3> part_points() const {
+    return {vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(part_vertices)};
+  }
+};
+
+/// Cost     O(n log n) for n triangles.
+[[nodiscard]] PictureScene build_picture_scene(const Scene& scene);
+
+}  // namespace gouge

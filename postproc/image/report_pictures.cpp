@@ -1,0 +1,87 @@
+#include "postproc/image/report_pictures.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "postproc/image/depth_strip.h"
+#include "postproc/image/event_picture.h"
+#include "postproc/image/heat_map.h"
+#include "postproc/image/render_png.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kMostEvents = 6;
+constexpr std::size_t kViews = 2;
+
+struct Album {
+  std::vector<NamedFile> files;
+
+  [[nodiscard]] Outcome add(const Page& page, std::string name, std::string title) {
+    Result<std::string> png = render_png(page.drawing, page.rasters);
+    if (!png) return png.error();
+    files.push_back({std::move(name), std::move(*png), std::move(title)});
+    return Done{};
+  }
+};
+
+// Colours of a correction cover the path before it, so that both halves can be compared.
+double worst_depth(const ReportModel& model, const PictureInput& input) {
+  const CheckResult* before = model.has_correction ? model.correction.result_before : nullptr;
+  return std::max(input.result->worst_depth_mm, before != nullptr ? before->worst_depth_mm : 0.0);
+}
+
+Outcome add_before_after(Album& album, const PictureSet& after, const PictureInput& before_input) {
+  ReportModel model = after.model;
+  model.toolpath = before_input.toolpath;
+  model.result = before_input.result;
+  const DepthField field(before_input);
+  PictureSet before{
+      model, before_input, after.scene, field, worst_events(before_input, kMostEvents), after.scale, {}};
+  before.directions = choose_directions(before_input, after.scene, field, before.events, 1);
+  return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
+}
+
+Outcome add_scene_pictures(Album& album, const PictureSet& set, const PictureInput& before) {
+  if (Outcome done = album.add(draw_heat_map(set), "heat_map.png", "Gouge depth on the part"); !done)
+    return done;
+  if (set.model.has_correction && before.toolpath != nullptr && before.result != nullptr) {
+    if (Outcome done = add_before_after(album, set, before); !done) return done;
+  }
+  for (const PictureEvent& event : set.events) {
+    const std::string number = std::to_string(event.number);
+    if (Outcome done = album.add(draw_event(set, event), "event_" + number + ".png", "Finding " + number);
+        !done) {
+      return done;
+    }
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, const PictureInput& input,
+                                                    const PictureInput& before) {
+  const PictureScene scene = build_picture_scene(*input.scene);
+  const DepthField field(input);
+  PictureSet set{
+      model,
+      input,
+      scene,
+      field,
+      worst_events(input, kMostEvents),
+      make_colour_scale(model.options.tolerance_mm, worst_depth(model, input), model.toolpath->unit),
+      {}};
+  Album album;
+  if (!scene.faces.empty()) {
+    set.directions = choose_directions(input, scene, field, set.events, kViews);
+    if (Outcome done = add_scene_pictures(album, set, before); !done) return done.error();
+  }
+  if (Outcome done = album.add(draw_depth_strip(set), "depth_along_path.png", "Depth along the path");
+      !done) {
+    return done.error();
+  }
+  return std::move(album.files);
+}
+
+}  // namespace gouge

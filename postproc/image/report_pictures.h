@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/base/result.h"
+#include "postproc/image/picture_input.h"
+#include "postproc/report/named_file.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+
+/// The pictures of a report, PNG, 1600 x 1000: heat_map.png, depth_along_path.png, event_1.png to event_6.png
+/// for the worst findings, and before_after.png when the model has a correction with its path and verdicts
+/// before.
+///
+/// Shape    `input` belongs to model.toolpath and model.result. `before` is the same for the path as read; it
+/// is
+///          looked at only for a correction and may be empty.
+/// Ensures  The same bytes on every run and at any number of threads.
+/// Errors   picture-not-encoded; a picture of a scene without triangles is left out, not an error.
+/// Cost     Seconds; grows with the number of triangles and of gouging moves.
+[[nodiscard]] Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model,
+                                                                  const PictureInput& input,
+                                                                  const PictureInput& before = {});
+
+}  // namespace gouge

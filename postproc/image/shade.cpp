@@ -1,0 +1,125 @@
+#include "postproc/image/shade.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/base/parallel.h"
+
+namespace gouge {
+namespace {
+
+struct Offset {
+  int x, y;
+};
+
+// Two rings of neighbours, in pixels of a supersampled picture.
+constexpr std::array<Offset, 16> kNeighbours{{{6, 0},
+                                              {4, 4},
+                                              {0, 6},
+                                              {-4, 4},
+                                              {-6, 0},
+                                              {-4, -4},
+                                              {0, -6},
+                                              {4, -4},
+                                              {20, 8},
+                                              {8, 20},
+                                              {-8, 20},
+                                              {-20, 8},
+                                              {-20, -8},
+                                              {-8, -20},
+                                              {8, -20},
+                                              {20, -8}}};
+constexpr double kOcclusionReach = 40;  // pixels
+
+// How much of the sky over a pixel its surroundings hide, 0 to 1: corners and grooves get their depth from
+// it.
+double occlusion(const SurfaceBuffer& buffer, const Vec3& point, const Vec3& normal, int x, int y) {
+  double hidden = 0;
+  const double reach_mm = kOcclusionReach * buffer.view.mm_per_pixel;
+  for (const Offset& o : kNeighbours) {
+    const int nx = x + o.x;
+    const int ny = y + o.y;
+    if (nx < 0 || ny < 0 || nx >= buffer.view.width || ny >= buffer.view.height) continue;
+    if (buffer.face[buffer.index(nx, ny)] == kNoFace) continue;
+    const Vec3 d = buffer.point(nx, ny) - point;
+    const double length = d.norm();
+    if (!(length > 0) || length > reach_mm) continue;
+    hidden += std::max(0.0, d.dot(normal) / length - 0.12) * (1 - length / reach_mm);
+  }
+  return std::min(1.0, hidden / 5);
+}
+
+void put(Raster& raster, int x, int y, const Colour& colour, double light) {
+  std::uint8_t* pixel = raster.pixel(x, y);
+  const std::array<unsigned char, 3> parts{colour.r, colour.g, colour.b};
+  for (std::size_t k = 0; k < 3; ++k) {
+    pixel[k] = static_cast<std::uint8_t>(std::lround(std::clamp(parts[k] * light, 0.0, 255.0)));
+  }
+}
+
+void draw_edge(Raster& raster, const SurfaceBuffer& buffer, const Vec3& a, const Vec3& b) {
+  const double dx = b.x() - a.x();
+  const double dy = b.y() - a.y();
+  const double pixels = std::max(std::abs(dx), std::abs(dy));
+  const int steps = static_cast<int>(std::min(std::ceil(pixels), 20000.0)) + 1;
+  const double slack = 2.5 * buffer.view.mm_per_pixel;
+  for (int s = 0; s <= steps; ++s) {
+    const Vec3 p = a + (b - a) * (static_cast<double>(s) / steps);
+    for (int k = 0; k < 2; ++k) {  // two pixels wide, across the line's main direction
+      const int x = static_cast<int>(std::floor(p.x())) + (std::abs(dx) < std::abs(dy) ? k : 0);
+      const int y = static_cast<int>(std::floor(p.y())) + (std::abs(dx) < std::abs(dy) ? 0 : k);
+      if (x < 0 || y < 0 || x >= raster.width || y >= raster.height) continue;
+      const float seen = buffer.z[buffer.index(x, y)];
+      if (p.z() + slack < static_cast<double>(seen)) continue;
+      blend_pixel(raster, x, y, {40, 48, 58, 1}, 0.28);
+    }
+  }
+}
+
+}  // namespace
+
+double light_on(const View& view, const Vec3& normal) {
+  const Vec3 key = (-0.45 * view.right + 0.75 * view.up + 0.75 * view.toward).normalized();
+  const Vec3 fill = (0.8 * view.right + 0.1 * view.up + 0.6 * view.toward).normalized();
+  return 0.44 + 0.50 * std::max(0.0, normal.dot(key)) + 0.16 * std::max(0.0, normal.dot(fill));
+}
+
+void blend_pixel(Raster& raster, int x, int y, const Colour& colour, double opacity) {
+  std::uint8_t* pixel = raster.pixel(x, y);
+  const std::array<unsigned char, 3> parts{colour.r, colour.g, colour.b};
+  for (std::size_t k = 0; k < 3; ++k) {
+    pixel[k] = static_cast<std::uint8_t>(std::lround(pixel[k] * (1 - opacity) + parts[k] * opacity));
+  }
+}
+
+Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::vector<float>& depth_mm,
+             const ColourScale& scale) {
+  Raster raster(buffer.view.width, buffer.view.height, 255, 255, 255);
+  const auto rows = static_cast<std::size_t>(buffer.view.height);
+  for_each_chunk(rows, 16, 0, [&](std::size_t first, std::size_t last) {
+    for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y) {
+      for (int x = 0; x < buffer.view.width; ++x) {
+        const std::size_t i = buffer.index(x, y);
+        if (buffer.face[i] == kNoFace) continue;
+        const Vec3 normal = normal_at(scene, buffer, x, y);
+        const double shadow = 1 - 0.55 * occlusion(buffer, buffer.point(x, y), normal, x, y);
+        const double light = light_on(buffer.view, normal) * shadow;
+        if (!depth_mm.empty() && depth_mm[i] > 0) {
+          // Less contrast, so that a colour can be compared with the bar wherever it lies.
+          put(raster, x, y, scale.at(static_cast<double>(depth_mm[i])), 0.55 + 0.42 * light);
+        } else {
+          const bool is_fixture = scene.faces[buffer.face[i]].is_fixture;
+          put(raster, x, y, is_fixture ? kFixtureGrey : kPartGrey, 0.12 + 0.97 * light);
+        }
+      }
+    }
+  });
+  for (const PictureScene::Edge& edge : scene.edges) {
+    draw_edge(raster, buffer, buffer.view.project(scene.vertices[edge.a]),
+              buffer.view.project(scene.vertices[edge.b]));
+  }
+  return raster;
+}
+
+}  // namespace gouge

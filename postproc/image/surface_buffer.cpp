@@ -1,0 +1,122 @@
+#include "postproc/image/surface_buffer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/parallel.h"
+
+namespace gouge {
+namespace {
+
+constexpr int kBandRows = 32;
+
+struct RowRange {
+  int first = 0, last = -1;  // inclusive
+};
+
+RowRange rows_of(const Vec3& a, const Vec3& b, const Vec3& c, int height) {
+  const double low = std::min({a.y(), b.y(), c.y()});
+  const double high = std::max({a.y(), b.y(), c.y()});
+  if (!(high >= 0) || !(low <= height)) return {};
+  return {std::max(0, static_cast<int>(std::floor(low - 0.5))),
+          std::min(height - 1, static_cast<int>(std::ceil(high - 0.5)))};
+}
+
+double cross(const Vec3& a, const Vec3& b, double x, double y) {
+  return (b.x() - a.x()) * (y - a.y()) - (b.y() - a.y()) * (x - a.x());
+}
+
+void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& c, std::uint32_t face,
+               const RowRange& rows) {
+  const double area = cross(a, b, c.x(), c.y());
+  if (!(std::abs(area) > 0)) return;  // seen edge on
+  const int width = buffer.view.width;
+  const double left = std::min({a.x(), b.x(), c.x()});
+  const double right = std::max({a.x(), b.x(), c.x()});
+  if (!(right >= 0) || !(left <= width)) return;
+  const int first = std::max(0, static_cast<int>(std::floor(left - 0.5)));
+  const int last = std::min(width - 1, static_cast<int>(std::ceil(right - 0.5)));
+  for (int y = rows.first; y <= rows.last; ++y) {
+    for (int x = first; x <= last; ++x) {
+      const double u = cross(b, c, x + 0.5, y + 0.5) / area;
+      const double v = cross(c, a, x + 0.5, y + 0.5) / area;
+      const double w = 1 - u - v;
+      if (u < 0 || v < 0 || w < -1e-12) continue;
+      const auto z = static_cast<float>(u * a.z() + v * b.z() + w * c.z());
+      const std::size_t i = buffer.index(x, y);
+      if (z > buffer.z[i]) {
+        buffer.z[i] = z;
+        buffer.face[i] = face;
+      }
+    }
+  }
+}
+
+}  // namespace
+
+SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices, const std::vector<FaceCorners>& faces,
+                           const View& view) {
+  SurfaceBuffer buffer;
+  buffer.view = view;
+  const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
+  buffer.z.assign(pixels, std::numeric_limits<float>::lowest());
+  buffer.face.assign(pixels, kNoFace);
+  std::vector<Vec3> projected(vertices.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) projected[i] = view.project(vertices[i]);
+  const std::size_t bands = static_cast<std::size_t>((view.height + kBandRows - 1) / kBandRows);
+  std::vector<std::vector<std::uint32_t>> band_faces(bands);
+  for (std::size_t f = 0; f < faces.size(); ++f) {
+    const RowRange rows =
+        rows_of(projected[faces[f][0]], projected[faces[f][1]], projected[faces[f][2]], view.height);
+    for (int band = rows.first / kBandRows; band * kBandRows <= rows.last; ++band) {
+      band_faces[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(f));
+    }
+  }
+  for_each_chunk(bands, 1, 0, [&](std::size_t first, std::size_t last) {
+    for (std::size_t band = first; band < last; ++band) {
+      const int top = static_cast<int>(band) * kBandRows;
+      for (const std::uint32_t f : band_faces[band]) {
+        const Vec3& a = projected[faces[f][0]];
+        const Vec3& b = projected[faces[f][1]];
+        const Vec3& c = projected[faces[f][2]];
+        RowRange rows = rows_of(a, b, c, view.height);
+        rows.first = std::max(rows.first, top);
+        rows.last = std::min(rows.last, top + kBandRows - 1);
+        draw_face(buffer, a, b, c, f, rows);
+      }
+    }
+  });
+  return buffer;
+}
+
+SurfaceBuffer draw_surface(const PictureScene& scene, const View& view) {
+  std::vector<FaceCorners> faces;
+  faces.reserve(scene.faces.size());
+  for (const PictureScene::Face& face : scene.faces) faces.push_back(face.corners);
+  return draw_surface(scene.vertices, faces, view);
+}
+
+Vec3 normal_at(const PictureScene& scene, const SurfaceBuffer& buffer, int x, int y) {
+  const PictureScene::Face& face = scene.faces[buffer.face[buffer.index(x, y)]];
+  const Vec3 a = buffer.view.project(scene.vertices[face.corners[0]]);
+  const Vec3 b = buffer.view.project(scene.vertices[face.corners[1]]);
+  const Vec3 c = buffer.view.project(scene.vertices[face.corners[2]]);
+  const double area = cross(a, b, c.x(), c.y());
+  const double u = std::clamp(cross(b, c, x + 0.5, y + 0.5) / area, 0.0, 1.0);
+  const double v = std::clamp(cross(c, a, x + 0.5, y + 0.5) / area, 0.0, 1.0);
+  Vec3 normal = u * face.normals[0].cast<double>() + v * face.normals[1].cast<double>() +
+                (1 - u - v) * face.normals[2].cast<double>();
+  const double length = normal.norm();
+  if (!(length > 0)) return buffer.view.toward;
+  normal /= length;
+  return normal.dot(buffer.view.toward) < 0 ? Vec3(-normal) : normal;
+}
+
+bool is_visible(const SurfaceBuffer& buffer, const Vec3& point_part, double slack_mm) {
+  const Vec3 p = buffer.view.project(point_part);
+  if (!(p.x() >= 0 && p.y() >= 0 && p.x() < buffer.view.width && p.y() < buffer.view.height)) return false;
+  const std::size_t i = buffer.index(static_cast<int>(p.x()), static_cast<int>(p.y()));
+  return buffer.face[i] == kNoFace || p.z() + slack_mm >= static_cast<double>(buffer.z[i]);
+}
+
+}  // namespace gouge

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "postproc/image/picture_scene.h"
+#include "postproc/image/view.h"
+
+namespace gouge {
+
+inline constexpr std::uint32_t kNoFace = std::numeric_limits<std::uint32_t>::max();
+
+/// What each pixel of a view shows: the nearest face and how near (z-buffer).
+struct SurfaceBuffer {
+  View view;
+  std::vector<float> z;             ///< mm towards the viewer; lowest float where nothing is seen
+  std::vector<std::uint32_t> face;  ///< index, kNoFace where nothing is seen
+
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(view.width) + static_cast<std::size_t>(x);
+  }
+  /// Surface point at the middle of the pixel. Requires a face there.
+  [[nodiscard]] Vec3 point(int x, int y) const {
+    return view.unproject(x + 0.5, y + 0.5, static_cast<double>(z[index(x, y)]));
+  }
+};
+
+using FaceCorners = std::array<std::uint32_t, 3>;
+
+/// Draws triangles given as corners into a buffer. At equal depth the face listed first stays.
+/// The same at any number of threads.
+[[nodiscard]] SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices,
+                                         const std::vector<FaceCorners>& faces, const View& view);
+[[nodiscard]] SurfaceBuffer draw_surface(const PictureScene& scene, const View& view);
+
+/// Interpolated unit normal of the seen face, turned towards the viewer.
+[[nodiscard]] Vec3 normal_at(const PictureScene& scene, const SurfaceBuffer& buffer, int x, int y);
+
+/// Whether a surface point is seen and not hidden behind another face.
+[[nodiscard]] bool is_visible(const SurfaceBuffer& buffer, const Vec3& point_part, double slack_mm);
+
+}  // namespace gouge

@@ -1,0 +1,83 @@
+#include "postproc/image/tool_outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gouge {
+namespace {
+
+constexpr int kSides = 96;
+constexpr double kArcStep = 0.06;  // radians
+
+void append_arc(std::vector<Vec2>& points, const BoundaryElement& e) {
+  const Vec2 from = e.a - e.center;
+  const Vec2 to = e.b - e.center;
+  double sweep = std::atan2(from.x() * to.y() - from.y() * to.x(), from.dot(to));
+  const int steps = std::max(2, static_cast<int>(std::ceil(std::abs(sweep) / kArcStep)));
+  for (int k = 1; k < steps; ++k) {
+    const double angle = sweep * k / steps;
+    const double c = std::cos(angle);
+    const double s = std::sin(angle);
+    points.emplace_back(e.center + Vec2(c * from.x() - s * from.y(), s * from.x() + c * from.y()));
+  }
+  points.push_back(e.b);
+}
+
+}  // namespace
+
+std::vector<OutlineRun> tool_outline(const CompiledTool& tool) {
+  std::vector<OutlineRun> runs;
+  for (const BoundaryElement& e : tool.elements) {
+    if (e.kind == ElementKind::vertex) continue;
+    const bool is_joined =
+        !runs.empty() && runs.back().body == e.body && (runs.back().points.back() - e.a).norm() < 1e-9;
+    if (!is_joined) runs.push_back({e.body, {e.a}});
+    if (e.kind == ElementKind::arc)
+      append_arc(runs.back().points, e);
+    else
+      runs.back().points.push_back(e.b);
+  }
+  return runs;
+}
+
+BodyRange body_range(const CompiledTool& tool, Body body) {
+  BodyRange range{tool.z_max_mm + 1, tool.z_min_mm - 1};
+  for (const OutlineRun& run : tool_outline(tool)) {
+    if (run.body != body) continue;
+    for (const Vec2& p : run.points) {
+      range.low_mm = std::min(range.low_mm, p.y());
+      range.high_mm = std::max(range.high_mm, p.y());
+    }
+  }
+  return range;
+}
+
+ToolSurface tool_surface(const CompiledTool& tool, const Pose& pose) {
+  ToolSurface surface;
+  const Vec3 side = std::abs(pose.axis.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  const Vec3 e1 = pose.axis.cross(side).normalized();
+  const Vec3 e2 = pose.axis.cross(e1);
+  for (const OutlineRun& run : tool_outline(tool)) {
+    const auto base = static_cast<std::uint32_t>(surface.vertices.size());
+    for (const Vec2& p : run.points) {
+      for (int k = 0; k < kSides; ++k) {
+        const double angle = 2 * std::numbers::pi * k / kSides;
+        surface.vertices.emplace_back(pose.tip + pose.axis * p.y() +
+                                      p.x() * (std::cos(angle) * e1 + std::sin(angle) * e2));
+      }
+    }
+    for (std::uint32_t ring = 0; ring + 1 < run.points.size(); ++ring) {
+      for (std::uint32_t k = 0; k < kSides; ++k) {
+        const std::uint32_t a = base + ring * kSides + k;
+        const std::uint32_t b = base + ring * kSides + (k + 1) % kSides;
+        surface.faces.push_back({a, b, b + kSides});
+        surface.faces.push_back({a, b + kSides, a + kSides});
+        surface.bodies.insert(surface.bodies.end(), 2, run.body);
+      }
+    }
+  }
+  return surface;
+}
+
+}  // namespace gouge

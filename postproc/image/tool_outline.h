@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/tool/compiled_tool.h"
+#include "postproc/image/surface_buffer.h"
+
+namespace gouge {
+
+/// The profile of a tool as broken lines, one for each run of elements of one body, from the tip up (r, z) in
+/// mm.
+struct OutlineRun {
+  Body body = Body::cutter;
+  std::vector<Vec2> points;
+};
+[[nodiscard]] std::vector<OutlineRun> tool_outline(const CompiledTool& tool);
+
+/// Lowest and highest z of a body's boundary; first > second when it has none.
+struct BodyRange {
+  double low_mm = 1, high_mm = 0;
+};
+[[nodiscard]] BodyRange body_range(const CompiledTool& tool, Body body);
+
+/// The tool as a surface in part coordinates.
+struct ToolSurface {
+  std::vector<Vec3> vertices;
+  std::vector<FaceCorners> faces;
+  std::vector<Body> bodies;  ///< per face
+};
+[[nodiscard]] ToolSurface tool_surface(const CompiledTool& tool, const Pose& pose);
+
+}  // namespace gouge
