@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <set>
 
 #include "tests/architecture/source_rules.h"
 
@@ -99,6 +100,19 @@ TEST(Repository, FilesAreShortAndHeadersGuarded) {
 }
 TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) {
   EXPECT_EQ(listed(check_stray_text(repository())), "");
+}
+
+TEST(Repository, EveryMessageCodeIsDocumentedAndNoOther) {
+  std::set<std::string> used, documented;
+  for (const SourceFile& file : repository()) {
+    const bool is_source = fs::path(file.path).extension() == ".cpp" && file.path.rfind("tests/", 0) != 0;
+    if (is_source) used.merge(message_codes_of(file.text));
+    if (file.path == "docs/errors.md") documented = documented_codes_of(file.text);
+  }
+  EXPECT_GT(used.size(), 30U);
+  for (const std::string& code : used)
+    EXPECT_EQ(documented.count(code), 1U) << code << " is not in docs/errors.md";
+  for (const std::string& code : documented) EXPECT_EQ(used.count(code), 1U) << code << " is in no source";
 }
 
 }  // namespace

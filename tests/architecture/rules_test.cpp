@@ -83,6 +83,7 @@ TEST(BannedWords, MayStandInCommentsInTextInLongerNamesAndInCli) {
   EXPECT_EQ(check_banned_words({{"lib/a.cpp",
                                  "// never exit here\n/* printf\n throw */ int on_exit = 0;\n"
                                  "auto s = \"cannot exit\"; auto r = R\"(throw \")\"; int n = 1'000;\n"},
+                                {"lib/b.cpp", "  throw;\n"},
                                 {"cli/main.cpp", "std::exit(1);\n"}}),
             Complaints{});
 }
@@ -108,6 +109,13 @@ TEST(StrayText, NotesToSelfAndMachinePathsAreRefused) {
             (Complaints{std::string("docs/a.md:2: has a TO") + "DO"}));
   EXPECT_EQ(check_stray_text({{"lib/a.h", std::string("// see /wo") + "rk/x\n"}}).size(), 1U);
   EXPECT_EQ(check_stray_text({{"lib/a.h", "// framework/x, a method\n"}}), Complaints{});
+}
+
+TEST(MessageCodes, AreReadFromSourcesAndFromTables) {
+  EXPECT_EQ(message_codes_of("make_error(\"stl-empty\", \"is empty\"); f(\"path-\" + x); g(\"clean\");"),
+            (std::set<std::string>{"stl-empty"}));
+  EXPECT_EQ(documented_codes_of("\n| `stl-empty` | the file |\n| `clean` | `mesh-open` |\n"),
+            (std::set<std::string>{"stl-empty"}));
 }
 
 }  // namespace

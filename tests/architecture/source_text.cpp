@@ -1,5 +1,7 @@
 #include "tests/architecture/source_text.h"
 
+#include <algorithm>
+#include <array>
 #include <cctype>
 #include <sstream>
 
@@ -28,7 +30,40 @@ std::size_t end_of_raw_literal(std::string_view text, std::size_t i) {
   return end == std::string_view::npos ? text.size() : end + close.size();
 }
 
+bool is_message_code(const std::string& word) {
+  static const std::array<const char*, 11> kKinds = {"cgal-",    "cutter-", "file-", "folder-",
+                                                     "library-", "mesh-",   "path-", "stl-",
+                                                     "picture-", "tool-",   "write-"};
+  static const std::set<std::string> kOptionNames = {"stl-units", "tool-library"};
+  if (kOptionNames.count(word) != 0 || word.empty() || word.back() == '-') return false;
+  for (const char c : word) {
+    if (c != '-' && std::islower(static_cast<unsigned char>(c)) == 0) return false;
+  }
+  return std::any_of(kKinds.begin(), kKinds.end(),
+                     [&](const char* kind) { return word.rfind(kind, 0) == 0; });
+}
+
+/// The codes among what stands between pairs of `open` and `close`.
+std::set<std::string> codes_between(std::string_view text, std::string_view open, std::string_view close) {
+  std::set<std::string> codes;
+  for (std::size_t i = text.find(open); i != std::string_view::npos; i = text.find(open, i + 1)) {
+    const std::size_t begin = i + open.size(), end = text.find(close, begin);
+    if (end == std::string_view::npos) break;
+    const std::string word(text.substr(begin, end - begin));
+    if (is_message_code(word)) codes.insert(word);
+  }
+  return codes;
+}
+
 }  // namespace
+
+std::set<std::string> message_codes_of(std::string_view text) {
+  return codes_between(text, "\"", "\"");
+}
+
+std::set<std::string> documented_codes_of(std::string_view markdown) {
+  return codes_between(markdown, "\n| `", "`");
+}
 
 std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> lines;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +36,13 @@ struct Room {
 
 /// Whether `word` stands in `text` as a whole identifier (a leading "std::" in `word` included).
 [[nodiscard]] bool has_word(std::string_view text, std::string_view word);
+
+/// String literals that have the form of a message code: "stl-empty", "path-number", ... (kinds listed in the
+/// source).
+[[nodiscard]] std::set<std::string> message_codes_of(std::string_view text);
+
+/// What stands first in the rows of a document's tables, in back quotes, and has the form of a message code.
+[[nodiscard]] std::set<std::string> documented_codes_of(std::string_view markdown);
 
 [[nodiscard]] std::vector<Room> rooms_of(std::string_view cmake_text);
 

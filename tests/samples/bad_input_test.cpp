@@ -92,20 +92,11 @@ TEST_P(BadInputs, AreStatus3NameTheFileAndLeaveNoOutput) {
   }
 }
 
-TEST(OtherBadInput, AToolWithoutADefinitionIsStatus3AndNamed) {
-  const SampleFolder sample = open_sample("needles");
-  write_text(sample.path + "/t9.apt", "UNITS/MM\nLOADTL/9\nGOTO/0,0,10\n");
-  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "t9.apt", {"--csv", "out.csv"}));
-  EXPECT_EQ(ran.exit_status, 3) << ran.out << ran.err;
-  EXPECT_NE(ran.err.find("9"), std::string::npos) << ran.err;
-  EXPECT_FALSE(std::filesystem::exists(sample.path + "/out.csv"));
-}
-
-TEST(OtherBadInput, AnOutputThatCannotBeWrittenIsStatus3) {
+TEST(OtherBadInput, AnOutputThatCannotBeWrittenIsStatus5) {
   const SampleFolder sample = open_sample("needles");
   const Outcome ran =
       run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "no/such/out.csv"}));
-  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_EQ(ran.exit_status, 5);
   EXPECT_NE(ran.err.find("no/such/out.csv"), std::string::npos) << ran.err;
 }
 
