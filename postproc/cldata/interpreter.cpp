@@ -90,13 +90,6 @@ void Interpreter::count_unknown() {
   ++words[word];
 }
 
-std::string Interpreter::found() const {
-  const std::string_view all = path_.source;
-  std::string_view line = all.substr(statement_->first_byte, statement_->last_byte - statement_->first_byte);
-  line = line.substr(0, line.find('\n'));
-  return quoted_text(line);
-}
-
 void Interpreter::take(const Statement& statement) {
   statement_ = &statement;
   path_.statements.push_back({statement.line, statement.first_byte, statement.last_byte});
@@ -189,9 +182,20 @@ bool Interpreter::take_text_word() {
       if (!dialect_.names_operations) name_operation(name_text(statement_->pieces.front()));
       return true;
     case Word::operation: name_operation(name_text(statement_->pieces.front())); return true;
-    case Word::part_program: refuse_part_program(statement_->major); return true;
+    case Word::part_program:
+      if (!is_statement()) return false;
+      refuse_part_program(statement_->major);
+      return true;
     default: return false;
   }
+}
+
+// A word of the source language makes a statement alone or before a slash or comma; else it only begins a sentence.
+bool Interpreter::is_statement() const {
+  const std::string_view all = path_.source;
+  const auto after = static_cast<std::size_t>(statement_->major.data() - all.data()) + statement_->major.size();
+  const std::string_view rest = trim(all.substr(after, all.find('\n', after) - after));
+  return rest.empty() || rest.front() == '/' || rest.front() == ',' || rest.front() == '$';
 }
 
 void Interpreter::finish() {

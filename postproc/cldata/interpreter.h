@@ -88,7 +88,7 @@ class Interpreter {
   void fail(std::string code, std::string message);
   void refuse_part_program(std::string_view what);
   void count_unknown();
-  [[nodiscard]] std::string found() const;  // the statement as written, for messages
+  [[nodiscard]] bool is_statement() const;
 
   [[nodiscard]] bool take_motion_word();
   [[nodiscard]] bool take_tool_word();

@@ -29,7 +29,7 @@ std::string_view take_major(std::string_view& text) {
   const std::size_t blank = major.find_first_of(" \t,");
   if (blank != std::string_view::npos && major.find('=') == std::string_view::npos) {
     major = major.substr(0, blank);
-    cut = static_cast<std::size_t>(major.data() - text.data()) + blank;
+    cut = static_cast<std::size_t>(major.data() - text.data()) + blank + 1;
   }
   text = text.substr(cut);
   return major;

@@ -1,0 +1,126 @@
+#include "postproc/cldata/goto_text.h"
+
+#include <cmath>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/text.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kStatementsLearned = 5000;
+constexpr int kLeastAxisDecimals = 6;
+constexpr int kUsualAxisDecimals = 9;
+constexpr int kUsualDecimals = 6;
+
+Statement statement_at(const Toolpath& path, std::size_t index) {
+  const SourceStatement& span = path.statements[index];
+  Lexer lexer(std::string_view(path.source).substr(0, span.last_byte), span.first_byte, span.line);
+  Statement statement;
+  if (!lexer.next(statement)) statement.pieces.clear();
+  return statement;
+}
+
+std::size_t blanks_before(std::string_view bytes, std::size_t at) {
+  std::size_t count = 0;
+  while (count < at && bytes[at - count - 1] == ' ') ++count;
+  return count;
+}
+
+}  // namespace
+
+GotoText::GotoText(const Toolpath& path, const std::vector<MotionRecord>& records) : path_(path) {
+  const std::size_t end = path.source.find('\n');
+  if (end != std::string::npos && end > 0 && path.source[end - 1] == '\r') line_end_ = "\r\n";
+  std::size_t learned = 0;
+  for (const MotionRecord& record : records) {
+    if (record.form != PositionForm::go_to || record.point != 0) continue;
+    learn(record);
+    if (++learned == kStatementsLearned) break;
+  }
+  coordinates_.settle(least_coordinate_decimals(path.unit), kUsualDecimals);
+  components_.settle(kLeastAxisDecimals, kUsualAxisDecimals);
+}
+
+void GotoText::learn(const MotionRecord& record) {
+  const Statement statement = statement_at(path_, record.statement);
+  std::vector<Argument> arguments;
+  split_arguments(statement, arguments);
+  const std::string_view bytes = path_.source;
+  const auto offset = [&](const Argument& a) { return static_cast<std::size_t>(a.text.data() - bytes.data()); };
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::size_t blanks = blanks_before(bytes, offset(arguments[i]));
+    const bool is_axis = i % record.numbers >= 3;
+    (is_axis ? components_ : coordinates_).learn(arguments[i].text, arguments[i].text.size() + blanks);
+  }
+  if (has_form_) return;
+  has_form_ = true;
+  const std::size_t first = offset(arguments[0]);
+  first_gap_ = blanks_before(bytes, first);
+  prefix_ = std::string(trim(bytes.substr(statement.first_byte, first - first_gap_ - statement.first_byte)));
+  const std::size_t after = first + arguments[0].text.size();
+  const std::size_t second = offset(arguments[1]);
+  gap_ = blanks_before(bytes, second);
+  separator_ = bytes.substr(after, second - gap_ - std::min(after, second - gap_));
+}
+
+void GotoText::append_number(std::string& text, const NumberStyle& style, double value) const {
+  const std::string token = style.text(value);
+  text += separator_ + style.padding(token, gap_) + token;
+}
+
+bool GotoText::is_same_axis(const Vec3& a, const Vec3& b) const {
+  return (a - b).cwiseAbs().maxCoeff() <= 0.5 * std::pow(10.0, -components_.decimals());
+}
+
+std::string GotoText::replaced(std::size_t index, std::size_t numbers,
+                               const std::vector<std::optional<WrittenPosition>>& positions) const {
+  const Statement statement = statement_at(path_, index);
+  std::vector<Argument> arguments;
+  split_arguments(statement, arguments);
+  const std::string_view bytes = path_.source;
+  std::string result;
+  std::size_t copied = statement.first_byte;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::optional<WrittenPosition>& position = positions[i / numbers];
+    if (!position) continue;
+    const std::size_t k = i % numbers;
+    if (k >= 3 && !position->axis) continue;
+    const NumberStyle& style = k < 3 ? coordinates_ : components_;
+    const auto component = static_cast<Eigen::Index>(k % 3);
+    const std::string token = style.text(k < 3 ? position->tip[component] : (*position->axis)[component]);
+    const auto begin = static_cast<std::size_t>(arguments[i].text.data() - bytes.data());
+    const std::size_t end = begin + arguments[i].text.size();
+    if (parse_number(token) != parse_number(style.text(*arguments[i].number))) {
+      const std::size_t blanks = blanks_before(bytes, begin);
+      result += bytes.substr(copied, begin - blanks - copied);
+      result += style.padding(token, blanks) + token;
+      copied = end;
+    }
+    if (k == 2 && numbers == 3 && position->axis) {
+      result += bytes.substr(copied, end - copied);
+      for (Eigen::Index c = 0; c < 3; ++c) append_number(result, components_, (*position->axis)[c]);
+      copied = end;
+    }
+  }
+  result += bytes.substr(copied, statement.last_byte - copied);
+  return result;
+}
+
+std::string GotoText::fresh(const WrittenPosition& position) const {
+  const std::string first = coordinates_.text(position.tip.x());
+  std::string text = prefix_ + coordinates_.padding(first, first_gap_) + first;
+  append_number(text, coordinates_, position.tip.y());
+  append_number(text, coordinates_, position.tip.z());
+  if (position.axis) {
+    for (Eigen::Index c = 0; c < 3; ++c) append_number(text, components_, (*position.axis)[c]);
+  }
+  return with_line_end(std::move(text));
+}
+
+std::string GotoText::with_line_end(std::string text) const {
+  if (text.empty() || text.back() != '\n') text += line_end_;
+  return text;
+}
+
+}  // namespace gouge

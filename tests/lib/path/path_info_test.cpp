@@ -1,0 +1,59 @@
+#include "lib/path/path_info.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace gouge {
+namespace {
+
+Move move_to(MoveKind kind, Vec3 tip, Vec3 axis, std::optional<Pose> start) {
+  Move move;
+  move.kind = kind;
+  move.start = start;
+  move.end = {tip, axis};
+  return move;
+}
+
+TEST(AngleBetween, IsAccurateAtBothEnds) {
+  EXPECT_NEAR(angle_between_deg(Vec3::UnitZ(), Vec3(1e-9, 0, 1)), 1e-9 * 180 / 3.14159265358979, 1e-20);
+  EXPECT_NEAR(angle_between_deg(Vec3::UnitZ(), -Vec3::UnitZ()), 180, 1e-12);
+  EXPECT_NEAR(angle_between_deg(Vec3::UnitZ(), Vec3::UnitX()), 90, 1e-12);
+}
+
+TEST(DescribePath, CountsWhatIsThere) {
+  Toolpath path;
+  path.tools.resize(2);
+  path.operations.resize(1);
+  const Pose up{Vec3(0, 0, 10), Vec3::UnitZ()};
+  path.moves.push_back(move_to(MoveKind::rapid, up.tip, up.axis, std::nullopt));
+  path.moves.push_back(move_to(MoveKind::feed, Vec3(0, 0, 4), Vec3(0, 0, 1), up));
+  path.moves.push_back(move_to(MoveKind::feed, Vec3(3, 0, 0), Vec3(1, 0, -0.0), Pose{Vec3(0, 0, 4), Vec3::UnitZ()}));
+  path.moves.push_back(move_to(MoveKind::arc, Vec3(3, 1, 0), Vec3(1, 0, 0.0), Pose{Vec3(3, 0, 0), Vec3::UnitX()}));
+  path.moves[3].not_checked_reason = "because";
+  path.moves[1].tool = path.moves[2].tool = path.moves[3].tool = 1;
+  path.moves[2].operation = 0;
+  const PathInfo info = describe_path(path);
+  EXPECT_EQ(info.moves_by_kind, (std::array<std::size_t, 4>{2, 1, 1, 0}));
+  EXPECT_EQ(info.alone, 1u);
+  EXPECT_EQ(info.orientations, 2u) << "0 and -0 are one orientation";
+  EXPECT_NEAR(info.largest_turn_deg, 90, 1e-12);
+  EXPECT_EQ(info.largest_turn_move, 2u);
+  EXPECT_DOUBLE_EQ(info.feed_length_mm, 6 + 5);
+  EXPECT_EQ(info.not_checkable.at("because"), 1u);
+  EXPECT_EQ(info.moves_of_tool, (std::vector<std::size_t>{0, 3}));
+  EXPECT_EQ(info.moves_without_tool, 1u);
+  EXPECT_EQ(info.moves_of_operation, (std::vector<std::size_t>{1}));
+  EXPECT_DOUBLE_EQ(info.box.max().x(), 3);
+  EXPECT_DOUBLE_EQ(info.box.max().z(), 10);
+}
+
+TEST(DescribePath, AnEmptyPathHasAnEmptyBox) { EXPECT_TRUE(describe_path({}).box.isEmpty()); }
+
+TEST(KindName, IsAWordOfTheReports) {
+  EXPECT_STREQ(kind_name(MoveKind::feed), "feed");
+  EXPECT_STREQ(kind_name(MoveKind::cycle), "cycle");
+}
+
+}  // namespace
+}  // namespace gouge

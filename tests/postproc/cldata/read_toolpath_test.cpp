@@ -1,0 +1,242 @@
+#include "postproc/cldata/read_toolpath.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/postproc/cldata/path_of.h"
+
+namespace gouge {
+namespace {
+
+std::vector<MoveKind> kinds(const Toolpath& path) {
+  std::vector<MoveKind> result;
+  for (const Move& move : path.moves) result.push_back(move.kind);
+  return result;
+}
+
+using Kinds = std::vector<MoveKind>;
+
+TEST(ReadApt, RapidHoldsForOneMotionInEverySpelling) {
+  const Toolpath path = path_of("RAPID\nGOTO/0,0,9\nGOTO/0,0,8\nRAPID/\nGOTO/0,0,7\nRAPID \nGOTO/0,0,6\nGOTO/0,0,5\n");
+  EXPECT_EQ(kinds(path), (Kinds{MoveKind::rapid, MoveKind::feed, MoveKind::rapid, MoveKind::rapid, MoveKind::feed}));
+  EXPECT_EQ(path.moves[1].line, 3u);
+  ASSERT_TRUE(path.moves[4].start);
+  expect_vector(path.moves[4].start->tip, 0, 0, 6);
+  EXPECT_FALSE(path.moves[0].start);
+}
+
+TEST(ReadApt, AFeedAfterRapidCancelsIt) {
+  EXPECT_EQ(kinds(path_of("RAPID\nFEDRAT/100\nGOTO/0,0,9\n")), (Kinds{MoveKind::feed}));
+}
+
+TEST(ReadApt, FeedComesInBothOrdersAndUnits) {
+  const Toolpath path = path_of(
+      "FEDRAT/MMPM,250\nGOTO/0,0,1\nFEDRAT/ 10.0,IPM\nGOTO/0,0,2\nFEDRAT/0.1,MMPR\nGOTO/0,0,3\nUNITS/INCHES\n"
+      "FEDRAT/2\nGOTO/0,0,4\n");
+  EXPECT_DOUBLE_EQ(path.moves[0].feed_mm_per_min, 250);
+  EXPECT_DOUBLE_EQ(path.moves[1].feed_mm_per_min, 254);
+  EXPECT_DOUBLE_EQ(path.moves[2].feed_mm_per_min, 0);
+  EXPECT_DOUBLE_EQ(path.moves[3].feed_mm_per_min, 50.8);
+}
+
+TEST(ReadApt, ThreeNumbersMeanUpwardsAndNotTheLastAxis) {
+  const Toolpath path = path_of("GOTO/1,2,3,1,0,0\nGOTO/4,5,6\nTLAXIS/0,1,0\nGOTO/7,8,9\n");
+  expect_vector(path.moves[0].end.axis, 1, 0, 0);
+  expect_vector(path.moves[1].end.axis, 0, 0, 1);
+  expect_vector(path.moves[2].end.axis, 0, 1, 0);
+  bool is_told = false;
+  for (const Diagnostic& note : path.notes) is_told = is_told || note.code == "path-plain-axis";
+  EXPECT_TRUE(is_told);
+}
+
+TEST(ReadApt, SixNumbersAreTwoPositionsOnlyUnderMultaxOff) {
+  const Toolpath path = path_of("MULTAX/OFF\nGOTO/1,2,3,4,5,6\nMULTAX\nGOTO/7,8,9,0,0,-1\nGOTO/0,0,0,0,0,1,1,1,1,1,0,0\n");
+  ASSERT_EQ(path.moves.size(), 5u);
+  expect_vector(path.moves[1].end.tip, 4, 5, 6);
+  EXPECT_EQ(path.moves[1].point_in_statement, 1u);
+  EXPECT_EQ(path.moves[1].statement, path.moves[0].statement);
+  expect_vector(path.moves[2].end.axis, 0, 0, -1);
+  expect_vector(path.moves[4].end.tip, 1, 1, 1);
+  expect_vector(path.moves[4].end.axis, 1, 0, 0);
+}
+
+TEST(ReadApt, NineNumbersAreThreePositions) { EXPECT_EQ(path_of("GOTO/1,2,3,4,5,6,7,8,9\n").moves.size(), 3u); }
+
+TEST(ReadApt, InchesBecomeMillimetresAlsoWhereTheUnitChanges) {
+  const Toolpath path = path_of("UNITS/INCHES\nCUTTER/0.5\nGOTO/1,0,0\nUNITS/MM\nGOTO/1,0,0\n");
+  EXPECT_EQ(path.unit, LengthUnit::inch);
+  EXPECT_TRUE(path.is_unit_stated);
+  EXPECT_DOUBLE_EQ(path.moves[0].end.tip.x(), 25.4);
+  EXPECT_DOUBLE_EQ(path.moves[1].end.tip.x(), 1);
+  EXPECT_DOUBLE_EQ(path.tools.at(0).cutter->d_mm, 12.7);
+}
+
+TEST(ReadApt, TheUnitIsGuessedFromTheFeedWord) {
+  const Toolpath path = path_of("RAPID\nGOTO/1,0,0\nFEDRAT/10,IPM\nGOTO/2,0,0\n");
+  EXPECT_EQ(path.unit, LengthUnit::inch);
+  EXPECT_FALSE(path.is_unit_stated);
+  EXPECT_DOUBLE_EQ(path.moves[0].end.tip.x(), 25.4);
+}
+
+TEST(ReadApt, FromIsAPlaceAndNotACut) {
+  const Toolpath path = path_of("FROM/1,2,3\nLOADTL/4\nGOTO/1,2,9\n");
+  EXPECT_EQ(kinds(path), (Kinds{MoveKind::rapid, MoveKind::feed}));
+  EXPECT_FALSE(path.moves[0].start);
+  ASSERT_TRUE(path.moves[1].start);
+  expect_vector(path.moves[1].start->tip, 1, 2, 3);
+  EXPECT_EQ(path.moves[0].tool, path.moves[1].tool);
+}
+
+TEST(ReadApt, GodltaMovesOnAndGohomeMayHaveAPlace) {
+  const Toolpath path = path_of("GOTO/1,2,3,1,0,0\nGODLTA/1,1,1\nGODLTA/5\nGOHOME/0,0,50\nGOTO/1,1,1\nGOHOME\nGOTO/0,0,0\n");
+  expect_vector(path.moves[1].end.tip, 2, 3, 4);
+  expect_vector(path.moves[2].end.tip, 7, 3, 4);
+  expect_vector(path.moves[2].end.axis, 1, 0, 0);
+  EXPECT_EQ(path.moves[3].kind, MoveKind::rapid);
+  EXPECT_TRUE(path.moves[4].start);
+  EXPECT_FALSE(path.moves[5].start);
+}
+
+TEST(ReadApt, AnotherToolBreaksTheMotionAndTheSameOneDoesNot) {
+  const Toolpath path = path_of(
+      "CUTTER/10\nLOADTL/1\nGOTO/0,0,1\nLOADTL/1,1\nGOTO/0,0,2\nCUTTER/6\nLOADTL/2\nGOTO/0,0,3\nLOADTL/1\nGOTO/0,0,4\n");
+  ASSERT_EQ(path.tools.size(), 2u);
+  EXPECT_TRUE(path.moves[1].start);
+  EXPECT_FALSE(path.moves[2].start);
+  EXPECT_FALSE(path.moves[3].start);
+  EXPECT_EQ(path.moves[3].tool, 0u);
+  EXPECT_DOUBLE_EQ(path.tools[path.moves[3].tool].cutter->d_mm, 10);
+}
+
+TEST(ReadApt, AToolTheFileDoesNotDescribeDoesNotInheritTheOldCutter) {
+  const Toolpath path = path_of("CUTTER/10\nLOADTL/1\nGOTO/0,0,1\nLOADTL/2\nGOTO/0,0,2\n");
+  EXPECT_FALSE(path.tools.at(path.moves[1].tool).cutter);
+  EXPECT_EQ(path.tools.at(path.moves[1].tool).number, 2);
+}
+
+TEST(ReadApt, SelectOnlyAnnouncesATool) {
+  const Toolpath path = path_of("CUTTER/8\nLOAD/TOOL,3\nSELECT/TOOL,5\nGOTO/0,0,1\n");
+  EXPECT_EQ(path.tools.at(0).number, 3);
+}
+
+TEST(ReadApt, ArcsHaveAnEndAndAreNotChecked) {
+  const Toolpath path = path_of("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1,0\nGOTO/0,2,0\n");
+  EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
+  EXPECT_EQ(path.moves[1].not_checked_reason, "arcs are not checked yet");
+  ASSERT_TRUE(path.moves[2].start);
+  expect_vector(path.moves[2].start->tip, 0, 1, 0);
+  EXPECT_TRUE(path.moves[2].not_checked_reason.empty());
+}
+
+TEST(ReadApt, CatiaArcsEndWhereTheirLineEnds) {
+  const Toolpath path = path_of(
+      "$$ CATIA APT VERSION 1.0\nMULTAX\nGOTO/1,0,0,0,1,0\nINDIRV/0,1,0\nTLON,GOFWD/ (CIRCLE/ 0,0,0,$\n 1),ON,(LINE/0,0,0,$\n"
+      " 0,1,0)\nGOTO/0,2,0,0,1,0\nFINI\n");
+  ASSERT_EQ(path.moves.size(), 3u);
+  EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
+  EXPECT_EQ(path.moves[1].line, 5u);
+  expect_vector(path.moves[1].end.tip, 0, 1, 0);
+  expect_vector(path.moves[1].end.axis, 0, 1, 0);
+}
+
+TEST(ReadApt, AfterACycleTheStartIsNotKnown) {
+  const Toolpath path = path_of(
+      "GOTO/0,0,9\nCYCLE/INIT\nGOTO/0,0,8\nCYCLE/DRILL,5\nGOTO/0,0,1\nGOTO/5,0,1\nCYCLE/OFF\nGOTO/9,0,9\nGOTO/9,9,9\n");
+  EXPECT_EQ(kinds(path), (Kinds{MoveKind::feed, MoveKind::feed, MoveKind::cycle, MoveKind::cycle, MoveKind::feed,
+                                MoveKind::feed}));
+  EXPECT_EQ(path.moves[2].not_checked_reason, "drilling cycles are not checked yet");
+  EXPECT_FALSE(path.moves[4].start);
+  EXPECT_EQ(path.moves[4].not_checked_reason, "starts at an unknown retract height after a drilling cycle");
+  EXPECT_TRUE(path.moves[5].start);
+  EXPECT_TRUE(path.moves[5].not_checked_reason.empty());
+}
+
+TEST(ReadApt, FramesThatAreNotAppliedAreToldAtEachMove) {
+  const Toolpath path = path_of(
+      "CSI_TOOL_PATH/A\nMCS/1,0,0,$\n0,1,0,$\n0,0,1,$\n0,0,0\nGOTO/1,1,1\nMCS/1,0,0,0,1,0,0,0,1,5,0,0\nGOTO/1,1,2\n"
+      "MCS/1,0,0,0,1,0,0,0,1,0,0,0\nGOTO/1,1,3\nGOTO/1,1,4\nEND\n");
+  EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
+  EXPECT_EQ(path.moves[1].not_checked_reason, "positions are in a coordinate system (MCS) that is not applied");
+  EXPECT_FALSE(path.moves[2].not_checked_reason.empty()) << "its start is in that system";
+  EXPECT_TRUE(path.moves[3].not_checked_reason.empty());
+}
+
+TEST(ReadApt, SolidWorksCsysIsNotAppliedAndNoReasonToStop) {
+  const Toolpath path = path_of("UNIT/MM\nTRNTYP/WORLD,0,0,0\nCSYS/0,-1.,0,0,1.,0,0,0,0,0,1.,0\nGOTO/1,2,3\nFINI\n");
+  EXPECT_EQ(path.dialect, "apt-solidworks-cam");
+  EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
+}
+
+TEST(ReadApt, UnknownWordsAreCountedAndTold) {
+  const Toolpath path = path_of("FOO/1\nfoo/2\nBAR\nSPINDL/500,RPM\nGOTO/1,2,3\n");
+  EXPECT_EQ(path.words_not_understood, (std::map<std::string, std::size_t>{{"BAR", 1}, {"FOO", 2}}));
+  EXPECT_EQ(path.notes.front().code, "path-words");
+}
+
+TEST(ReadApt, AnAxisSlightlyOffIsMadeUnitAndTold) {
+  const Toolpath path = path_of("GOTO/1,2,3,0,0,1.0005\nGOTO/1,2,4,0,0,1\n");
+  EXPECT_DOUBLE_EQ(path.moves[0].end.axis.norm(), 1);
+  EXPECT_EQ(path.notes.front().message, "1 tool axes were not of length 1 (worst 1.0005) and were made so");
+}
+
+TEST(ReadApt, NamesInLatin1BecomeUtf8) {
+  const Toolpath path = path_of("$$ CATIA APT VERSION 1.0\n$$ OPERATION NAME : Per\xe7" "age\nGOTO/1,2,3\nEND\n");
+  EXPECT_EQ(path.operations.at(0).name, "Per\xc3\xa7" "age");
+}
+
+TEST(ReadApt, PprintNamesAnOperationWhereNothingElseDoes) {
+  const Toolpath path = path_of("PPRINT/'1001'\nPPRINT/'ROUGH, 1'\nGOTO/1,2,3\nPPRINT/'FINISH'\nGOTO/1,2,4\n");
+  ASSERT_EQ(path.operations.size(), 2u);
+  EXPECT_EQ(path.operations[0].name, "ROUGH, 1");
+  EXPECT_EQ(path.moves[1].operation, 1u);
+}
+
+constexpr const char* kBlock =
+    "TOOL PATH/ROUGH,TOOL,BALL\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\n"
+    "MSYS/100.0,0.0,0.0,0.0,1.0,0.0,1.0,0.0,0.0\nGOTO/1.0,2.0,3.0,0.0,0.0,-1.0\nGOTO/1.0,2.0,4.0\nEND-OF-PATH\n";
+
+TEST(ReadClsf, TheAxisIsModalAndTheFrameIsApplied) {
+  const Toolpath path = path_of(kBlock);
+  EXPECT_EQ(path.dialect, "nx-clsf");
+  ASSERT_EQ(path.moves.size(), 2u);
+  expect_vector(path.moves[0].end.tip, 102, 1, -3);
+  expect_vector(path.moves[1].end.tip, 102, 1, -4);
+  expect_vector(path.moves[1].end.axis, 0, 0, 1);
+  EXPECT_TRUE(path.moves[1].start);
+  EXPECT_EQ(path.operations.at(0).name, "ROUGH");
+  EXPECT_EQ(path.tools.at(0).name, "BALL");
+  EXPECT_DOUBLE_EQ(path.tools.at(0).cutter->r_mm, 5);
+}
+
+TEST(ReadClsf, NothingPassesFromOneBlockToTheNext) {
+  const Toolpath path = path_of(std::string(kBlock) + "TOOL PATH/FINISH,TOOL,FLAT\nTLDATA/MILL,6.0,0.0,75.0,0.0,0.0\n"
+                                                      "GOTO/1.0,2.0,3.0\nEND-OF-PATH\n");
+  ASSERT_EQ(path.moves.size(), 3u);
+  EXPECT_FALSE(path.moves[2].start);
+  expect_vector(path.moves[2].end.tip, 1, 2, 3);
+  expect_vector(path.moves[2].end.axis, 0, 0, 1);
+  EXPECT_EQ(path.moves[2].tool, 1u);
+}
+
+TEST(ReadClsf, ACurveIsOneMoveToItsLastControlPoint) {
+  const Toolpath path = path_of(
+      "TOOL PATH/A,TOOL,B\nGOTO/0.0,0.0,0.0\nNURBS/\nKNOT/0.5,1.0\nCNTRL/1.0,0.0,0.0\nCNTRL/2.0,0.0,0.0\nGOTO/3.0,0.0,0.0\n"
+      "NURBS/\nKNOT/1.0\nCNTRL/4.0,0.0,0.0\nEND-OF-PATH\n");
+  ASSERT_EQ(path.moves.size(), 4u);
+  EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
+  EXPECT_EQ(path.moves[1].line, 3u);
+  EXPECT_EQ(path.moves[1].not_checked_reason, "NURBS curves are not checked yet");
+  expect_vector(path.moves[1].end.tip, 2, 0, 0);
+  expect_vector(path.moves[2].start->tip, 2, 0, 0);
+  expect_vector(path.moves[3].end.tip, 4, 0, 0);
+}
+
+TEST(ReadClsf, TheToolNumberOfABlockDoesNotStickToTheNextTool) {
+  const Toolpath path = path_of(
+      "TOOL PATH/A,TOOL,B\nTLDATA/MILL,6.0,0.0,75.0,0.0,0.0\nLOAD/TOOL,2,ADJUST,2 \nGOTO/0.0,0.0,0.0\nEND-OF-PATH\n"
+      "TOOL PATH/C,TOOL,D\nTLDATA/MILL,8.0,0.0,75.0,0.0,0.0\nGOTO/0.0,0.0,0.0\nEND-OF-PATH\n");
+  EXPECT_EQ(path.tools.at(0).number, 2);
+  EXPECT_FALSE(path.tools.at(1).number);
+}
+
+}  // namespace
+}  // namespace gouge
