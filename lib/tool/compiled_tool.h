@@ -43,13 +43,18 @@ struct BoundaryElement {
   Vec2 b = Vec2::Zero();   ///< end on the contour
   Vec2 center = Vec2::Zero();  ///< arcs: centre of the circle
   double radius_mm = 0;        ///< arcs: its radius
-  Vec2 normal = Vec2::Zero();  ///< segment: outward unit normal; vertex: outward mean direction; arc: unused
+  /// Segment: outward unit normal. Vertex: outward mean direction. Arc: unit direction from the centre to the
+  /// middle of the arc. What a query gets where the gradient is undefined (on a vertex, at a centre).
+  Vec2 normal = Vec2::Zero();
   SupportRange support;
 };
 
-/// A node of the BSP; leaves name the nearest element, inner nodes a curve f(r, z) =
-/// c[0] + c[1] r + c[2] z + c[3] r^2 + c[4] r z + c[5] z^2 whose sign picks the child.
+/// A node of the BSP; leaves name the nearest element, inner nodes a curve whose sign picks the child:
+/// f = c[0] + c[1] x + c[2] y + c[3] x^2 + c[4] x y + c[5] y^2 with (x, y) = (r, z) - origin.
+/// The origin lies on the curve's own features (focus, centre), so that f keeps its digits near a short edge
+/// of a long tool.
 struct BspNode {
+  Vec2 origin = Vec2::Zero();
   double c[6] = {0, 0, 0, 0, 0, 0};
   std::int32_t negative = -1;  ///< child where f < 0: >= 0 a node, else ~element
   std::int32_t positive = -1;  ///< child where f >= 0

@@ -1,0 +1,91 @@
+#include "lib/tool/evaluate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gouge {
+namespace {
+
+double node_value(const BspNode& node, double r, double z) {
+  const double x = r - node.origin.x();
+  const double y = z - node.origin.y();
+  return node.c[0] + x * (node.c[1] + node.c[3] * x + node.c[4] * y) + y * (node.c[2] + node.c[5] * y);
+}
+
+ToolAnswer from_segment(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
+  const double distance = e.normal.dot(q - e.a);
+  return {distance, index, q - distance * e.normal, e.normal};
+}
+
+ToolAnswer from_vertex(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
+  const Vec2 away = q - e.a;
+  const double distance = std::sqrt(away.squaredNorm());
+  const double sign = e.is_reflex ? -1.0 : 1.0;
+  const Vec2 normal = distance > 0 ? Vec2(away * (sign / distance)) : e.normal;
+  return {sign * distance, index, e.a, normal};
+}
+
+ToolAnswer from_arc(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
+  const Vec2 away = q - e.center;
+  const double distance = std::sqrt(away.squaredNorm());
+  const double sign = e.is_reflex ? -1.0 : 1.0;
+  const Vec2 direction = distance > 0 ? Vec2(away / distance) : e.normal;
+  return {sign * (distance - e.radius_mm), index, e.center + e.radius_mm * direction, sign * direction};
+}
+
+ToolAnswer answer(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
+  if (e.kind == ElementKind::segment) return from_segment(e, index, q);
+  return e.kind == ElementKind::vertex ? from_vertex(e, index, q) : from_arc(e, index, q);
+}
+
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+// Whether the foot on the element's line or circle lies on the element itself; beyond the ends a vertex or the
+// neighbour is at least as near.
+bool has_foot(const BoundaryElement& e, const Vec2& q, double slack) {
+  if (e.kind == ElementKind::vertex) return true;
+  if (e.kind == ElementKind::segment) {
+    const Vec2 along = e.b - e.a;
+    const double reach = slack * std::sqrt(along.squaredNorm());
+    return along.dot(q - e.a) >= -reach && along.dot(q - e.b) <= reach;
+  }
+  const double turn = e.is_reflex ? -1.0 : 1.0;
+  const Vec2 away = q - e.center;
+  return turn * cross(e.a - e.center, away) >= -slack * e.radius_mm &&
+         turn * cross(away, e.b - e.center) >= -slack * e.radius_mm;
+}
+
+}  // namespace
+
+ToolAnswer evaluate(const CompiledTool& tool, double r_mm, double z_mm) {
+  std::int32_t at = tool.nodes.empty() ? ~std::int32_t{0} : 0;
+  while (at >= 0) {
+    const BspNode& node = tool.nodes[static_cast<std::size_t>(at)];
+    at = node_value(node, r_mm, z_mm) < 0 ? node.negative : node.positive;
+  }
+  const auto element = static_cast<std::uint32_t>(~at);
+  return answer(tool.elements[element], element, Vec2(r_mm, z_mm));
+}
+
+ToolAnswer evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm, double z_mm) {
+  return answer(tool.elements[element], element, Vec2(r_mm, z_mm));
+}
+
+ToolAnswer evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_mm) {
+  const Vec2 q(r_mm, z_mm);
+  const double reach = std::max({tool.r_max_mm, std::abs(tool.z_min_mm), std::abs(tool.z_max_mm)});
+  const double slack = 2e-15 * (reach + std::abs(r_mm) + std::abs(z_mm));
+  ToolAnswer best;
+  best.signed_distance_mm = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = 0; i < tool.elements.size(); ++i) {
+    if (!has_foot(tool.elements[i], q, slack)) continue;
+    const ToolAnswer here = answer(tool.elements[i], i, q);
+    const double gain = std::abs(best.signed_distance_mm) - std::abs(here.signed_distance_mm);
+    // At an equal distance the vertex knows the side, which a line continued past its end does not.
+    if (gain > 0 || (!(gain < 0) && tool.elements[i].kind == ElementKind::vertex)) best = here;
+  }
+  return best;
+}
+
+}  // namespace gouge

@@ -1,0 +1,93 @@
+#include "toolmodels/compile_tool.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lib/tool/evaluate.h"
+#include "toolmodels/bsp.h"
+#include "toolmodels/elements.h"
+#include "toolmodels/envelope.h"
+
+namespace gouge {
+namespace {
+
+void set_extent(CompiledTool& tool) {
+  tool.z_min_mm = tool.z_max_mm = tool.elements.front().a.y();
+  for (const BoundaryElement& e : tool.elements) {
+    tool.z_min_mm = std::min({tool.z_min_mm, e.a.y(), e.b.y()});
+    tool.z_max_mm = std::max({tool.z_max_mm, e.a.y(), e.b.y()});
+    tool.r_max_mm = std::max({tool.r_max_mm, e.a.x(), e.b.x()});
+    const bool has_equator = e.kind == ElementKind::arc && !e.is_reflex &&
+                             (e.a.y() - e.center.y()) * (e.b.y() - e.center.y()) < 0;
+    if (has_equator) tool.r_max_mm = std::max(tool.r_max_mm, e.center.x() + e.radius_mm);
+  }
+}
+
+double depth_on_axis(const CompiledTool& tool, double z) {
+  return -evaluate(tool, 0, z).signed_distance_mm;
+}
+
+// Deepest of evenly spaced points, then halving the spacing around it: the depth is 1-Lipschitz, so the result
+// is within one spacing of the best depth, and in practice at it.
+void set_core(CompiledTool& tool) {
+  double low = tool.z_max_mm, high = tool.z_min_mm;
+  for (const BoundaryElement& e : tool.elements) {
+    if (e.body != Body::cutter) continue;
+    low = std::min({low, e.a.y(), e.b.y()});
+    high = std::max({high, e.a.y(), e.b.y()});
+  }
+  if (low >= high) std::swap(low, high);
+  constexpr int kSamples = 512;
+  double step = (high - low) / kSamples;
+  double best = 0.5 * (low + high);
+  for (int i = 1; i < kSamples; ++i) {
+    const double z = low + i * step;
+    if (depth_on_axis(tool, z) > depth_on_axis(tool, best)) best = z;
+  }
+  for (; step > 1e-12 * (high - low); step /= 2)
+    for (const double z : {best - step, best + step})
+      if (z > low && z < high && depth_on_axis(tool, z) > depth_on_axis(tool, best)) best = z;
+  tool.core = Vec2(0, best);
+  tool.core_depth_mm = depth_on_axis(tool, best);
+}
+
+}  // namespace
+
+CompiledTool compile_tool(const std::string& name, const Profile& profile) {
+  CompiledTool tool;
+  tool.name = name;
+  tool.elements = make_elements(profile);
+  if (tool.elements.empty()) return tool;
+  set_support_ranges(profile, tool.elements);
+  tool.nodes = build_bsp(tool.elements);
+  set_extent(tool);
+  set_core(tool);
+  return tool;
+}
+
+Result<ToolForms> make_tool_forms(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
+                                  double holder_clearance_mm) {
+  const Result<BodyProfiles> bodies = make_body_profiles(tool);
+  if (!bodies) return bodies.error();
+  const auto& [cutter, shank, holder] = *bodies;
+  const Profile none;
+  const auto compiled = [&](const std::vector<GrownBody>& grown) {
+    return compile_tool(label(tool), unite(grown));
+  };
+  const GrownBody grown_shank{&shank, shank_clearance_mm};
+  const GrownBody grown_holder{&holder, holder_clearance_mm};
+  const bool has_growth = shank_clearance_mm > 0 || holder_clearance_mm > 0;
+  ToolForms forms;
+  forms.bare = compiled({{&cutter, 0}, {&shank, 0}, {&holder, 0}});
+  forms.against_fixture = has_growth ? compiled({{&cutter, 0}, grown_shank, grown_holder}) : forms.bare;
+  forms.against_part = stock_to_leave_mm > 0
+                           ? compiled({{&cutter, stock_to_leave_mm}, grown_shank, grown_holder})
+                           : forms.against_fixture;
+  forms.with_clearance = compiled({{shank_clearance_mm > 0 ? &shank : &none, shank_clearance_mm},
+                                   {holder_clearance_mm > 0 ? &holder : &none, holder_clearance_mm}});
+  forms.non_cutting = compiled({grown_shank, grown_holder});
+  return forms;
+}
+
+}  // namespace gouge

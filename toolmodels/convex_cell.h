@@ -1,0 +1,47 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/geom/vec.h"
+
+// A convex, possibly unbounded cell of the half plane. Corners are homogeneous: (x, y, 1) is a point,
+// (x, y, 0) with unit length a direction in which the cell goes on for ever.
+
+namespace gouge::detail {
+
+/// value(q) = direction . (q - through), direction of unit length.
+struct DirectedLine {
+  Vec2 through = Vec2::Zero();
+  Vec2 direction = Vec2::Zero();
+
+  [[nodiscard]] double at(const Vec2& q) const { return direction.dot(q - through); }
+};
+
+struct CellSides {
+  bool has_negative = false, has_positive = false;  ///< by more than the slack
+};
+
+class ConvexCell {
+ public:
+  /// The half plane r >= 0. `size_mm` is the length that slacks and samples refer to.
+  explicit ConvexCell(double size_mm);
+
+  [[nodiscard]] const std::vector<Vec3>& corners() const { return corners_; }
+  [[nodiscard]] bool is_bounded() const;
+  [[nodiscard]] CellSides sides(const DirectedLine& line) const;
+  /// The part on the negative (sign < 0) or positive side.
+  [[nodiscard]] ConvexCell clipped(const DirectedLine& line, int sign) const;
+  /// Points of the cell: finite corners, and their mean moved along the directions.
+  [[nodiscard]] std::vector<Vec2> samples() const;
+  [[nodiscard]] double area_within(const Vec2& low, const Vec2& high) const;
+  /// Rounding allowed at a corner: grows with its distance from the tool.
+  [[nodiscard]] double slack_at(const Vec3& corner) const;
+
+ private:
+  void close_parallel(const DirectedLine& line);
+
+  std::vector<Vec3> corners_;
+  double size_mm_ = 1;
+};
+
+}  // namespace gouge::detail

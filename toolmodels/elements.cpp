@@ -1,0 +1,81 @@
+#include "toolmodels/elements.h"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+namespace gouge {
+namespace {
+
+// A turn below this is rounding: the wedge it leaves to no element changes no distance by 1e-12 of the size.
+constexpr double kSmoothTurn = 1e-7;
+constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
+
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+BoundaryElement boundary(const ProfileElement& e) {
+  BoundaryElement element;
+  element.kind = e.is_arc ? ElementKind::arc : ElementKind::segment;
+  element.body = e.body;
+  element.is_reflex = e.is_arc && e.is_concave;
+  element.a = e.a;
+  element.b = e.b;
+  element.center = e.center;
+  element.radius_mm = e.radius_mm;
+  element.normal = e.is_arc ? Vec2(sample(e, 2)[1] - e.center).normalized() : outward_normal(start_direction(e));
+  return element;
+}
+
+std::optional<BoundaryElement> vertex(const Vec2& at, const Vec2& before, const Vec2& after, Body body) {
+  const double turn = cross(before, after);
+  if (std::abs(turn) <= kSmoothTurn && before.dot(after) > 0) return std::nullopt;
+  BoundaryElement element;
+  element.kind = ElementKind::vertex;
+  element.body = body;
+  element.is_reflex = turn < 0;
+  element.a = element.b = at;
+  const Vec2 mean = outward_normal(before) + outward_normal(after);
+  element.normal = mean.norm() > 1e-9 ? Vec2(mean.normalized()) : before;
+  return element;
+}
+
+std::vector<ProfileElement> without_long_arcs(const Profile& profile) {
+  std::vector<ProfileElement> parts;
+  for (const ProfileElement& e : profile.elements) {
+    const int pieces = 1 + static_cast<int>(sweep_rad(e) / kLargestSweep_rad);
+    const std::vector<Vec2> points = sample(e, pieces);
+    for (int i = 0; i < pieces; ++i) {
+      parts.push_back(e);
+      if (pieces == 1) continue;
+      parts.back().a = points[static_cast<std::size_t>(i)];
+      parts.back().b = points[static_cast<std::size_t>(i) + 1];
+    }
+  }
+  return parts;
+}
+
+Vec2 mirrored_travel(const Vec2& direction) { return {direction.x(), -direction.y()}; }
+
+}  // namespace
+
+std::vector<BoundaryElement> make_elements(const Profile& profile) {
+  std::vector<BoundaryElement> elements;
+  const std::vector<ProfileElement> parts = without_long_arcs(profile);
+  if (parts.empty()) return elements;
+  const auto add = [&](const std::optional<BoundaryElement>& e) {
+    if (e) elements.push_back(*e);
+  };
+  const Vec2 first = start_direction(parts.front());
+  add(vertex(parts.front().a, mirrored_travel(first), first, parts.front().body));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    elements.push_back(boundary(parts[i]));
+    if (i + 1 == parts.size()) break;
+    // Between two bodies the lower one names the vertex.
+    add(vertex(parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body));
+  }
+  const Vec2 last = end_direction(parts.back());
+  add(vertex(parts.back().b, last, mirrored_travel(last), parts.back().body));
+  return elements;
+}
+
+}  // namespace gouge

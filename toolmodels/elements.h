@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/tool/compiled_tool.h"
+#include "toolmodels/profile.h"
+
+namespace gouge {
+
+/// The boundary elements of a contour in order: its segments and arcs, and a vertex at every joint where the
+/// direction turns, on the axis also where the mirrored contour would. Arcs of 150 degrees and more are halved.
+/// Support ranges are left empty.
+[[nodiscard]] std::vector<BoundaryElement> make_elements(const Profile& profile);
+
+/// Fills in the support ranges by the contract of SupportRange (lib/tool/compiled_tool.h).
+///
+/// Requires  elements as make_elements gives them, of a closed profile.
+/// Ensures   a profile that is not single-valued claims nothing.
+/// Source    own, docs/algorithms/tool_voronoi.md
+void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& elements);
+
+}  // namespace gouge

@@ -1,0 +1,149 @@
+#include <algorithm>
+#include <cmath>
+
+#include "toolmodels/elements.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kEndless = 1e300;
+constexpr double kSlack = 1e-12;           // of the size
+constexpr double kHorizontal = 1e-9;       // |n.r| below this: the plane is horizontal
+constexpr double kNearlyHorizontal = 1e-6; // below this a foot may be answered with a horizontal plane
+
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+
+// The tangent planes of one element: all have a normal between n0 and n1 and touch the circle about `center`
+// (radius 0 for a vertex, and for a segment, whose two normals are one).
+struct Planes {
+  Vec2 n0, n1, center;
+  double radius_mm;
+
+  // Largest height of p above any of the planes; convex in p.
+  [[nodiscard]] double reach(const Vec2& p) const {
+    const Vec2 away = p - center;
+    const bool is_between = cross(n0, away) > 0 && cross(away, n1) > 0;
+    return (is_between ? away.norm() : std::max(n0.dot(away), n1.dot(away))) - radius_mm;
+  }
+};
+
+class Support {
+ public:
+  Support(const Profile& profile, std::vector<BoundaryElement>& elements)
+      : elements_(elements), slack_(kSlack * size_of(profile)) {}
+
+  void set_all() {
+    for (std::size_t i = 0; i < elements_.size(); ++i)
+      if (!elements_[i].is_reflex) elements_[i].support = range(i);
+  }
+
+ private:
+  Planes planes(std::size_t i) const {
+    const BoundaryElement& e = elements_[i];
+    if (e.kind == ElementKind::segment) return {e.normal, e.normal, e.a, 0};
+    if (e.kind == ElementKind::arc)
+      return {(e.a - e.center).normalized(), (e.b - e.center).normalized(), e.center, e.radius_mm};
+    const Vec2 n0 = i > 0 ? normal_at_end(elements_[i - 1]) : Vec2(0, -1);
+    const Vec2 n1 = i + 1 < elements_.size() ? normal_at_start(elements_[i + 1]) : Vec2(0, 1);
+    return {n0, n1, e.a, 0};
+  }
+
+  static Vec2 normal_at(const BoundaryElement& e, const Vec2& point) {
+    if (e.kind == ElementKind::segment) return e.normal;
+    const Vec2 out = (point - e.center).normalized();
+    return e.is_reflex ? Vec2(-out) : out;
+  }
+  static Vec2 normal_at_start(const BoundaryElement& e) { return normal_at(e, e.a); }
+  static Vec2 normal_at_end(const BoundaryElement& e) { return normal_at(e, e.b); }
+
+  // Whether the whole element stays behind every one of the planes.
+  bool is_behind(const BoundaryElement& e, const Planes& planes) const {
+    if (e.kind == ElementKind::arc && !e.is_reflex)
+      return planes.reach(e.center) + e.radius_mm <= slack_ ||
+             (is_flatter(e, planes) && planes.reach(e.a) <= slack_ && planes.reach(e.b) <= slack_);
+    return planes.reach(e.a) <= slack_ && planes.reach(e.b) <= slack_;
+  }
+
+  // An arc none of whose normals is among those of the planes is highest at one of its ends.
+  static bool is_flatter(const BoundaryElement& arc, const Planes& planes) {
+    const Vec2 u = arc.a - arc.center;
+    const Vec2 v = arc.b - arc.center;
+    return cross(planes.n1, u) >= 0 || cross(v, planes.n0) >= 0;
+  }
+
+  SupportRange range(std::size_t i) const {
+    const Planes own = planes(i);
+    if (own.n0.x() < kHorizontal && own.n1.x() < kHorizontal && own.n0.dot(own.n1) > 0)
+      return own.n0.y() < 0 ? below_step(i) : above_step(i);
+    SupportRange claim{-kEndless, kEndless, 0};
+    for (std::size_t j = i; j-- > 0;)
+      if (!is_behind(elements_[j], own)) {
+        claim.z_lo_mm = elements_[j].b.y();
+        break;
+      }
+    for (std::size_t j = i + 1; j < elements_.size(); ++j)
+      if (!is_behind(elements_[j], own)) {
+        claim.z_hi_mm = elements_[j].a.y();
+        break;
+      }
+    if (own.n0.x() < kNearlyHorizontal && own.n0.y() < 0) claim.r_min_mm = radius_below(i);
+    if (own.n1.x() < kNearlyHorizontal && own.n1.y() > 0)
+      claim.r_min_mm = std::max(claim.r_min_mm, radius_above(i));
+    return claim;
+  }
+
+  // Radius of the solid just below the height at which element i begins: 0 when nothing is below.
+  double radius_below(std::size_t i) const {
+    const double z = elements_[i].a.y();
+    for (std::size_t j = i; j-- > 0;)
+      if (elements_[j].a.y() < z - slack_) return elements_[j].b.x();
+    return 0;
+  }
+  double radius_above(std::size_t i) const {
+    const double z = elements_[i].b.y();
+    for (std::size_t j = i + 1; j < elements_.size(); ++j)
+      if (elements_[j].b.y() > z + slack_) return elements_[j].a.x();
+    return 0;
+  }
+
+  static double widest(const BoundaryElement& e) {
+    const double ends = std::max(e.a.x(), e.b.x());
+    if (e.kind != ElementKind::arc || e.is_reflex) return ends;
+    const bool has_equator = e.a.y() < e.center.y() && e.center.y() < e.b.y();
+    return has_equator ? e.center.x() + e.radius_mm : ends;
+  }
+
+  // A horizontal face looking down: outside the radius below it a point above it may leave through it, and a
+  // point below it is free as long as nothing down there is wider.
+  SupportRange below_step(std::size_t i) const {
+    SupportRange claim{-kEndless, kEndless, radius_below(i)};
+    const double z = elements_[i].a.y();
+    for (std::size_t j = i; j-- > 0;)
+      if (elements_[j].a.y() < z - slack_ && widest(elements_[j]) > claim.r_min_mm + slack_) {
+        claim.z_lo_mm = elements_[j].b.y();
+        break;
+      }
+    return claim;
+  }
+  SupportRange above_step(std::size_t i) const {
+    SupportRange claim{-kEndless, kEndless, radius_above(i)};
+    const double z = elements_[i].b.y();
+    for (std::size_t j = i + 1; j < elements_.size(); ++j)
+      if (elements_[j].b.y() > z + slack_ && widest(elements_[j]) > claim.r_min_mm + slack_) {
+        claim.z_hi_mm = elements_[j].a.y();
+        break;
+      }
+    return claim;
+  }
+
+  std::vector<BoundaryElement>& elements_;
+  double slack_;
+};
+
+}  // namespace
+
+void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& elements) {
+  if (is_single_valued(profile)) Support(profile, elements).set_all();
+}
+
+}  // namespace gouge
