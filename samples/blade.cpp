@@ -56,7 +56,6 @@ Solid make_part() {
 struct Position {
   Pose pose;
   double depth = 0;
-  bool is_on_flank = false;
 };
 
 Position position(double u, double z, double push) {
@@ -66,30 +65,34 @@ Position position(double u, double z, double push) {
   p.pose.axis = (0.5 * outward + std::sqrt(0.75) * Vec3::UnitZ()).normalized();
   p.pose.tip = surface(u, z) + (kBall + kAllowance - push) * n - kBall * p.pose.axis;
   p.depth = push - kAllowance;
-  p.is_on_flank = std::abs(std::sin(u)) > 0.95;
   return p;
 }
 
-/// The spiral; steps are 1.5 mm long, or shorter where the normal turns by more than 0.08.
+/// How far u may go from here: 1.5 mm, or less where the normal turns by more than 0.08.
+double step_at(double u) {
+  const double c = std::cos(u), s = std::sin(u);
+  const double length = std::sqrt(kA * kA * s * s + kB * kB * c * c);
+  const double turn = kA * kB / (kB * kB * c * c + kA * kA * s * s);
+  return std::min(1.5 / length, 0.08 / turn);
+}
+
 std::vector<Position> make_spiral() {
   std::vector<Position> spiral;
   int pushed_in_first = 0, pushed_in_second = 0;
   double u = 0, z = 56;
   while (z > 6) {
-    const double c = std::cos(u), s = std::sin(u);
-    const double length = std::sqrt(kA * kA * s * s + kB * kB * c * c);
-    const double turn = kA * kB / (kB * kB * c * c + kA * kA * s * s);
-    const bool on_flank = std::abs(s) > 0.95;
+    const bool is_on_flank = std::abs(std::sin(u)) > 0.95;
     double push = 0;
-    if (on_flank && spiral.size() > 400 && pushed_in_first < 4) {
+    if (is_on_flank && spiral.size() > 400 && pushed_in_first < 4) {
       push = 0.1;
       ++pushed_in_first;
-    } else if (on_flank && spiral.size() > 900 && pushed_in_second < 1) {
+    } else if (is_on_flank && spiral.size() > 900 && pushed_in_second < 1) {
       push = 0.25;
       ++pushed_in_second;
     }
     spiral.push_back(position(u, z, push));
-    const double step = std::min(1.5 / length, 0.08 / turn);
+    // The edges are sharp: the step must suit where it ends as well as where it begins.
+    const double step = std::min(step_at(u), step_at(u + step_at(u)));
     u += step;
     z -= 4 * step / kTurn;
   }
