@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kErrorsListed = 20;
 constexpr std::size_t kUnknownWordsListed = 200;
-constexpr std::size_t kLongestSymbol = 32;
+constexpr std::size_t kLongestSymbol = 12;  // six to eight letters and a subscript
 constexpr const char* kOtherWords = "(other words)";
 
 std::string unknown_word(std::string_view major) {
@@ -24,6 +24,10 @@ std::string unknown_word(std::string_view major) {
     word += !is_plain ? '?' : letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
   }
   return word;
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 // "PL1=PLANE", "TP(1) =POINT", "D=.5": a symbol of the APT source language is being given a value.
@@ -122,7 +126,7 @@ bool Interpreter::take_motion_word() {
     case Word::multax: take_multax(); return true;
     case Word::retrct: unknown_start_ = Reasons::kAfterRetract; return true;
     case Word::cutcom:
-      if (cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
+      if (!has_argument(arguments_, "OFF") && cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
       return true;
     default: return false;
   }
@@ -203,21 +207,21 @@ void Interpreter::finish() {
   Diagnostics& notes = path_.notes;
   if (renormalised_ > 0) {
     notes.push_back(make_note("path-axis-length",
-                              std::to_string(renormalised_) + " tool axes were not of length 1 (worst " +
-                                  exact_text(worst_axis_length_) + ") and were made so",
+                              counted(renormalised_, "tool axis vector") + " not of length 1 (worst " +
+                                  exact_text(worst_axis_length_) + ") made so",
                               path_.file));
   }
   if (cutcoms_ > 0) {
     notes.push_back(make_warning("path-cutcom",
-                                 std::to_string(cutcoms_) + " CUTCOM statements: positions are taken as those of the "
-                                                            "cutter centre, as if no compensation were dialled in",
+                                 counted(cutcoms_, "CUTCOM statement") + " on: positions are "
+                                     "taken as those of the cutter centre, with none dialled in",
                                  path_.file, first_cutcom_line_));
   }
   if (plain_after_tilt_ > 0) {
     notes.push_back(make_warning("path-plain-axis",
-                                 std::to_string(plain_after_tilt_) +
-                                     " positions of 3 numbers follow one with a tilted axis: they are taken as +Z or "
-                                     "TLAXIS, not as the axis before them",
+                                 counted(plain_after_tilt_, "position") +
+                                     " of 3 numbers after one with a tilted axis: taken as +Z or TLAXIS, not as the "
+                                     "axis before",
                                  path_.file, first_plain_after_tilt_));
   }
   const bool is_marked = dialect_.kind != DialectKind::apt && dialect_.kind != DialectKind::nx_clsf;
@@ -232,8 +236,8 @@ void Interpreter::finish() {
     std::size_t count = 0;
     for (const auto& entry : path_.words_not_understood) count += entry.second;
     notes.push_back(make_warning("path-words",
-                                 std::to_string(count) + " statements begin with words that are not understood; they "
-                                                         "are taken to move nothing (see path info)",
+                                 counted(count, "statement") + " with words that are not understood, taken to move "
+                                                             "nothing; path info lists them",
                                  path_.file));
   }
 }

@@ -166,6 +166,15 @@ TEST(ReadApt, SolidWorksCsysIsNotAppliedAndNoReasonToStop) {
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
 }
 
+TEST(ReadApt, CompensationIsToldOnlyWhereItIsSwitchedOn) {
+  EXPECT_EQ(path_of("CUTCOM/OFF\nFEDRAT/1,MMPM\nGOTO/1,2,3\n").notes.size(), 1u);
+  const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\nCUTCOM/LEFT\nGOTO/1,2,4\nCUTCOM/OFF\n");
+  ASSERT_EQ(path.notes.size(), 1u);
+  EXPECT_EQ(to_text(path.notes[0]),
+            "test.apt:3: warning: 1 CUTCOM statement on: positions are taken as those of the "
+            "cutter centre, with none dialled in [path-cutcom]");
+}
+
 TEST(ReadApt, UnknownWordsAreCountedAndTold) {
   const Toolpath path = path_of("FOO/1\nfoo/2\nBAR\nSPINDL/500,RPM\nGOTO/1,2,3\n");
   EXPECT_EQ(path.words_not_understood, (std::map<std::string, std::size_t>{{"BAR", 1}, {"FOO", 2}}));
@@ -175,7 +184,7 @@ TEST(ReadApt, UnknownWordsAreCountedAndTold) {
 TEST(ReadApt, AnAxisSlightlyOffIsMadeUnitAndTold) {
   const Toolpath path = path_of("GOTO/1,2,3,0,0,1.0005\nGOTO/1,2,4,0,0,1\n");
   EXPECT_DOUBLE_EQ(path.moves[0].end.axis.norm(), 1);
-  EXPECT_EQ(path.notes.front().message, "1 tool axes were not of length 1 (worst 1.0005) and were made so");
+  EXPECT_EQ(path.notes.front().message, "1 tool axis vector not of length 1 (worst 1.0005) made so");
 }
 
 TEST(ReadApt, NamesInLatin1BecomeUtf8) {

@@ -70,7 +70,7 @@ const std::map<std::string, const char*> kRefused = {
     {"apt_source_programs/multax.apt", "path-part-program"}, {"apt_source_programs/pocket.apt", "path-part-program"},
     {"apt_source_programs/sample2.apt", "path-part-program"}, {"five_axis_part/subset_nccs.cl", "path-nccs-binary"},
     {"nccs_ncl/no_motion.cl", "path-nccs-binary"},            {"nccs_ncl/pmill_test1_4.cl", "path-nccs-binary"},
-    {"nx_clsf/aptwords.tbl", "path-no-motion"},
+    {"nx_clsf/aptwords.tbl", "path-count"},
 };
 
 TEST(RealPaths, AreReadWithTheCountsOfTheirSources) {

@@ -1,0 +1,176 @@
+#include "cli/path_info_text.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kLabelWidth = 22;
+constexpr int kShownDecimals = 4;
+
+std::string label(const std::string& text) {
+  return text + std::string(text.size() < kLabelWidth ? kLabelWidth - text.size() : 1, ' ');
+}
+
+std::string row(const std::string& name, const std::string& value) { return label(name) + value + "\n"; }
+
+// A number for people: at most four decimals, without zeros at the end.
+std::string shown(double value) {
+  std::string text = fixed_text(value, kShownDecimals);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
+std::string shown(const Vec3& point, double mm_per_unit) {
+  return shown(point.x() / mm_per_unit) + ", " + shown(point.y() / mm_per_unit) + ", " + shown(point.z() / mm_per_unit);
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+std::string tool_title(const PathTool& tool) {
+  return tool.number ? "T" + std::to_string(*tool.number) : std::string("unnumbered");
+}
+
+std::string cutter_text(const PathTool& tool, double mm_per_unit) {
+  if (!tool.cutter) return "cutter not given: it needs a tool library";
+  const CutterStatement& cutter = *tool.cutter;
+  std::string text = "D " + shown(cutter.d_mm / mm_per_unit) + "  R " + shown(cutter.r_mm / mm_per_unit);
+  const bool is_plain = std::max(cutter.alpha_deg, std::max(cutter.beta_deg, -cutter.beta_deg)) <= 0;
+  if (!is_plain) text += "  tip angle " + shown(cutter.alpha_deg) + "  flank angle " + shown(cutter.beta_deg);
+  if (cutter.h_mm > 0) text += "  length " + shown(cutter.h_mm / mm_per_unit);
+  if (tool.flute_length_mm > 0) text += "  flutes " + shown(tool.flute_length_mm / mm_per_unit);
+  return text;
+}
+
+std::string moves_text(const PathInfo& info) {
+  std::string text;
+  for (const MoveKind kind : {MoveKind::feed, MoveKind::rapid, MoveKind::arc, MoveKind::cycle}) {
+    const std::size_t count = info.moves_by_kind[static_cast<std::size_t>(kind)];
+    if (count == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + kind_name(kind);
+  }
+  return text;
+}
+
+std::string tools_text(const Toolpath& path, const PathInfo& info, double mm_per_unit) {
+  std::string text;
+  for (std::size_t i = 0; i < path.tools.size(); ++i) {
+    const PathTool& tool = path.tools[i];
+    text += row("tool " + tool_title(tool), cutter_text(tool, mm_per_unit) + "  (" +
+                                               counted(info.moves_of_tool[i], "move") + ", line " +
+                                               std::to_string(tool.line) + ")");
+    if (!tool.name.empty()) text += row("", tool.name);
+  }
+  if (info.moves_without_tool > 0) text += row("no tool named", counted(info.moves_without_tool, "move"));
+  for (std::size_t i = 0; i < path.operations.size(); ++i) {
+    const Operation& operation = path.operations[i];
+    text += row(i == 0 ? "operations" : "", (operation.name.empty() ? "(no name)" : operation.name) + "  (" +
+                                                counted(info.moves_of_operation[i], "move") + ", line " +
+                                                std::to_string(operation.line) + ")");
+  }
+  return text;
+}
+
+std::string doubts_text(const Toolpath& path, const PathInfo& info) {
+  std::size_t count = 0;
+  for (const auto& reason : info.not_checkable) count += reason.second;
+  std::string text = row("cannot be checked", count == 0 ? "none" : counted(count, "move"));
+  for (const auto& [reason, moves] : info.not_checkable) text += row("", std::to_string(moves) + ": " + reason);
+  if (path.words_not_understood.empty()) return text + row("words not understood", "none");
+  std::string words;
+  for (const auto& [word, times] : path.words_not_understood) {
+    words += (words.empty() ? "" : ", ") + word + " " + std::to_string(times);
+  }
+  return text + row("words not understood", words);
+}
+
+std::vector<double> numbers(const Vec3& point, double mm_per_unit) {
+  return {point.x() / mm_per_unit, point.y() / mm_per_unit, point.z() / mm_per_unit};
+}
+
+nlohmann::ordered_json tool_json(const PathTool& tool, std::size_t moves, double mm_per_unit) {
+  nlohmann::ordered_json json;
+  json["number"] = tool.number ? nlohmann::ordered_json(*tool.number) : nlohmann::ordered_json(nullptr);
+  json["name"] = tool.name;
+  json["line"] = tool.line;
+  json["moves"] = moves;
+  if (tool.flute_length_mm > 0) json["flute_length"] = tool.flute_length_mm / mm_per_unit;
+  if (!tool.cutter) return json;
+  const CutterStatement& cutter = *tool.cutter;
+  json["cutter"] = {{"d", cutter.d_mm / mm_per_unit}, {"r", cutter.r_mm / mm_per_unit},
+                    {"e", cutter.e_mm / mm_per_unit}, {"f", cutter.f_mm / mm_per_unit},
+                    {"alpha", cutter.alpha_deg},      {"beta", cutter.beta_deg},
+                    {"h", cutter.h_mm / mm_per_unit}};
+  return json;
+}
+
+}  // namespace
+
+std::string path_info_text(const Toolpath& path, const PathInfo& info) {
+  const double mm_per_unit = mm_per(path.unit);
+  const std::string unit = unit_name(path.unit);
+  std::string text = row("file", path.file);
+  text += row("dialect", path.dialect);
+  text += row("unit", unit + (path.is_unit_stated ? " (stated)" : " (not stated)"));
+  text += row("moves", std::to_string(path.moves.size()) + ": " + moves_text(info));
+  text += row("positions alone", std::to_string(info.alone) + " (nothing known leads to them)");
+  if (!info.box.isEmpty()) {
+    text += row("box from", shown(info.box.min(), mm_per_unit) + " " + unit);
+    text += row("box to", shown(info.box.max(), mm_per_unit) + " " + unit);
+  }
+  text += row("length", shown(info.feed_length_mm / mm_per_unit) + " " + unit + " feed, " +
+                            shown(info.rapid_length_mm / mm_per_unit) + " " + unit + " rapid");
+  text += row("orientations", std::to_string(info.orientations));
+  if (info.largest_turn_move != kNone) {
+    text += row("largest turn", shown(info.largest_turn_deg) + " degrees in move " + std::to_string(info.largest_turn_move) +
+                                    ", line " + std::to_string(path.moves[info.largest_turn_move].line));
+  }
+  return text + tools_text(path, info, mm_per_unit) + doubts_text(path, info);
+}
+
+std::string path_info_json(const Toolpath& path, const PathInfo& info) {
+  using nlohmann::ordered_json;
+  const double mm_per_unit = mm_per(path.unit);
+  ordered_json json;
+  json["file"] = path.file;
+  json["dialect"] = path.dialect;
+  json["unit"] = path.unit == LengthUnit::inch ? "inch" : "mm";
+  json["unit_stated"] = path.is_unit_stated;
+  json["moves"] = path.moves.size();
+  for (const MoveKind kind : {MoveKind::feed, MoveKind::rapid, MoveKind::arc, MoveKind::cycle}) {
+    json["moves_by_kind"][kind_name(kind)] = info.moves_by_kind[static_cast<std::size_t>(kind)];
+  }
+  json["positions_alone"] = info.alone;
+  if (!info.box.isEmpty()) {
+    json["box"] = {{"from", numbers(info.box.min(), mm_per_unit)}, {"to", numbers(info.box.max(), mm_per_unit)}};
+  }
+  json["feed_length"] = info.feed_length_mm / mm_per_unit;
+  json["rapid_length"] = info.rapid_length_mm / mm_per_unit;
+  json["orientations"] = info.orientations;
+  json["largest_turn_deg"] = info.largest_turn_deg;
+  if (info.largest_turn_move != kNone) json["largest_turn_line"] = path.moves[info.largest_turn_move].line;
+  json["tools"] = ordered_json::array();
+  for (std::size_t i = 0; i < path.tools.size(); ++i) {
+    json["tools"].push_back(tool_json(path.tools[i], info.moves_of_tool[i], mm_per_unit));
+  }
+  json["moves_without_tool"] = info.moves_without_tool;
+  json["operations"] = ordered_json::array();
+  for (std::size_t i = 0; i < path.operations.size(); ++i) {
+    json["operations"].push_back({{"name", path.operations[i].name},
+                                  {"line", path.operations[i].line},
+                                  {"moves", info.moves_of_operation[i]}});
+  }
+  json["not_checkable"] = ordered_json::object();
+  for (const auto& [reason, moves] : info.not_checkable) json["not_checkable"][reason] = moves;
+  json["words_not_understood"] = ordered_json::object();
+  for (const auto& [word, times] : path.words_not_understood) json["words_not_understood"][word] = times;
+  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace gouge
