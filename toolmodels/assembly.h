@@ -31,7 +31,8 @@ struct ToolAssembly {
 using BodyProfiles = std::array<Profile, 3>;
 
 /// Errors   those of make_cutter_profile, and for a segment tool-dimension-not-positive,
-///          tool-dimension-too-large; the message begins with the tool and the field ("tool T3 "slot": shank 2: ...").
+///          tool-dimension-too-large; the message begins with the tool and the field ("tool T3 "slot": shank
+///          2: ...").
 [[nodiscard]] Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool);
 
 /// The contour of the whole assembly without growth; faces between bodies vanish.

@@ -33,8 +33,8 @@ struct Cut {
   CutKind kind = CutKind::domain_line;
   DirectedLine line;
   BspNode node;
-  std::size_t index = 0;           // domain line, or element
-  Element first = 0, second = 0;   // bisector
+  std::size_t index = 0;          // domain line, or element
+  Element first = 0, second = 0;  // bisector
 };
 
 class Builder {
@@ -53,7 +53,8 @@ class Builder {
   }
 
   std::vector<BspNode> build() {
-    Region all{ConvexCell(size_), {}, std::vector<int>(domains_.lines.size()), std::vector<int>(elements_.size())};
+    Region all{
+        ConvexCell(size_), {}, std::vector<int>(domains_.lines.size()), std::vector<int>(elements_.size())};
     for (Element e = 0; e < elements_.size(); ++e) {
       all.candidates.push_back(e);
       if (elements_[e].kind == ElementKind::vertex) all.element_side[e] = elements_[e].is_reflex ? -1 : 1;
@@ -92,15 +93,13 @@ class Builder {
   }
 
   bool is_outside_domain(Element e, const Region& region) const {
-    return std::any_of(domains_.bounds[e].begin(), domains_.bounds[e].end(), [&](const detail::DomainBound& b) {
-      return region.line_side[b.line] == -b.sign;
-    });
+    return std::any_of(domains_.bounds[e].begin(), domains_.bounds[e].end(),
+                       [&](const detail::DomainBound& b) { return region.line_side[b.line] == -b.sign; });
   }
 
   bool is_inside_domain(Element e, const Region& region) const {
-    return std::all_of(domains_.bounds[e].begin(), domains_.bounds[e].end(), [&](const detail::DomainBound& b) {
-      return region.line_side[b.line] == b.sign;
-    });
+    return std::all_of(domains_.bounds[e].begin(), domains_.bounds[e].end(),
+                       [&](const detail::DomainBound& b) { return region.line_side[b.line] == b.sign; });
   }
 
   // |distance of a| <= |distance of b| all over the region, a being valid there.
@@ -166,7 +165,8 @@ class Builder {
     std::vector<std::size_t> seen;
     for (const Element e : region.candidates) {
       for (const detail::DomainBound& b : domains_.bounds[e]) {
-        if (region.line_side[b.line] != 0 || std::find(seen.begin(), seen.end(), b.line) != seen.end()) continue;
+        if (region.line_side[b.line] != 0 || std::find(seen.begin(), seen.end(), b.line) != seen.end())
+          continue;
         seen.push_back(b.line);
         const DirectedLine& line = domains_.lines[b.line];
         cuts.push_back({CutKind::domain_line, line, detail::straight_node(line), b.line, 0, 0});

@@ -18,8 +18,8 @@ void set_extent(CompiledTool& tool) {
     tool.z_min_mm = std::min({tool.z_min_mm, e.a.y(), e.b.y()});
     tool.z_max_mm = std::max({tool.z_max_mm, e.a.y(), e.b.y()});
     tool.r_max_mm = std::max({tool.r_max_mm, e.a.x(), e.b.x()});
-    const bool has_equator = e.kind == ElementKind::arc && !e.is_reflex &&
-                             (e.a.y() - e.center.y()) * (e.b.y() - e.center.y()) < 0;
+    const bool has_equator =
+        e.kind == ElementKind::arc && !e.is_reflex && (e.a.y() - e.center.y()) * (e.b.y() - e.center.y()) < 0;
     if (has_equator) tool.r_max_mm = std::max(tool.r_max_mm, e.center.x() + e.radius_mm);
   }
 }
@@ -28,8 +28,8 @@ double depth_on_axis(const CompiledTool& tool, double z) {
   return -evaluate(tool, 0, z).signed_distance_mm;
 }
 
-// Deepest of evenly spaced points, then halving the spacing around it: the depth is 1-Lipschitz, so the result
-// is within one spacing of the best depth, and in practice at it.
+// Deepest of evenly spaced points, then halving the spacing around it: the depth is 1-Lipschitz, so the
+// result is within one spacing of the best depth, and in practice at it.
 void set_core(CompiledTool& tool) {
   double low = tool.z_max_mm, high = tool.z_min_mm;
   for (const BoundaryElement& e : tool.elements) {
@@ -66,8 +66,8 @@ CompiledTool compile_tool(const std::string& name, const Profile& profile) {
   return tool;
 }
 
-Result<ToolForms> make_tool_forms(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
-                                  double holder_clearance_mm) {
+Result<ToolForms> make_tool_forms(const ToolAssembly& tool, double stock_to_leave_mm,
+                                  double shank_clearance_mm, double holder_clearance_mm) {
   const Result<BodyProfiles> bodies = make_body_profiles(tool);
   if (!bodies) return bodies.error();
   const auto& [cutter, shank, holder] = *bodies;

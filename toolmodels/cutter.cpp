@@ -12,15 +12,25 @@ namespace {
 constexpr double kLargest_mm = 1e5;      // keeps every later square far from overflow
 constexpr double kRelativeSlack = 1e-9;  // dimensions closer than this to a limit are at the limit
 
-std::string mm(double value) { return exact_text(std::round(value * 1e9) / 1e9) + " mm"; }
+std::string mm(double value) {
+  return exact_text(std::round(value * 1e9) / 1e9) + " mm";
+}
 
-bool is_plain(const AptCutter& t) { return !(t.alpha_deg > 0) && !(t.beta_deg > 0) && !(t.beta_deg < 0); }
+bool is_plain(const AptCutter& t) {
+  return !(t.alpha_deg > 0) && !(t.beta_deg > 0) && !(t.beta_deg < 0);
+}
 
-double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
+double radians(double degrees) {
+  return degrees * (std::numbers::pi / 180);
+}
 
-double sine(double degrees) { return std::sin(radians(degrees)); }
+double sine(double degrees) {
+  return std::sin(radians(degrees));
+}
 
-double cosine(double degrees) { return sine(90 - std::abs(degrees)); }  // exact at 0
+double cosine(double degrees) {
+  return sine(90 - std::abs(degrees));
+}  // exact at 0
 
 // What every shape here comes down to: the bottom line at alpha, the corner arc, the side at beta.
 struct Corner {
@@ -34,9 +44,9 @@ Outcome check_corner(const Corner& corner, const Vec2& low, const Vec2& high) {
   const double size = std::max(corner.length_mm, high.x());
   if (low.x() < -kRelativeSlack * size || high.x() <= 0 || high.y() < low.y() - kRelativeSlack * size)
     return make_error("tool-no-closed-profile",
-                      "these numbers make no closed profile: the corner arc of radius " + mm(corner.radius_mm) +
-                          " would begin at r = " + mm(low.x()) + " and end at r = " + mm(high.x()) +
-                          "; give a larger diameter or a smaller corner radius");
+                      "these numbers make no closed profile: the corner arc of radius " +
+                          mm(corner.radius_mm) + " would begin at r = " + mm(low.x()) + " and end at r = " +
+                          mm(high.x()) + "; give a larger diameter or a smaller corner radius");
   if (corner.length_mm <= high.y() * (1 + kRelativeSlack))
     return make_error("tool-length-too-short", "length " + mm(corner.length_mm) +
                                                    " ends within the tip, which reaches up to z = " +
@@ -62,11 +72,11 @@ Result<Profile> make_from_corner(const Corner& c) {
   if (low.x() <= kRelativeSlack * size) low.x() = 0;
   const double top_r = high.x() + (c.length_mm - high.y()) * sine(c.beta_deg) / cosine(c.beta_deg);
   if (top_r <= kRelativeSlack * size)
-    return make_error("tool-taper-closes", "a side leaning inward by " + exact_text(-c.beta_deg) +
-                                               " degrees closes at z = " +
-                                               mm(high.y() - high.x() * cosine(c.beta_deg) / sine(c.beta_deg)) +
-                                               ", below the top of the flutes at " + mm(c.length_mm) +
-                                               "; give a smaller angle or a smaller length");
+    return make_error("tool-taper-closes",
+                      "a side leaning inward by " + exact_text(-c.beta_deg) + " degrees closes at z = " +
+                          mm(high.y() - high.x() * cosine(c.beta_deg) / sine(c.beta_deg)) +
+                          ", below the top of the flutes at " + mm(c.length_mm) +
+                          "; give a smaller angle or a smaller length");
   if (top_r > kLargest_mm)
     return make_error("tool-angle-out-of-range", "a side leaning outward by " + exact_text(c.beta_deg) +
                                                      " degrees is " + mm(2 * top_r) +
@@ -87,8 +97,8 @@ Result<Profile> make_from_corner(const Corner& c) {
 
 Outcome check_corner_radius(double radius_mm, double diameter_mm) {
   if (!(radius_mm >= 0))
-    return make_error("tool-corner-radius-negative",
-                      "corner_radius is " + mm(radius_mm) + "; give 0 for a sharp corner, or a positive radius");
+    return make_error("tool-corner-radius-negative", "corner_radius is " + mm(radius_mm) +
+                                                         "; give 0 for a sharp corner, or a positive radius");
   if (radius_mm > diameter_mm / 2 * (1 + kRelativeSlack))
     return make_error("tool-corner-radius-too-large", "corner_radius " + mm(radius_mm) +
                                                           " is larger than half the diameter; at most " +
@@ -101,8 +111,8 @@ Result<Profile> make_plain(double diameter_mm, double corner_radius_mm, double t
   if (Outcome good = check_length("length", length_mm); !good) return good.error();
   if (Outcome good = check_corner_radius(corner_radius_mm, diameter_mm); !good) return good.error();
   if (!(taper_deg > -90 && taper_deg < 90))
-    return make_error("tool-angle-out-of-range", "taper_angle is " + exact_text(taper_deg) +
-                                                     " degrees; it must lie between -90 and 90");
+    return make_error("tool-angle-out-of-range",
+                      "taper_angle is " + exact_text(taper_deg) + " degrees; it must lie between -90 and 90");
   const double c = std::min(corner_radius_mm, diameter_mm / 2);
   return make_from_corner({{diameter_mm / 2 - c, c}, c, 0, taper_deg, length_mm});
 }
@@ -141,7 +151,9 @@ Result<Profile> make_apt(const AptCutter& t) {
 }
 
 struct MakeProfile {
-  Result<Profile> operator()(const FlatCutter& t) const { return make_plain(t.diameter_mm, 0, 0, t.length_mm); }
+  Result<Profile> operator()(const FlatCutter& t) const {
+    return make_plain(t.diameter_mm, 0, 0, t.length_mm);
+  }
   Result<Profile> operator()(const BallCutter& t) const {
     return make_plain(t.diameter_mm, t.diameter_mm / 2, 0, t.length_mm);
   }
@@ -165,13 +177,17 @@ double length_mm(const Cutter& cutter) {
   if (const auto* apt = std::get_if<AptCutter>(&cutter)) return apt->h_mm;
   return std::visit(
       [](const auto& t) {
-        if constexpr (requires { t.length_mm; }) return t.length_mm;
-        else return 0.0;
+        if constexpr (requires { t.length_mm; })
+          return t.length_mm;
+        else
+          return 0.0;
       },
       cutter);
 }
 
-Result<Profile> make_cutter_profile(const Cutter& cutter) { return std::visit(MakeProfile{}, cutter); }
+Result<Profile> make_cutter_profile(const Cutter& cutter) {
+  return std::visit(MakeProfile{}, cutter);
+}
 
 std::string apt_contradiction(const AptCutter& t) {
   if (!check_apt(t)) return {};
@@ -180,14 +196,16 @@ std::string apt_contradiction(const AptCutter& t) {
   const bool is_given = t.e_mm > 0 || t.e_mm < 0 || t.f_mm > 0 || t.f_mm < 0;
   const bool agrees = std::abs(t.e_mm - center.x()) <= slack && std::abs(t.f_mm - center.y()) <= slack;
   if (!is_given || agrees) return {};
-  return "e = " + mm(t.e_mm) + ", f = " + mm(t.f_mm) + " do not place the corner where d, r, alpha and beta do (e = " +
-         mm(center.x()) + ", f = " + mm(center.y()) + "); built from d, r, alpha and beta";
+  return "e = " + mm(t.e_mm) + ", f = " + mm(t.f_mm) +
+         " do not place the corner where d, r, alpha and beta do (e = " + mm(center.x()) +
+         ", f = " + mm(center.y()) + "); built from d, r, alpha and beta";
 }
 
 Outcome check_length(const std::string& field, double value_mm) {
   if (!(value_mm > 0))
-    return make_error("tool-dimension-not-positive", field + " is " + (std::isfinite(value_mm) ? mm(value_mm) : "not a number") +
-                                                         "; it must be greater than 0");
+    return make_error("tool-dimension-not-positive",
+                      field + " is " + (std::isfinite(value_mm) ? mm(value_mm) : "not a number") +
+                          "; it must be greater than 0");
   if (!(value_mm <= kLargest_mm))
     return make_error("tool-dimension-too-large",
                       field + " is larger than " + mm(kLargest_mm) + "; check the unit of the file");

@@ -31,7 +31,8 @@ struct BullNoseCutter {
 };
 
 /// The corner arc of radius c is centred at (diameter/2 - c, c), tangent to the tip plane and to a side that
-/// leans outward by `taper_angle_deg` from the axis (inward when negative). c = diameter/2 is the tapered ball.
+/// leans outward by `taper_angle_deg` from the axis (inward when negative). c = diameter/2 is the tapered
+/// ball.
 struct TaperedCutter {
   double diameter_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0, length_mm = 0;
 };
@@ -54,12 +55,14 @@ using Cutter = std::variant<FlatCutter, BallCutter, BullNoseCutter, TaperedCutte
 
 /// Contour of the cutter alone, closed by a flat top at its length.
 ///
-/// Ensures  (1) verify_profile is empty and the contour is single-valued; (2) parts of no length are left out:
+/// Ensures  (1) verify_profile is empty and the contour is single-valued; (2) parts of no length are left
+/// out:
 ///          a bull-nose whose corner radius is half its diameter is the ball, bit for bit.
 /// Errors   tool-dimension-not-positive, tool-dimension-too-large, tool-corner-radius-negative,
 ///          tool-corner-radius-too-large, tool-angle-out-of-range, tool-taper-closes, tool-length-too-short,
 ///          tool-no-closed-profile. The message names the field and says what would be allowed.
-/// Source   design of the tool library (docs/formats/tool_library.md); APT: thesis 2.4.18.2 and CL-data usage.
+/// Source   design of the tool library (docs/formats/tool_library.md); APT: thesis 2.4.18.2 and CL-data
+/// usage.
 [[nodiscard]] Result<Profile> make_cutter_profile(const Cutter& cutter);
 
 /// What e and f should be for the other five numbers, when the given ones say something else (both zero means

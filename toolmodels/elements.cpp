@@ -11,7 +11,9 @@ namespace {
 constexpr double kSmoothTurn = 1e-7;
 constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
 
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+double cross(const Vec2& u, const Vec2& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
 
 BoundaryElement boundary(const ProfileElement& e) {
   BoundaryElement element;
@@ -22,7 +24,8 @@ BoundaryElement boundary(const ProfileElement& e) {
   element.b = e.b;
   element.center = e.center;
   element.radius_mm = e.radius_mm;
-  element.normal = e.is_arc ? Vec2(sample(e, 2)[1] - e.center).normalized() : outward_normal(start_direction(e));
+  element.normal =
+      e.is_arc ? Vec2(sample(e, 2)[1] - e.center).normalized() : outward_normal(start_direction(e));
   return element;
 }
 
@@ -54,7 +57,9 @@ std::vector<ProfileElement> without_long_arcs(const Profile& profile) {
   return parts;
 }
 
-Vec2 mirrored_travel(const Vec2& direction) { return {direction.x(), -direction.y()}; }
+Vec2 mirrored_travel(const Vec2& direction) {
+  return {direction.x(), -direction.y()};
+}
 
 }  // namespace
 

@@ -8,8 +8,8 @@
 namespace gouge {
 
 /// The boundary elements of a contour in order: its segments and arcs, and a vertex at every joint where the
-/// direction turns, on the axis also where the mirrored contour would. Arcs of 150 degrees and more are halved.
-/// Support ranges are left empty.
+/// direction turns, on the axis also where the mirrored contour would. Arcs of 150 degrees and more are
+/// halved. Support ranges are left empty.
 [[nodiscard]] std::vector<BoundaryElement> make_elements(const Profile& profile);
 
 /// Fills in the support ranges by the contract of SupportRange (lib/tool/compiled_tool.h).

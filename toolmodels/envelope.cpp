@@ -82,8 +82,10 @@ class Envelope {
     std::optional<std::size_t> previous;
     for (std::size_t k = 0; k + 1 < breaks_.size(); ++k) {
       const std::optional<std::size_t> best = outermost(breaks_[k], breaks_[k + 1], previous);
-      if (best && best == previous) pieces_.back().z1 = breaks_[k + 1];
-      else if (best) pieces_.push_back({*best, breaks_[k], breaks_[k + 1]});
+      if (best && best == previous)
+        pieces_.back().z1 = breaks_[k + 1];
+      else if (best)
+        pieces_.push_back({*best, breaks_[k], breaks_[k + 1]});
       previous = best;
     }
   }
@@ -108,15 +110,16 @@ class Envelope {
   void add_joint(const Piece& p, const Piece& q) {
     Vec2 end = end_of(p);
     Vec2 start = start_of(q);
-    if (const std::optional<Vec2> crossing = crossing_of(p, q)) end = start = *crossing;
+    if (const std::optional<Vec2> crossing = crossing_of(p, q))
+      end = start = *crossing;
     else if (std::abs(end.x() - start.x()) <= kNoStep * size_) {
       const bool is_start_given = std::abs(q.z0 - curves_[q.curve].a.y()) <= 0;
       (is_start_given ? end : start) = is_start_given ? start : end;
     }
     profile_.elements.back().b = end;
     if (end != start)
-      profile_.elements.push_back(make_segment(
-          curves_[end.x() > start.x() ? p.curve : q.curve].body, end, start));
+      profile_.elements.push_back(
+          make_segment(curves_[end.x() > start.x() ? p.curve : q.curve].body, end, start));
     profile_.elements.push_back(curves_[q.curve].element(start, start));
   }
 
@@ -148,15 +151,18 @@ bool continues(const ProfileElement& p, const ProfileElement& q, double slack) {
            std::abs(p.radius_mm - q.radius_mm) <= slack;
   const Vec2 along = start_direction(p);
   const Vec2 beyond = q.b - p.a;
-  return along.dot(start_direction(q)) > 0 && std::abs(along.x() * beyond.y() - along.y() * beyond.x()) <= slack;
+  return along.dot(start_direction(q)) > 0 &&
+         std::abs(along.x() * beyond.y() - along.y() * beyond.x()) <= slack;
 }
 
 Profile merge_neighbours(const Profile& profile) {
   const double slack = kSameRadius * size_of(profile);
   Profile merged;
   for (const ProfileElement& e : profile.elements) {
-    if (!merged.elements.empty() && continues(merged.elements.back(), e, slack)) merged.elements.back().b = e.b;
-    else merged.elements.push_back(e);
+    if (!merged.elements.empty() && continues(merged.elements.back(), e, slack))
+      merged.elements.back().b = e.b;
+    else
+      merged.elements.push_back(e);
   }
   return merged;
 }

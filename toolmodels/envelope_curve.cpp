@@ -6,7 +6,9 @@
 namespace gouge::detail {
 namespace {
 
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+double cross(const Vec2& u, const Vec2& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
 
 bool has_height(const EnvelopeCurve& c, double z, double slack) {
   return z >= c.a.y() - slack && z <= c.b.y() + slack;
@@ -76,7 +78,9 @@ void add_corner(Body body, const Vec2& corner, Vec2 before, Vec2 after, double g
                 curves);
 }
 
-Vec2 mirrored(const Vec2& v) { return {-v.x(), v.y()}; }
+Vec2 mirrored(const Vec2& v) {
+  return {-v.x(), v.y()};
+}
 
 }  // namespace
 
@@ -97,10 +101,14 @@ double radius_at(const EnvelopeCurve& c, double z) {
 
 std::vector<Vec2> crossings(const EnvelopeCurve& c, const EnvelopeCurve& d, double slack) {
   std::vector<Vec2> points;
-  if (!c.is_arc && !d.is_arc) points = cross_lines(c, d);
-  else if (!c.is_arc) points = cross_line_circle(c, d);
-  else if (!d.is_arc) points = cross_line_circle(d, c);
-  else points = cross_circles(c, d);
+  if (!c.is_arc && !d.is_arc)
+    points = cross_lines(c, d);
+  else if (!c.is_arc)
+    points = cross_line_circle(c, d);
+  else if (!d.is_arc)
+    points = cross_line_circle(d, c);
+  else
+    points = cross_circles(c, d);
   std::erase_if(points, [&](const Vec2& p) {
     return !has_height(c, p.y(), slack) || !has_height(d, p.y(), slack) || !is_on_its_half(c, p, slack) ||
            !is_on_its_half(d, p, slack);
@@ -118,8 +126,10 @@ void add_curves(const Profile& profile, double growth, std::vector<EnvelopeCurve
       const Vec2 before = i == 0 ? mirrored(after) : outward_normal(end_direction(elements[i - 1]));
       add_corner(e.body, e.a, before, after, growth, slack, curves);
     }
-    if (!e.is_arc) add_if_rising(grown_segment(e, growth), slack, curves);
-    else if (!e.is_concave || e.radius_mm > growth + slack) add_if_rising(grown_arc(e, growth), slack, curves);
+    if (!e.is_arc)
+      add_if_rising(grown_segment(e, growth), slack, curves);
+    else if (!e.is_concave || e.radius_mm > growth + slack)
+      add_if_rising(grown_arc(e, growth), slack, curves);
   }
   if (growth > 0 && !elements.empty()) {
     const Vec2 before = outward_normal(end_direction(elements.back()));

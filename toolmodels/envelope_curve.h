@@ -24,7 +24,8 @@ struct EnvelopeCurve {
 /// Where two curves cross or touch, at heights both have; none where they coincide.
 [[nodiscard]] std::vector<Vec2> crossings(const EnvelopeCurve& c, const EnvelopeCurve& d, double slack_mm);
 
-/// The curves whose envelope is the body grown by `growth_mm`: its elements moved out, and arcs about its corners.
+/// The curves whose envelope is the body grown by `growth_mm`: its elements moved out, and arcs about its
+/// corners.
 void add_curves(const Profile& profile, double growth_mm, std::vector<EnvelopeCurve>& curves);
 
 }  // namespace gouge::detail

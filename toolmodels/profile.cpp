@@ -65,7 +65,8 @@ void verify_shape(const Profile& profile, double slack, std::vector<std::string>
   for (std::size_t i = 0; i < owner.size(); ++i)
     for (std::size_t j = i + 2; j < owner.size(); ++j)
       if (do_cross(points[i], points[i + 1], points[j], points[j + 1]))
-        broken.push_back("elements " + std::to_string(owner[i]) + " and " + std::to_string(owner[j]) + " cross");
+        broken.push_back("elements " + std::to_string(owner[i]) + " and " + std::to_string(owner[j]) +
+                         " cross");
 }
 
 }  // namespace
@@ -78,7 +79,8 @@ ProfileElement make_segment(Body body, const Vec2& a, const Vec2& b) {
   return e;
 }
 
-ProfileElement make_convex_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center, double radius_mm) {
+ProfileElement make_convex_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center,
+                               double radius_mm) {
   ProfileElement e = make_segment(body, a, b);
   e.is_arc = true;
   e.center = center;
@@ -86,7 +88,8 @@ ProfileElement make_convex_arc(Body body, const Vec2& a, const Vec2& b, const Ve
   return e;
 }
 
-ProfileElement make_concave_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center, double radius_mm) {
+ProfileElement make_concave_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center,
+                                double radius_mm) {
   ProfileElement e = make_convex_arc(body, a, b, center, radius_mm);
   e.is_concave = true;
   return e;

@@ -33,13 +33,14 @@ class LibraryReader {
     if (!error_) error_ = make_error("library-field", where + ": " + what, file_);
   }
 
-  const json& member(const json& object, const std::string& where, const char* key, bool (json::*is)() const noexcept,
-                     const char* expected) {
+  const json& member(const json& object, const std::string& where, const char* key,
+                     bool (json::*is)() const noexcept, const char* expected) {
     static const json kNothing = json::array();
     if (!object.contains(key)) {
       fail(where, std::string("\"") + key + "\" is missing; expected " + expected);
     } else if (!(object[key].*is)()) {
-      fail(where, std::string("\"") + key + "\" is " + object[key].dump().substr(0, 40) + "; expected " + expected);
+      fail(where,
+           std::string("\"") + key + "\" is " + object[key].dump().substr(0, 40) + "; expected " + expected);
     } else {
       return object[key];
     }
@@ -66,7 +67,8 @@ class LibraryReader {
   void know(const json& object, const std::string& where, const std::vector<std::string_view>& keys) {
     for (const auto& [key, value] : object.items()) {
       if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-      library_.notes.push_back(make_warning("library-unknown-key", where + ": \"" + key + "\" is not known and has no effect", file_));
+      library_.notes.push_back(make_warning(
+          "library-unknown-key", where + ": \"" + key + "\" is not known and has no effect", file_));
     }
   }
 
@@ -89,16 +91,20 @@ class LibraryReader {
     if (entry.contains("name")) tool.name = text(entry, where, "name");
     if (entry.contains("number")) tool.number = static_cast<int>(whole(entry, where, "number"));
     if (error_) return;
-    if (!tool.number && tool.name.empty()) return fail(where, "has neither \"number\" nor \"name\"; give at least one");
+    if (!tool.number && tool.name.empty())
+      return fail(where, "has neither \"number\" nor \"name\"; give at least one");
     where = label(tool);
     know(entry, where, {"number", "name", "cutter", "shank", "holder", "comment"});
-    read_cutter(member(entry, where, "cutter", &json::is_object, "an object"), where + ": cutter", tool.cutter);
+    read_cutter(member(entry, where, "cutter", &json::is_object, "an object"), where + ": cutter",
+                tool.cutter);
     if (entry.contains("shank")) tool.shank = segments(entry["shank"], where + ": shank");
     if (entry.contains("holder")) tool.holder = segments(entry["holder"], where + ": holder");
     if (error_) return;
     if (tool.number && library_.with_number(*tool.number) != nullptr) {
-      error_ = make_error("library-duplicate-number", where + ": number " + std::to_string(*tool.number) +
-                                                          " is given to an earlier tool too; numbers must differ", file_);
+      error_ = make_error("library-duplicate-number",
+                          where + ": number " + std::to_string(*tool.number) +
+                              " is given to an earlier tool too; numbers must differ",
+                          file_);
       return;
     }
     const Result<Profile> profile = make_profile(tool);
@@ -119,7 +125,8 @@ class LibraryReader {
     const json& value = member(object, where, key, &json::is_number_integer, "a whole number");
     if (error_) return 0;
     const long long n = value.get<long long>();
-    if (n < 0 || n > 1'000'000'000) fail(where, std::string("\"") + key + "\" is out of range; expected 0 to 1000000000");
+    if (n < 0 || n > 1'000'000'000)
+      fail(where, std::string("\"") + key + "\" is out of range; expected 0 to 1000000000");
     return n;
   }
 
@@ -134,16 +141,20 @@ class LibraryReader {
       cutter = BallCutter{length(c, where, "diameter"), length(c, where, "length")};
       know(c, where, {"shape", "diameter", "length"});
     } else if (shape == "bull_nose") {
-      cutter = BullNoseCutter{length(c, where, "diameter"), length(c, where, "corner_radius"), length(c, where, "length")};
+      cutter = BullNoseCutter{length(c, where, "diameter"), length(c, where, "corner_radius"),
+                              length(c, where, "length")};
       know(c, where, {"shape", "diameter", "corner_radius", "length"});
     } else if (shape == "tapered") {
       cutter = TaperedCutter{length(c, where, "diameter"), optional_length(c, where, "corner_radius"),
                              number(c, where, "taper_angle"), length(c, where, "length")};
       know(c, where, {"shape", "diameter", "corner_radius", "taper_angle", "length"});
     } else if (shape == "apt") {
-      cutter = AptCutter{length(c, where, "d"),          optional_length(c, where, "r"),
-                         optional_length(c, where, "e"), optional_length(c, where, "f"),
-                         optional_number(c, where, "alpha"), optional_number(c, where, "beta"),
+      cutter = AptCutter{length(c, where, "d"),
+                         optional_length(c, where, "r"),
+                         optional_length(c, where, "e"),
+                         optional_length(c, where, "f"),
+                         optional_number(c, where, "alpha"),
+                         optional_number(c, where, "beta"),
                          length(c, where, "h")};
       know(c, where, {"shape", "d", "r", "e", "f", "alpha", "beta", "h"});
     } else {
@@ -197,8 +208,9 @@ Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view 
     const json document = json::parse(bytes);
     if (auto error = LibraryReader(file, library).read(document)) return *error;
   } catch (const json::parse_error& error) {
-    return make_error("library-syntax", "is not valid JSON here; expected a tool library (docs/formats/tool_library.md)",
-                      file, line_of(bytes, error.byte));
+    return make_error("library-syntax",
+                      "is not valid JSON here; expected a tool library (docs/formats/tool_library.md)", file,
+                      line_of(bytes, error.byte));
   } catch (const json::exception& error) {
     return make_error("library-field", std::string("cannot be understood: ") + error.what(), file);
   }

@@ -29,12 +29,14 @@ struct ToolLibrary {
   /// Null when there is none.
   [[nodiscard]] const ToolAssembly* with_number(int number) const;
   [[nodiscard]] const ToolAssembly* with_name(std::string_view name) const;
-  /// Segments of the holder called `name`, or of the holder of the tool called so; null when there is neither.
+  /// Segments of the holder called `name`, or of the holder of the tool called so; null when there is
+  /// neither.
   [[nodiscard]] const std::vector<ToolSegment>* holder_called(std::string_view name) const;
 };
 
 /// Every tool is built once to see that it can be; what cannot is an error that names tool and field.
-/// Errors   library-syntax (with the line), library-field (missing, of the wrong kind, unknown shape or unit),
+/// Errors   library-syntax (with the line), library-field (missing, of the wrong kind, unknown shape or
+/// unit),
 ///          library-duplicate-number, library-empty, and those of make_cutter_profile.
 [[nodiscard]] Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes);
 

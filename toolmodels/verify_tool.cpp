@@ -6,7 +6,9 @@
 namespace gouge {
 namespace {
 
-std::string named(std::size_t element) { return "element " + std::to_string(element); }
+std::string named(std::size_t element) {
+  return "element " + std::to_string(element);
+}
 
 void verify_elements(const CompiledTool& tool, std::vector<std::string>& broken) {
   for (std::size_t i = 0; i < tool.elements.size(); ++i) {
@@ -29,10 +31,12 @@ void verify_nodes(const CompiledTool& tool, std::vector<std::string>& broken) {
       const auto index = static_cast<std::size_t>(child >= 0 ? child : ~child);
       if (child >= 0 && (index <= i || index >= tool.nodes.size()))
         broken.push_back("node " + std::to_string(i) + " has a child that does not stand behind it");
-      else if (child >= 0) ++parents[index];
+      else if (child >= 0)
+        ++parents[index];
       else if (index >= tool.elements.size())
         broken.push_back("node " + std::to_string(i) + " names an element that is not there");
-      else is_owner[index] = true;
+      else
+        is_owner[index] = true;
     }
   for (std::size_t i = 1; i < parents.size(); ++i)
     if (parents[i] != 1) broken.push_back("node " + std::to_string(i) + " has not one parent");

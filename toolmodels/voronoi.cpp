@@ -36,13 +36,16 @@ std::optional<DistanceForm> tangent(const DistanceForm& f, const Vec2& touch) {
 }
 
 bool is_below_at_corners(const DistanceForm& f, const DistanceForm& g, const ConvexCell& cell) {
-  return std::all_of(cell.corners().begin(), cell.corners().end(), [&](const Vec3& c) {
-    return at_corner(f, c) - at_corner(g, c) <= cell.slack_at(c);
-  });
+  return std::all_of(cell.corners().begin(), cell.corners().end(),
+                     [&](const Vec3& c) { return at_corner(f, c) - at_corner(g, c) <= cell.slack_at(c); });
 }
 
-bool is_convex(const DistanceForm& f) { return f.is_linear || f.sign > 0; }
-bool is_concave(const DistanceForm& f) { return f.is_linear || f.sign < 0; }
+bool is_convex(const DistanceForm& f) {
+  return f.is_linear || f.sign > 0;
+}
+bool is_concave(const DistanceForm& f) {
+  return f.is_linear || f.sign < 0;
+}
 
 // ---- comparisons
 
@@ -96,12 +99,14 @@ Comparison compare_circle_line(const DistanceForm& f, const DistanceForm& g, con
   if (!sides.has_positive) return decided(f.sign < 0);
   if (sides.has_negative) return split(m);
   const double u = slope.x(), v = slope.y();
-  return curved(f.center, {-offset * offset, -2 * offset * u, -2 * offset * v, v * v, -2 * u * v, u * u}, f.sign);
+  return curved(f.center, {-offset * offset, -2 * offset * u, -2 * offset * v, v * v, -2 * u * v, u * u},
+                f.sign);
 }
 
 // A against B + k with k >= 0, A = |x - w|, B = |x|, x = q - origin: one branch of a hyperbola.
 // `factor` is 1 when the first is A.
-Comparison compare_difference(const Vec2& origin, const Vec2& w, double k, double factor, const ConvexCell& cell) {
+Comparison compare_difference(const Vec2& origin, const Vec2& w, double k, double factor,
+                              const ConvexCell& cell) {
   const double distance = w.norm();
   if (k >= distance) return decided(factor > 0);
   const double constant = distance * distance - k * k;
@@ -124,8 +129,8 @@ Comparison compare_sum(const Vec2& origin, const Vec2& w, double k, double facto
   const double constant = distance * distance - k * k;
   const double s = factor / (k * k);
   return curved(origin,
-                {-constant * constant, 4 * constant * w.x(), 4 * constant * w.y(), 4 * (k * k - w.x() * w.x()),
-                 -8 * w.x() * w.y(), 4 * (k * k - w.y() * w.y())},
+                {-constant * constant, 4 * constant * w.x(), 4 * constant * w.y(),
+                 4 * (k * k - w.x() * w.x()), -8 * w.x() * w.y(), 4 * (k * k - w.y() * w.y())},
                 s);
 }
 
@@ -171,9 +176,12 @@ Domains make_domains(const std::vector<BoundaryElement>& elements) {
   for (std::size_t i = 0; i + 1 < elements.size(); ++i) {
     const BoundaryElement& e = elements[i];
     const BoundaryElement& next = elements[i + 1];
-    if (next.kind == ElementKind::vertex) bound(e.b, travel(e, e.b), i, i + 1);
-    else if (e.kind == ElementKind::vertex) bound(next.a, travel(next, next.a), i, i + 1);
-    else bound(e.b, (travel(e, e.b) + travel(next, next.a)).normalized(), i, i + 1);
+    if (next.kind == ElementKind::vertex)
+      bound(e.b, travel(e, e.b), i, i + 1);
+    else if (e.kind == ElementKind::vertex)
+      bound(next.a, travel(next, next.a), i, i + 1);
+    else
+      bound(e.b, (travel(e, e.b) + travel(next, next.a)).normalized(), i, i + 1);
   }
   return domains;
 }

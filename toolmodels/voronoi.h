@@ -7,8 +7,9 @@
 #include "toolmodels/convex_cell.h"
 
 // The 2D Voronoi diagram of a closed half profile, element by element: where an element can be nearest at all
-// (its domain, bounded by normals at its ends), its distance there, and the curve on which two distances are equal.
-// Each curve is the bisector itself: no false branch of a squared equation is left in the cell it is used in.
+// (its domain, bounded by normals at its ends), its distance there, and the curve on which two distances are
+// equal. Each curve is the bisector itself: no false branch of a squared equation is left in the cell it is
+// used in.
 
 namespace gouge::detail {
 
@@ -47,13 +48,15 @@ struct Domains {
 /// How two distances compare within a cell.
 struct Comparison {
   enum class Kind { first_nearer, second_nearer, curve, split_first } kind = Kind::curve;
-  BspNode curve;       ///< kind curve: negative where the first is nearer; children unset
-  DirectedLine line;   ///< kind split_first: cut the cell here, then ask again; also the curve when it is straight
+  BspNode curve;  ///< kind curve: negative where the first is nearer; children unset
+  DirectedLine
+      line;  ///< kind split_first: cut the cell here, then ask again; also the curve when it is straight
   bool is_straight = false;
 };
 
 /// Requires that both forms are the (unsigned) distances all over the cell.
-[[nodiscard]] Comparison compare(const DistanceForm& first, const DistanceForm& second, const ConvexCell& cell);
+[[nodiscard]] Comparison compare(const DistanceForm& first, const DistanceForm& second,
+                                 const ConvexCell& cell);
 
 /// The curve {line = 0} as a node.
 [[nodiscard]] BspNode straight_node(const DirectedLine& line);

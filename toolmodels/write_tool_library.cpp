@@ -31,8 +31,9 @@ class LibraryWriter {
             {"length", c.length_mm * factor_}};
   }
   ordered_json operator()(const AptCutter& c) const {
-    return {{"shape", "apt"},       {"d", c.d_mm * factor_},    {"r", c.r_mm * factor_}, {"e", c.e_mm * factor_},
-            {"f", c.f_mm * factor_}, {"alpha", c.alpha_deg}, {"beta", c.beta_deg},    {"h", c.h_mm * factor_}};
+    return {{"shape", "apt"},        {"d", c.d_mm * factor_}, {"r", c.r_mm * factor_},
+            {"e", c.e_mm * factor_}, {"f", c.f_mm * factor_}, {"alpha", c.alpha_deg},
+            {"beta", c.beta_deg},    {"h", c.h_mm * factor_}};
   }
 
   [[nodiscard]] ordered_json segments(const std::vector<ToolSegment>& list) const {

@@ -4,9 +4,12 @@ namespace gouge {
 
 const char* body_name(Body body) {
   switch (body) {
-    case Body::cutter: return "cutter";
-    case Body::shank: return "shank";
-    case Body::holder: break;
+    case Body::cutter:
+      return "cutter";
+    case Body::shank:
+      return "shank";
+    case Body::holder:
+      break;
   }
   return "holder";
 }

@@ -39,10 +39,12 @@ ToolAnswer answer(const BoundaryElement& e, std::uint32_t index, const Vec2& q) 
   return e.kind == ElementKind::vertex ? from_vertex(e, index, q) : from_arc(e, index, q);
 }
 
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
+double cross(const Vec2& u, const Vec2& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
 
-// Whether the foot on the element's line or circle lies on the element itself; beyond the ends a vertex or the
-// neighbour is at least as near.
+// Whether the foot on the element's line or circle lies on the element itself; beyond the ends a vertex or
+// the neighbour is at least as near.
 bool has_foot(const BoundaryElement& e, const Vec2& q, double slack) {
   if (e.kind == ElementKind::vertex) return true;
   if (e.kind == ElementKind::segment) {

@@ -7,12 +7,12 @@ namespace gouge {
 /// The forms of one tool that a check needs. Clearances and stock to leave are grown into them (rounded).
 /// `toolmodels` makes it; a form that equals another may be a copy of it.
 struct ToolForms {
-  CompiledTool bare;              ///< as in the library: for pictures and `tool show`
-  CompiledTool against_part;      ///< cutter grown by stock to leave, shank and holder by their clearances
-  CompiledTool against_fixture;   ///< shank and holder grown by their clearances
+  CompiledTool bare;             ///< as in the library: for pictures and `tool show`
+  CompiledTool against_part;     ///< cutter grown by stock to leave, shank and holder by their clearances
+  CompiledTool against_fixture;  ///< shank and holder grown by their clearances
   /// Bodies that have a clearance, alone, grown: any depth in it is a gouge. No elements: none has one.
   CompiledTool with_clearance;
-  CompiledTool non_cutting;       ///< shank and holder as grown above: for near misses. May be empty.
+  CompiledTool non_cutting;  ///< shank and holder as grown above: for near misses. May be empty.
 };
 
 }  // namespace gouge

@@ -1,0 +1,77 @@
+#include "toolmodels/from_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+double tangent(double degrees) {
+  return std::tan(degrees * (std::numbers::pi / 180));
+}
+
+std::string mm(double value) {
+  return exact_text(std::round(value * 1e6) / 1e6) + " mm";
+}
+
+// Highest point the corner can reach; what lies above is the side.
+double tip_height(const PathCutter& c) {
+  return c.d_mm / 2 * tangent(std::clamp(c.alpha_deg, 0.0, 89.0)) + 2 * c.r_mm;
+}
+
+double assumed_height(const PathCutter& c) {
+  const double usual = std::max({5 * c.d_mm, 50.0, 2 * tip_height(c)});
+  if (c.beta_deg >= 0 || c.beta_deg <= -89) return usual;
+  return std::min(usual, 0.9 * (c.d_mm / 2) / tangent(-c.beta_deg));
+}
+
+bool ends_within_tip(const AptCutter& cutter) {
+  const Result<Profile> profile = make_cutter_profile(cutter);
+  return !profile && (profile.error().code == "tool-length-too-short");
+}
+
+// Above the flutes the same contour goes on, but does not cut.
+void split_shank(ToolAssembly& tool, AptCutter cutter, double flute_length_mm) {
+  const Result<Profile> whole = make_cutter_profile(cutter);
+  const double height = cutter.h_mm;
+  cutter.h_mm = flute_length_mm;
+  const Result<Profile> flutes = make_cutter_profile(cutter);
+  if (!whole || !flutes) return;
+  tool.cutter = cutter;
+  tool.shank = {
+      {2 * flutes->elements.back().a.x(), 2 * whole->elements.back().a.x(), height - flute_length_mm}};
+}
+
+}  // namespace
+
+Result<ToolFromPath> make_tool_from_path(std::optional<int> number, const std::string& name,
+                                         const PathCutter& c, const std::vector<ToolSegment>& holder) {
+  ToolFromPath made;
+  made.tool.number = number;
+  made.tool.name = name;
+  made.tool.holder = holder;
+  AptCutter cutter{c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
+  const std::string who = "tool " + label(made.tool) + ": ";
+  if (!(c.h_mm > 0) || ends_within_tip(cutter)) {
+    cutter.h_mm = assumed_height(c);
+    const std::string found =
+        c.h_mm > 0 ? "height h = " + mm(c.h_mm) + " ends within the tip" : "no height given";
+    made.notes.push_back(make_note("tool-height-assumed", who + found + "; checked as " + mm(cutter.h_mm) +
+                                                              " long, a tool library would say it"));
+  }
+  if (const std::string contradiction = apt_contradiction(cutter); !contradiction.empty())
+    made.notes.push_back(make_warning("tool-apt-contradiction", who + contradiction));
+  made.tool.cutter = cutter;
+  if (c.flute_length_mm > 0 && c.flute_length_mm < cutter.h_mm)
+    split_shank(made.tool, cutter, c.flute_length_mm);
+  if (const Result<BodyProfiles> bodies = make_body_profiles(made.tool); !bodies) return bodies.error();
+  if (holder.empty())
+    made.notes.push_back(
+        make_note("tool-without-holder", who + "the toolpath defines no holder; none is checked"));
+  return made;
+}
+
+}  // namespace gouge

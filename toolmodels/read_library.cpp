@@ -1,0 +1,300 @@
+#include <algorithm>
+#include <initializer_list>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "lib/base/files.h"
+#include "toolmodels/json_lines.h"
+#include "toolmodels/library.h"
+
+namespace gouge {
+namespace {
+
+using Json = nlohmann::json;
+
+const char* type_word(const Json& value) {
+  if (value.is_string()) return "a text";
+  if (value.is_number()) return "a number";
+  if (value.is_array()) return "a list";
+  if (value.is_object()) return "an object";
+  return value.is_null() ? "null" : "true or false";
+}
+
+// One value of the file and where it stands. The first error sticks; after it every answer is empty, so the
+// readers below need not ask after each step.
+class Reader {
+ public:
+  Reader(std::string file, detail::JsonLines lines) : lines_(std::move(lines)) {
+    library_.file = std::move(file);
+  }
+
+  Result<ToolLibrary> read(const Json& root) {
+    read_root(root);
+    if (error_) return *error_;
+    return std::move(library_);
+  }
+
+ private:
+  void fail(const std::string& code, const std::string& message, const std::string& pointer) {
+    if (!error_) error_ = make_error(code, message, library_.file, lines_.at(pointer));
+  }
+
+  void warn_unknown_keys(const Json& object, const std::string& pointer, const std::string& who,
+                         std::initializer_list<std::string_view> known) {
+    for (const auto& [key, value] : object.items())
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        library_.notes.push_back(make_warning(
+            "library-unknown-key", who + " has a key \"" + key + "\" that is not understood and was left out",
+            library_.file, lines_.at(pointer + "/" + key)));
+  }
+
+  bool is_object(const Json& value, const std::string& pointer, const std::string& who) {
+    if (value.is_object()) return true;
+    fail("library-wrong-type", who + " is " + type_word(value) + "; expected an object", pointer);
+    return false;
+  }
+
+  bool is_list(const Json& value, const std::string& pointer, const std::string& who) {
+    if (value.is_array()) return true;
+    fail("library-wrong-type", who + " is " + type_word(value) + "; expected a list", pointer);
+    return false;
+  }
+
+  double number(const Json& object, const char* key, const std::string& pointer, const std::string& who,
+                std::optional<double> otherwise = std::nullopt) {
+    const auto found = object.find(key);
+    if (found == object.end()) {
+      if (!otherwise) fail("library-missing-field", who + " has no \"" + key + "\"; it needs one", pointer);
+      return otherwise.value_or(0);
+    }
+    if (!found->is_number()) {
+      fail("library-wrong-type", who + ": \"" + key + "\" is " + type_word(*found) + "; expected a number",
+           pointer + "/" + key);
+      return 0;
+    }
+    return found->get<double>();
+  }
+
+  double length(const Json& object, const char* key, const std::string& pointer, const std::string& who,
+                std::optional<double> otherwise = std::nullopt) {
+    return number(object, key, pointer, who, otherwise) * mm_per(library_.unit);
+  }
+
+  std::string text(const Json& object, const char* key, const std::string& pointer, const std::string& who) {
+    const auto found = object.find(key);
+    if (found == object.end()) return {};
+    if (!found->is_string()) {
+      fail("library-wrong-type", who + ": \"" + key + "\" is " + type_word(*found) + "; expected a text",
+           pointer + "/" + key);
+      return {};
+    }
+    return found->get<std::string>();
+  }
+
+  void read_root(const Json& root) {
+    if (!is_object(root, "", "the library")) return;
+    warn_unknown_keys(root, "", "the library", {"units", "tools", "holders", "comment"});
+    const std::string units = text(root, "units", "", "the library");
+    if (units == "inch")
+      library_.unit = LengthUnit::inch;
+    else if (units != "mm")
+      fail("library-unknown-unit",
+           root.contains("units") ? "units is \"" + units + "\"; expected \"mm\" or \"inch\""
+                                  : "the library does not say its unit; add \"units\": \"mm\" or \"inch\"",
+           "/units");
+    if (error_) return;
+    read_holders(root);
+    read_tools(root);
+  }
+
+  void read_holders(const Json& root) {
+    const auto found = root.find("holders");
+    if (found == root.end() || !is_list(*found, "/holders", "holders")) return;
+    for (std::size_t i = 0; i < found->size() && !error_; ++i) {
+      const std::string pointer = "/holders/" + std::to_string(i);
+      const Json& entry = (*found)[i];
+      const std::string who = "holder " + std::to_string(i + 1);
+      if (!is_object(entry, pointer, who)) return;
+      warn_unknown_keys(entry, pointer, who, {"name", "segments", "comment"});
+      NamedHolder holder{text(entry, "name", pointer, who), {}};
+      if (holder.name.empty()) fail("library-missing-field", who + " has no \"name\"; it needs one", pointer);
+      if (!entry.contains("segments"))
+        fail("library-missing-field", who + " has no \"segments\"; it needs them", pointer);
+      else
+        holder.segments = read_segments(entry["segments"], pointer + "/segments", who);
+      check_holder(holder, pointer, who);
+      library_.holders.push_back(std::move(holder));
+    }
+  }
+
+  // A holder alone is checked on a cutter that is beyond doubt.
+  void check_holder(const NamedHolder& holder, const std::string& pointer, const std::string& who) {
+    const ToolAssembly probe{std::nullopt, holder.name, FlatCutter{1, 1}, {}, holder.segments};
+    const Result<BodyProfiles> bodies = make_body_profiles(probe);
+    if (!bodies) fail(bodies.error().code, who + ": " + bodies.error().message, pointer);
+  }
+
+  std::vector<ToolSegment> read_segments(const Json& list, const std::string& pointer,
+                                         const std::string& who) {
+    std::vector<ToolSegment> segments;
+    if (!is_list(list, pointer, who)) return segments;
+    for (std::size_t i = 0; i < list.size() && !error_; ++i) {
+      const std::string here = pointer + "/" + std::to_string(i);
+      const std::string which = who + " " + std::to_string(i + 1);
+      if (!is_object(list[i], here, which)) break;
+      warn_unknown_keys(list[i], here, which, {"lower_diameter", "upper_diameter", "length", "comment"});
+      segments.push_back({length(list[i], "lower_diameter", here, which),
+                          length(list[i], "upper_diameter", here, which),
+                          length(list[i], "length", here, which)});
+    }
+    return segments;
+  }
+
+  void read_tools(const Json& root) {
+    const auto found = root.find("tools");
+    if (found == root.end())
+      return fail("library-without-tools", "the library has no \"tools\"; expected a list of them", "");
+    if (!is_list(*found, "/tools", "tools")) return;
+    if (found->empty())
+      return fail("library-without-tools", "the list of tools is empty; it needs at least one", "/tools");
+    for (std::size_t i = 0; i < found->size() && !error_; ++i)
+      read_tool((*found)[i], "/tools/" + std::to_string(i), i + 1);
+  }
+
+  void read_tool(const Json& entry, const std::string& pointer, std::size_t position) {
+    std::string who = "tool at position " + std::to_string(position);
+    if (!is_object(entry, pointer, who)) return;
+    ToolAssembly tool;
+    tool.name = text(entry, "name", pointer, who);
+    read_number(entry, pointer, who, tool);
+    if (error_) return;
+    who = "tool " + label(tool);
+    warn_unknown_keys(entry, pointer, who, {"number", "name", "cutter", "shank", "holder", "comment"});
+    if (!entry.contains("cutter"))
+      return fail("library-missing-field", who + " has no \"cutter\"; it needs one", pointer);
+    read_cutter(entry["cutter"], pointer + "/cutter", who, tool);
+    if (entry.contains("shank"))
+      tool.shank = read_segments(entry["shank"], pointer + "/shank", who + ": shank");
+    if (entry.contains("holder")) read_tool_holder(entry["holder"], pointer + "/holder", who, tool);
+    if (!error_) add_tool(std::move(tool), pointer, who);
+  }
+
+  void read_number(const Json& entry, const std::string& pointer, const std::string& who,
+                   ToolAssembly& tool) {
+    if (const auto found = entry.find("number"); found != entry.end()) {
+      constexpr std::int64_t kLargest = 999'999'999;
+      if (!found->is_number_integer() || found->get<std::int64_t>() < 0 ||
+          found->get<std::int64_t>() > kLargest)
+        fail("library-wrong-type", who + ": \"number\" is not a whole number from 0 to 999999999",
+             pointer + "/number");
+      else
+        tool.number = static_cast<int>(found->get<std::int64_t>());
+    }
+    if (!tool.number && tool.name.empty())
+      fail("library-missing-field", who + " has neither \"number\" nor \"name\"; it needs one to be found by",
+           pointer);
+  }
+
+  void read_tool_holder(const Json& value, const std::string& pointer, const std::string& who,
+                        ToolAssembly& tool) {
+    if (!value.is_string()) {
+      tool.holder = read_segments(value, pointer, who + ": holder");
+      return;
+    }
+    const Result<std::vector<ToolSegment>> holder = find_holder(library_, value.get<std::string>());
+    if (holder)
+      tool.holder = *holder;
+    else
+      fail(holder.error().code, who + ": " + holder.error().message, pointer);
+  }
+
+  void read_cutter(const Json& value, const std::string& pointer, const std::string& tool_name,
+                   ToolAssembly& tool) {
+    const std::string who = tool_name + ": cutter";
+    if (!is_object(value, pointer, who)) return;
+    const std::string shape = text(value, "shape", pointer, who);
+    const auto in_mm = [&](const char* key, std::optional<double> otherwise = std::nullopt) {
+      return length(value, key, pointer, who, otherwise);
+    };
+    const auto degrees = [&](const char* key, std::optional<double> otherwise = std::nullopt) {
+      return number(value, key, pointer, who, otherwise);
+    };
+    if (shape == "flat" || shape == "ball") {
+      warn_unknown_keys(value, pointer, who, {"shape", "diameter", "length", "comment"});
+      if (shape == "flat")
+        tool.cutter = FlatCutter{in_mm("diameter"), in_mm("length")};
+      else
+        tool.cutter = BallCutter{in_mm("diameter"), in_mm("length")};
+    } else if (shape == "bull_nose") {
+      warn_unknown_keys(value, pointer, who, {"shape", "diameter", "corner_radius", "length", "comment"});
+      tool.cutter = BullNoseCutter{in_mm("diameter"), in_mm("corner_radius"), in_mm("length")};
+    } else if (shape == "tapered") {
+      warn_unknown_keys(value, pointer, who,
+                        {"shape", "diameter", "corner_radius", "taper_angle", "length", "comment"});
+      tool.cutter =
+          TaperedCutter{in_mm("diameter"), in_mm("corner_radius"), degrees("taper_angle"), in_mm("length")};
+    } else if (shape == "apt") {
+      warn_unknown_keys(value, pointer, who, {"shape", "d", "r", "e", "f", "alpha", "beta", "h", "comment"});
+      tool.cutter = AptCutter{in_mm("d"),          in_mm("r", 0),      in_mm("e", 0), in_mm("f", 0),
+                              degrees("alpha", 0), degrees("beta", 0), in_mm("h")};
+    } else {
+      fail("library-unknown-shape",
+           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") +
+               "; expected flat, ball, bull_nose, tapered or apt",
+           pointer + "/shape");
+    }
+  }
+
+  void add_tool(ToolAssembly&& tool, const std::string& pointer, const std::string& who) {
+    if (const Result<BodyProfiles> bodies = make_body_profiles(tool); !bodies)
+      return fail(bodies.error().code, bodies.error().message, pointer);
+    if (tool.number && find_tool(library_, *tool.number) != nullptr)
+      return fail("library-duplicate-number",
+                  who + ": number " + std::to_string(*tool.number) +
+                      " is already taken; give every tool a number of its own",
+                  pointer + "/number");
+    if (!tool.name.empty() && find_tool(library_, tool.name) != nullptr)
+      library_.notes.push_back(
+          make_warning("library-duplicate-name",
+                       who + " has the name of an earlier tool; asked for by name, the first is taken",
+                       library_.file, lines_.at(pointer + "/name")));
+    if (const auto* apt = std::get_if<AptCutter>(&tool.cutter))
+      if (const std::string told = apt_contradiction(*apt); !told.empty())
+        library_.notes.push_back(make_warning("tool-apt-contradiction", who + ": " + told, library_.file,
+                                              lines_.at(pointer + "/cutter")));
+    library_.tools.push_back(std::move(tool));
+  }
+
+  detail::JsonLines lines_;
+  ToolLibrary library_;
+  std::optional<Diagnostic> error_;
+};
+
+}  // namespace
+
+Result<ToolLibrary> parse_library(std::string_view text, const std::string& file) {
+  try {
+    const Json root = Json::parse(text);
+    detail::JsonLines lines = detail::find_json_lines(text);
+    if (lines.duplicate)
+      return make_error("library-duplicate-key",
+                        "the key " + *lines.duplicate + " is there twice; remove one", file,
+                        lines.at(*lines.duplicate));
+    return Reader(file, std::move(lines)).read(root);
+  } catch (const Json::parse_error& error) {
+    return make_error("library-not-json",
+                      "this is not JSON: there is a mistake at or before this line; expected a tool library",
+                      file, detail::line_of_byte(text, error.byte > 0 ? error.byte - 1 : 0));
+  } catch (const Json::exception&) {
+    return make_error("library-not-understood",
+                      "a number in this file is too large to be a length; expected a tool library", file);
+  }
+}
+
+Result<ToolLibrary> read_library(const std::string& path) {
+  const Result<std::string> text = read_file(path);
+  if (!text) return text.error();
+  return parse_library(*text, path);
+}
+
+}  // namespace gouge
