@@ -115,5 +115,33 @@ TEST(Repository, EveryMessageCodeIsDocumentedAndNoOther) {
   for (const std::string& code : documented) EXPECT_EQ(used.count(code), 1U) << code << " is in no source";
 }
 
+TEST(Repository, EveryLinkOfTheDocumentsLeadsToAFile) {
+  const fs::path root = GOUGE_SOURCE_DIR;
+  std::size_t links = 0;
+  for (const SourceFile& file : repository()) {
+    if (fs::path(file.path).extension() != ".md") continue;
+    for (const std::string& link : file_links_of(file.text)) {
+      ++links;
+      EXPECT_TRUE(fs::exists((root / file.path).parent_path() / link)) << file.path << " links to " << link;
+    }
+  }
+  EXPECT_GT(links, 30U);
+}
+
+TEST(Repository, EveryPathTheDocumentsNameIsThere) {
+  const fs::path root = GOUGE_SOURCE_DIR;
+  std::size_t named = 0;
+  for (const SourceFile& file : repository()) {
+    if (fs::path(file.path).extension() != ".md") continue;
+    for (const std::string& path : quoted_paths_of(file.text)) {
+      ++named;
+      const bool is_there = fs::exists(root / path) || fs::exists(root / (path + ".h")) ||
+                            fs::exists(root / (path + ".cpp")) || path == "tests/corpus";
+      EXPECT_TRUE(is_there) << file.path << " names " << path;
+    }
+  }
+  EXPECT_GT(named, 30U);
+}
+
 }  // namespace
 }  // namespace gouge::architecture

@@ -118,5 +118,12 @@ TEST(MessageCodes, AreReadFromSourcesAndFromTables) {
             (std::set<std::string>{"stl-empty"}));
 }
 
+TEST(Documents, LinksToFilesAndQuotedPathsAreRead) {
+  EXPECT_EQ(file_links_of("[a](b.md#part) ![c](d/e.png) [f](https://example.org/x) [g](#h)"),
+            (std::vector<std::string>{"b.md", "d/e.png"}));
+  EXPECT_EQ(quoted_paths_of("`lib/mesh` and `a b` and `tests/x_test` or `lib/*`, `not/ours`"),
+            (std::vector<std::string>{"lib/mesh", "tests/x_test"}));
+}
+
 }  // namespace
 }  // namespace gouge::architecture

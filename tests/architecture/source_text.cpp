@@ -43,13 +43,20 @@ bool is_message_code(const std::string& word) {
                      [&](const char* kind) { return word.rfind(kind, 0) == 0; });
 }
 
-/// The codes among what stands between pairs of `open` and `close`.
-std::set<std::string> codes_between(std::string_view text, std::string_view open, std::string_view close) {
-  std::set<std::string> codes;
+/// What stands between pairs of `open` and `close`, in order.
+std::vector<std::string> all_between(std::string_view text, std::string_view open, std::string_view close) {
+  std::vector<std::string> all;
   for (std::size_t i = text.find(open); i != std::string_view::npos; i = text.find(open, i + 1)) {
     const std::size_t begin = i + open.size(), end = text.find(close, begin);
     if (end == std::string_view::npos) break;
-    const std::string word(text.substr(begin, end - begin));
+    all.emplace_back(text.substr(begin, end - begin));
+  }
+  return all;
+}
+
+std::set<std::string> codes_between(std::string_view text, std::string_view open, std::string_view close) {
+  std::set<std::string> codes;
+  for (const std::string& word : all_between(text, open, close)) {
     if (is_message_code(word)) codes.insert(word);
   }
   return codes;
@@ -125,6 +132,28 @@ bool has_word(std::string_view text, std::string_view word) {
       return true;
   }
   return false;
+}
+
+std::vector<std::string> file_links_of(std::string_view markdown) {
+  std::vector<std::string> files;
+  for (const std::string& link : all_between(markdown, "](", ")")) {
+    const std::string file = link.substr(0, link.find('#'));
+    if (!file.empty() && file.find("://") == std::string::npos) files.push_back(file);
+  }
+  return files;
+}
+
+std::vector<std::string> quoted_paths_of(std::string_view markdown) {
+  std::vector<std::string> paths;
+  for (const std::string& part : all_between(markdown, "`", "`")) {
+    const bool is_path =
+        part.find_first_of(" \n<>*(") == std::string::npos && part.find('/') != std::string::npos;
+    const bool is_ours = part.rfind("lib/", 0) == 0 || part.rfind("toolmodels/", 0) == 0 ||
+                         part.rfind("postproc/", 0) == 0 || part.rfind("cli/", 0) == 0 ||
+                         part.rfind("tests/", 0) == 0 || part.rfind("docs/", 0) == 0;
+    if (is_path && is_ours) paths.push_back(part);
+  }
+  return paths;
 }
 
 std::vector<Room> rooms_of(std::string_view cmake_text) {

@@ -44,6 +44,12 @@ struct Room {
 /// What stands first in the rows of a document's tables, in back quotes, and has the form of a message code.
 [[nodiscard]] std::set<std::string> documented_codes_of(std::string_view markdown);
 
+/// Targets of the links and pictures of a Markdown text that lead to files: no addresses, no anchors.
+[[nodiscard]] std::vector<std::string> file_links_of(std::string_view markdown);
+
+/// Words in back quotes that have the form of a path below one of the repository's folders.
+[[nodiscard]] std::vector<std::string> quoted_paths_of(std::string_view markdown);
+
 [[nodiscard]] std::vector<Room> rooms_of(std::string_view cmake_text);
 
 }  // namespace gouge::architecture
