@@ -24,11 +24,13 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
   command.footer("Example:\n  gougecheck path info finish.apt");
   CLI::App* info = command.add_subcommand(
       "info", "Tell dialect, unit, tools, operations, moves, box, orientations and what is not understood");
-  info->add_option("PATH", arguments.path, "toolpath: APT CL text or NX CLSF; the content tells which")->required();
+  info->add_option("PATH", arguments.path, "toolpath: APT CL text or NX CLSF; the content tells which")
+      ->required();
   info->add_option("--json", arguments.json_file, "write the same as JSON; - for standard output");
   info->footer(
       "Example:\n  gougecheck path info finish.apt --json -\n\n"
-      "Lengths are in the file's unit. Exit status: 0 read, 2 wrong command line, 3 input unreadable or invalid.");
+      "Lengths are in the file's unit. Exit status: 0 read, 2 wrong command line, 3 input unreadable or "
+      "invalid.");
 }
 
 int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err) {

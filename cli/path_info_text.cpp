@@ -15,7 +15,9 @@ std::string label(const std::string& text) {
   return text + std::string(text.size() < kLabelWidth ? kLabelWidth - text.size() : 1, ' ');
 }
 
-std::string row(const std::string& name, const std::string& value) { return label(name) + value + "\n"; }
+std::string row(const std::string& name, const std::string& value) {
+  return label(name) + value + "\n";
+}
 
 // A number for people: at most four decimals, without zeros at the end.
 std::string shown(double value) {
@@ -26,7 +28,8 @@ std::string shown(double value) {
 }
 
 std::string shown(const Vec3& point, double mm_per_unit) {
-  return shown(point.x() / mm_per_unit) + ", " + shown(point.y() / mm_per_unit) + ", " + shown(point.z() / mm_per_unit);
+  return shown(point.x() / mm_per_unit) + ", " + shown(point.y() / mm_per_unit) + ", " +
+         shown(point.z() / mm_per_unit);
 }
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -63,8 +66,8 @@ std::string tools_text(const Toolpath& path, const PathInfo& info, double mm_per
   for (std::size_t i = 0; i < path.tools.size(); ++i) {
     const PathTool& tool = path.tools[i];
     text += row("tool " + tool_title(tool), cutter_text(tool, mm_per_unit) + "  (" +
-                                               counted(info.moves_of_tool[i], "move") + ", line " +
-                                               std::to_string(tool.line) + ")");
+                                                counted(info.moves_of_tool[i], "move") + ", line " +
+                                                std::to_string(tool.line) + ")");
     if (!tool.name.empty()) text += row("", tool.name);
   }
   if (info.moves_without_tool > 0) text += row("no tool named", counted(info.moves_without_tool, "move"));
@@ -81,7 +84,8 @@ std::string doubts_text(const Toolpath& path, const PathInfo& info) {
   std::size_t count = 0;
   for (const auto& reason : info.not_checkable) count += reason.second;
   std::string text = row("cannot be checked", count == 0 ? "none" : counted(count, "move"));
-  for (const auto& [reason, moves] : info.not_checkable) text += row("", std::to_string(moves) + ": " + reason);
+  for (const auto& [reason, moves] : info.not_checkable)
+    text += row("", std::to_string(moves) + ": " + reason);
   if (path.words_not_understood.empty()) return text + row("words not understood", "none");
   std::string words;
   for (const auto& [word, times] : path.words_not_understood) {
@@ -128,8 +132,9 @@ std::string path_info_text(const Toolpath& path, const PathInfo& info) {
                             shown(info.rapid_length_mm / mm_per_unit) + " " + unit + " rapid");
   text += row("orientations", std::to_string(info.orientations));
   if (info.largest_turn_move != kNone) {
-    text += row("largest turn", shown(info.largest_turn_deg) + " degrees in move " + std::to_string(info.largest_turn_move) +
-                                    ", line " + std::to_string(path.moves[info.largest_turn_move].line));
+    text += row("largest turn", shown(info.largest_turn_deg) + " degrees in move " +
+                                    std::to_string(info.largest_turn_move) + ", line " +
+                                    std::to_string(path.moves[info.largest_turn_move].line));
   }
   return text + tools_text(path, info, mm_per_unit) + doubts_text(path, info);
 }
@@ -148,7 +153,8 @@ std::string path_info_json(const Toolpath& path, const PathInfo& info) {
   }
   json["positions_alone"] = info.alone;
   if (!info.box.isEmpty()) {
-    json["box"] = {{"from", numbers(info.box.min(), mm_per_unit)}, {"to", numbers(info.box.max(), mm_per_unit)}};
+    json["box"] = {{"from", numbers(info.box.min(), mm_per_unit)},
+                   {"to", numbers(info.box.max(), mm_per_unit)}};
   }
   json["feed_length"] = info.feed_length_mm / mm_per_unit;
   json["rapid_length"] = info.rapid_length_mm / mm_per_unit;

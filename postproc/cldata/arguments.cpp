@@ -8,7 +8,9 @@
 namespace gouge {
 namespace {
 
-constexpr bool is_soft_separator(char c) { return is_blank(c) || c == '(' || c == ')' || c == '/'; }
+constexpr bool is_soft_separator(char c) {
+  return is_blank(c) || c == '(' || c == ')' || c == '/';
+}
 
 }  // namespace
 
@@ -35,7 +37,8 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
 }
 
 const Argument* find_word_argument(std::span<const Argument> arguments) {
-  const auto it = std::find_if(arguments.begin(), arguments.end(), [](const Argument& a) { return !a.number; });
+  const auto it =
+      std::find_if(arguments.begin(), arguments.end(), [](const Argument& a) { return !a.number; });
   return it == arguments.end() ? nullptr : &*it;
 }
 

@@ -17,8 +17,8 @@ struct Argument {
   std::optional<double> number;
 };
 
-/// The arguments of `statement`, into `arguments` (whose memory is used again). Commas separate them; so do blanks,
-/// line ends, brackets and further slashes, as CAM systems write them. One trailing comma is allowed.
+/// The arguments of `statement`, into `arguments` (whose memory is used again). Commas separate them; so do
+/// blanks, line ends, brackets and further slashes, as CAM systems write them. One trailing comma is allowed.
 void split_arguments(const Statement& statement, std::vector<Argument>& arguments);
 
 /// The first argument that is not a number, or nothing.

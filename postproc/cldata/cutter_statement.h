@@ -11,8 +11,8 @@
 
 namespace gouge {
 
-/// A cutter; or why the numbers are wrong; or nothing, where they are not wrong but define no cutter that CUTTER/
-/// can express (diameter 0, an upper corner radius): `note` says which.
+/// A cutter; or why the numbers are wrong; or nothing, where they are not wrong but define no cutter that
+/// CUTTER/ can express (diameter 0, an upper corner radius): `note` says which.
 struct CutterOutcome {
   std::optional<CutterStatement> cutter;
   double flute_length_mm = 0;
@@ -20,12 +20,13 @@ struct CutterOutcome {
   std::string note;
 };
 
-/// CUTTER/d | d,r | d,r,e,f,alpha,beta,h. Where alpha = beta = 0, e and f follow from d and r, because CAM systems
-/// disagree about what they write there. A corner radius beyond d/2 by rounding only is taken as d/2.
+/// CUTTER/d | d,r | d,r,e,f,alpha,beta,h. Where alpha = beta = 0, e and f follow from d and r, because CAM
+/// systems disagree about what they write there. A corner radius beyond d/2 by rounding only is taken as d/2.
 [[nodiscard]] CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit);
 
 /// TLDATA/MILL,D,R,length,taper,tip[,x,y[,upper radius,x,y]] and TLDATA/DRILL[,MILL],D,R,length,point,flutes.
 /// `arguments` without the first word; `is_drill` tells which form.
-[[nodiscard]] CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill, double mm_per_unit);
+[[nodiscard]] CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill,
+                                               double mm_per_unit);
 
 }  // namespace gouge

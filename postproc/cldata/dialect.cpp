@@ -75,16 +75,26 @@ bool is_position(Word word) {
 Dialect recognise_dialect(std::string_view bytes) {
   const std::size_t mark = best_mark(bytes);
   switch (mark < kMarks.size() ? kMarks[mark].kind : DialectKind::apt) {
-    case DialectKind::nx_clsf: return {DialectKind::nx_clsf, "nx-clsf", true, false, true};
-    case DialectKind::solidworks_cam: return {DialectKind::solidworks_cam, "apt-solidworks-cam", false, true, true};
-    case DialectKind::autodesk: return {DialectKind::autodesk, "apt-autodesk", false, true, false};
-    case DialectKind::camplete: return {DialectKind::camplete, "apt-camplete", false, true, true};
-    case DialectKind::catia: return {DialectKind::catia, "apt-catia", false, false, true};
-    case DialectKind::creo: return {DialectKind::creo, "apt-creo", false, true, true};
-    case DialectKind::nccs: return {DialectKind::nccs, "apt-nccs", false, false, false};
-    case DialectKind::clt: return {DialectKind::clt, "camworks-clt", false, true, true};
-    case DialectKind::mori: return {DialectKind::mori, "apt-mori", false, false, true};
-    case DialectKind::apt: break;
+    case DialectKind::nx_clsf:
+      return {DialectKind::nx_clsf, "nx-clsf", true, false, true};
+    case DialectKind::solidworks_cam:
+      return {DialectKind::solidworks_cam, "apt-solidworks-cam", false, true, true};
+    case DialectKind::autodesk:
+      return {DialectKind::autodesk, "apt-autodesk", false, true, false};
+    case DialectKind::camplete:
+      return {DialectKind::camplete, "apt-camplete", false, true, true};
+    case DialectKind::catia:
+      return {DialectKind::catia, "apt-catia", false, false, true};
+    case DialectKind::creo:
+      return {DialectKind::creo, "apt-creo", false, true, true};
+    case DialectKind::nccs:
+      return {DialectKind::nccs, "apt-nccs", false, false, false};
+    case DialectKind::clt:
+      return {DialectKind::clt, "camworks-clt", false, true, true};
+    case DialectKind::mori:
+      return {DialectKind::mori, "apt-mori", false, false, true};
+    case DialectKind::apt:
+      break;
   }
   return {};
 }

@@ -5,8 +5,8 @@
 
 #include "lib/base/units.h"
 
-// Which CAM system's way of writing CL data a file follows, told by its content. A dialect is data: a few facts
-// the interpreter asks for. Evidence for each: docs/formats/apt_cl.md, nx_clsf.md.
+// Which CAM system's way of writing CL data a file follows, told by its content. A dialect is data: a few
+// facts the interpreter asks for. Evidence for each: docs/formats/apt_cl.md, nx_clsf.md.
 
 namespace gouge {
 
@@ -14,10 +14,10 @@ enum class DialectKind { apt, nx_clsf, solidworks_cam, autodesk, camplete, catia
 
 struct Dialect {
   DialectKind kind = DialectKind::apt;
-  std::string_view id = "apt";          ///< Toolpath::dialect
-  bool is_axis_modal = false;           ///< a position without axis keeps the last one; else it means +Z or TLAXIS
-  bool has_known_plain_axis = false;    ///< verified that a position without axis means +Z whatever came before
-  bool names_operations = false;        ///< has words of its own for it, so that PPRINT is only text
+  std::string_view id = "apt";  ///< Toolpath::dialect
+  bool is_axis_modal = false;   ///< a position without axis keeps the last one; else it means +Z or TLAXIS
+  bool has_known_plain_axis = false;  ///< verified that a position without axis means +Z whatever came before
+  bool names_operations = false;      ///< has words of its own for it, so that PPRINT is only text
 };
 
 /// Looks at the first lines only. A file without the marks of any dialect is plain "apt".

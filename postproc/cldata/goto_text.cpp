@@ -47,7 +47,9 @@ void GotoText::learn(const MotionRecord& record) {
   std::vector<Argument> arguments;
   split_arguments(statement, arguments);
   const std::string_view bytes = path_.source;
-  const auto offset = [&](const Argument& a) { return static_cast<std::size_t>(a.text.data() - bytes.data()); };
+  const auto offset = [&](const Argument& a) {
+    return static_cast<std::size_t>(a.text.data() - bytes.data());
+  };
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::size_t blanks = blanks_before(bytes, offset(arguments[i]));
     const bool is_axis = i % record.numbers >= 3;

@@ -10,7 +10,8 @@
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/number_style.h"
 
-// GOTO statements as one file writes them: learned from the file, used to change its positions and to add new ones.
+// GOTO statements as one file writes them: learned from the file, used to change its positions and to add new
+// ones.
 
 namespace gouge {
 
@@ -25,9 +26,9 @@ class GotoText {
   /// Learns from the first GOTO statements of the file. `records` as read_motion_records gives them.
   GotoText(const Toolpath& path, const std::vector<MotionRecord>& records);
 
-  /// The bytes of statement `index` with positions put in: `positions[k]` replaces the k-th where it has a value.
-  /// Numbers that stay the same at the file's decimals keep their bytes. Requires a statement with number arguments,
-  /// all positions of which have `numbers` numbers.
+  /// The bytes of statement `index` with positions put in: `positions[k]` replaces the k-th where it has a
+  /// value. Numbers that stay the same at the file's decimals keep their bytes. Requires a statement with
+  /// number arguments, all positions of which have `numbers` numbers.
   [[nodiscard]] std::string replaced(std::size_t index, std::size_t numbers,
                                      const std::vector<std::optional<WrittenPosition>>& positions) const;
 

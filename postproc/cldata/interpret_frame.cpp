@@ -9,8 +9,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kFrameError = 1e-3;    // of length or of a right angle; beyond it a frame is refused
-constexpr double kIdentityError = 1e-9; // matrices are written with 5 decimals or more; this is rounding
+constexpr double kFrameError = 1e-3;     // of length or of a right angle; beyond it a frame is refused
+constexpr double kIdentityError = 1e-9;  // matrices are written with 5 decimals or more; this is rounding
 constexpr std::array<double, 12> kIdentityByRows = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
 constexpr std::array<double, 12> kIdentityByVectors = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
 
@@ -30,10 +30,12 @@ Vec3 vector_of(const std::vector<Argument>& arguments, std::size_t first) {
 }  // namespace
 
 const char* Interpreter::frame_reason() const {
-  for (const char* reason : {turning_reason_, contour_reason_, catia_reason_, mcs_reason_, csys_reason_, trntyp_reason_}) {
+  for (const char* reason :
+       {turning_reason_, contour_reason_, catia_reason_, mcs_reason_, csys_reason_, trntyp_reason_}) {
     if (reason != nullptr) return reason;
   }
-  const bool is_turned = std::any_of(turned_.begin(), turned_.end(), [](double a) { return std::abs(a) > kIdentityError; });
+  const bool is_turned =
+      std::any_of(turned_.begin(), turned_.end(), [](double a) { return std::abs(a) > kIdentityError; });
   return is_turned ? Reasons::kTurned : nullptr;
 }
 
@@ -78,7 +80,8 @@ void Interpreter::take_creo_comment() {
   } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
     contour_reason_ = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER") ? nullptr : Reasons::kContour;
   } else if (starts_with_ignoring_case(text, "CUTTER")) {
-    // Only the diameter is written: a flat, a ball and a bull-nose cutter look the same, so it defines no tool.
+    // Only the diameter is written: a flat, a ball and a bull-nose cutter look the same, so it defines no
+    // tool.
     tool_.name = "diameter " + name_text(rest);
     is_tool_changed_ = true;
   }
@@ -93,7 +96,9 @@ void Interpreter::take_msys() {
   const Vec3 y = vector_of(arguments_, 6);
   const bool is_frame = std::abs(x.norm() - 1) <= kFrameError && std::abs(y.norm() - 1) <= kFrameError &&
                         std::abs(x.dot(y)) <= kFrameError;
-  if (!is_frame) return fail("path-frame", "MSYS: the axes are not two unit vectors at right angles; expected X and Y axis");
+  if (!is_frame)
+    return fail("path-frame",
+                "MSYS: the axes are not two unit vectors at right angles; expected X and Y axis");
   const Vec3 unit_x = x.normalized();
   const Vec3 unit_z = unit_x.cross(y).normalized();
   to_part_.rotation.col(0) = unit_x;
@@ -122,7 +127,8 @@ void Interpreter::take_mcsys() {
 
 // ROTABL/angle,AAXIS,...: turns add up and are undone by the same angle the other way.
 void Interpreter::take_rotabl() {
-  const auto number = std::find_if(arguments_.begin(), arguments_.end(), [](const Argument& a) { return a.number.has_value(); });
+  const auto number = std::find_if(arguments_.begin(), arguments_.end(),
+                                   [](const Argument& a) { return a.number.has_value(); });
   if (number == arguments_.end()) return count_unknown();
   const std::size_t axis = has_argument(arguments_, "BAXIS") ? 1 : has_argument(arguments_, "CAXIS") ? 2 : 0;
   turned_[axis] += *number->number;
@@ -137,8 +143,10 @@ void Interpreter::take_tlaxis() {
   // CAMWorks CLT writes the axis in model axes while its positions are in setup axes, where it is +Z.
   if (is_tlaxis_ignored_ || dialect_.kind == DialectKind::clt) return;
   if (arguments_.size() != 3 || find_word_argument(arguments_) != nullptr) {
-    if (path_.moves.empty() && find_word_argument(arguments_) != nullptr) return refuse_part_program("TLAXIS");
-    return fail("path-count", "TLAXIS has " + std::to_string(arguments_.size()) + " arguments; expected i,j,k");
+    if (path_.moves.empty() && find_word_argument(arguments_) != nullptr)
+      return refuse_part_program("TLAXIS");
+    return fail("path-count",
+                "TLAXIS has " + std::to_string(arguments_.size()) + " arguments; expected i,j,k");
   }
   const std::optional<Vec3> axis = read_axis(0);
   if (!axis) return;
@@ -153,9 +161,10 @@ void Interpreter::take_units() {
       return;
     }
   }
-  fail("path-statement", std::string(statement_->major) + ": " +
-                             (arguments_.empty() ? std::string("nothing") : quoted_text(arguments_.front().text)) +
-                             " is not a unit; expected MM or INCHES");
+  fail("path-statement",
+       std::string(statement_->major) + ": " +
+           (arguments_.empty() ? std::string("nothing") : quoted_text(arguments_.front().text)) +
+           " is not a unit; expected MM or INCHES");
 }
 
 // TOOL PATH/operation,TOOL,tool: a block of its own, with its own frame, axis and tool.

@@ -9,13 +9,15 @@
 namespace gouge {
 namespace {
 
-constexpr double kAxisLengthError = 1e-3;      // beyond it an axis is refused
-constexpr double kAxisLengthTold = 1e-5;       // 5 decimals are what axes have; below it nothing is told
-constexpr double kTiltTold = 1e-3;             // sine of the angle to +Z from which an axis counts as tilted
-constexpr double kFarthest_mm = 1e7;           // ten kilometres: no machine is that large
+constexpr double kAxisLengthError = 1e-3;  // beyond it an axis is refused
+constexpr double kAxisLengthTold = 1e-5;   // 5 decimals are what axes have; below it nothing is told
+constexpr double kTiltTold = 1e-3;         // sine of the angle to +Z from which an axis counts as tilted
+constexpr double kFarthest_mm = 1e7;       // ten kilometres: no machine is that large
 constexpr const char* kPositionForm = "expected x,y,z or x,y,z,i,j,k";
 
-double length_error(const Vec3& axis) { return std::abs(axis.norm() - 1); }
+double length_error(const Vec3& axis) {
+  return std::abs(axis.norm() - 1);
+}
 
 bool begins_with_letter(std::string_view text) {
   return !text.empty() && ((text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= 'a' && text[0] <= 'z'));
@@ -55,21 +57,24 @@ std::size_t Interpreter::numbers_per_point() {
   if (count == 6 || (is_list && count > 6 && count % 6 == 0)) {
     if (!is_list || multax_.value_or(false)) return 6;
     if (axes_are_unit()) return 6;
-    // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect tells is it two positions.
+    // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect tells is it two
+    // positions.
     if (multax_.has_value() || dialect_.kind == DialectKind::creo || count > 6) return 3;
     return 6;
   }
   if (is_list && !multax_.value_or(false) && count > 6 && count % 3 == 0) return 3;
-  fail("path-count", std::string(statement_->major) + " has " + std::to_string(count) + " numbers; " + kPositionForm);
+  fail("path-count",
+       std::string(statement_->major) + " has " + std::to_string(count) + " numbers; " + kPositionForm);
   return 0;
 }
 
 std::optional<Vec3> Interpreter::read_tip(std::size_t first) {
-  const Vec3 tip = Vec3(*arguments_[first].number, *arguments_[first + 1].number, *arguments_[first + 2].number) *
-                   mm_per_unit_;
+  const Vec3 tip =
+      Vec3(*arguments_[first].number, *arguments_[first + 1].number, *arguments_[first + 2].number) *
+      mm_per_unit_;
   if (tip.cwiseAbs().maxCoeff() <= kFarthest_mm) return tip;
-  fail("path-range", std::string(statement_->major) + ": a coordinate is beyond " + fixed_text(kFarthest_mm, 0) +
-                         " mm; expected a position within a machine");
+  fail("path-range", std::string(statement_->major) + ": a coordinate is beyond " +
+                         fixed_text(kFarthest_mm, 0) + " mm; expected a position within a machine");
   return std::nullopt;
 }
 
@@ -89,7 +94,9 @@ std::optional<Vec3> Interpreter::read_axis(std::size_t first) {
   return axis / length;
 }
 
-Vec3 Interpreter::implied_axis() const { return dialect_.is_axis_modal ? modal_axis_ : fixed_axis_; }
+Vec3 Interpreter::implied_axis() const {
+  return dialect_.is_axis_modal ? modal_axis_ : fixed_axis_;
+}
 
 void Interpreter::note_plain_axis(const Position& position) {
   if (dialect_.is_axis_modal || dialect_.has_known_plain_axis || multax_ == false) return;
@@ -133,7 +140,8 @@ void Interpreter::take_godlta() {
                                   " numbers; expected dx,dy,dz or one distance along the tool axis");
   }
   if (!last_pose_ || unknown_start_ != nullptr) {
-    return fail("path-statement", "GODLTA moves on from a position that is not known; expected a FROM or GOTO before it");
+    return fail("path-statement",
+                "GODLTA moves on from a position that is not known; expected a FROM or GOTO before it");
   }
   const Pose here = to_part_.inverse().pose(*last_pose_);
   Position position;
@@ -160,8 +168,9 @@ void Interpreter::take_gohome() {
 void Interpreter::take_tlon() {
   const auto line = std::find_if(arguments_.begin(), arguments_.end(),
                                  [](const Argument& a) { return equals_ignoring_case(a.text, "LINE"); });
-  const bool is_catia_arc = has_argument(arguments_, "CIRCLE") && arguments_.end() - line == 7 &&
-                            std::all_of(line + 1, arguments_.end(), [](const Argument& a) { return a.number.has_value(); });
+  const bool is_catia_arc =
+      has_argument(arguments_, "CIRCLE") && arguments_.end() - line == 7 &&
+      std::all_of(line + 1, arguments_.end(), [](const Argument& a) { return a.number.has_value(); });
   if (!is_catia_arc) return refuse_part_program("TLON");
   const std::optional<Vec3> tip = read_tip(static_cast<std::size_t>(line - arguments_.begin()) + 4);
   if (!tip) return;
@@ -169,8 +178,8 @@ void Interpreter::take_tlon() {
   position.form = PositionForm::curve;
   position.tip_local = *tip;
   // The arc keeps the axis of the position before it.
-  position.axis_local = last_pose_ && multax_.value_or(false) ? to_part_.inverse().direction(last_pose_->axis)
-                                                              : implied_axis();
+  position.axis_local =
+      last_pose_ && multax_.value_or(false) ? to_part_.inverse().direction(last_pose_->axis) : implied_axis();
   is_arc_ = true;
   emit(position);
   is_arc_ = false;
@@ -185,7 +194,8 @@ void Interpreter::take_control_point() {
   if (!check_all_numbers(kPositionForm)) return;
   const std::size_t count = arguments_.size();
   if (curve_statement_ == kNone) {
-    return fail("path-statement", "CNTRL without a NURBS before it; expected NURBS/, KNOT/ and then CNTRL/ lines");
+    return fail("path-statement",
+                "CNTRL without a NURBS before it; expected NURBS/, KNOT/ and then CNTRL/ lines");
   }
   if (count != 3 && count != 6) {
     return fail("path-count", "CNTRL has " + std::to_string(count) + " numbers; " + kPositionForm);
@@ -228,7 +238,8 @@ void Interpreter::take_rapid() {
 
 void Interpreter::take_fedrat() {
   is_rapid_ = false;
-  const auto number = std::find_if(arguments_.begin(), arguments_.end(), [](const Argument& a) { return a.number.has_value(); });
+  const auto number = std::find_if(arguments_.begin(), arguments_.end(),
+                                   [](const Argument& a) { return a.number.has_value(); });
   if (number == arguments_.end()) return;
   double mm_per_feed_unit = mm_per_unit_;
   for (const Argument& argument : arguments_) {
@@ -265,7 +276,10 @@ void Interpreter::emit(const Position& position) {
   const bool is_rapid = is_rapid_ || is_from || position.form == PositionForm::gohome;
 
   Move move;
-  move.kind = is_cycle ? MoveKind::cycle : is_arc ? MoveKind::arc : is_rapid ? MoveKind::rapid : MoveKind::feed;
+  move.kind = is_cycle   ? MoveKind::cycle
+              : is_arc   ? MoveKind::arc
+              : is_rapid ? MoveKind::rapid
+                         : MoveKind::feed;
   move.line = statement_->line;
   move.statement = path_.statements.size() - 1;
   move.point_in_statement = position.point;
@@ -288,9 +302,9 @@ void Interpreter::emit(const Position& position) {
   }
 
   if (records_ != nullptr) {
-    records_->push_back({move.statement, position.point, position.points, position.first_argument, position.numbers,
-                         position.form, is_rapid_, multax_ == false, rapid_statement_, block_, position.axis_local,
-                         implied_axis(), mm_per_unit_, to_part_});
+    records_->push_back({move.statement, position.point, position.points, position.first_argument,
+                         position.numbers, position.form, is_rapid_, multax_ == false, rapid_statement_,
+                         block_, position.axis_local, implied_axis(), mm_per_unit_, to_part_});
   }
   if (dialect_.is_axis_modal) modal_axis_ = position.axis_local;
   last_pose_ = move.end;

@@ -10,18 +10,22 @@
 namespace gouge {
 namespace {
 
-bool equal(double a, double b) { return !(a < b) && !(b < a); }
+bool equal(double a, double b) {
+  return !(a < b) && !(b < a);
+}
 
 bool equal(const std::optional<CutterStatement>& a, const std::optional<CutterStatement>& b) {
   if (!a || !b) return a.has_value() == b.has_value();
-  return equal(a->d_mm, b->d_mm) && equal(a->r_mm, b->r_mm) && equal(a->e_mm, b->e_mm) && equal(a->f_mm, b->f_mm) &&
-         equal(a->alpha_deg, b->alpha_deg) && equal(a->beta_deg, b->beta_deg) && equal(a->h_mm, b->h_mm);
+  return equal(a->d_mm, b->d_mm) && equal(a->r_mm, b->r_mm) && equal(a->e_mm, b->e_mm) &&
+         equal(a->f_mm, b->f_mm) && equal(a->alpha_deg, b->alpha_deg) && equal(a->beta_deg, b->beta_deg) &&
+         equal(a->h_mm, b->h_mm);
 }
 
 std::optional<int> whole_number(const Argument& argument) {
   if (!argument.number) return std::nullopt;
   const double value = *argument.number;
-  if (!equal(value, std::floor(value)) || std::abs(value) > std::numeric_limits<int>::max()) return std::nullopt;
+  if (!equal(value, std::floor(value)) || std::abs(value) > std::numeric_limits<int>::max())
+    return std::nullopt;
   return static_cast<int>(value);
 }
 
@@ -67,9 +71,10 @@ void Interpreter::take_tldata() {
   if (is_drill && !numbers.empty() && !numbers.front().number) numbers = numbers.subspan(1);
   const CutterOutcome outcome = make_tldata_cutter(numbers, is_drill, mm_per_unit_);
   if (!outcome.error.empty()) {
-    return fail("path-cutter", "TLDATA: " + outcome.error +
-                                   (is_drill ? "; expected DRILL,MILL,diameter,radius,length,point angle,flute length"
-                                             : "; expected MILL,diameter,radius,length,taper angle,tip angle"));
+    return fail("path-cutter",
+                "TLDATA: " + outcome.error +
+                    (is_drill ? "; expected DRILL,MILL,diameter,radius,length,point angle,flute length"
+                              : "; expected MILL,diameter,radius,length,taper angle,tip angle"));
   }
   if (outcome.cutter) return set_cutter(*outcome.cutter, outcome.flute_length_mm);
   turning_reason_ = nullptr;
@@ -81,7 +86,8 @@ void Interpreter::take_tool_number() {
   if (arguments_.empty()) return count_unknown();
   const std::optional<int> number = whole_number(arguments_.front());
   if (!number) {
-    return fail("path-statement", std::string(statement_->major) + ": " + quoted_text(arguments_.front().text) +
+    return fail("path-statement", std::string(statement_->major) + ": " +
+                                      quoted_text(arguments_.front().text) +
                                       " is not a tool number; expected a whole number");
   }
   change_number(*number);
@@ -97,8 +103,8 @@ void Interpreter::take_load() {
   change_number(*number);
 }
 
-// A tool that was not described since the last motion is the one last seen under that number, or one the file says
-// nothing about: never the one before it.
+// A tool that was not described since the last motion is the one last seen under that number, or one the file
+// says nothing about: never the one before it.
 void Interpreter::change_number(int number) {
   if (tool_.number == number) return;
   is_tool_changed_ = true;
@@ -117,7 +123,8 @@ void Interpreter::change_number(int number) {
 }
 
 void Interpreter::take_flute_length() {
-  if (arguments_.size() != 1 || !arguments_.front().number || *arguments_.front().number < 0) return count_unknown();
+  if (arguments_.size() != 1 || !arguments_.front().number || *arguments_.front().number < 0)
+    return count_unknown();
   tool_.flute_length_mm = *arguments_.front().number * mm_per_unit_;
   is_tool_changed_ = true;
 }
@@ -127,12 +134,14 @@ void Interpreter::take_tool_name(std::string_view text) {
   is_tool_changed_ = true;
 }
 
-// Number and cutter (NX: and name) make a tool; the same ones again are the same tool and no break of the motion.
+// Number and cutter (NX: and name) make a tool; the same ones again are the same tool and no break of the
+// motion.
 void Interpreter::resolve_tool() {
   tool_.is_fresh = false;
   if (!is_tool_changed_) return;
   is_tool_changed_ = false;
-  const bool is_known = tool_.number || tool_.cutter || (dialect_.kind == DialectKind::nx_clsf && !tool_.name.empty());
+  const bool is_known =
+      tool_.number || tool_.cutter || (dialect_.kind == DialectKind::nx_clsf && !tool_.name.empty());
   std::size_t index = kNone;
   if (is_known) {
     for (index = 0; index < path_.tools.size(); ++index) {

@@ -36,12 +36,15 @@ bool is_assignment(std::string_view major) {
   if (sign == std::string_view::npos || sign == 0) return false;
   const std::string_view symbol = trim(major.substr(0, sign));
   const auto is_symbol = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '(' || c == ')' || c == '_';
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '(' ||
+           c == ')' || c == '_';
   };
   return symbol.size() <= kLongestSymbol && std::all_of(symbol.begin(), symbol.end(), is_symbol);
 }
 
-bool is_within_curve(Word word) { return word == Word::cntrl || word == Word::knot || word == Word::comment; }
+bool is_within_curve(Word word) {
+  return word == Word::cntrl || word == Word::knot || word == Word::comment;
+}
 
 bool has_arguments(Word word) {
   switch (word) {
@@ -52,14 +55,17 @@ bool has_arguments(Word word) {
     case Word::tprint:
     case Word::insert:
     case Word::operation:
-    case Word::tool_path: return false;
-    default: return true;
+    case Word::tool_path:
+      return false;
+    default:
+      return true;
   }
 }
 
 }  // namespace
 
-Interpreter::Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit, std::vector<MotionRecord>* records)
+Interpreter::Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit,
+                         std::vector<MotionRecord>* records)
     : path_(path), dialect_(dialect), records_(records), mm_per_unit_(mm_per(unit)) {}
 
 void Interpreter::fail(std::string code, std::string message) {
@@ -72,8 +78,8 @@ void Interpreter::fail(std::string code, std::string message) {
 
 Diagnostics Interpreter::take_errors() {
   if (errors_not_listed_ > 0) {
-    errors_.push_back(make_error("path-more-errors", "and " + std::to_string(errors_not_listed_) + " more errors",
-                                 path_.file));
+    errors_.push_back(make_error("path-more-errors",
+                                 "and " + std::to_string(errors_not_listed_) + " more errors", path_.file));
   }
   return std::exchange(errors_, {});
 }
@@ -81,9 +87,10 @@ Diagnostics Interpreter::take_errors() {
 void Interpreter::refuse_part_program(std::string_view what) {
   errors_.clear();
   errors_not_listed_ = 0;
-  fail("path-part-program", "is an APT part program (" + quoted_text(what) +
-                                "); expected CL data with positions in numbers: run it through an APT system and "
-                                "check the CL file that gives");
+  fail("path-part-program",
+       "is an APT part program (" + quoted_text(what) +
+           "); expected CL data with positions in numbers: run it through an APT system and "
+           "check the CL file that gives");
   is_hopeless_ = true;
 }
 
@@ -98,8 +105,9 @@ void Interpreter::take(const Statement& statement) {
   statement_ = &statement;
   path_.statements.push_back({statement.line, statement.first_byte, statement.last_byte});
   if (statement.is_unterminated) {
-    return fail("path-unterminated",
-                "the file ends within a statement that a $ continues; expected its next line: the file is cut short");
+    return fail(
+        "path-unterminated",
+        "the file ends within a statement that a $ continues; expected its next line: the file is cut short");
   }
   if (is_assignment(statement.major)) return refuse_part_program(statement.major);
   if (curve_statement_ != kNone && !is_within_curve(statement.word)) flush_curve();
@@ -110,40 +118,86 @@ void Interpreter::take(const Statement& statement) {
 
 bool Interpreter::take_motion_word() {
   switch (statement_->word) {
-    case Word::go_to: take_positions(PositionForm::go_to); return true;
-    case Word::from: take_positions(PositionForm::from); return true;
-    case Word::rapid: take_rapid(); return true;
-    case Word::fedrat: take_fedrat(); return true;
+    case Word::go_to:
+      take_positions(PositionForm::go_to);
+      return true;
+    case Word::from:
+      take_positions(PositionForm::from);
+      return true;
+    case Word::rapid:
+      take_rapid();
+      return true;
+    case Word::fedrat:
+      take_fedrat();
+      return true;
     case Word::circle:
-    case Word::movarc: is_arc_ = true; return true;
-    case Word::cntrl: take_control_point(); return true;
-    case Word::nurbs: begin_curve(); return true;
-    case Word::knot: return true;
-    case Word::godlta: take_godlta(); return true;
-    case Word::gohome: take_gohome(); return true;
-    case Word::tlon: take_tlon(); return true;
-    case Word::cycle: take_cycle(); return true;
-    case Word::multax: take_multax(); return true;
-    case Word::retrct: unknown_start_ = Reasons::kAfterRetract; return true;
+    case Word::curve:
+    case Word::movarc:
+      is_arc_ = true;
+      return true;
+    case Word::cntrl:
+      take_control_point();
+      return true;
+    case Word::nurbs:
+      begin_curve();
+      return true;
+    case Word::knot:
+      return true;
+    case Word::godlta:
+      take_godlta();
+      return true;
+    case Word::gohome:
+      take_gohome();
+      return true;
+    case Word::tlon:
+      take_tlon();
+      return true;
+    case Word::cycle:
+      take_cycle();
+      return true;
+    case Word::multax:
+      take_multax();
+      return true;
+    case Word::retrct:
+      unknown_start_ = Reasons::kAfterRetract;
+      return true;
     case Word::cutcom:
       if (!has_argument(arguments_, "OFF") && cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }
 
 bool Interpreter::take_tool_word() {
   switch (statement_->word) {
-    case Word::cutter: take_cutter(); return true;
-    case Word::tldata: take_tldata(); return true;
+    case Word::cutter:
+      take_cutter();
+      return true;
+    case Word::tldata:
+      take_tldata();
+      return true;
     case Word::loadtl:
-    case Word::toolno: take_tool_number(); return true;
-    case Word::load: take_load(); return true;
-    case Word::flute_length: take_flute_length(); return true;
-    case Word::turret: turning_reason_ = Reasons::kTurning; return true;
-    case Word::tprint: take_tool_name(statement_->pieces.front()); return true;
-    case Word::insert: last_insert_ = name_text(statement_->pieces.front()); return true;
-    default: return false;
+    case Word::toolno:
+      take_tool_number();
+      return true;
+    case Word::load:
+      take_load();
+      return true;
+    case Word::flute_length:
+      take_flute_length();
+      return true;
+    case Word::turret:
+      turning_reason_ = Reasons::kTurning;
+      return true;
+    case Word::tprint:
+      take_tool_name(statement_->pieces.front());
+      return true;
+    case Word::insert:
+      last_insert_ = name_text(statement_->pieces.front());
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -153,17 +207,33 @@ bool Interpreter::take_frame_word() {
       // SolidWorks CAM writes positions in world coordinates; its CSYS tells the machine's setup.
       if (dialect_.kind != DialectKind::solidworks_cam) take_frame_matrix(Reasons::kCsys);
       return true;
-    case Word::mcs: take_frame_matrix(Reasons::kMcs); return true;
-    case Word::mcsys: take_mcsys(); return true;
-    case Word::msys: take_msys(); return true;
-    case Word::rotabl: take_rotabl(); return true;
-    case Word::trntyp: take_trntyp(); return true;
-    case Word::tlaxis: take_tlaxis(); return true;
+    case Word::mcs:
+      take_frame_matrix(Reasons::kMcs);
+      return true;
+    case Word::mcsys:
+      take_mcsys();
+      return true;
+    case Word::msys:
+      take_msys();
+      return true;
+    case Word::rotabl:
+      take_rotabl();
+      return true;
+    case Word::trntyp:
+      take_trntyp();
+      return true;
+    case Word::tlaxis:
+      take_tlaxis();
+      return true;
     case Word::syn:
       is_tlaxis_ignored_ = is_tlaxis_ignored_ || has_argument(arguments_, "'TLAXIS'");
       return true;
-    case Word::units: take_units(); return true;
-    case Word::tool_path: take_tool_path(); return true;
+    case Word::units:
+      take_units();
+      return true;
+    case Word::tool_path:
+      take_tool_path();
+      return true;
     case Word::end_of_path:
       is_block_open_ = false;
       break_motion();
@@ -172,32 +242,41 @@ bool Interpreter::take_frame_word() {
       has_end_ = true;
       break_motion();
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }
 
 // Words that are text, move nothing or are refused; false for unknown ones.
 bool Interpreter::take_text_word() {
   switch (statement_->word) {
-    case Word::comment: take_comment(); return true;
+    case Word::comment:
+      take_comment();
+      return true;
     case Word::harmless:
-    case Word::free_text: return true;
+    case Word::free_text:
+      return true;
     case Word::pprint:
       if (!dialect_.names_operations) name_operation(name_text(statement_->pieces.front()));
       return true;
-    case Word::operation: name_operation(name_text(statement_->pieces.front())); return true;
+    case Word::operation:
+      name_operation(name_text(statement_->pieces.front()));
+      return true;
     case Word::part_program:
       if (!is_statement()) return false;
       refuse_part_program(statement_->major);
       return true;
-    default: return false;
+    default:
+      return false;
   }
 }
 
-// A word of the source language makes a statement alone or before a slash or comma; else it only begins a sentence.
+// A word of the source language makes a statement alone or before a slash or comma; else it only begins a
+// sentence.
 bool Interpreter::is_statement() const {
   const std::string_view all = path_.source;
-  const auto after = static_cast<std::size_t>(statement_->major.data() - all.data()) + statement_->major.size();
+  const auto after =
+      static_cast<std::size_t>(statement_->major.data() - all.data()) + statement_->major.size();
   const std::string_view rest = trim(all.substr(after, all.find('\n', after) - after));
   return rest.empty() || rest.front() == '/' || rest.front() == ',' || rest.front() == '$';
 }
@@ -213,31 +292,35 @@ void Interpreter::finish() {
   }
   if (cutcoms_ > 0) {
     notes.push_back(make_warning("path-cutcom",
-                                 counted(cutcoms_, "CUTCOM statement") + " on: positions are "
+                                 counted(cutcoms_, "CUTCOM statement") +
+                                     " on: positions are "
                                      "taken as those of the cutter centre, with none dialled in",
                                  path_.file, first_cutcom_line_));
   }
   if (plain_after_tilt_ > 0) {
-    notes.push_back(make_warning("path-plain-axis",
-                                 counted(plain_after_tilt_, "position") +
-                                     " of 3 numbers after one with a tilted axis: taken as +Z or TLAXIS, not as the "
-                                     "axis before",
-                                 path_.file, first_plain_after_tilt_));
+    notes.push_back(
+        make_warning("path-plain-axis",
+                     counted(plain_after_tilt_, "position") +
+                         " of 3 numbers after one with a tilted axis: taken as +Z or TLAXIS, not as the "
+                         "axis before",
+                     path_.file, first_plain_after_tilt_));
   }
   const bool is_marked = dialect_.kind != DialectKind::apt && dialect_.kind != DialectKind::nx_clsf;
   if (is_marked && !has_end_) {
-    notes.push_back(make_warning("path-cut-short", "the file ends without END or FINI: it may be cut short", path_.file));
+    notes.push_back(
+        make_warning("path-cut-short", "the file ends without END or FINI: it may be cut short", path_.file));
   }
   if (is_block_open_) {
-    notes.push_back(make_warning("path-cut-short", "the last TOOL PATH has no END-OF-PATH: the file may be cut short",
-                                 path_.file));
+    notes.push_back(make_warning(
+        "path-cut-short", "the last TOOL PATH has no END-OF-PATH: the file may be cut short", path_.file));
   }
   if (!path_.words_not_understood.empty()) {
     std::size_t count = 0;
     for (const auto& entry : path_.words_not_understood) count += entry.second;
     notes.push_back(make_warning("path-words",
-                                 counted(count, "statement") + " with words that are not understood, taken to move "
-                                                             "nothing; path info lists them",
+                                 counted(count, "statement") +
+                                     " with words that are not understood, taken to move "
+                                     "nothing; path info lists them",
                                  path_.file));
   }
 }

@@ -15,8 +15,8 @@
 #include "postproc/cldata/dialect.h"
 #include "postproc/cldata/lexer.h"
 
-// Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it again
-// over the same bytes to know in which state (axis, frame, unit, rapid) each position was read.
+// Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it
+// again over the same bytes to know in which state (axis, frame, unit, rapid) each position was read.
 
 namespace gouge {
 
@@ -26,15 +26,15 @@ enum class PositionForm : std::uint8_t { go_to, from, gohome, godlta, curve };
 /// The state a move was read in. One for each of Toolpath::moves, in the same order.
 struct MotionRecord {
   std::size_t statement = 0;
-  std::size_t point = 0, points = 1;   ///< which of how many positions of its statement
-  std::size_t first_argument = 0;      ///< of this position
-  std::size_t numbers = 0;             ///< 3 or 6; 0 where the form is godlta or curve
+  std::size_t point = 0, points = 1;  ///< which of how many positions of its statement
+  std::size_t first_argument = 0;     ///< of this position
+  std::size_t numbers = 0;            ///< 3 or 6; 0 where the form is godlta or curve
   PositionForm form = PositionForm::go_to;
-  bool is_rapid = false;               ///< by a RAPID before it
-  bool is_multax_off = false;          ///< MULTAX/OFF is stated: positions with an axis would be read as two
-  std::size_t rapid_statement = kNone; ///< the last RAPID before it
-  std::size_t block = 0;               ///< number of the TOOL PATH block; the modal axis does not cross blocks
-  Vec3 axis_local = Vec3::UnitZ();     ///< axis of this position, in the block's frame
+  bool is_rapid = false;                ///< by a RAPID before it
+  bool is_multax_off = false;           ///< MULTAX/OFF is stated: positions with an axis would be read as two
+  std::size_t rapid_statement = kNone;  ///< the last RAPID before it
+  std::size_t block = 0;            ///< number of the TOOL PATH block; the modal axis does not cross blocks
+  Vec3 axis_local = Vec3::UnitZ();  ///< axis of this position, in the block's frame
   Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
   double mm_per_unit = 1;
   RigidTransform to_part;
@@ -48,11 +48,14 @@ struct Reasons {
   static constexpr const char* kAfterCycle = "starts at an unknown retract height after a drilling cycle";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
-  static constexpr const char* kContour = "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";
+  static constexpr const char* kContour =
+      "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";
   static constexpr const char* kCsys = "positions are in a coordinate system (CSYS) that is not applied";
   static constexpr const char* kMcs = "positions are in a coordinate system (MCS) that is not applied";
-  static constexpr const char* kCatia = "positions are in a machining axis system ($$*CATIA0) that is not applied";
-  static constexpr const char* kTurned = "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
+  static constexpr const char* kCatia =
+      "positions are in a machining axis system ($$*CATIA0) that is not applied";
+  static constexpr const char* kTurned =
+      "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
 };
 
@@ -153,21 +156,21 @@ class Interpreter {
   bool is_hopeless_ = false;
 
   // motion
-  std::optional<Pose> last_pose_;         // part coordinates; nothing: the next position is alone
-  const char* unknown_start_ = nullptr;   // why the next motion's start is not known
+  std::optional<Pose> last_pose_;        // part coordinates; nothing: the next position is alone
+  const char* unknown_start_ = nullptr;  // why the next motion's start is not known
   const char* last_frame_reason_ = nullptr;
   bool is_rapid_ = false;
   bool is_arc_ = false;
   bool is_cycle_ = false;
   std::size_t rapid_statement_ = kNone;
   std::optional<bool> multax_;
-  Vec3 modal_axis_ = Vec3::UnitZ();       // the last axis given, or TLAXIS
-  Vec3 fixed_axis_ = Vec3::UnitZ();       // TLAXIS
+  Vec3 modal_axis_ = Vec3::UnitZ();  // the last axis given, or TLAXIS
+  Vec3 fixed_axis_ = Vec3::UnitZ();  // TLAXIS
   double feed_mm_per_min_ = 0;
-  std::size_t curve_statement_ = kNone;   // NURBS whose control points are being read
+  std::size_t curve_statement_ = kNone;  // NURBS whose control points are being read
   std::size_t curve_line_ = 0;
   std::optional<Position> curve_end_;
-  bool was_from_ = false;                 // the last move was FROM
+  bool was_from_ = false;  // the last move was FROM
 
   // tools and operations
   ToolState tool_;
@@ -191,8 +194,8 @@ class Interpreter {
   const char* contour_reason_ = nullptr;
   const char* turning_reason_ = nullptr;
   const char* trntyp_reason_ = nullptr;
-  std::array<double, 3> turned_{};        // sum of table turns about A, B, C
-  int catia_row_ = -1;                    // lines seen since $$*CATIA0; -1: none
+  std::array<double, 3> turned_{};  // sum of table turns about A, B, C
+  int catia_row_ = -1;              // lines seen since $$*CATIA0; -1: none
   bool is_catia_identity_ = true;
   bool is_tlaxis_ignored_ = false;
 

@@ -17,10 +17,10 @@ struct Statement {
   std::size_t first_byte = 0;  ///< [first, last): its physical lines whole, line ends included
   std::size_t last_byte = 0;
   Word word = Word::unknown;
-  std::string_view major;      ///< as written, without blanks around it
+  std::string_view major;        ///< as written, without blanks around it
   bool is_unterminated = false;  ///< the file ends after a `$`
-  /// What follows the major word, one piece for each physical line, without `$` and comments. A comment has one
-  /// piece: what follows `$$` (and for Creo's `$$->`, its continuation lines).
+  /// What follows the major word, one piece for each physical line, without `$` and comments. A comment has
+  /// one piece: what follows `$$` (and for Creo's `$$->`, its continuation lines).
   std::vector<std::string_view> pieces;
 };
 

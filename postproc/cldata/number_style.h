@@ -6,7 +6,8 @@
 
 #include "lib/base/units.h"
 
-// How a file writes its numbers, learned from the numbers it has, so that new ones look like their neighbours.
+// How a file writes its numbers, learned from the numbers it has, so that new ones look like their
+// neighbours.
 
 namespace gouge {
 
@@ -15,7 +16,8 @@ class NumberStyle {
  public:
   /// `field` is how many characters the number takes with the blanks before it.
   void learn(std::string_view token, std::size_t field);
-  /// To be called once: no fewer than `least_decimals` are written; `usual_decimals` where nothing was learned.
+  /// To be called once: no fewer than `least_decimals` are written; `usual_decimals` where nothing was
+  /// learned.
   void settle(int least_decimals, int usual_decimals);
 
   /// `value` as the file would write it.
@@ -32,12 +34,14 @@ class NumberStyle {
   bool is_aligned_ = true;
   bool has_varying_length_ = false;
   std::size_t first_length_ = 0;
-  bool keeps_point_ = false;         ///< "25." for whole numbers
-  bool drops_zero_ = false;          ///< ".5"
-  bool keeps_negative_zero_ = false; ///< "-0.5" although ".5"
+  bool keeps_point_ = false;          ///< "25." for whole numbers
+  bool drops_zero_ = false;           ///< ".5"
+  bool keeps_negative_zero_ = false;  ///< "-0.5" although ".5"
 };
 
 /// Decimals that keep a coordinate within 1e-4 mm.
-[[nodiscard]] constexpr int least_coordinate_decimals(LengthUnit unit) { return unit == LengthUnit::inch ? 5 : 4; }
+[[nodiscard]] constexpr int least_coordinate_decimals(LengthUnit unit) {
+  return unit == LengthUnit::inch ? 5 : 4;
+}
 
 }  // namespace gouge

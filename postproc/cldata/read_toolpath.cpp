@@ -30,23 +30,25 @@ std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_v
     return make_error("path-empty", "the file is empty; expected APT CL data or an NX CLSF", file);
   }
   if (is_ncl_binary(bytes)) {
-    return make_error("path-nccs-binary",
-                      "is a binary NCL file, which is not supported yet; export the CL data as ASCII (APT source)", file);
+    return make_error(
+        "path-nccs-binary",
+        "is a binary NCL file, which is not supported yet; export the CL data as ASCII (APT source)", file);
   }
   const auto control = std::find_if(bytes.begin(), bytes.end(), is_control);
   if (control == bytes.end()) return std::nullopt;
   const auto line = static_cast<std::size_t>(std::count(bytes.begin(), control, '\n')) + 1;
   return make_error("path-binary",
-                    "is not text: byte " + std::to_string(static_cast<unsigned char>(*control)) + " at position " +
-                        std::to_string(control - bytes.begin()) + "; expected APT CL data or an NX CLSF",
+                    "is not text: byte " + std::to_string(static_cast<unsigned char>(*control)) +
+                        " at position " + std::to_string(control - bytes.begin()) +
+                        "; expected APT CL data or an NX CLSF",
                     file, line);
 }
 
 void note_unit(const UnitGuess& guess, Toolpath& path) {
   const std::string unit = guess.unit == LengthUnit::inch ? "inches" : "mm";
   if (guess.source == UnitGuess::Source::feed_word) {
-    path.notes.push_back(make_note("path-unit", "the file states no unit; taken as " + unit + " from the words of FEDRAT",
-                                   path.file));
+    path.notes.push_back(make_note(
+        "path-unit", "the file states no unit; taken as " + unit + " from the words of FEDRAT", path.file));
   } else if (guess.source == UnitGuess::Source::assumed) {
     path.notes.push_back(make_warning("path-unit", "the file states no unit; taken as mm", path.file));
   }
@@ -57,7 +59,8 @@ Diagnostic no_motion(const Toolpath& path) {
   if (!path.statements.empty()) {
     const SourceStatement& first = path.statements.front();
     const std::string_view all = path.source;
-    message += "; the first line is " + quoted_text(all.substr(first.first_byte, first.last_byte - first.first_byte));
+    message += "; the first line is " +
+               quoted_text(all.substr(first.first_byte, first.last_byte - first.first_byte));
   }
   return make_error("path-no-motion", std::move(message), path.file);
 }

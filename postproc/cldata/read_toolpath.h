@@ -6,8 +6,9 @@
 #include "lib/base/diagnostic.h"
 #include "lib/path/toolpath.h"
 
-// Reads cutter-location text: APT CL data in the forms CAM systems write it, and Siemens NX CLSF. The dialect is
-// told by the content, never by the file's name. docs/formats/apt_cl.md and nx_clsf.md say what is understood.
+// Reads cutter-location text: APT CL data in the forms CAM systems write it, and Siemens NX CLSF. The dialect
+// is told by the content, never by the file's name. docs/formats/apt_cl.md and nx_clsf.md say what is
+// understood.
 
 namespace gouge {
 
@@ -20,7 +21,8 @@ struct ReadOutcome {
 
 /// Units    The file's unit becomes mm; the frame of each block (NX: MSYS) becomes part coordinates.
 /// Ensures  (1) Every GOTO, FROM, GOHOME, GODLTA, arc, spline or cycle point of the file is one move, or the
-///              file is refused. (2) What is not understood is a move with a reason, a counted word or a note.
+///              file is refused. (2) What is not understood is a move with a reason, a counted word or a
+///              note.
 /// Errors   path-empty, path-binary, path-nccs-binary, path-no-motion, path-part-program, path-unterminated,
 ///          path-number, path-count, path-axis, path-cutter, path-statement, path-frame, path-range,
 ///          path-more-errors.

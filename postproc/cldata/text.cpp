@@ -9,15 +9,24 @@ namespace {
 constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kLongestQuote = 40;
 
-constexpr char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
+constexpr char capital(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
 
-unsigned byte_at(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
+unsigned byte_at(std::string_view text, std::size_t i) {
+  return static_cast<unsigned char>(text[i]);
+}
 
-// Length of the well-formed UTF-8 sequence at `i`, or 0. Overlong forms, surrogates and numbers beyond U+10FFFF
-// are not well-formed: JSON writers refuse them.
+// Length of the well-formed UTF-8 sequence at `i`, or 0. Overlong forms, surrogates and numbers beyond
+// U+10FFFF are not well-formed: JSON writers refuse them.
 std::size_t utf8_length(std::string_view text, std::size_t i) {
   const unsigned lead = byte_at(text, i);
-  const std::size_t length = lead < 0x80 ? 1 : lead < 0xc2 ? 0 : lead < 0xe0 ? 2 : lead < 0xf0 ? 3 : lead < 0xf5 ? 4 : 0;
+  const std::size_t length = lead < 0x80   ? 1
+                             : lead < 0xc2 ? 0
+                             : lead < 0xe0 ? 2
+                             : lead < 0xf0 ? 3
+                             : lead < 0xf5 ? 4
+                                           : 0;
   if (length == 0 || i + length > text.size()) return 0;
   for (std::size_t k = 1; k < length; ++k) {
     if ((byte_at(text, i + k) & 0xc0U) != 0x80U) return 0;

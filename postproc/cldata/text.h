@@ -18,8 +18,8 @@ namespace gouge {
 [[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
 [[nodiscard]] bool starts_with_ignoring_case(std::string_view text, std::string_view start);
 
-/// `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text that
-/// is not UTF-8 is taken as Latin-1 (CATIA writes the code page of its user). At most 200 bytes.
+/// `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text
+/// that is not UTF-8 is taken as Latin-1 (CATIA writes the code page of its user). At most 200 bytes.
 [[nodiscard]] std::string name_text(std::string_view text);
 
 /// `text` for use in a message: as name_text, cut to 40 bytes.

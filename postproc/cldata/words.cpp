@@ -20,6 +20,7 @@ constexpr auto kWords = std::to_array<Entry>({
     {"BEGIN", Word::harmless},
     {"BOX", Word::harmless},
     {"BREAK", Word::harmless},
+    {"BSPLIN", Word::curve},
     {"CALL", Word::part_program},
     {"CIRCLE", Word::circle},
     {"CLAMP", Word::harmless},
@@ -56,6 +57,7 @@ constexpr auto kWords = std::to_array<Entry>({
     {"GORGT", Word::part_program},
     {"GOTO", Word::go_to},
     {"GOUP", Word::part_program},
+    {"HELIX", Word::curve},
     {"INDEX", Word::part_program},
     {"INDIRP", Word::part_program},
     {"INDIRV", Word::harmless},
@@ -107,10 +109,12 @@ constexpr auto kWords = std::to_array<Entry>({
     {"SEQNO", Word::harmless},
     {"SETUP", Word::harmless},
     {"SPINDL", Word::harmless},
+    {"SPLINE", Word::curve},
     {"STOP", Word::harmless},
     {"SWITCH", Word::harmless},
     {"SYN", Word::syn},
     {"TCP", Word::harmless},
+    {"THREAD", Word::curve},
     {"TITLES", Word::free_text},
     {"TLAXIS", Word::tlaxis},
     {"TLDATA", Word::tldata},
@@ -137,9 +141,10 @@ constexpr auto kWords = std::to_array<Entry>({
 static_assert(std::is_sorted(kWords.begin(), kWords.end(),
                              [](const Entry& a, const Entry& b) { return a.first < b.first; }));
 
-constexpr std::array<std::string_view, 6> kSixLetterTexts = {"INSERT", "LETTER", "PARTNO", "PPRINT", "REMARK", "TPRINT"};
+constexpr std::array<std::string_view, 6> kSixLetterTexts = {"INSERT", "LETTER", "PARTNO",
+                                                             "PPRINT", "REMARK", "TPRINT"};
 constexpr std::array<std::string_view, 6> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART",
-                                                             "OPNAME", "TITLES", "TOOL PATH"};
+                                                             "OPNAME",        "TITLES",    "TOOL PATH"};
 
 bool is_word_character(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
@@ -148,9 +153,9 @@ bool is_word_character(char c) {
 }  // namespace
 
 Word find_word(std::string_view major) {
-  const auto* const it = std::lower_bound(kWords.begin(), kWords.end(), major, [](const Entry& e, std::string_view m) {
-    return compare_ignoring_case(e.first, m) < 0;
-  });
+  const auto* const it = std::lower_bound(
+      kWords.begin(), kWords.end(), major,
+      [](const Entry& e, std::string_view m) { return compare_ignoring_case(e.first, m) < 0; });
   if (it == kWords.end() || compare_ignoring_case(it->first, major) != 0) return Word::unknown;
   return it->second;
 }
@@ -161,7 +166,8 @@ std::size_t free_text_word_length(std::string_view line) {
     if (starts_with_ignoring_case(line, word)) return word.size();
   }
   for (const std::string_view word : kWholeWordTexts) {
-    if (starts_with_ignoring_case(line, word) && (line.size() == word.size() || !is_word_character(line[word.size()]))) {
+    if (starts_with_ignoring_case(line, word) &&
+        (line.size() == word.size() || !is_word_character(line[word.size()]))) {
       return word.size();
     }
   }

@@ -3,31 +3,65 @@
 #include <cstdint>
 #include <string_view>
 
-// The major words of CL data that change what a motion means, and those known to change nothing about where the
-// cutter is. Every other word is `unknown`: kept in the file, counted and told.
+// The major words of CL data that change what a motion means, and those known to change nothing about where
+// the cutter is. Every other word is `unknown`: kept in the file, counted and told.
 
 namespace gouge {
 
 enum class Word : std::uint8_t {
-  comment,        // $$ ...
-  unknown,        // counted and told
-  harmless,       // known to leave positions alone
-  free_text,      // PARTNO, REMARK, LETTER: text, not arguments
-  pprint,         // text that names operations in some dialects
-  insert,         // text that names tools in SolidWorks CAM
-  tprint,         // text that names tools in CATIA
-  operation,      // CSI_TOOL_PATH, OPNAME, OPFEATSTART: text that names an operation
-  part_program,   // geometry and drive words of the APT source language
-  circle, csys, cntrl, cutcom, cutter, cycle, end_of_path, fedrat, fini, flute_length, from, godlta, gohome,
-  go_to, knot, load, loadtl, mcs, mcsys, movarc, msys, multax, nurbs, rapid, retrct, rotabl, syn, tldata, tlaxis,
-  tlon, tool_path, toolno, trntyp, turret, units
+  comment,       // $$ ...
+  unknown,       // counted and told
+  harmless,      // known to leave positions alone
+  free_text,     // PARTNO, REMARK, LETTER: text, not arguments
+  pprint,        // text that names operations in some dialects
+  insert,        // text that names tools in SolidWorks CAM
+  tprint,        // text that names tools in CATIA
+  operation,     // CSI_TOOL_PATH, OPNAME, OPFEATSTART: text that names an operation
+  part_program,  // geometry and drive words of the APT source language
+  curve,         // words after which the next positions are not reached on straight lines
+  circle,
+  csys,
+  cntrl,
+  cutcom,
+  cutter,
+  cycle,
+  end_of_path,
+  fedrat,
+  fini,
+  flute_length,
+  from,
+  godlta,
+  gohome,
+  go_to,
+  knot,
+  load,
+  loadtl,
+  mcs,
+  mcsys,
+  movarc,
+  msys,
+  multax,
+  nurbs,
+  rapid,
+  retrct,
+  rotabl,
+  syn,
+  tldata,
+  tlaxis,
+  tlon,
+  tool_path,
+  toolno,
+  trntyp,
+  turret,
+  units
 };
 
 /// The word a statement begins with; upper or lower case.
 [[nodiscard]] Word find_word(std::string_view major);
 
-/// Words of `line` (without leading blanks) whose rest is text, whatever it holds: how many characters the word
-/// has, or 0 when it is no such word. PARTNO, PPRINT and their like need no delimiter after their six letters.
+/// Words of `line` (without leading blanks) whose rest is text, whatever it holds: how many characters the
+/// word has, or 0 when it is no such word. PARTNO, PPRINT and their like need no delimiter after their six
+/// letters.
 [[nodiscard]] std::size_t free_text_word_length(std::string_view line);
 
 }  // namespace gouge

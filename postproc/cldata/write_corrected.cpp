@@ -15,19 +15,23 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
   for (const PathChange& change : changes) {
     const std::string name = "move " + std::to_string(change.move);
     if (change.move >= path.moves.size() || is_named[change.move]) {
-      return make_error("write-move", name + " is " + (change.move >= path.moves.size() ? "not in the path" : "named twice") +
-                                          "; expected one change for a move of the path", path.file);
+      return make_error("write-move",
+                        name + " is " +
+                            (change.move >= path.moves.size() ? "not in the path" : "named twice") +
+                            "; expected one change for a move of the path",
+                        path.file);
     }
     is_named[change.move] = true;
     const Move& move = path.moves[change.move];
     const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid;
     if (!is_straight && (change.new_end || !change.inserted_before.empty())) {
-      return make_error("write-arc", name + " is an arc, a curve or a cycle; only straight moves can be changed", path.file,
-                        move.line);
+      return make_error("write-arc",
+                        name + " is an arc, a curve or a cycle; only straight moves can be changed",
+                        path.file, move.line);
     }
     if (!move.start && !change.inserted_before.empty()) {
-      return make_error("write-alone", name + " has no start; positions can be inserted only into a motion", path.file,
-                        move.line);
+      return make_error("write-alone", name + " has no start; positions can be inserted only into a motion",
+                        path.file, move.line);
     }
   }
   return std::nullopt;
@@ -61,7 +65,8 @@ class CorrectedWriter {
   [[nodiscard]] std::string insertions(std::size_t move);
   [[nodiscard]] std::string in_place(std::size_t first, std::size_t last);
   [[nodiscard]] std::string one_by_one(std::size_t first, std::size_t last);
-  [[nodiscard]] std::string framed(const MotionRecord& record, const WrittenPosition& position, std::string text) const;
+  [[nodiscard]] std::string framed(const MotionRecord& record, const WrittenPosition& position,
+                                   std::string text) const;
 
   const Toolpath& path_;
   std::vector<MotionRecord> records_;
@@ -74,7 +79,8 @@ class CorrectedWriter {
 
 // The end of `move` in its statement's frame, in mm.
 Pose CorrectedWriter::local_end(std::size_t move) const {
-  const Pose& end = changes_[move] != nullptr && changes_[move]->new_end ? *changes_[move]->new_end : path_.moves[move].end;
+  const Pose& end =
+      changes_[move] != nullptr && changes_[move]->new_end ? *changes_[move]->new_end : path_.moves[move].end;
   return records_[move].to_part.inverse().pose(end);
 }
 
@@ -90,7 +96,8 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
   return relies_on_axis && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
 }
 
-// What to write for `local`, and the axis it leaves in force. The axis is left out where 3 numbers mean the same.
+// What to write for `local`, and the axis it leaves in force. The axis is left out where 3 numbers mean the
+// same.
 WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose& local, bool is_axis_kept) {
   WrittenPosition position;
   position.tip = local.tip / record.mm_per_unit;
@@ -101,7 +108,8 @@ WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose&
 }
 
 // Under MULTAX/OFF six numbers are two positions, so a position with an axis switches it on for itself.
-std::string CorrectedWriter::framed(const MotionRecord& record, const WrittenPosition& position, std::string text) const {
+std::string CorrectedWriter::framed(const MotionRecord& record, const WrittenPosition& position,
+                                    std::string text) const {
   if (!record.is_multax_off || !position.axis || record.numbers == 6) return text;
   return goto_text_.with_line_end("MULTAX/ON") + goto_text_.with_line_end(std::move(text)) +
          goto_text_.with_line_end("MULTAX/OFF");
@@ -113,7 +121,8 @@ std::string CorrectedWriter::rapid_line(const MotionRecord& record) const {
   return goto_text_.with_line_end(path_.source.substr(span.first_byte, span.last_byte - span.first_byte));
 }
 
-// The positions to visit before `move`, and, as RAPID holds for one motion only, a RAPID for each further one.
+// The positions to visit before `move`, and, as RAPID holds for one motion only, a RAPID for each further
+// one.
 std::string CorrectedWriter::insertions(std::size_t move) {
   const MotionRecord& record = records_[move];
   const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
@@ -124,9 +133,11 @@ std::string CorrectedWriter::insertions(std::size_t move) {
     if (is_rapid && !is_rapid_pending) text += rapid_line(record);
     is_rapid_pending = false;
     const bool is_template = record.form == PositionForm::go_to && record.points == 1;
-    const WrittenPosition position = written(record, record.to_part.inverse().pose(pose), record.numbers == 6);
+    const WrittenPosition position =
+        written(record, record.to_part.inverse().pose(pose), record.numbers == 6);
     text += framed(record, position,
-                   is_template ? goto_text_.with_line_end(goto_text_.replaced(record.statement, record.numbers, {position}))
+                   is_template ? goto_text_.with_line_end(
+                                     goto_text_.replaced(record.statement, record.numbers, {position}))
                                : goto_text_.fresh(position));
   }
   if (record.is_rapid) text += rapid_line(record);
@@ -144,7 +155,8 @@ std::string CorrectedWriter::in_place(std::size_t first, std::size_t last) {
     positions[i - first] = position;
   }
   if (has_new_axis && record.points > 1) return one_by_one(first, last);
-  return text + framed(record, *positions[0], goto_text_.replaced(record.statement, record.numbers, positions));
+  return text +
+         framed(record, *positions[0], goto_text_.replaced(record.statement, record.numbers, positions));
 }
 
 std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
@@ -159,7 +171,8 @@ std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
 
 // Where the text written agrees with the file read, the axis in force is the one the file says is in force.
 void CorrectedWriter::begin_statement(const MotionRecord& record, bool is_new_block) {
-  if (is_new_block || goto_text_.is_same_axis(axis_written_, axis_read_)) axis_written_ = record.implied_axis_local;
+  if (is_new_block || goto_text_.is_same_axis(axis_written_, axis_read_))
+    axis_written_ = record.implied_axis_local;
 }
 
 Result<std::string> CorrectedWriter::write() {
@@ -174,12 +187,15 @@ Result<std::string> CorrectedWriter::write() {
     begin_statement(record, first == 0 || record.block != records_[first - 1].block);
     axis_read_ = records_[last - 1].axis_local;
     if (!needs_rewriting(first, last)) {
-      if (record.numbers == 6 || goto_text_.is_same_axis(axis_written_, record.implied_axis_local)) axis_written_ = axis_read_;
+      if (record.numbers == 6 || goto_text_.is_same_axis(axis_written_, record.implied_axis_local))
+        axis_written_ = axis_read_;
       continue;
     }
     if (record.form == PositionForm::curve) {
-      return make_error("write-arc", "a curve follows a position with another axis, which it would take over; keep that axis",
-                        path_.file, path_.moves[first].line);
+      return make_error(
+          "write-arc",
+          "a curve follows a position with another axis, which it would take over; keep that axis",
+          path_.file, path_.moves[first].line);
     }
     const SourceStatement& span = path_.statements[record.statement];
     result += source.substr(copied, span.first_byte - copied);

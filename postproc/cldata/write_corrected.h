@@ -14,11 +14,12 @@ namespace gouge {
 /// Requires `path` as read by read_toolpath. Unit axes, finite numbers.
 /// Ensures  (1) Without changes the bytes are those of the file. (2) Statements that need no change are
 ///              byte-identical. (3) Read again, the file has the changed positions (rounded to the file's
-///              decimals, to at least 4 in mm and 5 in inch files), inserted ones as moves of their own of the
-///              same kind, tool and operation, and all other moves as before.
+///              decimals, to at least 4 in mm and 5 in inch files), inserted ones as moves of their own of
+///              the same kind, tool and operation, and all other moves as before.
 /// Errors   write-move (no such move, or one named twice), write-arc (an arc, spline or cycle move cannot be
 ///          moved or have positions inserted), write-alone (positions before a move that has no start).
 /// Cost     One pass over the file.
-[[nodiscard]] Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes);
+[[nodiscard]] Result<std::string> write_corrected(const Toolpath& path,
+                                                  const std::vector<PathChange>& changes);
 
 }  // namespace gouge

@@ -28,8 +28,10 @@ TEST(DescribePath, CountsWhatIsThere) {
   const Pose up{Vec3(0, 0, 10), Vec3::UnitZ()};
   path.moves.push_back(move_to(MoveKind::rapid, up.tip, up.axis, std::nullopt));
   path.moves.push_back(move_to(MoveKind::feed, Vec3(0, 0, 4), Vec3(0, 0, 1), up));
-  path.moves.push_back(move_to(MoveKind::feed, Vec3(3, 0, 0), Vec3(1, 0, -0.0), Pose{Vec3(0, 0, 4), Vec3::UnitZ()}));
-  path.moves.push_back(move_to(MoveKind::arc, Vec3(3, 1, 0), Vec3(1, 0, 0.0), Pose{Vec3(3, 0, 0), Vec3::UnitX()}));
+  path.moves.push_back(
+      move_to(MoveKind::feed, Vec3(3, 0, 0), Vec3(1, 0, -0.0), Pose{Vec3(0, 0, 4), Vec3::UnitZ()}));
+  path.moves.push_back(
+      move_to(MoveKind::arc, Vec3(3, 1, 0), Vec3(1, 0, 0.0), Pose{Vec3(3, 0, 0), Vec3::UnitX()}));
   path.moves[3].not_checked_reason = "because";
   path.moves[1].tool = path.moves[2].tool = path.moves[3].tool = 1;
   path.moves[2].operation = 0;
@@ -48,7 +50,9 @@ TEST(DescribePath, CountsWhatIsThere) {
   EXPECT_DOUBLE_EQ(info.box.max().z(), 10);
 }
 
-TEST(DescribePath, AnEmptyPathHasAnEmptyBox) { EXPECT_TRUE(describe_path({}).box.isEmpty()); }
+TEST(DescribePath, AnEmptyPathHasAnEmptyBox) {
+  EXPECT_TRUE(describe_path({}).box.isEmpty());
+}
 
 TEST(KindName, IsAWordOfTheReports) {
   EXPECT_STREQ(kind_name(MoveKind::feed), "feed");

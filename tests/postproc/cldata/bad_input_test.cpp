@@ -17,23 +17,29 @@ std::string only_error(const std::string& text) {
 }
 
 TEST(BadPath, NoFileOfCutterPositions) {
-  EXPECT_EQ(only_error(""), "bad.apt: error: the file is empty; expected APT CL data or an NX CLSF [path-empty]");
+  EXPECT_EQ(only_error(""),
+            "bad.apt: error: the file is empty; expected APT CL data or an NX CLSF [path-empty]");
   EXPECT_EQ(only_error("UNITS/MM\nFINI\n"),
-            "bad.apt: error: holds no position; expected GOTO statements of APT CL data or an NX CLSF; the first line is "
+            "bad.apt: error: holds no position; expected GOTO statements of APT CL data or an NX CLSF; the "
+            "first line is "
             "\"UNITS/MM\" [path-no-motion]");
   EXPECT_EQ(only_error("1.0 2.0 3.0\n4.0 5.0 6.0\n"),
-            "bad.apt: error: holds no position; expected GOTO statements of APT CL data or an NX CLSF; the first line is "
+            "bad.apt: error: holds no position; expected GOTO statements of APT CL data or an NX CLSF; the "
+            "first line is "
             "\"1.0 2.0 3.0\" [path-no-motion]");
   EXPECT_EQ(only_error("\n\n\n"),
-            "bad.apt: error: holds no position; expected GOTO statements of APT CL data or an NX CLSF [path-no-motion]");
+            "bad.apt: error: holds no position; expected GOTO statements of APT CL data or an NX CLSF "
+            "[path-no-motion]");
 }
 
 TEST(BadPath, BytesThatAreNoText) {
   EXPECT_EQ(only_error(std::string("GOTO/1,2,3\nGO\0TO/1,2,3\n", 23)),
-            "bad.apt:2: error: is not text: byte 0 at position 13; expected APT CL data or an NX CLSF [path-binary]");
+            "bad.apt:2: error: is not text: byte 0 at position 13; expected APT CL data or an NX CLSF "
+            "[path-binary]");
   const std::string ncl("\x11\x00\xe8\x1c\x00\x00\x00\x00    ", 12);
   EXPECT_EQ(only_error(ncl),
-            "bad.apt: error: is a binary NCL file, which is not supported yet; export the CL data as ASCII (APT source) "
+            "bad.apt: error: is a binary NCL file, which is not supported yet; export the CL data as ASCII "
+            "(APT source) "
             "[path-nccs-binary]");
 }
 
@@ -51,42 +57,52 @@ TEST(BadPath, NumbersThatAreNone) {
 TEST(BadPath, WrongCountsAndAxes) {
   EXPECT_EQ(only_error("GOTO/1,2,3,0,1\n"),
             "bad.apt:1: error: GOTO has 5 numbers; expected x,y,z or x,y,z,i,j,k [path-count]");
-  EXPECT_EQ(only_error("GOTO/\n"), "bad.apt:1: error: GOTO has 0 numbers; expected x,y,z or x,y,z,i,j,k [path-count]");
+  EXPECT_EQ(only_error("GOTO/\n"),
+            "bad.apt:1: error: GOTO has 0 numbers; expected x,y,z or x,y,z,i,j,k [path-count]");
   EXPECT_EQ(only_error("GOTO/1,2,3,0,0,0\n"),
-            "bad.apt:1: error: GOTO: the tool axis has length 0.000000; expected a unit vector i,j,k (length 1 within "
+            "bad.apt:1: error: GOTO: the tool axis has length 0.000000; expected a unit vector i,j,k (length "
+            "1 within "
             "0.001) [path-axis]");
   EXPECT_EQ(only_error("GOTO/1,2,3,0,0,1.002\n"),
-            "bad.apt:1: error: GOTO: the tool axis has length 1.002000; expected a unit vector i,j,k (length 1 within "
+            "bad.apt:1: error: GOTO: the tool axis has length 1.002000; expected a unit vector i,j,k (length "
+            "1 within "
             "0.001) [path-axis]");
   EXPECT_EQ(only_error("MULTAX\nGOTO/1,2,3,4,5,6,7,8,9\n"),
             "bad.apt:2: error: GOTO has 9 numbers; expected x,y,z or x,y,z,i,j,k [path-count]");
   EXPECT_EQ(only_error("GOTO/1,2,3e9\n"),
-            "bad.apt:1: error: GOTO: a coordinate is beyond 10000000 mm; expected a position within a machine [path-range]");
+            "bad.apt:1: error: GOTO: a coordinate is beyond 10000000 mm; expected a position within a "
+            "machine [path-range]");
 }
 
 TEST(BadPath, ToolsThatCannotBe) {
-  EXPECT_EQ(only_error("CUTTER/10,6\nGOTO/1,2,3\n"),
-            "bad.apt:1: error: CUTTER: corner radius 6 is larger than half the diameter 10; expected d or d,r or "
-            "d,r,e,f,alpha,beta,h [path-cutter]");
-  EXPECT_EQ(only_error("CUTTER/10,1,4\nGOTO/1,2,3\n"),
-            "bad.apt:1: error: CUTTER: found 3 numbers; expected d or d,r or d,r,e,f,alpha,beta,h [path-cutter]");
-  EXPECT_EQ(only_error("LOADTL/1.5\nGOTO/1,2,3\n"),
-            "bad.apt:1: error: LOADTL: \"1.5\" is not a tool number; expected a whole number [path-statement]");
+  EXPECT_EQ(
+      only_error("CUTTER/10,6\nGOTO/1,2,3\n"),
+      "bad.apt:1: error: CUTTER: corner radius 6 is larger than half the diameter 10; expected d or d,r or "
+      "d,r,e,f,alpha,beta,h [path-cutter]");
+  EXPECT_EQ(
+      only_error("CUTTER/10,1,4\nGOTO/1,2,3\n"),
+      "bad.apt:1: error: CUTTER: found 3 numbers; expected d or d,r or d,r,e,f,alpha,beta,h [path-cutter]");
+  EXPECT_EQ(
+      only_error("LOADTL/1.5\nGOTO/1,2,3\n"),
+      "bad.apt:1: error: LOADTL: \"1.5\" is not a tool number; expected a whole number [path-statement]");
 }
 
 TEST(BadPath, AFileCutWithinAStatement) {
   EXPECT_EQ(only_error("GOTO/1,2,3\nGOTO/1,2,$\n"),
-            "bad.apt:2: error: the file ends within a statement that a $ continues; expected its next line: the file is "
+            "bad.apt:2: error: the file ends within a statement that a $ continues; expected its next line: "
+            "the file is "
             "cut short [path-unterminated]");
 }
 
 TEST(BadPath, PartProgramsAreRefusedOnce) {
-  for (const char* text : {"partno x\npl1=plane/1,0,0,4\ngo/to,pl1\n", "TP(1) =POINT/60.85,25.475\n", "d=.5\n",
-                           "tllft,gofwd/pl5,on,pl2\n", "goto/setpt2\n", "from/setpt1,-1,0,0\n", "cutter/d\n"}) {
+  for (const char* text :
+       {"partno x\npl1=plane/1,0,0,4\ngo/to,pl1\n", "TP(1) =POINT/60.85,25.475\n", "d=.5\n",
+        "tllft,gofwd/pl5,on,pl2\n", "goto/setpt2\n", "from/setpt1,-1,0,0\n", "cutter/d\n"}) {
     EXPECT_NE(only_error(text).find("is an APT part program ("), std::string::npos) << text;
   }
   EXPECT_EQ(only_error("partno x\npl1=plane/1,0,0,4\ngo/to,pl1\n"),
-            "bad.apt:2: error: is an APT part program (\"pl1=plane\"); expected CL data with positions in numbers: run it "
+            "bad.apt:2: error: is an APT part program (\"pl1=plane\"); expected CL data with positions in "
+            "numbers: run it "
             "through an APT system and check the CL file that gives [path-part-program]");
 }
 
@@ -100,14 +116,17 @@ TEST(BadPath, AtMostTwentyErrorsAreListed) {
 
 TEST(BadPath, FramesThatAreNone) {
   EXPECT_EQ(only_error("TOOL PATH/A,TOOL,B\nMSYS/0,0,0,1,0,0,1,0,0\nGOTO/1,2,3\nEND-OF-PATH\n"),
-            "bad.apt:2: error: MSYS: the axes are not two unit vectors at right angles; expected X and Y axis [path-frame]");
+            "bad.apt:2: error: MSYS: the axes are not two unit vectors at right angles; expected X and Y "
+            "axis [path-frame]");
   EXPECT_EQ(only_error("TOOL PATH/A,TOOL,B\nMSYS/0,0,0\nGOTO/1,2,3\nEND-OF-PATH\n"),
-            "bad.apt:2: error: MSYS has 3 arguments; expected 9 numbers: the origin, the X axis and the Y axis [path-frame]");
+            "bad.apt:2: error: MSYS has 3 arguments; expected 9 numbers: the origin, the X axis and the Y "
+            "axis [path-frame]");
 }
 
 TEST(BadPath, GodltaNeedsAPlaceToMoveFrom) {
   EXPECT_EQ(only_error("GODLTA/0,0,1\n"),
-            "bad.apt:1: error: GODLTA moves on from a position that is not known; expected a FROM or GOTO before it "
+            "bad.apt:1: error: GODLTA moves on from a position that is not known; expected a FROM or GOTO "
+            "before it "
             "[path-statement]");
 }
 
@@ -121,7 +140,8 @@ TEST(BadPath, EveryFileOfTheCorpusIsRefusedWithItsCode) {
     ASSERT_TRUE(bytes.has_value());
     const ReadOutcome outcome = read_toolpath(name, *bytes);
     ASSERT_FALSE(outcome.errors.empty()) << name;
-    EXPECT_EQ(outcome.errors.front().code, name.substr(0, name.find("--"))) << to_text(outcome.errors.front());
+    EXPECT_EQ(outcome.errors.front().code, name.substr(0, name.find("--")))
+        << to_text(outcome.errors.front());
     ++files;
   }
   EXPECT_GE(files, 12u);

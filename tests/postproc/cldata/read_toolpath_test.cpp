@@ -16,8 +16,10 @@ std::vector<MoveKind> kinds(const Toolpath& path) {
 using Kinds = std::vector<MoveKind>;
 
 TEST(ReadApt, RapidHoldsForOneMotionInEverySpelling) {
-  const Toolpath path = path_of("RAPID\nGOTO/0,0,9\nGOTO/0,0,8\nRAPID/\nGOTO/0,0,7\nRAPID \nGOTO/0,0,6\nGOTO/0,0,5\n");
-  EXPECT_EQ(kinds(path), (Kinds{MoveKind::rapid, MoveKind::feed, MoveKind::rapid, MoveKind::rapid, MoveKind::feed}));
+  const Toolpath path =
+      path_of("RAPID\nGOTO/0,0,9\nGOTO/0,0,8\nRAPID/\nGOTO/0,0,7\nRAPID \nGOTO/0,0,6\nGOTO/0,0,5\n");
+  EXPECT_EQ(kinds(path),
+            (Kinds{MoveKind::rapid, MoveKind::feed, MoveKind::rapid, MoveKind::rapid, MoveKind::feed}));
   EXPECT_EQ(path.moves[1].line, 3u);
   ASSERT_TRUE(path.moves[4].start);
   expect_vector(path.moves[4].start->tip, 0, 0, 6);
@@ -49,7 +51,8 @@ TEST(ReadApt, ThreeNumbersMeanUpwardsAndNotTheLastAxis) {
 }
 
 TEST(ReadApt, SixNumbersAreTwoPositionsOnlyUnderMultaxOff) {
-  const Toolpath path = path_of("MULTAX/OFF\nGOTO/1,2,3,4,5,6\nMULTAX\nGOTO/7,8,9,0,0,-1\nGOTO/0,0,0,0,0,1,1,1,1,1,0,0\n");
+  const Toolpath path =
+      path_of("MULTAX/OFF\nGOTO/1,2,3,4,5,6\nMULTAX\nGOTO/7,8,9,0,0,-1\nGOTO/0,0,0,0,0,1,1,1,1,1,0,0\n");
   ASSERT_EQ(path.moves.size(), 5u);
   expect_vector(path.moves[1].end.tip, 4, 5, 6);
   EXPECT_EQ(path.moves[1].point_in_statement, 1u);
@@ -59,7 +62,9 @@ TEST(ReadApt, SixNumbersAreTwoPositionsOnlyUnderMultaxOff) {
   expect_vector(path.moves[4].end.axis, 1, 0, 0);
 }
 
-TEST(ReadApt, NineNumbersAreThreePositions) { EXPECT_EQ(path_of("GOTO/1,2,3,4,5,6,7,8,9\n").moves.size(), 3u); }
+TEST(ReadApt, NineNumbersAreThreePositions) {
+  EXPECT_EQ(path_of("GOTO/1,2,3,4,5,6,7,8,9\n").moves.size(), 3u);
+}
 
 TEST(ReadApt, InchesBecomeMillimetresAlsoWhereTheUnitChanges) {
   const Toolpath path = path_of("UNITS/INCHES\nCUTTER/0.5\nGOTO/1,0,0\nUNITS/MM\nGOTO/1,0,0\n");
@@ -87,7 +92,8 @@ TEST(ReadApt, FromIsAPlaceAndNotACut) {
 }
 
 TEST(ReadApt, GodltaMovesOnAndGohomeMayHaveAPlace) {
-  const Toolpath path = path_of("GOTO/1,2,3,1,0,0\nGODLTA/1,1,1\nGODLTA/5\nGOHOME/0,0,50\nGOTO/1,1,1\nGOHOME\nGOTO/0,0,0\n");
+  const Toolpath path =
+      path_of("GOTO/1,2,3,1,0,0\nGODLTA/1,1,1\nGODLTA/5\nGOHOME/0,0,50\nGOTO/1,1,1\nGOHOME\nGOTO/0,0,0\n");
   expect_vector(path.moves[1].end.tip, 2, 3, 4);
   expect_vector(path.moves[2].end.tip, 7, 3, 4);
   expect_vector(path.moves[2].end.axis, 1, 0, 0);
@@ -98,7 +104,8 @@ TEST(ReadApt, GodltaMovesOnAndGohomeMayHaveAPlace) {
 
 TEST(ReadApt, AnotherToolBreaksTheMotionAndTheSameOneDoesNot) {
   const Toolpath path = path_of(
-      "CUTTER/10\nLOADTL/1\nGOTO/0,0,1\nLOADTL/1,1\nGOTO/0,0,2\nCUTTER/6\nLOADTL/2\nGOTO/0,0,3\nLOADTL/1\nGOTO/0,0,4\n");
+      "CUTTER/10\nLOADTL/1\nGOTO/0,0,1\nLOADTL/1,1\nGOTO/0,0,2\nCUTTER/6\nLOADTL/2\nGOTO/0,0,3\nLOADTL/"
+      "1\nGOTO/0,0,4\n");
   ASSERT_EQ(path.tools.size(), 2u);
   EXPECT_TRUE(path.moves[1].start);
   EXPECT_FALSE(path.moves[2].start);
@@ -127,9 +134,16 @@ TEST(ReadApt, ArcsHaveAnEndAndAreNotChecked) {
   EXPECT_TRUE(path.moves[2].not_checked_reason.empty());
 }
 
+TEST(ReadApt, CurvesOfOtherKindsAreNotTakenAsStraight) {
+  const Toolpath path = path_of("GOTO/1,0,0\nSPLINE/3\nGOTO/0,1,0\nGOTO/0,2,0\n");
+  EXPECT_FALSE(path.moves[1].not_checked_reason.empty());
+  EXPECT_TRUE(path.moves[2].not_checked_reason.empty());
+}
+
 TEST(ReadApt, CatiaArcsEndWhereTheirLineEnds) {
   const Toolpath path = path_of(
-      "$$ CATIA APT VERSION 1.0\nMULTAX\nGOTO/1,0,0,0,1,0\nINDIRV/0,1,0\nTLON,GOFWD/ (CIRCLE/ 0,0,0,$\n 1),ON,(LINE/0,0,0,$\n"
+      "$$ CATIA APT VERSION 1.0\nMULTAX\nGOTO/1,0,0,0,1,0\nINDIRV/0,1,0\nTLON,GOFWD/ (CIRCLE/ 0,0,0,$\n "
+      "1),ON,(LINE/0,0,0,$\n"
       " 0,1,0)\nGOTO/0,2,0,0,1,0\nFINI\n");
   ASSERT_EQ(path.moves.size(), 3u);
   EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
@@ -140,9 +154,10 @@ TEST(ReadApt, CatiaArcsEndWhereTheirLineEnds) {
 
 TEST(ReadApt, AfterACycleTheStartIsNotKnown) {
   const Toolpath path = path_of(
-      "GOTO/0,0,9\nCYCLE/INIT\nGOTO/0,0,8\nCYCLE/DRILL,5\nGOTO/0,0,1\nGOTO/5,0,1\nCYCLE/OFF\nGOTO/9,0,9\nGOTO/9,9,9\n");
-  EXPECT_EQ(kinds(path), (Kinds{MoveKind::feed, MoveKind::feed, MoveKind::cycle, MoveKind::cycle, MoveKind::feed,
-                                MoveKind::feed}));
+      "GOTO/0,0,9\nCYCLE/INIT\nGOTO/0,0,8\nCYCLE/DRILL,5\nGOTO/0,0,1\nGOTO/5,0,1\nCYCLE/OFF\nGOTO/"
+      "9,0,9\nGOTO/9,9,9\n");
+  EXPECT_EQ(kinds(path), (Kinds{MoveKind::feed, MoveKind::feed, MoveKind::cycle, MoveKind::cycle,
+                                MoveKind::feed, MoveKind::feed}));
   EXPECT_EQ(path.moves[2].not_checked_reason, "drilling cycles are not checked yet");
   EXPECT_FALSE(path.moves[4].start);
   EXPECT_EQ(path.moves[4].not_checked_reason, "starts at an unknown retract height after a drilling cycle");
@@ -152,16 +167,19 @@ TEST(ReadApt, AfterACycleTheStartIsNotKnown) {
 
 TEST(ReadApt, FramesThatAreNotAppliedAreToldAtEachMove) {
   const Toolpath path = path_of(
-      "CSI_TOOL_PATH/A\nMCS/1,0,0,$\n0,1,0,$\n0,0,1,$\n0,0,0\nGOTO/1,1,1\nMCS/1,0,0,0,1,0,0,0,1,5,0,0\nGOTO/1,1,2\n"
+      "CSI_TOOL_PATH/A\nMCS/1,0,0,$\n0,1,0,$\n0,0,1,$\n0,0,0\nGOTO/1,1,1\nMCS/1,0,0,0,1,0,0,0,1,5,0,0\nGOTO/"
+      "1,1,2\n"
       "MCS/1,0,0,0,1,0,0,0,1,0,0,0\nGOTO/1,1,3\nGOTO/1,1,4\nEND\n");
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
-  EXPECT_EQ(path.moves[1].not_checked_reason, "positions are in a coordinate system (MCS) that is not applied");
+  EXPECT_EQ(path.moves[1].not_checked_reason,
+            "positions are in a coordinate system (MCS) that is not applied");
   EXPECT_FALSE(path.moves[2].not_checked_reason.empty()) << "its start is in that system";
   EXPECT_TRUE(path.moves[3].not_checked_reason.empty());
 }
 
 TEST(ReadApt, SolidWorksCsysIsNotAppliedAndNoReasonToStop) {
-  const Toolpath path = path_of("UNIT/MM\nTRNTYP/WORLD,0,0,0\nCSYS/0,-1.,0,0,1.,0,0,0,0,0,1.,0\nGOTO/1,2,3\nFINI\n");
+  const Toolpath path =
+      path_of("UNIT/MM\nTRNTYP/WORLD,0,0,0\nCSYS/0,-1.,0,0,1.,0,0,0,0,0,1.,0\nGOTO/1,2,3\nFINI\n");
   EXPECT_EQ(path.dialect, "apt-solidworks-cam");
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
 }
@@ -188,12 +206,17 @@ TEST(ReadApt, AnAxisSlightlyOffIsMadeUnitAndTold) {
 }
 
 TEST(ReadApt, NamesInLatin1BecomeUtf8) {
-  const Toolpath path = path_of("$$ CATIA APT VERSION 1.0\n$$ OPERATION NAME : Per\xe7" "age\nGOTO/1,2,3\nEND\n");
-  EXPECT_EQ(path.operations.at(0).name, "Per\xc3\xa7" "age");
+  const Toolpath path = path_of(
+      "$$ CATIA APT VERSION 1.0\n$$ OPERATION NAME : Per\xe7"
+      "age\nGOTO/1,2,3\nEND\n");
+  EXPECT_EQ(path.operations.at(0).name,
+            "Per\xc3\xa7"
+            "age");
 }
 
 TEST(ReadApt, PprintNamesAnOperationWhereNothingElseDoes) {
-  const Toolpath path = path_of("PPRINT/'1001'\nPPRINT/'ROUGH, 1'\nGOTO/1,2,3\nPPRINT/'FINISH'\nGOTO/1,2,4\n");
+  const Toolpath path =
+      path_of("PPRINT/'1001'\nPPRINT/'ROUGH, 1'\nGOTO/1,2,3\nPPRINT/'FINISH'\nGOTO/1,2,4\n");
   ASSERT_EQ(path.operations.size(), 2u);
   EXPECT_EQ(path.operations[0].name, "ROUGH, 1");
   EXPECT_EQ(path.moves[1].operation, 1u);
@@ -201,7 +224,8 @@ TEST(ReadApt, PprintNamesAnOperationWhereNothingElseDoes) {
 
 constexpr const char* kBlock =
     "TOOL PATH/ROUGH,TOOL,BALL\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\n"
-    "MSYS/100.0,0.0,0.0,0.0,1.0,0.0,1.0,0.0,0.0\nGOTO/1.0,2.0,3.0,0.0,0.0,-1.0\nGOTO/1.0,2.0,4.0\nEND-OF-PATH\n";
+    "MSYS/100.0,0.0,0.0,0.0,1.0,0.0,1.0,0.0,0.0\nGOTO/1.0,2.0,3.0,0.0,0.0,-1.0\nGOTO/"
+    "1.0,2.0,4.0\nEND-OF-PATH\n";
 
 TEST(ReadClsf, TheAxisIsModalAndTheFrameIsApplied) {
   const Toolpath path = path_of(kBlock);
@@ -217,8 +241,9 @@ TEST(ReadClsf, TheAxisIsModalAndTheFrameIsApplied) {
 }
 
 TEST(ReadClsf, NothingPassesFromOneBlockToTheNext) {
-  const Toolpath path = path_of(std::string(kBlock) + "TOOL PATH/FINISH,TOOL,FLAT\nTLDATA/MILL,6.0,0.0,75.0,0.0,0.0\n"
-                                                      "GOTO/1.0,2.0,3.0\nEND-OF-PATH\n");
+  const Toolpath path = path_of(std::string(kBlock) +
+                                "TOOL PATH/FINISH,TOOL,FLAT\nTLDATA/MILL,6.0,0.0,75.0,0.0,0.0\n"
+                                "GOTO/1.0,2.0,3.0\nEND-OF-PATH\n");
   ASSERT_EQ(path.moves.size(), 3u);
   EXPECT_FALSE(path.moves[2].start);
   expect_vector(path.moves[2].end.tip, 1, 2, 3);
@@ -228,7 +253,9 @@ TEST(ReadClsf, NothingPassesFromOneBlockToTheNext) {
 
 TEST(ReadClsf, ACurveIsOneMoveToItsLastControlPoint) {
   const Toolpath path = path_of(
-      "TOOL PATH/A,TOOL,B\nGOTO/0.0,0.0,0.0\nNURBS/\nKNOT/0.5,1.0\nCNTRL/1.0,0.0,0.0\nCNTRL/2.0,0.0,0.0\nGOTO/3.0,0.0,0.0\n"
+      "TOOL "
+      "PATH/A,TOOL,B\nGOTO/0.0,0.0,0.0\nNURBS/\nKNOT/0.5,1.0\nCNTRL/1.0,0.0,0.0\nCNTRL/2.0,0.0,0.0\nGOTO/"
+      "3.0,0.0,0.0\n"
       "NURBS/\nKNOT/1.0\nCNTRL/4.0,0.0,0.0\nEND-OF-PATH\n");
   ASSERT_EQ(path.moves.size(), 4u);
   EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
@@ -241,7 +268,8 @@ TEST(ReadClsf, ACurveIsOneMoveToItsLastControlPoint) {
 
 TEST(ReadClsf, TheToolNumberOfABlockDoesNotStickToTheNextTool) {
   const Toolpath path = path_of(
-      "TOOL PATH/A,TOOL,B\nTLDATA/MILL,6.0,0.0,75.0,0.0,0.0\nLOAD/TOOL,2,ADJUST,2 \nGOTO/0.0,0.0,0.0\nEND-OF-PATH\n"
+      "TOOL PATH/A,TOOL,B\nTLDATA/MILL,6.0,0.0,75.0,0.0,0.0\nLOAD/TOOL,2,ADJUST,2 "
+      "\nGOTO/0.0,0.0,0.0\nEND-OF-PATH\n"
       "TOOL PATH/C,TOOL,D\nTLDATA/MILL,8.0,0.0,75.0,0.0,0.0\nGOTO/0.0,0.0,0.0\nEND-OF-PATH\n");
   EXPECT_EQ(path.tools.at(0).number, 2);
   EXPECT_FALSE(path.tools.at(1).number);

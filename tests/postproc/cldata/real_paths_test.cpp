@@ -16,8 +16,9 @@ namespace {
 
 const std::string kFolder = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/toolpaths/";
 
-#define SKIP_WITHOUT_DATA() \
-  if (!std::filesystem::exists(kFolder)) GTEST_SKIP() << "no real toolpaths beside the checkout (" << kFolder << ")"
+#define SKIP_WITHOUT_DATA()              \
+  if (!std::filesystem::exists(kFolder)) \
+  GTEST_SKIP() << "no real toolpaths beside the checkout (" << kFolder << ")"
 
 ReadOutcome read(const std::string& name) {
   Result<std::string> bytes = read_file(kFolder + name);
@@ -67,9 +68,12 @@ const std::map<std::string, Expected> kExpected = {
 };
 
 const std::map<std::string, const char*> kRefused = {
-    {"apt_source_programs/multax.apt", "path-part-program"}, {"apt_source_programs/pocket.apt", "path-part-program"},
-    {"apt_source_programs/sample2.apt", "path-part-program"}, {"five_axis_part/subset_nccs.cl", "path-nccs-binary"},
-    {"nccs_ncl/no_motion.cl", "path-nccs-binary"},            {"nccs_ncl/pmill_test1_4.cl", "path-nccs-binary"},
+    {"apt_source_programs/multax.apt", "path-part-program"},
+    {"apt_source_programs/pocket.apt", "path-part-program"},
+    {"apt_source_programs/sample2.apt", "path-part-program"},
+    {"five_axis_part/subset_nccs.cl", "path-nccs-binary"},
+    {"nccs_ncl/no_motion.cl", "path-nccs-binary"},
+    {"nccs_ncl/pmill_test1_4.cl", "path-nccs-binary"},
     {"nx_clsf/aptwords.tbl", "path-count"},
 };
 
@@ -175,8 +179,9 @@ TEST(RealPaths, CorrectionsReadBackAndLeaveTheRestAlone) {
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const Move& found = again.toolpath->moves[i];
       const bool is_same = (found.end.tip - wanted[i].end.tip).norm() < 3e-4 &&
-                           (found.end.axis - wanted[i].end.axis).norm() < 3e-6 && found.kind == wanted[i].kind &&
-                           found.tool == wanted[i].tool && found.operation == wanted[i].operation &&
+                           (found.end.axis - wanted[i].end.axis).norm() < 3e-6 &&
+                           found.kind == wanted[i].kind && found.tool == wanted[i].tool &&
+                           found.operation == wanted[i].operation &&
                            found.not_checked_reason == wanted[i].not_checked_reason &&
                            found.start.has_value() == wanted[i].start.has_value();
       if (!is_same && wrong++ < 3) ADD_FAILURE() << "move " << i << " at line " << found.line;
