@@ -59,18 +59,15 @@ Result<ToolFromPath> make_tool_from_path(std::optional<int> number, const std::s
     cutter.h_mm = assumed_height(c);
     const std::string found =
         c.h_mm > 0 ? "height h = " + mm(c.h_mm) + " ends within the tip" : "no height given";
-    made.notes.push_back(make_note("tool-height-assumed", who + found + "; checked as " + mm(cutter.h_mm) +
-                                                              " long, a tool library would say it"));
+    made.notes.push_back(make_note("cutter-length", who + found + "; checked as " + mm(cutter.h_mm) +
+                                                        " long, a tool library would say it"));
   }
   if (const std::string contradiction = apt_contradiction(cutter); !contradiction.empty())
-    made.notes.push_back(make_warning("tool-apt-contradiction", who + contradiction));
+    made.notes.push_back(make_warning("cutter-contradiction", who + contradiction));
   made.tool.cutter = cutter;
   if (c.flute_length_mm > 0 && c.flute_length_mm < cutter.h_mm)
     split_shank(made.tool, cutter, c.flute_length_mm);
   if (const Result<BodyProfiles> bodies = make_body_profiles(made.tool); !bodies) return bodies.error();
-  if (holder.empty())
-    made.notes.push_back(
-        make_note("tool-without-holder", who + "the toolpath defines no holder; none is checked"));
   return made;
 }
 

@@ -1,220 +1,296 @@
 #include <algorithm>
+#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "toolmodels/json_lines.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
 namespace {
 
-using nlohmann::json;
+using Json = nlohmann::json;
 
-/// Reads the document and keeps the first error; what follows it is not looked at.
-class LibraryReader {
+const char* type_word(const Json& value) {
+  if (value.is_string()) return "a text";
+  if (value.is_number()) return "a number";
+  if (value.is_array()) return "a list";
+  if (value.is_object()) return "an object";
+  return value.is_null() ? "null" : "true or false";
+}
+
+// One value of the file and where it stands. The first error sticks; after it every answer is empty, so the
+// readers below need not ask after each step.
+class Reader {
  public:
-  LibraryReader(const std::string& file, ToolLibrary& library) : file_(file), library_(library) {}
+  Reader(std::string file, detail::JsonLines lines) : lines_(std::move(lines)) {
+    library_.file = std::move(file);
+  }
 
-  std::optional<Diagnostic> read(const json& document) {
-    if (!document.is_object()) fail("the file", "expected an object with \"units\" and \"tools\"");
-    if (error_) return error_;
-    read_unit(document);
-    know(document, "the file", {"units", "tools", "holders", "$schema", "comment"});
-    const json& tools = member(document, "the file", "tools", &json::is_array, "a list");
-    for (std::size_t i = 0; i < tools.size() && !error_; ++i) read_tool(tools[i], i);
-    if (document.contains("holders") && !error_) read_holders(document["holders"]);
-    if (!error_ && library_.tools.empty() && library_.holders.empty()) {
-      error_ = make_error("library-empty", "\"tools\" is empty; expected at least one tool", file_);
-    }
-    return error_;
+  Result<ToolLibrary> read(const Json& root) {
+    read_root(root);
+    if (error_) return *error_;
+    return std::move(library_);
   }
 
  private:
-  void fail(const std::string& where, const std::string& what) {
-    if (!error_) error_ = make_error("library-field", where + ": " + what, file_);
+  void fail(const std::string& code, const std::string& message, const std::string& pointer) {
+    if (!error_) error_ = make_error(code, message, library_.file, lines_.at(pointer));
   }
 
-  const json& member(const json& object, const std::string& where, const char* key,
-                     bool (json::*is)() const noexcept, const char* expected) {
-    static const json kNothing = json::array();
-    if (!object.contains(key)) {
-      fail(where, std::string("\"") + key + "\" is missing; expected " + expected);
-    } else if (!(object[key].*is)()) {
-      fail(where,
-           std::string("\"") + key + "\" is " + object[key].dump().substr(0, 40) + "; expected " + expected);
-    } else {
-      return object[key];
+  void warn_unknown_keys(const Json& object, const std::string& pointer, const std::string& who,
+                         std::initializer_list<std::string_view> known) {
+    for (const auto& [key, value] : object.items())
+      if (std::find(known.begin(), known.end(), key) == known.end())
+        library_.notes.push_back(make_warning(
+            "library-unknown-key", who + " has a key \"" + key + "\" that is not understood and was left out",
+            library_.file, lines_.at(pointer + "/" + key)));
+  }
+
+  bool is_object(const Json& value, const std::string& pointer, const std::string& who) {
+    if (value.is_object()) return true;
+    fail("library-field", who + " is " + type_word(value) + "; expected an object", pointer);
+    return false;
+  }
+
+  bool is_list(const Json& value, const std::string& pointer, const std::string& who) {
+    if (value.is_array()) return true;
+    fail("library-field", who + " is " + type_word(value) + "; expected a list", pointer);
+    return false;
+  }
+
+  double number(const Json& object, const char* key, const std::string& pointer, const std::string& who,
+                std::optional<double> otherwise = std::nullopt) {
+    const auto found = object.find(key);
+    if (found == object.end()) {
+      if (!otherwise) fail("library-field", who + " has no \"" + key + "\"; it needs one", pointer);
+      return otherwise.value_or(0);
     }
-    return kNothing;
-  }
-
-  double number(const json& object, const std::string& where, const char* key) {
-    const json& value = member(object, where, key, &json::is_number, "a number");
-    return error_ ? 0.0 : value.get<double>();
-  }
-
-  double length(const json& object, const std::string& where, const char* key) {
-    return number(object, where, key) * mm_per(library_.unit);
-  }
-
-  double optional_length(const json& object, const std::string& where, const char* key) {
-    return object.contains(key) ? length(object, where, key) : 0.0;
-  }
-
-  double optional_number(const json& object, const std::string& where, const char* key) {
-    return object.contains(key) ? number(object, where, key) : 0.0;
-  }
-
-  void know(const json& object, const std::string& where, const std::vector<std::string_view>& keys) {
-    for (const auto& [key, value] : object.items()) {
-      if (std::find(keys.begin(), keys.end(), key) != keys.end()) continue;
-      library_.notes.push_back(make_warning(
-          "library-unknown-key", where + ": \"" + key + "\" is not known and has no effect", file_));
+    if (!found->is_number()) {
+      fail("library-field", who + ": \"" + key + "\" is " + type_word(*found) + "; expected a number",
+           pointer + "/" + key);
+      return 0;
     }
+    return found->get<double>();
   }
 
-  void read_unit(const json& document) {
-    const json& unit = member(document, "the file", "units", &json::is_string, "\"mm\" or \"inch\"");
-    if (error_) return;
-    if (unit == "mm") {
-      library_.unit = LengthUnit::mm;
-    } else if (unit == "inch") {
+  double length(const Json& object, const char* key, const std::string& pointer, const std::string& who,
+                std::optional<double> otherwise = std::nullopt) {
+    return number(object, key, pointer, who, otherwise) * mm_per(library_.unit);
+  }
+
+  std::string text(const Json& object, const char* key, const std::string& pointer, const std::string& who) {
+    const auto found = object.find(key);
+    if (found == object.end()) return {};
+    if (!found->is_string()) {
+      fail("library-field", who + ": \"" + key + "\" is " + type_word(*found) + "; expected a text",
+           pointer + "/" + key);
+      return {};
+    }
+    return found->get<std::string>();
+  }
+
+  void read_root(const Json& root) {
+    if (!is_object(root, "", "the library")) return;
+    warn_unknown_keys(root, "", "the library", {"units", "tools", "holders", "$schema", "comment"});
+    const std::string units = text(root, "units", "", "the library");
+    if (units == "inch")
       library_.unit = LengthUnit::inch;
-    } else {
-      fail("the file", "\"units\" is " + unit.dump() + "; expected \"mm\" or \"inch\"");
+    else if (units != "mm")
+      fail("library-field",
+           root.contains("units") ? "units is \"" + units + "\"; expected \"mm\" or \"inch\""
+                                  : "the library does not say its unit; add \"units\": \"mm\" or \"inch\"",
+           "/units");
+    if (error_) return;
+    read_holders(root);
+    read_tools(root);
+  }
+
+  void read_holders(const Json& root) {
+    const auto found = root.find("holders");
+    if (found == root.end() || !is_list(*found, "/holders", "holders")) return;
+    for (std::size_t i = 0; i < found->size() && !error_; ++i) {
+      const std::string pointer = "/holders/" + std::to_string(i);
+      const Json& entry = (*found)[i];
+      const std::string who = "holder " + std::to_string(i + 1);
+      if (!is_object(entry, pointer, who)) return;
+      warn_unknown_keys(entry, pointer, who, {"name", "segments", "comment"});
+      NamedHolder holder{text(entry, "name", pointer, who), {}};
+      if (holder.name.empty()) fail("library-field", who + " has no \"name\"; it needs one", pointer);
+      if (!entry.contains("segments"))
+        fail("library-field", who + " has no \"segments\"; it needs them", pointer);
+      else
+        holder.segments = read_segments(entry["segments"], pointer + "/segments", who);
+      check_holder(holder, pointer, who);
+      library_.holders.push_back(std::move(holder));
     }
   }
 
-  void read_tool(const json& entry, std::size_t index) {
+  // A holder alone is checked on a cutter that is beyond doubt.
+  void check_holder(const NamedHolder& holder, const std::string& pointer, const std::string& who) {
+    const ToolAssembly probe{std::nullopt, holder.name, FlatCutter{1, 1}, {}, holder.segments};
+    const Result<BodyProfiles> bodies = make_body_profiles(probe);
+    if (!bodies) fail(bodies.error().code, who + ": " + bodies.error().message, pointer);
+  }
+
+  std::vector<ToolSegment> read_segments(const Json& list, const std::string& pointer,
+                                         const std::string& who) {
+    std::vector<ToolSegment> segments;
+    if (!is_list(list, pointer, who)) return segments;
+    for (std::size_t i = 0; i < list.size() && !error_; ++i) {
+      const std::string here = pointer + "/" + std::to_string(i);
+      const std::string which = who + " " + std::to_string(i + 1);
+      if (!is_object(list[i], here, which)) break;
+      warn_unknown_keys(list[i], here, which, {"lower_diameter", "upper_diameter", "length", "comment"});
+      segments.push_back({length(list[i], "lower_diameter", here, which),
+                          length(list[i], "upper_diameter", here, which),
+                          length(list[i], "length", here, which)});
+    }
+    return segments;
+  }
+
+  void read_tools(const Json& root) {
+    const auto found = root.find("tools");
+    if (found == root.end())
+      return fail("library-empty", "the library has no \"tools\"; expected a list of them", "");
+    if (!is_list(*found, "/tools", "tools")) return;
+    if (found->empty() && library_.holders.empty())
+      return fail("library-empty", "the list of tools is empty; it needs at least one", "/tools");
+    for (std::size_t i = 0; i < found->size() && !error_; ++i)
+      read_tool((*found)[i], "/tools/" + std::to_string(i), i + 1);
+  }
+
+  void read_tool(const Json& entry, const std::string& pointer, std::size_t position) {
+    std::string who = "tool at position " + std::to_string(position);
+    if (!is_object(entry, pointer, who)) return;
     ToolAssembly tool;
-    std::string where = "tool " + std::to_string(index + 1);
-    if (!entry.is_object()) return fail(where, "expected an object");
-    if (entry.contains("name")) tool.name = text(entry, where, "name");
-    if (entry.contains("number")) tool.number = static_cast<int>(whole(entry, where, "number"));
+    tool.name = text(entry, "name", pointer, who);
+    read_number(entry, pointer, who, tool);
     if (error_) return;
+    who = "tool " + label(tool);
+    warn_unknown_keys(entry, pointer, who, {"number", "name", "cutter", "shank", "holder", "comment"});
+    if (!entry.contains("cutter"))
+      return fail("library-field", who + " has no \"cutter\"; it needs one", pointer);
+    read_cutter(entry["cutter"], pointer + "/cutter", who, tool);
+    if (entry.contains("shank"))
+      tool.shank = read_segments(entry["shank"], pointer + "/shank", who + ": shank");
+    if (entry.contains("holder")) read_tool_holder(entry["holder"], pointer + "/holder", who, tool);
+    if (!error_) add_tool(std::move(tool), pointer, who);
+  }
+
+  void read_number(const Json& entry, const std::string& pointer, const std::string& who,
+                   ToolAssembly& tool) {
+    if (const auto found = entry.find("number"); found != entry.end()) {
+      constexpr std::int64_t kLargest = 999'999'999;
+      if (!found->is_number_integer() || found->get<std::int64_t>() < 0 ||
+          found->get<std::int64_t>() > kLargest)
+        fail("library-field", who + ": \"number\" is not a whole number from 0 to 999999999",
+             pointer + "/number");
+      else
+        tool.number = static_cast<int>(found->get<std::int64_t>());
+    }
     if (!tool.number && tool.name.empty())
-      return fail(where, "has neither \"number\" nor \"name\"; give at least one");
-    where = label(tool);
-    know(entry, where, {"number", "name", "cutter", "shank", "holder", "comment"});
-    read_cutter(member(entry, where, "cutter", &json::is_object, "an object"), where + ": cutter",
-                tool.cutter);
-    if (entry.contains("shank")) tool.shank = segments(entry["shank"], where + ": shank");
-    if (entry.contains("holder")) tool.holder = segments(entry["holder"], where + ": holder");
-    if (error_) return;
-    if (tool.number && library_.with_number(*tool.number) != nullptr) {
-      error_ = make_error("library-duplicate-number",
-                          where + ": number " + std::to_string(*tool.number) +
-                              " is given to an earlier tool too; numbers must differ",
-                          file_);
+      fail("library-field", who + " has neither \"number\" nor \"name\"; it needs one to be found by",
+           pointer);
+  }
+
+  void read_tool_holder(const Json& value, const std::string& pointer, const std::string& who,
+                        ToolAssembly& tool) {
+    if (!value.is_string()) {
+      tool.holder = read_segments(value, pointer, who + ": holder");
       return;
     }
-    const Result<Profile> profile = make_profile(tool);
-    if (!profile) {
-      error_ = profile.error();
-      error_->file = file_;
-      return;
+    const std::string name = value.get<std::string>();
+    const std::vector<ToolSegment>* holder = library_.holder_called(name);
+    if (holder != nullptr)
+      tool.holder = *holder;
+    else
+      fail("library-field",
+           who + ": holder \"" + name + "\" is neither among \"holders\" nor an earlier tool with a holder",
+           pointer);
+  }
+
+  void read_cutter(const Json& value, const std::string& pointer, const std::string& tool_name,
+                   ToolAssembly& tool) {
+    const std::string who = tool_name + ": cutter";
+    if (!is_object(value, pointer, who)) return;
+    const std::string shape = text(value, "shape", pointer, who);
+    const auto in_mm = [&](const char* key, std::optional<double> otherwise = std::nullopt) {
+      return length(value, key, pointer, who, otherwise);
+    };
+    const auto degrees = [&](const char* key, std::optional<double> otherwise = std::nullopt) {
+      return number(value, key, pointer, who, otherwise);
+    };
+    if (shape == "flat" || shape == "ball") {
+      warn_unknown_keys(value, pointer, who, {"shape", "diameter", "length", "comment"});
+      if (shape == "flat")
+        tool.cutter = FlatCutter{in_mm("diameter"), in_mm("length")};
+      else
+        tool.cutter = BallCutter{in_mm("diameter"), in_mm("length")};
+    } else if (shape == "bull_nose") {
+      warn_unknown_keys(value, pointer, who, {"shape", "diameter", "corner_radius", "length", "comment"});
+      tool.cutter = BullNoseCutter{in_mm("diameter"), in_mm("corner_radius"), in_mm("length")};
+    } else if (shape == "tapered") {
+      warn_unknown_keys(value, pointer, who,
+                        {"shape", "diameter", "corner_radius", "taper_angle", "length", "comment"});
+      tool.cutter =
+          TaperedCutter{in_mm("diameter"), in_mm("corner_radius"), degrees("taper_angle"), in_mm("length")};
+    } else if (shape == "apt") {
+      warn_unknown_keys(value, pointer, who, {"shape", "d", "r", "e", "f", "alpha", "beta", "h", "comment"});
+      tool.cutter = AptCutter{in_mm("d"),          in_mm("r", 0),      in_mm("e", 0), in_mm("f", 0),
+                              degrees("alpha", 0), degrees("beta", 0), in_mm("h")};
+    } else {
+      fail("library-field",
+           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") +
+               "; expected flat, ball, bull_nose, tapered or apt",
+           pointer + "/shape");
     }
+  }
+
+  void add_tool(ToolAssembly&& tool, const std::string& pointer, const std::string& who) {
+    if (const Result<BodyProfiles> bodies = make_body_profiles(tool); !bodies)
+      return fail(bodies.error().code, bodies.error().message, pointer);
+    if (tool.number && library_.with_number(*tool.number) != nullptr)
+      return fail("library-duplicate-number",
+                  who + ": number " + std::to_string(*tool.number) +
+                      " is already taken; give every tool a number of its own",
+                  pointer + "/number");
+    if (!tool.name.empty() && library_.with_name(tool.name) != nullptr)
+      library_.notes.push_back(
+          make_warning("library-duplicate-name",
+                       who + " has the name of an earlier tool; asked for by name, the first is taken",
+                       library_.file, lines_.at(pointer + "/name")));
+    if (const auto* apt = std::get_if<AptCutter>(&tool.cutter))
+      if (const std::string told = apt_contradiction(*apt); !told.empty())
+        library_.notes.push_back(make_warning("cutter-contradiction", who + ": " + told, library_.file,
+                                              lines_.at(pointer + "/cutter")));
     library_.tools.push_back(std::move(tool));
   }
 
-  std::string text(const json& object, const std::string& where, const char* key) {
-    const json& value = member(object, where, key, &json::is_string, "a text");
-    return error_ ? std::string() : value.get<std::string>();
-  }
-
-  long long whole(const json& object, const std::string& where, const char* key) {
-    const json& value = member(object, where, key, &json::is_number_integer, "a whole number");
-    if (error_) return 0;
-    const long long n = value.get<long long>();
-    if (n < 0 || n > 1'000'000'000)
-      fail(where, std::string("\"") + key + "\" is out of range; expected 0 to 1000000000");
-    return n;
-  }
-
-  void read_cutter(const json& c, const std::string& where, Cutter& cutter) {
-    if (error_) return;
-    const std::string shape = text(c, where, "shape");
-    if (error_) return;
-    if (shape == "flat") {
-      cutter = FlatCutter{length(c, where, "diameter"), length(c, where, "length")};
-      know(c, where, {"shape", "diameter", "length"});
-    } else if (shape == "ball") {
-      cutter = BallCutter{length(c, where, "diameter"), length(c, where, "length")};
-      know(c, where, {"shape", "diameter", "length"});
-    } else if (shape == "bull_nose") {
-      cutter = BullNoseCutter{length(c, where, "diameter"), length(c, where, "corner_radius"),
-                              length(c, where, "length")};
-      know(c, where, {"shape", "diameter", "corner_radius", "length"});
-    } else if (shape == "tapered") {
-      cutter = TaperedCutter{length(c, where, "diameter"), optional_length(c, where, "corner_radius"),
-                             number(c, where, "taper_angle"), length(c, where, "length")};
-      know(c, where, {"shape", "diameter", "corner_radius", "taper_angle", "length"});
-    } else if (shape == "apt") {
-      cutter = AptCutter{length(c, where, "d"),
-                         optional_length(c, where, "r"),
-                         optional_length(c, where, "e"),
-                         optional_length(c, where, "f"),
-                         optional_number(c, where, "alpha"),
-                         optional_number(c, where, "beta"),
-                         length(c, where, "h")};
-      know(c, where, {"shape", "d", "r", "e", "f", "alpha", "beta", "h"});
-    } else {
-      fail(where, "shape \"" + shape + "\" is not known; expected flat, ball, bull_nose, tapered or apt");
-    }
-  }
-
-  std::vector<ToolSegment> segments(const json& list, const std::string& where) {
-    std::vector<ToolSegment> result;
-    if (!list.is_array()) fail(where, "expected a list of segments");
-    for (std::size_t i = 0; i < list.size() && !error_; ++i) {
-      const std::string here = where + " " + std::to_string(i + 1);
-      if (!list[i].is_object()) fail(here, "expected an object");
-      if (error_) break;
-      know(list[i], here, {"lower_diameter", "upper_diameter", "length"});
-      result.push_back({length(list[i], here, "lower_diameter"), length(list[i], here, "upper_diameter"),
-                        length(list[i], here, "length")});
-    }
-    return result;
-  }
-
-  void read_holders(const json& list) {
-    if (!list.is_array()) return fail("\"holders\"", "expected a list");
-    for (std::size_t i = 0; i < list.size() && !error_; ++i) {
-      const std::string where = "holder " + std::to_string(i + 1);
-      if (!list[i].is_object()) return fail(where, "expected an object");
-      NamedHolder holder;
-      holder.name = text(list[i], where, "name");
-      know(list[i], where, {"name", "segments", "comment"});
-      holder.segments = segments(member(list[i], where, "segments", &json::is_array, "a list"), where);
-      if (!error_) library_.holders.push_back(std::move(holder));
-    }
-  }
-
-  const std::string& file_;
-  ToolLibrary& library_;
+  detail::JsonLines lines_;
+  ToolLibrary library_;
   std::optional<Diagnostic> error_;
 };
-
-std::size_t line_of(std::string_view bytes, std::size_t at) {
-  const std::string_view before = bytes.substr(0, std::min(at, bytes.size()));
-  return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
-}
 
 }  // namespace
 
 Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes) {
-  ToolLibrary library;
-  library.file = file;
   try {
-    const json document = json::parse(bytes);
-    if (auto error = LibraryReader(file, library).read(document)) return *error;
-  } catch (const json::parse_error& error) {
+    const Json root = Json::parse(bytes);
+    detail::JsonLines lines = detail::find_json_lines(bytes);
+    if (lines.duplicate)
+      return make_error("library-duplicate-key",
+                        "the key " + *lines.duplicate + " is there twice; remove one", file,
+                        lines.at(*lines.duplicate));
+    return Reader(file, std::move(lines)).read(root);
+  } catch (const Json::parse_error& error) {
     return make_error("library-syntax",
-                      "is not valid JSON here; expected a tool library (docs/formats/tool_library.md)", file,
-                      line_of(bytes, error.byte));
-  } catch (const json::exception& error) {
-    return make_error("library-field", std::string("cannot be understood: ") + error.what(), file);
+                      "this is not JSON: there is a mistake at or before this line; expected a tool library",
+                      file, detail::line_of_byte(bytes, error.byte > 0 ? error.byte - 1 : 0));
+  } catch (const Json::exception&) {
+    return make_error("library-syntax",
+                      "a number in this file is too large to be a length; expected a tool library", file);
   }
-  return library;
 }
 
 }  // namespace gouge

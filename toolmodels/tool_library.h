@@ -35,9 +35,12 @@ struct ToolLibrary {
 };
 
 /// Every tool is built once to see that it can be; what cannot is an error that names tool and field.
-/// Errors   library-syntax (with the line), library-field (missing, of the wrong kind, unknown shape or
-/// unit),
-///          library-duplicate-number, library-empty, and those of make_cutter_profile.
+///
+/// Errors   with file and line: library-syntax, library-field (missing, of the wrong kind, unknown shape,
+/// unit or
+///          holder), library-duplicate-key, library-duplicate-number, library-empty, and those of
+///          make_body_profiles.
+/// Warnings in `notes`: library-unknown-key, library-duplicate-name, cutter-contradiction.
 [[nodiscard]] Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes);
 
 /// The library as a file, in its unit, that reads back as the same library. Ends with a line break.

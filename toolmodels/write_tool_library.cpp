@@ -1,3 +1,4 @@
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "toolmodels/tool_library.h"
@@ -9,39 +10,46 @@ using nlohmann::ordered_json;
 
 class LibraryWriter {
  public:
-  explicit LibraryWriter(LengthUnit unit) : factor_(1 / mm_per(unit)) {}
+  explicit LibraryWriter(LengthUnit unit) : factor_(mm_per(unit)) {}
 
   ordered_json operator()(const FlatCutter& c) const {
-    return {{"shape", "flat"}, {"diameter", c.diameter_mm * factor_}, {"length", c.length_mm * factor_}};
+    return {{"shape", "flat"}, {"diameter", length(c.diameter_mm)}, {"length", length(c.length_mm)}};
   }
   ordered_json operator()(const BallCutter& c) const {
-    return {{"shape", "ball"}, {"diameter", c.diameter_mm * factor_}, {"length", c.length_mm * factor_}};
+    return {{"shape", "ball"}, {"diameter", length(c.diameter_mm)}, {"length", length(c.length_mm)}};
   }
   ordered_json operator()(const BullNoseCutter& c) const {
     return {{"shape", "bull_nose"},
-            {"diameter", c.diameter_mm * factor_},
-            {"corner_radius", c.corner_radius_mm * factor_},
-            {"length", c.length_mm * factor_}};
+            {"diameter", length(c.diameter_mm)},
+            {"corner_radius", length(c.corner_radius_mm)},
+            {"length", length(c.length_mm)}};
   }
   ordered_json operator()(const TaperedCutter& c) const {
     return {{"shape", "tapered"},
-            {"diameter", c.diameter_mm * factor_},
-            {"corner_radius", c.corner_radius_mm * factor_},
+            {"diameter", length(c.diameter_mm)},
+            {"corner_radius", length(c.corner_radius_mm)},
             {"taper_angle", c.taper_angle_deg},
-            {"length", c.length_mm * factor_}};
+            {"length", length(c.length_mm)}};
   }
   ordered_json operator()(const AptCutter& c) const {
-    return {{"shape", "apt"},        {"d", c.d_mm * factor_}, {"r", c.r_mm * factor_},
-            {"e", c.e_mm * factor_}, {"f", c.f_mm * factor_}, {"alpha", c.alpha_deg},
-            {"beta", c.beta_deg},    {"h", c.h_mm * factor_}};
+    return {{"shape", "apt"},      {"d", length(c.d_mm)},  {"r", length(c.r_mm)}, {"e", length(c.e_mm)},
+            {"f", length(c.f_mm)}, {"alpha", c.alpha_deg}, {"beta", c.beta_deg},  {"h", length(c.h_mm)}};
+  }
+
+  // The text must read back as the very same millimetres, which one division does not promise.
+  [[nodiscard]] double length(double value_mm) const {
+    const double value = value_mm / factor_;
+    for (const double near : {value, std::nextafter(value, 1e300), std::nextafter(value, -1e300)})
+      if (!(near * factor_ < value_mm) && !(near * factor_ > value_mm)) return near;
+    return value;
   }
 
   [[nodiscard]] ordered_json segments(const std::vector<ToolSegment>& list) const {
     ordered_json result = ordered_json::array();
     for (const ToolSegment& s : list) {
-      result.push_back({{"lower_diameter", s.lower_diameter_mm * factor_},
-                        {"upper_diameter", s.upper_diameter_mm * factor_},
-                        {"length", s.length_mm * factor_}});
+      result.push_back({{"lower_diameter", length(s.lower_diameter_mm)},
+                        {"upper_diameter", length(s.upper_diameter_mm)},
+                        {"length", length(s.length_mm)}});
     }
     return result;
   }
