@@ -33,11 +33,11 @@ double smallest_r(const Hull& hull) {
   return std::max(0.0, least);
 }
 
-struct HullPlane {
+/// An upper bound of the depth, convex over the hull, by its values at the corners.
+struct HullLimit {
   HullDepths depths{};
   double largest_mm = 0;  ///< with the bulge
   std::size_t deepest = 0;
-  bool is_valid = false;
 };
 
 class PieceBounder {
@@ -65,11 +65,17 @@ class PieceBounder {
     const ToolSample middle = sample_tool(tool_, center_);
     bound.upper_mm = reach_mm_ - middle.answer.signed_distance_mm + radius_ + bulge_;
     if (bound.upper_mm <= enough_mm) return bound;
-    HullPlane planes[3];
-    planes[0] = plane_at(middle);
-    improve(bound, planes[0].largest_mm, planes[0].is_valid);
-    std::size_t corner = planes[0].deepest;
-    for (std::size_t k = 1; k < 3 && bound.upper_mm > enough_mm; ++k) {
+    HullLimit limits[4];
+    const SupportPlane first = support_plane(tool_, middle);
+    limits[0] = behind(first);
+    improve(bound, limits[0].largest_mm);
+    std::size_t corner = limits[0].deepest;
+    std::size_t count = 1;
+    if (is_about_axis() && bound.upper_mm > enough_mm) {
+      limits[count++] = behind(mirrored(first));
+      blend_last(bound, limits, count, enough_mm);
+    }
+    for (std::size_t round = 0; round < 2 && bound.upper_mm > enough_mm; ++round) {
       const ToolSample sample = sample_tool(tool_, hull_[corner]);
       const double value = reach_mm_ - sample.answer.signed_distance_mm;
       if (value > bound.value_mm) {
@@ -77,28 +83,37 @@ class PieceBounder {
         bound.corner = corner % 3;
         bound.is_at_end = corner >= 3;
       }
-      planes[k] = plane_at(sample);
-      improve(bound, planes[k].largest_mm, planes[k].is_valid);
-      for (std::size_t j = 0; j < k && bound.upper_mm > enough_mm; ++j) {
-        const bool is_valid = planes[j].is_valid && planes[k].is_valid;
-        if (is_valid) improve(bound, blended(planes[j].depths, planes[k].depths) + bulge_, true);
-      }
-      const std::size_t next = deepest_behind_all(planes, k + 1);
+      limits[count++] = behind(support_plane(tool_, sample));
+      improve(bound, limits[count - 1].largest_mm);
+      blend_last(bound, limits, count, enough_mm);
+      const std::size_t next = deepest_behind_all(limits, count);
       if (next == corner) break;
       corner = next;
     }
-    bound.is_time_next = is_time_worse(planes[0]);
+    bound.is_time_next = is_time_worse(limits[0]);
     return bound;
   }
 
  private:
-  void improve(PieceBound& bound, double depth_mm, bool is_valid) const {
-    if (is_valid) bound.upper_mm = std::min(bound.upper_mm, std::max(0.0, reach_mm_ + depth_mm));
+  void improve(PieceBound& bound, double depth_mm) const {
+    bound.upper_mm = std::min(bound.upper_mm, std::max(0.0, reach_mm_ + depth_mm));
   }
 
-  HullPlane plane_at(const ToolSample& sample) const {
-    const SupportPlane plane = support_plane(tool_, sample);
-    HullPlane result;
+  // A hull about the tool axis falls behind every plane on one side and comes before it on the other; with its
+  // mirror image in the axis the plane bounds both sides.
+  [[nodiscard]] bool is_about_axis() const {
+    return center_.head<2>().squaredNorm() <= (radius_ + bulge_) * (radius_ + bulge_);
+  }
+
+  void blend_last(PieceBound& bound, const HullLimit* limits, std::size_t count, double enough_mm) const {
+    const HullLimit& last = limits[count - 1];
+    for (std::size_t j = 0; j + 1 < count && bound.upper_mm > enough_mm; ++j) {
+      improve(bound, blended(limits[j].depths, last.depths) + bulge_);
+    }
+  }
+
+  [[nodiscard]] HullLimit behind(const SupportPlane& plane) const {
+    HullLimit result;
     result.largest_mm = -1e300;
     for (std::size_t i = 0; i < kCorners; ++i) {
       result.depths[i] = plane.depth_mm(hull_[i]);
@@ -109,7 +124,23 @@ class PieceBounder {
     }
     result.largest_mm += bulge_;
     const double r = plane.range.r_min_mm > 0 ? smallest_r(hull_) - bulge_ : 0.0;
-    result.is_valid = supports(plane, z_lo_ - bulge_, z_hi_ + bulge_, result.largest_mm, r, reach_mm_);
+    const bool is_valid = supports(plane, z_lo_ - bulge_, z_hi_ + bulge_, result.largest_mm, r, reach_mm_);
+    return is_valid ? result : around(plane.foot);
+  }
+
+  // Where no plane supports the tool, at reflex corners, nothing is deeper than its distance from the boundary
+  // point itself; a distance is convex, so over the hull it is largest at a corner.
+  [[nodiscard]] HullLimit around(const Vec3& foot) const {
+    HullLimit result;
+    result.largest_mm = -1e300;
+    for (std::size_t i = 0; i < kCorners; ++i) {
+      result.depths[i] = (hull_[i] - foot).norm();
+      if (result.depths[i] > result.largest_mm) {
+        result.largest_mm = result.depths[i];
+        result.deepest = i;
+      }
+    }
+    result.largest_mm += bulge_;
     return result;
   }
 
@@ -133,12 +164,12 @@ class PieceBounder {
     return best;
   }
 
-  static std::size_t deepest_behind_all(const HullPlane* planes, std::size_t count) {
+  static std::size_t deepest_behind_all(const HullLimit* limits, std::size_t count) {
     std::size_t deepest = 0;
     double most = -1e300;
     for (std::size_t i = 0; i < kCorners; ++i) {
-      double least = planes[0].depths[i];
-      for (std::size_t k = 1; k < count; ++k) least = std::min(least, planes[k].depths[i]);
+      double least = limits[0].depths[i];
+      for (std::size_t k = 1; k < count; ++k) least = std::min(least, limits[k].depths[i]);
       if (least > most) {
         most = least;
         deepest = i;
@@ -149,7 +180,7 @@ class PieceBounder {
 
   // Which of the two makes the plane bound slack: how much it varies along the chords or across the piece;
   // plain lengths count a little, for tools that curve away, and the bulge belongs to time alone.
-  bool is_time_worse(const HullPlane& plane) const {
+  bool is_time_worse(const HullLimit& plane) const {
     double along = 0, across = 0, chord = 0, edge = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const std::size_t next = (k + 1) % 3;

@@ -39,15 +39,13 @@ class Search {
       if (targets_[k].tree->nodes.empty() || targets_[k].tool->elements.empty()) continue;
       for (const std::uint32_t span : spans_.roots()) add_node(span, k, 0);
     }
+    for (const Candidate& c : cut_) keep(c);
     while (!heap_.empty() && heap_.front().upper_mm > settled()) {
       if (answer_.bounds > question_.budget) {
         answer_.is_decided = false;
         break;
       }
-      std::pop_heap(heap_.begin(), heap_.end(), comes_later);
-      const Candidate next = heap_.back();
-      heap_.pop_back();
-      expand(next);
+      dive();
     }
     if (!heap_.empty()) discarded_mm_ = std::max(discarded_mm_, heap_.front().upper_mm);
     answer_.value_upper_mm = std::max({answer_.value_mm, discarded_mm_, 0.0});
@@ -55,6 +53,37 @@ class Search {
   }
 
  private:
+  // From the most promising candidate straight down to where its best part is decided: a measured value close to
+  // the bound comes early, even where many candidates promise the same.
+  void dive() {
+    std::pop_heap(heap_.begin(), heap_.end(), comes_later);
+    Candidate next = heap_.back();
+    heap_.pop_back();
+    for (;;) {
+      cut_.clear();
+      expand(next);
+      std::size_t best = 0;
+      for (std::size_t k = 1; k < cut_.size(); ++k) {
+        if (comes_later(cut_[best], cut_[k])) best = k;
+      }
+      for (std::size_t k = 0; k < cut_.size(); ++k) {
+        if (k != best) keep(cut_[k]);
+      }
+      if (cut_.empty()) return;
+      if (cut_[best].upper_mm <= settled() || answer_.bounds > question_.budget) return keep(cut_[best]);
+      next = cut_[best];
+    }
+  }
+
+  void keep(const Candidate& c) {
+    if (c.upper_mm <= settled()) {
+      discarded_mm_ = std::max(discarded_mm_, c.upper_mm);
+      return;
+    }
+    heap_.push_back(c);
+    std::push_heap(heap_.begin(), heap_.end(), comes_later);
+  }
+
   /// Candidates whose bound is not above this need no further look.
   [[nodiscard]] double settled() const {
     return std::max(question_.tolerance_mm, answer_.value_mm) + question_.resolution_mm;
@@ -65,9 +94,8 @@ class Search {
       discarded_mm_ = std::max(discarded_mm_, c.upper_mm);
       return;
     }
-    heap_.push_back(c);
-    heap_.back().serial = serial_++;
-    std::push_heap(heap_.begin(), heap_.end(), comes_later);
+    cut_.push_back(c);
+    cut_.back().serial = serial_++;
   }
 
   void add_node(std::uint32_t span_index, std::uint32_t target, std::uint32_t node) {
@@ -178,6 +206,7 @@ class Search {
   const std::vector<SearchTarget>& targets_;
   const SearchQuestion& question_;
   std::vector<Candidate> heap_;
+  std::vector<Candidate> cut_;  ///< what the last cut made, not yet kept
   std::uint32_t serial_ = 0;
   double discarded_mm_ = 0;
   SearchAnswer answer_;

@@ -22,9 +22,19 @@ SupportPlane support_plane(const CompiledTool& tool, const ToolSample& sample) {
   const ToolAnswer& answer = sample.answer;
   SupportPlane plane;
   plane.normal = answer.normal.x() * out + answer.normal.y() * Vec3::UnitZ();
-  plane.offset_mm = plane.normal.dot(answer.foot.x() * out + answer.foot.y() * Vec3::UnitZ());
+  plane.foot = answer.foot.x() * out + answer.foot.y() * Vec3::UnitZ();
+  plane.offset_mm = plane.normal.dot(plane.foot);
   plane.range = tool.elements[answer.element].support;
   return plane;
+}
+
+SupportPlane mirrored(const SupportPlane& plane) {
+  SupportPlane result = plane;
+  result.normal.x() = -plane.normal.x();
+  result.normal.y() = -plane.normal.y();
+  result.foot.x() = -plane.foot.x();
+  result.foot.y() = -plane.foot.y();
+  return result;
 }
 
 bool supports(const SupportPlane& plane, double z_lo_mm, double z_hi_mm, double largest_depth_mm,

@@ -20,6 +20,7 @@ struct ToolSample {
 /// The plane {x : normal . x = offset} tangent to the tool at the foot of a sample, normal outward.
 struct SupportPlane {
   Vec3 normal = Vec3::UnitZ();
+  Vec3 foot = Vec3::Zero();  ///< the boundary point it touches
   double offset_mm = 0;
   SupportRange range;
 
@@ -28,6 +29,9 @@ struct SupportPlane {
 };
 
 [[nodiscard]] SupportPlane support_plane(const CompiledTool& tool, const ToolSample& sample);
+
+/// The plane mirrored in the tool axis: just as tangent, on the other side.
+[[nodiscard]] SupportPlane mirrored(const SupportPlane& plane);
 
 /// Whether the plane bounds the tool over a set: z of the set in [z_lo, z_hi], its largest depth behind the plane,
 /// its smallest distance from the tool axis. `margin_mm` asks for the bound up to that far outside as well.

@@ -1,0 +1,116 @@
+// Every bound against dense sampling: a bound that is once below the truth is a false clean.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "lib/check/hull_bound.h"
+#include "lib/check/motion.h"
+#include "lib/tool/evaluate.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+class Scatter {
+ public:
+  explicit Scatter(unsigned seed) : random_(seed) {}
+  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  Vec3 axis(double lean) { return Vec3(in(-lean, lean), in(-lean, lean), 1).normalized(); }
+  Vec3 point(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
+  /// Somewhere about the tool, most of it near the boundary of cutter, shank and holder.
+  Vec3 about_tool() { return {in(-20, 20), in(-20, 20), in(-5, 130)}; }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+double value_at(const CompiledTool& tool, const Motion& motion, double t, const Vec3& p, double reach) {
+  const Pose pose = motion.at(t);
+  const Vec3 d = p - pose.tip;
+  const double z = d.dot(pose.axis);
+  return reach - evaluate_brute_force(tool, (d - z * pose.axis).norm(), z).signed_distance_mm;
+}
+
+struct Case {
+  Motion motion{Pose{}};
+  std::array<Vec3, 3> piece;
+  double reach = 0;
+};
+
+Case random_case(Scatter& scatter) {
+  const double way = std::pow(10, scatter.in(-2, 1));
+  const double lean = std::pow(10, scatter.in(-3, -0.3));
+  const double size = std::pow(10, scatter.in(-2, 1.3));
+  const Vec3 tip = scatter.point(1);
+  Case c;
+  c.motion = Motion({tip, scatter.axis(lean)}, {tip + scatter.point(way), scatter.axis(lean)});
+  const Vec3 about = scatter.about_tool();
+  Vec3 flat = scatter.in(0, 1) < 0.3 ? Vec3(1, 1, 0.01) : Vec3(1, 1, 1);  // lying across the axis: plateaus
+  for (Vec3& corner : c.piece) corner = about + scatter.point(size).cwiseProduct(flat);
+  c.reach = scatter.in(0, 1) < 0.5 ? 0.0 : scatter.in(0, 5);
+  return c;
+}
+
+double sampled(const CompiledTool& tool, const Case& c, const TimeSpan& span) {
+  double most = -1e300;
+  constexpr int kSteps = 6;
+  for (int k = 0; k <= kSteps; ++k) {
+    const double t = span.t0 + (span.t1 - span.t0) * k / kSteps;
+    for (int i = 0; i <= kSteps; ++i) {
+      for (int j = 0; i + j <= kSteps; ++j) {
+        const double u = static_cast<double>(i) / kSteps, v = static_cast<double>(j) / kSteps;
+        const Vec3 p = (1 - u - v) * c.piece[0] + u * c.piece[1] + v * c.piece[2];
+        most = std::max(most, value_at(tool, c.motion, t, p, c.reach));
+      }
+    }
+  }
+  return most;
+}
+
+TEST(Bounds, APieceIsNeverDeeperThanItsBound) {
+  Scatter scatter(20);
+  std::size_t tight = 0, positive = 0;
+  const auto tools = tools::all();
+  for (int i = 0; i < 60000; ++i) {
+    const CompiledTool& tool = tools[static_cast<std::size_t>(i) % tools.size()].bare;
+    const Case c = random_case(scatter);
+    const TimeSpans spans(c.motion);
+    const PieceBound bound = bound_piece(tool, c.piece, spans.span(0), c.reach, -1e300);
+    const double most = sampled(tool, c, spans.span(0));
+    ASSERT_LE(most, std::max(0.0, bound.upper_mm) + 1e-9) << "case " << i;
+    ASSERT_LE(bound.value_mm, std::max(0.0, bound.upper_mm) + 1e-9) << "case " << i;
+    if (most > 0.1) ++positive;
+    if (most > 0.1 && bound.upper_mm < most + 0.1) ++tight;
+  }
+  EXPECT_GT(positive, 5000U);
+  EXPECT_GT(tight, positive / 20);  // far from what a ball alone would give
+}
+
+TEST(Bounds, ANodeIsNeverDeeperThanItsBound) {
+  Scatter scatter(21);
+  const auto tools = tools::all();
+  for (int i = 0; i < 30000; ++i) {
+    const CompiledTool& tool = tools[static_cast<std::size_t>(i) % tools.size()].bare;
+    const Case c = random_case(scatter);
+    IndexedMesh mesh;
+    mesh.vertices = {c.piece[0], c.piece[1], c.piece[2]};
+    mesh.triangles = {{0, 1, 2}};
+    mesh.file_triangle = {0};
+    const SurfaceTree tree = build_surface_tree({mesh});
+    const TimeSpans spans(c.motion);
+    const NodeBound bound = bound_node(tool, tree.nodes[0], spans.span(0), c.reach);
+    ASSERT_LE(sampled(tool, c, spans.span(0)), std::max(0.0, bound.upper_mm) + 1e-9) << "case " << i;
+  }
+}
+
+TEST(Bounds, AFlatOnItsFloorNeedsOneLook) {
+  const ToolForms flat = tools::flat();
+  const std::array<Vec3, 3> floor{Vec3(-3, -3, 0), Vec3(3, -2, 0), Vec3(0, 3, 0)};
+  const Motion slide({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(0.5, 0, 0), Vec3::UnitZ()});
+  const TimeSpans spans(slide);
+  EXPECT_LE(bound_piece(flat.bare, floor, spans.span(0), 0, 0).upper_mm, 1e-12);
+}
+
+}  // namespace
+}  // namespace gouge

@@ -1,0 +1,168 @@
+#include "lib/check/check_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "tests/support/shapes.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+Pose upright(double x, double y, double z) { return {Vec3(x, y, z), Vec3::UnitZ()}; }
+
+/// A path of feed moves through the given positions with one tool.
+Toolpath path_through(const std::vector<Pose>& poses, MoveKind kind = MoveKind::feed) {
+  Toolpath path;
+  path.file = "test.apt";
+  path.tools.resize(1);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    Move move;
+    move.kind = kind;
+    move.line = i + 1;
+    if (i > 0) move.start = poses[i - 1];
+    move.end = poses[i];
+    move.tool = 0;
+    path.moves.push_back(move);
+  }
+  return path;
+}
+
+CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scene, CheckOptions options = {}) {
+  return check_path(path, {&tool}, prepare_scene(scene), options);
+}
+
+TEST(CheckPath, EveryMoveHasOneStateAndTheCountsAddUp) {
+  Toolpath path = path_through({upright(0, 0, 5), upright(5, 0, 5), upright(5, 0, -1), upright(5, 0, 5)});
+  path.moves[1].not_checked_reason = "an arc";
+  const CheckResult r = check(path, tools::ball(), {{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}});
+  EXPECT_EQ(r.verdicts[0].state, MoveState::clean);
+  EXPECT_EQ(r.verdicts[1].state, MoveState::not_checked);
+  EXPECT_EQ(r.verdicts[2].state, MoveState::gouge);
+  EXPECT_EQ(r.verdicts[3].state, MoveState::gouge);
+  EXPECT_NEAR(r.verdicts[3].witness->t, 0, 1e-6);
+  EXPECT_EQ(r.counts.clean + r.counts.gouge + r.counts.not_checked, 4U);
+  ASSERT_EQ(r.events.size(), 1U);
+  EXPECT_EQ(r.events[0].first_move, 2U);
+  EXPECT_EQ(r.events[0].last_move, 3U);
+}
+
+TEST(CheckPath, ABuriedToolIsNeverClean) {
+  const Scene scene{{shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500))}, {}};
+  const CheckResult r = check(path_through({upright(0, 0, 0), upright(20, 0, 0)}), tools::ball(), scene);
+  EXPECT_EQ(r.counts.buried, 2U);
+  EXPECT_EQ(r.events.size(), 1U);
+}
+
+TEST(CheckPath, ABuriedToolIsSeenInAnInsideOutSolidAndInAFixture) {
+  const IndexedMesh block = shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500));
+  const Toolpath path = path_through({upright(0, 0, 0), upright(20, 0, 0)});
+  EXPECT_EQ(check(path, tools::ball(), {{shapes::inside_out(block)}, {}}).counts.buried, 2U);
+  EXPECT_EQ(check(path, tools::ball(), {{shapes::moved(shapes::cube(1), Vec3(-400, 0, 0))}, {block}}).counts.buried, 2U);
+}
+
+TEST(CheckPath, AnOpenMeshTellsABuriedToolOrSaysThatItCannot) {
+  IndexedMesh open = shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500));
+  open.triangles.pop_back();
+  open.file_triangle.pop_back();
+  const Toolpath path = path_through({upright(0, 0, -400)});
+  EXPECT_EQ(check(path, tools::ball(), {{open}, {}}).counts.buried, 1U);
+  IndexedMesh half = open;
+  half.triangles.resize(6);
+  half.file_triangle.resize(6);
+  const CheckResult r = check(path, tools::ball(), {{half}, {}});
+  EXPECT_EQ(r.counts.clean, 0U);
+}
+
+TEST(CheckPath, AToolInACavityOrBesideTheSolidIsNotBuried) {
+  const IndexedMesh hollow = shapes::joined(shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500)),
+                                            shapes::inside_out(shapes::box(Vec3(-90, -90, -190), Vec3(90, 90, 190))));
+  EXPECT_EQ(check(path_through({upright(0, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
+  EXPECT_EQ(check(path_through({upright(700, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
+}
+
+TEST(CheckPath, RapidsAreCheckedAndCanBeSkippedButNeverCalledClean) {
+  const Scene scene{{shapes::box(Vec3(-1, -50, 0), Vec3(1, 50, 20))}, {}};
+  const Toolpath path = path_through({upright(-20, 0, 10), upright(20, 0, 10)}, MoveKind::rapid);
+  EXPECT_EQ(check(path, tools::ball(), scene).counts.gouge, 1U);
+  CheckOptions skip;
+  skip.rapid = RapidMode::skip;
+  const CheckResult r = check(path, tools::ball(), scene, skip);
+  EXPECT_EQ(r.counts.not_checked, 2U);
+  EXPECT_EQ(r.counts.skipped, 2U);
+}
+
+TEST(CheckPath, ADoglegRapidMeetsWhatTheStraightLineMisses) {
+  // From (0,0) to (40,10): the straight line passes below the post at (10, 9.5), the dogleg through it.
+  const Scene scene{{shapes::box(Vec3(9.9, 9.9, 0), Vec3(10.1, 10.1, 20))}, {}};
+  const Toolpath path = path_through({upright(0, 0, 10), upright(40, 10, 10)}, MoveKind::rapid);
+  CheckOptions options;
+  EXPECT_EQ(check(path, tools::ball(4), scene, options).counts.gouge, 0U);
+  options.rapid = RapidMode::dogleg;
+  EXPECT_EQ(check(path, tools::ball(4), scene, options).counts.gouge, 1U);
+}
+
+TEST(CheckPath, FixturesAreCheckedAndNamed) {
+  const Scene scene{{shapes::cube(1)}, {shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}};
+  const CheckResult r = check(path_through({upright(20, 0, -0.5)}), tools::flat(), scene);
+  ASSERT_EQ(r.counts.gouge, 1U);
+  EXPECT_EQ(r.verdicts[0].witness->against, Against::fixture);
+}
+
+TEST(CheckPath, StockToLeaveCountsAgainstThePartAloneNotTheFixture) {
+  const IndexedMesh block = shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0));
+  const ToolForms grown = tools::forms(tools::assembly(FlatCutter{10, 30}), 0.3, 0, 0);
+  const Toolpath path = path_through({upright(0, 0, 0.1)});
+  const CheckResult part = check(path, grown, {{block}, {}});
+  ASSERT_EQ(part.counts.gouge, 1U);
+  EXPECT_NEAR(part.verdicts[0].depth_mm, 0.2, 0.001);
+  EXPECT_EQ(check(path, grown, {{shapes::moved(shapes::cube(1), Vec3(0, 0, -200))}, {block}}).counts.clean, 1U);
+}
+
+TEST(CheckPath, WithoutAToolNothingIsClean) {
+  Toolpath path = path_through({upright(0, 0, 50)});
+  const Scene scene{{shapes::cube()}, {}};
+  EXPECT_EQ(check_path(path, {nullptr}, prepare_scene(scene), {}).counts.not_checked, 1U);
+  path.moves[0].tool = kNone;
+  EXPECT_EQ(check_path(path, {nullptr}, prepare_scene(scene), {}).counts.not_checked, 1U);
+}
+
+TEST(CheckPath, ThreadsDoNotChangeABit) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 600; ++i) {
+    poses.push_back({Vec3(0.1 * i - 30, std::sin(0.05 * i) * 10, 9.9 + 0.3 * std::sin(0.3 * i)),
+                     Vec3(0.2 * std::sin(0.02 * i), 0.1, 1).normalized()});
+  }
+  const Toolpath path = path_through(poses);
+  const Scene scene{{shapes::sphere(12, 40, 80)}, {}};
+  CheckOptions one, two;
+  one.threads = 1;
+  two.threads = 2;
+  const CheckResult a = check(path, tools::bull(), scene, one);
+  const CheckResult b = check(path, tools::bull(), scene, two);
+  EXPECT_GT(a.counts.gouge, 10U);
+  EXPECT_GT(a.counts.clean, 10U);
+  EXPECT_EQ(a.evaluations, b.evaluations);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(a.verdicts[i].state, b.verdicts[i].state);
+    EXPECT_EQ(std::memcmp(&a.verdicts[i].depth_mm, &b.verdicts[i].depth_mm, sizeof(double)), 0);
+    EXPECT_EQ(std::memcmp(&a.verdicts[i].depth_upper_mm, &b.verdicts[i].depth_upper_mm, sizeof(double)), 0);
+  }
+}
+
+TEST(CheckPath, TheReversedPathHasTheSameGouges) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 200; ++i) poses.push_back(upright(0.3 * i - 30, 2, 11.8 + 0.4 * std::sin(0.3 * i)));
+  std::vector<Pose> back(poses.rbegin(), poses.rend());
+  const Scene scene{{shapes::sphere(12, 40, 80)}, {}};
+  const CheckResult a = check(path_through(poses), tools::flat(), scene);
+  const CheckResult b = check(path_through(back), tools::flat(), scene);
+  EXPECT_GT(a.counts.gouge, 0U);
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    EXPECT_NEAR(a.verdicts[i].depth_mm, b.verdicts[poses.size() - i].depth_mm, 0.0011) << i;
+  }
+}
+
+}  // namespace
+}  // namespace gouge

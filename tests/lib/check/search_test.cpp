@@ -1,0 +1,207 @@
+// The search against brute force, and the cases that sampling gets wrong.
+#include "lib/check/search.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "lib/check/brute_force.h"
+#include "lib/check/check_move.h"
+#include "lib/tool/evaluate.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+constexpr CheckOptions kOptions{};
+
+MoveVerdict check(const Motion& motion, const ToolForms& tool, const std::vector<IndexedMesh>& parts,
+                  std::uint64_t* bounds = nullptr, const CheckOptions& options = kOptions) {
+  const Scene scene{parts, {}};
+  const PreparedScene prepared = prepare_scene(scene);
+  return check_move(motion, MoveKind::feed, tool, prepared, options, bounds);
+}
+
+Pose upright(double x, double y, double z) { return {Vec3(x, y, z), Vec3::UnitZ()}; }
+
+double depth_of(const Witness& w, const Motion& motion, const CompiledTool& tool) {
+  const Pose pose = motion.at(w.t);
+  const Vec3 d = w.point - pose.tip;
+  const double z = d.dot(pose.axis);
+  return -evaluate_brute_force(tool, (d - z * pose.axis).norm(), z).signed_distance_mm;
+}
+
+void expect_promise(const MoveVerdict& v, const Motion& motion, const ToolForms& tool, const CheckOptions& options) {
+  EXPECT_LE(v.depth_mm, v.depth_upper_mm);
+  if (v.state == MoveState::gouge) {
+    EXPECT_LE(v.depth_upper_mm - v.depth_mm, options.resolution_mm);
+    EXPECT_GT(v.depth_mm, options.tolerance_mm);
+  }
+  if (v.state == MoveState::clean) {
+    EXPECT_LE(v.depth_upper_mm, options.tolerance_mm + options.resolution_mm);
+  }
+  if (v.depth_mm > 0) {
+    ASSERT_TRUE(v.witness.has_value());
+    EXPECT_NEAR(depth_of(*v.witness, motion, tool.against_part), v.depth_mm, 1e-6);
+    EXPECT_NEAR(v.witness->normal.norm(), 1, 1e-12);
+  }
+}
+
+TEST(Search, NeverBelowBruteForceOnRandomScenes) {
+  std::mt19937_64 random(77);
+  const auto in = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  const auto tools = tools::all();
+  std::size_t gouges = 0, cleans = 0;
+  for (int i = 0; i < 250; ++i) {
+    const ToolForms& tool = tools[static_cast<std::size_t>(i) % tools.size()];
+    IndexedMesh mesh;
+    const double nearest = in(0, 1) < 0.5 ? 3 : 19;
+    for (int k = 0; k < 6; ++k) {
+      const double angle = in(0, 2 * M_PI), far = nearest + in(0, 8);
+      const Vec3 at(far * std::cos(angle), far * std::sin(angle), in(-6, 110));
+      for (int c = 0; c < 3; ++c) mesh.vertices.push_back(at + Vec3(in(-4, 4), in(-4, 4), in(-4, 4)));
+      shapes::add_triangle(mesh, mesh.vertices.size() - 3, mesh.vertices.size() - 2, mesh.vertices.size() - 1);
+    }
+    const Pose from{Vec3(in(-1, 1), in(-1, 1), in(-1, 1)), Vec3(in(-.1, .1), in(-.1, .1), 1).normalized()};
+    const Pose to{from.tip + Vec3(in(-2, 2), in(-2, 2), in(-2, 2)), Vec3(in(-.1, .1), in(-.1, .1), 1).normalized()};
+    const Motion motion(from, to);
+    const Scene scene{{mesh}, {}};
+    const MoveVerdict v = check(motion, tool, scene.parts);
+    expect_promise(v, motion, tool, kOptions);
+    const BruteForceDepth brute = brute_force_depth(motion, tool, scene, 40, 0.01);
+    EXPECT_LE(brute.depth_mm, v.depth_upper_mm + 1e-9) << "scene " << i;
+    EXPECT_NE(v.state, MoveState::not_certified);
+    ++(v.state == MoveState::gouge ? gouges : cleans);
+  }
+  EXPECT_GT(gouges, 50U);
+  EXPECT_GT(cleans, 10U);
+}
+
+TEST(Search, LargeTrianglesWithAllVerticesFarAwayAreMet) {
+  const IndexedMesh block = shapes::box(Vec3(-500, -500, -100), Vec3(500, 500, 0));
+  const Motion motion(upright(-1, 0.3, -0.2), upright(1, 0.3, -0.2));
+  for (const ToolForms& tool : tools::all()) {
+    std::uint64_t bounds = 0;
+    const MoveVerdict v = check(motion, tool, {block}, &bounds);
+    EXPECT_EQ(v.state, MoveState::gouge);
+    EXPECT_NEAR(v.depth_mm, 0.2, 0.001);
+    EXPECT_GT(v.witness->normal.z(), 0.99);
+    expect_promise(v, motion, tool, kOptions);
+    EXPECT_LT(bounds, 2000U);
+  }
+}
+
+TEST(Search, AThinWallBetweenTwoClearPositionsIsMet) {
+  const IndexedMesh wall = shapes::box(Vec3(-0.02, -50, 0), Vec3(0.02, 50, 8));
+  const Motion motion(upright(-20, 0, 5), upright(20, 0, 5));
+  for (const ToolForms& tool : tools::all()) {
+    EXPECT_EQ(check(Motion(motion.start()), tool, {wall}).state, MoveState::clean);
+    EXPECT_EQ(check(Motion(motion.end()), tool, {wall}).state, MoveState::clean);
+    const MoveVerdict v = check(motion, tool, {wall});
+    EXPECT_EQ(v.state, MoveState::gouge);
+    expect_promise(v, motion, tool, kOptions);
+  }
+}
+
+TEST(Search, APostThinnerThanAnyStepIsMet) {
+  const IndexedMesh post = shapes::box(Vec3(-0.02, 1.98, 0), Vec3(0.02, 2.02, 8));
+  const Motion motion(upright(-60, 0, 5), upright(60, 0, 5));
+  const ToolForms tool = tools::ball();
+  const MoveVerdict v = check(motion, tool, {post});
+  EXPECT_EQ(v.state, MoveState::gouge);
+  expect_promise(v, motion, tool, kOptions);
+  const Motion beside(upright(-60, 10, 5), upright(60, 10, 5));
+  EXPECT_EQ(check(beside, tool, {post}).state, MoveState::clean);
+}
+
+TEST(Search, ARotationAboutARestingTipSwingsTheHolderIntoAPost) {
+  // The post stands where the holder passes half way; both ends are clear.
+  const IndexedMesh post = shapes::box(Vec3(-0.5, -0.5, 60), Vec3(0.5, 0.5, 140));
+  const ToolForms tool = tools::ball(6);
+  const auto leaning = [](double degrees) {
+    const double a = degrees * M_PI / 180;
+    return Pose{Vec3(0, -40, 0), Vec3(std::sin(a), 0.35, std::cos(a)).normalized()};
+  };
+  const Motion motion(leaning(-40), leaning(40));
+  EXPECT_EQ(check(Motion(motion.start()), tool, {post}).state, MoveState::clean);
+  EXPECT_EQ(check(Motion(motion.end()), tool, {post}).state, MoveState::clean);
+  const MoveVerdict v = check(motion, tool, {post});
+  EXPECT_EQ(v.state, MoveState::gouge);
+  EXPECT_EQ(v.witness->body, Body::holder);
+  expect_promise(v, motion, tool, kOptions);
+}
+
+TEST(Search, AFlatSlidingExactlyOnAPlaneIsCleanAndFast) {
+  const IndexedMesh floor = shapes::sheet(100, 100, 0, 60, 60);
+  const Motion motion(upright(-10, 3, 0), upright(12, -5, 0));
+  std::uint64_t bounds = 0;
+  const MoveVerdict v = check(motion, tools::flat(), {floor}, &bounds);
+  EXPECT_EQ(v.state, MoveState::clean);
+  EXPECT_LT(bounds, 20000U);
+}
+
+TEST(Search, AFlankOnAWallIsCleanAndFast) {
+  const IndexedMesh wall = shapes::box(Vec3(5, -50, -10), Vec3(30, 50, 25));
+  std::uint64_t bounds = 0;
+  const MoveVerdict v = check(Motion(upright(0, -20, 0), upright(0, 20, 0)), tools::flat(), {wall}, &bounds);
+  EXPECT_EQ(v.state, MoveState::clean);
+  EXPECT_LT(bounds, 20000U);
+}
+
+TEST(Search, AFanOfNeedlesIsAsGoodAsAPlane) {
+  const IndexedMesh fan = shapes::needle_fan();
+  double top = -1e300;
+  for (const Vec3& v : fan.vertices) top = std::max(top, v.z());
+  const Motion motion(upright(-2, 0, top), upright(2, 1, top));
+  EXPECT_EQ(check(motion, tools::flat(), {fan}).state, MoveState::clean);
+  const Motion deeper(upright(-2, 0, top - 0.05), upright(2, 1, top - 0.05));
+  const MoveVerdict v = check(deeper, tools::flat(), {fan});
+  EXPECT_EQ(v.state, MoveState::gouge);
+  expect_promise(v, deeper, tools::flat(), kOptions);
+}
+
+TEST(Search, ABudgetTooSmallIsNeverClean) {
+  CheckOptions options;
+  options.budget_per_move = 3;
+  const IndexedMesh ring = shapes::torus(20, 5, 60, 40);
+  const MoveVerdict v = check(Motion(upright(-1, 0, -10), upright(1, 0, -10)), tools::bull(), {ring}, nullptr, options);
+  EXPECT_TRUE(v.state == MoveState::not_certified || v.state == MoveState::gouge);
+  EXPECT_GE(v.depth_upper_mm, v.depth_mm);
+}
+
+TEST(Search, ClearancesGrowRoundedAndAnyEntryIsAGouge) {
+  CheckOptions options;
+  options.holder_clearance_mm = 1;
+  const ToolForms tool = tools::forms(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
+  // The holder's lower corner is at (16, 50). A corner of a box 0.6 mm away from it along the diagonal is within
+  // the clearance, one 1.1 mm away is not, although a grown cylinder with sharp corners would reach it.
+  const auto corner_at = [](double away) {
+    const double d = away / std::sqrt(2);
+    return shapes::box(Vec3(16 + d, -5, 0), Vec3(40, 5, 50 - d));
+  };
+  const Motion alone(upright(0, 0, 0));
+  EXPECT_EQ(check(alone, tool, {corner_at(0.6)}, nullptr, options).state, MoveState::gouge);
+  EXPECT_EQ(check(alone, tool, {corner_at(1.1)}, nullptr, options).state, MoveState::clean);
+  const MoveVerdict grazing = check(alone, tool, {corner_at(0.995)}, nullptr, options);
+  EXPECT_EQ(grazing.state, MoveState::gouge);
+  EXPECT_NEAR(grazing.depth_mm, 0.005, 0.001);
+  EXPECT_EQ(grazing.witness->body, Body::holder);
+}
+
+TEST(Search, NearMissTellsTheClosestApproachOfTheHolder) {
+  CheckOptions options;
+  options.near_miss_mm = 2;
+  const IndexedMesh wall = shapes::box(Vec3(17.5, -5, 0), Vec3(40, 5, 80));
+  const MoveVerdict v =
+      check(Motion(upright(0, 0, 0), upright(0.5, 0, 0)), tools::ball(), {wall}, nullptr, options);
+  EXPECT_EQ(v.state, MoveState::near_miss);
+  ASSERT_TRUE(v.clearance_mm.has_value());
+  EXPECT_NEAR(*v.clearance_mm, 1.0, 0.001);
+  EXPECT_EQ(v.witness->body, Body::holder);
+  EXPECT_EQ(v.depth_mm, 0);
+}
+
+}  // namespace
+}  // namespace gouge

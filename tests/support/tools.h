@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "toolmodels/assembly.h"
+#include "toolmodels/compile_tool.h"
+
+// Named tools for tests, compiled. Each with a shank and a holder of two segments.
+
+namespace gouge::tools {
+
+inline ToolAssembly assembly(const Cutter& cutter, double shank_diameter = 10) {
+  ToolAssembly tool;
+  tool.number = 1;
+  tool.name = "test";
+  tool.cutter = cutter;
+  tool.shank = {{shank_diameter, shank_diameter, 20}};
+  tool.holder = {{32, 32, 40}, {40, 46, 30}};
+  return tool;
+}
+
+inline ToolForms forms(const ToolAssembly& tool, double stock = 0, double shank = 0, double holder = 0) {
+  return make_tool_forms(tool, stock, shank, holder).value();
+}
+
+inline ToolForms flat(double diameter = 10) { return forms(assembly(FlatCutter{diameter, 30}, diameter)); }
+inline ToolForms ball(double diameter = 10) { return forms(assembly(BallCutter{diameter, 30}, diameter)); }
+inline ToolForms bull(double diameter = 16, double corner = 2) {
+  return forms(assembly(BullNoseCutter{diameter, corner, 30}, diameter));
+}
+inline ToolForms tapered() { return forms(assembly(TaperedCutter{4, 2, 5, 30}, 8)); }
+/// Narrower above the cutter, so that the contour has a shoulder facing up and reflex corners.
+inline ToolForms necked() { return forms(assembly(FlatCutter{12, 10}, 6)); }
+
+inline std::vector<ToolForms> all() { return {flat(), ball(), bull(), tapered(), necked()}; }
+
+}  // namespace gouge::tools
