@@ -53,14 +53,15 @@ Result<ToolFromPath> make_tool_from_path(std::optional<int> number, const std::s
   made.tool.number = number;
   made.tool.name = name;
   made.tool.holder = holder;
-  AptCutter cutter{c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
+  AptCutter cutter{
+      c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm > 0 ? c.h_mm : c.flute_length_mm};
   const std::string who = "tool " + label(made.tool) + ": ";
-  if (!(c.h_mm > 0) || ends_within_tip(cutter)) {
+  if (!(cutter.h_mm > 0) || ends_within_tip(cutter)) {
     cutter.h_mm = assumed_height(c);
-    const std::string found =
-        c.h_mm > 0 ? "height h = " + mm(c.h_mm) + " ends within the tip" : "no height given";
-    made.notes.push_back(make_note("cutter-length", who + found + "; checked as " + mm(cutter.h_mm) +
-                                                        " long, a tool library would say it"));
+    const std::string found = c.h_mm > 0 ? "its height h = " + mm(c.h_mm) + " ends within the tip"
+                                         : "the file gives the cutter no length";
+    made.notes.push_back(
+        make_note("cutter-length", who + found + "; it is checked up to " + mm(cutter.h_mm)));
   }
   if (const std::string contradiction = apt_contradiction(cutter); !contradiction.empty())
     made.notes.push_back(make_warning("cutter-contradiction", who + contradiction));

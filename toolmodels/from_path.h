@@ -26,8 +26,8 @@ struct ToolFromPath {
 };
 
 /// A tool assembly from a toolpath's own words. CL data knows no holder: `holder` (may be empty) is put on
-/// top. A height that is missing, or ends within the tip, is replaced by max(5 d, 50 mm) and told: APT's
-/// default of 5 would leave most of the tool out of the check.
+/// top. A height that is missing is the flute length; without one, or when it ends within the tip, it is
+/// replaced by max(5 d, 50 mm) and told: APT's default of 5 would leave most of the tool out of the check.
 ///
 /// Errors   those of make_cutter_profile, naming the tool.
 [[nodiscard]] Result<ToolFromPath> make_tool_from_path(std::optional<int> number, const std::string& name,
