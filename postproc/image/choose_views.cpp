@@ -66,7 +66,7 @@ std::vector<Vec3> choose_directions(const PictureInput& input, const PictureScen
     most_gouged = std::max(most_gouged, c.gouged);
     c.score = weight > 0 ? 0.6 * seen / weight : 0;
     c.score += 0.25 * c.toward.dot(axis);  // the side the tool comes from is the one people know
-    if (i < 8) c.score += 0.2;             // corners show a body better than faces do
+    if (i < 8) c.score += 0.45;            // corners show a body better than faces do
     c.score -= 1e-3 * static_cast<double>(i);
   }
   for (Candidate& c : all) c.score += most_gouged > 0 ? c.gouged / most_gouged : 0;

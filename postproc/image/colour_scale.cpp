@@ -16,6 +16,16 @@ constexpr std::array<Colour, 6> kRamp{{{255, 226, 110, 1},
                                        {128, 14, 92, 1},
                                        {52, 8, 72, 1}}};
 
+constexpr double kRootRatio = 100;
+
+// A number that is round already, with as many decimals as it has.
+std::string length_digits(double value) {
+  std::string text = fixed_text(value, 9);
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return text;
+}
+
 unsigned char mix(unsigned char a, unsigned char b, double t) {
   return static_cast<unsigned char>(std::lround((1 - t) * a + t * b));
 }
@@ -27,12 +37,21 @@ Colour body_colour(int body) {
   return kBodies[static_cast<std::size_t>(std::clamp(body, 0, 2))];
 }
 
+double ColourScale::place(double depth_mm) const {
+  const double share = std::clamp(depth_mm / high_mm, 0.0, 1.0);
+  return is_root ? std::sqrt(share) : share;
+}
+
+double ColourScale::depth_at(double place) const {
+  return high_mm * (is_root ? place * place : place);
+}
+
 Colour ColourScale::at(double depth_mm) const {
-  const double range = high_mm - low_mm;
-  const double t = range > 0 ? std::clamp((depth_mm - low_mm) / range, 0.0, 1.0) : 1.0;
-  const double place = t * static_cast<double>(kRamp.size() - 1);
-  const std::size_t i = std::min(static_cast<std::size_t>(place), kRamp.size() - 2);
-  const double rest = place - static_cast<double>(i);
+  const double start = place(low_mm);
+  const double t = start < 1 ? std::clamp((place(depth_mm) - start) / (1 - start), 0.0, 1.0) : 1.0;
+  const double step = t * static_cast<double>(kRamp.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(step), kRamp.size() - 2);
+  const double rest = step - static_cast<double>(i);
   return {mix(kRamp[i].r, kRamp[i + 1].r, rest), mix(kRamp[i].g, kRamp[i + 1].g, rest),
           mix(kRamp[i].b, kRamp[i + 1].b, rest), 1};
 }
@@ -41,7 +60,7 @@ double round_up(double value) {
   double power = 1;
   while (power > value) power /= 10;
   while (power * 10 <= value) power *= 10;
-  for (const double m : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0}) {
+  for (const double m : {1.0, 1.2, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0}) {
     if (m * power >= value * (1 - 1e-9)) return m * power;
   }
   return 10 * power;
@@ -74,10 +93,34 @@ std::string tick_text(double value, double step) {
   return fixed_text(value, decimals);
 }
 
-ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit) {
+ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit, double headroom) {
   const double scale = mm_per(unit);
-  const double worst = std::max({worst_mm, 2 * tolerance_mm, 1e-6}) / scale;
-  return {tolerance_mm, round_up(worst) * scale};
+  const double worst = std::max({worst_mm * headroom, 2 * tolerance_mm, 1e-6}) / scale;
+  return {tolerance_mm, round_up(worst) * scale, worst_mm > kRootRatio * tolerance_mm && tolerance_mm > 0};
+}
+
+std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double gap) {
+  const double per = mm_per(unit);
+  const double high = scale.high_mm / per;
+  if (!scale.is_root) {
+    const double step = round_step(high, std::max(1, static_cast<int>(1 / gap)));
+    std::vector<Tick> ticks;
+    for (int k = 0; k * step <= high * (1 + 1e-9); ++k)
+      ticks.push_back({k * step * per, tick_text(k * step, step)});
+    return ticks;
+  }
+  std::vector<Tick> ticks{{scale.high_mm, length_digits(high)}};
+  double last = 1;
+  for (double value = round_down(high); value > 0 && ticks.size() < 12; value = round_down(value * 0.99)) {
+    const double place = scale.place(value * per);
+    if (place < gap) break;
+    if (last - place < gap) continue;
+    ticks.push_back({value * per, length_digits(value)});
+    last = place;
+  }
+  ticks.push_back({0, "0"});
+  std::reverse(ticks.begin(), ticks.end());
+  return ticks;
 }
 
 }  // namespace gouge

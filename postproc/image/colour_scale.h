@@ -21,13 +21,28 @@ inline constexpr Colour kCalm{34, 120, 84, 1};
 
 /// Depth to colour: pale yellow just above `low`, through orange and red to dark purple at `high`. Lightness
 /// falls steadily, so the order survives a black-and-white print.
+/// When the worst depth is a hundred times the tolerance and more, lengths along the scale grow with the
+/// square root of the depth, or one holder collision would hide every small gouge.
 struct ColourScale {
   double low_mm = 0, high_mm = 1;
+  bool is_root = false;
+  /// Place on the scale from 0 (depth 0) to 1 (high_mm).
+  [[nodiscard]] double place(double depth_mm) const;
+  /// The depth at a place.
+  [[nodiscard]] double depth_at(double place) const;
   [[nodiscard]] Colour at(double depth_mm) const;
 };
 
-/// From the tolerance to a round number not below the worst depth.
-[[nodiscard]] ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit);
+/// Round depths for the scale's ticks in the unit, from 0 up, at least `gap` apart on the scale.
+struct Tick {
+  double depth_mm = 0;
+  std::string text;
+};
+[[nodiscard]] std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double gap);
+
+/// From the tolerance to a round number not below the worst depth and its headroom.
+[[nodiscard]] ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit,
+                                            double headroom = 1);
 
 /// A round number (two digits at most) not below `value`. Requires value > 0.
 [[nodiscard]] double round_up(double value);

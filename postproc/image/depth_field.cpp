@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "lib/base/parallel.h"
-#include "lib/check/motion.h"
+#include "lib/check/check_path.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -48,8 +48,7 @@ void DepthField::add_move(const PictureInput& input, std::size_t index, double d
   const Move& move = input.toolpath->moves[index];
   if (move.tool >= input.tools.size() || input.tools[move.tool] == nullptr) return;
   const ToolForms* forms = input.tools[move.tool];
-  const Motion motion =
-      move.start ? Motion(*move.start, move.end, is_dogleg(move, input.options)) : Motion(move.end);
+  const Motion motion = motion_of(move, input.options.rapid);
   if (!motion.is_defined()) return;
   const MoveVerdict& verdict = input.result->verdicts[index];
   if (verdict.witness) poses_.push_back({motion.at(verdict.witness->t), forms});

@@ -28,17 +28,15 @@ class Strip {
     columns_.resize(std::min(moves_, static_cast<std::size_t>(area.width)));
     for (std::size_t i = 0; i < verdicts.size(); ++i)
       add(columns_[i * columns_.size() / moves_], verdicts[i]);
-    const double unit = mm_per(set.model.toolpath->unit);
-    const double worst =
-        std::max({set.input.result->worst_depth_mm, 3 * set.model.options.tolerance_mm, 1e-6});
-    high_ = round_up(worst * 1.12 / unit) * unit;
+    const double worst = std::max(set.input.result->worst_depth_mm, 3 * set.model.options.tolerance_mm);
+    scale_ = make_colour_scale(set.model.options.tolerance_mm, worst, set.model.toolpath->unit, 1.12);
   }
 
   [[nodiscard]] double x_of(double move) const {
     return area_.x + area_.width * move / static_cast<double>(moves_);
   }
   [[nodiscard]] double y_of(double depth_mm) const {
-    return area_.bottom() - area_.height * std::clamp(depth_mm / high_, 0.0, 1.0);
+    return area_.bottom() - area_.height * scale_.place(depth_mm);
   }
 
   void draw(Page& page) const {
@@ -94,15 +92,14 @@ class Strip {
 
   void draw_grid(Page& page) const {
     const LengthUnit unit = set_.model.toolpath->unit;
-    const double per = mm_per(unit);
-    const double step = round_step(high_ / per, 6);
-    for (int k = 0; k * step <= high_ / per * (1 + 1e-9); ++k) {
-      const double y = y_of(k * step * per);
+    for (const Tick& tick : make_ticks(scale_, unit, 0.1)) {
+      const double y = y_of(tick.depth_mm);
       page.line({area_.x, y}, {area_.right(), y}, kHairline, 1);
-      page.text({area_.x - 10, y + 5}, tick_text(k * step, step), 15, kInk, TextAnchor::right);
+      page.text({area_.x - 10, y + 5}, tick.text, 15, kInk, TextAnchor::right);
     }
-    page.text({area_.x - 62, area_.y - 16}, "depth in " + std::string(unit_name(unit)), 15, kInk,
-              TextAnchor::left, true);
+    const std::string title =
+        "depth in " + std::string(unit_name(unit)) + (scale_.is_root ? ", square root scale" : "");
+    page.text({area_.x - 62, area_.y - 16}, title, 15, kInk, TextAnchor::left, true);
     const double move_step = std::max(1.0, round_step(static_cast<double>(moves_), 10));
     for (int k = 0; k * move_step <= static_cast<double>(moves_) - 0.5; ++k) {
       const double x = x_of(k * move_step + 0.5);
@@ -169,7 +166,7 @@ class Strip {
   Area area_;
   std::vector<Column> columns_;
   std::size_t moves_ = 1;
-  double high_ = 1;
+  ColourScale scale_;
 };
 
 // Which operation and tool is at work, as a row of labelled spans above the strip.

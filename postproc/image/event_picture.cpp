@@ -31,6 +31,14 @@ double body_radius(const CompiledTool& tool, Body body) {
   return radius > 0 ? radius : tool.r_max_mm;
 }
 
+// What a picture of the finding is scaled to: the body that gouges, or more when it is reached deep inside.
+double size_of(const PictureSet& set, const PictureEvent& event) {
+  const Vec3 d = event.at - event.pose.tip;
+  const double from_axis = (d - event.pose.axis * d.dot(event.pose.axis)).norm();
+  return std::max(
+      {body_radius(forms_of(set, event).bare, event.event.body), from_axis, 1.3 * event.depth_mm});
+}
+
 View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& toward, double height_mm,
                 int width, int height) {
   View view = make_view(toward, event.pose.axis, width, height);
@@ -126,7 +134,7 @@ void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, 
     for (const Vec3& p : set.scene.part_points()) box.extend(p);
     return box.diagonal().norm();
   }();
-  const double reach = 6.5 * body_radius(forms.bare, event.event.body);
+  const double reach = 6.5 * size_of(set, event);
   const double height_mm =
       std::clamp(reach, std::min(8 * event.depth_mm, reach), std::max(1.1 * part_mm, 1e-3));
   const Vec3 toward = best_direction(set, event, height_mm);
@@ -138,10 +146,10 @@ void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, 
   lay_tool(raster, buffer, tool_surface(forms.bare, event.pose));
   page.rasters.push_back({static_cast<int>(kCloseUp.x), static_cast<int>(kCloseUp.y), std::move(raster)});
   add_callout(page, kCloseUp, on_page(kCloseUp, view.project(event.at)), words);
-  page.box({kCloseUp.x, kCloseUp.bottom() - 86, 330, 86}, {255, 255, 255, 0.8});
+  page.box({kCloseUp.x, kCloseUp.bottom() - 86, 330, 86}, {255, 255, 255, 0.93});
   add_triad(page, {kCloseUp.x + 46, kCloseUp.bottom() - 38}, view, 28);
   add_scale_bar(page, {kCloseUp.x + 112, kCloseUp.bottom() - 30}, view, set.model.toolpath->unit, 150);
-  page.box({kCloseUp.x, kCloseUp.y, 124, 430}, {255, 255, 255, 0.8});
+  page.box({kCloseUp.x, kCloseUp.y, 132, 430}, {255, 255, 255, 0.93});
   add_colour_bar(page, {kCloseUp.x + 14, kCloseUp.y + 58, 20, 350}, set.scale, set.model.toolpath->unit,
                  "Gouge depth");
 }
@@ -195,22 +203,29 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
   const bool has_inside =
       is_closed(set.model.parts) && is_closed(set.model.fixtures) && !set.model.parts.empty();
   const LengthUnit unit = set.model.toolpath->unit;
-  const double radius = body_radius(forms.bare, event.event.body);
+  const double radius = size_of(set, event);
   const Vec2 at = plane.flat(event.at);
+  const Vec2 foot =
+      event.has_witness ? plane.flat(Vec3(event.at - event.witness.normal * event.depth_mm)) : at;
   // The body that gouges with some room around it, the finding well inside the panel.
   const SectionPanel whole{kWhole, Vec2(0, at.y() + 0.55 * radius), 3.4 * radius / kWhole.height};
-  const double detail_mm = std::max(9 * event.depth_mm, 0.02 * radius);
-  const SectionPanel detail{kDetail, at, std::min(detail_mm, 1.6 * radius) / kDetail.height};
+  const double most_mm = std::max(1.6 * radius, 2.6 * event.depth_mm);
+  const double detail_mm = std::clamp(9 * event.depth_mm, 0.02 * radius, most_mm);
+  const SectionPanel detail{kDetail, Vec2(0.5 * (at + foot)), detail_mm / kDetail.height};
   page.text({kWhole.x, kWhole.y - 10}, "Section through tool axis and deepest point", 15, kInk,
             TextAnchor::left, true);
   draw_section(page, whole, lines, has_inside, forms.bare, checked);
-  const Vec2 target = whole.place(at);
+  const Vec2 target = whole.place(detail.centre);
   const double half_width = 0.5 * kDetail.width * detail.mm_per_unit / whole.mm_per_unit;
   const double half_height = 0.5 * kDetail.height * detail.mm_per_unit / whole.mm_per_unit;
   if (event.has_witness) {
     const double w = std::max(half_width, 7.0);
     const double h = std::max(half_height, 5.0);
-    page.frame({target.x() - w, target.y() - h, 2 * w, 2 * h}, kAlarm, 1.6);
+    const double left = std::max(target.x() - w, kWhole.x + 3);
+    const double top = std::max(target.y() - h, kWhole.y + 3);
+    page.frame({left, top, std::min(target.x() + w, kWhole.right() - 3) - left,
+                std::min(target.y() + h, kWhole.bottom() - 3) - top},
+               kAlarm, 1.6);
     page.text({kDetail.x, kDetail.y - 10}, "The framed place enlarged", 15, kInk, TextAnchor::left, true);
     draw_section(page, detail, lines, has_inside, forms.bare, checked);
     add_depth_arrow(page, detail, plane, event, words);

@@ -1,6 +1,7 @@
 #include "postproc/image/heat_map.h"
 
 #include <algorithm>
+#include <array>
 
 #include "postproc/image/shade.h"
 #include "postproc/report/report_text.h"
@@ -34,6 +35,21 @@ View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area&
                !is_visible(buffer, event.at, 3 * view.mm_per_pixel + 1e-3));
   }
   return view;
+}
+
+// The part must not run into triad and scale below it. In flat views they stand beside it, on the left.
+Area above_furniture(const Area& area) {
+  if (area.width > 2 * area.height) return {area.x + 120, area.y, area.width - 120, area.height - 34};
+  return {area.x, area.y, area.width, area.height - 90};
+}
+
+// The worse of both views' scales, mm a pixel.
+double scale_in(const PictureSet& set, const std::array<Area, 2>& areas) {
+  double worst = 0;
+  for (std::size_t i = 0; i < set.directions.size() && i < areas.size(); ++i) {
+    worst = std::max(worst, view_for(set, set.directions[i], above_furniture(areas[i])).mm_per_pixel);
+  }
+  return worst;
 }
 
 void add_corner_furniture(Page& page, const View& view, const Area& area, LengthUnit unit) {
@@ -118,14 +134,21 @@ Page draw_heat_map(const PictureSet& set) {
                         badge_colour(*set.input.result), caption_lines(set.model, *set.input.toolpath));
   const LengthUnit unit = set.model.toolpath->unit;
   const double height = kContentBottom - kContentTop;
-  const Area first{36, kContentTop, 780, height};
-  const Area second{832, kContentTop, 560, height};
-  for (std::size_t i = 0; i < set.directions.size() && i < 2; ++i) {
-    const Area& area = i == 0 ? first : second;
-    const View view = add_view(page, set, set.directions[i], area);
-    add_corner_furniture(page, view, area, unit);
+  // Side by side or one above the other, whichever shows the part larger.
+  std::array<Area, 2> areas{Area{36, kContentTop, 780, height}, Area{832, kContentTop, 560, height}};
+  const double half = 0.5 * (height - 16);
+  const std::array<Area, 2> rows{Area{36, kContentTop, 1356, half},
+                                 Area{36, kContentTop + half + 16, 1356, half}};
+  const bool is_stacked = scale_in(set, rows) < scale_in(set, areas);
+  if (is_stacked) areas = rows;
+  for (std::size_t i = 0; i < set.directions.size() && i < areas.size(); ++i) {
+    const View view = add_view(page, set, set.directions[i], above_furniture(areas[i]));
+    add_corner_furniture(page, view, areas[i], unit);
   }
-  page.line({824, kContentTop + 20}, {824, kContentBottom - 20}, kHairline, 1);
+  if (is_stacked)
+    page.line({56, rows[1].y - 8}, {1380, rows[1].y - 8}, kHairline, 1);
+  else
+    page.line({824, kContentTop + 20}, {824, kContentBottom - 20}, kHairline, 1);
   page.line({1400, kContentTop + 20}, {1400, kContentBottom - 20}, kHairline, 1);
   add_colour_bar(page, {1426, 190, 26, 360}, set.scale, unit, "Gouge depth");
   add_event_key(page, set, 1426, 604);
@@ -140,8 +163,8 @@ Page draw_before_after(const PictureSet& before, const PictureSet& after) {
   const Area left{36, 156, kHalf, kContentBottom - 156};
   const Area right{36 + kHalf + 12, 156, kHalf, kContentBottom - 156};
   const Vec3& toward = before.directions.front();
-  const View view = add_view(page, before, toward, left);
-  add_view(page, after, toward, right);
+  const View view = add_view(page, before, toward, above_furniture(left));
+  add_view(page, after, toward, above_furniture(right));
   add_corner_furniture(page, view, left, unit);
   const auto label = [&](const Area& area, const std::string& words, const CheckResult& result) {
     page.text({area.x, area.y - 12}, words, 19, kInk, TextAnchor::left, true);

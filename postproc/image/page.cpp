@@ -76,26 +76,22 @@ Page make_page(const std::string& title, const std::string& verdict, const Colou
 
 void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit,
                     const std::string& title) {
-  const double per = mm_per(unit);
-  const double high = scale.high_mm / per;
-  const auto y_of = [&](double value) { return area.bottom() - area.height * value / high; };
-  page.box({area.x, area.y, area.width, area.height}, kPartGrey);
+  const auto y_of = [&](double depth_mm) { return area.bottom() - area.height * scale.place(depth_mm); };
+  page.box(area, kPartGrey);
   const int strips = static_cast<int>(area.height);
   for (int k = 0; k < strips; ++k) {
-    const double top = area.y + k;
-    const double depth_mm = scale.high_mm * (area.bottom() - top - 0.5) / area.height;
-    if (depth_mm > scale.low_mm) page.box({area.x, top, area.width, 1.0}, scale.at(depth_mm));
+    const double depth_mm = scale.depth_at((area.height - k - 0.5) / area.height);
+    if (depth_mm > scale.low_mm) page.box({area.x, area.y + k, area.width, 1.0}, scale.at(depth_mm));
   }
   page.frame(area, kSoftInk, 1);
   page.text({area.x, area.y - 32}, title, 15, kInk, TextAnchor::left, true);
   page.text({area.x, area.y - 13}, "in " + std::string(unit_name(unit)), 14, kSoftInk);
-  const double step = round_step(high, 5);
-  const double tolerance_y = y_of(scale.low_mm / per);
-  for (int k = 0; k * step <= high * (1 + 1e-9); ++k) {
-    const double y = y_of(k * step);
+  const double tolerance_y = y_of(scale.low_mm);
+  for (const Tick& tick : make_ticks(scale, unit, 26 / area.height)) {
+    const double y = y_of(tick.depth_mm);
     if (scale.low_mm > 0 && std::abs(y - tolerance_y) < 15) continue;
     page.line({area.right(), y}, {area.right() + 6, y}, kSoftInk, 1);
-    page.text({area.right() + 11, y + 5}, tick_text(k * step, step), 15, kInk);
+    page.text({area.right() + 11, y + 5}, tick.text, 15, kInk);
   }
   if (scale.low_mm > 0) {
     page.line({area.x - 5, tolerance_y}, {area.right() + 6, tolerance_y}, kInk, 1.5);

@@ -2,9 +2,32 @@
 
 #include <algorithm>
 
-#include "lib/check/motion.h"
+#include "lib/check/check_path.h"
 
 namespace gouge {
+namespace {
+
+double scene_size(const Scene& scene) {
+  Box3 box;
+  for (const IndexedMesh& mesh : scene.parts) box.extend(mesh.box());
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+PictureEvent picture_event(const PictureInput& input, const Event& event) {
+  const Move& move = input.toolpath->moves[event.worst_move];
+  const MoveVerdict& verdict = input.result->verdicts[event.worst_move];
+  PictureEvent one;
+  one.event = event;
+  one.has_witness = event.state == MoveState::gouge && verdict.witness.has_value();
+  if (one.has_witness) one.witness = *verdict.witness;
+  const Motion motion = motion_of(move, input.options.rapid);
+  one.pose = motion.is_defined() ? motion.at(one.has_witness ? one.witness.t : 1.0) : move.end;
+  const CompiledTool& bare = input.tools[event.tool]->bare;
+  one.at = one.has_witness ? one.witness.point : Vec3(one.pose.tip + one.pose.axis * bare.core.y());
+  return one;
+}
+
+}  // namespace
 
 std::vector<PictureEvent> worst_events(const PictureInput& input, std::size_t most) {
   std::vector<Event> events;
@@ -18,22 +41,17 @@ std::vector<PictureEvent> worst_events(const PictureInput& input, std::size_t mo
   };
   std::stable_sort(events.begin(), events.end(),
                    [&](const Event& a, const Event& b) { return depth_of(a) > depth_of(b); });
-  if (events.size() > most) events.resize(most);
+  const double apart_mm = 0.05 * scene_size(*input.scene);
   std::vector<PictureEvent> out;
   for (const Event& event : events) {
-    const Move& move = input.toolpath->moves[event.worst_move];
-    const MoveVerdict& verdict = input.result->verdicts[event.worst_move];
-    PictureEvent one;
-    one.number = static_cast<int>(out.size()) + 1;
-    one.event = event;
-    one.has_witness = event.state == MoveState::gouge && verdict.witness.has_value();
-    if (one.has_witness) one.witness = *verdict.witness;
-    const Motion motion =
-        move.start ? Motion(*move.start, move.end, is_dogleg(move, input.options)) : Motion(move.end);
-    one.pose = motion.is_defined() ? motion.at(one.has_witness ? one.witness.t : 1.0) : move.end;
+    PictureEvent one = picture_event(input, event);
     one.depth_mm = std::max(0.0, depth_of(event));
-    const CompiledTool& bare = input.tools[event.tool]->bare;
-    one.at = one.has_witness ? one.witness.point : Vec3(one.pose.tip + one.pose.axis * bare.core.y());
+    const bool is_told = std::any_of(out.begin(), out.end(), [&](const PictureEvent& other) {
+      return other.event.state == event.state && other.event.tool == event.tool &&
+             other.event.body == event.body && (other.at - one.at).norm() < apart_mm;
+    });
+    if (is_told || out.size() >= most) continue;
+    one.number = static_cast<int>(out.size()) + 1;
     out.push_back(one);
   }
   return out;

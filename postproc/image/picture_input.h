@@ -18,9 +18,4 @@ struct PictureInput {
   CheckOptions options;
 };
 
-/// Whether a move turns on the spot or travels in dogleg: the motion the check looked at.
-[[nodiscard]] inline bool is_dogleg(const Move& move, const CheckOptions& options) {
-  return move.kind == MoveKind::rapid && options.rapid == RapidMode::dogleg;
-}
-
 }  // namespace gouge

@@ -7,6 +7,7 @@
 #include "postproc/image/event_picture.h"
 #include "postproc/image/heat_map.h"
 #include "postproc/image/render_png.h"
+#include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
@@ -17,10 +18,10 @@ constexpr std::size_t kViews = 2;
 struct Album {
   std::vector<NamedFile> files;
 
-  [[nodiscard]] Outcome add(const Page& page, std::string name, std::string title) {
+  [[nodiscard]] Outcome add(const Page& page, std::string name, std::string title, std::size_t move = kNone) {
     Result<std::string> png = render_png(page.drawing, page.rasters);
     if (!png) return png.error();
-    files.push_back({std::move(name), std::move(*png), std::move(title)});
+    files.push_back({std::move(name), std::move(*png), std::move(title), move});
     return Done{};
   }
 };
@@ -50,8 +51,11 @@ Outcome add_scene_pictures(Album& album, const PictureSet& set, const PictureInp
   }
   for (const PictureEvent& event : set.events) {
     const std::string number = std::to_string(event.number);
-    if (Outcome done = album.add(draw_event(set, event), "event_" + number + ".png", "Finding " + number);
-        !done) {
+    const std::size_t move = event.event.worst_move;
+    const std::string title = "Finding " + number + ": line " +
+                              std::to_string(set.input.toolpath->moves[move].line) + ", " +
+                              event_text(set.model, event.event);
+    if (Outcome done = album.add(draw_event(set, event), "event_" + number + ".png", title, move); !done) {
       return done;
     }
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 namespace gouge {
@@ -8,7 +9,8 @@ namespace gouge {
 struct NamedFile {
   std::string name;
   std::string bytes;
-  std::string title;  ///< what it shows, one short sentence; may be empty
+  std::string title;                                ///< what it shows, one short sentence; may be empty
+  std::size_t move = static_cast<std::size_t>(-1);  ///< for the picture of a finding its worst move
 };
 
 }  // namespace gouge

@@ -1,0 +1,49 @@
+#pragma once
+
+namespace gouge {
+
+/// Style sheet of the HTML report, for screens in light and dark rooms alike and for paper.
+inline constexpr const char* kHtmlStyle = R"css(
+:root { --ink: #20262e; --soft: #5f6873; --line: #dde1e6; --paper: #ffffff; --ground: #eef0f3; --alarm: #b2182b;
+  --calm: #227854; --open: #a66e0c; --link: #1f5f99; }
+* { box-sizing: border-box; }
+body { margin: 0; background: var(--ground); color: var(--ink); font: 15px/1.5 "Segoe UI", "Helvetica Neue", Helvetica,
+  Arial, "DejaVu Sans", sans-serif; }
+main { max-width: 1120px; margin: 24px auto; background: var(--paper); padding: 36px 44px 44px; border-radius: 6px;
+  box-shadow: 0 1px 4px rgba(20, 30, 40, .14); }
+h1 { font-size: 26px; margin: 0 0 2px; overflow-wrap: anywhere; }
+h2 { font-size: 19px; margin: 36px 0 10px; padding-bottom: 5px; border-bottom: 1px solid var(--line); }
+p { margin: 6px 0; }
+.soft { color: var(--soft); }
+.banner { display: flex; align-items: center; gap: 22px; margin: 22px 0 10px; padding: 18px 24px; border-radius: 5px;
+  color: #fff; }
+.banner.gouges { background: var(--alarm); } .banner.clean { background: var(--calm); }
+.banner.not-fully-checked { background: var(--open); }
+.banner strong { font-size: 25px; line-height: 1.2; white-space: nowrap; }
+.promise { border-left: 4px solid var(--line); padding: 4px 14px; margin: 14px 0; color: var(--soft); }
+.numbers { display: flex; flex-wrap: wrap; gap: 12px; margin: 18px 0 6px; }
+.numbers div { flex: 1 1 100px; border: 1px solid var(--line); border-radius: 5px; padding: 9px 14px; }
+.numbers b { display: block; font-size: 23px; line-height: 1.25; } .numbers span { color: var(--soft); font-size: 13px; }
+.numbers .bad b { color: var(--alarm); } .numbers .open b { color: var(--open); }
+table { border-collapse: collapse; width: 100%; font-size: 14px; }
+th { text-align: left; font-weight: 600; color: var(--soft); border-bottom: 2px solid var(--line); padding: 6px 12px 6px 0; }
+td { border-bottom: 1px solid var(--line); padding: 5px 12px 5px 0; vertical-align: top; overflow-wrap: anywhere; }
+td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
+td.k { white-space: nowrap; }
+code { font-family: "DejaVu Sans Mono", Consolas, monospace; font-size: 13px; }
+a { color: var(--link); text-decoration: none; } a:hover { text-decoration: underline; }
+figure { margin: 16px 0 22px; } figure img { width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px;
+  display: block; }
+figcaption { color: var(--soft); font-size: 13.5px; padding-top: 5px; }
+.state { display: inline-block; padding: 0 8px; border-radius: 9px; color: #fff; font-size: 12.5px; background: var(--soft); }
+.state.gouge, .state.buried { background: var(--alarm); } .state.not-checked, .state.not-certified { background: var(--open); }
+footer { margin-top: 36px; color: var(--soft); font-size: 13px; border-top: 1px solid var(--line); padding-top: 10px; }
+@media print {
+  @page { size: A4; margin: 14mm; }
+  body { background: #fff; font-size: 12px; } main { margin: 0; padding: 0; box-shadow: none; max-width: none; }
+  .banner, .state, .numbers div { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  figure, .banner, .numbers, tr { break-inside: avoid; } h2 { break-after: avoid; } a { color: inherit; }
+}
+)css";
+
+}  // namespace gouge
