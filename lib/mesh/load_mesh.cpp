@@ -16,6 +16,7 @@ Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& na
   LoadedMesh loaded;
   loaded.findings = find_mesh_findings(*built);
   loaded.mesh = std::move(built->mesh);
+  loaded.format = soup->format;
   loaded.notes = soup->notes;
   for (Diagnostic& told : describe(loaded.findings, name, placement.unit))
     loaded.notes.push_back(std::move(told));

@@ -11,6 +11,7 @@ namespace gouge {
 struct LoadedMesh {
   IndexedMesh mesh;  ///< mm, part coordinates
   MeshFindings findings;
+  StlFormat format = StlFormat::binary;
   Diagnostics notes;  ///< what the reader tolerated, then describe(findings); warnings and notes
 };
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+struct MeshArguments {
+  std::string file;
+  std::string stl_units = "mm";
+  std::string repair_file;  ///< empty: no repair
+  bool fills_holes = false;
+  std::string json_file;  ///< "-" writes to standard output alone
+};
+
+void add_mesh_options(CLI::App& command, MeshArguments& arguments);
+
+/// `gougecheck mesh`: what a part is worth as a solid, and its repair. Returns the exit status: 0 sound (with
+/// --repair: what was written is sound), 1 defects, 3 unreadable, 4 not wholly decided, 5 output unwritable.
+[[nodiscard]] int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace gouge

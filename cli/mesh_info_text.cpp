@@ -1,0 +1,137 @@
+#include "cli/mesh_info_text.h"
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kLabelWidth = 26;
+
+std::string row(const std::string& name, const std::string& value) {
+  return "  " + name + std::string(name.size() < kLabelWidth ? kLabelWidth - name.size() : 1, ' ') + value +
+         "\n";
+}
+
+std::string counted(std::size_t count, const std::string& one) {
+  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
+}
+
+// Writes lengths, areas and volumes of the mesh in the unit of its file.
+class Lengths {
+ public:
+  explicit Lengths(LengthUnit unit) : unit_(unit), decimals_(unit == LengthUnit::inch ? 4 : 3) {}
+
+  [[nodiscard]] std::string vector(const Vec3& v_mm, const std::string& between) const {
+    const double mm = mm_per(unit_);
+    return fixed_text(v_mm.x() / mm, decimals_) + between + fixed_text(v_mm.y() / mm, decimals_) + between +
+           fixed_text(v_mm.z() / mm, decimals_);
+  }
+
+  [[nodiscard]] std::string power(double value_mm, int power) const {
+    for (int k = 0; k < power; ++k) value_mm /= mm_per(unit_);
+    return fixed_text(value_mm, decimals_) + " " + unit_name(unit_) + std::to_string(power);
+  }
+
+  [[nodiscard]] std::string spot(const MeshSpot& spot) const {
+    if (spot.count == 0) return "none";
+    return std::to_string(spot.count) + (spot.count == 1 ? ", at " : ", first at ") + place_text(spot, unit_);
+  }
+
+  [[nodiscard]] std::string crossings(const SelfIntersections& found) const {
+    if (found.pairs == 0) return "none";
+    return counted(found.pairs, "pair") + (found.pairs == 1 ? ", at (" : ", first at (") +
+           vector(found.place_mm, ", ") + ") " + unit_name(unit_) + ", triangles " +
+           std::to_string(found.first_triangle + 1) + " and " + std::to_string(found.second_triangle + 1);
+  }
+
+ private:
+  LengthUnit unit_;
+  int decimals_;
+};
+
+std::string size_rows(const MeshInfo& info, const Lengths& lengths) {
+  const MeshFindings& found = info.judged.findings;
+  std::string handles;
+  if (found.handles().value_or(0) > 0) handles = ", " + counted(static_cast<std::size_t>(*found.handles()), "through hole");
+  std::string text;
+  text += row("format", std::string(info.format == StlFormat::binary ? "binary" : "ASCII") +
+                            " STL, read as " + unit_name(info.unit));
+  text += row("triangles", std::to_string(found.triangles) + " (" + counted(found.edges, "edge") + ", " +
+                               std::to_string(found.vertices) +
+                               (found.vertices == 1 ? " vertex)" : " vertices)"));
+  text += row("pieces",
+              std::to_string(found.components) + handles +
+                  (found.cavities > 0 ? ", of them inner shells: " + std::to_string(found.cavities) : ""));
+  text += row("size", lengths.vector(found.box_mm.sizes(), " x ") + " " + unit_name(info.unit) + ", from (" +
+                          lengths.vector(found.box_mm.min(), ", ") + ")");
+  text += row("area", lengths.power(found.area_mm2, 2));
+  text += row("volume", info.judged.volume_mm3 ? lengths.power(*info.judged.volume_mm3, 3)
+                                               : std::string("undefined (see below)"));
+  return text;
+}
+
+std::string defect_rows(const MeshValidation& judged, const Lengths& lengths) {
+  const MeshFindings& found = judged.findings;
+  std::string text;
+  text += row("open edges", lengths.spot(found.boundary_edges));
+  text += row("non-manifold edges", lengths.spot(found.non_manifold_edges));
+  text += row("non-manifold vertices", lengths.spot(found.non_manifold_vertices));
+  text += row("contradicting edges", lengths.spot(found.misoriented_edges));
+  text += row("pieces inside out", lengths.spot(found.inside_out_components));
+  text += row("self-intersections",
+              judged.trouble.empty() ? lengths.crossings(judged.self_intersections) : "not decided");
+  text += row("duplicate triangles", lengths.spot(found.duplicate_triangles));
+  text += row("degenerate triangles", lengths.spot(found.degenerate_triangles));
+  text += row("triangles without area", lengths.spot(found.collinear_triangles));
+  if (judged.bounds_volume && !*judged.bounds_volume && found.inside_out_components.count == 0) {
+    text += row("nesting", "a closed piece lies inside another without being a cavity of it");
+  }
+  if (found.opposite_normals.count > 0) text += row("normals turned", lengths.spot(found.opposite_normals));
+  return text;
+}
+
+std::string verdict(const MeshValidation& judged) {
+  if (judged.is_sound()) return "sound: closed, manifold, facing outward, free of self-intersections";
+  if (!judged.trouble.empty()) return "not decided: " + judged.trouble;
+  return counted(judged.defects(), "defect");
+}
+
+std::string meaning(const MeshValidation& judged) {
+  if (judged.findings.is_solid()) return "depths are found, and a tool buried in the part is told";
+  return "depths are found on every triangle, but a tool buried in the part may go untold";
+}
+
+std::string repair_rows(const MeshInfo& info) {
+  const RepairSteps& steps = info.repair->steps;
+  std::string text = "repair\n";
+  text += row("degenerate removed", std::to_string(steps.degenerate_removed));
+  text += row("duplicates removed", std::to_string(steps.duplicates_removed));
+  text += row("vertices split", std::to_string(steps.vertices_split));
+  text += row("borders stitched", counted(steps.borders_stitched, "pair"));
+  text += row("without area removed", std::to_string(steps.collinear_removed));
+  text += row("holes filled", std::to_string(steps.holes_filled) + " (" +
+                                  counted(steps.hole_triangles_added, "triangle") + " added), " +
+                                  std::to_string(steps.holes_left) + " left");
+  text += row("triangles turned", std::to_string(steps.triangles_turned));
+  text += "repaired: " + verdict(info.repair->after) + "\n";
+  if (!info.written_file.empty()) return text + "written: " + info.written_file + "\n";
+  return text + (info.judged.is_sound()
+                     ? "not written: there was nothing to repair\n"
+                     : "not written: the repair leaves no fewer defects than there were\n");
+}
+
+}  // namespace
+
+std::string mesh_info_text(const MeshInfo& info) {
+  const Lengths lengths(info.unit);
+  std::string text = info.file + "\n" + size_rows(info, lengths) + defect_rows(info.judged, lengths);
+  text += "verdict: " + verdict(info.judged) + "\n";
+  text += "for a check: " + meaning(info.judged) + "\n";
+  for (const Diagnostic& note : info.notes) {
+    if (note.code.starts_with("stl-")) text += to_text(note) + "\n";
+  }
+  if (info.repair) text += repair_rows(info);
+  return text;
+}
+
+}  // namespace gouge

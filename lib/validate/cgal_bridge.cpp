@@ -1,0 +1,353 @@
+#include "lib/validate/cgal_bridge.h"
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/manifoldness.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/shape_predicates.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/box_intersection_d.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <iterator>
+#include <new>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace gouge::detail {
+namespace {
+
+namespace pmp = CGAL::Polygon_mesh_processing;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Segment = Kernel::Segment_3;
+using Triangle = Kernel::Triangle_3;
+using SurfaceMesh = CGAL::Surface_mesh<Point>;
+using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+using Polygon = std::vector<std::size_t>;
+
+// Below this many border edges a hole may fall back to CGAL's cubic search; above it that would take minutes.
+constexpr std::size_t kLongestCubicHole = 300;
+
+// CGAL must neither print nor abort while we are in it.
+class QuietCgal {
+ public:
+  QuietCgal()
+      : behaviour_(CGAL::set_error_behaviour(CGAL::THROW_EXCEPTION)),
+        error_(CGAL::set_error_handler([](const char*, const char*, const char*, int, const char*) {})),
+        warning_(CGAL::set_warning_handler([](const char*, const char*, const char*, int, const char*) {})) {}
+  ~QuietCgal() {
+    CGAL::set_error_behaviour(behaviour_);
+    CGAL::set_error_handler(error_);
+    CGAL::set_warning_handler(warning_);
+  }
+  QuietCgal(const QuietCgal&) = delete;
+  QuietCgal& operator=(const QuietCgal&) = delete;
+
+ private:
+  CGAL::Failure_behaviour behaviour_;
+  CGAL::Failure_function error_;
+  CGAL::Failure_function warning_;
+};
+
+// What `work` returns, or what CGAL threw as an error. Running out of memory is not the mesh's fault: it goes
+// on.
+template <class Value, class Work>
+Result<Value> guarded(const Work& work) {
+  const QuietCgal quiet;
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const CGAL::Failure_exception& failure) {
+    return make_error("cgal-failed", failure.library() + " " + failure.expression());
+  } catch (const std::exception& other) {
+    return make_error("cgal-failed", other.what());
+  }
+}
+
+Point to_point(const Vec3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+Vec3 to_vec(const Point& p) {
+  return {p.x(), p.y(), p.z()};
+}
+
+// Decides whether two triangles of a mesh have more in common than their shared corners.
+class TrianglePairs {
+ public:
+  explicit TrianglePairs(const IndexedMesh& mesh) : mesh_(mesh) {
+    points_.reserve(mesh.vertices.size());
+    for (const Vec3& v : mesh.vertices) points_.push_back(to_point(v));
+  }
+
+  [[nodiscard]] bool has_area(std::uint32_t t) const {
+    return !CGAL::collinear(point(t, 0), point(t, 1), point(t, 2));
+  }
+
+  [[nodiscard]] CGAL::Bbox_3 box(std::uint32_t t) const { return triangle(t).bbox(); }
+
+  [[nodiscard]] bool do_cross(std::uint32_t t, std::uint32_t u) const {
+    const TriangleCorners a = shared_first(t, u);
+    const TriangleCorners b = shared_first(u, t);
+    switch (shared_count(t, u)) {
+      case 0:
+        return CGAL::do_intersect(triangle(t), triangle(u));
+      case 1:  // away from the shared corner, one triangle's far side must meet the other triangle
+        return CGAL::do_intersect(segment(a[1], a[2]), triangle(u)) ||
+               CGAL::do_intersect(segment(b[1], b[2]), triangle(t));
+      case 2: {  // folded onto each other
+        const Point& p = points_[a[0]];
+        const Point& q = points_[a[1]];
+        return CGAL::coplanar(p, q, points_[a[2]], points_[b[2]]) &&
+               CGAL::coplanar_orientation(p, q, points_[a[2]], points_[b[2]]) == CGAL::POSITIVE;
+      }
+      default:
+        return false;
+    }
+  }
+
+  // A point two crossing triangles share: where a side of one passes through the other, to rounding; for
+  // triangles in one plane a corner inside the other or where sides cross is near enough: the middle of their
+  // common box.
+  [[nodiscard]] Vec3 meeting_place(std::uint32_t t, std::uint32_t u) const {
+    for (const auto& [one, other] : {std::pair(t, u), std::pair(u, t)}) {
+      const TriangleCorners corners = shared_first(one, other);
+      const std::size_t shared = shared_count(t, u);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Corner from = corners[k];
+        const Corner to = corners[(k + 1) % 3];
+        if (shared > 0 && (k == 0 || k == 2)) continue;  // these sides start at the shared corner
+        if (!CGAL::do_intersect(segment(from, to), triangle(other))) continue;
+        if (const auto place = through_plane(mesh_.vertices[from], mesh_.vertices[to], other)) return *place;
+      }
+    }
+    Box3 common = mesh_box(t).intersection(mesh_box(u));
+    return common.center();
+  }
+
+ private:
+  [[nodiscard]] const Point& point(std::uint32_t t, std::size_t k) const {
+    return points_[mesh_.triangles[t][k]];
+  }
+  [[nodiscard]] Triangle triangle(std::uint32_t t) const { return {point(t, 0), point(t, 1), point(t, 2)}; }
+  [[nodiscard]] Segment segment(Corner from, Corner to) const { return {points_[from], points_[to]}; }
+
+  [[nodiscard]] Box3 mesh_box(std::uint32_t t) const {
+    Box3 box(mesh_.corner(t, 0));
+    box.extend(mesh_.corner(t, 1));
+    box.extend(mesh_.corner(t, 2));
+    return box;
+  }
+
+  [[nodiscard]] bool is_corner(Corner c, std::uint32_t t) const {
+    const TriangleCorners& corners = mesh_.triangles[t];
+    return corners[0] == c || corners[1] == c || corners[2] == c;
+  }
+
+  [[nodiscard]] std::size_t shared_count(std::uint32_t t, std::uint32_t u) const {
+    const TriangleCorners& corners = mesh_.triangles[t];
+    return static_cast<std::size_t>(
+        std::count_if(corners.begin(), corners.end(), [&](Corner c) { return is_corner(c, u); }));
+  }
+
+  // The corners of t, those it shares with u first.
+  [[nodiscard]] TriangleCorners shared_first(std::uint32_t t, std::uint32_t u) const {
+    TriangleCorners corners = mesh_.triangles[t];
+    std::stable_partition(corners.begin(), corners.end(), [&](Corner c) { return is_corner(c, u); });
+    return corners;
+  }
+
+  [[nodiscard]] std::optional<Vec3> through_plane(const Vec3& from, const Vec3& to, std::uint32_t t) const {
+    const Vec3& a = mesh_.corner(t, 0);
+    const Vec3 normal = (mesh_.corner(t, 1) - a).cross(mesh_.corner(t, 2) - a);
+    const double height_from = normal.dot(from - a);
+    const double height_to = normal.dot(to - a);
+    if ((height_from > 0) == (height_to > 0)) return std::nullopt;
+    return from + (to - from) * (height_from / (height_from - height_to));
+  }
+
+  const IndexedMesh& mesh_;
+  std::vector<Point> points_;
+};
+
+// One triangle for each set of corners: the copies of a duplicated triangle say nothing new.
+std::vector<std::uint32_t> distinct_triangles(const IndexedMesh& mesh) {
+  std::vector<std::pair<TriangleCorners, std::uint32_t>> sorted;
+  sorted.reserve(mesh.triangles.size());
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    TriangleCorners corners = mesh.triangles[t];
+    std::sort(corners.begin(), corners.end());
+    sorted.emplace_back(corners, t);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  const auto last = std::unique(sorted.begin(), sorted.end(),
+                                [](const auto& a, const auto& b) { return a.first == b.first; });
+  std::vector<std::uint32_t> distinct;
+  for (auto it = sorted.begin(); it != last; ++it) distinct.push_back(it->second);
+  std::sort(distinct.begin(), distinct.end());
+  return distinct;
+}
+
+SurfaceMesh to_surface_mesh(const std::vector<Point>& points, const std::vector<Polygon>& polygons) {
+  SurfaceMesh surface;
+  pmp::polygon_soup_to_polygon_mesh(points, polygons, surface);
+  return surface;
+}
+
+void to_soup(const IndexedMesh& mesh, std::vector<Point>& points, std::vector<Polygon>& polygons) {
+  for (const Vec3& v : mesh.vertices) points.push_back(to_point(v));
+  for (const TriangleCorners& t : mesh.triangles) polygons.push_back({t[0], t[1], t[2]});
+}
+
+IndexedMesh to_indexed_mesh(SurfaceMesh& surface, const std::string& name) {
+  surface.collect_garbage();
+  IndexedMesh mesh;
+  mesh.name = name;
+  for (const auto vertex : surface.vertices()) mesh.vertices.push_back(to_vec(surface.point(vertex)));
+  for (const auto face : surface.faces()) {
+    TriangleCorners corners{};
+    std::size_t k = 0;
+    for (const auto vertex : CGAL::vertices_around_face(surface.halfedge(face), surface)) {
+      corners[k++] = static_cast<Corner>(vertex.idx());
+    }
+    mesh.file_triangle.push_back(static_cast<std::uint32_t>(mesh.triangles.size()));
+    mesh.triangles.push_back(corners);
+  }
+  return mesh;
+}
+
+std::size_t count_faces_without_area(const SurfaceMesh& surface) {
+  std::vector<SurfaceMesh::Face_index> found;
+  pmp::degenerate_faces(surface, std::back_inserter(found));
+  return found.size();
+}
+
+// By flipping and collapsing edges: the surface stays where it is. Returns how many are gone.
+std::size_t remove_faces_without_area(SurfaceMesh& surface) {
+  const std::size_t count = count_faces_without_area(surface);
+  if (count == 0) return 0;
+  pmp::remove_degenerate_faces(surface);
+  return count - std::min(count, count_faces_without_area(surface));
+}
+
+// The rim of a lone triangle is no hole: its filling would be the triangle's other side.
+bool is_rim_of_triangle(const SurfaceMesh& surface, SurfaceMesh::Halfedge_index rim) {
+  const auto inside = surface.opposite(rim);
+  const auto neighbours = CGAL::halfedges_around_face(inside, surface);
+  return std::all_of(neighbours.begin(), neighbours.end(),
+                     [&](const auto side) { return surface.is_border(surface.opposite(side)); });
+}
+
+void fill_holes(SurfaceMesh& surface, bool fills_holes, RepairSteps& steps) {
+  std::vector<SurfaceMesh::Halfedge_index> holes;
+  pmp::extract_boundary_cycles(surface, std::back_inserter(holes));
+  for (const auto hole : holes) {
+    std::vector<SurfaceMesh::Face_index> patch;
+    if (fills_holes && !is_rim_of_triangle(surface, hole)) {
+      const auto rim = CGAL::halfedges_around_face(hole, surface);
+      const bool is_long =
+          static_cast<std::size_t>(std::distance(rim.begin(), rim.end())) > kLongestCubicHole;
+      pmp::triangulate_hole(surface, hole, std::back_inserter(patch),
+                            pmp::parameters::do_not_use_cubic_algorithm(is_long));
+    }
+    if (patch.empty()) {
+      ++steps.holes_left;
+    } else {
+      ++steps.holes_filled;
+      steps.hole_triangles_added += patch.size();
+    }
+  }
+}
+
+// Nesting decides where pieces do not cross; where they do, each closed piece faces outward by itself.
+void orient_outward(SurfaceMesh& surface) {
+  if (CGAL::is_closed(surface)) {
+    pmp::orient_to_bound_a_volume(surface);
+  } else {
+    pmp::orient(surface);
+  }
+}
+
+}  // namespace
+
+Result<SelfIntersections> find_self_intersections(const IndexedMesh& mesh) {
+  return guarded<SelfIntersections>([&] {
+    const TrianglePairs pairs(mesh);
+    std::vector<Box> boxes;
+    for (const std::uint32_t t : distinct_triangles(mesh)) {
+      if (pairs.has_area(t)) boxes.emplace_back(pairs.box(t), t);
+    }
+    std::vector<const Box*> pointers;
+    for (const Box& box : boxes) pointers.push_back(&box);
+    SelfIntersections found;
+    std::pair<std::uint32_t, std::uint32_t> first;
+    const auto test = [&](const Box* one, const Box* other) {
+      const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax({one->info(), other->info()});
+      if (!pairs.do_cross(pair.first, pair.second)) return;
+      if (found.pairs++ == 0 || pair < first) first = pair;
+    };
+    CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), test);
+    if (found.pairs > 0) {
+      found.first_triangle = mesh.file_triangle[first.first];
+      found.second_triangle = mesh.file_triangle[first.second];
+      found.place_mm = pairs.meeting_place(first.first, first.second);
+    }
+    return found;
+  });
+}
+
+Result<VolumeFacts> find_volume_facts(const IndexedMesh& mesh) {
+  return guarded<VolumeFacts>([&]() -> Result<VolumeFacts> {
+    std::vector<Point> points;
+    std::vector<Polygon> polygons;
+    to_soup(mesh, points, polygons);
+    if (!pmp::is_polygon_soup_a_polygon_mesh(polygons)) {
+      return make_error("cgal-failed", "the triangles do not form a manifold surface");
+    }
+    SurfaceMesh surface = to_surface_mesh(points, polygons);
+    remove_faces_without_area(surface);  // they bound nothing, and CGAL cannot tell which way they face
+    if (surface.number_of_faces() == 0 || !CGAL::is_closed(surface))
+      return make_error("cgal-failed", "the surface is not closed");
+    VolumeFacts facts;
+    facts.bounds_volume = pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface);
+    facts.volume_mm3 = CGAL::to_double(pmp::volume(surface));
+    return facts;
+  });
+}
+
+Result<CgalRepair> repair_with_cgal(const IndexedMesh& mesh, bool fills_holes) {
+  return guarded<CgalRepair>([&]() -> Result<CgalRepair> {
+    CgalRepair repair;
+    RepairSteps& steps = repair.steps;
+    std::vector<Point> points;
+    std::vector<Polygon> polygons;
+    to_soup(mesh, points, polygons);
+    steps.duplicates_removed = pmp::merge_duplicate_polygons_in_polygon_soup(points, polygons);
+    const std::size_t points_before = points.size();
+    pmp::orient_polygon_soup(points, polygons);
+    steps.vertices_split = points.size() - points_before;
+    SurfaceMesh surface = to_surface_mesh(points, polygons);
+    steps.borders_stitched = pmp::stitch_borders(surface);
+    steps.collinear_removed = remove_faces_without_area(surface);
+    steps.vertices_split += pmp::duplicate_non_manifold_vertices(surface);
+    if (surface.number_of_faces() == 0) return make_error("cgal-failed", "no triangle with area is left");
+    fill_holes(surface, fills_holes, steps);
+    orient_outward(surface);
+    repair.mesh = to_indexed_mesh(surface, mesh.name);
+    return repair;
+  });
+}
+
+}  // namespace gouge::detail

@@ -1,0 +1,70 @@
+#include "lib/validate/repair_mesh.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+#include <vector>
+
+#include "lib/mesh/load_mesh.h"
+#include "lib/mesh/write_stl.h"
+#include "lib/validate/cgal_bridge.h"
+
+namespace gouge {
+namespace {
+
+using Coordinates = std::array<float, 9>;
+
+// The corners from the lowest on, in their cyclic order: equal for equal orientation.
+Coordinates oriented(const IndexedMesh& mesh, const TriangleCorners& corners) {
+  std::array<std::array<float, 3>, 3> points{};
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3& v = mesh.vertices[corners[k]];
+    points[k] = {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+  }
+  std::rotate(points.begin(), std::min_element(points.begin(), points.end()), points.end());
+  Coordinates all{};
+  for (std::size_t k = 0; k < 9; ++k) all[k] = points[k / 3][k % 3];
+  return all;
+}
+
+// Triangles of `after` that `before` has only the other way round.
+std::size_t count_turned(const IndexedMesh& before, const IndexedMesh& after) {
+  std::vector<Coordinates> known;
+  known.reserve(before.triangles.size());
+  for (const TriangleCorners& t : before.triangles) known.push_back(oriented(before, t));
+  std::sort(known.begin(), known.end());
+  const auto is_known = [&](const Coordinates& t) {
+    return std::binary_search(known.begin(), known.end(), t);
+  };
+  std::size_t turned = 0;
+  for (const TriangleCorners& t : after.triangles) {
+    if (!is_known(oriented(after, t)) && is_known(oriented(after, {t[0], t[2], t[1]}))) ++turned;
+  }
+  return turned;
+}
+
+}  // namespace
+
+Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& before,
+                               const RepairOptions& options) {
+  Result<detail::CgalRepair> repaired = detail::repair_with_cgal(mesh, options.fills_holes);
+  if (!repaired) {
+    return make_error("mesh-repair-failed", "the mesh could not be repaired: " + repaired.error().message,
+                      mesh.name);
+  }
+  MeshRepair repair;
+  repair.before = before;
+  repair.steps = repaired->steps;
+  repair.steps.degenerate_removed = before.findings.degenerate_triangles.count;
+  repair.stl_bytes = binary_stl_bytes(repaired->mesh, options.unit);
+  Result<LoadedMesh> loaded = load_mesh_bytes(repair.stl_bytes, mesh.name, {options.unit, {}});
+  if (!loaded) {
+    return make_error("mesh-repair-failed", "nothing is left of the mesh after the repair", mesh.name);
+  }
+  repair.after = validate_mesh(loaded->mesh, loaded->findings);
+  repair.mesh = std::move(loaded->mesh);
+  repair.steps.triangles_turned = count_turned(mesh, repair.mesh);
+  return repair;
+}
+
+}  // namespace gouge

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "lib/base/result.h"
+#include "lib/base/units.h"
+#include "lib/mesh/indexed_mesh.h"
+#include "lib/validate/validate_mesh.h"
+
+namespace gouge {
+
+struct RepairOptions {
+  bool fills_holes = false;          ///< adds surface the file does not have
+  LengthUnit unit = LengthUnit::mm;  ///< of the STL to write
+};
+
+/// What each step did, in the order of the steps.
+struct RepairSteps {
+  std::size_t degenerate_removed = 0;  ///< triangles with identical corners (already left out by build_mesh)
+  std::size_t duplicates_removed = 0;
+  std::size_t vertices_split = 0;     ///< copies made where surfaces only touched or could not be oriented
+  std::size_t borders_stitched = 0;   ///< pairs of border edges joined
+  std::size_t collinear_removed = 0;  ///< triangles whose corners lie on one line
+  std::size_t holes_filled = 0;
+  std::size_t hole_triangles_added = 0;
+  std::size_t holes_left = 0;        ///< not asked for, or no filling found
+  std::size_t triangles_turned = 0;  ///< against their orientation in the file
+};
+
+struct MeshRepair {
+  std::string stl_bytes;  ///< the repaired mesh as binary STL in RepairOptions::unit
+  IndexedMesh mesh;       ///< read back from stl_bytes
+  RepairSteps steps;
+  MeshValidation before;
+  MeshValidation after;  ///< of `mesh`, so what is told holds for the file and not only for the memory
+
+  /// Fewer defects than before: only then is it worth a file.
+  [[nodiscard]] bool is_better() const { return after.trouble.empty() && after.defects() < before.defects(); }
+};
+
+/// Removes duplicates, orients the triangles alike, stitches borders with identical coordinates, removes
+/// triangles without area, splits vertices where surfaces only touch, fills holes when asked, and turns
+/// closed pieces outward (cavities inward). No vertex is moved and no self-intersection is resolved.
+///
+/// Requires a mesh in the frame of its file (no placement), and its validation.
+/// Errors   mesh-repair-failed: CGAL gave up; the message has its reason.
+[[nodiscard]] Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& before,
+                                             const RepairOptions& options);
+
+}  // namespace gouge

@@ -1,0 +1,131 @@
+#include "cli/mesh_command.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "cli/exit_code.h"
+#include "lib/base/files.h"
+#include "lib/mesh/write_stl.h"
+#include "tests/support/shapes.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Told {
+  int status = 0;
+  std::string out;
+  std::string err;
+};
+
+class MeshCommand : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "gouge_mesh_command_" + std::to_string(::getpid());
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+  std::string write(const IndexedMesh& mesh, LengthUnit unit = LengthUnit::mm) {
+    EXPECT_TRUE(write_file(path("part.stl"), binary_stl_bytes(mesh, unit)).has_value());
+    return path("part.stl");
+  }
+
+  static Told run(const MeshArguments& arguments) {
+    std::ostringstream out;
+    std::ostringstream err;
+    const int status = run_mesh(arguments, out, err);
+    return {status, out.str(), err.str()};
+  }
+
+ private:
+  std::string folder_;
+};
+
+TEST_F(MeshCommand, ASoundPartIsToldInFull) {
+  MeshArguments arguments;
+  arguments.file = write(shapes::torus(20, 5));
+  const Told told = run(arguments);
+  EXPECT_EQ(told.status, kExitClean);
+  EXPECT_EQ(told.err, "");
+  EXPECT_NE(told.out.find("  triangles                 576 (864 edges, 288 vertices)\n"), std::string::npos)
+      << told.out;
+  EXPECT_NE(told.out.find("  pieces                    1, 1 through hole\n"), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("verdict: sound: closed, manifold, facing outward, free of self-intersections\n"
+                          "for a check: depths are found, and a tool buried in the part is told\n"),
+            std::string::npos)
+      << told.out;
+}
+
+TEST_F(MeshCommand, AnOpenPartHasDefectsWithTheirPlaceInItsOwnUnit) {
+  MeshArguments arguments;
+  arguments.file = write(shapes::open_cube(25.4), LengthUnit::inch);
+  arguments.stl_units = "inch";
+  const Told told = run(arguments);
+  EXPECT_EQ(told.status, kExitGouges);
+  EXPECT_NE(told.out.find("  open edges                4, first at ("), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find("1.0000 x 1.0000 x 1.0000 in"), std::string::npos) << told.out;
+  EXPECT_NE(told.out.find(
+                "verdict: 4 defects\nfor a check: depths are found on every triangle, but a tool buried in "
+                "the part may go untold\n"),
+            std::string::npos)
+      << told.out;
+}
+
+TEST_F(MeshCommand, RepairFillsHolesOnlyWhenAskedAndWritesOnlyWhatIsBetter) {
+  MeshArguments arguments;
+  arguments.file = write(shapes::open_cube());
+  arguments.repair_file = path("out.stl");
+  const Told kept = run(arguments);
+  EXPECT_EQ(kept.status, kExitGouges);
+  EXPECT_FALSE(fs::exists(path("out.stl")));
+  EXPECT_NE(kept.out.find("not written: the repair leaves no fewer defects than there were\n"),
+            std::string::npos);
+
+  arguments.fills_holes = true;
+  const Told filled = run(arguments);
+  EXPECT_EQ(filled.status, kExitClean);
+  EXPECT_NE(filled.out.find("  holes filled              1 (2 triangles added), 0 left\n"),
+            std::string::npos);
+  arguments = {};
+  arguments.file = path("out.stl");
+  EXPECT_EQ(run(arguments).status, kExitClean);
+}
+
+TEST_F(MeshCommand, JsonOnStandardOutputIsAlone) {
+  MeshArguments arguments;
+  arguments.file = write(shapes::cubes_crossing(10));
+  arguments.json_file = "-";
+  const Told told = run(arguments);
+  EXPECT_EQ(told.status, kExitGouges);
+  const nlohmann::json json = nlohmann::json::parse(told.out);
+  EXPECT_EQ(json["mesh"]["sound"], false);
+  EXPECT_EQ(json["mesh"]["triangles"], 24);
+  EXPECT_GT(json["mesh"]["defects"]["self_intersections"]["pairs"], 0);
+  EXPECT_TRUE(json["mesh"]["volume"].is_null());
+}
+
+TEST_F(MeshCommand, WhatCannotBeReadOrWrittenIsOneClearError) {
+  MeshArguments arguments;
+  arguments.file = path("missing.stl");
+  const Told missing = run(arguments);
+  EXPECT_EQ(missing.status, kExitInput);
+  EXPECT_EQ(missing.err, path("missing.stl") + ": error: no such file [file-not-found]\n");
+  EXPECT_EQ(missing.out, "");
+
+  arguments.file = write(shapes::inside_out(shapes::cube()));
+  arguments.repair_file = "/no/such/folder/out.stl";
+  const Told unwritable = run(arguments);
+  EXPECT_EQ(unwritable.status, kExitInternal);
+  EXPECT_NE(unwritable.err.find("[file-unwritable]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gouge

@@ -1,0 +1,119 @@
+#include "lib/validate/repair_mesh.h"
+
+#include <gtest/gtest.h>
+
+#include "lib/mesh/load_mesh.h"
+#include "tests/support/shapes.h"
+
+namespace gouge {
+namespace {
+
+MeshRepair repaired(const IndexedMesh& mesh, const RepairOptions& options = {}) {
+  const MeshValidation before = validate_mesh(mesh, find_mesh_findings(mesh));
+  Result<MeshRepair> repair = repair_mesh(mesh, before, options);
+  EXPECT_TRUE(repair.has_value()) << to_text(repair.error());
+  return std::move(repair).value();
+}
+
+TEST(RepairMesh, ASoundMeshIsNotMadeBetter) {
+  const MeshRepair repair = repaired(shapes::cube());
+  EXPECT_FALSE(repair.is_better());
+  EXPECT_TRUE(repair.after.is_sound());
+}
+
+TEST(RepairMesh, InsideOutIsTurned) {
+  const MeshRepair repair = repaired(shapes::inside_out(shapes::sphere()));
+  EXPECT_TRUE(repair.is_better());
+  EXPECT_TRUE(repair.after.is_sound());
+  EXPECT_EQ(repair.steps.triangles_turned, shapes::sphere().triangles.size());
+}
+
+TEST(RepairMesh, TurnedTrianglesAreTurnedBackAndCounted) {
+  IndexedMesh mesh = shapes::cube();
+  for (const std::size_t t : {0U, 3U, 7U}) std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+  const MeshRepair repair = repaired(mesh);
+  EXPECT_TRUE(repair.after.is_sound());
+  EXPECT_EQ(repair.steps.triangles_turned, 3U);
+}
+
+TEST(RepairMesh, CavitiesStayInward) {
+  IndexedMesh mesh = shapes::hollow_cube();
+  std::swap(mesh.triangles[20][0], mesh.triangles[20][1]);
+  const MeshRepair repair = repaired(mesh);
+  EXPECT_TRUE(repair.after.is_sound());
+  EXPECT_EQ(repair.after.findings.cavities, 1U);
+  EXPECT_NEAR(repair.after.volume_mm3.value_or(0), 875, 1e-9);
+}
+
+TEST(RepairMesh, HolesAreFilledOnlyWhenAsked) {
+  const MeshRepair kept = repaired(shapes::open_cube());
+  EXPECT_FALSE(kept.is_better());
+  EXPECT_EQ(kept.steps.holes_left, 1U);
+  EXPECT_EQ(kept.steps.holes_filled, 0U);
+
+  RepairOptions fill;
+  fill.fills_holes = true;
+  const MeshRepair filled = repaired(shapes::open_cube(), fill);
+  EXPECT_TRUE(filled.is_better());
+  EXPECT_TRUE(filled.after.is_sound());
+  EXPECT_EQ(filled.steps.holes_filled, 1U);
+  EXPECT_EQ(filled.steps.hole_triangles_added, 2U);
+  EXPECT_NEAR(filled.after.volume_mm3.value_or(0), 1000, 1e-9);
+}
+
+TEST(RepairMesh, DuplicatesAreRemoved) {
+  IndexedMesh mesh = shapes::cube();
+  const TriangleCorners t = mesh.triangles[5];
+  shapes::add_triangle(mesh, t[0], t[1], t[2]);
+  shapes::add_triangle(mesh, t[2], t[1], t[0]);
+  const MeshRepair repair = repaired(mesh);
+  EXPECT_TRUE(repair.after.is_sound());
+  EXPECT_EQ(repair.steps.duplicates_removed, 2U);
+}
+
+TEST(RepairMesh, TrianglesWithoutAreaAreRemoved) {
+  IndexedMesh mesh =
+      shapes::cube();  // a vertex on the edge 4-6 splits one of its triangles, a sliver the other
+  const std::size_t on_edge = mesh.vertices.size();
+  mesh.vertices.emplace_back(0, 5, 10);
+  mesh.triangles.pop_back();
+  mesh.file_triangle.pop_back();
+  shapes::add_triangle(mesh, 4, 7, on_edge);
+  shapes::add_triangle(mesh, on_edge, 7, 6);
+  shapes::add_triangle(mesh, 4, on_edge, 6);
+  ASSERT_TRUE(find_mesh_findings(mesh).is_solid());
+  const MeshRepair repair = repaired(mesh);
+  EXPECT_EQ(repair.steps.collinear_removed, 1U);
+  EXPECT_TRUE(repair.after.is_sound());
+}
+
+TEST(RepairMesh, WhatIsToldHoldsForTheBytes) {
+  RepairOptions inch;
+  inch.unit = LengthUnit::inch;
+  const MeshRepair repair = repaired(shapes::inside_out(shapes::cube(25.4)), inch);
+  const auto loaded = load_mesh_bytes(repair.stl_bytes, "out.stl", {LengthUnit::inch, {}});
+  ASSERT_TRUE(loaded.has_value());
+  EXPECT_TRUE(loaded->findings.is_solid());
+  EXPECT_NEAR(loaded->findings.signed_volume_mm3, 25.4 * 25.4 * 25.4, 1e-6);
+}
+
+TEST(RepairMesh, TouchingSolidsCannotBeMadeSoundInAnStl) {
+  const MeshRepair repair = repaired(shapes::cubes_touching_at_edge());
+  EXPECT_FALSE(repair.is_better()) << "split vertices weld again when the file is read";
+}
+
+TEST(RepairMesh, OddMeshesAreRepairedOrRefusedWithoutAborting) {
+  IndexedMesh line;
+  line.vertices = {Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(2, 2, 2)};
+  shapes::add_triangle(line, 0, 1, 2);
+  const MeshValidation before = validate_mesh(line, find_mesh_findings(line));
+  const Result<MeshRepair> repair = repair_mesh(line, before, {});
+  if (!repair) {
+    EXPECT_EQ(repair.error().code, "mesh-repair-failed");
+  } else {
+    EXPECT_FALSE(repair->after.is_sound());
+  }
+}
+
+}  // namespace
+}  // namespace gouge
