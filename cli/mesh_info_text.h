@@ -23,7 +23,7 @@ struct MeshInfo {
 /// A table of facts, the verdict and what it means for a check, and what a repair did.
 [[nodiscard]] std::string mesh_info_text(const MeshInfo& info);
 
-/// The same for programs; described in docs/formats. Lengths in the file's unit.
+/// The same for programs; described in docs/formats/stl.md. Lengths in the file's unit.
 [[nodiscard]] std::string mesh_info_json(const MeshInfo& info);
 
 }  // namespace gouge
