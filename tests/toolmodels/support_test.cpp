@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "lib/tool/evaluate.h"
+#include "tests/toolmodels/sample_tools.h"
+#include "toolmodels/compile_tool.h"
+#include "toolmodels/elements.h"
+
+// The contract of SupportRange (lib/tool/compiled_tool.h), by brute force: the soundness of the check rests on it.
+
+namespace gouge {
+namespace {
+
+using test::SplitMix64;
+
+struct TangentPlane {
+  Vec3 foot, normal;
+};
+
+Vec3 lifted(const Vec2& v, double angle) { return {v.x() * std::cos(angle), v.x() * std::sin(angle), v.y()}; }
+
+Vec2 end_normal(const BoundaryElement& e, const Vec2& at) {
+  return e.kind == ElementKind::segment ? e.normal : Vec2((at - e.center).normalized());
+}
+
+// A random tangent plane of element i; ends of arcs and cones are drawn often, because claims break there first.
+TangentPlane random_plane(SplitMix64& random, const CompiledTool& tool, std::size_t i) {
+  const BoundaryElement& e = tool.elements[i];
+  const double draw = random.uniform(-0.3, 1.3);
+  const double t = std::min(1.0, std::max(0.0, draw));
+  const double angle = random.uniform(0, 2 * std::numbers::pi);
+  Vec2 foot = e.a + t * (e.b - e.a);
+  Vec2 normal = e.normal;
+  if (e.kind == ElementKind::arc) {
+    normal = ((1 - t) * (e.a - e.center) + t * (e.b - e.center)).normalized();
+    foot = e.center + e.radius_mm * normal;
+  }
+  if (e.kind == ElementKind::vertex) {
+    const Vec2 before = i > 0 ? end_normal(tool.elements[i - 1], e.a) : Vec2(0, -1);
+    const Vec2 after = i + 1 < tool.elements.size() ? end_normal(tool.elements[i + 1], e.a) : Vec2(0, 1);
+    const Vec2 mix = (1 - t) * before + t * after;
+    normal = mix.norm() > 1e-6 ? Vec2(mix.normalized()) : e.normal;
+  }
+  return {lifted(foot, angle), lifted(normal, angle)};
+}
+
+using Hull = std::array<Vec3, 6>;
+
+Hull random_hull(SplitMix64& random, const TangentPlane& plane, double size) {
+  const double spread = size * std::pow(10.0, random.uniform(-4, 0.3));
+  Hull hull;
+  for (Vec3& corner : hull)
+    corner = plane.foot + spread * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+  return hull;
+}
+
+double radius(const Vec3& q) { return std::sqrt(q.x() * q.x() + q.y() * q.y()); }
+
+bool is_claimed(const Hull& hull, const TangentPlane& plane, const SupportRange& range) {
+  for (const Vec3& q : hull) {
+    const double behind = plane.normal.dot(plane.foot - q);
+    const double projected = (q + behind * plane.normal).z();
+    if (q.z() < range.z_lo_mm || q.z() > range.z_hi_mm) return false;
+    if (behind > 0 && (projected < range.z_lo_mm || projected > range.z_hi_mm)) return false;
+  }
+  return true;
+}
+
+Vec3 random_point(SplitMix64& random, const Hull& hull) {
+  Vec3 sum = Vec3::Zero();
+  double total = 0;
+  for (const Vec3& corner : hull) {
+    const double weight = std::pow(random.uniform(0, 1), 4);
+    sum += weight * corner;
+    total += weight;
+  }
+  return sum / total;
+}
+
+// How far the deepest of 30 points of the hull lies deeper than its plane allows; nothing when nothing is claimed.
+double violation(SplitMix64& random, const CompiledTool& tool, const Hull& hull, const TangentPlane& plane,
+                 double r_min) {
+  double worst = 0;
+  for (int k = 0; k < 30; ++k) {
+    const Vec3 q = random_point(random, hull);
+    if (radius(q) < r_min) continue;
+    const double depth = -evaluate_brute_force(tool, radius(q), q.z()).signed_distance_mm;
+    worst = std::max(worst, depth - std::max(0.0, plane.normal.dot(plane.foot - q)));
+  }
+  return worst;
+}
+
+TEST(SupportRange, TangentPlanesBoundTheDepthOfWholeHulls) {
+  SplitMix64 random(7);
+  for (const ToolAssembly& assembly : test::sample_tools()) {
+    const Result<ToolForms> forms = make_tool_forms(assembly, 0.2, 0.5, 1.5);
+    ASSERT_TRUE(forms.has_value());
+    for (const CompiledTool* tool : {&forms->bare, &forms->against_part, &forms->non_cutting}) {
+      if (tool->elements.empty()) continue;
+      std::size_t claims = 0;
+      for (int k = 0; k < 6000; ++k) {
+        const std::size_t i = random.next() % tool->elements.size();
+        const TangentPlane plane = random_plane(random, *tool, i);
+        const SupportRange& range = tool->elements[i].support;
+        const Hull hull = random_hull(random, plane, tool->z_max_mm - tool->z_min_mm);
+        if (!is_claimed(hull, plane, range)) continue;
+        ++claims;
+        ASSERT_LE(violation(random, *tool, hull, plane, range.r_min_mm), 1e-9)
+            << tool->name << " element " << i << " foot " << plane.foot.transpose() << " normal "
+            << plane.normal.transpose();
+      }
+      EXPECT_GT(claims, 300u) << tool->name << ": hardly anything is claimed, so nothing is tested";
+    }
+  }
+}
+
+TEST(SupportRange, ConvexToolClaimsEverything) {
+  const Result<ToolForms> forms = make_tool_forms(test::assembly("", BullNoseCutter{16, 2, 25}), 0, 0, 0);
+  for (const BoundaryElement& e : forms->bare.elements) {
+    EXPECT_LE(e.support.z_lo_mm, -1e299);
+    EXPECT_GE(e.support.z_hi_mm, 1e299);
+    EXPECT_EQ(e.support.r_min_mm, 0);
+  }
+}
+
+TEST(SupportRange, HolderFaceClaimsOnlyOutsideTheShank) {
+  const ToolAssembly tool = test::assembly("", FlatCutter{10, 30}, {{10, 10, 20}}, {{32, 32, 40}});
+  const Result<ToolForms> forms = make_tool_forms(tool, 0, 0, 0);
+  bool is_seen = false;
+  for (const BoundaryElement& e : forms->bare.elements) {
+    const bool is_face = e.kind == ElementKind::segment && e.body == Body::holder && e.normal.y() < -0.5;
+    if (!is_face) continue;
+    is_seen = true;
+    EXPECT_EQ(e.support.r_min_mm, 5);
+    EXPECT_LE(e.support.z_lo_mm, -1e299) << "nothing below the face is wider than the shank";
+  }
+  EXPECT_TRUE(is_seen);
+}
+
+TEST(SupportRange, ReflexCornersAndUndercutsClaimNothing) {
+  const ToolAssembly stepped = test::assembly("", FlatCutter{10, 30}, {{6, 6, 20}}, {{32, 32, 40}});
+  const Result<ToolForms> forms = make_tool_forms(stepped, 0, 0, 0);
+  for (const BoundaryElement& e : forms->bare.elements)
+    if (e.is_reflex) {
+      EXPECT_GT(e.support.z_lo_mm, e.support.z_hi_mm);
+    }
+  // A hollow bottom: at one height the section is a ring.
+  Profile hollow;
+  const Vec2 points[] = {{0, 3}, {4, 0}, {5, 0}, {5, 20}, {0, 20}};
+  for (int i = 0; i < 4; ++i) hollow.elements.push_back(make_segment(Body::cutter, points[i], points[i + 1]));
+  for (const BoundaryElement& e : compile_tool("hollow", hollow).elements)
+    EXPECT_GT(e.support.z_lo_mm, e.support.z_hi_mm);
+}
+
+}  // namespace
+}  // namespace gouge
