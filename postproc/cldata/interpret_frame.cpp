@@ -107,10 +107,12 @@ void Interpreter::take_msys() {
   to_part_.shift = vector_of(arguments_, 0) * mm_per_unit_;
 }
 
-void Interpreter::take_frame_matrix(const char* reason) {
-  const bool is_mcs = reason == Reasons::kMcs;
-  const bool is_plain = is_identity(arguments_, is_mcs ? kIdentityByVectors : kIdentityByRows);
-  (is_mcs ? mcs_reason_ : csys_reason_) = is_plain ? nullptr : reason;
+void Interpreter::take_csys() {
+  csys_reason_ = is_identity(arguments_, kIdentityByRows) ? nullptr : Reasons::kCsys;
+}
+
+void Interpreter::take_mcs() {
+  mcs_reason_ = is_identity(arguments_, kIdentityByVectors) ? nullptr : Reasons::kMcs;
 }
 
 // MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: an origin, an X axis and a Y axis.

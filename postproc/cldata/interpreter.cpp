@@ -205,10 +205,10 @@ bool Interpreter::take_frame_word() {
   switch (statement_->word) {
     case Word::csys:
       // SolidWorks CAM writes positions in world coordinates; its CSYS tells the machine's setup.
-      if (dialect_.kind != DialectKind::solidworks_cam) take_frame_matrix(Reasons::kCsys);
+      if (dialect_.kind != DialectKind::solidworks_cam) take_csys();
       return true;
     case Word::mcs:
-      take_frame_matrix(Reasons::kMcs);
+      take_mcs();
       return true;
     case Word::mcsys:
       take_mcsys();

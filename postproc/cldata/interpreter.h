@@ -137,7 +137,8 @@ class Interpreter {
   void take_catia_row(std::string_view text);
   void take_creo_comment();
   void take_msys();
-  void take_frame_matrix(const char* reason);
+  void take_csys();
+  void take_mcs();
   void take_mcsys();
   void take_rotabl();
   void take_trntyp();

@@ -11,6 +11,7 @@ namespace gouge {
 namespace {
 
 constexpr unsigned kNclHeaderClass = 7400;
+constexpr std::size_t kUsualBytesOfLine = 32;
 
 // NCL: the first record is a header of class 7400, written as 16-bit numbers, low byte first.
 bool is_ncl_binary(std::string_view bytes) {
@@ -82,6 +83,8 @@ ReadOutcome read_toolpath(const std::string& file_name, std::string bytes) {
   path.unit = guess.unit;
   path.is_unit_stated = guess.source == UnitGuess::Source::stated;
 
+  path.statements.reserve(path.source.size() / kUsualBytesOfLine);
+  path.moves.reserve(path.source.size() / kUsualBytesOfLine);
   Interpreter interpreter(path, dialect, guess.unit, nullptr);
   Lexer lexer(path.source);
   Statement statement;
