@@ -13,7 +13,9 @@ namespace {
 
 using test::SplitMix64;
 
-double size_of(const CompiledTool& tool) { return std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm}); }
+double size_of(const CompiledTool& tool) {
+  return std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm});
+}
 
 // Everything that is compiled in a real check, grown forms included.
 std::vector<CompiledTool> all_forms() {
@@ -58,14 +60,15 @@ TEST(Bsp, GivesTheDistanceOfTheBruteForce) {
         where = q;
       }
     }
-    std::cout << tool.name << ": " << tool.elements.size() << " elements, " << tool.nodes.size() << " nodes, depth "
-              << bsp_depth(tool.nodes) << ", worst " << worst << "\n";
+    std::cout << tool.name << ": " << tool.elements.size() << " elements, " << tool.nodes.size()
+              << " nodes, depth " << bsp_depth(tool.nodes) << ", worst " << worst << "\n";
     EXPECT_LE(worst, 1e-12) << tool.name << " at " << where.transpose();
   }
 }
 
 TEST(Bsp, ToolsAreSound) {
-  for (const CompiledTool& tool : all_forms()) EXPECT_EQ(verify_tool(tool), std::vector<std::string>{}) << tool.name;
+  for (const CompiledTool& tool : all_forms())
+    EXPECT_EQ(verify_tool(tool), std::vector<std::string>{}) << tool.name;
 }
 
 }  // namespace

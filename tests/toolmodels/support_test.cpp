@@ -9,7 +9,8 @@
 #include "toolmodels/compile_tool.h"
 #include "toolmodels/elements.h"
 
-// The contract of SupportRange (lib/tool/compiled_tool.h), by brute force: the soundness of the check rests on it.
+// The contract of SupportRange (lib/tool/compiled_tool.h), by brute force: the soundness of the check rests
+// on it.
 
 namespace gouge {
 namespace {
@@ -20,13 +21,16 @@ struct TangentPlane {
   Vec3 foot, normal;
 };
 
-Vec3 lifted(const Vec2& v, double angle) { return {v.x() * std::cos(angle), v.x() * std::sin(angle), v.y()}; }
+Vec3 lifted(const Vec2& v, double angle) {
+  return {v.x() * std::cos(angle), v.x() * std::sin(angle), v.y()};
+}
 
 Vec2 end_normal(const BoundaryElement& e, const Vec2& at) {
   return e.kind == ElementKind::segment ? e.normal : Vec2((at - e.center).normalized());
 }
 
-// A random tangent plane of element i; ends of arcs and cones are drawn often, because claims break there first.
+// A random tangent plane of element i; ends of arcs and cones are drawn often, because claims break there
+// first.
 TangentPlane random_plane(SplitMix64& random, const CompiledTool& tool, std::size_t i) {
   const BoundaryElement& e = tool.elements[i];
   const double draw = random.uniform(-0.3, 1.3);
@@ -57,7 +61,9 @@ Hull random_hull(SplitMix64& random, const TangentPlane& plane, double size) {
   return hull;
 }
 
-double radius(const Vec3& q) { return std::sqrt(q.x() * q.x() + q.y() * q.y()); }
+double radius(const Vec3& q) {
+  return std::sqrt(q.x() * q.x() + q.y() * q.y());
+}
 
 bool is_claimed(const Hull& hull, const TangentPlane& plane, const SupportRange& range) {
   for (const Vec3& q : hull) {
@@ -80,7 +86,8 @@ Vec3 random_point(SplitMix64& random, const Hull& hull) {
   return sum / total;
 }
 
-// How far the deepest of 30 points of the hull lies deeper than its plane allows; nothing when nothing is claimed.
+// How far the deepest of 30 points of the hull lies deeper than its plane allows; nothing when nothing is
+// claimed.
 double violation(SplitMix64& random, const CompiledTool& tool, const Hull& hull, const TangentPlane& plane,
                  double r_min) {
   double worst = 0;

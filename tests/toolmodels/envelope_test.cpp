@@ -1,0 +1,153 @@
+#include "toolmodels/envelope.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lib/tool/evaluate.h"
+#include "tests/toolmodels/sample_tools.h"
+#include "toolmodels/compile_tool.h"
+
+namespace gouge {
+namespace {
+
+using test::SplitMix64;
+using Strings = std::vector<std::string>;
+
+constexpr double kGrowths[3] = {0.3, 0.5, 2};
+
+// Signed distance to the union, from the bodies one by one: exact outside, and inside only as a sign.
+double outside_distance(const std::vector<CompiledTool>& bodies, const double (&growths)[3], const Vec2& q) {
+  double nearest = 1e300;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (!bodies[i].elements.empty())
+      nearest =
+          std::min(nearest, evaluate_brute_force(bodies[i], q.x(), q.y()).signed_distance_mm - growths[i]);
+  return nearest;
+}
+
+TEST(Envelope, IsTheUnionOfTheGrownBodies) {
+  SplitMix64 random(3);
+  for (const ToolAssembly& tool : test::sample_tools()) {
+    const Result<BodyProfiles> profiles = make_body_profiles(tool);
+    ASSERT_TRUE(profiles.has_value());
+    std::vector<CompiledTool> bodies;
+    std::vector<GrownBody> grown;
+    for (std::size_t i = 0; i < 3; ++i) {
+      bodies.push_back(compile_tool("", (*profiles)[i]));
+      grown.push_back({&(*profiles)[i], kGrowths[i]});
+    }
+    const Profile profile = unite(grown);
+    EXPECT_EQ(verify_profile(profile), Strings{}) << tool.name;
+    const CompiledTool whole = compile_tool("", profile);
+    const double slack = 1e-9 * whole.z_max_mm;
+    for (int k = 0; k < 20000; ++k) {
+      const Vec2 q(random.uniform(0, 1.3 * whole.r_max_mm),
+                   random.uniform(whole.z_min_mm - 5, whole.z_max_mm + 5));
+      const double expected = outside_distance(bodies, kGrowths, q);
+      const double found = evaluate_brute_force(whole, q.x(), q.y()).signed_distance_mm;
+      if (expected > 0)
+        EXPECT_NEAR(found, expected, slack) << tool.name << " at " << q.transpose();
+      else
+        EXPECT_LE(found, slack) << tool.name << " at " << q.transpose();
+    }
+  }
+}
+
+TEST(Envelope, WithoutGrowthTheCornersAreTheGivenOnes) {
+  const Result<Profile> profile =
+      make_profile(test::assembly("", FlatCutter{10, 30}, {{10, 10, 20}}, {{32, 40, 40}}));
+  const std::vector<Vec2> expected{{0, 0}, {5, 0}, {5, 30}, {5, 50}, {16, 50}, {20, 90}, {0, 90}};
+  ASSERT_EQ(profile->elements.size(), expected.size() - 1);
+  for (std::size_t i = 0; i + 1 < expected.size(); ++i) {
+    EXPECT_EQ(profile->elements[i].a, expected[i]) << i;
+    EXPECT_EQ(profile->elements[i].b, expected[i + 1]) << i;
+  }
+  const std::vector<Body> bodies{Body::cutter, Body::cutter, Body::shank,
+                                 Body::holder, Body::holder, Body::holder};
+  for (std::size_t i = 0; i < bodies.size(); ++i) EXPECT_EQ(profile->elements[i].body, bodies[i]) << i;
+}
+
+TEST(Envelope, SegmentsInOneLineAreOneElement) {
+  const Result<Profile> split = make_profile(
+      test::assembly("", FlatCutter{10, 30}, {{10, 10, 7}, {10, 10, 13}}, {{20, 30, 10}, {30, 40, 10}}));
+  const Result<Profile> whole =
+      make_profile(test::assembly("", FlatCutter{10, 30}, {{10, 10, 20}}, {{20, 40, 20}}));
+  EXPECT_EQ(split->elements.size(), whole->elements.size());
+}
+
+TEST(Envelope, GrownCylinderIsRoundedAtBothEnds) {
+  Profile cylinder;
+  cylinder.elements = {make_segment(Body::holder, {0, 10}, {8, 10}),
+                       make_segment(Body::holder, {8, 10}, {8, 20}),
+                       make_segment(Body::holder, {8, 20}, {0, 20})};
+  const Profile grown = unite({{&cylinder, 1.5}});
+  ASSERT_EQ(grown.elements.size(), 5u);
+  EXPECT_EQ(grown.elements[0].b, Vec2(8, 8.5));
+  EXPECT_TRUE(grown.elements[1].is_arc);
+  EXPECT_EQ(grown.elements[1].center, Vec2(8, 10));
+  EXPECT_EQ(grown.elements[1].radius_mm, 1.5);
+  EXPECT_EQ(grown.elements[2].a, Vec2(9.5, 10));
+  EXPECT_EQ(grown.elements[2].b, Vec2(9.5, 20));
+  EXPECT_EQ(grown.elements[3].b, Vec2(8, 21.5));
+}
+
+TEST(Envelope, AHolderGrownOverTheCutterTakesItsPlace) {
+  const ToolAssembly tool = test::assembly("", FlatCutter{10, 5}, {}, {{30, 30, 20}});
+  const Result<ToolForms> forms = make_tool_forms(tool, 0, 0, 6);
+  EXPECT_EQ(forms->against_part.z_min_mm, -1);
+  for (const BoundaryElement& e : forms->against_part.elements) EXPECT_EQ(e.body, Body::holder);
+  EXPECT_EQ(forms->bare.z_min_mm, 0);
+}
+
+TEST(Envelope, ConcaveFilletShrinksByTheGrowthAndThenVanishes) {
+  // Radius 4 below, radius 10 above, a fillet of radius 3 between.
+  Profile body;
+  body.elements = {make_segment(Body::shank, {0, 0}, {4, 0}),
+                   make_segment(Body::shank, {4, 0}, {4, 7}),
+                   make_concave_arc(Body::shank, {4, 7}, {7, 10}, {7, 7}, 3),
+                   make_segment(Body::shank, {7, 10}, {10, 10}),
+                   make_segment(Body::shank, {10, 10}, {10, 20}),
+                   make_segment(Body::shank, {10, 20}, {0, 20})};
+  ASSERT_EQ(verify_profile(body), Strings{});
+  const CompiledTool bare = compile_tool("", body);
+  SplitMix64 random(5);
+  for (const double growth : {1.0, 2.9, 3.0, 3.5}) {
+    const Profile grown = unite({{&body, growth}});
+    EXPECT_EQ(verify_profile(grown), Strings{}) << growth;
+    const CompiledTool tool = compile_tool("", grown);
+    for (int k = 0; k < 5000; ++k) {
+      const Vec2 q(random.uniform(0, 16), random.uniform(-5, 25));
+      const double expected = evaluate_brute_force(bare, q.x(), q.y()).signed_distance_mm - growth;
+      if (expected < 1e-9) continue;
+      EXPECT_NEAR(evaluate(tool, q.x(), q.y()).signed_distance_mm, expected, 1e-9)
+          << growth << " " << q.transpose();
+    }
+  }
+}
+
+TEST(ToolForms, OnlyBodiesWithAClearanceAreInTheFormOfTheirOwn) {
+  const ToolAssembly tool = test::assembly("", FlatCutter{10, 30}, {{12, 12, 20}}, {{32, 32, 40}});
+  const Result<ToolForms> none = make_tool_forms(tool, 0.5, 0, 0);
+  EXPECT_TRUE(none->with_clearance.elements.empty());
+  EXPECT_EQ(none->against_part.z_min_mm, -0.5);
+  EXPECT_EQ(none->against_fixture.z_min_mm, 0) << "stock to leave is against the part alone";
+  const Result<ToolForms> holder = make_tool_forms(tool, 0, 0, 2);
+  EXPECT_EQ(holder->with_clearance.z_min_mm, 48);
+  EXPECT_EQ(holder->with_clearance.r_max_mm, 18);
+  EXPECT_EQ(holder->non_cutting.z_min_mm, 30) << "the shank stays as it is";
+  const Result<ToolForms> bare = make_tool_forms(test::assembly("", FlatCutter{10, 30}), 0, 1, 1);
+  EXPECT_TRUE(bare->with_clearance.elements.empty()) << "there is nothing to grow";
+  EXPECT_TRUE(bare->non_cutting.elements.empty());
+}
+
+TEST(ToolForms, TheCoreIsTheDeepestPointOfTheCutterOnTheAxis) {
+  const Result<ToolForms> forms =
+      make_tool_forms(test::assembly("", FlatCutter{10, 30}, {{20, 20, 40}}), 0, 0, 0);
+  EXPECT_EQ(forms->bare.core.x(), 0);
+  EXPECT_LE(forms->bare.core.y(), 30);
+  EXPECT_GE(forms->bare.core_depth_mm, 5);
+}
+
+}  // namespace
+}  // namespace gouge
