@@ -20,75 +20,96 @@ std::string names_in(const ToolLibrary& library) {
   return names.empty() ? "none" : names;
 }
 
+std::string describe(const ToolAssembly& tool) {
+  std::string text = shape_name(tool.cutter);
+  if (!tool.name.empty()) text = tool.name + " (" + text + ")";
+  double widest = 0;
+  for (const ToolSegment& s : tool.holder) widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
+  if (widest > 0) text += ", holder to D" + exact_text(widest) + " mm";
+  return text;
+}
+
+Diagnostic usage(const std::string& message) { return make_error("usage", message); }
+
 class Resolver {
  public:
-  Resolver(const Toolpath& path, const ToolLibrary* library, std::string holder)
-      : path_(path), library_(library), holder_(std::move(holder)) {}
+  Resolver(const Toolpath& path, const ToolLibrary* library) : path_(path), library_(library) {}
 
-  std::optional<Diagnostic> take_names(const std::vector<std::string>& tool_names) {
-    for (const std::string& text : tool_names) {
-      const std::size_t equals = text.find('=');
-      const auto number = parse_integer(text.substr(0, equals));
-      if (!number || equals == std::string::npos) return usage("--tool '" + text + "': expected N=NAME");
-      if (library_ == nullptr) return usage("--tool '" + text + "' needs a library: give --tools LIB.json");
-      const ToolAssembly* tool = library_->with_name(text.substr(equals + 1));
-      if (tool == nullptr) {
-        return usage("--tool '" + text + "': the library has no tool of that name; it has " + names_in(*library_));
-      }
-      named_[static_cast<int>(*number)] = tool;
+  std::optional<Diagnostic> take_name(const std::string& text) {
+    const std::size_t equals = text.find('=');
+    const auto number = parse_integer(text.substr(0, equals));
+    if (!number || equals == std::string::npos) return usage("--tool '" + text + "': expected N=NAME");
+    if (library_ == nullptr) return usage("--tool '" + text + "' needs a library: give --tools LIB.json");
+    const ToolAssembly* tool = library_->with_name(text.substr(equals + 1));
+    if (tool == nullptr) {
+      return usage("--tool '" + text + "': the library has no tool of that name; it has " + names_in(*library_));
     }
-    if (holder_.empty()) return std::nullopt;
-    if (library_ == nullptr) return usage("--holder '" + holder_ + "' needs a library: give --tools LIB.json");
-    segments_ = library_->holder_called(holder_);
-    if (segments_ == nullptr) return usage("--holder '" + holder_ + "': the library has neither a holder nor a tool with a holder of that name");
+    named_[static_cast<int>(*number)] = tool;
+    return std::nullopt;
+  }
+
+  std::optional<Diagnostic> take_holder(const std::string& name) {
+    if (library_ == nullptr) return usage("--holder '" + name + "' needs a library: give --tools LIB.json");
+    const std::vector<ToolSegment>* segments = library_->holder_called(name);
+    if (segments == nullptr) {
+      return usage("--holder '" + name + "': the library has neither a holder nor a tool with a holder of that name");
+    }
+    holder_ = *segments;
     return std::nullopt;
   }
 
   Result<ResolvedTools> run() {
-    ResolvedTools result;
     for (const PathTool& tool : path_.tools) {
       ToolFacts facts;
       facts.name = tool.number ? "T" + std::to_string(*tool.number) : tool.name;
-      std::optional<ToolAssembly> assembly = find(tool, facts, result.notes);
-      if (assembly) {
-        if (assembly->holder.empty() && segments_ != nullptr) assembly->holder = *segments_;
-        const Result<Profile> profile = make_profile(*assembly);
-        if (!profile) return at(profile.error(), tool);
-        facts.description = describe(*assembly);
-        if (assembly->holder.empty()) {
-          result.notes.push_back(make_note("tool-no-holder", name_of(tool) + " has no holder: only what is defined is checked", path_.file, tool.line));
-        }
-      } else {
-        result.notes.push_back(make_warning("tool-undefined",
-            name_of(tool) + " is defined neither in a library nor by CUTTER or TLDATA: its moves are not checked; "
-            "give --tools LIB.json with its number", path_.file, tool.line));
-      }
-      result.assemblies.push_back(std::move(assembly));
-      result.facts.push_back(std::move(facts));
+      if (const auto error = resolve(tool, facts)) return *error;
+      result_.facts.push_back(std::move(facts));
     }
-    return result;
+    return std::move(result_);
   }
 
  private:
-  static Diagnostic usage(const std::string& message) { return make_error("usage", message); }
-
-  [[nodiscard]] Diagnostic at(Diagnostic error, const PathTool& tool) const {
-    if (error.file.empty()) {
-      error.file = path_.file;
-      error.line = tool.line;
+  [[nodiscard]] Diagnostic at(Diagnostic diagnostic, const PathTool& tool) const {
+    if (diagnostic.file.empty()) {
+      diagnostic.file = path_.file;
+      diagnostic.line = tool.line;
     }
-    return error;
+    return diagnostic;
   }
 
-  std::optional<ToolAssembly> find(const PathTool& tool, ToolFacts& facts, Diagnostics& notes) const {
-    const ToolAssembly* known = in_library(tool);
-    if (known != nullptr) {
+  std::optional<Diagnostic> resolve(const PathTool& tool, ToolFacts& facts) {
+    std::optional<ToolAssembly> assembly;
+    if (const ToolAssembly* known = in_library(tool)) {
       facts.defined_in = library_->file;
-      return *known;
+      assembly = *known;
+      if (assembly->holder.empty()) assembly->holder = holder_;
+    } else if (tool.cutter) {
+      facts.defined_in = path_.file + ":" + std::to_string(tool.line);
+      const CutterStatement& c = *tool.cutter;
+      const Result<ToolFromPath> made = make_tool_from_path(
+          tool.number, tool.name,
+          {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm, c.given, tool.flute_length_mm}, holder_);
+      if (!made) return at(made.error(), tool);
+      for (const Diagnostic& note : made->notes) result_.notes.push_back(at(note, tool));
+      assembly = made->tool;
     }
-    if (!tool.cutter) return std::nullopt;
-    facts.defined_in = path_.file + ":" + std::to_string(tool.line);
-    return from_statement(tool, notes);
+    tell(tool, assembly, facts);
+    result_.assemblies.push_back(std::move(assembly));
+    return std::nullopt;
+  }
+
+  void tell(const PathTool& tool, const std::optional<ToolAssembly>& assembly, ToolFacts& facts) {
+    if (!assembly) {
+      const std::string message = name_of(tool) +
+                                  " is defined neither in a library nor by CUTTER or TLDATA: its moves are not checked; "
+                                  "give --tools LIB.json with its number";
+      result_.notes.push_back(make_warning("tool-undefined", message, path_.file, tool.line));
+      return;
+    }
+    facts.description = describe(*assembly);
+    if (!assembly->holder.empty()) return;
+    const std::string message = name_of(tool) + " has no holder, so none is checked; give one in the library or with --holder";
+    result_.notes.push_back(make_note("tool-no-holder", message, path_.file, tool.line));
   }
 
   [[nodiscard]] const ToolAssembly* in_library(const PathTool& tool) const {
@@ -100,41 +121,24 @@ class Resolver {
     return tool.name.empty() ? nullptr : library_->with_name(tool.name);
   }
 
-  ToolAssembly from_statement(const PathTool& tool, Diagnostics& notes) const {
-    const CutterStatement& c = *tool.cutter;
-    const Result<ToolFromPath> made = make_tool_from_path(
-        tool.number, tool.name,
-        {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm, c.given, tool.flute_length_mm}, {});
-    if (!made) {  // the numbers as they are, so that building the tool says what is wrong with them
-      const AptCutter apt{c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
-      return {tool.number, tool.name, apt, {}, {}};
-    }
-    for (const Diagnostic& note : made->notes) notes.push_back(at(note, tool));
-    return made->tool;
-  }
-
-  static std::string describe(const ToolAssembly& tool) {
-    std::string text = shape_name(tool.cutter);
-    if (!tool.name.empty()) text = tool.name + " (" + text + ")";
-    double widest = 0;
-    for (const ToolSegment& s : tool.holder) widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
-    if (widest > 0) text += ", holder to D" + exact_text(widest) + " mm";
-    return text;
-  }
-
   const Toolpath& path_;
   const ToolLibrary* library_;
-  std::string holder_;
   std::map<int, const ToolAssembly*> named_;
-  const std::vector<ToolSegment>* segments_ = nullptr;
+  std::vector<ToolSegment> holder_;
+  ResolvedTools result_;
 };
 
 }  // namespace
 
 Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* library,
                                     const std::vector<std::string>& tool_names, const std::string& holder) {
-  Resolver resolver(path, library, holder);
-  if (const auto error = resolver.take_names(tool_names)) return *error;
+  Resolver resolver(path, library);
+  for (const std::string& name : tool_names) {
+    if (const auto error = resolver.take_name(name)) return *error;
+  }
+  if (!holder.empty()) {
+    if (const auto error = resolver.take_holder(holder)) return *error;
+  }
   return resolver.run();
 }
 

@@ -1,0 +1,47 @@
+#include "cli/check_command.h"
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+
+#include "cli/exit_code.h"
+#include "cli/job.h"
+#include "cli/outputs.h"
+
+namespace gouge {
+
+void add_check_options(CLI::App& command, JobArguments& arguments) {
+  add_job_options(command, arguments);
+  command.footer(
+      "Example:\n"
+      "  gougecheck check finish.apt --part part.stl --tools tools.json --clearance holder=1 --report out\n\n"
+      "Lengths are in mm; a unit may be given: 0.0005in. Exit status: 0 checked and clean, 1 gouges,\n"
+      "2 wrong command line, 3 input invalid, 4 not fully checked, 5 internal or resource failure.");
+}
+
+int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& err) {
+  const Result<JobOptions> options = understand(arguments);
+  const Result<bool> taken = is_stdout_taken(arguments);
+  if (!options || !taken) {
+    print(err, {options ? taken.error() : options.error()});
+    return kExitUsage;
+  }
+  LoadedJob loaded = load_job(arguments, *options);
+  if (!loaded.job) {
+    print(err, loaded.errors);
+    return is_usage(loaded.errors) ? kExitUsage : kExitInput;
+  }
+  const Job& job = *loaded.job;
+  Progress progress(err, options->progress);
+  progress.begin("checking moves");
+  const PreparedScene scene = prepare_scene(job.scene);
+  const CheckResult result =
+      check_path(job.toolpath, job.tools(), scene, options->check,
+                 [&](std::size_t done, std::size_t total) { progress.show(done, total); });
+  progress.end();
+  const ReportModel model = job.report(arguments, job.toolpath, result);
+  if (arguments.is_verbose) print(err, model.notes);
+  if (!write_outputs(arguments, job, model, progress, out, err)) return kExitInternal;
+  return exit_status(overall_verdict(result));
+}
+
+}  // namespace gouge

@@ -1,0 +1,137 @@
+#include "cli/correct_command.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <ostream>
+
+#include "cli/exit_code.h"
+#include "cli/job.h"
+#include "cli/length_text.h"
+#include "cli/outputs.h"
+#include "lib/base/files.h"
+#include "lib/correct/correct_path.h"
+#include "postproc/cldata/write_corrected.h"
+
+namespace gouge {
+namespace {
+
+CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options, const Correction& correction,
+                         const Toolpath& before, const CheckResult& result) {
+  CorrectionFacts facts;
+  facts.output_file = arguments.output;
+  facts.strategy = arguments.strategy;
+  facts.max_shift_mm = options.max_shift_mm;
+  facts.toolpath_before = &before;
+  facts.result_before = &result;
+  for (const ChangeRecord& r : correction.records) {
+    facts.changes.push_back({r.move, before.moves[r.move].line,
+                             r.is_inserted ? "inserted" : strategy_name(r.strategy), r.shift_mm, r.shift_mm.norm(),
+                             r.depth_before_mm, r.depth_after_mm, r.iterations});
+  }
+  for (const Uncorrected& u : correction.uncorrected) {
+    facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason});
+  }
+  return facts;
+}
+
+Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) {
+  CorrectOptions options;
+  options.strategy = arguments.strategy == "axis" ? Strategy::axis : Strategy::weighted;
+  const auto shift = parse_length_mm(arguments.max_shift);
+  if (!shift || !(*shift > 0)) {
+    return make_error("usage", "--max-shift '" + arguments.max_shift + "': expected a length above 0 in mm, or with a unit");
+  }
+  options.max_shift_mm = *shift;
+  std::error_code ignored;
+  if (std::filesystem::equivalent(arguments.output, arguments.job.path, ignored)) {
+    return make_error("usage", "-o '" + arguments.output + "' is the toolpath itself; name another file");
+  }
+  return options;
+}
+
+class CorrectRun {
+ public:
+  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const Job& job, std::ostream& out,
+             std::ostream& err)
+      : arguments_(arguments), correct_(correct), job_(job), out_(out), err_(err), progress_(err, job.options.progress) {}
+
+  int run() {
+    const PreparedScene scene = prepare_scene(job_.scene);
+    const CheckResult before = check("checking moves", job_.toolpath, scene);
+    progress_.begin("correcting");
+    const Correction correction = correct_path(job_.toolpath, before, job_.tools(), scene, job_.options.check, correct_, show());
+    progress_.end();
+    const Result<std::string> text = write_corrected(job_.toolpath, correction.changes);
+    if (!text) return fail(text.error());
+    const Result<Toolpath> path = read_again(job_, *text);
+    if (!path) return fail(path.error());
+    const CheckResult after = check("checking the corrected path", *path, scene);
+    const Outcome written = write_file(arguments_.output, *text);
+    if (!written) return fail(written.error());
+    ReportModel model = job_.report(arguments_.job, *path, after);
+    model.has_correction = true;
+    model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before);
+    if (arguments_.job.is_verbose) print(err_, model.notes);
+    if (!write_outputs(arguments_.job, job_, model, progress_, out_, err_)) return kExitInternal;
+    return exit_status(overall_verdict(after));
+  }
+
+ private:
+  ProgressCall show() {
+    return [this](std::size_t done, std::size_t total) { progress_.show(done, total); };
+  }
+
+  CheckResult check(const char* what, const Toolpath& path, const PreparedScene& scene) {
+    progress_.begin(what);
+    CheckResult result = check_path(path, job_.tools(), scene, job_.options.check, show());
+    progress_.end();
+    return result;
+  }
+
+  int fail(const Diagnostic& error) {
+    print(err_, {error});
+    return kExitInternal;
+  }
+
+  const CorrectArguments& arguments_;
+  const CorrectOptions& correct_;
+  const Job& job_;
+  std::ostream& out_;
+  std::ostream& err_;
+  Progress progress_;
+};
+
+}  // namespace
+
+void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
+  add_job_options(command, arguments.job);
+  command.add_option("-o,--output", arguments.output, "The corrected toolpath, in the same dialect")->required();
+  command.add_option("--strategy", arguments.strategy,
+                     "weighted: shift by the contacts' weighted mean, else along the axis; axis: lift alone")
+      ->check(CLI::IsMember({"weighted", "axis"}))
+      ->capture_default_str();
+  command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")->capture_default_str();
+  command.footer(
+      "Example:\n"
+      "  gougecheck correct finish.apt --part part.stl --tools tools.json -o finish_corrected.apt --report out\n\n"
+      "The corrected file is read and checked again like any other; records that need no change stay byte for byte.\n"
+      "Exit status 1: gouges remain; they are listed with the reason.");
+}
+
+int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err) {
+  const Result<JobOptions> options = understand(arguments.job);
+  const Result<CorrectOptions> correct = understand_correction(arguments);
+  const Result<bool> taken = is_stdout_taken(arguments.job);
+  if (!options || !correct || !taken) {
+    print(err, {!options ? options.error() : !correct ? correct.error() : taken.error()});
+    return kExitUsage;
+  }
+  const LoadedJob loaded = load_job(arguments.job, *options);
+  if (!loaded.job) {
+    print(err, loaded.errors);
+    return is_usage(loaded.errors) ? kExitUsage : kExitInput;
+  }
+  return CorrectRun(arguments, *correct, *loaded.job, out, err).run();
+}
+
+}  // namespace gouge

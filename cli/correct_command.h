@@ -1,0 +1,21 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "cli/job_options.h"
+
+namespace gouge {
+
+struct CorrectArguments {
+  JobArguments job;
+  std::string output;
+  std::string strategy = "weighted";
+  std::string max_shift = "20";
+};
+
+void add_correct_options(CLI::App& command, CorrectArguments& arguments);
+
+/// `gougecheck correct`. Returns the exit status.
+[[nodiscard]] int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err);
+
+}  // namespace gouge

@@ -1,0 +1,172 @@
+#include "cli/job.h"
+
+#include <algorithm>
+
+#include "cli/resolve_tools.h"
+#include "lib/base/files.h"
+#include "lib/mesh/load_mesh.h"
+#include "postproc/cldata/read_toolpath.h"
+#include "toolmodels/compile_tool.h"
+
+namespace gouge {
+namespace {
+
+// Bounds are proven for coordinates up to here (docs/algorithms/certified_sweep.md).
+constexpr double kFarthest_mm = 1e5;
+
+class JobLoader {
+ public:
+  JobLoader(const JobArguments& arguments, const JobOptions& options) : arguments_(arguments) { job_.options = options; }
+
+  LoadedJob run() {
+    LoadedJob loaded;
+    const bool has_path = read_path();
+    read_meshes(arguments_.parts, "part", job_.scene.parts, job_.parts);
+    read_meshes(arguments_.fixtures, "fixture", job_.scene.fixtures, job_.fixtures);
+    if (has_path && errors_.empty()) read_tools();
+    loaded.errors = errors_;
+    if (errors_.empty()) loaded.job = std::move(job_);
+    return loaded;
+  }
+
+ private:
+  bool read_path() {
+    Result<std::string> bytes = read_file(arguments_.path);
+    if (!bytes) {
+      errors_.push_back(bytes.error());
+      return false;
+    }
+    job_.inputs.push_back(describe_input("toolpath", arguments_.path, *bytes));
+    ReadOutcome outcome = read_toolpath(arguments_.path, std::move(*bytes));
+    errors_.insert(errors_.end(), outcome.errors.begin(), outcome.errors.end());
+    if (!outcome.toolpath) return false;
+    job_.toolpath = std::move(*outcome.toolpath);
+    add_notes(job_.toolpath.notes);
+    for (const Move& move : job_.toolpath.moves) {
+      if (move.end.tip.cwiseAbs().maxCoeff() <= kFarthest_mm) continue;
+      errors_.push_back(make_error("path-too-far", "the position is more than 100 m from the origin; expected a path "
+                                   "within that; check the units", arguments_.path, move.line));
+      return false;
+    }
+    return true;
+  }
+
+  [[nodiscard]] LengthUnit stl_unit() const {
+    if (arguments_.stl_units.empty()) return job_.toolpath.unit;
+    return arguments_.stl_units == "inch" ? LengthUnit::inch : LengthUnit::mm;
+  }
+
+  void read_meshes(const std::vector<std::string>& files, const char* role, std::vector<IndexedMesh>& meshes,
+                   std::vector<MeshFacts>& facts) {
+    for (const std::string& file : files) {
+      const Result<std::string> bytes = read_file(file);
+      if (!bytes) {
+        errors_.push_back(bytes.error());
+        continue;
+      }
+      job_.inputs.push_back(describe_input(role, file, *bytes));
+      Result<LoadedMesh> loaded = load_mesh_bytes(*bytes, file, {stl_unit(), job_.options.place});
+      if (!loaded) {
+        errors_.push_back(loaded.error());
+        continue;
+      }
+      add_mesh(std::move(*loaded), file, meshes, facts);
+    }
+  }
+
+  void add_mesh(LoadedMesh&& loaded, const std::string& file, std::vector<IndexedMesh>& meshes,
+                std::vector<MeshFacts>& facts) {
+    const Box3 box = loaded.mesh.box();
+    if (std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) > kFarthest_mm) {
+      errors_.push_back(make_error("mesh-too-far", "reaches more than 100 m from the origin; expected a part within "
+                                   "that; check --stl-units and --place", file));
+      return;
+    }
+    add_notes(loaded.notes);
+    MeshFacts fact;
+    fact.name = file;
+    fact.triangles = loaded.mesh.triangles.size();
+    fact.vertices = loaded.mesh.vertices.size();
+    fact.dropped = loaded.findings.degenerate_triangles.count;
+    fact.is_closed = loaded.findings.is_watertight();
+    for (const Diagnostic& d : loaded.notes) {
+      if (d.severity == Severity::warning) fact.meaning += (fact.meaning.empty() ? "" : "; ") + d.message;
+    }
+    facts.push_back(fact);
+    meshes.push_back(std::move(loaded.mesh));
+  }
+
+  void read_tools() {
+    std::optional<ToolLibrary> library;
+    if (!arguments_.tools_file.empty()) {
+      const Result<std::string> bytes = read_file(arguments_.tools_file);
+      if (!bytes) return errors_.push_back(bytes.error());
+      job_.inputs.push_back(describe_input("tools", arguments_.tools_file, *bytes));
+      Result<ToolLibrary> read = read_tool_library(arguments_.tools_file, *bytes);
+      if (!read) return errors_.push_back(read.error());
+      library = std::move(*read);
+      add_notes(library->notes);
+    }
+    Result<ResolvedTools> resolved = resolve_tools(job_.toolpath, library ? &*library : nullptr,
+                                                   arguments_.tool_names, arguments_.holder);
+    if (!resolved) return errors_.push_back(resolved.error());
+    add_notes(resolved->notes);
+    job_.tool_facts = std::move(resolved->facts);
+    for (const auto& assembly : resolved->assemblies) {
+      job_.forms.emplace_back();
+      if (!assembly) continue;
+      const CheckOptions& c = job_.options.check;
+      Result<ToolForms> forms =
+          make_tool_forms(*assembly, c.stock_to_leave_mm, c.shank_clearance_mm, c.holder_clearance_mm);
+      if (!forms) return errors_.push_back(forms.error());
+      job_.forms.back() = std::move(*forms);
+    }
+  }
+
+  void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }
+
+  const JobArguments& arguments_;
+  Job job_;
+  Diagnostics errors_;
+};
+
+}  // namespace
+
+std::vector<const ToolForms*> Job::tools() const {
+  std::vector<const ToolForms*> all;
+  for (const auto& form : forms) all.push_back(form ? &*form : nullptr);
+  return all;
+}
+
+ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result) const {
+  ReportModel model;
+  model.inputs = inputs;
+  model.options = options.check;
+  if (!arguments.place.empty()) model.more_options.push_back({"place", arguments.place});
+  if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
+  if (!arguments.holder.empty()) model.more_options.push_back({"holder", arguments.holder});
+  for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
+  model.toolpath = &path;
+  model.result = &result;
+  model.parts = parts;
+  model.fixtures = fixtures;
+  model.tools = tool_facts;
+  model.notes = notes;
+  return model;
+}
+
+LoadedJob load_job(const JobArguments& arguments, const JobOptions& options) {
+  return JobLoader(arguments, options).run();
+}
+
+bool is_usage(const Diagnostics& errors) {
+  return std::any_of(errors.begin(), errors.end(), [](const Diagnostic& d) { return d.code == "usage"; });
+}
+
+Result<Toolpath> read_again(const Job& job, std::string bytes) {
+  ReadOutcome outcome = read_toolpath(job.toolpath.file, std::move(bytes));
+  if (!outcome.toolpath) return outcome.errors.front();
+  return std::move(*outcome.toolpath);
+}
+
+}  // namespace gouge

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/job_options.h"
+#include "lib/check/check_path.h"
+#include "lib/check/scene.h"
+#include "lib/path/toolpath.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+
+/// Everything a check needs, read and understood. Tools point into `forms`: move a Job, do not copy it.
+struct Job {
+  JobOptions options;
+  Toolpath toolpath;
+  Scene scene;
+  std::vector<std::optional<ToolForms>> forms;  ///< one per Toolpath::tools; empty where it has no definition
+  std::vector<InputFile> inputs;
+  std::vector<MeshFacts> parts, fixtures;
+  std::vector<ToolFacts> tool_facts;
+  Diagnostics notes;
+
+  Job() = default;
+  Job(Job&&) = default;
+  Job& operator=(Job&&) = default;
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  [[nodiscard]] std::vector<const ToolForms*> tools() const;
+  /// The report of `result`, which must outlive it, like the job.
+  [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result) const;
+};
+
+struct LoadedJob {
+  std::optional<Job> job;
+  Diagnostics errors;
+};
+
+/// Reads toolpath, meshes and tools. All errors of one kind of input are told, not the first alone.
+[[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options);
+
+/// Whether the command line is at fault rather than a file: --tool or --holder names what the library lacks.
+[[nodiscard]] bool is_usage(const Diagnostics& errors);
+
+/// The toolpath's `bytes` again after a correction, with the tools of `job`.
+/// Errors: those of the reader; they would be a fault of ours.
+[[nodiscard]] Result<Toolpath> read_again(const Job& job, std::string bytes);
+
+}  // namespace gouge

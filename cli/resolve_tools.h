@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "lib/path/toolpath.h"
+#include "postproc/report/report_model.h"
+#include "toolmodels/tool_library.h"
+
+namespace gouge {
+
+/// What the toolpath's tools turned out to be.
+struct ResolvedTools {
+  std::vector<std::optional<ToolAssembly>> assemblies;  ///< one per Toolpath::tools
+  std::vector<ToolFacts> facts;
+  Diagnostics notes;
+};
+
+/// For each tool of the path: the one `--tool N=NAME` names, else the library's of its number, else of its name, else
+/// what CUTTER or TLDATA in the path says. `holder` is put on tools that have none.
+/// Errors   usage (a --tool or --holder that names nothing), those of make_profile for a tool of the path.
+[[nodiscard]] Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* library,
+                                                  const std::vector<std::string>& tool_names,
+                                                  const std::string& holder);
+
+}  // namespace gouge

@@ -1,0 +1,74 @@
+#include "cli/run.h"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+#include <new>
+#include <ostream>
+
+#include "cli/check_command.h"
+#include "cli/correct_command.h"
+#include "cli/exit_code.h"
+#include "cli/mesh_command.h"
+#include "cli/path_command.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+namespace {
+
+struct Arguments {
+  JobArguments check;
+  CorrectArguments correct;
+  MeshArguments mesh;
+  PathArguments path;
+};
+
+void describe(CLI::App& app) {
+  app.description(
+      "Certified gouge check and correction of 5-axis toolpaths.\n"
+      "Reads APT CL text and NX CLSF, checks cutter, shank and holder over the whole motion of every move against\n"
+      "STL parts and fixtures, corrects what gouges, and reports with evidence for every finding.");
+  app.set_version_flag("--version", std::string(kProgramName) + " " + kProgramVersion);
+  app.require_subcommand(1);
+  app.footer("Every command explains itself: gougecheck check --help");
+}
+
+int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out, std::ostream& err) {
+  if (app.got_subcommand("check")) return run_check(arguments.check, out, err);
+  if (app.got_subcommand("correct")) return run_correct(arguments.correct, out, err);
+  if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
+  return run_path(arguments.path, out, err);
+}
+
+}  // namespace
+
+int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
+  try {
+    CLI::App app;
+    describe(app);
+    Arguments arguments;
+    add_check_options(*app.add_subcommand("check", "Find gouges; report"), arguments.check);
+    add_correct_options(*app.add_subcommand("correct", "Write a corrected toolpath and check it again"),
+                        arguments.correct);
+    add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
+    add_path_options(*app.add_subcommand("path", "Tell what is in a toolpath file"), arguments.path);
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error, out, err) == 0 ? kExitClean : kExitUsage;
+    }
+    const int status = dispatch(app, arguments, out, err);
+    out.flush();
+    if (!out) {
+      err << "gougecheck: error: standard output could not be written [output-unwritable]\n";
+      return kExitInternal;
+    }
+    return status;
+  } catch (const std::bad_alloc&) {
+    err << "gougecheck: error: out of memory; nothing more was written [out-of-memory]\n";
+  } catch (const std::exception& error) {
+    err << "gougecheck: error: internal failure: " << error.what() << " [internal]\n";
+  }
+  return kExitInternal;
+}
+
+}  // namespace gouge
