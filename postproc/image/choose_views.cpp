@@ -40,6 +40,21 @@ std::vector<Candidate> candidates(const Vec3& axis) {
   return out;
 }
 
+// Area of gouged surface that is seen, on the surface and not on the picture, so that slanted views are not
+// put at a disadvantage.
+double gouged_area(const PictureScene& scene, const DepthField& field, const SurfaceBuffer& buffer) {
+  const std::vector<float> depth = field.depth_on_pixels(scene, buffer);
+  const double pixel = buffer.view.mm_per_pixel * buffer.view.mm_per_pixel;
+  double area = 0;
+  for (int y = 0; y < buffer.view.height; ++y) {
+    for (int x = 0; x < buffer.view.width; ++x) {
+      if (!(depth[buffer.index(x, y)] > 0)) continue;
+      area += pixel / std::max(0.3, normal_at(scene, buffer, x, y).dot(buffer.view.toward));
+    }
+  }
+  return area;
+}
+
 }  // namespace
 
 std::vector<Vec3> choose_directions(const PictureInput& input, const PictureScene& scene,
@@ -54,8 +69,7 @@ std::vector<Vec3> choose_directions(const PictureInput& input, const PictureScen
     View view = make_view(c.toward, Vec3::UnitZ(), kProbeWidth, kProbeHeight);
     fit_view(view, points, 0.03);
     const SurfaceBuffer buffer = draw_surface(scene, view);
-    for (const float depth : field.depth_on_pixels(scene, buffer))
-      c.gouged += depth > 0 ? view.mm_per_pixel * view.mm_per_pixel : 0;
+    c.gouged = gouged_area(scene, field, buffer);
     double weight = 0;
     double seen = 0;
     for (const PictureEvent& event : events) {
@@ -65,8 +79,9 @@ std::vector<Vec3> choose_directions(const PictureInput& input, const PictureScen
     }
     most_gouged = std::max(most_gouged, c.gouged);
     c.score = weight > 0 ? 0.6 * seen / weight : 0;
-    c.score += 0.25 * c.toward.dot(axis);  // the side the tool comes from is the one people know
-    if (i < 8) c.score += 0.45;            // corners show a body better than faces do
+    c.score += 0.25 * c.toward.dot(axis);      // the side the tool comes from is the one people know
+    if (i < 8) c.score += 0.45;                // corners show a body better than faces do
+    if (c.toward.z() > -0.1) c.score += 0.15;  // people look at parts from above
     c.score -= 1e-3 * static_cast<double>(i);
   }
   for (Candidate& c : all) c.score += most_gouged > 0 ? c.gouged / most_gouged : 0;

@@ -103,7 +103,7 @@ std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double g
   const double per = mm_per(unit);
   const double high = scale.high_mm / per;
   if (!scale.is_root) {
-    const double step = round_step(high, std::max(1, static_cast<int>(1 / gap)));
+    const double step = round_step(high, std::clamp(static_cast<int>(1 / gap), 1, 6));
     std::vector<Tick> ticks;
     for (int k = 0; k * step <= high * (1 + 1e-9); ++k)
       ticks.push_back({k * step * per, tick_text(k * step, step)});

@@ -13,7 +13,7 @@
 namespace gouge {
 namespace {
 
-constexpr Area kCloseUp{36, 116, 950, 856};
+constexpr Area kCloseUp{152, 142, 830, 742};
 constexpr Area kWhole{1016, 142, 548, 400};
 constexpr Area kDetail{1016, 582, 548, 390};
 
@@ -49,21 +49,38 @@ View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& to
   return view;
 }
 
+// How much of what is seen within `near_mm` of the finding is gouged.
+double gouged_share(const PictureSet& set, const PictureEvent& event, const SurfaceBuffer& buffer,
+                    double near_mm) {
+  const std::vector<float> depth = set.field.depth_on_pixels(set.scene, buffer);
+  double gouged = 0;
+  for (int y = 0; y < buffer.view.height; ++y) {
+    for (int x = 0; x < buffer.view.width; ++x) {
+      const std::size_t i = buffer.index(x, y);
+      if (depth[i] > 0 && (buffer.point(x, y) - event.at).norm() < near_mm) gouged += 1;
+    }
+  }
+  const double radius = near_mm / buffer.view.mm_per_pixel;
+  return std::min(1.0, gouged / (std::numbers::pi * radius * radius));
+}
+
 Vec3 best_direction(const PictureSet& set, const PictureEvent& event, double height_mm) {
   const Vec3 side = std::abs(event.pose.axis.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
   const Vec3 e1 = event.pose.axis.cross(side).normalized();
   const Vec3 e2 = event.pose.axis.cross(e1);
   Vec3 best = event.pose.axis;
   double best_score = -1;
+  // Large meshes are looked at from fewer sides.
+  const int sides = set.scene.faces.size() > 200000 ? 6 : 12;
   for (const double rise : {0.45, 0.8}) {
-    for (int k = 0; k < 12; ++k) {
-      const double angle = 2 * std::numbers::pi * (k + 0.5) / 12;
+    for (int k = 0; k < sides; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.5) / sides;
       const Vec3 around = std::cos(angle) * e1 + std::sin(angle) * e2;
       const Vec3 toward = std::cos(rise) * around + std::sin(rise) * event.pose.axis;
       const View view = close_view(set, event, toward, height_mm, 120, 108);
       const SurfaceBuffer buffer = draw_surface(set.scene, view);
       double score = is_visible(buffer, event.at, view.mm_per_pixel + 1e-3) ? 1 : 0;
-      for (const float depth : set.field.depth_on_pixels(set.scene, buffer)) score += depth > 0 ? 1e-3 : 0;
+      score += 0.5 * gouged_share(set, event, buffer, 0.15 * height_mm);
       if (event.has_witness) score += 0.3 * event.witness.normal.dot(toward);
       if (rise < 0.5) score += 0.05;
       if (score > best_score + 1e-9) {
@@ -92,7 +109,7 @@ void lay_tool(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool
       if (body < 0 && !is_edge) continue;
       const bool is_hidden = body >= 0 && part.face[i] != kNoFace && buffer.z[i] < part.z[i];
       if (is_edge) {
-        blend_pixel(raster, x, y, body_colour(std::max({body, right, below})), is_hidden ? 0.35 : 0.85);
+        blend_pixel(raster, x, y, body_colour(std::max({body, right, below})), is_hidden ? 0.5 : 0.85);
         continue;
       }
       const FaceCorners& corners = tool.faces[buffer.face[i]];
@@ -107,7 +124,7 @@ void lay_tool(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool
         return static_cast<unsigned char>(std::min(255.0, (0.35 * 255 + 0.65 * c) * light));
       };
       colour = {lit(colour.r), lit(colour.g), lit(colour.b), 1};
-      blend_pixel(raster, x, y, colour, is_hidden ? 0.10 : 0.42);
+      blend_pixel(raster, x, y, colour, is_hidden ? 0.10 : 0.34);
     }
   }
 }
@@ -134,7 +151,8 @@ void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, 
     for (const Vec3& p : set.scene.part_points()) box.extend(p);
     return box.diagonal().norm();
   }();
-  const double reach = 6.5 * size_of(set, event);
+  const double times = event.event.body == Body::cutter ? 8 : 5.5;
+  const double reach = event.has_witness ? times * size_of(set, event) : 1.2 * part_mm;
   const double height_mm =
       std::clamp(reach, std::min(8 * event.depth_mm, reach), std::max(1.1 * part_mm, 1e-3));
   const Vec3 toward = best_direction(set, event, height_mm);
@@ -146,12 +164,12 @@ void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, 
   lay_tool(raster, buffer, tool_surface(forms.bare, event.pose));
   page.rasters.push_back({static_cast<int>(kCloseUp.x), static_cast<int>(kCloseUp.y), std::move(raster)});
   add_callout(page, kCloseUp, on_page(kCloseUp, view.project(event.at)), words);
-  page.box({kCloseUp.x, kCloseUp.bottom() - 86, 330, 86}, {255, 255, 255, 0.93});
-  add_triad(page, {kCloseUp.x + 46, kCloseUp.bottom() - 38}, view, 28);
-  add_scale_bar(page, {kCloseUp.x + 112, kCloseUp.bottom() - 30}, view, set.model.toolpath->unit, 150);
-  page.box({kCloseUp.x, kCloseUp.y, 132, 430}, {255, 255, 255, 0.93});
-  add_colour_bar(page, {kCloseUp.x + 14, kCloseUp.y + 58, 20, 350}, set.scale, set.model.toolpath->unit,
-                 "Gouge depth");
+  page.frame(kCloseUp, kSoftInk, 1);
+  page.text({kCloseUp.x, kCloseUp.y - 10}, "Part and tool at the worst instant", 15, kInk, TextAnchor::left,
+            true);
+  add_triad(page, {kCloseUp.x + 40, kCloseUp.bottom() + 58}, view, 28);
+  add_scale_bar(page, {kCloseUp.x + 112, kCloseUp.bottom() + 56}, view, set.model.toolpath->unit, 160);
+  add_colour_bar(page, {40, 204, 22, 350}, set.scale, set.model.toolpath->unit, "Gouge depth");
 }
 
 // The depth between the tool's boundary and the surface, with arrow heads when there is room for them.
@@ -190,23 +208,41 @@ void add_panel_scale(Page& page, const SectionPanel& panel, LengthUnit unit) {
   add_scale_bar(page, {panel.area.x + 14, panel.area.bottom() - 15}, view, unit, 100);
 }
 
+// A buried tool has no deepest point: the whole of it in the part.
+void add_buried_section(Page& page, const PictureSet& set, const PictureEvent& event, const Section& section,
+                        bool has_inside) {
+  const CompiledTool& bare = forms_of(set, event).bare;
+  const Area area{kWhole.x, kWhole.y, kWhole.width, kDetail.bottom() - kWhole.y};
+  const double height_mm = 1.25 * (bare.z_max_mm - bare.z_min_mm);
+  const SectionPanel panel{area, Vec2(0, 0.5 * (bare.z_min_mm + bare.z_max_mm)),
+                           std::max(height_mm / area.height, 2.6 * bare.r_max_mm / area.width)};
+  page.text({area.x, area.y - 10}, "Section through the tool axis", 15, kInk, TextAnchor::left, true);
+  draw_section(page, panel, section.lines, has_inside, bare, bare);
+  add_panel_scale(page, panel, set.model.toolpath->unit);
+  page.frame(area, kSoftInk, 1);
+}
+
 void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words) {
   const ToolForms& forms = forms_of(set, event);
   const CompiledTool& checked =
       event.event.against == Against::part ? forms.against_part : forms.against_fixture;
-  const Vec3 hint = event.has_witness ? event.witness.normal : Vec3(event.pose.axis);
-  const SectionPlane plane = section_plane(event.pose, event.at, hint);
-  const std::vector<SectionLine> lines = cut_scene(*set.input.scene, plane);
+  const double radius = size_of(set, event);
+  const Section section = make_section(*set.input.scene, event.pose, event.at, radius);
+  const SectionPlane& plane = section.plane;
+  const std::vector<SectionLine>& lines = section.lines;
   const auto is_closed = [](const std::vector<MeshFacts>& meshes) {
     return std::all_of(meshes.begin(), meshes.end(), [](const MeshFacts& mesh) { return mesh.is_closed; });
   };
   const bool has_inside =
       is_closed(set.model.parts) && is_closed(set.model.fixtures) && !set.model.parts.empty();
   const LengthUnit unit = set.model.toolpath->unit;
-  const double radius = size_of(set, event);
   const Vec2 at = plane.flat(event.at);
   const Vec2 foot =
       event.has_witness ? plane.flat(Vec3(event.at - event.witness.normal * event.depth_mm)) : at;
+  if (!event.has_witness) {
+    add_buried_section(page, set, event, section, has_inside);
+    return;
+  }
   // The body that gouges with some room around it, the finding well inside the panel.
   const SectionPanel whole{kWhole, Vec2(0, at.y() + 0.55 * radius), 3.4 * radius / kWhole.height};
   const double most_mm = std::max(1.6 * radius, 2.6 * event.depth_mm);
@@ -218,20 +254,18 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
   const Vec2 target = whole.place(detail.centre);
   const double half_width = 0.5 * kDetail.width * detail.mm_per_unit / whole.mm_per_unit;
   const double half_height = 0.5 * kDetail.height * detail.mm_per_unit / whole.mm_per_unit;
-  if (event.has_witness) {
-    const double w = std::max(half_width, 7.0);
-    const double h = std::max(half_height, 5.0);
-    const double left = std::max(target.x() - w, kWhole.x + 3);
-    const double top = std::max(target.y() - h, kWhole.y + 3);
-    page.frame({left, top, std::min(target.x() + w, kWhole.right() - 3) - left,
-                std::min(target.y() + h, kWhole.bottom() - 3) - top},
-               kAlarm, 1.6);
-    page.text({kDetail.x, kDetail.y - 10}, "The framed place enlarged", 15, kInk, TextAnchor::left, true);
-    draw_section(page, detail, lines, has_inside, forms.bare, checked);
-    add_depth_arrow(page, detail, plane, event, words);
-    add_panel_scale(page, detail, unit);
-    page.frame(kDetail, kSoftInk, 1);
-  }
+  const double w = std::max(half_width, 7.0);
+  const double h = std::max(half_height, 5.0);
+  const double left = std::max(target.x() - w, kWhole.x + 3);
+  const double top = std::max(target.y() - h, kWhole.y + 3);
+  page.frame({left, top, std::min(target.x() + w, kWhole.right() - 3) - left,
+              std::min(target.y() + h, kWhole.bottom() - 3) - top},
+             kAlarm, 1.6);
+  page.text({kDetail.x, kDetail.y - 10}, "The framed place enlarged", 15, kInk, TextAnchor::left, true);
+  draw_section(page, detail, lines, has_inside, forms.bare, checked);
+  add_depth_arrow(page, detail, plane, event, words);
+  add_panel_scale(page, detail, unit);
+  page.frame(kDetail, kSoftInk, 1);
   add_panel_scale(page, whole, unit);
   page.frame(kWhole, kSoftInk, 1);
 }

@@ -83,10 +83,9 @@ void add_event_key(Page& page, const PictureSet& set, double x, double y) {
     const std::string depth =
         event.event.state == MoveState::buried ? std::string("buried") : depth_text(event.depth_mm, unit);
     page.text({x + 30, y - 7}, depth, 15, kInk, TextAnchor::left, true);
-    page.text({x + 30, y + 11},
-              std::string(body_name(event.event.body)) + ", line " +
-                  std::to_string(set.input.toolpath->moves[event.event.worst_move].line),
-              13, kSoftInk);
+    const std::string where = std::string(body_name(event.event.body)) + ", line " +
+                              std::to_string(set.input.toolpath->moves[event.event.worst_move].line);
+    page.text({x + 30, y + 11}, fitted(where, 13, kPageWidth - 24 - x - 30), 13, kSoftInk);
   }
 }
 
@@ -135,10 +134,10 @@ Page draw_heat_map(const PictureSet& set) {
   const LengthUnit unit = set.model.toolpath->unit;
   const double height = kContentBottom - kContentTop;
   // Side by side or one above the other, whichever shows the part larger.
-  std::array<Area, 2> areas{Area{36, kContentTop, 780, height}, Area{832, kContentTop, 560, height}};
+  std::array<Area, 2> areas{Area{36, kContentTop, 768, height}, Area{820, kContentTop, 548, height}};
   const double half = 0.5 * (height - 16);
-  const std::array<Area, 2> rows{Area{36, kContentTop, 1356, half},
-                                 Area{36, kContentTop + half + 16, 1356, half}};
+  const std::array<Area, 2> rows{Area{36, kContentTop, 1332, half},
+                                 Area{36, kContentTop + half + 16, 1332, half}};
   const bool is_stacked = scale_in(set, rows) < scale_in(set, areas);
   if (is_stacked) areas = rows;
   for (std::size_t i = 0; i < set.directions.size() && i < areas.size(); ++i) {
@@ -146,12 +145,12 @@ Page draw_heat_map(const PictureSet& set) {
     add_corner_furniture(page, view, areas[i], unit);
   }
   if (is_stacked)
-    page.line({56, rows[1].y - 8}, {1380, rows[1].y - 8}, kHairline, 1);
+    page.line({56, rows[1].y - 8}, {1356, rows[1].y - 8}, kHairline, 1);
   else
-    page.line({824, kContentTop + 20}, {824, kContentBottom - 20}, kHairline, 1);
-  page.line({1400, kContentTop + 20}, {1400, kContentBottom - 20}, kHairline, 1);
-  add_colour_bar(page, {1426, 190, 26, 360}, set.scale, unit, "Gouge depth");
-  add_event_key(page, set, 1426, 604);
+    page.line({812, kContentTop + 20}, {812, kContentBottom - 20}, kHairline, 1);
+  page.line({1380, kContentTop + 20}, {1380, kContentBottom - 20}, kHairline, 1);
+  add_colour_bar(page, {1408, 190, 26, 360}, set.scale, unit, "Gouge depth");
+  add_event_key(page, set, 1408, 604);
   return page;
 }
 
@@ -159,7 +158,7 @@ Page draw_before_after(const PictureSet& before, const PictureSet& after) {
   Page page = make_page("Before and after correction", badge_text(after.model, *after.input.result),
                         badge_colour(*after.input.result), caption_lines(after.model, *after.input.toolpath));
   const LengthUnit unit = after.model.toolpath->unit;
-  constexpr double kHalf = 672;
+  constexpr double kHalf = 660;
   const Area left{36, 156, kHalf, kContentBottom - 156};
   const Area right{36 + kHalf + 12, 156, kHalf, kContentBottom - 156};
   const Vec3& toward = before.directions.front();
@@ -177,8 +176,8 @@ Page draw_before_after(const PictureSet& before, const PictureSet& after) {
   label(left, "Before", *before.input.result);
   label(right, "After", *after.input.result);
   page.line({36 + kHalf + 6, 130}, {36 + kHalf + 6, kContentBottom - 10}, kHairline, 1);
-  page.line({1400, 130}, {1400, kContentBottom - 10}, kHairline, 1);
-  add_colour_bar(page, {1426, 200, 26, 360}, before.scale, unit, "Gouge depth");
+  page.line({1380, 130}, {1380, kContentBottom - 10}, kHairline, 1);
+  add_colour_bar(page, {1408, 200, 26, 360}, before.scale, unit, "Gouge depth");
   return page;
 }
 

@@ -16,7 +16,7 @@ void cut_mesh(const IndexedMesh& mesh, const SectionPlane& plane, bool is_fixtur
               std::vector<SectionLine>& out) {
   const Vec3 normal = plane.pose.axis.cross(plane.u);
   // Points on the plane count as above it, so that every cut triangle has two cut sides.
-  const auto height = [&](const Vec3& p) { return (p - plane.pose.tip).dot(normal); };
+  const auto height = [&](const Vec3& p) { return (p - plane.pose.tip).dot(normal) - plane.offset_mm; };
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     std::array<Vec2, 2> ends{Vec2::Zero(), Vec2::Zero()};
     std::size_t found = 0;
@@ -138,21 +138,49 @@ bool is_grown(const CompiledTool& bare, const CompiledTool& checked) {
          std::abs(bare.z_min_mm - checked.z_min_mm) > 1e-9 || bare.elements.size() != checked.elements.size();
 }
 
-}  // namespace
-
-SectionPlane section_plane(const Pose& pose, const Vec3& point_part, const Vec3& hint) {
-  const Vec3 d = point_part - pose.tip;
-  Vec3 u = d - pose.axis * d.dot(pose.axis);
-  if (u.norm() < 1e-6) u = -(hint - pose.axis * hint.dot(pose.axis));
-  if (u.norm() < 1e-6) u = pose.axis.cross(std::abs(pose.axis.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY());
-  return {pose, u.normalized()};
+double length_near(const std::vector<SectionLine>& lines, const Vec2& at, double reach) {
+  double length = 0;
+  const Area box{at.x() - reach, at.y() - reach, 2 * reach, 2 * reach};
+  for (const SectionLine& line : lines) {
+    if (const auto seen = clipped(line.a, line.b, box)) length += ((*seen)[1] - (*seen)[0]).norm();
+  }
+  return length;
 }
+
+std::vector<Vec3> around(const Vec3& axis) {
+  const Vec3 e1 = axis.cross(std::abs(axis.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY()).normalized();
+  const Vec3 e2 = axis.cross(e1);
+  return {e1, e2, e1 + e2, e1 - e2};
+}
+
+}  // namespace
 
 std::vector<SectionLine> cut_scene(const Scene& scene, const SectionPlane& plane) {
   std::vector<SectionLine> out;
   for (const IndexedMesh& mesh : scene.parts) cut_mesh(mesh, plane, false, out);
   for (const IndexedMesh& mesh : scene.fixtures) cut_mesh(mesh, plane, true, out);
   return out;
+}
+
+Section make_section(const Scene& scene, const Pose& pose, const Vec3& point_part, double size_mm) {
+  const Vec3 d = point_part - pose.tip;
+  const Vec3 across = d - pose.axis * d.dot(pose.axis);
+  std::vector<Vec3> directions{across};
+  if (across.norm() < 1e-6 * size_mm) directions = around(pose.axis);
+  Section best;
+  double most = -1;
+  for (const Vec3& direction : directions) {
+    for (const double side : {0.0, 1e-4, -1e-4}) {
+      Section one{{pose, direction.normalized(), side * size_mm}, {}};
+      one.lines = cut_scene(scene, one.plane);
+      const double length = length_near(one.lines, one.plane.flat(point_part), size_mm);
+      // The plane itself unless a hair beside it shows clearly more: it ran along a face.
+      if (most >= 0 && length <= most + 0.2 * size_mm) continue;
+      most = length;
+      best = std::move(one);
+    }
+  }
+  return best;
 }
 
 void draw_section(Page& page, const SectionPanel& panel, const std::vector<SectionLine>& lines,

@@ -13,15 +13,12 @@ namespace gouge {
 struct SectionPlane {
   Pose pose;
   Vec3 u = Vec3::UnitX();  ///< unit, square to the axis
+  double offset_mm = 0;    ///< of the cutting plane from the axis: a hair, where it would run along a face
   [[nodiscard]] Vec2 flat(const Vec3& p) const {
     const Vec3 d = p - pose.tip;
     return {d.dot(u), d.dot(pose.axis)};
   }
 };
-
-/// The plane through the tool's axis and a surface point, which lies on the side of positive u. A point on
-/// the axis leaves it open; then `hint` (a normal) turns it.
-[[nodiscard]] SectionPlane section_plane(const Pose& pose, const Vec3& point_part, const Vec3& hint);
 
 struct SectionLine {
   Vec2 a, b;
@@ -29,6 +26,15 @@ struct SectionLine {
 };
 /// Where the plane cuts the triangles.
 [[nodiscard]] std::vector<SectionLine> cut_scene(const Scene& scene, const SectionPlane& plane);
+
+struct Section {
+  SectionPlane plane;
+  std::vector<SectionLine> lines;
+};
+/// The section through the tool's axis and a surface point, which lies on the side of positive u. A point on
+/// the axis leaves the plane open: then the one that shows most of the scene within `size_mm` of the point.
+[[nodiscard]] Section make_section(const Scene& scene, const Pose& pose, const Vec3& point_part,
+                                   double size_mm);
 
 /// What one section panel shows.
 struct SectionPanel {

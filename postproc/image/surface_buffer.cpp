@@ -30,19 +30,33 @@ void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& 
                const RowRange& rows) {
   const double area = cross(a, b, c.x(), c.y());
   if (!(std::abs(area) > 0)) return;  // seen edge on
-  const int width = buffer.view.width;
-  const double left = std::min({a.x(), b.x(), c.x()});
-  const double right = std::max({a.x(), b.x(), c.x()});
-  if (!(right >= 0) || !(left <= width)) return;
-  const int first = std::max(0, static_cast<int>(std::floor(left - 0.5)));
-  const int last = std::min(width - 1, static_cast<int>(std::ceil(right - 0.5)));
+  // Barycentric coordinates are linear along a row; each bounds the row from one side. The slack closes the
+  // hair-line gaps that rounding would leave between neighbours.
+  constexpr double kSlack = 1e-9;
+  const double du = -(c.y() - b.y()) / area;
+  const double dv = -(a.y() - c.y()) / area;
   for (int y = rows.first; y <= rows.last; ++y) {
-    for (int x = first; x <= last; ++x) {
-      const double u = cross(b, c, x + 0.5, y + 0.5) / area;
-      const double v = cross(c, a, x + 0.5, y + 0.5) / area;
-      const double w = 1 - u - v;
-      if (u < 0 || v < 0 || w < -1e-12) continue;
-      const auto z = static_cast<float>(u * a.z() + v * b.z() + w * c.z());
+    const double u0 = cross(b, c, 0.5, y + 0.5) / area;
+    const double v0 = cross(c, a, 0.5, y + 0.5) / area;
+    double low = 0;
+    double high = buffer.view.width - 1;
+    const auto bound = [&](double at_zero, double slope) {  // keeps at_zero + slope x >= -slack
+      if (slope > 0)
+        low = std::max(low, (-kSlack - at_zero) / slope);
+      else if (slope < 0)
+        high = std::min(high, (-kSlack - at_zero) / slope);
+      else if (at_zero < -kSlack)
+        high = -1;
+    };
+    bound(u0, du);
+    bound(v0, dv);
+    bound(1 - u0 - v0, -du - dv);
+    if (!(low <= high)) continue;
+    const int last = static_cast<int>(std::floor(high));
+    for (int x = static_cast<int>(std::ceil(low)); x <= last; ++x) {
+      const double u = u0 + du * x;
+      const double v = v0 + dv * x;
+      const auto z = static_cast<float>(u * a.z() + v * b.z() + (1 - u - v) * c.z());
       const std::size_t i = buffer.index(x, y);
       if (z > buffer.z[i]) {
         buffer.z[i] = z;
