@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "lib/tool/evaluate.h"
@@ -13,62 +14,226 @@ namespace {
 
 using test::SplitMix64;
 
-double size_of(const CompiledTool& tool) {
+double extent(const CompiledTool& tool) {
   return std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm});
 }
 
-// Everything that is compiled in a real check, grown forms included.
-std::vector<CompiledTool> all_forms() {
+std::vector<CompiledTool> forms_of(const ToolAssembly& tool) {
   std::vector<CompiledTool> all;
-  for (const ToolAssembly& tool : test::sample_tools()) {
-    const Result<ToolForms> forms = make_tool_forms(tool, 0.3, 0.5, 2);
-    EXPECT_TRUE(forms.has_value());
-    for (const CompiledTool* form : {&forms->bare, &forms->against_part, &forms->against_fixture,
-                                     &forms->with_clearance, &forms->non_cutting})
-      if (!form->elements.empty()) all.push_back(*form);
-  }
+  const Result<ToolForms> forms = make_tool_forms(tool, 0.3, 0.5, 2);
+  EXPECT_TRUE(forms.has_value());
+  for (const CompiledTool* form : {&forms->bare, &forms->against_part, &forms->against_fixture,
+                                   &forms->with_clearance, &forms->non_cutting})
+    if (!form->elements.empty()) all.push_back(*form);
   return all;
 }
 
+// Around the tool, far away, on the axis, and at every scale about the boundary and its corners.
 Vec2 random_point(SplitMix64& random, const CompiledTool& tool, std::size_t i) {
-  const double size = size_of(tool);
+  const double size = extent(tool);
   if (i % 16 == 0) return {0, random.uniform(tool.z_min_mm - size, tool.z_max_mm + size)};
   if (i % 16 == 1) return {random.uniform(0, 50 * size), random.uniform(-50 * size, 50 * size)};
   if (i % 4 == 2) {
     const BoundaryElement& e = tool.elements[random.next() % tool.elements.size()];
     const double spread = size * std::pow(10.0, random.uniform(-12, -1));
-    const Vec2 p = e.a + random.uniform(0, 1) * (e.b - e.a);
+    const double t = std::min(1.0, std::max(0.0, random.uniform(-0.5, 1.5)));
+    const Vec2 p = e.a + t * (e.b - e.a);
     return {std::abs(p.x() + random.uniform(-spread, spread)), p.y() + random.uniform(-spread, spread)};
   }
   return {random.uniform(0, 1.5 * tool.r_max_mm),
           random.uniform(tool.z_min_mm - 0.3 * size, tool.z_max_mm + 0.3 * size)};
 }
 
-TEST(Bsp, GivesTheDistanceOfTheBruteForce) {
-  SplitMix64 random(1);
-  for (const CompiledTool& tool : all_forms()) {
-    double worst = 0;
-    Vec2 where = Vec2::Zero();
-    for (std::size_t i = 0; i < 300000; ++i) {
-      const Vec2 q = random_point(random, tool, i);
-      const ToolAnswer fast = evaluate(tool, q.x(), q.y());
-      const ToolAnswer slow = evaluate_brute_force(tool, q.x(), q.y());
-      const double scale = size_of(tool) + q.norm();
-      const double error = std::abs(fast.signed_distance_mm - slow.signed_distance_mm) / scale;
-      if (error > worst) {
-        worst = error;
-        where = q;
-      }
-    }
-    std::cout << tool.name << ": " << tool.elements.size() << " elements, " << tool.nodes.size()
-              << " nodes, depth " << bsp_depth(tool.nodes) << ", worst " << worst << "\n";
-    EXPECT_LE(worst, 1e-12) << tool.name << " at " << where.transpose();
+void expect_brute_force(const CompiledTool& tool, std::size_t points, std::uint64_t seed) {
+  SplitMix64 random(seed);
+  double worst = 0;
+  Vec2 where = Vec2::Zero();
+  for (std::size_t i = 0; i < points; ++i) {
+    const Vec2 q = random_point(random, tool, i);
+    const double fast = evaluate(tool, q.x(), q.y()).signed_distance_mm;
+    const double slow = evaluate_brute_force(tool, q.x(), q.y()).signed_distance_mm;
+    const double error = std::abs(fast - slow) / (extent(tool) + q.norm());
+    if (error <= worst) continue;
+    worst = error;
+    where = q;
+  }
+  EXPECT_LE(worst, 1e-12) << tool.name << " at " << where.transpose();
+}
+
+class BspOfSample : public testing::TestWithParam<std::size_t> {
+ protected:
+  ToolAssembly tool() const { return test::sample_tools()[GetParam()]; }
+};
+
+INSTANTIATE_TEST_SUITE_P(Tools, BspOfSample, testing::Range<std::size_t>(0, 12));
+
+TEST(Bsp, EverySampleToolIsTested) {
+  EXPECT_EQ(test::sample_tools().size(), 12u);
+}
+
+TEST_P(BspOfSample, GivesTheDistanceOfTheBruteForceOnTenMillionPoints) {
+  expect_brute_force(forms_of(tool()).front(), 10'000'000, 1);
+}
+
+TEST_P(BspOfSample, GivesTheDistanceOfTheBruteForceForGrownFormsToo) {
+  for (const CompiledTool& form : forms_of(tool())) expect_brute_force(form, 200'000, 2);
+}
+
+TEST_P(BspOfSample, ToolIsSound) {
+  for (const CompiledTool& form : forms_of(tool())) EXPECT_EQ(verify_tool(form), std::vector<std::string>{});
+}
+
+// Nearest of a dense set of boundary points: independent of every formula of the elements.
+TEST_P(BspOfSample, BruteForceAgreesWithASampledBoundary) {
+  const Result<Profile> profile = make_profile(tool());
+  const CompiledTool compiled = compile_tool("", *profile);
+  std::vector<Vec2> boundary;
+  for (const ProfileElement& e : profile->elements) {
+    const std::vector<Vec2> coarse = sample(e, 200);
+    for (std::size_t k = 0; k + 1 < coarse.size(); ++k)
+      for (int i = 0; i <= (e.is_arc ? 10 : 2000); ++i)
+        boundary.emplace_back(coarse[k] + (e.is_arc ? i / 10.0 : i / 2000.0) * (coarse[k + 1] - coarse[k]));
+  }
+  SplitMix64 random(4);
+  const double size = extent(compiled);
+  for (int k = 0; k < 200; ++k) {
+    const Vec2 q(random.uniform(0, 1.5 * compiled.r_max_mm), random.uniform(-0.3 * size, 1.3 * size));
+    double nearest = 1e300;
+    for (const Vec2& p : boundary) nearest = std::min(nearest, (p - q).norm());
+    const double found = std::abs(evaluate_brute_force(compiled, q.x(), q.y()).signed_distance_mm);
+    EXPECT_NEAR(found, nearest, 1e-3 * size) << q.transpose();
+    EXPECT_LE(found, nearest + 1e-4) << q.transpose();
   }
 }
 
-TEST(Bsp, ToolsAreSound) {
-  for (const CompiledTool& tool : all_forms())
-    EXPECT_EQ(verify_tool(tool), std::vector<std::string>{}) << tool.name;
+// The crossing number of a ray to the right decides the side.
+TEST_P(BspOfSample, SignAgreesWithAPolygonTest) {
+  const Result<Profile> profile = make_profile(tool());
+  const CompiledTool compiled = compile_tool("", *profile);
+  std::vector<Vec2> outline;
+  for (const ProfileElement& e : profile->elements)
+    for (const Vec2& p : sample(e, 2000)) outline.push_back(p);
+  SplitMix64 random(5);
+  for (int k = 0; k < 500; ++k) {
+    const Vec2 q(random.uniform(0, 1.2 * compiled.r_max_mm), random.uniform(-1, compiled.z_max_mm + 1));
+    bool is_inside = false;
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+      const Vec2 &a = outline[i], &b = outline[i + 1];
+      if ((a.y() > q.y()) == (b.y() > q.y())) continue;
+      if (a.x() + (q.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()) > q.x()) is_inside = !is_inside;
+    }
+    const double found = evaluate(compiled, q.x(), q.y()).signed_distance_mm;
+    if (std::abs(found) > 1e-3) {
+      EXPECT_EQ(found < 0, is_inside) << q.transpose();
+    }
+  }
+}
+
+TEST_P(BspOfSample, DistanceIsOneLipschitzAcrossEveryBisector) {
+  SplitMix64 random(6);
+  for (const CompiledTool& form : forms_of(tool())) {
+    for (std::size_t i = 0; i < 100'000; ++i) {
+      const Vec2 p = random_point(random, form, i);
+      const double step = extent(form) * std::pow(10.0, random.uniform(-13, 0));
+      Vec2 q = p + step * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+      q.x() = std::abs(q.x());
+      const double change = std::abs(evaluate(form, p.x(), p.y()).signed_distance_mm -
+                                     evaluate(form, q.x(), q.y()).signed_distance_mm);
+      ASSERT_LE(change, (p - q).norm() + 1e-13 * (extent(form) + p.norm()))
+          << p.transpose() << " to " << q.transpose();
+    }
+  }
+}
+
+TEST_P(BspOfSample, NormalIsTheGradientOfTheDistanceAndLeadsToTheFoot) {
+  SplitMix64 random(7);
+  const CompiledTool form = forms_of(tool()).front();
+  const double h = 1e-6;
+  int smooth = 0;
+  for (std::size_t i = 0; i < 20'000; ++i) {
+    const Vec2 q = random_point(random, form, i) + Vec2(2 * h, 0);
+    const ToolAnswer a = evaluate(form, q.x(), q.y());
+    EXPECT_NEAR(a.normal.norm(), 1, 1e-12);
+    EXPECT_LE((q - a.signed_distance_mm * a.normal - a.foot).norm(), 1e-12 * (extent(form) + q.norm()));
+    const auto at = [&](double dr, double dz) { return evaluate(form, q.x() + dr, q.y() + dz); };
+    const ToolAnswer east = at(h, 0), west = at(-h, 0), north = at(0, h), south = at(0, -h);
+    const bool is_one_region = east.element == a.element && west.element == a.element &&
+                               north.element == a.element && south.element == a.element;
+    if (!is_one_region || std::abs(a.signed_distance_mm) < 1e-2 || q.norm() > 3 * extent(form)) continue;
+    const Vec2 gradient(east.signed_distance_mm - west.signed_distance_mm,
+                        north.signed_distance_mm - south.signed_distance_mm);
+    EXPECT_TRUE((gradient / (2 * h)).isApprox(a.normal, 1e-4)) << q.transpose();
+    ++smooth;
+  }
+  EXPECT_GT(smooth, 1000);
+}
+
+// Profiles no assembly makes yet: undercuts, concave arcs, a ring-shaped bottom, a tip off the axis plane.
+TEST(Bsp, FreeProfilesWithConcaveArcsAndUndercuts) {
+  Profile cup;  // hollow bottom, concave neck, lollipop-like bulge of more than a half circle
+  cup.elements = {make_segment(Body::cutter, {0, 3}, {2, 3}),
+                  make_concave_arc(Body::cutter, {2, 3}, {4, 1}, {2, 1}, 2),
+                  make_segment(Body::cutter, {4, 1}, {4, 0}),
+                  make_segment(Body::cutter, {4, 0}, {6, 0}),
+                  make_convex_arc(Body::cutter, {6, 0}, {6, 8}, {6, 4}, 4),
+                  make_concave_arc(Body::shank, {6, 8}, {4, 10}, {6, 10}, 2),
+                  make_segment(Body::shank, {4, 10}, {4, 20}),
+                  make_convex_arc(Body::holder, {4, 20}, {4, 28}, {5, 24}, std::sqrt(17.0)),
+                  make_segment(Body::holder, {4, 28}, {0, 28})};
+  ASSERT_EQ(verify_profile(cup), std::vector<std::string>{});
+  const CompiledTool tool = compile_tool("cup", cup);
+  EXPECT_EQ(verify_tool(tool), std::vector<std::string>{});
+  expect_brute_force(tool, 2'000'000, 8);
+}
+
+ToolAssembly random_assembly(SplitMix64& random) {
+  const auto segments = [&](std::uint64_t most) {
+    std::vector<ToolSegment> list;
+    for (std::uint64_t k = random.next() % (most + 1); k > 0; --k) {
+      const double lower = random.uniform(1, 40);
+      const double upper = random.next() % 2 == 0 ? lower : random.uniform(1, 40);
+      list.push_back({lower, upper, random.uniform(0.5, 40)});
+    }
+    return list;
+  };
+  const double d = random.uniform(0.5, 40), length = random.uniform(20, 60);
+  const double corner = random.next() % 3 == 0 ? d / 2 : random.uniform(0, d / 2);
+  switch (random.next() % 3) {
+    case 0:
+      return test::assembly("random", TaperedCutter{d, corner, random.uniform(-8, 40), length}, segments(3),
+                            segments(4));
+    case 1:
+      return test::assembly("random", BullNoseCutter{d, corner, length}, segments(3), segments(4));
+    default:
+      return test::assembly(
+          "random", AptCutter{d, 0.4 * corner, 0, 0, random.uniform(0, 50), random.uniform(-8, 30), length},
+          segments(3), segments(4));
+  }
+}
+
+TEST(Bsp, RandomAssembliesGiveTheDistanceOfTheBruteForce) {
+  SplitMix64 random(9);
+  int built = 0;
+  for (int k = 0; built < 200 && k < 1000; ++k) {
+    const ToolAssembly tool = random_assembly(random);
+    const Result<ToolForms> forms =
+        make_tool_forms(tool, random.uniform(0, 1), random.uniform(0, 2), random.uniform(0, 5));
+    if (!forms) continue;
+    ++built;
+    for (const CompiledTool* form : {&forms->bare, &forms->against_part}) {
+      EXPECT_EQ(verify_tool(*form), std::vector<std::string>{}) << k;
+      expect_brute_force(*form, 20'000, static_cast<std::uint64_t>(k));
+    }
+  }
+  EXPECT_EQ(built, 200);
+}
+
+TEST(Bsp, IsShallow) {
+  for (const ToolAssembly& tool : test::sample_tools()) {
+    const CompiledTool form = forms_of(tool).front();
+    EXPECT_LE(bsp_depth(form.nodes), 14u) << tool.name;
+    EXPECT_LE(form.nodes.size(), 8 * form.elements.size()) << tool.name;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,170 @@
+#include "toolmodels/voronoi.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/toolmodels/sample_tools.h"
+#include "toolmodels/compile_tool.h"
+
+namespace gouge::detail {
+namespace {
+
+using test::SplitMix64;
+
+double distance(const DistanceForm& f, const Vec2& q) {
+  return f.is_linear ? f.direction.dot(q - f.through) : f.sign * (q - f.center).norm() + f.shift;
+}
+
+double value(const BspNode& node, const Vec2& q) {
+  const double x = q.x() - node.origin.x(), y = q.y() - node.origin.y();
+  return node.c[0] + node.c[1] * x + node.c[2] * y + node.c[3] * x * x + node.c[4] * x * y +
+         node.c[5] * y * y;
+}
+
+Vec2 gradient(const BspNode& node, const Vec2& q) {
+  const double x = q.x() - node.origin.x(), y = q.y() - node.origin.y();
+  return {node.c[1] + 2 * node.c[3] * x + node.c[4] * y, node.c[2] + node.c[4] * x + 2 * node.c[5] * y};
+}
+
+Vec2 random_vector(SplitMix64& random, double reach) {
+  return {random.uniform(-reach, reach), random.uniform(-reach, reach)};
+}
+
+DistanceForm random_form(SplitMix64& random) {
+  DistanceForm form;
+  form.is_linear = random.next() % 3 == 0;
+  form.through = random_vector(random, 10);
+  form.direction = random_vector(random, 1).normalized();
+  form.center = random_vector(random, 10);
+  form.sign = random.next() % 2 == 0 ? 1 : -1;
+  form.shift = random.next() % 4 == 0 ? 0 : random.uniform(-8, 8);
+  return form;
+}
+
+ConvexCell random_cell(SplitMix64& random) {
+  ConvexCell cell(20);
+  for (std::uint64_t k = random.next() % 6; k > 0; --k) {
+    const DirectedLine line{Vec2(random.uniform(0, 15), random.uniform(-10, 10)),
+                            random_vector(random, 1).normalized()};
+    const ConvexCell part = cell.clipped(line, random.next() % 2 == 0 ? 1 : -1);
+    if (part.corners().size() >= 3) cell = part;
+  }
+  return cell;
+}
+
+// A point of the cell: a positive combination of its corners.
+Vec2 point_in(SplitMix64& random, const ConvexCell& cell) {
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& corner : cell.corners()) {
+    const double weight = std::pow(random.uniform(0.01, 1), 6);
+    sum += (corner.z() > 0 ? weight : 30 * weight * weight) * corner;
+  }
+  return sum.head<2>() / sum.z();
+}
+
+void expect_right_order(SplitMix64& random, const DistanceForm& f, const DistanceForm& g,
+                        const ConvexCell& cell, int depth) {
+  if (cell.corners().size() < 3) return;
+  const Comparison c = compare(f, g, cell);
+  if (c.kind == Comparison::Kind::split_first) {
+    ASSERT_LT(depth, 3) << "cutting does not end";
+    expect_right_order(random, f, g, cell.clipped(c.line, 1), depth + 1);
+    expect_right_order(random, f, g, cell.clipped(c.line, -1), depth + 1);
+    return;
+  }
+  for (int k = 0; k < 20; ++k) {
+    const Vec2 q = point_in(random, cell);
+    const double difference = distance(f, q) - distance(g, q);
+    if (std::abs(difference) < 1e-9 * (1 + q.norm())) continue;
+    const bool is_first = c.kind == Comparison::Kind::first_nearer ||
+                          (c.kind == Comparison::Kind::curve && value(c.curve, q) < 0);
+    ASSERT_EQ(is_first, difference < 0) << "at " << q.transpose() << " difference " << difference;
+  }
+}
+
+TEST(Voronoi, TheCurveOfTwoDistancesHasNoFalseBranchInItsCell) {
+  SplitMix64 random(21);
+  for (int k = 0; k < 40000; ++k) {
+    const DistanceForm f = random_form(random), g = random_form(random);
+    expect_right_order(random, f, g, random_cell(random), 0);
+    if (HasFatalFailure()) return;
+  }
+}
+
+TEST(Voronoi, EverywhereBelowIsNeverClaimedWrongly) {
+  SplitMix64 random(22);
+  int claims = 0;
+  for (int k = 0; k < 100000; ++k) {
+    const DistanceForm f = random_form(random), g = random_form(random);
+    const ConvexCell cell = random_cell(random);
+    if (!is_everywhere_below(f, g, cell)) continue;
+    ++claims;
+    for (int i = 0; i < 20; ++i) {
+      const Vec2 q = point_in(random, cell);
+      ASSERT_LE(distance(f, q), distance(g, q) + 1e-9 * (1 + q.norm())) << q.transpose();
+    }
+  }
+  EXPECT_GT(claims, 1000);
+}
+
+// Appendix C of the thesis. B is the reflex corner where the side BC begins, CD another side of the tool. O
+// is equidistant from B, BC and CD; there the bisector of BC and CD must touch the parabola of B and CD, or
+// the regions would overlap. Derivation: docs/algorithms/tool_voronoi.md
+TEST(Voronoi, TheParabolaTouchesTheBisectorAtTheReflexCornersNormal) {
+  SplitMix64 random(23);
+  for (int k = 0; k < 2000; ++k) {
+    const Vec2 b = random_vector(random, 10);
+    const Vec2 side_normal = random_vector(random, 1).normalized();
+    DistanceForm side;  // distances inside: positive away from the boundary
+    side.through = b;
+    side.direction = -side_normal;
+    DistanceForm other;
+    other.direction = random_vector(random, 1).normalized();
+    other.through = b - random.uniform(1, 20) * other.direction;
+    DistanceForm corner;
+    corner.is_linear = false;
+    corner.center = b;
+    // O = B + s * inward normal with s = distance of O to CD.
+    const double closing = 1 - side.direction.dot(other.direction);
+    if (closing < 0.05) continue;
+    const double s = distance(other, b) / closing;
+    const Vec2 o = b + s * side.direction;
+    ASSERT_NEAR(distance(side, o), distance(other, o), 1e-9 * (1 + s));
+    // A small cell about O: the statement is a local one.
+    ConvexCell cell(20);
+    const Vec2 shift(1000, 0);  // keeps the cell in r >= 0
+    for (DistanceForm* form : {&side, &other, &corner}) {
+      form->through += shift;
+      form->center += shift;
+    }
+    const Vec2 at = o + shift;
+    for (const Vec2& u : {Vec2(1, 0), Vec2(-1, 0), Vec2(0, 1), Vec2(0, -1)})
+      cell = cell.clipped({at + 0.01 * u, u}, -1);
+    const Comparison line = compare(side, other, cell);
+    const Comparison parabola = compare(corner, other, cell);
+    ASSERT_TRUE(line.is_straight);
+    ASSERT_EQ(parabola.kind, Comparison::Kind::curve);
+    ASSERT_NEAR(value(parabola.curve, at), 0, 1e-7 * (1 + s * s));
+    const Vec2 u = gradient(line.curve, at).normalized();
+    const Vec2 v = gradient(parabola.curve, at).normalized();
+    ASSERT_NEAR(u.x() * v.y() - u.y() * v.x(), 0, 1e-9 * (1 + s)) << "not tangent";
+    ASSERT_GT(u.dot(v), 0) << "the sides are exchanged";
+  }
+}
+
+TEST(Voronoi, NeighboursShareTheLineBetweenTheirDomains) {
+  for (const ToolAssembly& tool : test::sample_tools()) {
+    const Result<ToolForms> forms = make_tool_forms(tool, 0, 0, 1);
+    const std::vector<BoundaryElement>& elements = forms->against_part.elements;
+    const Domains domains = make_domains(elements);
+    ASSERT_EQ(domains.lines.size(), elements.size() - 1);
+    for (std::size_t i = 0; i + 1 < elements.size(); ++i) {
+      EXPECT_EQ(domains.bounds[i].back().line, domains.bounds[i + 1].front().line) << tool.name;
+      EXPECT_EQ(domains.bounds[i].back().sign, -domains.bounds[i + 1].front().sign) << tool.name;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gouge::detail
