@@ -52,7 +52,8 @@ class Lengths {
 std::string size_rows(const MeshInfo& info, const Lengths& lengths) {
   const MeshFindings& found = info.judged.findings;
   std::string handles;
-  if (found.handles().value_or(0) > 0) handles = ", " + counted(static_cast<std::size_t>(*found.handles()), "through hole");
+  if (found.handles().value_or(0) > 0)
+    handles = ", " + counted(static_cast<std::size_t>(*found.handles()), "through hole");
   std::string text;
   text += row("format", std::string(info.format == StlFormat::binary ? "binary" : "ASCII") +
                             " STL, read as " + unit_name(info.unit));
