@@ -69,10 +69,8 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
   command.footer(
       "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair mended.stl --fill-holes\n\n"
       "A repair moves no vertex (what is written has single precision, as binary STL has) and resolves no\n"
-      "self-intersection. \n"
-      "Exit status: 0 the mesh (after a repair: the repaired one) is sound, 1 it has defects, 2 wrong "
-      "command\n"
-      "line, 3 unreadable, 4 not wholly decided, 5 output unwritable.");
+      "self-intersection. Exit status: 0 the mesh (after a repair: the repaired one) is sound, 1 it has\n"
+      "defects, 2 wrong command line, 3 unreadable, 4 not wholly decided, 5 output unwritable.");
 }
 
 int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& err) {
