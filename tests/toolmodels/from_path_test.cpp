@@ -1,0 +1,88 @@
+#include "toolmodels/from_path.h"
+
+#include <gtest/gtest.h>
+
+namespace gouge {
+namespace {
+
+double top_of(const ToolAssembly& tool) {
+  return make_profile(tool)->elements.back().b.y();
+}
+
+TEST(FromPath, OneNumberIsAFlatCutterOfAssumedLength) {
+  const Result<ToolFromPath> made = make_tool_from_path(7, "", {.d_mm = 16, .given = 1}, {});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(top_of(made->tool), 80);
+  ASSERT_EQ(made->notes.size(), 1u);
+  EXPECT_EQ(made->notes[0].severity, Severity::note);
+  EXPECT_EQ(made->notes[0].message,
+            "tool T7: the file gives the cutter no length; it is checked up to 80 mm");
+}
+
+TEST(FromPath, ShortToolsAreAssumedFiftyMillimetresLong) {
+  const Result<ToolFromPath> made = make_tool_from_path(7, "", {.d_mm = 2, .r_mm = 1, .given = 2}, {});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(top_of(made->tool), 50);
+}
+
+TEST(FromPath, AHeightWithinTheTipIsReplacedAndTold) {
+  // CUTTER/.5,.25,0,0,0,0,.25 in inches, as a real file has it.
+  const Result<ToolFromPath> made =
+      make_tool_from_path(std::nullopt, "ball", {.d_mm = 12.7, .r_mm = 6.35, .h_mm = 6.35, .given = 7}, {});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(top_of(made->tool), 63.5);
+  ASSERT_EQ(made->notes.size(), 1u);
+  EXPECT_EQ(made->notes[0].message,
+            "tool \"ball\": its height h = 6.35 mm ends within the tip; it is checked up to 63.5 mm");
+}
+
+TEST(FromPath, AboveTheFlutesTheToolIsShank) {
+  const Result<ToolFromPath> made =
+      make_tool_from_path(1, "", {.d_mm = 10, .h_mm = 60, .given = 7, .flute_length_mm = 22}, {});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(length_mm(made->tool.cutter), 22);
+  ASSERT_EQ(made->tool.shank.size(), 1u);
+  EXPECT_EQ(made->tool.shank[0].length_mm, 38);
+  EXPECT_EQ(made->tool.shank[0].lower_diameter_mm, 10);
+  EXPECT_EQ(top_of(made->tool), 60);
+}
+
+TEST(FromPath, TaperGoesOnAboveTheFlutes) {
+  const PathCutter cutter{.d_mm = 10, .beta_deg = 5, .h_mm = 60, .given = 7, .flute_length_mm = 20};
+  const Result<ToolFromPath> made = make_tool_from_path(1, "", cutter, {});
+  const Result<Profile> whole = make_cutter_profile(AptCutter{10, 0, 0, 0, 0, 5, 60});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_NEAR(made->tool.shank[0].upper_diameter_mm, 2 * whole->elements.back().a.x(), 1e-12);
+}
+
+TEST(FromPath, TheHolderStandsOnTop) {
+  const Result<ToolFromPath> made =
+      make_tool_from_path(1, "", {.d_mm = 10, .h_mm = 60, .given = 7}, {{40, 50, 30}});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(top_of(made->tool), 90);
+  EXPECT_EQ(make_profile(made->tool)->elements.back().body, Body::holder);
+}
+
+TEST(FromPath, ContradictingNumbersAreTold) {
+  const PathCutter cutter{.d_mm = 12, .r_mm = 2, .e_mm = 8, .f_mm = 2, .h_mm = 60, .given = 7};
+  const Result<ToolFromPath> made = make_tool_from_path(1, "", cutter, {});
+  ASSERT_TRUE(made.has_value());
+  ASSERT_EQ(made->notes.size(), 1u);
+  EXPECT_EQ(made->notes[0].code, "cutter-contradiction");
+}
+
+TEST(FromPath, ImpossibleNumbersAreAnErrorThatNamesTheTool) {
+  const Result<ToolFromPath> made = make_tool_from_path(4, "", {.d_mm = 10, .r_mm = 6, .given = 2}, {});
+  ASSERT_FALSE(made.has_value());
+  EXPECT_EQ(made.error().message,
+            "tool T4: cutter: corner_radius 6 mm is larger than half the diameter; at most 5 mm is possible");
+  EXPECT_FALSE(make_tool_from_path(4, "", {.given = 1}, {}).has_value()) << "CUTTER/0";
+  EXPECT_FALSE(make_tool_from_path(4, "", {.d_mm = -3, .given = 1}, {}).has_value());
+}
+
+TEST(FromPath, NegativeTaperOfAssumedLengthDoesNotClose) {
+  EXPECT_TRUE(make_tool_from_path(4, "", {.d_mm = 10, .beta_deg = -10, .given = 7}, {}).has_value());
+}
+
+}  // namespace
+}  // namespace gouge

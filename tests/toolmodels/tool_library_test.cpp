@@ -1,0 +1,188 @@
+#include "toolmodels/tool_library.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/toolmodels/sample_tools.h"
+
+namespace gouge {
+namespace {
+
+constexpr const char* kGood =
+    R"({"units":"mm","tools":[{"number":1,"name":"ball D10","cutter":{"shape":"ball","diameter":10,"length":30},
+  "shank":[{"lower_diameter":10,"upper_diameter":10,"length":20}],
+  "holder":[{"lower_diameter":32,"upper_diameter":32,"length":40},{"lower_diameter":40,"upper_diameter":46,"length":30}]}]})";
+
+std::string error_of(const std::string& text) {
+  const Result<ToolLibrary> library = read_tool_library("lib.json", text);
+  return library ? "none" : to_text(library.error());
+}
+
+std::string with_cutter(const std::string& cutter) {
+  return "{\"units\":\"mm\",\n\"tools\":[\n{\"number\":3,\"name\":\"x\",\n\"cutter\":" + cutter + "}]}";
+}
+
+TEST(ToolLibrary, ReadsTheExampleOfTheFormat) {
+  const Result<ToolLibrary> library = read_tool_library("lib.json", kGood);
+  ASSERT_TRUE(library.has_value());
+  EXPECT_TRUE(library->notes.empty());
+  const ToolAssembly* tool = library->with_number(1);
+  ASSERT_NE(tool, nullptr);
+  EXPECT_EQ(tool, library->with_name("ball D10"));
+  EXPECT_EQ(std::get<BallCutter>(tool->cutter).diameter_mm, 10);
+  EXPECT_EQ(tool->shank.size(), 1u);
+  ASSERT_EQ(tool->holder.size(), 2u);
+  EXPECT_EQ(tool->holder[1].upper_diameter_mm, 46);
+  EXPECT_EQ(library->with_number(2), nullptr);
+  EXPECT_EQ(library->with_name("ball"), nullptr);
+}
+
+TEST(ToolLibrary, InchesBecomeMillimetresButAnglesStay) {
+  const Result<ToolLibrary> library =
+      read_tool_library("lib.json", R"({"units":"inch","tools":[{"name":"t","cutter":
+      {"shape":"tapered","diameter":0.25,"corner_radius":0.125,"taper_angle":3,"length":1}}]})");
+  ASSERT_TRUE(library.has_value());
+  const auto& cutter = std::get<TaperedCutter>(library->tools[0].cutter);
+  EXPECT_EQ(cutter.diameter_mm, 6.35);
+  EXPECT_EQ(cutter.taper_angle_deg, 3);
+  EXPECT_EQ(cutter.length_mm, 25.4);
+}
+
+TEST(ToolLibrary, EveryShapeSurvivesARoundTripInBothUnits) {
+  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch}) {
+    ToolLibrary library;
+    library.unit = unit;
+    for (ToolAssembly tool : test::sample_tools()) {
+      tool.number = static_cast<int>(library.tools.size());
+      library.tools.push_back(tool);
+    }
+    library.holders.push_back({"ER32", {{50, 40.1, 33.3}}});
+    const std::string text = write_tool_library(library);
+    const Result<ToolLibrary> back = read_tool_library("lib.json", text);
+    ASSERT_TRUE(back.has_value()) << back.error().message;
+    EXPECT_EQ(write_tool_library(*back), text);
+    ASSERT_EQ(back->tools.size(), library.tools.size());
+    for (std::size_t i = 0; i < library.tools.size(); ++i) {
+      EXPECT_EQ(make_profile(back->tools[i])->elements.back().a,
+                make_profile(library.tools[i])->elements.back().a);
+      EXPECT_EQ(length_mm(back->tools[i].cutter), length_mm(library.tools[i].cutter));
+    }
+    EXPECT_EQ(back->holders[0].segments[0].upper_diameter_mm, 40.1);
+  }
+}
+
+TEST(ToolLibrary, HoldersHaveNamesOrBelongToTools) {
+  const Result<ToolLibrary> library = read_tool_library("lib.json", R"({"units":"mm",
+    "holders":[{"name":"ER16","segments":[{"lower_diameter":28,"upper_diameter":28,"length":40}]}],
+    "tools":[{"number":1,"name":"a","cutter":{"shape":"flat","diameter":6,"length":20},"holder":"ER16"},
+             {"number":2,"name":"b","cutter":{"shape":"flat","diameter":6,"length":20}}]})");
+  ASSERT_TRUE(library.has_value()) << library.error().message;
+  EXPECT_EQ(library->tools[0].holder.size(), 1u);
+  ASSERT_NE(library->holder_called("ER16"), nullptr);
+  EXPECT_NE(library->holder_called("a"), nullptr);
+  EXPECT_EQ(library->holder_called("b"), nullptr) << "this tool has none";
+  EXPECT_EQ(library->holder_called("c"), nullptr);
+}
+
+TEST(ToolLibrary, UnknownKeysAreToldWithTheirLine) {
+  const Result<ToolLibrary> library = read_tool_library(
+      "lib.json", with_cutter("{\"shape\":\"flat\",\"diameter\":6,\"length\":20,\n\"corner_radius\":1}"));
+  ASSERT_TRUE(library.has_value());
+  ASSERT_EQ(library->notes.size(), 1u);
+  EXPECT_EQ(
+      to_text(library->notes[0]),
+      "lib.json:5: warning: tool T3 \"x\": cutter has a key \"corner_radius\" that is not understood and was "
+      "left out [library-unknown-key]");
+}
+
+TEST(ToolLibrary, MistakesNameLineToolAndField) {
+  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":6}")),
+            "lib.json:4: error: tool T3 \"x\": cutter has no \"length\"; it needs one [library-field]");
+  EXPECT_EQ(
+      error_of(with_cutter("{\"shape\":\"flat\",\n\"diameter\":\"6 mm\",\"length\":20}")),
+      "lib.json:5: error: tool T3 \"x\": cutter: \"diameter\" is a text; expected a number [library-field]");
+  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"drill\"}")),
+            "lib.json:4: error: tool T3 \"x\": cutter: shape is \"drill\"; expected flat, ball, bull_nose, "
+            "tapered or "
+            "apt [library-field]");
+  EXPECT_EQ(
+      error_of(with_cutter("{\"shape\":\"bull_nose\",\"diameter\":6,\"corner_radius\":4,\"length\":20}")),
+      "lib.json:3: error: tool T3 \"x\": cutter: corner_radius 4 mm is larger than half the diameter; at "
+      "most "
+      "3 mm is possible [tool-corner-radius-too-large]");
+  EXPECT_EQ(error_of(with_cutter(
+                "{\"shape\":\"flat\",\"diameter\":6,\"length\":20},\n\"shank\":[{\"lower_diameter\":"
+                "0,\"upper_diameter\":3,\"length\":3}]")),
+            "lib.json:3: error: tool T3 \"x\": shank 1: lower_diameter is 0 mm; it must be greater than 0 "
+            "[tool-dimension-not-positive]");
+}
+
+TEST(ToolLibrary, WrongFilesGetOneClearMessage) {
+  EXPECT_EQ(error_of(""),
+            "lib.json:1: error: this is not JSON: there is a mistake at or before this line; expected a tool "
+            "library "
+            "[library-syntax]");
+  EXPECT_EQ(error_of("{\"units\":\"mm\",\n\"tools\":[\n{,}]}"),
+            "lib.json:3: error: this is not JSON: there is a mistake at or before this line; expected a tool "
+            "library "
+            "[library-syntax]");
+  EXPECT_EQ(error_of("[1]"), "lib.json:1: error: the library is a list; expected an object [library-field]");
+  EXPECT_EQ(error_of("{\"tools\":[]}"),
+            "lib.json:1: error: the library does not say its unit; add \"units\": \"mm\" or \"inch\" "
+            "[library-field]");
+  EXPECT_EQ(error_of("{\"units\":\"cm\",\"tools\":[]}"),
+            "lib.json:1: error: units is \"cm\"; expected \"mm\" or \"inch\" [library-field]");
+  EXPECT_EQ(error_of("{\"units\":\"mm\",\"tools\":[]}"),
+            "lib.json:1: error: the list of tools is empty; it needs at least one [library-empty]");
+  EXPECT_EQ(error_of("{\"units\":\"mm\",\n\"units\":\"inch\",\"tools\":[]}"),
+            "lib.json:1: error: the key /units is there twice; remove one [library-duplicate-key]");
+  EXPECT_EQ(
+      error_of(R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":"flat","diameter":6,"length":20}},
+                     {"number":1,"cutter":{"shape":"flat","diameter":8,"length":20}}]})"),
+      "lib.json:2: error: tool T1: number 1 is already taken; give every tool a number of its own "
+      "[library-duplicate-number]");
+  EXPECT_EQ(error_of(R"({"units":"mm","tools":[{"cutter":{"shape":"flat","diameter":6,"length":20}}]})"),
+            "lib.json:1: error: tool at position 1 has neither \"number\" nor \"name\"; it needs one to be "
+            "found by "
+            "[library-field]");
+  EXPECT_NE(error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":1e400,\"length\":20}")), "none");
+  EXPECT_NE(error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":nan,\"length\":20}")), "none");
+}
+
+// Every single damage to a good file is a clean answer, never a crash, and what reads builds.
+TEST(ToolLibrary, DamagedFilesNeverCrash) {
+  test::SplitMix64 random(31);
+  const std::string good(kGood);
+  for (int k = 0; k < 30000; ++k) {
+    std::string text = good;
+    for (std::uint64_t n = 1 + random.next() % 3; n > 0; --n) {
+      const std::size_t at = random.next() % text.size();
+      switch (random.next() % 4) {
+        case 0:
+          text[at] = static_cast<char>(random.next() % 256);
+          break;
+        case 1:
+          text.erase(at, 1 + random.next() % 20);
+          break;
+        case 2:
+          text.insert(at, std::string(1, "{}[],:\"0-e"[random.next() % 10]));
+          break;
+        default:
+          text.resize(at + 1);
+      }
+      if (text.empty()) text = "{";
+    }
+    const Result<ToolLibrary> library = read_tool_library("lib.json", text);
+    if (!library) continue;
+    for (const ToolAssembly& tool : library->tools) EXPECT_TRUE(make_profile(tool).has_value());
+  }
+}
+
+TEST(ToolLibrary, DeepNestingIsNotAProblem) {
+  EXPECT_NE(error_of(std::string(200000, '[')), "none");
+  EXPECT_NE(
+      error_of("{\"units\":\"mm\",\"tools\":" + std::string(20000, '[') + std::string(20000, ']') + "}"),
+      "none");
+}
+
+}  // namespace
+}  // namespace gouge
