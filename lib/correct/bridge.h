@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lib/check/check_path.h"
+#include "lib/correct/correct_pose.h"
+
+namespace gouge {
+
+/// A position between two others and what it took to find it.
+struct BridgePose {
+  CorrectedPose corrected;
+  Pose before;  ///< where the motion was at that instant
+  double depth_before_mm = 0;
+};
+
+/// What a motion is checked with while a way is sought.
+struct BridgeTask {
+  MoveKind kind = MoveKind::feed;
+  const ToolForms* tool = nullptr;
+  const PreparedScene* scene = nullptr;
+  CheckOptions options;
+  PoseLimits limits;
+  Strategy strategy = Strategy::weighted;
+};
+
+/// Positions to visit between `from` and `to` so that every motion on the way is clean; empty when the motion
+/// already is, nothing when no way was found. First the worst instant is corrected and both halves are bridged in
+/// turn; where that does not end, the tool retracts along its axis, crosses and comes down again.
+[[nodiscard]] std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to, const BridgeTask& task);
+
+}  // namespace gouge

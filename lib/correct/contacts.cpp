@@ -1,0 +1,130 @@
+#include "lib/correct/contacts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/check/search.h"
+#include "lib/check/support_plane.h"
+#include "lib/check/time_spans.h"
+
+namespace gouge {
+namespace {
+
+// Contacts steer a correction, they prove nothing; a tenth of their excess is close enough.
+constexpr double kRelativeAccuracy = 0.1;
+constexpr double kSmallestPiece_mm = 0.02;
+
+class Collector {
+ public:
+  Collector(const ToolFrame& frame, const CompiledTool& tool, const SurfaceTree& tree, double aim,
+            std::vector<Contact>& contacts)
+      : frame_(frame), tool_(tool), tree_(tree), aim_(aim), contacts_(contacts) {}
+
+  void visit(std::uint32_t index) {
+    const SurfaceNode& node = tree_.nodes[index];
+    const ToolSample sample = sample_tool(tool_, frame_.to_tool(node.center));
+    if (excess(sample) + node.radius_mm <= 0) return;
+    if (node.count == 0) {
+      visit(node.first);
+      visit(node.first + 1);
+      return;
+    }
+    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
+      best_ = Contact{};
+      refine(tree_.triangles[t].corners);
+      if (best_.excess_mm > 0) contacts_.push_back(best_);
+    }
+  }
+
+ private:
+  [[nodiscard]] double excess(const ToolSample& sample) const { return -sample.answer.signed_distance_mm - aim_; }
+
+  void try_point(const Vec3& p) {
+    const ToolSample sample = sample_tool(tool_, frame_.to_tool(p));
+    const double found = excess(sample);
+    if (found <= best_.excess_mm) return;
+    best_ = {p, -(frame_.rows.transpose() * support_plane(tool_, sample).normal), found};
+  }
+
+  void refine(const std::array<Vec3, 3>& t) {
+    const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+    const double radius = std::sqrt(
+        std::max({(t[0] - middle).squaredNorm(), (t[1] - middle).squaredNorm(), (t[2] - middle).squaredNorm()}));
+    const ToolSample sample = sample_tool(tool_, frame_.to_tool(middle));
+    const double most = excess(sample) + radius;
+    if (most <= std::max(0.0, best_.excess_mm * (1 + kRelativeAccuracy))) return;
+    try_point(middle);
+    for (const Vec3& corner : t) try_point(corner);
+    if (radius <= kSmallestPiece_mm || most <= best_.excess_mm * (1 + kRelativeAccuracy)) return;
+    const std::size_t longest = longest_edge(t);
+    std::array<Vec3, 3> half = t;
+    const Vec3 cut = 0.5 * (t[longest] + t[(longest + 1) % 3]);
+    half[longest] = cut;
+    refine(half);
+    half = t;
+    half[(longest + 1) % 3] = cut;
+    refine(half);
+  }
+
+  static std::size_t longest_edge(const std::array<Vec3, 3>& t) {
+    std::size_t longest = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      if ((t[(k + 1) % 3] - t[k]).squaredNorm() > (t[(longest + 1) % 3] - t[longest]).squaredNorm()) longest = k;
+    }
+    return longest;
+  }
+
+  const ToolFrame& frame_;
+  const CompiledTool& tool_;
+  const SurfaceTree& tree_;
+  double aim_;
+  std::vector<Contact>& contacts_;
+  Contact best_;
+};
+
+struct AimedTarget {
+  SearchTarget target;
+  double aim_mm = 0;
+};
+
+std::vector<AimedTarget> aimed_targets(const ToolForms& tool, const PreparedScene& scene, const CorrectionAim& aim) {
+  std::vector<AimedTarget> all{{{&tool.against_part, &scene.parts, Against::part}, aim.whole_mm},
+                               {{&tool.against_fixture, &scene.fixtures, Against::fixture}, aim.whole_mm}};
+  if (!tool.with_clearance.elements.empty()) {
+    all.push_back({{&tool.with_clearance, &scene.parts, Against::part}, aim.clearance_mm});
+    all.push_back({{&tool.with_clearance, &scene.fixtures, Against::fixture}, aim.clearance_mm});
+  }
+  return all;
+}
+
+}  // namespace
+
+std::vector<Contact> find_contacts(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
+                                   const CorrectionAim& aim) {
+  std::vector<Contact> contacts;
+  const Motion alone(pose);
+  const ToolFrame frame = TimeSpans(alone).frame_at(0, 0);
+  for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
+    if (aimed.target.tree->nodes.empty()) continue;
+    Collector(frame, *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, contacts).visit(0);
+  }
+  return contacts;
+}
+
+double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedScene& scene, const CorrectionAim& aim,
+                      double accuracy_mm) {
+  constexpr std::uint64_t kBudget = 1'000'000;
+  double most = 0;
+  const Motion alone(pose);
+  for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
+    const double reach = std::max(0.0, -aimed.aim_mm);
+    const double allowed = std::max(0.0, aimed.aim_mm);
+    const SearchAnswer answer = search_move(alone, {aimed.target}, {reach, allowed, accuracy_mm, kBudget});
+    const double excess = answer.value_upper_mm - allowed;
+    if (excess > accuracy_mm) most = std::max(most, excess);
+  }
+  return most;
+}
+
+}  // namespace gouge

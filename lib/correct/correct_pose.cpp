@@ -1,0 +1,57 @@
+#include "lib/correct/correct_pose.h"
+
+#include <algorithm>
+
+namespace gouge {
+namespace {
+
+constexpr double kAccuracy_mm = 2e-4;
+constexpr double kSmallestStep_mm = 1e-3;  // keeps the lift from creeping where the surface runs along the axis
+constexpr double kRoom_mm = 2e-3;          // how much further than asked the weighted shift reaches
+
+}  // namespace
+
+const char* strategy_name(Strategy strategy) { return strategy == Strategy::weighted ? "weighted" : "axis"; }
+
+std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
+                                              const PoseLimits& limits) {
+  const CorrectionAim further{limits.aim.whole_mm - kRoom_mm, limits.aim.clearance_mm - kRoom_mm};
+  CorrectedPose result{pose, Strategy::weighted, 0, 0};
+  for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
+    const bool is_met = largest_excess(result.pose, tool, scene, limits.aim, kAccuracy_mm) <= 0;
+    if (is_met) return result;
+    Vec3 sum = Vec3::Zero();
+    double weight = 0;
+    for (const Contact& contact : find_contacts(result.pose, tool, scene, further)) {
+      sum += contact.excess_mm * contact.excess_mm * contact.normal;
+      weight += contact.excess_mm;
+    }
+    if (!(weight > 0)) return std::nullopt;
+    result.pose.tip += sum / weight;
+    result.shift_mm = (result.pose.tip - pose.tip).norm();
+    if (result.shift_mm > limits.largest_shift_mm) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
+std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
+                                                const PoseLimits& limits) {
+  CorrectedPose result{pose, Strategy::axis, 0, 0};
+  for (;; ++result.iterations) {
+    const double excess = largest_excess(result.pose, tool, scene, limits.aim, kAccuracy_mm);
+    if (excess <= 0) return result;
+    result.shift_mm += std::max(excess, kSmallestStep_mm);
+    if (result.shift_mm > limits.largest_shift_mm) return std::nullopt;
+    result.pose.tip = pose.tip + result.shift_mm * pose.axis;
+  }
+}
+
+std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolForms& tool,
+                                          const PreparedScene& scene, const PoseLimits& limits) {
+  if (wanted == Strategy::weighted) {
+    if (auto result = correct_weighted(pose, tool, scene, limits)) return result;
+  }
+  return correct_along_axis(pose, tool, scene, limits);
+}
+
+}  // namespace gouge
