@@ -174,7 +174,6 @@ void draw_operations(Page& page, const PictureSet& set, const Area& area) {
   const Toolpath& path = *set.input.toolpath;
   const std::vector<Move>& moves = path.moves;
   bool is_even = false;
-  std::size_t count = 0;
   for (std::size_t i = 0; i < moves.size();) {
     std::size_t j = i;
     while (j < moves.size() && moves[j].tool == moves[i].tool && moves[j].operation == moves[i].operation)
@@ -186,10 +185,10 @@ void draw_operations(Page& page, const PictureSet& set, const Area& area) {
     page.line({first, area.y}, {first, area.bottom()}, kSoftInk, 1);
     const std::string operation = operation_name(path, moves[i].operation);
     const std::string words = tool_label(path, moves[i].tool) + (operation.empty() ? "" : "  " + operation);
-    const std::string number = std::to_string(++count);
+    const std::string number = operation.empty() ? std::string() : std::to_string(moves[i].operation + 1);
     if (text_width(words, 14) <= span.width - 14 || span.width > 110) {
       page.text({first + 8, area.y + 19}, fitted(words, 14, span.width - 14), 14, kInk);
-    } else if (text_width(number, 13) <= span.width - 4) {
+    } else if (!number.empty() && text_width(number, 13) <= span.width - 4) {
       page.text({span.middle().x(), area.y + 19}, number, 13, kSoftInk, TextAnchor::middle);
     }
     is_even = !is_even;

@@ -237,14 +237,13 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
       is_closed(set.model.parts) && is_closed(set.model.fixtures) && !set.model.parts.empty();
   const LengthUnit unit = set.model.toolpath->unit;
   const Vec2 at = plane.flat(event.at);
-  const Vec2 foot =
-      event.has_witness ? plane.flat(Vec3(event.at - event.witness.normal * event.depth_mm)) : at;
   if (!event.has_witness) {
     add_buried_section(page, set, event, section, has_inside);
     return;
   }
   // The body that gouges with some room around it, the finding well inside the panel.
   const SectionPanel whole{kWhole, Vec2(0, at.y() + 0.55 * radius), 3.4 * radius / kWhole.height};
+  const Vec2 foot = plane.flat(Vec3(event.at - event.witness.normal * event.depth_mm));
   const double most_mm = std::max(1.6 * radius, 2.6 * event.depth_mm);
   const double detail_mm = std::clamp(9 * event.depth_mm, 0.02 * radius, most_mm);
   const SectionPanel detail{kDetail, Vec2(0.5 * (at + foot)), detail_mm / kDetail.height};

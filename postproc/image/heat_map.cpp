@@ -166,7 +166,7 @@ Page draw_before_after(const PictureSet& before, const PictureSet& after) {
   add_view(page, after, toward, above_furniture(right));
   add_corner_furniture(page, view, left, unit);
   const auto label = [&](const Area& area, const std::string& words, const CheckResult& result) {
-    page.text({area.x, area.y - 12}, words, 19, kInk, TextAnchor::left, true);
+    page.text({area.x + 8, area.y - 12}, words, 19, kInk, TextAnchor::left, true);
     const std::string state =
         std::to_string(result.counts.gouge) + " of " + count_text(result.verdicts.size(), "move") + " gouge" +
         (result.counts.gouge > 0 ? ", worst " + depth_text(result.worst_depth_mm, unit) : std::string());

@@ -1,0 +1,157 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "lib/tool/evaluate.h"
+#include "postproc/image/depth_field.h"
+#include "postproc/image/heat_map.h"
+#include "postproc/image/picture_events.h"
+#include "postproc/image/report_pictures.h"
+#include "tests/postproc/image/small_scene.h"
+
+namespace gouge {
+namespace {
+
+double depth_at_pose(const CompiledTool& tool, const Pose& pose, const Vec3& p) {
+  const Vec3 d = p - pose.tip;
+  const double z = d.dot(pose.axis);
+  return -evaluate(tool, (d - pose.axis * z).norm(), z).signed_distance_mm;
+}
+
+std::vector<std::string> names(const std::vector<NamedFile>& files) {
+  std::vector<std::string> out;
+  for (const NamedFile& file : files) out.push_back(file.name);
+  return out;
+}
+
+TEST(DepthField, IsTheDeepestOfTheMovesAtEveryPoint) {
+  const SmallScene small;
+  ASSERT_GT(small.result.counts.gouge, 0U);
+  std::vector<DepthField::Point> points;
+  for (double x = 0.25; x < 40; x += 0.5) {
+    for (double y = 12.05; y < 18; y += 0.1) points.push_back({{x, y, 10}, false});
+  }
+  const std::vector<float> depth = DepthField(small.input).depth_at(points);
+  std::size_t gouged = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    double dense = 0;
+    for (const Move& move : small.path.moves) {
+      if (!move.start) continue;
+      for (int k = 0; k <= 400; ++k) {
+        const double t = k / 400.0;
+        const Pose pose{move.start->tip + t * (move.end.tip - move.start->tip), move.end.axis};
+        dense = std::max(dense, depth_at_pose(small.tool.against_part, pose, points[i].at));
+      }
+    }
+    if (depth[i] > 0) ++gouged;
+    const double told = static_cast<double>(depth[i]);
+    EXPECT_LE(told, dense + 1e-3) << points[i].at.transpose();
+    EXPECT_GE(told + 0.02, dense) << points[i].at.transpose();
+  }
+  EXPECT_GT(gouged, 100U);
+  EXPECT_LT(gouged, points.size());
+}
+
+TEST(DepthField, IsEmptyForACleanPath) {
+  SmallScene small;
+  for (Move& move : small.path.moves) {
+    move.end.tip.z() += 1;
+    if (move.start) move.start->tip.z() += 1;
+  }
+  small.check();
+  ASSERT_EQ(small.result.counts.gouge, 0U);
+  const DepthField field(small.input);
+  EXPECT_TRUE(field.is_empty());
+  EXPECT_EQ(field.depth_at({{{20, 15, 10}, false}}), std::vector<float>{0.0F});
+}
+
+TEST(PictureEvents, AreNumberedFromTheDeepestAndKeepApart) {
+  SmallScene small;
+  // The same finding again and again must not crowd out the others.
+  const Event event = small.result.events.front();
+  for (int k = 0; k < 5; ++k) small.result.events.push_back(event);
+  const std::vector<PictureEvent> events = worst_events(small.input, 6);
+  ASSERT_EQ(events.size(), 1U);
+  EXPECT_EQ(events[0].number, 1);
+  EXPECT_NEAR(events[0].depth_mm, small.result.worst_depth_mm, 1e-12);
+  EXPECT_NEAR(depth_at_pose(small.tool.against_part, events[0].pose, events[0].at), events[0].depth_mm, 1e-6);
+}
+
+TEST(ReportPictures, AreTheOnesPromisedAndTheSameOnEveryRun) {
+  const SmallScene small;
+  const Result<std::vector<NamedFile>> first = draw_report_pictures(small.model, small.input);
+  const Result<std::vector<NamedFile>> second = draw_report_pictures(small.model, small.input);
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(second);
+  EXPECT_EQ(names(*first), (std::vector<std::string>{"heat_map.png", "event_1.png", "depth_along_path.png"}));
+  for (std::size_t i = 0; i < first->size(); ++i)
+    EXPECT_EQ((*first)[i].bytes, (*second)[i].bytes) << (*first)[i].name;
+  EXPECT_EQ((*first)[1].move, small.result.events.front().worst_move);
+}
+
+TEST(ReportPictures, ShowBeforeAndAfterForACorrection) {
+  SmallScene before;
+  SmallScene after;
+  for (Move& move : after.path.moves) {
+    move.end.tip.z() += 0.4;
+    if (move.start) move.start->tip.z() += 0.4;
+  }
+  after.check();
+  ASSERT_EQ(after.result.counts.gouge, 0U);
+  after.model.has_correction = true;
+  after.model.correction.toolpath_before = &before.path;
+  after.model.correction.result_before = &before.result;
+  const Result<std::vector<NamedFile>> files = draw_report_pictures(after.model, after.input, before.input);
+  ASSERT_TRUE(files);
+  EXPECT_EQ(names(*files),
+            (std::vector<std::string>{"heat_map.png", "before_after.png", "depth_along_path.png"}));
+}
+
+TEST(ReportPictures, SurviveWhatIsMissing) {
+  SmallScene small;
+  small.input.tools = {nullptr};
+  EXPECT_TRUE(draw_report_pictures(small.model, small.input));
+  small.scene.parts.clear();
+  const Result<std::vector<NamedFile>> without_part = draw_report_pictures(small.model, small.input);
+  ASSERT_TRUE(without_part);
+  EXPECT_EQ(names(*without_part), std::vector<std::string>{"depth_along_path.png"});
+  small.path.moves.clear();
+  small.result = CheckResult{};
+  EXPECT_TRUE(draw_report_pictures(small.model, small.input));
+}
+
+TEST(ReportPictures, SurviveABuriedToolAndAnUnfinishedCheck) {
+  SmallScene small;
+  small.result.verdicts[2] = MoveVerdict{};
+  small.result.verdicts[2].state = MoveState::buried;
+  small.result.verdicts[3] = MoveVerdict{};
+  small.result.verdicts[3].state = MoveState::not_certified;
+  small.result.verdicts[3].depth_upper_mm = std::numeric_limits<double>::infinity();
+  small.result.events = {{MoveState::buried, 2, 2, 2, 1, 0, Body::cutter, Against::part}};
+  small.result.worst_depth_mm = 0;
+  const Result<std::vector<NamedFile>> files = draw_report_pictures(small.model, small.input);
+  ASSERT_TRUE(files);
+  EXPECT_EQ(names(*files), (std::vector<std::string>{"heat_map.png", "event_1.png", "depth_along_path.png"}));
+}
+
+TEST(Markers, CoverNeitherEachOtherNorTheirTargets) {
+  Page page;
+  const Area area{0, 0, 800, 600};
+  for (int k = 1; k <= 6; ++k) add_marker(page, area, {400.0 + 3 * k, 300}, k, false);
+  std::vector<Area> discs;
+  for (const Area& taken : page.taken) {
+    if (taken.width > 20) discs.push_back(taken);
+  }
+  ASSERT_EQ(discs.size(), 6U);
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const bool is_apart = discs[i].right() <= discs[j].x || discs[j].right() <= discs[i].x ||
+                            discs[i].bottom() <= discs[j].y || discs[j].bottom() <= discs[i].y;
+      EXPECT_TRUE(is_apart) << i << " and " << j;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gouge

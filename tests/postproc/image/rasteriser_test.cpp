@@ -1,0 +1,136 @@
+#include <gtest/gtest.h>
+
+#include "postproc/image/colour_scale.h"
+#include "postproc/image/picture_scene.h"
+#include "postproc/image/section.h"
+#include "postproc/image/surface_buffer.h"
+#include "postproc/image/tool_outline.h"
+#include "tests/postproc/image/small_scene.h"
+
+namespace gouge {
+namespace {
+
+Scene block_scene() {
+  Scene scene;
+  scene.parts = {box_mesh("block.stl", {0, 0, 0}, {40, 30, 10})};
+  return scene;
+}
+
+TEST(View, UnprojectsWhatItProjects) {
+  View view = make_view({1, -2, 1.5}, Vec3::UnitZ(), 300, 200);
+  fit_view(view, {{0, 0, 0}, {40, 30, 10}}, 0.1);
+  const Vec3 p(12, 7, 3);
+  const Vec3 q = view.project(p);
+  EXPECT_LT((view.unproject(q.x(), q.y(), q.z()) - p).norm(), 1e-12);
+  EXPECT_NEAR(view.right.dot(view.toward), 0, 1e-15);
+  EXPECT_GT(view.up.z(), 0);
+}
+
+TEST(View, LooksAlongItsHintWithoutLosingItself) {
+  const View view = make_view(Vec3::UnitZ(), Vec3::UnitZ(), 10, 10);
+  EXPECT_NEAR(view.right.norm(), 1, 1e-12);
+  EXPECT_NEAR(view.up.y(), 1, 1e-12);
+}
+
+TEST(View, FitsEveryPointInsideItsMargin) {
+  View view = make_view({1, 1, 1}, Vec3::UnitZ(), 300, 200);
+  const std::vector<Vec3> points = block_scene().parts[0].vertices;
+  fit_view(view, points, 0.1);
+  for (const Vec3& p : points) {
+    const Vec3 q = view.project(p);
+    EXPECT_GE(q.x(), 30 - 1e-9);
+    EXPECT_LE(q.x(), 270 + 1e-9);
+    EXPECT_GE(q.y(), 20 - 1e-9);
+    EXPECT_LE(q.y(), 180 + 1e-9);
+  }
+}
+
+TEST(SurfaceBuffer, ShowsTheNearestFaceAndNoGaps) {
+  const PictureScene scene = build_picture_scene(block_scene());
+  View view = make_view(Vec3::UnitZ(), Vec3::UnitY(), 400, 300);
+  fit_view(view, scene.part_points(), 0.1);
+  const SurfaceBuffer buffer = draw_surface(scene, view);
+  for (int y = 0; y < 300; ++y) {
+    for (int x = 0; x < 400; ++x) {
+      const Vec3 p = view.unproject(x + 0.5, y + 0.5, 0);
+      const bool is_over = p.x() > 0.01 && p.x() < 39.99 && p.y() > 0.01 && p.y() < 29.99;
+      if (!is_over) continue;
+      ASSERT_NE(buffer.face[buffer.index(x, y)], kNoFace) << x << " " << y;
+      ASSERT_NEAR(buffer.point(x, y).z(), 10, 1e-4);
+    }
+  }
+  EXPECT_EQ(buffer.face[buffer.index(2, 2)], kNoFace);
+  EXPECT_NEAR(normal_at(scene, buffer, 200, 150).z(), 1, 1e-6);
+  EXPECT_TRUE(is_visible(buffer, {20, 15, 10}, 0.01));
+  EXPECT_FALSE(is_visible(buffer, {20, 15, 9}, 0.01));
+}
+
+TEST(PictureScene, FindsTheTwelveEdgesOfABlock) {
+  EXPECT_EQ(build_picture_scene(block_scene()).edges.size(), 12U);
+}
+
+TEST(ColourScale, GrowsSteadilyDarker) {
+  for (const bool is_root : {false, true}) {
+    const ColourScale scale{0.01, 2, is_root};
+    double last = 1e9;
+    for (double depth = 0.01; depth <= 2; depth += 0.005) {
+      const Colour c = scale.at(depth);
+      const double lightness = 0.2126 * c.r + 0.7152 * c.g + 0.0722 * c.b;
+      EXPECT_LE(lightness, last + 0.8) << depth;
+      last = lightness;
+    }
+    EXPECT_NEAR(scale.depth_at(scale.place(0.37)), 0.37, 1e-12);
+  }
+}
+
+TEST(ColourScale, TicksAreRoundInTheUnitOfThePath) {
+  const ColourScale scale = make_colour_scale(0.0254, 0.43, LengthUnit::inch);
+  EXPECT_NEAR(scale.high_mm / 25.4, 0.02, 1e-12);
+  const std::vector<Tick> ticks = make_ticks(scale, LengthUnit::inch, 0.1);
+  ASSERT_EQ(ticks.size(), 5U);
+  EXPECT_EQ(ticks[1].text, "0.005");
+  EXPECT_NEAR(ticks[1].depth_mm, 0.127, 1e-12);
+}
+
+TEST(RoundNumbers, AreRoundAndOnTheRightSide) {
+  for (const double value : {0.00031, 0.7, 1.0, 1.01, 37.0, 999.0}) {
+    EXPECT_GE(round_up(value), value * (1 - 1e-9));
+    EXPECT_LE(round_up(value), value * 1.35);
+    EXPECT_LE(round_down(value), value);
+    EXPECT_GT(round_down(value), value / 2.6);
+  }
+}
+
+TEST(Section, OfABlockIsARectangle) {
+  const Pose pose{{20, 15, 8}, Vec3::UnitZ()};
+  const Section section = make_section(block_scene(), pose, {23, 15, 10}, 30);
+  double length = 0;
+  for (const SectionLine& line : section.lines) {
+    length += (line.b - line.a).norm();
+    EXPECT_NEAR(std::abs(line.a.x()) > 19.9 || line.a.y() > 1.9 || line.a.y() < -7.9, 1, 0);
+  }
+  EXPECT_NEAR(length, 2 * (40 + 10), 1e-9);
+  EXPECT_NEAR(section.plane.flat({23, 15, 10}).x(), 3, 1e-12);
+}
+
+TEST(Section, StillShowsAPartWhoseFaceItRunsAlong) {
+  const Pose pose{{20, 0, 8}, Vec3::UnitZ()};
+  EXPECT_GT(make_section(block_scene(), pose, {25, 0, 10}, 10).lines.size(), 3U);
+  // A point on the axis leaves the plane open.
+  EXPECT_GT(make_section(block_scene(), pose, {20, 0, 10}, 10).lines.size(), 3U);
+}
+
+TEST(ToolOutline, ReachesFromTheTipToTheTopAndClosesTheSurface) {
+  const ToolForms tool = ball_with_holder();
+  const std::vector<OutlineRun> runs = tool_outline(tool.bare);
+  ASSERT_EQ(runs.size(), 3U);
+  EXPECT_LT(runs.front().points.front().norm(), 1e-9);
+  EXPECT_NEAR(runs.back().points.back().y(), 45, 1e-9);
+  EXPECT_NEAR(body_range(tool.bare, Body::holder).low_mm, 25, 1e-9);
+  const ToolSurface surface = tool_surface(tool.bare, {{1, 2, 3}, Vec3::UnitX()});
+  EXPECT_EQ(surface.faces.size(), surface.bodies.size());
+  for (const Vec3& v : surface.vertices) EXPECT_LE((v - Vec3(1, 2, 3)).tail<2>().norm(), 10 + 1e-9);
+}
+
+}  // namespace
+}  // namespace gouge

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include "postproc/report/write_html.h"
+#include "tests/postproc/report/small_report.h"
+
+namespace gouge {
+namespace {
+
+std::size_t count_of(const std::string& text, const std::string& what) {
+  std::size_t count = 0;
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1)) ++count;
+  return count;
+}
+
+TEST(WriteHtml, TellsVerdictPromiseFindingsAndWhatWasNotChecked) {
+  const SmallReport report;
+  const std::string html = write_html(report.model, {});
+  EXPECT_NE(html.find("<div class=\"banner gouges\"><strong>Gouges</strong>"), std::string::npos);
+  EXPECT_NE(
+      html.find("no gouge deeper than tolerance + resolution = 0.011 mm goes untold, save in the 3 moves"),
+      std::string::npos);
+  EXPECT_NE(html.find("0.333 mm"), std::string::npos);
+  EXPECT_NE(html.find("arcs, as yet, are not read"), std::string::npos);
+  EXPECT_NE(html.find("fnv1a64:"), std::string::npos);
+  EXPECT_NE(html.find("nowhere: its moves are not checked"), std::string::npos);
+  EXPECT_EQ(count_of(html, "<table>"), count_of(html, "</table>"));
+  EXPECT_EQ(count_of(html, "<tr>"), count_of(html, "</tr>"));
+}
+
+TEST(WriteHtml, NeedsNothingBesideIt) {
+  const SmallReport report;
+  const std::string html = write_html(report.model, {{"event_1.png", "\x89PNG bytes", "Finding 1", 2}});
+  EXPECT_NE(html.find("src=\"data:image/png;base64,iVBORyBieXRlcw==\""), std::string::npos);
+  EXPECT_NE(html.find("<a href=\"#event_1\">picture 1</a>"), std::string::npos);
+  EXPECT_EQ(count_of(html, "src=\"http"), 0U);
+  EXPECT_EQ(count_of(html, "<link"), 0U);
+  EXPECT_EQ(count_of(html, "<script"), 0U);
+}
+
+TEST(WriteHtml, EscapesWhatFilesSay) {
+  SmallReport report;
+  report.path.file = "<script>alert(1)</script>.apt";
+  report.path.operations[0].name = "a\"b<c>";
+  const std::string html = write_html(report.model, {});
+  EXPECT_EQ(count_of(html, "<script"), 0U);
+  EXPECT_NE(html.find("a&quot;b&lt;c&gt;"), std::string::npos);
+}
+
+TEST(WriteHtml, ListsTheChangesAndWhatWasLeft) {
+  SmallReport report;
+  report.add_correction();
+  const std::string html = write_html(report.model, {});
+  EXPECT_NE(html.find("<h2>Changes</h2>"), std::string::npos);
+  EXPECT_NE(html.find("<td>weighted</td>"), std::string::npos);
+  EXPECT_NE(html.find("(0, 0, 0.25) mm"), std::string::npos);
+  EXPECT_NE(html.find("the shift would exceed 0.5 mm"), std::string::npos);
+}
+
+TEST(WriteHtml, ShowsTheWorstOfVeryManyFindings) {
+  SmallReport report;
+  const Event event = report.result.events.front();
+  for (std::size_t k = 0; k < 500; ++k) report.result.events.insert(report.result.events.begin(), event);
+  const std::string html = write_html(report.model, {});
+  EXPECT_NE(html.find("and 303 more; the CSV and JSON files have them all"), std::string::npos);
+  EXPECT_NE(html.find("<span class=\"state buried\">"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gouge
