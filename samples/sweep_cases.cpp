@@ -44,7 +44,7 @@ constexpr const char* kFlatD10 =
 constexpr const char* kFlatD6 =
     R"({"units":"mm","tools":[{"number":1,"name":"flat D6","cutter":{"shape":"flat","diameter":6,"length":20},
   "shank":[{"lower_diameter":6,"upper_diameter":6,"length":20}],
-  "holder":[{"lower_diameter":30,"upper_diameter":30,"length":20}]}]}
+  "holder":[{"lower_diameter":30,"upper_diameter":30,"length":60}]}]}
 )";
 
 }  // namespace
@@ -116,11 +116,10 @@ Sample make_buried() {
   for (const double x : {0.0, 10.0}) {
     sample.findings.push_back({cl.feed({Vec3(x, 0, 0), Vec3::UnitZ()}), "buried", "cutter", "part", 0, 0});
   }
-  // Where the face is in the middle of the holder (20 mm high, radius 15, on a shank of radius 3), a point on
-  // the axis is as far from the top as from the shank's edge: 60 - z = sqrt(3^2 + (z - 40)^2), so z = 49.775.
+  // Where the face is in the middle of the holder, a point on the axis is as deep as the holder's radius.
   sample.findings.push_back(
-      {cl.rapid({Vec3(10, 0, 250), Vec3::UnitZ()}), "gouge", "holder", "part", 10.224, 10.2251});
-  cl.rapid({Vec3(0, 0, 260), Vec3::UnitZ()});
+      {cl.rapid({Vec3(10, 0, 320), Vec3::UnitZ()}), "gouge", "holder", "part", 14.999, 15.0001});
+  cl.rapid({Vec3(0, 0, 330), Vec3::UnitZ()});
   finish(sample, cl);
   return sample;
 }

@@ -30,12 +30,12 @@ const std::vector<BadInput>& bad_inputs() {
       {"ToolpathEmpty", "bad.apt", "", ""},
       {"ToolpathBinary", "bad.apt", std::string("GOTO/1,2,3\n\0\0\1\2", 15), ""},
       {"ToolpathWithoutMotion", "bad.apt", kStart, ""},
-      {"NumberWithTwoPoints", "bad.apt", kStart + "GOTO/1.2.3,0,0,0,0,1\n", ":4: "},
-      {"NumberNan", "bad.apt", kStart + "GOTO/nan,0,0,0,0,1\n", ":4: "},
-      {"NumberTooLarge", "bad.apt", kStart + "GOTO/1e400,0,0,0,0,1\n", ":4: "},
-      {"FiveNumbers", "bad.apt", kStart + "GOTO/0,0,0\nGOTO/1,2,3,0,1\n", ":5: "},
-      {"ZeroAxis", "bad.apt", kStart + "GOTO/0,0,90,0,0,0\n", ":4: "},
-      {"AxisFarFromUnit", "bad.apt", kStart + "GOTO/0,0,90,0,0,1.01\n", ":4: "},
+      {"NumberWithTwoPoints", "bad.apt", kStart + "GOTO/1.2.3,0,0,0,0,1\n", "bad.apt:4: "},
+      {"NumberNan", "bad.apt", kStart + "GOTO/nan,0,0,0,0,1\n", "bad.apt:4: "},
+      {"NumberTooLarge", "bad.apt", kStart + "GOTO/1e400,0,0,0,0,1\n", "bad.apt:4: "},
+      {"FiveNumbers", "bad.apt", kStart + "GOTO/0,0,0\nGOTO/1,2,3,0,1\n", "bad.apt:5: "},
+      {"ZeroAxis", "bad.apt", kStart + "GOTO/0,0,90,0,0,0\n", "bad.apt:4: "},
+      {"AxisFarFromUnit", "bad.apt", kStart + "GOTO/0,0,90,0,0,1.01\n", "bad.apt:4: "},
       {"PartProgram", "bad.apt", "PARTNO/X\nP1=POINT/0,0,0\nGO/TO,P1\n", ""},
       {"StlMissing", "bad.stl", "-", ""},
       {"StlEmpty", "bad.stl", "", ""},
@@ -46,7 +46,7 @@ const std::vector<BadInput>& bad_inputs() {
       {"StlNotANumber", "bad.stl",
        "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex nan 0 0\nvertex 0 1 0\n"
        "endloop\nendfacet\nendsolid a\n",
-       ":5: "},
+       "bad.stl:5: "},
       {"ToolsMissing", "bad.json", "-", ""},
       {"ToolsNotJson", "bad.json", "{\"units\":", ""},
       {"ToolNegativeLength", "bad.json",
@@ -85,7 +85,8 @@ TEST_P(BadInputs, AreStatus3NameTheFileAndLeaveNoOutput) {
     const Outcome ran = run_gougecheck(sample.path, arguments);
     EXPECT_EQ(ran.exit_status, 3) << ran.out << ran.err;
     EXPECT_EQ(ran.out, "");
-    EXPECT_NE(ran.err.find(bad.file + bad.said), std::string::npos) << ran.err;
+    EXPECT_EQ(ran.err.rfind(bad.file + ":", 0), 0U) << ran.err;
+    EXPECT_NE(ran.err.find(bad.said), std::string::npos) << ran.err;
     for (const char* output : {"out.csv", "out.json", "out.apt", "report"}) {
       EXPECT_FALSE(std::filesystem::exists(sample.path + "/" + output)) << output;
     }
