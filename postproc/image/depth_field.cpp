@@ -23,10 +23,11 @@ double signed_distance(const CompiledTool& tool, const Pose& pose, const Vec3& p
 
 // Instants so close that what the tool leaves between two of them stays a small part of the depth.
 std::size_t instants_of(const Motion& motion, const CompiledTool& tool, double depth_mm) {
-  const double reach = std::max(tool.r_max_mm, 0.1);
+  // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
+  const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
   const double travel = (motion.end().tip - motion.start().tip).norm() +
                         std::abs(motion.angle_rad()) * 0.5 * (tool.z_max_mm - tool.z_min_mm);
-  const double step = std::max(std::sqrt(8 * reach * 0.02 * std::max(depth_mm, 1e-3)), 0.02 * reach);
+  const double step = std::max(std::sqrt(8 * reach * 0.01 * std::max(depth_mm, 1e-3)), 0.02 * reach);
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
 }
 

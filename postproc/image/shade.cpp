@@ -33,19 +33,25 @@ constexpr std::array<Offset, 16> kNeighbours{{{6, 0},
 constexpr double kOcclusionReach = 40;  // pixels
 
 // How much of the sky over a pixel its surroundings hide, 0 to 1: corners and grooves get their depth from
-// it.
-double occlusion(const SurfaceBuffer& buffer, const Vec3& point, const Vec3& normal, int x, int y) {
+// it. Lengths in pixels, directions as the view sees them.
+double occlusion(const SurfaceBuffer& buffer, const Vec3& normal, int x, int y) {
+  const View& view = buffer.view;
+  const Vec3 n(normal.dot(view.right), -normal.dot(view.up), normal.dot(view.toward));
+  const double per_mm = 1 / view.mm_per_pixel;
+  const auto z = static_cast<double>(buffer.z[buffer.index(x, y)]);
   double hidden = 0;
-  const double reach_mm = kOcclusionReach * buffer.view.mm_per_pixel;
   for (const Offset& o : kNeighbours) {
     const int nx = x + o.x;
     const int ny = y + o.y;
-    if (nx < 0 || ny < 0 || nx >= buffer.view.width || ny >= buffer.view.height) continue;
-    if (buffer.face[buffer.index(nx, ny)] == kNoFace) continue;
-    const Vec3 d = buffer.point(nx, ny) - point;
+    if (nx < 0 || ny < 0 || nx >= view.width || ny >= view.height) continue;
+    const std::size_t i = buffer.index(nx, ny);
+    if (buffer.face[i] == kNoFace) continue;
+    const Vec3 d(o.x, o.y, (static_cast<double>(buffer.z[i]) - z) * per_mm);
+    const double rise = d.dot(n);
+    if (!(rise > 0)) continue;
     const double length = d.norm();
-    if (!(length > 0) || length > reach_mm) continue;
-    hidden += std::max(0.0, d.dot(normal) / length - 0.12) * (1 - length / reach_mm);
+    if (length > kOcclusionReach) continue;
+    hidden += std::max(0.0, rise / length - 0.12) * (1 - length / kOcclusionReach);
   }
   return std::min(1.0, hidden / 5);
 }
@@ -103,7 +109,7 @@ Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::
         const std::size_t i = buffer.index(x, y);
         if (buffer.face[i] == kNoFace) continue;
         const Vec3 normal = normal_at(scene, buffer, x, y);
-        const double shadow = 1 - 0.55 * occlusion(buffer, buffer.point(x, y), normal, x, y);
+        const double shadow = 1 - 0.55 * occlusion(buffer, normal, x, y);
         const double light = light_on(buffer.view, normal) * shadow;
         if (!depth_mm.empty() && depth_mm[i] > 0) {
           // Less contrast, so that a colour can be compared with the bar wherever it lies.
