@@ -10,6 +10,7 @@
 #include "cli/exit_code.h"
 #include "cli/mesh_command.h"
 #include "cli/path_command.h"
+#include "cli/tool_command.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
@@ -20,6 +21,7 @@ struct Arguments {
   CorrectArguments correct;
   MeshArguments mesh;
   PathArguments path;
+  ToolArguments tool;
 };
 
 void describe(CLI::App& app) {
@@ -36,6 +38,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   if (app.got_subcommand("check")) return run_check(arguments.check, out, err);
   if (app.got_subcommand("correct")) return run_correct(arguments.correct, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
+  if (app.got_subcommand("tool")) return run_tool(arguments.tool, out, err);
   return run_path(arguments.path, out, err);
 }
 
@@ -51,6 +54,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
                         arguments.correct);
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
     add_path_options(*app.add_subcommand("path", "Tell what is in a toolpath file"), arguments.path);
+    add_tool_options(*app.add_subcommand("tool", "List, show and draw the tools of a library"), arguments.tool);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -10,6 +10,12 @@ constexpr std::size_t kCorners = 6;
 using Hull = std::array<Vec3, kCorners>;          // three corners at the start, the same three at the end
 using HullDepths = std::array<double, kCorners>;  // behind a plane
 
+// The planes of the tool's two ends bound everything, everywhere, for nothing: a flat bottom sliding on its floor
+// needs no more.
+double end_limit(const CompiledTool& tool, double z_lo, double z_hi, double reach) {
+  return std::max(0.0, reach + std::min(z_hi - tool.z_min_mm, tool.z_max_mm - z_lo));
+}
+
 double distance_to_axis(const Vec3& a, const Vec3& b) {
   const Eigen::Vector2d p = a.head<2>();
   const Eigen::Vector2d way = b.head<2>() - p;
@@ -63,32 +69,25 @@ class PieceBounder {
   PieceBound run(double enough_mm) {
     PieceBound bound;
     const ToolSample middle = sample_tool(tool_, center_);
-    bound.upper_mm = reach_mm_ - middle.answer.signed_distance_mm + radius_ + bulge_;
+    bound.upper_mm = std::min(reach_mm_ - middle.answer.signed_distance_mm + radius_ + bulge_,
+                              end_limit(tool_, z_lo_ - bulge_, z_hi_ + bulge_, reach_mm_));
     if (bound.upper_mm <= enough_mm) return bound;
-    HullLimit limits[4];
+    HullLimit limits[2 + kRounds];
     const SupportPlane first = support_plane(tool_, middle);
     limits[0] = behind(first);
     improve(bound, limits[0].largest_mm);
-    std::size_t corner = limits[0].deepest;
     std::size_t count = 1;
     if (is_about_axis() && bound.upper_mm > enough_mm) {
       limits[count++] = behind(mirrored(first));
       blend_last(bound, limits, count, enough_mm);
     }
-    for (std::size_t round = 0; round < 2 && bound.upper_mm > enough_mm; ++round) {
-      const ToolSample sample = sample_tool(tool_, hull_[corner]);
-      const double value = reach_mm_ - sample.answer.signed_distance_mm;
-      if (value > bound.value_mm) {
-        bound.value_mm = value;
-        bound.corner = corner % 3;
-        bound.is_at_end = corner >= 3;
-      }
+    for (std::size_t round = 0; round < kRounds && bound.upper_mm > enough_mm; ++round) {
+      const Meeting top = round == 0 ? closest_to_axis() : highest(limits, count);
+      const ToolSample sample = sample_tool(tool_, (1 - top.share) * hull_[top.i] + top.share * hull_[top.j]);
+      if (top.i == top.j) measure(bound, top.i, sample);
       limits[count++] = behind(support_plane(tool_, sample));
       improve(bound, limits[count - 1].largest_mm);
       blend_last(bound, limits, count, enough_mm);
-      const std::size_t next = deepest_behind_all(limits, count);
-      if (next == corner) break;
-      corner = next;
     }
     bound.is_time_next = is_time_worse(limits[0]);
     return bound;
@@ -164,18 +163,61 @@ class PieceBounder {
     return best;
   }
 
-  static std::size_t deepest_behind_all(const HullLimit* limits, std::size_t count) {
-    std::size_t deepest = 0;
-    double most = -1e300;
+  /// A point of an edge of the hull: corner i to corner j, `share` of the way.
+  struct Meeting {
+    std::size_t i = 0, j = 0;
+    double share = 0;
+    double height_mm = -1e300;
+  };
+
+  // The best first guess at the deepest point: for a flank it is the deepest point.
+  [[nodiscard]] Meeting closest_to_axis() const {
+    Meeting best;
     for (std::size_t i = 0; i < kCorners; ++i) {
-      double least = limits[0].depths[i];
-      for (std::size_t k = 1; k < count; ++k) least = std::min(least, limits[k].depths[i]);
-      if (least > most) {
-        most = least;
-        deepest = i;
+      const Eigen::Vector2d a = hull_[i].head<2>();
+      for (std::size_t j = i; j < kCorners; ++j) {
+        const Eigen::Vector2d way = hull_[j].head<2>() - a;
+        const double length2 = way.squaredNorm();
+        const double share = length2 > 0 ? std::clamp(-a.dot(way) / length2, 0.0, 1.0) : 0.0;
+        const double height = -(a + share * way).squaredNorm();
+        if (height > best.height_mm && share < 1) best = {i, share > 0 ? j : i, share, height};
       }
     }
-    return deepest;
+    return best;
+  }
+
+  // Where all limits so far together leave the most: at a corner, or where two of them meet on an edge. The tool's
+  // answer there is the next limit; this is the cutting-plane method of convex programming, on the edges alone.
+  static Meeting highest(const HullLimit* limits, std::size_t count) {
+    Meeting top;
+    const auto look = [&](std::size_t i, std::size_t j, double share) {
+      double least = 1e300;
+      for (std::size_t k = 0; k < count; ++k) {
+        least = std::min(least, (1 - share) * limits[k].depths[i] + share * limits[k].depths[j]);
+      }
+      if (least > top.height_mm) top = {i, j, share, least};
+    };
+    for (std::size_t i = 0; i < kCorners; ++i) look(i, i, 0);
+    for (std::size_t k = 0; k < count; ++k) {
+      for (std::size_t l = k + 1; l < count; ++l) {
+        for (std::size_t i = 0; i < kCorners; ++i) {
+          const double at_i = limits[k].depths[i] - limits[l].depths[i];
+          for (std::size_t j = i + 1; j < kCorners; ++j) {
+            const double at_j = limits[k].depths[j] - limits[l].depths[j];
+            if ((at_i > 0) != (at_j > 0)) look(i, j, at_i / (at_i - at_j));
+          }
+        }
+      }
+    }
+    return top;
+  }
+
+  void measure(PieceBound& bound, std::size_t corner, const ToolSample& sample) const {
+    const double value = reach_mm_ - sample.answer.signed_distance_mm;
+    if (value <= bound.value_mm) return;
+    bound.value_mm = value;
+    bound.corner = corner % 3;
+    bound.is_at_end = corner >= 3;
   }
 
   // Which of the two makes the plane bound slack: how much it varies along the chords or across the piece;
@@ -195,6 +237,7 @@ class PieceBounder {
   }
 
   static constexpr double kPlainShare = 0.2;
+  static constexpr std::size_t kRounds = 4;
 
   const CompiledTool& tool_;
   double reach_mm_;
@@ -228,6 +271,7 @@ NodeBound bound_node(const CompiledTool& tool, const SurfaceNode& node, const Ti
     z_lo = std::min(z_lo, q.z() - height);
     z_hi = std::max(z_hi, q.z() + height);
   }
+  bound.upper_mm = std::min(bound.upper_mm, end_limit(tool, z_lo - bulge, z_hi + bulge, reach_mm));
   deepest += bulge;
   const double r = distance_to_axis(q0, q1) - node.radius_mm - bulge;
   if (supports(plane, z_lo - bulge, z_hi + bulge, deepest, r, reach_mm)) {
