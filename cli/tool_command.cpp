@@ -1,0 +1,126 @@
+#include "cli/tool_command.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <ostream>
+#include <vector>
+
+#include "cli/exit_code.h"
+#include "cli/tool_text.h"
+#include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "postproc/image/render_png.h"
+#include "postproc/image/render_svg.h"
+#include "toolmodels/draw_profile.h"
+#include "toolmodels/tool_library.h"
+
+namespace gouge {
+namespace {
+
+using Tools = std::vector<const ToolAssembly*>;
+
+int refuse(const Diagnostic& error, std::ostream& err) {
+  err << to_text(error) << "\n";
+  return error.code == "usage" ? kExitUsage : kExitInput;
+}
+
+Result<Tools> choose(const ToolLibrary& library, const std::string& wanted) {
+  Tools chosen;
+  if (wanted.empty()) {
+    for (const ToolAssembly& tool : library.tools) chosen.push_back(&tool);
+    return chosen;
+  }
+  const ToolAssembly* tool = library.with_name(wanted);
+  const std::string_view digits = std::string_view(wanted).substr(wanted.starts_with('T') ? 1 : 0);
+  const std::optional<long long> number = parse_integer(digits);
+  if (tool == nullptr && number && *number >= 0 && *number < 1'000'000'000)
+    tool = library.with_number(static_cast<int>(*number));
+  if (tool == nullptr)
+    return make_error("usage", "--tool '" + wanted + "': " + library.file +
+                                   " has no tool of that number or name; see gougecheck tool list");
+  return Tools{tool};
+}
+
+bool ends_with(const std::string& path, std::string_view ending) {
+  return path.size() > ending.size() &&
+         std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char e, char p) {
+           return e == (p >= 'A' && p <= 'Z' ? static_cast<char>(p - 'A' + 'a') : p);
+         });
+}
+
+Result<std::string> render(const Drawing& drawing, const std::string& path) {
+  if (ends_with(path, ".svg")) return render_svg(drawing);
+  if (ends_with(path, ".png")) return render_png(drawing);
+  return make_error("usage", "-o '" + path + "': the picture must be a .png or an .svg file");
+}
+
+int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostream& err) {
+  if (!ends_with(path, ".svg") && !ends_with(path, ".png")) return refuse(render({}, path).error(), err);
+  std::vector<Drawing> drawings;
+  for (const ToolAssembly* tool : tools) {
+    const Result<Drawing> drawing = draw_profile(*tool, unit);
+    if (!drawing) return refuse(drawing.error(), err);
+    drawings.push_back(*drawing);
+  }
+  const Result<std::string> bytes =
+      render(drawings.size() == 1 ? drawings.front() : draw_sheet(drawings), path);
+  if (!bytes) return refuse(bytes.error(), err);
+  const Outcome written = write_file(path, *bytes);
+  return written ? static_cast<int>(kExitClean) : refuse(written.error(), err);
+}
+
+void add_library_option(CLI::App& command, ToolArguments& arguments, ToolAction action) {
+  command.add_option("--tools", arguments.tools_file, "tool library (JSON)")->required();
+  command.callback([&arguments, action] { arguments.action = action; });
+}
+
+void add_tool_option(CLI::App& command, ToolArguments& arguments) {
+  command.add_option("--tool", arguments.tool, "number or name; without it, every tool");
+}
+
+constexpr const char* kExitText =
+    "\nExit status: 0 done, 2 wrong command line, 3 library unreadable or invalid, or output unwritable.";
+
+}  // namespace
+
+void add_tool_options(CLI::App& command, ToolArguments& arguments) {
+  command.require_subcommand(1);
+  command.footer("Example:\n  gougecheck tool draw --tools shop.json --tool 3 -o t3.png");
+  CLI::App* list = command.add_subcommand("list", "List the tools of a library");
+  add_library_option(*list, arguments, ToolAction::list);
+  list->footer(std::string("Example:\n  gougecheck tool list --tools shop.json\n") + kExitText);
+  CLI::App* show = command.add_subcommand("show", "Tell every dimension of a tool, and the contour it makes");
+  add_library_option(*show, arguments, ToolAction::show);
+  add_tool_option(*show, arguments);
+  show->footer(std::string("Example:\n  gougecheck tool show --tools shop.json --tool 3\n") + kExitText);
+  CLI::App* picture = command.add_subcommand(
+      "draw", "Draw the profile with its bodies, dimensions, Voronoi regions and correction directions");
+  add_library_option(*picture, arguments, ToolAction::draw);
+  add_tool_option(*picture, arguments);
+  picture->add_option("-o,--output", arguments.output, "picture to write: .png or .svg")->required();
+  picture->footer(std::string("Example:\n  gougecheck tool draw --tools shop.json --tool 3 -o t3.svg\n") +
+                  kExitText);
+}
+
+int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err) {
+  const Result<std::string> bytes = read_file(arguments.tools_file);
+  if (!bytes) return refuse(bytes.error(), err);
+  const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);
+  if (!library) return refuse(library.error(), err);
+  for (const Diagnostic& note : library->notes) err << to_text(note) << "\n";
+  const Result<Tools> tools = choose(*library, arguments.tool);
+  if (!tools) return refuse(tools.error(), err);
+  switch (arguments.action) {
+    case ToolAction::list:
+      out << tool_list_text(*library);
+      break;
+    case ToolAction::show:
+      for (const ToolAssembly* tool : *tools) out << tool_text(*tool, library->unit);
+      break;
+    case ToolAction::draw:
+      return draw(*tools, library->unit, arguments.output, err);
+  }
+  return kExitClean;
+}
+
+}  // namespace gouge

@@ -1,0 +1,118 @@
+#include "cli/tool_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "lib/base/number_text.h"
+#include "toolmodels/bsp.h"
+#include "toolmodels/compile_tool.h"
+#include "toolmodels/draw_profile.h"
+
+namespace gouge {
+namespace {
+
+std::string in_unit(double value_mm, LengthUnit unit) {
+  return exact_text(std::round(value_mm / mm_per(unit) * 1e6) / 1e6);
+}
+
+double widest(const std::vector<ToolSegment>& segments) {
+  double diameter = 0;
+  for (const ToolSegment& s : segments)
+    diameter = std::max({diameter, s.lower_diameter_mm, s.upper_diameter_mm});
+  return diameter;
+}
+
+double total(const std::vector<ToolSegment>& segments) {
+  double length = 0;
+  for (const ToolSegment& s : segments) length += s.length_mm;
+  return length;
+}
+
+std::string padded(const std::string& text, std::size_t width) {
+  return text + std::string(width > text.size() ? width - text.size() : 0, ' ');
+}
+
+std::string segments_text(const char* body, const std::vector<ToolSegment>& segments, double& z,
+                          LengthUnit unit) {
+  std::string text;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const ToolSegment& s = segments[i];
+    text += "  " + padded(std::string(body) + " " + std::to_string(i + 1), 10) + "z " + in_unit(z, unit) +
+            " to " + in_unit(z + s.length_mm, unit) + ", diameter " + in_unit(s.lower_diameter_mm, unit);
+    if (std::abs(s.upper_diameter_mm - s.lower_diameter_mm) > 0)
+      text += " to " + in_unit(s.upper_diameter_mm, unit);
+    text += "\n";
+    z += s.length_mm;
+  }
+  return text;
+}
+
+std::string point_text(const Vec2& p, LengthUnit unit) {
+  return "(" + in_unit(p.x(), unit) + ", " + in_unit(p.y(), unit) + ")";
+}
+
+std::string contour_text(const Profile& profile, LengthUnit unit) {
+  std::string text = "  contour (r, z), from the tip:\n";
+  for (const ProfileElement& e : profile.elements) {
+    text += "    " + padded(body_name(e.body), 8) +
+            padded(!e.is_arc      ? "line"
+                   : e.is_concave ? "hollow"
+                                  : "arc",
+                   8) +
+            point_text(e.a, unit) + " to " + point_text(e.b, unit);
+    if (e.is_arc) text += ", radius " + in_unit(e.radius_mm, unit) + " about " + point_text(e.center, unit);
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string tool_list_text(const ToolLibrary& library) {
+  const LengthUnit unit = library.unit;
+  using Row = std::array<std::string, 6>;
+  std::vector<Row> rows{{"tool", "name", "cutter", "flutes", "assembly", "holder"}};
+  for (const ToolAssembly& t : library.tools) {
+    const double height = length_mm(t.cutter) + total(t.shank) + total(t.holder);
+    rows.push_back({t.number ? "T" + std::to_string(*t.number) : "-", t.name.empty() ? "-" : t.name,
+                    describe_cutter(t.cutter, unit), in_unit(length_mm(t.cutter), unit),
+                    in_unit(height, unit),
+                    t.holder.empty() ? "none" : "D " + in_unit(widest(t.holder), unit)});
+  }
+  std::array<std::size_t, 6> widths{};
+  for (const Row& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+  std::string text;
+  for (const Row& row : rows) {
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) text += padded(row[i], widths[i] + 2);
+    text += row.back() + "\n";
+  }
+  text += std::to_string(library.tools.size()) + (library.tools.size() == 1 ? " tool" : " tools") +
+          ", lengths in " + unit_name(unit) + "\n";
+  for (const NamedHolder& holder : library.holders)
+    text += "holder \"" + holder.name + "\": D " + in_unit(widest(holder.segments), unit) + ", length " +
+            in_unit(total(holder.segments), unit) + "\n";
+  return text;
+}
+
+std::string tool_text(const ToolAssembly& tool, LengthUnit unit) {
+  const Result<Profile> profile = make_profile(tool);
+  if (!profile) return to_text(profile.error()) + "\n";
+  const CompiledTool compiled = compile_tool(label(tool), *profile);
+  double z = length_mm(tool.cutter);
+  std::string text = label(tool) + ", lengths in " + unit_name(unit) + "\n";
+  text += "  cutter    z 0 to " + in_unit(z, unit) + ", " + describe_cutter(tool.cutter, unit) + "\n";
+  text += segments_text("shank", tool.shank, z, unit);
+  text += segments_text("holder", tool.holder, z, unit);
+  text += "  assembly  length " + in_unit(z, unit) + ", largest diameter " +
+          in_unit(2 * compiled.r_max_mm, unit) + "\n";
+  text += contour_text(*profile, unit);
+  text += "  compiled  " + std::to_string(compiled.elements.size()) + " boundary elements, BSP of " +
+          std::to_string(compiled.nodes.size()) + " nodes, depth " +
+          std::to_string(bsp_depth(compiled.nodes)) + "\n";
+  return text;
+}
+
+}  // namespace gouge

@@ -1,0 +1,284 @@
+#include "toolmodels/draw_profile.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/number_text.h"
+#include "toolmodels/compile_tool.h"
+#include "toolmodels/draw_parts.h"
+
+namespace gouge {
+namespace {
+
+using detail::ProfileView;
+
+constexpr double kWidth = 1500, kHeight = 1000;
+constexpr double kTop = 120, kBottom = 930;  // of both panels
+constexpr double kAssemblyMiddle = 400;      // the axis of the left panel
+constexpr double kTipLeft = 880, kTipRight = 1460;
+constexpr Colour kInk{25, 28, 35, 1};
+constexpr Colour kFaint{120, 124, 132, 1};
+
+class Sheet {
+ public:
+  Sheet(const ToolAssembly& tool, const BodyProfiles& bodies, const Profile& profile, LengthUnit unit)
+      : tool_(tool),
+        bodies_(bodies),
+        profile_(profile),
+        compiled_(compile_tool(label(tool), profile)),
+        unit_(unit) {}
+
+  Drawing draw() {
+    drawing_.width = kWidth;
+    drawing_.height = kHeight;
+    draw_title();
+    draw_assembly();
+    draw_tip();
+    return std::move(drawing_);
+  }
+
+ private:
+  [[nodiscard]] std::string length(double value_mm) const {
+    return exact_text(std::round(value_mm / mm_per(unit_) * 1e4) / 1e4);
+  }
+
+  void draw_title() {
+    detail::draw_text(drawing_, {40, 48}, label(tool_), 26, TextAnchor::left, true);
+    std::string facts = describe_cutter(tool_.cutter, unit_) + ", length " + length(length_mm(tool_.cutter)) +
+                        ", assembly " + length(compiled_.z_max_mm) + " " + unit_name(unit_);
+    if (tool_.holder.empty()) facts += ", no holder";
+    detail::draw_text(drawing_, {40, 78}, facts, 16, TextAnchor::left);
+    detail::draw_line(drawing_, {40, 94}, {kWidth - 40, 94}, kFaint, 1);
+    detail::draw_text(
+        drawing_, {40, kHeight - 24},
+        "Tinted: the region of each boundary element (Voronoi diagram of the profile). Arrows: the way "
+        "out for a point at their tail.",
+        14, TextAnchor::left);
+    detail::draw_text(drawing_, {kWidth - 40, kHeight - 24}, std::string("dimensions in ") + unit_name(unit_),
+                      14, TextAnchor::right);
+  }
+
+  // ---- left panel
+
+  void draw_assembly() {
+    const double height = compiled_.z_max_mm - compiled_.z_min_mm;
+    ProfileView view;
+    view.scale = std::min(0.96 * (kBottom - kTop) / height, 225 / compiled_.r_max_mm);
+    view.low = Vec2(0, compiled_.z_min_mm);
+    view.high = Vec2(compiled_.r_max_mm, compiled_.z_max_mm);
+    const double middle = 0.5 * (kTop + kBottom);
+    view.origin =
+        Vec2(kAssemblyMiddle, middle + 0.5 * view.scale * (compiled_.z_max_mm + compiled_.z_min_mm));
+    fill_bodies(view);
+    detail::draw_regions(drawing_, compiled_, view, false);
+    detail::draw_contour(drawing_, profile_, view, 2);
+    detail::draw_line(drawing_, view.at(Vec2(0, view.high.y())) - Vec2(0, 22),
+                      view.at(Vec2(0, view.low.y())) + Vec2(0, 22), kFaint, 1, {14, 4, 3, 4});
+    draw_lengths(view);
+    draw_diameters(view);
+  }
+
+  void fill_bodies(const ProfileView& view) {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (bodies_[i].elements.empty()) continue;
+      DrawnShape shape;
+      shape.fill = detail::lightened(detail::body_colour(static_cast<Body>(i)), 0.25);
+      for (const ProfileElement& e : bodies_[i].elements)
+        for (const Vec2& p : sample(e, 48)) shape.points.push_back(view.mirrored(p));
+      DrawnLine outline{shape.points, kInk, 1.2, false, {}};
+      drawing_.items.emplace_back(std::move(shape));
+      drawing_.items.emplace_back(std::move(outline));
+    }
+  }
+
+  void draw_length(const ProfileView& view, double x, double low, double high, const std::string& text) {
+    const Vec2 from(x, view.at(Vec2(0, low)).y()), to(x, view.at(Vec2(0, high)).y());
+    const double gap = from.y() - to.y();
+    if (gap > 16) {
+      const double half = std::min(0.5 * gap, 12.0);
+      const Vec2 middle = 0.5 * (from + to);
+      detail::draw_arrow(drawing_, middle + Vec2(0, half - 1), from, kInk, 1);
+      detail::draw_arrow(drawing_, middle - Vec2(0, half - 1), to, kInk, 1);
+    }
+    for (const Vec2& end : {from, to})
+      detail::draw_line(drawing_, end - Vec2(7, 0), end + Vec2(7, 0), kInk, 1);
+    detail::draw_text(drawing_, {x - 9, 0.5 * (from.y() + to.y()) + 5}, text, 14, TextAnchor::right);
+  }
+
+  // Heights of the bodies one above the other, the whole to the left of them.
+  void draw_lengths(const ProfileView& view) {
+    const double left = view.mirrored(Vec2(compiled_.r_max_mm, 0)).x() - 30;
+    double bodies_drawn = 0;
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      if (bodies_[i].elements.empty()) continue;
+      const double low = bodies_[i].elements.front().a.y(), high = bodies_[i].elements.back().b.y();
+      draw_length(view, left, low, high,
+                  std::string(body_name(static_cast<Body>(i))) + " " + length(high - low));
+      ++bodies_drawn;
+    }
+    if (bodies_drawn > 1)
+      draw_length(view, left - 110, compiled_.z_min_mm, compiled_.z_max_mm, length(compiled_.z_max_mm));
+  }
+
+  struct Label {
+    double y;
+    Vec2 at;
+    std::string text;
+  };
+
+  [[nodiscard]] std::string diameters(double lower, double upper) const {
+    return std::abs(lower - upper) <= 1e-9 * upper ? "D " + length(upper)
+                                                   : "D " + length(lower) + " to " + length(upper);
+  }
+
+  std::vector<Label> diameter_labels(const ProfileView& view) const {
+    std::vector<Label> labels;
+    double z = length_mm(tool_.cutter);
+    const Vec2 top = bodies_[0].elements.back().a;
+    const Vec2 at_top = view.at(Vec2(top.x(), std::max(0.7 * top.y(), top.y() - 8 / view.scale)));
+    labels.push_back({at_top.y(), at_top, diameters(2 * top.x(), 2 * top.x())});
+    for (const std::vector<ToolSegment>* body : {&tool_.shank, &tool_.holder})
+      for (const ToolSegment& s : *body) {
+        const Vec2 at =
+            view.at(Vec2(0.25 * (s.lower_diameter_mm + s.upper_diameter_mm), z + 0.5 * s.length_mm));
+        labels.push_back({at.y(), at, diameters(s.lower_diameter_mm, s.upper_diameter_mm)});
+        z += s.length_mm;
+      }
+    return labels;
+  }
+
+  // At the right of the tool, pushed apart upward where segments are short.
+  void draw_diameters(const ProfileView& view) {
+    const double x = view.at(Vec2(compiled_.r_max_mm, 0)).x() + 34;
+    double lowest = kBottom + 40;
+    for (Label label : diameter_labels(view)) {
+      label.y = std::min(label.y, lowest - 20);
+      lowest = label.y;
+      const Colour thin{120, 124, 132, 1};
+      drawing_.items.emplace_back(
+          DrawnLine{{label.at, {x - 20, label.y}, {x - 4, label.y}}, thin, 1, false, {}});
+      detail::draw_text(drawing_, {x, label.y + 5}, label.text, 14, TextAnchor::left);
+    }
+  }
+
+  // ---- right panel
+
+  void draw_tip() {
+    double widest = 0;
+    for (const ProfileElement& e : bodies_[0].elements) widest = std::max({widest, e.a.x(), e.b.x()});
+    ProfileView view;
+    view.scale = (kTipRight - kTipLeft) / (1.45 * widest);
+    view.origin = Vec2(kTipLeft, kBottom - 0.17 * (kBottom - kTop));
+    view.low = Vec2(0, (view.origin.y() - kBottom) / view.scale);
+    view.high = Vec2((kTipRight - kTipLeft) / view.scale, (view.origin.y() - kTop) / view.scale);
+    detail::draw_regions(drawing_, compiled_, view, true);
+    detail::draw_exit_arrows(drawing_, compiled_, view, 44);
+    detail::draw_contour(drawing_, profile_, view, 2.5);
+    const Vec2 frame[] = {{kTipLeft, kTop}, {kTipRight, kTop}, {kTipRight, kBottom}, {kTipLeft, kBottom}};
+    drawing_.items.emplace_back(DrawnLine{{frame, frame + 4}, kFaint, 1, true, {}});
+    detail::draw_line(drawing_, frame[0], frame[3], kFaint, 1.5, {14, 4, 3, 4});
+    draw_scale_bar(view);
+    draw_corner(view);
+  }
+
+  void draw_scale_bar(const ProfileView& view) {
+    const double wanted = 110 / view.scale / mm_per(unit_);
+    double bar = std::pow(10.0, std::floor(std::log10(wanted)));
+    for (const double factor : {5.0, 2.0})
+      if (factor * bar <= wanted) {
+        bar *= factor;
+        break;
+      }
+    const double pixels = bar * mm_per(unit_) * view.scale;
+    const Vec2 left(kTipRight - 20 - pixels, kBottom - 18);
+    detail::draw_line(drawing_, left, left + Vec2(pixels, 0), kInk, 3);
+    detail::draw_text(drawing_, left + Vec2(pixels / 2, -8),
+                      exact_text(std::round(bar * 1e6) / 1e6) + " " + unit_name(unit_), 14,
+                      TextAnchor::middle);
+  }
+
+  void draw_corner(const ProfileView& view) {
+    for (const ProfileElement& e : bodies_[0].elements) {
+      const Vec2 direction = start_direction(e);
+      if (e.is_arc) {
+        const Vec2 middle = sample(e, 2)[1];
+        const Vec2 from = view.at(middle), to = from + Vec2(60, 50);
+        detail::draw_arrow(drawing_, to, from, kInk, 1.2);
+        detail::draw_text(drawing_, to + Vec2(4, 6), "R " + length(e.radius_mm), 15, TextAnchor::left, true);
+      } else if (direction.y() > 0.02 && std::abs(direction.x()) > 1e-9) {
+        draw_slope(view, e, direction);
+      }
+    }
+  }
+
+  void draw_slope(const ProfileView& view, const ProfileElement& e, const Vec2& direction) {
+    const double from_axis = std::atan2(direction.x(), direction.y()) * 180 / 3.14159265358979323846;
+    const Vec2 low = view.at(e.a);
+    const Vec2 high = view.at(e.b);
+    const double y = std::max(0.5 * (low.y() + high.y()), kTop + 60);
+    const double t = std::clamp((y - low.y()) / (high.y() - low.y()), 0.0, 1.0);
+    const Vec2 at = low + t * (high - low);
+    const std::string text = exact_text(std::round(from_axis * 1e3) / 1e3) + " deg from the axis";
+    const bool is_steep = std::abs(from_axis) > 45;
+    const Vec2 to = at + (is_steep ? Vec2(30, 44) : Vec2(30, -20));
+    detail::draw_arrow(drawing_, to, at, kInk, 1.2);
+    detail::draw_text(drawing_, to + Vec2(4, 5), text, 15, TextAnchor::left, true);
+  }
+
+  const ToolAssembly& tool_;
+  const BodyProfiles& bodies_;
+  const Profile& profile_;
+  CompiledTool compiled_;
+  LengthUnit unit_;
+  Drawing drawing_;
+};
+
+void place(Drawing& sheet, const Drawing& drawing, const Vec2& corner, double scale) {
+  const auto moved = [&](std::vector<Vec2> points) {
+    for (Vec2& p : points) p = corner + scale * p;
+    return points;
+  };
+  for (const auto& item : drawing.items) {
+    if (const auto* line = std::get_if<DrawnLine>(&item)) {
+      DrawnLine copy = *line;
+      copy.points = moved(line->points);
+      copy.width *= scale;
+      for (double& dash : copy.dashes) dash *= scale;
+      sheet.items.emplace_back(std::move(copy));
+    } else if (const auto* shape = std::get_if<DrawnShape>(&item)) {
+      sheet.items.emplace_back(DrawnShape{moved(shape->points), shape->fill});
+    } else {
+      DrawnText copy = std::get<DrawnText>(item);
+      copy.at = corner + scale * copy.at;
+      copy.size *= scale;
+      sheet.items.emplace_back(std::move(copy));
+    }
+  }
+}
+
+}  // namespace
+
+Result<Drawing> draw_profile(const ToolAssembly& tool, LengthUnit unit) {
+  const Result<BodyProfiles> bodies = make_body_profiles(tool);
+  if (!bodies) return bodies.error();
+  const Result<Profile> profile = make_profile(tool);
+  if (!profile) return profile.error();
+  return Sheet(tool, *bodies, *profile, unit).draw();
+}
+
+Drawing draw_sheet(const std::vector<Drawing>& drawings) {
+  Drawing sheet;
+  if (drawings.empty()) return sheet;
+  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(drawings.size()))));
+  const std::size_t rows = (drawings.size() + columns - 1) / columns;
+  const double scale = std::min(1.0, 3000 / (static_cast<double>(columns) * drawings.front().width));
+  const Vec2 cell = scale * Vec2(drawings.front().width, drawings.front().height);
+  sheet.width = cell.x() * static_cast<double>(columns);
+  sheet.height = cell.y() * static_cast<double>(rows);
+  for (std::size_t i = 0; i < drawings.size(); ++i)
+    place(sheet, drawings[i],
+          cell.cwiseProduct(Vec2(static_cast<double>(i % columns), static_cast<double>(i / columns))), scale);
+  return sheet;
+}
+
+}  // namespace gouge

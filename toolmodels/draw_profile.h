@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "lib/base/units.h"
+#include "lib/drawing/drawing.h"
+#include "toolmodels/assembly.h"
+
+namespace gouge {
+
+/// A sheet about one tool: on the left the assembly with its bodies in colour, its Voronoi regions and
+/// dimensions; on the right the tip, enlarged, with the regions inside and outside and the correction
+/// directions as arrows (the way out for a point at each place). After thesis figures 21 and 22.
+///
+/// Ensures  the same tool gives the same drawing; dimensions are written in `unit`.
+/// Errors   those of make_body_profiles.
+[[nodiscard]] Result<Drawing> draw_profile(const ToolAssembly& tool, LengthUnit unit);
+
+/// Several drawings on one sheet, in rows, scaled down as they become more.
+[[nodiscard]] Drawing draw_sheet(const std::vector<Drawing>& drawings);
+
+/// "cutter flat D 10 mm, ..." in one line: what captions and lists say of a tool.
+[[nodiscard]] std::string describe_cutter(const Cutter& cutter, LengthUnit unit);
+
+}  // namespace gouge

@@ -1,0 +1,134 @@
+#include "toolmodels/trace_regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+namespace {
+
+struct Ray {
+  Vec2 from, direction;
+};
+
+Vec2 normal_at(const BoundaryElement& e, const Vec2& point) {
+  if (e.kind == ElementKind::segment) return e.normal;
+  const Vec2 out = (point - e.center).normalized();
+  return e.is_reflex ? Vec2(-out) : out;
+}
+
+Vec2 turned(const Vec2& u, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  return {c * u.x() - s * u.y(), s * u.x() + c * u.y()};
+}
+
+double angle_between(const Vec2& u, const Vec2& v) {
+  return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
+}
+
+class Tracer {
+ public:
+  Tracer(const CompiledTool& tool, const Vec2& low, const Vec2& high) : tool_(tool), low_(low), high_(high) {
+    slack_ = 1e-9 * std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm});
+  }
+
+  std::vector<TracedRegion> trace() {
+    for (std::uint32_t i = 0; i < tool_.elements.size(); ++i)
+      for (const bool is_inside : {false, true}) add_region(i, is_inside);
+    return std::move(regions_);
+  }
+
+ private:
+  void add_region(std::uint32_t index, bool is_inside) {
+    const BoundaryElement& e = tool_.elements[index];
+    if (e.kind == ElementKind::vertex && e.is_reflex != is_inside) return;
+    TracedRegion region;
+    region.element = index;
+    region.is_inside = is_inside;
+    for (const Ray& ray : rays(index, is_inside ? -1 : 1)) {
+      const double limit = length_in_window(ray);
+      if (limit <= 0) continue;
+      const double reach = length_in_region(ray, limit);
+      region.near_points.push_back(ray.from);
+      region.far_points.emplace_back(ray.from + reach * ray.direction);
+      region.is_bisector.push_back(reach < limit - slack_);
+    }
+    if (region.near_points.size() > 1) regions_.push_back(std::move(region));
+  }
+
+  std::vector<Ray> rays(std::uint32_t index, double sign) const {
+    const BoundaryElement& e = tool_.elements[index];
+    std::vector<Ray> list;
+    if (e.kind == ElementKind::segment) {
+      constexpr int kSteps = 240;
+      for (int i = 0; i <= kSteps; ++i)
+        list.push_back({e.a + (static_cast<double>(i) / kSteps) * (e.b - e.a), sign * e.normal});
+      return list;
+    }
+    constexpr int kSteps = 120;
+    const Vec2 first = e.kind == ElementKind::arc ? normal_at(e, e.a) : normal_before(index);
+    const Vec2 last = e.kind == ElementKind::arc ? normal_at(e, e.b) : normal_after(index);
+    const double sweep = angle_between(first, last);
+    for (int i = 0; i <= kSteps; ++i) {
+      const Vec2 normal = turned(first, sweep * i / kSteps);
+      const double side = e.is_reflex ? -1 : 1;
+      const Vec2 from = e.kind == ElementKind::arc ? Vec2(e.center + side * e.radius_mm * normal) : e.a;
+      list.push_back({from, sign * normal});
+    }
+    return list;
+  }
+
+  Vec2 normal_before(std::uint32_t index) const {
+    if (index > 0) return normal_at(tool_.elements[index - 1], tool_.elements[index].a);
+    const Vec2 after = normal_after(index);
+    return {-after.x(), after.y()};
+  }
+  Vec2 normal_after(std::uint32_t index) const {
+    if (index + 1 < tool_.elements.size())
+      return normal_at(tool_.elements[index + 1], tool_.elements[index].a);
+    const Vec2 before = normal_before(index);
+    return {-before.x(), before.y()};
+  }
+
+  // How far a ray runs before it leaves the window; 0 when it starts outside.
+  double length_in_window(const Ray& ray) const {
+    double length = 1e300;
+    const auto limit = [&](double at, double speed, double low, double high) {
+      if (at < low - slack_ || at > high + slack_) length = 0;
+      if (speed > 1e-15) length = std::min(length, (high - at) / speed);
+      if (speed < -1e-15) length = std::min(length, (low - at) / speed);
+    };
+    limit(ray.from.x(), ray.direction.x(), 0, high_.x());
+    limit(ray.from.y(), ray.direction.y(), low_.y(), high_.y());
+    return std::max(0.0, length);
+  }
+
+  // Once another element is nearer it stays so along the ray, so halving finds the place.
+  double length_in_region(const Ray& ray, double limit) const {
+    const auto is_nearest = [&](double t) {
+      const Vec2 q = ray.from + t * ray.direction;
+      return std::abs(evaluate(tool_, std::max(0.0, q.x()), q.y()).signed_distance_mm) >= t - slack_;
+    };
+    if (is_nearest(limit)) return limit;
+    double low = 0, high = limit;
+    for (int i = 0; i < 60; ++i) {
+      const double middle = 0.5 * (low + high);
+      (is_nearest(middle) ? low : high) = middle;
+    }
+    return low;
+  }
+
+  const CompiledTool& tool_;
+  Vec2 low_, high_;
+  double slack_ = 0;
+  std::vector<TracedRegion> regions_;
+};
+
+}  // namespace
+
+std::vector<TracedRegion> trace_regions(const CompiledTool& tool, const Vec2& low, const Vec2& high) {
+  return Tracer(tool, low, high).trace();
+}
+
+}  // namespace gouge
