@@ -126,9 +126,9 @@ Sample make_pocket() {
   // At z = -13.9 the corner arc is above the fillet's centre, so the side may come to 0.05 mm of the wall.
   path.contour(kHalfX - 8.05, kHalfY - 8.05, kCorner - 8.05, -13.9);
   path.feed(0, -11.95, -13.9);
-  // Side 0.2 into the wall; the corner arc 0.204 into the fillet.
+  // The side is 0.2 into the straight wall; the corner arc is deepest there too, above the fillet.
   for (const std::size_t line : {path.feed(1, -12.2, -13.9), path.feed(2, -11.95, -13.9)}) {
-    sample.findings.push_back({line, "gouge", "cutter", "part", 0.198, 0.216});
+    sample.findings.push_back({line, "gouge", "cutter", "part", 0.1999, 0.2001});
   }
   path.rapid(0, 0, -13.9);
   path.rapid(0, 0, -2);

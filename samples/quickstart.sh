@@ -17,7 +17,7 @@ expect() {
   printf '\n$ %s\n' "${*/#$GOUGECHECK/gougecheck}"
   "$@" </dev/null >"$ROOT/build/sample.txt" 2>&1
   got=$?
-  tail -n "${LINES_SHOWN:-8}" "$ROOT/build/sample.txt"
+  tail -n "${LINES_SHOWN:-14}" "$ROOT/build/sample.txt"
   if [ "$got" -eq "$wanted" ]; then
     echo "[exit $got, as expected]"
   else
