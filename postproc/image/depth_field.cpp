@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMostPoses = 40000;
+constexpr double kUnseen = 1.03;  // a deeper pose is not looked at when no eye could tell its colour
 constexpr std::size_t kLeafPoints = 16;
 constexpr std::size_t kBlocks = 64;
 
@@ -33,15 +33,35 @@ std::size_t instants_of(const Motion& motion, const CompiledTool& tool, double d
 
 }  // namespace
 
-DepthField::DepthField(const PictureInput& input) : tolerance_mm_(input.options.tolerance_mm) {
+DepthField::DepthField(const PictureInput& input, std::size_t most_poses)
+    : tolerance_mm_(input.options.tolerance_mm) {
   const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
   // Fewer instants a move when there would be too many of them; the worst instant of a move always stays.
-  for (double detail = 1; detail > 1e-3; detail *= 0.5) {
+  for (double detail = 1; detail > 0.01; detail *= 0.5) {
     poses_.clear();
-    for (std::size_t i = 0; i < verdicts.size() && poses_.size() <= kMostPoses; ++i) {
+    for (std::size_t i = 0; i < verdicts.size() && poses_.size() <= most_poses; ++i) {
       if (verdicts[i].state == MoveState::gouge) add_move(input, i, detail);
     }
-    if (poses_.size() <= kMostPoses) return;
+    if (poses_.size() <= most_poses) return;
+  }
+  add_worst_only(input, most_poses);
+}
+
+// Too many gouging moves even so: the worst of each group of neighbours.
+void DepthField::add_worst_only(const PictureInput& input, std::size_t most_poses) {
+  const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
+  std::vector<std::size_t> gouging;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i].state == MoveState::gouge) gouging.push_back(i);
+  }
+  const std::size_t group = gouging.size() / std::max<std::size_t>(most_poses / 2, 1) + 1;
+  poses_.clear();
+  for (std::size_t first = 0; first < gouging.size(); first += group) {
+    std::size_t worst = gouging[first];
+    for (std::size_t k = first; k < std::min(first + group, gouging.size()); ++k) {
+      if (verdicts[gouging[k]].depth_mm > verdicts[worst].depth_mm) worst = gouging[k];
+    }
+    add_move(input, worst, 0);
   }
 }
 
@@ -55,7 +75,7 @@ void DepthField::add_move(const PictureInput& input, std::size_t index, double d
   if (verdict.witness) poses_.push_back({motion.at(verdict.witness->t), forms});
   if (motion.is_alone()) return;
   const auto whole = static_cast<double>(instants_of(motion, forms->against_part, verdict.depth_mm));
-  const auto steps = static_cast<std::size_t>(std::ceil(whole * detail));
+  const std::size_t steps = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(whole * detail)));
   for (std::size_t k = detail < 0.1 ? steps : 0; k <= steps; ++k) {
     poses_.push_back({motion.at(static_cast<double>(k) / static_cast<double>(steps)), forms});
   }
@@ -127,7 +147,7 @@ class DepthField::PointTree {
     const double distance = std::min(signed_distance(pose.tool->against_part, pose.pose, node.centre),
                                      signed_distance(pose.tool->against_fixture, pose.pose, node.centre));
     const double floor = pose.tool->with_clearance.elements.empty() ? tolerance_ : 0.0;
-    if (node.radius - distance <= std::max(floor, static_cast<double>(node.least))) return;
+    if (node.radius - distance <= std::max(floor, kUnseen * static_cast<double>(node.least))) return;
     if (node.child != 0) {
       const std::size_t child = node.child;
       visit(child, pose);

@@ -98,7 +98,7 @@ class Strip {
       page.text({area_.x - 10, y + 5}, tick.text, 15, kInk, TextAnchor::right);
     }
     const std::string title =
-        "depth in " + std::string(unit_name(unit)) + (scale_.is_root ? ", square root scale" : "");
+        "depth in " + std::string(unit_words(unit)) + (scale_.is_root ? ", square root scale" : "");
     page.text({area_.x - 62, area_.y - 16}, title, 15, kInk, TextAnchor::left, true);
     const double move_step = std::max(1.0, round_step(static_cast<double>(moves_), 10));
     for (int k = 0; k * move_step <= static_cast<double>(moves_) - 0.5; ++k) {
@@ -117,7 +117,9 @@ class Strip {
         bar.x += 0.1 * bar.width;
         bar.width *= 0.8;
       }
-      bar.width = std::max(bar.width, 1.0);
+      constexpr double kWidest = 90;
+      bar.x += 0.5 * std::max(0.0, bar.width - kWidest);
+      bar.width = std::clamp(bar.width, 1.0, kWidest);
       const double top = y_of(c.depth_mm);
       const double upper = std::isfinite(c.upper_mm) ? y_of(c.upper_mm) : area_.y;
       const Colour colour = body_colour(static_cast<int>(c.body));

@@ -52,7 +52,7 @@ View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& to
 // How much of what is seen within `near_mm` of the finding is gouged.
 double gouged_share(const PictureSet& set, const PictureEvent& event, const SurfaceBuffer& buffer,
                     double near_mm) {
-  const std::vector<float> depth = set.field.depth_on_pixels(set.scene, buffer);
+  const std::vector<float> depth = set.coarse.depth_on_pixels(set.scene, buffer);
   double gouged = 0;
   for (int y = 0; y < buffer.view.height; ++y) {
     for (int x = 0; x < buffer.view.width; ++x) {

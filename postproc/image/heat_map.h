@@ -11,7 +11,8 @@ struct PictureSet {
   const ReportModel& model;
   const PictureInput& input;
   const PictureScene& scene;
-  const DepthField& field;
+  const DepthField& field;   ///< for the pictures
+  const DepthField& coarse;  ///< fewer poses: for choosing views
   std::vector<PictureEvent> events;
   ColourScale scale;
   std::vector<Vec3> directions;

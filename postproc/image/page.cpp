@@ -6,6 +6,7 @@
 
 #include "postproc/image/ascii_text.h"
 #include "postproc/image/render_png.h"
+#include "postproc/report/report_text.h"
 
 namespace gouge {
 
@@ -85,7 +86,7 @@ void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, Leng
   }
   page.frame(area, kSoftInk, 1);
   page.text({area.x, area.y - 32}, title, 15, kInk, TextAnchor::left, true);
-  page.text({area.x, area.y - 13}, "in " + std::string(unit_name(unit)), 14, kSoftInk);
+  page.text({area.x, area.y - 13}, std::string("in ") + unit_words(unit), 14, kSoftInk);
   const double tolerance_y = y_of(scale.low_mm);
   for (const Tick& tick : make_ticks(scale, unit, 26 / area.height)) {
     const double y = y_of(tick.depth_mm);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kMostEvents = 6;
 constexpr std::size_t kViews = 2;
+constexpr std::size_t kCoarsePoses = 1000;
 
 struct Album {
   std::vector<NamedFile> files;
@@ -37,9 +38,11 @@ Outcome add_before_after(Album& album, const PictureSet& after, const PictureInp
   model.toolpath = before_input.toolpath;
   model.result = before_input.result;
   const DepthField field(before_input);
+  const DepthField coarse(before_input, kCoarsePoses);
   PictureSet before{
-      model, before_input, after.scene, field, worst_events(before_input, kMostEvents), after.scale, {}};
-  before.directions = choose_directions(before_input, after.scene, field, before.events, 1);
+      model, before_input, after.scene, field, coarse, worst_events(before_input, kMostEvents), after.scale,
+      {}};
+  before.directions = choose_directions(before_input, after.scene, coarse, before.events, 1);
   return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
 }
 
@@ -68,17 +71,19 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
                                                     const PictureInput& before) {
   const PictureScene scene = build_picture_scene(*input.scene);
   const DepthField field(input);
+  const DepthField coarse(input, kCoarsePoses);
   PictureSet set{
       model,
       input,
       scene,
       field,
+      coarse,
       worst_events(input, kMostEvents),
       make_colour_scale(model.options.tolerance_mm, worst_depth(model, input), model.toolpath->unit),
       {}};
   Album album;
   if (!scene.faces.empty()) {
-    set.directions = choose_directions(input, scene, field, set.events, kViews);
+    set.directions = choose_directions(input, scene, coarse, set.events, kViews);
     if (Outcome done = add_scene_pictures(album, set, before); !done) return done.error();
   }
   if (Outcome done = album.add(draw_depth_strip(set), "depth_along_path.png", "Depth along the path");

@@ -59,6 +59,10 @@ std::string point_text(const Vec3& point_mm, LengthUnit unit) {
   return text + ")";
 }
 
+const char* unit_words(LengthUnit unit) {
+  return unit == LengthUnit::inch ? "inches" : "mm";
+}
+
 std::string instant_text(double t) {
   return trimmed(fixed_text(t, 4));
 }

@@ -19,6 +19,8 @@ namespace gouge {
 [[nodiscard]] std::string point_text(const Vec3& point_mm, LengthUnit unit);
 /// "0.42": four decimals, trailing zeros dropped.
 [[nodiscard]] std::string instant_text(double t);
+/// "mm" or "inches": for headings, where "in in" would read badly.
+[[nodiscard]] const char* unit_words(LengthUnit unit);
 /// "1 move", "7 moves".
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
 

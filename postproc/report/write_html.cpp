@@ -160,7 +160,7 @@ class HtmlReport {
         "the order of the path. Line, depth and place are those of its deepest move.</p>\n<table><thead>"
         "<tr><th>State</th><th class=\"n\">Line</th><th class=\"n\">Depth</th><th>Body</th><th>Against"
         "</th><th>At, in ";
-    out += std::string(unit_name(unit_)) +
+    out += std::string(unit_words(unit_)) +
            "</th><th class=\"n\">Moves</th><th>Operation</th><th></th></tr></thead><tbody>\n";
     if (events.size() > kMostRows) keep_worst(events);
     for (std::size_t i = 0; i < events.size() && i < kMostRows; ++i) out += finding_row(*events[i]);

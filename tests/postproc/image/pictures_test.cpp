@@ -53,6 +53,24 @@ TEST(DepthField, IsTheDeepestOfTheMovesAtEveryPoint) {
   EXPECT_LT(gouged, points.size());
 }
 
+TEST(DepthField, CoversTheWholePathHoweverFewPosesItMayHave) {
+  SmallScene small;
+  // Back and forth in the groove, so that there are far more gouging moves than poses allowed.
+  small.path.moves.resize(1);
+  for (int k = 0; k < 300; ++k) {
+    Move move = small.path.moves.back();
+    move.start = move.end;
+    move.end.tip = Vec3(2 + 0.12 * k, 15, 9.7);
+    small.path.moves.push_back(move);
+  }
+  small.check();
+  ASSERT_GT(small.result.counts.gouge, 250U);
+  const DepthField field(small.input, 40);
+  for (const double x : {6.0, 20.0, 36.0}) {
+    EXPECT_NEAR(static_cast<double>(field.depth_at({{{x, 15, 10}, false}})[0]), 0.3, 0.1) << x;
+  }
+}
+
 TEST(DepthField, IsEmptyForACleanPath) {
   SmallScene small;
   for (Move& move : small.path.moves) {
