@@ -41,8 +41,9 @@ class MoveChecker {
   }
 
   SearchAnswer ask(const Targets& targets, double reach, double tolerance) {
+    const double gap = options_.gouge_gap_mm > 0 ? options_.gouge_gap_mm : options_.resolution_mm;
     const SearchAnswer answer =
-        search_move(motion_, targets, {reach, tolerance, options_.resolution_mm, options_.budget_per_move});
+        search_move(motion_, targets, {reach, tolerance, options_.resolution_mm, gap, options_.budget_per_move});
     bounds_ += answer.bounds;
     is_decided_ = is_decided_ && answer.is_decided;
     return answer;

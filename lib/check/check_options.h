@@ -10,6 +10,7 @@ enum class RapidMode { straight, dogleg, skip };
 struct CheckOptions {
   double tolerance_mm = 0.01;       ///< depth a move may have (bodies with a clearance: 0)
   double resolution_mm = 0.001;     ///< certified gap
+  double gouge_gap_mm = 0;          ///< gap to which the depth of a gouge is closed; 0: the resolution
   double stock_to_leave_mm = 0;     ///< grows the cutter against the part
   double shank_clearance_mm = 0;    ///< grows the shank
   double holder_clearance_mm = 0;   ///< grows the holder

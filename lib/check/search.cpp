@@ -86,7 +86,8 @@ class Search {
 
   /// Candidates whose bound is not above this need no further look.
   [[nodiscard]] double settled() const {
-    return std::max(question_.tolerance_mm, answer_.value_mm) + question_.resolution_mm;
+    const bool is_above = answer_.value_mm > question_.tolerance_mm;
+    return is_above ? answer_.value_mm + question_.gap_mm : question_.tolerance_mm + question_.resolution_mm;
   }
 
   void offer(const Candidate& c) {

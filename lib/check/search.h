@@ -26,7 +26,8 @@ struct SearchQuestion {
   /// closest approach.
   double reach_mm = 0;
   double tolerance_mm = 0;   ///< no more is asked than a proof that the value is at most this ...
-  double resolution_mm = 0;  ///< ... plus this; above it the value itself, to this gap
+  double resolution_mm = 0;  ///< ... plus this;
+  double gap_mm = 0;         ///< above the tolerance the value itself is sought, to this gap
   std::uint64_t budget = 0;  ///< bounds to compute before giving up
 };
 
@@ -41,8 +42,9 @@ struct SearchAnswer {
   std::uint64_t bounds = 0;   ///< how many were computed
 };
 
-/// Requires motion.is_defined(), tools with at least one element, resolution > 0.
-/// Ensures  value <= true value <= value_upper; when decided, value_upper <= max(tolerance, value) + resolution.
+/// Requires motion.is_defined(), resolution and gap > 0. Tools without elements are passed over.
+/// Ensures  value <= true value <= value_upper; when decided, value_upper <= tolerance + resolution, or <= value + gap when the
+///          value is above the tolerance.
 /// Cost     a few hundred bounds for a clean move near the surface, no allocation that outlives the call.
 [[nodiscard]] SearchAnswer search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
                                        const SearchQuestion& question);

@@ -9,6 +9,8 @@ constexpr int kLevels = 7;             // halvings of a motion before another wa
 constexpr std::size_t kLargest = 24;   // positions put into one motion
 constexpr double kFirstLift_mm = 0.25;
 constexpr double kLiftGrowth = 1.4;
+constexpr double kGap_mm = 0.02;       // how well the worst instant of a gouging motion is found
+constexpr double kNoMatter_mm = 1e6;   // the gap when only the verdict counts
 
 class Bridger {
  public:
@@ -51,13 +53,17 @@ class Bridger {
   }
 
   [[nodiscard]] MoveVerdict check(const Motion& motion) const {
-    return check_move(motion, task_.kind, *task_.tool, *task_.scene, task_.options);
+    CheckOptions options = task_.options;
+    options.gouge_gap_mm = kGap_mm;
+    return check_move(motion, task_.kind, *task_.tool, *task_.scene, options);
   }
 
   [[nodiscard]] bool is_clean(const Pose& from, const Pose& to) const {
     const Motion motion = motion_between(from, to);
     if (!motion.is_defined()) return false;
-    const MoveState state = check(motion).state;
+    CheckOptions options = task_.options;
+    options.gouge_gap_mm = kNoMatter_mm;
+    const MoveState state = check_move(motion, task_.kind, *task_.tool, *task_.scene, options).state;
     return state == MoveState::clean || state == MoveState::near_miss;
   }
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "lib/check/hull_bound.h"
 #include "lib/check/search.h"
 #include "lib/check/support_plane.h"
 #include "lib/check/time_spans.h"
@@ -14,12 +15,14 @@ namespace {
 // Contacts steer a correction, they prove nothing; a tenth of their excess is close enough.
 constexpr double kRelativeAccuracy = 0.1;
 constexpr double kSmallestPiece_mm = 0.02;
+// How far below the truth the excess may be told while it is above 0.
+constexpr double kGap_mm = 0.05;
 
 class Collector {
  public:
-  Collector(const ToolFrame& frame, const CompiledTool& tool, const SurfaceTree& tree, double aim,
+  Collector(const TimeSpan& span, const CompiledTool& tool, const SurfaceTree& tree, double aim,
             std::vector<Contact>& contacts)
-      : frame_(frame), tool_(tool), tree_(tree), aim_(aim), contacts_(contacts) {}
+      : span_(span), frame_(span.f0), tool_(tool), tree_(tree), aim_(aim), contacts_(contacts) {}
 
   void visit(std::uint32_t index) {
     const SurfaceNode& node = tree_.nodes[index];
@@ -47,17 +50,17 @@ class Collector {
     best_ = {p, -(frame_.rows.transpose() * support_plane(tool_, sample).normal), found};
   }
 
+  // The bound by planes knows at once that a face lying in a face is equally deep everywhere.
   void refine(const std::array<Vec3, 3>& t) {
-    const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
-    const double radius = std::sqrt(
-        std::max({(t[0] - middle).squaredNorm(), (t[1] - middle).squaredNorm(), (t[2] - middle).squaredNorm()}));
-    const ToolSample sample = sample_tool(tool_, frame_.to_tool(middle));
-    const double most = excess(sample) + radius;
-    if (most <= std::max(0.0, best_.excess_mm * (1 + kRelativeAccuracy))) return;
-    try_point(middle);
+    const double reach = std::max(0.0, -aim_);
+    const double enough = std::max(0.0, aim_) + best_.excess_mm * (1 + kRelativeAccuracy);
+    const PieceBound bound = bound_piece(tool_, t, span_, reach, enough);
+    if (bound.upper_mm <= enough) return;
+    try_point((t[0] + t[1] + t[2]) / 3.0);
     for (const Vec3& corner : t) try_point(corner);
-    if (radius <= kSmallestPiece_mm || most <= best_.excess_mm * (1 + kRelativeAccuracy)) return;
     const std::size_t longest = longest_edge(t);
+    const bool is_close = bound.upper_mm <= std::max(0.0, aim_) + best_.excess_mm * (1 + kRelativeAccuracy);
+    if (is_close || (t[(longest + 1) % 3] - t[longest]).norm() <= kSmallestPiece_mm) return;
     std::array<Vec3, 3> half = t;
     const Vec3 cut = 0.5 * (t[longest] + t[(longest + 1) % 3]);
     half[longest] = cut;
@@ -75,6 +78,7 @@ class Collector {
     return longest;
   }
 
+  const TimeSpan& span_;
   const ToolFrame& frame_;
   const CompiledTool& tool_;
   const SurfaceTree& tree_;
@@ -104,10 +108,10 @@ std::vector<Contact> find_contacts(const Pose& pose, const ToolForms& tool, cons
                                    const CorrectionAim& aim) {
   std::vector<Contact> contacts;
   const Motion alone(pose);
-  const ToolFrame frame = TimeSpans(alone).frame_at(0, 0);
+  const TimeSpans spans(alone);
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
     if (aimed.target.tree->nodes.empty()) continue;
-    Collector(frame, *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, contacts).visit(0);
+    Collector(spans.span(0), *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, contacts).visit(0);
   }
   return contacts;
 }
@@ -120,9 +124,9 @@ double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedSce
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
     const double reach = std::max(0.0, -aimed.aim_mm);
     const double allowed = std::max(0.0, aimed.aim_mm);
-    const SearchAnswer answer = search_move(alone, {aimed.target}, {reach, allowed, accuracy_mm, kBudget});
-    const double excess = answer.value_upper_mm - allowed;
-    if (excess > accuracy_mm) most = std::max(most, excess);
+    const SearchAnswer answer = search_move(alone, {aimed.target}, {reach, allowed, accuracy_mm, kGap_mm, kBudget});
+    if (answer.value_mm > allowed) most = std::max(most, answer.value_mm - allowed);
+    if (!answer.is_decided) most = std::max(most, accuracy_mm);
   }
   return most;
 }

@@ -25,7 +25,8 @@ struct CorrectionAim {
 [[nodiscard]] std::vector<Contact> find_contacts(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
                                                  const CorrectionAim& aim);
 
-/// Largest excess over the aim at a pose; 0 when the aim is met. Certified to `accuracy_mm`, never below the truth.
+/// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only when the
+/// aim is proven to be met to `accuracy_mm`.
 [[nodiscard]] double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
                                     const CorrectionAim& aim, double accuracy_mm);
 
