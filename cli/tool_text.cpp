@@ -17,6 +17,10 @@ std::string in_unit(double value_mm, LengthUnit unit) {
   return exact_text(std::round(value_mm / mm_per(unit) * 1e6) / 1e6);
 }
 
+const char* unit_word(LengthUnit unit) {
+  return unit == LengthUnit::inch ? "inches" : "mm";
+}
+
 double widest(const std::vector<ToolSegment>& segments) {
   double diameter = 0;
   for (const ToolSegment& s : segments)
@@ -90,7 +94,7 @@ std::string tool_list_text(const ToolLibrary& library) {
     text += row.back() + "\n";
   }
   text += std::to_string(library.tools.size()) + (library.tools.size() == 1 ? " tool" : " tools") +
-          ", lengths in " + unit_name(unit) + "\n";
+          ", lengths in " + unit_word(unit) + "\n";
   for (const NamedHolder& holder : library.holders)
     text += "holder \"" + holder.name + "\": D " + in_unit(widest(holder.segments), unit) + ", length " +
             in_unit(total(holder.segments), unit) + "\n";
@@ -102,7 +106,7 @@ std::string tool_text(const ToolAssembly& tool, LengthUnit unit) {
   if (!profile) return to_text(profile.error()) + "\n";
   const CompiledTool compiled = compile_tool(label(tool), *profile);
   double z = length_mm(tool.cutter);
-  std::string text = label(tool) + ", lengths in " + unit_name(unit) + "\n";
+  std::string text = label(tool) + ", lengths in " + unit_word(unit) + "\n";
   text += "  cutter    z 0 to " + in_unit(z, unit) + ", " + describe_cutter(tool.cutter, unit) + "\n";
   text += segments_text("shank", tool.shank, z, unit);
   text += segments_text("holder", tool.holder, z, unit);

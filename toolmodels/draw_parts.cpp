@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "lib/tool/evaluate.h"
 #include "toolmodels/trace_regions.h"
@@ -21,51 +23,84 @@ Colour region_colour(const BoundaryElement& e, const TracedRegion& region) {
   return lightened(body_colour(e.body), (e.kind == ElementKind::vertex ? 0.42 : 0.58) + lighter);
 }
 
-void fill_region(Drawing& drawing, const CompiledTool& tool, const TracedRegion& region,
-                 const ProfileView& view) {
-  DrawnShape shape;
-  shape.fill = region_colour(tool.elements[region.element], region);
-  for (const Vec2& p : region.near_points) shape.points.push_back(view.at(p));
-  for (auto p = region.far_points.rbegin(); p != region.far_points.rend(); ++p)
-    shape.points.push_back(view.at(*p));
-  drawing.items.emplace_back(std::move(shape));
+// The part of a polygon on one side of a window's edge; what lies beyond collapses onto the edge.
+std::vector<Vec2> clipped(const std::vector<Vec2>& points, int axis, double bound, double sign) {
+  std::vector<Vec2> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const Vec2& p = points[i];
+    const Vec2& q = points[(i + 1) % points.size()];
+    const double vp = sign * (p[axis] - bound), vq = sign * (q[axis] - bound);
+    if (vp >= 0) kept.push_back(p);
+    if ((vp > 0 && vq < 0) || (vp < 0 && vq > 0)) kept.emplace_back(p + vp / (vp - vq) * (q - p));
+  }
+  return kept;
 }
 
-void outline_region(Drawing& drawing, const TracedRegion& region, const ProfileView& view) {
-  DrawnLine line;
-  line.colour = kBisector;
-  line.width = 1.2;
+void fill_region(Drawing& drawing, const CompiledTool& tool, const TracedRegion& region,
+                 const ProfileView& view) {
+  std::vector<Vec2> points = region.near_points;
+  points.insert(points.end(), region.far_points.rbegin(), region.far_points.rend());
+  for (const int axis : {0, 1}) {
+    points = clipped(points, axis, view.low[axis], 1);
+    points = clipped(points, axis, view.high[axis], -1);
+  }
+  if (points.size() < 3) return;
+  for (Vec2& p : points) p = view.at(p);
+  drawing.items.emplace_back(
+      DrawnShape{std::move(points), region_colour(tool.elements[region.element], region)});
+}
+
+// The part of the chord ab within the window, if any.
+std::optional<std::pair<Vec2, Vec2>> within(const Vec2& a, const Vec2& b, const ProfileView& view) {
+  double first = 0, last = 1;
+  for (const int axis : {0, 1}) {
+    const double run = b[axis] - a[axis];
+    double enter = (view.low[axis] - a[axis]) / run, leave = (view.high[axis] - a[axis]) / run;
+    if (std::abs(run) > 0) {
+      if (enter > leave) std::swap(enter, leave);
+      first = std::max(first, enter);
+      last = std::min(last, leave);
+    } else if (a[axis] < view.low[axis] || a[axis] > view.high[axis]) {
+      return std::nullopt;
+    }
+  }
+  if (first > last) return std::nullopt;
+  return std::pair<Vec2, Vec2>(a + first * (b - a), a + last * (b - a));
+}
+
+// A broken line within the window; `is_drawn` says of each point whether the line runs through it.
+void draw_within(Drawing& drawing, const std::vector<Vec2>& points, const std::vector<bool>& is_drawn,
+                 const ProfileView& view, const DrawnLine& style) {
+  DrawnLine line = style;
   const auto flush = [&] {
     if (line.points.size() > 1) drawing.items.emplace_back(line);
     line.points.clear();
   };
-  for (std::size_t i = 0; i < region.far_points.size(); ++i) {
-    if (region.is_bisector[i])
-      line.points.push_back(view.at(region.far_points[i]));
-    else
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const auto part = is_drawn[i] && is_drawn[i + 1] ? within(points[i], points[i + 1], view) : std::nullopt;
+    if (!part) {
       flush();
+      continue;
+    }
+    const Vec2 from = view.at(part->first);
+    if (line.points.empty() || (line.points.back() - from).norm() > 1e-6) {
+      flush();
+      line.points.push_back(from);
+    }
+    line.points.push_back(view.at(part->second));
   }
   flush();
+}
+
+void outline_region(Drawing& drawing, const TracedRegion& region, const ProfileView& view) {
+  draw_within(drawing, region.far_points, region.is_bisector, view, {{}, kBisector, 1.2, false, {}});
 }
 
 // The normals at the ends of a region, where it meets its neighbour on the contour.
 void draw_seams(Drawing& drawing, const TracedRegion& region, const ProfileView& view) {
   for (const std::size_t i : {std::size_t{0}, region.near_points.size() - 1})
-    draw_line(drawing, view.at(region.near_points[i]), view.at(region.far_points[i]), kBisector, 0.8, {5, 4});
-}
-
-bool is_within(const Vec2& p, const ProfileView& view) {
-  return p.x() >= view.low.x() && p.x() <= view.high.x() && p.y() >= view.low.y() && p.y() <= view.high.y();
-}
-
-// Pulls the end `b` of a chord that leaves the window back to its edge.
-Vec2 to_edge(const Vec2& a, Vec2 b, const ProfileView& view) {
-  for (int axis = 0; axis < 2; ++axis) {
-    const double bound = std::clamp(b[axis], view.low[axis], view.high[axis]);
-    const double run = b[axis] - a[axis];
-    if (std::abs(b[axis] - bound) > 0 && std::abs(run) > 0) b = a + (bound - a[axis]) / run * (b - a);
-  }
-  return b;
+    draw_within(drawing, {region.near_points[i], region.far_points[i]}, {true, true}, view,
+                {{}, kBisector, 0.8, false, {5, 4}});
 }
 
 }  // namespace
@@ -109,7 +144,11 @@ void draw_arrow(Drawing& drawing, const Vec2& from, const Vec2& to, const Colour
 }
 
 void draw_regions(Drawing& drawing, const CompiledTool& tool, const ProfileView& view, bool with_outside) {
-  std::vector<TracedRegion> regions = trace_regions(tool, view.low, view.high);
+  // Traced beyond the window: an element outside of it may be the nearest one inside.
+  const Vec2 margin = 2 * (view.high - view.low);
+  const Vec2 low = view.low.cwiseMin(Vec2(0, tool.z_min_mm)) - margin;
+  const Vec2 high = view.high.cwiseMax(Vec2(tool.r_max_mm, tool.z_max_mm)) + margin;
+  std::vector<TracedRegion> regions = trace_regions(tool, low, high);
   if (!with_outside) std::erase_if(regions, [](const TracedRegion& r) { return !r.is_inside; });
   for (const TracedRegion& region : regions) fill_region(drawing, tool, region, view);
   for (const TracedRegion& region : regions) {
@@ -132,16 +171,14 @@ void draw_exit_arrows(Drawing& drawing, const CompiledTool& tool, const ProfileV
 }
 
 void draw_contour(Drawing& drawing, const Profile& profile, const ProfileView& view, double width) {
+  std::vector<Vec2> points;
   for (const ProfileElement& e : profile.elements) {
-    const std::vector<Vec2> points = sample(e, 96);
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-      const bool has_first = is_within(points[i], view), has_second = is_within(points[i + 1], view);
-      if (!has_first && !has_second) continue;
-      const Vec2 a = has_first ? points[i] : to_edge(points[i + 1], points[i], view);
-      const Vec2 b = has_second ? points[i + 1] : to_edge(points[i], points[i + 1], view);
-      draw_line(drawing, view.at(a), view.at(b), kContour, width);
-    }
+    const std::vector<Vec2> part = sample(e, 96);
+    points.insert(points.end(), part.begin(), part.end() - 1);
   }
+  points.push_back(profile.elements.back().b);
+  draw_within(drawing, points, std::vector<bool>(points.size(), true), view,
+              {{}, kContour, width, false, {}});
 }
 
 }  // namespace gouge::detail

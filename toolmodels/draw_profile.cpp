@@ -14,7 +14,7 @@ using detail::ProfileView;
 
 constexpr double kWidth = 1500, kHeight = 1000;
 constexpr double kTop = 120, kBottom = 930;  // of both panels
-constexpr double kAssemblyMiddle = 400;      // the axis of the left panel
+constexpr double kAssemblyMiddle = 430;      // the axis of the left panel
 constexpr double kTipLeft = 880, kTipRight = 1460;
 constexpr Colour kInk{25, 28, 35, 1};
 constexpr Colour kFaint{120, 124, 132, 1};
@@ -54,8 +54,9 @@ class Sheet {
         "Tinted: the region of each boundary element (Voronoi diagram of the profile). Arrows: the way "
         "out for a point at their tail.",
         14, TextAnchor::left);
-    detail::draw_text(drawing_, {kWidth - 40, kHeight - 24}, std::string("dimensions in ") + unit_name(unit_),
-                      14, TextAnchor::right);
+    detail::draw_text(drawing_, {kWidth - 40, kHeight - 24},
+                      unit_ == LengthUnit::inch ? "dimensions in inches" : "dimensions in mm", 14,
+                      TextAnchor::right);
   }
 
   // ---- left panel

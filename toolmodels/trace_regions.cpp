@@ -61,7 +61,7 @@ class Tracer {
     const BoundaryElement& e = tool_.elements[index];
     std::vector<Ray> list;
     if (e.kind == ElementKind::segment) {
-      constexpr int kSteps = 240;
+      constexpr int kSteps = 480;
       for (int i = 0; i <= kSteps; ++i)
         list.push_back({e.a + (static_cast<double>(i) / kSteps) * (e.b - e.a), sign * e.normal});
       return list;
