@@ -17,6 +17,9 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_needles();        ///< flat end mill exactly on a plane of needle triangles
 [[nodiscard]] Sample make_big_triangles();  ///< ball on an inclined plane of two triangles 2 m wide
 
+/// The same surface and passes with about 100,000 triangles and 10,000 moves, to measure with.
+[[nodiscard]] Sample make_freeform_large();
+
 [[nodiscard]] std::vector<Sample> make_all();
 
 }  // namespace gouge::samples

@@ -18,7 +18,12 @@ namespace {
 constexpr double kTurn = 2 * std::numbers::pi;
 constexpr double kRadius = 5, kAllowance = 0.005;
 constexpr double kWallX = 106, kWallTop = 57.5, kHolderStart = 50;
-constexpr int kPasses = 25, kPerPass = 97;
+constexpr int kPasses = 25;
+
+/// How finely the part is tessellated and the path is sampled; the shapes stay the same.
+struct Density {
+  int columns = 142, rows = 134, per_pass = 97;
+};
 
 double height(double x, double y) {
   return 6 + 4 * std::sin(kTurn * x / 98) * std::sin(kTurn * y / 80 + 0.4) + 0.5 * std::cos(kTurn * y / 50);
@@ -43,18 +48,19 @@ Vec3 tool_axis(int pass, double x, double y) {
   return Vec3(std::tan(tilt_deg * kTurn / 360), std::tan(lead_deg * kTurn / 360), 1).normalized();
 }
 
-/// How far position j of a pass is pushed below the surface, mm: a slow dive, one bad point, a level stretch.
-double dip(int pass, int j) {
+/// How far the tool is pushed below the surface, mm: a slow dive, one bad point, a level stretch. j counts 96ths of
+/// the pass.
+double dip(int pass, double j) {
   if (pass == 6 && j >= 30 && j <= 42) return std::min(0.3, 0.05 * std::min(j - 29, 43 - j));
-  if (pass == 12 && j == 50) return 0.5;
+  if (pass == 12 && std::abs(j - 50) < 0.01) return 0.5;
   if (pass == 17 && j >= 60 && j <= 70) return 0.12;
   return 0;
 }
 
-Solid make_part() {
+Solid make_part(const Density& density) {
   std::vector<double> columns, rows;
-  for (int i = 0; i <= 142; ++i) columns.push_back(kWallX * i / 142);
-  for (int j = 0; j <= 134; ++j) rows.push_back(100.0 * j / 134);
+  for (int i = 0; i <= density.columns; ++i) columns.push_back(kWallX * i / density.columns);
+  for (int j = 0; j <= density.rows; ++j) rows.push_back(100.0 * j / density.rows);
   std::vector<std::vector<Vec3>> grid;
   for (const double x : columns) {
     grid.emplace_back();
@@ -89,8 +95,10 @@ struct Position {
   double holder_depth = 0;  ///< of the resting holder in the wall's top, where the axis is upright
 };
 
-Position position(int pass, int j) {
-  const double x = 2 + 4 * pass, y = 2 + 96.0 * (pass % 2 == 0 ? j : kPerPass - 1 - j) / (kPerPass - 1);
+Position position(int pass, int index, const Density& density) {
+  const int steps = density.per_pass - 1;
+  const double j = 96.0 * index / steps;
+  const double x = 2 + 4 * pass, y = 2 + 96.0 * (pass % 2 == 0 ? index : steps - index) / steps;
   const Vec3 axis = tool_axis(pass, x, y);
   const double offset = kRadius + kAllowance - dip(pass, j);
   Position p;
@@ -118,11 +126,9 @@ Position raised(const Position& p, double by) {
   return up;
 }
 
-}  // namespace
-
-Sample make_freeform() {
+Sample make_with(const Density& density, const std::string& name) {
   Sample sample;
-  sample.name = "freeform";
+  sample.name = name;
   sample.about =
       "A wavy surface finished with a ball D10 in 5-axis: two dives, one bad point, and a last pass whose "
       "holder "
@@ -133,7 +139,7 @@ Sample make_freeform() {
   "shank":[{"lower_diameter":10,"upper_diameter":10,"length":20}],
   "holder":[{"lower_diameter":32,"upper_diameter":32,"length":40},{"lower_diameter":40,"upper_diameter":46,"length":30}]}]}
 )";
-  sample.parts.push_back({"part.stl", make_part()});
+  sample.parts.push_back({"part.stl", make_part(density)});
   sample.check_exit = 1;
   ClText cl(ClText::Form::apt);
   cl.line("PARTNO/FREEFORM SAMPLE");
@@ -145,11 +151,11 @@ Sample make_freeform() {
   cl.rapid({Vec3(50, 50, 150), Vec3::UnitZ()});
   for (int pass = 0; pass < kPasses; ++pass) {
     cl.line("PPRINT/PASS " + std::to_string(pass + 1) + ", X " + fixed_text(2 + 4 * pass, 1));
-    Position before = raised(position(pass, 0), 30);
+    Position before = raised(position(pass, 0, density), 30);
     cl.rapid(before.pose);
     cl.line("FEDRAT/1200.0000, MMPM");
-    for (int j = 0; j < kPerPass; ++j) {
-      const Position here = position(pass, j);
+    for (int j = 0; j < density.per_pass; ++j) {
+      const Position here = position(pass, j, density);
       add_finding(sample, cl.feed(here.pose), before, here);
       before = here;
     }
@@ -163,5 +169,11 @@ Sample make_freeform() {
   sample.moves = cl.positions();
   return sample;
 }
+
+}  // namespace
+
+Sample make_freeform() { return make_with({}, "freeform"); }
+
+Sample make_freeform_large() { return make_with({224, 210, 400}, "freeform_large"); }
 
 }  // namespace gouge::samples
