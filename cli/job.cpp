@@ -110,6 +110,9 @@ class JobLoader {
     Result<ResolvedTools> resolved = resolve_tools(job_.toolpath, library ? &*library : nullptr,
                                                    arguments_.tool_names, arguments_.holder);
     if (!resolved) return errors_.push_back(resolved.error());
+    const bool is_any_defined = std::any_of(resolved->assemblies.begin(), resolved->assemblies.end(),
+                                            [](const auto& assembly) { return assembly.has_value(); });
+    if (!is_any_defined) return errors_.push_back(no_tool());
     add_notes(resolved->notes);
     job_.tool_facts = std::move(resolved->facts);
     for (const auto& assembly : resolved->assemblies) {
@@ -121,6 +124,12 @@ class JobLoader {
       if (!forms) return errors_.push_back(forms.error());
       job_.forms.back() = std::move(*forms);
     }
+  }
+
+  [[nodiscard]] Diagnostic no_tool() const {
+    const std::size_t line = job_.toolpath.tools.empty() ? job_.toolpath.moves.front().line : job_.toolpath.tools.front().line;
+    return make_error("no-tool", "no tool of the toolpath is defined, so nothing can be checked; expected CUTTER or TLDATA in "
+                      "the file, or a library that has the tool: --tools LIB.json", arguments_.path, line);
   }
 
   void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }
@@ -163,8 +172,8 @@ bool is_usage(const Diagnostics& errors) {
   return std::any_of(errors.begin(), errors.end(), [](const Diagnostic& d) { return d.code == "usage"; });
 }
 
-Result<Toolpath> read_again(const Job& job, std::string bytes) {
-  ReadOutcome outcome = read_toolpath(job.toolpath.file, std::move(bytes));
+Result<Toolpath> read_again(const std::string& file, std::string bytes) {
+  ReadOutcome outcome = read_toolpath(file, std::move(bytes));
   if (!outcome.toolpath) return outcome.errors.front();
   return std::move(*outcome.toolpath);
 }

@@ -87,15 +87,26 @@ TEST(CommandLine, AMoveThatCannotBeCheckedIsStatus4) {
   EXPECT_EQ(rows[1].depth + rows[1].depth_upper, "");
 }
 
-TEST(CommandLine, AToolWithoutADefinitionIsStatus4) {
+TEST(CommandLine, WithoutAnyToolDefinedNothingIsWrittenAndTheStatusIs3) {
   const SampleFolder sample = open_sample("needles");
   write_text(sample.path + "/t9.apt", "UNITS/MM\nLOADTL/9\nGOTO/0,0,10\nGOTO/0,0,20\n");
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "t9.apt", {"--csv", "all.csv"}));
+  EXPECT_EQ(ran.exit_status, 3) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("t9.apt:2: error: no tool of the toolpath is defined"), std::string::npos) << ran.err;
+  EXPECT_FALSE(std::filesystem::exists(sample.path + "/all.csv"));
+}
+
+TEST(CommandLine, AToolWithoutADefinitionBesideOthersIsStatus4) {
+  const SampleFolder sample = open_sample("needles");
+  write_text(sample.path + "/t9.apt", "UNITS/MM\nLOADTL/9\nGOTO/0,0,10\nGOTO/0,0,20\nLOADTL/1\nGOTO/0,0,50\n");
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "t9.apt", {"--csv", "all.csv"}));
   EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
   EXPECT_NE(ran.out.find("not checked: the tool has no definition"), std::string::npos) << ran.out << ran.err;
   const std::vector<MoveRow> rows = parse_moves(text_of(sample.path + "/all.csv"));
-  ASSERT_EQ(rows.size(), 2U);
-  for (const MoveRow& row : rows) EXPECT_EQ(row.state, "not-checked");
+  ASSERT_EQ(rows.size(), 3U);
+  EXPECT_EQ(rows[0].state, "not-checked");
+  EXPECT_EQ(rows[1].state, "not-checked");
+  EXPECT_EQ(rows[2].state, "clean");
 }
 
 TEST(CommandLine, ALargerToleranceTurnsAShallowGougeClean) {
