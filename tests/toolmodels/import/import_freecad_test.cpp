@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include "tests/toolmodels/import/import_helpers.h"
+
+namespace gouge {
+namespace {
+
+using test::all_notes;
+using test::corpus;
+using test::expect_segment;
+using test::notes_of;
+
+ImportOptions beside() {
+  ImportOptions options;
+  options.read_beside = [](const std::string& name) -> Result<std::string> {
+    if (name == "missing.fctb") return make_error("file-not-found", "there is no such file", name);
+    return corpus("freecad/" + name);
+  };
+  return options;
+}
+
+ImportedTools import_library(const ImportOptions& options) {
+  const Result<ImportedTools> made = import_freecad("shop.fctl", corpus("freecad/shop.fctl"), options);
+  EXPECT_TRUE(made.has_value());
+  return made ? *made : ImportedTools{};
+}
+
+ImportedTools import_bit(const std::string& type, const std::string& parameters, const ImportOptions& options = {}) {
+  const Result<ImportedTools> made = import_freecad(
+      "b.fctb", R"({"name":"x","shape-type":")" + type + R"(","shape":"s.fcstd","parameter":{)" + parameters + "}}",
+      options);
+  EXPECT_TRUE(made.has_value());
+  return made ? *made : ImportedTools{};
+}
+
+TEST(ImportFreecad, ALibraryNamesItsBits) {
+  const ImportedTools made = import_library(beside());
+  ASSERT_EQ(made.library.tools.size(), 3u) << all_notes(made);
+  EXPECT_EQ(made.library.with_number(1)->name, "Bull nose 6");
+  EXPECT_NE(all_notes(made).find("missing.fctb: error: tool at position 4: there is no such file [file-not-found]"),
+            std::string::npos)
+      << all_notes(made);
+  EXPECT_NE(all_notes(made).find("shop.fctl:2: error: tool at position 5: path is \"../../secret.fctb\"; expected the "
+                                 "name of a file beside the library [import-field]"),
+            std::string::npos)
+      << all_notes(made);
+}
+
+TEST(ImportFreecad, LengthsAreTextsWithUnits) {
+  const ImportedTools made = import_library(beside());
+  const ToolAssembly* bull = made.library.with_number(1);
+  const auto& cutter = std::get<BullNoseCutter>(bull->cutter);
+  EXPECT_EQ(cutter.diameter_mm, 6);
+  EXPECT_EQ(cutter.corner_radius_mm, 1.5);
+  EXPECT_EQ(cutter.length_mm, 20);
+  expect_segment(bull->shank.at(0), 8, 8, 30);
+  EXPECT_TRUE(bull->holder.empty());
+}
+
+TEST(ImportFreecad, TheTaperAngleIsTheIncludedAngleAndCommasAreDecimal) {
+  const ImportedTools made = import_library(beside());
+  const ToolAssembly* ball = made.library.with_number(2);
+  const auto& cutter = std::get<TaperedCutter>(ball->cutter);
+  EXPECT_EQ(cutter.taper_angle_deg, 3);
+  EXPECT_EQ(cutter.corner_radius_mm, 1);
+  // 2 (1/cos 3 + 24 tan 3) at z = 25
+  EXPECT_NEAR(2 * make_cutter_profile(cutter)->elements.back().a.x(), 4.518318, 1e-6);
+  EXPECT_NE(notes_of(made, "import-guess").find("TaperAngle has a comma; read as a decimal comma, 6 degrees"),
+            std::string::npos);
+  EXPECT_NE(notes_of(made, "import-guess").find("Diameter has a comma; read as a decimal comma, 2 mm"),
+            std::string::npos);
+}
+
+TEST(ImportFreecad, AVBitIsPointedAndInInches) {
+  const ImportedTools made = import_library(beside());
+  const auto& apt = std::get<AptCutter>(made.library.with_number(3)->cutter);
+  EXPECT_NEAR(apt.d_mm, 12.7, 1e-12);
+  EXPECT_EQ(apt.alpha_deg, 60);             // half of 60 from the axis is 60 from the tip plane
+  EXPECT_NEAR(apt.h_mm, 15.24, 1e-12);      // above the cone of 6.35 / tan 30 = 10.998
+}
+
+TEST(ImportFreecad, HolderAndStickOutComeFromTheUser) {
+  ImportOptions options = beside();
+  options.holder = {{28, 28, 40}};
+  EXPECT_EQ(import_library(options).library.tools.size(), 0u) << "a holder without stick-out is a guess";
+  options.stickout_mm = 30;
+  const ImportedTools made = import_library(options);
+  ASSERT_EQ(made.library.tools.size(), 3u) << all_notes(made);
+  expect_segment(made.library.with_number(1)->shank.at(0), 8, 8, 10);
+  EXPECT_EQ(made.library.with_number(1)->holder.size(), 1u);
+  options.stickout_mm = 10;
+  EXPECT_NE(all_notes(import_library(options))
+                .find("CuttingEdgeHeight 20 mm is greater than --stickout 10 mm; the holder would swallow a part of "
+                      "the flutes"),
+            std::string::npos);
+}
+
+TEST(ImportFreecad, OldFilesGiveTheRadiusOfTheFlat) {
+  const ImportedTools made = import_bit(
+      "Bullnose", R"("Diameter":"10 mm","FlatRadius":"3 mm","CuttingEdgeHeight":"20 mm","Length":"60 mm")");
+  EXPECT_EQ(std::get<BullNoseCutter>(made.library.tools.at(0).cutter).corner_radius_mm, 2);
+}
+
+TEST(ImportFreecad, TheTypeMayStandInTheNameOfTheShapeFile) {
+  const Result<ImportedTools> made = import_freecad(
+      "b.fctb",
+      R"({"name":"x","shape":"Shape/v-bit.fcstd","parameter":{"Diameter":"10 mm","CuttingEdgeAngle":"90 deg",)"
+      R"("CuttingEdgeHeight":"6 mm","Length":"40 mm"}})",
+      {});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(made->library.tools.size(), 1u);
+}
+
+TEST(ImportFreecad, FlutesLongerThanTheToolAreAnError) {
+  EXPECT_EQ(notes_of(import_bit("Endmill", R"("Diameter":"6 mm","CuttingEdgeHeight":"60 mm","Length":"50 mm")"),
+                     "import-field"),
+            "b.fctb: error: tool \"x\": CuttingEdgeHeight 60 mm is greater than Length 50 mm; the flutes cannot be "
+            "longer than the tool [import-field]\n");
+}
+
+TEST(ImportFreecad, ShapesThatCannotBeImportedAreTold) {
+  for (const char* type : {"Dovetail", "SlittingSaw", "ThreadMill", "Tap", "Probe", "Radius", "Custom"})
+    EXPECT_EQ(notes_of(import_bit(type, R"("Diameter":"6 mm")"), "import-shape"),
+              "b.fctb: warning: tool \"x\": not imported: shape " + std::string(type) + " [import-shape]\n");
+}
+
+TEST(ImportFreecad, ARoundTripLosesNothing) {
+  test::expect_round_trip(import_library(beside()).library);
+  const ImportedTools inches = import_bit(
+      "Endmill", R"("Diameter":"0.25 in","CuttingEdgeHeight":"0.7 in","Length":"2.3 in","ShankDiameter":"0.3 in")");
+  EXPECT_EQ(inches.library.unit, LengthUnit::inch);
+  test::expect_round_trip(inches.library);
+}
+
+TEST(ImportFreecad, AFileOfAnotherKindIsRefused) {
+  const Result<ImportedTools> made = import_freecad("b.json", R"({"x":1})", {});
+  ASSERT_FALSE(made.has_value());
+  EXPECT_EQ(made.error().code, "import-format");
+}
+
+}  // namespace
+}  // namespace gouge

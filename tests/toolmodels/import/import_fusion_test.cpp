@@ -1,0 +1,261 @@
+#include <gtest/gtest.h>
+
+#include "tests/toolmodels/import/import_helpers.h"
+
+namespace gouge {
+namespace {
+
+using test::all_notes;
+using test::corpus;
+using test::expect_segment;
+using test::notes_of;
+
+ImportedTools import_corpus() {
+  const Result<ImportedTools> made = import_fusion("shop.json", corpus("fusion-mill.json"), {});
+  EXPECT_TRUE(made.has_value());
+  return made ? *made : ImportedTools{};
+}
+
+// One tool of mm, T9 "x", from its type and its geometry.
+ImportedTools import_one(const std::string& type, const std::string& geometry, const std::string& more = "",
+                         const ImportOptions& options = {}) {
+  const Result<ImportedTools> made =
+      import_fusion("one.json",
+                    R"({"data":[{"type":")" + type + R"(","unit":"millimeters","description":"x",)" + more +
+                        R"("post-process":{"number":9},"geometry":{)" + geometry + "}}]}",
+                    options);
+  EXPECT_TRUE(made.has_value()) << to_text(made.error());
+  return made ? *made : ImportedTools{};
+}
+
+TEST(ImportFusion, AFlatMillHasItsShoulderShankAndHolder) {
+  const ImportedTools made = import_corpus();
+  const ToolAssembly* tool = made.library.with_number(1);
+  ASSERT_NE(tool, nullptr);
+  EXPECT_EQ(tool->name, "Flat D10");
+  EXPECT_EQ(std::get<FlatCutter>(tool->cutter).diameter_mm, 10);
+  EXPECT_EQ(length_mm(tool->cutter), 22);
+  ASSERT_EQ(tool->shank.size(), 2u);
+  expect_segment(tool->shank[0], 9.5, 9.5, 8);  // 22 to 30, shoulder-diameter
+  expect_segment(tool->shank[1], 10, 10, 10);   // 30 to LB 40
+  ASSERT_EQ(tool->holder.size(), 3u);
+  expect_segment(tool->holder[0], 24, 28, 5);  // the first segment is the one at the tip side
+  expect_segment(tool->holder[2], 40, 50, 20);
+}
+
+TEST(ImportFusion, EveryEntryAndEveryHolderHasItsOwnUnit) {
+  const ImportedTools made = import_corpus();
+  const ToolAssembly* tool = made.library.with_number(2);
+  ASSERT_NE(tool, nullptr);
+  EXPECT_EQ(std::get<BallCutter>(tool->cutter).diameter_mm, 6.35);
+  EXPECT_NEAR(length_mm(tool->cutter), 19.05, 1e-12);
+  expect_segment(tool->shank.at(0), 6.35, 6.35, 19.05);
+  expect_segment(tool->holder.at(0), 32, 32, 50);
+  const std::vector<ToolSegment>* holder = made.library.holder_called("ER16 long");
+  ASSERT_NE(holder, nullptr);
+  expect_segment(holder->at(1), 38.1, 44.45, 38.1);
+}
+
+TEST(ImportFusion, IsoNamesAndShaftSegmentsAreUnderstood) {
+  const ImportedTools made = import_corpus();
+  const ToolAssembly* tool = made.library.with_number(3);
+  ASSERT_NE(tool, nullptr);
+  const auto& cutter = std::get<BullNoseCutter>(tool->cutter);
+  EXPECT_EQ(cutter.corner_radius_mm, 0.75);
+  EXPECT_EQ(cutter.length_mm, 10);
+  ASSERT_EQ(tool->shank.size(), 3u);
+  expect_segment(tool->shank[0], 6, 6, 2);   // 10 to the shoulder's end at 12, as wide as the cutter
+  expect_segment(tool->shank[1], 6, 8, 5);   // the shaft
+  expect_segment(tool->shank[2], 8, 8, 13);  // DMM up to LB 30
+  EXPECT_EQ(notes_of(made, "import-contradiction").find("Bull"), std::string::npos) << "6 - 2 x 0.75 = 4.5 agrees";
+}
+
+TEST(ImportFusion, ATaperedMillIsBuiltFromDiameterRadiusAndHalfAngle) {
+  const ImportedTools made = import_corpus();
+  const ToolAssembly* tool = made.library.with_number(4);
+  ASSERT_NE(tool, nullptr);
+  const Profile profile = *make_cutter_profile(tool->cutter);
+  // e = 6 + 2.5 tan 10 - 2.5 / cos 10, and the side at the top of the flutes is 6 + 24 tan 10 from the axis.
+  EXPECT_NEAR(profile.elements.at(1).center.x(), 3.902251, 1e-6);
+  EXPECT_NEAR(profile.elements.at(1).center.y(), 2.5, 1e-12);
+  EXPECT_NEAR(2 * profile.elements.back().a.x(), 20.463695, 1e-6);
+  EXPECT_NE(all_notes(made).find("shop.json:24: warning: tool T4 \"Tapered D12 R2.5\": tip-diameter 7 mm does not "
+                                 "follow from the other numbers, which give 7.8045 mm; built from diameter, corner "
+                                 "radius and taper angle [import-contradiction]"),
+            std::string::npos)
+      << all_notes(made);
+}
+
+TEST(ImportFusion, AShoulderDiameterThatAnotherAngleWouldGiveIsTold) {
+  const ImportedTools made =
+      import_one("tapered mill", R"("DC":6,"LCF":20,"OAL":60,"LB":40,"SFDM":10,"TA":10,"shoulder-diameter":9.4995)");
+  EXPECT_EQ(notes_of(made, "import-contradiction"),
+            "one.json:1: warning: tool T9 \"x\": shoulder-diameter 9.4995 mm, but a side leaning TA 10 degrees from "
+            "the axis is 13.0531 mm wide at the top of the flutes; built with that angle [import-contradiction]\n");
+}
+
+TEST(ImportFusion, AChamferMillIsLargestAtItsDiameter) {
+  const ImportedTools made = import_corpus();
+  const ToolAssembly* tool = made.library.with_number(5);
+  ASSERT_NE(tool, nullptr);
+  const auto& cone = std::get<TaperedCutter>(tool->cutter);
+  EXPECT_EQ(cone.diameter_mm, 2);
+  EXPECT_NEAR(cone.length_mm, 5, 1e-12);  // (12 - 2) / 2 / tan 45
+  ASSERT_EQ(tool->shank.size(), 2u);
+  expect_segment(tool->shank[0], 12, 12, 3);  // straight up to LCF 8
+  expect_segment(tool->shank[1], 12, 12, 27);
+}
+
+TEST(ImportFusion, APointedChamferMillIsAConeWithOrWithoutAStraightPart) {
+  const ImportedTools with = import_one("chamfer mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
+  const auto& apt = std::get<AptCutter>(with.library.tools.at(0).cutter);
+  EXPECT_EQ(apt.d_mm, 10);
+  EXPECT_EQ(apt.alpha_deg, 45);
+  EXPECT_EQ(apt.h_mm, 9);
+  const ImportedTools without = import_one("chamfer mill", R"("DC":10,"LCF":3,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
+  const Profile profile = *make_cutter_profile(without.library.tools.at(0).cutter);
+  EXPECT_NEAR(profile.elements.back().a.x(), 5, 1e-9);
+  EXPECT_NEAR(profile.elements.back().a.y(), 5, 1e-5);
+  EXPECT_NE(notes_of(without, "import-contradiction").find("LCF 3 mm ends below the top of the cone"),
+            std::string::npos);
+}
+
+TEST(ImportFusion, ADrillHasItsPoint) {
+  const ImportedTools made = import_corpus();
+  const auto& apt = std::get<AptCutter>(made.library.with_number(6)->cutter);
+  EXPECT_EQ(apt.d_mm, 8.5);
+  EXPECT_EQ(apt.alpha_deg, 20);  // 90 - 140/2
+  EXPECT_EQ(apt.h_mm, 47);
+  const Profile profile = *make_cutter_profile(apt);
+  EXPECT_NEAR(profile.elements.at(0).b.y(), 1.546873, 1e-6);  // 4.25 tan 20
+}
+
+TEST(ImportFusion, WhatCannotBeImportedIsTold) {
+  const ImportedTools made = import_corpus();
+  EXPECT_EQ(notes_of(made, "import-shape"),
+            "shop.json:36: warning: tool T7 \"Lollipop 8\": not imported: shape lollipop mill [import-shape]\n");
+  EXPECT_EQ(notes_of(made, "import-field"),
+            "shop.json:39: error: tool T8 \"Flutes longer than the tool\": LCF 60 mm is greater than OAL 50 mm; the "
+            "flutes cannot be longer than the tool [import-field]\n");
+  EXPECT_EQ(notes_of(made, "import-number"),
+            "shop.json:42: warning: tool T1 \"Second tool 1\": number 1 is already taken; this tool is imported "
+            "without number, as \"Second tool 1\" [import-number]\n");
+  EXPECT_EQ(made.library.tools.size(), 7u);
+  for (const char* shape :
+       {"lollipop mill", "dovetail mill", "slot mill", "radius mill", "thread mill", "tap right hand",
+        "circle segment barrel", "circle segment lens", "circle segment oval", "circle segment taper", "form mill"})
+    EXPECT_EQ(notes_of(import_one(shape, R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-shape"),
+              "one.json:1: warning: tool T9 \"x\": not imported: shape " + std::string(shape) + " [import-shape]\n");
+}
+
+TEST(ImportFusion, AHolderThatWouldSwallowTheFlutesIsAnError) {
+  EXPECT_EQ(notes_of(import_one("flat end mill", R"("DC":10,"LCF":30,"OAL":50,"LB":25,"SFDM":10)"), "import-field"),
+            "one.json:1: error: tool T9 \"x\": LCF 30 mm is greater than LB 25 mm; the holder would swallow a part of "
+            "the flutes [import-field]\n");
+  EXPECT_EQ(notes_of(import_one("flat end mill", R"("DC":10,"LCF":20,"OAL":50,"LB":55,"SFDM":10)"), "import-field"),
+            "one.json:1: error: tool T9 \"x\": LB 55 mm is greater than OAL 50 mm; the tool would not reach its holder "
+            "[import-field]\n");
+}
+
+TEST(ImportFusion, FieldsThatAreMissingOrWrongAreNamed) {
+  const std::pair<const char*, const char*> cases[] = {
+      {R"("LCF":20,"OAL":50,"LB":30)", "the file gives no diameter; this shape needs one"},
+      {R"("DC":6,"OAL":50,"LB":30)", "the file gives no flute length; this shape needs one"},
+      {R"("DC":-6,"LCF":20,"OAL":50,"LB":30)", "DC -6 mm is not possible; it must not be negative"},
+      {R"("DC":"6,5,1","LCF":20,"OAL":50,"LB":30)",
+       "DC is \"6,5,1\"; expected a number and a unit, such as \"6.0 mm\""},
+      {R"("DC":"6 deg","LCF":20,"OAL":50,"LB":30)", "DC has the unit of an angle; expected a length"},
+      {R"("DC":[6],"LCF":20,"OAL":50,"LB":30)", "DC is neither a number nor a text; expected a number"},
+      {R"("DC":6,"SFDM":8,"DMM":10,"LCF":20,"OAL":50,"LB":30)",
+       "SFDM and DMM are two names of one dimension, but have different values"}};
+  for (const auto& [geometry, message] : cases)
+    EXPECT_EQ(notes_of(import_one("flat end mill", geometry), "import-field"),
+              "one.json:1: error: tool T9 \"x\": " + std::string(message) + " [import-field]\n");
+  EXPECT_NE(all_notes(import_one("bull nose end mill", R"("DC":6,"RE":4,"LCF":20,"OAL":50,"LB":30)"))
+                .find("corner_radius 4 mm is larger than half the diameter"),
+            std::string::npos);
+  EXPECT_NE(all_notes(import_one("drill", R"("DC":6,"LCF":20,"OAL":50,"LB":30)")).find("no point angle"),
+            std::string::npos);
+}
+
+TEST(ImportFusion, AnEntryWithoutUnitIsLeftOut) {
+  const Result<ImportedTools> made = import_fusion(
+      "one.json", R"({"data":[{"type":"flat end mill","description":"x","geometry":{"DC":6,"LCF":9,"OAL":40}}]})", {});
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(all_notes(*made),
+            "one.json:1: error: tool \"x\": has no \"unit\"; each entry needs its own [import-field]\n"
+            "one.json: error: no tool of this file could be imported [import-empty]\n");
+}
+
+TEST(ImportFusion, GaugeLengthsThatDisagreeAreTold) {
+  const std::string holder = R"("holder":{"gaugeLength":40,"segments":[{"height":60,"lower-diameter":30,)"
+                             R"("upper-diameter":40}]},)";
+  const ImportedTools made = import_one(
+      "flat end mill", R"("DC":6,"LCF":20,"OAL":50,"LB":30,"SFDM":6,"assemblyGaugeLength":80)", holder);
+  EXPECT_EQ(notes_of(made, "import-contradiction"),
+            "one.json:1: warning: tool T9 \"x\": assemblyGaugeLength 80 mm is not LB 30 mm and gaugeLength 40 mm "
+            "together; built from these two [import-contradiction]\n");
+  EXPECT_NE(notes_of(made, "import-guess").find("reach 20 mm above the gauge line; they are kept"), std::string::npos);
+  expect_segment(made.library.tools.at(0).holder.at(0), 30, 40, 60);
+}
+
+TEST(ImportFusion, AHolderWithoutStickOutIsAnError) {
+  ImportOptions options;
+  options.holder = {{30, 30, 50}};
+  const std::string geometry = R"("DC":6,"LCF":20,"OAL":50,"SFDM":6)";
+  EXPECT_NE(notes_of(import_one("flat end mill", geometry, "", options), "import-stickout").find("give --stickout"),
+            std::string::npos);
+  options.stickout_mm = 35;
+  const ImportedTools made = import_one("flat end mill", geometry, "", options);
+  expect_segment(made.library.tools.at(0).shank.at(0), 6, 6, 15);
+  EXPECT_EQ(made.library.tools.at(0).holder.size(), 1u);
+}
+
+TEST(ImportFusion, AShaftLongerThanTheStickOutIsCutThere) {
+  const ImportedTools made =
+      import_one("flat end mill", R"("DC":6,"LCF":20,"OAL":50,"LB":30,"SFDM":12)",
+                 R"("shaft":{"segments":[{"height":20,"lower-diameter":6,"upper-diameter":12},)"
+                 R"({"height":5,"lower-diameter":12,"upper-diameter":12}]},)");
+  ASSERT_EQ(made.library.tools.at(0).shank.size(), 1u);
+  expect_segment(made.library.tools.at(0).shank[0], 6, 9, 10);
+}
+
+TEST(ImportFusion, TheZipIsTheSameLibrary) {
+  const Result<ImportedTools> zipped = import_tools("shop.json", corpus("fusion-mill.tools"), std::nullopt, {});
+  ASSERT_TRUE(zipped.has_value()) << to_text(zipped.error());
+  const ImportedTools plain = import_corpus();
+  EXPECT_EQ(write_tool_library(zipped->library), write_tool_library(plain.library));
+  EXPECT_EQ(all_notes(*zipped), all_notes(plain));
+}
+
+TEST(ImportFusion, ADamagedZipIsAnError) {
+  const std::string bytes = corpus("fusion-mill.tools");
+  const Result<ImportedTools> cut = import_fusion("a.tools", bytes.substr(0, bytes.size() / 2), {});
+  ASSERT_FALSE(cut.has_value());
+  EXPECT_EQ(to_text(cut.error()),
+            "a.tools: error: this zip archive is damaged; expected a tool library in it [import-zip]");
+}
+
+TEST(ImportFusion, ARoundTripLosesNothing) {
+  const ImportedTools made = import_corpus();
+  test::expect_round_trip(made.library);
+  EXPECT_EQ(made.library.unit, LengthUnit::mm) << "mixed units are written in mm";
+}
+
+TEST(ImportFusion, FilesThatAreNoLibraryAreRefused) {
+  const auto error = [](const std::string& bytes) {
+    const Result<ImportedTools> made = import_fusion("a.json", bytes, {});
+    return made ? "none" : to_text(made.error());
+  };
+  EXPECT_EQ(error("{\n\"data\": [}"),
+            "a.json:2: error: this is not JSON: there is a mistake at or before this line; expected a Fusion tool "
+            "library [import-syntax]");
+  EXPECT_EQ(error("{\"data\": 3}"),
+            "a.json: error: this JSON has no list \"data\"; expected a Fusion tool library [import-format]");
+  EXPECT_EQ(error("{\"data\": [], \"data\": []}"),
+            "a.json:1: error: the key /data is there twice; remove one [import-syntax]");
+  EXPECT_NE(error("{\"data\": [1e999]}").find("too large"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gouge

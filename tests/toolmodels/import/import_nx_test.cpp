@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include "tests/toolmodels/import/import_helpers.h"
+
+namespace gouge {
+namespace {
+
+using test::all_notes;
+using test::corpus;
+using test::expect_segment;
+using test::notes_of;
+
+ImportedTools import_corpus(const ImportOptions& options = {}) {
+  const Result<ImportedTools> made =
+      import_nx("nx/metric/tool_database.dat", corpus("nx/metric/tool_database.dat"), options);
+  EXPECT_TRUE(made.has_value());
+  return made ? *made : ImportedTools{};
+}
+
+std::string error_of(const std::string& rows) {
+  ImportOptions options;
+  options.unit = LengthUnit::mm;
+  const Result<ImportedTools> made =
+      import_nx("t.dat", "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI TAPA COR1\n" + rows, options);
+  return made ? all_notes(*made) : to_text(made.error());
+}
+
+TEST(ImportNx, AnEndMillIsReadByTheNamesOfItsFormat) {
+  const ImportedTools made = import_corpus();
+  const ToolAssembly* tool = made.library.with_number(11);
+  ASSERT_NE(tool, nullptr) << all_notes(made);
+  EXPECT_EQ(tool->name, "ugt_flat_20");
+  EXPECT_EQ(std::get<FlatCutter>(tool->cutter).diameter_mm, 20);
+  EXPECT_EQ(length_mm(tool->cutter), 38);
+  ASSERT_EQ(tool->shank.size(), 1u);
+  expect_segment(tool->shank[0], 20, 20, 37);  // FLEN 38 to HEI 75
+}
+
+TEST(ImportNx, ARowMayGoOnAndAShankStandsOnTheTool) {
+  const ImportedTools made = import_corpus();
+  const ToolAssembly* tool = made.library.with_number(12);
+  ASSERT_NE(tool, nullptr) << all_notes(made);
+  EXPECT_EQ(std::get<BullNoseCutter>(tool->cutter).corner_radius_mm, 2);
+  ASSERT_EQ(tool->shank.size(), 3u);
+  expect_segment(tool->shank[0], 10, 10, 28);  // FLEN 22 to HEI 50
+  expect_segment(tool->shank[1], 10, 12, 5);   // TSTLEN
+  expect_segment(tool->shank[2], 12, 12, 20);  // to HEI + TSLEN - HOFF = 75
+  EXPECT_NE(notes_of(made, "import-left-out").find("its holder \"HLD001_00005\" stands in another file"),
+            std::string::npos);
+  EXPECT_NE(notes_of(made, "import-guess").find("taken to stand on HEI 50 mm"), std::string::npos);
+}
+
+TEST(ImportNx, ATaperIsMeasuredFromTheAxisAndDrillsHaveAnIncludedAngle) {
+  const ImportedTools made = import_corpus();
+  const auto& cone = std::get<AptCutter>(made.library.with_name("ugt_cone_8")->cutter);
+  EXPECT_EQ(cone.d_mm, 8);
+  EXPECT_EQ(cone.beta_deg, 5);
+  EXPECT_EQ(cone.r_mm, 1);
+  const auto& drill = std::get<AptCutter>(made.library.with_number(21)->cutter);
+  EXPECT_EQ(drill.alpha_deg, 31);  // 90 - 118/2
+}
+
+TEST(ImportNx, ShapesThatCannotBeImportedAreTold) {
+  EXPECT_NE(notes_of(import_corpus(), "import-shape").find("tool T31 \"ugt_barrel_16\": not imported: shape BARREL_MILL"),
+            std::string::npos);
+}
+
+TEST(ImportNx, TheUnitIsNeverAssumedInSilence) {
+  const std::string bytes = corpus("nx/metric/tool_database.dat");
+  EXPECT_NE(notes_of(import_corpus(), "import-guess").find("lengths are taken in mm, after the folder"),
+            std::string::npos);
+  const Result<ImportedTools> none = import_nx("tool_database.dat", bytes, {});
+  ASSERT_FALSE(none.has_value());
+  EXPECT_EQ(none.error().code, "import-unit");
+  ImportOptions options;
+  options.unit = LengthUnit::inch;
+  const Result<ImportedTools> inches = import_nx("tool_database.dat", bytes, options);
+  ASSERT_TRUE(inches.has_value());
+  EXPECT_EQ(std::get<FlatCutter>(inches->library.with_number(11)->cutter).diameter_mm, 508);
+  EXPECT_EQ(inches->library.unit, LengthUnit::inch);
+}
+
+TEST(ImportNx, MistakesNameRowAndField) {
+  EXPECT_EQ(error_of("DATA | a | 10 | 60 | 50 | 0 | 0 |\n"),
+            "t.dat:3: error: tool \"a\": FLEN 60 mm is greater than HEI 50 mm; the flutes cannot be longer than the "
+            "tool [import-field]\nt.dat: error: no tool of this file could be imported [import-empty]\n");
+  EXPECT_NE(error_of("DATA | a | ten | 20 | 50 | 0 | 0 |\n").find("DIA is \"ten\"; expected a number"),
+            std::string::npos);
+  EXPECT_NE(error_of("DATA | a | 10 | 20 | 50 | 0 | 0 | 7 | 8 |\n")
+                .find("has 8 values, but its FORMAT names 6 fields"),
+            std::string::npos);
+  EXPECT_NE(error_of("#END_DATA\nDATA | a | 10 |\n").find("outside of a #CLASS"), std::string::npos);
+  EXPECT_EQ(error_of("DATA | a | 10 | 20 | 50 | 0 | 0 |\n"),
+            "t.dat:3: note: tool \"a\": no length below the holder is given; drawn up to HEI 50 mm, without a holder "
+            "[import-guess]\n");
+}
+
+TEST(ImportNx, NamesInLatin1SurviveAndARoundTripLosesNothing) {
+  ImportOptions options;
+  options.unit = LengthUnit::mm;
+  const Result<ImportedTools> made = import_nx(
+      "t.dat", "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI\nDATA | Fr\xE4ser | 10 | 20 | 50 |\n", options);
+  ASSERT_TRUE(made.has_value());
+  EXPECT_EQ(made->library.tools.at(0).name, "Fr\xC3\xA4ser");
+  test::expect_round_trip(made->library);
+  test::expect_round_trip(import_corpus().library);
+}
+
+TEST(ImportNx, FormatsAreRecognisedByWhatTheyHold) {
+  EXPECT_EQ(recognise_format(corpus("nx/metric/tool_database.dat")), ImportFormat::nx);
+  EXPECT_EQ(recognise_format(corpus("fusion-mill.json")), ImportFormat::fusion);
+  EXPECT_EQ(recognise_format(corpus("fusion-mill.tools")), ImportFormat::fusion);
+  EXPECT_EQ(recognise_format(corpus("freecad/shop.fctl")), ImportFormat::freecad);
+  EXPECT_EQ(recognise_format(corpus("freecad/bull_6.fctb")), ImportFormat::freecad);
+  EXPECT_EQ(recognise_format(R"({"units":"mm","tools":[]})"), std::nullopt) << "our own library";
+  EXPECT_EQ(recognise_format("GOTO/1,2,3"), std::nullopt);
+  EXPECT_EQ(recognise_format(""), std::nullopt);
+}
+
+}  // namespace
+}  // namespace gouge

@@ -1,0 +1,215 @@
+#include "toolmodels/import/catalogue_cutter.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace gouge {
+namespace {
+
+using enum Dimension;
+
+// Files round to a few decimals, in inches too; beyond this two numbers say different things.
+constexpr double kAgree_mm = 5e-3;
+// A pointed cone needs a side above it; one of a few nanometres makes the tool no smaller.
+constexpr double kAboveCone = 1 + 1e-6;
+
+double radians(double degrees) {
+  return degrees * (std::numbers::pi / 180);
+}
+
+Diagnostic contradiction(const std::string& message) {
+  return make_warning("import-contradiction", message);
+}
+
+class CutterMaker {
+ public:
+  CutterMaker(const Dimensions& d, Diagnostics& notes) : d_(d), notes_(notes) {}
+
+  Result<CatalogueCutter> make(CatalogueShape shape) {
+    if (Outcome good = check_signs(); !good) return good.error();
+    if (Outcome good = need(diameter, "diameter"); !good) return good.error();
+    if (shape != CatalogueShape::chamfer)
+      if (Outcome good = need(flute_length, "flute length"); !good) return good.error();
+    Result<CatalogueCutter> made = dispatch(shape);
+    if (!made) return made;
+    const Result<Profile> profile = make_cutter_profile(made->cutter);
+    if (!profile) return profile.error();
+    made->top_diameter_mm = 2 * profile->elements.back().a.x();
+    if (!made->collar.empty()) made->top_diameter_mm = made->collar.back().upper_diameter_mm;
+    return made;
+  }
+
+ private:
+  Result<CatalogueCutter> dispatch(CatalogueShape shape) {
+    switch (shape) {
+      case CatalogueShape::flat:
+        return flat();
+      case CatalogueShape::ball:
+        return ball();
+      case CatalogueShape::bull_nose:
+        return bull_nose();
+      case CatalogueShape::tapered:
+        return tapered();
+      case CatalogueShape::tapered_ball:
+        return tapered_ball();
+      case CatalogueShape::chamfer:
+        return chamfer();
+      case CatalogueShape::drill:
+        return drill();
+      case CatalogueShape::face:
+        return face();
+      case CatalogueShape::five_numbers:
+        break;
+    }
+    return five_numbers();
+  }
+
+  Outcome check_signs() const {
+    for (int i = 0; i < static_cast<int>(Dimension::count); ++i) {
+      const auto dimension = static_cast<Dimension>(i);
+      const std::optional<Given>& given = d_[dimension];
+      if (!given) continue;
+      const bool may_be_negative = dimension == taper_angle || dimension == bottom_angle;
+      if (!std::isfinite(given->value) || (given->value < 0 && !may_be_negative))
+        return make_error("import-field", d_.text(dimension) + " is not possible; it must not be negative");
+    }
+    return Done{};
+  }
+
+  Outcome need(Dimension dimension, const std::string& what) const {
+    if (d_[dimension]) return Done{};
+    return make_error("import-field", "the file gives no " + what + "; this shape needs one");
+  }
+
+  [[nodiscard]] double at(Dimension dimension) const { return d_.value_or(dimension, 0); }
+
+  CatalogueCutter flat() {
+    if (at(corner_radius) > kAgree_mm)
+      notes_.push_back(contradiction(d_.text(corner_radius) +
+                                     " on a flat end mill; built with a sharp corner, which is the larger tool"));
+    return {FlatCutter{at(diameter), at(flute_length)}, 0, {}};
+  }
+
+  CatalogueCutter ball() {
+    if (d_[corner_radius] && std::abs(at(corner_radius) - at(diameter) / 2) > kAgree_mm &&
+        at(corner_radius) > 0)
+      notes_.push_back(contradiction(d_.text(corner_radius) + " is not half of " + d_.text(diameter) +
+                                     "; built as a ball of that diameter"));
+    return {BallCutter{at(diameter), at(flute_length)}, 0, {}};
+  }
+
+  Result<CatalogueCutter> bull_nose() {
+    if (Outcome good = need(corner_radius, "corner radius"); !good) return good.error();
+    check_tip(at(diameter) - 2 * at(corner_radius), "diameter and corner radius");
+    return CatalogueCutter{BullNoseCutter{at(diameter), at(corner_radius), at(flute_length)}, 0, {}};
+  }
+
+  // The tip diameter is never used where the other numbers already say it.
+  void check_tip(double expected_mm, const std::string& believed) {
+    if (!d_[tip_diameter] || std::abs(at(tip_diameter) - expected_mm) <= kAgree_mm) return;
+    notes_.push_back(contradiction(d_.text(tip_diameter) + " does not follow from the other numbers, which give " +
+                                   mm_text(std::max(expected_mm, 0.0)) + "; built from " + believed));
+  }
+
+  Outcome check_taper() const {
+    if (Outcome good = need(taper_angle, "taper angle"); !good) return good;
+    if (at(taper_angle) > 0 && at(taper_angle) < 90) return Done{};
+    return make_error("import-field", d_.text(taper_angle) +
+                                          " is not possible; the angle between side and axis lies between 0 and 90");
+  }
+
+  Result<CatalogueCutter> tapered() {
+    if (Outcome good = check_taper(); !good) return good.error();
+    const double beta = radians(at(taper_angle)), r = at(corner_radius);
+    check_tip(std::max(0.0, at(diameter) + 2 * r * (std::sin(beta) - 1) / std::cos(beta)),
+              "diameter, corner radius and taper angle");
+    const double top = at(diameter) + 2 * at(flute_length) * std::tan(beta);
+    if (at(shoulder_diameter) > 0 && std::abs(at(shoulder_diameter) - top) > kAgree_mm)
+      notes_.push_back(contradiction(d_.text(shoulder_diameter) + ", but a side leaning " + d_.text(taper_angle) +
+                                     " from the axis is " + mm_text(top) +
+                                     " wide at the top of the flutes; built with that angle"));
+    if (r > 0) return CatalogueCutter{AptCutter{at(diameter), r, 0, 0, 0, at(taper_angle), at(flute_length)}, 0, {}};
+    return CatalogueCutter{TaperedCutter{at(diameter), 0, at(taper_angle), at(flute_length)}, 0, {}};
+  }
+
+  Result<CatalogueCutter> tapered_ball() {
+    if (Outcome good = check_taper(); !good) return good.error();
+    const double beta = radians(at(taper_angle)), r = at(diameter) / 2;
+    const double top = 2 * (r / std::cos(beta) + (at(flute_length) - r) * std::tan(beta));
+    if (at(largest_diameter) > 0 && std::abs(at(largest_diameter) - top) > kAgree_mm)
+      notes_.push_back(contradiction(d_.text(largest_diameter) + ", but a side leaning " +
+                                     degrees_text(at(taper_angle)) + " from the axis is " + mm_text(top) +
+                                     " wide at the top of the flutes; built with that angle"));
+    return CatalogueCutter{TaperedCutter{at(diameter), r, at(taper_angle), at(flute_length)}, 0, {}};
+  }
+
+  Result<CatalogueCutter> chamfer() {
+    if (Outcome good = check_taper(); !good) return good.error();
+    const double d = at(diameter), tip = at(tip_diameter), half = at(taper_angle);
+    if (tip >= d)
+      return make_error("import-field", d_.text(tip_diameter) + " is not less than " + d_.text(diameter) +
+                                            "; the diameter of a chamfer mill is its largest");
+    if (at(corner_radius) > kAgree_mm)
+      notes_.push_back(contradiction(d_.text(corner_radius) +
+                                     " at the tip is left out; built with a sharp corner, which is the larger tool"));
+    const double cone_mm = (d - tip) / 2 / std::tan(radians(half));
+    double flutes_mm = at(flute_length);
+    if (flutes_mm < cone_mm - kAgree_mm) {
+      const std::string cone = d_.text(diameter) + " at z = " + mm_text(cone_mm);
+      if (d_[flute_length])
+        notes_.push_back(contradiction(d_.text(flute_length) + " ends below the top of the cone, which reaches " +
+                                       cone + "; built up to there"));
+      else
+        notes_.push_back(make_note("import-guess", "no flute length is given; the flutes end where the cone reaches " +
+                                                       cone));
+      flutes_mm = cone_mm;
+    }
+    const bool is_straight_above = flutes_mm > cone_mm + kAgree_mm;
+    if (!(tip > 0)) {
+      if (is_straight_above) return CatalogueCutter{AptCutter{d, 0, 0, 0, 90 - half, 0, flutes_mm}, 0, {}};
+      return CatalogueCutter{AptCutter{d, 0, 0, 0, 90 - half, 0, cone_mm * kAboveCone}, 0, {}};
+    }
+    CatalogueCutter made{TaperedCutter{tip, 0, half, cone_mm}, 0, {}};
+    if (is_straight_above) made.collar.push_back({d, d, flutes_mm - cone_mm});
+    return made;
+  }
+
+  Result<CatalogueCutter> drill() {
+    if (Outcome good = need(point_angle, "point angle"); !good) return good.error();
+    const double sigma = at(point_angle);
+    if (!(sigma > 0 && sigma <= 180))
+      return make_error("import-field",
+                        d_.text(point_angle) + " is not possible; the angle of a point lies between 0 and 180");
+    return CatalogueCutter{AptCutter{at(diameter), 0, 0, 0, 90 - sigma / 2, 0, at(flute_length)}, 0, {}};
+  }
+
+  Result<CatalogueCutter> face() {
+    const bool has_chamfer = at(taper_angle) > 0 || at(largest_diameter) > at(diameter) + kAgree_mm;
+    if (has_chamfer) return make_error("import-shape", "face mill with a chamfer");
+    return at(corner_radius) > 0 ? bull_nose() : Result<CatalogueCutter>(flat());
+  }
+
+  Result<CatalogueCutter> five_numbers() {
+    if (!(at(bottom_angle) > 0) && std::abs(at(taper_angle)) <= 0) {
+      if (at(corner_radius) > 0) return bull_nose();
+      return flat();
+    }
+    return CatalogueCutter{AptCutter{at(diameter), at(corner_radius), 0, 0, at(bottom_angle), at(taper_angle),
+                                     at(flute_length)},
+                           0,
+                           {}};
+  }
+
+  const Dimensions& d_;
+  Diagnostics& notes_;
+};
+
+}  // namespace
+
+Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape, const Dimensions& dimensions,
+                                              Diagnostics& notes) {
+  return CutterMaker(dimensions, notes).make(shape);
+}
+
+}  // namespace gouge

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/base/diagnostic.h"
+#include "lib/base/result.h"
+#include "toolmodels/assembly.h"
+#include "toolmodels/import/dimensions.h"
+
+// From catalogue dimensions to the cutter shapes of this project, where these are exactly the tool.
+
+namespace gouge {
+
+/// Which dimensions count, and what they mean.
+enum class CatalogueShape {
+  flat,
+  ball,
+  bull_nose,
+  tapered,       ///< diameter is where the side, going on down, meets the tip plane
+  tapered_ball,  ///< diameter is that of the ball at the tip
+  chamfer,       ///< diameter is the largest; a cone from tip_diameter up to it, then straight
+  drill,         ///< a point of point_angle
+  face,          ///< flat or bull nose, as long as it has no chamfer
+  five_numbers,  ///< NX: diameter where bottom and side meet, corner radius, taper and bottom angle
+};
+
+struct CatalogueCutter {
+  Cutter cutter;
+  double top_diameter_mm = 0;
+  std::vector<ToolSegment> collar;  ///< the straight rest of the flutes, where no one shape has both; may be empty
+};
+
+/// Errors   import-field, import-shape (a shape that cannot be imported exactly), and those of
+///          make_cutter_profile; without the tool's name, which the caller knows.
+/// Notes    import-contradiction, import-guess.
+[[nodiscard]] Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape, const Dimensions& dimensions,
+                                                            Diagnostics& notes);
+
+}  // namespace gouge

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/base/diagnostic.h"
+#include "lib/base/result.h"
+#include "lib/base/units.h"
+#include "toolmodels/assembly.h"
+#include "toolmodels/import/catalogue_cutter.h"
+#include "toolmodels/import/import_tools.h"
+
+// A tool as a catalogue or a CAM library tells it, and the assembly it makes:
+//
+//   holder segments          from body_length up
+//   shank                    shank_diameter, from the shaft segments (or the shoulder) to body_length
+//   shaft segments           as the file lists them, from the tip side up
+//   shoulder                 shoulder_diameter, from the flutes to shoulder_length
+//   cutter                   tip to flute_length
+
+namespace gouge {
+
+struct CatalogueTool {
+  std::optional<int> number;
+  std::string name;
+  std::string file;  ///< empty: that of the library
+  std::size_t line = 0;
+  LengthUnit unit = LengthUnit::mm;  ///< of the file; every length here is in mm
+  CatalogueShape shape = CatalogueShape::flat;
+  Dimensions dimensions;
+  std::vector<ToolSegment> shaft;
+  std::vector<ToolSegment> holder;
+};
+
+/// Errors   import-field, import-shape, import-stickout, and those of make_body_profiles; none names the tool
+///          but the last.
+/// Notes    import-contradiction, import-guess.
+[[nodiscard]] Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& tool, const ImportOptions& options,
+                                                       Diagnostics& notes);
+
+}  // namespace gouge

@@ -1,0 +1,90 @@
+#include "toolmodels/import/collector.h"
+
+#include <utility>
+
+namespace gouge {
+
+Collector::Collector(std::string file, const ImportOptions& options) : options_(options) {
+  made_.library.file = std::move(file);
+}
+
+std::string tool_label(const std::optional<int>& number, const std::string& name) {
+  ToolAssembly tool;
+  tool.number = number;
+  tool.name = name;
+  return "tool " + label(tool);
+}
+
+std::optional<int> tool_number(long long number) {
+  if (number < 0 || number > 999'999'999) return std::nullopt;
+  return static_cast<int>(number);
+}
+
+void Collector::tell(const std::string& who, const Diagnostic& diagnostic, std::size_t line) {
+  Diagnostic told = diagnostic;
+  if (!told.message.starts_with(who + ": ")) told.message = who + ": " + told.message;
+  if (told.file.empty()) {
+    told.file = file();
+    told.line = line;
+  }
+  made_.notes.push_back(std::move(told));
+}
+
+void Collector::leave_out(const std::string& who, const std::string& shape, std::size_t line) {
+  tell(who, make_warning("import-shape", "not imported: shape " + shape), line);
+}
+
+void Collector::settle_number(ToolAssembly& tool, std::size_t line) {
+  if (!tool.number || made_.library.with_number(*tool.number) == nullptr) return;
+  const std::string who = tool_label(tool.number, tool.name);
+  const int number = *tool.number;
+  tool.number.reset();
+  if (tool.name.empty()) tool.name = "tool at position " + std::to_string(made_.library.tools.size() + 1);
+  tell(who,
+       make_warning("import-number", "number " + std::to_string(number) +
+                                         " is already taken; this tool is imported without number, as \"" +
+                                         tool.name + "\""),
+       line);
+}
+
+void Collector::tell_of(const CatalogueTool& tool, const std::string& who, Diagnostic diagnostic) {
+  if (!tool.file.empty()) {
+    diagnostic.file = tool.file;
+    diagnostic.line = tool.line;
+  }
+  tell(who, diagnostic, tool.line);
+}
+
+void Collector::add(CatalogueTool tool) {
+  if (!tool.number && tool.name.empty())
+    tool.name = "tool at position " + std::to_string(made_.library.tools.size() + 1);
+  const std::string who = tool_label(tool.number, tool.name);
+  Diagnostics notes;
+  Result<ToolAssembly> made = make_catalogue_tool(tool, options_, notes);
+  if (!made && made.error().code == "import-shape")
+    return tell_of(tool, who, make_warning("import-shape", "not imported: shape " + made.error().message));
+  for (const Diagnostic& note : notes) tell_of(tool, who, note);
+  if (!made) return tell_of(tool, who, made.error());
+  settle_number(*made, tool.line);
+  is_all_inch_ = is_all_inch_ && tool.unit == LengthUnit::inch;
+  made_.library.tools.push_back(std::move(*made));
+}
+
+void Collector::add_holder(NamedHolder holder, LengthUnit unit, std::size_t line) {
+  const std::string who = "holder \"" + holder.name + "\"";
+  const ToolAssembly probe{std::nullopt, holder.name, FlatCutter{1, 1}, {}, holder.segments};
+  if (const Result<BodyProfiles> bodies = make_body_profiles(probe); !bodies)
+    return tell(who, bodies.error(), line);
+  is_all_inch_ = is_all_inch_ && unit == LengthUnit::inch;
+  made_.library.holders.push_back(std::move(holder));
+}
+
+ImportedTools Collector::finish() {
+  const bool is_empty = made_.library.tools.empty() && made_.library.holders.empty();
+  if (is_empty)
+    made_.notes.push_back(make_error("import-empty", "no tool of this file could be imported", file()));
+  made_.library.unit = is_all_inch_ && !is_empty ? LengthUnit::inch : LengthUnit::mm;
+  return std::move(made_);
+}
+
+}  // namespace gouge

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "toolmodels/import/catalogue_tool.h"
+#include "toolmodels/import/import_tools.h"
+
+namespace gouge {
+
+/// Turns catalogue tools into the library's, and keeps account of what had to be said about each. Numbers stay
+/// unique: the first tool of a number keeps it.
+class Collector {
+ public:
+  Collector(std::string file, const ImportOptions& options);
+
+  void add(CatalogueTool tool);
+  void add_holder(NamedHolder holder, LengthUnit unit, std::size_t line);
+  /// `who` was left out because its shape cannot be expressed.
+  void leave_out(const std::string& who, const std::string& shape, std::size_t line);
+  /// A diagnostic about `who`, with file and line filled in.
+  void tell(const std::string& who, const Diagnostic& diagnostic, std::size_t line);
+
+  [[nodiscard]] const ImportOptions& options() const { return options_; }
+  [[nodiscard]] const std::string& file() const { return made_.library.file; }
+
+  /// Says so in the notes when nothing is left.
+  [[nodiscard]] ImportedTools finish();
+
+ private:
+  void tell_of(const CatalogueTool& tool, const std::string& who, Diagnostic diagnostic);
+  void settle_number(ToolAssembly& tool, std::size_t line);
+
+  const ImportOptions& options_;
+  ImportedTools made_;
+  bool is_all_inch_ = true;
+};
+
+/// How messages call a tool of another program's file: its number and name as far as it has them.
+[[nodiscard]] std::string tool_label(const std::optional<int>& number, const std::string& name);
+
+/// A tool number this project can hold.
+[[nodiscard]] std::optional<int> tool_number(long long number);
+
+}  // namespace gouge

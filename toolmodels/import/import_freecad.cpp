@@ -1,0 +1,199 @@
+#include <algorithm>
+#include <utility>
+
+#include "toolmodels/import/collector.h"
+#include "toolmodels/import/import_tools.h"
+#include "toolmodels/import/json_entry.h"
+
+namespace gouge {
+namespace {
+
+using Json = nlohmann::json;
+
+std::optional<CatalogueShape> shape_of(const std::string& word) {
+  static constexpr std::pair<std::string_view, CatalogueShape> kShapes[] = {
+      {"endmill", CatalogueShape::flat},     {"ballend", CatalogueShape::ball},
+      {"ballnose", CatalogueShape::ball},    {"bullnose", CatalogueShape::bull_nose},
+      {"chamfer", CatalogueShape::chamfer},  {"vbit", CatalogueShape::chamfer},
+      {"drill", CatalogueShape::drill},      {"reamer", CatalogueShape::flat},
+      {"taperedballnose", CatalogueShape::tapered_ball}, {"torus", CatalogueShape::bull_nose}};
+  for (const auto& [name, shape] : kShapes)
+    if (name == word) return shape;
+  return std::nullopt;
+}
+
+// FreeCAD's angles of tapers and edges are INCLUDED angles, the catalogue's are half of them.
+struct Parameter {
+  Dimension dimension;
+  double factor = 1;
+};
+
+std::optional<Parameter> parameter_of(const std::string& key) {
+  static constexpr std::pair<std::string_view, Parameter> kNames[] = {
+      {"Diameter", {Dimension::diameter}},
+      {"CornerRadius", {Dimension::corner_radius}},
+      {"TorusRadius", {Dimension::corner_radius}},
+      {"CuttingEdgeHeight", {Dimension::flute_length}},
+      {"CuttingEdgeLength", {Dimension::flute_length}},
+      {"Length", {Dimension::overall_length}},
+      {"ShankDiameter", {Dimension::shank_diameter}},
+      {"TaperAngle", {Dimension::taper_angle, 0.5}},
+      {"CuttingEdgeAngle", {Dimension::taper_angle, 0.5}},
+      {"TipAngle", {Dimension::point_angle}},
+      {"TipDiameter", {Dimension::tip_diameter}},
+      {"TaperDiameter", {Dimension::largest_diameter}}};
+  for (const auto& [name, parameter] : kNames)
+    if (name == key) return parameter;
+  if (const std::optional<Dimension> dimension = catalogue_dimension(key)) return Parameter{*dimension};
+  return std::nullopt;
+}
+
+bool is_not_contour(const std::string& key) {
+  static constexpr std::string_view kKeys[] = {"Flutes",   "Units",    "Material", "SpindleDirection",
+                                               "Chipload", "ChipLoad", "Pitch",    "Coating"};
+  return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);
+}
+
+std::string stem(const std::string& path) {
+  const std::size_t slash = path.find_last_of("/\\");
+  const std::string name = slash == std::string::npos ? path : path.substr(slash + 1);
+  return name.substr(0, name.find_last_of('.'));
+}
+
+class BitImporter {
+ public:
+  BitImporter(Collector& collector, const detail::JsonFile& json, std::string file)
+      : collector_(collector), json_(json), file_(std::move(file)) {}
+
+  void read(std::optional<int> number) {
+    tool_.number = number;
+    tool_.name = detail::text_of(json_.root, "name");
+    if (tool_.name.empty()) tool_.name = clean_text(stem(file_));
+    tool_.file = file_;
+    who_ = tool_label(tool_.number, tool_.name);
+    std::string type = detail::text_of(json_.root, "shape-type");
+    if (type.empty()) type = stem(detail::text_of(json_.root, "shape"));
+    const std::optional<CatalogueShape> shape = shape_of(plain_word(type));
+    if (!shape) return tell(make_warning("import-shape", "not imported: shape " + (type.empty() ? "not named" : type)));
+    tool_.shape = *shape;
+    const auto parameters = json_.root.find("parameter");
+    if (parameters == json_.root.end() || !parameters->is_object())
+      return tell(make_error("import-field", "has no \"parameter\"; it needs them"));
+    if (const Outcome good = read_parameters(*parameters); !good) return tell(good.error());
+    tool_.unit = has_inch_ && !has_mm_ ? LengthUnit::inch : LengthUnit::mm;
+    collector_.add(std::move(tool_));
+  }
+
+ private:
+  Outcome read_parameters(const Json& parameters) {
+    std::optional<double> flat_radius;
+    for (const auto& [key, value] : parameters.items()) {
+      if (is_not_contour(key)) continue;
+      const std::optional<Parameter> parameter = parameter_of(key);
+      if (!parameter && key != "FlatRadius") {
+        tell(make_note("import-left-out", "has a parameter \"" + clean_text(key) +
+                                              "\" that has no meaning for this shape here and was left out"));
+        continue;
+      }
+      const bool angle = parameter && is_angle(parameter->dimension);
+      const Result<std::optional<Quantity>> read = detail::quantity_of(value, key, LengthUnit::mm, angle);
+      if (!read) return read.error();
+      if (!*read) continue;
+      note_how_it_reads(key, **read, angle);
+      if (parameter)
+        tool_.dimensions.set(parameter->dimension, (*read)->value * parameter->factor,
+                             parameter->factor < 1 ? "half of " + key : key);
+      else
+        flat_radius = (*read)->value;
+    }
+    if (flat_radius) take_corner_from_flat(*flat_radius);
+    return Done{};
+  }
+
+  // Files of old versions give a bull nose the radius of its flat instead of its corner's.
+  void take_corner_from_flat(double flat_radius_mm) {
+    if (tool_.dimensions[Dimension::corner_radius]) return;
+    const double corner = tool_.dimensions.value_or(Dimension::diameter, 0) / 2 - flat_radius_mm;
+    tool_.dimensions.set(Dimension::corner_radius, corner, "corner radius (Diameter/2 - FlatRadius)");
+  }
+
+  void note_how_it_reads(const std::string& key, const Quantity& quantity, bool angle) {
+    if (quantity.unit == QuantityUnit::mm) has_mm_ = true;
+    if (quantity.unit == QuantityUnit::inch) has_inch_ = true;
+    if (quantity.has_decimal_comma)
+      tell(make_note("import-guess", key + " has a comma; read as a decimal comma, " +
+                                         (angle ? degrees_text(quantity.value) : mm_text(quantity.value))));
+    if (quantity.unit == QuantityUnit::none && !angle) {
+      has_mm_ = true;
+      tell(make_note("import-guess", key + " has no unit; taken as " + mm_text(quantity.value)));
+    }
+  }
+
+  void tell(Diagnostic diagnostic) {
+    diagnostic.message = who_ + ": " + diagnostic.message;
+    diagnostic.file = file_;
+    collector_.tell(who_, diagnostic, 0);
+  }
+
+  Collector& collector_;
+  const detail::JsonFile& json_;
+  std::string file_;
+  CatalogueTool tool_;
+  std::string who_;
+  bool has_mm_ = false, has_inch_ = false;
+};
+
+bool is_bit(const Json& root) {
+  return root.is_object() && root.contains("parameter") && (root.contains("shape") || root.contains("shape-type"));
+}
+
+// A library may not send us anywhere but down its own folder.
+bool stays_below(const std::string& path) {
+  return !path.empty() && path.front() != '/' && path.find('\\') == std::string::npos &&
+         path.find("..") == std::string::npos && path.find(':') == std::string::npos &&
+         path.find('\0') == std::string::npos;
+}
+
+void read_listed(Collector& collector, const Json& entry, const std::string& who, std::size_t line) {
+  const std::string path = entry.is_object() ? detail::text_of(entry, "path") : std::string();
+  if (!stays_below(path))
+    return collector.tell(who, make_error("import-field", "path is \"" + path +
+                                                              "\"; expected the name of a file beside the library"),
+                          line);
+  std::optional<int> number;
+  if (const auto found = entry.find("nr"); found != entry.end() && found->is_number_integer())
+    number = tool_number(found->get<std::int64_t>());
+  if (!collector.options().read_beside)
+    return collector.tell(who, make_error("import-field", path + " cannot be read from here"), line);
+  const Result<std::string> bytes = collector.options().read_beside(path);
+  if (!bytes) return collector.tell(who, bytes.error(), line);
+  const Result<detail::JsonFile> bit = detail::parse_json(path, *bytes, "a FreeCAD tool bit");
+  if (!bit) return collector.tell(who, bit.error(), line);
+  if (!is_bit(bit->root))
+    return collector.tell(who, make_error("import-format", "this is no FreeCAD tool bit", path), line);
+  BitImporter(collector, *bit, path).read(number);
+}
+
+}  // namespace
+
+Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes,
+                                     const ImportOptions& options) {
+  const Result<detail::JsonFile> json = detail::parse_json(file, bytes, "a FreeCAD tool bit or library");
+  if (!json) return json.error();
+  Collector collector(file, options);
+  if (is_bit(json->root)) {
+    BitImporter(collector, *json, file).read(std::nullopt);
+    return collector.finish();
+  }
+  const auto tools = json->root.find("tools");
+  if (tools == json->root.end() || !tools->is_array())
+    return make_error("import-format", "expected a FreeCAD tool bit (with \"shape\" and \"parameter\") or a library "
+                                       "(with a list \"tools\")",
+                      file);
+  for (std::size_t i = 0; i < tools->size(); ++i)
+    read_listed(collector, (*tools)[i], "tool at position " + std::to_string(i + 1),
+                json->lines.at("/tools/" + std::to_string(i)));
+  return collector.finish();
+}
+
+}  // namespace gouge

@@ -1,0 +1,54 @@
+#include "toolmodels/import/import_tools.h"
+
+#include <nlohmann/json.hpp>
+
+#include "toolmodels/import/quantity.h"
+#include "toolmodels/import/unzip.h"
+
+namespace gouge {
+namespace {
+
+bool has_key(const nlohmann::json& root, const char* key) {
+  return root.is_object() && root.contains(key);
+}
+
+bool has_class_line(std::string_view text) {
+  for (std::size_t at = text.find("#CLASS"); at != std::string_view::npos; at = text.find("#CLASS", at + 1))
+    if (at == 0 || text[at - 1] == '\n') return true;
+  return false;
+}
+
+}  // namespace
+
+std::optional<ImportFormat> recognise_format(std::string_view bytes) {
+  if (is_zip(bytes)) return ImportFormat::fusion;
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  const std::string_view text = trim(bytes);
+  if (!text.starts_with('{')) return has_class_line(text) ? std::optional(ImportFormat::nx) : std::nullopt;
+  const nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
+  if (has_key(root, "data")) return ImportFormat::fusion;
+  if (has_key(root, "parameter")) return ImportFormat::freecad;
+  // Our own library has "tools" too, but always says its "units".
+  if (has_key(root, "tools") && !has_key(root, "units")) return ImportFormat::freecad;
+  return std::nullopt;
+}
+
+Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes,
+                                   std::optional<ImportFormat> format, const ImportOptions& options) {
+  if (!format) format = recognise_format(bytes);
+  if (!format)
+    return make_error("import-format", "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or "
+                                       "library, nor an NX tool_database.dat; say which with --format",
+                      file);
+  switch (*format) {
+    case ImportFormat::fusion:
+      return import_fusion(file, bytes, options);
+    case ImportFormat::freecad:
+      return import_freecad(file, bytes, options);
+    case ImportFormat::nx:
+      break;
+  }
+  return import_nx(file, bytes, options);
+}
+
+}  // namespace gouge

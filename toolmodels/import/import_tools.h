@@ -1,0 +1,61 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/diagnostic.h"
+#include "lib/base/result.h"
+#include "lib/base/units.h"
+#include "toolmodels/tool_library.h"
+
+// Tool libraries of other programs, read into ours. Nothing is guessed in silence: what had to be assumed, what
+// contradicts itself and what was left out stands in `notes`, each with the tool's name. What each format means
+// by its fields: docs/formats/tool_import.md.
+
+namespace gouge {
+
+enum class ImportFormat { fusion, freecad, nx };
+
+struct ImportOptions {
+  std::vector<ToolSegment> holder;    ///< put on tools that have none; empty: they stay without
+  std::optional<double> stickout_mm;  ///< tip to holder, for tools whose file does not say
+  std::optional<LengthUnit> unit;     ///< for formats that do not say theirs (NX)
+  /// Bytes of a file beside the library, for libraries that only name their tools. May be empty.
+  std::function<Result<std::string>(const std::string& name)> read_beside;
+};
+
+struct ImportedTools {
+  ToolLibrary library;  ///< write_tool_library of it reads back as the same tools; may be empty
+  /// Errors: a tool that was left out because its numbers make no tool. Warnings: a shape that cannot be
+  /// imported, numbers that contradict each other (the message says which were believed). Notes: what was assumed.
+  Diagnostics notes;
+};
+
+/// Fusion library: JSON, or .tools, which is a zip of it.
+/// Errors   import-syntax, import-format, import-zip: the file as a whole cannot be read. What is wrong with one
+///          tool is in `notes`: import-field, import-shape, import-stickout, import-contradiction, import-number,
+///          import-guess, import-left-out, import-empty, and those of make_body_profiles.
+[[nodiscard]] Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes,
+                                                  const ImportOptions& options);
+
+/// One FreeCAD tool bit (.fctb), or a library (.fctl) whose bits are read with `read_beside`. Errors as above.
+[[nodiscard]] Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes,
+                                                   const ImportOptions& options);
+
+/// NX tool_database.dat. Its unit is the option, or the folder metric or english in the file's name.
+/// Errors   as above, and import-unit.
+[[nodiscard]] Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
+                                              const ImportOptions& options);
+
+/// By what the file holds, not by its name.
+[[nodiscard]] std::optional<ImportFormat> recognise_format(std::string_view bytes);
+
+/// The importer of `format`, or of the format that is recognised. Errors: import-format, and those above.
+[[nodiscard]] Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes,
+                                                 std::optional<ImportFormat> format,
+                                                 const ImportOptions& options);
+
+}  // namespace gouge

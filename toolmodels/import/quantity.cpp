@@ -1,0 +1,122 @@
+#include "toolmodels/import/quantity.h"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+struct KnownUnit {
+  std::string_view word;
+  QuantityUnit unit;
+  double factor;
+};
+
+constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr std::array kUnits = {
+    KnownUnit{"", QuantityUnit::none, 1},           KnownUnit{"mm", QuantityUnit::mm, 1},
+    KnownUnit{"cm", QuantityUnit::mm, 10},          KnownUnit{"m", QuantityUnit::mm, 1000},
+    KnownUnit{"um", QuantityUnit::mm, 1e-3},        KnownUnit{"\xC2\xB5m", QuantityUnit::mm, 1e-3},
+    KnownUnit{"in", QuantityUnit::inch, 25.4},      KnownUnit{"inch", QuantityUnit::inch, 25.4},
+    KnownUnit{"\"", QuantityUnit::inch, 25.4},      KnownUnit{"thou", QuantityUnit::inch, 0.0254},
+    KnownUnit{"deg", QuantityUnit::degree, 1},      KnownUnit{"\xC2\xB0", QuantityUnit::degree, 1},
+    KnownUnit{"rad", QuantityUnit::degree, kDegrees}};
+
+bool is_number_char(char c) {
+  return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '+' || c == '-';
+}
+
+// Exponents only before a digit or sign: the e of "6e-1 mm", never of a unit.
+std::size_t number_end(std::string_view text) {
+  std::size_t end = 0;
+  while (end < text.size()) {
+    const bool is_exponent = (text[end] == 'e' || text[end] == 'E') && end + 1 < text.size() &&
+                             is_number_char(text[end + 1]);
+    if (!is_number_char(text[end]) && !is_exponent) break;
+    ++end;
+  }
+  return end;
+}
+
+// Length of the UTF-8 sequence at `at`, or 0 when there is none.
+std::size_t sequence_length(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  const unsigned char first = byte(at);
+  const std::size_t length = first < 0x80 ? 1 : first < 0xC2 ? 0 : first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  if (length == 0 || first > 0xF4 || at + length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(at + i) & 0xC0) != 0x80) return 0;
+  if (length < 3) return length;
+  const unsigned char second = byte(at + 1);
+  const bool is_wrong = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+                        (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
+  return is_wrong ? 0 : length;
+}
+
+bool is_utf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t length = sequence_length(text, at);
+    if (length == 0) return false;
+    at += length;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::string_view trim(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n\v\f";
+  const std::size_t begin = text.find_first_not_of(kBlanks);
+  if (begin == std::string_view::npos) return {};
+  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+}
+
+std::optional<Quantity> parse_quantity(std::string_view text) {
+  text = trim(text);
+  const std::size_t end = number_end(text);
+  std::string digits(text.substr(0, end));
+  const std::string_view word = trim(text.substr(end));
+  const auto unit =
+      std::find_if(kUnits.begin(), kUnits.end(), [&](const KnownUnit& u) { return u.word == word; });
+  if (unit == kUnits.end()) return std::nullopt;
+  const auto commas = std::count(digits.begin(), digits.end(), ',');
+  if (commas > 1 || (commas == 1 && digits.find('.') != std::string::npos)) return std::nullopt;
+  std::replace(digits.begin(), digits.end(), ',', '.');
+  const std::optional<double> number = parse_number(digits);
+  if (!number) return std::nullopt;
+  return Quantity{*number * unit->factor, unit->unit, commas == 1};
+}
+
+std::string clean_text(std::string_view text) {
+  text = trim(text);
+  const bool is_latin1 = !is_utf8(text);
+  std::string clean;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F) {
+      clean += ' ';
+    } else if (is_latin1 && byte >= 0x80) {
+      clean += static_cast<char>(0xC0 | (byte >> 6));
+      clean += static_cast<char>(0x80 | (byte & 0x3F));
+    } else {
+      clean += c;
+    }
+  }
+  return clean;
+}
+
+std::string plain_word(std::string_view text) {
+  std::string word;
+  for (const char c : text) {
+    if (c >= 'A' && c <= 'Z')
+      word += static_cast<char>(c - 'A' + 'a');
+    else if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9'))
+      word += c;
+  }
+  return word;
+}
+
+}  // namespace gouge
