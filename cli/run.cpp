@@ -54,7 +54,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
                         arguments.correct);
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
     add_path_options(*app.add_subcommand("path", "Tell what is in a toolpath file"), arguments.path);
-    add_tool_options(*app.add_subcommand("tool", "List, show and draw the tools of a library"), arguments.tool);
+    add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), arguments.tool);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

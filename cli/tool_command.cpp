@@ -100,9 +100,15 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments) {
   picture->add_option("-o,--output", arguments.output, "picture to write: .png or .svg")->required();
   picture->footer(std::string("Example:\n  gougecheck tool draw --tools shop.json --tool 3 -o t3.svg\n") +
                   kExitText);
-}
+  CLI::App* import = command.add_subcommand("import", "Turn a tool library of another program into ours");
+  add_tool_import_options(*import, arguments.import, arguments.output);
+  import->callback([&arguments] { arguments.action = ToolAction::import;
+});
+}  // namespace gouge
 
 int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err) {
+  if (arguments.action == ToolAction::import)
+    return run_tool_import(arguments.import, arguments.output, out, err);
   const Result<std::string> bytes = read_file(arguments.tools_file);
   if (!bytes) return refuse(bytes.error(), err);
   const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);
@@ -119,6 +125,8 @@ int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& er
       break;
     case ToolAction::draw:
       return draw(*tools, library->unit, arguments.output, err);
+    case ToolAction::import:
+      break;
   }
   return kExitClean;
 }

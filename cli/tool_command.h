@@ -3,24 +3,28 @@
 #include <iosfwd>
 #include <string>
 
+#include "cli/tool_import.h"
+
 namespace CLI {
 class App;
 }
 
 namespace gouge {
 
-enum class ToolAction { list, show, draw };
+enum class ToolAction { list, show, draw, import };
 
 struct ToolArguments {
   ToolAction action = ToolAction::list;
   std::string tools_file;
   std::string tool;    ///< number, T and number, or name; empty: all
-  std::string output;  ///< draw: .png or .svg
+  std::string output;  ///< draw: .png or .svg; import: the library to write
+  ToolImportArguments import{};
 };
 
 void add_tool_options(CLI::App& command, ToolArguments& arguments);
 
-/// `gougecheck tool list|show|draw`: what is in a tool library. Returns the exit status.
+/// `gougecheck tool list|show|draw|import`: what is in a tool library, or in one of another program. Returns
+/// the exit status.
 [[nodiscard]] int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

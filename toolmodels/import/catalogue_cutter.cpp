@@ -86,8 +86,9 @@ class CutterMaker {
 
   CatalogueCutter flat() {
     if (at(corner_radius) > kAgree_mm)
-      notes_.push_back(contradiction(d_.text(corner_radius) +
-                                     " on a flat end mill; built with a sharp corner, which is the larger tool"));
+      notes_.push_back(
+          contradiction(d_.text(corner_radius) +
+                        " on a flat end mill; built with a sharp corner, which is the larger tool"));
     return {FlatCutter{at(diameter), at(flute_length)}, 0, {}};
   }
 
@@ -108,15 +109,17 @@ class CutterMaker {
   // The tip diameter is never used where the other numbers already say it.
   void check_tip(double expected_mm, const std::string& believed) {
     if (!d_[tip_diameter] || std::abs(at(tip_diameter) - expected_mm) <= kAgree_mm) return;
-    notes_.push_back(contradiction(d_.text(tip_diameter) + " does not follow from the other numbers, which give " +
+    notes_.push_back(contradiction(d_.text(tip_diameter) +
+                                   " does not follow from the other numbers, which give " +
                                    mm_text(std::max(expected_mm, 0.0)) + "; built from " + believed));
   }
 
   Outcome check_taper() const {
     if (Outcome good = need(taper_angle, "taper angle"); !good) return good;
     if (at(taper_angle) > 0 && at(taper_angle) < 90) return Done{};
-    return make_error("import-field", d_.text(taper_angle) +
-                                          " is not possible; the angle between side and axis lies between 0 and 90");
+    return make_error(
+        "import-field",
+        d_.text(taper_angle) + " is not possible; the angle between side and axis lies between 0 and 90");
   }
 
   Result<CatalogueCutter> tapered() {
@@ -126,10 +129,11 @@ class CutterMaker {
               "diameter, corner radius and taper angle");
     const double top = at(diameter) + 2 * at(flute_length) * std::tan(beta);
     if (at(shoulder_diameter) > 0 && std::abs(at(shoulder_diameter) - top) > kAgree_mm)
-      notes_.push_back(contradiction(d_.text(shoulder_diameter) + ", but a side leaning " + d_.text(taper_angle) +
-                                     " from the axis is " + mm_text(top) +
+      notes_.push_back(contradiction(d_.text(shoulder_diameter) + ", but a side leaning " +
+                                     d_.text(taper_angle) + " from the axis is " + mm_text(top) +
                                      " wide at the top of the flutes; built with that angle"));
-    if (r > 0) return CatalogueCutter{AptCutter{at(diameter), r, 0, 0, 0, at(taper_angle), at(flute_length)}, 0, {}};
+    if (r > 0)
+      return CatalogueCutter{AptCutter{at(diameter), r, 0, 0, 0, at(taper_angle), at(flute_length)}, 0, {}};
     return CatalogueCutter{TaperedCutter{at(diameter), 0, at(taper_angle), at(flute_length)}, 0, {}};
   }
 
@@ -151,18 +155,20 @@ class CutterMaker {
       return make_error("import-field", d_.text(tip_diameter) + " is not less than " + d_.text(diameter) +
                                             "; the diameter of a chamfer mill is its largest");
     if (at(corner_radius) > kAgree_mm)
-      notes_.push_back(contradiction(d_.text(corner_radius) +
-                                     " at the tip is left out; built with a sharp corner, which is the larger tool"));
+      notes_.push_back(
+          contradiction(d_.text(corner_radius) +
+                        " at the tip is left out; built with a sharp corner, which is the larger tool"));
     const double cone_mm = (d - tip) / 2 / std::tan(radians(half));
     double flutes_mm = at(flute_length);
     if (flutes_mm < cone_mm - kAgree_mm) {
       const std::string cone = d_.text(diameter) + " at z = " + mm_text(cone_mm);
       if (d_[flute_length])
-        notes_.push_back(contradiction(d_.text(flute_length) + " ends below the top of the cone, which reaches " +
-                                       cone + "; built up to there"));
+        notes_.push_back(contradiction(d_.text(flute_length) +
+                                       " ends below the top of the cone, which reaches " + cone +
+                                       "; built up to there"));
       else
-        notes_.push_back(make_note("import-guess", "no flute length is given; the flutes end where the cone reaches " +
-                                                       cone));
+        notes_.push_back(make_note(
+            "import-guess", "no flute length is given; the flutes end where the cone reaches " + cone));
       flutes_mm = cone_mm;
     }
     const bool is_straight_above = flutes_mm > cone_mm + kAgree_mm;
@@ -179,8 +185,8 @@ class CutterMaker {
     if (Outcome good = need(point_angle, "point angle"); !good) return good.error();
     const double sigma = at(point_angle);
     if (!(sigma > 0 && sigma <= 180))
-      return make_error("import-field",
-                        d_.text(point_angle) + " is not possible; the angle of a point lies between 0 and 180");
+      return make_error("import-field", d_.text(point_angle) +
+                                            " is not possible; the angle of a point lies between 0 and 180");
     return CatalogueCutter{AptCutter{at(diameter), 0, 0, 0, 90 - sigma / 2, 0, at(flute_length)}, 0, {}};
   }
 
@@ -195,10 +201,10 @@ class CutterMaker {
       if (at(corner_radius) > 0) return bull_nose();
       return flat();
     }
-    return CatalogueCutter{AptCutter{at(diameter), at(corner_radius), 0, 0, at(bottom_angle), at(taper_angle),
-                                     at(flute_length)},
-                           0,
-                           {}};
+    return CatalogueCutter{
+        AptCutter{at(diameter), at(corner_radius), 0, 0, at(bottom_angle), at(taper_angle), at(flute_length)},
+        0,
+        {}};
   }
 
   const Dimensions& d_;

@@ -27,13 +27,14 @@ enum class CatalogueShape {
 struct CatalogueCutter {
   Cutter cutter;
   double top_diameter_mm = 0;
-  std::vector<ToolSegment> collar;  ///< the straight rest of the flutes, where no one shape has both; may be empty
+  std::vector<ToolSegment>
+      collar;  ///< the straight rest of the flutes, where no one shape has both; may be empty
 };
 
 /// Errors   import-field, import-shape (a shape that cannot be imported exactly), and those of
 ///          make_cutter_profile; without the tool's name, which the caller knows.
 /// Notes    import-contradiction, import-guess.
-[[nodiscard]] Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape, const Dimensions& dimensions,
-                                                            Diagnostics& notes);
+[[nodiscard]] Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape,
+                                                            const Dimensions& dimensions, Diagnostics& notes);
 
 }  // namespace gouge

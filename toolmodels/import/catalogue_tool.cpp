@@ -31,12 +31,13 @@ Result<Stickout> find_stickout(const CatalogueTool& tool, const ImportOptions& o
   if (options.stickout_mm)
     return Stickout{*options.stickout_mm, "--stickout " + mm_text(*options.stickout_mm)};
   if (has_holder)
-    return make_error("import-stickout", "has a holder, but the file does not say how far the tool stands out of "
-                                         "it; give --stickout");
+    return make_error("import-stickout",
+                      "has a holder, but the file does not say how far the tool stands out of "
+                      "it; give --stickout");
   const Dimension known = d.value_or(overall_length, 0) > 0 ? overall_length : flute_length;
-  if (!d[known])
-    return field("the file gives no length of the tool; it needs one");
-  notes.push_back(guess("no length below the holder is given; drawn up to " + d.text(known) + ", without a holder"));
+  if (!d[known]) return field("the file gives no length of the tool; it needs one");
+  notes.push_back(
+      guess("no length below the holder is given; drawn up to " + d.text(known) + ", without a holder"));
   return Stickout{d[known]->value, d.text(known)};
 }
 
@@ -94,10 +95,12 @@ class ShankBuilder {
     for (std::size_t i = 0; i < tool_.shaft.size(); ++i) {
       const ToolSegment& s = tool_.shaft[i];
       if (!(s.length_mm > 0 && s.lower_diameter_mm > 0 && s.upper_diameter_mm > 0))
-        return field("shaft segment " + std::to_string(i + 1) + " has a length or a diameter that is not above 0");
+        return field("shaft segment " + std::to_string(i + 1) +
+                     " has a length or a diameter that is not above 0");
       const double room = stickout.length_mm - z_;
       if (room <= kSame_mm) {
-        notes_.push_back(guess("its shaft goes on above " + stickout.text + "; that part is in the holder and left out"));
+        notes_.push_back(
+            guess("its shaft goes on above " + stickout.text + "; that part is in the holder and left out"));
         break;
       }
       if (s.length_mm > room + kSame_mm)
@@ -114,7 +117,8 @@ class ShankBuilder {
     double width = tool_.dimensions.value_or(shank_diameter, 0);
     if (!(width > 0)) {
       width = diameter_;
-      notes_.push_back(guess("no shank diameter is given; taken as " + mm_text(width) + ", as wide as below"));
+      notes_.push_back(
+          guess("no shank diameter is given; taken as " + mm_text(width) + ", as wide as below"));
     }
     push({width, width, room});
   }

@@ -8,8 +8,8 @@
 
 namespace gouge {
 
-/// Turns catalogue tools into the library's, and keeps account of what had to be said about each. Numbers stay
-/// unique: the first tool of a number keeps it.
+/// Turns catalogue tools into the library's, and keeps account of what had to be said about each. Numbers
+/// stay unique: the first tool of a number keeps it.
 class Collector {
  public:
   Collector(std::string file, const ImportOptions& options);

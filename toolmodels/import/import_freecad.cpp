@@ -12,11 +12,16 @@ using Json = nlohmann::json;
 
 std::optional<CatalogueShape> shape_of(const std::string& word) {
   static constexpr std::pair<std::string_view, CatalogueShape> kShapes[] = {
-      {"endmill", CatalogueShape::flat},     {"ballend", CatalogueShape::ball},
-      {"ballnose", CatalogueShape::ball},    {"bullnose", CatalogueShape::bull_nose},
-      {"chamfer", CatalogueShape::chamfer},  {"vbit", CatalogueShape::chamfer},
-      {"drill", CatalogueShape::drill},      {"reamer", CatalogueShape::flat},
-      {"taperedballnose", CatalogueShape::tapered_ball}, {"torus", CatalogueShape::bull_nose}};
+      {"endmill", CatalogueShape::flat},
+      {"ballend", CatalogueShape::ball},
+      {"ballnose", CatalogueShape::ball},
+      {"bullnose", CatalogueShape::bull_nose},
+      {"chamfer", CatalogueShape::chamfer},
+      {"vbit", CatalogueShape::chamfer},
+      {"drill", CatalogueShape::drill},
+      {"reamer", CatalogueShape::flat},
+      {"taperedballnose", CatalogueShape::tapered_ball},
+      {"torus", CatalogueShape::bull_nose}};
   for (const auto& [name, shape] : kShapes)
     if (name == word) return shape;
   return std::nullopt;
@@ -74,7 +79,8 @@ class BitImporter {
     std::string type = detail::text_of(json_.root, "shape-type");
     if (type.empty()) type = stem(detail::text_of(json_.root, "shape"));
     const std::optional<CatalogueShape> shape = shape_of(plain_word(type));
-    if (!shape) return tell(make_warning("import-shape", "not imported: shape " + (type.empty() ? "not named" : type)));
+    if (!shape)
+      return tell(make_warning("import-shape", "not imported: shape " + (type.empty() ? "not named" : type)));
     tool_.shape = *shape;
     const auto parameters = json_.root.find("parameter");
     if (parameters == json_.root.end() || !parameters->is_object())
@@ -144,7 +150,8 @@ class BitImporter {
 };
 
 bool is_bit(const Json& root) {
-  return root.is_object() && root.contains("parameter") && (root.contains("shape") || root.contains("shape-type"));
+  return root.is_object() && root.contains("parameter") &&
+         (root.contains("shape") || root.contains("shape-type"));
 }
 
 // A library may not send us anywhere but down its own folder.
@@ -157,9 +164,11 @@ bool stays_below(const std::string& path) {
 void read_listed(Collector& collector, const Json& entry, const std::string& who, std::size_t line) {
   const std::string path = entry.is_object() ? detail::text_of(entry, "path") : std::string();
   if (!stays_below(path))
-    return collector.tell(who, make_error("import-field", "path is \"" + path +
-                                                              "\"; expected the name of a file beside the library"),
-                          line);
+    return collector.tell(
+        who,
+        make_error("import-field",
+                   "path is \"" + path + "\"; expected the name of a file beside the library"),
+        line);
   std::optional<int> number;
   if (const auto found = entry.find("nr"); found != entry.end() && found->is_number_integer())
     number = tool_number(found->get<std::int64_t>());
@@ -187,8 +196,9 @@ Result<ImportedTools> import_freecad(const std::string& file, std::string_view b
   }
   const auto tools = json->root.find("tools");
   if (tools == json->root.end() || !tools->is_array())
-    return make_error("import-format", "expected a FreeCAD tool bit (with \"shape\" and \"parameter\") or a library "
-                                       "(with a list \"tools\")",
+    return make_error("import-format",
+                      "expected a FreeCAD tool bit (with \"shape\" and \"parameter\") or a library "
+                      "(with a list \"tools\")",
                       file);
   for (std::size_t i = 0; i < tools->size(); ++i)
     read_listed(collector, (*tools)[i], "tool at position " + std::to_string(i + 1),

@@ -16,11 +16,16 @@ constexpr double kAgree_mm = 5e-3;
 
 std::optional<CatalogueShape> shape_of(const std::string& word) {
   static constexpr std::pair<std::string_view, CatalogueShape> kShapes[] = {
-      {"flatendmill", CatalogueShape::flat},    {"ballendmill", CatalogueShape::ball},
-      {"bullnoseendmill", CatalogueShape::bull_nose}, {"taperedmill", CatalogueShape::tapered},
-      {"chamfermill", CatalogueShape::chamfer}, {"countersink", CatalogueShape::chamfer},
-      {"facemill", CatalogueShape::face},       {"drill", CatalogueShape::drill},
-      {"spotdrill", CatalogueShape::drill},     {"reamer", CatalogueShape::flat}};
+      {"flatendmill", CatalogueShape::flat},
+      {"ballendmill", CatalogueShape::ball},
+      {"bullnoseendmill", CatalogueShape::bull_nose},
+      {"taperedmill", CatalogueShape::tapered},
+      {"chamfermill", CatalogueShape::chamfer},
+      {"countersink", CatalogueShape::chamfer},
+      {"facemill", CatalogueShape::face},
+      {"drill", CatalogueShape::drill},
+      {"spotdrill", CatalogueShape::drill},
+      {"reamer", CatalogueShape::flat}};
   for (const auto& [name, shape] : kShapes)
     if (name == word) return shape;
   return std::nullopt;
@@ -28,15 +33,23 @@ std::optional<CatalogueShape> shape_of(const std::string& word) {
 
 // Keys of `geometry` that say nothing about the contour of the shapes above.
 bool is_not_contour(const std::string& key) {
-  static constexpr std::string_view kKeys[] = {"NOF", "NT",  "HAND",        "CSP",
-                                               "TP",  "assemblyGaugeLength", "thread-profile-angle",
-                                               "tip-length", "tip-offset",   "shoulder-height"};
+  static constexpr std::string_view kKeys[] = {"NOF",
+                                               "NT",
+                                               "HAND",
+                                               "CSP",
+                                               "TP",
+                                               "assemblyGaugeLength",
+                                               "thread-profile-angle",
+                                               "tip-length",
+                                               "tip-offset",
+                                               "shoulder-height"};
   return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);
 }
 
 class FusionImporter {
  public:
-  FusionImporter(Collector& collector, const detail::JsonLines& lines) : collector_(collector), lines_(lines) {}
+  FusionImporter(Collector& collector, const detail::JsonLines& lines)
+      : collector_(collector), lines_(lines) {}
 
   void entry(const Json& entry, const std::string& pointer, std::size_t position) {
     if (!entry.is_object())
@@ -75,7 +88,8 @@ class FusionImporter {
     const Result<std::vector<ToolSegment>> segments = read_segments(entry, "holder", *unit);
     if (!segments) return collector_.tell(who_, segments.error(), line_);
     if (segments->empty())
-      return collector_.tell(who_, make_error("import-field", "has no segments; it needs at least one"), line_);
+      return collector_.tell(who_, make_error("import-field", "has no segments; it needs at least one"),
+                             line_);
     check_gauge_length(entry, *segments, *unit);
     collector_.add_holder({tool.name, *segments}, *unit, line_);
   }
@@ -134,8 +148,9 @@ class FusionImporter {
       std::optional<Dimension> dimension = catalogue_dimension(key);
       if (!dimension) {
         if (!is_not_contour(key))
-          tell(make_note("import-left-out", "geometry has a key \"" + clean_text(key) +
-                                                "\" that has no meaning for this shape here and was left out"));
+          tell(make_note("import-left-out",
+                         "geometry has a key \"" + clean_text(key) +
+                             "\" that has no meaning for this shape here and was left out"));
         continue;
       }
       const Result<std::optional<Quantity>> quantity =
@@ -196,9 +211,9 @@ class FusionImporter {
     for (const ToolSegment& s : segments) total_mm += s.length_mm;
     const std::string gauge = "gaugeLength " + mm_text(gauge_mm);
     if (gauge_mm > total_mm + kAgree_mm)
-      tell(make_warning("import-contradiction", gauge + " is more than the holder's segments together, " +
-                                                    mm_text(total_mm) +
-                                                    "; the part of the holder above them is not in the file"));
+      tell(make_warning("import-contradiction",
+                        gauge + " is more than the holder's segments together, " + mm_text(total_mm) +
+                            "; the part of the holder above them is not in the file"));
     else if (gauge_mm > 0 && gauge_mm < total_mm - kAgree_mm)
       tell(make_note("import-guess", "the holder's segments reach " + mm_text(total_mm - gauge_mm) +
                                          " above the gauge line; they are kept"));
@@ -211,10 +226,10 @@ class FusionImporter {
     if (found == geometry.end() || !found->is_number() || !(gauge_mm > 0) || !(body_mm > 0)) return;
     const double assembly_mm = found->get<double>() * mm_per(tool.unit);
     if (!(assembly_mm > 0) || std::abs(assembly_mm - body_mm - gauge_mm) <= kAgree_mm) return;
-    tell(make_warning("import-contradiction",
-                      "assemblyGaugeLength " + mm_text(assembly_mm) + " is not " +
-                          tool.dimensions.text(Dimension::body_length) + " and gaugeLength " + mm_text(gauge_mm) +
-                          " together; built from these two"));
+    tell(make_warning("import-contradiction", "assemblyGaugeLength " + mm_text(assembly_mm) + " is not " +
+                                                  tool.dimensions.text(Dimension::body_length) +
+                                                  " and gaugeLength " + mm_text(gauge_mm) +
+                                                  " together; built from these two"));
   }
 
   void tell(const Diagnostic& diagnostic) { collector_.tell(who_, diagnostic, line_); }
@@ -240,7 +255,8 @@ Result<ImportedTools> import_fusion(const std::string& file, std::string_view by
   if (!json) return json.error();
   const auto data = json->root.find("data");
   if (data == json->root.end() || !data->is_array())
-    return make_error("import-format", "this JSON has no list \"data\"; expected a Fusion tool library", file);
+    return make_error("import-format", "this JSON has no list \"data\"; expected a Fusion tool library",
+                      file);
   Collector collector(file, options);
   FusionImporter importer(collector, json->lines);
   for (std::size_t i = 0; i < data->size(); ++i)

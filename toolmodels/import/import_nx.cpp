@@ -37,7 +37,7 @@ std::optional<CatalogueShape> shape_of(const std::string& tool_class) {
 
 Fields split_blanks(std::string_view text) {
   Fields words;
-  for (text = trim(text); !text.empty(); text = trim(text)) {
+  for (text = trim_blanks(text); !text.empty(); text = trim_blanks(text)) {
     const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
     words.emplace_back(text.substr(0, end));
     text.remove_prefix(end);
@@ -48,14 +48,14 @@ Fields split_blanks(std::string_view text) {
 // The bar that closes a row is no empty last field.
 Fields split_bars(std::string_view text) {
   Fields fields;
-  text = trim(text);
+  text = trim_blanks(text);
   if (!text.empty() && text.front() == '|') text.remove_prefix(1);
   while (true) {
     const std::size_t bar = text.find('|');
     fields.push_back(clean_text(text.substr(0, bar)));
     if (bar == std::string_view::npos) break;
     text.remove_prefix(bar + 1);
-    if (trim(text).empty()) break;
+    if (trim_blanks(text).empty()) break;
   }
   return fields;
 }
@@ -73,7 +73,7 @@ class DatabaseReader {
   std::vector<Row> read(std::string_view text) {
     for (std::size_t line = 1; !text.empty(); ++line) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      take(trim(text.substr(0, end)), line);
+      take(trim_blanks(text.substr(0, end)), line);
       text.remove_prefix(std::min(end + 1, text.size()));
     }
     close_row();
@@ -114,8 +114,8 @@ class DatabaseReader {
     const Fields fields = split_bars(data_);
     const std::size_t line = std::exchange(data_line_, 0);
     if (class_.empty() || format_.empty())
-      return collector_.tell("row",
-                             make_error("import-field", "a DATA row stands outside of a #CLASS with a FORMAT"), line);
+      return collector_.tell(
+          "row", make_error("import-field", "a DATA row stands outside of a #CLASS with a FORMAT"), line);
     if (fields.size() > format_.size())
       return collector_.tell("row \"" + fields.front() + "\"",
                              make_error("import-field", "has " + std::to_string(fields.size()) +
@@ -165,11 +165,12 @@ class RowImporter {
     if (const Outcome good = read_dimensions(); !good) return collector_.tell(who_, good.error(), row_.line);
     if (const Outcome good = read_lengths(); !good) return collector_.tell(who_, good.error(), row_.line);
     if (!text("HLDREF").empty() && text("HLDREF") != "0")
-      collector_.tell(who_,
-                      make_warning("import-left-out", "its holder \"" + text("HLDREF") +
-                                                          "\" stands in another file (holder_database.dat) and was "
-                                                          "left out; give one with --holder"),
-                      row_.line);
+      collector_.tell(
+          who_,
+          make_warning("import-left-out", "its holder \"" + text("HLDREF") +
+                                              "\" stands in another file (holder_database.dat) and was "
+                                              "left out; give one with --holder"),
+          row_.line);
     collector_.add(std::move(tool_));
   }
 
@@ -216,17 +217,18 @@ class RowImporter {
     if (!(height > 0)) return Done{};
     Dimensions& d = tool_.dimensions;
     if (d.value_or(Dimension::flute_length, 0) > height + 1e-4)
-      return make_error("import-field", d.text(Dimension::flute_length) + " is greater than HEI " + mm_text(height) +
-                                            "; the flutes cannot be longer than the tool");
+      return make_error("import-field", d.text(Dimension::flute_length) + " is greater than HEI " +
+                                            mm_text(height) + "; the flutes cannot be longer than the tool");
     d.set(Dimension::shoulder_length, height, "HEI");
     const bool has_shank = shank_diameter > 0 && shank_length > 0;
-    d.set(Dimension::overall_length, height + (has_shank ? shank_length : 0), has_shank ? "HEI + TSLEN" : "HEI");
+    d.set(Dimension::overall_length, height + (has_shank ? shank_length : 0),
+          has_shank ? "HEI + TSLEN" : "HEI");
     if (has_shank) {
       add_shank(shank_diameter, shank_length, std::min(taper_length, shank_length));
       collector_.tell(who_,
-                      make_note("import-guess", "the shank of TSDIA " + mm_text(shank_diameter) + " and TSLEN " +
-                                                    mm_text(shank_length) + " is taken to stand on HEI " +
-                                                    mm_text(height)),
+                      make_note("import-guess", "the shank of TSDIA " + mm_text(shank_diameter) +
+                                                    " and TSLEN " + mm_text(shank_length) +
+                                                    " is taken to stand on HEI " + mm_text(height)),
                       row_.line);
     }
     if (offset > 0)
@@ -255,19 +257,22 @@ Result<LengthUnit> unit_of(const std::string& file, const ImportOptions& options
   };
   if (has_folder("metric")) return LengthUnit::mm;
   if (has_folder("english")) return LengthUnit::inch;
-  return make_error("import-unit", "this format does not say its unit, and the file is in no folder named metric or "
-                                   "english; give --unit mm or --unit inch",
+  return make_error("import-unit",
+                    "this format does not say its unit, and the file is in no folder named metric or "
+                    "english; give --unit mm or --unit inch",
                     file);
 }
 
 }  // namespace
 
-Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes, const ImportOptions& options) {
+Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
+                                const ImportOptions& options) {
   Collector collector(file, options);
   DatabaseReader reader(collector);
   const std::vector<Row> rows = reader.read(bytes);
   if (!reader.has_class())
-    return make_error("import-format", "there is no #CLASS in this file; expected an NX tool_database.dat", file);
+    return make_error("import-format", "there is no #CLASS in this file; expected an NX tool_database.dat",
+                      file);
   const Result<LengthUnit> unit = unit_of(file, options);
   if (!unit) return unit.error();
   if (!options.unit)

@@ -23,7 +23,7 @@ bool has_class_line(std::string_view text) {
 std::optional<ImportFormat> recognise_format(std::string_view bytes) {
   if (is_zip(bytes)) return ImportFormat::fusion;
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  const std::string_view text = trim(bytes);
+  const std::string_view text = trim_blanks(bytes);
   if (!text.starts_with('{')) return has_class_line(text) ? std::optional(ImportFormat::nx) : std::nullopt;
   const nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
   if (has_key(root, "data")) return ImportFormat::fusion;
@@ -37,8 +37,9 @@ Result<ImportedTools> import_tools(const std::string& file, std::string_view byt
                                    std::optional<ImportFormat> format, const ImportOptions& options) {
   if (!format) format = recognise_format(bytes);
   if (!format)
-    return make_error("import-format", "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or "
-                                       "library, nor an NX tool_database.dat; say which with --format",
+    return make_error("import-format",
+                      "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or "
+                      "library, nor an NX tool_database.dat; say which with --format",
                       file);
   switch (*format) {
     case ImportFormat::fusion:

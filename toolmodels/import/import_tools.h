@@ -11,9 +11,9 @@
 #include "lib/base/units.h"
 #include "toolmodels/tool_library.h"
 
-// Tool libraries of other programs, read into ours. Nothing is guessed in silence: what had to be assumed, what
-// contradicts itself and what was left out stands in `notes`, each with the tool's name. What each format means
-// by its fields: docs/formats/tool_import.md.
+// Tool libraries of other programs, read into ours. Nothing is guessed in silence: what had to be assumed,
+// what contradicts itself and what was left out stands in `notes`, each with the tool's name. What each
+// format means by its fields: docs/formats/tool_import.md.
 
 namespace gouge {
 
@@ -30,18 +30,21 @@ struct ImportOptions {
 struct ImportedTools {
   ToolLibrary library;  ///< write_tool_library of it reads back as the same tools; may be empty
   /// Errors: a tool that was left out because its numbers make no tool. Warnings: a shape that cannot be
-  /// imported, numbers that contradict each other (the message says which were believed). Notes: what was assumed.
+  /// imported, numbers that contradict each other (the message says which were believed). Notes: what was
+  /// assumed.
   Diagnostics notes;
 };
 
 /// Fusion library: JSON, or .tools, which is a zip of it.
-/// Errors   import-syntax, import-format, import-zip: the file as a whole cannot be read. What is wrong with one
-///          tool is in `notes`: import-field, import-shape, import-stickout, import-contradiction, import-number,
-///          import-guess, import-left-out, import-empty, and those of make_body_profiles.
+/// Errors   import-syntax, import-format, import-zip: the file as a whole cannot be read. What is wrong with
+/// one
+///          tool is in `notes`: import-field, import-shape, import-stickout, import-contradiction,
+///          import-number, import-guess, import-left-out, import-empty, and those of make_body_profiles.
 [[nodiscard]] Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes,
                                                   const ImportOptions& options);
 
-/// One FreeCAD tool bit (.fctb), or a library (.fctl) whose bits are read with `read_beside`. Errors as above.
+/// One FreeCAD tool bit (.fctb), or a library (.fctl) whose bits are read with `read_beside`. Errors as
+/// above.
 [[nodiscard]] Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes,
                                                    const ImportOptions& options);
 

@@ -8,14 +8,17 @@ Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, con
   try {
     JsonFile parsed{nlohmann::json::parse(bytes), find_json_lines(bytes)};
     if (parsed.lines.duplicate)
-      return make_error("import-syntax", "the key " + clean_text(*parsed.lines.duplicate) + " is there twice; remove one",
+      return make_error("import-syntax",
+                        "the key " + clean_text(*parsed.lines.duplicate) + " is there twice; remove one",
                         file, parsed.lines.at(*parsed.lines.duplicate));
     return parsed;
   } catch (const nlohmann::json::parse_error& error) {
-    return make_error("import-syntax", "this is not JSON: there is a mistake at or before this line; expected " + what,
-                      file, line_of_byte(bytes, error.byte > 0 ? error.byte - 1 : 0));
+    return make_error("import-syntax",
+                      "this is not JSON: there is a mistake at or before this line; expected " + what, file,
+                      line_of_byte(bytes, error.byte > 0 ? error.byte - 1 : 0));
   } catch (const nlohmann::json::exception&) {
-    return make_error("import-syntax", "a number in this file is too large to be a length; expected " + what, file);
+    return make_error("import-syntax", "a number in this file is too large to be a length; expected " + what,
+                      file);
   }
 }
 
@@ -24,8 +27,8 @@ std::string text_of(const nlohmann::json& object, const char* key) {
   return found != object.end() && found->is_string() ? clean_text(found->get<std::string>()) : std::string();
 }
 
-Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const std::string& key, LengthUnit unit,
-                                            bool angle) {
+Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const std::string& key,
+                                            LengthUnit unit, bool angle) {
   if (value.is_null()) return std::optional<Quantity>();
   std::optional<Quantity> quantity;
   if (value.is_number()) quantity = Quantity{value.get<double>(), QuantityUnit::none, false};
@@ -39,8 +42,9 @@ Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const s
     return make_error("import-field", key + " is neither a number nor a text; expected a number");
   const bool is_degrees = quantity->unit == QuantityUnit::degree;
   if (quantity->unit != QuantityUnit::none && is_degrees != angle)
-    return make_error("import-field",
-                      key + " has the unit of " + (angle ? "a length; expected an angle" : "an angle; expected a length"));
+    return make_error(
+        "import-field",
+        key + " has the unit of " + (angle ? "a length; expected an angle" : "an angle; expected a length"));
   if (quantity->unit == QuantityUnit::none && !angle) quantity->value *= mm_per(unit);
   return quantity;
 }

@@ -21,15 +21,16 @@ struct JsonFile {
   JsonLines lines;
 };
 
-/// Errors   import-syntax: not JSON, or an object that has one key twice. `what` was expected: "a Fusion library".
+/// Errors   import-syntax: not JSON, or an object that has one key twice. `what` was expected: "a Fusion
+/// library".
 [[nodiscard]] Result<JsonFile> parse_json(const std::string& file, std::string_view bytes,
                                           const std::string& what);
 
 /// The cleaned text of `key`; empty when there is none or it is no text.
 [[nodiscard]] std::string text_of(const nlohmann::json& object, const char* key);
 
-/// A number, or a text with a unit. A bare number is in mm_per(unit), or degrees when `angle`. Nothing for null.
-/// Errors   import-field, naming `key`.
+/// A number, or a text with a unit. A bare number is in mm_per(unit), or degrees when `angle`. Nothing for
+/// null. Errors   import-field, naming `key`.
 [[nodiscard]] Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const std::string& key,
                                                           LengthUnit unit, bool angle);
 

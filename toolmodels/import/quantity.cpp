@@ -16,14 +16,19 @@ struct KnownUnit {
 };
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr std::array kUnits = {
-    KnownUnit{"", QuantityUnit::none, 1},           KnownUnit{"mm", QuantityUnit::mm, 1},
-    KnownUnit{"cm", QuantityUnit::mm, 10},          KnownUnit{"m", QuantityUnit::mm, 1000},
-    KnownUnit{"um", QuantityUnit::mm, 1e-3},        KnownUnit{"\xC2\xB5m", QuantityUnit::mm, 1e-3},
-    KnownUnit{"in", QuantityUnit::inch, 25.4},      KnownUnit{"inch", QuantityUnit::inch, 25.4},
-    KnownUnit{"\"", QuantityUnit::inch, 25.4},      KnownUnit{"thou", QuantityUnit::inch, 0.0254},
-    KnownUnit{"deg", QuantityUnit::degree, 1},      KnownUnit{"\xC2\xB0", QuantityUnit::degree, 1},
-    KnownUnit{"rad", QuantityUnit::degree, kDegrees}};
+constexpr std::array kUnits = {KnownUnit{"", QuantityUnit::none, 1},
+                               KnownUnit{"mm", QuantityUnit::mm, 1},
+                               KnownUnit{"cm", QuantityUnit::mm, 10},
+                               KnownUnit{"m", QuantityUnit::mm, 1000},
+                               KnownUnit{"um", QuantityUnit::mm, 1e-3},
+                               KnownUnit{"\xC2\xB5m", QuantityUnit::mm, 1e-3},
+                               KnownUnit{"in", QuantityUnit::inch, 25.4},
+                               KnownUnit{"inch", QuantityUnit::inch, 25.4},
+                               KnownUnit{"\"", QuantityUnit::inch, 25.4},
+                               KnownUnit{"thou", QuantityUnit::inch, 0.0254},
+                               KnownUnit{"deg", QuantityUnit::degree, 1},
+                               KnownUnit{"\xC2\xB0", QuantityUnit::degree, 1},
+                               KnownUnit{"rad", QuantityUnit::degree, kDegrees}};
 
 bool is_number_char(char c) {
   return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '+' || c == '-';
@@ -33,8 +38,8 @@ bool is_number_char(char c) {
 std::size_t number_end(std::string_view text) {
   std::size_t end = 0;
   while (end < text.size()) {
-    const bool is_exponent = (text[end] == 'e' || text[end] == 'E') && end + 1 < text.size() &&
-                             is_number_char(text[end + 1]);
+    const bool is_exponent =
+        (text[end] == 'e' || text[end] == 'E') && end + 1 < text.size() && is_number_char(text[end + 1]);
     if (!is_number_char(text[end]) && !is_exponent) break;
     ++end;
   }
@@ -67,7 +72,7 @@ bool is_utf8(std::string_view text) {
 
 }  // namespace
 
-std::string_view trim(std::string_view text) {
+std::string_view trim_blanks(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n\v\f";
   const std::size_t begin = text.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) return {};
@@ -75,10 +80,10 @@ std::string_view trim(std::string_view text) {
 }
 
 std::optional<Quantity> parse_quantity(std::string_view text) {
-  text = trim(text);
+  text = trim_blanks(text);
   const std::size_t end = number_end(text);
   std::string digits(text.substr(0, end));
-  const std::string_view word = trim(text.substr(end));
+  const std::string_view word = trim_blanks(text.substr(end));
   const auto unit =
       std::find_if(kUnits.begin(), kUnits.end(), [&](const KnownUnit& u) { return u.word == word; });
   if (unit == kUnits.end()) return std::nullopt;
@@ -91,7 +96,7 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
 }
 
 std::string clean_text(std::string_view text) {
-  text = trim(text);
+  text = trim_blanks(text);
   const bool is_latin1 = !is_utf8(text);
   std::string clean;
   for (const char c : text) {

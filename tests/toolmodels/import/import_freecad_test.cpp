@@ -25,9 +25,11 @@ ImportedTools import_library(const ImportOptions& options) {
   return made ? *made : ImportedTools{};
 }
 
-ImportedTools import_bit(const std::string& type, const std::string& parameters, const ImportOptions& options = {}) {
+ImportedTools import_bit(const std::string& type, const std::string& parameters,
+                         const ImportOptions& options = {}) {
   const Result<ImportedTools> made = import_freecad(
-      "b.fctb", R"({"name":"x","shape-type":")" + type + R"(","shape":"s.fcstd","parameter":{)" + parameters + "}}",
+      "b.fctb",
+      R"({"name":"x","shape-type":")" + type + R"(","shape":"s.fcstd","parameter":{)" + parameters + "}}",
       options);
   EXPECT_TRUE(made.has_value());
   return made ? *made : ImportedTools{};
@@ -37,11 +39,13 @@ TEST(ImportFreecad, ALibraryNamesItsBits) {
   const ImportedTools made = import_library(beside());
   ASSERT_EQ(made.library.tools.size(), 3u) << all_notes(made);
   EXPECT_EQ(made.library.with_number(1)->name, "Bull nose 6");
-  EXPECT_NE(all_notes(made).find("missing.fctb: error: tool at position 4: there is no such file [file-not-found]"),
-            std::string::npos)
+  EXPECT_NE(
+      all_notes(made).find("missing.fctb: error: tool at position 4: there is no such file [file-not-found]"),
+      std::string::npos)
       << all_notes(made);
-  EXPECT_NE(all_notes(made).find("shop.fctl:2: error: tool at position 5: path is \"../../secret.fctb\"; expected the "
-                                 "name of a file beside the library [import-field]"),
+  EXPECT_NE(all_notes(made).find(
+                "shop.fctl:2: error: tool at position 5: path is \"../../secret.fctb\"; expected the "
+                "name of a file beside the library [import-field]"),
             std::string::npos)
       << all_notes(made);
 }
@@ -75,8 +79,8 @@ TEST(ImportFreecad, AVBitIsPointedAndInInches) {
   const ImportedTools made = import_library(beside());
   const auto& apt = std::get<AptCutter>(made.library.with_number(3)->cutter);
   EXPECT_NEAR(apt.d_mm, 12.7, 1e-12);
-  EXPECT_EQ(apt.alpha_deg, 60);             // half of 60 from the axis is 60 from the tip plane
-  EXPECT_NEAR(apt.h_mm, 15.24, 1e-12);      // above the cone of 6.35 / tan 30 = 10.998
+  EXPECT_EQ(apt.alpha_deg, 60);         // half of 60 from the axis is 60 from the tip plane
+  EXPECT_NEAR(apt.h_mm, 15.24, 1e-12);  // above the cone of 6.35 / tan 30 = 10.998
 }
 
 TEST(ImportFreecad, HolderAndStickOutComeFromTheUser) {
@@ -89,10 +93,12 @@ TEST(ImportFreecad, HolderAndStickOutComeFromTheUser) {
   expect_segment(made.library.with_number(1)->shank.at(0), 8, 8, 10);
   EXPECT_EQ(made.library.with_number(1)->holder.size(), 1u);
   options.stickout_mm = 10;
-  EXPECT_NE(all_notes(import_library(options))
-                .find("CuttingEdgeHeight 20 mm is greater than --stickout 10 mm; the holder would swallow a part of "
-                      "the flutes"),
-            std::string::npos);
+  EXPECT_NE(
+      all_notes(import_library(options))
+          .find(
+              "CuttingEdgeHeight 20 mm is greater than --stickout 10 mm; the holder would swallow a part of "
+              "the flutes"),
+      std::string::npos);
 }
 
 TEST(ImportFreecad, OldFilesGiveTheRadiusOfTheFlat) {
@@ -112,10 +118,11 @@ TEST(ImportFreecad, TheTypeMayStandInTheNameOfTheShapeFile) {
 }
 
 TEST(ImportFreecad, FlutesLongerThanTheToolAreAnError) {
-  EXPECT_EQ(notes_of(import_bit("Endmill", R"("Diameter":"6 mm","CuttingEdgeHeight":"60 mm","Length":"50 mm")"),
-                     "import-field"),
-            "b.fctb: error: tool \"x\": CuttingEdgeHeight 60 mm is greater than Length 50 mm; the flutes cannot be "
-            "longer than the tool [import-field]\n");
+  EXPECT_EQ(
+      notes_of(import_bit("Endmill", R"("Diameter":"6 mm","CuttingEdgeHeight":"60 mm","Length":"50 mm")"),
+               "import-field"),
+      "b.fctb: error: tool \"x\": CuttingEdgeHeight 60 mm is greater than Length 50 mm; the flutes cannot be "
+      "longer than the tool [import-field]\n");
 }
 
 TEST(ImportFreecad, ShapesThatCannotBeImportedAreTold) {
@@ -127,7 +134,8 @@ TEST(ImportFreecad, ShapesThatCannotBeImportedAreTold) {
 TEST(ImportFreecad, ARoundTripLosesNothing) {
   test::expect_round_trip(import_library(beside()).library);
   const ImportedTools inches = import_bit(
-      "Endmill", R"("Diameter":"0.25 in","CuttingEdgeHeight":"0.7 in","Length":"2.3 in","ShankDiameter":"0.3 in")");
+      "Endmill",
+      R"("Diameter":"0.25 in","CuttingEdgeHeight":"0.7 in","Length":"2.3 in","ShankDiameter":"0.3 in")");
   EXPECT_EQ(inches.library.unit, LengthUnit::inch);
   test::expect_round_trip(inches.library);
 }

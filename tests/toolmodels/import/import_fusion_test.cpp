@@ -67,7 +67,8 @@ TEST(ImportFusion, IsoNamesAndShaftSegmentsAreUnderstood) {
   expect_segment(tool->shank[0], 6, 6, 2);   // 10 to the shoulder's end at 12, as wide as the cutter
   expect_segment(tool->shank[1], 6, 8, 5);   // the shaft
   expect_segment(tool->shank[2], 8, 8, 13);  // DMM up to LB 30
-  EXPECT_EQ(notes_of(made, "import-contradiction").find("Bull"), std::string::npos) << "6 - 2 x 0.75 = 4.5 agrees";
+  EXPECT_EQ(notes_of(made, "import-contradiction").find("Bull"), std::string::npos)
+      << "6 - 2 x 0.75 = 4.5 agrees";
 }
 
 TEST(ImportFusion, ATaperedMillIsBuiltFromDiameterRadiusAndHalfAngle) {
@@ -79,19 +80,22 @@ TEST(ImportFusion, ATaperedMillIsBuiltFromDiameterRadiusAndHalfAngle) {
   EXPECT_NEAR(profile.elements.at(1).center.x(), 3.902251, 1e-6);
   EXPECT_NEAR(profile.elements.at(1).center.y(), 2.5, 1e-12);
   EXPECT_NEAR(2 * profile.elements.back().a.x(), 20.463695, 1e-6);
-  EXPECT_NE(all_notes(made).find("shop.json:24: warning: tool T4 \"Tapered D12 R2.5\": tip-diameter 7 mm does not "
-                                 "follow from the other numbers, which give 7.8045 mm; built from diameter, corner "
-                                 "radius and taper angle [import-contradiction]"),
-            std::string::npos)
+  EXPECT_NE(
+      all_notes(made).find("shop.json:24: warning: tool T4 \"Tapered D12 R2.5\": tip-diameter 7 mm does not "
+                           "follow from the other numbers, which give 7.8045 mm; built from diameter, corner "
+                           "radius and taper angle [import-contradiction]"),
+      std::string::npos)
       << all_notes(made);
 }
 
 TEST(ImportFusion, AShoulderDiameterThatAnotherAngleWouldGiveIsTold) {
-  const ImportedTools made =
-      import_one("tapered mill", R"("DC":6,"LCF":20,"OAL":60,"LB":40,"SFDM":10,"TA":10,"shoulder-diameter":9.4995)");
-  EXPECT_EQ(notes_of(made, "import-contradiction"),
-            "one.json:1: warning: tool T9 \"x\": shoulder-diameter 9.4995 mm, but a side leaning TA 10 degrees from "
-            "the axis is 13.0531 mm wide at the top of the flutes; built with that angle [import-contradiction]\n");
+  const ImportedTools made = import_one(
+      "tapered mill", R"("DC":6,"LCF":20,"OAL":60,"LB":40,"SFDM":10,"TA":10,"shoulder-diameter":9.4995)");
+  EXPECT_EQ(
+      notes_of(made, "import-contradiction"),
+      "one.json:1: warning: tool T9 \"x\": shoulder-diameter 9.4995 mm, but a side leaning TA 10 degrees "
+      "from "
+      "the axis is 13.0531 mm wide at the top of the flutes; built with that angle [import-contradiction]\n");
 }
 
 TEST(ImportFusion, AChamferMillIsLargestAtItsDiameter) {
@@ -107,12 +111,14 @@ TEST(ImportFusion, AChamferMillIsLargestAtItsDiameter) {
 }
 
 TEST(ImportFusion, APointedChamferMillIsAConeWithOrWithoutAStraightPart) {
-  const ImportedTools with = import_one("chamfer mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
+  const ImportedTools with =
+      import_one("chamfer mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
   const auto& apt = std::get<AptCutter>(with.library.tools.at(0).cutter);
   EXPECT_EQ(apt.d_mm, 10);
   EXPECT_EQ(apt.alpha_deg, 45);
   EXPECT_EQ(apt.h_mm, 9);
-  const ImportedTools without = import_one("chamfer mill", R"("DC":10,"LCF":3,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
+  const ImportedTools without =
+      import_one("chamfer mill", R"("DC":10,"LCF":3,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
   const Profile profile = *make_cutter_profile(without.library.tools.at(0).cutter);
   EXPECT_NEAR(profile.elements.back().a.x(), 5, 1e-9);
   EXPECT_NEAR(profile.elements.back().a.y(), 5, 1e-5);
@@ -132,29 +138,37 @@ TEST(ImportFusion, ADrillHasItsPoint) {
 
 TEST(ImportFusion, WhatCannotBeImportedIsTold) {
   const ImportedTools made = import_corpus();
-  EXPECT_EQ(notes_of(made, "import-shape"),
-            "shop.json:36: warning: tool T7 \"Lollipop 8\": not imported: shape lollipop mill [import-shape]\n");
+  EXPECT_EQ(
+      notes_of(made, "import-shape"),
+      "shop.json:36: warning: tool T7 \"Lollipop 8\": not imported: shape lollipop mill [import-shape]\n");
   EXPECT_EQ(notes_of(made, "import-field"),
-            "shop.json:39: error: tool T8 \"Flutes longer than the tool\": LCF 60 mm is greater than OAL 50 mm; the "
+            "shop.json:39: error: tool T8 \"Flutes longer than the tool\": LCF 60 mm is greater than OAL 50 "
+            "mm; the "
             "flutes cannot be longer than the tool [import-field]\n");
-  EXPECT_EQ(notes_of(made, "import-number"),
-            "shop.json:42: warning: tool T1 \"Second tool 1\": number 1 is already taken; this tool is imported "
-            "without number, as \"Second tool 1\" [import-number]\n");
+  EXPECT_EQ(
+      notes_of(made, "import-number"),
+      "shop.json:42: warning: tool T1 \"Second tool 1\": number 1 is already taken; this tool is imported "
+      "without number, as \"Second tool 1\" [import-number]\n");
   EXPECT_EQ(made.library.tools.size(), 7u);
-  for (const char* shape :
-       {"lollipop mill", "dovetail mill", "slot mill", "radius mill", "thread mill", "tap right hand",
-        "circle segment barrel", "circle segment lens", "circle segment oval", "circle segment taper", "form mill"})
+  for (const char* shape : {"lollipop mill", "dovetail mill", "slot mill", "radius mill", "thread mill",
+                            "tap right hand", "circle segment barrel", "circle segment lens",
+                            "circle segment oval", "circle segment taper", "form mill"})
     EXPECT_EQ(notes_of(import_one(shape, R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-shape"),
-              "one.json:1: warning: tool T9 \"x\": not imported: shape " + std::string(shape) + " [import-shape]\n");
+              "one.json:1: warning: tool T9 \"x\": not imported: shape " + std::string(shape) +
+                  " [import-shape]\n");
 }
 
 TEST(ImportFusion, AHolderThatWouldSwallowTheFlutesIsAnError) {
-  EXPECT_EQ(notes_of(import_one("flat end mill", R"("DC":10,"LCF":30,"OAL":50,"LB":25,"SFDM":10)"), "import-field"),
-            "one.json:1: error: tool T9 \"x\": LCF 30 mm is greater than LB 25 mm; the holder would swallow a part of "
-            "the flutes [import-field]\n");
-  EXPECT_EQ(notes_of(import_one("flat end mill", R"("DC":10,"LCF":20,"OAL":50,"LB":55,"SFDM":10)"), "import-field"),
-            "one.json:1: error: tool T9 \"x\": LB 55 mm is greater than OAL 50 mm; the tool would not reach its holder "
-            "[import-field]\n");
+  EXPECT_EQ(
+      notes_of(import_one("flat end mill", R"("DC":10,"LCF":30,"OAL":50,"LB":25,"SFDM":10)"), "import-field"),
+      "one.json:1: error: tool T9 \"x\": LCF 30 mm is greater than LB 25 mm; the holder would swallow a part "
+      "of "
+      "the flutes [import-field]\n");
+  EXPECT_EQ(
+      notes_of(import_one("flat end mill", R"("DC":10,"LCF":20,"OAL":50,"LB":55,"SFDM":10)"), "import-field"),
+      "one.json:1: error: tool T9 \"x\": LB 55 mm is greater than OAL 50 mm; the tool would not reach its "
+      "holder "
+      "[import-field]\n");
 }
 
 TEST(ImportFusion, FieldsThatAreMissingOrWrongAreNamed) {
@@ -180,7 +194,8 @@ TEST(ImportFusion, FieldsThatAreMissingOrWrongAreNamed) {
 
 TEST(ImportFusion, AnEntryWithoutUnitIsLeftOut) {
   const Result<ImportedTools> made = import_fusion(
-      "one.json", R"({"data":[{"type":"flat end mill","description":"x","geometry":{"DC":6,"LCF":9,"OAL":40}}]})", {});
+      "one.json",
+      R"({"data":[{"type":"flat end mill","description":"x","geometry":{"DC":6,"LCF":9,"OAL":40}}]})", {});
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(all_notes(*made),
             "one.json:1: error: tool \"x\": has no \"unit\"; each entry needs its own [import-field]\n"
@@ -192,10 +207,12 @@ TEST(ImportFusion, GaugeLengthsThatDisagreeAreTold) {
                              R"("upper-diameter":40}]},)";
   const ImportedTools made = import_one(
       "flat end mill", R"("DC":6,"LCF":20,"OAL":50,"LB":30,"SFDM":6,"assemblyGaugeLength":80)", holder);
-  EXPECT_EQ(notes_of(made, "import-contradiction"),
-            "one.json:1: warning: tool T9 \"x\": assemblyGaugeLength 80 mm is not LB 30 mm and gaugeLength 40 mm "
-            "together; built from these two [import-contradiction]\n");
-  EXPECT_NE(notes_of(made, "import-guess").find("reach 20 mm above the gauge line; they are kept"), std::string::npos);
+  EXPECT_EQ(
+      notes_of(made, "import-contradiction"),
+      "one.json:1: warning: tool T9 \"x\": assemblyGaugeLength 80 mm is not LB 30 mm and gaugeLength 40 mm "
+      "together; built from these two [import-contradiction]\n");
+  EXPECT_NE(notes_of(made, "import-guess").find("reach 20 mm above the gauge line; they are kept"),
+            std::string::npos);
   expect_segment(made.library.tools.at(0).holder.at(0), 30, 40, 60);
 }
 
@@ -203,8 +220,9 @@ TEST(ImportFusion, AHolderWithoutStickOutIsAnError) {
   ImportOptions options;
   options.holder = {{30, 30, 50}};
   const std::string geometry = R"("DC":6,"LCF":20,"OAL":50,"SFDM":6)";
-  EXPECT_NE(notes_of(import_one("flat end mill", geometry, "", options), "import-stickout").find("give --stickout"),
-            std::string::npos);
+  EXPECT_NE(
+      notes_of(import_one("flat end mill", geometry, "", options), "import-stickout").find("give --stickout"),
+      std::string::npos);
   options.stickout_mm = 35;
   const ImportedTools made = import_one("flat end mill", geometry, "", options);
   expect_segment(made.library.tools.at(0).shank.at(0), 6, 6, 15);
@@ -221,7 +239,8 @@ TEST(ImportFusion, AShaftLongerThanTheStickOutIsCutThere) {
 }
 
 TEST(ImportFusion, TheZipIsTheSameLibrary) {
-  const Result<ImportedTools> zipped = import_tools("shop.json", corpus("fusion-mill.tools"), std::nullopt, {});
+  const Result<ImportedTools> zipped =
+      import_tools("shop.json", corpus("fusion-mill.tools"), std::nullopt, {});
   ASSERT_TRUE(zipped.has_value()) << to_text(zipped.error());
   const ImportedTools plain = import_corpus();
   EXPECT_EQ(write_tool_library(zipped->library), write_tool_library(plain.library));
@@ -247,9 +266,10 @@ TEST(ImportFusion, FilesThatAreNoLibraryAreRefused) {
     const Result<ImportedTools> made = import_fusion("a.json", bytes, {});
     return made ? "none" : to_text(made.error());
   };
-  EXPECT_EQ(error("{\n\"data\": [}"),
-            "a.json:2: error: this is not JSON: there is a mistake at or before this line; expected a Fusion tool "
-            "library [import-syntax]");
+  EXPECT_EQ(
+      error("{\n\"data\": [}"),
+      "a.json:2: error: this is not JSON: there is a mistake at or before this line; expected a Fusion tool "
+      "library [import-syntax]");
   EXPECT_EQ(error("{\"data\": 3}"),
             "a.json: error: this JSON has no list \"data\"; expected a Fusion tool library [import-format]");
   EXPECT_EQ(error("{\"data\": [], \"data\": []}"),

@@ -12,8 +12,9 @@ using test::corpus;
 using test::SplitMix64;
 
 std::string mutate(std::string bytes, SplitMix64& random) {
-  static const std::vector<std::string> kPieces = {"-", "0", "1e9",  "1e999", "null", "{}", "[]",     "\"", ",",
-                                                   "|", "#", "\n|", "\xFF",  ".",    "\\u0000", "\"mm\"", "}"};
+  static const std::vector<std::string> kPieces = {"-",    "0",  "1e9",     "1e999",  "null", "{}",
+                                                   "[]",   "\"", ",",       "|",      "#",    "\n|",
+                                                   "\xFF", ".",  "\\u0000", "\"mm\"", "}"};
   const std::uint64_t rounds = 1 + random.next() % 4;
   for (std::uint64_t i = 0; i < rounds && !bytes.empty(); ++i) {
     const std::size_t at = random.next() % bytes.size();

@@ -20,8 +20,8 @@ ImportedTools import_corpus(const ImportOptions& options = {}) {
 std::string error_of(const std::string& rows) {
   ImportOptions options;
   options.unit = LengthUnit::mm;
-  const Result<ImportedTools> made =
-      import_nx("t.dat", "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI TAPA COR1\n" + rows, options);
+  const Result<ImportedTools> made = import_nx(
+      "t.dat", "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI TAPA COR1\n" + rows, options);
   return made ? all_notes(*made) : to_text(made.error());
 }
 
@@ -61,7 +61,8 @@ TEST(ImportNx, ATaperIsMeasuredFromTheAxisAndDrillsHaveAnIncludedAngle) {
 }
 
 TEST(ImportNx, ShapesThatCannotBeImportedAreTold) {
-  EXPECT_NE(notes_of(import_corpus(), "import-shape").find("tool T31 \"ugt_barrel_16\": not imported: shape BARREL_MILL"),
+  EXPECT_NE(notes_of(import_corpus(), "import-shape")
+                .find("tool T31 \"ugt_barrel_16\": not imported: shape BARREL_MILL"),
             std::string::npos);
 }
 
@@ -82,7 +83,8 @@ TEST(ImportNx, TheUnitIsNeverAssumedInSilence) {
 
 TEST(ImportNx, MistakesNameRowAndField) {
   EXPECT_EQ(error_of("DATA | a | 10 | 60 | 50 | 0 | 0 |\n"),
-            "t.dat:3: error: tool \"a\": FLEN 60 mm is greater than HEI 50 mm; the flutes cannot be longer than the "
+            "t.dat:3: error: tool \"a\": FLEN 60 mm is greater than HEI 50 mm; the flutes cannot be longer "
+            "than the "
             "tool [import-field]\nt.dat: error: no tool of this file could be imported [import-empty]\n");
   EXPECT_NE(error_of("DATA | a | ten | 20 | 50 | 0 | 0 |\n").find("DIA is \"ten\"; expected a number"),
             std::string::npos);
@@ -91,7 +93,8 @@ TEST(ImportNx, MistakesNameRowAndField) {
             std::string::npos);
   EXPECT_NE(error_of("#END_DATA\nDATA | a | 10 |\n").find("outside of a #CLASS"), std::string::npos);
   EXPECT_EQ(error_of("DATA | a | 10 | 20 | 50 | 0 | 0 |\n"),
-            "t.dat:3: note: tool \"a\": no length below the holder is given; drawn up to HEI 50 mm, without a holder "
+            "t.dat:3: note: tool \"a\": no length below the holder is given; drawn up to HEI 50 mm, without "
+            "a holder "
             "[import-guess]\n");
 }
 
@@ -99,7 +102,9 @@ TEST(ImportNx, NamesInLatin1SurviveAndARoundTripLosesNothing) {
   ImportOptions options;
   options.unit = LengthUnit::mm;
   const Result<ImportedTools> made = import_nx(
-      "t.dat", "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI\nDATA | Fr\xE4ser | 10 | 20 | 50 |\n", options);
+      "t.dat",
+      "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI\nDATA | Fr\xE4ser | 10 | 20 | 50 |\n",
+      options);
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(made->library.tools.at(0).name, "Fr\xC3\xA4ser");
   test::expect_round_trip(made->library);

@@ -1,0 +1,113 @@
+#include "cli/tool_import.h"
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <ostream>
+
+#include "cli/exit_code.h"
+#include "cli/tool_text.h"
+#include "lib/base/files.h"
+#include "toolmodels/import/import_tools.h"
+
+namespace gouge {
+namespace {
+
+int refuse(const Diagnostic& error, std::ostream& err) {
+  err << to_text(error) << "\n";
+  return error.code == "usage" ? kExitUsage : kExitInput;
+}
+
+Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& arguments) {
+  if (arguments.holder.empty()) return std::vector<ToolSegment>{};
+  if (arguments.tools_file.empty())
+    return make_error("usage", "--holder needs --tools, the library that holder is in");
+  const Result<std::string> bytes = read_file(arguments.tools_file);
+  if (!bytes) return bytes.error();
+  const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);
+  if (!library) return library.error();
+  const std::vector<ToolSegment>* holder = library->holder_called(arguments.holder);
+  if (holder == nullptr)
+    return make_error("usage", "--holder '" + arguments.holder + "': " + arguments.tools_file +
+                                   " has no holder of that name");
+  return *holder;
+}
+
+// FreeCAD keeps the bits of a library beside it, or in the folder Bit beside the library's own.
+Result<std::string> read_beside(const std::filesystem::path& folder, const std::string& name) {
+  Result<std::string> bytes = read_file((folder / name).string());
+  if (bytes || bytes.error().code != "file-not-found") return bytes;
+  Result<std::string> bit = read_file((folder / ".." / "Bit" / name).lexically_normal().string());
+  return bit ? bit : bytes;
+}
+
+std::optional<ImportFormat> format_called(const std::string& name) {
+  if (name == "fusion") return ImportFormat::fusion;
+  if (name == "freecad") return ImportFormat::freecad;
+  if (name == "nx") return ImportFormat::nx;
+  return std::nullopt;
+}
+
+void tell_notes(const ImportedTools& made, std::ostream& out, std::ostream& err) {
+  bool is_first = true;
+  for (const Diagnostic& note : made.notes) {
+    if (note.severity != Severity::note) {
+      err << to_text(note) << "\n";
+      continue;
+    }
+    if (is_first) out << "assumed or left out:\n";
+    is_first = false;
+    out << "  " << note.message << "\n";
+  }
+}
+
+}  // namespace
+
+void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, std::string& output) {
+  command
+      .add_option("file", arguments.file,
+                  "Fusion .json or .tools, FreeCAD .fctb or .fctl, NX tool_database.dat")
+      ->required();
+  command.add_option("-o,--output", output, "tool library to write (JSON)")->required();
+  command.add_option("--format", arguments.format, "auto (by what the file holds), fusion, freecad or nx")
+      ->check(CLI::IsMember({"auto", "fusion", "freecad", "nx"}));
+  command.add_option("--holder", arguments.holder, "holder for tools that have none; a name in --tools");
+  command.add_option("--tools", arguments.tools_file, "tool library (JSON) with that holder");
+  command
+      .add_option("--stickout", arguments.stickout_mm, "mm from tip to holder, where the file does not say")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--unit", arguments.unit, "unit of a file that does not say its own (NX)")
+      ->check(CLI::IsMember({"mm", "inch"}));
+  command.footer(
+      "Example:\n  gougecheck tool import shop.tools -o shop.json\n\nExit status: 0 done, also with "
+      "warnings; 2 wrong "
+      "command line; 3 file unreadable, output unwritable, or a tool was left out because its numbers make "
+      "no tool "
+      "(the others are written).");
+}
+
+int run_tool_import(const ToolImportArguments& arguments, const std::string& output, std::ostream& out,
+                    std::ostream& err) {
+  const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
+  if (!holder) return refuse(holder.error(), err);
+  const Result<std::string> bytes = read_file(arguments.file);
+  if (!bytes) return refuse(bytes.error(), err);
+  ImportOptions options;
+  options.holder = *holder;
+  if (arguments.stickout_mm > 0) options.stickout_mm = arguments.stickout_mm;
+  if (!arguments.unit.empty()) options.unit = arguments.unit == "inch" ? LengthUnit::inch : LengthUnit::mm;
+  const std::filesystem::path folder = std::filesystem::path(arguments.file).parent_path();
+  options.read_beside = [&folder](const std::string& name) { return read_beside(folder, name); };
+  const Result<ImportedTools> made =
+      import_tools(arguments.file, *bytes, format_called(arguments.format), options);
+  if (!made) return refuse(made.error(), err);
+  const bool is_empty = made->library.tools.empty() && made->library.holders.empty();
+  if (!is_empty) {
+    const Outcome written = write_file(output, write_tool_library(made->library));
+    if (!written) return refuse(written.error(), err);
+    out << tool_list_text(made->library);
+  }
+  tell_notes(*made, out, err);
+  return has_error(made->notes) ? kExitInput : kExitClean;
+}
+
+}  // namespace gouge

@@ -1,0 +1,104 @@
+#include "cli/tool_import.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <sstream>
+
+#include "cli/exit_code.h"
+#include "lib/base/files.h"
+#include "toolmodels/tool_library.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ToolImport : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "gouge_tool_import_" + std::to_string(::getpid());
+    fs::create_directories(folder_);
+    arguments.tools_file = path("shop.json");
+    EXPECT_TRUE(write_file(arguments.tools_file, R"({"units":"mm","tools":[],"holders":[{"name":"ER16",
+      "segments":[{"lower_diameter":28,"upper_diameter":28,"length":40}]}]})")
+                    .has_value());
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
+
+  int run(const std::string& corpus_file) {
+    arguments.file = std::string(GOUGE_SOURCE_DIR) + "/tests/corpus/tool/" + corpus_file;
+    std::ostringstream out_stream, err_stream;
+    const int status = run_tool_import(arguments, path("new.json"), out_stream, err_stream);
+    out = out_stream.str();
+    err = err_stream.str();
+    return status;
+  }
+
+  ToolImportArguments arguments;
+  std::string out, err;
+
+ private:
+  std::string folder_;
+};
+
+TEST_F(ToolImport, TellsWhatWasUnderstoodAndWhatWasAssumed) {
+  EXPECT_EQ(run("freecad/bull_6.fctb"), kExitClean);
+  EXPECT_EQ(err, "");
+  EXPECT_EQ(out,
+            "tool  name         cutter               flutes  assembly  holder\n"
+            "-     Bull nose 6  bull_nose D 6 R 1.5  20      50        none\n" +
+                out.substr(out.find("1 tool, lengths in mm")));
+  EXPECT_NE(
+      out.find(
+          "assumed or left out:\n  tool \"Bull nose 6\": no length below the holder is given; drawn up to "
+          "Length 50 mm, without a holder\n"),
+      std::string::npos)
+      << out;
+}
+
+TEST_F(ToolImport, TheHolderIsTakenFromALibraryOfOurs) {
+  arguments.holder = "ER16";
+  arguments.stickout_mm = 30;
+  EXPECT_EQ(run("freecad/bull_6.fctb"), kExitClean);
+  const Result<ToolLibrary> library = read_tool_library("new.json", *read_file(path("new.json")));
+  ASSERT_TRUE(library.has_value());
+  EXPECT_EQ(library->tools.at(0).holder.at(0).lower_diameter_mm, 28);
+  EXPECT_EQ(library->tools.at(0).shank.at(0).length_mm, 10);
+  arguments.holder = "HSK";
+  EXPECT_EQ(run("freecad/bull_6.fctb"), kExitUsage);
+  EXPECT_NE(err.find("has no holder of that name [usage]"), std::string::npos) << err;
+  arguments.tools_file.clear();
+  EXPECT_EQ(run("freecad/bull_6.fctb"), kExitUsage);
+}
+
+TEST_F(ToolImport, AToolThatIsLeftOutForAnErrorMakesTheStatusThree) {
+  EXPECT_EQ(run("fusion-mill.tools"), kExitInput);
+  EXPECT_NE(err.find("error: tool T8 \"Flutes longer than the tool\": LCF 60 mm is greater than OAL 50 mm"),
+            std::string::npos)
+      << err;
+  EXPECT_NE(err.find("warning: tool T7 \"Lollipop 8\": not imported: shape lollipop mill"),
+            std::string::npos);
+  EXPECT_TRUE(fs::exists(path("new.json"))) << "the others are written";
+  EXPECT_NE(out.find("7 tools, lengths in mm\n"), std::string::npos) << out;
+}
+
+TEST_F(ToolImport, BitsOfALibraryAreFoundBesideIt) {
+  EXPECT_EQ(run("freecad/shop.fctl"), kExitInput) << "two of its bits are not there";
+  EXPECT_NE(out.find("3 tools"), std::string::npos) << out;
+  EXPECT_NE(err.find("missing.fctb"), std::string::npos) << err;
+}
+
+TEST_F(ToolImport, WhatCannotBeReadIsRefusedAndNothingIsWritten) {
+  EXPECT_EQ(run("no-such-file.json"), kExitInput);
+  arguments.format = "nx";
+  EXPECT_EQ(run("fusion-mill.json"), kExitInput);
+  EXPECT_NE(err.find("expected an NX tool_database.dat [import-format]"), std::string::npos) << err;
+  EXPECT_FALSE(fs::exists(path("new.json")));
+}
+
+}  // namespace
+}  // namespace gouge
