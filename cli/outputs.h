@@ -14,8 +14,8 @@ namespace gouge {
 /// Prints diagnostics, one a line, as compilers do.
 void print(std::ostream& err, const Diagnostics& diagnostics);
 
-/// Whether "-" was given for one of the outputs, so that standard output belongs to it alone; more than one is
-/// an error, returned as its message.
+/// Whether "-" was given for one of the outputs, so that standard output belongs to it alone; more than one
+/// is an error, returned as its message.
 [[nodiscard]] Result<bool> is_stdout_taken(const JobArguments& arguments);
 
 }  // namespace gouge

@@ -24,12 +24,15 @@ std::string describe(const ToolAssembly& tool) {
   std::string text = shape_name(tool.cutter);
   if (!tool.name.empty()) text = tool.name + " (" + text + ")";
   double widest = 0;
-  for (const ToolSegment& s : tool.holder) widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
+  for (const ToolSegment& s : tool.holder)
+    widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
   if (widest > 0) text += ", holder to D" + exact_text(widest) + " mm";
   return text;
 }
 
-Diagnostic usage(const std::string& message) { return make_error("usage", message); }
+Diagnostic usage(const std::string& message) {
+  return make_error("usage", message);
+}
 
 class Resolver {
  public:
@@ -42,7 +45,8 @@ class Resolver {
     if (library_ == nullptr) return usage("--tool '" + text + "' needs a library: give --tools LIB.json");
     const ToolAssembly* tool = library_->with_name(text.substr(equals + 1));
     if (tool == nullptr) {
-      return usage("--tool '" + text + "': the library has no tool of that name; it has " + names_in(*library_));
+      return usage("--tool '" + text + "': the library has no tool of that name; it has " +
+                   names_in(*library_));
     }
     named_[static_cast<int>(*number)] = tool;
     return std::nullopt;
@@ -52,7 +56,8 @@ class Resolver {
     if (library_ == nullptr) return usage("--holder '" + name + "' needs a library: give --tools LIB.json");
     const std::vector<ToolSegment>* segments = library_->holder_called(name);
     if (segments == nullptr) {
-      return usage("--holder '" + name + "': the library has neither a holder nor a tool with a holder of that name");
+      return usage("--holder '" + name +
+                   "': the library has neither a holder nor a tool with a holder of that name");
     }
     holder_ = *segments;
     return std::nullopt;
@@ -88,7 +93,8 @@ class Resolver {
       const CutterStatement& c = *tool.cutter;
       const Result<ToolFromPath> made = make_tool_from_path(
           tool.number, tool.name,
-          {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm, c.given, tool.flute_length_mm}, holder_);
+          {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm, c.given, tool.flute_length_mm},
+          holder_);
       if (!made) return at(made.error(), tool);
       for (const Diagnostic& note : made->notes) result_.notes.push_back(at(note, tool));
       assembly = made->tool;
@@ -100,15 +106,17 @@ class Resolver {
 
   void tell(const PathTool& tool, const std::optional<ToolAssembly>& assembly, ToolFacts& facts) {
     if (!assembly) {
-      const std::string message = name_of(tool) +
-                                  " is defined neither in a library nor by CUTTER or TLDATA: its moves are not checked; "
-                                  "give --tools LIB.json with its number";
+      const std::string message =
+          name_of(tool) +
+          " is defined neither in a library nor by CUTTER or TLDATA: its moves are not checked; "
+          "give --tools LIB.json with its number";
       result_.notes.push_back(make_warning("tool-undefined", message, path_.file, tool.line));
       return;
     }
     facts.description = describe(*assembly);
     if (!assembly->holder.empty()) return;
-    const std::string message = name_of(tool) + " has no holder, so none is checked; give one in the library or with --holder";
+    const std::string message =
+        name_of(tool) + " has no holder, so none is checked; give one in the library or with --holder";
     result_.notes.push_back(make_note("tool-no-holder", message, path_.file, tool.line));
   }
 

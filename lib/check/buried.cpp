@@ -10,8 +10,8 @@ namespace {
 
 enum class Inside { no, yes, unknown };
 
-// Inside a closed solid the winding number is a whole number other than 0. The share of the solid angle that an
-// open mesh leaves free cannot exceed what its holes cover, so far from one half it still tells.
+// Inside a closed solid the winding number is a whole number other than 0. The share of the solid angle that
+// an open mesh leaves free cannot exceed what its holes cover, so far from one half it still tells.
 constexpr double kSurelyOutside = 0.25;
 constexpr double kSurelyInside = 0.75;
 
@@ -46,7 +46,9 @@ class BuriedMarker {
   std::vector<Box3> part_boxes_, fixture_boxes_;
 };
 
-bool is_same(const Pose& a, const Pose& b) { return a.tip == b.tip && a.axis == b.axis; }
+bool is_same(const Pose& a, const Pose& b) {
+  return a.tip == b.tip && a.axis == b.axis;
+}
 
 }  // namespace
 
@@ -58,7 +60,8 @@ void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& 
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const Move& move = toolpath.moves[i];
     MoveVerdict& verdict = verdicts[i];
-    const bool is_checked = verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified;
+    const bool is_checked =
+        verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified;
     const bool is_core_free = is_checked && verdict.depth_upper_mm < tools[move.tool]->bare.core_depth_mm;
     const bool goes_on = is_chained && is_core_free && i > 0 && toolpath.moves[i - 1].tool == move.tool &&
                          move.start && is_same(*move.start, toolpath.moves[i - 1].end);
