@@ -141,5 +141,15 @@ TEST(Evaluate, CurvesAreMeasuredFromTheirOrigin) {
   EXPECT_EQ(evaluate(tool, 4, 6.1).element, 4u);
 }
 
+TEST(Evaluate, AFootOnAnArcIsAPointOfTheArcEvenBesideItsCentre) {
+  const CompiledTool tool = half_sphere();
+  for (const double step : {1e-15, 1e-12, 1e-9}) {
+    const ToolAnswer above = evaluate(tool, 0.5 * step, 5 + step);  // the arc ends at z = 5
+    EXPECT_NEAR(above.signed_distance_mm, -5, 2 * step);
+    EXPECT_EQ(above.foot, Vec2(5, 5));
+    EXPECT_EQ(above.normal, Vec2(1, 0));
+  }
+}
+
 }  // namespace
 }  // namespace gouge
