@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <iostream>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "lib/check/scene.h"
+#include "tests/support/paths.h"
+#include "tests/support/shapes.h"
+
+// Random paths among random triangles, most of them near the boundary of the tool. The seed is printed; the
+// environment variable GOUGE_SEED sets another.
+
+namespace gouge::laws {
+
+inline std::uint64_t seed() {
+  static const std::uint64_t kSeed = [] {
+    const char* given = std::getenv("GOUGE_SEED");
+    const std::uint64_t chosen = given == nullptr ? 20260101 : std::strtoull(given, nullptr, 10);
+    std::cout << "GOUGE_SEED=" << chosen << "\n";
+    return chosen;
+  }();
+  return kSeed;
+}
+
+struct RandomScene {
+  Toolpath path;
+  Scene scene;
+};
+
+class Scatter {
+ public:
+  explicit Scatter(std::uint64_t stream) : random_(seed() * 1000003 + stream) {}
+
+  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
+  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
+  Vec3 box(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
+  Vec3 axis(double lean) { return Vec3(in(-lean, lean), in(-lean, lean), 1).normalized(); }
+
+  /// Triangles about a tool that stands upright at the origin.
+  IndexedMesh triangles(std::size_t count) {
+    IndexedMesh mesh;
+    mesh.name = "random";
+    for (std::size_t k = 0; k < count; ++k) {
+      const double nearest = in(0, 1) < 0.6 ? 4 : 20;
+      const double angle = in(0, 2 * M_PI), far = nearest + in(0, 9), size = std::pow(10, in(-0.5, 1));
+      const Vec3 at(far * std::cos(angle), far * std::sin(angle), in(-6, 110));
+      for (int c = 0; c < 3; ++c) mesh.vertices.push_back(at + box(size));
+      const std::size_t n = mesh.vertices.size();
+      shapes::add_triangle(mesh, n - 3, n - 2, n - 1);
+    }
+    return mesh;
+  }
+
+  std::vector<Pose> poses(std::size_t count) {
+    std::vector<Pose> all{{box(1), axis(0.1)}};
+    while (all.size() < count) {
+      const double way = std::pow(10, in(-1.5, 0.7));
+      // Some moves are pure rotations, some pure shifts.
+      const double kind = in(0, 1);
+      Pose next = all.back();
+      if (kind > 0.2) next.tip = box(1) + box(way);
+      if (kind < 0.8) next.axis = axis(0.15);
+      all.push_back(next);
+    }
+    return all;
+  }
+
+  RandomScene scene() { return {paths::through(poses(4)), {{triangles(1 + below(8))}, {}}}; }
+
+ private:
+  std::mt19937_64 random_;
+};
+
+}  // namespace gouge::laws
