@@ -30,9 +30,9 @@ double cross(const Vec2& u, const Vec2& v) {
   return u.x() * v.y() - u.y() * v.x();
 }
 
-// From the centre to the foot, unit. Within rounding of the centre the BSP cannot tell the sectors of neighbouring
-// elements apart; a point just outside its arc's own sector gets the nearer end, so that the foot is always a
-// point of the tool and the normal one of its normals.
+// From the centre to the foot, unit. Within rounding of the centre the BSP cannot tell the sectors of
+// neighbouring elements apart; a point just outside its arc's own sector gets the nearer end, so that the
+// foot is always a point of the tool and the normal one of its normals.
 Vec2 direction_to_foot(const BoundaryElement& e, const Vec2& away, double distance) {
   const Vec2 to_a = e.a - e.center;
   const Vec2 to_b = e.b - e.center;

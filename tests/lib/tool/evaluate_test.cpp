@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 // Tools written down by hand: lib/tool knows nothing of how tools are made.
 
@@ -110,6 +111,7 @@ TEST(Evaluate, AtTheCentreOfAnArcTheAnswerIsStillAUnitVector) {
 TEST(Evaluate, AConcaveArcHasTheSolidOutsideItsCircle) {
   CompiledTool tool = half_sphere();
   tool.elements[0].is_reflex = true;
+  std::swap(tool.elements[0].a, tool.elements[0].b);  // the contour has the solid on its left
   EXPECT_EQ(evaluate_element(tool, 0, 3, 1).signed_distance_mm, 0);
   EXPECT_GT(evaluate_element(tool, 0, 0.3, 4.6).signed_distance_mm, 0);
   EXPECT_LT(evaluate_element(tool, 0, 6, -3).signed_distance_mm, 0);
