@@ -266,12 +266,13 @@ NodeBound bound_node(const CompiledTool& tool, const SurfaceNode& node, const Ti
   double deepest = -1e300, z_lo = 1e300, z_hi = -1e300;
   for (const auto& [frame, q] : {std::pair(&span.f0, q0), std::pair(&span.f1, q1)}) {
     const Vec3 normal = frame->rows * node.normal;
-    const auto half_width = [&](double cosine) {
-      return std::abs(cosine) * node.half_thickness_mm +
-             std::sqrt(std::max(0.0, 1 - cosine * cosine)) * node.disc_radius_mm;
+    // The sine as such: 1 - cosine^2 has lost it for angles below 1e-8.
+    const auto half_width = [&](double cosine, double sine) {
+      return std::abs(cosine) * node.half_thickness_mm + sine * node.disc_radius_mm;
     };
-    deepest = std::max(deepest, plane.depth_mm(q) + half_width(plane.normal.dot(normal)));
-    const double height = half_width(normal.z());
+    const double lean = plane.normal.cross(normal).norm();
+    deepest = std::max(deepest, plane.depth_mm(q) + half_width(plane.normal.dot(normal), lean));
+    const double height = half_width(normal.z(), normal.head<2>().norm());
     z_lo = std::min(z_lo, q.z() - height);
     z_hi = std::max(z_hi, q.z() + height);
   }

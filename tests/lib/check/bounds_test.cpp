@@ -129,6 +129,20 @@ TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
   }
 }
 
+TEST(Bounds, ANodeAlmostAlongTheToolIsNotTakenForOneThatLiesOnIt) {
+  const ToolForms flat = tools::flat(300);
+  IndexedMesh floor;
+  floor.vertices = {Vec3(-140, -40, 0), Vec3(140, -40, 0), Vec3(0, 80, 0)};
+  floor.triangles = {{0, 1, 2}};
+  floor.file_triangle = {0};
+  const SurfaceTree tree = build_surface_tree({floor});
+  for (const double lean : {1e-9, 1e-8, 1e-6}) {
+    const Motion rest(Pose{Vec3::Zero(), Vec3(std::sin(lean), 0, std::cos(lean))});
+    const TimeSpans spans(rest);
+    EXPECT_GE(bound_node(flat.bare, tree.nodes[0], spans.span(0), 0).upper_mm, 140 * lean - 1e-11) << lean;
+  }
+}
+
 TEST(Bounds, AFlatOnItsFloorNeedsOneLook) {
   const ToolForms flat = tools::flat();
   const std::array<Vec3, 3> floor{Vec3(-3, -3, 0), Vec3(3, -2, 0), Vec3(0, 3, 0)};
