@@ -46,6 +46,13 @@ class BuriedMarker {
   std::vector<Box3> part_boxes_, fixture_boxes_;
 };
 
+constexpr const char* kBuried = "the tool is inside the solid; no surface is inside the tool";
+constexpr const char* kOpenMesh = "the mesh is open here: it cannot tell whether the tool is buried";
+constexpr const char* kThinCutter =
+    "the tolerance lets the surface reach the middle of the cutter, so the tool may be buried; give a "
+    "smaller "
+    "tolerance";
+
 bool is_same(const Pose& a, const Pose& b) {
   return a.tip == b.tip && a.axis == b.axis;
 }
@@ -68,11 +75,9 @@ void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& 
     is_chained = is_core_free;
     if (!is_checked || (verdict.state == MoveState::gouge && !is_core_free)) continue;
     if (!goes_on) state = marker.at(motion_of(move, options.rapid).start(), tools[move.tool]->bare);
-    if (verdict.state == MoveState::gouge || state == Inside::no) continue;
+    if (verdict.state == MoveState::gouge || (state == Inside::no && is_core_free)) continue;
     verdict.state = state == Inside::yes ? MoveState::buried : MoveState::not_certified;
-    verdict.reason = state == Inside::yes
-                         ? "the tool is inside the solid; no surface is inside the tool"
-                         : "the mesh is open here: it cannot tell whether the tool is buried";
+    verdict.reason = state == Inside::yes ? kBuried : state == Inside::unknown ? kOpenMesh : kThinCutter;
   }
 }
 

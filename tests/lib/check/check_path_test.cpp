@@ -67,6 +67,22 @@ TEST(CheckPath, ABuriedToolIsSeenInAnInsideOutSolidAndInAFixture) {
       2U);
 }
 
+TEST(CheckPath, AToleranceAsLargeAsTheCutterNeverMakesAPlungeClean) {
+  const Scene scene{{shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 0))}, {}};
+  const ToolForms needle = make_tool_forms({1, "needle", BallCutter{0.1, 50}, {}, {}}, 0, 0, 0).value();
+  const Toolpath path = path_through({upright(0, 0, 5), upright(0, 0, -60), upright(3, 0, -60)});
+  CheckOptions options;
+  options.tolerance_mm = 0.06;
+  const CheckResult r = check(path, needle, scene, options);
+  EXPECT_EQ(r.verdicts[0].state, MoveState::clean);
+  EXPECT_EQ(r.verdicts[1].state, MoveState::not_certified);
+  EXPECT_EQ(
+      r.verdicts[1].reason,
+      "the tolerance lets the surface reach the middle of the cutter, so the tool may be buried; give a "
+      "smaller tolerance");
+  EXPECT_EQ(r.verdicts[2].state, MoveState::buried);
+}
+
 TEST(CheckPath, AnOpenMeshTellsABuriedToolOrSaysThatItCannot) {
   IndexedMesh open = shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500));
   open.triangles.pop_back();
