@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "lib/check/scene.h"
+#include "lib/tool/compiled_tool.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 
-// Random paths among random triangles, most of them near the boundary of the tool. The seed is printed; the
+// Random paths among random triangles: most near the boundary of the tool, some lying on it. The seed is printed; the
 // environment variable GOUGE_SEED sets another.
 
 namespace gouge::laws {
@@ -70,9 +71,38 @@ class Scatter {
     return all;
   }
 
-  RandomScene scene() { return {paths::through(poses(4)), {{triangles(1 + below(8))}, {}}}; }
+  RandomScene scene(const CompiledTool& tool) {
+    RandomScene random{paths::through(poses(4)), {{triangles(1 + below(5))}, {}}};
+    for (std::size_t k = below(4); k > 0; --k) add_touching(random.scene.parts[0], tool, random.path.moves[below(4)].end);
+    return random;
+  }
 
  private:
+  /// A triangle that all but lies on the tool at `pose`: in or near a tangent plane, a little deeper or not.
+  void add_touching(IndexedMesh& mesh, const CompiledTool& tool, const Pose& pose) {
+    const BoundaryElement& e = tool.elements[below(tool.elements.size())];
+    Vec2 at = e.a + in(0, 1) * (e.b - e.a);
+    Vec2 out = e.normal;
+    if (e.kind == ElementKind::arc) {
+      out = (at - e.center).normalized();
+      at = e.center + e.radius_mm * out;
+    }
+    const Vec3 u = pose.axis.unitOrthogonal();
+    const Vec3 sideways = Eigen::AngleAxisd(in(-M_PI, M_PI), pose.axis) * u;
+    const Vec3 normal = out.x() * sideways + out.y() * pose.axis;
+    const double deeper = in(0, 1) < 0.3 ? 0.0 : std::pow(10, in(-4, -0.5));
+    const double lean = in(0, 1) < 0.5 ? 0.0 : std::pow(10, in(-6, -1));
+    const Vec3 foot = pose.tip + at.x() * sideways + at.y() * pose.axis - deeper * normal;
+    const double size = std::pow(10, in(-1, 1.7));
+    const double thin = in(0, 1) < 0.3 ? 1e-3 : 1.0;
+    const Vec3 a = normal.unitOrthogonal(), b = normal.cross(a);
+    for (int c = 0; c < 3; ++c) {
+      mesh.vertices.push_back(foot + size * (in(-1, 1) * a + thin * in(-1, 1) * b + lean * in(-1, 1) * normal));
+    }
+    const std::size_t n = mesh.vertices.size();
+    shapes::add_triangle(mesh, n - 3, n - 2, n - 1);
+  }
+
   std::mt19937_64 random_;
 };
 

@@ -149,7 +149,7 @@ struct Found {
 struct Effort {
   int steps = 64;              ///< instants, evenly spread, both ends included
   double accuracy_mm = 0.003;  ///< what is known to be shallower than the mark plus this is not looked into
-  int looks = 1000;            ///< points an instant may cost, the deepest promise first
+  int looks = 700;             ///< points an instant may cost, the deepest promise first
 };
 
 /// The deepest point that can be found in a move; a lower bound of the truth.
