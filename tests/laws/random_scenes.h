@@ -57,29 +57,34 @@ class Scatter {
     return mesh;
   }
 
-  std::vector<Pose> poses(std::size_t count) {
+  /// `largest_way` in mm; the axis turns by a tenth of it or less, in radians.
+  std::vector<Pose> poses(std::size_t count, double largest_way) {
     std::vector<Pose> all{{box(1), axis(0.1)}};
     while (all.size() < count) {
-      const double way = std::pow(10, in(-1.5, 0.7));
+      const double way = largest_way * std::pow(10, in(-2, 0));
       // Some moves are pure rotations, some pure shifts.
       const double kind = in(0, 1);
       Pose next = all.back();
-      if (kind > 0.2) next.tip = box(1) + box(way);
-      if (kind < 0.8) next.axis = axis(0.15);
+      if (kind > 0.2) next.tip += box(way);
+      if (kind < 0.8) next.axis = (next.axis + 0.03 * box(way)).normalized();
       all.push_back(next);
     }
     return all;
   }
 
+  /// One half of the scenes are deep in triangles, in the other the tool slides along them, clean or nearly so.
   RandomScene scene(const CompiledTool& tool) {
-    RandomScene random{paths::through(poses(4)), {{triangles(1 + below(5))}, {}}};
-    for (std::size_t k = below(4); k > 0; --k) add_touching(random.scene.parts[0], tool, random.path.moves[below(4)].end);
+    const bool is_sliding = in(0, 1) < 0.5;
+    RandomScene random{paths::through(poses(4, is_sliding ? 0.1 : 5)), {{triangles(is_sliding ? 0 : 1 + below(4))}, {}}};
+    for (std::size_t k = 1 + below(4); k > 0; --k) {
+      add_touching(random.scene.parts[0], tool, random.path.moves[below(4)].end, is_sliding ? 0.02 : 0.3);
+    }
     return random;
   }
 
  private:
-  /// A triangle that all but lies on the tool at `pose`: in or near a tangent plane, a little deeper or not.
-  void add_touching(IndexedMesh& mesh, const CompiledTool& tool, const Pose& pose) {
+  /// A triangle that all but lies on the tool at `pose`: in or near a tangent plane, deeper or away by `off` at most.
+  void add_touching(IndexedMesh& mesh, const CompiledTool& tool, const Pose& pose, double off) {
     const BoundaryElement& e = tool.elements[below(tool.elements.size())];
     Vec2 at = e.a + in(0, 1) * (e.b - e.a);
     Vec2 out = e.normal;
@@ -90,10 +95,10 @@ class Scatter {
     const Vec3 u = pose.axis.unitOrthogonal();
     const Vec3 sideways = Eigen::AngleAxisd(in(-M_PI, M_PI), pose.axis) * u;
     const Vec3 normal = out.x() * sideways + out.y() * pose.axis;
-    const double deeper = in(0, 1) < 0.3 ? 0.0 : std::pow(10, in(-4, -0.5));
-    const double lean = in(0, 1) < 0.5 ? 0.0 : std::pow(10, in(-6, -1));
+    const double deeper = in(0, 1) < 0.3 ? 0.0 : (in(0, 1) < 0.5 ? off : -off) * std::pow(10, in(-3, 0));
     const Vec3 foot = pose.tip + at.x() * sideways + at.y() * pose.axis - deeper * normal;
     const double size = std::pow(10, in(-1, 1.7));
+    const double lean = in(0, 1) < 0.5 ? 0.0 : off / size * std::pow(10, in(-3, 0));
     const double thin = in(0, 1) < 0.3 ? 1e-3 : 1.0;
     const Vec3 a = normal.unitOrthogonal(), b = normal.cross(a);
     for (int c = 0; c < 3; ++c) {
