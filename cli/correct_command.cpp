@@ -78,7 +78,7 @@ class CorrectRun {
     ReportModel model = job_.report(arguments_.job, *path, after);
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before);
-    if (arguments_.job.is_verbose) print(err_, model.notes);
+    print_notes(err_, model.notes, arguments_.job);
     if (!write_outputs(arguments_.job, job_, model, progress_, out_, err_)) return kExitInternal;
     return exit_status(overall_verdict(after));
   }

@@ -74,6 +74,17 @@ void print(std::ostream& err, const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics) err << to_text(d) << "\n";
 }
 
+void print_notes(std::ostream& err, const Diagnostics& notes, const JobArguments& arguments) {
+  constexpr std::size_t kMost = 10;
+  if (arguments.is_verbose) return print(err, notes);
+  if (arguments.is_quiet) return;
+  std::size_t warnings = 0;
+  for (const Diagnostic& d : notes) {
+    if (d.severity == Severity::warning && ++warnings <= kMost) err << to_text(d) << "\n";
+  }
+  if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
+}
+
 Result<bool> is_stdout_taken(const JobArguments& a) {
   int taken = 0;
   for (const std::string* file : {&a.json_file, &a.csv_file, &a.sarif_file, &a.junit_file})

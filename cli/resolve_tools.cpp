@@ -1,6 +1,7 @@
 #include "cli/resolve_tools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "lib/base/number_text.h"
@@ -28,6 +29,21 @@ std::string describe(const ToolAssembly& tool) {
     widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
   if (widest > 0) text += ", holder to D" + exact_text(widest) + " mm";
   return text;
+}
+
+struct CutterSize {
+  double diameter_mm = 0, corner_mm = 0;
+};
+
+CutterSize size_of(const Cutter& cutter) {
+  struct Sizes {
+    CutterSize operator()(const FlatCutter& c) const { return {c.diameter_mm, 0}; }
+    CutterSize operator()(const BallCutter& c) const { return {c.diameter_mm, c.diameter_mm / 2}; }
+    CutterSize operator()(const BullNoseCutter& c) const { return {c.diameter_mm, c.corner_radius_mm}; }
+    CutterSize operator()(const TaperedCutter& c) const { return {c.diameter_mm, c.corner_radius_mm}; }
+    CutterSize operator()(const AptCutter& c) const { return {c.d_mm, c.r_mm}; }
+  };
+  return std::visit(Sizes{}, cutter);
 }
 
 Diagnostic usage(const std::string& message) {
@@ -88,6 +104,7 @@ class Resolver {
       facts.defined_in = library_->file;
       assembly = *known;
       if (assembly->holder.empty()) assembly->holder = holder_;
+      compare(tool, *known);
     } else if (tool.cutter) {
       facts.defined_in = path_.file + ":" + std::to_string(tool.line);
       const CutterStatement& c = *tool.cutter;
@@ -102,6 +119,20 @@ class Resolver {
     tell(tool, assembly, facts);
     result_.assemblies.push_back(std::move(assembly));
     return std::nullopt;
+  }
+
+  // The library wins, but a smaller tool than the file's would hide gouges, so it is told.
+  void compare(const PathTool& tool, const ToolAssembly& known) {
+    constexpr double kSame_mm = 1e-3;
+    if (!tool.cutter || tool.cutter->given == 0) return;
+    const auto [diameter, corner] = size_of(known.cutter);
+    const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
+    if (std::abs(diameter - tool.cutter->d_mm) <= kSame_mm && std::abs(corner - given_corner) <= kSame_mm)
+      return;
+    const std::string message = name_of(tool) + " is D " + exact_text(tool.cutter->d_mm) + " R " +
+                                exact_text(given_corner) + " mm here but D " + exact_text(diameter) + " R " +
+                                exact_text(corner) + " mm in the library, which is what is checked";
+    result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
   }
 
   void tell(const PathTool& tool, const std::optional<ToolAssembly>& assembly, ToolFacts& facts) {

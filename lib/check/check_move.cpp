@@ -26,6 +26,7 @@ class MoveChecker {
       check_clearances(depth);
     }
     if (!is_decided_ && verdict_.state != MoveState::gouge) give_up();
+    if (!is_decided_ && verdict_.state == MoveState::gouge) verdict_.reason = out_of_budget();
     if (verdict_.state == MoveState::clean && options_.near_miss_mm > 0) check_near_miss();
     return verdict_;
   }
@@ -126,8 +127,12 @@ class MoveChecker {
 
   void give_up() {
     verdict_.state = MoveState::not_certified;
-    verdict_.reason = "the budget of " + std::to_string(options_.budget_per_move) +
-                      " bounds ran out before the depth was known to the resolution";
+    verdict_.reason = out_of_budget();
+  }
+
+  [[nodiscard]] std::string out_of_budget() const {
+    return "the budget of " + std::to_string(options_.budget_per_move) +
+           " bounds ran out before the depth was known to the resolution";
   }
 
   // A cutter on a feed move is meant to touch the part; everything else is watched.
@@ -142,6 +147,7 @@ class MoveChecker {
       return;
     }
     verdict_.state = MoveState::near_miss;
+    if (!is_decided_) verdict_.reason = out_of_budget();
     verdict_.clearance_mm = std::max(0.0, options_.near_miss_mm - answer.value_mm);
     if (verdict_.witness) return;
     const Place place = place_of(answer);
