@@ -39,8 +39,8 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
                  [&](std::size_t done, std::size_t total) { progress.show(done, total); });
   progress.end();
   const ReportModel model = job.report(arguments, job.toolpath, result);
+  print_notes(err, model.notes, arguments);
   if (arguments.is_verbose) {
-    print(err, model.notes);
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";
   }
   if (!write_outputs(arguments, job, model, progress, out, err)) return kExitInternal;

@@ -15,8 +15,8 @@
 namespace gouge {
 namespace {
 
-CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options, const Correction& correction,
-                         const Toolpath& before, const CheckResult& result) {
+CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options,
+                         const Correction& correction, const Toolpath& before, const CheckResult& result) {
   CorrectionFacts facts;
   facts.output_file = arguments.output;
   facts.strategy = arguments.strategy;
@@ -25,8 +25,8 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   facts.result_before = &result;
   for (const ChangeRecord& r : correction.records) {
     facts.changes.push_back({r.move, before.moves[r.move].line,
-                             r.is_inserted ? "inserted" : strategy_name(r.strategy), r.shift_mm, r.shift_mm.norm(),
-                             r.depth_before_mm, r.depth_after_mm, r.iterations});
+                             r.is_inserted ? "inserted" : strategy_name(r.strategy), r.shift_mm,
+                             r.shift_mm.norm(), r.depth_before_mm, r.depth_after_mm, r.iterations});
   }
   for (const Uncorrected& u : correction.uncorrected) {
     facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason});
@@ -39,7 +39,8 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
   options.strategy = arguments.strategy == "axis" ? Strategy::axis : Strategy::weighted;
   const auto shift = parse_length_mm(arguments.max_shift);
   if (!shift || !(*shift > 0)) {
-    return make_error("usage", "--max-shift '" + arguments.max_shift + "': expected a length above 0 in mm, or with a unit");
+    return make_error("usage", "--max-shift '" + arguments.max_shift +
+                                   "': expected a length above 0 in mm, or with a unit");
   }
   options.max_shift_mm = *shift;
   std::error_code ignored;
@@ -51,15 +52,21 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
 
 class CorrectRun {
  public:
-  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const Job& job, std::ostream& out,
-             std::ostream& err)
-      : arguments_(arguments), correct_(correct), job_(job), out_(out), err_(err), progress_(err, job.options.progress) {}
+  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const Job& job,
+             std::ostream& out, std::ostream& err)
+      : arguments_(arguments),
+        correct_(correct),
+        job_(job),
+        out_(out),
+        err_(err),
+        progress_(err, job.options.progress) {}
 
   int run() {
     const PreparedScene scene = prepare_scene(job_.scene);
     const CheckResult before = check("checking moves", job_.toolpath, scene);
     progress_.begin("correcting");
-    const Correction correction = correct_path(job_.toolpath, before, job_.tools(), scene, job_.options.check, correct_, show());
+    const Correction correction =
+        correct_path(job_.toolpath, before, job_.tools(), scene, job_.options.check, correct_, show());
     progress_.end();
     const Result<std::string> text = write_corrected(job_.toolpath, correction.changes);
     if (!text) return fail(text.error());
@@ -71,7 +78,7 @@ class CorrectRun {
     ReportModel model = job_.report(arguments_.job, *path, after);
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before);
-    if (arguments_.job.is_verbose) print(err_, model.notes);
+    print_notes(err_, model.notes, arguments_.job);
     if (!write_outputs(arguments_.job, job_, model, progress_, out_, err_)) return kExitInternal;
     return exit_status(overall_verdict(after));
   }
@@ -105,16 +112,21 @@ class CorrectRun {
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
   add_job_options(command, arguments.job);
-  command.add_option("-o,--output", arguments.output, "The corrected toolpath, in the same dialect")->required();
-  command.add_option("--strategy", arguments.strategy,
-                     "weighted: shift by the contacts' weighted mean, else along the axis; axis: lift alone")
+  command.add_option("-o,--output", arguments.output, "The corrected toolpath, in the same dialect")
+      ->required();
+  command
+      .add_option("--strategy", arguments.strategy,
+                  "weighted: shift by the contacts' weighted mean, else along the axis; axis: lift alone")
       ->check(CLI::IsMember({"weighted", "axis"}))
       ->capture_default_str();
-  command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")->capture_default_str();
+  command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")
+      ->capture_default_str();
   command.footer(
       "Example:\n"
-      "  gougecheck correct finish.apt --part part.stl --tools tools.json -o finish_corrected.apt --report out\n\n"
-      "The corrected file is read and checked again like any other; records that need no change stay byte for byte.\n"
+      "  gougecheck correct finish.apt --part part.stl --tools tools.json -o finish_corrected.apt --report "
+      "out\n\n"
+      "The corrected file is read and checked again like any other; records that need no change stay byte "
+      "for byte.\n"
       "Exit status 1: gouges remain; they are listed with the reason.");
 }
 

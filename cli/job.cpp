@@ -16,7 +16,9 @@ constexpr double kFarthest_mm = 1e5;
 
 class JobLoader {
  public:
-  JobLoader(const JobArguments& arguments, const JobOptions& options) : arguments_(arguments) { job_.options = options; }
+  JobLoader(const JobArguments& arguments, const JobOptions& options) : arguments_(arguments) {
+    job_.options = options;
+  }
 
   LoadedJob run() {
     LoadedJob loaded;
@@ -44,8 +46,10 @@ class JobLoader {
     add_notes(job_.toolpath.notes);
     for (const Move& move : job_.toolpath.moves) {
       if (move.end.tip.cwiseAbs().maxCoeff() <= kFarthest_mm) continue;
-      errors_.push_back(make_error("path-too-far", "the position is more than 100 m from the origin; expected a path "
-                                   "within that; check the units", arguments_.path, move.line));
+      errors_.push_back(make_error("path-too-far",
+                                   "the position is more than 100 m from the origin; expected a path "
+                                   "within that; check the units",
+                                   arguments_.path, move.line));
       return false;
     }
     return true;
@@ -78,8 +82,10 @@ class JobLoader {
                 std::vector<MeshFacts>& facts) {
     const Box3 box = loaded.mesh.box();
     if (std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) > kFarthest_mm) {
-      errors_.push_back(make_error("mesh-too-far", "reaches more than 100 m from the origin; expected a part within "
-                                   "that; check --stl-units and --place", file));
+      errors_.push_back(make_error("mesh-too-far",
+                                   "reaches more than 100 m from the origin; expected a part within "
+                                   "that; check --stl-units and --place",
+                                   file));
       return;
     }
     add_notes(loaded.notes);
@@ -107,8 +113,8 @@ class JobLoader {
       library = std::move(*read);
       add_notes(library->notes);
     }
-    Result<ResolvedTools> resolved = resolve_tools(job_.toolpath, library ? &*library : nullptr,
-                                                   arguments_.tool_names, arguments_.holder);
+    Result<ResolvedTools> resolved =
+        resolve_tools(job_.toolpath, library ? &*library : nullptr, arguments_.tool_names, arguments_.holder);
     if (!resolved) return errors_.push_back(resolved.error());
     const bool is_any_defined = std::any_of(resolved->assemblies.begin(), resolved->assemblies.end(),
                                             [](const auto& assembly) { return assembly.has_value(); });
@@ -127,12 +133,18 @@ class JobLoader {
   }
 
   [[nodiscard]] Diagnostic no_tool() const {
-    const std::size_t line = job_.toolpath.tools.empty() ? job_.toolpath.moves.front().line : job_.toolpath.tools.front().line;
-    return make_error("no-tool", "no tool of the toolpath is defined, so nothing can be checked; expected CUTTER or TLDATA in "
-                      "the file, or a library that has the tool: --tools LIB.json", arguments_.path, line);
+    const std::size_t line =
+        job_.toolpath.tools.empty() ? job_.toolpath.moves.front().line : job_.toolpath.tools.front().line;
+    return make_error(
+        "no-tool",
+        "no tool of the toolpath is defined, so nothing can be checked; expected CUTTER or TLDATA in "
+        "the file, or a library that has the tool: --tools LIB.json",
+        arguments_.path, line);
   }
 
-  void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }
+  void add_notes(const Diagnostics& notes) {
+    job_.notes.insert(job_.notes.end(), notes.begin(), notes.end());
+  }
 
   const JobArguments& arguments_;
   Job job_;
@@ -147,7 +159,8 @@ std::vector<const ToolForms*> Job::tools() const {
   return all;
 }
 
-ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result) const {
+ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
+                        const CheckResult& result) const {
   ReportModel model;
   model.inputs = inputs;
   model.options = options.check;

@@ -31,7 +31,8 @@ struct Job {
 
   [[nodiscard]] std::vector<const ToolForms*> tools() const;
   /// The report of `result`, which must outlive it, like the job.
-  [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result) const;
+  [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path,
+                                   const CheckResult& result) const;
 };
 
 struct LoadedJob {

@@ -9,13 +9,17 @@ namespace {
 
 void add_input_options(CLI::App& command, JobArguments& a) {
   command.add_option("PATH", a.path, "Toolpath: APT CL text or NX CLSF")->required();
-  command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")->required();
+  command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")
+      ->required();
   command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)");
-  command.add_option("--place", a.place, "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z");
+  command.add_option("--place", a.place,
+                     "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z");
   command.add_option("--stl-units", a.stl_units, "Unit of the STL files (default: the toolpath's)")
       ->check(CLI::IsMember({"mm", "inch"}));
-  command.add_option("--tools", a.tools_file, "Tool library (JSON); tools it lacks come from CUTTER or TLDATA");
-  command.add_option("--tool", a.tool_names, "N=NAME: tool number N of the toolpath is NAME of the library (repeatable)");
+  command.add_option("--tools", a.tools_file,
+                     "Tool library (JSON); tools it lacks come from CUTTER or TLDATA");
+  command.add_option("--tool", a.tool_names,
+                     "N=NAME: tool number N of the toolpath is NAME of the library (repeatable)");
   command.add_option("--holder", a.holder, "Holder of the library for tools that have none");
 }
 
@@ -35,7 +39,8 @@ void add_check_options(CLI::App& command, JobArguments& a) {
 }
 
 void add_output_options(CLI::App& command, JobArguments& a) {
-  command.add_option("--report", a.report_folder, "Folder for the report: report.html, pictures, JSON and CSV");
+  command.add_option("--report", a.report_folder,
+                     "Folder for the report: report.html, pictures, JSON and CSV");
   command.add_option("--json", a.json_file, "Write the result as JSON (- for standard output alone)");
   command.add_option("--csv", a.csv_file, "Write one row for every move (- for standard output alone)");
   command.add_option("--sarif", a.sarif_file, "Write SARIF 2.1.0 for code review tools");

@@ -49,7 +49,8 @@ bool write_report(const JobArguments& arguments, const Job& job, const ReportMod
   }
   progress.begin("drawing the report");
   PictureInput before;
-  if (model.has_correction) before = pictures_of(job, *model.correction.toolpath_before, *model.correction.result_before);
+  if (model.has_correction)
+    before = pictures_of(job, *model.correction.toolpath_before, *model.correction.result_before);
   Result<std::vector<NamedFile>> drawn =
       draw_report_pictures(model, pictures_of(job, *model.toolpath, *model.result), before);
   progress.end();
@@ -62,7 +63,8 @@ bool write_report(const JobArguments& arguments, const Job& job, const ReportMod
   files.push_back({"result.json", write_json(model), ""});
   files.push_back({"moves.csv", write_csv(model), ""});
   bool is_good = true;
-  for (const NamedFile& file : files) is_good = deliver(folder + "/" + file.name, file.bytes, out, err) && is_good;
+  for (const NamedFile& file : files)
+    is_good = deliver(folder + "/" + file.name, file.bytes, out, err) && is_good;
   return is_good;
 }
 
@@ -72,20 +74,33 @@ void print(std::ostream& err, const Diagnostics& diagnostics) {
   for (const Diagnostic& d : diagnostics) err << to_text(d) << "\n";
 }
 
+void print_notes(std::ostream& err, const Diagnostics& notes, const JobArguments& arguments) {
+  constexpr std::size_t kMost = 10;
+  if (arguments.is_verbose) return print(err, notes);
+  if (arguments.is_quiet) return;
+  std::size_t warnings = 0;
+  for (const Diagnostic& d : notes) {
+    if (d.severity == Severity::warning && ++warnings <= kMost) err << to_text(d) << "\n";
+  }
+  if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
+}
+
 Result<bool> is_stdout_taken(const JobArguments& a) {
   int taken = 0;
-  for (const std::string* file : {&a.json_file, &a.csv_file, &a.sarif_file, &a.junit_file}) taken += *file == "-";
+  for (const std::string* file : {&a.json_file, &a.csv_file, &a.sarif_file, &a.junit_file})
+    taken += *file == "-";
   if (taken > 1) return make_error("usage", "only one output can go to standard output (-)");
   return taken == 1;
 }
 
-bool write_outputs(const JobArguments& arguments, const Job& job, const ReportModel& model, Progress& progress,
-                   std::ostream& out, std::ostream& err) {
+bool write_outputs(const JobArguments& arguments, const Job& job, const ReportModel& model,
+                   Progress& progress, std::ostream& out, std::ostream& err) {
   const Result<bool> taken = is_stdout_taken(arguments);
   if (taken && !*taken && !arguments.is_quiet) out << findings_text(model);
   bool is_good = true;
-  for (const Writer& writer : {Writer{arguments.json_file, write_json}, Writer{arguments.csv_file, write_csv},
-                               Writer{arguments.sarif_file, write_sarif}, Writer{arguments.junit_file, write_junit}}) {
+  for (const Writer& writer :
+       {Writer{arguments.json_file, write_json}, Writer{arguments.csv_file, write_csv},
+        Writer{arguments.sarif_file, write_sarif}, Writer{arguments.junit_file, write_junit}}) {
     if (!writer.file.empty()) is_good = deliver(writer.file, writer.write(model), out, err) && is_good;
   }
   if (!arguments.report_folder.empty()) {

@@ -14,8 +14,11 @@ namespace gouge {
 /// Prints diagnostics, one a line, as compilers do.
 void print(std::ostream& err, const Diagnostics& diagnostics);
 
-/// Whether "-" was given for one of the outputs, so that standard output belongs to it alone; more than one is
-/// an error, returned as its message.
+/// Warnings of the inputs; with -v notes as well, with -q nothing. More than a handful are counted.
+void print_notes(std::ostream& err, const Diagnostics& notes, const JobArguments& arguments);
+
+/// Whether "-" was given for one of the outputs, so that standard output belongs to it alone; more than one
+/// is an error, returned as its message.
 [[nodiscard]] Result<bool> is_stdout_taken(const JobArguments& arguments);
 
 }  // namespace gouge

@@ -9,8 +9,8 @@ namespace gouge {
 
 enum class ProgressMode { automatic, always, never };
 
-/// One line on standard error that is drawn over and over while long work runs, and wiped at its end. Automatic:
-/// only where standard error is a terminal. Silent for work shorter than a moment.
+/// One line on standard error that is drawn over and over while long work runs, and wiped at its end.
+/// Automatic: only where standard error is a terminal. Silent for work shorter than a moment.
 class Progress {
  public:
   Progress(std::ostream& err, ProgressMode mode);

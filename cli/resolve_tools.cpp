@@ -1,6 +1,7 @@
 #include "cli/resolve_tools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "lib/base/number_text.h"
@@ -24,12 +25,30 @@ std::string describe(const ToolAssembly& tool) {
   std::string text = shape_name(tool.cutter);
   if (!tool.name.empty()) text = tool.name + " (" + text + ")";
   double widest = 0;
-  for (const ToolSegment& s : tool.holder) widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
+  for (const ToolSegment& s : tool.holder)
+    widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
   if (widest > 0) text += ", holder to D" + exact_text(widest) + " mm";
   return text;
 }
 
-Diagnostic usage(const std::string& message) { return make_error("usage", message); }
+struct CutterSize {
+  double diameter_mm = 0, corner_mm = 0;
+};
+
+CutterSize size_of(const Cutter& cutter) {
+  struct Sizes {
+    CutterSize operator()(const FlatCutter& c) const { return {c.diameter_mm, 0}; }
+    CutterSize operator()(const BallCutter& c) const { return {c.diameter_mm, c.diameter_mm / 2}; }
+    CutterSize operator()(const BullNoseCutter& c) const { return {c.diameter_mm, c.corner_radius_mm}; }
+    CutterSize operator()(const TaperedCutter& c) const { return {c.diameter_mm, c.corner_radius_mm}; }
+    CutterSize operator()(const AptCutter& c) const { return {c.d_mm, c.r_mm}; }
+  };
+  return std::visit(Sizes{}, cutter);
+}
+
+Diagnostic usage(const std::string& message) {
+  return make_error("usage", message);
+}
 
 class Resolver {
  public:
@@ -42,7 +61,8 @@ class Resolver {
     if (library_ == nullptr) return usage("--tool '" + text + "' needs a library: give --tools LIB.json");
     const ToolAssembly* tool = library_->with_name(text.substr(equals + 1));
     if (tool == nullptr) {
-      return usage("--tool '" + text + "': the library has no tool of that name; it has " + names_in(*library_));
+      return usage("--tool '" + text + "': the library has no tool of that name; it has " +
+                   names_in(*library_));
     }
     named_[static_cast<int>(*number)] = tool;
     return std::nullopt;
@@ -52,7 +72,8 @@ class Resolver {
     if (library_ == nullptr) return usage("--holder '" + name + "' needs a library: give --tools LIB.json");
     const std::vector<ToolSegment>* segments = library_->holder_called(name);
     if (segments == nullptr) {
-      return usage("--holder '" + name + "': the library has neither a holder nor a tool with a holder of that name");
+      return usage("--holder '" + name +
+                   "': the library has neither a holder nor a tool with a holder of that name");
     }
     holder_ = *segments;
     return std::nullopt;
@@ -83,12 +104,14 @@ class Resolver {
       facts.defined_in = library_->file;
       assembly = *known;
       if (assembly->holder.empty()) assembly->holder = holder_;
+      compare(tool, *known);
     } else if (tool.cutter) {
       facts.defined_in = path_.file + ":" + std::to_string(tool.line);
       const CutterStatement& c = *tool.cutter;
       const Result<ToolFromPath> made = make_tool_from_path(
           tool.number, tool.name,
-          {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm, c.given, tool.flute_length_mm}, holder_);
+          {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm, c.given, tool.flute_length_mm},
+          holder_);
       if (!made) return at(made.error(), tool);
       for (const Diagnostic& note : made->notes) result_.notes.push_back(at(note, tool));
       assembly = made->tool;
@@ -98,17 +121,33 @@ class Resolver {
     return std::nullopt;
   }
 
+  // The library wins, but a smaller tool than the file's would hide gouges, so it is told.
+  void compare(const PathTool& tool, const ToolAssembly& known) {
+    constexpr double kSame_mm = 1e-3;
+    if (!tool.cutter || tool.cutter->given == 0) return;
+    const auto [diameter, corner] = size_of(known.cutter);
+    const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
+    if (std::abs(diameter - tool.cutter->d_mm) <= kSame_mm && std::abs(corner - given_corner) <= kSame_mm)
+      return;
+    const std::string message = name_of(tool) + " is D " + exact_text(tool.cutter->d_mm) + " R " +
+                                exact_text(given_corner) + " mm here but D " + exact_text(diameter) + " R " +
+                                exact_text(corner) + " mm in the library, which is what is checked";
+    result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
+  }
+
   void tell(const PathTool& tool, const std::optional<ToolAssembly>& assembly, ToolFacts& facts) {
     if (!assembly) {
-      const std::string message = name_of(tool) +
-                                  " is defined neither in a library nor by CUTTER or TLDATA: its moves are not checked; "
-                                  "give --tools LIB.json with its number";
+      const std::string message =
+          name_of(tool) +
+          " is defined neither in a library nor by CUTTER or TLDATA: its moves are not checked; "
+          "give --tools LIB.json with its number";
       result_.notes.push_back(make_warning("tool-undefined", message, path_.file, tool.line));
       return;
     }
     facts.description = describe(*assembly);
     if (!assembly->holder.empty()) return;
-    const std::string message = name_of(tool) + " has no holder, so none is checked; give one in the library or with --holder";
+    const std::string message =
+        name_of(tool) + " has no holder, so none is checked; give one in the library or with --holder";
     result_.notes.push_back(make_note("tool-no-holder", message, path_.file, tool.line));
   }
 

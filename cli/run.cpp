@@ -27,7 +27,8 @@ struct Arguments {
 void describe(CLI::App& app) {
   app.description(
       "Certified gouge check and correction of 5-axis toolpaths.\n"
-      "Reads APT CL text and NX CLSF, checks cutter, shank and holder over the whole motion of every move against\n"
+      "Reads APT CL text and NX CLSF, checks cutter, shank and holder over the whole motion of every move "
+      "against\n"
       "STL parts and fixtures, corrects what gouges, and reports with evidence for every finding.");
   app.set_version_flag("--version", std::string(kProgramName) + " " + kProgramVersion);
   app.require_subcommand(1);
@@ -54,7 +55,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
                         arguments.correct);
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
     add_path_options(*app.add_subcommand("path", "Tell what is in a toolpath file"), arguments.path);
-    add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), arguments.tool);
+    add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"),
+                     arguments.tool);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -59,19 +59,27 @@ ConvexCell ConvexCell::clipped(const DirectedLine& line, int sign) const {
     if (vp >= 0) part.corners_.push_back(p);
     if ((vp > 0 && vq < 0) || (vp < 0 && vq > 0)) part.corners_.push_back(between(p, vp, q, vq));
   }
-  part.close_parallel(line);
+  part.add_corner_amid(line);
   return part;
 }
 
-// Cut parallel to its own edge, a half plane keeps that edge's two opposite directions but no point on it.
-void ConvexCell::close_parallel(const DirectedLine& line) {
+// Corners where nearly parallel lines meet lie so far away that what is told at them, with their slack, says
+// nothing of the points near the tool. So the cut's own point, where the tool is, becomes a corner wherever
+// it lies amid the new edge. It is also the only point of an edge between two opposite directions.
+void ConvexCell::add_corner_amid(const DirectedLine& line) {
+  const Vec2 along(-line.direction.y(), line.direction.x());
+  const auto is_on_line = [&](const Vec3& c) { return std::abs(value(line, c)) <= slack_at(c); };
+  const auto place = [&](const Vec3& c) {
+    const double at = along.dot(c.z() > 0 ? Vec2(c.head<2>() - line.through) : Vec2(c.head<2>()));
+    return std::abs(at) <= slack_at(c) ? 0.0 : at;
+  };
   for (std::size_t i = 0; i < corners_.size(); ++i) {
     const Vec3& p = corners_[i];
     const Vec3& q = corners_[(i + 1) % corners_.size()];
-    const bool is_opposite = !(p.z() > 0) && !(q.z() > 0) && p.head<2>().dot(q.head<2>()) < -0.5 &&
-                             std::abs(line.direction.dot(p.head<2>())) <= kDirectionSlack &&
-                             std::abs(line.direction.dot(q.head<2>())) <= kDirectionSlack;
-    if (!is_opposite) continue;
+    if (!is_on_line(p) || !is_on_line(q)) continue;
+    const double at_p = place(p);
+    const double at_q = place(q);
+    if (!((at_p < 0 && at_q > 0) || (at_p > 0 && at_q < 0))) continue;
     corners_.insert(corners_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
                     Vec3(line.through.x(), line.through.y(), 1));
     return;

@@ -38,7 +38,7 @@ class ConvexCell {
   [[nodiscard]] double slack_at(const Vec3& corner) const;
 
  private:
-  void close_parallel(const DirectedLine& line);
+  void add_corner_amid(const DirectedLine& line);
 
   std::vector<Vec3> corners_;
   double size_mm_ = 1;

@@ -13,10 +13,10 @@ enum class Severity { note, warning, error };
 
 struct Diagnostic {
   Severity severity = Severity::error;
-  std::string code;     ///< stable and kebab-case, for example "stl-truncated"; listed in docs/errors.md
-  std::string file;     ///< as the user named it; empty when no file is concerned
-  std::size_t line = 0; ///< counted from 1; 0 when there is no line
-  std::string message;  ///< found, expected, what to do; one line, no full stop at the end
+  std::string code;      ///< stable and kebab-case, for example "stl-truncated"; listed in docs/errors.md
+  std::string file;      ///< as the user named it; empty when no file is concerned
+  std::size_t line = 0;  ///< counted from 1; 0 when there is no line
+  std::string message;   ///< found, expected, what to do; one line, no full stop at the end
 };
 
 using Diagnostics = std::vector<Diagnostic>;

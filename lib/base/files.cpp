@@ -14,7 +14,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string reason() { return std::strerror(errno); }
+std::string reason() {
+  return std::strerror(errno);
+}
 
 Diagnostic unwritable(const std::string& path, const std::string& why) {
   return make_error("file-unwritable", "cannot write the file: " + why + "; nothing was written", path);
@@ -105,7 +107,8 @@ Outcome make_folder(const std::string& path) {
   fs::create_directories(path, error);
   if (error || !fs::is_directory(path)) {
     return make_error("folder-unwritable",
-                      "cannot make the folder: " + (error ? error.message() : "a file of that name exists"), path);
+                      "cannot make the folder: " + (error ? error.message() : "a file of that name exists"),
+                      path);
   }
   return Done{};
 }

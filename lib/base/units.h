@@ -7,7 +7,9 @@ namespace gouge {
 
 enum class LengthUnit { mm, inch };
 
-[[nodiscard]] constexpr double mm_per(LengthUnit unit) { return unit == LengthUnit::inch ? 25.4 : 1.0; }
+[[nodiscard]] constexpr double mm_per(LengthUnit unit) {
+  return unit == LengthUnit::inch ? 25.4 : 1.0;
+}
 [[nodiscard]] constexpr const char* unit_name(LengthUnit unit) {
   return unit == LengthUnit::inch ? "in" : "mm";
 }

@@ -10,8 +10,8 @@ namespace {
 
 enum class Inside { no, yes, unknown };
 
-// Inside a closed solid the winding number is a whole number other than 0. The share of the solid angle that an
-// open mesh leaves free cannot exceed what its holes cover, so far from one half it still tells.
+// Inside a closed solid the winding number is a whole number other than 0. The share of the solid angle that
+// an open mesh leaves free cannot exceed what its holes cover, so far from one half it still tells.
 constexpr double kSurelyOutside = 0.25;
 constexpr double kSurelyInside = 0.75;
 
@@ -46,7 +46,16 @@ class BuriedMarker {
   std::vector<Box3> part_boxes_, fixture_boxes_;
 };
 
-bool is_same(const Pose& a, const Pose& b) { return a.tip == b.tip && a.axis == b.axis; }
+constexpr const char* kBuried = "the tool is inside the solid; no surface is inside the tool";
+constexpr const char* kOpenMesh = "the mesh is open here: it cannot tell whether the tool is buried";
+constexpr const char* kThinCutter =
+    "the tolerance lets the surface reach the middle of the cutter, so the tool may be buried; give a "
+    "smaller "
+    "tolerance";
+
+bool is_same(const Pose& a, const Pose& b) {
+  return a.tip == b.tip && a.axis == b.axis;
+}
 
 }  // namespace
 
@@ -58,18 +67,17 @@ void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& 
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const Move& move = toolpath.moves[i];
     MoveVerdict& verdict = verdicts[i];
-    const bool is_checked = verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified;
+    const bool is_checked =
+        verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified;
     const bool is_core_free = is_checked && verdict.depth_upper_mm < tools[move.tool]->bare.core_depth_mm;
     const bool goes_on = is_chained && is_core_free && i > 0 && toolpath.moves[i - 1].tool == move.tool &&
                          move.start && is_same(*move.start, toolpath.moves[i - 1].end);
     is_chained = is_core_free;
     if (!is_checked || (verdict.state == MoveState::gouge && !is_core_free)) continue;
     if (!goes_on) state = marker.at(motion_of(move, options.rapid).start(), tools[move.tool]->bare);
-    if (verdict.state == MoveState::gouge || state == Inside::no) continue;
+    if (verdict.state == MoveState::gouge || (state == Inside::no && is_core_free)) continue;
     verdict.state = state == Inside::yes ? MoveState::buried : MoveState::not_certified;
-    verdict.reason = state == Inside::yes
-                         ? "the tool is inside the solid; no surface is inside the tool"
-                         : "the mesh is open here: it cannot tell whether the tool is buried";
+    verdict.reason = state == Inside::yes ? kBuried : state == Inside::unknown ? kOpenMesh : kThinCutter;
   }
 }
 

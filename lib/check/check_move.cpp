@@ -26,6 +26,7 @@ class MoveChecker {
       check_clearances(depth);
     }
     if (!is_decided_ && verdict_.state != MoveState::gouge) give_up();
+    if (!is_decided_ && verdict_.state == MoveState::gouge) verdict_.reason = out_of_budget();
     if (verdict_.state == MoveState::clean && options_.near_miss_mm > 0) check_near_miss();
     return verdict_;
   }
@@ -42,8 +43,8 @@ class MoveChecker {
 
   SearchAnswer ask(const Targets& targets, double reach, double tolerance) {
     const double gap = options_.gouge_gap_mm > 0 ? options_.gouge_gap_mm : options_.resolution_mm;
-    const SearchAnswer answer =
-        search_move(motion_, targets, {reach, tolerance, options_.resolution_mm, gap, options_.budget_per_move});
+    const SearchAnswer answer = search_move(
+        motion_, targets, {reach, tolerance, options_.resolution_mm, gap, options_.budget_per_move});
     bounds_ += answer.bounds;
     is_decided_ = is_decided_ && answer.is_decided;
     return answer;
@@ -116,8 +117,9 @@ class MoveChecker {
     const ToolAnswer at = evaluate(*target.tool, place.r, place.z);
     const SearchTarget all = whole()[entered.target];
     const double depth = -evaluate(*all.tool, place.r, place.z).signed_distance_mm;
-    verdict_.reason = std::string("the clearance of the ") + body_name(target.tool->elements[at.element].body) +
-                      " is entered by " + exact_text(entered.value_mm) + " mm";
+    verdict_.reason = std::string("the clearance of the ") +
+                      body_name(target.tool->elements[at.element].body) + " is entered by " +
+                      exact_text(entered.value_mm) + " mm";
     if (!(depth > 0) || verdict_.depth_upper_mm - depth > options_.resolution_mm) return;
     verdict_.depth_mm = depth;
     verdict_.witness = witness(entered, target, place, at);
@@ -125,21 +127,27 @@ class MoveChecker {
 
   void give_up() {
     verdict_.state = MoveState::not_certified;
-    verdict_.reason = "the budget of " + std::to_string(options_.budget_per_move) +
-                      " bounds ran out before the depth was known to the resolution";
+    verdict_.reason = out_of_budget();
+  }
+
+  [[nodiscard]] std::string out_of_budget() const {
+    return "the budget of " + std::to_string(options_.budget_per_move) +
+           " bounds ran out before the depth was known to the resolution";
   }
 
   // A cutter on a feed move is meant to touch the part; everything else is watched.
   void check_near_miss() {
     const bool is_cutting = kind_ != MoveKind::rapid;
-    const Targets watched{{is_cutting ? &tool_.non_cutting : &tool_.against_part, &scene_.parts, Against::part},
-                          {&tool_.against_fixture, &scene_.fixtures, Against::fixture}};
+    const Targets watched{
+        {is_cutting ? &tool_.non_cutting : &tool_.against_part, &scene_.parts, Against::part},
+        {&tool_.against_fixture, &scene_.fixtures, Against::fixture}};
     const SearchAnswer answer = ask(watched, options_.near_miss_mm, 0);
     if (!answer.has_witness) {
       if (!is_decided_) give_up();
       return;
     }
     verdict_.state = MoveState::near_miss;
+    if (!is_decided_) verdict_.reason = out_of_budget();
     verdict_.clearance_mm = std::max(0.0, options_.near_miss_mm - answer.value_mm);
     if (verdict_.witness) return;
     const Place place = place_of(answer);

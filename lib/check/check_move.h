@@ -21,7 +21,8 @@ struct PreparedScene {
 /// Checks one motion of one tool; everything but "buried", which needs the moves before it (check_path.h).
 ///
 /// Requires motion.is_defined().
-/// Ensures  the promise of docs/method.md: depth <= true depth <= depth_upper; a gouge is closed to the resolution;
+/// Ensures  the promise of docs/method.md: depth <= true depth <= depth_upper; a gouge is closed to the
+/// resolution;
 ///          clean means depth_upper <= tolerance + resolution, and no body with a clearance entered by more
 ///          than the resolution. A budget that runs out gives not_certified, never clean.
 /// Source   docs/algorithms/certified_sweep.md; depth as in Ho 1999, thesis 2.4.18.

@@ -20,8 +20,8 @@ MoveVerdict not_checked(std::string reason) {
 
 class PathChecker {
  public:
-  PathChecker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
-              const CheckOptions& options)
+  PathChecker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+              const PreparedScene& scene, const CheckOptions& options)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options) {}
 
   MoveVerdict check(const Move& move, std::uint64_t* bounds) const {
@@ -45,12 +45,24 @@ void count(CheckResult& result) {
   for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const MoveVerdict& v = result.verdicts[i];
     switch (v.state) {
-      case MoveState::clean: ++result.counts.clean; break;
-      case MoveState::near_miss: ++result.counts.near_miss; break;
-      case MoveState::gouge: ++result.counts.gouge; break;
-      case MoveState::buried: ++result.counts.buried; break;
-      case MoveState::not_checked: ++result.counts.not_checked; break;
-      case MoveState::not_certified: ++result.counts.not_certified; break;
+      case MoveState::clean:
+        ++result.counts.clean;
+        break;
+      case MoveState::near_miss:
+        ++result.counts.near_miss;
+        break;
+      case MoveState::gouge:
+        ++result.counts.gouge;
+        break;
+      case MoveState::buried:
+        ++result.counts.buried;
+        break;
+      case MoveState::not_checked:
+        ++result.counts.not_checked;
+        break;
+      case MoveState::not_certified:
+        ++result.counts.not_certified;
+        break;
     }
     if (v.state == MoveState::not_checked && v.reason == kSkippedRapid) ++result.counts.skipped;
     if (v.state != MoveState::gouge) continue;
@@ -62,7 +74,9 @@ void count(CheckResult& result) {
   }
 }
 
-bool is_told(const MoveVerdict& v) { return v.state != MoveState::clean && v.state != MoveState::not_checked; }
+bool is_told(const MoveVerdict& v) {
+  return v.state != MoveState::clean && v.state != MoveState::not_checked;
+}
 
 bool belongs(const Event& event, const Move& last, const Move& move, const MoveVerdict& v) {
   if (event.state != v.state || last.tool != move.tool || last.operation != move.operation) return false;
@@ -110,7 +124,8 @@ std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<Mov
 }
 
 CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
-                       const PreparedScene& scene, const CheckOptions& options, const ProgressCall& progress) {
+                       const PreparedScene& scene, const CheckOptions& options,
+                       const ProgressCall& progress) {
   CheckResult result;
   const std::size_t total = toolpath.moves.size();
   result.verdicts.resize(total);
@@ -119,7 +134,8 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolFor
   std::mutex told;
   std::size_t done = 0;
   for_each_chunk(total, kMovesPerChunk, options.threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i) result.verdicts[i] = checker.check(toolpath.moves[i], &bounds[i]);
+    for (std::size_t i = first; i < last; ++i)
+      result.verdicts[i] = checker.check(toolpath.moves[i], &bounds[i]);
     if (!progress) return;
     const std::scoped_lock lock(told);
     done += last - first;

@@ -13,12 +13,12 @@ using ProgressCall = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Checks every move of a toolpath.
 ///
-/// Shape    `tools[k]` belongs to toolpath.tools[k]; null: that tool has no definition, its moves are not checked.
-/// Ensures  (1) one verdict a move, in order; the counts add up to the moves.
+/// Shape    `tools[k]` belongs to toolpath.tools[k]; null: that tool has no definition, its moves are not
+/// checked. Ensures  (1) one verdict a move, in order; the counts add up to the moves.
 ///          (2) the same result, bit for bit, at any number of threads.
 ///          (3) a move that meets no surface is clean only if the tool is not inside a solid: told by the
-///              winding number of the mesh about the cutter's core; on an open mesh a value between 1/4 and 3/4
-///              decides nothing and the move is not certified.
+///              winding number of the mesh about the cutter's core; on an open mesh a value between 1/4 and
+///              3/4 decides nothing and the move is not certified.
 /// Source   design of docs/method.md; docs/algorithms/certified_sweep.md.
 [[nodiscard]] CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
                                      const PreparedScene& scene, const CheckOptions& options,
@@ -26,7 +26,8 @@ using ProgressCall = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Neighbouring moves of one state, tool, operation, body and counterpart as one event each, in path order.
 /// Clean and not-checked moves make none.
-[[nodiscard]] std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts);
+[[nodiscard]] std::vector<Event> gather_events(const Toolpath& toolpath,
+                                               const std::vector<MoveVerdict>& verdicts);
 
 /// The motion of a move, in the mode the options ask for rapids.
 [[nodiscard]] Motion motion_of(const Move& move, RapidMode rapid);

@@ -10,8 +10,8 @@ constexpr std::size_t kCorners = 6;
 using Hull = std::array<Vec3, kCorners>;          // three corners at the start, the same three at the end
 using HullDepths = std::array<double, kCorners>;  // behind a plane
 
-// The planes of the tool's two ends bound everything, everywhere, for nothing: a flat bottom sliding on its floor
-// needs no more.
+// The planes of the tool's two ends bound everything, everywhere, for nothing: a flat bottom sliding on its
+// floor needs no more.
 double end_limit(const CompiledTool& tool, double z_lo, double z_hi, double reach) {
   return std::max(0.0, reach + std::min(z_hi - tool.z_min_mm, tool.z_max_mm - z_lo));
 }
@@ -48,7 +48,8 @@ struct HullLimit {
 
 class PieceBounder {
  public:
-  PieceBounder(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const TimeSpan& span, double reach_mm)
+  PieceBounder(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const TimeSpan& span,
+               double reach_mm)
       : tool_(tool), reach_mm_(reach_mm) {
     double far = 0;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -98,8 +99,8 @@ class PieceBounder {
     bound.upper_mm = std::min(bound.upper_mm, std::max(0.0, reach_mm_ + depth_mm));
   }
 
-  // A hull about the tool axis falls behind every plane on one side and comes before it on the other; with its
-  // mirror image in the axis the plane bounds both sides.
+  // A hull about the tool axis falls behind every plane on one side and comes before it on the other; with
+  // its mirror image in the axis the plane bounds both sides.
   [[nodiscard]] bool is_about_axis() const {
     return center_.head<2>().squaredNorm() <= (radius_ + bulge_) * (radius_ + bulge_);
   }
@@ -127,8 +128,8 @@ class PieceBounder {
     return is_valid ? result : around(plane.foot);
   }
 
-  // Where no plane supports the tool, at reflex corners, nothing is deeper than its distance from the boundary
-  // point itself; a distance is convex, so over the hull it is largest at a corner.
+  // Where no plane supports the tool, at reflex corners, nothing is deeper than its distance from the
+  // boundary point itself; a distance is convex, so over the hull it is largest at a corner.
   [[nodiscard]] HullLimit around(const Vec3& foot) const {
     HullLimit result;
     result.largest_mm = -1e300;
@@ -149,7 +150,8 @@ class PieceBounder {
     double best = 1e300;
     const auto try_blend = [&](double share) {
       double largest = -1e300;
-      for (std::size_t i = 0; i < kCorners; ++i) largest = std::max(largest, share * a[i] + (1 - share) * b[i]);
+      for (std::size_t i = 0; i < kCorners; ++i)
+        largest = std::max(largest, share * a[i] + (1 - share) * b[i]);
       best = std::min(best, largest);
     };
     for (std::size_t i = 0; i < kCorners; ++i) {
@@ -186,8 +188,9 @@ class PieceBounder {
     return best;
   }
 
-  // Where all limits so far together leave the most: at a corner, or where two of them meet on an edge. The tool's
-  // answer there is the next limit; this is the cutting-plane method of convex programming, on the edges alone.
+  // Where all limits so far together leave the most: at a corner, or where two of them meet on an edge. The
+  // tool's answer there is the next limit; this is the cutting-plane method of convex programming, on the
+  // edges alone.
   static Meeting highest(const HullLimit* limits, std::size_t count) {
     Meeting top;
     const auto look = [&](std::size_t i, std::size_t j, double share) {
@@ -248,7 +251,8 @@ class PieceBounder {
 
 }  // namespace
 
-NodeBound bound_node(const CompiledTool& tool, const SurfaceNode& node, const TimeSpan& span, double reach_mm) {
+NodeBound bound_node(const CompiledTool& tool, const SurfaceNode& node, const TimeSpan& span,
+                     double reach_mm) {
   const Vec3 q0 = span.f0.to_tool(node.center);
   const Vec3 q1 = span.f1.to_tool(node.center);
   const double half_chord = 0.5 * (q1 - q0).norm();
@@ -262,12 +266,13 @@ NodeBound bound_node(const CompiledTool& tool, const SurfaceNode& node, const Ti
   double deepest = -1e300, z_lo = 1e300, z_hi = -1e300;
   for (const auto& [frame, q] : {std::pair(&span.f0, q0), std::pair(&span.f1, q1)}) {
     const Vec3 normal = frame->rows * node.normal;
-    const auto half_width = [&](double cosine) {
-      return std::abs(cosine) * node.half_thickness_mm +
-             std::sqrt(std::max(0.0, 1 - cosine * cosine)) * node.disc_radius_mm;
+    // The sine as such: 1 - cosine^2 has lost it for angles below 1e-8.
+    const auto half_width = [&](double cosine, double sine) {
+      return std::abs(cosine) * node.half_thickness_mm + sine * node.disc_radius_mm;
     };
-    deepest = std::max(deepest, plane.depth_mm(q) + half_width(plane.normal.dot(normal)));
-    const double height = half_width(normal.z());
+    const double lean = plane.normal.cross(normal).norm();
+    deepest = std::max(deepest, plane.depth_mm(q) + half_width(plane.normal.dot(normal), lean));
+    const double height = half_width(normal.z(), normal.head<2>().norm());
     z_lo = std::min(z_lo, q.z() - height);
     z_hi = std::max(z_hi, q.z() + height);
   }

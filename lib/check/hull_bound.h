@@ -6,9 +6,9 @@
 #include "lib/check/time_spans.h"
 #include "lib/hierarchy/surface_tree.h"
 
-// Upper bounds of (reach - signed distance) over a part of the surface during a time span. In tool coordinates
-// every surface point runs within `bulge` of a straight chord, so surface and motion together lie in the
-// convex hull of two placements of the surface. Proofs: docs/algorithms/certified_sweep.md.
+// Upper bounds of (reach - signed distance) over a part of the surface during a time span. In tool
+// coordinates every surface point runs within `bulge` of a straight chord, so surface and motion together lie
+// in the convex hull of two placements of the surface. Proofs: docs/algorithms/certified_sweep.md.
 
 namespace gouge {
 
@@ -23,7 +23,7 @@ struct NodeBound {
 
 struct PieceBound {
   double upper_mm = 0;
-  double value_mm = 0;        ///< reached at corner `corner` of the piece at one end of the span
+  double value_mm = 0;  ///< reached at corner `corner` of the piece at one end of the span
   std::size_t corner = 0;
   bool is_at_end = false;
   bool is_time_next = false;  ///< halving the time promises more than halving the piece

@@ -24,7 +24,8 @@ std::vector<TipStretch> dogleg(const Vec3& from, const Vec3& to) {
   };
   std::vector<TipStretch> stretches;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    if (breaks[i] < breaks[i + 1]) stretches.push_back({breaks[i], breaks[i + 1], at(breaks[i]), at(breaks[i + 1])});
+    if (breaks[i] < breaks[i + 1])
+      stretches.push_back({breaks[i], breaks[i + 1], at(breaks[i]), at(breaks[i + 1])});
   }
   return stretches;
 }
@@ -52,7 +53,9 @@ Motion::Motion(const Pose& start, const Pose& end, bool is_dogleg) : start_(star
   }
 }
 
-Motion::Motion(const Pose& alone) : Motion(alone, alone) { is_alone_ = true; }
+Motion::Motion(const Pose& alone) : Motion(alone, alone) {
+  is_alone_ = true;
+}
 
 Pose Motion::at(double t) const {
   if (t <= 0) return start_;
@@ -61,8 +64,9 @@ Pose Motion::at(double t) const {
       std::find_if(stretches_.begin(), stretches_.end() - 1, [t](const TipStretch& s) { return t <= s.t1; });
   const double s = (t - stretch->t0) / (stretch->t1 - stretch->t0);
   const double turned = angle_ * t;
-  return {stretch->tip0 + s * (stretch->tip1 - stretch->tip0),
-          (std::cos(turned) * start_.axis + std::sin(turned) * rotation_axis_.cross(start_.axis)).normalized()};
+  return {
+      stretch->tip0 + s * (stretch->tip1 - stretch->tip0),
+      (std::cos(turned) * start_.axis + std::sin(turned) * rotation_axis_.cross(start_.axis)).normalized()};
 }
 
 }  // namespace gouge

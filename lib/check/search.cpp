@@ -18,7 +18,7 @@ struct Candidate {
   std::uint32_t serial = 0;  ///< ties are taken in the order they came up
   std::uint32_t span = 0;
   std::uint32_t target = 0;
-  std::uint32_t index = 0;   ///< node, or triangle
+  std::uint32_t index = 0;  ///< node, or triangle
   bool is_triangle = false;
   bool is_time_next = false;
   std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
@@ -53,8 +53,8 @@ class Search {
   }
 
  private:
-  // From the most promising candidate straight down to where its best part is decided: a measured value close to
-  // the bound comes early, even where many candidates promise the same.
+  // From the most promising candidate straight down to where its best part is decided: a measured value close
+  // to the bound comes early, even where many candidates promise the same.
   void dive() {
     std::pop_heap(heap_.begin(), heap_.end(), comes_later);
     Candidate next = heap_.back();
@@ -102,8 +102,8 @@ class Search {
   void add_node(std::uint32_t span_index, std::uint32_t target, std::uint32_t node) {
     ++answer_.bounds;
     const TimeSpan& span = spans_.span(span_index);
-    const NodeBound bound = bound_node(*targets_[target].tool, targets_[target].tree->nodes[node], span,
-                                       question_.reach_mm);
+    const NodeBound bound =
+        bound_node(*targets_[target].tool, targets_[target].tree->nodes[node], span, question_.reach_mm);
     Candidate c;
     c.upper_mm = bound.upper_mm + kRounding_mm;
     c.span = span_index;

@@ -8,9 +8,9 @@
 #include "lib/hierarchy/surface_tree.h"
 #include "lib/tool/compiled_tool.h"
 
-// The certified sweep of one move: one best-first recursion over (instant x surface), every step with a proven
-// upper bound, every candidate a real point of a triangle at a real instant.
-// Method and proofs: docs/algorithms/certified_sweep.md. Goes beyond thesis 2.4.18 (points at single poses).
+// The certified sweep of one move: one best-first recursion over (instant x surface), every step with a
+// proven upper bound, every candidate a real point of a triangle at a real instant. Method and proofs:
+// docs/algorithms/certified_sweep.md. Goes beyond thesis 2.4.18 (points at single poses).
 
 namespace gouge {
 
@@ -22,8 +22,8 @@ struct SearchTarget {
 };
 
 struct SearchQuestion {
-  /// What is sought is the largest `reach_mm - signed distance`: 0 for the depth, a near-miss distance for the
-  /// closest approach.
+  /// What is sought is the largest `reach_mm - signed distance`: 0 for the depth, a near-miss distance for
+  /// the closest approach.
   double reach_mm = 0;
   double tolerance_mm = 0;   ///< no more is asked than a proof that the value is at most this ...
   double resolution_mm = 0;  ///< ... plus this;
@@ -38,12 +38,13 @@ struct SearchAnswer {
   double t = 0;
   Vec3 point = Vec3::Zero();
   std::uint32_t target = 0, triangle = 0;  ///< triangle: index into the tree's triangles
-  bool is_decided = true;     ///< false: the budget ran out first; value_upper is still true
-  std::uint64_t bounds = 0;   ///< how many were computed
+  bool is_decided = true;                  ///< false: the budget ran out first; value_upper is still true
+  std::uint64_t bounds = 0;                ///< how many were computed
 };
 
 /// Requires motion.is_defined(), resolution and gap > 0. Tools without elements are passed over.
-/// Ensures  value <= true value <= value_upper; when decided, value_upper <= tolerance + resolution, or <= value + gap when the
+/// Ensures  value <= true value <= value_upper; when decided, value_upper <= tolerance + resolution, or <=
+/// value + gap when the
 ///          value is above the tolerance.
 /// Cost     a few hundred bounds for a clean move near the surface, no allocation that outlives the call.
 [[nodiscard]] SearchAnswer search_move(const Motion& motion, const std::vector<SearchTarget>& targets,

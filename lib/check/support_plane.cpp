@@ -7,9 +7,13 @@ namespace gouge {
 namespace {
 
 // Radial unit vector at q; on the axis every direction serves, x is taken.
-Vec3 radial(const Vec3& q, double r) { return r > 0 ? Vec3(q.x() / r, q.y() / r, 0) : Vec3::UnitX(); }
+Vec3 radial(const Vec3& q, double r) {
+  return r > 0 ? Vec3(q.x() / r, q.y() / r, 0) : Vec3::UnitX();
+}
 
-double radius(const Vec3& q) { return std::sqrt(q.x() * q.x() + q.y() * q.y()); }
+double radius(const Vec3& q) {
+  return std::sqrt(q.x() * q.x() + q.y() * q.y());
+}
 
 }  // namespace
 

@@ -37,7 +37,8 @@ ToolFrame TimeSpans::frame_at(double t, std::uint32_t stretch) const {
   const Vec3& start_axis = motion_.start().axis;
   const Vec3& turn_axis = motion_.rotation_axis();
   ToolFrame frame;
-  frame.tip = t >= way.t1 ? way.tip1 : Vec3(way.tip0 + (t - way.t0) / (way.t1 - way.t0) * (way.tip1 - way.tip0));
+  frame.tip =
+      t >= way.t1 ? way.tip1 : Vec3(way.tip0 + (t - way.t0) / (way.t1 - way.t0) * (way.tip1 - way.tip0));
   const double turned = motion_.angle_rad() * t;
   const Vec3 axis = std::cos(turned) * start_axis + std::sin(turned) * turn_axis.cross(start_axis);
   frame.rows.row(0) = turn_axis;

@@ -22,13 +22,14 @@ struct TimeSpan {
   double t0 = 0, t1 = 0;
   ToolFrame f0, f1;
   Vec3 tip_middle = Vec3::Zero();
-  double tip_way_mm = 0;    ///< length of the tip's way over the span
-  double turn_rad = 0;      ///< rotation over the span
+  double tip_way_mm = 0;  ///< length of the tip's way over the span
+  double turn_rad = 0;    ///< rotation over the span
   std::uint32_t stretch = 0;
   std::int32_t children = -1;  ///< first of two, once halved
 
   /// How far the path of a point, `distance_mm` or less from the tip at mid span, may bulge from the straight
-  /// chord between its places at the two ends, in tool coordinates. Proof: docs/algorithms/certified_sweep.md.
+  /// chord between its places at the two ends, in tool coordinates. Proof:
+  /// docs/algorithms/certified_sweep.md.
   [[nodiscard]] double bulge_mm(double distance_mm) const {
     return (2 * turn_rad * tip_way_mm + turn_rad * turn_rad * (distance_mm + 0.5 * tip_way_mm)) / 8;
   }

@@ -14,7 +14,8 @@
 namespace gouge {
 
 enum class MoveState : std::uint8_t { clean, near_miss, gouge, buried, not_checked, not_certified };
-[[nodiscard]] const char* state_name(MoveState state);  ///< clean, near, gouge, buried, not-checked, not-certified
+[[nodiscard]] const char* state_name(
+    MoveState state);  ///< clean, near, gouge, buried, not-checked, not-certified
 
 enum class Against : std::uint8_t { part, fixture };
 [[nodiscard]] const char* against_name(Against against);  ///< part, fixture
@@ -26,13 +27,13 @@ struct Witness {
   Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must give way by the depth
   Body body = Body::cutter;     ///< body of the boundary element nearest to the point
   Against against = Against::part;
-  std::uint32_t mesh = 0;       ///< index into the scene's meshes of that kind
-  std::uint32_t triangle = 0;   ///< index in the STL file, counted from 0
+  std::uint32_t mesh = 0;      ///< index into the scene's meshes of that kind
+  std::uint32_t triangle = 0;  ///< index in the STL file, counted from 0
 };
 
 struct MoveVerdict {
   MoveState state = MoveState::clean;
-  double depth_mm = 0;        ///< realised by the witness; depth <= true depth <= depth_upper
+  double depth_mm = 0;  ///< realised by the witness; depth <= true depth <= depth_upper
   double depth_upper_mm = 0;
   std::optional<Witness> witness;      ///< where depth > 0 (for near: the surface point that comes closest)
   std::optional<double> clearance_mm;  ///< near: realised distance at the witness
@@ -44,8 +45,8 @@ struct Event {
   MoveState state = MoveState::gouge;
   std::size_t first_move = 0, last_move = 0;  ///< inclusive
   std::size_t worst_move = 0;
-  std::size_t moves = 0;                      ///< how many moves of the span are in this state
-  std::size_t tool = 0;                       ///< index into Toolpath::tools
+  std::size_t moves = 0;  ///< how many moves of the span are in this state
+  std::size_t tool = 0;   ///< index into Toolpath::tools
   Body body = Body::cutter;
   Against against = Against::part;
 };
@@ -58,12 +59,12 @@ struct StateCounts {
 /// The verdict on a whole path. verdicts.size() == toolpath.moves.size(); every move has one state.
 struct CheckResult {
   std::vector<MoveVerdict> verdicts;
-  std::vector<Event> events;     ///< in path order
+  std::vector<Event> events;  ///< in path order
   StateCounts counts;
   double worst_depth_mm = 0;
   std::size_t worst_move = static_cast<std::size_t>(-1);
-  double largest_gap_mm = 0;     ///< largest depth_upper - depth over gouging moves
-  std::uint64_t evaluations = 0; ///< tool evaluations spent; the same on every run
+  double largest_gap_mm = 0;      ///< largest depth_upper - depth over gouging moves
+  std::uint64_t evaluations = 0;  ///< tool evaluations spent; the same on every run
 };
 
 }  // namespace gouge

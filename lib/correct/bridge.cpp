@@ -5,12 +5,12 @@
 namespace gouge {
 namespace {
 
-constexpr int kLevels = 7;             // halvings of a motion before another way is tried
-constexpr std::size_t kLargest = 24;   // positions put into one motion
+constexpr int kLevels = 7;            // halvings of a motion before another way is tried
+constexpr std::size_t kLargest = 24;  // positions put into one motion
 constexpr double kFirstLift_mm = 0.25;
 constexpr double kLiftGrowth = 1.4;
-constexpr double kGap_mm = 0.02;       // how well the worst instant of a gouging motion is found
-constexpr double kNoMatter_mm = 1e6;   // the gap when only the verdict counts
+constexpr double kGap_mm = 0.02;      // how well the worst instant of a gouging motion is found
+constexpr double kNoMatter_mm = 1e6;  // the gap when only the verdict counts
 
 class Bridger {
  public:
@@ -41,7 +41,8 @@ class Bridger {
       const Pose up = lifted(from, lift);
       const Pose down = lifted(to, lift);
       if (is_clean(from, up) && is_clean(up, down) && is_clean(down, to)) {
-        return std::vector<BridgePose>{stop(from, up, lift, direct.depth_mm), stop(to, down, lift, direct.depth_mm)};
+        return std::vector<BridgePose>{stop(from, up, lift, direct.depth_mm),
+                                       stop(to, down, lift, direct.depth_mm)};
       }
     }
     return std::nullopt;

@@ -26,8 +26,9 @@ struct BridgeTask {
 };
 
 /// Positions to visit between `from` and `to` so that every motion on the way is clean; empty when the motion
-/// already is, nothing when no way was found. First the worst instant is corrected and both halves are bridged in
-/// turn; where that does not end, the tool retracts along its axis, crosses and comes down again.
-[[nodiscard]] std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to, const BridgeTask& task);
+/// already is, nothing when no way was found. First the worst instant is corrected and both halves are
+/// bridged in turn; where that does not end, the tool retracts along its axis, crosses and comes down again.
+[[nodiscard]] std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to,
+                                                            const BridgeTask& task);
 
 }  // namespace gouge

@@ -41,7 +41,9 @@ class Collector {
   }
 
  private:
-  [[nodiscard]] double excess(const ToolSample& sample) const { return -sample.answer.signed_distance_mm - aim_; }
+  [[nodiscard]] double excess(const ToolSample& sample) const {
+    return -sample.answer.signed_distance_mm - aim_;
+  }
 
   void try_point(const Vec3& p) {
     const ToolSample sample = sample_tool(tool_, frame_.to_tool(p));
@@ -73,7 +75,8 @@ class Collector {
   static std::size_t longest_edge(const std::array<Vec3, 3>& t) {
     std::size_t longest = 0;
     for (std::size_t k = 1; k < 3; ++k) {
-      if ((t[(k + 1) % 3] - t[k]).squaredNorm() > (t[(longest + 1) % 3] - t[longest]).squaredNorm()) longest = k;
+      if ((t[(k + 1) % 3] - t[k]).squaredNorm() > (t[(longest + 1) % 3] - t[longest]).squaredNorm())
+        longest = k;
     }
     return longest;
   }
@@ -92,7 +95,8 @@ struct AimedTarget {
   double aim_mm = 0;
 };
 
-std::vector<AimedTarget> aimed_targets(const ToolForms& tool, const PreparedScene& scene, const CorrectionAim& aim) {
+std::vector<AimedTarget> aimed_targets(const ToolForms& tool, const PreparedScene& scene,
+                                       const CorrectionAim& aim) {
   std::vector<AimedTarget> all{{{&tool.against_part, &scene.parts, Against::part}, aim.whole_mm},
                                {{&tool.against_fixture, &scene.fixtures, Against::fixture}, aim.whole_mm}};
   if (!tool.with_clearance.elements.empty()) {
@@ -116,15 +120,16 @@ std::vector<Contact> find_contacts(const Pose& pose, const ToolForms& tool, cons
   return contacts;
 }
 
-double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedScene& scene, const CorrectionAim& aim,
-                      double accuracy_mm) {
+double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
+                      const CorrectionAim& aim, double accuracy_mm) {
   constexpr std::uint64_t kBudget = 1'000'000;
   double most = 0;
   const Motion alone(pose);
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
     const double reach = std::max(0.0, -aimed.aim_mm);
     const double allowed = std::max(0.0, aimed.aim_mm);
-    const SearchAnswer answer = search_move(alone, {aimed.target}, {reach, allowed, accuracy_mm, kGap_mm, kBudget});
+    const SearchAnswer answer =
+        search_move(alone, {aimed.target}, {reach, allowed, accuracy_mm, kGap_mm, kBudget});
     if (answer.value_mm > allowed) most = std::max(most, answer.value_mm - allowed);
     if (!answer.is_decided) most = std::max(most, accuracy_mm);
   }

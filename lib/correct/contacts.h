@@ -8,25 +8,25 @@ namespace gouge {
 
 /// A surface point inside the tool (or closer than allowed) at one pose. The one currency of thesis 5.3.
 struct Contact {
-  Vec3 point = Vec3::Zero();   ///< part coordinates, mm
-  Vec3 normal = Vec3::UnitZ(); ///< unit direction in which the tool must give way
-  double excess_mm = 0;        ///< how much further than the aim allows
+  Vec3 point = Vec3::Zero();    ///< part coordinates, mm
+  Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must give way
+  double excess_mm = 0;         ///< how much further than the aim allows
 };
 
-/// How deep surface points may lie in the tool after a correction. Below the check's tolerance, so that rounding
-/// in the written file and the motion between positions have room; negative asks for that much air.
+/// How deep surface points may lie in the tool after a correction. Below the check's tolerance, so that
+/// rounding in the written file and the motion between positions have room; negative asks for that much air.
 struct CorrectionAim {
   double whole_mm = 0;      ///< in the whole tool
   double clearance_mm = 0;  ///< in bodies that must keep a clearance
 };
 
-/// One contact for every triangle that reaches deeper than the aim: its deepest point, to a tenth of its excess.
-/// In tree order. Cost O(triangles inside the tool).
-[[nodiscard]] std::vector<Contact> find_contacts(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
-                                                 const CorrectionAim& aim);
+/// One contact for every triangle that reaches deeper than the aim: its deepest point, to a tenth of its
+/// excess. In tree order. Cost O(triangles inside the tool).
+[[nodiscard]] std::vector<Contact> find_contacts(const Pose& pose, const ToolForms& tool,
+                                                 const PreparedScene& scene, const CorrectionAim& aim);
 
-/// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only when the
-/// aim is proven to be met to `accuracy_mm`.
+/// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only
+/// when the aim is proven to be met to `accuracy_mm`.
 [[nodiscard]] double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
                                     const CorrectionAim& aim, double accuracy_mm);
 

@@ -10,8 +10,8 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kPositionsPerChunk = 4;
-// A correction aims at half the tolerance: the other half is for the rounding of the written numbers and for the
-// motion between corrected positions. A body that must keep a clearance gets this much more of it.
+// A correction aims at half the tolerance: the other half is for the rounding of the written numbers and for
+// the motion between corrected positions. A body that must keep a clearance gets this much more of it.
 constexpr double kAimShare = 0.5;
 constexpr double kAir_mm = 2e-3;
 // While bridging, motions are held to this share of the tolerance.
@@ -32,8 +32,9 @@ struct MoveWork {
 
 class PathCorrector {
  public:
-  PathCorrector(const Toolpath& toolpath, const CheckResult& result, const std::vector<const ToolForms*>& tools,
-                const PreparedScene& scene, const CheckOptions& options, const CorrectOptions& correct)
+  PathCorrector(const Toolpath& toolpath, const CheckResult& result,
+                const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
+                const CheckOptions& options, const CorrectOptions& correct)
       : path_(toolpath), result_(result), tools_(tools), scene_(scene), options_(options), correct_(correct) {
     limits_.aim.whole_mm = options.tolerance_mm > 2 * kAir_mm ? kAimShare * options.tolerance_mm : -kAir_mm;
     limits_.aim.clearance_mm = -kAir_mm;
@@ -64,7 +65,8 @@ class PathCorrector {
 
   [[nodiscard]] std::string reason_to_leave(std::size_t i) const {
     if (!is_straight(path_.moves[i])) return "the position ends an arc or a cycle step";
-    const bool is_arc_next = i + 1 < path_.moves.size() && path_.moves[i + 1].start && !is_straight(path_.moves[i + 1]);
+    const bool is_arc_next =
+        i + 1 < path_.moves.size() && path_.moves[i + 1].start && !is_straight(path_.moves[i + 1]);
     return is_arc_next ? "an arc begins at the position" : "";
   }
 
@@ -117,7 +119,8 @@ class PathCorrector {
 
   void bridge_move(std::size_t i) {
     const Move& move = path_.moves[i];
-    const bool has_bad_end = !positions_[i].failure.empty() || (is_chained(i) && !positions_[i - 1].failure.empty());
+    const bool has_bad_end =
+        !positions_[i].failure.empty() || (is_chained(i) && !positions_[i - 1].failure.empty());
     if (has_bad_end) {
       moves_[i].is_failed = true;
       return;
@@ -144,13 +147,14 @@ class PathCorrector {
     }
     std::mutex told;
     std::size_t done = 0;
-    for_each_chunk(wanted.size(), kPositionsPerChunk, options_.threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) what(wanted[k]);
-      if (!progress) return;
-      const std::scoped_lock lock(told);
-      done += last - first;
-      progress(done, wanted.size());
-    });
+    for_each_chunk(wanted.size(), kPositionsPerChunk, options_.threads,
+                   [&](std::size_t first, std::size_t last) {
+                     for (std::size_t k = first; k < last; ++k) what(wanted[k]);
+                     if (!progress) return;
+                     const std::scoped_lock lock(told);
+                     done += last - first;
+                     progress(done, wanted.size());
+                   });
   }
 
   Correction gather() const {
@@ -170,13 +174,15 @@ class PathCorrector {
   void gather_records(std::size_t i, Correction& correction) const {
     for (const BridgePose& stop : moves_[i].inserted) {
       const double after = depth_at(stop.corrected.pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]);
-      correction.records.push_back({i, stop.corrected.strategy, true, stop.corrected.pose.tip - stop.before.tip,
-                                    stop.depth_before_mm, after, stop.corrected.iterations});
+      correction.records.push_back({i, stop.corrected.strategy, true,
+                                    stop.corrected.pose.tip - stop.before.tip, stop.depth_before_mm, after,
+                                    stop.corrected.iterations});
     }
     const PositionWork& p = positions_[i];
     if (!p.corrected) return;
-    correction.records.push_back({i, p.corrected->strategy, false, p.corrected->pose.tip - path_.moves[i].end.tip,
-                                  p.depth_before_mm, p.depth_after_mm, p.corrected->iterations});
+    correction.records.push_back({i, p.corrected->strategy, false,
+                                  p.corrected->pose.tip - path_.moves[i].end.tip, p.depth_before_mm,
+                                  p.depth_after_mm, p.corrected->iterations});
   }
 
   void gather_failure(std::size_t i, Correction& correction) const {
@@ -187,7 +193,8 @@ class PathCorrector {
     } else if (is_position_failed && verdict.state == MoveState::gouge) {
       correction.uncorrected.push_back({i, verdict.depth_mm, positions_[i].failure});
     } else if (moves_[i].is_failed) {
-      correction.uncorrected.push_back({i, verdict.depth_mm, "no clean way between its positions within the largest shift"});
+      correction.uncorrected.push_back(
+          {i, verdict.depth_mm, "no clean way between its positions within the largest shift"});
     }
   }
 
@@ -204,8 +211,9 @@ class PathCorrector {
 
 }  // namespace
 
-Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const std::vector<const ToolForms*>& tools,
-                        const PreparedScene& scene, const CheckOptions& options, const CorrectOptions& correct,
+Correction correct_path(const Toolpath& toolpath, const CheckResult& result,
+                        const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
+                        const CheckOptions& options, const CorrectOptions& correct,
                         const ProgressCall& progress) {
   return PathCorrector(toolpath, result, tools, scene, options, correct).run(progress);
 }

@@ -7,8 +7,8 @@
 #include "lib/correct/correct_pose.h"
 #include "lib/path/path_change.h"
 
-// Proposes the changes that take a path out of its gouges. The proof that they do is not here: the written file is
-// read and checked again like any other.
+// Proposes the changes that take a path out of its gouges. The proof that they do is not here: the written
+// file is read and checked again like any other.
 
 namespace gouge {
 
@@ -19,7 +19,7 @@ struct CorrectOptions {
 
 /// One changed or added position, for the change list.
 struct ChangeRecord {
-  std::size_t move = 0;       ///< of the path as it was
+  std::size_t move = 0;  ///< of the path as it was
   Strategy strategy = Strategy::weighted;
   bool is_inserted = false;
   Vec3 shift_mm = Vec3::Zero();  ///< inserted: from where the motion was at that instant
@@ -42,7 +42,8 @@ struct Correction {
 };
 
 /// Requires `result` from check_path with the same path, tools, scene and options.
-/// Ensures  (1) only positions at the ends of gouging moves are moved, and only when they are themselves too deep.
+/// Ensures  (1) only positions at the ends of gouging moves are moved, and only when they are themselves too
+/// deep.
 ///          (2) no position moves further than max_shift; the tool axis of a position is never changed.
 ///          (3) the same proposal at any number of threads.
 /// Source   thesis 5.3 (weighted, iterated); lifting and inserting are ours: docs/algorithms/correction.md.

@@ -6,15 +6,18 @@ namespace gouge {
 namespace {
 
 constexpr double kAccuracy_mm = 2e-4;
-constexpr double kSmallestStep_mm = 1e-3;  // keeps the lift from creeping where the surface runs along the axis
-constexpr double kRoom_mm = 2e-3;          // how much further than asked the weighted shift reaches
+constexpr double kSmallestStep_mm =
+    1e-3;                          // keeps the lift from creeping where the surface runs along the axis
+constexpr double kRoom_mm = 2e-3;  // how much further than asked the weighted shift reaches
 
 }  // namespace
 
-const char* strategy_name(Strategy strategy) { return strategy == Strategy::weighted ? "weighted" : "axis"; }
+const char* strategy_name(Strategy strategy) {
+  return strategy == Strategy::weighted ? "weighted" : "axis";
+}
 
-std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
-                                              const PoseLimits& limits) {
+std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms& tool,
+                                              const PreparedScene& scene, const PoseLimits& limits) {
   const CorrectionAim further{limits.aim.whole_mm - kRoom_mm, limits.aim.clearance_mm - kRoom_mm};
   CorrectedPose result{pose, Strategy::weighted, 0, 0};
   for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
@@ -34,8 +37,8 @@ std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms&
   return std::nullopt;
 }
 
-std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
-                                                const PoseLimits& limits) {
+std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool,
+                                                const PreparedScene& scene, const PoseLimits& limits) {
   CorrectedPose result{pose, Strategy::axis, 0, 0};
   for (;; ++result.iterations) {
     const double excess = largest_excess(result.pose, tool, scene, limits.aim, kAccuracy_mm);

@@ -13,8 +13,8 @@ enum class Strategy { weighted, axis };
 [[nodiscard]] const char* strategy_name(Strategy strategy);
 
 struct PoseLimits {
-  CorrectionAim aim;              ///< what must be met at the end
-  double largest_shift_mm = 20;   ///< a tip further from where it was is no correction
+  CorrectionAim aim;             ///< what must be met at the end
+  double largest_shift_mm = 20;  ///< a tip further from where it was is no correction
   int largest_iterations = 60;
 };
 
@@ -25,19 +25,22 @@ struct CorrectedPose {
   int iterations = 0;
 };
 
-/// The thesis's correction: shift by sum(d_i^2 n_i) / sum(d_i) over all contacts, again and again (5.3). d_i is
-/// the excess over half of the aim's room, so that the mean does not creep towards its goal for ever.
+/// The thesis's correction: shift by sum(d_i^2 n_i) / sum(d_i) over all contacts, again and again (5.3). d_i
+/// is the excess over half of the aim's room, so that the mean does not creep towards its goal for ever.
 /// Nothing when it does not settle within the limits. Source thesis 5.3, figure 35.
 [[nodiscard]] std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms& tool,
-                                                            const PreparedScene& scene, const PoseLimits& limits);
+                                                            const PreparedScene& scene,
+                                                            const PoseLimits& limits);
 
-/// Lifts the tip along the tool axis to the first place that meets the aim: the excess is the least the tool must
-/// still move, so stepping by it never passes a place that is good. Nothing beyond the limit.
+/// Lifts the tip along the tool axis to the first place that meets the aim: the excess is the least the tool
+/// must still move, so stepping by it never passes a place that is good. Nothing beyond the limit.
 [[nodiscard]] std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool,
-                                                              const PreparedScene& scene, const PoseLimits& limits);
+                                                              const PreparedScene& scene,
+                                                              const PoseLimits& limits);
 
 /// `wanted` first, then along the axis.
-[[nodiscard]] std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolForms& tool,
-                                                        const PreparedScene& scene, const PoseLimits& limits);
+[[nodiscard]] std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose,
+                                                        const ToolForms& tool, const PreparedScene& scene,
+                                                        const PoseLimits& limits);
 
 }  // namespace gouge

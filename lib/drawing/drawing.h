@@ -34,7 +34,7 @@ enum class TextAnchor { left, middle, right };
 struct DrawnText {
   Vec2 at = Vec2::Zero();  ///< on the base line
   std::string text;
-  double size = 14;        ///< height of the font in picture units
+  double size = 14;  ///< height of the font in picture units
   Colour colour;
   TextAnchor anchor = TextAnchor::left;
   bool is_bold = false;

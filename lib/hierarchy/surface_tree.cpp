@@ -10,7 +10,9 @@ namespace {
 constexpr std::uint32_t kLeafTriangles = 4;
 
 // Bounds are computed in doubles and then widened, so that rounding never lets a point outside.
-double widened(double length_mm, double magnitude_mm) { return length_mm + 1e-14 * (length_mm + magnitude_mm); }
+double widened(double length_mm, double magnitude_mm) {
+  return length_mm + 1e-14 * (length_mm + magnitude_mm);
+}
 
 class Builder {
  public:
@@ -124,7 +126,8 @@ void verify_node(const SurfaceTree& tree, std::uint32_t index, std::vector<std::
         const double height = bound.normal.dot(d);
         const bool is_inside = d.norm() <= bound.radius_mm && std::abs(height) <= bound.half_thickness_mm &&
                                (d - height * bound.normal).norm() <= bound.disc_radius_mm;
-        if (!is_inside) broken.push_back("node " + std::to_string(a) + " does not hold triangle " + std::to_string(t));
+        if (!is_inside)
+          broken.push_back("node " + std::to_string(a) + " does not hold triangle " + std::to_string(t));
       }
     }
   }
@@ -151,7 +154,8 @@ std::vector<std::string> verify_tree(const SurfaceTree& tree) {
   std::vector<std::uint32_t> seen(tree.triangles.size(), 0), above;
   verify_node(tree, 0, seen, above, broken);
   for (std::size_t t = 0; t < seen.size(); ++t) {
-    if (seen[t] != 1) broken.push_back("triangle " + std::to_string(t) + " is in " + std::to_string(seen[t]) + " leaves");
+    if (seen[t] != 1)
+      broken.push_back("triangle " + std::to_string(t) + " is in " + std::to_string(seen[t]) + " leaves");
   }
   return broken;
 }

@@ -12,18 +12,18 @@
 // and by a disc whose direction is near the surface's own normal, thin where the surface is nearly flat. The
 // disc is what a first-order bound needs: a surface lying along the tool costs one node, not its area.
 // Source: bounding volume hierarchies in thesis 2.3 and 4.6, the oriented disc in place of the k-DOP slab
-// pairs (docs/decisions/oriented_discs.md).
+// pairs (docs/decisions/0006_oriented_discs.md).
 
 namespace gouge {
 
 struct SurfaceNode {
-  Vec3 center;               ///< mm, part coordinates
-  Vec3 normal;               ///< unit
-  double radius_mm = 0;      ///< |x - center| <= radius for every x below
+  Vec3 center;                   ///< mm, part coordinates
+  Vec3 normal;                   ///< unit
+  double radius_mm = 0;          ///< |x - center| <= radius for every x below
   double half_thickness_mm = 0;  ///< |normal . (x - center)| <= half_thickness
   double disc_radius_mm = 0;     ///< distance of x from the line through center along normal
-  std::uint32_t first = 0;   ///< leaf: first triangle; inner: index of the first child, the second follows it
-  std::uint32_t count = 0;   ///< leaf: how many triangles; inner: 0
+  std::uint32_t first = 0;  ///< leaf: first triangle; inner: index of the first child, the second follows it
+  std::uint32_t count = 0;  ///< leaf: how many triangles; inner: 0
 };
 
 struct SurfaceTriangle {
@@ -33,7 +33,7 @@ struct SurfaceTriangle {
 };
 
 struct SurfaceTree {
-  std::vector<SurfaceNode> nodes;  ///< nodes[0] is the root; empty when there is no triangle
+  std::vector<SurfaceNode> nodes;          ///< nodes[0] is the root; empty when there is no triangle
   std::vector<SurfaceTriangle> triangles;  ///< in leaf order
 };
 

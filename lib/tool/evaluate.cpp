@@ -26,21 +26,32 @@ ToolAnswer from_vertex(const BoundaryElement& e, std::uint32_t index, const Vec2
   return {sign * distance, index, e.a, normal};
 }
 
+double cross(const Vec2& u, const Vec2& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
+
+// From the centre to the foot, unit. Within rounding of the centre the BSP cannot tell the sectors of
+// neighbouring elements apart; a point just outside its arc's own sector gets the nearer end, so that the
+// foot is always a point of the tool and the normal one of its normals.
+Vec2 direction_to_foot(const BoundaryElement& e, const Vec2& away, double distance) {
+  const Vec2 to_a = e.a - e.center;
+  const Vec2 to_b = e.b - e.center;
+  const double turn = e.is_reflex ? -1.0 : 1.0;
+  if (turn * cross(to_a, away) >= 0 && turn * cross(away, to_b) >= 0) return away / distance;
+  return (away.dot(to_a) > away.dot(to_b) ? to_a : to_b).normalized();
+}
+
 ToolAnswer from_arc(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
   const Vec2 away = q - e.center;
   const double distance = std::sqrt(away.squaredNorm());
   const double sign = e.is_reflex ? -1.0 : 1.0;
-  const Vec2 direction = distance > 0 ? Vec2(away / distance) : e.normal;
+  const Vec2 direction = distance > 0 ? direction_to_foot(e, away, distance) : e.normal;
   return {sign * (distance - e.radius_mm), index, e.center + e.radius_mm * direction, sign * direction};
 }
 
 ToolAnswer answer(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
   if (e.kind == ElementKind::segment) return from_segment(e, index, q);
   return e.kind == ElementKind::vertex ? from_vertex(e, index, q) : from_arc(e, index, q);
-}
-
-double cross(const Vec2& u, const Vec2& v) {
-  return u.x() * v.y() - u.y() * v.x();
 }
 
 // Whether the foot on the element's line or circle lies on the element itself; beyond the ends a vertex or

@@ -92,13 +92,23 @@ TEST(CommandLine, WithoutAnyToolDefinedNothingIsWrittenAndTheStatusIs3) {
   write_text(sample.path + "/t9.apt", "UNITS/MM\nLOADTL/9\nGOTO/0,0,10\nGOTO/0,0,20\n");
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "t9.apt", {"--csv", "all.csv"}));
   EXPECT_EQ(ran.exit_status, 3) << ran.out << ran.err;
-  EXPECT_NE(ran.err.find("t9.apt:2: error: no tool of the toolpath is defined"), std::string::npos) << ran.err;
+  EXPECT_NE(ran.err.find("t9.apt:2: error: no tool of the toolpath is defined"), std::string::npos)
+      << ran.err;
   EXPECT_FALSE(std::filesystem::exists(sample.path + "/all.csv"));
+}
+
+TEST(CommandLine, AToolThatDiffersFromTheLibraryIsTold) {
+  const SampleFolder sample = open_sample("needles");
+  write_text(sample.path + "/d99.apt", "UNITS/MM\nCUTTER/99\nLOADTL/1\nGOTO/0,0,50\n");
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "d99.apt", {}));
+  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+  EXPECT_NE(ran.err.find("warning: T1 is D 99"), std::string::npos) << ran.err;
 }
 
 TEST(CommandLine, AToolWithoutADefinitionBesideOthersIsStatus4) {
   const SampleFolder sample = open_sample("needles");
-  write_text(sample.path + "/t9.apt", "UNITS/MM\nLOADTL/9\nGOTO/0,0,10\nGOTO/0,0,20\nLOADTL/1\nGOTO/0,0,50\n");
+  write_text(sample.path + "/t9.apt",
+             "UNITS/MM\nLOADTL/9\nGOTO/0,0,10\nGOTO/0,0,20\nLOADTL/1\nGOTO/0,0,50\n");
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "t9.apt", {"--csv", "all.csv"}));
   EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
   EXPECT_NE(ran.out.find("not checked: the tool has no definition"), std::string::npos) << ran.out << ran.err;

@@ -24,15 +24,25 @@ inline ToolForms forms(const ToolAssembly& tool, double stock = 0, double shank 
   return make_tool_forms(tool, stock, shank, holder).value();
 }
 
-inline ToolForms flat(double diameter = 10) { return forms(assembly(FlatCutter{diameter, 30}, diameter)); }
-inline ToolForms ball(double diameter = 10) { return forms(assembly(BallCutter{diameter, 30}, diameter)); }
+inline ToolForms flat(double diameter = 10) {
+  return forms(assembly(FlatCutter{diameter, 30}, diameter));
+}
+inline ToolForms ball(double diameter = 10) {
+  return forms(assembly(BallCutter{diameter, 30}, diameter));
+}
 inline ToolForms bull(double diameter = 16, double corner = 2) {
   return forms(assembly(BullNoseCutter{diameter, corner, 30}, diameter));
 }
-inline ToolForms tapered() { return forms(assembly(TaperedCutter{4, 2, 5, 30}, 8)); }
+inline ToolForms tapered() {
+  return forms(assembly(TaperedCutter{4, 2, 5, 30}, 8));
+}
 /// Narrower above the cutter, so that the contour has a shoulder facing up and reflex corners.
-inline ToolForms necked() { return forms(assembly(FlatCutter{12, 10}, 6)); }
+inline ToolForms necked() {
+  return forms(assembly(FlatCutter{12, 10}, 6));
+}
 
-inline std::vector<ToolForms> all() { return {flat(), ball(), bull(), tapered(), necked()}; }
+inline std::vector<ToolForms> all() {
+  return {flat(), ball(), bull(), tapered(), necked()};
+}
 
 }  // namespace gouge::tools

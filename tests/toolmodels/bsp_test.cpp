@@ -236,5 +236,26 @@ TEST(Bsp, IsShallow) {
   }
 }
 
+// An arc grown about a corner begins within rounding of an axis direction, so the lines that bound its domain
+// are nearly parallel to others and meet them some 1e14 mm away.
+TEST(Bsp, LinesThatMeetFarAwayDropNoElementThatIsNear) {
+  const ToolAssembly necked =
+      test::assembly("necked", BullNoseCutter{3.4854438134566714, 0.54693938380695839, 10.9047977},
+                     {{3.4854438134566714, 0.88606952362035774, 0.29383585006212254}},
+                     {{20.684865881953211, 20.684865881953211, 0.50450899697678997},
+                      {4.7186420391100832, 4.7186420391100832, 0.08198941408060724}});
+  const ToolAssembly flat = test::assembly("flat", FlatCutter{20.2, 39.063925}, {},
+                                           {{50.13187335134046, 18.19846650671014, 51.000337830380253},
+                                            {18.258618465717582, 18.258618465717582, 0.41692612182345279}});
+  SplitMix64 random(17);
+  for (int i = 0; i < 30; ++i) {
+    const double cutter = i == 0 ? 0 : random.uniform(0.01, 1);
+    const double shank = i == 0 ? 0.0155006333 : random.uniform(0.01, 1);
+    const double holder = i == 0 ? 0 : random.uniform(0.01, 3);
+    for (const ToolAssembly* tool : {&necked, &flat})
+      expect_brute_force(make_tool_forms(*tool, cutter, shank, holder)->against_part, 4000, 18);
+  }
+}
+
 }  // namespace
 }  // namespace gouge

@@ -17,7 +17,8 @@ TEST(ParseNumber, TakesWhatCamSystemsWrite) {
 }
 
 TEST(ParseNumber, RefusesWhatIsNotWhollyAFiniteNumber) {
-  for (const char* text : {"", "-", ".", "1.2.3", "nan", "inf", "-inf", "1e400", "0x10", "1 ", " 1", "1,5", "+-1", "e5", "1e"}) {
+  for (const char* text :
+       {"", "-", ".", "1.2.3", "nan", "inf", "-inf", "1e400", "0x10", "1 ", " 1", "1,5", "+-1", "e5", "1e"}) {
     EXPECT_FALSE(parse_number(text)) << text;
   }
 }

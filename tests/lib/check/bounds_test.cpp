@@ -104,6 +104,45 @@ TEST(Bounds, ANodeIsNeverDeeperThanItsBound) {
   }
 }
 
+// There the plane at the foot is any of the arc's planes, and rounding must not make it a foreign one.
+TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
+  Scatter scatter(22);
+  const ToolForms dovetail = tools::forms(tools::assembly(TaperedCutter{20, 0.5, -30, 8}, 8));
+  const ToolForms cone = tools::forms(tools::assembly(AptCutter{20, 2, 0, 0, 20, 15, 30}));
+  const ToolForms grown = tools::forms(tools::assembly(BallCutter{10, 30}), 0.3, 0.3, 0.3);
+  const Motion rest{Pose{}};
+  const TimeSpans spans(rest);
+  for (const CompiledTool* tool : {&dovetail.bare, &cone.bare, &grown.against_part}) {
+    for (const BoundaryElement& e : tool->elements) {
+      if (e.kind != ElementKind::arc) continue;
+      const Vec3 center(e.center.x(), 0, e.center.y());
+      for (int i = 0; i < 400; ++i) {
+        Case c;
+        const double size = std::pow(10, scatter.in(-2.5, 1));
+        c.piece[0] = center + scatter.point(size);
+        c.piece[1] = center + scatter.point(size);
+        c.piece[2] = 3 * center - c.piece[0] - c.piece[1];
+        const PieceBound bound = bound_piece(*tool, c.piece, spans.span(0), 0, -1e300);
+        ASSERT_LE(sampled(*tool, c, spans.span(0)), bound.upper_mm + 1e-9) << "piece of size " << size;
+      }
+    }
+  }
+}
+
+TEST(Bounds, ANodeAlmostAlongTheToolIsNotTakenForOneThatLiesOnIt) {
+  const ToolForms flat = tools::flat(300);
+  IndexedMesh floor;
+  floor.vertices = {Vec3(-140, -40, 0), Vec3(140, -40, 0), Vec3(0, 80, 0)};
+  floor.triangles = {{0, 1, 2}};
+  floor.file_triangle = {0};
+  const SurfaceTree tree = build_surface_tree({floor});
+  for (const double lean : {1e-9, 1e-8, 1e-6}) {
+    const Motion rest(Pose{Vec3::Zero(), Vec3(std::sin(lean), 0, std::cos(lean))});
+    const TimeSpans spans(rest);
+    EXPECT_GE(bound_node(flat.bare, tree.nodes[0], spans.span(0), 0).upper_mm, 140 * lean - 1e-11) << lean;
+  }
+}
+
 TEST(Bounds, AFlatOnItsFloorNeedsOneLook) {
   const ToolForms flat = tools::flat();
   const std::array<Vec3, 3> floor{Vec3(-3, -3, 0), Vec3(3, -2, 0), Vec3(0, 3, 0)};

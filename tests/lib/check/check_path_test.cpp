@@ -10,7 +10,9 @@
 namespace gouge {
 namespace {
 
-Pose upright(double x, double y, double z) { return {Vec3(x, y, z), Vec3::UnitZ()}; }
+Pose upright(double x, double y, double z) {
+  return {Vec3(x, y, z), Vec3::UnitZ()};
+}
 
 /// A path of feed moves through the given positions with one tool.
 Toolpath path_through(const std::vector<Pose>& poses, MoveKind kind = MoveKind::feed) {
@@ -29,7 +31,8 @@ Toolpath path_through(const std::vector<Pose>& poses, MoveKind kind = MoveKind::
   return path;
 }
 
-CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scene, CheckOptions options = {}) {
+CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scene,
+                  CheckOptions options = {}) {
   return check_path(path, {&tool}, prepare_scene(scene), options);
 }
 
@@ -59,7 +62,25 @@ TEST(CheckPath, ABuriedToolIsSeenInAnInsideOutSolidAndInAFixture) {
   const IndexedMesh block = shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500));
   const Toolpath path = path_through({upright(0, 0, 0), upright(20, 0, 0)});
   EXPECT_EQ(check(path, tools::ball(), {{shapes::inside_out(block)}, {}}).counts.buried, 2U);
-  EXPECT_EQ(check(path, tools::ball(), {{shapes::moved(shapes::cube(1), Vec3(-400, 0, 0))}, {block}}).counts.buried, 2U);
+  EXPECT_EQ(
+      check(path, tools::ball(), {{shapes::moved(shapes::cube(1), Vec3(-400, 0, 0))}, {block}}).counts.buried,
+      2U);
+}
+
+TEST(CheckPath, AToleranceAsLargeAsTheCutterNeverMakesAPlungeClean) {
+  const Scene scene{{shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 0))}, {}};
+  const ToolForms needle = make_tool_forms({1, "needle", BallCutter{0.1, 50}, {}, {}}, 0, 0, 0).value();
+  const Toolpath path = path_through({upright(0, 0, 5), upright(0, 0, -60), upright(3, 0, -60)});
+  CheckOptions options;
+  options.tolerance_mm = 0.06;
+  const CheckResult r = check(path, needle, scene, options);
+  EXPECT_EQ(r.verdicts[0].state, MoveState::clean);
+  EXPECT_EQ(r.verdicts[1].state, MoveState::not_certified);
+  EXPECT_EQ(
+      r.verdicts[1].reason,
+      "the tolerance lets the surface reach the middle of the cutter, so the tool may be buried; give a "
+      "smaller tolerance");
+  EXPECT_EQ(r.verdicts[2].state, MoveState::buried);
 }
 
 TEST(CheckPath, AnOpenMeshTellsABuriedToolOrSaysThatItCannot) {
@@ -76,8 +97,9 @@ TEST(CheckPath, AnOpenMeshTellsABuriedToolOrSaysThatItCannot) {
 }
 
 TEST(CheckPath, AToolInACavityOrBesideTheSolidIsNotBuried) {
-  const IndexedMesh hollow = shapes::joined(shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500)),
-                                            shapes::inside_out(shapes::box(Vec3(-90, -90, -190), Vec3(90, 90, 190))));
+  const IndexedMesh hollow =
+      shapes::joined(shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500)),
+                     shapes::inside_out(shapes::box(Vec3(-90, -90, -190), Vec3(90, 90, 190))));
   EXPECT_EQ(check(path_through({upright(0, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
   EXPECT_EQ(check(path_through({upright(700, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
 }
@@ -117,7 +139,8 @@ TEST(CheckPath, StockToLeaveCountsAgainstThePartAloneNotTheFixture) {
   const CheckResult part = check(path, grown, {{block}, {}});
   ASSERT_EQ(part.counts.gouge, 1U);
   EXPECT_NEAR(part.verdicts[0].depth_mm, 0.2, 0.001);
-  EXPECT_EQ(check(path, grown, {{shapes::moved(shapes::cube(1), Vec3(0, 0, -200))}, {block}}).counts.clean, 1U);
+  EXPECT_EQ(check(path, grown, {{shapes::moved(shapes::cube(1), Vec3(0, 0, -200))}, {block}}).counts.clean,
+            1U);
 }
 
 TEST(CheckPath, WithoutAToolNothingIsClean) {

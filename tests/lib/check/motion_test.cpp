@@ -37,7 +37,8 @@ TEST(Motion, TheAxisTurnsEvenlyOnTheGreatCircle) {
 
 TEST(Motion, OppositeAxesHaveNoDefinedWay) {
   EXPECT_FALSE(Motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), -Vec3::UnitZ()}).is_defined());
-  EXPECT_TRUE(Motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), Vec3(0, 1e-3, -1).normalized()}).is_defined());
+  EXPECT_TRUE(
+      Motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), Vec3(0, 1e-3, -1).normalized()}).is_defined());
 }
 
 TEST(Motion, AxesThatDifferByRoundingDoNotTurnWildly) {
@@ -59,7 +60,8 @@ TEST(Motion, DoglegRunsAllAxesAtOneSpeedUntilEachArrives) {
 TEST(TimeSpans, FramesAgreeWithThePose) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 200; ++i) {
-    const Motion motion({Vec3::Random() * 20, random_axis(random)}, {Vec3::Random() * 20, random_axis(random)});
+    const Motion motion({Vec3::Random() * 20, random_axis(random)},
+                        {Vec3::Random() * 20, random_axis(random)});
     const TimeSpans spans(motion);
     for (const double t : {0.0, 0.123, 0.5, 0.9, 1.0}) {
       const Pose pose = motion.at(t);

@@ -24,7 +24,9 @@ MoveVerdict check(const Motion& motion, const ToolForms& tool, const std::vector
   return check_move(motion, MoveKind::feed, tool, prepared, options, bounds);
 }
 
-Pose upright(double x, double y, double z) { return {Vec3(x, y, z), Vec3::UnitZ()}; }
+Pose upright(double x, double y, double z) {
+  return {Vec3(x, y, z), Vec3::UnitZ()};
+}
 
 double depth_of(const Witness& w, const Motion& motion, const CompiledTool& tool) {
   const Pose pose = motion.at(w.t);
@@ -33,7 +35,8 @@ double depth_of(const Witness& w, const Motion& motion, const CompiledTool& tool
   return -evaluate_brute_force(tool, (d - z * pose.axis).norm(), z).signed_distance_mm;
 }
 
-void expect_promise(const MoveVerdict& v, const Motion& motion, const ToolForms& tool, const CheckOptions& options) {
+void expect_promise(const MoveVerdict& v, const Motion& motion, const ToolForms& tool,
+                    const CheckOptions& options) {
   EXPECT_LE(v.depth_mm, v.depth_upper_mm);
   if (v.state == MoveState::gouge) {
     EXPECT_LE(v.depth_upper_mm - v.depth_mm, options.resolution_mm);
@@ -62,10 +65,12 @@ TEST(Search, NeverBelowBruteForceOnRandomScenes) {
       const double angle = in(0, 2 * M_PI), far = nearest + in(0, 8);
       const Vec3 at(far * std::cos(angle), far * std::sin(angle), in(-6, 110));
       for (int c = 0; c < 3; ++c) mesh.vertices.push_back(at + Vec3(in(-4, 4), in(-4, 4), in(-4, 4)));
-      shapes::add_triangle(mesh, mesh.vertices.size() - 3, mesh.vertices.size() - 2, mesh.vertices.size() - 1);
+      shapes::add_triangle(mesh, mesh.vertices.size() - 3, mesh.vertices.size() - 2,
+                           mesh.vertices.size() - 1);
     }
     const Pose from{Vec3(in(-1, 1), in(-1, 1), in(-1, 1)), Vec3(in(-.1, .1), in(-.1, .1), 1).normalized()};
-    const Pose to{from.tip + Vec3(in(-2, 2), in(-2, 2), in(-2, 2)), Vec3(in(-.1, .1), in(-.1, .1), 1).normalized()};
+    const Pose to{from.tip + Vec3(in(-2, 2), in(-2, 2), in(-2, 2)),
+                  Vec3(in(-.1, .1), in(-.1, .1), 1).normalized()};
     const Motion motion(from, to);
     const Scene scene{{mesh}, {}};
     const MoveVerdict v = check(motion, tool, scene.parts);
@@ -166,7 +171,8 @@ TEST(Search, ABudgetTooSmallIsNeverClean) {
   CheckOptions options;
   options.budget_per_move = 3;
   const IndexedMesh ring = shapes::torus(20, 5, 60, 40);
-  const MoveVerdict v = check(Motion(upright(-1, 0, -10), upright(1, 0, -10)), tools::bull(), {ring}, nullptr, options);
+  const MoveVerdict v =
+      check(Motion(upright(-1, 0, -10), upright(1, 0, -10)), tools::bull(), {ring}, nullptr, options);
   EXPECT_TRUE(v.state == MoveState::not_certified || v.state == MoveState::gouge);
   EXPECT_GE(v.depth_upper_mm, v.depth_mm);
 }
@@ -175,8 +181,9 @@ TEST(Search, ClearancesGrowRoundedAndAnyEntryIsAGouge) {
   CheckOptions options;
   options.holder_clearance_mm = 1;
   const ToolForms tool = tools::forms(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
-  // The holder's lower corner is at (16, 50). A corner of a box 0.6 mm away from it along the diagonal is within
-  // the clearance, one 1.1 mm away is not, although a grown cylinder with sharp corners would reach it.
+  // The holder's lower corner is at (16, 50). A corner of a box 0.6 mm away from it along the diagonal is
+  // within the clearance, one 1.1 mm away is not, although a grown cylinder with sharp corners would reach
+  // it.
   const auto corner_at = [](double away) {
     const double d = away / std::sqrt(2);
     return shapes::box(Vec3(16 + d, -5, 0), Vec3(40, 5, 50 - d));

@@ -24,7 +24,8 @@ IndexedMesh random_soup(std::size_t triangles, unsigned seed) {
 }
 
 TEST(SurfaceTree, BoundsHoldOnShapesAndSoups) {
-  for (const IndexedMesh& mesh : {shapes::cube(), shapes::sphere(), shapes::torus(), shapes::needle_fan(), random_soup(3000, 1)}) {
+  for (const IndexedMesh& mesh :
+       {shapes::cube(), shapes::sphere(), shapes::torus(), shapes::needle_fan(), random_soup(3000, 1)}) {
     const SurfaceTree tree = build_surface_tree({mesh});
     EXPECT_EQ(tree.triangles.size(), mesh.triangles.size());
     const auto broken = verify_tree(tree);
@@ -45,7 +46,9 @@ TEST(SurfaceTree, ManyMeshesAreOneTreeThatRemembersThem) {
   EXPECT_EQ(of_second, 4U);
 }
 
-TEST(SurfaceTree, NothingMakesAnEmptyTree) { EXPECT_TRUE(build_surface_tree({}).nodes.empty()); }
+TEST(SurfaceTree, NothingMakesAnEmptyTree) {
+  EXPECT_TRUE(build_surface_tree({}).nodes.empty());
+}
 
 TEST(SurfaceTree, EqualCentroidsStillSplit) {
   IndexedMesh mesh = shapes::tetrahedron();

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <utility>
 
 // Tools written down by hand: lib/tool knows nothing of how tools are made.
 
@@ -110,6 +111,7 @@ TEST(Evaluate, AtTheCentreOfAnArcTheAnswerIsStillAUnitVector) {
 TEST(Evaluate, AConcaveArcHasTheSolidOutsideItsCircle) {
   CompiledTool tool = half_sphere();
   tool.elements[0].is_reflex = true;
+  std::swap(tool.elements[0].a, tool.elements[0].b);  // the contour has the solid on its left
   EXPECT_EQ(evaluate_element(tool, 0, 3, 1).signed_distance_mm, 0);
   EXPECT_GT(evaluate_element(tool, 0, 0.3, 4.6).signed_distance_mm, 0);
   EXPECT_LT(evaluate_element(tool, 0, 6, -3).signed_distance_mm, 0);
@@ -139,6 +141,16 @@ TEST(Evaluate, CurvesAreMeasuredFromTheirOrigin) {
   tool.nodes = {root};
   EXPECT_EQ(evaluate(tool, 4, 5.9).element, 0u);
   EXPECT_EQ(evaluate(tool, 4, 6.1).element, 4u);
+}
+
+TEST(Evaluate, AFootOnAnArcIsAPointOfTheArcEvenBesideItsCentre) {
+  const CompiledTool tool = half_sphere();
+  for (const double step : {1e-15, 1e-12, 1e-9}) {
+    const ToolAnswer above = evaluate(tool, 0.5 * step, 5 + step);  // the arc ends at z = 5
+    EXPECT_NEAR(above.signed_distance_mm, -5, 2 * step);
+    EXPECT_EQ(above.foot, Vec2(5, 5));
+    EXPECT_EQ(above.normal, Vec2(1, 0));
+  }
 }
 
 }  // namespace

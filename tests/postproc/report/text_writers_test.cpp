@@ -25,7 +25,7 @@ TEST(FindingsText, TellsEveryFindingAndTheSummary) {
       findings_text(report.model),
       "path.apt:12: gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)\n"
       "path.apt:13: near: 0.125 mm left holder T1 against fixture vise.stl at (1, 2, 3), move 3 t=0.5\n"
-      "path.apt:14: buried: cutter T1 lies inside a part, no surface within the tool, move 4\n"
+      "path.apt:14: buried: cutter T1 lies inside a solid, no surface within the tool, move 4\n"
       "path.apt:15: not certified: budget of 10 bounds spent, move 5\n"
       "path.apt:16: not checked: arcs, as yet, are not read (2 moves, the first is move 6)\n"
       "path.apt against part.stl, vise.stl\n"

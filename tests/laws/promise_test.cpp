@@ -1,0 +1,71 @@
+// The promise on every generated sample.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "samples/cases.h"
+#include "samples/write_sample.h"
+#include "tests/laws/promise.h"
+
+namespace gouge {
+namespace {
+
+struct SampleCase {
+  const char* name;
+  samples::Sample (*make)();
+};
+
+void PrintTo(const SampleCase& c, std::ostream* out) { *out << c.name; }
+
+const SampleCase kSamples[] = {{"freeform", samples::make_freeform},
+                               {"pocket", samples::make_pocket},
+                               {"blade", samples::make_blade},
+                               {"between_rib", samples::make_between_rib},
+                               {"between_swing", samples::make_between_swing},
+                               {"thin_post", samples::make_thin_post},
+                               {"buried", samples::make_buried},
+                               {"inch", samples::make_inch},
+                               {"needles", samples::make_needles},
+                               {"big_triangles", samples::make_big_triangles}};
+
+class PromiseOnSamples : public ::testing::TestWithParam<SampleCase> {
+ protected:
+  void SetUp() override {
+    const samples::Sample sample = GetParam().make();
+    folder_ = std::filesystem::temp_directory_path() / ("gouge_promise_" + std::to_string(::getpid()));
+    ASSERT_TRUE(samples::write_sample(sample, folder_.string()).has_value());
+    const std::string own = (folder_ / sample.name).string() + "/";
+    JobArguments arguments;
+    arguments.path = own + sample.toolpath_file;
+    arguments.tools_file = own + "tools.json";
+    for (const auto& part : sample.parts) arguments.parts.push_back(own + part.file);
+    for (const auto& fixture : sample.fixtures) arguments.fixtures.push_back(own + fixture.file);
+    job_ = promise::load(arguments);
+    ASSERT_EQ(job_.toolpath.moves.size(), sample.moves);
+    result_ = check_path(job_.toolpath, job_.tools(), prepare_scene(job_.scene), job_.options.check);
+  }
+
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path folder_;
+  Job job_;
+  CheckResult result_;
+};
+
+INSTANTIATE_TEST_SUITE_P(All, PromiseOnSamples, ::testing::ValuesIn(kSamples),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST(PromiseOnSamplesList, NoSampleIsForgotten) {
+  std::vector<std::string> made, tested;
+  for (const samples::Sample& sample : samples::make_all()) made.push_back(sample.name);
+  for (const SampleCase& c : kSamples) tested.emplace_back(c.name);
+  EXPECT_EQ(made, tested);
+}
+
+TEST_P(PromiseOnSamples, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanTold) {
+  promise::expect_witnesses(job_, result_);
+  promise::expect_nothing_deeper(job_, result_);
+}
+
+}  // namespace
+}  // namespace gouge

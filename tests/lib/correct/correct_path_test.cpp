@@ -1,0 +1,238 @@
+#include "lib/correct/correct_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/support/paths.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+using paths::upright;
+
+struct Case {
+  Toolpath path;
+  ToolForms tool = tools::ball();
+  Scene scene;
+  CheckOptions options;
+  CorrectOptions correct;
+};
+
+CheckResult check(const Case& c, const Toolpath& path) {
+  return check_path(path, {&c.tool}, prepare_scene(c.scene), c.options);
+}
+
+Correction propose(const Case& c) {
+  return correct_path(c.path, check(c, c.path), {&c.tool}, prepare_scene(c.scene), c.options, c.correct);
+}
+
+double rounded(double x) { return std::round(x * 1e4) / 1e4; }
+
+/// As a writer does it: numbers of four decimals, inserted positions as moves of their own.
+Toolpath applied(const Toolpath& path, const Correction& correction) {
+  Toolpath changed = path;
+  changed.moves.clear();
+  std::optional<Pose> last_old, last_new;
+  const auto round_tip = [](Pose pose) {
+    for (int k = 0; k < 3; ++k) pose.tip[k] = rounded(pose.tip[k]);
+    return pose;
+  };
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    Move move = path.moves[i];
+    if (move.start && last_old && move.start->tip == last_old->tip) move.start = last_new;
+    for (const PathChange& change : correction.changes) {
+      if (change.move != i) continue;
+      for (const Pose& stop : change.inserted_before) {
+        Move inserted = move;
+        inserted.end = round_tip(stop);
+        changed.moves.push_back(inserted);
+        move.start = inserted.end;
+      }
+      if (change.new_end) move.end = round_tip(*change.new_end);
+    }
+    last_old = path.moves[i].end;
+    last_new = move.end;
+    changed.moves.push_back(move);
+  }
+  return changed;
+}
+
+void expect_clean_again(const Case& c, const Correction& correction) {
+  EXPECT_TRUE(correction.uncorrected.empty());
+  const Toolpath changed = applied(c.path, correction);
+  const CheckResult again = check(c, changed);
+  EXPECT_EQ(again.counts.clean, changed.moves.size()) << "worst " << again.worst_depth_mm << " in move " << again.worst_move;
+}
+
+std::set<std::size_t> changed_moves(const Correction& correction) {
+  std::set<std::size_t> moves;
+  for (const PathChange& change : correction.changes) moves.insert(change.move);
+  return moves;
+}
+
+/// A ball along a block whose top is z = 0: clean, but for two positions too deep.
+Case two_dips() {
+  Case c;
+  std::vector<Pose> poses;
+  for (int i = 0; i < 12; ++i) poses.push_back(upright(2.0 * i - 11, 0.3, i == 4 || i == 9 ? -0.2 : 0.0));
+  c.path = paths::through(poses);
+  c.scene.parts = {shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))};
+  return c;
+}
+
+TEST(CorrectPath, ChangesTheTwoDipsAndNothingElse) {
+  for (const Strategy strategy : {Strategy::weighted, Strategy::axis}) {
+    Case c = two_dips();
+    c.correct.strategy = strategy;
+    const Correction correction = propose(c);
+    EXPECT_EQ(changed_moves(correction), (std::set<std::size_t>{4, 9}));
+    for (const PathChange& change : correction.changes) EXPECT_TRUE(change.inserted_before.empty());
+    ASSERT_EQ(correction.records.size(), 2U);
+    EXPECT_EQ(correction.records[0].strategy, strategy);
+    EXPECT_NEAR(correction.records[0].depth_before_mm, 0.2, 0.001);
+    EXPECT_LE(correction.records[0].depth_after_mm, 0.008);
+    EXPECT_NEAR(correction.records[0].shift_mm.z(), 0.195, 0.004);
+    EXPECT_GT(correction.records[0].iterations, 0);
+    expect_clean_again(c, correction);
+  }
+}
+
+TEST(CorrectPath, ACleanPathIsLeftAlone) {
+  Case c = two_dips();
+  for (Move& move : c.path.moves) {
+    move.end.tip.z() = 0;
+    if (move.start) move.start->tip.z() = 0;
+  }
+  const Correction correction = propose(c);
+  EXPECT_TRUE(correction.changes.empty());
+  EXPECT_TRUE(correction.records.empty());
+  EXPECT_TRUE(correction.uncorrected.empty());
+}
+
+TEST(CorrectPath, PositionsAreInsertedWhereARibStandsBetweenCleanOnes) {
+  Case c;
+  c.path = paths::through({upright(-20, 0, 0.5), upright(20, 0, 0.5), upright(20, 10, 0.5)});
+  c.scene.parts = {shapes::box(Vec3(-60, -50, -10), Vec3(60, 50, 0)), shapes::box(Vec3(-1, -50, -1), Vec3(1, 50, 6))};
+  const Correction correction = propose(c);
+  EXPECT_EQ(changed_moves(correction), (std::set<std::size_t>{1}));
+  ASSERT_EQ(correction.changes.size(), 1U);
+  EXPECT_FALSE(correction.changes[0].new_end.has_value());
+  EXPECT_GE(correction.changes[0].inserted_before.size(), 1U);
+  for (const ChangeRecord& record : correction.records) EXPECT_TRUE(record.is_inserted);
+  expect_clean_again(c, correction);
+}
+
+TEST(CorrectPath, AToleranceOf0GetsCleanToo) {
+  Case c = two_dips();
+  c.options.tolerance_mm = 0;
+  for (Move& move : c.path.moves) {
+    move.end.tip.z() += 0.02;
+    if (move.start) move.start->tip.z() += 0.02;
+  }
+  const Correction correction = propose(c);
+  EXPECT_EQ(changed_moves(correction), (std::set<std::size_t>{4, 9}));
+  expect_clean_again(c, correction);
+}
+
+TEST(CorrectPath, AnEnteredClearanceGetsCleanToo) {
+  // The holder (16 mm, from z = 50) must stay 1 mm from a wall at x = 17.2; one position is too near.
+  Case c;
+  c.tool = tools::forms(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
+  c.options.holder_clearance_mm = 1;
+  c.scene.parts = {shapes::box(Vec3(-30, -60, -20), Vec3(12, 60, 0)), shapes::box(Vec3(17.2, -60, 0), Vec3(40, 60, 85))};
+  std::vector<Pose> poses;
+  for (int i = 0; i < 9; ++i) poses.push_back({Vec3(i == 4 ? 0.6 : 0.0, 5.0 * i - 20, 0.1), Vec3::UnitZ()});
+  c.path = paths::through(poses);
+  const CheckResult before = check(c, c.path);
+  ASSERT_EQ(before.counts.gouge, 2U);
+  EXPECT_EQ(before.verdicts[4].witness->body, Body::holder);
+  const Correction correction = propose(c);
+  EXPECT_EQ(changed_moves(correction), (std::set<std::size_t>{4}));
+  expect_clean_again(c, correction);
+}
+
+TEST(CorrectPath, TiltedAxesStayAsTheyAre) {
+  Case c;
+  std::vector<Pose> poses;
+  for (int i = 0; i < 30; ++i) {
+    const double a = 0.2 * i;
+    poses.push_back({Vec3(1.5 * i - 20, 3 * std::sin(a), 11.5 + 0.5 * std::cos(a)),
+                     Vec3(0.3 * std::sin(a), 0.2, 1).normalized()});
+  }
+  c.path = paths::through(poses);
+  c.scene.parts = {shapes::sphere(12, 24, 48)};
+  ASSERT_GT(check(c, c.path).counts.gouge, 3U);
+  const Correction correction = propose(c);
+  for (const PathChange& change : correction.changes) {
+    const Vec3& axis = c.path.moves[change.move].end.axis;
+    EXPECT_EQ(change.new_end.value_or(c.path.moves[change.move].end).axis, axis);
+  }
+  expect_clean_again(c, correction);
+}
+
+TEST(CorrectPath, BeyondTheLargestShiftItIsListedWithTheReasonAndLeft) {
+  Case c = two_dips();
+  c.correct.max_shift_mm = 0.1;
+  const Correction correction = propose(c);
+  EXPECT_TRUE(correction.changes.empty());
+  std::set<std::size_t> listed;
+  for (const Uncorrected& u : correction.uncorrected) {
+    listed.insert(u.move);
+    EXPECT_EQ(u.reason, u.move == 4 || u.move == 9 ? "no way out within the largest shift"
+                                                   : "no clean way between its positions within the largest shift");
+    EXPECT_NEAR(u.depth_mm, 0.2, 0.001);
+  }
+  EXPECT_EQ(listed, (std::set<std::size_t>{4, 5, 9, 10}));
+}
+
+TEST(CorrectPath, ABuriedMoveIsListedWithTheReason) {
+  Case c;
+  c.path = paths::through({upright(0, 0, 0), upright(20, 0, 0)});
+  c.scene.parts = {shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500))};
+  const Correction correction = propose(c);
+  EXPECT_TRUE(correction.changes.empty());
+  ASSERT_EQ(correction.uncorrected.size(), 2U);
+  EXPECT_EQ(correction.uncorrected[0].reason, "the tool is buried: there is no way out to follow");
+}
+
+TEST(CorrectPath, ArcsAndTheirEndsAreNotTouched) {
+  Case c = two_dips();
+  c.path.moves[5].kind = MoveKind::arc;  // begins in the first dip
+  c.path.moves[9].kind = MoveKind::arc;  // ends in the second
+  for (const std::size_t i : {5U, 9U}) c.path.moves[i].not_checked_reason = "an arc";
+  const Correction correction = propose(c);
+  EXPECT_TRUE(correction.changes.empty());
+  std::set<std::string> reasons;
+  for (const Uncorrected& u : correction.uncorrected) reasons.insert(u.reason);
+  EXPECT_EQ(reasons.count("an arc begins at the position"), 1U);
+}
+
+TEST(CorrectPath, OneAndTwoThreadsProposeTheSameBits) {
+  Case c = two_dips();
+  c.scene.parts.push_back(shapes::box(Vec3(0.4, -50, -1), Vec3(0.6, 50, 2)));
+  c.options.threads = 1;
+  const Correction one = propose(c);
+  c.options.threads = 2;
+  const Correction two = propose(c);
+  ASSERT_EQ(one.changes.size(), two.changes.size());
+  ASSERT_GT(one.changes.size(), 2U);
+  for (std::size_t i = 0; i < one.changes.size(); ++i) {
+    EXPECT_EQ(one.changes[i].move, two.changes[i].move);
+    EXPECT_EQ(one.changes[i].new_end.has_value(), two.changes[i].new_end.has_value());
+    if (one.changes[i].new_end && two.changes[i].new_end) {
+      EXPECT_EQ(one.changes[i].new_end->tip, two.changes[i].new_end->tip);
+    }
+    ASSERT_EQ(one.changes[i].inserted_before.size(), two.changes[i].inserted_before.size());
+    for (std::size_t k = 0; k < one.changes[i].inserted_before.size(); ++k) {
+      EXPECT_EQ(one.changes[i].inserted_before[k].tip, two.changes[i].inserted_before[k].tip);
+    }
+  }
+  EXPECT_EQ(one.uncorrected.size(), two.uncorrected.size());
+}
+
+}  // namespace
+}  // namespace gouge

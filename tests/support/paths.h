@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/path/toolpath.h"
+
+// Toolpaths by their positions, for tests below the reader. Header only.
+
+namespace gouge::paths {
+
+inline Pose upright(double x, double y, double z) { return {Vec3(x, y, z), Vec3::UnitZ()}; }
+
+/// A path of one tool through the given positions; the first is a position alone.
+inline Toolpath through(const std::vector<Pose>& poses, MoveKind kind = MoveKind::feed) {
+  Toolpath path;
+  path.file = "test.apt";
+  path.tools.resize(1);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    Move move;
+    move.kind = kind;
+    move.line = i + 1;
+    if (i > 0) move.start = poses[i - 1];
+    move.end = poses[i];
+    move.tool = 0;
+    path.moves.push_back(move);
+  }
+  return path;
+}
+
+}  // namespace gouge::paths

@@ -1,0 +1,325 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <queue>
+#include <vector>
+
+#include "lib/check/scene.h"
+#include "lib/geom/pose.h"
+#include "lib/tool/compiled_tool.h"
+
+// Depths by other means than the check's: the pose from the meaning of a move, the tool's distance from its
+// contour alone, the surface by many instants and the way a distance can change at most. Shares with the check no
+// formula, no tree, no plane. Header only.
+
+namespace gouge::reference {
+
+/// The pose of a straight move at t: tip linear, axis on the great circle at constant rate.
+inline Pose pose_at(const Pose& from, const Pose& to, double t) {
+  Pose pose;
+  pose.tip = (1 - t) * from.tip + t * to.tip;
+  const double angle = 2 * std::atan2((to.axis - from.axis).norm(), (to.axis + from.axis).norm());
+  const double sine = std::sin(angle);
+  pose.axis = angle < 1e-9 ? Vec3((1 - t) * from.axis + t * to.axis)
+                           : Vec3((std::sin((1 - t) * angle) * from.axis + std::sin(t * angle) * to.axis) / sine);
+  pose.axis.normalize();
+  return pose;
+}
+
+/// The half profile of a tool as lines and arcs, with distances by looking at each.
+/// Requires a solid {r <= rho(z)}: one radius at each height, steps apart.
+class Contour {
+ public:
+  explicit Contour(const CompiledTool& tool) {
+    for (const BoundaryElement& e : tool.elements) {
+      if (e.kind != ElementKind::vertex) pieces_.push_back(piece_of(e));
+    }
+    for (const Piece& p : pieces_) {
+      top_ = std::max({top_, p.a.y(), p.b.y()});
+      widest_ = std::max({widest_, p.a.x(), p.b.x(), p.is_arc && faces(p, Vec2(1, 0)) ? p.c.x() + p.radius : 0});
+    }
+  }
+
+  /// How deep (r, z) is in the solid: distance to the boundary, negative outside.
+  [[nodiscard]] double depth(double r, double z) const {
+    const Vec2 q(r, z);
+    double nearest = 1e300;
+    double rho = -1;
+    for (const Piece& p : pieces_) {
+      nearest = std::min(nearest, p.is_arc ? arc_distance(p, q) : line_distance(p, q));
+      rho = std::max(rho, radius_at(p, z));
+    }
+    return r < rho ? nearest : -nearest;
+  }
+
+  /// Distance to the nearest piece of one body.
+  [[nodiscard]] double distance_to(Body body, double r, double z) const {
+    double nearest = 1e300;
+    for (const Piece& p : pieces_) {
+      if (p.body != body) continue;
+      nearest = std::min(nearest, p.is_arc ? arc_distance(p, Vec2(r, z)) : line_distance(p, Vec2(r, z)));
+    }
+    return nearest;
+  }
+
+  [[nodiscard]] double depth(const Pose& pose, const Vec3& p) const {
+    const Vec3 d = p - pose.tip;
+    const double z = d.dot(pose.axis);
+    return depth(d.cross(pose.axis).norm(), z);
+  }
+
+  [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
+  [[nodiscard]] double top_mm() const { return top_; }
+  [[nodiscard]] double widest_mm() const { return widest_; }
+
+ private:
+  struct Piece {
+    bool is_arc = false;
+    Body body = Body::cutter;
+    Vec2 a, b, c;
+    double radius = 0;
+    double turn = 0;  ///< arcs: > 0 when they run counter-clockwise from a to b
+  };
+
+  static double cross(const Vec2& a, const Vec2& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+  static Piece piece_of(const BoundaryElement& e) {
+    Piece p{e.kind == ElementKind::arc, e.body, e.a, e.b, e.center, e.radius_mm, 0};
+    if (p.is_arc) p.turn = cross(p.a - p.c, p.b - p.c) > 0 ? 1 : -1;
+    return p;
+  }
+
+  // Whether the direction d from the centre meets the arc; arcs are shorter than half a circle.
+  static bool faces(const Piece& p, const Vec2& d) {
+    return p.turn * cross(p.a - p.c, d) >= 0 && p.turn * cross(d, p.b - p.c) >= 0;
+  }
+
+  static double line_distance(const Piece& p, const Vec2& q) {
+    const Vec2 along = p.b - p.a;
+    const double s = std::clamp((q - p.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (p.a + s * along - q).norm();
+  }
+
+  static double arc_distance(const Piece& p, const Vec2& q) {
+    const Vec2 d = q - p.c;
+    if (faces(p, d)) return std::abs(d.norm() - p.radius);
+    return std::sqrt(std::min((q - p.a).squaredNorm(), (q - p.b).squaredNorm()));
+  }
+
+  // Largest r of the piece at height z, or -1 where it has none.
+  static double radius_at(const Piece& p, double z) {
+    if (!p.is_arc) {
+      const double low = std::min(p.a.y(), p.b.y()), high = std::max(p.a.y(), p.b.y());
+      if (z < low || z > high) return -1;
+      if (!(high > low)) return std::max(p.a.x(), p.b.x());
+      return p.a.x() + (z - p.a.y()) / (p.b.y() - p.a.y()) * (p.b.x() - p.a.x());
+    }
+    const double h = z - p.c.y();
+    if (std::abs(h) > p.radius) return -1;
+    const double w = std::sqrt(p.radius * p.radius - h * h);
+    if (faces(p, Vec2(w, h))) return p.c.x() + w;
+    return faces(p, Vec2(-w, h)) ? p.c.x() - w : -1;
+  }
+
+  std::vector<Piece> pieces_;
+  double top_ = 0, widest_ = 0;
+};
+
+inline double distance_to_edge(const Vec3& p, const Vec3& a, const Vec3& b) {
+  const double s = std::clamp((p - a).dot(b - a) / (b - a).squaredNorm(), 0.0, 1.0);
+  return (a + s * (b - a) - p).norm();
+}
+
+inline double distance_to_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 normal = (b - a).cross(c - a).normalized();
+  const auto is_left = [&](const Vec3& u, const Vec3& v) { return (v - u).cross(p - u).dot(normal) >= 0; };
+  if (is_left(a, b) && is_left(b, c) && is_left(c, a)) return std::abs((p - a).dot(normal));
+  return std::min({distance_to_edge(p, a, b), distance_to_edge(p, b, c), distance_to_edge(p, c, a)});
+}
+
+struct Found {
+  double depth_mm = 0;
+  double t = 0;
+  Vec3 point = Vec3::Zero();
+};
+
+struct Effort {
+  int steps = 64;              ///< instants, evenly spread, both ends included
+  double accuracy_mm = 0.003;  ///< what is known to be shallower than the mark plus this is not looked into
+  int looks = 700;             ///< points an instant may cost, the deepest promise first
+};
+
+/// The deepest point that can be found in a move; a lower bound of the truth.
+class Search {
+ public:
+  Search(const Contour& tool, const Pose& from, const Pose& to, const std::vector<IndexedMesh>& meshes,
+         const Effort& effort)
+      : tool_(tool), from_(from), to_(to), effort_(effort) {
+    if (tool.is_empty()) return;
+    turn_ = 2 * std::atan2((to.axis - from.axis).norm(), (to.axis + from.axis).norm());
+    const Box3 reach = swept_box();
+    for (const IndexedMesh& mesh : meshes) {
+      for (std::size_t t = 0; t < mesh.triangles.size(); ++t) add({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, reach);
+    }
+  }
+
+  /// What is no deeper than `mark_mm` is of no interest but as a place to climb from.
+  Found run(double mark_mm) {
+    mark_ = mark_mm;
+    std::vector<std::size_t> all(pieces_.size());
+    for (std::size_t i = 0; i < all.size(); ++i) all[i] = i;
+    best_of_.assign(static_cast<std::size_t>(effort_.steps) + 1, Place{});
+    narrow(0, effort_.steps, all);
+    std::sort(best_of_.begin(), best_of_.end(), [](const Place& a, const Place& b) { return a.depth > b.depth; });
+    Found best;
+    for (std::size_t k = 0; k < std::min<std::size_t>(3, best_of_.size()); ++k) {
+      if (!(best_of_[k].depth > -1)) continue;
+      const Place top = climb(best_of_[k]);
+      if (top.depth > best.depth_mm) best = {top.depth, top.t, point(top)};
+    }
+    return best;
+  }
+
+ private:
+  using Triangle = std::array<Vec3, 3>;
+  struct Piece {
+    Triangle corners;
+    Vec3 middle;
+    double radius = 0;
+  };
+  struct Place {
+    double depth = -1e300;
+    double t = 0;
+    std::size_t piece = 0;
+    double u = 0, v = 0;  ///< point = a + u (b - a) + v (c - a)
+  };
+  struct Cut {
+    double promise = 0;
+    std::size_t piece = 0;
+    std::array<Vec2, 3> uv;
+    bool operator<(const Cut& other) const { return promise < other.promise; }
+  };
+
+  [[nodiscard]] Box3 swept_box() const {
+    Box3 box;
+    for (const Pose& pose : {from_, to_}) {
+      box.extend(pose.tip);
+      box.extend(Vec3(pose.tip + tool_.top_mm() * pose.axis));
+    }
+    // The axis between two instants leaves the hull of its ends by the height of the arc.
+    const double more = tool_.widest_mm() + tool_.top_mm() * (1 - std::cos(turn_ / 2));
+    return Box3(box.min() - Vec3::Constant(more), box.max() + Vec3::Constant(more));
+  }
+
+  void add(const Triangle& t, const Box3& reach) {
+    Box3 box(t[0]);
+    box.extend(t[1]);
+    box.extend(t[2]);
+    if (!box.intersects(reach)) return;
+    Piece piece{t, (t[0] + t[1] + t[2]) / 3.0, 0};
+    for (const Vec3& c : t) piece.radius = std::max(piece.radius, (c - piece.middle).norm());
+    pieces_.push_back(piece);
+  }
+
+  // How far a point can move against the tool between two instants `share` of the move apart.
+  [[nodiscard]] double way(const Vec3& p, double share) const {
+    const double far = std::max((p - from_.tip).norm(), (p - to_.tip).norm());
+    return share * ((to_.tip - from_.tip).norm() + turn_ * far);
+  }
+
+  void narrow(int first, int last, const std::vector<std::size_t>& candidates) {
+    const double middle = 0.5 * (first + last) / effort_.steps;
+    const double share = 0.5 * (last - first) / effort_.steps;
+    const Pose pose = pose_at(from_, to_, middle);
+    std::vector<std::size_t> left;
+    for (const std::size_t i : candidates) {
+      const Piece& p = pieces_[i];
+      if (tool_.depth(pose, p.middle) + p.radius + way(p.middle, share) > mark_ - 0.002) left.push_back(i);
+    }
+    if (left.empty()) return;
+    if (first == last) return look(first, left);
+    const int cut = (first + last) / 2;
+    narrow(first, cut, left);
+    narrow(cut + 1, last, left);
+  }
+
+  [[nodiscard]] Vec3 point(const Place& p) const {
+    const Triangle& t = pieces_[p.piece].corners;
+    return t[0] + p.u * (t[1] - t[0]) + p.v * (t[2] - t[0]);
+  }
+
+  double try_place(const Pose& pose, double t, std::size_t piece, const Vec2& uv, Place& best) const {
+    Place place{0, t, piece, uv.x(), uv.y()};
+    place.depth = tool_.depth(pose, point(place));
+    if (place.depth > best.depth) best = place;
+    return place.depth;
+  }
+
+  void look(int step, const std::vector<std::size_t>& candidates) {
+    const double t = static_cast<double>(step) / effort_.steps;
+    const Pose pose = pose_at(from_, to_, t);
+    Place& best = best_of_[static_cast<std::size_t>(step)];
+    std::priority_queue<Cut> open;
+    for (const std::size_t i : candidates) promise(pose, t, i, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}, best, open);
+    for (int looks = 0; looks < effort_.looks && !open.empty(); ++looks) {
+      const Cut cut = open.top();
+      open.pop();
+      if (cut.promise <= std::max(mark_, best.depth) + effort_.accuracy_mm) return;
+      const Vec2 ab = 0.5 * (cut.uv[0] + cut.uv[1]), bc = 0.5 * (cut.uv[1] + cut.uv[2]), ca = 0.5 * (cut.uv[2] + cut.uv[0]);
+      promise(pose, t, cut.piece, {ab, bc, ca}, best, open);
+      promise(pose, t, cut.piece, {cut.uv[0], ab, ca}, best, open);
+      promise(pose, t, cut.piece, {ab, cut.uv[1], bc}, best, open);
+      promise(pose, t, cut.piece, {ca, bc, cut.uv[2]}, best, open);
+    }
+  }
+
+  void promise(const Pose& pose, double t, std::size_t piece, const std::array<Vec2, 3>& uv, Place& best,
+               std::priority_queue<Cut>& open) const {
+    const Vec2 middle = (uv[0] + uv[1] + uv[2]) / 3.0;
+    const double here = try_place(pose, t, piece, middle, best);
+    for (const Vec2& corner : uv) try_place(pose, t, piece, corner, best);
+    // The pieces of a triangle quartered k times are 2^k times smaller than it.
+    const double scale = std::max((uv[1] - uv[0]).cwiseAbs().maxCoeff(), (uv[2] - uv[0]).cwiseAbs().maxCoeff());
+    open.push({here + scale * pieces_[piece].radius, piece, uv});
+  }
+
+  // From a sample to the top of its hill, over the triangle and over time.
+  [[nodiscard]] Place climb(Place best) const {
+    double step = 1.0 / effort_.steps, size = 0.1;
+    for (int round = 0; round < 60 && step > 1e-12; ++round) {
+      const Place from = best;
+      for (int k = 0; k < 27; ++k) {
+        Place next = from;
+        next.t = std::clamp(from.t + (k % 3 - 1) * step, 0.0, 1.0);
+        next.u = std::clamp(from.u + (k / 3 % 3 - 1) * size, 0.0, 1.0);
+        next.v = std::clamp(from.v + (k / 9 - 1) * size, 0.0, 1.0 - next.u);
+        next.depth = tool_.depth(pose_at(from_, to_, next.t), point(next));
+        if (next.depth > best.depth) best = next;
+      }
+      if (best.depth > from.depth) continue;
+      step /= 2;
+      size /= 2;
+    }
+    return best;
+  }
+
+  const Contour& tool_;
+  Pose from_, to_;
+  Effort effort_;
+  double turn_ = 0, mark_ = 0;
+  std::vector<Piece> pieces_;
+  std::vector<Place> best_of_;
+};
+
+/// The deepest point of parts and fixtures in a move, as far as it can be found.
+inline Found deepest(const Contour& against_part, const Contour& against_fixture, const Pose& from, const Pose& to,
+                     const Scene& scene, double mark_mm, const Effort& effort = {}) {
+  const Found part = Search(against_part, from, to, scene.parts, effort).run(mark_mm);
+  const Found fixture = Search(against_fixture, from, to, scene.fixtures, effort).run(std::max(mark_mm, part.depth_mm));
+  return fixture.depth_mm > part.depth_mm ? fixture : part;
+}
+
+}  // namespace gouge::reference
