@@ -4,32 +4,15 @@
 
 #include <cstring>
 
+#include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
 namespace gouge {
 namespace {
 
-Pose upright(double x, double y, double z) {
-  return {Vec3(x, y, z), Vec3::UnitZ()};
-}
-
-/// A path of feed moves through the given positions with one tool.
-Toolpath path_through(const std::vector<Pose>& poses, MoveKind kind = MoveKind::feed) {
-  Toolpath path;
-  path.file = "test.apt";
-  path.tools.resize(1);
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    Move move;
-    move.kind = kind;
-    move.line = i + 1;
-    if (i > 0) move.start = poses[i - 1];
-    move.end = poses[i];
-    move.tool = 0;
-    path.moves.push_back(move);
-  }
-  return path;
-}
+using paths::through;
+using paths::upright;
 
 CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scene,
                   CheckOptions options = {}) {
@@ -37,7 +20,7 @@ CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scen
 }
 
 TEST(CheckPath, EveryMoveHasOneStateAndTheCountsAddUp) {
-  Toolpath path = path_through({upright(0, 0, 5), upright(5, 0, 5), upright(5, 0, -1), upright(5, 0, 5)});
+  Toolpath path = through({upright(0, 0, 5), upright(5, 0, 5), upright(5, 0, -1), upright(5, 0, 5)});
   path.moves[1].not_checked_reason = "an arc";
   const CheckResult r = check(path, tools::ball(), {{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}});
   EXPECT_EQ(r.verdicts[0].state, MoveState::clean);
@@ -53,14 +36,14 @@ TEST(CheckPath, EveryMoveHasOneStateAndTheCountsAddUp) {
 
 TEST(CheckPath, ABuriedToolIsNeverClean) {
   const Scene scene{{shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500))}, {}};
-  const CheckResult r = check(path_through({upright(0, 0, 0), upright(20, 0, 0)}), tools::ball(), scene);
+  const CheckResult r = check(through({upright(0, 0, 0), upright(20, 0, 0)}), tools::ball(), scene);
   EXPECT_EQ(r.counts.buried, 2U);
   EXPECT_EQ(r.events.size(), 1U);
 }
 
 TEST(CheckPath, ABuriedToolIsSeenInAnInsideOutSolidAndInAFixture) {
   const IndexedMesh block = shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500));
-  const Toolpath path = path_through({upright(0, 0, 0), upright(20, 0, 0)});
+  const Toolpath path = through({upright(0, 0, 0), upright(20, 0, 0)});
   EXPECT_EQ(check(path, tools::ball(), {{shapes::inside_out(block)}, {}}).counts.buried, 2U);
   EXPECT_EQ(
       check(path, tools::ball(), {{shapes::moved(shapes::cube(1), Vec3(-400, 0, 0))}, {block}}).counts.buried,
@@ -70,7 +53,7 @@ TEST(CheckPath, ABuriedToolIsSeenInAnInsideOutSolidAndInAFixture) {
 TEST(CheckPath, AToleranceAsLargeAsTheCutterNeverMakesAPlungeClean) {
   const Scene scene{{shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 0))}, {}};
   const ToolForms needle = make_tool_forms({1, "needle", BallCutter{0.1, 50}, {}, {}}, 0, 0, 0).value();
-  const Toolpath path = path_through({upright(0, 0, 5), upright(0, 0, -60), upright(3, 0, -60)});
+  const Toolpath path = through({upright(0, 0, 5), upright(0, 0, -60), upright(3, 0, -60)});
   CheckOptions options;
   options.tolerance_mm = 0.06;
   const CheckResult r = check(path, needle, scene, options);
@@ -87,7 +70,7 @@ TEST(CheckPath, AnOpenMeshTellsABuriedToolOrSaysThatItCannot) {
   IndexedMesh open = shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500));
   open.triangles.pop_back();
   open.file_triangle.pop_back();
-  const Toolpath path = path_through({upright(0, 0, -400)});
+  const Toolpath path = through({upright(0, 0, -400)});
   EXPECT_EQ(check(path, tools::ball(), {{open}, {}}).counts.buried, 1U);
   IndexedMesh half = open;
   half.triangles.resize(6);
@@ -100,13 +83,13 @@ TEST(CheckPath, AToolInACavityOrBesideTheSolidIsNotBuried) {
   const IndexedMesh hollow =
       shapes::joined(shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500)),
                      shapes::inside_out(shapes::box(Vec3(-90, -90, -190), Vec3(90, 90, 190))));
-  EXPECT_EQ(check(path_through({upright(0, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
-  EXPECT_EQ(check(path_through({upright(700, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
+  EXPECT_EQ(check(through({upright(0, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
+  EXPECT_EQ(check(through({upright(700, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
 }
 
 TEST(CheckPath, RapidsAreCheckedAndCanBeSkippedButNeverCalledClean) {
   const Scene scene{{shapes::box(Vec3(-1, -50, 0), Vec3(1, 50, 20))}, {}};
-  const Toolpath path = path_through({upright(-20, 0, 10), upright(20, 0, 10)}, MoveKind::rapid);
+  const Toolpath path = through({upright(-20, 0, 10), upright(20, 0, 10)}, MoveKind::rapid);
   EXPECT_EQ(check(path, tools::ball(), scene).counts.gouge, 1U);
   CheckOptions skip;
   skip.rapid = RapidMode::skip;
@@ -118,7 +101,7 @@ TEST(CheckPath, RapidsAreCheckedAndCanBeSkippedButNeverCalledClean) {
 TEST(CheckPath, ADoglegRapidMeetsWhatTheStraightLineMisses) {
   // From (0,0) to (40,10): the straight line passes below the post at (10, 9.5), the dogleg through it.
   const Scene scene{{shapes::box(Vec3(9.9, 9.9, 0), Vec3(10.1, 10.1, 20))}, {}};
-  const Toolpath path = path_through({upright(0, 0, 10), upright(40, 10, 10)}, MoveKind::rapid);
+  const Toolpath path = through({upright(0, 0, 10), upright(40, 10, 10)}, MoveKind::rapid);
   CheckOptions options;
   EXPECT_EQ(check(path, tools::ball(4), scene, options).counts.gouge, 0U);
   options.rapid = RapidMode::dogleg;
@@ -127,7 +110,7 @@ TEST(CheckPath, ADoglegRapidMeetsWhatTheStraightLineMisses) {
 
 TEST(CheckPath, FixturesAreCheckedAndNamed) {
   const Scene scene{{shapes::cube(1)}, {shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}};
-  const CheckResult r = check(path_through({upright(20, 0, -0.5)}), tools::flat(), scene);
+  const CheckResult r = check(through({upright(20, 0, -0.5)}), tools::flat(), scene);
   ASSERT_EQ(r.counts.gouge, 1U);
   EXPECT_EQ(r.verdicts[0].witness->against, Against::fixture);
 }
@@ -135,7 +118,7 @@ TEST(CheckPath, FixturesAreCheckedAndNamed) {
 TEST(CheckPath, StockToLeaveCountsAgainstThePartAloneNotTheFixture) {
   const IndexedMesh block = shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0));
   const ToolForms grown = tools::forms(tools::assembly(FlatCutter{10, 30}), 0.3, 0, 0);
-  const Toolpath path = path_through({upright(0, 0, 0.1)});
+  const Toolpath path = through({upright(0, 0, 0.1)});
   const CheckResult part = check(path, grown, {{block}, {}});
   ASSERT_EQ(part.counts.gouge, 1U);
   EXPECT_NEAR(part.verdicts[0].depth_mm, 0.2, 0.001);
@@ -144,7 +127,7 @@ TEST(CheckPath, StockToLeaveCountsAgainstThePartAloneNotTheFixture) {
 }
 
 TEST(CheckPath, WithoutAToolNothingIsClean) {
-  Toolpath path = path_through({upright(0, 0, 50)});
+  Toolpath path = through({upright(0, 0, 50)});
   const Scene scene{{shapes::cube()}, {}};
   EXPECT_EQ(check_path(path, {nullptr}, prepare_scene(scene), {}).counts.not_checked, 1U);
   path.moves[0].tool = kNone;
@@ -157,7 +140,7 @@ TEST(CheckPath, ThreadsDoNotChangeABit) {
     poses.push_back({Vec3(0.1 * i - 30, std::sin(0.05 * i) * 10, 9.9 + 0.3 * std::sin(0.3 * i)),
                      Vec3(0.2 * std::sin(0.02 * i), 0.1, 1).normalized()});
   }
-  const Toolpath path = path_through(poses);
+  const Toolpath path = through(poses);
   const Scene scene{{shapes::sphere(12, 40, 80)}, {}};
   CheckOptions one, two;
   one.threads = 1;
@@ -179,8 +162,8 @@ TEST(CheckPath, TheReversedPathHasTheSameGouges) {
   for (int i = 0; i < 200; ++i) poses.push_back(upright(0.3 * i - 30, 2, 11.8 + 0.4 * std::sin(0.3 * i)));
   std::vector<Pose> back(poses.rbegin(), poses.rend());
   const Scene scene{{shapes::sphere(12, 40, 80)}, {}};
-  const CheckResult a = check(path_through(poses), tools::flat(), scene);
-  const CheckResult b = check(path_through(back), tools::flat(), scene);
+  const CheckResult a = check(through(poses), tools::flat(), scene);
+  const CheckResult b = check(through(back), tools::flat(), scene);
   EXPECT_GT(a.counts.gouge, 0U);
   for (std::size_t i = 1; i < poses.size(); ++i) {
     EXPECT_NEAR(a.verdicts[i].depth_mm, b.verdicts[poses.size() - i].depth_mm, 0.0011) << i;
