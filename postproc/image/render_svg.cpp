@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "lib/base/number_text.h"
+#include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
@@ -31,32 +32,6 @@ std::string hex_colour(const Colour& c) {
 std::string opacity(std::string_view attribute, const Colour& c) {
   if (c.opacity >= 1) return {};
   return " " + std::string(attribute) + "=\"" + number(std::max(c.opacity, 0.0)) + "\"";
-}
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20)
-          out += c;  // XML 1.0 has no other control characters
-        else
-          out += ' ';
-    }
-  }
-  return out;
 }
 
 std::string point_list(const std::vector<Vec2>& points) {
@@ -99,7 +74,7 @@ struct SvgPainter {
       out += " text-anchor=\"" + std::string(kAnchors[static_cast<std::size_t>(text.anchor)]) + "\"";
     }
     if (text.is_bold) out += " font-weight=\"bold\"";
-    out += ">" + escaped(text.text) + "</text>\n";
+    out += ">" + xml_escaped(text.text) + "</text>\n";
   }
 };
 
