@@ -74,7 +74,7 @@ void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& 
                          move.start && is_same(*move.start, toolpath.moves[i - 1].end);
     is_chained = is_core_free;
     if (!is_checked || (verdict.state == MoveState::gouge && !is_core_free)) continue;
-    if (!goes_on) state = marker.at(motion_of(move, options.rapid).start(), tools[move.tool]->bare);
+    if (!goes_on) state = marker.at(motion_of(toolpath, move, options.rapid).start(), tools[move.tool]->bare);
     if (verdict.state == MoveState::gouge || (state == Inside::no && is_core_free)) continue;
     verdict.state = state == Inside::yes ? MoveState::buried : MoveState::not_certified;
     verdict.reason = state == Inside::yes ? kBuried : state == Inside::unknown ? kOpenMesh : kThinCutter;

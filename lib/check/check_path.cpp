@@ -29,7 +29,7 @@ class PathChecker {
     if (move.tool == kNone) return not_checked("no tool is defined before this move");
     if (tools_[move.tool] == nullptr) return not_checked("the tool has no definition");
     if (move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip) return not_checked(kSkippedRapid);
-    const Motion motion = motion_of(move, options_.rapid);
+    const Motion motion = motion_of(toolpath_, move, options_.rapid);
     if (!motion.is_defined()) return not_checked("the axis turns by 180 degrees: its way is not defined");
     return check_move(motion, move.kind, *tools_[move.tool], scene_, options_, bounds);
   }
@@ -90,8 +90,10 @@ bool is_worse(const MoveVerdict& a, const MoveVerdict& b) {
 
 }  // namespace
 
-Motion motion_of(const Move& move, RapidMode rapid) {
+Motion motion_of(const Toolpath& toolpath, const Move& move, RapidMode rapid) {
   if (!move.start) return Motion(move.end);
+  if (move.curve_kind == CurveKind::arc) return Motion(*move.start, move.end, toolpath.arcs[move.curve]);
+  if (move.curve_kind == CurveKind::spline) return Motion(*move.start, move.end, toolpath.splines[move.curve]);
   return Motion(*move.start, move.end, move.kind == MoveKind::rapid && rapid == RapidMode::dogleg);
 }
 

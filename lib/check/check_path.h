@@ -29,7 +29,7 @@ using ProgressCall = std::function<void(std::size_t done, std::size_t total)>;
 [[nodiscard]] std::vector<Event> gather_events(const Toolpath& toolpath,
                                                const std::vector<MoveVerdict>& verdicts);
 
-/// The motion of a move, in the mode the options ask for rapids.
-[[nodiscard]] Motion motion_of(const Move& move, RapidMode rapid);
+/// The motion of a move of `toolpath`, along its arc or spline where it has one; rapids in the mode asked for.
+[[nodiscard]] Motion motion_of(const Toolpath& toolpath, const Move& move, RapidMode rapid);
 
 }  // namespace gouge

@@ -53,19 +53,91 @@ Motion::Motion(const Pose& start, const Pose& end, bool is_dogleg) : start_(star
   }
 }
 
+Vec3 Motion::Turn::at(double t) const {
+  const double turned = sweep * t;
+  return center + (r0 + dr * t) * (std::cos(turned) * e1 + std::sin(turned) * e2) + (h0 + dh * t) * axis +
+         t * rest;
+}
+
+Motion::Motion(const Pose& start, const Pose& end, const PathArc& arc) : Motion(start, end) {
+  curve_ = CurveKind::arc;
+  const Vec3 from = start.tip - arc.center, to = end.tip - arc.center;
+  turn_.center = arc.center;
+  turn_.axis = arc.axis;
+  turn_.sweep = arc.sweep_rad;
+  turn_.h0 = from.dot(arc.axis);
+  turn_.dh = to.dot(arc.axis) - turn_.h0;
+  const Vec3 radial = from - turn_.h0 * arc.axis;
+  turn_.r0 = radial.norm();
+  turn_.dr = (to - to.dot(arc.axis) * arc.axis).norm() - turn_.r0;
+  turn_.e1 = turn_.r0 > 0 ? Vec3(radial / turn_.r0) : arc.axis.unitOrthogonal();
+  turn_.e2 = arc.axis.cross(turn_.e1);
+  turn_.rest = end.tip - turn_.at(1);
+}
+
+Motion::Motion(const Pose& start, const Pose& end, const PathSpline& spline) : Motion(start, end) {
+  curve_ = CurveKind::spline;
+  pieces_ = spline.pieces;
+  pieces_.front().control.front() = start.tip;
+  pieces_.back().control.back() = end.tip;
+  stretches_.clear();
+  for (const SplinePiece& piece : pieces_)
+    stretches_.push_back({piece.u0, piece.u1, piece.control.front(), piece.control.back()});
+}
+
 Motion::Motion(const Pose& alone) : Motion(alone, alone) {
   is_alone_ = true;
+}
+
+Vec3 Motion::tip_at(double t, std::uint32_t stretch) const {
+  const TipStretch& way = stretches_[stretch];
+  if (t >= way.t1) return way.tip1;
+  if (t <= way.t0) return way.tip0;
+  if (curve_ == CurveKind::arc) return turn_.at(t);
+  if (curve_ == CurveKind::spline) return pieces_[stretch].at(t);
+  return way.tip0 + (t - way.t0) / (way.t1 - way.t0) * (way.tip1 - way.tip0);
+}
+
+double Motion::way_mm(double t0, double t1, std::uint32_t stretch) const {
+  const TipStretch& way = stretches_[stretch];
+  switch (curve_) {
+    case CurveKind::none:
+      return (way.tip1 - way.tip0).norm() * (t1 - t0) / (way.t1 - way.t0);
+    case CurveKind::arc: {
+      const double around = std::abs(turn_.sweep) * turn_.largest_radius();
+      return (t1 - t0) *
+             (std::sqrt(around * around + turn_.dh * turn_.dh) + std::abs(turn_.dr) + turn_.rest.norm());
+    }
+    case CurveKind::spline:
+      break;
+  }
+  return (t1 - t0) * pieces_[stretch].largest_speed();
+}
+
+double Motion::sag_mm(double t0, double t1, std::uint32_t stretch) const {
+  const double h = t1 - t0;
+  switch (curve_) {
+    case CurveKind::none:
+      return 0;
+    case CurveKind::arc: {
+      const double turned = std::abs(turn_.sweep) * h;
+      const double radius = turn_.largest_radius();
+      return std::min(2 * radius, turned * (radius * turned + 2 * std::abs(turn_.dr) * h) / 8);
+    }
+    case CurveKind::spline:
+      break;
+  }
+  return pieces_[stretch].largest_second_derivative() * h * h / 8;
 }
 
 Pose Motion::at(double t) const {
   if (t <= 0) return start_;
   if (t >= 1) return end_;
-  const auto stretch =
-      std::find_if(stretches_.begin(), stretches_.end() - 1, [t](const TipStretch& s) { return t <= s.t1; });
-  const double s = (t - stretch->t0) / (stretch->t1 - stretch->t0);
+  const auto stretch = std::lower_bound(stretches_.begin(), stretches_.end() - 1, t,
+                                        [](const TipStretch& s, double instant) { return s.t1 < instant; });
   const double turned = angle_ * t;
   return {
-      stretch->tip0 + s * (stretch->tip1 - stretch->tip0),
+      tip_at(t, static_cast<std::uint32_t>(stretch - stretches_.begin())),
       (std::cos(turned) * start_.axis + std::sin(turned) * rotation_axis_.cross(start_.axis)).normalized()};
 }
 

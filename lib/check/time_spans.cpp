@@ -33,12 +33,10 @@ std::uint32_t TimeSpans::halve(std::uint32_t index) {
 }
 
 ToolFrame TimeSpans::frame_at(double t, std::uint32_t stretch) const {
-  const TipStretch& way = motion_.stretches()[stretch];
   const Vec3& start_axis = motion_.start().axis;
   const Vec3& turn_axis = motion_.rotation_axis();
   ToolFrame frame;
-  frame.tip =
-      t >= way.t1 ? way.tip1 : Vec3(way.tip0 + (t - way.t0) / (way.t1 - way.t0) * (way.tip1 - way.tip0));
+  frame.tip = motion_.tip_at(t, stretch);
   const double turned = motion_.angle_rad() * t;
   const Vec3 axis = std::cos(turned) * start_axis + std::sin(turned) * turn_axis.cross(start_axis);
   frame.rows.row(0) = turn_axis;
@@ -48,7 +46,6 @@ ToolFrame TimeSpans::frame_at(double t, std::uint32_t stretch) const {
 }
 
 TimeSpan TimeSpans::make(double t0, double t1, std::uint32_t stretch) const {
-  const TipStretch& way = motion_.stretches()[stretch];
   TimeSpan span;
   span.t0 = t0;
   span.t1 = t1;
@@ -56,7 +53,8 @@ TimeSpan TimeSpans::make(double t0, double t1, std::uint32_t stretch) const {
   span.f0 = frame_at(t0, stretch);
   span.f1 = frame_at(t1, stretch);
   span.tip_middle = 0.5 * (span.f0.tip + span.f1.tip);
-  span.tip_way_mm = (way.tip1 - way.tip0).norm() * (t1 - t0) / (way.t1 - way.t0);
+  span.tip_way_mm = motion_.way_mm(t0, t1, stretch);
+  span.sag_mm = motion_.sag_mm(t0, t1, stretch);
   span.turn_rad = motion_.angle_rad() * (t1 - t0);
   return span;
 }

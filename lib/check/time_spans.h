@@ -17,12 +17,13 @@ struct ToolFrame {
   [[nodiscard]] Vec3 to_tool(const Vec3& p_part) const { return rows * (p_part - tip); }
 };
 
-/// A part of a move during which the tip runs straight at constant speed.
+/// A part of a move within one of its stretches.
 struct TimeSpan {
   double t0 = 0, t1 = 0;
   ToolFrame f0, f1;
   Vec3 tip_middle = Vec3::Zero();
-  double tip_way_mm = 0;  ///< length of the tip's way over the span
+  double tip_way_mm = 0;  ///< the tip's way over the span is no longer (a straight one is just as long)
+  double sag_mm = 0;      ///< how far the tip may be from where it would be on the straight chord
   double turn_rad = 0;    ///< rotation over the span
   std::uint32_t stretch = 0;
   std::int32_t children = -1;  ///< first of two, once halved
@@ -31,7 +32,7 @@ struct TimeSpan {
   /// chord between its places at the two ends, in tool coordinates. Proof:
   /// docs/algorithms/certified_sweep.md.
   [[nodiscard]] double bulge_mm(double distance_mm) const {
-    return (2 * turn_rad * tip_way_mm + turn_rad * turn_rad * (distance_mm + 0.5 * tip_way_mm)) / 8;
+    return (2 * turn_rad * tip_way_mm + turn_rad * turn_rad * (distance_mm + 0.5 * tip_way_mm)) / 8 + sag_mm;
   }
 };
 

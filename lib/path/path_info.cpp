@@ -14,7 +14,16 @@ AxisKey key_of(const Vec3& axis) {
   return {axis.x() + 0.0, axis.y() + 0.0, axis.z() + 0.0};
 }
 
-void count_motion(const Move& move, std::size_t index, PathInfo& info) {
+double length_of(const Toolpath& path, const Move& move) {
+  if (move.curve_kind == CurveKind::arc) {
+    return arc_length_mm(path.arcs[move.curve], move.start->tip, move.end.tip);
+  }
+  if (move.curve_kind == CurveKind::spline) return spline_length_mm(path.splines[move.curve]);
+  return (move.end.tip - move.start->tip).norm();
+}
+
+void count_motion(const Toolpath& path, std::size_t index, PathInfo& info) {
+  const Move& move = path.moves[index];
   if (!move.start) {
     ++info.alone;
     return;
@@ -24,8 +33,9 @@ void count_motion(const Move& move, std::size_t index, PathInfo& info) {
     info.largest_turn_deg = turn;
     info.largest_turn_move = index;
   }
-  const double length = (move.end.tip - move.start->tip).norm();
-  if (move.kind == MoveKind::feed) info.feed_length_mm += length;
+  const double length = length_of(path, move);
+  const bool is_curve = move.curve_kind != CurveKind::none;
+  if (move.kind == MoveKind::feed || is_curve) info.feed_length_mm += length;
   if (move.kind == MoveKind::rapid) info.rapid_length_mm += length;
 }
 
@@ -46,7 +56,7 @@ PathInfo describe_path(const Toolpath& path) {
     info.box.extend(move.end.tip);
     const AxisKey key = key_of(move.end.axis);
     if (axes.empty() || axes.back() != key) axes.push_back(key);
-    count_motion(move, i, info);
+    count_motion(path, i, info);
     if (!move.not_checked_reason.empty()) ++info.not_checkable[move.not_checked_reason];
     if (move.tool == kNone) {
       ++info.moves_without_tool;

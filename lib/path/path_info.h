@@ -21,7 +21,7 @@ struct PathInfo {
   std::size_t orientations = 0;                ///< distinct tool axes
   double largest_turn_deg = 0;                 ///< largest change of the axis in one move
   std::size_t largest_turn_move = kNone;
-  double feed_length_mm = 0, rapid_length_mm = 0;    ///< straight lengths of feed and rapid moves
+  double feed_length_mm = 0, rapid_length_mm = 0;    ///< of feed and arc moves along their ways, and of rapids
   std::map<std::string, std::size_t> not_checkable;  ///< reason -> moves
   std::vector<std::size_t> moves_of_tool;            ///< one entry per Toolpath::tools
   std::vector<std::size_t> moves_of_operation;       ///< one entry per Toolpath::operations

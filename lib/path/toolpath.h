@@ -12,6 +12,7 @@
 #include "lib/base/units.h"
 #include "lib/geom/pose.h"
 #include "lib/geom/rigid_transform.h"
+#include "lib/path/curve.h"
 
 // The neutral toolpath: what a cutter-location file says, free of any dialect, in mm and part coordinates,
 // every move remembering the source line its statement begins on. Readers and writers: postproc/cldata.
@@ -50,6 +51,8 @@ inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 /// of a block, or after a motion whose end is unknown.
 struct Move {
   MoveKind kind = MoveKind::feed;
+  CurveKind curve_kind = CurveKind::none;  ///< none: the tip runs straight
+  std::uint32_t curve = 0;                 ///< index into Toolpath::arcs or ::splines
   std::size_t line = 0;            ///< where its statement begins, counted from 1
   std::size_t statement = kNone;   ///< index into Toolpath::statements
   std::size_t point_in_statement = 0;  ///< a GOTO may hold several positions
@@ -58,7 +61,7 @@ struct Move {
   std::size_t tool = kNone;        ///< index into Toolpath::tools; kNone: no tool named yet
   std::size_t operation = kNone;   ///< index into Toolpath::operations
   double feed_mm_per_min = 0;      ///< 0: rapid or not given
-  std::string not_checked_reason;  ///< not empty: why this motion cannot be checked (arc, cycle, unknown start)
+  std::string not_checked_reason;  ///< not empty: why this motion cannot be checked
 };
 
 /// A logical statement and the bytes it spans, line end included, so that a writer can leave it untouched.
@@ -77,6 +80,8 @@ struct Toolpath {
   std::vector<PathTool> tools;
   std::vector<Operation> operations;
   std::vector<Move> moves;
+  std::vector<PathArc> arcs;        ///< of moves whose curve_kind is arc
+  std::vector<PathSpline> splines;  ///< of moves whose curve_kind is spline
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; told to the user
   Diagnostics notes;     ///< warnings and notes of reading; errors make reading fail instead
 };

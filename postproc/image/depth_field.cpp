@@ -25,8 +25,10 @@ double signed_distance(const CompiledTool& tool, const Pose& pose, const Vec3& p
 std::size_t instants_of(const Motion& motion, const CompiledTool& tool, double depth_mm) {
   // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
-  const double travel = (motion.end().tip - motion.start().tip).norm() +
-                        std::abs(motion.angle_rad()) * 0.5 * (tool.z_max_mm - tool.z_min_mm);
+  double travel = 0;
+  for (std::uint32_t s = 0; s < motion.stretches().size(); ++s)
+    travel += motion.way_mm(motion.stretches()[s].t0, motion.stretches()[s].t1, s);
+  travel += std::abs(motion.angle_rad()) * 0.5 * (tool.z_max_mm - tool.z_min_mm);
   const double step = std::max(std::sqrt(8 * reach * 0.01 * std::max(depth_mm, 1e-3)), 0.02 * reach);
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
 }
@@ -69,7 +71,7 @@ void DepthField::add_move(const PictureInput& input, std::size_t index, double d
   const Move& move = input.toolpath->moves[index];
   if (move.tool >= input.tools.size() || input.tools[move.tool] == nullptr) return;
   const ToolForms* forms = input.tools[move.tool];
-  const Motion motion = motion_of(move, input.options.rapid);
+  const Motion motion = motion_of(*input.toolpath, move, input.options.rapid);
   if (!motion.is_defined()) return;
   const MoveVerdict& verdict = input.result->verdicts[index];
   if (verdict.witness) poses_.push_back({motion.at(verdict.witness->t), forms});
