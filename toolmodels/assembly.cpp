@@ -1,6 +1,6 @@
 #include "toolmodels/assembly.h"
 
-#include "toolmodels/envelope.h"
+#include "toolmodels/unite.h"
 
 namespace gouge {
 namespace {
@@ -67,7 +67,9 @@ Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool) {
 Result<Profile> make_profile(const ToolAssembly& tool) {
   const Result<BodyProfiles> bodies = make_body_profiles(tool);
   if (!bodies) return bodies.error();
-  return unite({{&(*bodies)[0], 0}, {&(*bodies)[1], 0}, {&(*bodies)[2], 0}});
+  Result<Profile> united = unite({{&(*bodies)[0], 0}, {&(*bodies)[1], 0}, {&(*bodies)[2], 0}});
+  if (!united) return within(tool, "bodies", united.error());
+  return united;
 }
 
 }  // namespace gouge

@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "lib/tool/evaluate.h"
 #include "toolmodels/bsp.h"
 #include "toolmodels/elements.h"
-#include "toolmodels/envelope.h"
+#include "toolmodels/unite.h"
 
 namespace gouge {
 namespace {
+
+double cross(const Vec2& u, const Vec2& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
 
 void set_extent(CompiledTool& tool) {
   tool.z_min_mm = tool.z_max_mm = tool.elements.front().a.y();
@@ -18,9 +23,15 @@ void set_extent(CompiledTool& tool) {
     tool.z_min_mm = std::min({tool.z_min_mm, e.a.y(), e.b.y()});
     tool.z_max_mm = std::max({tool.z_max_mm, e.a.y(), e.b.y()});
     tool.r_max_mm = std::max({tool.r_max_mm, e.a.x(), e.b.x()});
-    const bool has_equator =
-        e.kind == ElementKind::arc && !e.is_reflex && (e.a.y() - e.center.y()) * (e.b.y() - e.center.y()) < 0;
-    if (has_equator) tool.r_max_mm = std::max(tool.r_max_mm, e.center.x() + e.radius_mm);
+    if (e.kind != ElementKind::arc) continue;
+    // An arc may reach beyond its ends: over its lowest, highest and widest point.
+    const auto reaches = [&](const Vec2& direction) {
+      const double turn = e.is_reflex ? -1 : 1;
+      return turn * cross(e.a - e.center, direction) > 0 && turn * cross(direction, e.b - e.center) > 0;
+    };
+    if (reaches({0, -1})) tool.z_min_mm = std::min(tool.z_min_mm, e.center.y() - e.radius_mm);
+    if (reaches({0, 1})) tool.z_max_mm = std::max(tool.z_max_mm, e.center.y() + e.radius_mm);
+    if (reaches({1, 0})) tool.r_max_mm = std::max(tool.r_max_mm, e.center.x() + e.radius_mm);
   }
 }
 
@@ -72,8 +83,12 @@ Result<ToolForms> make_tool_forms(const ToolAssembly& tool, double stock_to_leav
   if (!bodies) return bodies.error();
   const auto& [cutter, shank, holder] = *bodies;
   const Profile none;
+  std::optional<Diagnostic> error;
   const auto compiled = [&](const std::vector<GrownBody>& grown) {
-    return compile_tool(label(tool), unite(grown));
+    const Result<Profile> united = unite(grown);
+    if (united) return compile_tool(label(tool), *united);
+    error = united.error();
+    return CompiledTool{};
   };
   const GrownBody grown_shank{&shank, shank_clearance_mm};
   const GrownBody grown_holder{&holder, holder_clearance_mm};
@@ -87,6 +102,10 @@ Result<ToolForms> make_tool_forms(const ToolAssembly& tool, double stock_to_leav
   forms.with_clearance = compiled({{shank_clearance_mm > 0 ? &shank : &none, shank_clearance_mm},
                                    {holder_clearance_mm > 0 ? &holder : &none, holder_clearance_mm}});
   forms.non_cutting = compiled({grown_shank, grown_holder});
+  if (error) {
+    error->message = "tool " + label(tool) + ": " + error->message;
+    return *error;
+  }
   return forms;
 }
 

@@ -23,7 +23,7 @@ namespace gouge {
 /// All forms a check needs. Growth is rounded: the body's solid of revolution plus a ball.
 ///
 /// Requires  the three lengths are finite and >= 0.
-/// Errors    those of make_body_profiles.
+/// Errors    those of make_body_profiles, and of unite.
 [[nodiscard]] Result<ToolForms> make_tool_forms(const ToolAssembly& tool, double stock_to_leave_mm,
                                                 double shank_clearance_mm, double holder_clearance_mm);
 

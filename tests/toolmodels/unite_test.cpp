@@ -1,4 +1,4 @@
-#include "toolmodels/envelope.h"
+#include "toolmodels/unite.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ double outside_distance(const std::vector<CompiledTool>& bodies, const double (&
   return nearest;
 }
 
-TEST(Envelope, IsTheUnionOfTheGrownBodies) {
+TEST(Unite, IsTheUnionOfTheGrownBodies) {
   SplitMix64 random(3);
   for (const ToolAssembly& tool : test::sample_tools()) {
     const Result<BodyProfiles> profiles = make_body_profiles(tool);
@@ -37,7 +37,7 @@ TEST(Envelope, IsTheUnionOfTheGrownBodies) {
       bodies.push_back(compile_tool("", (*profiles)[i]));
       grown.push_back({&(*profiles)[i], kGrowths[i]});
     }
-    const Profile profile = unite(grown);
+    const Profile profile = unite(grown).value();
     EXPECT_EQ(verify_profile(profile), Strings{}) << tool.name;
     const CompiledTool whole = compile_tool("", profile);
     const double slack = 1e-9 * whole.z_max_mm;
@@ -54,7 +54,7 @@ TEST(Envelope, IsTheUnionOfTheGrownBodies) {
   }
 }
 
-TEST(Envelope, WithoutGrowthTheCornersAreTheGivenOnes) {
+TEST(Unite, WithoutGrowthTheCornersAreTheGivenOnes) {
   const Result<Profile> profile =
       make_profile(test::assembly("", FlatCutter{10, 30}, {{10, 10, 20}}, {{32, 40, 40}}));
   const std::vector<Vec2> expected{{0, 0}, {5, 0}, {5, 30}, {5, 50}, {16, 50}, {20, 90}, {0, 90}};
@@ -68,7 +68,7 @@ TEST(Envelope, WithoutGrowthTheCornersAreTheGivenOnes) {
   for (std::size_t i = 0; i < bodies.size(); ++i) EXPECT_EQ(profile->elements[i].body, bodies[i]) << i;
 }
 
-TEST(Envelope, SegmentsInOneLineAreOneElement) {
+TEST(Unite, SegmentsInOneLineAreOneElement) {
   const Result<Profile> split = make_profile(
       test::assembly("", FlatCutter{10, 30}, {{10, 10, 7}, {10, 10, 13}}, {{20, 30, 10}, {30, 40, 10}}));
   const Result<Profile> whole =
@@ -76,12 +76,12 @@ TEST(Envelope, SegmentsInOneLineAreOneElement) {
   EXPECT_EQ(split->elements.size(), whole->elements.size());
 }
 
-TEST(Envelope, GrownCylinderIsRoundedAtBothEnds) {
+TEST(Unite, GrownCylinderIsRoundedAtBothEnds) {
   Profile cylinder;
   cylinder.elements = {make_segment(Body::holder, {0, 10}, {8, 10}),
                        make_segment(Body::holder, {8, 10}, {8, 20}),
                        make_segment(Body::holder, {8, 20}, {0, 20})};
-  const Profile grown = unite({{&cylinder, 1.5}});
+  const Profile grown = unite({{&cylinder, 1.5}}).value();
   ASSERT_EQ(grown.elements.size(), 5u);
   EXPECT_EQ(grown.elements[0].b, Vec2(8, 8.5));
   EXPECT_TRUE(grown.elements[1].is_arc);
@@ -92,7 +92,7 @@ TEST(Envelope, GrownCylinderIsRoundedAtBothEnds) {
   EXPECT_EQ(grown.elements[3].b, Vec2(8, 21.5));
 }
 
-TEST(Envelope, AHolderGrownOverTheCutterTakesItsPlace) {
+TEST(Unite, AHolderGrownOverTheCutterTakesItsPlace) {
   const ToolAssembly tool = test::assembly("", FlatCutter{10, 5}, {}, {{30, 30, 20}});
   const Result<ToolForms> forms = make_tool_forms(tool, 0, 0, 6);
   EXPECT_EQ(forms->against_part.z_min_mm, -1);
@@ -100,7 +100,7 @@ TEST(Envelope, AHolderGrownOverTheCutterTakesItsPlace) {
   EXPECT_EQ(forms->bare.z_min_mm, 0);
 }
 
-TEST(Envelope, ConcaveFilletShrinksByTheGrowthAndThenVanishes) {
+TEST(Unite, ConcaveFilletShrinksByTheGrowthAndThenVanishes) {
   // Radius 4 below, radius 10 above, a fillet of radius 3 between.
   Profile body;
   body.elements = {make_segment(Body::shank, {0, 0}, {4, 0}),
@@ -113,7 +113,7 @@ TEST(Envelope, ConcaveFilletShrinksByTheGrowthAndThenVanishes) {
   const CompiledTool bare = compile_tool("", body);
   SplitMix64 random(5);
   for (const double growth : {1.0, 2.9, 3.0, 3.5}) {
-    const Profile grown = unite({{&body, growth}});
+    const Profile grown = unite({{&body, growth}}).value();
     EXPECT_EQ(verify_profile(grown), Strings{}) << growth;
     const CompiledTool tool = compile_tool("", grown);
     for (int k = 0; k < 5000; ++k) {

@@ -1,0 +1,87 @@
+#include "toolmodels/unite.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/tool/evaluate.h"
+#include "toolmodels/arrangement.h"
+#include "toolmodels/elements.h"
+#include "toolmodels/offset_curves.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kSlack = 1e-10;       // of the size: points closer than this are one
+constexpr double kSameCurve = 1e-12;   // of the size: lines and circles closer than this are one
+constexpr double kNudge = 3e-10;       // of the size: growth that breaks a tie no one can see
+
+// A body as the distances to it are asked.
+struct Solid {
+  CompiledTool tool;  // elements alone: no tree is needed
+  double growth_mm = 0;
+};
+
+bool continues(const ProfileElement& p, const ProfileElement& q, double slack) {
+  if (p.body != q.body || p.is_arc != q.is_arc) return false;
+  if (p.is_arc)
+    return p.is_concave == q.is_concave && (p.center - q.center).norm() <= slack &&
+           std::abs(p.radius_mm - q.radius_mm) <= slack;
+  const Vec2 along = start_direction(p);
+  const Vec2 beyond = q.b - p.a;
+  return along.dot(start_direction(q)) > 0 &&
+         std::abs(along.x() * beyond.y() - along.y() * beyond.x()) <= slack;
+}
+
+Profile merge_neighbours(const std::vector<ProfileElement>& elements, double slack) {
+  Profile merged;
+  for (const ProfileElement& e : elements) {
+    if (!merged.elements.empty() && continues(merged.elements.back(), e, slack))
+      merged.elements.back().b = e.b;
+    else
+      merged.elements.push_back(e);
+  }
+  return merged;
+}
+
+// Deeper than rounding in one of the grown bodies.
+bool is_covered(const Vec2& q, const std::vector<Solid>& solids, double slack) {
+  return std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) {
+    return evaluate_brute_force(solid.tool, q.x(), q.y()).signed_distance_mm < solid.growth_mm - slack;
+  });
+}
+
+std::optional<Profile> try_unite(const std::vector<GrownBody>& bodies, double size, double nudge) {
+  std::vector<ProfileElement> curves;
+  std::vector<Solid> solids;
+  for (const GrownBody& body : bodies) {
+    if (body.profile->elements.empty()) continue;
+    const double growth = body.growth_mm > 0 ? body.growth_mm + nudge : 0;
+    const std::vector<ProfileElement> more = detail::offset_curves(*body.profile, growth);
+    curves.insert(curves.end(), more.begin(), more.end());
+    solids.push_back({{}, growth});
+    solids.back().tool.elements = make_elements(*body.profile);
+  }
+  detail::Arrangement arrangement = detail::arrange(curves, kSlack * size);
+  std::erase_if(arrangement.pieces, [&](const detail::CurvePiece& piece) {
+    return is_covered(detail::middle(piece.curve), solids, 10 * kSlack * size);
+  });
+  const auto way = detail::outer_way(arrangement);
+  if (!way) return std::nullopt;
+  return merge_neighbours(*way, kSameCurve * size);
+}
+
+}  // namespace
+
+Result<Profile> unite(const std::vector<GrownBody>& bodies) {
+  double size = 0;
+  for (const GrownBody& body : bodies)
+    if (!body.profile->elements.empty()) size = std::max(size, size_of(*body.profile) + body.growth_mm);
+  if (!(size > 0)) return Profile{};
+  for (int attempt = 0; attempt < 4; ++attempt)
+    if (std::optional<Profile> made = try_unite(bodies, size, attempt * kNudge * size)) return *std::move(made);
+  return make_error("tool-not-closed",
+                    "its bodies do not join to one contour from the tip to the top; let each begin where the "
+                    "one below ends");
+}
+
+}  // namespace gouge
