@@ -189,8 +189,9 @@ class Builder {
     }
     cut.kind = CutKind::element_circle;
     cut.node.origin = f.center;
-    cut.node.c[0] = -f.sign * f.shift * f.shift;
-    cut.node.c[3] = cut.node.c[5] = f.sign;
+    cut.node.v0 = f.shift;
+    cut.node.square = -f.sign;
+    cut.node.round = f.sign;
     return cut;
   }
 

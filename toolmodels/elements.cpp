@@ -1,5 +1,6 @@
 #include "toolmodels/elements.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -7,8 +8,11 @@
 namespace gouge {
 namespace {
 
-// A turn below this is rounding: the wedge it leaves to no element changes no distance by 1e-12 of the size.
+// A turn at an arc below this is a tangency found to half the digits, as where a growing arc meets a line:
+// the joint is then put where it belongs. Between segments a joint is smooth only when it is straight.
 constexpr double kSmoothTurn = 1e-7;
+constexpr double kStraightTurn = 1e-12;
+constexpr double kLargestShift = 1e-3;  // of the shorter element, by which a joint may be put right
 constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
 
 double cross(const Vec2& u, const Vec2& v) {
@@ -29,9 +33,10 @@ BoundaryElement boundary(const ProfileElement& e) {
   return element;
 }
 
-std::optional<BoundaryElement> vertex(const Vec2& at, const Vec2& before, const Vec2& after, Body body) {
+std::optional<BoundaryElement> vertex(const Vec2& at, const Vec2& before, const Vec2& after, Body body,
+                                      double smooth_turn = kStraightTurn) {
   const double turn = cross(before, after);
-  if (std::abs(turn) <= kSmoothTurn && before.dot(after) > 0) return std::nullopt;
+  if (std::abs(turn) <= smooth_turn && before.dot(after) > 0) return std::nullopt;
   BoundaryElement element;
   element.kind = ElementKind::vertex;
   element.body = body;
@@ -61,6 +66,34 @@ Vec2 mirrored_travel(const Vec2& direction) {
   return {direction.x(), -direction.y()};
 }
 
+double length_of(const BoundaryElement& e) {
+  return (e.b - e.a).norm();
+}
+
+// Where two elements that join smoothly have one normal: on an arc beside a segment where the circle has the
+// segment's normal, between two arcs on the line of their centres.
+Vec2 place_of_joint(const BoundaryElement& e, const BoundaryElement& next) {
+  const BoundaryElement& arc = e.kind == ElementKind::arc ? e : next;
+  const BoundaryElement& other = e.kind == ElementKind::arc ? next : e;
+  Vec2 direction = other.normal;
+  if (other.kind == ElementKind::arc) direction = other.center - arc.center;
+  const double toward = direction.dot(e.b - arc.center) < 0 ? -1 : 1;
+  const double length = direction.norm();
+  return length > 0 ? Vec2(arc.center + toward * arc.radius_mm / length * direction) : e.b;
+}
+
+void put_smooth_joints_right(std::vector<BoundaryElement>& elements) {
+  for (std::size_t i = 0; i + 1 < elements.size(); ++i) {
+    BoundaryElement &e = elements[i], &next = elements[i + 1];
+    const bool is_smooth = e.kind != ElementKind::vertex && next.kind != ElementKind::vertex;
+    if (!is_smooth || (e.kind == ElementKind::segment && next.kind == ElementKind::segment)) continue;
+    const Vec2 place = place_of_joint(e, next);
+    const double shift = (place - e.b).norm();
+    if (place.x() < 0 || shift > kLargestShift * std::min(length_of(e), length_of(next))) continue;
+    e.b = next.a = place;
+  }
+}
+
 }  // namespace
 
 std::vector<BoundaryElement> make_elements(const Profile& profile) {
@@ -76,10 +109,13 @@ std::vector<BoundaryElement> make_elements(const Profile& profile) {
     elements.push_back(boundary(parts[i]));
     if (i + 1 == parts.size()) break;
     // Between two bodies the lower one names the vertex.
-    add(vertex(parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body));
+    const double smooth_turn = parts[i].is_arc || parts[i + 1].is_arc ? kSmoothTurn : kStraightTurn;
+    add(vertex(parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body,
+               smooth_turn));
   }
   const Vec2 last = end_direction(parts.back());
   add(vertex(parts.back().b, last, mirrored_travel(last), parts.back().body));
+  put_smooth_joints_right(elements);
   return elements;
 }
 

@@ -70,10 +70,15 @@ Comparison straight(const DirectedLine& line) {
   return c;
 }
 
-Comparison curved(const Vec2& origin, const double (&coefficients)[6], double factor) {
+// square (v0 + gradient . x)^2 + round |x|^2, x = q - origin.
+Comparison curved(const Vec2& origin, double v0, const Vec2& gradient, double square, double round) {
   Comparison c;
   c.curve.origin = origin;
-  for (int i = 0; i < 6; ++i) c.curve.c[i] = factor * coefficients[i];
+  c.curve.v0 = v0;
+  c.curve.vx = gradient.x();
+  c.curve.vy = gradient.y();
+  c.curve.square = square;
+  c.curve.round = round;
   return c;
 }
 
@@ -98,9 +103,7 @@ Comparison compare_circle_line(const DistanceForm& f, const DistanceForm& g, con
   const CellSides sides = cell.sides(m);
   if (!sides.has_positive) return decided(f.sign < 0);
   if (sides.has_negative) return split(m);
-  const double u = slope.x(), v = slope.y();
-  return curved(f.center, {-offset * offset, -2 * offset * u, -2 * offset * v, v * v, -2 * u * v, u * u},
-                f.sign);
+  return curved(f.center, offset, slope, -f.sign, f.sign);
 }
 
 // A against B + k with k >= 0, A = |x - w|, B = |x|, x = q - origin: one branch of a hyperbola.
@@ -109,34 +112,31 @@ Comparison compare_difference(const Vec2& origin, const Vec2& w, double k, doubl
                               const ConvexCell& cell) {
   const double distance = w.norm();
   if (k >= distance) return decided(factor > 0);
-  const double constant = distance * distance - k * k;
+  const double constant = (distance - k) * (distance + k);
   const DirectedLine limit = line_of(origin, -2 * w, constant);
   if (k <= 1e-14 * distance) return straight({limit.through, factor * limit.direction});
   const CellSides sides = cell.sides(limit);
   if (!sides.has_positive) return decided(factor > 0);
   if (sides.has_negative) return split(limit);
-  const double s = factor / (distance * distance);
-  return curved(origin,
-                {constant * constant, -4 * constant * w.x(), -4 * constant * w.y(),
-                 4 * (w.x() * w.x() - k * k), 8 * w.x() * w.y(), 4 * (w.y() * w.y() - k * k)},
-                s);
+  const double share = 2 * k / distance;
+  return curved(origin, constant / distance, -2 / distance * w, factor, -factor * share * share);
 }
 
 // A + B against k: an ellipse. `factor` is 1 when the first is nearer inside it.
 Comparison compare_sum(const Vec2& origin, const Vec2& w, double k, double factor) {
   const double distance = w.norm();
   if (k <= distance) return decided(factor < 0);
-  const double constant = distance * distance - k * k;
-  const double s = factor / (k * k);
-  return curved(origin,
-                {-constant * constant, 4 * constant * w.x(), 4 * constant * w.y(),
-                 4 * (k * k - w.x() * w.x()), -8 * w.x() * w.y(), 4 * (k * k - w.y() * w.y())},
-                s);
+  const double constant = (distance - k) * (distance + k);
+  return curved(origin, constant / k, -2 / k * w, -factor, 4 * factor);
 }
 
 Comparison compare_circles(const DistanceForm& f, const DistanceForm& g, const ConvexCell& cell) {
   const double k = f.sign * (g.shift - f.shift);
-  if (f.sign * g.sign < 0) return compare_sum(g.center, f.center - g.center, k, f.sign);
+  if (f.sign * g.sign < 0) {
+    // About the centre that is nearer to its own boundary: the other may be hundreds of sizes away.
+    return std::abs(g.shift) <= std::abs(f.shift) ? compare_sum(g.center, f.center - g.center, k, f.sign)
+                                                  : compare_sum(f.center, g.center - f.center, k, f.sign);
+  }
   if (k >= 0) return compare_difference(g.center, f.center - g.center, k, f.sign, cell);
   return compare_difference(f.center, g.center - f.center, -k, -f.sign, cell);
 }
@@ -203,15 +203,17 @@ Comparison compare(const DistanceForm& first, const DistanceForm& second, const 
   Comparison swapped = compare_circle_line(second, first, cell);
   if (swapped.kind == Kind::first_nearer) return decided(false);
   if (swapped.kind == Kind::second_nearer) return decided(true);
-  for (double& c : swapped.curve.c) c = -c;
+  swapped.curve.square = -swapped.curve.square;
+  swapped.curve.round = -swapped.curve.round;
   return swapped;
 }
 
 BspNode straight_node(const DirectedLine& line) {
   BspNode node;
   node.origin = line.through;
-  node.c[1] = line.direction.x();
-  node.c[2] = line.direction.y();
+  node.vx = line.direction.x();
+  node.vy = line.direction.y();
+  node.linear = 1;
   return node;
 }
 

@@ -50,12 +50,13 @@ struct BoundaryElement {
 };
 
 /// A node of the BSP; leaves name the nearest element, inner nodes a curve whose sign picks the child:
-/// f = c[0] + c[1] x + c[2] y + c[3] x^2 + c[4] x y + c[5] y^2 with (x, y) = (r, z) - origin.
-/// The origin lies on the curve's own features (focus, centre), so that f keeps its digits near a short edge
-/// of a long tool.
+/// f = linear v + square v^2 + round (x^2 + y^2) with v = v0 + vx x + vy y and (x, y) = (r, z) - origin.
+/// A line is v alone; every other bisector compares a distance from the origin, its focus, with a linear
+/// function. Written so, f keeps its digits however far apart, or alike, the two features are.
 struct BspNode {
   Vec2 origin = Vec2::Zero();
-  double c[6] = {0, 0, 0, 0, 0, 0};
+  double v0 = 0, vx = 0, vy = 0;
+  double linear = 0, square = 0, round = 0;
   std::int32_t negative = -1;  ///< child where f < 0: >= 0 a node, else ~element
   std::int32_t positive = -1;  ///< child where f >= 0
 };

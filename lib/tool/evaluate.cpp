@@ -1,8 +1,6 @@
 #include "lib/tool/evaluate.h"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace gouge {
 namespace {
@@ -10,7 +8,8 @@ namespace {
 double node_value(const BspNode& node, double r, double z) {
   const double x = r - node.origin.x();
   const double y = z - node.origin.y();
-  return node.c[0] + x * (node.c[1] + node.c[3] * x + node.c[4] * y) + y * (node.c[2] + node.c[5] * y);
+  const double v = node.v0 + node.vx * x + node.vy * y;
+  return v * (node.linear + node.square * v) + node.round * (x * x + y * y);
 }
 
 ToolAnswer from_segment(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
@@ -54,21 +53,6 @@ ToolAnswer answer(const BoundaryElement& e, std::uint32_t index, const Vec2& q) 
   return e.kind == ElementKind::vertex ? from_vertex(e, index, q) : from_arc(e, index, q);
 }
 
-// Whether the foot on the element's line or circle lies on the element itself; beyond the ends a vertex or
-// the neighbour is at least as near.
-bool has_foot(const BoundaryElement& e, const Vec2& q, double slack) {
-  if (e.kind == ElementKind::vertex) return true;
-  if (e.kind == ElementKind::segment) {
-    const Vec2 along = e.b - e.a;
-    const double reach = slack * std::sqrt(along.squaredNorm());
-    return along.dot(q - e.a) >= -reach && along.dot(q - e.b) <= reach;
-  }
-  const double turn = e.is_reflex ? -1.0 : 1.0;
-  const Vec2 away = q - e.center;
-  return turn * cross(e.a - e.center, away) >= -slack * e.radius_mm &&
-         turn * cross(away, e.b - e.center) >= -slack * e.radius_mm;
-}
-
 }  // namespace
 
 ToolAnswer evaluate(const CompiledTool& tool, double r_mm, double z_mm) {
@@ -83,22 +67,6 @@ ToolAnswer evaluate(const CompiledTool& tool, double r_mm, double z_mm) {
 
 ToolAnswer evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm, double z_mm) {
   return answer(tool.elements[element], element, Vec2(r_mm, z_mm));
-}
-
-ToolAnswer evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_mm) {
-  const Vec2 q(r_mm, z_mm);
-  const double reach = std::max({tool.r_max_mm, std::abs(tool.z_min_mm), std::abs(tool.z_max_mm)});
-  const double slack = 2e-15 * (reach + std::abs(r_mm) + std::abs(z_mm));
-  ToolAnswer best;
-  best.signed_distance_mm = std::numeric_limits<double>::infinity();
-  for (std::uint32_t i = 0; i < tool.elements.size(); ++i) {
-    if (!has_foot(tool.elements[i], q, slack)) continue;
-    const ToolAnswer here = answer(tool.elements[i], i, q);
-    const double gain = std::abs(best.signed_distance_mm) - std::abs(here.signed_distance_mm);
-    // At an equal distance the vertex knows the side, which a line continued past its end does not.
-    if (gain > 0 || (!(gain < 0) && tool.elements[i].kind == ElementKind::vertex)) best = here;
-  }
-  return best;
 }
 
 }  // namespace gouge

@@ -9,7 +9,8 @@ struct ToolAnswer {
   double signed_distance_mm = 0;  ///< to the boundary; negative inside
   std::uint32_t element = 0;      ///< nearest boundary element
   Vec2 foot = Vec2::Zero();       ///< nearest boundary point (r, z)
-  Vec2 normal = Vec2::Zero();     ///< gradient of the signed distance, unit: the exit direction for a point inside
+  Vec2 normal =
+      Vec2::Zero();  ///< gradient of the signed distance, unit: the exit direction for a point inside
 };
 
 /// Nearest boundary element, signed distance and exit direction at (r, z), through the BSP.
@@ -22,10 +23,17 @@ struct ToolAnswer {
 /// Source   Ho 1999, thesis 2.4.18.
 [[nodiscard]] ToolAnswer evaluate(const CompiledTool& tool, double r_mm, double z_mm);
 
-/// The same by looking at every element: the reference that tests hold the BSP against.
+/// Distance to one element, its ends included; not signed.
+[[nodiscard]] double distance_to(const BoundaryElement& element, const Vec2& q);
+
+/// The same by looking at every element: the reference that tests hold the BSP against. The distance is the
+/// smallest distance_to; the side is told by how often a ray along r crosses the contour, whatever the
+/// element. Where elements tie, a vertex is named before others, else the first.
+/// Requires a contour that is closed at the heights of the point.
 [[nodiscard]] ToolAnswer evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_mm);
 
 /// Distance answer of one element alone for a point whose nearest element it is.
-[[nodiscard]] ToolAnswer evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm, double z_mm);
+[[nodiscard]] ToolAnswer evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm,
+                                          double z_mm);
 
 }  // namespace gouge

@@ -17,14 +17,15 @@ double distance(const DistanceForm& f, const Vec2& q) {
 }
 
 double value(const BspNode& node, const Vec2& q) {
-  const double x = q.x() - node.origin.x(), y = q.y() - node.origin.y();
-  return node.c[0] + node.c[1] * x + node.c[2] * y + node.c[3] * x * x + node.c[4] * x * y +
-         node.c[5] * y * y;
+  const Vec2 x = q - node.origin;
+  const double v = node.v0 + node.vx * x.x() + node.vy * x.y();
+  return node.linear * v + node.square * v * v + node.round * x.squaredNorm();
 }
 
 Vec2 gradient(const BspNode& node, const Vec2& q) {
-  const double x = q.x() - node.origin.x(), y = q.y() - node.origin.y();
-  return {node.c[1] + 2 * node.c[3] * x + node.c[4] * y, node.c[2] + node.c[4] * x + 2 * node.c[5] * y};
+  const Vec2 x = q - node.origin;
+  const double v = node.v0 + node.vx * x.x() + node.vy * x.y();
+  return (node.linear + 2 * node.square * v) * Vec2(node.vx, node.vy) + 2 * node.round * x;
 }
 
 Vec2 random_vector(SplitMix64& random, double reach) {

@@ -122,7 +122,8 @@ TEST(Evaluate, TheTreeLeadsToTheLeafTheSignsName) {
   CompiledTool tool = stepped();
   BspNode root;
   root.origin = Vec2(5, 10);
-  root.c[2] = 1;
+  root.vy = 1;
+  root.linear = 1;
   root.negative = ~2;
   root.positive = ~6;
   tool.nodes = {root};
@@ -134,8 +135,9 @@ TEST(Evaluate, CurvesAreMeasuredFromTheirOrigin) {
   CompiledTool tool = stepped();
   BspNode root;
   root.origin = Vec2(1, 2);
-  const double c[6] = {-25, 0, 0, 1, 0, 1};  // the circle of radius 5 about the origin of the node
-  std::copy(c, c + 6, root.c);
+  root.v0 = 5;  // the circle of radius 5 about the origin of the node
+  root.square = -1;
+  root.round = 1;
   root.negative = ~0;
   root.positive = ~4;
   tool.nodes = {root};

@@ -1,0 +1,232 @@
+#include "lib/tool/convex_cover.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gouge {
+namespace {
+
+// How far the cover stands off the tool, so that rounding in its making never cuts into it.
+constexpr double kStandOff_mm = 1e-9;
+constexpr double kTangent = 1e-7;  // sine of the turn between elements that still count as tangent
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+double cross(const Vec2& u, const Vec2& v) {
+  return u.x() * v.y() - u.y() * v.x();
+}
+
+Vec2 direction_at(const BoundaryElement& e, const Vec2& point) {
+  if (e.kind == ElementKind::segment) return (e.b - e.a).normalized();
+  const Vec2 out = (point - e.center).normalized();
+  return e.is_reflex ? Vec2(out.y(), -out.x()) : Vec2(-out.y(), out.x());
+}
+
+bool is_rising(const BoundaryElement& e) {
+  return direction_at(e, e.a).y() >= -kTangent && direction_at(e, e.b).y() >= -kTangent && e.b.y() >= e.a.y();
+}
+
+/// Consecutive elements that one piece can hold.
+struct Run {
+  std::vector<const BoundaryElement*> elements;
+  double arc_radius_mm = 0;
+  std::size_t corners = 0;
+
+  [[nodiscard]] bool takes(const BoundaryElement& e) const {
+    if (elements.empty()) return true;
+    const BoundaryElement& last = *elements.back();
+    const bool is_concave = [](const BoundaryElement& x) { return x.kind == ElementKind::arc && x.is_reflex; }(e);
+    if (is_concave || (last.kind == ElementKind::arc && last.is_reflex)) return false;
+    if (corners + 3 >= CoverPiece::kMaxChain) return false;
+    if ((last.b - e.a).squaredNorm() > 0) return false;  // a step between them
+    const double turn = cross(direction_at(last, last.b), direction_at(e, e.a));
+    const bool has_arc = arc_radius_mm > 0 || e.kind == ElementKind::arc;
+    if (has_arc && std::abs(turn) > kTangent) return false;
+    if (has_arc && corners > 0 && arc_radius_mm <= 0) return false;  // sharp corners cannot be rounded
+    if (e.kind == ElementKind::arc && arc_radius_mm > 0 && std::abs(e.radius_mm - arc_radius_mm) > kStandOff_mm)
+      return false;
+    return turn >= -kTangent;
+  }
+
+  void add(const BoundaryElement& e) {
+    if (e.kind == ElementKind::arc && !e.is_reflex) arc_radius_mm = e.radius_mm;
+    const bool is_sharp = !elements.empty() && elements.back()->kind != ElementKind::arc &&
+                          e.kind != ElementKind::arc && cross(direction_at(*elements.back(), e.a), direction_at(e, e.a)) > 0;
+    if (is_sharp || e.kind == ElementKind::arc) ++corners;
+    elements.push_back(&e);
+  }
+};
+
+class CoverMaker {
+ public:
+  explicit CoverMaker(const CompiledTool& tool) : tool_(tool) {
+    cover_.size_mm = std::sqrt(tool.r_max_mm * tool.r_max_mm +
+                               std::max(tool.z_min_mm * tool.z_min_mm, tool.z_max_mm * tool.z_max_mm));
+    for (const BoundaryElement& e : tool.elements) {
+      if (e.kind != ElementKind::vertex) curves_.push_back(&e);
+    }
+  }
+
+  ConvexCover make() {
+    const bool is_stack = std::all_of(curves_.begin(), curves_.end(), [](const auto* e) { return is_rising(*e); });
+    if (is_stack) {
+      add_runs();
+    } else {
+      add_cylinders();
+    }
+    for (std::size_t i = 0; i < cover_.pieces.size(); ++i) {
+      CoverPiece& piece = cover_.pieces[i];
+      piece.r_below_mm = i > 0 ? end_radius_[i - 1] : 0;
+      piece.r_above_mm = i + 1 < cover_.pieces.size() ? start_radius_[i + 1] : 0;
+      if (is_stack) set_feet(piece);
+    }
+    return std::move(cover_);
+  }
+
+ private:
+  [[nodiscard]] bool is_level(const BoundaryElement& e) const {
+    return e.b.y() - e.a.y() <= 1e-12 * cover_.size_mm;
+  }
+
+  void add_runs() {
+    Run run;
+    for (const BoundaryElement* e : curves_) {
+      if (is_level(*e)) continue;
+      if (!run.takes(*e)) {
+        add(run);
+        run = Run{};
+      }
+      run.add(*e);
+    }
+    if (!run.elements.empty()) add(run);
+  }
+
+  static Vec2 inner(const BoundaryElement& e, const Vec2& end, double by) {
+    if (e.kind == ElementKind::arc && !e.is_reflex) return e.center;
+    const Vec2 way = (e.b - e.a).normalized();
+    return end - by * Vec2(way.y(), -way.x());
+  }
+
+  // A concave arc counts as its chord, which lies outside it.
+  static Vec2 way_at(const BoundaryElement& e, const Vec2& point) {
+    return e.kind == ElementKind::arc && e.is_reflex ? Vec2((e.b - e.a).normalized()) : direction_at(e, point);
+  }
+
+  void add(const Run& run) {
+    CoverPiece piece;
+    const BoundaryElement& first = *run.elements.front();
+    const BoundaryElement& last = *run.elements.back();
+    const double rounding = run.arc_radius_mm;
+    const double far = 4 * cover_.size_mm;
+    const auto push = [&piece](const Vec2& p) { piece.chain[piece.count++] = p; };
+    push(inner(first, first.a, rounding) - far * way_at(first, first.a));
+    for (std::size_t k = 0; k < run.elements.size(); ++k) {
+      const BoundaryElement& e = *run.elements[k];
+      const bool is_arc = e.kind == ElementKind::arc && !e.is_reflex;
+      if (is_arc) push(e.center);
+      if (is_arc || k == 0 || run.elements[k - 1]->kind == ElementKind::arc) continue;
+      if (cross(direction_at(*run.elements[k - 1], e.a), direction_at(e, e.a)) > 0) push(inner(e, e.a, rounding));
+    }
+    push(inner(last, last.b, rounding) + far * way_at(last, last.b));
+    piece.radius_mm = rounding + kStandOff_mm;
+    double outside = 0;
+    for (const BoundaryElement* e : run.elements) outside = std::max(outside, farthest_out(piece, *e));
+    piece.radius_mm += outside;
+    piece.z_lo_mm = piece.foot_lo_mm = first.a.y();
+    piece.z_hi_mm = piece.foot_hi_mm = last.b.y();
+    keep(piece, first.a.x(), last.b.x());
+  }
+
+  void keep(const CoverPiece& piece, double start_radius, double end_radius) {
+    cover_.pieces.push_back(piece);
+    start_radius_.push_back(start_radius);
+    end_radius_.push_back(end_radius);
+  }
+
+  // Contours that turn back in height: a cylinder for every stretch of heights between two corners.
+  void add_cylinders() {
+    std::vector<double> heights;
+    for (const BoundaryElement* e : curves_) {
+      heights.insert(heights.end(), {e->a.y(), e->b.y()});
+      if (e->kind == ElementKind::arc)
+        heights.insert(heights.end(), {e->center.y() - e->radius_mm, e->center.y() + e->radius_mm});
+    }
+    std::sort(heights.begin(), heights.end());
+    for (std::size_t k = 0; k + 1 < heights.size(); ++k) {
+      const double low = std::max(heights[k], tool_.z_min_mm);
+      const double high = std::min(heights[k + 1], tool_.z_max_mm);
+      if (high - low <= 1e-12 * cover_.size_mm) continue;
+      double radius = 0;
+      for (const BoundaryElement* e : curves_) {
+        if (top_of(*e) <= low || bottom_of(*e) >= high) continue;
+        radius = std::max(radius, widest(*e));
+      }
+      CoverPiece piece;
+      piece.z_lo_mm = piece.foot_lo_mm = low;
+      piece.z_hi_mm = piece.foot_hi_mm = high;
+      piece.chain[0] = {radius, low - 4 * cover_.size_mm};
+      piece.chain[1] = {radius, high + 4 * cover_.size_mm};
+      piece.count = 2;
+      piece.radius_mm = kStandOff_mm;
+      keep(piece, radius, radius);
+    }
+  }
+
+  static double top_of(const BoundaryElement& e) {
+    return e.kind == ElementKind::arc ? e.center.y() + e.radius_mm : std::max(e.a.y(), e.b.y());
+  }
+  static double bottom_of(const BoundaryElement& e) {
+    return e.kind == ElementKind::arc ? e.center.y() - e.radius_mm : std::min(e.a.y(), e.b.y());
+  }
+  static double widest(const BoundaryElement& e) {
+    const double ends = std::max(e.a.x(), e.b.x());
+    return e.kind == ElementKind::arc ? std::max(ends, e.center.x() + e.radius_mm) : ends;
+  }
+
+  /// An upper bound of f over an element.
+  static double farthest_out(const CoverPiece& piece, const BoundaryElement& e) {
+    const double ends = std::max(cover_distance(piece, e.a), cover_distance(piece, e.b));
+    if (e.kind != ElementKind::arc || e.is_reflex) return ends;
+    const double all_round = cover_distance(piece, e.center) + e.radius_mm;
+    return std::max(ends, all_round);
+  }
+
+  // As far as the tool stays within the piece's own continuation, feet on that are free.
+  void set_feet(CoverPiece& piece) const {
+    piece.foot_lo_mm = -kEndless;
+    piece.foot_hi_mm = kEndless;
+    for (const BoundaryElement* e : curves_) {
+      if (farthest_out(piece, *e) <= 0) continue;
+      if (e->b.y() <= piece.z_lo_mm) piece.foot_lo_mm = std::max(piece.foot_lo_mm, e->b.y());
+      if (e->a.y() >= piece.z_hi_mm) piece.foot_hi_mm = std::min(piece.foot_hi_mm, e->a.y());
+    }
+  }
+
+  const CompiledTool& tool_;
+  std::vector<const BoundaryElement*> curves_;
+  std::vector<double> start_radius_, end_radius_;
+  ConvexCover cover_;
+};
+
+}  // namespace
+
+ConvexCover make_convex_cover(const CompiledTool& tool) {
+  if (tool.elements.empty()) return {};
+  return CoverMaker(tool).make();
+}
+
+double cover_distance(const CoverPiece& piece, const Vec2& q) {
+  double inside = -kEndless, outside2 = kEndless;
+  for (std::size_t k = 0; k + 1 < piece.count; ++k) {
+    const Vec2 way = piece.chain[k + 1] - piece.chain[k];
+    const double length = way.norm();
+    const Vec2 along = way / length;
+    const Vec2 from = q - piece.chain[k];
+    inside = std::max(inside, from.x() * along.y() - from.y() * along.x());
+    const double t = std::clamp(from.dot(along), 0.0, length);
+    outside2 = std::min(outside2, (from - t * along).squaredNorm());
+  }
+  return (inside > 0 ? std::sqrt(outside2) : inside) - piece.radius_mm;
+}
+
+}  // namespace gouge

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "lib/tool/compiled_tool.h"
+
+// The tool as a stack of convex solids of revolution, for bounds that must be cheap: each answers for the heights
+// of its slab, and its signed distance is convex, so that one subgradient bounds a whole triangle and a whole span
+// of time. What a cover says is never less than the truth; where it says more (undercuts, hollow ends, heights
+// next to a step) the exact search decides. Proofs: docs/algorithms/wide_sweep.md.
+
+namespace gouge {
+
+/// {(r, z) : dist((r, z), core) <= radius}, where the core is what lies on the left of a convex chain of points,
+/// continued beyond both its ends along its first and last segment.
+///
+/// Let f = dist(core) - radius, negative inside (in the core: the largest signed distance to a line of the chain,
+/// minus the radius). Then for every q with z in [z_lo, z_hi]:
+///   (1) f(q) >= 0:  q is not in the interior of the tool;
+///   (2) f(q) = -d < 0 and [z - d, z + d] within [foot_lo, foot_hi]:  depth(q) <= d;
+///   (3) r >= r_below:  depth(q) <= z - z_lo;      r >= r_above:  depth(q) <= z_hi - z;
+///   (4) the part of the tool within the slab is no closer to any point p than max(f(p), z_lo - p.z, p.z - z_hi).
+/// The slabs of a cover reach from the lowest point of the tool to the highest.
+struct CoverPiece {
+  static constexpr std::size_t kMaxChain = 12;
+  double z_lo_mm = 0, z_hi_mm = 0;
+  double foot_lo_mm = 0, foot_hi_mm = 0;  ///< infinite where nothing follows
+  double r_below_mm = 0, r_above_mm = 0;  ///< 0: the whole end is free
+  double radius_mm = 0;
+  std::array<Vec2, kMaxChain> chain;
+  std::size_t count = 0;  ///< points of the chain, at least 2
+};
+
+struct ConvexCover {
+  std::vector<CoverPiece> pieces;  ///< from the tip up; empty for a tool without elements
+  double size_mm = 0;              ///< no point of the tool is farther from its tip
+};
+
+/// Cost linear in the number of elements, a few hundred for a tool of many arcs.
+[[nodiscard]] ConvexCover make_convex_cover(const CompiledTool& tool);
+
+/// f of a piece at (r, z).
+[[nodiscard]] double cover_distance(const CoverPiece& piece, const Vec2& q);
+
+}  // namespace gouge
