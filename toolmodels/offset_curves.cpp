@@ -65,7 +65,11 @@ std::vector<Vec2> meet_line_circle(const ProfileElement& line, const ProfileElem
   return {foot - half_chord * u, foot + half_chord * u};
 }
 
-std::vector<Vec2> meet_circles(const ProfileElement& c, const ProfileElement& d, double slack) {
+// Measured from the smaller circle, which keeps its digits beside one that is all but straight.
+std::vector<Vec2> meet_circles(const ProfileElement& one, const ProfileElement& other, double slack) {
+  const bool is_first_smaller = one.radius_mm < other.radius_mm;
+  const ProfileElement& c = is_first_smaller ? one : other;
+  const ProfileElement& d = is_first_smaller ? other : one;
   const Vec2 between = d.center - c.center;
   const double distance = between.norm();
   if (distance <= slack) return {};

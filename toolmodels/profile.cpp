@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "toolmodels/offset_curves.h"
+
 namespace gouge {
 namespace {
 
@@ -12,6 +14,13 @@ constexpr double kRelativeSlack = 1e-9;  // far above rounding, far below any di
 Vec2 direction_at(const ProfileElement& element, const Vec2& point) {
   const Vec2 out = (point - element.center) / element.radius_mm;
   return element.is_concave ? Vec2(out.y(), -out.x()) : Vec2(-out.y(), out.x());
+}
+
+// Whether an arc runs over its outermost point in a direction, between its ends.
+bool reaches(const ProfileElement& arc, const Vec2& direction) {
+  ProfileElement part = arc;
+  part.b = arc.center + arc.radius_mm * direction;
+  return sweep_rad(part) < sweep_rad(arc);
 }
 
 bool do_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
@@ -31,6 +40,8 @@ void verify_element(const ProfileElement& e, double slack, const std::string& na
   if (std::abs((e.a - e.center).norm() - e.radius_mm) > slack ||
       std::abs((e.b - e.center).norm() - e.radius_mm) > slack)
     broken.push_back(name + " does not lie on its circle");
+  const Vec2 leftmost = e.center - Vec2(e.radius_mm, 0);
+  if (leftmost.x() < -slack && reaches(e, Vec2(-1, 0))) broken.push_back(name + " crosses the axis");
 }
 
 std::vector<Vec2> outline(const Profile& profile, std::vector<std::size_t>& owner) {
@@ -60,13 +71,25 @@ void verify_shape(const Profile& profile, double slack, std::vector<std::string>
   std::vector<std::size_t> owner;
   const std::vector<Vec2> points = outline(profile, owner);
   if (doubled_area(points) <= 0) broken.push_back("the solid is not on the left of the contour");
+  // A contour may leave the axis as steeply as it likes, so near its ends it may be near the axis.
+  const auto is_near_end = [&](const Vec2& p) {
+    return std::min((p - points.front()).norm(), (p - points.back()).norm()) <= 1e3 * slack;
+  };
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
-    if (points[i].x() <= slack) broken.push_back("the contour touches the axis between its ends");
+    if (points[i].x() <= (is_near_end(points[i]) ? 0 : slack))
+      broken.push_back("the contour touches the axis between its ends");
   for (std::size_t i = 0; i < owner.size(); ++i)
     for (std::size_t j = i + 2; j < owner.size(); ++j)
       if (do_cross(points[i], points[i + 1], points[j], points[j + 1]))
         broken.push_back("elements " + std::to_string(owner[i]) + " and " + std::to_string(owner[j]) +
                          " cross");
+}
+
+void verify_joints(const Profile& profile, double slack, std::vector<std::string>& broken) {
+  for (std::size_t i = 0; i + 1 < profile.elements.size(); ++i)
+    for (std::size_t j = 0; j < profile.elements.size(); ++j)
+      if (j != i && j != i + 1 && detail::passes(profile.elements[j], profile.elements[i].b, slack))
+        broken.push_back("element " + std::to_string(j) + " touches the end of element " + std::to_string(i));
 }
 
 }  // namespace
@@ -136,10 +159,10 @@ double size_of(const Profile& profile) {
 bool is_single_valued(const Profile& profile) {
   const double slack = kRelativeSlack;
   return std::all_of(profile.elements.begin(), profile.elements.end(), [&](const ProfileElement& e) {
-    // The height never falls along the contour; within an arc it is enough that it does not at the ends,
-    // unless the arc sweeps past a whole half circle.
+    // The height never falls along the contour. Directions on an arc of half a circle at most are all between
+    // those at its ends, once the middle one tells which way round.
     return start_direction(e).y() >= -slack && end_direction(e).y() >= -slack &&
-           sweep_rad(e) <= std::numbers::pi + slack;
+           sweep_rad(e) <= std::numbers::pi + slack && (!e.is_arc || direction_at(e, sample(e, 2)[1]).y() >= -slack);
   });
 }
 
@@ -154,6 +177,9 @@ std::vector<std::string> verify_profile(const Profile& profile) {
       broken.push_back("element " + std::to_string(i) + " does not end where the next one starts");
   if (profile.elements.front().a.x() > 0) broken.push_back("the contour does not start on the axis");
   if (profile.elements.back().b.x() > 0) broken.push_back("the contour does not end on the axis");
+  if (profile.elements.back().b.y() - profile.elements.front().a.y() <= slack)
+    broken.push_back("the contour does not end above its start");
+  if (broken.empty()) verify_joints(profile, slack, broken);
   if (broken.empty()) verify_shape(profile, slack, broken);
   return broken;
 }

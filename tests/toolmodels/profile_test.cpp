@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace gouge {
@@ -56,15 +57,31 @@ TEST(Profile, EveryBrokenInvariantIsNamed) {
   p = ball_and_side();
   p.elements.insert(p.elements.begin() + 2, make_segment(Body::cutter, {5, 20}, {5, 20}));
   EXPECT_EQ(verify_profile(p), Strings{"element 2 has no length"});
+  // Over the axis between two of the points a picture would be drawn with.
+  Profile dip;
+  dip.elements = {make_concave_arc(Body::cutter, {0, 0}, {5, 5}, {4.999, 0.001}, 4.999000100020002),
+                  make_segment(Body::cutter, {5, 5}, {0, 5})};
+  dip.elements[0].b = Vec2(5, 0.001 + std::sqrt(4.999000100020002 * 4.999000100020002 - 1e-6));
+  dip.elements[1].a = dip.elements[0].b;
+  EXPECT_EQ(verify_profile(dip), Strings{"element 0 crosses the axis"});
   Profile crossing;
   const Vec2 points[] = {{0, 0}, {10, 0}, {1, 10}, {10, 10}, {1, -5}, {0, 20}};
   for (int i = 0; i < 5; ++i)
     crossing.elements.push_back(make_segment(Body::cutter, points[i], points[i + 1]));
   EXPECT_FALSE(verify_profile(crossing).empty());
+  Profile pinched;
+  const Vec2 twice[] = {{0, 0}, {8, 0}, {5, 5}, {8, 3}, {8, 9}, {5, 5}, {3, 9}, {0, 9}};
+  for (int i = 0; i < 7; ++i)
+    pinched.elements.push_back(make_segment(Body::cutter, twice[i], twice[i + 1]));
+  EXPECT_EQ(verify_profile(pinched).front(), "element 4 touches the end of element 1");
   Profile clockwise;
   const Vec2 back[] = {{0, 20}, {5, 20}, {5, 0}, {0, 0}};
   for (int i = 0; i < 3; ++i) clockwise.elements.push_back(make_segment(Body::cutter, back[i], back[i + 1]));
-  EXPECT_EQ(verify_profile(clockwise), Strings{"the solid is not on the left of the contour"});
+  EXPECT_EQ(verify_profile(clockwise), Strings{"the contour does not end above its start"});
+  Profile flat_ring;
+  const Vec2 ring[] = {{0, 3}, {4, 0}, {9, 0}, {9, 3}, {0, 3}};
+  for (int i = 0; i < 4; ++i) flat_ring.elements.push_back(make_segment(Body::cutter, ring[i], ring[i + 1]));
+  EXPECT_EQ(verify_profile(flat_ring), Strings{"the contour does not end above its start"});
 }
 
 TEST(Profile, AnUndercutSeenAlongTheAxisIsNotSingleValued) {
@@ -73,6 +90,19 @@ TEST(Profile, AnUndercutSeenAlongTheAxisIsNotSingleValued) {
   for (int i = 0; i < 4; ++i) cup.elements.push_back(make_segment(Body::cutter, points[i], points[i + 1]));
   EXPECT_EQ(verify_profile(cup), Strings{});
   EXPECT_FALSE(is_single_valued(cup));
+}
+
+TEST(Profile, AnArcThatRunsDownOnTheLeftIsNotSingleValued) {
+  // A rim of half a circle under a hollow bottom, and the same half circle as a nose that is allowed.
+  Profile ring;
+  ring.elements = {make_segment(Body::cutter, {0, 3}, {4, 3}), make_convex_arc(Body::cutter, {4, 3}, {8, 3}, {6, 3}, 2),
+                   make_segment(Body::cutter, {8, 3}, {8, 20}), make_segment(Body::cutter, {8, 20}, {0, 20})};
+  EXPECT_EQ(verify_profile(ring), Strings{});
+  EXPECT_FALSE(is_single_valued(ring));
+  Profile disc;
+  disc.elements = {make_segment(Body::cutter, {0, 0}, {5, 0}), make_convex_arc(Body::cutter, {5, 0}, {5, 4}, {5, 2}, 2),
+                   make_segment(Body::cutter, {5, 4}, {0, 4})};
+  EXPECT_TRUE(is_single_valued(disc));
 }
 
 }  // namespace
