@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
+#include <utility>
 
 #include "lib/tool/evaluate.h"
+#include "tests/support/random_tools.h"
 #include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
+#include "toolmodels/elements.h"
 
 namespace gouge {
 namespace {
@@ -123,6 +127,74 @@ TEST(Unite, ConcaveFilletShrinksByTheGrowthAndThenVanishes) {
       EXPECT_NEAR(evaluate(tool, q.x(), q.y()).signed_distance_mm, expected, 1e-9)
           << growth << " " << q.transpose();
     }
+  }
+}
+
+// Cells of a grid that a point can reach from outside the grown bodies without coming nearer than `margin`.
+class Outside {
+ public:
+  Outside(const CompiledTool& body, double growth, double margin) : low_(0, body.z_min_mm - growth - 1) {
+    step_ = (Vec2(body.r_max_mm + growth + 1, body.z_max_mm + growth + 1) - low_) / kCells;
+    for (int i = 0; i <= kCells; ++i)
+      for (int k = 0; k <= kCells; ++k) {
+        const Vec2 q = at(i, k);
+        is_free_[i][k] = evaluate_brute_force(body, q.x(), q.y()).signed_distance_mm > growth + margin;
+      }
+    reach(kCells, 0);
+  }
+  [[nodiscard]] Vec2 at(int i, int k) const { return low_ + Vec2(i * step_.x(), k * step_.y()); }
+  [[nodiscard]] bool is_reached(int i, int k) const { return is_reached_[i][k]; }
+  static constexpr int kCells = 60;
+
+ private:
+  void reach(int i0, int k0) {
+    std::vector<std::pair<int, int>> open{{i0, k0}};
+    while (!open.empty()) {
+      const auto [i, k] = open.back();
+      open.pop_back();
+      if (i < 0 || k < 0 || i > kCells || k > kCells || is_reached_[i][k] || !is_free_[i][k]) continue;
+      is_reached_[i][k] = true;
+      for (const auto& [di, dk] : {std::pair(1, 0), std::pair(-1, 0), std::pair(0, 1), std::pair(0, -1)})
+        open.emplace_back(i + di, k + dk);
+    }
+  }
+  Vec2 low_, step_;
+  bool is_free_[kCells + 1][kCells + 1] = {}, is_reached_[kCells + 1][kCells + 1] = {};
+};
+
+// Undercuts, hollow bottoms, concave arcs, slots that close: nothing is lost, nothing outside is filled.
+TEST(Unite, GrowsProfilesOfAnyFormAsTheDistanceSays) {
+  const char* count = std::getenv("GOUGE_UNITE_TOOLS");
+  const std::uint64_t tools = count == nullptr ? 60 : std::strtoull(count, nullptr, 10);
+  for (std::uint64_t seed = 0; seed < tools; ++seed) {
+    SplitMix64 random(seed);
+    const Profile body = test::random_free_profile(random, {true, true, seed % 2 == 0, seed % 5 == 0, seed % 3 == 0 ? 1e-3 : 0.05});
+    const double size = size_of(body);
+    const double growth = seed % 7 == 0 ? 1.0 : size * std::pow(10.0, random.uniform(-5, 0));
+    const Result<Profile> grown = unite({{&body, growth}});
+    ASSERT_TRUE(grown.has_value()) << seed;
+    ASSERT_EQ(verify_profile(*grown), Strings{}) << seed;
+    CompiledTool bare, whole;
+    bare = compile_tool("", body);
+    whole.elements = make_elements(*grown);
+    const double slack = 1e-8 * (size + growth);
+    for (int k = 0; k < 2000; ++k) {
+      const Vec2 q(random.uniform(0, size + growth), random.uniform(-size - growth, size + growth));
+      const double expected = evaluate_brute_force(bare, q.x(), q.y()).signed_distance_mm - growth;
+      const double found = evaluate_brute_force(whole, q.x(), q.y()).signed_distance_mm;
+      ASSERT_LE(found, std::max(expected, 0.0) + slack) << seed << " at " << q.transpose();
+      if (found > 0) {
+        ASSERT_NEAR(found, expected, slack) << seed << " at " << q.transpose();
+      }
+    }
+    const Outside surely(bare, growth, 0.025 * (size + growth));
+    for (int i = 0; i <= Outside::kCells; ++i)
+      for (int k = 0; k <= Outside::kCells; ++k)
+        if (surely.is_reached(i, k)) {
+          const Vec2 q = surely.at(i, k);
+          ASSERT_GT(evaluate_brute_force(whole, q.x(), q.y()).signed_distance_mm, 0)
+              << seed << " growth " << growth << " at " << q.transpose();
+        }
   }
 }
 
