@@ -15,6 +15,10 @@ constexpr bool is_soft_separator(char c) {
 }  // namespace
 
 void split_arguments(const Statement& statement, std::vector<Argument>& arguments) {
+  if (statement.is_decoded) {
+    arguments = statement.decoded;
+    return;
+  }
   arguments.clear();
   bool is_expecting = true;  // after a comma, or at the start: a further comma means an empty argument
   for (const std::string_view piece : statement.pieces) {

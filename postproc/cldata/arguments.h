@@ -1,21 +1,12 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "postproc/cldata/lexer.h"
+#include "postproc/cldata/statement.h"
 
 namespace gouge {
-
-/// One argument of a statement: a number or a word. `text` is a view into the file's bytes, so that a writer
-/// knows which bytes to replace; it is empty where a comma follows a comma.
-struct Argument {
-  std::string_view text;
-  std::optional<double> number;
-};
 
 /// The arguments of `statement`, into `arguments` (whose memory is used again). Commas separate them; so do
 /// blanks, line ends, brackets and further slashes, as CAM systems write them. One trailing comma is allowed.

@@ -1,42 +1,54 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
-#include "lib/base/units.h"
-
-// Which CAM system's way of writing CL data a file follows, told by its content. A dialect is data: a few
-// facts the interpreter asks for. Evidence for each: docs/formats/apt_cl.md, nx_clsf.md.
+// Which CAM system's way of writing CL data a file follows, told by its content or by the user. A dialect is
+// data: a few facts the interpreter and the writers ask for. Evidence for each: docs/formats/.
 
 namespace gouge {
 
-enum class DialectKind { apt, nx_clsf, solidworks_cam, autodesk, camplete, catia, creo, nccs, clt, mori };
+enum class DialectKind : std::uint8_t {
+  apt,
+  nx_clsf,
+  solidworks_cam,
+  autodesk,
+  camplete,
+  catia,
+  creo,
+  nccs,
+  clt,
+  mori,
+  goto_list,
+  nccs_binary,
+  nci
+};
 
 struct Dialect {
   DialectKind kind = DialectKind::apt;
-  std::string_view id = "apt";  ///< Toolpath::dialect
-  bool is_axis_modal = false;   ///< a position without axis keeps the last one; else it means +Z or TLAXIS
+  std::string_view id = "apt";             ///< Toolpath::dialect, and what --dialect takes
+  std::string_view title = "APT CL data";  ///< for people
+  bool is_axis_modal = false;  ///< a position without axis keeps the last one; else it means +Z or TLAXIS
   bool has_known_plain_axis = false;  ///< verified that a position without axis means +Z whatever came before
   bool names_operations = false;      ///< has words of its own for it, so that PPRINT is only text
+  bool has_end_word = true;           ///< ends with END or FINI, so that a file without is cut short
 };
+
+/// All dialects, in the order they are listed for the user.
+[[nodiscard]] std::span<const Dialect> all_dialects();
+
+[[nodiscard]] const Dialect& dialect_of(DialectKind kind);
+
+/// The dialect called `id`, upper or lower case, also without a leading "apt-"; nothing for other names.
+[[nodiscard]] std::optional<Dialect> dialect_called(std::string_view id);
+
+/// "nx-clsf, apt-catia, ...": what `dialect_called` takes.
+[[nodiscard]] std::string dialect_names();
 
 /// Looks at the first lines only. A file without the marks of any dialect is plain "apt".
 [[nodiscard]] Dialect recognise_dialect(std::string_view bytes);
-
-/// The unit a file's positions start in, and why.
-struct UnitGuess {
-  LengthUnit unit = LengthUnit::mm;
-  enum class Source { stated, feed_word, assumed } source = Source::assumed;
-};
-
-/// UNITS or UNIT where the file states it before its first position, else what the words of FEDRAT suggest
-/// (MMPM, IPM), else mm.
-[[nodiscard]] UnitGuess find_unit(std::string_view bytes);
-
-/// MM, MMS, MILLIMETERS, INCH, INCHES, IN; nothing for other words.
-[[nodiscard]] std::optional<LengthUnit> unit_of_word(std::string_view word);
-
-/// The length unit of a feed word (MMPM, MMPR, IPM, IPR, FPM, FPR); nothing for other words.
-[[nodiscard]] std::optional<LengthUnit> unit_of_feed_word(std::string_view word);
 
 }  // namespace gouge

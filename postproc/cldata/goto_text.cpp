@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/statement_reader.h"
 #include "postproc/cldata/text.h"
 
 namespace gouge {
@@ -15,9 +16,15 @@ constexpr int kUsualDecimals = 6;
 
 Statement statement_at(const Toolpath& path, std::size_t index) {
   const SourceStatement& span = path.statements[index];
-  Lexer lexer(std::string_view(path.source).substr(0, span.last_byte), span.first_byte, span.line);
+  const DialectKind kind = dialect_called(path.dialect).value_or(Dialect{}).kind;
+  StatementReader reader(std::string_view(path.source).substr(0, span.last_byte), kind, span.first_byte,
+                         span.line);
   Statement statement;
-  if (!lexer.next(statement)) statement.pieces.clear();
+  bool is_found = reader.next(statement);
+  // A pair of lines of NCI says several statements, the last of which is the position.
+  while (is_found && kind == DialectKind::nci && statement.word != Word::go_to)
+    is_found = reader.next(statement);
+  if (!is_found) statement.pieces.clear();
   return statement;
 }
 

@@ -5,6 +5,7 @@
 #include "lib/base/number_text.h"
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/text.h"
+#include "postproc/cldata/unit_guess.h"
 
 namespace gouge {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 constexpr double kFrameError = 1e-3;     // of length or of a right angle; beyond it a frame is refused
 constexpr double kIdentityError = 1e-9;  // matrices are written with 5 decimals or more; this is rounding
 constexpr std::array<double, 12> kIdentityByRows = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
-constexpr std::array<double, 12> kIdentityByVectors = {1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
 
 template <class Identity>
 bool is_identity(const std::vector<Argument>& arguments, const Identity& identity) {
@@ -30,8 +30,8 @@ Vec3 vector_of(const std::vector<Argument>& arguments, std::size_t first) {
 }  // namespace
 
 const char* Interpreter::frame_reason() const {
-  for (const char* reason :
-       {turning_reason_, contour_reason_, catia_reason_, mcs_reason_, csys_reason_, trntyp_reason_}) {
+  for (const char* reason : {turning_reason_, contour_reason_, cutcom_reason_, unread_frame_reason_, mcs_reason_,
+                             csys_reason_, trans_reason_, trntyp_reason_}) {
     if (reason != nullptr) return reason;
   }
   const bool is_turned =
@@ -45,8 +45,6 @@ void Interpreter::take_comment() {
   if (dialect_.kind != DialectKind::catia) return;
   if (starts_with_ignoring_case(text, "*CATIA0")) {
     catia_row_ = 0;
-    is_catia_identity_ = true;
-    catia_reason_ = nullptr;
   } else if (catia_row_ >= 0) {
     take_catia_row(text);
   } else if (starts_with_ignoring_case(text, "OPERATION NAME")) {
@@ -55,16 +53,30 @@ void Interpreter::take_comment() {
   }
 }
 
-// $$*CATIA0 is followed by a line with a name and three lines with the rows of a matrix.
+// $$*CATIA0 is followed by a line with a name and three lines with the rows of a matrix: absolute = R p + t.
 void Interpreter::take_catia_row(std::string_view text) {
   if (catia_row_++ == 0) return;
   Statement row;
   row.pieces.push_back(text);
   split_arguments(row, arguments_);
-  std::array<double, 4> identity{};
-  identity[static_cast<std::size_t>(catia_row_ - 2)] = 1;
-  if (!is_identity(arguments_, identity)) catia_reason_ = Reasons::kCatia;
-  if (catia_row_ == 4) catia_row_ = -1;
+  if (arguments_.size() != 4 || find_word_argument(arguments_) != nullptr) {
+    catia_row_ = -1;
+    return fail("path-frame", "$$*CATIA0: " + quoted_text(text) +
+                                  " is not a row of its matrix; expected 4 numbers in each of 3 lines");
+  }
+  const auto first = static_cast<std::size_t>(catia_row_ - 2) * 4;
+  for (std::size_t i = 0; i < 4; ++i) catia_rows_[first + i] = *arguments_[i].number;
+  if (catia_row_ != 4) return;
+  catia_row_ = -1;
+  const auto column = [&](std::size_t c) {
+    return Vec3(catia_rows_[c], catia_rows_[c + 4], catia_rows_[c + 8]);
+  };
+  const std::optional<RigidTransform> frame =
+      make_frame(column(3) * mm_per_unit_, column(0), column(1), "$$*CATIA0");
+  if (!frame) return;
+  if (column(2).dot(frame->rotation.col(2)) < 0)
+    return fail("path-frame", "$$*CATIA0: the matrix mirrors; expected a right-handed axis system");
+  set_frame(*frame);
 }
 
 void Interpreter::take_creo_comment() {
@@ -74,11 +86,14 @@ void Interpreter::take_creo_comment() {
     Statement values = *statement_;
     values.pieces.front() = rest;
     split_arguments(values, arguments_);
-    csys_reason_ = is_identity(arguments_, kIdentityByRows) ? nullptr : Reasons::kCsys;
+    if (!is_identity(arguments_, kIdentityByRows) && csys_told_++ == 0) first_csys_line_ = statement_->line;
   } else if (starts_with_ignoring_case(text, "FEATNO")) {
     name_operation("FEATNO " + name_text(rest));
+    break_motion();  // between sequences the machine goes home
   } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
-    contour_reason_ = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER") ? nullptr : Reasons::kContour;
+    const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
+    contour_reason_ = is_on_centre ? nullptr : Reasons::kContour;
+    is_cutter_centre_ = is_cutter_centre_ || is_on_centre;
   } else if (starts_with_ignoring_case(text, "CUTTER")) {
     // Only the diameter is written: a flat, a ball and a bull-nose cutter look the same, so it defines no
     // tool.
@@ -87,32 +102,60 @@ void Interpreter::take_creo_comment() {
   }
 }
 
+std::optional<RigidTransform> Interpreter::make_frame(const Vec3& origin, const Vec3& x, const Vec3& y,
+                                                      const char* what) {
+  const bool is_frame = std::abs(x.norm() - 1) <= kFrameError && std::abs(y.norm() - 1) <= kFrameError &&
+                        std::abs(x.dot(y)) <= kFrameError;
+  if (!is_frame) {
+    fail("path-frame",
+         std::string(what) + ": the axes are not two unit vectors at right angles; expected X and Y axis");
+    return std::nullopt;
+  }
+  RigidTransform frame;
+  const Vec3 unit_x = x.normalized();
+  const Vec3 unit_z = unit_x.cross(y).normalized();
+  frame.rotation.col(0) = unit_x;
+  frame.rotation.col(1) = unit_z.cross(unit_x);
+  frame.rotation.col(2) = unit_z;
+  frame.shift = origin;
+  return frame;
+}
+
+// Under another frame the machine has turned its table or head: nothing is known of the way there.
+void Interpreter::set_frame(const RigidTransform& to_part) {
+  const double change = (to_part.rotation - to_part_.rotation).cwiseAbs().maxCoeff() +
+                        (to_part.shift - to_part_.shift).cwiseAbs().maxCoeff();
+  if (change > kIdentityError) break_motion();
+  to_part_ = to_part;
+}
+
 void Interpreter::take_msys() {
   if (arguments_.size() != 9 || find_word_argument(arguments_) != nullptr) {
     return fail("path-frame", "MSYS has " + std::to_string(arguments_.size()) +
                                   " arguments; expected 9 numbers: the origin, the X axis and the Y axis");
   }
-  const Vec3 x = vector_of(arguments_, 3);
-  const Vec3 y = vector_of(arguments_, 6);
-  const bool is_frame = std::abs(x.norm() - 1) <= kFrameError && std::abs(y.norm() - 1) <= kFrameError &&
-                        std::abs(x.dot(y)) <= kFrameError;
-  if (!is_frame)
-    return fail("path-frame",
-                "MSYS: the axes are not two unit vectors at right angles; expected X and Y axis");
-  const Vec3 unit_x = x.normalized();
-  const Vec3 unit_z = unit_x.cross(y).normalized();
-  to_part_.rotation.col(0) = unit_x;
-  to_part_.rotation.col(1) = unit_z.cross(unit_x);
-  to_part_.rotation.col(2) = unit_z;
-  to_part_.shift = vector_of(arguments_, 0) * mm_per_unit_;
+  const std::optional<RigidTransform> frame = make_frame(
+      vector_of(arguments_, 0) * mm_per_unit_, vector_of(arguments_, 3), vector_of(arguments_, 6), "MSYS");
+  if (frame) set_frame(*frame);
 }
 
 void Interpreter::take_csys() {
   csys_reason_ = is_identity(arguments_, kIdentityByRows) ? nullptr : Reasons::kCsys;
 }
 
+// CAMplete: the X, Y and Z axes, then the origin.
 void Interpreter::take_mcs() {
-  mcs_reason_ = is_identity(arguments_, kIdentityByVectors) ? nullptr : Reasons::kMcs;
+  if (arguments_.size() != 12 || find_word_argument(arguments_) != nullptr) {
+    return fail("path-frame", "MCS has " + std::to_string(arguments_.size()) +
+                                  " arguments; expected 12 numbers: the X, Y and Z axes and the origin");
+  }
+  const std::optional<RigidTransform> frame = make_frame(
+      vector_of(arguments_, 9) * mm_per_unit_, vector_of(arguments_, 0), vector_of(arguments_, 3), "MCS");
+  if (!frame) return;
+  if ((vector_of(arguments_, 6) - frame->rotation.col(2)).norm() > kFrameError)
+    return fail("path-frame",
+                "MCS: the third axis is not the first cross the second; expected a right-handed system");
+  set_frame(*frame);
 }
 
 // MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: an origin, an X axis and a Y axis.
@@ -124,7 +167,7 @@ void Interpreter::take_mcsys() {
     if (is_counting && argument.number) numbers.push_back(argument);
   }
   constexpr std::array<double, 9> kPlain = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-  mcs_reason_ = is_identity(numbers, kPlain) ? nullptr : Reasons::kMcs;
+  mcs_reason_ = is_identity(numbers, kPlain) ? nullptr : Reasons::kMcsys;
 }
 
 // ROTABL/angle,AAXIS,...: turns add up and are undone by the same angle the other way.
@@ -139,6 +182,13 @@ void Interpreter::take_rotabl() {
 void Interpreter::take_trntyp() {
   const bool is_world = !arguments_.empty() && equals_ignoring_case(arguments_.front().text, "WORLD");
   trntyp_reason_ = is_world ? nullptr : Reasons::kTrntyp;
+}
+
+// TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows.
+void Interpreter::take_trans() {
+  const bool is_shifted = std::any_of(arguments_.begin(), arguments_.end(),
+                                      [](const Argument& a) { return a.number && std::abs(*a.number) > 0; });
+  trans_reason_ = is_shifted ? Reasons::kTrans : nullptr;
 }
 
 void Interpreter::take_tlaxis() {

@@ -129,7 +129,7 @@ void Interpreter::take_positions(PositionForm form) {
     note_plain_axis(position);
     emit(position);
   }
-  is_arc_ = false;
+  arc_.reset();
 }
 
 void Interpreter::take_godlta() {
@@ -155,80 +155,13 @@ void Interpreter::take_godlta() {
     position.tip_local = here.tip + *step;
   }
   emit(position);
-  is_arc_ = false;
+  arc_.reset();
 }
 
 void Interpreter::take_gohome() {
   if (!arguments_.empty()) return take_positions(PositionForm::gohome);
   is_rapid_ = false;
   break_motion();
-}
-
-// CATIA: TLON,GOFWD/(CIRCLE/cx,cy,cz,r),ON,(LINE/cx,cy,cz,ex,ey,ez); the second point of LINE is the end.
-void Interpreter::take_tlon() {
-  const auto line = std::find_if(arguments_.begin(), arguments_.end(),
-                                 [](const Argument& a) { return equals_ignoring_case(a.text, "LINE"); });
-  const bool is_catia_arc =
-      has_argument(arguments_, "CIRCLE") && arguments_.end() - line == 7 &&
-      std::all_of(line + 1, arguments_.end(), [](const Argument& a) { return a.number.has_value(); });
-  if (!is_catia_arc) return refuse_part_program("TLON");
-  const std::optional<Vec3> tip = read_tip(static_cast<std::size_t>(line - arguments_.begin()) + 4);
-  if (!tip) return;
-  Position position;
-  position.form = PositionForm::curve;
-  position.tip_local = *tip;
-  // The arc keeps the axis of the position before it.
-  position.axis_local =
-      last_pose_ && multax_.value_or(false) ? to_part_.inverse().direction(last_pose_->axis) : implied_axis();
-  is_arc_ = true;
-  emit(position);
-  is_arc_ = false;
-}
-
-void Interpreter::begin_curve() {
-  curve_statement_ = path_.statements.size() - 1;
-  curve_line_ = statement_->line;
-}
-
-void Interpreter::take_control_point() {
-  if (!check_all_numbers(kPositionForm)) return;
-  const std::size_t count = arguments_.size();
-  if (curve_statement_ == kNone) {
-    return fail("path-statement",
-                "CNTRL without a NURBS before it; expected NURBS/, KNOT/ and then CNTRL/ lines");
-  }
-  if (count != 3 && count != 6) {
-    return fail("path-count", "CNTRL has " + std::to_string(count) + " numbers; " + kPositionForm);
-  }
-  const std::optional<Vec3> tip = read_tip(0);
-  std::optional<Vec3> axis = implied_axis();
-  if (count == 6) axis = read_axis(3);
-  if (!tip || !axis) return;
-  Position position;
-  position.form = PositionForm::curve;
-  position.tip_local = *tip;
-  position.axis_local = *axis;
-  curve_end_ = position;
-}
-
-void Interpreter::flush_curve() {
-  if (!curve_end_) {
-    curve_statement_ = kNone;
-    return fail("path-statement", "the NURBS before this line has no CNTRL points; expected at least one");
-  }
-  emit(*curve_end_);
-  path_.moves.back().statement = curve_statement_;
-  path_.moves.back().line = curve_line_;
-  if (records_ != nullptr) records_->back().statement = curve_statement_;
-  curve_end_.reset();
-  curve_statement_ = kNone;
-}
-
-void Interpreter::take_cycle() {
-  if (arguments_.empty()) return count_unknown();
-  const std::string_view what = arguments_.front().text;
-  if (equals_ignoring_case(what, "INIT") || equals_ignoring_case(what, "CLEAR")) return;
-  is_cycle_ = !equals_ignoring_case(what, "OFF") && !equals_ignoring_case(what, "NOMORE");
 }
 
 void Interpreter::take_rapid() {
@@ -259,27 +192,51 @@ void Interpreter::take_multax() {
 }
 
 void Interpreter::break_motion() {
+  is_broken_ = is_broken_ || last_pose_.has_value();
   last_pose_.reset();
   unknown_start_ = nullptr;
   last_frame_reason_ = nullptr;
-  is_arc_ = false;
+  last_direction_.reset();
+  arc_.reset();
+}
+
+// LEFT and RIGHT let the control offset the path by a radius nobody here knows, unless the file says that its
+// positions are the cutter's centre.
+void Interpreter::take_cutcom() {
+  if (has_argument(arguments_, "OFF")) {
+    cutcom_reason_ = nullptr;
+    return;
+  }
+  if (cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
+  if (!is_cutter_centre_) cutcom_reason_ = Reasons::kCutcom;
 }
 
 void Interpreter::emit(const Position& position) {
   resolve_tool();
   resolve_operation();
-  const char* frame = frame_reason();
-  const bool is_curve = position.form == PositionForm::curve;
   const bool is_from = position.form == PositionForm::from;
-  const bool is_cycle = is_cycle_ && !is_from;
-  const bool is_arc = !is_cycle && (is_arc_ || is_curve);
-  const bool is_rapid = is_rapid_ || is_from || position.form == PositionForm::gohome;
+  const bool is_cycle =
+      is_cycle_ && (position.form == PositionForm::go_to || position.form == PositionForm::godlta);
+  if (is_cycle && cycle_ && frame_reason() == nullptr) return emit_cycle(position, *cycle_);
 
+  const bool is_curve = position.form == PositionForm::curve;
+  const bool is_arc = !is_cycle && (arc_ || is_curve);
+  const bool is_rapid = is_rapid_ || is_from || position.form == PositionForm::gohome;
+  Move move = make_move(position, is_cycle   ? MoveKind::cycle
+                                  : is_arc   ? MoveKind::arc
+                                  : is_rapid ? MoveKind::rapid
+                                             : MoveKind::feed);
+  if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = Reasons::kCycle;
+  if (move.not_checked_reason.empty() && is_arc) attach_curve(position, move);
+  append(std::move(move), position);
+  if (is_cycle) unknown_start_ = Reasons::kAfterCycle;
+  was_from_ = is_from;
+}
+
+Move Interpreter::make_move(const Position& position, MoveKind kind) {
+  const char* frame = frame_reason();
   Move move;
-  move.kind = is_cycle   ? MoveKind::cycle
-              : is_arc   ? MoveKind::arc
-              : is_rapid ? MoveKind::rapid
-                         : MoveKind::feed;
+  move.kind = kind;
   move.line = statement_->line;
   move.statement = path_.statements.size() - 1;
   move.point_in_statement = position.point;
@@ -287,31 +244,29 @@ void Interpreter::emit(const Position& position) {
   move.end.axis.normalize();
   move.tool = tool_index_;
   move.operation = operation_index_;
-  if (move.kind != MoveKind::rapid) move.feed_mm_per_min = feed_mm_per_min_;
+  if (kind != MoveKind::rapid) move.feed_mm_per_min = feed_mm_per_min_;
   if (unknown_start_ == nullptr && last_frame_reason_ == nullptr) move.start = last_pose_;
-  if (frame != nullptr) {
-    move.not_checked_reason = frame;
-  } else if (is_cycle) {
-    move.not_checked_reason = Reasons::kCycle;
-  } else if (is_arc) {
-    move.not_checked_reason = is_curve && curve_end_ ? Reasons::kCurve : Reasons::kArc;
-  } else if (last_frame_reason_ != nullptr) {
-    move.not_checked_reason = last_frame_reason_;
-  } else if (unknown_start_ != nullptr) {
-    move.not_checked_reason = unknown_start_;
+  for (const char* reason : {frame, last_frame_reason_, unknown_start_}) {
+    if (reason != nullptr && move.not_checked_reason.empty()) move.not_checked_reason = reason;
   }
+  return move;
+}
 
+void Interpreter::append(Move move, const Position& position) {
   if (records_ != nullptr) {
     records_->push_back({move.statement, position.point, position.points, position.first_argument,
                          position.numbers, position.form, is_rapid_, multax_ == false, rapid_statement_,
                          block_, position.axis_local, implied_axis(), mm_per_unit_, to_part_});
   }
+  if (is_broken_ && not_swept_++ == 0) first_not_swept_line_ = move.line;
+  is_broken_ = false;
   if (dialect_.is_axis_modal) modal_axis_ = position.axis_local;
+  note_direction(move);
   last_pose_ = move.end;
-  last_frame_reason_ = frame;
-  unknown_start_ = is_cycle ? Reasons::kAfterCycle : nullptr;
+  last_frame_reason_ = frame_reason();
+  unknown_start_ = nullptr;
   is_rapid_ = false;
-  was_from_ = is_from;
+  was_from_ = false;
   path_.moves.push_back(std::move(move));
 }
 

@@ -161,9 +161,9 @@ void Interpreter::resolve_tool() {
   if (tool_index_ == kNone && was_from_) {
     path_.moves.back().tool = index;  // FROM says where the first tool stands
   } else {
-    const bool was_arc = is_arc_;
+    const std::optional<ArcStatement> arc = arc_;
     break_motion();
-    is_arc_ = was_arc;
+    arc_ = arc;
   }
   tool_index_ = index;
 }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/statement_reader.h"
 #include "postproc/cldata/text.h"
 
 namespace gouge {
@@ -20,7 +21,7 @@ std::string unknown_word(std::string_view major) {
   if ((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.') return "(line of numbers)";
   std::string word;
   for (const char letter : major.substr(0, 24)) {
-    const bool is_plain = letter > ' ' && letter < '\x7f';
+    const bool is_plain = letter >= ' ' && letter < '\x7f';
     word += !is_plain ? '?' : letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
   }
   return word;
@@ -40,6 +41,14 @@ bool is_assignment(std::string_view major) {
            c == ')' || c == '_';
   };
   return symbol.size() <= kLongestSymbol && std::all_of(symbol.begin(), symbol.end(), is_symbol);
+}
+
+std::string cut_short_text(DialectKind kind) {
+  if (kind == DialectKind::nccs_binary)
+    return "the file ends within this record, or the record has no length: it is cut short or damaged";
+  if (kind == DialectKind::nci)
+    return "the file ends after a code; expected the line of its parameters: the file is cut short";
+  return "the file ends within a statement that a $ continues; expected its next line: the file is cut short";
 }
 
 bool is_within_curve(Word word) {
@@ -104,15 +113,14 @@ void Interpreter::count_unknown() {
 void Interpreter::take(const Statement& statement) {
   statement_ = &statement;
   path_.statements.push_back({statement.line, statement.first_byte, statement.last_byte});
-  if (statement.is_unterminated) {
-    return fail(
-        "path-unterminated",
-        "the file ends within a statement that a $ continues; expected its next line: the file is cut short");
-  }
+  if (statement.is_unterminated) return fail("path-unterminated", cut_short_text(dialect_.kind));
   if (is_assignment(statement.major)) return refuse_part_program(statement.major);
   if (curve_statement_ != kNone && !is_within_curve(statement.word)) flush_curve();
   if (has_arguments(statement.word)) split_arguments(statement, arguments_);
-  if (!take_motion_word() && !take_tool_word() && !take_frame_word() && !take_text_word()) count_unknown();
+  if (!take_motion_word() && !take_tool_word() && !take_frame_word() && !take_text_word() &&
+      !take_unread_word()) {
+    take_unknown();
+  }
   if (statement.word != Word::comment) previous_word_ = statement.word;
 }
 
@@ -131,9 +139,14 @@ bool Interpreter::take_motion_word() {
       take_fedrat();
       return true;
     case Word::circle:
-    case Word::curve:
     case Word::movarc:
-      is_arc_ = true;
+      take_arc();
+      return true;
+    case Word::curve:
+      take_unread_curve();
+      return true;
+    case Word::indirv:
+      take_indirv();
       return true;
     case Word::cntrl:
       take_control_point();
@@ -142,6 +155,7 @@ bool Interpreter::take_motion_word() {
       begin_curve();
       return true;
     case Word::knot:
+      take_knots();
       return true;
     case Word::godlta:
       take_godlta();
@@ -162,7 +176,7 @@ bool Interpreter::take_motion_word() {
       unknown_start_ = Reasons::kAfterRetract;
       return true;
     case Word::cutcom:
-      if (!has_argument(arguments_, "OFF") && cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
+      take_cutcom();
       return true;
     default:
       return false;
@@ -222,6 +236,9 @@ bool Interpreter::take_frame_word() {
     case Word::trntyp:
       take_trntyp();
       return true;
+    case Word::trans:
+      take_trans();
+      return true;
     case Word::tlaxis:
       take_tlaxis();
       return true;
@@ -271,6 +288,26 @@ bool Interpreter::take_text_word() {
   }
 }
 
+// Words known to matter, in a way that is not read.
+bool Interpreter::take_unread_word() {
+  switch (statement_->word) {
+    case Word::unread_motion:
+      emit_unread();
+      break;
+    case Word::unread_frame:
+      unread_frame_reason_ = Reasons::kUnreadFrame;
+      break;
+    case Word::unread_tool:
+      tool_.cutter.reset();
+      is_tool_changed_ = true;
+      break;
+    default:
+      return false;
+  }
+  count_unknown();
+  return true;
+}
+
 // A word of the source language makes a statement alone or before a slash or comma; else it only begins a
 // sentence.
 bool Interpreter::is_statement() const {
@@ -290,13 +327,8 @@ void Interpreter::finish() {
                                   exact_text(worst_axis_length_) + ") made so",
                               path_.file));
   }
-  if (cutcoms_ > 0) {
-    notes.push_back(make_warning("path-cutcom",
-                                 counted(cutcoms_, "CUTCOM statement") +
-                                     " on: positions are "
-                                     "taken as those of the cutter centre, with none dialled in",
-                                 path_.file, first_cutcom_line_));
-  }
+  note_motion();
+  note_arcs();
   if (plain_after_tilt_ > 0) {
     notes.push_back(
         make_warning("path-plain-axis",
@@ -305,8 +337,21 @@ void Interpreter::finish() {
                          "axis before",
                      path_.file, first_plain_after_tilt_));
   }
-  const bool is_marked = dialect_.kind != DialectKind::apt && dialect_.kind != DialectKind::nx_clsf;
-  if (is_marked && !has_end_) {
+  if (csys_told_ > 0) {
+    notes.push_back(make_note("path-csys",
+                              counted(csys_told_, "CSYS statement") +
+                                  " not applied: Creo writes positions in the machine coordinate system",
+                              path_.file, first_csys_line_));
+  }
+  if (cutters_recomputed_ > 0) {
+    notes.push_back(
+        make_note("path-cutter-recomputed",
+                  counted(cutters_recomputed_, "CUTTER statement") +
+                      " with e and f other than d, r, alpha and beta give: these are taken, as CAM "
+                      "systems disagree about e and f",
+                  path_.file, first_cutter_recomputed_));
+  }
+  if (dialect_.has_end_word && !has_end_) {
     notes.push_back(
         make_warning("path-cut-short", "the file ends without END or FINI: it may be cut short", path_.file));
   }
@@ -330,10 +375,11 @@ std::vector<MotionRecord> read_motion_records(const Toolpath& path) {
   again.file = path.file;
   again.source = path.source;
   std::vector<MotionRecord> records;
-  Interpreter interpreter(again, recognise_dialect(again.source), find_unit(again.source).unit, &records);
-  Lexer lexer(again.source);
+  const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});
+  Interpreter interpreter(again, dialect, path.unit, &records);
+  StatementReader reader(again.source, dialect.kind);
   Statement statement;
-  while (lexer.next(statement)) interpreter.take(statement);
+  while (reader.next(statement)) interpreter.take(statement);
   interpreter.finish();
   return records;
 }

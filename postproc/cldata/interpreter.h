@@ -11,9 +11,11 @@
 
 #include "lib/geom/rigid_transform.h"
 #include "lib/path/toolpath.h"
+#include "postproc/cldata/arc_statement.h"
 #include "postproc/cldata/arguments.h"
+#include "postproc/cldata/cycle_statement.h"
 #include "postproc/cldata/dialect.h"
-#include "postproc/cldata/lexer.h"
+#include "postproc/cldata/statement.h"
 
 // Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it
 // again over the same bytes to know in which state (axis, frame, unit, rapid) each position was read.
@@ -21,14 +23,14 @@
 namespace gouge {
 
 /// How a position is written, as far as a writer must know.
-enum class PositionForm : std::uint8_t { go_to, from, gohome, godlta, curve };
+enum class PositionForm : std::uint8_t { go_to, from, gohome, godlta, curve, cycle, unread };
 
 /// The state a move was read in. One for each of Toolpath::moves, in the same order.
 struct MotionRecord {
   std::size_t statement = 0;
   std::size_t point = 0, points = 1;  ///< which of how many positions of its statement
   std::size_t first_argument = 0;     ///< of this position
-  std::size_t numbers = 0;            ///< 3 or 6; 0 where the form is godlta or curve
+  std::size_t numbers = 0;            ///< 3 or 6; 3 or 6 of the hole for a step of a cycle; 0 where the form is godlta, curve or unread
   PositionForm form = PositionForm::go_to;
   bool is_rapid = false;                ///< by a RAPID before it
   bool is_multax_off = false;           ///< MULTAX/OFF is stated: positions with an axis would be read as two
@@ -42,18 +44,23 @@ struct MotionRecord {
 
 /// Why moves are not checked. The texts are told to the user.
 struct Reasons {
-  static constexpr const char* kArc = "arcs are not checked yet";
-  static constexpr const char* kCurve = "NURBS curves are not checked yet";
-  static constexpr const char* kCycle = "drilling cycles are not checked yet";
+  static constexpr const char* kCurve = "a curve that is not understood";
+  static constexpr const char* kSpline = "a NURBS whose knots, points or axis are not those of a cubic curve";
+  static constexpr const char* kCycle = "a cycle whose words are not understood";
+  static constexpr const char* kCutcom = "compensated by CUTCOM: the positions need not be the cutter centre";
   static constexpr const char* kAfterCycle = "starts at an unknown retract height after a drilling cycle";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
   static constexpr const char* kContour =
       "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";
+  static constexpr const char* kUnread = "a statement that is not understood may have moved the tool";
+  static constexpr const char* kAfterUnread =
+      "starts at an unknown position after a statement that is not understood";
+  static constexpr const char* kUnreadFrame =
+      "positions follow a statement that is not understood and may turn or shift them";
+  static constexpr const char* kTrans = "positions are shifted by a TRANS or ORIGIN that is not applied";
   static constexpr const char* kCsys = "positions are in a coordinate system (CSYS) that is not applied";
-  static constexpr const char* kMcs = "positions are in a coordinate system (MCS) that is not applied";
-  static constexpr const char* kCatia =
-      "positions are in a machining axis system ($$*CATIA0) that is not applied";
+  static constexpr const char* kMcsys = "positions are in a coordinate system (MCSYS) that is not applied";
   static constexpr const char* kTurned =
       "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
@@ -68,6 +75,9 @@ class Interpreter {
   void take(const Statement& statement);
   /// To be called once, after the last statement.
   void finish();
+
+  /// Positions under CUTCOM are the cutter's centre, because the user says so.
+  void set_cutter_centre() { is_cutter_centre_ = true; }
 
   [[nodiscard]] Diagnostics take_errors();
   [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
@@ -91,33 +101,63 @@ class Interpreter {
   void fail(std::string code, std::string message);
   void refuse_part_program(std::string_view what);
   void count_unknown();
+
+  // interpret_unread.cpp
+  void take_unknown();
+  void emit_unread();
   [[nodiscard]] bool is_statement() const;
 
   [[nodiscard]] bool take_motion_word();
   [[nodiscard]] bool take_tool_word();
   [[nodiscard]] bool take_frame_word();
   [[nodiscard]] bool take_text_word();
+  [[nodiscard]] bool take_unread_word();
 
   // interpret_motion.cpp
   void take_positions(PositionForm form);
   void take_godlta();
   void take_gohome();
-  void take_tlon();
-  void begin_curve();
-  void take_control_point();
-  void flush_curve();
-  void take_cycle();
   void take_rapid();
   void take_fedrat();
   void take_multax();
+  void take_cutcom();
   [[nodiscard]] std::size_t numbers_per_point();
   [[nodiscard]] bool check_all_numbers(std::string_view expected);
   [[nodiscard]] std::optional<Vec3> read_axis(std::size_t first);
   [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
   [[nodiscard]] Vec3 implied_axis() const;
   void emit(const Position& position);
+  [[nodiscard]] Move make_move(const Position& position, MoveKind kind);
+  void append(Move move, const Position& position);
   void note_plain_axis(const Position& position);
   void break_motion();
+
+  // interpret_cycle.cpp
+  void take_cycle();
+  void emit_cycle(const Position& position, const DrillCycle& cycle);
+  void emit_cycle_step(const Position& position, const Vec3& tip_local, bool is_rapid);
+
+  // interpret_curve.cpp
+  void take_arc();
+  void take_unread_curve();
+  void take_indirv();
+  void take_tlon();
+  void begin_curve();
+  void take_knots();
+  void take_control_point();
+  void flush_curve();
+  void attach_curve(const Position& position, Move& move);
+  void attach_arc(const Position& position, Move& move);
+  void attach_spline(Move& move);
+  void fit(const ArcStatement& arc, Move& move);
+  void vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction);
+  void note_direction(const Move& move);
+  void close_arcs();
+  [[nodiscard]] static ArcSense shorter_way(ArcStatement arc, const Move& move);
+
+  // interpret_notes.cpp
+  void note_motion();
+  void note_arcs();
 
   // interpret_tool.cpp
   void take_cutter();
@@ -142,6 +182,10 @@ class Interpreter {
   void take_mcsys();
   void take_rotabl();
   void take_trntyp();
+  void take_trans();
+  void set_frame(const RigidTransform& to_part);
+  [[nodiscard]] std::optional<RigidTransform> make_frame(const Vec3& origin, const Vec3& x, const Vec3& y,
+                                                         const char* what);
   void take_tlaxis();
   void take_units();
   void take_tool_path();
@@ -161,8 +205,17 @@ class Interpreter {
   const char* unknown_start_ = nullptr;  // why the next motion's start is not known
   const char* last_frame_reason_ = nullptr;
   bool is_rapid_ = false;
-  bool is_arc_ = false;
+  bool is_broken_ = false;               // nothing is swept from the last position to the next
+  std::optional<ArcStatement> arc_;      // to the next position, in the block's frame
+  std::optional<Vec3> start_tangent_;    // INDIRV
+  std::optional<Vec3> last_direction_;   // of the last move where it was straight, part coordinates
+  struct OpenArc {
+    std::size_t move = 0;
+    ArcStatement arc;  // part coordinates
+  };
+  std::vector<OpenArc> open_arcs_;  // whose sense the rest of the file must tell
   bool is_cycle_ = false;
+  std::optional<DrillCycle> cycle_;  // nothing: not understood
   std::size_t rapid_statement_ = kNone;
   std::optional<bool> multax_;
   Vec3 modal_axis_ = Vec3::UnitZ();  // the last axis given, or TLAXIS
@@ -171,6 +224,9 @@ class Interpreter {
   std::size_t curve_statement_ = kNone;  // NURBS whose control points are being read
   std::size_t curve_line_ = 0;
   std::optional<Position> curve_end_;
+  std::vector<double> knots_;
+  std::vector<Vec3> control_local_;
+  bool is_curve_understood_ = false;
   bool was_from_ = false;  // the last move was FROM
 
   // tools and operations
@@ -191,19 +247,30 @@ class Interpreter {
   bool is_block_open_ = false;
   const char* csys_reason_ = nullptr;
   const char* mcs_reason_ = nullptr;
-  const char* catia_reason_ = nullptr;
+  const char* trans_reason_ = nullptr;
+  const char* unread_frame_reason_ = nullptr;
   const char* contour_reason_ = nullptr;
+  const char* cutcom_reason_ = nullptr;
+  bool is_cutter_centre_ = false;  // positions under CUTCOM are the cutter's centre
   const char* turning_reason_ = nullptr;
   const char* trntyp_reason_ = nullptr;
   std::array<double, 3> turned_{};  // sum of table turns about A, B, C
   int catia_row_ = -1;              // lines seen since $$*CATIA0; -1: none
-  bool is_catia_identity_ = true;
+  std::array<double, 12> catia_rows_{};
   bool is_tlaxis_ignored_ = false;
 
   // told once at the end
   std::size_t renormalised_ = 0;
   double worst_axis_length_ = 1;
+  std::size_t csys_told_ = 0, first_csys_line_ = 0;
+  std::size_t cutters_recomputed_ = 0, first_cutter_recomputed_ = 0;
   std::size_t cutcoms_ = 0, first_cutcom_line_ = 0;
+  std::size_t not_swept_ = 0, first_not_swept_line_ = 0;
+  std::size_t right_votes_ = 0, left_votes_ = 0;         // lines that touch arcs, by the sense they tell
+  std::size_t smooth_arcs_ = 0, reversing_arcs_ = 0;     // the same, by whether it is the sense they are read in
+  std::size_t radius_errors_ = 0, first_radius_error_line_ = 0;
+  double worst_radius_error_mm_ = 0;
+  std::size_t cycles_without_retract_ = 0, first_cycle_without_retract_ = 0;
   std::size_t plain_after_tilt_ = 0, first_plain_after_tilt_ = 0;
   bool is_last_tilted_ = false;
   bool has_end_ = false;

@@ -69,6 +69,7 @@ void Lexer::take_pieces(Statement& statement, std::string_view text) {
 bool Lexer::next(Statement& statement) {
   statement.pieces.clear();
   statement.is_unterminated = false;
+  statement.is_decoded = false;
   while (at_ < bytes_.size()) {
     statement.first_byte = at_;
     statement.line = line_;

@@ -4,60 +4,73 @@
 #include <string_view>
 #include <utility>
 
+#include "postproc/cldata/foreign_file.h"
 #include "postproc/cldata/interpreter.h"
+#include "postproc/cldata/statement_reader.h"
 #include "postproc/cldata/text.h"
+#include "postproc/cldata/unit_guess.h"
 
 namespace gouge {
 namespace {
 
-constexpr unsigned kNclHeaderClass = 7400;
 constexpr std::size_t kUsualBytesOfLine = 32;
-
-// NCL: the first record is a header of class 7400, written as 16-bit numbers, low byte first.
-bool is_ncl_binary(std::string_view bytes) {
-  if (bytes.size() < 8) return false;
-  const unsigned low = static_cast<unsigned char>(bytes[2]);
-  const unsigned high = static_cast<unsigned char>(bytes[3]);
-  return low + 256 * high == kNclHeaderClass;
-}
+constexpr const char* kExpected = "expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI file";
 
 bool is_control(char c) {
   const unsigned byte = static_cast<unsigned char>(c);
   return (byte < 0x20 && c != '\n' && !is_blank(c)) || byte == 0x7f;
 }
 
-std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_view bytes) {
-  if (bytes.empty()) {
-    return make_error("path-empty", "the file is empty; expected APT CL data or an NX CLSF", file);
+std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_view bytes,
+                                          const Dialect& dialect, bool is_dialect_given) {
+  if (bytes.empty()) return make_error("path-empty", std::string("the file is empty; ") + kExpected, file);
+  if (dialect.kind == DialectKind::apt && !is_dialect_given) {
+    if (auto sentence = describe_foreign(bytes))
+      return make_error("path-not-cl-data", std::move(*sentence), file);
   }
-  if (is_ncl_binary(bytes)) {
-    return make_error(
-        "path-nccs-binary",
-        "is a binary NCL file, which is not supported yet; export the CL data as ASCII (APT source)", file);
-  }
+  if (dialect.kind == DialectKind::nccs_binary) return std::nullopt;
   const auto control = std::find_if(bytes.begin(), bytes.end(), is_control);
   if (control == bytes.end()) return std::nullopt;
   const auto line = static_cast<std::size_t>(std::count(bytes.begin(), control, '\n')) + 1;
   return make_error("path-binary",
                     "is not text: byte " + std::to_string(static_cast<unsigned char>(*control)) +
-                        " at position " + std::to_string(control - bytes.begin()) +
-                        "; expected APT CL data or an NX CLSF",
+                        " at position " + std::to_string(control - bytes.begin()) + "; " + kExpected,
                     file, line);
 }
 
-void note_unit(const UnitGuess& guess, Toolpath& path) {
+std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& options, Toolpath& path) {
   const std::string unit = guess.unit == LengthUnit::inch ? "inches" : "mm";
-  if (guess.source == UnitGuess::Source::feed_word) {
-    path.notes.push_back(make_note(
-        "path-unit", "the file states no unit; taken as " + unit + " from the words of FEDRAT", path.file));
-  } else if (guess.source == UnitGuess::Source::assumed) {
-    path.notes.push_back(make_warning("path-unit", "the file states no unit; taken as mm", path.file));
+  const std::string taken = "the file states no unit; taken as " + unit;
+  switch (guess.source) {
+    case UnitGuess::Source::stated:
+      if (!options.unit || *options.unit == guess.unit) return std::nullopt;
+      return make_error("path-unit",
+                        "the file states " + unit +
+                            ", the command line another unit; expected --path-units "
+                            "only for files that state none",
+                        path.file);
+    case UnitGuess::Source::option:
+      path.notes.push_back(make_note("path-unit", taken + " as asked", path.file));
+      break;
+    case UnitGuess::Source::feed_word:
+      path.notes.push_back(make_note("path-unit", taken + " from the feed words (MMPM, IPM)", path.file));
+      break;
+    case UnitGuess::Source::dialect:
+      path.notes.push_back(
+          make_note("path-unit", taken + ", which CATIA writes unless it says otherwise", path.file));
+      break;
+    case UnitGuess::Source::assumed:
+      path.notes.push_back(
+          make_warning("path-unit", taken + " for want of evidence; say --path-units mm or inch", path.file));
   }
+  return std::nullopt;
 }
 
-Diagnostic no_motion(const Toolpath& path) {
+Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
   std::string message = "holds no position; expected GOTO statements of APT CL data or an NX CLSF";
-  if (!path.statements.empty()) {
+  if (dialect.kind == DialectKind::nccs_binary) {
+    message = "is a binary NCCS file without a position; expected motion records";
+  } else if (!path.statements.empty()) {
     const SourceStatement& first = path.statements.front();
     const std::string_view all = path.source;
     message += "; the first line is " +
@@ -66,19 +79,25 @@ Diagnostic no_motion(const Toolpath& path) {
   return make_error("path-no-motion", std::move(message), path.file);
 }
 
+UnitGuess unit_of(std::string_view bytes, const Dialect& dialect, const ReadOptions& options) {
+  const UnitGuess guess = find_unit(bytes, dialect);
+  if (guess.source == UnitGuess::Source::stated || !options.unit) return guess;
+  return {*options.unit, UnitGuess::Source::option};
+}
+
 }  // namespace
 
-ReadOutcome read_toolpath(const std::string& file_name, std::string bytes) {
+ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const ReadOptions& options) {
   ReadOutcome outcome;
-  if (auto error = find_unreadable(file_name, bytes)) {
+  const Dialect dialect = options.dialect.value_or(recognise_dialect(bytes));
+  if (auto error = find_unreadable(file_name, bytes, dialect, options.dialect.has_value())) {
     outcome.errors.push_back(std::move(*error));
     return outcome;
   }
   Toolpath path;
   path.file = file_name;
   path.source = std::move(bytes);
-  const Dialect dialect = recognise_dialect(path.source);
-  const UnitGuess guess = find_unit(path.source);
+  const UnitGuess guess = unit_of(path.source, dialect, options);
   path.dialect = dialect.id;
   path.unit = guess.unit;
   path.is_unit_stated = guess.source == UnitGuess::Source::stated;
@@ -86,14 +105,17 @@ ReadOutcome read_toolpath(const std::string& file_name, std::string bytes) {
   path.statements.reserve(path.source.size() / kUsualBytesOfLine);
   path.moves.reserve(path.source.size() / kUsualBytesOfLine);
   Interpreter interpreter(path, dialect, guess.unit, nullptr);
-  Lexer lexer(path.source);
+  StatementReader reader(path.source, dialect.kind);
   Statement statement;
-  while (!interpreter.is_hopeless() && lexer.next(statement)) interpreter.take(statement);
+  while (!interpreter.is_hopeless() && reader.next(statement)) interpreter.take(statement);
   if (!interpreter.is_hopeless()) interpreter.finish();
   outcome.errors = interpreter.take_errors();
-  if (outcome.errors.empty() && path.moves.empty()) outcome.errors.push_back(no_motion(path));
+  if (outcome.errors.empty() && path.moves.empty()) outcome.errors.push_back(no_motion(path, dialect));
   if (!outcome.errors.empty()) return outcome;
-  note_unit(guess, path);
+  if (auto error = note_unit(guess, options, path)) {
+    outcome.errors.push_back(std::move(*error));
+    return outcome;
+  }
   outcome.toolpath = std::move(path);
   return outcome;
 }

@@ -5,12 +5,19 @@
 
 #include "lib/base/diagnostic.h"
 #include "lib/path/toolpath.h"
+#include "postproc/cldata/dialect.h"
 
-// Reads cutter-location text: APT CL data in the forms CAM systems write it, and Siemens NX CLSF. The dialect
-// is told by the content, never by the file's name. docs/formats/apt_cl.md and nx_clsf.md say what is
-// understood.
+// Reads cutter-location files: APT CL data in the forms CAM systems write it, Siemens NX CLSF, binary NCCS,
+// Mastercam NCI. The dialect is told by the content, never by the file's name, or by the user. docs/formats/
+// says what is understood of each.
 
 namespace gouge {
+
+/// What the user says about a file; nothing: its content tells.
+struct ReadOptions {
+  std::optional<Dialect> dialect;
+  std::optional<LengthUnit> unit;  ///< of a file that states none
+};
 
 /// Either a toolpath or at least one error. At most 20 errors are listed, then one that counts the rest.
 /// Warnings and notes of a path that was read are in Toolpath::notes.
@@ -23,10 +30,12 @@ struct ReadOutcome {
 /// Ensures  (1) Every GOTO, FROM, GOHOME, GODLTA, arc, spline or cycle point of the file is one move, or the
 ///              file is refused. (2) What is not understood is a move with a reason, a counted word or a
 ///              note.
-/// Errors   path-empty, path-binary, path-nccs-binary, path-no-motion, path-part-program, path-unterminated,
+/// Errors   path-empty, path-binary, path-not-cl-data, path-unit, path-no-motion, path-part-program,
+/// path-unterminated,
 ///          path-number, path-count, path-axis, path-cutter, path-statement, path-frame, path-range,
 ///          path-more-errors.
 /// Cost     One pass; memory is the file plus about 250 bytes for each move.
-[[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, std::string bytes);
+[[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, std::string bytes,
+                                        const ReadOptions& options = {});
 
 }  // namespace gouge

@@ -33,6 +33,7 @@ enum class Word : std::uint8_t {
   godlta,
   gohome,
   go_to,
+  indirv,
   knot,
   load,
   loadtl,
@@ -51,9 +52,13 @@ enum class Word : std::uint8_t {
   tlon,
   tool_path,
   toolno,
+  trans,
   trntyp,
   turret,
-  units
+  units,
+  unread_frame,   // may turn or shift what follows, in a way that is not read
+  unread_motion,  // moves the tool, in a way that is not read
+  unread_tool     // defines a tool, in a way that is not read
 };
 
 /// The word a statement begins with; upper or lower case.

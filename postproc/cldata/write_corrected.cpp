@@ -43,7 +43,7 @@ class CorrectedWriter {
       : path_(path),
         records_(read_motion_records(path)),
         goto_text_(path, records_),
-        is_axis_modal_(recognise_dialect(path.source).is_axis_modal),
+        is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
         changes_(path.moves.size(), nullptr) {
     for (const PathChange& change : changes) changes_[change.move] = &change;
   }
@@ -92,6 +92,7 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
   if (record.form == PositionForm::godlta) {
     return first > 0 && changes_[first - 1] != nullptr && changes_[first - 1]->new_end.has_value();
   }
+  if (record.form == PositionForm::unread) return false;
   const bool relies_on_axis = is_axis_modal_ && (record.numbers == 3 || record.form == PositionForm::curve);
   return relies_on_axis && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
 }

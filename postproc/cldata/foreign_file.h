@@ -1,0 +1,14 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gouge {
+
+/// What `bytes` are, as the rest of a sentence that begins with the file's name ("is G-code, ..."), where
+/// they are certainly not CL data: meshes, CAD files, NC programs, archives, pictures, columns of numbers.
+/// Nothing for what may be CL data. Looks at the first lines only.
+[[nodiscard]] std::optional<std::string> describe_foreign(std::string_view bytes);
+
+}  // namespace gouge

@@ -1,0 +1,217 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "postproc/cldata/arc_statement.h"
+#include "postproc/cldata/interpreter.h"
+#include "postproc/cldata/text.h"
+
+namespace gouge {
+namespace {
+
+constexpr const char* kPositionForm = "expected x,y,z or x,y,z,i,j,k";
+constexpr double kShortest_mm = 1e-3;  // of a straight way whose direction tells anything
+constexpr double kSmooth = 0.999;      // cosine between a line and an arc that go on in each other
+constexpr double kSameAxis = 1e-9;     // sine of an angle
+constexpr std::size_t kClearVotes = 10;
+
+ArcStatement unreadable(const char* problem) {
+  ArcStatement arc;
+  arc.problem = problem;
+  return arc;
+}
+
+}  // namespace
+
+// CIRCLE and MOVARC describe the arc to the next position; a list of positions runs on along it.
+void Interpreter::take_arc() {
+  arc_ = read_arc(dialect_.kind, arguments_, mm_per_unit_);
+}
+
+void Interpreter::take_unread_curve() {
+  arc_ = unreadable(Reasons::kCurve);
+}
+
+void Interpreter::take_indirv() {
+  start_tangent_.reset();
+  if (arguments_.size() != 3 || find_word_argument(arguments_) != nullptr) return;
+  start_tangent_ = Vec3(*arguments_[0].number, *arguments_[1].number, *arguments_[2].number);
+}
+
+void Interpreter::take_tlon() {
+  const std::optional<TlonStatement> tlon = read_tlon(arguments_, mm_per_unit_);
+  if (!tlon) return refuse_part_program("TLON");
+  Position position;
+  position.form = PositionForm::curve;
+  position.tip_local = tlon->end;
+  const bool is_start_known = last_pose_ && unknown_start_ == nullptr;
+  const Pose here = is_start_known ? to_part_.inverse().pose(*last_pose_) : Pose{};
+  // The arc keeps the axis of the position before it.
+  position.axis_local = is_start_known && multax_.value_or(false) ? here.axis : implied_axis();
+  arc_ = is_start_known ? arc_of_tlon(*tlon, here.tip, start_tangent_) : unreadable(ArcProblems::kStart);
+  start_tangent_.reset();
+  emit(position);
+  arc_.reset();
+}
+
+void Interpreter::begin_curve() {
+  curve_statement_ = path_.statements.size() - 1;
+  curve_line_ = statement_->line;
+  knots_.clear();
+  control_local_.clear();
+  // Degree 3 is what a NURBS without arguments has.
+  is_curve_understood_ = arguments_.empty();
+}
+
+void Interpreter::take_knots() {
+  for (const Argument& argument : arguments_) {
+    if (argument.number) knots_.push_back(*argument.number);
+    is_curve_understood_ = is_curve_understood_ && argument.number.has_value();
+  }
+}
+
+void Interpreter::take_control_point() {
+  if (!check_all_numbers(kPositionForm)) return;
+  const std::size_t count = arguments_.size();
+  if (curve_statement_ == kNone) {
+    return fail("path-statement",
+                "CNTRL without a NURBS before it; expected NURBS/, KNOT/ and then CNTRL/ lines");
+  }
+  if (count != 3 && count != 6) {
+    return fail("path-count", "CNTRL has " + std::to_string(count) + " numbers; " + kPositionForm);
+  }
+  const std::optional<Vec3> tip = read_tip(0);
+  std::optional<Vec3> axis = implied_axis();
+  if (count == 6) axis = read_axis(3);
+  if (!tip || !axis) return;
+  Position position;
+  position.form = PositionForm::curve;
+  position.tip_local = *tip;
+  position.axis_local = *axis;
+  control_local_.push_back(*tip);
+  curve_end_ = position;
+}
+
+void Interpreter::flush_curve() {
+  if (!curve_end_) {
+    curve_statement_ = kNone;
+    return fail("path-statement", "the NURBS before this line has no CNTRL points; expected at least one");
+  }
+  const std::size_t statement = curve_statement_;
+  arc_.reset();
+  emit(*curve_end_);
+  path_.moves.back().statement = statement;
+  path_.moves.back().line = curve_line_;
+  if (records_ != nullptr) records_->back().statement = statement;
+  curve_end_.reset();
+  curve_statement_ = kNone;
+}
+
+void Interpreter::attach_curve(const Position& position, Move& move) {
+  if (!move.start) {
+    move.not_checked_reason = ArcProblems::kStart;
+  } else if (arc_) {
+    attach_arc(position, move);
+  } else {
+    attach_spline(move);
+  }
+}
+
+// The curve starts at the position before it, which its CNTRL lines do not repeat.
+void Interpreter::attach_spline(Move& move) {
+  move.not_checked_reason = Reasons::kSpline;
+  const bool is_turning = move.start->axis.cross(move.end.axis).norm() > kSameAxis;
+  if (!is_curve_understood_ || is_turning || knots_.empty() || std::abs(knots_.back() - 1) > 0) return;
+  std::vector<Vec3> control = {move.start->tip};
+  for (const Vec3& point : control_local_) control.push_back(to_part_.point(point));
+  knots_.pop_back();
+  PathSpline spline = make_spline(control, knots_);
+  if (spline.pieces.empty()) return;
+  move.not_checked_reason.clear();
+  move.curve_kind = CurveKind::spline;
+  move.curve = static_cast<std::uint32_t>(path_.splines.size());
+  path_.splines.push_back(std::move(spline));
+}
+
+void Interpreter::attach_arc(const Position& position, Move& move) {
+  ArcStatement arc = *arc_;
+  arc.center = to_part_.point(arc.center);
+  arc.axis = to_part_.direction(arc.axis);
+  const bool is_open = arc.problem == nullptr && arc.sense == ArcSense::unknown;
+  if (arc.problem == nullptr && last_direction_) vote(arc, move.start->tip, *last_direction_);
+  // Of points that follow one another on a circle each is reached the short way.
+  if (is_open && position.points > 1) arc.sense = shorter_way(arc, move);
+  if (arc.sense == ArcSense::unknown && arc.problem == nullptr) open_arcs_.push_back({path_.moves.size(), arc});
+  fit(arc, move);
+}
+
+ArcSense Interpreter::shorter_way(ArcStatement arc, const Move& move) {
+  arc.sense = ArcSense::right_handed;
+  const ArcFit right = fit_arc(arc, move.start->tip, move.end.tip);
+  arc.sense = ArcSense::left_handed;
+  const ArcFit left = fit_arc(arc, move.start->tip, move.end.tip);
+  const double difference = std::abs(right.arc.sweep_rad) - std::abs(left.arc.sweep_rad);
+  if (std::abs(difference) < 1) return ArcSense::unknown;
+  return difference < 0 ? ArcSense::right_handed : ArcSense::left_handed;
+}
+
+void Interpreter::fit(const ArcStatement& arc, Move& move) {
+  const ArcFit fit = fit_arc(arc, move.start->tip, move.end.tip);
+  if (fit.problem == ArcProblems::kRadius) {
+    if (radius_errors_++ == 0) first_radius_error_line_ = move.line;
+    worst_radius_error_mm_ = std::max(worst_radius_error_mm_, fit.radius_error_mm);
+  }
+  if (fit.problem != nullptr) {
+    move.not_checked_reason = fit.problem;
+    return;
+  }
+  move.not_checked_reason.clear();
+  move.curve_kind = CurveKind::arc;
+  move.curve = static_cast<std::uint32_t>(path_.arcs.size());
+  path_.arcs.push_back(fit.arc);
+}
+
+// A line before or after an arc usually touches it, and so tells which way round the arc runs.
+void Interpreter::vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction) {
+  const double cosine = arc_tangent(arc, tip).dot(direction);
+  if (std::abs(cosine) < kSmooth) return;
+  ++(cosine > 0 ? right_votes_ : left_votes_);
+  if (arc.sense == ArcSense::unknown) return;
+  const bool is_as_read = (arc.sense == ArcSense::right_handed) == (cosine > 0);
+  ++(is_as_read ? smooth_arcs_ : reversing_arcs_);
+}
+
+void Interpreter::note_direction(const Move& move) {
+  last_direction_.reset();
+  if (!move.start || move.kind == MoveKind::cycle || move.kind == MoveKind::arc) return;
+  const Vec3 way = move.end.tip - move.start->tip;
+  const double length = way.norm();
+  if (!(length > kShortest_mm)) return;
+  last_direction_ = way / length;
+  if (!open_arcs_.empty() && open_arcs_.back().move + 1 == path_.moves.size()) {
+    vote(open_arcs_.back().arc, move.start->tip, *last_direction_);
+  }
+}
+
+// Arcs of a file whose dialect tells no sense: all of them have the one in which they go on smoothly.
+void Interpreter::close_arcs() {
+  if (open_arcs_.empty()) return;
+  const bool is_right = right_votes_ > 0 && right_votes_ >= kClearVotes * left_votes_;
+  const bool is_left = left_votes_ > 0 && left_votes_ >= kClearVotes * right_votes_;
+  if (!is_right && !is_left) return;
+  for (OpenArc& open : open_arcs_) {
+    open.arc.sense = is_right ? ArcSense::right_handed : ArcSense::left_handed;
+    Move& move = path_.moves[open.move];
+    if (move.not_checked_reason == ArcProblems::kSense) fit(open.arc, move);
+  }
+  const std::size_t votes = is_right ? right_votes_ : left_votes_;
+  path_.notes.push_back(make_note(
+      "path-arc-sense",
+      "the dialect tells no sense for arcs; taken as " +
+          std::string(is_right ? "right-handed (counter-clockwise)" : "left-handed (clockwise)") +
+          " about their vector, as at " + std::to_string(votes) + " of " +
+          std::to_string(right_votes_ + left_votes_) + " places where a line touches an arc it goes on smoothly",
+      path_.file));
+}
+
+}  // namespace gouge

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The container of binary NCCS (NCL, PostWorks) CL files: physical blocks of 35 words of 8 bytes and 8 bytes
+// of padding; in the words, ignoring the blocks, logical records. A record is a header word of four 16-bit
+// numbers, low byte first (words in the record with its header, class, subclass, sequence number), and its
+// data words.
+
+namespace gouge {
+
+struct NccsHeader {
+  std::uint16_t words = 0;  ///< of the record, this header included
+  std::uint16_t klass = 0;
+  std::uint16_t subclass = 0;
+  std::uint16_t sequence = 0;
+};
+
+struct NccsClass {
+  static constexpr std::uint16_t kSourceLine = 1000, kPost = 2000, kCircle = 3000, kMotion = 5000,
+                                 kExpanded = 5200, kExpandedMore = 5210, kTool = 6000, kShownTool = 7100,
+                                 kHeader = 7400, kMode = 9000, kFini = 14000;
+};
+
+/// True where the first record is the header of a binary NCCS file.
+[[nodiscard]] bool is_nccs_binary(std::string_view bytes);
+
+/// The words of a file, without its padding. Requires `word` < words() where one is asked for.
+class NccsWords {
+ public:
+  explicit NccsWords(std::string_view bytes) : bytes_(bytes) {}
+
+  [[nodiscard]] std::size_t words() const;
+  /// Where the word begins in the file's bytes.
+  [[nodiscard]] static std::size_t offset(std::size_t word);
+  [[nodiscard]] std::string_view bytes(std::size_t word) const;
+  [[nodiscard]] double number(std::size_t word) const;
+  [[nodiscard]] NccsHeader header(std::size_t word) const;
+
+ private:
+  std::string_view bytes_;
+};
+
+/// The 8 bytes of a header and of a number, low byte first.
+[[nodiscard]] std::string nccs_word(const NccsHeader& header);
+[[nodiscard]] std::string nccs_word(double number);
+
+/// `words` (8 bytes each) in blocks, the last one filled with zeros.
+[[nodiscard]] std::string nccs_blocks(std::string_view words);
+
+}  // namespace gouge

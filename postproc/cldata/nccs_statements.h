@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "postproc/cldata/nccs_records.h"
+#include "postproc/cldata/statement.h"
+
+// The records of a binary NCCS file as statements: what each says in words of APT. Lines are record numbers,
+// counted from 1. A record that is not decoded but could matter for motion becomes one that says so.
+
+namespace gouge {
+
+class NccsStatements {
+ public:
+  /// `bytes` must outlive the statements.
+  explicit NccsStatements(std::string_view bytes) : words_(bytes) {}
+
+  /// The next record; false after FINI or at the end. A record that does not fit in the file is a statement
+  /// that is unterminated.
+  [[nodiscard]] bool next(Statement& statement);
+
+ private:
+  void take_post(const NccsHeader& header, Statement& statement);
+  void take_cutter(const NccsHeader& header, Statement& statement);
+  void take_numbers(const NccsHeader& header, Statement& statement);
+
+  NccsWords words_;
+  std::size_t word_ = 0;
+  std::size_t record_ = 0;
+  bool is_over_ = false;
+};
+
+}  // namespace gouge

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+#include "postproc/cldata/nci_lines.h"
+#include "postproc/cldata/statement.h"
+
+// The pairs of lines of a Mastercam NCI file as statements: what each says in words of APT. Only the linear
+// moves are known from a public reference; arcs, five-axis lines, drilling and tool planes become motion or
+// frames that are not read. docs/formats/mastercam_nci.md.
+
+namespace gouge {
+
+class NciStatements {
+ public:
+  /// `bytes` must outlive the statements.
+  NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line)
+      : lines_(bytes, first_byte, line) {}
+
+  /// The next statement; a pair may say several, of which all but the last span no bytes.
+  [[nodiscard]] bool next(Statement& statement);
+
+ private:
+  void take_pair();
+  void take_linear();
+  void take_plane();
+  void add(Word word, std::string_view major);
+
+  NciLines lines_;
+  NciPair pair_;
+  std::array<Statement, 4> queue_;
+  std::size_t queued_ = 0, given_ = 0;
+  std::optional<std::string_view> wcs_;
+};
+
+}  // namespace gouge
