@@ -1,0 +1,112 @@
+#include "tests/bench/convex_piece.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gouge::bench {
+namespace {
+
+struct PlaneSample {
+  double distance = 0;
+  Vec2 gradient = Vec2::Zero();
+};
+
+/// Signed distance from the core in the half plane. A core without area has only an outside.
+PlaneSample sample_core(const std::vector<Vec2>& contour, const Vec2& q) {
+  double nearest2 = std::numeric_limits<double>::infinity();
+  double highest = -nearest2;
+  Vec2 away = Vec2::Zero(), face = Vec2::Zero();
+  const bool has_area = contour.size() > 2;
+  for (std::size_t k = 0; k + 1 < contour.size(); ++k) {
+    const Vec2 along = contour[k + 1] - contour[k];
+    const double t = std::clamp((q - contour[k]).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    const Vec2 from = q - (contour[k] + t * along);
+    if (from.squaredNorm() < nearest2) {
+      nearest2 = from.squaredNorm();
+      away = from;
+    }
+    const Vec2 normal = Vec2(along.y(), -along.x()) / along.norm();
+    const double height = normal.dot(q - contour[k]);
+    if (height > highest) {
+      highest = height;
+      face = normal;
+    }
+  }
+  if (has_area && highest <= 0) return {highest, face};
+  const double distance = std::sqrt(nearest2);
+  return {distance, distance > 0 ? Vec2(away / distance) : (has_area ? face : Vec2::Zero())};
+}
+
+double lowest_change(const Vec3& gradient, const std::array<Vec3, 3>& t, const Vec3& from) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Vec3& corner : t) lowest = std::min(lowest, gradient.dot(corner - from));
+  return lowest;
+}
+
+struct Search {
+  const ConvexPiece& piece;
+  const Pose& pose;
+  double accuracy;
+  TriangleMinimum& best;
+
+  void visit(const std::array<Vec3, 3>& t) {
+    const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
+    const PieceSample s = sample_piece(piece, pose, middle);
+    if (s.distance_mm < best.distance_mm) best = {s.distance_mm, middle};
+    // Convexity: the tangent plane at the middle lies below the function, and is lowest at a corner.
+    if (s.distance_mm + lowest_change(s.gradient, t, middle) >= best.distance_mm - accuracy) return;
+    const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
+    const std::array<std::array<Vec3, 3>, 4> parts = {{{ab, bc, ca}, {t[0], ab, ca}, {ab, t[1], bc},
+                                                       {ca, bc, t[2]}}};
+    std::array<std::size_t, 4> order = {0, 1, 2, 3};
+    std::array<double, 4> slope{};
+    for (std::size_t k = 0; k < 4; ++k) {
+      slope[k] = s.gradient.dot(parts[k][0] + parts[k][1] + parts[k][2]);
+    }
+    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+      return slope[a] < slope[b] || (!(slope[b] < slope[a]) && a < b);
+    });
+    for (const std::size_t k : order) visit(parts[k]);
+  }
+};
+
+}  // namespace
+
+PieceSample sample_piece(const ConvexPiece& piece, const Pose& pose, const Vec3& p) {
+  const Vec3 d = p - pose.tip;
+  const double z = d.dot(pose.axis);
+  const Vec3 radial = d - z * pose.axis;
+  const double r = radial.norm();
+  const PlaneSample s = sample_core(piece.contour, Vec2(r, z));
+  PieceSample out;
+  out.distance_mm = s.distance - piece.rounding_mm;
+  // On the axis every radial direction is as good; the function grows with r, so none is a subgradient too.
+  out.gradient = s.gradient.y() * pose.axis;
+  if (r > 1e-12) out.gradient += (s.gradient.x() / r) * radial;
+  return out;
+}
+
+Vec3 support_offset(const ConvexPiece& piece, const Vec3& axis, const Vec3& direction) {
+  const double along = direction.dot(axis);
+  Vec3 radial = direction - along * axis;
+  const double across = radial.norm();
+  radial = across > 1e-12 ? Vec3(radial / across) : Vec3::Zero();
+  double farthest = -std::numeric_limits<double>::infinity();
+  Vec3 offset = Vec3::Zero();
+  for (const Vec2& v : piece.contour) {
+    const double reach = v.x() * across + v.y() * along;
+    if (reach > farthest) {
+      farthest = reach;
+      offset = v.x() * radial + v.y() * axis;
+    }
+  }
+  return offset + piece.rounding_mm * direction.normalized();
+}
+
+void lower_over_triangle(const ConvexPiece& piece, const Pose& pose, const std::array<Vec3, 3>& triangle,
+                         double accuracy_mm, TriangleMinimum& best) {
+  Search{piece, pose, accuracy_mm, best}.visit(triangle);
+}
+
+}  // namespace gouge::bench
