@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/geom/vec.h"
+#include "lib/kdop/directions.h"
+#include "lib/kdop/intervals.h"
+
+// A tree of k-DOPs over numbered items, two, four or eight children wide (thesis 5.2.1, 6.1.4.3). What an
+// item encloses is the caller's business: facets with their offset, or points.
+
+namespace gouge {
+
+struct KdopNode {
+  std::uint32_t first = 0;     ///< leaf: first place in `order`; inner: first child, the others follow it
+  std::uint16_t children = 0;  ///< 0: a leaf
+  std::uint16_t level = 0;     ///< the root is 0
+  std::uint32_t item_first = 0, item_count = 0;  ///< places in `order` below this node
+};
+
+struct KdopTreeOptions {
+  std::size_t width = 8;       ///< children of an inner node at most: 2, 4 or 8
+  std::size_t leaf_items = 1;  ///< items of a leaf at most
+};
+
+struct KdopTree {
+  DirectionSet directions;
+  std::size_t stride = 0;            ///< see intervals.h
+  std::vector<KdopNode> nodes;       ///< nodes[0] is the root; empty when there is no item
+  std::vector<float> bounds;         ///< 2 * stride numbers a node
+  std::vector<std::uint32_t> order;  ///< items in leaf order
+
+  [[nodiscard]] const float* bounds_of(std::size_t node) const { return bounds.data() + 2 * stride * node; }
+  [[nodiscard]] float* bounds_of(std::size_t node) { return bounds.data() + 2 * stride * node; }
+};
+
+/// Writes the intervals of an item: 2 * stride numbers, spare slots included.
+using BoundItem = std::function<void(std::uint32_t item, float* intervals)>;
+
+/// Splits at the median of the widest side of the items' centres, equal coordinates by number.
+///
+/// Requires width 2, 4 or 8; leaf_items >= 1; `bound` gives intervals that hold the item.
+/// Ensures  every node's intervals are the union of those below it.
+/// Cost     O(n log^2 n), deterministic.
+[[nodiscard]] KdopTree build_kdop_tree(const DirectionSet& directions, std::span<const Vec3> centres,
+                                       const KdopTreeOptions& options, const BoundItem& bound);
+
+/// Fills a new tree's spare slots and single-precision ends: `low - slack` and `high + slack`.
+void write_intervals(const DirectionSet& directions, std::span<const Vec3> points, double slack_mm,
+                     float* intervals);
+
+/// One line for every broken invariant: an item in no leaf or two, a child outside its parent.
+[[nodiscard]] std::vector<std::string> verify_kdop_tree(const KdopTree& tree);
+
+}  // namespace gouge
