@@ -1,0 +1,23 @@
+#include "lib/penetration/brute_force.h"
+
+#include <cmath>
+
+#include "lib/geom/point_triangle.h"
+
+namespace gouge {
+
+BruteFoot brute_force_foot(const IndexedMesh& mesh, const Vec3& point) {
+  BruteFoot best;
+  double best2 = -1;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const TriangleFoot foot =
+        closest_on_triangle(point, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+    if (best2 >= 0 && foot.distance2_mm2 >= best2) continue;
+    best2 = foot.distance2_mm2;
+    best.point = foot.point;
+  }
+  best.distance_mm = std::sqrt(best2);
+  return best;
+}
+
+}  // namespace gouge

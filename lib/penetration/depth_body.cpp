@@ -1,0 +1,138 @@
+#include "lib/penetration/depth_body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/mesh/mesh_findings.h"
+
+namespace gouge {
+namespace {
+
+// A coordinate of size s is off by 2^-24 s in single precision, a projection of three by less than four times
+// that.
+constexpr double kSingle = 4.0 / (1 << 24);
+
+double largest_coordinate(const IndexedMesh& mesh) {
+  double largest = 0;
+  for (const Vec3& v : mesh.vertices) largest = std::max(largest, v.cwiseAbs().maxCoeff());
+  return largest;
+}
+
+std::array<Vec3, 3> corners_of(const IndexedMesh& mesh, std::size_t triangle) {
+  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
+}
+
+/// Intervals of a facet, its offset facet, and with complete coverage of all within the depth.
+class FacetBounds {
+ public:
+  FacetBounds(const DepthBody& body, double slack) : body_(body), slack_(slack), own_(2 * body.tree.stride) {}
+
+  void operator()(std::uint32_t triangle, float* intervals) {
+    const DepthBodyOptions& options = body_.options;
+    const std::array<Vec3, 3> facet = corners_of(body_.mesh, triangle);
+    std::array<Vec3, 6> both;
+    for (std::size_t k = 0; k < 3; ++k) {
+      both[k] = facet[k];
+      both[k + 3] = facet[k] - options.depth_mm * body_.offsets[body_.mesh.triangles[triangle][k]].move;
+    }
+    write_intervals(options.directions, both, slack_, intervals);
+    if (options.coverage == Coverage::offset) return;
+    write_intervals(options.directions, facet, slack_ + options.depth_mm, own_.data());
+    unite_intervals(intervals, own_.data(), interval_stride(options.directions.axes.size()));
+  }
+
+ private:
+  const DepthBody& body_;
+  double slack_;
+  std::vector<float> own_;
+};
+
+FacetRecord record_of(const std::array<Vec3, 3>& facet, const Vec3& normal) {
+  const Vec3 centre = (facet[0] + facet[1] + facet[2]) / 3.0;
+  double radius = 0;
+  for (const Vec3& corner : facet) radius = std::max(radius, (corner - centre).norm());
+  FacetRecord record{};
+  for (int i = 0; i < 3; ++i) {
+    record.n[i] = static_cast<float>(normal[i]);
+    record.c[i] = static_cast<float>(centre[i]);
+  }
+  record.o = static_cast<float>(normal.dot(facet[0]));
+  record.r = static_cast<float>(radius);
+  return record;
+}
+
+/// Spanned by the edge and the sum of both normals (the rhombus diagonal), which unlike their difference also
+/// stands for coplanar neighbours. Neighbours folded back on each other share the facet's own rim.
+BisectorNormals bisectors_of(const DepthBody& body, const MeshAdjacency& adjacency, std::uint32_t triangle) {
+  BisectorNormals normals;
+  const std::array<Vec3, 3> facet = corners_of(body.mesh, triangle);
+  const Vec3& own = body.sign.face(triangle);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec3 along = facet[(k + 1) % 3] - facet[k];
+    Vec3 sum = own;
+    for (const EdgeUse& use : adjacency.uses(adjacency.edges()[adjacency.edges_of_triangle(triangle)[k]])) {
+      if (use.triangle != triangle) sum += body.sign.face(use.triangle);
+    }
+    const Vec3 across = sum.cross(along);
+    normals[k] = across.norm() > 1e-9 * along.norm() ? Vec3(across.normalized()) : Vec3(own.cross(along));
+  }
+  return normals;
+}
+
+void fill_boxes(DepthBody& body) {
+  body.boxes.resize(6 * body.tree.nodes.size());
+  for (std::size_t n = body.tree.nodes.size(); n-- > 0;) {
+    const KdopNode& node = body.tree.nodes[n];
+    float* const box = body.boxes.data() + 6 * n;
+    Box3 all;
+    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
+      for (const Vec3& corner : body.corners[node.first + k]) all.extend(corner);
+    }
+    for (int i = 0; i < 3; ++i) {
+      if (node.children == 0) {
+        box[i] = static_cast<float>(all.min()[i]) - body.slack_mm;
+        box[i + 3] = static_cast<float>(all.max()[i]) + body.slack_mm;
+        continue;
+      }
+      const float* const first = body.boxes.data() + 6 * std::size_t{node.first};
+      box[i] = first[i];
+      box[i + 3] = first[i + 3];
+      for (std::size_t k = 1; k < node.children; ++k) {
+        box[i] = std::min(box[i], first[6 * k + static_cast<std::size_t>(i)]);
+        box[i + 3] = std::max(box[i + 3], first[6 * k + static_cast<std::size_t>(i) + 3]);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
+  const MeshAdjacency adjacency(mesh);
+  const bool is_solid = find_mesh_findings(mesh, adjacency).is_solid();
+  std::vector<VertexOffset> offsets = offset_vertices(mesh, adjacency, options.normals);
+  SurfaceSign sign(mesh, adjacency);
+  DepthBody body{std::move(mesh), options, std::move(offsets), std::move(sign), {}, {}, {}, {}, {}, 0,
+                 is_solid};
+  const double reach = largest_coordinate(body.mesh) + (1 + kLongestOffset) * options.depth_mm;
+  body.slack_mm = static_cast<float>(kSingle * reach);
+  std::vector<Vec3> centres;
+  centres.reserve(body.mesh.triangles.size());
+  for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
+    const std::array<Vec3, 3> facet = corners_of(body.mesh, t);
+    centres.emplace_back((facet[0] + facet[1] + facet[2]) / 3.0);
+  }
+  body.tree.stride = interval_stride(options.directions.axes.size());
+  FacetBounds bounds(body, kSingle * reach);
+  body.tree = build_kdop_tree(options.directions, centres, {options.width, options.leaf_triangles},
+                              [&bounds](std::uint32_t t, float* intervals) { bounds(t, intervals); });
+  for (const std::uint32_t t : body.tree.order) {
+    body.corners.push_back(corners_of(body.mesh, t));
+    body.facets.push_back(record_of(body.corners.back(), body.sign.face(t)));
+    body.bisectors.push_back(bisectors_of(body, adjacency, t));
+  }
+  fill_boxes(body);
+  return body;
+}
+
+}  // namespace gouge

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lib/geom/rigid_transform.h"
+#include "lib/penetration/contact.h"
+#include "lib/penetration/counters.h"
+#include "lib/penetration/depth_body.h"
+#include "lib/penetration/narrow_phase.h"
+#include "lib/penetration/point_body.h"
+
+namespace gouge {
+
+struct PenetrationOptions {
+  NarrowMode mode = NarrowMode::exact;
+  std::uint32_t body = 0;      ///< told in the contacts
+  bool is_deeper_told = true;  ///< also look for points inside beyond the depth of the volumes
+};
+
+struct PointContact {
+  Contact contact;
+  std::uint32_t point = 0;  ///< index among the points the moving body was built from
+  /// Deeper than D, the depth of the volumes. The contact's depth and normal are still those of the nearest
+  /// surface in exact mode; planes and volumes alone do not reach there.
+  bool is_deeper = false;
+};
+
+struct PenetrationAnswer {
+  std::vector<PointContact> contacts;  ///< ordered by point
+  PenetrationCounters counters;
+};
+
+/// Finds the points of a moving body inside a standing one, each with its depth and its way out.
+///
+/// Keeps its working memory, and the turned volumes as long as the rotation stays the same: then a pose costs
+/// only their shift (thesis 6.1.4.2). One finder serves one thread; bodies may be shared.
+///
+/// Requires both trees over the same directions; `body.is_solid` for the sides to mean something.
+/// Ensures  with complete coverage and exact mode: every point inside is told, with the depth and direction
+/// of its
+///          nearest surface; no point outside is.
+/// Source   thesis 5.2.1 (broad phase), 5.2.2 (narrow phase), 5.2.3 (only what is visited is updated).
+class PenetrationFinder {
+ public:
+  PenetrationFinder(const DepthBody& body, const PointBody& points, const PenetrationOptions& options = {});
+
+  /// The answer stays valid until the next call. `pose` takes the moving body's frame to part coordinates.
+  const PenetrationAnswer& find(const RigidTransform& pose);
+
+ private:
+  struct List {
+    std::size_t first = 0, last = 0;  ///< places in stack_
+    [[nodiscard]] bool is_empty() const { return first == last; }
+  };
+
+  void turn_axes();
+  void visit(std::uint32_t node, const List& candidates);
+  void visit_leaf(std::uint32_t node, const List& candidates);
+  List refine(const float* volume, float size, const List& candidates);
+  void update_volume(std::uint32_t node, float* volume);
+  void turn_volume(std::uint32_t node, float* volume);
+  void bound_points(std::uint32_t node, float* volume);
+  void tell_lump(std::uint32_t node);
+  void test_points(std::uint32_t node);
+  void tell_if_deep(std::uint32_t point, const Vec3& place);
+  [[nodiscard]] bool is_in_box(const Vec3& place) const;
+
+  const DepthBody& body_;
+  const PointBody& points_;
+  PenetrationOptions options_;
+  NarrowPhase narrow_;
+  PenetrationAnswer answer_;
+  RigidTransform pose_;
+  bool has_turned_ = false;
+  std::size_t stride_ = 0;
+  float slack_ = 0;            ///< what single precision may be off at this pose
+  std::vector<float> axes_;    ///< the body's axes in the moving frame, x then y then z, `stride_` each
+  std::vector<float> shifts_;  ///< projections of the pose's shift
+  std::vector<float> turned_;  ///< by node: intervals before the shift
+  std::vector<std::uint32_t> turn_of_;  ///< by node: rotation its intervals belong to
+  std::uint32_t turn_ = 0;
+  std::vector<std::uint32_t> stack_, pending_;
+  std::vector<float> volume_;  ///< of the node on each level of the moving tree
+};
+
+}  // namespace gouge

@@ -1,0 +1,140 @@
+#include "lib/penetration/narrow_phase.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/kdop/float4.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kFloatsPerBlock = 32;
+// Filters compare squares of single-precision distances: a few roundings of the largest coordinate.
+constexpr float kFilterSlack = 8;
+
+}  // namespace
+
+NarrowPhase::NarrowPhase(const DepthBody& body, NarrowMode mode)
+    : body_(body),
+      mode_(mode),
+      reach_(static_cast<float>(body.options.depth_mm) + kFilterSlack * body.slack_mm) {}
+
+void NarrowPhase::set_leaves(std::span<const std::uint32_t> leaves) {
+  places_.clear();
+  nodes_.clear();
+  for (const std::uint32_t leaf : leaves) {
+    const KdopNode& node = body_.tree.nodes[leaf];
+    for (std::uint32_t k = 0; k < node.item_count; ++k) {
+      places_.push_back(node.first + k);
+      nodes_.push_back(leaf);
+    }
+  }
+  const std::size_t blocks = (places_.size() + 3) / 4;
+  blocks_.resize(blocks * kFloatsPerBlock);
+  for (std::size_t i = 0; i < 4 * blocks; ++i) {
+    float* const to = blocks_.data() + i / 4 * kFloatsPerBlock + i % 4;
+    const FacetRecord& f = body_.facets[places_[std::min(i, places_.size() - 1)]];
+    const std::array<float, 8> numbers = {f.n[0], f.n[1], f.n[2], f.o, f.c[0], f.c[1], f.c[2], f.r};
+    for (std::size_t k = 0; k < numbers.size(); ++k) to[4 * k] = numbers[k];
+  }
+}
+
+bool NarrowPhase::filter(const Vec3& point) {
+  hits_.clear();
+  const Float4 x = all4(static_cast<float>(point.x())), y = all4(static_cast<float>(point.y())),
+               z = all4(static_cast<float>(point.z()));
+  const Float4 reach = all4(reach_), slack = all4(kFilterSlack * body_.slack_mm);
+  bool is_behind = false;
+  for (std::size_t i = 0; i < places_.size(); i += 4) {
+    const float* const f = blocks_.data() + i / 4 * kFloatsPerBlock;
+    const Float4 h = load4(f) * x + load4(f + 4) * y + load4(f + 8) * z - load4(f + 12);
+    const Float4 dx = x - load4(f + 16), dy = y - load4(f + 20), dz = z - load4(f + 24), r = load4(f + 28);
+    const Float4 d2 = dx * dx + dy * dy + dz * dz, far = r + reach;
+    const Int4 is_hit = (h <= reach) & (-h <= reach) & (d2 <= far * far);
+    if (!any4(is_hit)) continue;
+    is_behind = is_behind || any4(is_hit & (h <= slack));
+    const std::size_t lanes = std::min<std::size_t>(4, places_.size() - i);
+    for (std::size_t k = 0; k < lanes; ++k) {
+      if (is_hit[k] != 0) hits_.push_back({static_cast<std::uint32_t>(i + k), h[k], d2[k], r[k]});
+    }
+  }
+  return is_behind;
+}
+
+NarrowAnswer NarrowPhase::test(const Vec3& point, PenetrationCounters& counters) {
+  counters.primitive_pairs += places_.size();
+  // A point within the depth below the surface is behind one of the facets its nearest point belongs to.
+  if (!filter(point)) return {};
+  return mode_ == NarrowMode::exact ? nearest(point, counters) : by_planes(point, counters);
+}
+
+NarrowAnswer NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counters) const {
+  const auto first =
+      std::min_element(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return a.d2 < b.d2; });
+  TriangleFoot best = closest_on_triangle(point, body_.corners[places_[first->place]]);
+  std::uint32_t place = places_[first->place];
+  ++counters.exact_pairs;
+  const float slack = kFilterSlack * body_.slack_mm;
+  float within = static_cast<float>(std::sqrt(best.distance2_mm2)) + slack;
+  for (const Hit& hit : hits_) {
+    const float far = hit.r + within;
+    if (std::abs(hit.h) > within || hit.d2 > far * far || &hit == &*first) continue;
+    ++counters.exact_pairs;
+    const std::uint32_t other = places_[hit.place];
+    const TriangleFoot foot = closest_on_triangle(point, body_.corners[other]);
+    if (foot.distance2_mm2 > best.distance2_mm2) continue;
+    const bool is_tie = !(foot.distance2_mm2 < best.distance2_mm2);
+    if (is_tie && body_.tree.order[other] > body_.tree.order[place]) continue;
+    best = foot;
+    place = other;
+    within = static_cast<float>(std::sqrt(best.distance2_mm2)) + slack;
+  }
+  const SurfaceFoot foot = signed_foot(body_, point, place, best);
+  NarrowAnswer answer;
+  if (foot.distance_mm > body_.options.depth_mm) return answer;
+  answer.side = foot.is_inside ? NarrowAnswer::Side::inside : NarrowAnswer::Side::outside;
+  answer.depth_mm = foot.distance_mm;
+  answer.normal = foot.normal;
+  answer.triangle = foot.triangle;
+  if (!foot.is_inside) ++counters.false_positives;
+  return answer;
+}
+
+NarrowAnswer NarrowPhase::by_planes(const Vec3& point, PenetrationCounters& counters) const {
+  std::array<float, 64> projections{};
+  const DirectionSet& directions = body_.tree.directions;
+  for (std::size_t i = 0; i < directions.axes.size(); ++i)
+    projections[i] = static_cast<float>(directions.axes[i].dot(point));
+  NarrowAnswer answer;
+  for (const Hit& hit : hits_) {
+    const std::uint32_t place = places_[hit.place];
+    ++counters.exact_pairs;
+    const Vec3& normal = body_.sign.face(body_.tree.order[place]);
+    const double depth = -normal.dot(point - body_.corners[place][0]);
+    if (depth < 0 || depth > body_.options.depth_mm) continue;
+    const bool is_own = mode_ == NarrowMode::planes ? is_within_bisectors(point, place)
+                                                    : is_in_volume(nodes_[hit.place], projections.data());
+    if (!is_own) {
+      ++counters.false_positives;
+      continue;
+    }
+    if (answer.side == NarrowAnswer::Side::inside && depth >= answer.depth_mm) continue;
+    answer = {NarrowAnswer::Side::inside, depth, normal, body_.tree.order[place]};
+  }
+  return answer;
+}
+
+bool NarrowPhase::is_in_volume(std::uint32_t node, const float* projections) const {
+  return does_hold(body_.tree.bounds_of(node), projections, body_.tree.stride);
+}
+
+bool NarrowPhase::is_within_bisectors(const Vec3& point, std::uint32_t place) const {
+  const BisectorNormals& normals = body_.bisectors[place];
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (normals[k].dot(point - body_.corners[place][k]) < -static_cast<double>(body_.slack_mm)) return false;
+  }
+  return true;
+}
+
+}  // namespace gouge

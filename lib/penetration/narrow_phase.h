@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/penetration/counters.h"
+#include "lib/penetration/depth_body.h"
+#include "lib/penetration/nearest_foot.h"
+
+namespace gouge {
+
+/// How the narrow phase decides which facet a point belongs to.
+enum class NarrowMode {
+  exact,     ///< the nearest facet by distance; nothing is assumed of the surface; the default
+  planes,    ///< thesis 4.8: behind the facet and within its three bisector planes; depth to its plane
+  implicit,  ///< thesis 4.7: within the facet's volume and behind it; depth to its plane
+};
+
+struct NarrowAnswer {
+  enum class Side { outside, inside, unknown };
+  Side side = Side::unknown;  ///< unknown: no facet is within the depth
+  double depth_mm = 0;        ///< inside: to the surface
+  Vec3 normal = Vec3::UnitZ();
+  std::uint32_t triangle = 0;  ///< of body.mesh
+};
+
+/// Points of one leaf against the facets of the leaves it met (thesis 5.2.2).
+///
+/// Exact mode finds the nearest facet among those given; with complete coverage they hold every facet within
+/// the depth of the point, so it is the nearest of all and the side it tells is the true one:
+/// docs/algorithms/ shallow_penetration.md, section 4. Filters in single precision, decides in double.
+class NarrowPhase {
+ public:
+  NarrowPhase(const DepthBody& body, NarrowMode mode);
+
+  /// Takes the facets of leaf nodes of the body's tree.
+  void set_leaves(std::span<const std::uint32_t> leaves);
+  [[nodiscard]] NarrowAnswer test(const Vec3& point_part, PenetrationCounters& counters);
+
+ private:
+  struct Hit {
+    std::uint32_t place;
+    float h, d2, r;
+  };
+
+  bool filter(const Vec3& point);
+  [[nodiscard]] NarrowAnswer nearest(const Vec3& point, PenetrationCounters& counters) const;
+  [[nodiscard]] NarrowAnswer by_planes(const Vec3& point, PenetrationCounters& counters) const;
+  [[nodiscard]] bool is_in_volume(std::uint32_t node, const float* projections) const;
+  [[nodiscard]] bool is_within_bisectors(const Vec3& point, std::uint32_t place) const;
+
+  const DepthBody& body_;
+  NarrowMode mode_;
+  float reach_;  ///< depth with what single precision may be off
+  std::vector<std::uint32_t> places_, nodes_;
+  std::vector<float> blocks_;  ///< facets, four by four: nx ny nz o cx cy cz r
+  std::vector<Hit> hits_;
+};
+
+}  // namespace gouge

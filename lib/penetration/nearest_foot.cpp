@@ -1,0 +1,94 @@
+#include "lib/penetration/nearest_foot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/mesh/winding.h"
+
+namespace gouge {
+namespace {
+
+double box_distance2(const float* box, const Vec3& p) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double out =
+        std::max({static_cast<double>(box[i]) - p[i], p[i] - static_cast<double>(box[i + 3]), 0.0});
+    sum += out * out;
+  }
+  return sum;
+}
+
+class Search {
+ public:
+  Search(const DepthBody& body, const Vec3& point, double within_mm)
+      : body_(body), point_(point), best2_(within_mm * within_mm) {}
+
+  std::optional<SurfaceFoot> run() {
+    if (body_.tree.nodes.empty()) return std::nullopt;
+    visit(0);
+    if (!has_foot_) return std::nullopt;
+    return signed_foot(body_, point_, place_, foot_);
+  }
+
+ private:
+  void visit(std::uint32_t index) {
+    const KdopNode& node = body_.tree.nodes[index];
+    if (node.children == 0) {
+      for (std::uint32_t k = 0; k < node.item_count; ++k) offer(node.first + k);
+      return;
+    }
+    std::array<std::pair<double, std::uint32_t>, 8> near;
+    std::size_t count = 0;
+    for (std::uint32_t child = node.first; child < node.first + node.children; ++child) {
+      const double distance2 = box_distance2(body_.boxes.data() + 6 * std::size_t{child}, point_);
+      if (distance2 > best2_) continue;
+      std::size_t at = count++;
+      for (; at > 0 && near[at - 1].first > distance2; --at) near[at] = near[at - 1];
+      near[at] = {distance2, child};
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      if (near[k].first <= best2_) visit(near[k].second);
+    }
+  }
+
+  void offer(std::uint32_t place) {
+    const TriangleFoot foot = closest_on_triangle(point_, body_.corners[place]);
+    const bool is_nearer = has_foot_ ? foot.distance2_mm2 < best2_ : foot.distance2_mm2 <= best2_;
+    if (!is_nearer) return;
+    best2_ = foot.distance2_mm2;
+    foot_ = foot;
+    place_ = place;
+    has_foot_ = true;
+  }
+
+  const DepthBody& body_;
+  const Vec3& point_;
+  double best2_;
+  TriangleFoot foot_;
+  std::uint32_t place_ = 0;
+  bool has_foot_ = false;
+};
+
+}  // namespace
+
+SurfaceFoot signed_foot(const DepthBody& body, const Vec3& point, std::uint32_t place,
+                        const TriangleFoot& foot) {
+  SurfaceFoot answer;
+  answer.point = foot.point;
+  answer.triangle = body.tree.order[place];
+  answer.distance_mm = std::sqrt(foot.distance2_mm2);
+  const Vec3 way = point - foot.point;
+  const Vec3 outward = body.sign.outward(answer.triangle, foot.feature, foot.index);
+  const double side = way.dot(outward);
+  answer.is_inside = outward.squaredNorm() > 0 ? side < 0 : std::abs(winding_number(body.mesh, point)) > 0.5;
+  answer.normal = body.sign.face(answer.triangle);
+  if (answer.distance_mm > 0) answer.normal = (answer.is_inside ? -1.0 : 1.0) / answer.distance_mm * way;
+  return answer;
+}
+
+std::optional<SurfaceFoot> nearest_foot(const DepthBody& body, const Vec3& point, double within_mm) {
+  return Search(body, point, within_mm).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <memory>
+
+#include "lib/mesh/load_mesh.h"
+#include "lib/mesh/winding.h"
+#include "lib/penetration/brute_force.h"
+#include "lib/penetration/find_penetration.h"
+#include "tests/lib/penetration/random_points.h"
+#include "tests/support/solids.h"
+
+// Depth and direction against all triangles and the winding number, for every k, tree width and normal
+// method. GOUGE_PENETRATION_POINTS sets how many points there are in all (short by default).
+
+namespace gouge {
+namespace {
+
+const std::string kParts = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/parts/";
+constexpr std::size_t kBatch = 200;
+
+std::size_t points_in_all() {
+  const char* given = std::getenv("GOUGE_PENETRATION_POINTS");
+  return given == nullptr ? 12000 : std::strtoull(given, nullptr, 10);
+}
+
+struct Setting {
+  DirectionSet directions;
+  std::size_t width;
+  NormalMethod normals;
+};
+
+std::vector<Setting> all_settings() {
+  std::vector<DirectionSet> sets;
+  for (const std::size_t k : {6U, 14U, 18U, 26U}) sets.push_back(*make_directions(DirectionFamily::cube, k));
+  for (const std::size_t k : {8U, 12U, 20U}) sets.push_back(*make_directions(DirectionFamily::platonic, k));
+  for (const std::size_t k : {10U, 32U}) sets.push_back(*make_directions(DirectionFamily::coulomb, k));
+  std::vector<Setting> all;
+  for (const DirectionSet& set : sets) {
+    for (const std::size_t width : {2U, 4U, 8U}) {
+      for (const NormalMethod normals :
+           {NormalMethod::averaged, NormalMethod::paraboloid, NormalMethod::planes})
+        all.push_back({set, width, normals});
+    }
+  }
+  return all;
+}
+
+struct Truth {
+  Vec3 place, foot;
+  double distance_mm;
+  bool is_inside;
+};
+
+struct Tally {
+  std::size_t points = 0, inside = 0, deeper = 0, wrong = 0;
+};
+
+/// Compares one batch of points in one setting.
+void compare(const DepthBody& body, const Setting& setting, const std::vector<Vec3>& in_frame,
+             const RigidTransform& pose, const std::vector<Truth>& truths, Tally& tally) {
+  PointBodyOptions options;
+  options.directions = setting.directions;
+  options.width = setting.width;
+  const PointBody points = build_point_body(in_frame, options);
+  PenetrationFinder finder(body, points);
+  const PenetrationAnswer& answer = finder.find(pose);
+  std::vector<const PointContact*> told(truths.size(), nullptr);
+  for (const PointContact& c : answer.contacts) told[c.point] = &c;
+  for (std::size_t i = 0; i < truths.size(); ++i) {
+    const Truth& truth = truths[i];
+    ++tally.points;
+    if (truth.distance_mm < 1e-9) continue;  // on the surface: either side is right
+    bool is_right = (told[i] != nullptr) == truth.is_inside;
+    if (is_right && told[i] != nullptr) {
+      ++tally.inside;
+      const Contact& c = told[i]->contact;
+      is_right = std::abs(c.depth_mm - truth.distance_mm) <= 1e-9 * (1 + truth.distance_mm);
+      // Where two feet are equally near, either direction is right.
+      const double reached = (truth.place + c.depth_mm * c.normal - truth.foot).norm();
+      is_right =
+          is_right && (reached < 1e-6 ||
+                       brute_force_foot(body.mesh, truth.place + c.depth_mm * c.normal).distance_mm < 1e-9);
+      const bool is_deeper = truth.distance_mm > body.options.depth_mm;
+      is_right = is_right && (told[i]->is_deeper == is_deeper ||
+                              std::abs(truth.distance_mm - body.options.depth_mm) < 1e-9);
+      tally.deeper += is_deeper ? 1 : 0;
+    }
+    tally.wrong += is_right ? 0 : 1;
+    if (!is_right && tally.wrong < 5) {
+      ADD_FAILURE() << body.mesh.name << " k " << setting.directions.k() << " width " << setting.width
+                    << ": point " << truth.place.transpose() << " true "
+                    << (truth.is_inside ? "inside " : "outside ") << truth.distance_mm << ", told "
+                    << (told[i] ? told[i]->contact.depth_mm : -1.0);
+    }
+  }
+}
+
+Tally run(const IndexedMesh& mesh, double depth_mm, std::size_t count, std::uint64_t seed) {
+  RandomPoints random(mesh, depth_mm, seed);
+  const std::vector<Setting> settings = all_settings();
+  std::vector<std::unique_ptr<DepthBody>> bodies(settings.size());
+  const double reach = mesh.box().diagonal().norm();
+  Tally tally;
+  for (std::size_t batch = 0; batch * kBatch < count; ++batch) {
+    const RigidTransform pose = random.pose(reach);
+    std::vector<Vec3> in_frame;
+    std::vector<Truth> truths;
+    for (std::size_t i = 0; i < kBatch; ++i) {
+      in_frame.push_back(pose.inverse().point(random.next()));
+      const Vec3 place = pose.point(in_frame.back());
+      const BruteFoot foot = brute_force_foot(mesh, place);
+      truths.push_back({place, foot.point, foot.distance_mm, std::abs(winding_number(mesh, place)) > 0.5});
+    }
+    for (std::size_t k = batch % 9; k < settings.size(); k += 9) {
+      if (!bodies[k]) {
+        DepthBodyOptions options;
+        options.directions = settings[k].directions;
+        options.depth_mm = depth_mm;
+        options.width = settings[k].width;
+        options.normals = settings[k].normals;
+        bodies[k] = std::make_unique<DepthBody>(build_depth_body(mesh, options));
+      }
+      compare(*bodies[k], settings[k], in_frame, pose, truths, tally);
+    }
+  }
+  return tally;
+}
+
+void expect_agreement(const IndexedMesh& mesh, double depth_mm, double share) {
+  const auto count = static_cast<std::size_t>(share * static_cast<double>(points_in_all()));
+  const Tally tally = run(mesh, depth_mm, std::max<std::size_t>(count, 9 * kBatch), 7);
+  EXPECT_EQ(tally.wrong, 0U) << mesh.name;
+  EXPECT_GT(tally.inside, tally.points / 10) << mesh.name << ": too few points inside to mean anything";
+  std::cout << mesh.name << ": " << tally.points << " comparisons, " << tally.inside << " inside, "
+            << tally.deeper << " deeper than " << depth_mm << " mm\n";
+}
+
+TEST(BruteForce, AgreesOnTheStarPrism) {
+  expect_agreement(shapes::star_prism(), 1.5, 0.3);
+}
+TEST(BruteForce, AgreesOnTheSlottedBlockWhoseWallsAreThinnerThanTheDepth) {
+  expect_agreement(shapes::slotted_block(), 1.5, 0.3);
+}
+TEST(BruteForce, AgreesOnTheHollowCube) {
+  expect_agreement(shapes::hollow_cube(20), 2, 0.2);
+}
+TEST(BruteForce, AgreesOnTheTorus) {
+  expect_agreement(shapes::torus(), 1, 0.1);
+}
+TEST(BruteForce, AgreesOnTheNeedleFan) {
+  expect_agreement(shapes::needle_fan(120), 0.5, 0.05);
+}
+TEST(BruteForce, AgreesOnTheBumpySphere) {
+  expect_agreement(shapes::bumpy_sphere(), 1, 0.03);
+}
+
+TEST(BruteForce, AgreesOnRealParts) {
+  if (!std::filesystem::exists(kParts)) GTEST_SKIP() << "real parts absent: " << kParts;
+  for (const char* file : {"matched/Teste-Metrologia.STL", "format_quirks/ascii_Moon_Chinese.stl",
+                           "mechanical/plate_holes.STL"}) {
+    const auto loaded = load_mesh(kParts + file);
+    ASSERT_TRUE(loaded.has_value()) << file;
+    if (!loaded->findings.is_solid()) {
+      std::cout << file << " is no closed solid: passed over\n";
+      continue;
+    }
+    expect_agreement(loaded->mesh, loaded->mesh.box().diagonal().norm() / 100, 0.01);
+  }
+}
+
+}  // namespace
+}  // namespace gouge

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "lib/geom/rigid_transform.h"
+#include "lib/mesh/indexed_mesh.h"
+
+// Points on both sides of a surface and near it, and rigid motions, from a seed.
+
+namespace gouge {
+
+class RandomPoints {
+ public:
+  RandomPoints(const IndexedMesh& mesh, double depth_mm, std::uint64_t seed)
+      : mesh_(mesh), depth_mm_(depth_mm), random_(seed) {}
+
+  /// Up to 1.2 times the depth from a point of a random triangle: one in three from its rim or near it.
+  Vec3 next() {
+    const std::size_t t = random_() % mesh_.triangles.size();
+    double u = uniform(), v = uniform();
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const std::uint64_t kind = random_() % 6;
+    if (kind == 0) v *= 1e-3;
+    if (kind == 1) u = v = 0;
+    const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
+    const Vec3 at = a + u * (b - a) + v * (c - a);
+    const Vec3 way = kind < 4 ? direction() : Vec3((b - a).cross(c - a).normalized());
+    return at + (1.2 * depth_mm_ * (2 * uniform() - 1)) * way;
+  }
+
+  RigidTransform pose(double reach_mm) {
+    RigidTransform pose;
+    pose.rotation = Eigen::AngleAxisd(6.3 * uniform(), direction()).toRotationMatrix();
+    pose.shift = reach_mm * uniform() * direction();
+    return pose;
+  }
+
+  double uniform() { return std::uniform_real_distribution<double>(0, 1)(random_); }
+
+  Vec3 direction() {
+    for (;;) {
+      const Vec3 v(2 * uniform() - 1, 2 * uniform() - 1, 2 * uniform() - 1);
+      if (v.squaredNorm() < 1 && v.squaredNorm() > 1e-6) return v.normalized();
+    }
+  }
+
+ private:
+  const IndexedMesh& mesh_;
+  double depth_mm_;
+  std::mt19937_64 random_;
+};
+
+}  // namespace gouge
