@@ -41,14 +41,7 @@ double depth_on_axis(const CompiledTool& tool, double z) {
 
 // Deepest of evenly spaced points, then halving the spacing around it: the depth is 1-Lipschitz, so the
 // result is within one spacing of the best depth, and in practice at it.
-void set_core(CompiledTool& tool) {
-  double low = tool.z_max_mm, high = tool.z_min_mm;
-  for (const BoundaryElement& e : tool.elements) {
-    if (e.body != Body::cutter) continue;
-    low = std::min({low, e.a.y(), e.b.y()});
-    high = std::max({high, e.a.y(), e.b.y()});
-  }
-  if (low >= high) std::swap(low, high);
+double deepest_on_axis(const CompiledTool& tool, double low, double high) {
   constexpr int kSamples = 512;
   double step = (high - low) / kSamples;
   double best = 0.5 * (low + high);
@@ -59,6 +52,20 @@ void set_core(CompiledTool& tool) {
   for (; step > 1e-12 * (high - low); step /= 2)
     for (const double z : {best - step, best + step})
       if (z > low && z < high && depth_on_axis(tool, z) > depth_on_axis(tool, best)) best = z;
+  return best;
+}
+
+void set_core(CompiledTool& tool) {
+  double low = tool.z_max_mm, high = tool.z_min_mm;
+  for (const BoundaryElement& e : tool.elements) {
+    if (e.body != Body::cutter) continue;
+    low = std::min({low, e.a.y(), e.b.y()});
+    high = std::max({high, e.a.y(), e.b.y()});
+  }
+  if (low >= high) std::swap(low, high);
+  double best = deepest_on_axis(tool, low, high);
+  // The axis may pass through nothing but the hollow of the cutter.
+  if (!(depth_on_axis(tool, best) > 0)) best = deepest_on_axis(tool, tool.z_min_mm, tool.z_max_mm);
   tool.core = Vec2(0, best);
   tool.core_depth_mm = depth_on_axis(tool, best);
 }

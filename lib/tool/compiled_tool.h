@@ -66,7 +66,9 @@ struct CompiledTool {
   std::vector<BoundaryElement> elements;
   std::vector<BspNode> nodes;  ///< nodes[0] is the root; empty when there is a single element
   double z_min_mm = 0, z_max_mm = 0, r_max_mm = 0;
-  Vec2 core = Vec2::Zero();     ///< a point on the axis (r = 0) deepest inside the cutter's part of the solid
+  /// A point on the axis (r = 0) deepest inside the cutter's part of the solid; of the whole solid when the
+  /// axis is nowhere inside the cutter.
+  Vec2 core = Vec2::Zero();
   double core_depth_mm = 0;     ///< its depth
 };
 

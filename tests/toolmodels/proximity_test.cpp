@@ -23,7 +23,7 @@ constexpr std::uint64_t kTools = 240;
 
 std::size_t points_per_tool() {
   const char* wanted = std::getenv("GOUGE_PROXIMITY_POINTS");
-  const std::size_t total = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 2'400'000;
+  const std::size_t total = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 1'200'000;
   return std::max<std::size_t>(1, total / kTools);
 }
 
@@ -116,7 +116,7 @@ struct SampledBoundary {
   explicit SampledBoundary(const Profile& profile) {
     for (const ProfileElement& e : profile.elements) {
       const double length = e.is_arc ? e.radius_mm * sweep_rad(e) : (e.b - e.a).norm();
-      constexpr int kSteps = 500;
+      constexpr int kSteps = 200;
       const std::vector<Vec2> arc = e.is_arc ? sample(e, kSteps) : std::vector<Vec2>{};
       for (int i = 0; i <= kSteps; ++i)
         points.emplace_back(e.is_arc ? arc[static_cast<std::size_t>(i)]

@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <string>
 
+#include "lib/tool/evaluate.h"
+#include "tests/support/random_tools.h"
 #include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
 
@@ -151,6 +156,72 @@ TEST(Voronoi, TheParabolaTouchesTheBisectorAtTheReflexCornersNormal) {
     const Vec2 v = gradient(parabola.curve, at).normalized();
     ASSERT_NEAR(u.x() * v.y() - u.y() * v.x(), 0, 1e-9 * (1 + s)) << "not tangent";
     ASSERT_GT(u.dot(v), 0) << "the sides are exchanged";
+  }
+}
+
+// The same on whole tools, found from the outside: O lies s above the bottom on the inward normal of the side
+// BC at B. There the border of the bottom's region goes from the line (BC and bottom) to the parabola (B and
+// bottom); at a distance h it has left the tangent by nothing on one side and by the order of h^2 on the
+// other.
+void expect_tangency(double upper_diameter) {
+  const ToolAssembly tool = test::assembly("step", FlatCutter{24, 4}, {{12, upper_diameter, 40}});
+  const CompiledTool compiled = make_tool_forms(tool, 0, 0, 0)->bare;
+  const Vec2 corner(6, 4);
+  const Vec2 side = (Vec2(upper_diameter / 2, 44) - corner).normalized();
+  const Vec2 inward(-side.y(), side.x());
+  const double s = corner.y() / (1 - inward.y());
+  const Vec2 o = corner + s * inward;
+  ASSERT_GT(o.x(), 0.1);
+  EXPECT_NEAR(evaluate(compiled, o.x(), o.y()).signed_distance_mm, -s, 1e-12);
+  const Vec2 tangent = (inward + Vec2(0, -1)).normalized();  // both regions' distances change alike along it
+  const Vec2 along(-tangent.y(), tangent.x());
+  const auto border = [&](const Vec2& at) {  // how far off the tangent the bottom's region ends
+    double low = -0.1, high = 0.1;
+    for (int i = 0; i < 60; ++i) {
+      const Vec2 q = at + 0.5 * (low + high) * tangent;
+      (evaluate(compiled, q.x(), q.y()).element == 0 ? high : low) = 0.5 * (low + high);
+    }
+    return 0.5 * (low + high);
+  };
+  const double h = 1e-3;
+  const double toward_side = along.dot(side) > 0 ? 1 : -1;
+  EXPECT_NEAR(border(o + toward_side * h * along), 0, 1e-11) << "the bisector is a line through O";
+  const double left = std::abs(border(o - toward_side * h * along));
+  EXPECT_LT(left, 0.5 * h * h) << "not tangent";
+  EXPECT_GT(left, 1e-3 * h * h) << "no parabola";
+}
+
+TEST(Voronoi, TheParabolaIsTangentAtADiameterStep) {
+  expect_tangency(12);
+}
+
+TEST(Voronoi, TheParabolaIsTangentAtTheCornerOfATaper) {
+  expect_tangency(18);
+  expect_tangency(9);
+}
+
+std::string kind_of(const BspNode& node) {
+  const double slope = std::abs(node.square) * (node.vx * node.vx + node.vy * node.vy);
+  if (std::abs(node.linear) > 0) return "line";
+  if (!(slope > 0)) return "circle";
+  if (std::abs(slope - std::abs(node.round)) < 1e-9) return "parabola";
+  return slope < std::abs(node.round) ? "ellipse" : "hyperbola";
+}
+
+TEST(Voronoi, RandomToolsHaveBisectorsOfEveryKindBesideConcaveArcsToo) {
+  std::map<std::string, int> all, beside_concave;
+  for (std::uint64_t seed = 0; seed < 240; ++seed) {
+    const CompiledTool tool = compile_tool("", test::random_tool(seed).profile);
+    const bool is_concave = std::any_of(tool.elements.begin(), tool.elements.end(), [](const auto& e) {
+      return e.kind == ElementKind::arc && e.is_reflex;
+    });
+    for (const BspNode& node : tool.nodes) ++(is_concave ? beside_concave : all)[kind_of(node)];
+  }
+  for (const char* kind : {"line", "circle", "parabola", "ellipse", "hyperbola"}) {
+    EXPECT_GT(beside_concave[kind], 20) << kind;
+    if (kind != std::string("ellipse")) {
+      EXPECT_GT(all[kind], 20) << kind;
+    }
   }
 }
 
