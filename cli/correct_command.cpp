@@ -70,7 +70,7 @@ class CorrectRun {
     progress_.end();
     const Result<std::string> text = write_corrected(job_.toolpath, correction.changes);
     if (!text) return fail(text.error());
-    const Result<Toolpath> path = read_again(arguments_.output, *text);
+    const Result<Toolpath> path = read_again(job_, arguments_.output, *text);
     if (!path) return fail(path.error());
     const CheckResult after = check("checking the corrected path", *path, scene);
     const Outcome written = write_file(arguments_.output, *text);

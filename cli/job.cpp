@@ -39,7 +39,7 @@ class JobLoader {
       return false;
     }
     job_.inputs.push_back(describe_input("toolpath", arguments_.path, *bytes));
-    ReadOutcome outcome = read_toolpath(arguments_.path, std::move(*bytes));
+    ReadOutcome outcome = read_toolpath(arguments_.path, std::move(*bytes), job_.options.reading);
     errors_.insert(errors_.end(), outcome.errors.begin(), outcome.errors.end());
     if (!outcome.toolpath) return false;
     job_.toolpath = std::move(*outcome.toolpath);
@@ -166,6 +166,8 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
   model.options = options.check;
   if (!arguments.place.empty()) model.more_options.push_back({"place", arguments.place});
   if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
+  if (!arguments.reading.dialect.empty()) model.more_options.push_back({"dialect", arguments.reading.dialect});
+  if (!arguments.reading.units.empty()) model.more_options.push_back({"path-units", arguments.reading.units});
   if (!arguments.holder.empty()) model.more_options.push_back({"holder", arguments.holder});
   for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
   model.toolpath = &path;
@@ -185,8 +187,10 @@ bool is_usage(const Diagnostics& errors) {
   return std::any_of(errors.begin(), errors.end(), [](const Diagnostic& d) { return d.code == "usage"; });
 }
 
-Result<Toolpath> read_again(const std::string& file, std::string bytes) {
-  ReadOutcome outcome = read_toolpath(file, std::move(bytes));
+Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes) {
+  ReadOptions reading = job.options.reading;
+  reading.dialect = dialect_called(job.toolpath.dialect);
+  ReadOutcome outcome = read_toolpath(file, std::move(bytes), reading);
   if (!outcome.toolpath) return outcome.errors.front();
   return std::move(*outcome.toolpath);
 }

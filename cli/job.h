@@ -46,8 +46,8 @@ struct LoadedJob {
 /// Whether the command line is at fault rather than a file: --tool or --holder names what the library lacks.
 [[nodiscard]] bool is_usage(const Diagnostics& errors);
 
-/// The `bytes` of a corrected toolpath, to be called `file`, for the tools of the job it was made from.
+/// The `bytes` of a corrected toolpath, to be called `file`, read as the path of `job`, which it was made from.
 /// Errors: those of the reader; they would be a fault of ours.
-[[nodiscard]] Result<Toolpath> read_again(const std::string& file, std::string bytes);
+[[nodiscard]] Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes);
 
 }  // namespace gouge

@@ -8,7 +8,8 @@ namespace gouge {
 namespace {
 
 void add_input_options(CLI::App& command, JobArguments& a) {
-  command.add_option("PATH", a.path, "Toolpath: APT CL text or NX CLSF")->required();
+  command.add_option("PATH", a.path, "Toolpath: CL data of any dialect; its content tells which")->required();
+  add_reading_options(command, a.reading);
   command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")
       ->required();
   command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)");
@@ -66,6 +67,9 @@ void add_job_options(CLI::App& command, JobArguments& arguments) {
 
 Result<JobOptions> understand(const JobArguments& a) {
   JobOptions options;
+  const Result<ReadOptions> reading = understand(a.reading);
+  if (!reading) return reading.error();
+  options.reading = *reading;
   const struct {
     const char* name;
     const std::string& text;

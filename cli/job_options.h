@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "cli/progress.h"
+#include "cli/reading_options.h"
 #include "lib/base/result.h"
 #include "lib/check/check_options.h"
 #include "lib/geom/rigid_transform.h"
@@ -17,6 +18,7 @@ namespace gouge {
 /// The options common to `check` and `correct`, as typed.
 struct JobArguments {
   std::string path;
+  ReadingArguments reading;
   std::vector<std::string> parts, fixtures;
   std::string place, stl_units;
   std::string tools_file, holder;
@@ -31,6 +33,7 @@ struct JobArguments {
 
 /// The same, understood.
 struct JobOptions {
+  ReadOptions reading;
   CheckOptions check;
   RigidTransform place;
   ProgressMode progress = ProgressMode::automatic;

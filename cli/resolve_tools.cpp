@@ -31,21 +31,6 @@ std::string describe(const ToolAssembly& tool) {
   return text;
 }
 
-struct CutterSize {
-  double diameter_mm = 0, corner_mm = 0;
-};
-
-CutterSize size_of(const Cutter& cutter) {
-  struct Sizes {
-    CutterSize operator()(const FlatCutter& c) const { return {c.diameter_mm, 0}; }
-    CutterSize operator()(const BallCutter& c) const { return {c.diameter_mm, c.diameter_mm / 2}; }
-    CutterSize operator()(const BullNoseCutter& c) const { return {c.diameter_mm, c.corner_radius_mm}; }
-    CutterSize operator()(const TaperedCutter& c) const { return {c.diameter_mm, c.corner_radius_mm}; }
-    CutterSize operator()(const AptCutter& c) const { return {c.d_mm, c.r_mm}; }
-  };
-  return std::visit(Sizes{}, cutter);
-}
-
 Diagnostic usage(const std::string& message) {
   return make_error("usage", message);
 }
@@ -125,7 +110,7 @@ class Resolver {
   void compare(const PathTool& tool, const ToolAssembly& known) {
     constexpr double kSame_mm = 1e-3;
     if (!tool.cutter || tool.cutter->given == 0) return;
-    const auto [diameter, corner] = size_of(known.cutter);
+    const auto [diameter, corner] = nominal_size(known.cutter);
     const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
     if (std::abs(diameter - tool.cutter->d_mm) <= kSame_mm && std::abs(corner - given_corner) <= kSame_mm)
       return;

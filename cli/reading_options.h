@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "lib/base/result.h"
+#include "postproc/cldata/read_toolpath.h"
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+/// What a command line says about how its toolpath is to be read, as typed. Empty: the file tells.
+struct ReadingArguments {
+  std::string dialect, units;
+};
+
+void add_reading_options(CLI::App& command, ReadingArguments& arguments);
+
+/// Errors (code usage): a dialect that is not known.
+[[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);
+
+}  // namespace gouge
