@@ -38,6 +38,9 @@ class GotoText {
   /// `text` with the file's line end, if it has none.
   [[nodiscard]] std::string with_line_end(std::string text) const;
 
+  [[nodiscard]] int coordinate_decimals() const { return coordinates_.decimals(); }
+  [[nodiscard]] int axis_decimals() const { return components_.decimals(); }
+
   /// True where both axes are written with the same digits.
   [[nodiscard]] bool is_same_axis(const Vec3& a, const Vec3& b) const;
 

@@ -1,0 +1,82 @@
+#include "postproc/cldata/nccs_sink.h"
+
+#include <cmath>
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kWord = 8;
+constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
+
+struct PostCode {
+  static constexpr std::uint16_t kRapid = 5, kGohome = 14, kFedrat = 1009, kLoadtl = 1055, kPprint = 1044;
+};
+
+// `text` in whole words, filled with blanks.
+std::string text_words(std::string text, std::size_t words) {
+  text.resize(words * kWord, ' ');
+  return text;
+}
+
+}  // namespace
+
+NccsSink::NccsSink(LengthUnit unit, const std::string& name) : unit_(unit) {
+  std::string header = text_words(name, kNameWords) + text_words("", kProgramWord - kNameWords);
+  header += text_words("NCLCAM     2019.00", kHeaderWords - kProgramWord);
+  add(NccsClass::kHeader, 0, header);
+  add(NccsClass::kMode, 0, {});
+}
+
+void NccsSink::add(std::uint16_t klass, std::uint16_t subclass, const std::string& words) {
+  const auto count = static_cast<std::uint16_t>(1 + words.size() / kWord);
+  words_ += nccs_word(NccsHeader{count, klass, subclass, ++sequence_}) + words;
+}
+
+void NccsSink::begin_operation(const std::string& name) {
+  add(NccsClass::kPost, PostCode::kPprint, text_words(name, (name.size() + kWord - 1) / kWord));
+}
+
+// The number first: a number seen before brings its old cutter with it.
+void NccsSink::change_tool(const PathTool& tool) {
+  if (tool.number) add(NccsClass::kPost, PostCode::kLoadtl, nccs_word(static_cast<double>(*tool.number)));
+  if (!tool.cutter) return;
+  const CutterStatement& c = *tool.cutter;
+  const double factor = mm_per(unit_);
+  const bool leans = std::abs(c.beta_deg) > 0;
+  const double d_mm = leans ? 2 * (c.e_mm + c.r_mm) : c.d_mm;
+  std::string words = nccs_word(d_mm / factor) + nccs_word(c.r_mm / factor) + nccs_word(c.h_mm / factor);
+  if (leans) words += nccs_word(c.beta_deg);
+  add(NccsClass::kTool, 6, words);
+}
+
+bool NccsSink::break_motion() {
+  add(NccsClass::kPost, PostCode::kGohome, {});
+  return true;
+}
+
+void NccsSink::set_feed(double mm_per_min) {
+  add(NccsClass::kPost, PostCode::kFedrat, nccs_word(mm_per_min / mm_per(unit_)));
+}
+
+bool NccsSink::make_rapid() {
+  add(NccsClass::kPost, PostCode::kRapid, {});
+  return true;
+}
+
+void NccsSink::go_to(const Pose& end) {
+  std::string words;
+  for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(end.tip[i] / mm_per(unit_));
+  for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(end.axis[i]);
+  add(NccsClass::kMotion, 5, words);
+}
+
+bool NccsSink::go_round(const PathArc& /*arc*/, const Pose& /*start*/, const Pose& /*end*/) {
+  return false;
+}
+
+std::string NccsSink::finish() {
+  add(NccsClass::kFini, 0, {});
+  return nccs_blocks(words_);
+}
+
+}  // namespace gouge

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "postproc/cldata/motion_sink.h"
+#include "postproc/cldata/nccs_records.h"
+
+// Writes a toolpath as binary NCCS records.
+
+namespace gouge {
+
+class NccsSink final : public MotionSink {
+ public:
+  NccsSink(LengthUnit unit, const std::string& name);
+
+  void begin_operation(const std::string& name) override;
+  void change_tool(const PathTool& tool) override;
+  [[nodiscard]] bool break_motion() override;
+  void set_feed(double mm_per_min) override;
+  [[nodiscard]] bool make_rapid() override;
+  void go_to(const Pose& end) override;
+  [[nodiscard]] bool go_round(const PathArc& arc, const Pose& start, const Pose& end) override;
+  [[nodiscard]] std::string finish() override;
+
+ private:
+  void add(std::uint16_t klass, std::uint16_t subclass, const std::string& words);
+
+  LengthUnit unit_;
+  std::string words_;
+  std::uint16_t sequence_ = 0;
+};
+
+}  // namespace gouge

@@ -1,0 +1,282 @@
+#include "postproc/cldata/text_sink.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr double kSameAxis = 1e-12;
+
+bool is_plus_z(const Vec3& axis) {
+  return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameAxis;
+}
+
+double degrees(double radians) {
+  return radians * 180 / kPi;
+}
+
+}  // namespace
+
+TextSink::TextSink(const TextSinkOptions& options) : options_(options), format_(text_format(options.kind)) {
+  format_.decimals = std::max(format_.decimals, options.decimals);
+  format_.axis_decimals = std::max(format_.axis_decimals, options.axis_decimals);
+  const bool has_axis_when_multax =
+      options.kind == DialectKind::autodesk || options.kind == DialectKind::camplete;
+  if (has_axis_when_multax) format_.always_has_axis = options.is_tilted;
+  begin_file();
+}
+
+void TextSink::begin_catia_file() {
+  line("$$ -----------------------------------------------------------------");
+  line("$$     CATIA APT VERSION 1.0");
+  line("$$ -----------------------------------------------------------------");
+  line("$$*CATIA0");
+  line("$$ " + options_.name);
+  for (Eigen::Index row = 0; row < 3; ++row) {
+    std::string text = "$$ ";
+    for (Eigen::Index column = 0; column < 4; ++column)
+      text += row == column ? "    1.00000" : "     0.00000";
+    line(text);
+  }
+  line("PARTNO " + options_.name);
+  if (options_.unit == LengthUnit::inch) line("UNITS/INCHES");
+  line("MULTAX");
+}
+
+void TextSink::begin_file() {
+  const std::string multax = options_.is_tilted ? "ON" : "OFF";
+  switch (options_.kind) {
+    case DialectKind::catia:
+      return begin_catia_file();
+    case DialectKind::creo:
+      line("$$*          Pro/CLfile");
+      line("PARTNO / " + options_.name);
+      line("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER");
+      line("UNITS / " + unit_word());
+      if (options_.is_tilted) line("MULTAX / ON");
+      return;
+    case DialectKind::solidworks_cam:
+      line("PARTNO/" + options_.name);
+      line("UNIT/" + std::string(options_.unit == LengthUnit::inch ? "INCH" : "MM"));
+      return;
+    case DialectKind::clt:
+      return line("UNITS/ " + unit_word() + " ");
+    case DialectKind::autodesk:
+    case DialectKind::camplete:
+      line("MODE/MILL");
+      line("PARTNO/'" + options_.name + "'");
+      line("UNITS/" + unit_word());
+      return line("MULTAX/" + multax);
+    case DialectKind::mori:
+      line("BEGIN");
+      line("UNITS/ " + unit_word());
+      return line("MULTAX/ ON");
+    case DialectKind::nccs:
+      line("REMARK " + options_.name + " NCLCAM");
+      line("UNITS/" + unit_word());
+      return line("MULTAX/ON");
+    case DialectKind::apt:
+      line("PARTNO " + options_.name);
+      line("UNITS/" + unit_word());
+      return line("MULTAX/ON");
+    default:
+      return;
+  }
+}
+
+void TextSink::begin_operation(const std::string& name) {
+  operation_ = name;
+  ++operations_;
+  switch (options_.kind) {
+    case DialectKind::catia:
+      return line("$$ OPERATION NAME : " + name);
+    case DialectKind::creo:
+      return line("$$-> FEATNO / " + std::string(name.starts_with("FEATNO ") ? name.substr(7) : name));
+    case DialectKind::solidworks_cam:
+      return line("TRNTYP/WORLD,0,0,0");
+    case DialectKind::clt:
+      return line("OPFEATSTART/" + name);
+    case DialectKind::camplete:
+      line("CSI_TOOL_PATH/" + name);
+      line("MCS/1.000000000, 0.000000000, 0.000000000, $");
+      line("0.000000000, 1.000000000, 0.000000000, $");
+      line("0.000000000, 0.000000000, 1.000000000, $");
+      return line("0.000000, 0.000000, 0.000000");
+    case DialectKind::mori:
+      return line("OPNAME/ " + name);
+    case DialectKind::autodesk:
+    case DialectKind::apt:
+    case DialectKind::nccs:
+      return line("PPRINT/'" + name + "'");
+    default:
+      return;
+  }
+}
+
+bool TextSink::break_motion() {
+  axis_.reset();
+  if (options_.kind == DialectKind::goto_list) return false;
+  if (options_.kind == DialectKind::nx_clsf) {
+    is_block_due_ = true;
+  } else {
+    line(options_.kind == DialectKind::solidworks_cam || options_.kind == DialectKind::clt ? "GOHOME/"
+                                                                                           : "GOHOME");
+  }
+  return true;
+}
+
+void TextSink::set_feed(double mm_per_min) {
+  if (is_block_due_ && options_.kind == DialectKind::nx_clsf) begin_nx_block();
+  const double value = scaled(mm_per_min);
+  const std::string unit = options_.unit == LengthUnit::inch ? "IPM" : "MMPM";
+  switch (options_.kind) {
+    case DialectKind::nx_clsf:
+      return line("FEDRAT/" + unit + "," + fixed_text(value, 4));
+    case DialectKind::catia:
+      return line("FEDRAT/ " + fixed_text(value, 4) + "," + unit);
+    case DialectKind::creo:
+      return line("FEDRAT / " + fixed_text(value, 6) + ",  " + unit);
+    case DialectKind::clt:
+      return line("FEDRAT/ " + unit + "," + fixed_text(value, 6));
+    case DialectKind::mori:
+      return line("FEDRAT/ PERMIN, " + exact_text(value));
+    case DialectKind::nccs:
+      return line("FEDRAT/ " + exact_text(value));
+    case DialectKind::goto_list:
+      return;
+    case DialectKind::solidworks_cam:
+      return line("FEDRAT/" + format_.number(value, 6) + "," + unit);
+    default:
+      return line("FEDRAT/" + fixed_text(value, 6) + ", " + unit);
+  }
+}
+
+bool TextSink::make_rapid() {
+  if (options_.kind == DialectKind::goto_list) return false;
+  if (is_block_due_ && options_.kind == DialectKind::nx_clsf) begin_nx_block();
+  line(std::string(format_.rapid));
+  return true;
+}
+
+void TextSink::go_to(const Pose& end) {
+  const bool is_modal = options_.kind == DialectKind::nx_clsf;
+  if (is_block_due_ && is_modal) begin_nx_block();
+  std::string text(format_.go_to);
+  text += format_.point(end.tip / mm_per(options_.unit));
+  const std::string direction = format_.direction(end.axis);
+  const Vec3 usual = is_modal ? axis_.value_or(Vec3::Zero()) : Vec3::UnitZ();
+  const bool is_usual = is_modal ? direction == format_.direction(usual) : is_plus_z(end.axis);
+  if (format_.always_has_axis || !is_usual) {
+    text += format_.separator;
+    if (format_.breaks_before_axis) text += " $" + std::string(format_.line_end);
+    text += direction;
+  }
+  axis_ = end.axis;
+  if (options_.kind == DialectKind::clt) text += " ";
+  line(text);
+}
+
+// Of the arc's vector each dialect has its own sense; the end is the position that follows.
+bool TextSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
+  const double sweep = std::abs(arc.sweep_rad);
+  if (sweep > 2 * kPi * (1 + 1e-9)) return false;
+  const Vec3 right = arc.sweep_rad < 0 ? Vec3(-arc.axis) : arc.axis;
+  const Vec3 radial = start.tip - arc.center;
+  const double radius = scaled((radial - radial.dot(arc.axis) * arc.axis).norm());
+  const std::string sep(format_.separator);
+  const std::string center = format_.point(arc.center / mm_per(options_.unit));
+  const auto circle = [&](const Vec3& vector) { return center + sep + format_.direction(vector); };
+  const std::string r = format_.coordinate(radius);
+  const std::string turn = fixed_text(degrees(sweep), 6);
+  switch (options_.kind) {
+    case DialectKind::nx_clsf: {
+      if (is_block_due_) return false;
+      const CutterStatement cutter = tool_ && tool_->cutter ? *tool_->cutter : CutterStatement{};
+      line("CIRCLE/" + circle(-right) + "," + r + ",0.0600,0.5000," + fixed_text(scaled(cutter.d_mm), 4) +
+           "," + fixed_text(scaled(cutter.r_mm), 4));
+      break;
+    }
+    case DialectKind::camplete:
+      line("CIRCLE/" + circle(-right) + ", " + r + ", " + turn + ", 0.0, 0.0, 0.0");
+      break;
+    case DialectKind::autodesk:
+      line("MOVARC/" + circle(right) + ", " + r + ", ANGLE, " + turn);
+      break;
+    case DialectKind::mori:
+      line("MOVARC/ CENTER, " + center + ", AXIS, " + format_.direction(right) + ", RADIUS, " + r);
+      break;
+    case DialectKind::creo:
+      line("CIRCLE / " + center + ",  $");
+      line(format_.direction(right) + ",  " + r);
+      break;
+    case DialectKind::solidworks_cam:
+      line("CIRCLE/" + circle(right));
+      break;
+    case DialectKind::clt:
+      if (std::abs(std::abs(right.z()) - 1) > kSameAxis) return false;
+      line("CIRCLE/ " + circle(Vec3::UnitZ()) + "," + r + "," +
+           (right.z() > 0 ? "COUNTERCLOCKWISE " : "CLOCKWISE "));
+      break;
+    case DialectKind::catia:
+      return write_catia_arc(arc, start, end);
+    default:
+      return false;
+  }
+  go_to(end);
+  return true;
+}
+
+// A planar arc of less than a full turn, with the axis of the position before it.
+bool TextSink::write_catia_arc(const PathArc& arc, const Pose& start, const Pose& end) {
+  const Vec3 right = arc.sweep_rad < 0 ? Vec3(-arc.axis) : arc.axis;
+  const Vec3 radial = start.tip - arc.center;
+  const double sweep = std::abs(arc.sweep_rad);
+  const double half_digit = 0.5 * std::pow(10.0, -format_.decimals);
+  const bool is_planar =
+      std::abs(radial.dot(right)) <= half_digit && std::abs((end.tip - start.tip).dot(right)) <= half_digit;
+  const bool keeps_axis = (start.axis - end.axis).cwiseAbs().maxCoeff() <= kSameAxis;
+  if (!is_planar || !keeps_axis || sweep > 2 * kPi - 0.1) return false;
+  const std::string center = format_.point(arc.center / mm_per(options_.unit));
+  line("AUTOPS");
+  line("INDIRV/" + format_.point(right.cross(radial).normalized()));
+  line("TLON,GOFWD/ (CIRCLE/" + center + ",$");
+  line(" " + format_.coordinate(scaled(radial.norm())) + (sweep > kPi ? "),ON,2,INTOF,$" : "),ON,$"));
+  line("(LINE/" + center + ",$");
+  line(format_.point(end.tip / mm_per(options_.unit)) + ")");
+  return true;
+}
+
+std::string TextSink::finish() {
+  switch (options_.kind) {
+    case DialectKind::nx_clsf:
+      if (is_block_open_) line("END-OF-PATH");
+      break;
+    case DialectKind::catia:
+      line("END");
+      break;
+    case DialectKind::autodesk:
+    case DialectKind::camplete:
+      line("END");
+      line("FINI");
+      break;
+    case DialectKind::mori:
+      line("END/");
+      break;
+    case DialectKind::creo:
+      line("$$-> END / ");
+      line("FINI ");
+      break;
+    case DialectKind::goto_list:
+      break;
+    default:
+      line("FINI");
+  }
+  return std::move(text_);
+}
+
+}  // namespace gouge

@@ -1,0 +1,243 @@
+#include "postproc/cldata/write_toolpath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string_view>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/chords.h"
+#include "postproc/cldata/goto_text.h"
+#include "postproc/cldata/interpreter.h"
+#include "postproc/cldata/nccs_sink.h"
+#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/text_sink.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kTilt = 1e-12;
+constexpr double kSamePlace_mm = 1e-3;
+constexpr double kSameAxis = 1e-4;
+
+// Motions whose end is what the file says although they are not checked: only their start or the cutter's
+// side of the contour is in doubt.
+bool is_understood(const Move& move) {
+  for (const char* reason : {"", Reasons::kAfterCycle, Reasons::kAfterRetract, Reasons::kCutcom}) {
+    if (move.not_checked_reason == reason) return true;
+  }
+  return false;
+}
+
+class PathWriter {
+ public:
+  PathWriter(const Toolpath& path, const Dialect& target) : path_(path), target_(target) {}
+
+  Result<WrittenToolpath> run();
+
+ private:
+  [[nodiscard]] std::optional<Diagnostic> find_obstacle() const;
+  [[nodiscard]] std::unique_ptr<MotionSink> make_sink() const;
+  void write_move(const Move& move, bool is_first);
+  void write_motion(const Move& move);
+  void expect(const Pose& end, bool is_alone);
+  void note(const char* code, std::size_t count, const std::string& what);
+  void note_losses();
+  void verify();
+
+  const Toolpath& path_;
+  Dialect target_;
+  std::unique_ptr<MotionSink> sink_;
+  WrittenToolpath written_;
+  std::size_t tool_ = kNone, operation_ = kNone;
+  double feed_ = 0;
+  std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, chorded_ = 0, cycles_ = 0, cutcoms_ = 0;
+  struct Expected {
+    Pose end;
+    bool is_alone = false;
+  };
+  std::vector<Expected> expected_;
+};
+
+std::optional<Diagnostic> PathWriter::find_obstacle() const {
+  if (target_.kind == DialectKind::nci) {
+    return make_error(
+        "convert-dialect",
+        "mastercam-nci is read only: how its tools and planes are written is not known; expected "
+        "another dialect for --to",
+        path_.file);
+  }
+  std::size_t count = 0;
+  const Move* first = nullptr;
+  for (const Move& move : path_.moves) {
+    if (is_understood(move)) continue;
+    if (count++ == 0) first = &move;
+  }
+  if (first != nullptr) {
+    return make_error(
+        "convert-not-understood",
+        std::to_string(count) + " of " + std::to_string(path_.moves.size()) + " moves are not understood (" +
+            first->not_checked_reason +
+            "), so they cannot be written in another way; without --to the file is copied as it is",
+        path_.file, first->line);
+  }
+  if (target_.kind != DialectKind::clt) return std::nullopt;
+  const auto tilted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
+    return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
+  });
+  if (tilted == path_.moves.end()) return std::nullopt;
+  return make_error("convert-dialect",
+                    "camworks-clt has no tool axis, and this move's is not +Z; expected another dialect "
+                    "for --to",
+                    path_.file, tilted->line);
+}
+
+std::unique_ptr<MotionSink> PathWriter::make_sink() const {
+  std::string_view name = path_.file;
+  name.remove_prefix(std::min(name.find_last_of('/') + 1, name.size()));
+  if (target_.kind == DialectKind::nccs_binary)
+    return std::make_unique<NccsSink>(path_.unit, std::string(name.substr(0, name.find('.'))));
+  TextSinkOptions options;
+  options.kind = target_.kind;
+  options.unit = path_.unit;
+  options.name = name.substr(0, name.find('.'));
+  options.is_tilted = std::any_of(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
+    return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
+  });
+  const bool is_text = path_.dialect != dialect_of(DialectKind::nccs_binary).id;
+  if (is_text) {
+    const GotoText source(path_, read_motion_records(path_));
+    options.decimals = source.coordinate_decimals();
+    options.axis_decimals = source.axis_decimals();
+  } else {
+    options.decimals = 7;
+    options.axis_decimals = 9;
+  }
+  return std::make_unique<TextSink>(options);
+}
+
+void PathWriter::expect(const Pose& end, bool is_alone) {
+  expected_.push_back({end, is_alone});
+}
+
+void PathWriter::write_motion(const Move& move) {
+  if (move.curve_kind == CurveKind::none || !move.start) {
+    sink_->go_to(move.end);
+    return expect(move.end, !move.start);
+  }
+  if (move.curve_kind == CurveKind::arc && sink_->go_round(path_.arcs[move.curve], *move.start, move.end))
+    return expect(move.end, false);
+  ++chorded_;
+  for (const Pose& pose : chords_of(path_, move, kChordError_mm)) {
+    sink_->go_to(pose);
+    expect(pose, false);
+  }
+}
+
+void PathWriter::write_move(const Move& move, bool is_first) {
+  if (move.operation != operation_ && move.operation != kNone) {
+    operation_ = move.operation;
+    sink_->begin_operation(path_.operations[operation_].name);
+  }
+  const bool is_tool_new = move.tool != tool_ && move.tool != kNone;
+  if (!move.start && !is_first && !is_tool_new) {
+    sink_->break_motion() ? ++breaks_ : ++lost_breaks_;
+    feed_ = 0;
+  }
+  if (is_tool_new) {
+    tool_ = move.tool;
+    sink_->change_tool(path_.tools[tool_]);
+    feed_ = 0;
+  }
+  const bool is_rapid =
+      move.kind == MoveKind::rapid || (move.kind == MoveKind::cycle && !(move.feed_mm_per_min > 0));
+  if (is_rapid) {
+    if (!sink_->make_rapid()) ++lost_rapids_;
+  } else if (std::abs(move.feed_mm_per_min - feed_) > 0 && move.feed_mm_per_min > 0) {
+    feed_ = move.feed_mm_per_min;
+    sink_->set_feed(feed_);
+  }
+  if (move.kind == MoveKind::cycle) ++cycles_;
+  if (move.not_checked_reason == Reasons::kCutcom) ++cutcoms_;
+  write_motion(move);
+}
+
+void PathWriter::note(const char* code, std::size_t count, const std::string& what) {
+  if (count == 0) return;
+  written_.notes.push_back(make_warning(code, std::to_string(count) + " " + what, path_.file));
+}
+
+void PathWriter::note_losses() {
+  note("convert-chords", chorded_,
+       "arcs or curves that the dialect cannot say are written as straight moves within " +
+           exact_text(kChordError_mm) + " mm");
+  note("convert-cycles", cycles_, "moves of drilling cycles are written as the plain moves they are");
+  note("convert-breaks", breaks_, "positions that nothing known leads to follow a GOHOME or a new block");
+  note("convert-breaks", lost_breaks_,
+       "positions that nothing known leads to: the dialect cannot say so and will read straight moves to "
+       "them");
+  note("convert-rapid", lost_rapids_, "rapid moves: the dialect cannot say so and will read feed moves");
+  note("convert-cutcom", cutcoms_, "moves compensated by CUTCOM are written without it");
+  const auto count_tools = [&](auto is_lost) {
+    return static_cast<std::size_t>(std::count_if(path_.tools.begin(), path_.tools.end(), is_lost));
+  };
+  const bool has_no_cutter = target_.kind == DialectKind::goto_list || target_.kind == DialectKind::mori;
+  const bool has_diameter_alone = target_.kind == DialectKind::creo;
+  const bool has_no_angles = target_.kind == DialectKind::nccs_binary;
+  note("convert-tools", count_tools([&](const PathTool& tool) {
+         if (!tool.cutter) return false;
+         return has_no_cutter || has_diameter_alone ||
+                (has_no_angles && std::abs(tool.cutter->alpha_deg) > 0);
+       }),
+       "tools: the dialect cannot say their whole shape; give it in a tool library");
+}
+
+// What was written is read as any file would be and compared with what was meant.
+void PathWriter::verify() {
+  ReadOptions options;
+  options.dialect = target_;
+  const ReadOutcome outcome = read_toolpath(path_.file, written_.bytes, options);
+  if (!outcome.toolpath) {
+    written_.notes.push_back(make_warning(
+        "convert-verify",
+        "the result cannot be read again: " + (outcome.errors.empty() ? "" : outcome.errors.front().message),
+        path_.file));
+    return;
+  }
+  const Toolpath& again = *outcome.toolpath;
+  if (again.unit != path_.unit) {
+    written_.notes.push_back(make_warning("convert-unit",
+                                          std::string("the result does not state its unit, ") +
+                                              unit_name(path_.unit) + "; say it with --path-units",
+                                          path_.file));
+  }
+  const double factor = mm_per(path_.unit) / mm_per(again.unit);
+  std::size_t differing = again.moves.size() == expected_.size() ? 0 : 1;
+  for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
+    const Move& move = again.moves[i];
+    const bool is_same = (move.end.tip * factor - expected_[i].end.tip).norm() <= kSamePlace_mm &&
+                         (move.end.axis - expected_[i].end.axis).norm() <= kSameAxis &&
+                         move.start.has_value() != expected_[i].is_alone;
+    differing += is_same ? 0 : 1;
+  }
+  const std::size_t told = std::min(lost_breaks_, differing);
+  note("convert-verify", differing - told, "moves of the result are read with another meaning");
+}
+
+Result<WrittenToolpath> PathWriter::run() {
+  if (auto obstacle = find_obstacle()) return std::move(*obstacle);
+  sink_ = make_sink();
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) write_move(path_.moves[i], i == 0);
+  written_.bytes = sink_->finish();
+  note_losses();
+  verify();
+  return std::move(written_);
+}
+
+}  // namespace
+
+Result<WrittenToolpath> write_toolpath(const Toolpath& path, const Dialect& target) {
+  return PathWriter(path, target).run();
+}
+
+}  // namespace gouge
