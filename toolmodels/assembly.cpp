@@ -1,13 +1,20 @@
 #include "toolmodels/assembly.h"
 
+#include <algorithm>
+
+#include "toolmodels/cutter_shapes.h"
 #include "toolmodels/unite.h"
 
 namespace gouge {
 namespace {
 
+using detail::mm;
+
+constexpr double kSame_mm = 1e-9;  // lengths closer than this are the same
+
 Diagnostic within(const ToolAssembly& tool, const std::string& field, const Diagnostic& error) {
   Diagnostic told = error;
-  told.message = "tool " + label(tool) + ": " + field + ": " + error.message;
+  told.message = "tool " + label(tool) + ": " + (field.empty() ? "" : field + ": ") + error.message;
   return told;
 }
 
@@ -21,27 +28,103 @@ void add_step(Profile& profile, Body body, const Vec2& from, const Vec2& to) {
   if (from != to) profile.elements.push_back(make_segment(body, from, to));
 }
 
-Profile stack(Body body, const std::vector<ToolSegment>& segments, double& z) {
+Profile stack(Body body, const std::vector<PlacedSegment>& segments) {
   Profile profile;
-  Vec2 at(0, z);
-  for (const ToolSegment& s : segments) {
-    const Vec2 lower(s.lower_diameter_mm / 2, z);
-    z += s.length_mm;
-    const Vec2 upper(s.upper_diameter_mm / 2, z);
-    add_step(profile, body, at, lower);
-    profile.elements.push_back(make_segment(body, lower, upper));
+  Vec2 at = Vec2::Zero();
+  for (const PlacedSegment& s : segments) {
+    if (s.body != body) continue;
+    if (profile.elements.empty()) at = Vec2(0, s.z_mm);
+    const Vec2 lower(s.segment.lower_diameter_mm / 2, s.z_mm);
+    const Vec2 upper(s.segment.upper_diameter_mm / 2, s.z_mm + s.segment.length_mm);
+    add_step(profile, body, at, Vec2(lower.x(), at.y()));
+    profile.elements.push_back(make_segment(body, Vec2(lower.x(), at.y()), upper));
     at = upper;
   }
-  if (!profile.elements.empty()) add_step(profile, body, at, Vec2(0, z));
+  if (!profile.elements.empty()) add_step(profile, body, at, Vec2(0, at.y()));
   return profile;
 }
 
-Outcome check_segments(const ToolAssembly& tool, const std::vector<ToolSegment>& segments, const char* body) {
+Outcome check_segments(const ToolAssembly& tool, const std::vector<ToolSegment>& segments,
+                       const std::string& body) {
   for (std::size_t i = 0; i < segments.size(); ++i)
     if (Outcome good = check_segment(segments[i]); !good)
-      return within(tool, std::string(body) + " " + std::to_string(i + 1), good.error());
+      return within(tool, body + " " + std::to_string(i + 1), good.error());
   return Done{};
 }
+
+std::string name_of(const ToolExtension& extension) {
+  return extension.name.empty() ? "extension" : extension.name;
+}
+
+Outcome check_extensions(const ToolAssembly& tool) {
+  bool is_holder_below = false;
+  for (const ToolExtension& e : tool.extensions) {
+    if (Outcome good = check_segments(tool, e.segments, "extension \"" + name_of(e) + "\""); !good) return good;
+    if (is_holder_below && e.counts_as == Body::shank)
+      return within(tool, "extension \"" + name_of(e) + "\"",
+                    make_error("tool-extension",
+                               "counts as shank, but stands on one that counts as holder; let this one "
+                               "count as holder too"));
+    is_holder_below = is_holder_below || e.counts_as == Body::holder;
+  }
+  return Done{};
+}
+
+bool is_held(const ToolAssembly& tool) {
+  return !tool.extensions.empty() || !tool.holder.empty();
+}
+
+double shank_end(const ToolAssembly& tool) {
+  double z = length_mm(tool.cutter);
+  for (const ToolSegment& s : tool.shank) z += s.length_mm;
+  return z;
+}
+
+Outcome check_stickout(const ToolAssembly& tool) {
+  if (Outcome good = detail::check_not_negative("stickout", tool.stickout_mm); !good)
+    return within(tool, "", good.error());
+  if (Outcome good = detail::check_not_negative("gauge_length", tool.gauge_length_mm); !good)
+    return within(tool, "", good.error());
+  if (!(tool.stickout_mm > 0)) return Done{};
+  const double flutes = length_mm(tool.cutter), end = shank_end(tool);
+  if (tool.stickout_mm < flutes - kSame_mm)
+    return within(tool, "", make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is less than the length of the flutes, " +
+                                       mm(flutes) + ": the holder would swallow the cutter; give at least that"));
+  if (tool.stickout_mm > end + kSame_mm)
+    return within(tool, "", make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is more than flutes and shank reach, " +
+                                       mm(end) + "; give at most that, or a longer shank"));
+  return Done{};
+}
+
+class Placer {
+ public:
+  explicit Placer(const ToolAssembly& tool) : z_(length_mm(tool.cutter)) {
+    const bool is_cut = tool.stickout_mm > 0 && is_held(tool);
+    add(Body::shank, "shank", tool.shank, is_cut ? tool.stickout_mm : 1e300);
+    if (is_cut) z_ = tool.stickout_mm;
+    for (const ToolExtension& e : tool.extensions) add(e.counts_as, name_of(e), e.segments, 1e300);
+    add(Body::holder, "holder", tool.holder, 1e300);
+  }
+
+  std::vector<PlacedSegment> take() { return std::move(placed_); }
+
+ private:
+  void add(Body body, const std::string& name, const std::vector<ToolSegment>& segments, double end_mm) {
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      ToolSegment s = segments[i];
+      if (z_ >= end_mm - kSame_mm) return;
+      if (z_ + s.length_mm > end_mm) {
+        s.upper_diameter_mm = s.lower_diameter_mm + (s.upper_diameter_mm - s.lower_diameter_mm) * ((end_mm - z_) / s.length_mm);
+        s.length_mm = end_mm - z_;
+      }
+      placed_.push_back({body, name + " " + std::to_string(i + 1), s, z_});
+      z_ += s.length_mm;
+    }
+  }
+
+  double z_;
+  std::vector<PlacedSegment> placed_;
+};
 
 }  // namespace
 
@@ -51,16 +134,31 @@ std::string label(const ToolAssembly& tool) {
   return number + (number.empty() ? "" : " ") + "\"" + tool.name + "\"";
 }
 
+std::vector<PlacedSegment> place_segments(const ToolAssembly& tool) {
+  return Placer(tool).take();
+}
+
+double stickout_mm(const ToolAssembly& tool) {
+  return tool.stickout_mm > 0 && is_held(tool) ? tool.stickout_mm : shank_end(tool);
+}
+
+double height_mm(const ToolAssembly& tool) {
+  const std::vector<PlacedSegment> placed = place_segments(tool);
+  return placed.empty() ? length_mm(tool.cutter) : placed.back().z_mm + placed.back().segment.length_mm;
+}
+
 Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool) {
   Result<Profile> cutter = make_cutter_profile(tool.cutter);
   if (!cutter) return within(tool, "cutter", cutter.error());
   if (Outcome good = check_segments(tool, tool.shank, "shank"); !good) return good.error();
+  if (Outcome good = check_extensions(tool); !good) return good.error();
   if (Outcome good = check_segments(tool, tool.holder, "holder"); !good) return good.error();
-  double z = length_mm(tool.cutter);
+  if (Outcome good = check_stickout(tool); !good) return good.error();
+  const std::vector<PlacedSegment> placed = place_segments(tool);
   BodyProfiles bodies;
   bodies[0] = std::move(*cutter);
-  bodies[1] = stack(Body::shank, tool.shank, z);
-  bodies[2] = stack(Body::holder, tool.holder, z);
+  bodies[1] = stack(Body::shank, placed);
+  bodies[2] = stack(Body::holder, placed);
   return bodies;
 }
 
@@ -68,8 +166,30 @@ Result<Profile> make_profile(const ToolAssembly& tool) {
   const Result<BodyProfiles> bodies = make_body_profiles(tool);
   if (!bodies) return bodies.error();
   Result<Profile> united = unite({{&(*bodies)[0], 0}, {&(*bodies)[1], 0}, {&(*bodies)[2], 0}});
-  if (!united) return within(tool, "bodies", united.error());
+  if (!united) return within(tool, "", united.error());
   return united;
+}
+
+ToolAssembly extended_up(const ToolAssembly& tool, double top_mm) {
+  ToolAssembly longer = tool;
+  const double height = height_mm(tool);
+  if (height >= top_mm) return longer;
+  const std::vector<PlacedSegment> placed = place_segments(tool);
+  double width = 0;
+  if (!placed.empty()) {
+    width = placed.back().segment.upper_diameter_mm;
+  } else if (const Result<Profile> flutes = make_cutter_profile(tool.cutter)) {
+    width = 2 * flutes->elements.back().a.x();
+  }
+  if (!(width > 0)) return longer;
+  const ToolSegment more{width, width, top_mm - height};
+  if (!tool.holder.empty())
+    longer.holder.push_back(more);
+  else if (!tool.extensions.empty())
+    longer.extensions.back().segments.push_back(more);
+  else
+    longer.shank.push_back(more);
+  return longer;
 }
 
 }  // namespace gouge

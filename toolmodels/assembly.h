@@ -9,8 +9,8 @@
 #include "toolmodels/cutter.h"
 #include "toolmodels/profile.h"
 
-// A tool assembly by its dimensions: cutter, then shank segments, then holder segments, each standing on the
-// one before. Diameters may grow and shrink, with or without a step between segments (thesis 2.4.18.3).
+// A tool assembly by its dimensions: cutter, shank segments, extensions, holder segments, each standing on
+// the one before. Diameters may grow and shrink, with or without a step between segments (thesis 2.4.18.3).
 
 namespace gouge {
 
@@ -19,25 +19,62 @@ struct ToolSegment {
   double lower_diameter_mm = 0, upper_diameter_mm = 0, length_mm = 0;
 };
 
-struct ToolAssembly {
-  std::optional<int> number;
+/// An extension or arbor between shank and holder. For clearances it counts as one of the two.
+struct ToolExtension {
   std::string name;
-  Cutter cutter;
-  std::vector<ToolSegment> shank;   ///< from the cutter up; may be empty
-  std::vector<ToolSegment> holder;  ///< from the shank up; may be empty
+  Body counts_as = Body::holder;  ///< shank or holder
+  std::vector<ToolSegment> segments;
+};
+
+struct ToolAssembly {
+  std::optional<int> number{};
+  std::string name{};
+  Cutter cutter{};
+  std::vector<ToolSegment> shank{};   ///< from the cutter up; may be empty
+  std::vector<ToolSegment> holder{};  ///< from the shank (or the extensions) up; may be empty
+  std::vector<ToolExtension> extensions{};
+  /// How far the tool stands out of its lowest extension or holder: what of the shank is above is inside and
+  /// left out. 0: they stand on the shank's end.
+  double stickout_mm = 0;
+  double gauge_length_mm = 0;  ///< tip to gauge line; told, not checked. 0: not given
 };
 
 /// Per body its own closed contour at its place; index by Body. No elements: the tool has no such body.
 using BodyProfiles = std::array<Profile, 3>;
 
-/// Errors   those of make_cutter_profile, and for a segment tool-dimension-not-positive,
-///          tool-dimension-too-large; the message begins with the tool and the field ("tool T3 "slot": shank
-///          2: ...").
+/// Errors   those of make_cutter_profile; for a segment tool-dimension-not-positive,
+///          tool-dimension-too-large; tool-stickout (less than the flutes, or more than the shank reaches),
+///          tool-extension (one that counts as shank above one that counts as holder). The message begins
+///          with the tool and the field ("tool T3 "slot": shank 2: ...").
 [[nodiscard]] Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool);
 
 /// The contour of the whole assembly without growth; faces between bodies vanish.
-/// Ensures  verify_profile is empty.  Errors as make_body_profiles.
+/// Ensures  verify_profile is empty.  Errors as make_body_profiles, and those of unite.
 [[nodiscard]] Result<Profile> make_profile(const ToolAssembly& tool);
+
+/// A segment at its place, cut where the tool goes into what holds it.
+struct PlacedSegment {
+  Body body = Body::shank;
+  std::string name;  ///< "shank 2", "arbor 1", "holder 3"
+  ToolSegment segment;
+  double z_mm = 0;  ///< of its lower end
+};
+
+/// Every segment above the cutter, from the tip side up. Requires a tool that make_body_profiles accepts.
+[[nodiscard]] std::vector<PlacedSegment> place_segments(const ToolAssembly& tool);
+
+/// Tip to the lowest extension or holder; to the top when there is neither. Requires as place_segments.
+[[nodiscard]] double stickout_mm(const ToolAssembly& tool);
+/// Tip to top.
+[[nodiscard]] double height_mm(const ToolAssembly& tool);
+
+/// The tool with its top body going on, as wide as it ends, until `height_mm` above the tip (when it is not
+/// that high already). A tool of flutes alone gets a shank.
+///
+/// Ensures  With height >= the largest distance of a point of the scene from any tip, plus the tool's largest
+///          radius, depths are those of the tool that goes on without end: no point comes nearer to the new
+///          top than to its side. Proof: docs/tools.md.
+[[nodiscard]] ToolAssembly extended_up(const ToolAssembly& tool, double height_mm);
 
 /// How messages and pictures call the tool: T3 "slot", T3, or "slot".
 [[nodiscard]] std::string label(const ToolAssembly& tool);

@@ -2,19 +2,15 @@
 
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "lib/base/diagnostic.h"
 #include "lib/base/result.h"
 #include "toolmodels/profile.h"
 
-// The shapes of cutters by their catalogue dimensions. Lengths in mm, `length_mm` from the tip to the top of
-// the flutes, tip at (0, 0).
-//
-//   flat      ball       bull_nose     tapered               apt
-//   |    |    |    |     |      |      \        /   taper    \            /  beta from the axis
-//   |    |    |    |     |      |       \      /   from the   \          /
-//   +----+     \__/       \____/         \____/    axis        `--.  .--'    alpha above the tip plane
-//                         corner         corner                    `'        corner radius r
+// The shapes of cutters by their catalogue dimensions. Lengths in mm, angles in degrees, tip at (0, 0),
+// `length_mm` from the tip to the top of the flutes. Sketches: docs/formats/tool_library.md. A field that may
+// be left out is 0 when it is.
 
 namespace gouge {
 
@@ -37,36 +33,128 @@ struct TaperedCutter {
   double diameter_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0, length_mm = 0;
 };
 
-/// CUTTER/d,r,e,f,alpha,beta,h. The bottom line rises from the tip by alpha against the tip plane, the side
-/// leans outward by beta from the axis, d is the diameter at which these two lines meet, the corner arc of
-/// radius r touches both; e and f place its centre. They follow from d, r, alpha and beta, and writers
-/// disagree about them, so the geometry is built without them; `apt_contradiction` tells when they differ.
+/// CUTTER/d,r,e,f,alpha,beta,h. The bottom line runs from the tip at alpha against the tip plane, rising, or
+/// falling for a hollow bottom; the side leans outward by beta from the axis, or inward; d is the diameter at
+/// which these two lines meet, the corner arc of radius r touches both; e and f place its centre. They follow
+/// from d, r, alpha and beta, and writers disagree about them, so the geometry is built without them;
+/// `apt_contradiction` tells when they differ.
 struct AptCutter {
   double d_mm = 0, r_mm = 0, e_mm = 0, f_mm = 0;
   double alpha_deg = 0, beta_deg = 0;
   double h_mm = 0;
 };
 
-using Cutter = std::variant<FlatCutter, BallCutter, BullNoseCutter, TaperedCutter, AptCutter>;
+/// A point with the included angle `point_angle_deg`, then straight.
+struct DrillCutter {
+  double diameter_mm = 0, point_angle_deg = 0, length_mm = 0;
+};
 
-/// "flat", "ball", "bull_nose", "tapered", "apt": the word of the library file.
+/// A cone from `tip_diameter_mm` (0: a point) up to the largest diameter, then straight.
+struct ChamferCutter {
+  double diameter_mm = 0, tip_diameter_mm = 0;
+  double taper_angle_deg = 0;  ///< between side and axis: half of the included angle
+  double length_mm = 0;        ///< 0: the flutes end where the cone reaches the diameter
+};
+
+/// A ball that ends where it is as wide as its neck.
+struct LollipopCutter {
+  double diameter_mm = 0;
+  double neck_diameter_mm = 0;  ///< 0: the ball ends at `length_mm`
+  double length_mm = 0;         ///< 0: the ball ends at the neck
+};
+
+struct TSlotCutter {
+  double diameter_mm = 0, corner_radius_mm = 0, upper_radius_mm = 0, length_mm = 0;
+};
+
+/// A blade, with the head of its screw below it when it has one; the tip is then the bottom of the screw.
+struct SlittingSawCutter {
+  double diameter_mm = 0, thickness_mm = 0, cap_diameter_mm = 0, cap_height_mm = 0;
+};
+
+/// Widest at the bottom; sides lean inward by `taper_angle_deg` from the axis.
+struct DovetailCutter {
+  double diameter_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0, length_mm = 0;
+};
+
+/// The flank is an arc of `profile_radius_mm`; at the height `axial_distance_mm` it is `diameter_mm` wide and
+/// leans outward by `taper_angle_deg` (0: that is its widest place). A corner arc touches it and the tip
+/// plane.
+struct BarrelCutter {
+  double diameter_mm = 0, profile_radius_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0;
+  double axial_distance_mm = 0, length_mm = 0;
+};
+
+/// A ball of `corner_radius_mm` at the tip, a flank arc that touches it and the cylinder of the diameter.
+struct OvalCutter {
+  double diameter_mm = 0, corner_radius_mm = 0, profile_radius_mm = 0, length_mm = 0;
+};
+
+/// A bottom arc of `profile_radius_mm` about the axis, a corner arc that touches it and the cylinder.
+struct LensCutter {
+  double diameter_mm = 0, profile_radius_mm = 0, corner_radius_mm = 0, length_mm = 0;
+};
+
+/// Bottom, corner, an edge leaning outward by `taper_angle_deg` up to `largest_diameter_mm`, then straight.
+/// `diameter_mm` is where the edge, going on down, meets the tip plane. The underside may be hollow.
+struct FaceMillCutter {
+  double diameter_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0, largest_diameter_mm = 0;
+  double recess_diameter_mm = 0, recess_depth_mm = 0, length_mm = 0;
+};
+
+/// Rounds an outer edge: a concave quarter circle of `profile_radius_mm` from the tip's side outward.
+struct RadiusCutter {
+  double tip_diameter_mm = 0, tip_length_mm = 0, profile_radius_mm = 0;
+  double diameter_mm = 0;  ///< 0: where the arc ends
+  double length_mm = 0;
+};
+
+/// A point of a free profile and how the contour comes to it from the one before.
+struct ProfilePoint {
+  enum class Way { straight, convex, concave } way = Way::straight;
+  double r_mm = 0, z_mm = 0;
+  double radius_mm = 0;  ///< of an arc, which is the shorter one between the points
+};
+
+/// From the tip side up; joined to the axis level at both ends when they are not on it.
+struct ProfileCutter {
+  std::vector<ProfilePoint> points;
+};
+
+using Cutter = std::variant<FlatCutter, BallCutter, BullNoseCutter, TaperedCutter, AptCutter, DrillCutter,
+                            ChamferCutter, LollipopCutter, TSlotCutter, SlittingSawCutter, DovetailCutter,
+                            BarrelCutter, OvalCutter, LensCutter, FaceMillCutter, RadiusCutter,
+                            ProfileCutter>;
+
+/// The word of the library file: "flat", "ball", "bull_nose", ...
 [[nodiscard]] const char* shape_name(const Cutter& cutter);
+/// Every word, in the order of the variant, and a cutter of that shape without dimensions.
+[[nodiscard]] const std::vector<Cutter>& every_shape();
+/// Height of the flutes' top; where a shape leaves it to its other dimensions, computed from them. Means
+/// nothing for a cutter that make_cutter_profile refuses.
 [[nodiscard]] double length_mm(const Cutter& cutter);
+
+/// What the cutter's catalogue entry calls its diameter and corner radius, as CUTTER/d,r would.
+struct NominalSize {
+  double diameter_mm = 0, corner_radius_mm = 0;
+};
+[[nodiscard]] NominalSize nominal_size(const Cutter& cutter);
 
 /// Contour of the cutter alone, closed by a flat top at its length.
 ///
-/// Ensures  (1) verify_profile is empty and the contour is single-valued; (2) parts of no length are left
-/// out:
-///          a bull-nose whose corner radius is half its diameter is the ball, bit for bit.
-/// Errors   tool-dimension-not-positive, tool-dimension-too-large, tool-corner-radius-negative,
-///          tool-corner-radius-too-large, tool-angle-out-of-range, tool-taper-closes, tool-length-too-short,
-///          tool-no-closed-profile. The message names the field and says what would be allowed.
+/// Ensures  (1) verify_profile is empty; (2) the contour is single-valued but for a hollow bottom and free
+///          profiles; (3) parts of no length are left out: a bull-nose whose corner radius is half its
+///          diameter is the ball, bit for bit.
+/// Errors   tool-dimension-not-positive, tool-dimension-negative, tool-dimension-too-large,
+///          tool-corner-radius-negative, tool-corner-radius-too-large, tool-angle-out-of-range,
+///          tool-taper-closes, tool-length-too-short, tool-dimensions-contradict, tool-no-closed-profile,
+///          tool-profile-broken. The message names the field and says what would be allowed.
 /// Source   design of the tool library (docs/formats/tool_library.md); APT: thesis 2.4.18.2 and CL-data
-/// usage.
+///          usage.
 [[nodiscard]] Result<Profile> make_cutter_profile(const Cutter& cutter);
 
-/// What e and f should be for the other five numbers, when the given ones say something else (both zero means
-/// not given); empty when they agree.
+/// What e and f should be for the other five numbers, when the given ones say something else; empty when they
+/// agree. Both zero means not given; e may also be the diameter of the flat tip, as some writers have it.
 [[nodiscard]] std::string apt_contradiction(const AptCutter& cutter);
 
 /// Positive, finite and not absurdly large; the check shared by cutters and segments.

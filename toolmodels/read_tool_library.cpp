@@ -1,8 +1,10 @@
 #include <algorithm>
-#include <initializer_list>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <vector>
 
+#include "toolmodels/cutter_fields.h"
+#include "toolmodels/cutter_shapes.h"
 #include "toolmodels/json_lines.h"
 #include "toolmodels/tool_library.h"
 
@@ -39,7 +41,7 @@ class Reader {
   }
 
   void warn_unknown_keys(const Json& object, const std::string& pointer, const std::string& who,
-                         std::initializer_list<std::string_view> known) {
+                         const std::vector<std::string_view>& known) {
     for (const auto& [key, value] : object.items())
       if (std::find(known.begin(), known.end(), key) == known.end())
         library_.notes.push_back(make_warning(
@@ -168,12 +170,17 @@ class Reader {
     read_number(entry, pointer, who, tool);
     if (error_) return;
     who = "tool " + label(tool);
-    warn_unknown_keys(entry, pointer, who, {"number", "name", "cutter", "shank", "holder", "comment"});
+    warn_unknown_keys(entry, pointer, who, {"number", "name", "cutter", "shank", "extensions", "holder", "stickout",
+                                            "gauge_length", "comment"});
     if (!entry.contains("cutter"))
       return fail("library-field", who + " has no \"cutter\"; it needs one", pointer);
     read_cutter(entry["cutter"], pointer + "/cutter", who, tool);
     if (entry.contains("shank"))
       tool.shank = read_segments(entry["shank"], pointer + "/shank", who + ": shank");
+    if (entry.contains("extensions"))
+      read_extensions(entry["extensions"], pointer + "/extensions", who, tool);
+    tool.stickout_mm = length(entry, "stickout", pointer, who, 0);
+    tool.gauge_length_mm = length(entry, "gauge_length", pointer, who, 0);
     if (entry.contains("holder")) read_tool_holder(entry["holder"], pointer + "/holder", who, tool);
     if (!error_) add_tool(std::move(tool), pointer, who);
   }
@@ -215,35 +222,79 @@ class Reader {
     const std::string who = tool_name + ": cutter";
     if (!is_object(value, pointer, who)) return;
     const std::string shape = text(value, "shape", pointer, who);
-    const auto in_mm = [&](const char* key, std::optional<double> otherwise = std::nullopt) {
-      return length(value, key, pointer, who, otherwise);
-    };
-    const auto degrees = [&](const char* key, std::optional<double> otherwise = std::nullopt) {
-      return number(value, key, pointer, who, otherwise);
-    };
-    if (shape == "flat" || shape == "ball") {
-      warn_unknown_keys(value, pointer, who, {"shape", "diameter", "length", "comment"});
-      if (shape == "flat")
-        tool.cutter = FlatCutter{in_mm("diameter"), in_mm("length")};
-      else
-        tool.cutter = BallCutter{in_mm("diameter"), in_mm("length")};
-    } else if (shape == "bull_nose") {
-      warn_unknown_keys(value, pointer, who, {"shape", "diameter", "corner_radius", "length", "comment"});
-      tool.cutter = BullNoseCutter{in_mm("diameter"), in_mm("corner_radius"), in_mm("length")};
-    } else if (shape == "tapered") {
-      warn_unknown_keys(value, pointer, who,
-                        {"shape", "diameter", "corner_radius", "taper_angle", "length", "comment"});
-      tool.cutter =
-          TaperedCutter{in_mm("diameter"), in_mm("corner_radius"), degrees("taper_angle"), in_mm("length")};
-    } else if (shape == "apt") {
-      warn_unknown_keys(value, pointer, who, {"shape", "d", "r", "e", "f", "alpha", "beta", "h", "comment"});
-      tool.cutter = AptCutter{in_mm("d"),          in_mm("r", 0),      in_mm("e", 0), in_mm("f", 0),
-                              degrees("alpha", 0), degrees("beta", 0), in_mm("h")};
-    } else {
+    std::string names;
+    for (const Cutter& known : every_shape()) {
+      names += (names.empty() ? "" : ", ") + std::string(shape_name(known));
+      if (shape != shape_name(known)) continue;
+      tool.cutter = known;
+      return read_fields(value, pointer, who, tool.cutter);
+    }
+    if (!error_)
       fail("library-field",
-           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") +
-               "; expected flat, ball, bull_nose, tapered or apt",
+           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") + "; expected one of " + names,
            pointer + "/shape");
+  }
+
+  void read_fields(const Json& value, const std::string& pointer, const std::string& who, Cutter& cutter) {
+    std::vector<std::string_view> known{"shape", "comment"};
+    detail::visit_fields(cutter, [&](const detail::CutterField& field) {
+      known.push_back(field.key);
+      const bool is_length = field.kind == detail::FieldKind::length;
+      *field.value = is_length ? length(value, field.key, pointer, who, field.otherwise)
+                               : number(value, field.key, pointer, who, field.otherwise);
+    });
+    if (auto* profile = std::get_if<ProfileCutter>(&cutter)) {
+      known.push_back("points");
+      if (!value.contains("points")) return fail("library-field", who + " has no \"points\"; it needs them", pointer);
+      profile->points = read_points(value["points"], pointer + "/points", who);
+    }
+    warn_unknown_keys(value, pointer, who, known);
+  }
+
+  std::vector<ProfilePoint> read_points(const Json& list, const std::string& pointer, const std::string& who) {
+    std::vector<ProfilePoint> points;
+    if (!is_list(list, pointer, who + ": points")) return points;
+    for (std::size_t i = 0; i < list.size() && !error_; ++i) {
+      const std::string here = pointer + "/" + std::to_string(i);
+      const std::string which = who + ": point " + std::to_string(i + 1);
+      if (!is_object(list[i], here, which)) break;
+      warn_unknown_keys(list[i], here, which, {"r", "z", "arc", "radius", "comment"});
+      ProfilePoint point;
+      point.r_mm = length(list[i], "r", here, which);
+      point.z_mm = length(list[i], "z", here, which);
+      const std::string arc = text(list[i], "arc", here, which);
+      if (!arc.empty()) point.radius_mm = length(list[i], "radius", here, which);
+      if (arc == "convex")
+        point.way = ProfilePoint::Way::convex;
+      else if (arc == "concave")
+        point.way = ProfilePoint::Way::concave;
+      else if (!arc.empty())
+        fail("library-field", which + ": arc is \"" + arc + "\"; expected \"convex\" or \"concave\"", here + "/arc");
+      else if (list[i].contains("radius"))
+        fail("library-field", which + " has a radius but no \"arc\"; add \"arc\": \"convex\" or \"concave\"", here);
+      points.push_back(point);
+    }
+    return points;
+  }
+
+  void read_extensions(const Json& list, const std::string& pointer, const std::string& who, ToolAssembly& tool) {
+    if (!is_list(list, pointer, who + ": extensions")) return;
+    for (std::size_t i = 0; i < list.size() && !error_; ++i) {
+      const std::string here = pointer + "/" + std::to_string(i);
+      const std::string which = who + ": extension " + std::to_string(i + 1);
+      if (!is_object(list[i], here, which)) return;
+      warn_unknown_keys(list[i], here, which, {"name", "counts_as", "segments", "comment"});
+      ToolExtension extension{text(list[i], "name", here, which), Body::holder, {}};
+      const std::string body = text(list[i], "counts_as", here, which);
+      if (body == "shank")
+        extension.counts_as = Body::shank;
+      else if (!body.empty() && body != "holder")
+        fail("library-field", which + ": counts_as is \"" + body + "\"; expected \"shank\" or \"holder\"",
+             here + "/counts_as");
+      if (!list[i].contains("segments") || list[i]["segments"].empty())
+        return fail("library-field", which + " has no \"segments\"; it needs at least one", here);
+      extension.segments = read_segments(list[i]["segments"], here + "/segments", which);
+      tool.extensions.push_back(std::move(extension));
     }
   }
 
@@ -260,6 +311,12 @@ class Reader {
           make_warning("library-duplicate-name",
                        who + " has the name of an earlier tool; asked for by name, the first is taken",
                        library_.file, lines_.at(pointer + "/name")));
+    if (const double height = height_mm(tool); tool.gauge_length_mm > height * (1 + 1e-9) && !tool.holder.empty())
+      library_.notes.push_back(make_warning(
+          "tool-gauge-length",
+          who + ": gauge_length " + detail::mm(tool.gauge_length_mm) + " is more than the assembly, which ends at " +
+              detail::mm(height) + "; what is between is not in the file and not checked",
+          library_.file, lines_.at(pointer + "/gauge_length")));
     if (const auto* apt = std::get_if<AptCutter>(&tool.cutter))
       if (const std::string told = apt_contradiction(*apt); !told.empty())
         library_.notes.push_back(make_warning("cutter-contradiction", who + ": " + told, library_.file,

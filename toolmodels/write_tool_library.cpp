@@ -1,6 +1,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "toolmodels/cutter_fields.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
@@ -12,28 +13,26 @@ class LibraryWriter {
  public:
   explicit LibraryWriter(LengthUnit unit) : factor_(mm_per(unit)) {}
 
-  ordered_json operator()(const FlatCutter& c) const {
-    return {{"shape", "flat"}, {"diameter", length(c.diameter_mm)}, {"length", length(c.length_mm)}};
+  [[nodiscard]] ordered_json cutter(const Cutter& cutter) const {
+    ordered_json result = {{"shape", shape_name(cutter)}};
+    Cutter copy = cutter;
+    detail::visit_fields(copy, [&](const detail::CutterField& field) {
+      if (field.otherwise && std::abs(*field.value) <= 0) return;
+      result[field.key] = field.kind == detail::FieldKind::length ? length(*field.value) : *field.value;
+    });
+    if (const auto* profile = std::get_if<ProfileCutter>(&cutter)) result["points"] = points(*profile);
+    return result;
   }
-  ordered_json operator()(const BallCutter& c) const {
-    return {{"shape", "ball"}, {"diameter", length(c.diameter_mm)}, {"length", length(c.length_mm)}};
-  }
-  ordered_json operator()(const BullNoseCutter& c) const {
-    return {{"shape", "bull_nose"},
-            {"diameter", length(c.diameter_mm)},
-            {"corner_radius", length(c.corner_radius_mm)},
-            {"length", length(c.length_mm)}};
-  }
-  ordered_json operator()(const TaperedCutter& c) const {
-    return {{"shape", "tapered"},
-            {"diameter", length(c.diameter_mm)},
-            {"corner_radius", length(c.corner_radius_mm)},
-            {"taper_angle", c.taper_angle_deg},
-            {"length", length(c.length_mm)}};
-  }
-  ordered_json operator()(const AptCutter& c) const {
-    return {{"shape", "apt"},      {"d", length(c.d_mm)},  {"r", length(c.r_mm)}, {"e", length(c.e_mm)},
-            {"f", length(c.f_mm)}, {"alpha", c.alpha_deg}, {"beta", c.beta_deg},  {"h", length(c.h_mm)}};
+
+  [[nodiscard]] ordered_json points(const ProfileCutter& profile) const {
+    ordered_json result = ordered_json::array();
+    for (const ProfilePoint& p : profile.points) {
+      result.push_back({{"r", length(p.r_mm)}, {"z", length(p.z_mm)}});
+      if (p.way == ProfilePoint::Way::straight) continue;
+      result.back()["arc"] = p.way == ProfilePoint::Way::convex ? "convex" : "concave";
+      result.back()["radius"] = length(p.radius_mm);
+    }
+    return result;
   }
 
   // The text must read back as the very same millimetres, which one division does not promise.
@@ -58,9 +57,15 @@ class LibraryWriter {
     ordered_json result = ordered_json::object();
     if (t.number) result["number"] = *t.number;
     if (!t.name.empty()) result["name"] = t.name;
-    result["cutter"] = std::visit(*this, t.cutter);
+    result["cutter"] = cutter(t.cutter);
     if (!t.shank.empty()) result["shank"] = segments(t.shank);
+    for (const ToolExtension& e : t.extensions)
+      result["extensions"].push_back({{"name", e.name},
+                                      {"counts_as", body_name(e.counts_as)},
+                                      {"segments", segments(e.segments)}});
     if (!t.holder.empty()) result["holder"] = segments(t.holder);
+    if (t.stickout_mm > 0) result["stickout"] = length(t.stickout_mm);
+    if (t.gauge_length_mm > 0) result["gauge_length"] = length(t.gauge_length_mm);
     return result;
   }
 

@@ -100,10 +100,10 @@ TEST(ToolLibrary, MistakesNameLineToolAndField) {
   EXPECT_EQ(
       error_of(with_cutter("{\"shape\":\"flat\",\n\"diameter\":\"6 mm\",\"length\":20}")),
       "lib.json:5: error: tool T3 \"x\": cutter: \"diameter\" is a text; expected a number [library-field]");
-  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"drill\"}")),
-            "lib.json:4: error: tool T3 \"x\": cutter: shape is \"drill\"; expected flat, ball, bull_nose, "
-            "tapered or "
-            "apt [library-field]");
+  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"gimlet\"}")),
+            "lib.json:4: error: tool T3 \"x\": cutter: shape is \"gimlet\"; expected one of flat, ball, "
+            "bull_nose, tapered, apt, drill, chamfer, lollipop, t_slot, slitting_saw, dovetail, barrel, oval, "
+            "lens, face_mill, radius_mill, profile [library-field]");
   EXPECT_EQ(
       error_of(with_cutter("{\"shape\":\"bull_nose\",\"diameter\":6,\"corner_radius\":4,\"length\":20}")),
       "lib.json:3: error: tool T3 \"x\": cutter: corner_radius 4 mm is larger than half the diameter; at "

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <string>
+
+#include "toolmodels/cutter.h"
+
+// How each shape makes its contour, by family, and the checks they share.
+
+namespace gouge::detail {
+
+constexpr double kLargest_mm = 1e5;      ///< keeps every later square far from overflow
+constexpr double kRelativeSlack = 1e-9;  ///< dimensions closer than this to a limit are at the limit
+
+/// "12.5 mm", rounded to what a reader can use.
+[[nodiscard]] std::string mm(double value_mm);
+[[nodiscard]] double radians(double degrees);
+[[nodiscard]] double sine(double degrees);
+/// Exact at 0 and 90 degrees.
+[[nodiscard]] double cosine(double degrees);
+
+/// A dimension that may be left out: 0 or more, finite and not absurdly large.
+[[nodiscard]] Outcome check_not_negative(const std::string& field, double value_mm);
+/// Between the limits, which are not allowed themselves.
+[[nodiscard]] Outcome check_angle(const std::string& field, double value_deg, double low_deg,
+                                  double high_deg);
+[[nodiscard]] Outcome check_corner_radius(double radius_mm, double diameter_mm);
+
+/// The contour from its parts, which must follow each other; parts of no length are left out.
+class ContourMaker {
+ public:
+  ContourMaker(const Vec2& start, double size_mm) : at_(start), slack_(kRelativeSlack * size_mm) {}
+
+  void line_to(const Vec2& to);
+  void arc_to(const Vec2& to, const Vec2& center, double radius_mm, bool is_concave = false);
+  /// Level to the axis. The contour is checked as a whole; an error says it is broken at `what`.
+  [[nodiscard]] Result<Profile> close(const std::string& what);
+
+ private:
+  [[nodiscard]] bool is_here(const Vec2& to) const { return (to - at_).norm() <= slack_; }
+
+  Vec2 at_;
+  double slack_;
+  Profile profile_;
+};
+
+/// A corner of a polygon, with the radius it is rounded by.
+struct RoundedCorner {
+  Vec2 at = Vec2::Zero();
+  double radius_mm = 0;
+};
+
+/// The polygon from the axis to the axis with its corners rounded. Requires radii that leave room for one
+/// another, which the caller has checked by name.
+[[nodiscard]] Result<Profile> make_rounded(const std::vector<RoundedCorner>& corners,
+                                           const std::string& what);
+
+[[nodiscard]] Result<Profile> make_shape(const FlatCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const BallCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const BullNoseCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const TaperedCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const DovetailCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const AptCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const DrillCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const ChamferCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const TSlotCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const SlittingSawCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const FaceMillCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const RadiusCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const LollipopCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const BarrelCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const OvalCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const LensCutter& cutter);
+[[nodiscard]] Result<Profile> make_shape(const ProfileCutter& cutter);
+
+/// Height at which a chamfer's cone reaches its diameter, and a lollipop's ball its neck.
+[[nodiscard]] double cone_height_mm(const ChamferCutter& cutter);
+[[nodiscard]] double ball_height_mm(const LollipopCutter& cutter);
+
+}  // namespace gouge::detail
