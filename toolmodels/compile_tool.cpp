@@ -9,6 +9,7 @@
 #include "toolmodels/bsp.h"
 #include "toolmodels/elements.h"
 #include "toolmodels/unite.h"
+#include "toolmodels/voronoi.h"
 
 namespace gouge {
 namespace {
@@ -79,6 +80,8 @@ CompiledTool compile_tool(const std::string& name, const Profile& profile) {
   if (tool.elements.empty()) return tool;
   set_support_ranges(profile, tool.elements);
   tool.nodes = build_bsp(tool.elements);
+  for (const detail::DirectedLine& line : detail::make_domains(tool.elements).lines)
+    tool.borders.push_back({line.through, line.direction, 0});
   set_extent(tool);
   set_core(tool);
   return tool;

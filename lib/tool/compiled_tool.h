@@ -61,9 +61,18 @@ struct BspNode {
   std::int32_t positive = -1;  ///< child where f >= 0
 };
 
+/// Between the domains of two elements that follow each other (where each can be nearest):
+/// offset + direction . (q - through) is negative on the side of the first.
+struct DomainBorder {
+  Vec2 through = Vec2::Zero();
+  Vec2 direction = Vec2::Zero();
+  double offset = 0;
+};
+
 struct CompiledTool {
   std::string name;
   std::vector<BoundaryElement> elements;
+  std::vector<DomainBorder> borders;  ///< borders[i] lies between elements[i] and elements[i + 1]
   std::vector<BspNode> nodes;  ///< nodes[0] is the root; empty when there is a single element
   double z_min_mm = 0, z_max_mm = 0, r_max_mm = 0;
   /// A point on the axis (r = 0) deepest inside the cutter's part of the solid; of the whole solid when the

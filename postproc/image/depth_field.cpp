@@ -1,12 +1,14 @@
 #include "postproc/image/depth_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
 #include "lib/base/parallel.h"
 #include "lib/check/check_path.h"
 #include "lib/tool/evaluate.h"
+#include "lib/tool/evaluate_batch.h"
 
 namespace gouge {
 namespace {
@@ -157,23 +159,36 @@ class DepthField::PointTree {
       nodes_[at].least = std::min(nodes_[child].least, nodes_[child + 1].least);
       return;
     }
+    const std::array<float, kLeafPoints> told = told_depths(node, pose);
     float least = std::numeric_limits<float>::max();
     for (std::size_t i = node.first; i < node.last; ++i) {
       float& depth = depth_[order_[i]];
-      depth = std::max(depth, told_depth(points_[order_[i]], pose));
+      depth = std::max(depth, told[i - node.first]);
       least = std::min(least, depth);
     }
     node.least = least;
   }
 
-  [[nodiscard]] float told_depth(const Point& point, const FieldPose& pose) const {
-    const CompiledTool& form = point.is_fixture ? pose.tool->against_fixture : pose.tool->against_part;
-    double depth = -signed_distance(form, pose.pose, point.at);
-    if (depth <= tolerance_) depth = 0;
-    if (!pose.tool->with_clearance.elements.empty()) {
-      depth = std::max(depth, -signed_distance(pose.tool->with_clearance, pose.pose, point.at));
+  [[nodiscard]] std::array<float, kLeafPoints> told_depths(const Node& leaf, const FieldPose& pose) const {
+    const std::size_t count = leaf.last - leaf.first;
+    std::array<double, kLeafPoints> r{}, z{}, part{}, fixture{}, clearance{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 d = points_[order_[leaf.first + i]].at - pose.pose.tip;
+      z[i] = d.dot(pose.pose.axis);
+      r[i] = (d - pose.pose.axis * z[i]).norm();
     }
-    return static_cast<float>(depth);
+    const auto ask = [&](const CompiledTool& form, std::array<double, kLeafPoints>& out) {
+      signed_distances(form, {r.data(), count}, {z.data(), count}, {out.data(), count});
+    };
+    ask(pose.tool->against_part, part);
+    ask(pose.tool->against_fixture, fixture);
+    if (!pose.tool->with_clearance.elements.empty()) ask(pose.tool->with_clearance, clearance);
+    std::array<float, kLeafPoints> told{};
+    for (std::size_t i = 0; i < count; ++i) {
+      const double depth = -(points_[order_[leaf.first + i]].is_fixture ? fixture : part)[i];
+      told[i] = static_cast<float>(std::max({depth > tolerance_ ? depth : 0.0, -clearance[i], 0.0}));
+    }
+    return told;
   }
 
   const std::vector<Point>& points_;
