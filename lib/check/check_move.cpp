@@ -4,20 +4,51 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
-#include "lib/check/search.h"
+#include "lib/check/sweep_filter.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
 namespace {
 
+using Targets = std::vector<SearchTarget>;
+
+Targets whole_tool(const ToolForms& tool, const PreparedScene& scene) {
+  return {{&tool.against_part, &scene.parts, Against::part},
+          {&tool.against_fixture, &scene.fixtures, Against::fixture}};
+}
+
+Targets grown_bodies(const ToolForms& tool, const PreparedScene& scene) {
+  return {{&tool.with_clearance, &scene.parts, Against::part},
+          {&tool.with_clearance, &scene.fixtures, Against::fixture}};
+}
+
+// A cutter on a feed move is meant to touch the part; everything else is watched.
+Targets watched_bodies(const ToolForms& tool, const PreparedScene& scene, MoveKind kind) {
+  const bool is_cutting = kind != MoveKind::rapid;
+  return {{is_cutting ? &tool.non_cutting : &tool.against_part, &scene.parts, Against::part},
+          {&tool.against_fixture, &scene.fixtures, Against::fixture}};
+}
+
+SearchQuestion question(const CheckOptions& options, double reach, double tolerance) {
+  const double gap = options.gouge_gap_mm > 0 ? options.gouge_gap_mm : options.resolution_mm;
+  return {reach, tolerance, options.resolution_mm, gap, options.budget_per_move};
+}
+
+/// What the wide sweep says of one move: an answer for each question that may be asked, null where it is not.
+struct Swept {
+  const SweptMove* depth = nullptr;
+  const SweptMove* clearance = nullptr;
+  const SweptMove* near_miss = nullptr;
+};
+
 class MoveChecker {
  public:
   MoveChecker(const Motion& motion, MoveKind kind, const ToolForms& tool, const PreparedScene& scene,
-              const CheckOptions& options)
-      : motion_(motion), kind_(kind), tool_(tool), scene_(scene), options_(options) {}
+              const CheckOptions& options, const Swept& swept)
+      : motion_(motion), kind_(kind), tool_(tool), scene_(scene), options_(options), swept_(swept) {}
 
   MoveVerdict run() {
-    const SearchAnswer depth = ask(whole(), 0, options_.tolerance_mm);
+    const SearchAnswer depth = finish(whole(), 0, options_.tolerance_mm, *swept_.depth);
     set_depth(depth, whole());
     const bool is_deep = depth.value_mm > options_.tolerance_mm;
     if (is_deep) {
@@ -34,17 +65,17 @@ class MoveChecker {
   [[nodiscard]] std::uint64_t bounds() const { return bounds_; }
 
  private:
-  using Targets = std::vector<SearchTarget>;
+  [[nodiscard]] Targets whole() const { return whole_tool(tool_, scene_); }
 
-  [[nodiscard]] Targets whole() const {
-    return {{&tool_.against_part, &scene_.parts, Against::part},
-            {&tool_.against_fixture, &scene_.fixtures, Against::fixture}};
+  SearchAnswer finish(const Targets& targets, double reach, double tolerance, const SweptMove& swept) {
+    const SearchAnswer answer = search_move(motion_, targets, question(options_, reach, tolerance), swept.start);
+    bounds_ += answer.bounds + swept.bounds;
+    is_decided_ = is_decided_ && answer.is_decided;
+    return answer;
   }
 
   SearchAnswer ask(const Targets& targets, double reach, double tolerance) {
-    const double gap = options_.gouge_gap_mm > 0 ? options_.gouge_gap_mm : options_.resolution_mm;
-    const SearchAnswer answer = search_move(
-        motion_, targets, {reach, tolerance, options_.resolution_mm, gap, options_.budget_per_move});
+    const SearchAnswer answer = sweep_and_search(motion_, targets, question(options_, reach, tolerance));
     bounds_ += answer.bounds;
     is_decided_ = is_decided_ && answer.is_decided;
     return answer;
@@ -55,7 +86,7 @@ class MoveChecker {
     verdict_.depth_upper_mm = answer.value_upper_mm;
     verdict_.witness.reset();
     if (!answer.has_witness) return;
-    const SearchTarget& target = targets[answer.target];
+    const SearchTarget& target = targets[answer.at.target];
     const Place place = place_of(answer);
     const ToolAnswer at = evaluate(*target.tool, place.r, place.z);
     if (!(at.signed_distance_mm < 0)) return;
@@ -85,29 +116,27 @@ class MoveChecker {
 
   static Witness witness(const SearchAnswer& answer, const SearchTarget& target, const Place& place,
                          const ToolAnswer& at) {
-    const SurfaceTriangle& triangle = target.tree->triangles[answer.triangle];
     Witness result;
     result.t = answer.t;
     result.point = answer.point;
     result.normal = -(at.normal.x() * place.out + at.normal.y() * place.pose.axis).normalized();
     result.body = target.tool->elements[at.element].body;
     result.against = target.against;
-    result.mesh = triangle.mesh;
-    result.triangle = triangle.file_triangle;
+    result.mesh = static_cast<std::uint32_t>(target.tree->mesh_of(answer.at.triangle));
+    result.triangle = target.tree->file_triangle(answer.at.triangle);
     return result;
   }
 
   // Any depth in a body with a clearance is a gouge, so the whole depth is then wanted to the resolution.
   void check_clearances(const SearchAnswer& depth) {
-    const Targets grown{{&tool_.with_clearance, &scene_.parts, Against::part},
-                        {&tool_.with_clearance, &scene_.fixtures, Against::fixture}};
-    const SearchAnswer entered = ask(grown, 0, 0);
+    const Targets grown = grown_bodies(tool_, scene_);
+    const SearchAnswer entered = finish(grown, 0, 0, *swept_.clearance);
     if (!entered.has_witness) return;
     const bool is_closed = depth.value_upper_mm - depth.value_mm <= options_.resolution_mm;
     const SearchAnswer closed = is_closed ? depth : ask(whole(), 0, 0);
     set_depth(closed, whole());
     verdict_.state = MoveState::gouge;
-    show_clearance(entered, grown[entered.target]);
+    show_clearance(entered, grown[entered.at.target]);
   }
 
   // The body that must keep its clearance is better evidence than a cutter's lawful contact, as long as it
@@ -115,7 +144,7 @@ class MoveChecker {
   void show_clearance(const SearchAnswer& entered, const SearchTarget& target) {
     const Place place = place_of(entered);
     const ToolAnswer at = evaluate(*target.tool, place.r, place.z);
-    const SearchTarget all = whole()[entered.target];
+    const SearchTarget all = whole()[entered.at.target];
     const double depth = -evaluate(*all.tool, place.r, place.z).signed_distance_mm;
     verdict_.reason = std::string("the clearance of the ") +
                       body_name(target.tool->elements[at.element].body) + " is entered by " +
@@ -135,13 +164,9 @@ class MoveChecker {
            " bounds ran out before the depth was known to the resolution";
   }
 
-  // A cutter on a feed move is meant to touch the part; everything else is watched.
   void check_near_miss() {
-    const bool is_cutting = kind_ != MoveKind::rapid;
-    const Targets watched{
-        {is_cutting ? &tool_.non_cutting : &tool_.against_part, &scene_.parts, Against::part},
-        {&tool_.against_fixture, &scene_.fixtures, Against::fixture}};
-    const SearchAnswer answer = ask(watched, options_.near_miss_mm, 0);
+    const Targets watched = watched_bodies(tool_, scene_, kind_);
+    const SearchAnswer answer = finish(watched, options_.near_miss_mm, 0, *swept_.near_miss);
     if (!answer.has_witness) {
       if (!is_decided_) give_up();
       return;
@@ -151,7 +176,7 @@ class MoveChecker {
     verdict_.clearance_mm = std::max(0.0, options_.near_miss_mm - answer.value_mm);
     if (verdict_.witness) return;
     const Place place = place_of(answer);
-    const SearchTarget& target = watched[answer.target];
+    const SearchTarget& target = watched[answer.at.target];
     verdict_.witness = witness(answer, target, place, evaluate(*target.tool, place.r, place.z));
   }
 
@@ -160,6 +185,7 @@ class MoveChecker {
   const ToolForms& tool_;
   const PreparedScene& scene_;
   const CheckOptions& options_;
+  Swept swept_;
   MoveVerdict verdict_;
   bool is_decided_ = true;
   std::uint64_t bounds_ = 0;
@@ -167,16 +193,40 @@ class MoveChecker {
 
 }  // namespace
 
-PreparedScene prepare_scene(const Scene& scene) {
-  return {&scene, build_surface_tree(scene.parts), build_surface_tree(scene.fixtures)};
+PreparedScene prepare_scene(const Scene& scene, unsigned threads) {
+  return {&scene, build_block_tree(scene.parts, threads), build_block_tree(scene.fixtures, threads)};
 }
 
 MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& tool, const PreparedScene& scene,
                        const CheckOptions& options, std::uint64_t* bounds) {
-  MoveChecker checker(motion, kind, tool, scene, options);
-  const MoveVerdict verdict = checker.run();
-  if (bounds != nullptr) *bounds += checker.bounds();
+  MoveVerdict verdict;
+  std::uint64_t spent = 0;
+  check_moves({&motion, 1}, {&kind, 1}, tool, scene, options, {&verdict, 1}, {&spent, 1});
+  if (bounds != nullptr) *bounds += spent;
   return verdict;
+}
+
+void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
+                 const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
+                 std::span<std::uint64_t> bounds) {
+  std::vector<SweptMove> clearance, near_feed, near_rapid;
+  const std::vector<SweptMove> depth =
+      sweep_moves(motions, whole_tool(tool, scene), question(options, 0, options.tolerance_mm));
+  if (!tool.with_clearance.elements.empty())
+    clearance = sweep_moves(motions, grown_bodies(tool, scene), question(options, 0, 0));
+  if (options.near_miss_mm > 0) {
+    const SearchQuestion near = question(options, options.near_miss_mm, 0);
+    near_feed = sweep_moves(motions, watched_bodies(tool, scene, MoveKind::feed), near);
+    near_rapid = sweep_moves(motions, watched_bodies(tool, scene, MoveKind::rapid), near);
+  }
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    Swept swept{&depth[m]};
+    if (!clearance.empty()) swept.clearance = &clearance[m];
+    if (!near_feed.empty()) swept.near_miss = kinds[m] == MoveKind::rapid ? &near_rapid[m] : &near_feed[m];
+    MoveChecker checker(motions[m], kinds[m], tool, scene, options, swept);
+    verdicts[m] = checker.run();
+    bounds[m] += checker.bounds();
+  }
 }
 
 }  // namespace gouge

@@ -1,22 +1,24 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "lib/check/check_options.h"
 #include "lib/check/motion.h"
 #include "lib/check/scene.h"
 #include "lib/check/verdict.h"
-#include "lib/hierarchy/surface_tree.h"
+#include "lib/hierarchy/block_tree.h"
 
 namespace gouge {
 
 /// The scene with its trees.
 struct PreparedScene {
   const Scene* scene = nullptr;
-  SurfaceTree parts, fixtures;
+  BlockTree parts, fixtures;
 };
 
-[[nodiscard]] PreparedScene prepare_scene(const Scene& scene);
+/// Requires that the scene outlives the result. `threads` as in for_each_chunk.
+[[nodiscard]] PreparedScene prepare_scene(const Scene& scene, unsigned threads = 0);
 
 /// Checks one motion of one tool; everything but "buried", which needs the moves before it (check_path.h).
 ///
@@ -29,5 +31,15 @@ struct PreparedScene {
 [[nodiscard]] MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& tool,
                                      const PreparedScene& scene, const CheckOptions& options,
                                      std::uint64_t* bounds = nullptr);
+
+/// Moves of one tool, one after the other on the path, checked together: much faster than one by one, since
+/// what is far from all of them is discarded once.
+///
+/// Shape    one kind and one verdict a motion. Requires and ensures as check_move; a verdict may differ from
+///          check_move's in the last digits of depth_upper, since the moves share bounds.
+/// `bounds`, where given, has one count a motion, to which the work is added.
+void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
+                 const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
+                 std::span<std::uint64_t> bounds);
 
 }  // namespace gouge

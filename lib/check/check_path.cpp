@@ -9,7 +9,8 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMovesPerChunk = 32;
+// Moves that share bounds. Fixed, so that the answer does not depend on the number of threads.
+constexpr std::size_t kMovesPerChunk = 256;
 
 MoveVerdict not_checked(std::string reason) {
   MoveVerdict verdict;
@@ -24,17 +25,60 @@ class PathChecker {
               const PreparedScene& scene, const CheckOptions& options)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options) {}
 
-  MoveVerdict check(const Move& move, std::uint64_t* bounds) const {
-    if (!move.not_checked_reason.empty()) return not_checked(move.not_checked_reason);
-    if (move.tool == kNone) return not_checked("no tool is defined before this move");
-    if (tools_[move.tool] == nullptr) return not_checked("the tool has no definition");
-    if (move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip) return not_checked(kSkippedRapid);
-    const Motion motion = motion_of(toolpath_, move, options_.rapid);
-    if (!motion.is_defined()) return not_checked("the axis turns by 180 degrees: its way is not defined");
-    return check_move(motion, move.kind, *tools_[move.tool], scene_, options_, bounds);
+  /// Moves [first, last): those of one tool together.
+  void check(std::size_t first, std::size_t last, std::vector<MoveVerdict>& verdicts,
+             std::vector<std::uint64_t>& bounds) const {
+    Batch batch;
+    for (std::size_t i = first; i < last; ++i) {
+      const Move& move = toolpath_.moves[i];
+      if (!batch.moves.empty() && toolpath_.moves[batch.moves.back()].tool != move.tool)
+        check(batch, verdicts, bounds);
+      const std::string reason = why_not(move);
+      if (!reason.empty()) {
+        verdicts[i] = not_checked(reason);
+        continue;
+      }
+      const Motion motion = motion_of(toolpath_, move, options_.rapid);
+      if (!motion.is_defined()) {
+        verdicts[i] = not_checked("the axis turns by 180 degrees: its way is not defined");
+        continue;
+      }
+      batch.moves.push_back(i);
+      batch.motions.push_back(motion);
+      batch.kinds.push_back(move.kind);
+    }
+    check(batch, verdicts, bounds);
   }
 
  private:
+  /// Moves of one tool, in path order.
+  struct Batch {
+    std::vector<std::size_t> moves;
+    std::vector<Motion> motions;
+    std::vector<MoveKind> kinds;
+  };
+
+  [[nodiscard]] std::string why_not(const Move& move) const {
+    if (!move.not_checked_reason.empty()) return move.not_checked_reason;
+    if (move.tool == kNone) return "no tool is defined before this move";
+    if (tools_[move.tool] == nullptr) return "the tool has no definition";
+    return move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip ? kSkippedRapid : "";
+  }
+
+  void check(Batch& batch, std::vector<MoveVerdict>& verdicts, std::vector<std::uint64_t>& bounds) const {
+    if (batch.moves.empty()) return;
+    const std::size_t count = batch.moves.size();
+    std::vector<MoveVerdict> found(count);
+    std::vector<std::uint64_t> spent(count, 0);
+    const ToolForms& tool = *tools_[toolpath_.moves[batch.moves.front()].tool];
+    check_moves(batch.motions, batch.kinds, tool, scene_, options_, found, spent);
+    for (std::size_t k = 0; k < count; ++k) {
+      verdicts[batch.moves[k]] = std::move(found[k]);
+      bounds[batch.moves[k]] = spent[k];
+    }
+    batch = Batch{};
+  }
+
   const Toolpath& toolpath_;
   const std::vector<const ToolForms*>& tools_;
   const PreparedScene& scene_;
@@ -136,8 +180,7 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolFor
   std::mutex told;
   std::size_t done = 0;
   for_each_chunk(total, kMovesPerChunk, options.threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t i = first; i < last; ++i)
-      result.verdicts[i] = checker.check(toolpath.moves[i], &bounds[i]);
+    checker.check(first, last, result.verdicts, bounds);
     if (!progress) return;
     const std::scoped_lock lock(told);
     done += last - first;

@@ -16,14 +16,6 @@ double end_limit(const CompiledTool& tool, double z_lo, double z_hi, double reac
   return std::max(0.0, reach + std::min(z_hi - tool.z_min_mm, tool.z_max_mm - z_lo));
 }
 
-double distance_to_axis(const Vec3& a, const Vec3& b) {
-  const Eigen::Vector2d p = a.head<2>();
-  const Eigen::Vector2d way = b.head<2>() - p;
-  const double length2 = way.squaredNorm();
-  const double s = length2 > 0 ? std::clamp(-p.dot(way) / length2, 0.0, 1.0) : 0.0;
-  return (p + s * way).norm();
-}
-
 // The hull lies on the far side of the line through its closest corner square to that corner's direction, if
 // all corners do; otherwise it may reach the axis.
 double smallest_r(const Hull& hull) {
@@ -250,40 +242,6 @@ class PieceBounder {
 };
 
 }  // namespace
-
-NodeBound bound_node(const CompiledTool& tool, const SurfaceNode& node, const TimeSpan& span,
-                     double reach_mm) {
-  const Vec3 q0 = span.f0.to_tool(node.center);
-  const Vec3 q1 = span.f1.to_tool(node.center);
-  const double half_chord = 0.5 * (q1 - q0).norm();
-  const double bulge = span.bulge_mm((node.center - span.tip_middle).norm() + node.radius_mm);
-  const ToolSample middle = sample_tool(tool, 0.5 * (q0 + q1));
-  NodeBound bound;
-  bound.upper_mm = reach_mm - middle.answer.signed_distance_mm + node.radius_mm + half_chord + bulge;
-  bound.is_time_longer = half_chord + 4 * bulge > node.radius_mm;
-
-  const SupportPlane plane = support_plane(tool, middle);
-  double deepest = -1e300, z_lo = 1e300, z_hi = -1e300;
-  for (const auto& [frame, q] : {std::pair(&span.f0, q0), std::pair(&span.f1, q1)}) {
-    const Vec3 normal = frame->rows * node.normal;
-    // The sine as such: 1 - cosine^2 has lost it for angles below 1e-8.
-    const auto half_width = [&](double cosine, double sine) {
-      return std::abs(cosine) * node.half_thickness_mm + sine * node.disc_radius_mm;
-    };
-    const double lean = plane.normal.cross(normal).norm();
-    deepest = std::max(deepest, plane.depth_mm(q) + half_width(plane.normal.dot(normal), lean));
-    const double height = half_width(normal.z(), normal.head<2>().norm());
-    z_lo = std::min(z_lo, q.z() - height);
-    z_hi = std::max(z_hi, q.z() + height);
-  }
-  bound.upper_mm = std::min(bound.upper_mm, end_limit(tool, z_lo - bulge, z_hi + bulge, reach_mm));
-  deepest += bulge;
-  const double r = distance_to_axis(q0, q1) - node.radius_mm - bulge;
-  if (supports(plane, z_lo - bulge, z_hi + bulge, deepest, r, reach_mm)) {
-    bound.upper_mm = std::min(bound.upper_mm, std::max(0.0, reach_mm + deepest));
-  }
-  return bound;
-}
 
 PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const TimeSpan& span,
                        double reach_mm, double enough_mm) {

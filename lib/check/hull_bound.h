@@ -4,22 +4,12 @@
 
 #include "lib/check/support_plane.h"
 #include "lib/check/time_spans.h"
-#include "lib/hierarchy/surface_tree.h"
 
 // Upper bounds of (reach - signed distance) over a part of the surface during a time span. In tool
 // coordinates every surface point runs within `bulge` of a straight chord, so surface and motion together lie
 // in the convex hull of two placements of the surface. Proofs: docs/algorithms/certified_sweep.md.
 
 namespace gouge {
-
-struct NodeBound {
-  double upper_mm = 0;
-  bool is_time_longer = false;  ///< the motion is longer than the node is wide
-};
-
-/// Over every triangle below `node`. With reach > 0 the bound is max(0, ...) exact only up to the reach.
-[[nodiscard]] NodeBound bound_node(const CompiledTool& tool, const SurfaceNode& node, const TimeSpan& span,
-                                   double reach_mm);
 
 struct PieceBound {
   double upper_mm = 0;
@@ -29,7 +19,7 @@ struct PieceBound {
   bool is_time_next = false;  ///< halving the time promises more than halving the piece
 };
 
-/// Over the triangle `piece`. Work stops as soon as the bound is at most `enough_mm`.
+/// Over the triangle `piece`. With reach > 0 the bound is max(0, ...), exact only up to the reach. Work stops as soon as the bound is at most `enough_mm`.
 [[nodiscard]] PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece,
                                      const TimeSpan& span, double reach_mm, double enough_mm);
 

@@ -12,14 +12,12 @@ namespace {
 // Covers the rounding of coordinates up to 1e5 mm in all bounds together.
 constexpr double kRounding_mm = 1e-9;
 
-/// Either a node of a tree or a piece of a triangle, over a time span, with its upper bound.
+/// A piece of a triangle, over a time span, with its upper bound.
 struct Candidate {
   double upper_mm = 0;
   std::uint32_t serial = 0;  ///< ties are taken in the order they came up
   std::uint32_t span = 0;
-  std::uint32_t target = 0;
-  std::uint32_t index = 0;  ///< node, or triangle
-  bool is_triangle = false;
+  SearchSeed seed;
   bool is_time_next = false;
   std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
@@ -32,12 +30,14 @@ bool comes_later(const Candidate& a, const Candidate& b) {
 class Search {
  public:
   Search(const Motion& motion, const std::vector<SearchTarget>& targets, const SearchQuestion& question)
-      : motion_(motion), spans_(motion), targets_(targets), question_(question) {}
+      : spans_(motion), targets_(targets), question_(question) {}
 
-  SearchAnswer run() {
-    for (std::uint32_t k = 0; k < targets_.size(); ++k) {
-      if (targets_[k].tree->nodes.empty() || targets_[k].tool->elements.empty()) continue;
-      for (const std::uint32_t span : spans_.roots()) add_node(span, k, 0);
+  SearchAnswer run(const SearchStart& start) {
+    if (start.value_mm > 0) take(start.value_mm, start.t, start.point, start.at);
+    discarded_mm_ = std::max(0.0, start.settled_mm);
+    for (const SearchSeed& seed : start.seeds) {
+      const std::array<Vec3, 3> corners = targets_[seed.target].tree->corners(seed.triangle);
+      for (const std::uint32_t span : spans_.roots()) add_piece(span, seed, corners);
     }
     for (const Candidate& c : cut_) keep(c);
     while (!heap_.empty() && heap_.front().upper_mm > settled()) {
@@ -99,34 +99,16 @@ class Search {
     cut_.back().serial = serial_++;
   }
 
-  void add_node(std::uint32_t span_index, std::uint32_t target, std::uint32_t node) {
+  void add_piece(std::uint32_t span_index, const SearchSeed& seed, const std::array<Vec3, 3>& piece) {
     ++answer_.bounds;
     const TimeSpan& span = spans_.span(span_index);
-    const NodeBound bound =
-        bound_node(*targets_[target].tool, targets_[target].tree->nodes[node], span, question_.reach_mm);
+    const PieceBound bound = bound_piece(*targets_[seed.target].tool, piece, span, question_.reach_mm, settled());
+    if (bound.value_mm > answer_.value_mm)
+      take(bound.value_mm, bound.is_at_end ? span.t1 : span.t0, piece[bound.corner], seed);
     Candidate c;
     c.upper_mm = bound.upper_mm + kRounding_mm;
     c.span = span_index;
-    c.target = target;
-    c.index = node;
-    c.is_time_next = bound.is_time_longer && spans_.can_halve(span_index);
-    offer(c);
-  }
-
-  void add_piece(std::uint32_t span_index, std::uint32_t target, std::uint32_t triangle,
-                 const std::array<Vec3, 3>& piece) {
-    ++answer_.bounds;
-    const TimeSpan& span = spans_.span(span_index);
-    const PieceBound bound = bound_piece(*targets_[target].tool, piece, span, question_.reach_mm, settled());
-    if (bound.value_mm > answer_.value_mm) {
-      take(bound.value_mm, bound.is_at_end ? span.t1 : span.t0, piece[bound.corner], target, triangle);
-    }
-    Candidate c;
-    c.upper_mm = bound.upper_mm + kRounding_mm;
-    c.span = span_index;
-    c.target = target;
-    c.index = triangle;
-    c.is_triangle = true;
+    c.seed = seed;
     c.piece = piece;
     c.is_time_next = bound.is_time_next && spans_.can_halve(span_index);
     if (c.upper_mm > settled()) try_middle(c);
@@ -139,48 +121,23 @@ class Search {
     const double t = 0.5 * (span.t0 + span.t1);
     const Vec3 p = (c.piece[0] + c.piece[1] + c.piece[2]) / 3.0;
     const ToolFrame frame = spans_.frame_at(t, span.stretch);
-    const ToolSample sample = sample_tool(*targets_[c.target].tool, frame.to_tool(p));
+    const ToolSample sample = sample_tool(*targets_[c.seed.target].tool, frame.to_tool(p));
     const double value = question_.reach_mm - sample.answer.signed_distance_mm;
-    if (value > answer_.value_mm) take(value, t, p, c.target, c.index);
+    if (value > answer_.value_mm) take(value, t, p, c.seed);
   }
 
-  void take(double value, double t, const Vec3& point, std::uint32_t target, std::uint32_t triangle) {
+  void take(double value, double t, const Vec3& point, const SearchSeed& at) {
     answer_.value_mm = value;
     answer_.has_witness = true;
     answer_.t = t;
     answer_.point = point;
-    answer_.target = target;
-    answer_.triangle = triangle;
+    answer_.at = at;
   }
 
   void expand(const Candidate& c) {
-    if (c.is_time_next) {
-      const std::uint32_t half = spans_.halve(c.span);
-      for (std::uint32_t k = 0; k < 2; ++k) {
-        if (c.is_triangle) {
-          add_piece(half + k, c.target, c.index, c.piece);
-        } else {
-          add_node(half + k, c.target, c.index);
-        }
-      }
-    } else if (c.is_triangle) {
-      halve_piece(c);
-    } else {
-      descend(c);
-    }
-  }
-
-  void descend(const Candidate& c) {
-    const SurfaceTree& tree = *targets_[c.target].tree;
-    const SurfaceNode& node = tree.nodes[c.index];
-    if (node.count == 0) {
-      add_node(c.span, c.target, node.first);
-      add_node(c.span, c.target, node.first + 1);
-      return;
-    }
-    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
-      add_piece(c.span, c.target, t, tree.triangles[t].corners);
-    }
+    if (!c.is_time_next) return halve_piece(c);
+    const std::uint32_t half = spans_.halve(c.span);
+    for (std::uint32_t k = 0; k < 2; ++k) add_piece(half + k, c.seed, c.piece);
   }
 
   void halve_piece(const Candidate& c) {
@@ -196,13 +153,12 @@ class Search {
     const Vec3 middle = 0.5 * (c.piece[longest] + c.piece[(longest + 1) % 3]);
     std::array<Vec3, 3> half = c.piece;
     half[(longest + 1) % 3] = middle;
-    add_piece(c.span, c.target, c.index, half);
+    add_piece(c.span, c.seed, half);
     half = c.piece;
     half[longest] = middle;
-    add_piece(c.span, c.target, c.index, half);
+    add_piece(c.span, c.seed, half);
   }
 
-  const Motion& motion_;
   TimeSpans spans_;
   const std::vector<SearchTarget>& targets_;
   const SearchQuestion& question_;
@@ -216,8 +172,16 @@ class Search {
 }  // namespace
 
 SearchAnswer search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
-                         const SearchQuestion& question) {
-  return Search(motion, targets, question).run();
+                         const SearchQuestion& question, const SearchStart& start) {
+  if (!start.seeds.empty()) return Search(motion, targets, question).run(start);
+  SearchAnswer answer;
+  answer.value_mm = std::max(0.0, start.value_mm);
+  answer.has_witness = start.value_mm > 0;
+  answer.value_upper_mm = std::max(answer.value_mm, start.settled_mm);
+  answer.t = start.t;
+  answer.point = start.point;
+  answer.at = start.at;
+  return answer;
 }
 
 }  // namespace gouge

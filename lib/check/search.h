@@ -5,19 +5,20 @@
 
 #include "lib/check/motion.h"
 #include "lib/check/verdict.h"
-#include "lib/hierarchy/surface_tree.h"
+#include "lib/hierarchy/block_tree.h"
 #include "lib/tool/compiled_tool.h"
 
-// The certified sweep of one move: one best-first recursion over (instant x surface), every step with a
-// proven upper bound, every candidate a real point of a triangle at a real instant. Method and proofs:
-// docs/algorithms/certified_sweep.md. Goes beyond thesis 2.4.18 (points at single poses).
+// The exact search of one move: one best-first recursion over (instant x triangle), every step with a proven
+// upper bound, every candidate a real point of a triangle at a real instant. It looks at the triangles that the
+// wide sweep (sweep_filter.h) could not settle. Method and proofs: docs/algorithms/certified_sweep.md. Goes beyond
+// thesis 2.4.18 (points at single poses).
 
 namespace gouge {
 
 /// A tool form against a surface.
 struct SearchTarget {
   const CompiledTool* tool = nullptr;
-  const SurfaceTree* tree = nullptr;
+  const BlockTree* tree = nullptr;
   Against against = Against::part;
 };
 
@@ -31,13 +32,28 @@ struct SearchQuestion {
   std::uint64_t budget = 0;  ///< bounds to compute before giving up
 };
 
+/// A triangle of a target's tree.
+struct SearchSeed {
+  std::uint32_t target = 0, triangle = 0;
+};
+
+/// Where a search starts: what is known of the move before.
+struct SearchStart {
+  std::vector<SearchSeed> seeds;  ///< the triangles to look at; all others are settled
+  double settled_mm = 0;          ///< proven for the others: the value is no larger
+  double value_mm = 0;            ///< met at a real point and instant; 0: none
+  double t = 0;
+  Vec3 point = Vec3::Zero();
+  SearchSeed at;                  ///< where the value was met
+};
+
 struct SearchAnswer {
   double value_mm = 0;        ///< largest value met at a real point and instant, at least 0
   double value_upper_mm = 0;  ///< proven: nowhere in the move is it larger
   bool has_witness = false;   ///< value > 0
   double t = 0;
   Vec3 point = Vec3::Zero();
-  std::uint32_t target = 0, triangle = 0;  ///< triangle: index into the tree's triangles
+  SearchSeed at;                 ///< the triangle the point lies on
   bool is_decided = true;                  ///< false: the budget ran out first; value_upper is still true
   std::uint64_t bounds = 0;                ///< how many were computed
 };
@@ -48,6 +64,6 @@ struct SearchAnswer {
 ///          value is above the tolerance.
 /// Cost     a few hundred bounds for a clean move near the surface, no allocation that outlives the call.
 [[nodiscard]] SearchAnswer search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
-                                       const SearchQuestion& question);
+                                       const SearchQuestion& question, const SearchStart& start);
 
 }  // namespace gouge

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "lib/check/hull_bound.h"
-#include "lib/check/search.h"
+#include "lib/check/sweep_filter.h"
 #include "lib/check/support_plane.h"
 #include "lib/check/time_spans.h"
 
@@ -20,29 +20,35 @@ constexpr double kGap_mm = 0.05;
 
 class Collector {
  public:
-  Collector(const TimeSpan& span, const CompiledTool& tool, const SurfaceTree& tree, double aim,
+  Collector(const TimeSpan& span, const CompiledTool& tool, const BlockTree& tree, double aim,
             std::vector<Contact>& contacts)
       : span_(span), frame_(span.f0), tool_(tool), tree_(tree), aim_(aim), contacts_(contacts) {}
 
   void visit(std::uint32_t index) {
-    const SurfaceNode& node = tree_.nodes[index];
-    const ToolSample sample = sample_tool(tool_, frame_.to_tool(node.center));
-    if (excess(sample) + node.radius_mm <= 0) return;
-    if (node.count == 0) {
-      visit(node.first);
-      visit(node.first + 1);
-      return;
-    }
-    for (std::uint32_t t = node.first; t < node.first + node.count; ++t) {
-      best_ = Contact{};
-      refine(tree_.triangles[t].corners);
-      if (best_.excess_mm > 0) contacts_.push_back(best_);
+    const NodeBlock& node = tree_.nodes[index];
+    for (std::size_t i = 0; i < node.count; ++i) {
+      const Vec3 center = tree_.origin + Vec3(node.center[0][i], node.center[1][i], node.center[2][i]);
+      const ToolSample sample = sample_tool(tool_, frame_.to_tool(center));
+      if (excess(sample) + static_cast<double>(node.radius_mm[i]) <= 0) continue;
+      if (node.has_leaves) {
+        visit_leaf(tree_.leaves[node.child[i]]);
+      } else {
+        visit(node.child[i]);
+      }
     }
   }
 
  private:
   [[nodiscard]] double excess(const ToolSample& sample) const {
     return -sample.answer.signed_distance_mm - aim_;
+  }
+
+  void visit_leaf(const TriangleBlock& leaf) {
+    for (std::size_t i = 0; i < leaf.count; ++i) {
+      best_ = Contact{};
+      refine(tree_.corners(leaf.triangle[i]));
+      if (best_.excess_mm > 0) contacts_.push_back(best_);
+    }
   }
 
   void try_point(const Vec3& p) {
@@ -84,7 +90,7 @@ class Collector {
   const TimeSpan& span_;
   const ToolFrame& frame_;
   const CompiledTool& tool_;
-  const SurfaceTree& tree_;
+  const BlockTree& tree_;
   double aim_;
   std::vector<Contact>& contacts_;
   Contact best_;
@@ -129,7 +135,7 @@ double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedSce
     const double reach = std::max(0.0, -aimed.aim_mm);
     const double allowed = std::max(0.0, aimed.aim_mm);
     const SearchAnswer answer =
-        search_move(alone, {aimed.target}, {reach, allowed, accuracy_mm, kGap_mm, kBudget});
+        sweep_and_search(alone, {aimed.target}, {reach, allowed, accuracy_mm, kGap_mm, kBudget});
     if (answer.value_mm > allowed) most = std::max(most, answer.value_mm - allowed);
     if (!answer.is_decided) most = std::max(most, accuracy_mm);
   }

@@ -84,21 +84,22 @@ class CoverMaker {
   }
 
  private:
-  [[nodiscard]] bool is_level(const BoundaryElement& e) const {
-    return e.b.y() - e.a.y() <= 1e-12 * cover_.size_mm;
+  [[nodiscard]] bool is_level(const Vec2& a, const Vec2& b) const {
+    return b.y() - a.y() <= 1e-12 * cover_.size_mm;
   }
 
   void add_runs() {
     Run run;
     for (const BoundaryElement* e : curves_) {
-      if (is_level(*e)) continue;
-      if (!run.takes(*e)) {
+      // A face looking up only ends a piece; one looking down begins the next.
+      const bool is_top = is_level(e->a, e->b) && e->b.x() < e->a.x();
+      if (is_top || !run.takes(*e)) {
         add(run);
         run = Run{};
       }
-      run.add(*e);
+      if (!is_top) run.add(*e);
     }
-    if (!run.elements.empty()) add(run);
+    add(run);
   }
 
   static Vec2 inner(const BoundaryElement& e, const Vec2& end, double by) {
@@ -113,12 +114,13 @@ class CoverMaker {
   }
 
   void add(const Run& run) {
+    if (run.elements.empty() || is_level(run.elements.front()->a, run.elements.back()->b)) return;
     CoverPiece piece;
     const BoundaryElement& first = *run.elements.front();
     const BoundaryElement& last = *run.elements.back();
     const double rounding = run.arc_radius_mm;
     const double far = 4 * cover_.size_mm;
-    const auto push = [&piece](const Vec2& p) { piece.chain[piece.count++] = p; };
+    const auto push = [&piece](const Vec2& p) { piece.chain.push_back(p); };
     push(inner(first, first.a, rounding) - far * way_at(first, first.a));
     for (std::size_t k = 0; k < run.elements.size(); ++k) {
       const BoundaryElement& e = *run.elements[k];
@@ -134,7 +136,7 @@ class CoverMaker {
     piece.radius_mm += outside;
     piece.z_lo_mm = piece.foot_lo_mm = first.a.y();
     piece.z_hi_mm = piece.foot_hi_mm = last.b.y();
-    keep(piece, first.a.x(), last.b.x());
+    keep(piece, is_level(first.a, first.b) ? first.b.x() : first.a.x(), last.b.x());
   }
 
   void keep(const CoverPiece& piece, double start_radius, double end_radius) {
@@ -164,9 +166,7 @@ class CoverMaker {
       CoverPiece piece;
       piece.z_lo_mm = piece.foot_lo_mm = low;
       piece.z_hi_mm = piece.foot_hi_mm = high;
-      piece.chain[0] = {radius, low - 4 * cover_.size_mm};
-      piece.chain[1] = {radius, high + 4 * cover_.size_mm};
-      piece.count = 2;
+      piece.chain = {{radius, low - 4 * cover_.size_mm}, {radius, high + 4 * cover_.size_mm}};
       piece.radius_mm = kStandOff_mm;
       keep(piece, radius, radius);
     }
@@ -217,7 +217,7 @@ ConvexCover make_convex_cover(const CompiledTool& tool) {
 
 double cover_distance(const CoverPiece& piece, const Vec2& q) {
   double inside = -kEndless, outside2 = kEndless;
-  for (std::size_t k = 0; k + 1 < piece.count; ++k) {
+  for (std::size_t k = 0; k + 1 < piece.chain.size(); ++k) {
     const Vec2 way = piece.chain[k + 1] - piece.chain[k];
     const double length = way.norm();
     const Vec2 along = way / length;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -29,8 +28,7 @@ struct CoverPiece {
   double foot_lo_mm = 0, foot_hi_mm = 0;  ///< infinite where nothing follows
   double r_below_mm = 0, r_above_mm = 0;  ///< 0: the whole end is free
   double radius_mm = 0;
-  std::array<Vec2, kMaxChain> chain;
-  std::size_t count = 0;  ///< points of the chain, at least 2
+  std::vector<Vec2> chain;  ///< 2 to kMaxChain points
 };
 
 struct ConvexCover {

@@ -87,23 +87,6 @@ TEST(Bounds, APieceIsNeverDeeperThanItsBound) {
   EXPECT_GT(tight, positive / 20);  // far from what a ball alone would give
 }
 
-TEST(Bounds, ANodeIsNeverDeeperThanItsBound) {
-  Scatter scatter(21);
-  const auto tools = tools::all();
-  for (int i = 0; i < 30000; ++i) {
-    const CompiledTool& tool = tools[static_cast<std::size_t>(i) % tools.size()].bare;
-    const Case c = random_case(scatter);
-    IndexedMesh mesh;
-    mesh.vertices = {c.piece[0], c.piece[1], c.piece[2]};
-    mesh.triangles = {{0, 1, 2}};
-    mesh.file_triangle = {0};
-    const SurfaceTree tree = build_surface_tree({mesh});
-    const TimeSpans spans(c.motion);
-    const NodeBound bound = bound_node(tool, tree.nodes[0], spans.span(0), c.reach);
-    ASSERT_LE(sampled(tool, c, spans.span(0)), std::max(0.0, bound.upper_mm) + 1e-9) << "case " << i;
-  }
-}
-
 // There the plane at the foot is any of the arc's planes, and rounding must not make it a foreign one.
 TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
   Scatter scatter(22);
@@ -126,20 +109,6 @@ TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
         ASSERT_LE(sampled(*tool, c, spans.span(0)), bound.upper_mm + 1e-9) << "piece of size " << size;
       }
     }
-  }
-}
-
-TEST(Bounds, ANodeAlmostAlongTheToolIsNotTakenForOneThatLiesOnIt) {
-  const ToolForms flat = tools::flat(300);
-  IndexedMesh floor;
-  floor.vertices = {Vec3(-140, -40, 0), Vec3(140, -40, 0), Vec3(0, 80, 0)};
-  floor.triangles = {{0, 1, 2}};
-  floor.file_triangle = {0};
-  const SurfaceTree tree = build_surface_tree({floor});
-  for (const double lean : {1e-9, 1e-8, 1e-6}) {
-    const Motion rest(Pose{Vec3::Zero(), Vec3(std::sin(lean), 0, std::cos(lean))});
-    const TimeSpans spans(rest);
-    EXPECT_GE(bound_node(flat.bare, tree.nodes[0], spans.span(0), 0).upper_mm, 140 * lean - 1e-11) << lean;
   }
 }
 

@@ -1,0 +1,305 @@
+#include "lib/check/sweep_filter.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <deque>
+#include <limits>
+
+#include "lib/geom/point_triangle.h"
+#include "lib/tool/convex_cover.h"
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one level up
+// A node much smaller than the way of a group is left to the group's parts: time first. Larger: space first.
+constexpr float kSpaceFirst = 0.5F;
+
+/// A triangle of a move that no bound has settled.
+struct OpenTriangle {
+  SearchSeed seed;
+  float bound = 0;
+};
+
+/// What is known of one move so far.
+struct MoveWork {
+  float least_settled = std::numeric_limits<float>::max();
+  std::vector<OpenTriangle> open;
+};
+
+/// What a group leaves to its parts.
+struct Remainder {
+  std::vector<std::uint32_t> nodes;
+  std::vector<const TriangleBlock*> blocks;
+  std::deque<TriangleBlock> gathered;  // triangles from several leaves, side by side
+};
+
+class Sweep {
+ public:
+  Sweep(std::span<const Motion> motions, const std::vector<SearchTarget>& targets, const SearchQuestion& question,
+        const SweepKernel& kernel)
+      : motions_(motions), targets_(targets), question_(question), kernel_(kernel), work_(motions.size()),
+        swept_(motions.size()) {}
+
+  std::vector<SweptMove> run() {
+    for (std::uint32_t m = 0; m < motions_.size(); ++m) append_steps(motions_[m], m, steps_);
+    for (target_ = 0; target_ < targets_.size(); ++target_) {
+      tool_ = targets_[target_].tool;
+      tree_ = targets_[target_].tree;
+      if (tool_->elements.empty() || tree_->nodes.empty() || steps_.empty()) continue;
+      make_frames();
+      for (const CoverPiece& piece : make_convex_cover(*tool_).pieces) {
+        piece_ = kernel_piece(piece);
+        Remainder all;
+        all.nodes.push_back(0);
+        visit_group(frames_.size() - 1, 0, all, std::numeric_limits<float>::max());
+      }
+    }
+    for (std::size_t m = 0; m < motions_.size(); ++m) finish(m);
+    return std::move(swept_);
+  }
+
+ private:
+  void make_frames() {
+    frames_.clear();
+    std::size_t size = 1;
+    for (;;) {
+      std::vector<SweepFrame>& level = frames_.emplace_back();
+      for (std::size_t i = 0; i < steps_.size(); i += size) {
+        level.push_back(sweep_frame(std::span(steps_).subspan(i, std::min(size, steps_.size() - i)), tree_->origin));
+      }
+      if (level.size() == 1) break;
+      size *= kGroup;
+    }
+    remainders_.resize(frames_.size());
+  }
+
+  /// The signed distance to prove for a move, given the deepest point met on it.
+  [[nodiscard]] float need(double value_mm) const {
+    const double settled = value_mm > question_.tolerance_mm ? value_mm + question_.gap_mm
+                                                             : question_.tolerance_mm + question_.resolution_mm;
+    const double distance = question_.reach_mm - settled;
+    return std::nextafter(static_cast<float>(distance), std::numeric_limits<float>::max());
+  }
+
+  void visit_group(std::size_t level, std::size_t index, const Remainder& work, float least) {
+    if (level == 0) return visit_step(index, work, least);
+    const SweepFrame& frame = frames_[level][index];
+    Remainder& rest = remainders_[level];
+    rest.nodes.clear();
+    rest.blocks = work.blocks;
+    rest.gathered.clear();
+    least_ = least;
+    need_ = need(0);
+    smallest_ = kSpaceFirst * (0.5F * frame.way_mm + frame.rest_mm);
+    for (const std::uint32_t node : work.nodes) visit_node_for_group(node, frame, rest);
+    const float now = least_;
+    const std::size_t first = index * kGroup;
+    const std::size_t last = std::min(first + kGroup, frames_[level - 1].size());
+    if (rest.nodes.empty() && rest.blocks.empty()) return settle_group(level, index, now);
+    for (std::size_t k = first; k < last; ++k) visit_group(level - 1, k, rest, now);
+  }
+
+  void settle_group(std::size_t level, std::size_t index, float least) {
+    std::size_t size = 1;
+    for (std::size_t k = 0; k < level; ++k) size *= kGroup;
+    const std::size_t last = std::min(steps_.size(), (index + 1) * size);
+    for (std::size_t s = index * size; s < last; ++s) {
+      float& known = work_[steps_[s].move].least_settled;
+      known = std::min(known, least);
+    }
+  }
+
+  void visit_node_for_group(std::uint32_t index, const SweepFrame& frame, Remainder& rest) {
+    const NodeBlock& node = tree_->nodes[index];
+    KernelAnswer answer;
+    kernel_.nodes(node, frame, piece_, need_, answer);
+    ++bounds_;
+    least_ = std::min(least_, answer.least_settled);
+    float widest = 0;
+    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+      widest = std::max(widest, node.radius_mm[static_cast<std::size_t>(std::countr_zero(open))]);
+    }
+    if (answer.open == 0) return;
+    if (widest <= smallest_) return rest.nodes.push_back(index);
+    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+      const std::uint32_t child = node.child[static_cast<std::size_t>(std::countr_zero(open))];
+      if (node.has_leaves) {
+        gather(tree_->leaves[child], frame, rest);
+      } else {
+        visit_node_for_group(child, frame, rest);
+      }
+    }
+  }
+
+  void gather(const TriangleBlock& leaf, const SweepFrame& frame, Remainder& rest) {
+    KernelAnswer answer;
+    kernel_.triangles(leaf, frame, piece_, need_, answer);
+    ++bounds_;
+    least_ = std::min(least_, answer.least_settled);
+    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+      if (rest.gathered.empty() || rest.gathered.back().count == kBlockLanes) {
+        rest.gathered.emplace_back();
+        rest.blocks.push_back(&rest.gathered.back());
+      }
+      add_lane(rest.gathered.back(), leaf, static_cast<std::size_t>(std::countr_zero(open)));
+    }
+  }
+
+  static void add_lane(TriangleBlock& to, const TriangleBlock& from, std::size_t lane) {
+    // The first one fills all lanes, so that unused ones hold a triangle too.
+    const std::size_t last = to.count == 0 ? kBlockLanes : to.count + 1;
+    for (std::size_t i = to.count; i < last; ++i) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t k = 0; k < 3; ++k) to.corner[c][k][i] = from.corner[c][k][lane];
+      }
+      to.triangle[i] = from.triangle[lane];
+    }
+    ++to.count;
+  }
+
+  void visit_step(std::size_t index, const Remainder& work, float least) {
+    step_ = &steps_[index];
+    frame_ = &frames_[0][index];
+    least_ = least;
+    bounds_ = 0;
+    const std::uint32_t m = step_->move;
+    if (m > 0 && swept_[m].start.value_mm <= 0 && swept_[m - 1].start.value_mm > question_.tolerance_mm &&
+        swept_[m - 1].start.at.target == target_) {
+      measure(swept_[m - 1].start.at.triangle, swept_[m - 1].start.point);
+    }
+    need_ = need(swept_[m].start.value_mm);
+    for (const TriangleBlock* block : work.blocks) visit_triangles(*block);
+    for (const std::uint32_t node : work.nodes) visit_node(node);
+    work_[m].least_settled = std::min(work_[m].least_settled, least_);
+    swept_[m].bounds += bounds_;
+  }
+
+  void visit_node(std::uint32_t index) {
+    const NodeBlock& node = tree_->nodes[index];
+    KernelAnswer answer;
+    kernel_.nodes(node, *frame_, piece_, need_, answer);
+    ++bounds_;
+    least_ = std::min(least_, answer.least_settled);
+    // The deepest first: what it shows settles most of the others.
+    std::array<std::uint8_t, kBlockLanes> order;
+    std::size_t count = 0;
+    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+      const auto lane = static_cast<std::uint8_t>(std::countr_zero(open));
+      std::size_t at = count++;
+      for (; at > 0 && answer.distance[lane] < answer.distance[order[at - 1]]; --at) order[at] = order[at - 1];
+      order[at] = lane;
+    }
+    for (std::size_t k = 0; k < count; ++k) {
+      const std::size_t lane = order[k];
+      if (answer.bound[lane] >= need_) {
+        least_ = std::min(least_, answer.bound[lane]);
+      } else if (node.has_leaves) {
+        visit_triangles(tree_->leaves[node.child[lane]]);
+      } else {
+        visit_node(node.child[lane]);
+      }
+    }
+  }
+
+  void visit_triangles(const TriangleBlock& block) {
+    KernelAnswer answer;
+    kernel_.triangles(block, *frame_, piece_, need_, answer);
+    ++bounds_;
+    least_ = std::min(least_, answer.least_settled);
+    if (answer.open == 0) return;
+    std::size_t deepest = static_cast<std::size_t>(std::countr_zero(answer.open));
+    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(open));
+      if (answer.distance[lane] < answer.distance[deepest]) deepest = lane;
+      work_[step_->move].open.push_back({{target_, block.triangle[lane]}, answer.bound[lane]});
+    }
+    if (!(answer.distance[deepest] < need_)) return;
+    const Vec3 from_tip(answer.point[0][deepest], answer.point[1][deepest], answer.point[2][deepest]);
+    measure(block.triangle[deepest],
+            from_tip + Vec3(frame_->tip[0], frame_->tip[1], frame_->tip[2]) + tree_->origin);
+  }
+
+  /// The value at the point of the triangle nearest to `about`, at three instants of the step.
+  void measure(std::uint32_t triangle, const Vec3& about) {
+    SearchStart& swept = swept_[step_->move].start;
+    const Vec3 p = closest_on_triangle(about, tree_->corners(triangle)).point;
+    for (const double t : {step_->t0, 0.5 * (step_->t0 + step_->t1), step_->t1}) {
+      const Pose pose = motions_[step_->move].at(t);
+      const Vec3 from_tip = p - pose.tip;
+      const double z = from_tip.dot(pose.axis);
+      const double r = (from_tip - z * pose.axis).norm();
+      const double value = question_.reach_mm - evaluate(*tool_, r, z).signed_distance_mm;
+      if (value <= swept.value_mm) continue;
+      swept.value_mm = value;
+      swept.t = t;
+      swept.point = p;
+      swept.at = {target_, triangle};
+    }
+    need_ = need(swept.value_mm);
+  }
+
+  // A triangle may have come up for several pieces or steps, and what was met since settles some.
+  void finish(std::size_t m) {
+    SearchStart& swept = swept_[m].start;
+    float least = work_[m].least_settled;
+    const float need_now = need(swept.value_mm);
+    std::vector<OpenTriangle>& open = work_[m].open;
+    std::sort(open.begin(), open.end(), [](const OpenTriangle& a, const OpenTriangle& b) {
+      if (a.seed.target != b.seed.target) return a.seed.target < b.seed.target;
+      return a.seed.triangle != b.seed.triangle ? a.seed.triangle < b.seed.triangle : a.bound < b.bound;
+    });
+    for (const OpenTriangle& o : open) {
+      const bool is_same = !swept.seeds.empty() && swept.seeds.back().target == o.seed.target &&
+                           swept.seeds.back().triangle == o.seed.triangle;
+      if (is_same) continue;
+      if (o.bound >= need_now) {
+        least = std::min(least, o.bound);
+      } else {
+        swept.seeds.push_back(o.seed);
+      }
+    }
+    swept.settled_mm = question_.reach_mm - static_cast<double>(least);
+  }
+
+  std::span<const Motion> motions_;
+  const std::vector<SearchTarget>& targets_;
+  const SearchQuestion& question_;
+  const SweepKernel& kernel_;
+  std::vector<SweepStep> steps_;
+  std::vector<MoveWork> work_;
+  std::vector<SweptMove> swept_;
+
+  // Of the target and piece at hand.
+  std::uint32_t target_ = 0;
+  const CompiledTool* tool_ = nullptr;
+  const BlockTree* tree_ = nullptr;
+  KernelPiece piece_;
+  std::vector<std::vector<SweepFrame>> frames_;  // [level][index]; level 0: one for each step
+  std::vector<Remainder> remainders_;            // one for each level
+
+  // Of the group or step at hand.
+  const SweepStep* step_ = nullptr;
+  const SweepFrame* frame_ = nullptr;
+  float need_ = 0, least_ = 0, smallest_ = 0;
+  std::uint64_t bounds_ = 0;
+};
+
+}  // namespace
+
+std::vector<SweptMove> sweep_moves(std::span<const Motion> motions, const std::vector<SearchTarget>& targets,
+                                   const SearchQuestion& question, const SweepKernel& kernel) {
+  return Sweep(motions, targets, question, kernel).run();
+}
+
+SearchAnswer sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
+                              const SearchQuestion& question) {
+  const SweptMove swept = sweep_moves({&motion, 1}, targets, question).front();
+  SearchAnswer answer = search_move(motion, targets, question, swept.start);
+  answer.bounds += swept.bounds;
+  return answer;
+}
+
+}  // namespace gouge

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/check/motion.h"
+#include "lib/check/search.h"
+#include "lib/check/sweep_frame.h"
+
+// The wide sweep: many moves against a surface at once. What sixteen-wide bounds in single precision prove free
+// needs no further look; the triangles that remain go to the exact search (search.h).
+// Method and proofs: docs/algorithms/wide_sweep.md.
+
+namespace gouge {
+
+/// What the wide sweep leaves of one question about one move.
+struct SweptMove {
+  SearchStart start;
+  std::uint64_t bounds = 0;  ///< blocks looked at
+};
+
+/// Every motion against every target, for one question (search.h).
+/// Requires motions that are defined. Tools without elements and empty trees are passed over.
+/// Ensures  each answer depends on `motions` alone, not on the processor or on who else runs.
+/// Cost     a microsecond or two for a motion along a surface, a tenth of that for one far from it.
+[[nodiscard]] std::vector<SweptMove> sweep_moves(std::span<const Motion> motions,
+                                                 const std::vector<SearchTarget>& targets,
+                                                 const SearchQuestion& question,
+                                                 const SweepKernel& kernel = fastest_sweep_kernel());
+
+/// One motion, swept and searched to the end.
+[[nodiscard]] SearchAnswer sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
+                                            const SearchQuestion& question);
+
+}  // namespace gouge

@@ -1,0 +1,147 @@
+#include "lib/check/sweep_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace gouge {
+namespace {
+
+// What single precision does to a length, with all that is computed from it in the kernel.
+constexpr double kSingle = 2e-6;
+
+// Bent ways are cut until the chord is this close, or to this many steps.
+constexpr double kSmallSag_mm = 0.002;
+constexpr double kSmallTurn_rad = 0.2;
+constexpr int kMostSteps = 64;
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+float rounded_up(double x) {
+  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::max());
+}
+
+std::array<float, 3> single(const Vec3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
+Vec3 kept(const std::array<float, 3>& v) {
+  return {v[0], v[1], v[2]};
+}
+
+/// Where the ends of the steps stand on the line from the first pose to the last: -1/2 to 1/2.
+class Line {
+ public:
+  explicit Line(std::span<const SweepStep> steps)
+      : count_(static_cast<double>(steps.size())),
+        middle_(0.5 * (steps.front().from.tip + steps.back().to.tip)),
+        way_(steps.back().to.tip - steps.front().from.tip) {
+    double spread2 = 0;
+    for (const SweepStep& step : steps) spread2 = std::max(spread2, (step.to.tip - middle_).squaredNorm());
+    is_by_way_ = way_.squaredNorm() > 1e-6 * spread2 && steps.size() > 1;
+  }
+  [[nodiscard]] const Vec3& way() const { return way_; }
+  [[nodiscard]] const Vec3& middle() const { return middle_; }
+  /// `index`: 0 for the start of the first step, k for the end of step k - 1.
+  [[nodiscard]] double at(const Pose& pose, double index) const {
+    if (!is_by_way_) return index / count_ - 0.5;
+    return std::clamp((pose.tip - middle_).dot(way_) / way_.squaredNorm(), -0.5, 0.5);
+  }
+
+ private:
+  double count_;
+  Vec3 middle_, way_;
+  bool is_by_way_ = false;
+};
+
+template <typename Visit>
+void each_pose(std::span<const SweepStep> steps, const Visit& visit) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    visit(steps[i].from, static_cast<double>(i));
+    visit(steps[i].to, static_cast<double>(i + 1));
+  }
+}
+
+}  // namespace
+
+void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepStep>& steps) {
+  for (std::uint32_t s = 0; s < motion.stretches().size(); ++s) {
+    const TipStretch& stretch = motion.stretches()[s];
+    const double length = motion.is_alone() ? 0 : stretch.t1 - stretch.t0;
+    const double turn = motion.angle_rad() * length;
+    int parts = 1;
+    while (parts < kMostSteps &&
+           (turn / parts > kSmallTurn_rad ||
+            motion.sag_mm(stretch.t0, stretch.t0 + length / parts, s) > kSmallSag_mm)) {
+      parts *= 2;
+    }
+    Pose from = motion.at(stretch.t0);
+    for (int k = 0; k < parts; ++k) {
+      SweepStep step;
+      step.move = move;
+      step.t0 = stretch.t0 + length * k / parts;
+      step.t1 = k + 1 == parts ? stretch.t0 + length : stretch.t0 + length * (k + 1) / parts;
+      step.from = from;
+      step.to = motion.is_alone() ? from : motion.at(step.t1);
+      step.sag_mm = motion.sag_mm(step.t0, step.t1, s);
+      step.turn_rad = turn / parts;
+      steps.push_back(step);
+      from = step.to;
+    }
+  }
+}
+
+SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin) {
+  SweepFrame frame;
+  const Line line(steps);
+  const Vec3 sum = steps.front().from.axis + steps.back().to.axis;
+  frame.axis = single(sum.norm() > 0.1 ? Vec3(sum.normalized()) : steps.front().from.axis);
+  const Vec3 axis = kept(frame.axis).normalized();
+  const Vec3 turn = axis.cross(steps.back().to.axis - steps.front().from.axis);
+
+  // The middle of what remains beside the line is the better tip.
+  Vec3 middle = line.middle();
+  if (steps.size() > 1) {
+    Vec3 low = Vec3::Zero(), high = Vec3::Zero();
+    each_pose(steps, [&](const Pose& pose, double index) {
+      const Vec3 beside = pose.tip - middle - line.at(pose, index) * line.way();
+      low = low.cwiseMin(beside);
+      high = high.cwiseMax(beside);
+    });
+    middle += 0.5 * (low + high);
+  }
+  frame.tip = single(middle - origin);
+  const Vec3 tip = kept(frame.tip);
+
+  double beside = 0, far = 0, twisted = 0, widest = 0;
+  each_pose(steps, [&](const Pose& pose, double index) {
+    const double s = line.at(pose, index);
+    const Vec3 way = pose.tip - origin - tip;
+    const Vec3 lean = axis.cross(pose.axis);
+    beside = std::max(beside, (way - s * line.way()).norm());
+    far = std::max(far, way.norm());
+    twisted = std::max(twisted, (lean - s * turn).norm());
+    widest = std::max(widest, angle_between(axis, pose.axis));
+  });
+  double sag = 0, bend = 0;
+  for (const SweepStep& step : steps) {
+    sag = std::max(sag, step.sag_mm);
+    bend = std::max(bend, step.turn_rad * step.turn_rad / 8);
+  }
+  beside += sag;
+  far += sag;
+  twisted += bend + widest * widest * widest / 6;
+
+  frame.way = single(line.way());
+  frame.turn = single(turn);
+  frame.way_mm = rounded_up(line.way().norm());
+  frame.half_turn = rounded_up(0.5 * turn.norm());
+  const double scale = kSingle * (line.way().norm() + far + origin.norm() * 1e-9);
+  frame.rest_mm = rounded_up(beside + widest * far * (1 + 0.5 * widest) + scale);
+  frame.rest_per_mm = rounded_up(twisted + 0.5 * widest * widest + kSingle * (1 + turn.norm()));
+  return frame;
+}
+
+}  // namespace gouge

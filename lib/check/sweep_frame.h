@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/check/motion.h"
+#include "lib/check/sweep_kernel.h"
+
+// Motions to first order: of a part of a move, of a move, or of many moves in a row.
+// Proofs: docs/algorithms/wide_sweep.md, section 2.
+
+namespace gouge {
+
+/// A part of a motion: the tip within `sag_mm` of the straight way at constant speed, the axis on the great circle.
+struct SweepStep {
+  Pose from, to;
+  double sag_mm = 0;
+  double turn_rad = 0;
+  double t0 = 0, t1 = 1;  ///< of the move
+  std::uint32_t move = 0;
+};
+
+/// Appends the steps of a motion: one where it is straight, more where it bends.
+void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepStep>& steps);
+
+/// The frame that holds for every instant of every step. Requires at least one step.
+[[nodiscard]] SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin);
+
+}  // namespace gouge

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lib/hierarchy/blocks.h"
+
+// The bound of docs/algorithms/wide_sweep.md for sixteen nodes or triangles at once, in single precision. The
+// same source is compiled for several instruction sets; every operation is one that IEEE 754 rounds correctly, none
+// is fused or reordered, so all of them give the same bytes.
+
+namespace gouge {
+
+struct CoverPiece;
+
+/// A motion to first order, in the frame of a tree (mm, part coordinates minus its origin): the surface point p
+/// stands at u - s (way + turn x u) + e in tool coordinates, u = p - tip, for an s in [-1/2, 1/2] and an e with
+/// |e| <= rest + rest_per_mm |u|. The tool axis at s = 0 is `axis`.
+struct SweepFrame {
+  std::array<float, 3> tip{}, axis{}, way{}, turn{};
+  float way_mm = 0;     ///< at least |way|
+  float half_turn = 0;  ///< at least |turn| / 2
+  float rest_mm = 0, rest_per_mm = 0;
+};
+
+/// A piece of the tool's cover, in single precision.
+struct KernelPiece {
+  static constexpr std::size_t kMaxLines = 11;
+  struct Line {
+    float r = 0, z = 0;    ///< a point of it
+    float dr = 0, dz = 1;  ///< its direction, unit
+  };
+  std::array<Line, kMaxLines> lines;  ///< line k + 1 starts at the corner where line k ends
+  std::uint32_t count = 0;
+  float radius_mm = 0;
+  float z_lo_mm = 0, z_hi_mm = 0, foot_lo_mm = 0, foot_hi_mm = 0, r_below_mm = 0, r_above_mm = 0;
+  float rounding_mm = 0;  ///< what single precision may do to distances from the piece
+};
+
+[[nodiscard]] KernelPiece kernel_piece(const CoverPiece& piece);
+
+struct alignas(64) KernelAnswer {
+  Lanes bound;                 ///< proven: signed distance of the piece >= bound, everywhere in the lane
+  Lanes distance;              ///< of the point looked at last
+  std::array<Lanes, 3> point;  ///< that point minus the frame's tip, mm; triangles only
+  std::uint32_t open = 0;      ///< bit i: lane i is not settled: bound < need
+  float least_settled = 0;     ///< smallest bound among the settled lanes; infinite if there are none
+};
+
+/// Sixteen nodes, or triangles, against one piece during one motion. `need` is the signed distance to prove:
+/// minus the depth that is allowed, or plus the distance that must be kept.
+struct SweepKernel {
+  const char* name;
+  void (*nodes)(const NodeBlock&, const SweepFrame&, const KernelPiece&, float need, KernelAnswer&);
+  void (*triangles)(const TriangleBlock&, const SweepFrame&, const KernelPiece&, float need, KernelAnswer&);
+};
+
+/// All that this processor can run, the fastest last.
+[[nodiscard]] std::size_t sweep_kernel_count();
+[[nodiscard]] const SweepKernel& sweep_kernel(std::size_t index);
+[[nodiscard]] const SweepKernel& fastest_sweep_kernel();
+
+}  // namespace gouge
