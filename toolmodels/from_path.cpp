@@ -28,7 +28,9 @@ double assumed_height(const PathCutter& c) {
   return std::min(usual, 0.9 * (c.d_mm / 2) / tangent(-c.beta_deg));
 }
 
-bool ends_within_tip(const AptCutter& cutter) {
+// A height that is just the tip's is what writers put that do not know it.
+bool ends_within_tip(AptCutter cutter) {
+  cutter.h_mm *= 1 - 1e-6;
   const Result<Profile> profile = make_cutter_profile(cutter);
   return !profile && (profile.error().code == "tool-length-too-short");
 }

@@ -64,7 +64,7 @@ TEST(FromPath, TheHolderStandsOnTop) {
 }
 
 TEST(FromPath, ContradictingNumbersAreTold) {
-  const PathCutter cutter{.d_mm = 12, .r_mm = 2, .e_mm = 8, .f_mm = 2, .h_mm = 60, .given = 7};
+  const PathCutter cutter{.d_mm = 12, .r_mm = 2, .e_mm = 7, .f_mm = 2, .h_mm = 60, .given = 7};
   const Result<ToolFromPath> made = make_tool_from_path(1, "", cutter, {});
   ASSERT_TRUE(made.has_value());
   ASSERT_EQ(made->notes.size(), 1u);

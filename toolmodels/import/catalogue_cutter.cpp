@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "toolmodels/import/catalogue_special.h"
+
 namespace gouge {
 namespace {
 
@@ -11,8 +13,6 @@ using enum Dimension;
 
 // Files round to a few decimals, in inches too; beyond this two numbers say different things.
 constexpr double kAgree_mm = 5e-3;
-// A pointed cone needs a side above it; one of a few nanometres makes the tool no smaller.
-constexpr double kAboveCone = 1 + 1e-6;
 
 double radians(double degrees) {
   return degrees * (std::numbers::pi / 180);
@@ -29,14 +29,13 @@ class CutterMaker {
   Result<CatalogueCutter> make(CatalogueShape shape) {
     if (Outcome good = check_signs(); !good) return good.error();
     if (Outcome good = need(diameter, "diameter"); !good) return good.error();
-    if (shape != CatalogueShape::chamfer)
+    if (shape != CatalogueShape::chamfer && shape != CatalogueShape::lollipop)
       if (Outcome good = need(flute_length, "flute length"); !good) return good.error();
     Result<CatalogueCutter> made = dispatch(shape);
     if (!made) return made;
     const Result<Profile> profile = make_cutter_profile(made->cutter);
     if (!profile) return profile.error();
     made->top_diameter_mm = 2 * profile->elements.back().a.x();
-    if (!made->collar.empty()) made->top_diameter_mm = made->collar.back().upper_diameter_mm;
     return made;
   }
 
@@ -59,10 +58,16 @@ class CutterMaker {
         return drill();
       case CatalogueShape::face:
         return face();
+      case CatalogueShape::full:
+        return full();
       case CatalogueShape::five_numbers:
+        return five_numbers();
+      default:
         break;
     }
-    return five_numbers();
+    const Result<Cutter> special = make_special_cutter(shape, d_, notes_);
+    if (!special) return special.error();
+    return CatalogueCutter{*special, 0};
   }
 
   Outcome check_signs() const {
@@ -89,7 +94,7 @@ class CutterMaker {
       notes_.push_back(
           contradiction(d_.text(corner_radius) +
                         " on a flat end mill; built with a sharp corner, which is the larger tool"));
-    return {FlatCutter{at(diameter), at(flute_length)}, 0, {}};
+    return {FlatCutter{at(diameter), at(flute_length)}, 0};
   }
 
   CatalogueCutter ball() {
@@ -97,13 +102,13 @@ class CutterMaker {
         at(corner_radius) > 0)
       notes_.push_back(contradiction(d_.text(corner_radius) + " is not half of " + d_.text(diameter) +
                                      "; built as a ball of that diameter"));
-    return {BallCutter{at(diameter), at(flute_length)}, 0, {}};
+    return {BallCutter{at(diameter), at(flute_length)}, 0};
   }
 
   Result<CatalogueCutter> bull_nose() {
     if (Outcome good = need(corner_radius, "corner radius"); !good) return good.error();
     check_tip(at(diameter) - 2 * at(corner_radius), "diameter and corner radius");
-    return CatalogueCutter{BullNoseCutter{at(diameter), at(corner_radius), at(flute_length)}, 0, {}};
+    return CatalogueCutter{BullNoseCutter{at(diameter), at(corner_radius), at(flute_length)}, 0};
   }
 
   // The tip diameter is never used where the other numbers already say it.
@@ -133,8 +138,8 @@ class CutterMaker {
                                      d_.text(taper_angle) + " from the axis is " + mm_text(top) +
                                      " wide at the top of the flutes; built with that angle"));
     if (r > 0)
-      return CatalogueCutter{AptCutter{at(diameter), r, 0, 0, 0, at(taper_angle), at(flute_length)}, 0, {}};
-    return CatalogueCutter{TaperedCutter{at(diameter), 0, at(taper_angle), at(flute_length)}, 0, {}};
+      return CatalogueCutter{AptCutter{at(diameter), r, 0, 0, 0, at(taper_angle), at(flute_length)}, 0};
+    return CatalogueCutter{TaperedCutter{at(diameter), 0, at(taper_angle), at(flute_length)}, 0};
   }
 
   Result<CatalogueCutter> tapered_ball() {
@@ -145,7 +150,7 @@ class CutterMaker {
       notes_.push_back(contradiction(d_.text(largest_diameter) + ", but a side leaning " +
                                      degrees_text(at(taper_angle)) + " from the axis is " + mm_text(top) +
                                      " wide at the top of the flutes; built with that angle"));
-    return CatalogueCutter{TaperedCutter{at(diameter), r, at(taper_angle), at(flute_length)}, 0, {}};
+    return CatalogueCutter{TaperedCutter{at(diameter), r, at(taper_angle), at(flute_length)}, 0};
   }
 
   Result<CatalogueCutter> chamfer() {
@@ -171,14 +176,8 @@ class CutterMaker {
             "import-guess", "no flute length is given; the flutes end where the cone reaches " + cone));
       flutes_mm = cone_mm;
     }
-    const bool is_straight_above = flutes_mm > cone_mm + kAgree_mm;
-    if (!(tip > 0)) {
-      if (is_straight_above) return CatalogueCutter{AptCutter{d, 0, 0, 0, 90 - half, 0, flutes_mm}, 0, {}};
-      return CatalogueCutter{AptCutter{d, 0, 0, 0, 90 - half, 0, cone_mm * kAboveCone}, 0, {}};
-    }
-    CatalogueCutter made{TaperedCutter{tip, 0, half, cone_mm}, 0, {}};
-    if (is_straight_above) made.collar.push_back({d, d, flutes_mm - cone_mm});
-    return made;
+    if (flutes_mm <= cone_mm + kAgree_mm) flutes_mm = 0;
+    return CatalogueCutter{ChamferCutter{d, tip, half, flutes_mm}, 0};
   }
 
   Result<CatalogueCutter> drill() {
@@ -187,13 +186,30 @@ class CutterMaker {
     if (!(sigma > 0 && sigma <= 180))
       return make_error("import-field", d_.text(point_angle) +
                                             " is not possible; the angle of a point lies between 0 and 180");
-    return CatalogueCutter{AptCutter{at(diameter), 0, 0, 0, 90 - sigma / 2, 0, at(flute_length)}, 0, {}};
+    return CatalogueCutter{DrillCutter{at(diameter), sigma, at(flute_length)}, 0};
   }
 
   Result<CatalogueCutter> face() {
-    const bool has_chamfer = at(taper_angle) > 0 || at(largest_diameter) > at(diameter) + kAgree_mm;
-    if (has_chamfer) return make_error("import-shape", "face mill with a chamfer");
-    return at(corner_radius) > 0 ? bull_nose() : Result<CatalogueCutter>(flat());
+    const bool is_wider = at(largest_diameter) > at(diameter) + kAgree_mm;
+    if (!(at(taper_angle) > 0)) {
+      if (is_wider)
+        return make_error("import-field", d_.text(largest_diameter) + " is greater than " + d_.text(diameter) +
+                                              ", but the file gives no angle of the edge between them");
+      return at(corner_radius) > 0 ? bull_nose() : Result<CatalogueCutter>(flat());
+    }
+    if (is_wider)
+      return CatalogueCutter{FaceMillCutter{at(diameter), at(corner_radius), at(taper_angle), at(largest_diameter), 0, 0,
+                                            at(flute_length)},
+                             0};
+    notes_.push_back(make_note("import-guess", "no largest diameter is given; the edge is taken to lean by " +
+                                                   d_.text(taper_angle) + " up to the top of the flutes"));
+    return CatalogueCutter{AptCutter{at(diameter), at(corner_radius), 0, 0, 0, at(taper_angle), at(flute_length)}, 0};
+  }
+
+  CatalogueCutter full() {
+    notes_.push_back(make_note("import-guess",
+                               "taken as a full cylinder of " + d_.text(diameter) + " along its flutes, which is the larger tool"));
+    return {FlatCutter{at(diameter), at(flute_length)}, 0};
   }
 
   Result<CatalogueCutter> five_numbers() {
@@ -203,8 +219,7 @@ class CutterMaker {
     }
     return CatalogueCutter{
         AptCutter{at(diameter), at(corner_radius), 0, 0, at(bottom_angle), at(taper_angle), at(flute_length)},
-        0,
-        {}};
+        0};
   }
 
   const Dimensions& d_;

@@ -20,19 +20,27 @@ enum class CatalogueShape {
   tapered_ball,  ///< diameter is that of the ball at the tip
   chamfer,       ///< diameter is the largest; a cone from tip_diameter up to it, then straight
   drill,         ///< a point of point_angle
-  face,          ///< flat or bull nose, as long as it has no chamfer
+  face,          ///< an edge leaning outward by taper_angle up to the largest diameter, or none
+  full,          ///< threads and edges that are taken as a full cylinder, which is told
+  slot,
+  saw,
+  dovetail,  ///< diameter is that of the bottom
+  lollipop,
+  radius,  ///< rounds edges; diameter is that of the small end
+  center_drill,
+  barrel,
+  oval,
+  lens,
+  taper_segment,
   five_numbers,  ///< NX: diameter where bottom and side meet, corner radius, taper and bottom angle
 };
 
 struct CatalogueCutter {
   Cutter cutter;
   double top_diameter_mm = 0;
-  std::vector<ToolSegment>
-      collar;  ///< the straight rest of the flutes, where no one shape has both; may be empty
 };
 
-/// Errors   import-field, import-shape (a shape that cannot be imported exactly), and those of
-///          make_cutter_profile; without the tool's name, which the caller knows.
+/// Errors   import-field, and those of make_cutter_profile; without the tool's name, which the caller knows.
 /// Notes    import-contradiction, import-guess.
 [[nodiscard]] Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape,
                                                             const Dimensions& dimensions, Diagnostics& notes);

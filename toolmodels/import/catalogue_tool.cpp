@@ -59,12 +59,18 @@ double diameter_at(const ToolSegment& s, double height_mm) {
   return s.lower_diameter_mm + (s.upper_diameter_mm - s.lower_diameter_mm) * (height_mm / s.length_mm);
 }
 
+// An entering angle is the taper angle told from the other side.
+Dimensions with_taper(Dimensions d) {
+  const double entering = d.value_or(entering_angle, 0);
+  if (entering > 0 && entering < 90 && !(d.value_or(taper_angle, 0) > 0))
+    d.set(taper_angle, 90 - entering, "90 - " + d[entering_angle]->key);
+  return d;
+}
+
 class ShankBuilder {
  public:
   ShankBuilder(const CatalogueTool& tool, const CatalogueCutter& cutter, Diagnostics& notes)
-      : tool_(tool), notes_(notes), z_(length_mm(cutter.cutter)), diameter_(cutter.top_diameter_mm) {
-    for (const ToolSegment& s : cutter.collar) push(s);
-  }
+      : tool_(tool), notes_(notes), z_(length_mm(cutter.cutter)), diameter_(cutter.top_diameter_mm) {}
 
   [[nodiscard]] double z() const { return z_; }
 
@@ -138,7 +144,7 @@ Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& tool, const Import
   made.number = tool.number;
   made.name = tool.name;
   made.holder = tool.holder.empty() ? options.holder : tool.holder;
-  const Result<CatalogueCutter> cutter = make_catalogue_cutter(tool.shape, tool.dimensions, notes);
+  const Result<CatalogueCutter> cutter = make_catalogue_cutter(tool.shape, with_taper(tool.dimensions), notes);
   if (!cutter) return cutter.error();
   made.cutter = cutter->cutter;
   const Result<Stickout> stickout = find_stickout(tool, options, !made.holder.empty(), notes);

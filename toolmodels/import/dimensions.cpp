@@ -9,7 +9,7 @@ namespace gouge {
 
 bool is_angle(Dimension dimension) {
   return dimension == Dimension::taper_angle || dimension == Dimension::bottom_angle ||
-         dimension == Dimension::point_angle;
+         dimension == Dimension::point_angle || dimension == Dimension::entering_angle;
 }
 
 std::string Dimensions::text(Dimension dimension) const {
@@ -39,6 +39,14 @@ std::optional<Dimension> catalogue_dimension(std::string_view symbol) {
       {"shoulder-diameter", shoulder_diameter},
       {"DN", shoulder_diameter},
       {"tip-diameter", tip_diameter},
+      {"tip-length", tip_length},
+      {"lower-radius", lower_radius},
+      {"upper-radius", upper_radius},
+      {"profile-radius", profile_radius},
+      {"PRFRAD", profile_radius},
+      {"axial-distance", axial_distance},
+      {"CW", flute_length},
+      {"KAPR", entering_angle},
   };
   for (const auto& [name, dimension] : kNames)
     if (name == symbol) return dimension;

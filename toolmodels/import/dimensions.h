@@ -25,6 +25,14 @@ enum class Dimension {
   shoulder_length,    ///< LN: tip to the end of the neck or shoulder
   shoulder_diameter,  ///< DN
   tip_diameter,
+  tip_length,      ///< straight part at the tip
+  lower_radius,    ///< corner at the tip of a circle segment
+  upper_radius,    ///< at the top of the flutes
+  profile_radius,  ///< PRFRAD: of the flank or bottom arc
+  axial_distance,  ///< tip to the widest place of a barrel
+  cap_diameter,
+  cap_height,
+  entering_angle,  ///< KAPR: edge against the tip plane, degrees; 90 less the taper angle
   count
 };
 

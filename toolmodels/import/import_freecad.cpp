@@ -21,7 +21,11 @@ std::optional<CatalogueShape> shape_of(const std::string& word) {
       {"drill", CatalogueShape::drill},
       {"reamer", CatalogueShape::flat},
       {"taperedballnose", CatalogueShape::tapered_ball},
-      {"torus", CatalogueShape::bull_nose}};
+      {"torus", CatalogueShape::bull_nose},
+      {"dovetail", CatalogueShape::dovetail},
+      {"slittingsaw", CatalogueShape::saw},
+      {"probe", CatalogueShape::lollipop},
+      {"tap", CatalogueShape::full}};
   for (const auto& [name, shape] : kShapes)
     if (name == word) return shape;
   return std::nullopt;
@@ -46,7 +50,12 @@ std::optional<Parameter> parameter_of(const std::string& key) {
       {"CuttingEdgeAngle", {Dimension::taper_angle, 0.5}},
       {"TipAngle", {Dimension::point_angle}},
       {"TipDiameter", {Dimension::tip_diameter}},
-      {"TaperDiameter", {Dimension::largest_diameter}}};
+      {"TaperDiameter", {Dimension::largest_diameter}},
+      {"BladeThickness", {Dimension::flute_length}},
+      {"CapDiameter", {Dimension::cap_diameter}},
+      {"CapHeight", {Dimension::cap_height}},
+      {"NeckDiameter", {Dimension::shoulder_diameter}},
+      {"ShaftDiameter", {Dimension::shank_diameter}}};
   for (const auto& [name, parameter] : kNames)
     if (name == key) return parameter;
   if (const std::optional<Dimension> dimension = catalogue_dimension(key)) return Parameter{*dimension};
@@ -92,11 +101,11 @@ class BitImporter {
 
  private:
   Outcome read_parameters(const Json& parameters) {
-    std::optional<double> flat_radius;
+    std::optional<double> flat_radius, neck_height;
     for (const auto& [key, value] : parameters.items()) {
       if (is_not_contour(key)) continue;
       const std::optional<Parameter> parameter = parameter_of(key);
-      if (!parameter && key != "FlatRadius") {
+      if (!parameter && key != "FlatRadius" && key != "NeckHeight") {
         tell(make_note("import-left-out", "has a parameter \"" + clean_text(key) +
                                               "\" that has no meaning for this shape here and was left out"));
         continue;
@@ -110,10 +119,24 @@ class BitImporter {
         tool_.dimensions.set(parameter->dimension, (*read)->value * parameter->factor,
                              parameter->factor < 1 ? "half of " + key : key);
       else
-        flat_radius = (*read)->value;
+        (key == "NeckHeight" ? neck_height : flat_radius) = (*read)->value;
     }
     if (flat_radius) take_corner_from_flat(*flat_radius);
+    Dimensions& d = tool_.dimensions;
+    if (neck_height)
+      d.set(Dimension::shoulder_length, d.value_or(Dimension::flute_length, 0) + *neck_height,
+            "CuttingEdgeHeight + NeckHeight");
+    if (tool_.shape == CatalogueShape::dovetail) tell_dovetail_angle(d);
     return Done{};
+  }
+
+  // Half of an included angle and the rest to a right angle are the same for 60 degrees alone. A dovetail's tip
+  // diameter is labelled as a height, and used for neither.
+  void tell_dovetail_angle(Dimensions& d) {
+    if (!d[Dimension::taper_angle]) return;
+    tell(make_warning("import-guess", d.text(Dimension::taper_angle) +
+                                          " is taken between side and axis; if the angle of your dovetail is counted from "
+                                          "its bottom, correct taper_angle"));
   }
 
   // Files of old versions give a bull nose the radius of its flat instead of its corner's.

@@ -25,7 +25,22 @@ std::optional<CatalogueShape> shape_of(const std::string& word) {
       {"facemill", CatalogueShape::face},
       {"drill", CatalogueShape::drill},
       {"spotdrill", CatalogueShape::drill},
-      {"reamer", CatalogueShape::flat}};
+      {"reamer", CatalogueShape::flat},
+      {"slotmill", CatalogueShape::slot},
+      {"dovetailmill", CatalogueShape::dovetail},
+      {"lollipopmill", CatalogueShape::lollipop},
+      {"radiusmill", CatalogueShape::radius},
+      {"centerdrill", CatalogueShape::center_drill},
+      {"circlesegmentbarrel", CatalogueShape::barrel},
+      {"circlesegmentoval", CatalogueShape::oval},
+      {"circlesegmentlens", CatalogueShape::lens},
+      {"circlesegmenttaper", CatalogueShape::taper_segment},
+      {"probe", CatalogueShape::lollipop},
+      {"counterbore", CatalogueShape::flat},
+      {"boringbar", CatalogueShape::full},
+      {"threadmill", CatalogueShape::full},
+      {"taprighthand", CatalogueShape::full},
+      {"taplefthand", CatalogueShape::full}};
   for (const auto& [name, shape] : kShapes)
     if (name == word) return shape;
   return std::nullopt;
@@ -40,7 +55,9 @@ bool is_not_contour(const std::string& key) {
                                                "TP",
                                                "assemblyGaugeLength",
                                                "thread-profile-angle",
-                                               "tip-length",
+                                               "thread-tip-type",
+                                               "TPN",
+                                               "TPX",
                                                "tip-offset",
                                                "shoulder-height"};
   return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);

@@ -29,6 +29,17 @@ std::optional<CatalogueShape> shape_of(const std::string& tool_class) {
       {"SPIRAL_DRILL", CatalogueShape::drill},
       {"INSERT_DRILL", CatalogueShape::drill},
       {"SPOT_DRILL", CatalogueShape::drill},
+      {"INDEX_INSERT_DRILL", CatalogueShape::drill},
+      {"GUN_DRILL", CatalogueShape::drill},
+      {"CORE_DRILL_NON_INDEXABLE", CatalogueShape::drill},
+      {"CORE_DRILL_INDEXABLE", CatalogueShape::drill},
+      {"UG_DRILL", CatalogueShape::drill},
+      {"COUNTER_SINKING", CatalogueShape::chamfer},
+      {"COUNTER_BORE", CatalogueShape::flat},
+      {"T_SLOT_MILL_NON_INDEXABLE", CatalogueShape::slot},
+      {"SPHERICAL_MILL_NON_INDEXABLE", CatalogueShape::lollipop},
+      {"THREAD_MILL", CatalogueShape::full},
+      {"TAP", CatalogueShape::full},
       {"CHUCKING_REAMER", CatalogueShape::flat}};
   for (const auto& [name, shape] : kClasses)
     if (name == tool_class) return shape;
@@ -141,7 +152,10 @@ std::optional<Dimension> dimension_of(const std::string& field, CatalogueShape s
   if (field == "COR1") return Dimension::corner_radius;
   if (field == "TAPA") return Dimension::taper_angle;
   if (field == "TIPA" || field == "PANG")
-    return shape == CatalogueShape::drill ? Dimension::point_angle : Dimension::bottom_angle;
+    return shape == CatalogueShape::drill || shape == CatalogueShape::chamfer ? Dimension::point_angle
+                                                                              : Dimension::bottom_angle;
+  if (field == "COR2" && shape == CatalogueShape::slot) return Dimension::upper_radius;
+  if (field == "TSDIA" && shape == CatalogueShape::lollipop) return Dimension::shank_diameter;
   return catalogue_dimension(field);
 }
 
@@ -198,6 +212,10 @@ class RowImporter {
       if (!read) return read.error();
       if (*read) tool_.dimensions.set(*dimension, **read, field);
     }
+    // A countersink has its angle as that of the whole point.
+    if (const std::optional<Given>& point = tool_.dimensions[Dimension::point_angle];
+        point && tool_.shape == CatalogueShape::chamfer)
+      tool_.dimensions.set(Dimension::taper_angle, point->value / 2, "half of " + point->key);
     return Done{};
   }
 
