@@ -1,56 +1,124 @@
 #include "cli/path_command.h"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <ostream>
 #include <utility>
 
 #include "cli/exit_code.h"
 #include "cli/path_info_text.h"
 #include "lib/base/files.h"
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/write_toolpath.h"
+#include "postproc/image/path_plot.h"
 
 namespace gouge {
 namespace {
 
-int refuse(const Diagnostics& errors, std::ostream& err) {
+int refuse(const Diagnostics& errors, std::ostream& err, int status = kExitInput) {
   for (const Diagnostic& error : errors) err << to_text(error) << "\n";
-  return kExitInput;
+  return status;
+}
+
+void tell(const Diagnostics& notes, std::ostream& err) {
+  for (const Diagnostic& note : notes) err << to_text(note) << "\n";
+}
+
+int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream& out, std::ostream& err) {
+  const PathInfo info = describe_path(path);
+  const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});
+  const std::string title(dialect.title);
+  out << (arguments.json_file == "-" ? path_info_json(path, info) : path_info_text(path, info, title));
+  tell(path.notes, err);
+  if (arguments.json_file.empty() || arguments.json_file == "-") return kExitClean;
+  const Outcome written = write_file(arguments.json_file, path_info_json(path, info));
+  return written ? kExitClean : refuse({written.error()}, err);
+}
+
+int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostream& err) {
+  Result<WrittenToolpath> written = WrittenToolpath{path.source, {}};
+  if (!arguments.to.empty()) written = write_toolpath(path, *dialect_called(arguments.to));
+  if (!written) return refuse({written.error()}, err);
+  tell(path.notes, err);
+  tell(written->notes, err);
+  const Outcome outcome = write_file(arguments.output, written->bytes);
+  return outcome ? kExitClean : refuse({outcome.error()}, err);
+}
+
+int run_plot(const PathArguments& arguments, const Toolpath& path, std::ostream& err) {
+  tell(path.notes, err);
+  const Result<std::string> picture = plot_path(path, arguments.output.ends_with(".svg"));
+  if (!picture) return refuse({picture.error()}, err, kExitInternal);
+  const Outcome outcome = write_file(arguments.output, *picture);
+  return outcome ? kExitClean : refuse({outcome.error()}, err);
+}
+
+constexpr const char* kStatus = "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid.";
+
+CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* name, const char* what) {
+  CLI::App* added = command.add_subcommand(name, what);
+  added->add_option("PATH", arguments.path, "Toolpath: CL data of any dialect; its content tells which")
+      ->required();
+  add_reading_options(*added, arguments.reading);
+  return *added;
+}
+
+// The same file under two names is no output of its own.
+bool is_same_file(const std::string& a, const std::string& b) {
+  std::error_code ignored;
+  return std::filesystem::equivalent(a, b, ignored);
 }
 
 }  // namespace
 
 void add_path_options(CLI::App& command, PathArguments& arguments) {
   command.require_subcommand(1);
-  command.footer("Example:\n  gougecheck path info finish.apt");
-  CLI::App* info = command.add_subcommand(
-      "info", "Tell dialect, unit, tools, operations, moves, box, orientations and what is not understood");
-  info->add_option("PATH", arguments.path, "toolpath: APT CL text or NX CLSF; the content tells which")
-      ->required();
-  info->add_option("--json", arguments.json_file, "write the same as JSON; - for standard output");
-  info->footer(
-      "Example:\n  gougecheck path info finish.apt --json -\n\n"
-      "Lengths are in the file's unit. Exit status: 0 read, 2 wrong command line, 3 input unreadable or "
-      "invalid.");
+  command.footer("Example:\n  gougecheck path info finish.apt\n\nDialects: " + dialect_names());
+  CLI::App& info =
+      add_command(command, arguments, "info",
+                  "Tell dialect, unit, tools, operations, moves, box, orientations and what is not "
+                  "understood");
+  info.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output");
+  info.footer("Example:\n  gougecheck path info finish.apt --json -\n\nLengths are in the file's unit. " +
+              std::string(kStatus));
+  info.callback([&] { arguments.is_info = true; });
+
+  CLI::App& convert = add_command(command, arguments, "convert",
+                                  "Write the toolpath in another dialect, and tell what is lost");
+  convert.add_option("-o,--output", arguments.output, "The file to write")->required();
+  convert
+      .add_option("--to", arguments.to,
+                  "Dialect to write (default: the file's own, byte for byte): " + dialect_names())
+      ->check([](const std::string& id) {
+        return dialect_called(id) ? std::string() : "expected one of " + dialect_names();
+      });
+  convert.footer(
+      "Example:\n  gougecheck path convert finish.cls -o finish.apt --to apt-creo\n\n"
+      "Motions, tools, feeds and names of operations are carried over; spindle, coolant and comments are "
+      "not. Positions are written in part coordinates. " +
+      std::string(kStatus));
+  convert.callback([&] { arguments.is_convert = true; });
+
+  CLI::App& plot =
+      add_command(command, arguments, "plot", "Draw the toolpath from the front, from above and askew");
+  plot.add_option("-o,--output", arguments.output, "The picture: .png or .svg")->required();
+  plot.footer("Example:\n  gougecheck path plot finish.apt -o finish.png\n\n" + std::string(kStatus));
 }
 
 int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err) {
+  const Result<ReadOptions> options = understand(arguments.reading);
+  if (!options) return refuse({options.error()}, err, kExitUsage);
+  if (!arguments.output.empty() && is_same_file(arguments.output, arguments.path)) {
+    return refuse(
+        {make_error("usage", "-o '" + arguments.output + "' is the toolpath itself; name another file")}, err,
+        kExitUsage);
+  }
   Result<std::string> bytes = read_file(arguments.path);
   if (!bytes) return refuse({bytes.error()}, err);
-  const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes));
+  const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);
   if (!outcome.toolpath) return refuse(outcome.errors, err);
-  const Toolpath& path = *outcome.toolpath;
-  const PathInfo info = describe_path(path);
-  if (arguments.json_file == "-") {
-    out << path_info_json(path, info);
-  } else {
-    out << path_info_text(path, info);
-  }
-  for (const Diagnostic& note : path.notes) err << to_text(note) << "\n";
-  if (!arguments.json_file.empty() && arguments.json_file != "-") {
-    const Outcome written = write_file(arguments.json_file, path_info_json(path, info));
-    if (!written) return refuse({written.error()}, err);
-  }
-  return kExitClean;
+  if (arguments.is_info) return run_info(arguments, *outcome.toolpath, out, err);
+  if (arguments.is_convert) return run_convert(arguments, *outcome.toolpath, err);
+  return run_plot(arguments, *outcome.toolpath, err);
 }
 
 }  // namespace gouge

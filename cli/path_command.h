@@ -3,6 +3,8 @@
 #include <iosfwd>
 #include <string>
 
+#include "cli/reading_options.h"
+
 namespace CLI {
 class App;
 }
@@ -11,12 +13,15 @@ namespace gouge {
 
 struct PathArguments {
   std::string path;
+  ReadingArguments reading;
   std::string json_file;
+  std::string output, to;  ///< convert and plot
+  bool is_info = false, is_convert = false;
 };
 
 void add_path_options(CLI::App& command, PathArguments& arguments);
 
-/// `gougecheck path info`: what is in a toolpath file. Returns the exit status.
+/// `gougecheck path info`, `convert` and `plot`. Returns the exit status.
 [[nodiscard]] int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

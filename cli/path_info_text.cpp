@@ -116,11 +116,11 @@ nlohmann::ordered_json tool_json(const PathTool& tool, std::size_t moves, double
 
 }  // namespace
 
-std::string path_info_text(const Toolpath& path, const PathInfo& info) {
+std::string path_info_text(const Toolpath& path, const PathInfo& info, const std::string& dialect_title) {
   const double mm_per_unit = mm_per(path.unit);
   const std::string unit = unit_name(path.unit);
   std::string text = row("file", path.file);
-  text += row("dialect", path.dialect);
+  text += row("dialect", path.dialect + " (" + dialect_title + ")");
   text += row("unit", unit + (path.is_unit_stated ? " (stated)" : " (not stated)"));
   text += row("moves", std::to_string(path.moves.size()) + ": " + moves_text(info));
   text += row("positions alone", std::to_string(info.alone) + " (nothing known leads to them)");

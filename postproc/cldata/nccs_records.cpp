@@ -41,6 +41,10 @@ std::size_t NccsWords::offset(std::size_t word) {
   return word / kWordsOfBlock * kBlock + word % kWordsOfBlock * kWord;
 }
 
+std::size_t NccsWords::word_at(std::size_t offset) {
+  return offset / kBlock * kWordsOfBlock + offset % kBlock / kWord;
+}
+
 std::string_view NccsWords::bytes(std::size_t word) const {
   return bytes_.substr(offset(word), kWord);
 }

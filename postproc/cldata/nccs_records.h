@@ -38,6 +38,8 @@ class NccsWords {
   [[nodiscard]] std::size_t words() const;
   /// Where the word begins in the file's bytes.
   [[nodiscard]] static std::size_t offset(std::size_t word);
+  /// The word that begins at `offset`.
+  [[nodiscard]] static std::size_t word_at(std::size_t offset);
   [[nodiscard]] std::string_view bytes(std::size_t word) const;
   [[nodiscard]] double number(std::size_t word) const;
   [[nodiscard]] NccsHeader header(std::size_t word) const;

@@ -105,6 +105,7 @@ ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const
   path.statements.reserve(path.source.size() / kUsualBytesOfLine);
   path.moves.reserve(path.source.size() / kUsualBytesOfLine);
   Interpreter interpreter(path, dialect, guess.unit, nullptr);
+  if (options.is_cutcom_centre) interpreter.set_cutter_centre();
   StatementReader reader(path.source, dialect.kind);
   Statement statement;
   while (!interpreter.is_hopeless() && reader.next(statement)) interpreter.take(statement);

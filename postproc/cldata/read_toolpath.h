@@ -17,6 +17,7 @@ namespace gouge {
 struct ReadOptions {
   std::optional<Dialect> dialect;
   std::optional<LengthUnit> unit;  ///< of a file that states none
+  bool is_cutcom_centre = false;   ///< positions under CUTCOM are the cutter's centre
 };
 
 /// Either a toolpath or at least one error. At most 20 errors are listed, then one that counts the rest.

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lib/base/number_text.h"
-#include "postproc/cldata/chords.h"
+#include "lib/path/chords.h"
 #include "postproc/cldata/goto_text.h"
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/nccs_sink.h"

@@ -1,4 +1,4 @@
-#include "postproc/cldata/chords.h"
+#include "lib/path/chords.h"
 
 #include <algorithm>
 #include <cmath>

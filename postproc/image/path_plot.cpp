@@ -1,0 +1,149 @@
+#include "postproc/image/path_plot.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/base/number_text.h"
+#include "lib/path/chords.h"
+#include "lib/path/path_info.h"
+#include "postproc/image/render_png.h"
+#include "postproc/image/render_svg.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kWidth = 1600, kHeight = 1000, kMargin = 24, kTitle = 84;
+constexpr double kAxisShare = 0.04;      // length of a drawn tool axis as a share of the box's diagonal
+constexpr std::size_t kAxesDrawn = 400;  // at most, evenly over the path
+constexpr double kFont = 16;
+
+const Colour kInk{40, 44, 52, 1};
+const Colour kGrey{150, 155, 165, 1};
+const Colour kAxis{120, 130, 150, 0.45};
+
+struct Ink {
+  const char* name;
+  Colour colour;
+  std::vector<double> dashes;
+};
+
+const Ink& ink_of(const Move& move) {
+  static const Ink kNotChecked{"cannot be checked", {200, 30, 40, 1}, {}};
+  static const std::array<Ink, 4> kKinds = {{{"feed", {25, 95, 180, 1}, {}},
+                                             {"rapid", {225, 140, 20, 1}, {6, 4}},
+                                             {"arc", {20, 140, 95, 1}, {}},
+                                             {"cycle", {130, 60, 170, 1}, {}}}};
+  return move.not_checked_reason.empty() ? kKinds[static_cast<std::size_t>(move.kind)] : kNotChecked;
+}
+
+struct Panel {
+  double x = 0, y = 0, width = 0, height = 0;
+  const char* name = "";
+  Vec3 right = Vec3::UnitX(), up = Vec3::UnitY();
+  double scale = 1;
+  Vec2 shift = Vec2::Zero();
+
+  [[nodiscard]] Vec2 flat(const Vec3& p) const { return {p.dot(right), -p.dot(up)}; }
+  [[nodiscard]] Vec2 at(const Vec3& p) const { return scale * flat(p) + shift; }
+  void fit(const Box3& box);
+};
+
+void Panel::fit(const Box3& box) {
+  Vec2 low = flat(box.min()), high = low;
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec2 p = flat(box.corner(static_cast<Box3::CornerType>(corner)));
+    low = low.cwiseMin(p);
+    high = high.cwiseMax(p);
+  }
+  const Vec2 size = (high - low).cwiseMax(1e-9);
+  scale = std::min((width - 2 * kMargin) / size.x(), (height - 3 * kMargin) / size.y());
+  shift = Vec2(x + width / 2, y + height / 2 + kMargin / 2) - scale * 0.5 * (low + high);
+}
+
+void add_text(Drawing& drawing, double x, double y, const std::string& text, const Colour& colour,
+              double size = kFont) {
+  drawing.items.emplace_back(DrawnText{{x, y}, text, size, colour, TextAnchor::left, false});
+}
+
+void draw_panel(const Toolpath& path, Panel panel, const Box3& box, Drawing& drawing) {
+  panel.fit(box);
+  const Vec2 a(panel.x, panel.y), b(panel.x + panel.width, panel.y + panel.height);
+  drawing.items.emplace_back(DrawnLine{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}, kGrey, 1, true, {}});
+  add_text(drawing, panel.x + 8, panel.y + 22, panel.name, kInk);
+  const double axis_length = kAxisShare * (box.max() - box.min()).norm();
+  const std::size_t every = 1 + path.moves.size() / kAxesDrawn;
+  for (std::size_t i = 0; i < path.moves.size(); i += every) {
+    const Pose& pose = path.moves[i].end;
+    drawing.items.emplace_back(
+        DrawnLine{{panel.at(pose.tip), panel.at(pose.tip + axis_length * pose.axis)}, kAxis, 1, false, {}});
+  }
+  for (const Move& move : path.moves) {
+    if (!move.start) continue;
+    const Ink& ink = ink_of(move);
+    DrawnLine line{{panel.at(move.start->tip)}, ink.colour, 1.4, false, ink.dashes};
+    if (move.curve_kind == CurveKind::none) {
+      line.points.push_back(panel.at(move.end.tip));
+    } else {
+      for (const Pose& pose : chords_of(path, move, 0.5 / panel.scale))
+        line.points.push_back(panel.at(pose.tip));
+    }
+    drawing.items.emplace_back(std::move(line));
+  }
+}
+
+void draw_legend(const Toolpath& path, Drawing& drawing) {
+  std::vector<const Ink*> used;
+  for (const Move& move : path.moves) {
+    const Ink* ink = &ink_of(move);
+    if (move.start && std::find(used.begin(), used.end(), ink) == used.end()) used.push_back(ink);
+  }
+  std::sort(used.begin(), used.end(),
+            [](const Ink* a, const Ink* b) { return std::string(a->name) < b->name; });
+  double x = kMargin;
+  for (const Ink* ink : used) {
+    drawing.items.emplace_back(DrawnLine{{{x, 66}, {x + 34, 66}}, ink->colour, 2, false, ink->dashes});
+    add_text(drawing, x + 42, 71, ink->name, kInk);
+    x += 62 + 9.0 * static_cast<double>(std::string(ink->name).size());
+  }
+  drawing.items.emplace_back(DrawnLine{{{x, 66}, {x + 34, 66}}, kAxis, 2, false, {}});
+  add_text(drawing, x + 42, 71, "tool axis", kInk);
+}
+
+std::string size_text(const Toolpath& path, const Box3& box) {
+  const double factor = mm_per(path.unit);
+  const Vec3 size = (box.max() - box.min()) / factor;
+  std::string text = path.dialect + ", " + std::to_string(path.moves.size()) + " moves, box ";
+  for (Eigen::Index i = 0; i < 3; ++i) text += (i > 0 ? " x " : "") + fixed_text(size[i], 2);
+  return text + " " + unit_name(path.unit);
+}
+
+}  // namespace
+
+Drawing draw_path(const Toolpath& path) {
+  Drawing drawing;
+  drawing.width = kWidth;
+  drawing.height = kHeight;
+  const Box3 box = describe_path(path).box;
+  add_text(drawing, kMargin, 36,
+           path.file.substr(path.file.find_last_of('/') + 1) + ": " + size_text(path, box), kInk, 20);
+  draw_legend(path, drawing);
+  const double half = (kWidth - 3 * kMargin) / 2, tall = kHeight - kTitle - kMargin;
+  const double low = (tall - kMargin) / 2;
+  const Vec3 askew_right = Vec3(1, 1, 0).normalized();
+  const Vec3 askew_up = Vec3(-1, 1, 2).normalized();
+  Panel top{kMargin, kTitle, half, low, "from above: x right, y up", Vec3::UnitX(), Vec3::UnitY()};
+  Panel front{kMargin,       kTitle + low + kMargin, half, low, "from the front: x right, z up",
+              Vec3::UnitX(), Vec3::UnitZ()};
+  Panel askew{2 * kMargin + half, kTitle, half, tall, "askew, from -y and +x: z up", askew_right, askew_up};
+  for (const Panel& panel : {top, front, askew}) draw_panel(path, panel, box, drawing);
+  return drawing;
+}
+
+Result<std::string> plot_path(const Toolpath& path, bool is_svg) {
+  const Drawing drawing = draw_path(path);
+  if (is_svg) return render_svg(drawing);
+  return render_png(drawing);
+}
+
+}  // namespace gouge
