@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "lib/geom/vec.h"
@@ -15,12 +16,13 @@ struct TriangleFoot {
   TriangleFeature feature = TriangleFeature::face;
   /// Edge: from corner `index` to the next one. Corner: that corner. Face: 0.
   std::size_t index = 0;
+  double least_weight = 0;  ///< Face: the smallest barycentric coordinate of the foot; 0 elsewhere.
 };
 
 namespace detail {
 
 inline TriangleFoot foot_at(const Vec3& p, const Vec3& foot, TriangleFeature feature, std::size_t index) {
-  return {foot, (p - foot).squaredNorm(), feature, index};
+  return {foot, (p - foot).squaredNorm(), feature, index, 0};
 }
 
 /// On the edge from corner `k` to the next; its ends are told as corners.
@@ -65,7 +67,9 @@ inline TriangleFoot foot_on_rim(const Vec3& p, const std::array<Vec3, 3>& t) {
   const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
   if (va > 0 && vb > 0 && vc > 0) {
     const double scale = 1 / (va + vb + vc);
-    return foot_at(p, t[0] + (vb * scale) * ab + (vc * scale) * ac, TriangleFeature::face, 0);
+    TriangleFoot foot = foot_at(p, t[0] + (vb * scale) * ab + (vc * scale) * ac, TriangleFeature::face, 0);
+    foot.least_weight = scale * std::min({va, vb, vc});
+    return foot;
   }
   return detail::foot_on_rim(p, t);
 }

@@ -115,7 +115,8 @@ void verify_children(const KdopTree& tree, std::size_t n, std::vector<std::strin
     const float* const inner = tree.bounds_of(node.first + k);
     bool is_inside = tree.nodes[node.first + k].level == node.level + 1;
     for (std::size_t i = 0; i < tree.stride; ++i) {
-      is_inside = is_inside && outer[i] <= inner[i] && inner[tree.stride + i] <= outer[tree.stride + i];
+      is_inside =
+          is_inside && outer[low_slot(i)] <= inner[low_slot(i)] && inner[high_slot(i)] <= outer[high_slot(i)];
     }
     if (!is_inside)
       broken.push_back("node " + std::to_string(node.first + k) + " leaves its parent " + std::to_string(n));
@@ -148,8 +149,8 @@ void write_intervals(const DirectionSet& directions, std::span<const Vec3> point
       low -= slack_mm;
       high += slack_mm;
     }
-    intervals[i] = static_cast<float>(low);
-    intervals[stride + i] = static_cast<float>(high);
+    intervals[low_slot(i)] = static_cast<float>(low);
+    intervals[high_slot(i)] = static_cast<float>(high);
   }
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "lib/mesh/mesh_findings.h"
+#include "lib/penetration/below_facets.h"
+#include "lib/penetration/inner_reach.h"
 
 namespace gouge {
 namespace {
@@ -25,7 +27,8 @@ std::array<Vec3, 3> corners_of(const IndexedMesh& mesh, std::size_t triangle) {
 /// Intervals of a facet, its offset facet, and with complete coverage of all within the depth.
 class FacetBounds {
  public:
-  FacetBounds(const DepthBody& body, double slack) : body_(body), slack_(slack), own_(2 * body.tree.stride) {}
+  FacetBounds(const DepthBody& body, const InnerReach& reach, double slack)
+      : body_(body), reach_(reach), slack_(slack) {}
 
   void operator()(std::uint32_t triangle, float* intervals) {
     const DepthBodyOptions& options = body_.options;
@@ -37,14 +40,19 @@ class FacetBounds {
     }
     write_intervals(options.directions, both, slack_, intervals);
     if (options.coverage == Coverage::offset) return;
-    write_intervals(options.directions, facet, slack_ + options.depth_mm, own_.data());
-    unite_intervals(intervals, own_.data(), interval_stride(options.directions.axes.size()));
+    for (std::size_t i = 0; i < options.directions.axes.size(); ++i) {
+      const Vec3& u = options.directions.axes[i];
+      const double high = reach_.above(triangle, u, options.depth_mm) + slack_;
+      const double low = -reach_.above(triangle, -u, options.depth_mm) - slack_;
+      intervals[low_slot(i)] = std::min(intervals[low_slot(i)], static_cast<float>(low));
+      intervals[high_slot(i)] = std::max(intervals[high_slot(i)], static_cast<float>(high));
+    }
   }
 
  private:
   const DepthBody& body_;
+  const InnerReach& reach_;
   double slack_;
-  std::vector<float> own_;
 };
 
 FacetRecord record_of(const std::array<Vec3, 3>& facet, const Vec3& normal) {
@@ -110,10 +118,12 @@ void fill_boxes(DepthBody& body) {
 DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
   const MeshAdjacency adjacency(mesh);
   const bool is_solid = find_mesh_findings(mesh, adjacency).is_solid();
-  std::vector<VertexOffset> offsets = offset_vertices(mesh, adjacency, options.normals);
-  SurfaceSign sign(mesh, adjacency);
-  DepthBody body{std::move(mesh), options, std::move(offsets), std::move(sign), {}, {}, {}, {}, {}, 0,
-                 is_solid};
+  DepthBody body;
+  body.options = options;
+  body.is_solid = is_solid;
+  body.offsets = offset_vertices(mesh, adjacency, options.normals);
+  body.sign = SurfaceSign(mesh, adjacency);
+  body.mesh = std::move(mesh);
   const double reach = largest_coordinate(body.mesh) + (1 + kLongestOffset) * options.depth_mm;
   body.slack_mm = static_cast<float>(kSingle * reach);
   std::vector<Vec3> centres;
@@ -122,8 +132,9 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
     const std::array<Vec3, 3> facet = corners_of(body.mesh, t);
     centres.emplace_back((facet[0] + facet[1] + facet[2]) / 3.0);
   }
-  body.tree.stride = interval_stride(options.directions.axes.size());
-  FacetBounds bounds(body, kSingle * reach);
+  const std::vector<Vec3> normals = face_normals(body.mesh);
+  const InnerReach inner(body.mesh, adjacency, normals);
+  FacetBounds bounds(body, inner, kSingle * reach);
   body.tree = build_kdop_tree(options.directions, centres, {options.width, options.leaf_triangles},
                               [&bounds](std::uint32_t t, float* intervals) { bounds(t, intervals); });
   for (const std::uint32_t t : body.tree.order) {
@@ -132,6 +143,8 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
     body.bisectors.push_back(bisectors_of(body, adjacency, t));
   }
   fill_boxes(body);
+  body.is_clear_below = facets_clear_below(body);
+  if (body.is_solid) body.depths = DepthGrid(body);
   return body;
 }
 

@@ -7,6 +7,7 @@
 #include "lib/kdop/kdop_tree.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/offset/vertex_offsets.h"
+#include "lib/penetration/depth_grid.h"
 #include "lib/penetration/surface_sign.h"
 
 // The body that stands still, as polygons: a k-DOP tree whose volumes carry depth (thesis 4.6.2), so that a
@@ -50,6 +51,10 @@ struct DepthBody {
   std::vector<BisectorNormals> bisectors;
   /// Six numbers a node: the box of its facets without depth, lower ends first, not above the true ones.
   std::vector<float> boxes;
+  /// By place: nothing else of the surface crosses the prism of height depth_mm below the facet, so a point
+  /// in it is inside.
+  std::vector<std::uint8_t> is_clear_below;
+  DepthGrid depths;       ///< tells what is deeper than depth_mm; empty unless is_solid
   float slack_mm = 0;     ///< single precision may be off by this
   bool is_solid = false;  ///< closed, oriented, outward: inside means something
 };

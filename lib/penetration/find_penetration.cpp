@@ -1,7 +1,6 @@
 #include "lib/penetration/find_penetration.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace gouge {
 namespace {
@@ -9,24 +8,10 @@ namespace {
 constexpr float kSingle = 8.0F / (1 << 24);
 constexpr std::size_t kFloatsPerBlock = 12;
 
-/// Smallest and largest a . p over blocks of points.
-void project(const float* blocks, std::size_t count, float ax, float ay, float az, float& low, float& high) {
-  const Float4 x = all4(ax), y = all4(ay), z = all4(az);
-  Float4 least = all4(std::numeric_limits<float>::max()), most = -least;
-  for (std::size_t b = 0; b < count; ++b) {
-    const float* const p = blocks + kFloatsPerBlock * b;
-    const Float4 at = x * load4(p) + y * load4(p + 4) + z * load4(p + 8);
-    least = min4(least, at);
-    most = max4(most, at);
-  }
-  low = lowest4(least);
-  high = highest4(most);
-}
-
-float size_of(const float* volume, std::size_t stride) {
-  float size = 0;
-  for (std::size_t i = 0; i < 3; ++i) size = std::max(size, volume[stride + i] - volume[i]);
-  return size;
+/// Largest side along x, y and z, the first axes of most families.
+float size_of(const float* volume) {
+  return std::max({volume[high_slot(0)] - volume[low_slot(0)], volume[high_slot(1)] - volume[low_slot(1)],
+                   volume[high_slot(2)] - volume[low_slot(2)]});
 }
 
 }  // namespace
@@ -38,7 +23,7 @@ PenetrationFinder::PenetrationFinder(const DepthBody& body, const PointBody& poi
       options_(options),
       narrow_(body, options.mode),
       stride_(body.tree.stride),
-      axes_(3 * stride_, 0.0F),
+      axes_(body.tree.directions),
       shifts_(stride_, 0.0F),
       turned_(2 * stride_ * points.tree.nodes.size()),
       turn_of_(points.tree.nodes.size(), 0) {
@@ -53,7 +38,11 @@ const PenetrationAnswer& PenetrationFinder::find(const RigidTransform& pose) {
   if (points_.tree.nodes.empty() || body_.tree.nodes.empty()) return answer_;
   const bool is_turned = !has_turned_ || (pose.rotation.array() != pose_.rotation.array()).any();
   pose_ = pose;
-  if (is_turned) turn_axes();
+  if (is_turned) {
+    axes_.turn(pose.rotation);
+    has_turned_ = true;
+    ++turn_;
+  }
   for (std::size_t i = 0; i < body_.tree.directions.axes.size(); ++i)
     shifts_[i] = static_cast<float>(body_.tree.directions.axes[i].dot(pose.shift));
   slack_ = kSingle * static_cast<float>(points_.reach_mm + pose.shift.cwiseAbs().maxCoeff());
@@ -62,17 +51,6 @@ const PenetrationAnswer& PenetrationFinder::find(const RigidTransform& pose) {
   std::sort(answer_.contacts.begin(), answer_.contacts.end(),
             [](const PointContact& a, const PointContact& b) { return a.point < b.point; });
   return answer_;
-}
-
-void PenetrationFinder::turn_axes() {
-  const std::vector<Vec3>& axes = body_.tree.directions.axes;
-  for (std::size_t i = 0; i < axes.size(); ++i) {
-    const Vec3 turned = pose_.rotation.transpose() * axes[i];
-    for (std::size_t k = 0; k < 3; ++k)
-      axes_[k * stride_ + i] = static_cast<float>(turned[static_cast<int>(k)]);
-  }
-  has_turned_ = true;
-  ++turn_;
 }
 
 void PenetrationFinder::visit(std::uint32_t index, const List& candidates) {
@@ -84,7 +62,7 @@ void PenetrationFinder::visit(std::uint32_t index, const List& candidates) {
   if (has_volume) {
     float* const volume = volume_.data() + 2 * stride_ * node.level;
     update_volume(index, volume);
-    near = refine(volume, size_of(volume, stride_), candidates);
+    near = refine(volume, size_of(volume), candidates);
   }
   if (near.is_empty()) {
     tell_lump(index);
@@ -125,7 +103,7 @@ PenetrationFinder::List PenetrationFinder::refine(const float* volume, float siz
     if (!do_overlap(volume, bounds, stride_)) continue;
     const KdopNode& node = body_.tree.nodes[index];
     answer_.counters.static_level = std::max<std::uint32_t>(answer_.counters.static_level, node.level);
-    if (node.children == 0 || size_of(bounds, stride_) < size) {
+    if (node.children == 0 || size_of(bounds) < size) {
       stack_.push_back(index);
       continue;
     }
@@ -141,36 +119,27 @@ void PenetrationFinder::update_volume(std::uint32_t index, float* volume) {
   if (turn_of_[index] == turn_) {
     ++answer_.counters.volumes_shifted;
   } else {
-    turn_volume(index, turned);
+    const std::uint32_t first = points_.corner_first[index];
+    axes_.bound(points_.corners.data() + kFloatsPerBlock * first, points_.corner_first[index + 1] - first,
+                turned);
     turn_of_[index] = turn_;
     answer_.counters.corners_transformed += points_.corner_count[index];
   }
   const Float4 slack = all4(slack_);
   for (std::size_t i = 0; i < stride_; i += 4) {
     const Float4 shift = load4(shifts_.data() + i);
-    store4(volume + i, load4(turned + i) + shift - slack);
-    store4(volume + stride_ + i, load4(turned + stride_ + i) + shift + slack);
-  }
-}
-
-void PenetrationFinder::turn_volume(std::uint32_t index, float* volume) {
-  const std::uint32_t first = points_.corner_first[index];
-  const float* const blocks = points_.corners.data() + kFloatsPerBlock * first;
-  const std::size_t count = points_.corner_first[index + 1] - first;
-  for (std::size_t i = 0; i < stride_; ++i) {
-    project(blocks, count, axes_[i], axes_[stride_ + i], axes_[2 * stride_ + i], volume[i],
-            volume[stride_ + i]);
+    store4(volume + 2 * i, load4(turned + 2 * i) + shift - slack);
+    store4(volume + 2 * i + 4, load4(turned + 2 * i + 4) + shift + slack);
   }
 }
 
 void PenetrationFinder::bound_points(std::uint32_t index, float* volume) {
   const std::size_t count = (points_.tree.nodes[index].item_count + 3) / 4;
   const float* const blocks = points_.leaf_points.data() + kFloatsPerBlock * points_.leaf_first[index];
+  axes_.bound(blocks, count, volume);
   for (std::size_t i = 0; i < stride_; ++i) {
-    project(blocks, count, axes_[i], axes_[stride_ + i], axes_[2 * stride_ + i], volume[i],
-            volume[stride_ + i]);
-    volume[i] += shifts_[i] - slack_;
-    volume[stride_ + i] += shifts_[i] + slack_;
+    volume[low_slot(i)] += shifts_[i] - slack_;
+    volume[high_slot(i)] += shifts_[i] + slack_;
   }
   answer_.counters.points_transformed += points_.tree.nodes[index].item_count;
 }
@@ -183,7 +152,7 @@ void PenetrationFinder::tell_lump(std::uint32_t index) {
     return pose_.point(points_.points[points_.tree.order[node.item_first + k]]);
   };
   const Vec3 first = place_of(0);
-  if (!is_in_box(first)) return;
+  if (!may_be_deep(first)) return;
   ++answer_.counters.inside_tests;
   const auto foot = nearest_foot(body_, first);
   if (!foot || !foot->is_inside) return;
@@ -197,19 +166,19 @@ void PenetrationFinder::test_points(std::uint32_t index) {
     const std::uint32_t point = points_.tree.order[node.item_first + k];
     const Vec3 place = pose_.point(points_.points[point]);
     const NarrowAnswer found = narrow_.test(place, answer_.counters);
-    if (found.side == NarrowAnswer::Side::inside && found.depth_mm > 0) {
+    if (found.is_inside && found.depth_mm > 0) {
       answer_.contacts.push_back(
           {{place, found.normal, found.depth_mm, options_.body, body_.mesh.file_triangle[found.triangle]},
            point,
            false});
-    } else if (found.side == NarrowAnswer::Side::unknown && options_.mode == NarrowMode::exact) {
+    } else if (!found.is_inside && options_.mode == NarrowMode::exact) {
       tell_if_deep(point, place);
     }
   }
 }
 
 void PenetrationFinder::tell_if_deep(std::uint32_t point, const Vec3& place) {
-  if (!options_.is_deeper_told || !is_in_box(place)) return;
+  if (!options_.is_deeper_told || !may_be_deep(place)) return;
   ++answer_.counters.inside_tests;
   const auto foot = nearest_foot(body_, place);
   if (!foot || !foot->is_inside) return;
@@ -219,12 +188,12 @@ void PenetrationFinder::tell_if_deep(std::uint32_t point, const Vec3& place) {
        foot->distance_mm > body_.options.depth_mm});
 }
 
-bool PenetrationFinder::is_in_box(const Vec3& place) const {
+bool PenetrationFinder::may_be_deep(const Vec3& place) const {
   const float* const box = body_.boxes.data();
   for (int i = 0; i < 3; ++i) {
     if (place[i] < static_cast<double>(box[i]) || place[i] > static_cast<double>(box[i + 3])) return false;
   }
-  return true;
+  return body_.depths.at(place) != DepthGrid::Answer::not_deeper;
 }
 
 }  // namespace gouge

@@ -10,6 +10,7 @@
 #include "lib/penetration/depth_body.h"
 #include "lib/penetration/narrow_phase.h"
 #include "lib/penetration/point_body.h"
+#include "lib/penetration/turned_axes.h"
 
 namespace gouge {
 
@@ -55,17 +56,15 @@ class PenetrationFinder {
     [[nodiscard]] bool is_empty() const { return first == last; }
   };
 
-  void turn_axes();
   void visit(std::uint32_t node, const List& candidates);
   void visit_leaf(std::uint32_t node, const List& candidates);
   List refine(const float* volume, float size, const List& candidates);
   void update_volume(std::uint32_t node, float* volume);
-  void turn_volume(std::uint32_t node, float* volume);
   void bound_points(std::uint32_t node, float* volume);
   void tell_lump(std::uint32_t node);
   void test_points(std::uint32_t node);
   void tell_if_deep(std::uint32_t point, const Vec3& place);
-  [[nodiscard]] bool is_in_box(const Vec3& place) const;
+  [[nodiscard]] bool may_be_deep(const Vec3& place) const;
 
   const DepthBody& body_;
   const PointBody& points_;
@@ -75,10 +74,10 @@ class PenetrationFinder {
   RigidTransform pose_;
   bool has_turned_ = false;
   std::size_t stride_ = 0;
-  float slack_ = 0;            ///< what single precision may be off at this pose
-  std::vector<float> axes_;    ///< the body's axes in the moving frame, x then y then z, `stride_` each
-  std::vector<float> shifts_;  ///< projections of the pose's shift
-  std::vector<float> turned_;  ///< by node: intervals before the shift
+  float slack_ = 0;  ///< what single precision may be off at this pose
+  TurnedAxes axes_;
+  std::vector<float> shifts_;           ///< projections of the pose's shift
+  std::vector<float> turned_;           ///< by node: intervals before the shift
   std::vector<std::uint32_t> turn_of_;  ///< by node: rotation its intervals belong to
   std::uint32_t turn_ = 0;
   std::vector<std::uint32_t> stack_, pending_;

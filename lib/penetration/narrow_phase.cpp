@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lib/kdop/float4.h"
+#include "lib/penetration/below_facets.h"
 
 namespace gouge {
 namespace {
@@ -90,15 +91,28 @@ NarrowAnswer NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counte
     place = other;
     within = static_cast<float>(std::sqrt(best.distance2_mm2)) + slack;
   }
-  const SurfaceFoot foot = signed_foot(body_, point, place, best);
-  NarrowAnswer answer;
-  if (foot.distance_mm > body_.options.depth_mm) return answer;
-  answer.side = foot.is_inside ? NarrowAnswer::Side::inside : NarrowAnswer::Side::outside;
-  answer.depth_mm = foot.distance_mm;
-  answer.normal = foot.normal;
-  answer.triangle = foot.triangle;
-  if (!foot.is_inside) ++counters.false_positives;
-  return answer;
+  return judge(point, place, best, counters);
+}
+
+/// The nearest facet that was given is the nearest of all if the point is inside. Whether it is, the face
+/// tells when nothing else lies between; edges and vertices ask the whole surface.
+NarrowAnswer NarrowPhase::judge(const Vec3& point, std::uint32_t place, const TriangleFoot& nearest,
+                                PenetrationCounters& counters) const {
+  SurfaceFoot foot = signed_foot(body_, point, place, nearest);
+  if (!foot.is_inside || foot.distance_mm > body_.options.depth_mm) {
+    ++counters.false_positives;
+    return {};
+  }
+  const bool is_sure = nearest.least_weight > kFaceRim && body_.is_clear_below[place] != 0;
+  if (!is_sure) {
+    ++counters.inside_tests;
+    if (const auto other = nearest_foot(body_, point, foot.distance_mm)) foot = *other;
+    if (!foot.is_inside) {
+      ++counters.false_positives;
+      return {};
+    }
+  }
+  return {true, foot.distance_mm, foot.normal, foot.triangle};
 }
 
 NarrowAnswer NarrowPhase::by_planes(const Vec3& point, PenetrationCounters& counters) const {
@@ -119,8 +133,8 @@ NarrowAnswer NarrowPhase::by_planes(const Vec3& point, PenetrationCounters& coun
       ++counters.false_positives;
       continue;
     }
-    if (answer.side == NarrowAnswer::Side::inside && depth >= answer.depth_mm) continue;
-    answer = {NarrowAnswer::Side::inside, depth, normal, body_.tree.order[place]};
+    if (answer.is_inside && depth >= answer.depth_mm) continue;
+    answer = {true, depth, normal, body_.tree.order[place]};
   }
   return answer;
 }

@@ -18,9 +18,8 @@ enum class NarrowMode {
 };
 
 struct NarrowAnswer {
-  enum class Side { outside, inside, unknown };
-  Side side = Side::unknown;  ///< unknown: no facet is within the depth
-  double depth_mm = 0;        ///< inside: to the surface
+  bool is_inside = false;  ///< and within the depth; else it is outside, or deeper
+  double depth_mm = 0;     ///< to the surface
   Vec3 normal = Vec3::UnitZ();
   std::uint32_t triangle = 0;  ///< of body.mesh
 };
@@ -46,6 +45,8 @@ class NarrowPhase {
 
   bool filter(const Vec3& point);
   [[nodiscard]] NarrowAnswer nearest(const Vec3& point, PenetrationCounters& counters) const;
+  [[nodiscard]] NarrowAnswer judge(const Vec3& point, std::uint32_t place, const TriangleFoot& nearest,
+                                   PenetrationCounters& counters) const;
   [[nodiscard]] NarrowAnswer by_planes(const Vec3& point, PenetrationCounters& counters) const;
   [[nodiscard]] bool is_in_volume(std::uint32_t node, const float* projections) const;
   [[nodiscard]] bool is_within_bisectors(const Vec3& point, std::uint32_t place) const;

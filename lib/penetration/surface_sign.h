@@ -20,6 +20,7 @@ namespace gouge {
 ///         vertices whose normals cancel) have no normal; there the winding number decides.
 class SurfaceSign {
  public:
+  SurfaceSign() = default;
   SurfaceSign(const IndexedMesh& mesh, const MeshAdjacency& adjacency);
 
   /// Outward direction at a foot on `triangle`: zero where the winding number must be asked.

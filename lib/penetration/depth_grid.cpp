@@ -1,0 +1,113 @@
+#include "lib/penetration/depth_grid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lib/penetration/depth_body.h"
+#include "lib/penetration/nearest_foot.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kMostCells = 4e6;
+constexpr double kRoundUp = 1 + 1e-9;
+
+}  // namespace
+
+DepthGrid::DepthGrid(const DepthBody& body) {
+  const Box3 box = body.mesh.box();
+  const Vec3 size = box.sizes();
+  cell_mm_ = body.options.depth_mm / (std::numbers::sqrt3 * kRoundUp);
+  const auto cells_at = [&](double cell) {
+    return (size.x() / cell + 1) * (size.y() / cell + 1) * (size.z() / cell + 1);
+  };
+  while (cells_at(cell_mm_) > kMostCells) cell_mm_ *= 1.2;
+  low_ = box.min();
+  for (int i = 0; i < 3; ++i)
+    counts_[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(size[i] / cell_mm_)) + 1;
+  std::vector<std::uint8_t> is_near(index({counts_[0] - 1, counts_[1] - 1, counts_[2] - 1}) + 1, 0);
+  mark_surface(body, is_near);
+  const bool is_fine = cell_mm_ * std::numbers::sqrt3 <= body.options.depth_mm;
+  cells_.assign(is_near.size(), is_fine ? Answer::not_deeper : Answer::ask);
+  fill(body, is_near);
+}
+
+std::size_t DepthGrid::index(const std::array<int, 3>& c) const {
+  return (static_cast<std::size_t>(c[2]) * static_cast<std::size_t>(counts_[1]) +
+          static_cast<std::size_t>(c[1])) *
+             static_cast<std::size_t>(counts_[0]) +
+         static_cast<std::size_t>(c[0]);
+}
+
+Vec3 DepthGrid::centre(const std::array<int, 3>& c) const {
+  return low_ + cell_mm_ * Vec3(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5);
+}
+
+void DepthGrid::mark_surface(const DepthBody& body, std::vector<std::uint8_t>& is_near) const {
+  const double half = 0.5 * cell_mm_ * std::numbers::sqrt3 * kRoundUp;
+  for (const std::array<Vec3, 3>& facet : body.corners) {
+    Box3 box;
+    for (const Vec3& corner : facet) box.extend(corner);
+    std::array<int, 3> first{}, last{};
+    for (int i = 0; i < 3; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const auto cell = [&](double x) { return static_cast<int>(std::floor((x - low_[i]) / cell_mm_)); };
+      first[k] = std::max(0, cell(box.min()[i] - half));
+      last[k] = std::min(counts_[k] - 1, cell(box.max()[i] + half));
+    }
+    for (int z = first[2]; z <= last[2]; ++z) {
+      for (int y = first[1]; y <= last[1]; ++y) {
+        for (int x = first[0]; x <= last[0]; ++x) {
+          std::uint8_t& mark = is_near[index({x, y, z})];
+          if (mark != 0) continue;
+          if (closest_on_triangle(centre({x, y, z}), facet).distance2_mm2 <= half * half) mark = 1;
+        }
+      }
+    }
+  }
+}
+
+void DepthGrid::fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near) {
+  std::vector<std::uint8_t> is_done = is_near;
+  std::vector<std::array<int, 3>> open;
+  for (int z = 0; z < counts_[2]; ++z) {
+    for (int y = 0; y < counts_[1]; ++y) {
+      for (int x = 0; x < counts_[0]; ++x) {
+        if (is_done[index({x, y, z})] != 0) continue;
+        const auto foot = nearest_foot(body, centre({x, y, z}));
+        const Answer answer = foot && foot->is_inside ? Answer::inside : Answer::not_deeper;
+        is_done[index({x, y, z})] = 1;
+        open.assign(1, {x, y, z});
+        while (!open.empty()) {
+          const std::array<int, 3> at = open.back();
+          open.pop_back();
+          cells_[index(at)] = answer;
+          for (std::size_t axis = 0; axis < 3; ++axis) {
+            for (const int step : {-1, 1}) {
+              std::array<int, 3> next = at;
+              next[axis] += step;
+              if (next[axis] < 0 || next[axis] >= counts_[axis] || is_done[index(next)] != 0) continue;
+              is_done[index(next)] = 1;
+              open.push_back(next);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+DepthGrid::Answer DepthGrid::at(const Vec3& point) const {
+  if (cells_.empty()) return Answer::ask;
+  std::array<int, 3> cell{};
+  for (int i = 0; i < 3; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    const double at = (point[i] - low_[i]) / cell_mm_;
+    if (!(at >= 0) || at >= counts_[k]) return Answer::not_deeper;
+    cell[k] = static_cast<int>(at);
+  }
+  return cells_[index(cell)];
+}
+
+}  // namespace gouge
