@@ -71,6 +71,17 @@ void set_core(CompiledTool& tool) {
   tool.core_depth_mm = depth_on_axis(tool, best);
 }
 
+// Within a crack or a blade narrower than rounding two elements tie that know opposite sides: only the tree's
+// cuts tell them apart, so a tool with a cusp goes without borders.
+void set_borders(CompiledTool& tool) {
+  for (const detail::DirectedLine& line : detail::make_domains(tool.elements).lines) {
+    const bool is_cusp =
+        !tool.borders.empty() && tool.borders.back().direction.dot(line.direction) < -1 + 1e-12;
+    if (is_cusp) return tool.borders.clear();
+    tool.borders.push_back({line.through, line.direction, 0});
+  }
+}
+
 }  // namespace
 
 CompiledTool compile_tool(const std::string& name, const Profile& profile) {
@@ -80,8 +91,7 @@ CompiledTool compile_tool(const std::string& name, const Profile& profile) {
   if (tool.elements.empty()) return tool;
   set_support_ranges(profile, tool.elements);
   tool.nodes = build_bsp(tool.elements);
-  for (const detail::DirectedLine& line : detail::make_domains(tool.elements).lines)
-    tool.borders.push_back({line.through, line.direction, 0});
+  set_borders(tool);
   set_extent(tool);
   set_core(tool);
   return tool;

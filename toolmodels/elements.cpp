@@ -33,17 +33,37 @@ BoundaryElement boundary(const ProfileElement& e) {
   return element;
 }
 
-std::optional<BoundaryElement> vertex(const Vec2& at, const Vec2& before, const Vec2& after, Body body,
-                                      double smooth_turn = kStraightTurn) {
-  const double turn = cross(before, after);
-  if (std::abs(turn) <= smooth_turn && before.dot(after) > 0) return std::nullopt;
+// How much more the contour bends to the left behind a point where it turns back than before it, seen in the
+// direction both ways share: above 0 they enclose a crack, below 0 a blade.
+double opening(const ProfileElement& e, const ProfileElement& next) {
+  const auto bend = [](const ProfileElement& p) {
+    return p.is_arc ? (p.is_concave ? -1 : 1) / p.radius_mm : 0.0;
+  };
+  return bend(next) + bend(e);
+}
+
+struct Joint {
+  Vec2 at, before, after;  // place, and directions of travel
+  Body body = Body::cutter;
+  double smooth_turn = kStraightTurn;
+  double opening = 0;
+};
+
+std::optional<BoundaryElement> vertex(const Joint& joint) {
+  const double turn = cross(joint.before, joint.after);
+  const bool is_along = std::abs(turn) <= joint.smooth_turn;
+  const bool is_back = joint.before.dot(joint.after) < 0;
+  if (is_along && !is_back) return std::nullopt;
   BoundaryElement element;
   element.kind = ElementKind::vertex;
-  element.body = body;
-  element.is_reflex = turn < 0;
-  element.a = element.b = at;
-  const Vec2 mean = outward_normal(before) + outward_normal(after);
-  element.normal = mean.norm() > 1e-9 ? Vec2(mean.normalized()) : before;
+  element.body = joint.body;
+  element.a = element.b = joint.at;
+  // At a cusp the rounding of the turn says nothing.
+  const bool is_cusp = is_along && is_back && std::abs(joint.opening) > 0;
+  element.is_reflex = is_cusp ? joint.opening > 0 : turn < 0;
+  const Vec2 mean = outward_normal(joint.before) + outward_normal(joint.after);
+  const Vec2 along = element.is_reflex ? joint.after : joint.before;
+  element.normal = !is_cusp && mean.norm() > 1e-9 ? Vec2(mean.normalized()) : along;
   return element;
 }
 
@@ -104,17 +124,17 @@ std::vector<BoundaryElement> make_elements(const Profile& profile) {
     if (e) elements.push_back(*e);
   };
   const Vec2 first = start_direction(parts.front());
-  add(vertex(parts.front().a, mirrored_travel(first), first, parts.front().body));
+  add(vertex({parts.front().a, mirrored_travel(first), first, parts.front().body}));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     elements.push_back(boundary(parts[i]));
     if (i + 1 == parts.size()) break;
     // Between two bodies the lower one names the vertex.
     const double smooth_turn = parts[i].is_arc || parts[i + 1].is_arc ? kSmoothTurn : kStraightTurn;
-    add(vertex(parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body,
-               smooth_turn));
+    add(vertex({parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body,
+                smooth_turn, opening(parts[i], parts[i + 1])}));
   }
   const Vec2 last = end_direction(parts.back());
-  add(vertex(parts.back().b, last, mirrored_travel(last), parts.back().body));
+  add(vertex({parts.back().b, last, mirrored_travel(last), parts.back().body}));
   put_smooth_joints_right(elements);
   return elements;
 }

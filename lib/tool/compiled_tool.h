@@ -72,7 +72,8 @@ struct DomainBorder {
 struct CompiledTool {
   std::string name;
   std::vector<BoundaryElement> elements;
-  std::vector<DomainBorder> borders;  ///< borders[i] lies between elements[i] and elements[i + 1]
+  /// borders[i] lies between elements[i] and elements[i + 1]; none when the contour turns back on itself.
+  std::vector<DomainBorder> borders;
   std::vector<BspNode> nodes;  ///< nodes[0] is the root; empty when there is a single element
   double z_min_mm = 0, z_max_mm = 0, r_max_mm = 0;
   /// A point on the axis (r = 0) deepest inside the cutter's part of the solid; of the whole solid when the

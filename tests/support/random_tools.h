@@ -16,9 +16,9 @@
 #include "toolmodels/elements.h"
 #include "toolmodels/unite.h"
 
-// Random valid tools, the same for a seed on every run: assemblies with and without growth, and profiles
-// drawn freely, with convex and concave arcs, fillets, undercuts, necks, hollow bottoms, steps a millionth of
-// the tool's size, and corners on a grid, where distances tie exactly.
+// Random valid tools, the same for a seed on every run: assemblies of every shape of cutter, with and without
+// growth, and profiles drawn freely, with convex and concave arcs, fillets, undercuts, necks, hollow bottoms,
+// steps a millionth of the tool's size, and corners on a grid, where distances tie exactly.
 
 namespace gouge::test {
 
@@ -158,10 +158,12 @@ inline std::vector<ToolSegment> random_segments(SplitMix64& random, std::uint64_
   return list;
 }
 
+// Dimensions that often make a tool; those that do not are refused by make_body_profiles.
 inline Cutter random_cutter(SplitMix64& random) {
   const double d = random.uniform(0.5, 40), length = random.uniform(0.8 * d, 60 + d);
   const double corner = random.uniform(0, d / 2);
-  switch (random.next() % 6) {
+  const auto part = [&](double low, double high) { return d * random.uniform(low, high); };
+  switch (random.next() % 18) {
     case 0:
       return FlatCutter{d, length};
     case 1:
@@ -172,9 +174,51 @@ inline Cutter random_cutter(SplitMix64& random) {
       return TaperedCutter{d, corner, random.uniform(-8, 40), length};
     case 4:
       return TaperedCutter{d, d / 2, random.uniform(0.1, 20), length};
+    case 5:
+      return DrillCutter{d, random.uniform(60, 179), length};
+    case 6:
+      return ChamferCutter{d, part(0, 0.9), random.uniform(10, 80), random.next() % 2 == 0 ? 0 : length};
+    case 7:
+      return LollipopCutter{d, part(0.2, 0.95), random.next() % 2 == 0 ? 0 : part(0.6, 3)};
+    case 8:
+      return TSlotCutter{d, part(0, 0.1), part(0, 0.1), part(0.2, 1)};
+    case 9:
+      return SlittingSawCutter{d, part(0.01, 0.2), random.next() % 2 == 0 ? 0 : part(0.1, 0.6),
+                               part(0.02, 0.2)};
+    case 10:
+      return DovetailCutter{d, part(0, 0.05), random.uniform(5, 40), part(0.1, 0.5)};
+    case 11:
+      return BarrelCutter{d, part(1, 40), part(0, 0.2), random.uniform(0, 15), part(0.2, 1), part(1, 2)};
+    case 12:
+      return OvalCutter{d, part(0.02, 0.4), part(0.6, 20), length};
+    case 13:
+      return LensCutter{d, part(0.6, 10), part(0.01, 0.3), length};
+    case 14: {
+      const bool is_hollow = random.next() % 2 == 0;
+      return FaceMillCutter{d,
+                            part(0, 0.05),
+                            random.uniform(5, 60),
+                            part(1.05, 1.5),
+                            is_hollow ? part(0.2, 0.8) : 0,
+                            is_hollow ? part(0.05, 0.3) : 0,
+                            length};
+    }
+    case 15:
+      return RadiusCutter{d, part(0, 0.3), part(0.1, 0.6), random.next() % 2 == 0 ? 0 : part(2.3, 3), length};
     default:
       return AptCutter{d, 0.4 * corner, 0, 0, random.uniform(0, 50), random.uniform(-8, 30), length};
   }
+}
+
+/// The union of bodies grown by what `most` allows each; nothing when they do not make one tool.
+inline std::optional<Profile> united(SplitMix64& random, const std::vector<const Profile*>& bodies,
+                                     const std::vector<double>& most) {
+  std::vector<GrownBody> grown;
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    grown.push_back({bodies[i], random.uniform(0, 1) * most[i]});
+  Result<Profile> all = unite(grown);
+  if (!all) return std::nullopt;
+  return std::move(all.value());
 }
 
 inline Profile random_assembly_profile(SplitMix64& random) {
@@ -185,10 +229,18 @@ inline Profile random_assembly_profile(SplitMix64& random) {
     tool.holder = random_segments(random, 4);
     const Result<BodyProfiles> bodies = make_body_profiles(tool);
     if (!bodies) continue;
-    const bool is_grown = random.next() % 2 == 0;
-    const auto growth = [&](double most) { return is_grown ? random.uniform(0, most) : 0.0; };
-    return unite({{&(*bodies)[0], growth(1)}, {&(*bodies)[1], growth(2)}, {&(*bodies)[2], growth(5)}})
-        .value();
+    const double grows = random.next() % 2 == 0 ? 1 : 0;
+    const auto& [cutter, shank, holder] = *bodies;
+    if (auto all = united(random, {&cutter, &shank, &holder}, {grows, 2 * grows, 5 * grows})) return *all;
+  }
+}
+
+// Grown undercuts may close and hollows fill; what is left is one contour all the same.
+inline Profile random_grown_profile(SplitMix64& random) {
+  for (;;) {
+    const bool is_free = random.next() % 2 == 0;
+    const Profile bare = random_free_profile(random, {true, is_free, is_free, false, 0.05});
+    if (auto all = united(random, {&bare}, {0.2 * size_of(bare)})) return *all;
   }
 }
 
@@ -199,10 +251,8 @@ inline RandomTool random_tool(std::uint64_t seed) {
     case 0:
     case 1:
       return {"assembly" + number, random_assembly_profile(random)};
-    case 2: {
-      const Profile bare = random_free_profile(random, {true, false, false, false, 0.05});
-      return {"free, grown" + number, unite({{&bare, size_of(bare) * random.uniform(0.001, 0.2)}}).value()};
-    }
+    case 2:
+      return {"free, grown" + number, random_grown_profile(random)};
     case 3:
       return {"free" + number, random_free_profile(random, {})};
     case 4:

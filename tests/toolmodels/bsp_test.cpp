@@ -228,6 +228,25 @@ TEST(Bsp, RandomAssembliesGiveTheDistanceOfTheBruteForce) {
   EXPECT_EQ(built, 200);
 }
 
+// A rounded head under a wider shank: arc and face touch at a cusp, where the rounding of the turn has no
+// say.
+TEST(Bsp, ACrackBetweenAnArcAndAFaceIsReflex) {
+  for (const double shift : {0.0, 1e-16, -1e-16, 3e-9, -3e-9}) {
+    Profile profile;
+    profile.elements = {make_segment(Body::cutter, {0, 0}, {6, 0}),
+                        make_convex_arc(Body::cutter, {6, 0}, {5 + shift, 2}, {5, 1}, 1),
+                        make_segment(Body::shank, {5 + shift, 2}, {9, 2}),
+                        make_segment(Body::shank, {9, 2}, {9, 30}),
+                        make_segment(Body::shank, {9, 30}, {0, 30})};
+    profile.elements[0].b = profile.elements[1].a = {5, 0};
+    const CompiledTool tool = compile_tool("crack", profile);
+    EXPECT_LT(evaluate(tool, 4, 3).signed_distance_mm, 0) << shift;
+    EXPECT_LT(evaluate(tool, 4, 1.5).signed_distance_mm, 0) << shift;
+    EXPECT_GT(evaluate(tool, 7, 1.5).signed_distance_mm, 0) << shift;
+    expect_brute_force(tool, 20'000, 4);
+  }
+}
+
 TEST(Bsp, IsShallow) {
   for (const ToolAssembly& tool : test::sample_tools()) {
     const CompiledTool form = forms_of(tool).front();
