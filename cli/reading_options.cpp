@@ -9,6 +9,10 @@ void add_reading_options(CLI::App& command, ReadingArguments& arguments) {
                      "Read the toolpath as this dialect (default: its content tells): " + dialect_names());
   command.add_option("--path-units", arguments.units, "Unit of a toolpath that states none")
       ->check(CLI::IsMember({"mm", "inch"}));
+  command.add_option("--cutcom", arguments.cutcom,
+                     "centre: positions under CUTCOM are the cutter centre, with no offset dialled in (default: "
+                     "these moves are not checked)")
+      ->check(CLI::IsMember({"centre"}));
 }
 
 Result<ReadOptions> understand(const ReadingArguments& arguments) {
@@ -20,6 +24,7 @@ Result<ReadOptions> understand(const ReadingArguments& arguments) {
     }
   }
   if (!arguments.units.empty()) options.unit = arguments.units == "inch" ? LengthUnit::inch : LengthUnit::mm;
+  options.is_cutcom_centre = arguments.cutcom == "centre";
   return options;
 }
 

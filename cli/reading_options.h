@@ -13,7 +13,7 @@ namespace gouge {
 
 /// What a command line says about how its toolpath is to be read, as typed. Empty: the file tells.
 struct ReadingArguments {
-  std::string dialect, units;
+  std::string dialect, units, cutcom;
 };
 
 void add_reading_options(CLI::App& command, ReadingArguments& arguments);

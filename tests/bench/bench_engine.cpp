@@ -1,13 +1,12 @@
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <cstring>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "tests/bench/verdict_hash.h"
 #include "tests/bench/workload.h"
 
 // Times check_path over the generated work, for tuning: one line for each tool, size and group of moves.
@@ -27,37 +26,6 @@ struct Arguments {
   std::size_t density = 1;
   BenchPart part = BenchPart::wavy;
 };
-
-/// FNV-1a over everything a verdict says.
-class Hash {
- public:
-  void add(std::uint64_t word) {
-    for (int k = 0; k < 8; ++k) {
-      value_ = (value_ ^ (word & 255U)) * 1099511628211ULL;
-      word >>= 8U;
-    }
-  }
-  void add(double x) { add(std::bit_cast<std::uint64_t>(x)); }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
-
- private:
-  std::uint64_t value_ = 14695981039346656037ULL;
-};
-
-std::uint64_t hash_of(const CheckResult& result) {
-  Hash hash;
-  for (const MoveVerdict& v : result.verdicts) {
-    hash.add(static_cast<std::uint64_t>(v.state));
-    hash.add(v.depth_mm);
-    hash.add(v.depth_upper_mm);
-    if (!v.witness) continue;
-    hash.add(v.witness->t);
-    for (int k = 0; k < 3; ++k) hash.add(v.witness->point[k]);
-    for (int k = 0; k < 3; ++k) hash.add(v.witness->normal[k]);
-    hash.add(static_cast<std::uint64_t>(v.witness->triangle));
-  }
-  return hash.value();
-}
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -82,7 +50,7 @@ void time_path(const std::string& label, const Toolpath& path, const Workload& w
   std::printf("%s %2u %8zu %10.0f %9.3f %9.3f %8.1f  %zu/%zu/%zu/%zu/%zu %8.4f %016llx\n", label.c_str(), threads,
               path.moves.size(), moves / median, 1e6 * median / moves, 1e6 * times.front() / moves,
               static_cast<double>(result.evaluations) / moves, n.clean, n.near_miss, n.gouge, n.buried,
-              n.not_certified, result.worst_depth_mm, static_cast<unsigned long long>(hash_of(result)));
+              n.not_certified, result.worst_depth_mm, static_cast<unsigned long long>(VerdictHash(result).value()));
   std::fflush(stdout);
 }
 

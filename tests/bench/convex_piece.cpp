@@ -44,11 +44,51 @@ double lowest_change(const Vec3& gradient, const std::array<Vec3, 3>& t, const V
   return lowest;
 }
 
+Vec3 closest_on_segment(const Vec3& a, const Vec3& b, const Vec3& p) {
+  const Vec3 along = b - a;
+  const double length2 = along.squaredNorm();
+  return length2 > 0 ? Vec3(a + std::clamp((p - a).dot(along) / length2, 0.0, 1.0) * along) : a;
+}
+
+/// Closest point of a triangle; a good guess is enough here, whatever the triangle's shape.
+Vec3 closest_on_triangle(const std::array<Vec3, 3>& t, const Vec3& p) {
+  const Vec3 normal = (t[1] - t[0]).cross(t[2] - t[0]);
+  const double area2 = normal.squaredNorm();
+  if (area2 > 0) {
+    bool is_over = true;
+    for (std::size_t k = 0; k < 3; ++k) {
+      is_over = is_over && normal.cross(t[(k + 1) % 3] - t[k]).dot(p - t[k]) >= 0;
+    }
+    if (is_over) return p - (normal.dot(p - t[0]) / area2) * normal;
+  }
+  Vec3 best = closest_on_segment(t[0], t[1], p);
+  for (std::size_t k = 1; k < 3; ++k) {
+    const Vec3 other = closest_on_segment(t[k], t[(k + 1) % 3], p);
+    if ((other - p).squaredNorm() < (best - p).squaredNorm()) best = other;
+  }
+  return best;
+}
+
 struct Search {
   const ConvexPiece& piece;
   const Pose& pose;
   double accuracy;
   TriangleMinimum& best;
+
+  /// Goes back and forth between the core and the triangle; true when the minimum is closed on the way. That
+  /// is the common case: where it fails, halving the triangle always succeeds.
+  bool alternate(const std::array<Vec3, 3>& t) {
+    constexpr int kTurns = 12;
+    Vec3 x = (t[0] + t[1] + t[2]) / 3.0;
+    for (int turn = 0; turn < kTurns; ++turn) {
+      const PieceSample s = sample_piece(piece, pose, x);
+      if (s.distance_mm < best.distance_mm) best = {s.distance_mm, x};
+      if (s.distance_mm + lowest_change(s.gradient, t, x) >= best.distance_mm - accuracy) return true;
+      if (s.distance_mm < -piece.rounding_mm) return false;
+      x = closest_on_triangle(t, x - (s.distance_mm + piece.rounding_mm) * s.gradient);
+    }
+    return false;
+  }
 
   void visit(const std::array<Vec3, 3>& t) {
     const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
@@ -106,7 +146,8 @@ Vec3 support_offset(const ConvexPiece& piece, const Vec3& axis, const Vec3& dire
 
 void lower_over_triangle(const ConvexPiece& piece, const Pose& pose, const std::array<Vec3, 3>& triangle,
                          double accuracy_mm, TriangleMinimum& best) {
-  Search{piece, pose, accuracy_mm, best}.visit(triangle);
+  Search search = {piece, pose, accuracy_mm, best};
+  if (!search.alternate(triangle)) search.visit(triangle);
 }
 
 }  // namespace gouge::bench

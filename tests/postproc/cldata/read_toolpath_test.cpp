@@ -125,10 +125,11 @@ TEST(ReadApt, SelectOnlyAnnouncesATool) {
   EXPECT_EQ(path.tools.at(0).number, 3);
 }
 
-TEST(ReadApt, ArcsHaveAnEndAndAreNotChecked) {
+TEST(ReadApt, AnArcOfNoKnownSenseHasAnEndAndIsNotChecked) {
   const Toolpath path = path_of("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1,0\nGOTO/0,2,0\n");
+  EXPECT_TRUE(path.arcs.empty());
   EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
-  EXPECT_EQ(path.moves[1].not_checked_reason, "arcs are not checked yet");
+  EXPECT_EQ(path.moves[1].not_checked_reason, "nothing in the file tells which way round its arcs run");
   ASSERT_TRUE(path.moves[2].start);
   expect_vector(path.moves[2].start->tip, 0, 1, 0);
   EXPECT_TRUE(path.moves[2].not_checked_reason.empty());
@@ -152,29 +153,17 @@ TEST(ReadApt, CatiaArcsEndWhereTheirLineEnds) {
   expect_vector(path.moves[1].end.axis, 0, 1, 0);
 }
 
-TEST(ReadApt, AfterACycleTheStartIsNotKnown) {
+TEST(ReadApt, AfterACycleThatIsNotUnderstoodTheStartIsNotKnown) {
   const Toolpath path = path_of(
       "GOTO/0,0,9\nCYCLE/INIT\nGOTO/0,0,8\nCYCLE/DRILL,5\nGOTO/0,0,1\nGOTO/5,0,1\nCYCLE/OFF\nGOTO/"
       "9,0,9\nGOTO/9,9,9\n");
   EXPECT_EQ(kinds(path), (Kinds{MoveKind::feed, MoveKind::feed, MoveKind::cycle, MoveKind::cycle,
                                 MoveKind::feed, MoveKind::feed}));
-  EXPECT_EQ(path.moves[2].not_checked_reason, "drilling cycles are not checked yet");
+  EXPECT_EQ(path.moves[2].not_checked_reason, "a cycle whose words are not understood");
   EXPECT_FALSE(path.moves[4].start);
   EXPECT_EQ(path.moves[4].not_checked_reason, "starts at an unknown retract height after a drilling cycle");
   EXPECT_TRUE(path.moves[5].start);
   EXPECT_TRUE(path.moves[5].not_checked_reason.empty());
-}
-
-TEST(ReadApt, FramesThatAreNotAppliedAreToldAtEachMove) {
-  const Toolpath path = path_of(
-      "CSI_TOOL_PATH/A\nMCS/1,0,0,$\n0,1,0,$\n0,0,1,$\n0,0,0\nGOTO/1,1,1\nMCS/1,0,0,0,1,0,0,0,1,5,0,0\nGOTO/"
-      "1,1,2\n"
-      "MCS/1,0,0,0,1,0,0,0,1,0,0,0\nGOTO/1,1,3\nGOTO/1,1,4\nEND\n");
-  EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
-  EXPECT_EQ(path.moves[1].not_checked_reason,
-            "positions are in a coordinate system (MCS) that is not applied");
-  EXPECT_FALSE(path.moves[2].not_checked_reason.empty()) << "its start is in that system";
-  EXPECT_TRUE(path.moves[3].not_checked_reason.empty());
 }
 
 TEST(ReadApt, SolidWorksCsysIsNotAppliedAndNoReasonToStop) {
@@ -189,8 +178,12 @@ TEST(ReadApt, CompensationIsToldOnlyWhereItIsSwitchedOn) {
   const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\nCUTCOM/LEFT\nGOTO/1,2,4\nCUTCOM/OFF\n");
   ASSERT_EQ(path.notes.size(), 1u);
   EXPECT_EQ(to_text(path.notes[0]),
-            "test.apt:3: warning: 1 CUTCOM statement on: positions are taken as those of the "
-            "cutter centre, with none dialled in [path-cutcom]");
+            "test.apt:3: warning: 1 CUTCOM statement on: the file does not say whether its positions are the "
+            "cutter centre or the contour, so these moves are not checked; --cutcom centre says they are "
+            "[path-cutcom]");
+  EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
+  EXPECT_EQ(path.moves[1].not_checked_reason,
+            "compensated by CUTCOM: the positions need not be the cutter centre");
 }
 
 TEST(ReadApt, UnknownWordsAreCountedAndTold) {
@@ -260,7 +253,8 @@ TEST(ReadClsf, ACurveIsOneMoveToItsLastControlPoint) {
   ASSERT_EQ(path.moves.size(), 4u);
   EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
   EXPECT_EQ(path.moves[1].line, 3u);
-  EXPECT_EQ(path.moves[1].not_checked_reason, "NURBS curves are not checked yet");
+  EXPECT_EQ(path.moves[1].not_checked_reason,
+            "a NURBS whose knots, points or axis are not those of a cubic curve");
   expect_vector(path.moves[1].end.tip, 2, 0, 0);
   expect_vector(path.moves[2].start->tip, 2, 0, 0);
   expect_vector(path.moves[3].end.tip, 4, 0, 0);

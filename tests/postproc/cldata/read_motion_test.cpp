@@ -1,0 +1,225 @@
+// Arcs, splines, cycles and compensation, with the numbers of real files typed in.
+#include <cmath>
+#include <numbers>
+
+#include "tests/postproc/cldata/path_of.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+struct ArcCase {
+  const char* name;
+  const char* text;  // its second move is the arc
+  double sweep_deg;
+  double axis_z;
+};
+
+void PrintTo(const ArcCase& c, std::ostream* out) { *out << c.name; }
+
+// The arc after each of these lines goes on smoothly only in the dialect's own sense.
+const ArcCase kArcs[] = {
+    {"Nx",
+     "TOOL PATH/A,TOOL,B\nGOTO/1434.9836,124.9400,465.0\nGOTO/1409.0996,55.1317,465.0\n"
+     "CIRCLE/1432.5401,46.4403,465.0,0.0,0.0,-1.0,25.0,0.06,0.5,125.0,1.0\nGOTO/1423.8487,22.9997,465.0\nEND-OF-PATH\n",
+     -89.9998, -1},
+    {"Creo",
+     "$$* Pro/CLfile Version 8.0\nUNITS / INCHES\nGOTO / 1.3240000000, 2.0, 2.9026\nGOTO / 0.799, 0.8754, 2.9026\n"
+     "CIRCLE / 0.8922, 0.8687, 2.9026,  $\n0.0, 0.0, 1.0,  0.0934405158\nGOTO / 0.8154, 0.8153, 2.9026\nFINI\n",
+     38.9232, 1},
+    {"SolidWorks",
+     "TRNTYP/WORLD,0,0,0\nUNIT/MM\nGOTO/27.442212,-7.537687,-17.\nGOTO/32.589949,-2.389949,-17.\n"
+     "CIRCLE/31.6,-1.4,-17.,0,0,1.\nGOTO/33.,-1.4,-17.\nFINI\n",
+     45, 1},
+    {"Autodesk",
+     "UNITS/INCHES\nGOTO/0.799000, 2.000000, 2.902600\nGOTO/0.799000, 0.875400, 2.902600\n"
+     "MOVARC/0.892200, 0.868700, 2.902600, 0.0, 0.0, 1.0, 0.093441, ANGLE, 38.923201\n"
+     "GOTO/0.815400, 0.815300, 2.902600\nFINI\n",
+     38.9232, 1},
+    {"Camplete",
+     "CSI_TOOL_PATH/A\nUNITS/INCHES\nGOTO/0.799000, 2.000000, 2.902600\nGOTO/0.799000, 0.875400, 2.902600\n"
+     "CIRCLE/0.892200, 0.868700, 2.902600, 0.0, 0.0, -1.0, 0.093441, 38.923201, 0.0, 0.0, 0.0\n"
+     "GOTO/0.815400, 0.815300, 2.902600\nFINI\n",
+     -38.9232, -1},
+    {"Clt",
+     "UNITS/ MM \nOPFEATSTART/A\nGOTO/ 42.865690,74.775708,-19.5\nGOTO/ 37.487168,69.869600,-19.5 \n"
+     "CIRCLE/ 38.430651,68.835269,-19.5,0,0,1,1.4,COUNTERCLOCKWISE \nGOTO/ 37.032126,68.899508,-19.500000 \nFINI\n",
+     44.988, 1},
+    {"Catia",
+     "$$ CATIA APT VERSION 1.0\nMULTAX\nGOTO/ 20.29460, 50.8,73.72604,0,0,1\nGOTO/ 20.29460,22.23516,73.72604,0,0,1\n"
+     "AUTOPS\nINDIRV/   -0.07170,   -0.99743,    0.00000\n"
+     "TLON,GOFWD/      (CIRCLE/     22.66188,     22.06498,     73.72604,$\n"
+     "     2.37339),ON,(LINE/     22.66188,     22.06498,     73.72604,$\n"
+     "                              20.71116,     20.70862,     73.72604)\nFINI\n",
+     38.9232, 1},
+};
+
+class ArcSenses : public ::testing::TestWithParam<ArcCase> {};
+
+INSTANTIATE_TEST_SUITE_P(All, ArcSenses, ::testing::ValuesIn(kArcs),
+                         [](const auto& test) { return std::string(test.param.name); });
+
+TEST_P(ArcSenses, AreThoseOfTheDialect) {
+  const Toolpath path = path_of(GetParam().text);
+  ASSERT_EQ(path.moves.size(), 3U);
+  EXPECT_EQ(path.moves[2].not_checked_reason, "");
+  ASSERT_EQ(path.moves[2].curve_kind, CurveKind::arc);
+  const PathArc& arc = path.arcs[path.moves[2].curve];
+  EXPECT_NEAR(arc.sweep_rad / kDegree, GetParam().sweep_deg, 0.02);
+  EXPECT_NEAR(arc.axis.z(), GetParam().axis_z, 1e-3);
+}
+
+TEST(ReadArcs, TheSameStatementRunsTheOtherWayRoundInAnotherDialect) {
+  const std::string middle =
+      "GOTO/0.,-5.,0.\nGOTO/5.,0.,0.\nCIRCLE/0.,0.,0.,0,0,1.,5.\nGOTO/0.,5.,0.\n";
+  const Toolpath nx = path_of("TOOL PATH/A,TOOL,B\n" + middle + "END-OF-PATH\n");
+  const Toolpath swcam = path_of("TRNTYP/WORLD,0,0,0\n" + middle + "FINI\n");
+  EXPECT_NEAR(nx.arcs.at(0).sweep_rad / kDegree, -270, 1e-9);
+  EXPECT_NEAR(swcam.arcs.at(0).sweep_rad / kDegree, 90, 1e-9);
+}
+
+TEST(ReadArcs, AFrameTurnsCentreAndAxisWithThePositions) {
+  const Toolpath path = path_of(
+      "TOOL PATH/A,TOOL,B\nMSYS/100.0,0.0,0.0,0.0,1.0,0.0,1.0,0.0,0.0\nGOTO/5.0,0.0,0.0\n"
+      "CIRCLE/0.0,0.0,0.0,0.0,0.0,1.0,5.0\nGOTO/0.0,5.0,0.0\nEND-OF-PATH\n");
+  expect_vector(path.arcs.at(0).center, 100, 0, 0);
+  expect_vector(path.arcs.at(0).axis, 0, 0, -1);
+  EXPECT_NEAR(path.arcs.at(0).sweep_rad / kDegree, -270, 1e-9);
+}
+
+TEST(ReadArcs, StartAndEndInOnePlaceAreAFullCircle) {
+  const Toolpath path = path_of(
+      "UNITS/ MM \nOPFEATSTART/A\nGOTO/ 37.0,67.5,-19.5 \n"
+      "CIRCLE/ 67.5,67.5,-19.5,0,0,1,30.5,COUNTERCLOCKWISE \nGOTO/ 37.0,67.5,-19.5 \nFINI\n");
+  EXPECT_NEAR(path.arcs.at(0).sweep_rad, 2 * std::numbers::pi, 1e-12);
+}
+
+TEST(ReadArcs, TimesAreTurnsOfAHelix) {
+  const std::string text = "TOOL PATH/A,TOOL,B\nGOTO/5.0,0.0,10.0\nCIRCLE/0.0,0.0,10.0,0.0,0.0,-1.0,5.0,.06,.5,10.,0.,TIMES,2\n";
+  const Toolpath path = path_of(text + "GOTO/5.0,0.0,4.0\nEND-OF-PATH\n");
+  EXPECT_NEAR(path.arcs.at(0).sweep_rad, -4 * std::numbers::pi, 1e-12);
+  const Toolpath elsewhere = path_of(text + "GOTO/0.0,5.0,4.0\nEND-OF-PATH\n");
+  EXPECT_EQ(elsewhere.moves.at(1).not_checked_reason, "TIMES on an arc that does not end above its start is not understood");
+}
+
+TEST(ReadArcs, WhatDoesNotFitOnOneCircleIsToldAndNotChecked) {
+  const Toolpath path = path_of(
+      "TRNTYP/WORLD,0,0,0\nGOTO/5.,0,0\nCIRCLE/0,0,0,0,0,1.\nGOTO/0,5.1,0\nGOTO/9.,9.,9.\nFINI\n");
+  EXPECT_EQ(path.moves.at(1).not_checked_reason, "the arc's start, end and radius do not lie on one circle");
+  EXPECT_EQ(path.moves.at(1).curve_kind, CurveKind::none);
+  EXPECT_TRUE(path.moves.at(2).not_checked_reason.empty());
+  bool is_told = false;
+  for (const Diagnostic& note : path.notes) is_told = is_told || (note.code == "path-arc-radius" && note.line == 4);
+  EXPECT_TRUE(is_told);
+}
+
+TEST(ReadArcs, TheAngleAnArcStatesMustLeadToItsEnd) {
+  const std::string before = "UNITS/MM\nGOTO/5,0,0\nMOVARC/0,0,0,0,0,1,5,ANGLE, ";
+  EXPECT_NEAR(path_of(before + "450\nGOTO/0,5,0\nFINI\n").arcs.at(0).sweep_rad / kDegree, 450, 1e-9);
+  EXPECT_EQ(path_of(before + "270\nGOTO/0,5,0\nFINI\n").moves.at(1).not_checked_reason,
+            "the angle the arc states does not lead to its end");
+}
+
+TEST(ReadArcs, AFileOfNoKnownDialectIsReadInTheSenseThatGoesOnSmoothly) {
+  const Toolpath path = path_of(
+      "UNITS/MM\nGOTO/5,-9,0\nGOTO/5,0,0\nCIRCLE/0,0,0,0,0,1,5\nGOTO/0,5,0\nGOTO/-9,5,0\n"
+      "CIRCLE/-9,2,0,0,0,1,3\nGOTO/-9,-1,0\n");
+  EXPECT_NEAR(path.arcs.at(0).sweep_rad / kDegree, 90, 1e-9);
+  EXPECT_NEAR(path.arcs.at(1).sweep_rad / kDegree, 180, 1e-9);
+  EXPECT_EQ(path.moves.at(4).not_checked_reason, "");
+}
+
+TEST(ReadArcs, APlaceThatCannotBeToldFromAFullCircleIsNotChecked) {
+  const Toolpath path = path_of("TRNTYP/WORLD,0,0,0\nGOTO/5.,0,0\nCIRCLE/0,0,0,0,0,1.\nGOTO/5.,.0001,0\nFINI\n");
+  EXPECT_FALSE(path.moves.at(1).not_checked_reason.empty());
+}
+
+TEST(ReadSplines, AnNxNurbsIsACubicFromThePositionBeforeItToItsLastPoint) {
+  const Toolpath path = path_of(
+      "TOOL PATH/A,TOOL,B\nGOTO/-254.9774,466.5681,206.8891\nNURBS/\n"
+      "KNOT/0.0416667,0.3750000,0.6250000,0.9583333,1.0000000\nCNTRL/-254.9774,466.2698,206.9401\n"
+      "CNTRL/-254.9775,463.5692,207.2380\nCNTRL/-254.9776,459.2589,209.0136\nCNTRL/-254.9778,454.6135,213.9021\n"
+      "CNTRL/-254.9779,453.0599,218.2973\nCNTRL/-254.9779,452.9000,221.0096\nCNTRL/-254.9779,452.8642,221.3100\n"
+      "GOTO/-254.9779,452.7668,223.7424\nEND-OF-PATH\n");
+  ASSERT_EQ(path.moves.at(1).curve_kind, CurveKind::spline);
+  const PathSpline& spline = path.splines.at(0);
+  EXPECT_EQ(spline.pieces.size(), 5U);
+  EXPECT_EQ(spline.pieces.front().control.front(), path.moves[0].end.tip);
+  EXPECT_EQ(spline.pieces.back().control.back(), path.moves[1].end.tip);
+}
+
+using Heights = std::vector<double>;
+
+Heights heights(const Toolpath& path) {
+  Heights all;
+  for (const Move& move : path.moves) {
+    if (move.kind == MoveKind::cycle) all.push_back(move.end.tip.z());
+  }
+  return all;
+}
+
+TEST(ReadCycles, EveryDialectGoesDownAndUpByItsOwnWords) {
+  EXPECT_EQ(heights(path_of("TOOL PATH/A,TOOL,B\nGOTO/66.0,0.0,300.0\nCYCLE/DRILL,RAPTO,3.0,FEDTO,-4.0,MMPM,250.0\n"
+                            "GOTO/66.0,0.0,240.0\nGOTO/-255.0,0.0,240.0\nCYCLE/OFF\nEND-OF-PATH\n")),
+            (Heights{243, 236, 243, 243, 236, 243}));
+  EXPECT_EQ(heights(path_of("TRNTYP/WORLD,0,0,0\nGOTO/77.5,145.,25.\nCYCLE/INIT\n"
+                            "CYCLE/DEEP2,FEDTO,28.5,1STPECK,5.,SUBPECK,2.,MMPM,382.27,RAPTO,3.,RTRCTO,27.5\n"
+                            "GOTO/77.5,145.,-2.5\nGOTO/77.5,20.,-2.5\nCYCLE/OFF\nFINI\n")),
+            (Heights{0.5, -31, 25, 25, 0.5, -31, 25}));
+  EXPECT_EQ(heights(path_of("$$* Pro/CLfile\nUNITS / MM\nGOTO / 0, 0, 50\nCYCLE / DEEP, DEPTH, 3.5, STEP, 1.0, MMPM, 50.0, CLEAR,$\n"
+                            " 1.0\nGOTO / 0, 0, 0\nCYCLE / OFF\nFINI\n")),
+            (Heights{1, -3.5, 1}));
+  EXPECT_EQ(heights(path_of("$$ CATIA APT VERSION 1.0\nGOTO  /   98.0,  100.0,   25.0\nCYCLE/DRILL,    3.000000,    5.000000\n"
+                            "GOTO  /   98.0,  100.0,   20.0\nCYCLE/OFF\nEND\n")),
+            (Heights{17, 25}));
+  EXPECT_EQ(heights(path_of("UNITS/ MM\nOPFEATSTART/A\nGOTO/ 67.5,120.5,25.0 \nCYCLE/ ON \n"
+                            "CYCLE/ DRILL,G98,12.5,PECKING,5.0,2.0,MMPM,187.165839,3.0,46.5 46.5 DWELL,0.0 \n"
+                            "GOTO/ 67.5,120.5,-21.5 \nCYCLE/ OFF \nFINI\n")),
+            (Heights{-18.5, -34, 25}));
+}
+
+TEST(ReadCycles, TheToolGoesAcrossBeforeItGoesDownAndUpBeforeItGoesAcross) {
+  const Toolpath path = path_of("TRNTYP/WORLD,0,0,0\nGOTO/0,0,9.\nCYCLE/DRILL,FEDTO,2.,MMPM,1.,RAPTO,1.,RTRCTO,1.\n"
+                                "GOTO/5.,0,0\nGOTO/7.,0,4.\nCYCLE/OFF\nGOTO/0,0,9.\nFINI\n");
+  ASSERT_EQ(path.moves.size(), 10U);
+  expect_vector(path.moves[1].end.tip, 5, 0, 9);
+  expect_vector(path.moves[2].end.tip, 5, 0, 1);
+  expect_vector(path.moves[5].end.tip, 5, 0, 5);
+  expect_vector(path.moves[6].end.tip, 7, 0, 5);
+  for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(path.moves[i].line, 4U);
+  for (std::size_t i = 1; i < path.moves.size(); ++i) {
+    ASSERT_TRUE(path.moves[i].start);
+    EXPECT_EQ(path.moves[i].start->tip, path.moves[i - 1].end.tip);
+    EXPECT_TRUE(path.moves[i].not_checked_reason.empty());
+  }
+}
+
+TEST(ReadCycles, WhatCouldMeanTwoThingsIsNotChecked) {
+  for (const char* cycle : {"CYCLE/BORE,FEDTO,2.,RAPTO,1.,ORIENT,0", "CYCLE/THREAD,FEDTO,2.,RAPTO,1.", "CYCLE/DRILL,RAPTO,1."}) {
+    const Toolpath path = path_of(std::string("TRNTYP/WORLD,0,0,0\nGOTO/0,0,9.\n") + cycle + "\nGOTO/5.,0,0\nFINI\n");
+    EXPECT_EQ(path.moves.at(1).not_checked_reason, "a cycle whose words are not understood") << cycle;
+  }
+}
+
+TEST(ReadCutcom, CreoSaysWhereItsPositionsAreTheCutterCentre) {
+  const std::string text = "GOTO / 0, 0, 0\nCUTCOM / LEFT, 1\nGOTO / 1, 0, 0\nCUTCOM / OFF\nGOTO / 2, 0, 0\nFINI\n";
+  EXPECT_TRUE(path_of("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\n" + text).moves.at(1).not_checked_reason.empty());
+  const Toolpath told = path_of("$$-> FEATNO / 1\n" + text);
+  EXPECT_FALSE(told.moves.at(1).not_checked_reason.empty());
+  EXPECT_FALSE(told.moves.at(2).not_checked_reason.empty()) << "it starts at a compensated position";
+  ReadOptions options;
+  options.is_cutcom_centre = true;
+  EXPECT_TRUE(read_toolpath("a", "$$-> FEATNO / 1\n" + text, options).toolpath->moves.at(1).not_checked_reason.empty());
+}
+
+TEST(ReadMotion, NothingIsSweptAcrossCreoSequencesAndItIsTold) {
+  const Toolpath path = path_of("$$* Pro/CLfile\n$$-> FEATNO / 1\nGOTO / 0, 0, 0\n$$-> FEATNO / 2\nGOTO / 1, 0, 0\nFINI\n");
+  EXPECT_FALSE(path.moves.at(1).start);
+  bool is_told = false;
+  for (const Diagnostic& note : path.notes) is_told = is_told || note.code == "path-not-swept";
+  EXPECT_TRUE(is_told);
+}
+
+}  // namespace
+}  // namespace gouge
