@@ -77,10 +77,10 @@ TEST(ImportFreecad, TheTaperAngleIsTheIncludedAngleAndCommasAreDecimal) {
 
 TEST(ImportFreecad, AVBitIsPointedAndInInches) {
   const ImportedTools made = import_library(beside());
-  const auto& apt = std::get<AptCutter>(made.library.with_number(3)->cutter);
-  EXPECT_NEAR(apt.d_mm, 12.7, 1e-12);
-  EXPECT_EQ(apt.alpha_deg, 60);         // half of 60 from the axis is 60 from the tip plane
-  EXPECT_NEAR(apt.h_mm, 15.24, 1e-12);  // above the cone of 6.35 / tan 30 = 10.998
+  const auto& chamfer = std::get<ChamferCutter>(made.library.with_number(3)->cutter);
+  EXPECT_NEAR(chamfer.diameter_mm, 12.7, 1e-12);
+  EXPECT_EQ(chamfer.taper_angle_deg, 30);
+  EXPECT_NEAR(chamfer.length_mm, 15.24, 1e-12);  // above the cone of 6.35 / tan 30 = 10.998
 }
 
 TEST(ImportFreecad, HolderAndStickOutComeFromTheUser) {
@@ -126,9 +126,42 @@ TEST(ImportFreecad, FlutesLongerThanTheToolAreAnError) {
 }
 
 TEST(ImportFreecad, ShapesThatCannotBeImportedAreTold) {
-  for (const char* type : {"Dovetail", "SlittingSaw", "ThreadMill", "Tap", "Probe", "Radius", "Custom"})
+  for (const char* type : {"ThreadMill", "Radius", "Fillet", "Custom"})
     EXPECT_EQ(notes_of(import_bit(type, R"("Diameter":"6 mm")"), "import-shape"),
               "b.fctb: warning: tool \"x\": not imported: shape " + std::string(type) + " [import-shape]\n");
+}
+
+TEST(ImportFreecad, ADovetailHasANeckAndAnAngleThatIsTold) {
+  const ImportedTools made = import_bit(
+      "Dovetail",
+      R"("Diameter":"20 mm","CuttingEdgeAngle":"60 deg","CuttingEdgeHeight":"8 mm","NeckDiameter":"9 mm","NeckHeight":"12 mm","ShankDiameter":"10 mm","Length":"60 mm","TipDiameter":"1 mm")");
+  ASSERT_EQ(made.library.tools.size(), 1u) << test::all_notes(made);
+  EXPECT_EQ(std::get<DovetailCutter>(made.library.tools[0].cutter).taper_angle_deg, 30);
+  test::expect_segment(made.library.tools[0].shank.at(0), 9, 9, 12);
+  test::expect_segment(made.library.tools[0].shank.at(1), 10, 10, 40);
+  EXPECT_NE(notes_of(made, "import-guess").find("warning: tool \"x\": half of CuttingEdgeAngle 30 degrees is taken between side and axis"),
+            std::string::npos);
+}
+
+TEST(ImportFreecad, ASlittingSawHasItsCapBelow) {
+  const ImportedTools made = import_bit(
+      "SlittingSaw",
+      R"("Diameter":"76.2 mm","BladeThickness":"3 mm","CapDiameter":"8 mm","CapHeight":"3 mm","ShankDiameter":"19 mm","Length":"50 mm")");
+  ASSERT_EQ(made.library.tools.size(), 1u) << test::all_notes(made);
+  const Profile profile = *make_cutter_profile(made.library.tools[0].cutter);
+  EXPECT_EQ(profile.elements.at(0).b, Vec2(4, 0));
+  EXPECT_EQ(profile.elements.at(2).b, Vec2(38.1, 3));
+  EXPECT_EQ(profile.elements.at(3).b, Vec2(38.1, 6));
+  EXPECT_NE(notes_of(made, "import-guess").find("the cap of CapDiameter 8 mm is taken to be below the blade"),
+            std::string::npos);
+}
+
+TEST(ImportFreecad, AProbeIsABallOnItsShaft) {
+  const ImportedTools made =
+      import_bit("Probe", R"("Diameter":"6 mm","ShaftDiameter":"4 mm","Length":"50 mm")");
+  ASSERT_EQ(made.library.tools.size(), 1u) << test::all_notes(made);
+  const Profile profile = *make_cutter_profile(made.library.tools[0].cutter);
+  EXPECT_NEAR(profile.elements.back().a.y(), 5.236068, 1e-6);  // 3 + sqrt(9 - 4)
 }
 
 TEST(ImportFreecad, ARoundTripLosesNothing) {

@@ -56,14 +56,37 @@ TEST(ImportNx, ATaperIsMeasuredFromTheAxisAndDrillsHaveAnIncludedAngle) {
   EXPECT_EQ(cone.d_mm, 8);
   EXPECT_EQ(cone.beta_deg, 5);
   EXPECT_EQ(cone.r_mm, 1);
-  const auto& drill = std::get<AptCutter>(made.library.with_number(21)->cutter);
-  EXPECT_EQ(drill.alpha_deg, 31);  // 90 - 118/2
+  EXPECT_EQ(std::get<DrillCutter>(made.library.with_number(21)->cutter).point_angle_deg, 118);
 }
 
 TEST(ImportNx, ShapesThatCannotBeImportedAreTold) {
   EXPECT_NE(notes_of(import_corpus(), "import-shape")
                 .find("tool T31 \"ugt_barrel_16\": not imported: shape BARREL_MILL"),
             std::string::npos);
+}
+
+ImportedTools import_row(const std::string& tool_class, const std::string& format, const std::string& data) {
+  ImportOptions options;
+  options.unit = LengthUnit::mm;
+  return import_nx("t.dat", "#CLASS " + tool_class + "\nFORMAT LIBRF " + format + "\nDATA | x | " + data + " |\n#END_DATA\n",
+                   options)
+      .value();
+}
+
+TEST(ImportNx, SlotSphericalAndCountersinkCuttersAreImported) {
+  const ImportedTools slot =
+      import_row("T_SLOT_MILL_NON_INDEXABLE", "DIA FLEN COR1 COR2 HEI TSDIA TSLEN", "32 | 6 | 0.5 | 1 | 40 | 16 | 30");
+  ASSERT_EQ(slot.library.tools.size(), 1u) << test::all_notes(slot);
+  const auto& disc = std::get<TSlotCutter>(slot.library.tools[0].cutter);
+  EXPECT_EQ(disc.corner_radius_mm, 0.5);
+  EXPECT_EQ(disc.upper_radius_mm, 1);
+  const ImportedTools ball =
+      import_row("SPHERICAL_MILL_NON_INDEXABLE", "DIA FLEN HEI TSDIA TSLEN", "10 | 8 | 30 | 5 | 40");
+  ASSERT_EQ(ball.library.tools.size(), 1u) << test::all_notes(ball);
+  EXPECT_EQ(std::get<LollipopCutter>(ball.library.tools[0].cutter).length_mm, 8);
+  const ImportedTools sink = import_row("COUNTER_SINKING", "DIA FLEN TIPA HEI", "12 | 8 | 90 | 40");
+  ASSERT_EQ(sink.library.tools.size(), 1u) << test::all_notes(sink);
+  EXPECT_EQ(std::get<ChamferCutter>(sink.library.tools[0].cutter).taper_angle_deg, 45);
 }
 
 TEST(ImportNx, TheUnitIsNeverAssumedInSilence) {
