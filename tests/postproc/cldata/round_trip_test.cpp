@@ -1,0 +1,142 @@
+#include <gtest/gtest.h>
+
+#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/write_corrected.h"
+#include "postproc/cldata/write_toolpath.h"
+#include "tests/postproc/cldata/cl_files.h"
+#include "tests/postproc/cldata/path_of.h"
+
+namespace gouge {
+namespace {
+
+// The files that hold CL data, read.
+std::vector<Toolpath> all_paths() {
+  std::vector<Toolpath> paths;
+  for (const auto& file : all_cl_files()) {
+    ReadOutcome outcome = read_toolpath(file.string(), bytes_of(file));
+    if (outcome.toolpath) paths.push_back(std::move(*outcome.toolpath));
+  }
+  return paths;
+}
+
+// Half of the last digit of a dialect's coordinates, or of those of a file in inches, in mm; and a little.
+constexpr double kLastDigit_mm = 0.00051;
+
+void expect_same_motions(const Toolpath& a, const Toolpath& b, double within_mm) {
+  ASSERT_EQ(a.moves.size(), b.moves.size()) << a.file;
+  std::size_t shown = 0;
+  for (std::size_t i = 0; i < a.moves.size() && shown < 3; ++i) {
+    const double tip = (a.moves[i].end.tip - b.moves[i].end.tip).cwiseAbs().maxCoeff();
+    const double axis = (a.moves[i].end.axis - b.moves[i].end.axis).cwiseAbs().maxCoeff();
+    const bool is_same = tip <= within_mm && axis <= 2e-6 &&
+                         a.moves[i].start.has_value() == b.moves[i].start.has_value() &&
+                         a.moves[i].curve_kind == b.moves[i].curve_kind;
+    if (is_same && a.moves[i].curve_kind == CurveKind::arc) {
+      EXPECT_NEAR(a.arcs[a.moves[i].curve].sweep_rad, b.arcs[b.moves[i].curve].sweep_rad, 0.02)
+          << a.file << " " << i;
+    }
+    EXPECT_TRUE(is_same) << a.file << ":" << a.moves[i].line << " move " << i << " tip " << tip << " axis "
+                         << axis;
+    shown += is_same ? 0 : 1;
+  }
+}
+
+TEST(RoundTrip, WithoutAChangeEveryFileKeepsItsBytes) {
+  const std::vector<Toolpath> paths = all_paths();
+  EXPECT_GE(paths.size(), 13u);
+  for (const Toolpath& path : paths) {
+    const Result<std::string> text = write_corrected(path, {});
+    ASSERT_TRUE(text) << path.file;
+    EXPECT_EQ(*text, path.source) << path.file;
+  }
+}
+
+TEST(RoundTrip, ThroughTheNeutralModelTheSameDialectHasTheSameMotions) {
+  std::size_t written = 0;
+  for (const Toolpath& path : all_paths()) {
+    const Result<WrittenToolpath> result = write_toolpath(path, *dialect_called(path.dialect));
+    if (!result) continue;
+    ReadOptions options;
+    options.dialect = dialect_called(path.dialect);
+    if (!path.is_unit_stated) options.unit = path.unit;
+    const ReadOutcome again = read_toolpath("again " + path.file, result->bytes, options);
+    ASSERT_TRUE(again.toolpath) << path.file << " " << to_text(again.errors.front());
+    if (!path.splines.empty()) continue;  // written as chords, which the converter tells
+    expect_same_motions(path, *again.toolpath, kLastDigit_mm);
+    ++written;
+  }
+  EXPECT_GE(written, 10u);
+}
+
+TEST(RoundTrip, EveryDialectTakesAPathWithTiltsArcsAndTools) {
+  const Toolpath path = path_of(bytes_of(corpus() / "autodesk.apt"));
+  for (const Dialect& dialect : all_dialects()) {
+    const Result<WrittenToolpath> result = write_toolpath(path, dialect);
+    if (dialect.kind == DialectKind::nci || dialect.kind == DialectKind::clt) {
+      ASSERT_FALSE(result) << dialect.id;
+      EXPECT_EQ(result.error().code, "convert-dialect");
+      continue;
+    }
+    ASSERT_TRUE(result) << dialect.id << result.error().message;
+    for (const Diagnostic& note : result->notes)
+      EXPECT_NE(note.code, "convert-verify") << dialect.id << note.message;
+    ReadOptions options;
+    options.dialect = dialect;
+    const ReadOutcome again = read_toolpath("again", result->bytes, options);
+    ASSERT_TRUE(again.toolpath) << dialect.id;
+    EXPECT_EQ(recognise_dialect(result->bytes).id, dialect.id);
+    const double factor = mm_per(path.unit) / mm_per(again.toolpath->unit);
+    expect_vector(again.toolpath->moves.back().end.tip * factor, 1.5 * 25.4, 0.5 * 25.4, 3.5 * 25.4, 2e-3);
+    expect_vector(again.toolpath->moves.back().end.axis, 0.6, 0, 0.8, 1e-6);
+  }
+}
+
+TEST(RoundTrip, WhatIsNotUnderstoodIsNotConverted) {
+  const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\nMOVETO/4,5,6\nGOTO/7,8,9\n");
+  const Result<WrittenToolpath> result = write_toolpath(path, *dialect_called("creo"));
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, "convert-not-understood");
+  EXPECT_EQ(result.error().line, 3u);
+}
+
+// Every sample with each straight move lifted and a position put before it.
+TEST(RoundTrip, CorrectionsOfEverySampleAreReadBack) {
+  std::size_t corrected = 0;
+  for (const auto& file : files_below(corpus())) {
+    const Toolpath path = path_of(bytes_of(file));
+    std::vector<PathChange> changes;
+    std::size_t inserted = 0;
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      const Move& move = path.moves[i];
+      const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid;
+      const bool meets_arc = i + 1 < path.moves.size() && path.moves[i + 1].curve_kind != CurveKind::none;
+      const bool meets_step = i + 1 < path.moves.size() && path.moves[i + 1].kind != MoveKind::feed &&
+                              path.moves[i + 1].kind != MoveKind::rapid;
+      if (!is_straight || meets_arc || meets_step || !move.not_checked_reason.empty() || !move.start)
+        continue;
+      Pose end = move.end;
+      end.tip += 1.25 * end.axis;
+      Pose between{0.5 * (move.start->tip + end.tip), end.axis};
+      changes.push_back({i, end, {between}});
+      ++inserted;
+    }
+    if (inserted == 0) continue;  // every straight move meets an arc
+    ++corrected;
+    const Result<std::string> text = write_corrected(path, changes);
+    ASSERT_TRUE(text) << file << text.error().message;
+    ReadOptions options;
+    options.dialect = dialect_called(path.dialect);
+    const ReadOutcome again = read_toolpath("again", *text, options);
+    ASSERT_TRUE(again.toolpath) << file << to_text(again.errors.front()) << *text;
+    EXPECT_EQ(again.toolpath->moves.size(), path.moves.size() + inserted) << file << "\n" << *text;
+    const Pose& last = *changes.back().new_end;
+    const Move& read = again.toolpath->moves[changes.back().move + inserted];
+    EXPECT_LE((read.end.tip - last.tip).norm(), 1e-3) << file << "\n" << *text;
+    EXPECT_LE((read.end.axis - last.axis).norm(), 1e-5) << file;
+    EXPECT_EQ(read.kind, path.moves[changes.back().move].kind) << file;
+  }
+  EXPECT_GE(corrected, 9u);
+}
+
+}  // namespace
+}  // namespace gouge
