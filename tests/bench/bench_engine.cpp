@@ -47,10 +47,11 @@ void time_path(const std::string& label, const Toolpath& path, const Workload& w
   const double moves = static_cast<double>(path.moves.size());
   const double median = times[times.size() / 2];
   const StateCounts& n = result.counts;
-  std::printf("%s %2u %8zu %10.0f %9.3f %9.3f %8.1f  %zu/%zu/%zu/%zu/%zu %8.4f %016llx\n", label.c_str(), threads,
-              path.moves.size(), moves / median, 1e6 * median / moves, 1e6 * times.front() / moves,
+  std::printf("%s %2u %8zu %10.0f %9.3f %9.3f %8.1f  %zu/%zu/%zu/%zu/%zu %8.4f %016llx\n", label.c_str(),
+              threads, path.moves.size(), moves / median, 1e6 * median / moves, 1e6 * times.front() / moves,
               static_cast<double>(result.evaluations) / moves, n.clean, n.near_miss, n.gouge, n.buried,
-              n.not_certified, result.worst_depth_mm, static_cast<unsigned long long>(VerdictHash(result).value()));
+              n.not_certified, result.worst_depth_mm,
+              static_cast<unsigned long long>(VerdictHash(result).value()));
   std::fflush(stdout);
 }
 
@@ -108,8 +109,9 @@ Arguments parse(int count, char** words) {
 
 int main(int count, char** words) {
   const gouge::bench::Arguments arguments = gouge::bench::parse(count, words);
-  std::printf("# tool      size moves     thr    count    moves/s  us/move  us(best)  evals/m  "
-              "clean/near/gouge/buried/uncertified  worst hash\n");
+  std::printf(
+      "# tool      size moves     thr    count    moves/s  us/move  us(best)  evals/m  "
+      "clean/near/gouge/buried/uncertified  worst hash\n");
   for (const gouge::bench::ToolKind tool : arguments.tools) {
     for (const std::size_t size : arguments.sizes) gouge::bench::time_workload(arguments, tool, size);
   }

@@ -19,7 +19,9 @@ double height(double x, double y) {
          0.8 * std::sin(kTurn * (x + y) / 23 + 1);
 }
 
-bool is_air_pass(int pass) { return pass % 10 == 7; }
+bool is_air_pass(int pass) {
+  return pass % 10 == 7;
+}
 bool is_holder_pass(int pass) {
   return pass == 9 || pass == 21 || pass == 45 || pass == 63 || pass == 75;
 }

@@ -15,13 +15,13 @@ namespace gouge::bench {
 
 /// One point of the finishing curve.
 struct CurvePoint {
-  double x_mm = 0, y_mm = 0;               ///< where the tool touches, seen from above
-  Vec2 forward = Vec2::UnitX();            ///< direction of travel seen from above, unit
-  double lead_deg = 0, tilt_deg = 0;       ///< lean of the axis against the surface's normal
-  double lift_mm = 0;                      ///< above 0: an air pass, lifted by that much
-  double dip_mm = 0;                       ///< above 0: pushed into the surface by that much
-  double holder_share = 0;                 ///< 0 to 1: how much of the lean that makes the holder hit
-  double holder_depth_mm = 0;              ///< how deep it hits at share 1
+  double x_mm = 0, y_mm = 0;          ///< where the tool touches, seen from above
+  Vec2 forward = Vec2::UnitX();       ///< direction of travel seen from above, unit
+  double lead_deg = 0, tilt_deg = 0;  ///< lean of the axis against the surface's normal
+  double lift_mm = 0;                 ///< above 0: an air pass, lifted by that much
+  double dip_mm = 0;                  ///< above 0: pushed into the surface by that much
+  double holder_share = 0;            ///< 0 to 1: how much of the lean that makes the holder hit
+  double holder_depth_mm = 0;         ///< how deep it hits at share 1
 };
 
 struct PartPlan {

@@ -16,7 +16,7 @@ struct BenchTool {
   std::string name;  ///< "ball", "bull" or "taper"
   ToolAssembly assembly;
   ToolForms forms;
-  ConvexPiece lower;   ///< cutter and shank
+  ConvexPiece lower;  ///< cutter and shank
   ConvexPiece holder;
 };
 

@@ -97,8 +97,8 @@ struct Search {
     // Convexity: the tangent plane at the middle lies below the function, and is lowest at a corner.
     if (s.distance_mm + lowest_change(s.gradient, t, middle) >= best.distance_mm - accuracy) return;
     const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
-    const std::array<std::array<Vec3, 3>, 4> parts = {{{ab, bc, ca}, {t[0], ab, ca}, {ab, t[1], bc},
-                                                       {ca, bc, t[2]}}};
+    const std::array<std::array<Vec3, 3>, 4> parts = {
+        {{ab, bc, ca}, {t[0], ab, ca}, {ab, t[1], bc}, {ca, bc, t[2]}}};
     std::array<std::size_t, 4> order = {0, 1, 2, 3};
     std::array<double, 4> slope{};
     for (std::size_t k = 0; k < 4; ++k) {

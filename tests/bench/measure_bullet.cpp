@@ -60,7 +60,8 @@ AxialShape lower_shape(const ConvexPiece& piece) {
 AxialShape holder_shape(const ConvexPiece& piece) {
   const double z0 = piece.contour[1].y(), z1 = piece.contour[2].y();
   const auto wide = static_cast<btScalar>(piece.contour[1].x());
-  auto cylinder = std::make_unique<btCylinderShape>(btVector3(wide, static_cast<btScalar>(0.5 * (z1 - z0)), wide));
+  auto cylinder =
+      std::make_unique<btCylinderShape>(btVector3(wide, static_cast<btScalar>(0.5 * (z1 - z0)), wide));
   cylinder->setMargin(static_cast<btScalar>(0.001));
   return {std::move(cylinder), 0.5 * (z0 + z1)};
 }
@@ -145,7 +146,8 @@ std::function<void(benchmark::State&)> prepare_poses(const std::shared_ptr<const
   const auto scene = std::make_shared<BulletScene>(c->work.scene.parts[0], c->work.tool);
   const auto sample = sample_poses(*c, sample_size(*c));
   return [=](benchmark::State& state) {
-    time_poses(state, *c, sample, [&](const Pose& pose) { return scene->is_hit(pose) ? 1.0 : 0.0; }, true);
+    time_poses(
+        state, *c, sample, [&](const Pose& pose) { return scene->is_hit(pose) ? 1.0 : 0.0; }, true);
   };
 }
 

@@ -29,7 +29,8 @@ constexpr std::size_t kCopies = 10;  // of the path's 20,000 positions in the to
 
 std::string bench_file(const std::string& name) {
   const char* folder = std::getenv("GOUGE_BENCH_CACHE");
-  return (folder != nullptr ? std::string(folder) : std::filesystem::temp_directory_path().string()) + "/" + name;
+  return (folder != nullptr ? std::string(folder) : std::filesystem::temp_directory_path().string()) + "/" +
+         name;
 }
 
 std::string stl_file() {
@@ -48,8 +49,8 @@ std::string toolpath_text() {
     for (const PlacedPose& p : work.positions) {
       char line[160];
       const Vec3 &t = p.pose.tip, &a = p.pose.axis;
-      std::snprintf(line, sizeof line, "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", t.x(), t.y(), t.z(), a.x(), a.y(),
-                    a.z());
+      std::snprintf(line, sizeof line, "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", t.x(), t.y(), t.z(), a.x(),
+                    a.y(), a.z());
       text += line;
     }
   }
@@ -141,14 +142,14 @@ void measure_parse(benchmark::State& state) {
 int main(int count, char** words) {
   using namespace gouge::bench;
   // The peak first: its child must not inherit memory or threads of the others.
-  benchmark::RegisterBenchmark("loading.peak", measure_peak)->Iterations(1)->UseRealTime();
+  benchmark::RegisterBenchmark("loading.peak", measure_peak)->Iterations(1);
   const std::vector<std::pair<const char*, void (*)(benchmark::State&)>> measurements = {
       {"loading.all", measure_load},
       {"loading.read_and_weld", measure_weld},
       {"loading.tree", measure_tree},
       {"loading.parse", measure_parse}};
   for (const auto& [name, one] : measurements) {
-    benchmark::RegisterBenchmark(name, one)->Unit(benchmark::kMillisecond)->UseRealTime();
+    benchmark::RegisterBenchmark(name, one)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
   }
   return run_measurements(count, words);
 }

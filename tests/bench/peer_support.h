@@ -71,6 +71,7 @@ struct Measurement {
   bool is_for_all_tools = true;  ///< false: for the ball alone
 };
 
+/// Times are of the processor, which a busy machine disturbs less; the wall clock's stand beside them.
 /// Registers each measurement for every asked part, tool and size as "<name>/<part>/<tool>/<size>". A case is
 /// made when its turn comes and kept until another one's. The environment chooses: GOUGE_BENCH_SIZES (numbers
 /// and commas), GOUGE_BENCH_PARTS ("wavy", "unseen" or both).

@@ -30,7 +30,9 @@ Stand stand_on_surface(const PartPlan& plan, const BenchTool& tool, const CurveP
   return {{touch - support_offset(tool.lower, axis, -normal), axis}, normal};
 }
 
-Pose pushed(const Stand& stand, double push) { return {stand.pose.tip + push * stand.outward, stand.pose.axis}; }
+Pose pushed(const Stand& stand, double push) {
+  return {stand.pose.tip + push * stand.outward, stand.pose.axis};
+}
 
 /// How far to push out so that the lower piece clears the mesh by kClearance_mm. A secant whose slope is held
 /// to what a contact's normal can make it; the distance is 1-Lipschitz in the push.

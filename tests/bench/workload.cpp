@@ -16,13 +16,15 @@ constexpr const char* kRecipe = "r3";
 constexpr double kGouge_mm = 0.01;
 constexpr std::size_t kNumbers = 9;  // doubles a cached position has
 
-PartPlan plan_of(BenchPart part) { return part == BenchPart::wavy ? plan_wavy() : plan_unseen(); }
+PartPlan plan_of(BenchPart part) {
+  return part == BenchPart::wavy ? plan_wavy() : plan_unseen();
+}
 
 std::string cache_file(const PartPlan& plan, const BenchTool& tool, const WorkloadKey& key) {
   const char* folder = std::getenv("GOUGE_BENCH_CACHE");
   if (folder == nullptr || *folder == '\0') return {};
-  return std::string(folder) + "/" + plan.name + "_" + tool.name + "_" + std::to_string(key.triangles) + "_x" +
-         std::to_string(key.density) + "_" + kRecipe + ".poses";
+  return std::string(folder) + "/" + plan.name + "_" + tool.name + "_" + std::to_string(key.triangles) +
+         "_x" + std::to_string(key.density) + "_" + kRecipe + ".poses";
 }
 
 std::string bytes_of(const std::vector<PlacedPose>& positions) {
@@ -84,7 +86,9 @@ const char* group_name(MoveGroup group) {
   return kNames[static_cast<std::size_t>(group)];
 }
 
-IndexedMesh make_bench_mesh(BenchPart part, std::size_t triangles) { return plan_of(part).mesh(triangles); }
+IndexedMesh make_bench_mesh(BenchPart part, std::size_t triangles) {
+  return plan_of(part).mesh(triangles);
+}
 
 Workload make_workload(const WorkloadKey& key, unsigned threads) {
   const PartPlan plan = plan_of(key.part);
@@ -93,8 +97,7 @@ Workload make_workload(const WorkloadKey& key, unsigned threads) {
   work.scene.parts = {plan.mesh(key.triangles)};
   const std::string file = cache_file(plan, work.tool, key);
   if (!read_positions(file, plan.positions * key.density, work.positions)) {
-    work.positions =
-        place_tool(plan, work.tool, ExactDistance(work.scene.parts[0]), key.density, threads);
+    work.positions = place_tool(plan, work.tool, ExactDistance(work.scene.parts[0]), key.density, threads);
     // A cache that cannot be written only costs time.
     if (!file.empty()) static_cast<void>(write_file(file, bytes_of(work.positions)));
   }
