@@ -4,6 +4,7 @@
 
 #include "cli/resolve_tools.h"
 #include "lib/base/files.h"
+#include "lib/base/view_file.h"
 #include "lib/mesh/load_mesh.h"
 #include "postproc/cldata/read_toolpath.h"
 #include "toolmodels/compile_tool.h"
@@ -63,13 +64,13 @@ class JobLoader {
   void read_meshes(const std::vector<std::string>& files, const char* role, std::vector<IndexedMesh>& meshes,
                    std::vector<MeshFacts>& facts) {
     for (const std::string& file : files) {
-      const Result<std::string> bytes = read_file(file);
-      if (!bytes) {
-        errors_.push_back(bytes.error());
+      const Result<FileView> view = view_file(file);
+      if (!view) {
+        errors_.push_back(view.error());
         continue;
       }
-      job_.inputs.push_back(describe_input(role, file, *bytes));
-      Result<LoadedMesh> loaded = load_mesh_bytes(*bytes, file, {stl_unit(), job_.options.place});
+      job_.inputs.push_back(describe_input(role, file, view->bytes));
+      Result<LoadedMesh> loaded = load_mesh_bytes(view->bytes, file, {stl_unit(), job_.options.place});
       if (!loaded) {
         errors_.push_back(loaded.error());
         continue;

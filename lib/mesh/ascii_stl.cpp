@@ -139,7 +139,7 @@ class AsciiParser {
     }
     if (!expect("endloop") || !expect("endfacet")) return false;
     soup_.triangles.push_back(triangle);
-    count_normal(soup_, *normal);
+    count_normal(soup_, soup_.triangles.size() - 1, triangle, *normal);
     return true;
   }
 
@@ -227,9 +227,10 @@ Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& 
   return AsciiParser(bytes, name).parse();
 }
 
-void count_normal(TriangleSoup& soup, const Vec3& stored_normal) {
+void count_normal(TriangleSoup& soup, std::size_t index, const TrianglePoints& triangle,
+                  const Vec3& stored_normal) {
   constexpr double kThinnest = 1e-3;  // area over longest side squared: below it float rounding turns normals
-  const auto& [a, b, c] = soup.triangles.back();
+  const auto& [a, b, c] = triangle;
   const Vec3 ab = b - a;
   const Vec3 ac = c - a;
   const Vec3 cross = ab.cross(ac);
@@ -237,7 +238,7 @@ void count_normal(TriangleSoup& soup, const Vec3& stored_normal) {
   const double turn = cross.dot(stored_normal);
   if (!std::isfinite(turn) || turn >= 0) return;
   if (cross.squaredNorm() < kThinnest * kThinnest * longest2 * longest2) return;
-  if (soup.opposite_normals == 0) soup.first_opposite_normal = soup.triangles.size() - 1;
+  if (soup.opposite_normals == 0) soup.first_opposite_normal = index;
   ++soup.opposite_normals;
 }
 

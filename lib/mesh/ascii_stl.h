@@ -17,8 +17,9 @@ namespace gouge::detail {
 /// Errors and tolerance as told at parse_stl.
 [[nodiscard]] Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& name);
 
-/// Counts a stored normal that points to the other side of the triangle added last. Normals that are zero or
-/// not finite say nothing, nor do triangles too thin to have a normal.
-void count_normal(TriangleSoup& soup, const Vec3& stored_normal);
+/// Counts a stored normal that points to the other side of its triangle, the one at `index`. Normals that are
+/// zero or not finite say nothing, nor do triangles too thin to have a normal.
+void count_normal(TriangleSoup& soup, std::size_t index, const TrianglePoints& triangle,
+                  const Vec3& stored_normal);
 
 }  // namespace gouge::detail

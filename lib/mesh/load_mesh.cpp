@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "lib/base/files.h"
+#include "lib/base/view_file.h"
 #include "lib/mesh/read_stl.h"
 
 namespace gouge {
@@ -24,9 +24,9 @@ Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& na
 }
 
 Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement) {
-  const Result<std::string> bytes = read_file(path);
-  if (!bytes) return bytes.error();
-  return load_mesh_bytes(*bytes, path, placement);
+  const Result<FileView> file = view_file(path);
+  if (!file) return file.error();
+  return load_mesh_bytes(file->bytes, path, placement);
 }
 
 }  // namespace gouge

@@ -14,51 +14,100 @@ namespace {
 constexpr double kLargest_mm = 1e9;
 constexpr Corner kNoCorner = std::numeric_limits<Corner>::max();
 
+std::uint64_t hash_of(const Vec3& point) {
+  constexpr std::uint64_t kOdd[3] = {0x9e3779b97f4a7c15ULL, 0xbf58476d1ce4e5b9ULL, 0x94d049bb133111ebULL};
+  std::uint64_t mixed = 0;
+  for (int k = 0; k < 3; ++k) {  // -0 becomes +0
+    mixed = (mixed ^ std::bit_cast<std::uint64_t>(point[k] + 0.0)) * kOdd[k];
+    mixed ^= mixed >> 32;
+  }
+  return mixed;
+}
+
 // Open-addressed table from coordinates to vertex numbers. Only looked up, never walked, so its layout cannot
-// reach the result.
+// reach the result. A slot keeps half of the hash, so that a vertex is looked at only when it is the one.
 class WeldTable {
  public:
   explicit WeldTable(std::size_t expected_vertices)
-      : slots_(std::bit_ceil(expected_vertices * 2 + 16), kNoCorner) {}
+      : slots_(std::bit_ceil(expected_vertices * 2 + 16)), mask_(slots_.size() - 1) {}
+
+  void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & mask_]); }
 
   // The number of the vertex at `point`, which is added to `vertices` when new.
-  Corner corner(std::vector<Vec3>& vertices, const Vec3& point) {
-    if (vertices.size() * 2 >= slots_.size()) grow(vertices);
-    const std::size_t slot = slot_of(vertices, point);
-    if (slots_[slot] == kNoCorner) {
-      slots_[slot] = static_cast<Corner>(vertices.size());
+  Corner corner(std::vector<Vec3>& vertices, const Vec3& point, std::uint64_t hash) {
+    if (vertices.size() * 4 >= slots_.size() * 3) grow(vertices);
+    Slot& slot = slots_[slot_of(vertices, point, hash)];
+    if (slot.vertex == kNoCorner) {
+      slot = {static_cast<Corner>(vertices.size()), tag_of(hash)};
       vertices.push_back(point + Vec3::Zero());  // -0 becomes +0
     }
-    return slots_[slot];
+    return slot.vertex;
   }
 
  private:
-  static std::size_t hash(const Vec3& point) {
-    std::uint64_t mixed = 0;
-    for (int k = 0; k < 3; ++k) {
-      mixed ^= std::bit_cast<std::uint64_t>(point[k] + 0.0);  // -0 becomes +0
-      mixed = (mixed ^ (mixed >> 30)) * 0xbf58476d1ce4e5b9ULL;
-      mixed = (mixed ^ (mixed >> 27)) * 0x94d049bb133111ebULL;
-      mixed ^= mixed >> 31;
-    }
-    return static_cast<std::size_t>(mixed);
-  }
+  struct Slot {
+    Corner vertex = kNoCorner;
+    std::uint32_t tag = 0;
+  };
+
+  static std::uint32_t tag_of(std::uint64_t hash) { return static_cast<std::uint32_t>(hash >> 32); }
 
   // Where the vertex at `point` is, or the empty slot where it belongs.
-  [[nodiscard]] std::size_t slot_of(const std::vector<Vec3>& vertices, const Vec3& point) const {
-    const std::size_t mask = slots_.size() - 1;
-    std::size_t slot = hash(point) & mask;
-    while (slots_[slot] != kNoCorner && vertices[slots_[slot]] != point) slot = (slot + 1) & mask;
-    return slot;
+  [[nodiscard]] std::size_t slot_of(const std::vector<Vec3>& vertices, const Vec3& point,
+                                    std::uint64_t hash) const {
+    std::size_t at = hash & mask_;
+    while (slots_[at].vertex != kNoCorner &&
+           (slots_[at].tag != tag_of(hash) || vertices[slots_[at].vertex] != point))
+      at = (at + 1) & mask_;
+    return at;
   }
 
   void grow(const std::vector<Vec3>& vertices) {
-    slots_.assign(slots_.size() * 2, kNoCorner);
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-      slots_[slot_of(vertices, vertices[i])] = static_cast<Corner>(i);
+    slots_.assign(slots_.size() * 2, Slot{});
+    mask_ = slots_.size() - 1;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+      const std::uint64_t hash = hash_of(vertices[i]);
+      slots_[slot_of(vertices, vertices[i], hash)] = {static_cast<Corner>(i), tag_of(hash)};
+    }
   }
 
-  std::vector<Corner> slots_;
+  std::vector<Slot> slots_;
+  std::size_t mask_;
+};
+
+// Corners of the next triangles with their hashes: fetched ahead, so that the table's memory is there in
+// time.
+class Ahead {
+ public:
+  Ahead(const TriangleList& triangles, const WeldTable& table) : triangles_(triangles), table_(table) {
+    for (std::size_t i = 0; i + 1 < kAhead && i < triangles.size(); ++i) fetch(i);
+  }
+
+  struct Entry {
+    TrianglePoints points;
+    std::array<std::uint64_t, 3> hashes;
+  };
+
+  const Entry& at(std::size_t i) {
+    if (i + kAhead - 1 < triangles_.size()) fetch(i + kAhead - 1);
+    return entries_[i % kAhead];
+  }
+
+ private:
+  static constexpr std::size_t kAhead = 16;
+
+  void fetch(std::size_t i) {
+    Entry& entry = entries_[i % kAhead];
+    entry.points = triangles_[i];
+    for (std::size_t k = 0; k < 3; ++k) {
+      entry.hashes[k] = hash_of(entry.points[k]);
+      table_.prefetch(entry.hashes[k]);
+    }
+  }
+
+  const TriangleList& triangles_;
+  const WeldTable& table_;
+  std::array<Entry, kAhead> entries_{};
 };
 
 // Zero in exact arithmetic too for nearly all single-precision files; a sliver that rounds to zero is told
@@ -85,13 +134,14 @@ Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& plac
   mesh.triangles.reserve(soup.triangles.size());
   mesh.file_triangle.reserve(soup.triangles.size());
   mesh.vertices.reserve(soup.triangles.size() / 2 + 2);
-  WeldTable table(soup.triangles.size());
+  WeldTable table(soup.triangles.size() / 2);
+  Ahead ahead(soup.triangles, table);
   const double scale = mm_per(placement.unit);
   const auto centre = [&](const std::array<Vec3, 3>& t) {
     return placement.place.point((t[0] + t[1] + t[2]) * (scale / 3));
   };
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
-    const std::array<Vec3, 3>& triangle = soup.triangles[i];
+    const auto& [triangle, hashes] = ahead.at(i);
     if (!is_in_range(triangle, scale)) {
       return make_error(
           "stl-coordinate-too-large",
@@ -105,7 +155,7 @@ Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& plac
     }
     if (is_collinear(triangle)) built.collinear.add(centre(triangle), i);
     TriangleCorners corners{};
-    for (std::size_t k = 0; k < 3; ++k) corners[k] = table.corner(mesh.vertices, triangle[k]);
+    for (std::size_t k = 0; k < 3; ++k) corners[k] = table.corner(mesh.vertices, triangle[k], hashes[k]);
     mesh.triangles.push_back(corners);
     mesh.file_triangle.push_back(static_cast<std::uint32_t>(i));
   }

@@ -1,34 +1,18 @@
 #include "lib/mesh/read_stl.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
+#include <utility>
 
-#include "lib/base/files.h"
+#include "lib/base/view_file.h"
 #include "lib/mesh/ascii_stl.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kHeaderSize = 84;
-constexpr std::size_t kTriangleSize = 50;
-
-// STL is little-endian; the shifts below say so without asking what the machine is.
-std::uint32_t word_at(std::string_view bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  std::memcpy(&word, bytes.data() + at, sizeof word);
-  if constexpr (std::endian::native == std::endian::big) word = __builtin_bswap32(word);
-  return word;
-}
-
-Vec3 vector_at(std::string_view bytes, std::size_t at) {
-  const auto number = [&](std::size_t k) {
-    return static_cast<double>(std::bit_cast<float>(word_at(bytes, at + 4 * k)));
-  };
-  return {number(0), number(1), number(2)};
-}
+constexpr std::size_t kTriangleSize = TriangleList::kRecordSize;
 
 std::string count_text(std::size_t count, const std::string& thing) {
   return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
@@ -43,7 +27,7 @@ bool is_text(std::string_view bytes) {
 
 // Anything wrong with the size of a binary file: the error, or a note about tolerated bytes.
 Outcome check_size(std::string_view bytes, TriangleSoup& soup) {
-  const std::size_t promised = word_at(bytes, 80);
+  const std::size_t promised = TriangleList::word_at(bytes, 80);
   const std::size_t body = bytes.size() - kHeaderSize;
   if (promised == 0 && body < kTriangleSize) {
     return make_error("stl-no-triangles", "the binary STL holds no triangle; expected at least one",
@@ -74,38 +58,38 @@ Outcome check_size(std::string_view bytes, TriangleSoup& soup) {
   return Done{};
 }
 
-Result<TriangleSoup> parse_binary_stl(std::string_view bytes, const std::string& name) {
+Result<TriangleSoup> parse_binary_stl(std::string_view bytes, const std::string& name,
+                                      std::shared_ptr<const void> keep) {
   TriangleSoup soup;
   soup.name = name;
   soup.format = StlFormat::binary;
   if (const Outcome size = check_size(bytes, soup); !size) return size.error();
-  const std::size_t count = word_at(bytes, 80);
-  soup.triangles.reserve(count);
+  const std::size_t count = TriangleList::word_at(bytes, 80);
+  soup.triangles = TriangleList(bytes.substr(kHeaderSize, kTriangleSize * count), std::move(keep));
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t at = kHeaderSize + kTriangleSize * i;
-    soup.triangles.push_back(
-        {vector_at(bytes, at + 12), vector_at(bytes, at + 24), vector_at(bytes, at + 36)});
-    const auto& [a, b, c] = soup.triangles.back();
+    const TrianglePoints triangle = soup.triangles[i];
+    const auto& [a, b, c] = triangle;
     if (!a.allFinite() || !b.allFinite() || !c.allFinite()) {
       return make_error("stl-bad-number",
                         "triangle " + std::to_string(i + 1) + " of " + std::to_string(count) +
                             " has a coordinate that is infinite or not a number; expected finite coordinates",
                         name);
     }
-    detail::count_normal(soup, vector_at(bytes, at));
+    detail::count_normal(soup, i, triangle, TriangleList::vector_at(bytes, kHeaderSize + kTriangleSize * i));
   }
   return soup;
 }
 
 }  // namespace
 
-Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name) {
+Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
+                               std::shared_ptr<const void> keep) {
   if (bytes.empty()) {
     return make_error("stl-empty", "the file is empty (0 bytes); expected a binary or ASCII STL", name);
   }
   const bool has_header = bytes.size() >= kHeaderSize;
-  if (has_header && bytes.size() == kHeaderSize + kTriangleSize * word_at(bytes, 80)) {
-    return parse_binary_stl(bytes, name);
+  if (has_header && bytes.size() == kHeaderSize + kTriangleSize * TriangleList::word_at(bytes, 80)) {
+    return parse_binary_stl(bytes, name, std::move(keep));
   }
   if (detail::looks_like_ascii_stl(bytes)) return detail::parse_ascii_stl(bytes, name);
   if (is_text(bytes.substr(0, 4096))) {
@@ -118,13 +102,13 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name) 
                           "; a binary STL has at least 84 and an ASCII one begins with 'solid'",
                       name);
   }
-  return parse_binary_stl(bytes, name);
+  return parse_binary_stl(bytes, name, std::move(keep));
 }
 
 Result<TriangleSoup> read_stl(const std::string& path) {
-  Result<std::string> bytes = read_file(path);
-  if (!bytes) return bytes.error();
-  return parse_stl(*bytes, path);
+  const Result<FileView> file = view_file(path);
+  if (!file) return file.error();
+  return parse_stl(file->bytes, path, file->keep);
 }
 
 }  // namespace gouge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -20,10 +21,13 @@ namespace gouge {
 /// Errors   stl-empty, stl-no-triangles, stl-truncated, stl-trailing-data, stl-bad-number (not finite, or in
 ///          ASCII not a number), stl-syntax (ASCII: a word is missing or out of place), stl-not-stl.
 ///          `name` stands in each; ASCII errors have the line.
-/// Cost     O(bytes); 2 million binary triangles take about 0.1 s.
-[[nodiscard]] Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name);
+/// Binary triangles are looked up in `bytes` and not copied: the bytes must outlive the soup, unless `keep`
+/// sees to that.
+/// Cost     O(bytes).
+[[nodiscard]] Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
+                                             std::shared_ptr<const void> keep = nullptr);
 
-/// Reads the file and parses it. Errors: those of read_file and parse_stl.
+/// Maps the file and parses it. Errors: those of read_file and parse_stl.
 [[nodiscard]] Result<TriangleSoup> read_stl(const std::string& path);
 
 }  // namespace gouge

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "lib/base/view_file.h"
+
 namespace gouge {
 namespace {
 
@@ -18,6 +20,26 @@ TEST(Files, WriteThenReadGivesTheSameBytes) {
 TEST(Files, WhatCannotBeReadSaysWhy) {
   EXPECT_EQ(read_file("/no/such/file").error().code, "file-not-found");
   EXPECT_EQ(read_file("/tmp").error().code, "file-is-folder");
+}
+
+TEST(Files, AViewShowsTheSameBytesAndOutlivesTheName) {
+  const std::string path = testing::TempDir() + "gouge_view_test.bin";
+  const std::string bytes = std::string("a\0b\r\n\xff", 6) + std::string(100'000, 'x');
+  ASSERT_TRUE(write_file(path, bytes).has_value());
+  const Result<FileView> view = view_file(path);
+  ASSERT_TRUE(view.has_value());
+  std::filesystem::remove(path);
+  EXPECT_EQ(view->bytes, bytes);
+}
+
+TEST(Files, AViewOfWhatIsNoPlainFileIsRead) {
+  const std::string path = testing::TempDir() + "gouge_view_empty.bin";
+  ASSERT_TRUE(write_file(path, "").has_value());
+  EXPECT_EQ(view_file(path)->bytes, "");
+  std::filesystem::remove(path);
+  EXPECT_EQ(view_file("/dev/null")->bytes, "");
+  EXPECT_EQ(view_file("/no/such/file").error().code, "file-not-found");
+  EXPECT_EQ(view_file("/tmp").error().code, "file-is-folder");
 }
 
 TEST(Files, AFailedWriteLeavesNothingBehind) {
