@@ -111,12 +111,12 @@ SphereCover cover_tool(const BenchTool& tool, double bulge_mm, double disc_bulge
 }
 
 double uncovered_mm(const BenchTool& tool, const SphereCover& cover) {
-  constexpr int kTurns = 90, kRadii = 24;
+  constexpr int kTurns = 72, kRadii = 24;
   std::vector<CoverSphere> spheres = cover.lower;
   spheres.insert(spheres.end(), cover.holder.begin(), cover.holder.end());
   double worst = -std::numeric_limits<double>::infinity();
   const Pose upright;
-  for (double z = 0; z <= tool.forms.bare.z_max_mm; z += 0.05) {
+  for (double z = 0; z <= tool.forms.bare.z_max_mm; z += z < 3 ? 0.1 : 0.3) {
     for (int i = 0; i <= kRadii * (z < 3 ? 4 : 1); ++i) {
       const double r = tool.forms.bare.r_max_mm * i / (kRadii * (z < 3 ? 4 : 1));
       for (int k = 0; k < kTurns; ++k) {
