@@ -106,14 +106,8 @@ void draw_seams(Drawing& drawing, const TracedRegion& region, const ProfileView&
 }  // namespace
 
 Colour body_colour(Body body) {
-  switch (body) {
-    case Body::cutter:
-      return {38, 101, 166, 1};
-    case Body::shank:
-      return {46, 139, 98, 1};
-    case Body::holder:
-      break;
-  }
+  if (body == Body::cutter) return {38, 101, 166, 1};
+  if (body == Body::shank) return {46, 139, 98, 1};
   return {128, 96, 150, 1};
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "lib/base/number_text.h"
 #include "toolmodels/compile_tool.h"
@@ -112,13 +113,22 @@ class Sheet {
     double bodies_drawn = 0;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
       if (bodies_[i].elements.empty()) continue;
-      const double low = bodies_[i].elements.front().a.y(), high = bodies_[i].elements.back().b.y();
+      const double high = bodies_[i].elements.back().b.y();
+      double low = i == 0 ? 0.0 : bodies_[i].elements.front().a.y();
+      for (const ProfileElement& e : bodies_[i].elements) low = std::min({low, e.a.y(), e.b.y()});
       draw_length(view, left, low, high,
                   std::string(body_name(static_cast<Body>(i))) + " " + length(high - low));
       ++bodies_drawn;
     }
-    if (bodies_drawn > 1)
-      draw_length(view, left - 110, compiled_.z_min_mm, compiled_.z_max_mm, length(compiled_.z_max_mm));
+    double x = left - 110;
+    if (bodies_drawn > 1) draw_length(view, x, 0, compiled_.z_max_mm, length(compiled_.z_max_mm));
+    const auto draw_named = [&](double value_mm, const char* name) {
+      x -= 110;
+      draw_length(view, x, 0, value_mm, std::string(name) + " " + length(value_mm));
+    };
+    if (tool_.stickout_mm > 0) draw_named(tool_.stickout_mm, "stick-out");
+    if (tool_.gauge_length_mm > 0 && tool_.gauge_length_mm <= compiled_.z_max_mm)
+      draw_named(tool_.gauge_length_mm, "gauge");
   }
 
   struct Label {
@@ -132,19 +142,29 @@ class Sheet {
                                                    : "D " + length(lower) + " to " + length(upper);
   }
 
+  // Where the flutes are widest, which for an arc may lie between its ends.
+  [[nodiscard]] Vec2 widest_of_cutter() const {
+    Vec2 widest = Vec2::Zero();
+    for (const ProfileElement& e : bodies_[0].elements)
+      for (const Vec2& p : sample(e, 96))
+        if (p.x() > widest.x() + 1e-9 * compiled_.r_max_mm) widest = p;
+    return widest;
+  }
+
   std::vector<Label> diameter_labels(const ProfileView& view) const {
     std::vector<Label> labels;
-    double z = length_mm(tool_.cutter);
-    const Vec2 top = bodies_[0].elements.back().a;
-    const Vec2 at_top = view.at(Vec2(top.x(), std::max(0.7 * top.y(), top.y() - 8 / view.scale)));
-    labels.push_back({at_top.y(), at_top, diameters(2 * top.x(), 2 * top.x())});
-    for (const std::vector<ToolSegment>* body : {&tool_.shank, &tool_.holder})
-      for (const ToolSegment& s : *body) {
-        const Vec2 at =
-            view.at(Vec2(0.25 * (s.lower_diameter_mm + s.upper_diameter_mm), z + 0.5 * s.length_mm));
-        labels.push_back({at.y(), at, diameters(s.lower_diameter_mm, s.upper_diameter_mm)});
-        z += s.length_mm;
-      }
+    const Vec2 top = bodies_[0].elements.back().a, widest = widest_of_cutter();
+    const double below = std::max(0.7 * top.y(), top.y() - 8 / view.scale);
+    const bool is_at_top = widest.x() <= top.x() * (1 + 1e-9);
+    const Vec2 at = view.at(is_at_top ? Vec2(top.x(), below) : widest);
+    labels.push_back({at.y(), at, diameters(2 * widest.x(), 2 * widest.x())});
+    for (const PlacedSegment& placed : place_segments(tool_)) {
+      const ToolSegment& s = placed.segment;
+      const Vec2 middle = view.at(Vec2(0.25 * (s.lower_diameter_mm + s.upper_diameter_mm), placed.z_mm + 0.5 * s.length_mm));
+      const bool has_own_name = placed.name.rfind("shank", 0) != 0 && placed.name.rfind("holder", 0) != 0;
+      labels.push_back({middle.y(), middle,
+                        diameters(s.lower_diameter_mm, s.upper_diameter_mm) + (has_own_name ? "  " + placed.name : "")});
+    }
     return labels;
   }
 
@@ -165,11 +185,12 @@ class Sheet {
   // ---- right panel
 
   void draw_tip() {
-    double widest = 0;
-    for (const ProfileElement& e : bodies_[0].elements) widest = std::max({widest, e.a.x(), e.b.x()});
+    const Vec2 widest = widest_of_cutter();
+    const auto [low, high] = heights_of_tip();
     ProfileView view;
-    view.scale = (kTipRight - kTipLeft) / (1.45 * widest);
-    view.origin = Vec2(kTipLeft, kBottom - 0.17 * (kBottom - kTop));
+    const double tall = kBottom - kTop;
+    view.scale = std::min((kTipRight - kTipLeft) / (1.45 * widest.x()), 0.72 * tall / std::max(high - low, 1e-9));
+    view.origin = Vec2(kTipLeft, kBottom - 0.17 * tall + view.scale * low);
     view.low = Vec2(0, (view.origin.y() - kBottom) / view.scale);
     view.high = Vec2((kTipRight - kTipLeft) / view.scale, (view.origin.y() - kTop) / view.scale);
     detail::draw_regions(drawing_, compiled_, view, true);
@@ -180,6 +201,30 @@ class Sheet {
     detail::draw_line(drawing_, frame[0], frame[3], kFaint, 1.5, {14, 4, 3, 4});
     draw_scale_bar(view);
     draw_corner(view);
+    draw_radius(view, widest);
+  }
+
+  // The part of the flutes that is more than a straight side.
+  [[nodiscard]] std::pair<double, double> heights_of_tip() const {
+    double low = 0, high = 0;
+    const std::vector<ProfileElement>& flutes = bodies_[0].elements;
+    for (std::size_t i = 0; i + 1 < flutes.size(); ++i)
+      for (const Vec2& p : sample(flutes[i], 24)) {
+        low = std::min(low, p.y());
+        if (flutes[i].is_arc || p == flutes[i].a) high = std::max(high, p.y());
+      }
+    return {low, high};
+  }
+
+  // Half of the diameter, from the axis, below the tip.
+  void draw_radius(const ProfileView& view, const Vec2& widest) {
+    const double y = kBottom - 56;
+    const Vec2 from(kTipLeft, y), to(view.at(widest).x(), y);
+    const Vec2 above(to.x(), std::max(view.at(widest).y() + 4, kTop));
+    detail::draw_line(drawing_, above, to + Vec2(0, 8), kFaint, 1, {4, 4});
+    detail::draw_arrow(drawing_, to - Vec2(60, 0), to, kInk, 1);
+    detail::draw_line(drawing_, from, to - Vec2(60, 0), kInk, 1);
+    detail::draw_text(drawing_, {0.5 * (from.x() + to.x()), y - 6}, "D/2 = " + length(widest.x()), 15, TextAnchor::middle, true);
   }
 
   void draw_scale_bar(const ProfileView& view) {
@@ -234,29 +279,6 @@ class Sheet {
   Drawing drawing_;
 };
 
-void place(Drawing& sheet, const Drawing& drawing, const Vec2& corner, double scale) {
-  const auto moved = [&](std::vector<Vec2> points) {
-    for (Vec2& p : points) p = corner + scale * p;
-    return points;
-  };
-  for (const auto& item : drawing.items) {
-    if (const auto* line = std::get_if<DrawnLine>(&item)) {
-      DrawnLine copy = *line;
-      copy.points = moved(line->points);
-      copy.width *= scale;
-      for (double& dash : copy.dashes) dash *= scale;
-      sheet.items.emplace_back(std::move(copy));
-    } else if (const auto* shape = std::get_if<DrawnShape>(&item)) {
-      sheet.items.emplace_back(DrawnShape{moved(shape->points), shape->fill});
-    } else {
-      DrawnText copy = std::get<DrawnText>(item);
-      copy.at = corner + scale * copy.at;
-      copy.size *= scale;
-      sheet.items.emplace_back(std::move(copy));
-    }
-  }
-}
-
 }  // namespace
 
 Result<Drawing> draw_profile(const ToolAssembly& tool, LengthUnit unit) {
@@ -265,21 +287,6 @@ Result<Drawing> draw_profile(const ToolAssembly& tool, LengthUnit unit) {
   const Result<Profile> profile = make_profile(tool);
   if (!profile) return profile.error();
   return Sheet(tool, *bodies, *profile, unit).draw();
-}
-
-Drawing draw_sheet(const std::vector<Drawing>& drawings) {
-  Drawing sheet;
-  if (drawings.empty()) return sheet;
-  const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(drawings.size()))));
-  const std::size_t rows = (drawings.size() + columns - 1) / columns;
-  const double scale = std::min(1.0, 3000 / (static_cast<double>(columns) * drawings.front().width));
-  const Vec2 cell = scale * Vec2(drawings.front().width, drawings.front().height);
-  sheet.width = cell.x() * static_cast<double>(columns);
-  sheet.height = cell.y() * static_cast<double>(rows);
-  for (std::size_t i = 0; i < drawings.size(); ++i)
-    place(sheet, drawings[i],
-          cell.cwiseProduct(Vec2(static_cast<double>(i % columns), static_cast<double>(i / columns))), scale);
-  return sheet;
 }
 
 }  // namespace gouge

@@ -18,8 +18,10 @@ namespace gouge {
 /// Errors   those of make_body_profiles.
 [[nodiscard]] Result<Drawing> draw_profile(const ToolAssembly& tool, LengthUnit unit);
 
-/// Several drawings on one sheet, in rows, scaled down as they become more.
-[[nodiscard]] Drawing draw_sheet(const std::vector<Drawing>& drawings);
+/// Every tool in a field of its own, in rows: the whole assembly small, its cutter large, name and dimensions.
+///
+/// Errors   those of make_body_profiles.
+[[nodiscard]] Result<Drawing> draw_sheet(const std::vector<const ToolAssembly*>& tools, LengthUnit unit);
 
 /// "cutter flat D 10 mm, ..." in one line: what captions and lists say of a tool.
 [[nodiscard]] std::string describe_cutter(const Cutter& cutter, LengthUnit unit);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "lib/tool/evaluate.h"
 
@@ -21,6 +22,11 @@ Vec2 normal_at(const BoundaryElement& e, const Vec2& point) {
 Vec2 turned(const Vec2& u, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);
   return {c * u.x() - s * u.y(), s * u.x() + c * u.y()};
+}
+
+// Rays stand closer near the ends, where a bisector may run almost along them.
+double share(int i, int steps) {
+  return 0.5 * (1 - std::cos(std::numbers::pi * i / steps));
 }
 
 double angle_between(const Vec2& u, const Vec2& v) {
@@ -63,7 +69,7 @@ class Tracer {
     if (e.kind == ElementKind::segment) {
       constexpr int kSteps = 480;
       for (int i = 0; i <= kSteps; ++i)
-        list.push_back({e.a + (static_cast<double>(i) / kSteps) * (e.b - e.a), sign * e.normal});
+        list.push_back({e.a + share(i, kSteps) * (e.b - e.a), sign * e.normal});
       return list;
     }
     constexpr int kSteps = 120;
@@ -71,7 +77,7 @@ class Tracer {
     const Vec2 last = e.kind == ElementKind::arc ? normal_at(e, e.b) : normal_after(index);
     const double sweep = angle_between(first, last);
     for (int i = 0; i <= kSteps; ++i) {
-      const Vec2 normal = turned(first, sweep * i / kSteps);
+      const Vec2 normal = turned(first, sweep * share(i, kSteps));
       const double side = e.is_reflex ? -1 : 1;
       const Vec2 from = e.kind == ElementKind::arc ? Vec2(e.center + side * e.radius_mm * normal) : e.a;
       list.push_back({from, sign * normal});

@@ -119,16 +119,21 @@ TEST(DrawProfile, AToolThatCannotBeBuiltIsAnError) {
   EXPECT_EQ(drawing.error().code, "tool-dimension-not-positive");
 }
 
-TEST(DrawSheet, HoldsEveryDrawingInARowAndColumnOfItsOwn) {
-  Drawing one;
-  one.width = 1500;
-  one.height = 1000;
-  one.items.emplace_back(DrawnText{{1500, 1000}, "corner", 10, {}, TextAnchor::left, false});
-  const Drawing sheet = draw_sheet({one, one, one});
-  EXPECT_EQ(sheet.width, 3000);
-  EXPECT_EQ(sheet.height, 2000);
-  const std::vector<Vec2> expected{{1500, 1000}, {3000, 1000}, {1500, 2000}};
-  EXPECT_EQ(points_of(sheet), expected);
+TEST(DrawSheet, HoldsEveryToolInARowAndColumnOfItsOwn) {
+  const std::vector<ToolAssembly> tools = test::sample_tools();
+  std::vector<const ToolAssembly*> chosen;
+  for (const ToolAssembly& tool : tools) chosen.push_back(&tool);
+  const Drawing sheet = *draw_sheet(chosen, LengthUnit::mm);
+  for (const Vec2& p : points_of(sheet)) {
+    ASSERT_TRUE(p.allFinite());
+    ASSERT_GE(p.minCoeff(), 0);
+    ASSERT_LE(p.x(), sheet.width);
+    ASSERT_LE(p.y(), sheet.height);
+  }
+  const std::vector<std::string> texts = texts_of(sheet);
+  for (const ToolAssembly& tool : tools) EXPECT_TRUE(has(texts, label(tool))) << tool.name;
+  chosen.resize(2);
+  EXPECT_EQ(3 * draw_sheet(chosen, LengthUnit::mm)->height, sheet.height) << "one row instead of three";
 }
 
 }  // namespace
