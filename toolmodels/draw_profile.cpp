@@ -47,6 +47,8 @@ class Sheet {
     detail::draw_text(drawing_, {40, 48}, label(tool_), 26, TextAnchor::left, true);
     std::string facts = describe_cutter(tool_.cutter, unit_) + ", length " + length(length_mm(tool_.cutter)) +
                         ", assembly " + length(compiled_.z_max_mm) + " " + unit_name(unit_);
+    if (tool_.stickout_mm > 0) facts += ", stick-out " + length(tool_.stickout_mm);
+    if (tool_.gauge_length_mm > 0) facts += ", gauge length " + length(tool_.gauge_length_mm);
     if (tool_.holder.empty()) facts += ", no holder";
     detail::draw_text(drawing_, {40, 78}, facts, 16, TextAnchor::left);
     detail::draw_line(drawing_, {40, 94}, {kWidth - 40, 94}, kFaint, 1);
@@ -120,15 +122,7 @@ class Sheet {
                   std::string(body_name(static_cast<Body>(i))) + " " + length(high - low));
       ++bodies_drawn;
     }
-    double x = left - 110;
-    if (bodies_drawn > 1) draw_length(view, x, 0, compiled_.z_max_mm, length(compiled_.z_max_mm));
-    const auto draw_named = [&](double value_mm, const char* name) {
-      x -= 110;
-      draw_length(view, x, 0, value_mm, std::string(name) + " " + length(value_mm));
-    };
-    if (tool_.stickout_mm > 0) draw_named(tool_.stickout_mm, "stick-out");
-    if (tool_.gauge_length_mm > 0 && tool_.gauge_length_mm <= compiled_.z_max_mm)
-      draw_named(tool_.gauge_length_mm, "gauge");
+    if (bodies_drawn > 1) draw_length(view, left - 110, 0, compiled_.z_max_mm, length(compiled_.z_max_mm));
   }
 
   struct Label {

@@ -108,6 +108,14 @@ TEST(DrawProfile, DimensionsAreWrittenInTheUnitAsked) {
     EXPECT_TRUE(has(texts, wanted)) << wanted;
 }
 
+TEST(DrawProfile, StickOutAndGaugeLengthAreTold) {
+  ToolAssembly tool = test::assembly("t", FlatCutter{10, 20}, {{10, 10, 60}}, {{32, 32, 40}});
+  tool.stickout_mm = 50;
+  tool.gauge_length_mm = 85;
+  EXPECT_TRUE(has(texts_of(*draw_profile(tool, LengthUnit::mm)),
+                  "flat D 10, length 20, assembly 90 mm, stick-out 50, gauge length 85"));
+}
+
 TEST(DrawProfile, TheSameToolGivesTheSameDrawing) {
   const ToolAssembly tool = test::sample_tools()[7];
   EXPECT_EQ(points_of(*draw_profile(tool, LengthUnit::mm)), points_of(*draw_profile(tool, LengthUnit::mm)));
