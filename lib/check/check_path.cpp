@@ -85,7 +85,62 @@ class PathChecker {
   const CheckOptions& options_;
 };
 
-void count(CheckResult& result) {
+bool is_told(const MoveVerdict& v) {
+  return v.state != MoveState::clean && v.state != MoveState::not_checked;
+}
+
+bool belongs(const Event& event, const Move& last, const Move& move, const MoveVerdict& v) {
+  if (event.state != v.state || last.tool != move.tool || last.operation != move.operation) return false;
+  return !v.witness || (event.body == v.witness->body && event.against == v.witness->against);
+}
+
+bool is_worse(const MoveVerdict& a, const MoveVerdict& b) {
+  if (a.clearance_mm && b.clearance_mm) return *a.clearance_mm < *b.clearance_mm;
+  return a.depth_mm > b.depth_mm;
+}
+
+}  // namespace
+
+Motion motion_of(const Toolpath& toolpath, const Move& move, RapidMode rapid) {
+  if (!move.start) return Motion(move.end);
+  if (move.curve_kind == CurveKind::arc) return Motion(*move.start, move.end, toolpath.arcs[move.curve]);
+  if (move.curve_kind == CurveKind::spline)
+    return Motion(*move.start, move.end, toolpath.splines[move.curve]);
+  return Motion(*move.start, move.end, move.kind == MoveKind::rapid && rapid == RapidMode::dogleg);
+}
+
+std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts) {
+  std::vector<Event> events;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const MoveVerdict& v = verdicts[i];
+    if (!is_told(v)) continue;
+    const Move& move = toolpath.moves[i];
+    const bool is_next = !events.empty() && events.back().last_move + 1 == i;
+    if (is_next && belongs(events.back(), toolpath.moves[i - 1], move, v)) {
+      Event& event = events.back();
+      event.last_move = i;
+      ++event.moves;
+      if (is_worse(v, verdicts[event.worst_move])) event.worst_move = i;
+      continue;
+    }
+    Event event;
+    event.state = v.state;
+    event.first_move = event.last_move = event.worst_move = i;
+    event.moves = 1;
+    event.tool = move.tool;
+    if (v.witness) {
+      event.body = v.witness->body;
+      event.against = v.witness->against;
+    }
+    events.push_back(event);
+  }
+  return events;
+}
+
+void count_states(CheckResult& result) {
+  result.counts = {};
+  result.worst_depth_mm = result.largest_gap_mm = 0;
+  result.worst_move = static_cast<std::size_t>(-1);
   for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const MoveVerdict& v = result.verdicts[i];
     switch (v.state) {
@@ -118,57 +173,6 @@ void count(CheckResult& result) {
   }
 }
 
-bool is_told(const MoveVerdict& v) {
-  return v.state != MoveState::clean && v.state != MoveState::not_checked;
-}
-
-bool belongs(const Event& event, const Move& last, const Move& move, const MoveVerdict& v) {
-  if (event.state != v.state || last.tool != move.tool || last.operation != move.operation) return false;
-  return !v.witness || (event.body == v.witness->body && event.against == v.witness->against);
-}
-
-bool is_worse(const MoveVerdict& a, const MoveVerdict& b) {
-  if (a.clearance_mm && b.clearance_mm) return *a.clearance_mm < *b.clearance_mm;
-  return a.depth_mm > b.depth_mm;
-}
-
-}  // namespace
-
-Motion motion_of(const Toolpath& toolpath, const Move& move, RapidMode rapid) {
-  if (!move.start) return Motion(move.end);
-  if (move.curve_kind == CurveKind::arc) return Motion(*move.start, move.end, toolpath.arcs[move.curve]);
-  if (move.curve_kind == CurveKind::spline) return Motion(*move.start, move.end, toolpath.splines[move.curve]);
-  return Motion(*move.start, move.end, move.kind == MoveKind::rapid && rapid == RapidMode::dogleg);
-}
-
-std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts) {
-  std::vector<Event> events;
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    const MoveVerdict& v = verdicts[i];
-    if (!is_told(v)) continue;
-    const Move& move = toolpath.moves[i];
-    const bool is_next = !events.empty() && events.back().last_move + 1 == i;
-    if (is_next && belongs(events.back(), toolpath.moves[i - 1], move, v)) {
-      Event& event = events.back();
-      event.last_move = i;
-      ++event.moves;
-      if (is_worse(v, verdicts[event.worst_move])) event.worst_move = i;
-      continue;
-    }
-    Event event;
-    event.state = v.state;
-    event.first_move = event.last_move = event.worst_move = i;
-    event.moves = 1;
-    event.tool = move.tool;
-    if (v.witness) {
-      event.body = v.witness->body;
-      event.against = v.witness->against;
-    }
-    events.push_back(event);
-  }
-  return events;
-}
-
 CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
                        const PreparedScene& scene, const CheckOptions& options,
                        const ProgressCall& progress) {
@@ -189,7 +193,7 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolFor
   mark_buried(toolpath, tools, *scene.scene, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;
   result.events = gather_events(toolpath, result.verdicts);
-  count(result);
+  count_states(result);
   return result;
 }
 

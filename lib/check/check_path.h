@@ -29,7 +29,11 @@ using ProgressCall = std::function<void(std::size_t done, std::size_t total)>;
 [[nodiscard]] std::vector<Event> gather_events(const Toolpath& toolpath,
                                                const std::vector<MoveVerdict>& verdicts);
 
-/// The motion of a move of `toolpath`, along its arc or spline where it has one; rapids in the mode asked for.
+/// Counts the states and finds the worst move anew, once verdicts have been changed.
+void count_states(CheckResult& result);
+
+/// The motion of a move of `toolpath`, along its arc or spline where it has one; rapids in the mode asked
+/// for.
 [[nodiscard]] Motion motion_of(const Toolpath& toolpath, const Move& move, RapidMode rapid);
 
 }  // namespace gouge

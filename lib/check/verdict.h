@@ -37,6 +37,7 @@ struct MoveVerdict {
   double depth_upper_mm = 0;
   std::optional<Witness> witness;      ///< where depth > 0 (for near: the surface point that comes closest)
   std::optional<double> clearance_mm;  ///< near: realised distance at the witness
+  std::optional<double> overcut_mm;    ///< gouge of a closed solid: how far below its surface the tool reached
   std::string reason;                  ///< for not_checked and not_certified
 };
 
@@ -63,6 +64,7 @@ struct CheckResult {
   StateCounts counts;
   double worst_depth_mm = 0;
   std::size_t worst_move = static_cast<std::size_t>(-1);
+  double worst_overcut_mm = 0;    ///< largest overcut of a gouge; 0 where none was measured
   double largest_gap_mm = 0;      ///< largest depth_upper - depth over gouging moves
   std::uint64_t evaluations = 0;  ///< tool evaluations spent; the same on every run
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "lib/mesh/mesh_findings.h"
 #include "lib/penetration/below_facets.h"
@@ -27,12 +28,13 @@ std::array<Vec3, 3> corners_of(const IndexedMesh& mesh, std::size_t triangle) {
 /// Intervals of a facet, its offset facet, and with complete coverage of all within the depth.
 class FacetBounds {
  public:
-  FacetBounds(const DepthBody& body, const InnerReach& reach, double slack)
+  FacetBounds(const DepthBody& body, const std::optional<InnerReach>& reach, double slack)
       : body_(body), reach_(reach), slack_(slack) {}
 
   void operator()(std::uint32_t triangle, float* intervals) {
     const DepthBodyOptions& options = body_.options;
     const std::array<Vec3, 3> facet = corners_of(body_.mesh, triangle);
+    if (options.is_lean) return write_intervals(options.directions, facet, slack_, intervals);
     std::array<Vec3, 6> both;
     for (std::size_t k = 0; k < 3; ++k) {
       both[k] = facet[k];
@@ -42,8 +44,8 @@ class FacetBounds {
     if (options.coverage == Coverage::offset) return;
     for (std::size_t i = 0; i < options.directions.axes.size(); ++i) {
       const Vec3& u = options.directions.axes[i];
-      const double high = reach_.above(triangle, u, options.depth_mm) + slack_;
-      const double low = -reach_.above(triangle, -u, options.depth_mm) - slack_;
+      const double high = reach_->above(triangle, u, options.depth_mm) + slack_;
+      const double low = -reach_->above(triangle, -u, options.depth_mm) - slack_;
       intervals[low_slot(i)] = std::min(intervals[low_slot(i)], static_cast<float>(low));
       intervals[high_slot(i)] = std::max(intervals[high_slot(i)], static_cast<float>(high));
     }
@@ -51,7 +53,7 @@ class FacetBounds {
 
  private:
   const DepthBody& body_;
-  const InnerReach& reach_;
+  const std::optional<InnerReach>& reach_;
   double slack_;
 };
 
@@ -121,7 +123,7 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
   DepthBody body;
   body.options = options;
   body.is_solid = is_solid;
-  body.offsets = offset_vertices(mesh, adjacency, options.normals);
+  if (!options.is_lean) body.offsets = offset_vertices(mesh, adjacency, options.normals);
   body.sign = SurfaceSign(mesh, adjacency);
   body.mesh = std::move(mesh);
   const double reach = largest_coordinate(body.mesh) + (1 + kLongestOffset) * options.depth_mm;
@@ -133,16 +135,20 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
     centres.emplace_back((facet[0] + facet[1] + facet[2]) / 3.0);
   }
   const std::vector<Vec3> normals = face_normals(body.mesh);
-  const InnerReach inner(body.mesh, adjacency, normals);
+  const std::optional<InnerReach> inner =
+      options.is_lean ? std::nullopt
+                      : std::optional<InnerReach>(std::in_place, body.mesh, adjacency, normals);
   FacetBounds bounds(body, inner, kSingle * reach);
   body.tree = build_kdop_tree(options.directions, centres, {options.width, options.leaf_triangles},
                               [&bounds](std::uint32_t t, float* intervals) { bounds(t, intervals); });
   for (const std::uint32_t t : body.tree.order) {
     body.corners.push_back(corners_of(body.mesh, t));
+    if (options.is_lean) continue;
     body.facets.push_back(record_of(body.corners.back(), body.sign.face(t)));
     body.bisectors.push_back(bisectors_of(body, adjacency, t));
   }
   fill_boxes(body);
+  if (options.is_lean) return body;
   body.is_clear_below = facets_clear_below(body);
   if (body.is_solid) body.depths = DepthGrid(body);
   return body;

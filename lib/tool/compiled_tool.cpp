@@ -9,9 +9,11 @@ const char* body_name(Body body) {
     case Body::shank:
       return "shank";
     case Body::holder:
+      return "holder";
+    case Body::head:
       break;
   }
-  return "holder";
+  return "head";
 }
 
 }  // namespace gouge

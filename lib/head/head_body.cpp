@@ -1,0 +1,72 @@
+#include "lib/head/head_body.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "lib/penetration/nearest_foot.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kTries = 200;
+
+/// Piece of surface each triangle belongs to, numbered from 0.
+std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
+  std::vector<std::uint32_t> vertex_piece(mesh.vertices.size());
+  std::iota(vertex_piece.begin(), vertex_piece.end(), 0U);
+  const auto root = [&](std::uint32_t v) {
+    while (vertex_piece[v] != v) v = vertex_piece[v] = vertex_piece[vertex_piece[v]];
+    return v;
+  };
+  for (const TriangleCorners& t : mesh.triangles) {
+    for (std::size_t k = 1; k < 3; ++k) {
+      const std::uint32_t a = root(t[0]), b = root(t[k]);
+      vertex_piece[std::max(a, b)] = std::min(a, b);
+    }
+  }
+  std::vector<std::uint32_t> names, piece;
+  for (const TriangleCorners& t : mesh.triangles) {
+    const std::uint32_t name = root(t[0]);
+    const auto known = std::find(names.begin(), names.end(), name);
+    piece.push_back(static_cast<std::uint32_t>(known - names.begin()));
+    if (known == names.end()) names.push_back(name);
+  }
+  return piece;
+}
+
+}  // namespace
+
+Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
+  DepthBodyOptions options;
+  options.directions = *make_directions(DirectionFamily::cube, 6);
+  options.is_lean = true;
+  HeadBody head{build_depth_body(mesh, options), {}, {}};
+  if (!head.surface.is_solid) {
+    return make_error(
+        "mesh-head-open",
+        "is not a closed solid facing outward; expected one, since what is inside the head must be "
+        "known; 'gougecheck mesh FILE --repair OUT.stl' tells what is wrong",
+        mesh.name);
+  }
+  const std::vector<std::uint32_t> piece = pieces_of(mesh);
+  const std::uint32_t pieces = *std::max_element(piece.begin(), piece.end()) + 1;
+  head.cores.resize(pieces, Vec3::Zero());
+  head.core_depths_mm.resize(pieces, 0);
+  const double size = mesh.box().diagonal().norm();
+  const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / (kTries * pieces));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (t % step != 0 && head.core_depths_mm[piece[t]] > 0) continue;
+    const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
+    for (double depth = 0.5 * size; depth > 1e-4 * size; depth *= 0.5) {
+      const Vec3 core = centre - depth * head.surface.sign.face(static_cast<std::uint32_t>(t));
+      const auto foot = nearest_foot(head.surface, core);
+      if (!foot || !foot->is_inside || piece[foot->triangle] != piece[t]) continue;
+      if (foot->distance_mm <= head.core_depths_mm[piece[t]]) continue;
+      head.core_depths_mm[piece[t]] = foot->distance_mm;
+      head.cores[piece[t]] = core;
+    }
+  }
+  return head;
+}
+
+}  // namespace gouge

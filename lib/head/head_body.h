@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "lib/mesh/mesh_findings.h"
+#include "lib/penetration/depth_body.h"
+
+namespace gouge {
+
+/// A machine head, angle head, probe or clamp that moves with the tool, in the tool's frame.
+struct HeadBody {
+  DepthBody surface;
+  /// For each piece of its surface a point inside it, the deepest of some hundred tries, and how deep it is.
+  std::vector<Vec3> cores;
+  std::vector<double> core_depths_mm;
+};
+
+/// Requires what build_mesh ensures.
+/// Errors   mesh-head-open: the surface is not closed, so what is inside it is not defined.
+[[nodiscard]] Result<HeadBody> build_head_body(const IndexedMesh& mesh);
+
+}  // namespace gouge

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lib/head/head_body.h"
+#include "lib/head/head_motion.h"
+
+namespace gouge {
+
+/// The largest depth of a surface in a head along one motion.
+struct HeadQuestion {
+  double tolerance_mm = 0;   ///< no more is asked than a proof that the depth is at most this ...
+  double resolution_mm = 0;  ///< ... plus this; above the tolerance the depth is closed to it
+  std::uint64_t budget = 0;  ///< bounds to compute before giving up
+};
+
+struct HeadAnswer {
+  double depth_mm = 0;        ///< realised at the witness; at least 0
+  double depth_upper_mm = 0;  ///< proven: nowhere in the move is it more
+  bool has_witness = false;   ///< depth > 0
+  double t = 0;
+  Vec3 point = Vec3::Zero();    ///< of the surface, part coordinates
+  Vec3 normal = Vec3::UnitZ();  ///< in which the head must give way by the depth
+  std::size_t surface = 0;      ///< which of those asked
+  std::uint32_t triangle = 0;   ///< index into that mesh's triangles
+  std::uint64_t bounds = 0;
+};
+
+/// Best-first over (interval of time x part of the surface). In the tool's frame a point of the surface stays
+/// within `bulge` of the chord between its places at both ends of an interval; the head's signed distance is
+/// 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both ends
+/// - way) - radius.
+///
+/// Requires resolution > 0.
+/// Ensures  depth <= true depth <= depth_upper, at any budget.
+/// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/algorithms/certified_sweep.md.
+[[nodiscard]] HeadAnswer search_head(const HeadMotion& motion, const HeadBody& head,
+                                     const std::vector<const DepthBody*>& surfaces,
+                                     const HeadQuestion& question);
+
+}  // namespace gouge

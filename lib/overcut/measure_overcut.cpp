@@ -1,0 +1,71 @@
+#include "lib/overcut/measure_overcut.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "lib/base/parallel.h"
+#include "lib/check/check_path.h"
+#include "lib/overcut/overcut_search.h"
+
+namespace gouge {
+namespace {
+
+/// The solids that gouges name, by kind and number.
+class Solids {
+ public:
+  Solids(const Scene& scene, const std::vector<MoveVerdict>& verdicts)
+      : parts_(scene.parts.size()), fixtures_(scene.fixtures.size()) {
+    for (const MoveVerdict& v : verdicts) {
+      if (v.state != MoveState::gouge || !v.witness) continue;
+      std::unique_ptr<DepthBody>& body = slot(*v.witness);
+      if (body) continue;
+      const std::vector<IndexedMesh>& meshes =
+          v.witness->against == Against::part ? scene.parts : scene.fixtures;
+      DepthBodyOptions options;
+      options.directions = *make_directions(DirectionFamily::cube, 6);
+      options.is_lean = true;
+      body = std::make_unique<DepthBody>(build_depth_body(meshes[v.witness->mesh], options));
+    }
+  }
+
+  [[nodiscard]] const DepthBody* of(const Witness& w) const {
+    return (w.against == Against::part ? parts_ : fixtures_)[w.mesh].get();
+  }
+
+ private:
+  std::unique_ptr<DepthBody>& slot(const Witness& w) {
+    return (w.against == Against::part ? parts_ : fixtures_)[w.mesh];
+  }
+  std::vector<std::unique_ptr<DepthBody>> parts_, fixtures_;
+};
+
+}  // namespace
+
+void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+                      const Scene& scene, const CheckOptions& options, CheckResult& result) {
+  std::vector<std::size_t> gouges;
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+    const MoveVerdict& v = result.verdicts[i];
+    const bool is_tool = v.witness && v.witness->body != Body::head;
+    if (v.state == MoveState::gouge && is_tool) gouges.push_back(i);
+  }
+  const Solids solids(scene, result.verdicts);
+  for_each_chunk(gouges.size(), 4, options.threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) {
+      MoveVerdict& verdict = result.verdicts[gouges[k]];
+      const Move& move = toolpath.moves[gouges[k]];
+      const DepthBody* solid = solids.of(*verdict.witness);
+      if (solid == nullptr || !solid->is_solid || tools[move.tool] == nullptr) continue;
+      const Motion motion = motion_of(toolpath, move, options.rapid);
+      const SweptTool tool(motion, tools[move.tool]->bare);
+      // Where the tool's boundary comes to lie once the witness is followed through the tool.
+      const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
+      verdict.overcut_mm = find_overcut(tool, *solid, seed, verdict.witness->t).depth_mm;
+    }
+  });
+  result.worst_overcut_mm = 0;
+  for (const std::size_t i : gouges)
+    result.worst_overcut_mm = std::max(result.worst_overcut_mm, result.verdicts[i].overcut_mm.value_or(0));
+}
+
+}  // namespace gouge

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/check/check_options.h"
+#include "lib/check/scene.h"
+#include "lib/check/verdict.h"
+#include "lib/path/toolpath.h"
+#include "lib/tool/tool_forms.h"
+
+namespace gouge {
+
+/// Gives every gouging move its overcut: how far below the surface of the part (or fixture) of its witness
+/// the tool as it is, without clearances and stock, reached. Where depth saturates at the tool's radius,
+/// overcut does not.
+///
+/// Bodies whose surface is not closed have no inside and get none, nor do gouges of a head; a gouge into a clearance alone has 0.
+/// Ensures  the same bits at any number of threads.
+/// Cost     a tree over each body that is gouged, then a few milliseconds a gouging move.
+void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+                      const Scene& scene, const CheckOptions& options, CheckResult& result);
+
+}  // namespace gouge

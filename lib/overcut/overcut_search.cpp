@@ -1,0 +1,133 @@
+#include "lib/overcut/overcut_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "lib/penetration/nearest_foot.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kInTool_mm =
+    1e-9;  // a point this little outside the tool counts as in it: rounding of its foot
+constexpr double kSeed_mm = 1e-6;  // the witness of a move is that exact
+constexpr int kPushes = 40;
+
+struct Cell {
+  Vec3 centre = Vec3::Zero(), half = Vec3::Zero();
+  double upper_mm = 0;
+  std::size_t serial = 0;
+};
+
+bool comes_later(const Cell& a, const Cell& b) {
+  return a.upper_mm < b.upper_mm || (!(b.upper_mm < a.upper_mm) && a.serial > b.serial);
+}
+
+class Search {
+ public:
+  Search(const SweptTool& tool, const DepthBody& part, const OvercutOptions& options)
+      : tool_(tool), part_(part), options_(options) {}
+
+  Overcut run(const Vec3& seed, double seed_t) {
+    if (tool_.distance_at(seed, seed_t) <= kSeed_mm) take(seed, seed_t);
+    push(0.25 * best_.depth_mm + options_.gap_mm);
+    const Box3 box = tool_.box().intersection(part_.mesh.box());
+    if (box.isEmpty()) return best_;
+    offer(box.center(), 0.5 * box.sizes());
+    double given_up_mm = 0;
+    while (!open_.empty()) {
+      std::pop_heap(open_.begin(), open_.end(), comes_later);
+      const Cell cell = open_.back();
+      open_.pop_back();
+      given_up_mm = cell.upper_mm;
+      if (cell.upper_mm <= settled() || looked_ >= options_.most_cells) break;
+      split(cell);
+      given_up_mm = 0;
+    }
+    best_.depth_upper_mm = std::max({best_.depth_mm, given_up_mm, dropped_mm_});
+    return best_;
+  }
+
+ private:
+  [[nodiscard]] double settled() const {
+    return best_.depth_mm + std::max(options_.gap_mm, options_.relative_gap * best_.depth_mm);
+  }
+
+  void split(const Cell& cell) {
+    int axis = 0;
+    cell.half.maxCoeff(&axis);
+    Vec3 half = cell.half, shift = Vec3::Zero();
+    half[axis] *= 0.5;
+    shift[axis] = half[axis];
+    offer(cell.centre - shift, half);
+    offer(cell.centre + shift, half);
+  }
+
+  void offer(const Vec3& centre, const Vec3& half) {
+    ++looked_;
+    const double radius = half.norm();
+    const auto foot = nearest_foot(part_, centre);
+    const double upper = (foot ? -foot->signed_mm() : 0) + radius;
+    if (upper <= best_.depth_mm) return;
+    const SweptTool::Nearest near = tool_.nearest(centre, 0.25 * radius, radius);
+    if (near.lower_mm > radius) return;
+    if (near.distance_mm <= 0 && upper - radius > best_.depth_mm) {
+      take(centre, near.t);
+      push(radius);
+    }
+    if (upper <= settled()) {
+      dropped_mm_ = std::max(dropped_mm_, upper);
+      return;
+    }
+    open_.push_back({centre, half, upper, looked_});
+    std::push_heap(open_.begin(), open_.end(), comes_later);
+  }
+
+  /// Keeps the point when it is deeper in the part than any so far; it must be in the tool at t.
+  bool take(const Vec3& point, double t) {
+    const auto foot = nearest_foot(part_, point);
+    if (!foot || !foot->is_inside || foot->distance_mm <= best_.depth_mm) return false;
+    best_ = {foot->distance_mm, foot->distance_mm, point, t};
+    deeper_ = -foot->normal;
+    return true;
+  }
+
+  /// From the best point away from the surface: as far as the tool is thick there, then along its boundary.
+  void push(double step) {
+    for (int i = 0; i < kPushes && best_.depth_mm > 0 && step > kInTool_mm; ++i) {
+      const SweptTool::Nearest near = tool_.nearest(best_.point, 0.02 * step, 0);
+      const Vec3 from = best_.point;
+      if (near.distance_mm < -1e-7 && take(from - near.distance_mm * deeper_, near.t)) continue;
+      const double t = near.distance_mm <= 0 ? near.t : best_.t;
+      const Vec3 outward = tool_.outward_at(from, t);
+      const Vec3 along = deeper_ - deeper_.dot(outward) * outward;
+      if (along.norm() < 1e-9) return;
+      Vec3 next = from + step * along.normalized();
+      for (int k = 0; k < 3; ++k) {
+        const double out = tool_.distance_at(next, t);
+        if (out > 0) next -= out * tool_.outward_at(next, t);
+      }
+      const bool is_better = tool_.distance_at(next, t) <= kInTool_mm && take(next, t);
+      if (!is_better) step *= 0.5;
+    }
+  }
+
+  const SweptTool& tool_;
+  const DepthBody& part_;
+  const OvercutOptions& options_;
+  Overcut best_;
+  Vec3 deeper_ = Vec3::UnitZ();
+  std::vector<Cell> open_;
+  std::size_t looked_ = 0;
+  double dropped_mm_ = 0;
+};
+
+}  // namespace
+
+Overcut find_overcut(const SweptTool& tool, const DepthBody& part, const Vec3& seed, double seed_t,
+                     const OvercutOptions& options) {
+  return Search(tool, part, options).run(seed, seed_t);
+}
+
+}  // namespace gouge

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "lib/head/check_heads.h"
+#include "lib/head/head_search.h"
+#include "lib/penetration/nearest_foot.h"
+#include "tests/support/paths.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solids.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+/// A block beside the spindle, 100 mm above the tip.
+IndexedMesh side_box() {
+  return shapes::box(Vec3(60, -20, 100), Vec3(120, 20, 160));
+}
+
+CheckResult check(const std::vector<Pose>& poses, const std::vector<IndexedMesh>& heads,
+                  const IndexedMesh& part, unsigned threads = 1) {
+  const ToolForms tool = tools::ball(10);
+  const Toolpath path = paths::through(poses);
+  Scene scene;
+  scene.parts = {part};
+  CheckOptions options;
+  options.threads = threads;
+  CheckResult result = check_path(path, {&tool}, prepare_scene(scene), options);
+  std::vector<HeadBody> bodies;
+  for (const IndexedMesh& head : heads) bodies.push_back(*build_head_body(head));
+  check_heads(path, bodies, scene, options, result);
+  return result;
+}
+
+const IndexedMesh kPost = shapes::box(Vec3(89, -1, 0), Vec3(91, 1, 130));
+
+TEST(Heads, AreFoundBetweenTwoCleanPositionsWhereTheToolAloneIsClean) {
+  const std::vector<Pose> poses = {paths::upright(0, -80, 0), paths::upright(0, 80, 0)};
+  EXPECT_EQ(check(poses, {}, kPost).counts.clean, 2U);
+  const CheckResult result = check(poses, {side_box()}, kPost);
+  EXPECT_EQ(result.verdicts[0].state, MoveState::clean);
+  ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
+  const MoveVerdict& v = result.verdicts[1];
+  EXPECT_EQ(v.witness->body, Body::head);
+  // The post's edges x = 89 and 91 lie 29 mm deep at mid width, but 20 mm is half of the box's width.
+  EXPECT_NEAR(v.depth_mm, 20, 2e-3);
+  EXPECT_GE(v.depth_upper_mm, v.depth_mm);
+  EXPECT_EQ(result.counts.gouge, 1U);
+  EXPECT_EQ(result.events.size(), 1U);
+}
+
+TEST(Heads, ThatPassAtADistanceAreClean) {
+  const std::vector<Pose> poses = {paths::upright(0, -80, 30.5), paths::upright(0, 80, 30.5)};
+  const CheckResult result = check(poses, {side_box()}, kPost);
+  EXPECT_EQ(result.counts.clean, 2U) << result.verdicts[1].reason;
+  EXPECT_LE(result.verdicts[1].depth_upper_mm, 0.011);
+}
+
+TEST(Heads, ThatGrazeByALittleAreToldWithThatDepth) {
+  const std::vector<Pose> poses = {paths::upright(0, -80, 29.8), paths::upright(0, 80, 29.8)};
+  const CheckResult result = check(poses, {side_box()}, kPost);
+  ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
+  EXPECT_NEAR(result.verdicts[1].depth_mm, 0.2, 2e-3);
+  EXPECT_NEAR(result.verdicts[1].witness->normal.z(), 1, 1e-6) << "the head must go up";
+}
+
+TEST(Heads, InsideASolidAreBuriedAndNeverClean) {
+  const IndexedMesh block = shapes::box(Vec3(40, -60, 60), Vec3(160, 60, 200));
+  const CheckResult result = check({paths::upright(0, 0, 0), paths::upright(0, 5, 0)}, {side_box()}, block);
+  EXPECT_EQ(result.verdicts[0].state, MoveState::buried);
+  EXPECT_EQ(result.verdicts[1].state, MoveState::buried);
+}
+
+TEST(Heads, ThatAreOpenAreRefused) {
+  const Result<HeadBody> head = build_head_body(shapes::open_cube());
+  ASSERT_FALSE(head.has_value());
+  EXPECT_EQ(head.error().code, "mesh-head-open");
+}
+
+TEST(Heads, HaveACoreInEveryPiece) {
+  const IndexedMesh two = shapes::joined(shapes::cube(10), shapes::moved(shapes::cube(4), Vec3(30, 0, 0)));
+  const HeadBody head = *build_head_body(two);
+  ASSERT_EQ(head.cores.size(), 2U);
+  for (std::size_t k = 0; k < 2; ++k) {
+    EXPECT_GT(head.core_depths_mm[k], 0.5);
+    EXPECT_TRUE(nearest_foot(head.surface, head.cores[k])->is_inside);
+  }
+}
+
+TEST(Heads, MotionKeepsRotationsAndEndsWhereTheRuleSays) {
+  const Motion motion(Pose{Vec3(1, 2, 3), Vec3(0.3, -0.2, 1).normalized()},
+                      Pose{Vec3(9, 1, 0), Vec3(-0.5, 0.7, 0.4).normalized()});
+  const HeadMotion head(motion);
+  for (const double t : {0.0, 0.3, 1.0}) {
+    const RigidTransform at = head.at(t);
+    EXPECT_NEAR((at.rotation.transpose() * at.rotation - Eigen::Matrix3d::Identity()).norm(), 0, 1e-12);
+    EXPECT_NEAR((at.rotation.col(2) - motion.at(t).axis).norm(), 0, 1e-12);
+  }
+  EXPECT_NEAR((head.at(1).rotation - head_rotation(motion.end().axis)).norm(), 0, 1e-9);
+  EXPECT_NEAR((head_rotation(Vec3(0, 0, -1)) * Vec3::UnitZ() - Vec3(0, 0, -1)).norm(), 0, 1e-12);
+}
+
+/// Random heads and parts: dense sampling never finds more than the bound, and the witness holds.
+TEST(Heads, BoundsHoldAgainstSampling) {
+  std::mt19937_64 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto direction = [&] { return Vec3(unit(random), unit(random), unit(random)).normalized(); };
+  const IndexedMesh part = shapes::star_prism();
+  const HeadBody head = *build_head_body(shapes::torus(20, 6, 24, 12));
+  DepthBodyOptions lean;
+  lean.is_lean = true;
+  const DepthBody surface = build_depth_body(part, lean);
+  std::size_t gouges = 0;
+  for (int i = 0; i < 12; ++i) {
+    const Motion motion(Pose{45 * direction(), direction()}, Pose{45 * direction(), direction()});
+    const HeadMotion moving(motion);
+    const HeadAnswer told = search_head(moving, head, {&surface}, {0.01, 0.02, 20000});
+    double sampled = 0;
+    for (std::size_t t = 0; t < part.triangles.size(); ++t) {
+      for (int k = 0; k < 20; ++k) {
+        const double u = 0.5 + 0.5 * unit(random), v = (1 - u) * (0.5 + 0.5 * unit(random));
+        const Vec3 p = part.corner(t, 0) + u * (part.corner(t, 1) - part.corner(t, 0)) +
+                       v * (part.corner(t, 2) - part.corner(t, 0));
+        for (int s = 0; s <= 60; ++s) {
+          sampled = std::max(
+              sampled, -nearest_foot(head.surface, moving.at(s / 60.0).inverse().point(p))->signed_mm());
+        }
+      }
+    }
+    EXPECT_LE(sampled, told.depth_upper_mm + 1e-9);
+    if (!told.has_witness) continue;
+    ++gouges;
+    EXPECT_NEAR(-nearest_foot(head.surface, moving.at(told.t).inverse().point(told.point))->signed_mm(),
+                told.depth_mm, 1e-9);
+    // Given way by the depth, the witness is on the head's boundary.
+    const Vec3 freed = moving.at(told.t).inverse().point(told.point - told.depth_mm * told.normal);
+    EXPECT_NEAR(nearest_foot(head.surface, freed)->distance_mm, 0, 1e-9);
+  }
+  EXPECT_GT(gouges, 3U);
+}
+
+TEST(Heads, GiveTheSameAnswerAtAnyNumberOfThreads) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 40; ++i)
+    poses.push_back({Vec3(2.0 * i - 40, -30 + i, 0), Vec3(0.02 * i - 0.4, 0.1, 1).normalized()});
+  const CheckResult one = check(poses, {side_box()}, kPost, 1), three = check(poses, {side_box()}, kPost, 3);
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    EXPECT_EQ(one.verdicts[i].state, three.verdicts[i].state);
+    EXPECT_EQ(one.verdicts[i].depth_mm, three.verdicts[i].depth_mm);
+    EXPECT_EQ(one.verdicts[i].depth_upper_mm, three.verdicts[i].depth_upper_mm);
+  }
+}
+
+}  // namespace
+}  // namespace gouge

@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include "lib/check/check_path.h"
+#include "lib/overcut/measure_overcut.h"
+#include "lib/overcut/overcut_search.h"
+#include "lib/penetration/nearest_foot.h"
+#include "tests/support/paths.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+CheckResult check(const std::vector<Pose>& poses, const ToolForms& tool, const IndexedMesh& part) {
+  const Toolpath path = paths::through(poses);
+  Scene scene;
+  scene.parts = {part};
+  CheckOptions options;
+  options.threads = 1;
+  CheckResult result = check_path(path, {&tool}, prepare_scene(scene), options);
+  measure_overcuts(path, {&tool}, scene, options, result);
+  return result;
+}
+
+const IndexedMesh kBlock = shapes::box(Vec3(-50, -50, -60), Vec3(50, 50, 0));
+
+TEST(Overcut, OfAPlunge20mmDeepIs20mmWhereDepthSaturatesAtTheRadius) {
+  for (const ToolForms& tool : {tools::flat(10), tools::ball(10)}) {
+    const CheckResult result = check({paths::upright(0, 0, 10), paths::upright(0, 0, -20)}, tool, kBlock);
+    ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
+    EXPECT_NEAR(result.verdicts[1].depth_mm, 5, 1e-3);
+    ASSERT_TRUE(result.verdicts[1].overcut_mm.has_value());
+    EXPECT_NEAR(*result.verdicts[1].overcut_mm, 20, 1e-3);
+    EXPECT_NEAR(result.worst_overcut_mm, 20, 1e-3);
+  }
+}
+
+TEST(Overcut, OfAShallowGougeIsItsDepthToSecondOrder) {
+  for (const double depth : {0.4, 0.2, 0.1, 0.05}) {
+    const CheckResult result =
+        check({paths::upright(-20, 0, 5), paths::upright(0, 0, -depth), paths::upright(20, 0, 5)},
+              tools::ball(10), kBlock);
+    EXPECT_NEAR(result.verdicts[1].depth_mm, depth, 1e-3);
+    EXPECT_NEAR(*result.verdicts[1].overcut_mm, depth, 1e-3 + depth * depth);
+  }
+}
+
+TEST(Overcut, IsMeasuredOnTheCurvedPartAsWell) {
+  const IndexedMesh part = shapes::sphere(30, 60, 120);
+  const CheckResult result =
+      check({paths::upright(0, 0, 40), paths::upright(0, 0, 29.8)}, tools::ball(10), part);
+  EXPECT_NEAR(*result.verdicts[1].overcut_mm, 0.2, 0.005);
+}
+
+TEST(Overcut, OfARibCutThroughIsHalfItsThickness) {
+  const IndexedMesh rib = shapes::box(Vec3(-1, -50, -20), Vec3(1, 50, 0));
+  const CheckResult result =
+      check({paths::upright(-30, 0, -10), paths::upright(30, 0, -10)}, tools::flat(10), rib);
+  EXPECT_NEAR(*result.verdicts[1].overcut_mm, 1, 1e-2);
+}
+
+TEST(Overcut, IsNotToldForAnOpenSurface) {
+  const IndexedMesh sheet = shapes::moved(shapes::sheet(100, 100, 0), Vec3(-50, -50, 0));
+  const CheckResult result =
+      check({paths::upright(0, 0, 10), paths::upright(0, 0, -2)}, tools::ball(10), sheet);
+  ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
+  EXPECT_FALSE(result.verdicts[1].overcut_mm.has_value());
+}
+
+TEST(Overcut, IsBracketedByASampledReference) {
+  const ToolForms tool = tools::bull(16, 2);
+  DepthBodyOptions options;
+  options.is_lean = true;
+  const DepthBody part = build_depth_body(shapes::torus(40, 12, 48, 24), options);
+  const Motion motion(Pose{Vec3(20, -30, 4), Vec3(0, 0.3, 1).normalized()},
+                      Pose{Vec3(45, 5, 2), Vec3(0.4, 0, 1).normalized()});
+  const SweptTool swept(motion, tool.bare);
+  OvercutOptions fine;
+  fine.most_cells = 20000;
+  const Overcut told = find_overcut(swept, part, Vec3(0, 0, 0), 0, fine);
+  double sampled = 0;
+  for (double x = -55; x < 55; x += 2) {
+    for (double y = -55; y < 55; y += 2) {
+      for (double z = -12; z < 12; z += 2) {
+        const Vec3 p(x, y, z);
+        const auto foot = nearest_foot(part, p);
+        if (!foot->is_inside || foot->distance_mm <= sampled) continue;
+        for (int k = 0; k <= 100; ++k) {
+          if (swept.distance_at(p, 0.01 * k) <= 0) sampled = foot->distance_mm;
+        }
+      }
+    }
+  }
+  EXPECT_GT(sampled, 1);
+  EXPECT_GE(told.depth_mm, sampled - 1e-9);
+  EXPECT_LE(told.depth_mm, told.depth_upper_mm + 1e-12);
+  EXPECT_LE(swept.distance_at(told.point, told.t), 1e-8);
+  EXPECT_NEAR(-nearest_foot(part, told.point)->signed_mm(), told.depth_mm, 1e-9);
+}
+
+}  // namespace
+}  // namespace gouge
