@@ -16,17 +16,17 @@ namespace {
 constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one level up
 // A node much smaller than the way of a group is left to the group's parts: time first. Larger: space first.
 constexpr float kSpaceFirst = 0.5F;
+// How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
+constexpr std::size_t kCuts = 10;
+constexpr std::uint32_t kMostParts = 32;
+// The swing of a triangle's corners that is not worth smaller triangles.
+constexpr float kSmallSwing_mm = 0.01F;
 
-/// A triangle of a move that no bound has settled.
-struct OpenTriangle {
-  SearchSeed seed;
-  float bound = 0;
-};
 
 /// What is known of one move so far.
 struct MoveWork {
   float least_settled = std::numeric_limits<float>::max();
-  std::vector<OpenTriangle> open;
+  std::vector<SearchSeed> open;  ///< what no bound has settled
 };
 
 /// What a group leaves to its parts.
@@ -68,13 +68,17 @@ class Sweep {
     for (;;) {
       std::vector<SweepFrame>& level = frames_.emplace_back();
       for (std::size_t i = 0; i < steps_.size(); i += size) {
-        level.push_back(sweep_frame(std::span(steps_).subspan(i, std::min(size, steps_.size() - i)), tree_->origin));
+        level.push_back(sweep_frame(std::span(steps_).subspan(i, std::min(size, steps_.size() - i)), tree_->origin,
+                                    rounding_mm()));
       }
       if (level.size() == 1) break;
       size *= kGroup;
     }
     remainders_.resize(frames_.size());
   }
+
+  // Of the corners in the tree, and of the middles of edges each time a triangle is quartered.
+  [[nodiscard]] double rounding_mm() const { return static_cast<double>(kCuts + 2) * tree_->rounding_mm; }
 
   /// The signed distance to prove for a move, given the deepest point met on it.
   [[nodiscard]] float need(double value_mm) const {
@@ -89,11 +93,12 @@ class Sweep {
     const SweepFrame& frame = frames_[level][index];
     Remainder& rest = remainders_[level];
     rest.nodes.clear();
-    rest.blocks = work.blocks;
+    rest.blocks.clear();
     rest.gathered.clear();
     least_ = least;
     need_ = need(0);
     smallest_ = kSpaceFirst * (0.5F * frame.way_mm + frame.rest_mm);
+    for (const TriangleBlock* block : work.blocks) gather(*block, frame, rest);
     for (const std::uint32_t node : work.nodes) visit_node_for_group(node, frame, rest);
     const float now = least_;
     const std::size_t first = index * kGroup;
@@ -123,7 +128,8 @@ class Sweep {
       widest = std::max(widest, node.radius_mm[static_cast<std::size_t>(std::countr_zero(open))]);
     }
     if (answer.open == 0) return;
-    if (widest <= smallest_) return rest.nodes.push_back(index);
+    // The triangles of a leaf are about a quarter as wide as the leaf.
+    if (widest * (node.has_leaves ? 0.25F : 1.0F) <= smallest_) return rest.nodes.push_back(index);
     for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
       const std::uint32_t child = node.child[static_cast<std::size_t>(std::countr_zero(open))];
       if (node.has_leaves) {
@@ -168,11 +174,14 @@ class Sweep {
     const std::uint32_t m = step_->move;
     if (m > 0 && swept_[m].start.value_mm <= 0 && swept_[m - 1].start.value_mm > question_.tolerance_mm &&
         swept_[m - 1].start.at.target == target_) {
-      measure(swept_[m - 1].start.at.triangle, swept_[m - 1].start.point);
+      measure(*step_, swept_[m - 1].start.at.triangle, swept_[m - 1].start.point);
     }
     need_ = need(swept_[m].start.value_mm);
+    waiting_[0].clear();
     for (const TriangleBlock* block : work.blocks) visit_triangles(*block);
     for (const std::uint32_t node : work.nodes) visit_node(node);
+    parts_ = 0;
+    refine(*step_, *frame_, 0);
     work_[m].least_settled = std::min(work_[m].least_settled, least_);
     swept_[m].bounds += bounds_;
   }
@@ -204,9 +213,13 @@ class Sweep {
     }
   }
 
-  void visit_triangles(const TriangleBlock& block) {
+  void visit_triangles(const TriangleBlock& block) { look(block, *step_, *frame_, waiting_[0]); }
+
+  /// Triangles during a part of a move; those left open join `waiting`.
+  void look(const TriangleBlock& block, const SweepStep& step, const SweepFrame& frame,
+            std::vector<TriangleBlock>& waiting) {
     KernelAnswer answer;
-    kernel_.triangles(block, *frame_, piece_, need_, answer);
+    kernel_.triangles(block, frame, piece_, need_, answer);
     ++bounds_;
     least_ = std::min(least_, answer.least_settled);
     if (answer.open == 0) return;
@@ -214,20 +227,92 @@ class Sweep {
     for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
       if (answer.distance[lane] < answer.distance[deepest]) deepest = lane;
-      work_[step_->move].open.push_back({{target_, block.triangle[lane]}, answer.bound[lane]});
+      if (waiting.empty() || waiting.back().count == kBlockLanes) waiting.emplace_back();
+      add_lane(waiting.back(), block, lane);
     }
     if (!(answer.distance[deepest] < need_)) return;
     const Vec3 from_tip(answer.point[0][deepest], answer.point[1][deepest], answer.point[2][deepest]);
-    measure(block.triangle[deepest],
-            from_tip + Vec3(frame_->tip[0], frame_->tip[1], frame_->tip[2]) + tree_->origin);
+    measure(step, block.triangle[deepest], from_tip + Vec3(frame.tip[0], frame.tip[1], frame.tip[2]) + tree_->origin);
+  }
+
+  // Where a triangle is looked at from its nearest point, what makes the bound slack is time: what the nearest
+  // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
+  void refine(const SweepStep& step, const SweepFrame& frame, std::size_t depth) {
+    if (waiting_[depth].empty()) return;
+    if (depth == kCuts || parts_ >= kMostParts) return give_up(waiting_[depth]);
+    ++parts_;
+    const bool is_time_next = step.t1 > step.t0 && frame.half_turn * widest_edge(waiting_[depth]) <= kSmallSwing_mm;
+    if (!is_time_next) {
+      waiting_[depth + 1].clear();
+      for (const TriangleBlock& block : waiting_[depth]) look_at_quarters(block, step, frame, waiting_[depth + 1]);
+      return refine(step, frame, depth + 1);
+    }
+    for (const SweepStep& half : halves(motions_[step.move], step)) {
+      const SweepFrame half_frame = sweep_frame({&half, 1}, tree_->origin, rounding_mm());
+      waiting_[depth + 1].clear();
+      for (const TriangleBlock& block : waiting_[depth]) look(block, half, half_frame, waiting_[depth + 1]);
+      refine(half, half_frame, depth + 1);
+    }
+  }
+
+  static float widest_edge(const std::vector<TriangleBlock>& blocks) {
+    float widest2 = 0;
+    for (const TriangleBlock& block : blocks) {
+      for (std::size_t i = 0; i < block.count; ++i) {
+        for (std::size_t c = 0; c < 3; ++c) {
+          float edge2 = 0;
+          for (std::size_t k = 0; k < 3; ++k) {
+            const float d = block.corner[(c + 1) % 3][k][i] - block.corner[c][k][i];
+            edge2 += d * d;
+          }
+          widest2 = std::max(widest2, edge2);
+        }
+      }
+    }
+    return std::sqrt(widest2);
+  }
+
+  void look_at_quarters(const TriangleBlock& block, const SweepStep& step, const SweepFrame& frame,
+                        std::vector<TriangleBlock>& waiting) {
+    TriangleBlock quarters;
+    quarters.count = 0;
+    for (std::size_t i = 0; i < block.count; ++i) {
+      add_quarters(quarters, block, i);
+      if (quarters.count + 4 <= kBlockLanes && i + 1 < block.count) continue;
+      look(quarters, step, frame, waiting);
+      quarters.count = 0;
+    }
+  }
+
+  static void add_quarters(TriangleBlock& to, const TriangleBlock& from, std::size_t lane) {
+    TriangleBlock middle = from;
+    for (std::size_t c = 0; c < 3; ++c) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        middle.corner[c][k][lane] = 0.5F * (from.corner[(c + 1) % 3][k][lane] + from.corner[(c + 2) % 3][k][lane]);
+      }
+    }
+    add_lane(to, middle, lane);
+    for (std::size_t c = 0; c < 3; ++c) {
+      TriangleBlock tip = middle;
+      for (std::size_t k = 0; k < 3; ++k) tip.corner[c][k][lane] = from.corner[c][k][lane];
+      add_lane(to, tip, lane);
+    }
+  }
+
+  void give_up(const std::vector<TriangleBlock>& blocks) {
+    for (const TriangleBlock& block : blocks) {
+      for (std::size_t i = 0; i < block.count; ++i) {
+        work_[step_->move].open.push_back({target_, block.triangle[i]});
+      }
+    }
   }
 
   /// The value at the point of the triangle nearest to `about`, at three instants of the step.
-  void measure(std::uint32_t triangle, const Vec3& about) {
-    SearchStart& swept = swept_[step_->move].start;
+  void measure(const SweepStep& step, std::uint32_t triangle, const Vec3& about) {
+    SearchStart& swept = swept_[step.move].start;
     const Vec3 p = closest_on_triangle(about, tree_->corners(triangle)).point;
-    for (const double t : {step_->t0, 0.5 * (step_->t0 + step_->t1), step_->t1}) {
-      const Pose pose = motions_[step_->move].at(t);
+    for (const double t : {step.t0, 0.5 * (step.t0 + step.t1), step.t1}) {
+      const Pose pose = motions_[step.move].at(t);
       const Vec3 from_tip = p - pose.tip;
       const double z = from_tip.dot(pose.axis);
       const double r = (from_tip - z * pose.axis).norm();
@@ -241,27 +326,15 @@ class Sweep {
     need_ = need(swept.value_mm);
   }
 
-  // A triangle may have come up for several pieces or steps, and what was met since settles some.
+  // A triangle may have come up for several pieces or steps.
   void finish(std::size_t m) {
-    SearchStart& swept = swept_[m].start;
-    float least = work_[m].least_settled;
-    const float need_now = need(swept.value_mm);
-    std::vector<OpenTriangle>& open = work_[m].open;
-    std::sort(open.begin(), open.end(), [](const OpenTriangle& a, const OpenTriangle& b) {
-      if (a.seed.target != b.seed.target) return a.seed.target < b.seed.target;
-      return a.seed.triangle != b.seed.triangle ? a.seed.triangle < b.seed.triangle : a.bound < b.bound;
-    });
-    for (const OpenTriangle& o : open) {
-      const bool is_same = !swept.seeds.empty() && swept.seeds.back().target == o.seed.target &&
-                           swept.seeds.back().triangle == o.seed.triangle;
-      if (is_same) continue;
-      if (o.bound >= need_now) {
-        least = std::min(least, o.bound);
-      } else {
-        swept.seeds.push_back(o.seed);
-      }
-    }
-    swept.settled_mm = question_.reach_mm - static_cast<double>(least);
+    std::vector<SearchSeed>& open = work_[m].open;
+    const auto key = [](const SearchSeed& seed) { return std::pair(seed.target, seed.triangle); };
+    std::sort(open.begin(), open.end(), [key](const auto& a, const auto& b) { return key(a) < key(b); });
+    open.erase(std::unique(open.begin(), open.end(), [key](const auto& a, const auto& b) { return key(a) == key(b); }),
+               open.end());
+    swept_[m].start.seeds = std::move(open);
+    swept_[m].start.settled_mm = question_.reach_mm - static_cast<double>(work_[m].least_settled);
   }
 
   std::span<const Motion> motions_;
@@ -281,9 +354,11 @@ class Sweep {
   std::vector<Remainder> remainders_;            // one for each level
 
   // Of the group or step at hand.
+  std::array<std::vector<TriangleBlock>, kCuts + 1> waiting_;
   const SweepStep* step_ = nullptr;
   const SweepFrame* frame_ = nullptr;
   float need_ = 0, least_ = 0, smallest_ = 0;
+  std::uint32_t parts_ = 0;
   std::uint64_t bounds_ = 0;
 };
 

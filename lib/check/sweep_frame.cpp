@@ -81,6 +81,7 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepSte
     for (int k = 0; k < parts; ++k) {
       SweepStep step;
       step.move = move;
+      step.stretch = s;
       step.t0 = stretch.t0 + length * k / parts;
       step.t1 = k + 1 == parts ? stretch.t0 + length : stretch.t0 + length * (k + 1) / parts;
       step.from = from;
@@ -93,7 +94,19 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepSte
   }
 }
 
-SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin) {
+std::array<SweepStep, 2> halves(const Motion& motion, const SweepStep& step) {
+  std::array<SweepStep, 2> parts{step, step};
+  const double middle = 0.5 * (step.t0 + step.t1);
+  parts[0].t1 = parts[1].t0 = middle;
+  parts[0].to = parts[1].from = motion.at(middle);
+  for (SweepStep& part : parts) {
+    part.turn_rad = 0.5 * step.turn_rad;
+    part.sag_mm = motion.sag_mm(part.t0, part.t1, part.stretch);
+  }
+  return parts;
+}
+
+SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin, double rounding_mm) {
   SweepFrame frame;
   const Line line(steps);
   const Vec3 sum = steps.front().from.axis + steps.back().to.axis;
@@ -138,7 +151,7 @@ SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin) {
   frame.turn = single(turn);
   frame.way_mm = rounded_up(line.way().norm());
   frame.half_turn = rounded_up(0.5 * turn.norm());
-  const double scale = kSingle * (line.way().norm() + far + origin.norm() * 1e-9);
+  const double scale = kSingle * (line.way().norm() + far) + rounding_mm;
   frame.rest_mm = rounded_up(beside + widest * far * (1 + 0.5 * widest) + scale);
   frame.rest_per_mm = rounded_up(twisted + 0.5 * widest * widest + kSingle * (1 + turn.norm()));
   return frame;

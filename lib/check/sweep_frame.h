@@ -18,13 +18,17 @@ struct SweepStep {
   double sag_mm = 0;
   double turn_rad = 0;
   double t0 = 0, t1 = 1;  ///< of the move
-  std::uint32_t move = 0;
+  std::uint32_t move = 0, stretch = 0;
 };
 
 /// Appends the steps of a motion: one where it is straight, more where it bends.
 void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepStep>& steps);
 
-/// The frame that holds for every instant of every step. Requires at least one step.
-[[nodiscard]] SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin);
+/// The two halves of a step.
+[[nodiscard]] std::array<SweepStep, 2> halves(const Motion& motion, const SweepStep& step);
+
+/// The frame that holds for every instant of every step, and for points up to `rounding_mm` beside the ones they
+/// stand for. Requires at least one step.
+[[nodiscard]] SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin, double rounding_mm);
 
 }  // namespace gouge

@@ -214,7 +214,45 @@ GOUGE_INLINE V least_at_corners(const Triangle& t, const V3& g, const Frame& f) 
   return smaller(at_a, smaller(at_b, at_c));
 }
 
+/// A direction, and how far the piece's core reaches in it: no point of the core is beyond.
+struct Support {
+  V3 direction, point;
+  V reach;
+};
+
+// A triangle that meets the tool with its inside is bounded best by its own plane. Directions in which the core
+// goes on without end prove nothing; the first look is then at the core's lower end.
+GOUGE_INLINE void support_along_normal(const KernelPiece& piece, const Triangle& t, const V3& axis, Support& out) {
+  const KernelPiece::Line& start = piece.lines[piece.count > 1 ? 1 : 0];
+  const V z0 = all(piece.count > 1 ? start.z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm));
+  const V3 unit = times(t.normal, root(t.normal_scale));
+  const V3 lowest = times(axis, z0);
+  const M is_away = dot(unit, minus(t.a, lowest)) >= 0;
+  const V3 g = chosen(is_away, unit, {-unit.x, -unit.y, -unit.z});
+  const V gz = dot(g, axis);
+  const V3 across = minus(g, times(axis, gz));
+  const V gr = root(dot(across, across));
+  V reach = all(-3e38F), r = V{}, z = z0;
+  for (std::uint32_t k = 1; k < piece.count; ++k) {
+    const KernelPiece::Line& line = piece.lines[k];
+    const V here = gr * line.r + gz * line.z;
+    const M is_farther = here > reach;
+    reach = is_farther ? here : reach;
+    r = is_farther ? all(line.r) : r;
+    z = is_farther ? all(line.z) : z;
+  }
+  const KernelPiece::Line& last = piece.lines[piece.count - 1];
+  const KernelPiece::Line& first = piece.lines[0];
+  const M is_endless = (gr * last.dr + gz * last.dz > 0) | (gr * first.dr + gz * first.dz < 0) |
+                       (t.normal_scale >= 1e29F);
+  out.direction = g;
+  out.reach = (is_endless | (reach < -1e38F)) ? all(3e38F) : reach;
+  const V3 at_ring = plus(times(axis, z), times(across, r * inverse(gr)));
+  out.point = chosen(is_endless, lowest, at_ring);
+}
+
 constexpr int kRounds = 6;
+constexpr float kWorthwhile = 0.25F;
 
 void triangles(const TriangleBlock& block, const SweepFrame& frame, const KernelPiece& piece, float need,
                KernelAnswer& answer) {
@@ -231,22 +269,32 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
   const V edge2 = larger(dot(t.ab, t.ab), larger(dot(t.bc, t.bc), dot(t.ca, t.ca)));
   const V3 across = minus(t.a, times(f.axis, dot(f.axis, t.a)));
   range.r_lo = root(dot(across, across)) - root(edge2) * 1.000001F - 0.5F * frame.way_mm - frame.half_turn * far - rest;
-  V bound = all(-3e38F);
-  // The first look is at the point nearest to the middle of the piece's lower end, where most contacts are.
-  const KernelPiece::Line& start = piece.lines[piece.count > 1 ? 1 : 0];
-  const float z0 = piece.count > 1 ? start.z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm);
-  V3 point = closest(times(f.axis, all(z0)), t);
+  Support support;
+  support_along_normal(piece, t, f.axis, support);
+  const V flat = least_at_corners(t, support.direction, f) - support.reach - piece.radius_mm - rest;
+  V bound = settle(piece, need, flat, range);
+  V3 point = closest(support.point, t);
+  V3 last_way{V{}, V{}, V{}};
   Touch at;
   for (int round = 0;; ++round) {
     touch(piece, point, f.axis, at);
     const V by_plane = at.distance - dot(at.gradient, point) + least_at_corners(t, at.gradient, f) - rest;
-    bound = larger(bound, settle(piece, need, by_plane, range));
-    const M is_open = bound < need;
-    bool is_done = true;
-    for (int i = 0; i < 16; ++i) is_done &= is_open[i] == 0;
-    if (is_done || round + 1 == kRounds) break;
-    // From the piece's core straight to the triangle again.
-    point = closest(minus(point, times(at.gradient, at.distance + piece.radius_mm)), t);
+    const V better = larger(bound, settle(piece, need, by_plane, range));
+    // Lanes that the last rounds brought no nearer to the goal are left to smaller triangles and shorter spans.
+    M is_open = (better < need) & (at.distance >= need);
+    if (round > 1) is_open = is_open & (better - bound > kWorthwhile * (need - better));
+    bound = better;
+    int any = 0;
+    for (int i = 0; i < 16; ++i) any |= is_open[i];
+    if (any == 0 || round + 1 == kRounds) break;
+    // From the piece's core straight to the triangle again. These steps shrink by a constant factor, close to 1
+    // for a large tool nearly flat on its triangle; two of them tell where they lead.
+    const V3 next = closest(minus(point, times(at.gradient, at.distance + piece.radius_mm)), t);
+    const V3 way = minus(next, point);
+    const V rate = smaller(dot(way, last_way) * inverse(dot(last_way, last_way)), all(0.98F));
+    const M leads = rate > 0.2F;
+    point = chosen(leads, closest(plus(next, times(way, rate / (1.0F - rate))), t), next);
+    last_way = {leads ? V{} : way.x, leads ? V{} : way.y, leads ? V{} : way.z};
   }
   store(at.distance, answer.distance);
   store(point.x, answer.point[0]);

@@ -167,14 +167,19 @@ TEST(Search, AFanOfNeedlesIsAsGoodAsAPlane) {
   expect_promise(v, deeper, tools::flat(), kOptions);
 }
 
-TEST(Search, ABudgetTooSmallIsNeverClean) {
-  CheckOptions options;
-  options.budget_per_move = 3;
+TEST(Search, ABudgetTooSmallIsNeverDecided) {
   const IndexedMesh ring = shapes::torus(20, 5, 60, 40);
-  const MoveVerdict v =
-      check(Motion(upright(-1, 0, -10), upright(1, 0, -10)), tools::bull(), {ring}, nullptr, options);
-  EXPECT_TRUE(v.state == MoveState::not_certified || v.state == MoveState::gouge);
-  EXPECT_GE(v.depth_upper_mm, v.depth_mm);
+  const BlockTree tree = build_block_tree({&ring, 1}, 1);
+  const ToolForms tool = tools::bull();
+  SearchStart start;
+  for (std::uint32_t t = 0; t < ring.triangles.size(); ++t) start.seeds.push_back({0, t});
+  const Motion motion(upright(-1, 0, -10), upright(1, 0, -10));
+  const std::vector<SearchTarget> targets{{&tool.against_part, &tree, Against::part}};
+  const SearchAnswer small = search_move(motion, targets, {0, 0.01, 0.001, 0.001, 3}, start);
+  const SearchAnswer large = search_move(motion, targets, {0, 0.01, 0.001, 0.001, 2'000'000}, start);
+  EXPECT_FALSE(small.is_decided);
+  EXPECT_TRUE(large.is_decided);
+  EXPECT_GE(small.value_upper_mm, large.value_mm);
 }
 
 TEST(Search, ClearancesGrowRoundedAndAnyEntryIsAGouge) {
