@@ -60,6 +60,7 @@ void GotoText::learn(const MotionRecord& record) {
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::size_t blanks = blanks_before(bytes, offset(arguments[i]));
     const bool is_axis = i % record.numbers >= 3;
+    if (is_axis && !axis_gap_) axis_gap_ = blanks;
     (is_axis ? components_ : coordinates_).learn(arguments[i].text, arguments[i].text.size() + blanks);
   }
   if (has_form_) return;
@@ -75,7 +76,8 @@ void GotoText::learn(const MotionRecord& record) {
 
 void GotoText::append_number(std::string& text, const NumberStyle& style, double value) const {
   const std::string token = style.text(value);
-  text += separator_ + style.padding(token, gap_) + token;
+  const std::size_t gap = &style == &components_ ? axis_gap_.value_or(gap_) : gap_;
+  text += separator_ + style.padding(token, gap) + token;
 }
 
 bool GotoText::is_same_axis(const Vec3& a, const Vec3& b) const {

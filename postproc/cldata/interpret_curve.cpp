@@ -26,6 +26,7 @@ ArcStatement unreadable(const char* problem) {
 // CIRCLE and MOVARC describe the arc to the next position; a list of positions runs on along it.
 void Interpreter::take_arc() {
   arc_ = read_arc(dialect_.kind, arguments_, mm_per_unit_);
+  arc_statement_ = path_.statements.size() - 1;
 }
 
 void Interpreter::take_unread_curve() {
@@ -34,6 +35,7 @@ void Interpreter::take_unread_curve() {
 
 void Interpreter::take_indirv() {
   start_tangent_.reset();
+  arc_statement_ = path_.statements.size() - 1;
   if (arguments_.size() != 3 || find_word_argument(arguments_) != nullptr) return;
   start_tangent_ = Vec3(*arguments_[0].number, *arguments_[1].number, *arguments_[2].number);
 }

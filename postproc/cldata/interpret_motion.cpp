@@ -256,7 +256,8 @@ void Interpreter::append(Move move, const Position& position) {
   if (records_ != nullptr) {
     records_->push_back({move.statement, position.point, position.points, position.first_argument,
                          position.numbers, position.form, is_rapid_, multax_ == false, rapid_statement_,
-                         block_, position.axis_local, implied_axis(), mm_per_unit_, to_part_});
+                         block_, position.axis_local, implied_axis(), mm_per_unit_, to_part_,
+                         move.kind == MoveKind::arc && arc_ ? arc_statement_ : kNone});
   }
   if (is_broken_ && not_swept_++ == 0) first_not_swept_line_ = move.line;
   is_broken_ = false;

@@ -40,6 +40,7 @@ struct MotionRecord {
   Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
   double mm_per_unit = 1;
   RigidTransform to_part;
+  std::size_t curve_statement = kNone;  ///< of an arc: what describes it besides its own statement
 };
 
 /// Why moves are not checked. The texts are told to the user.
@@ -207,6 +208,7 @@ class Interpreter {
   bool is_rapid_ = false;
   bool is_broken_ = false;               // nothing is swept from the last position to the next
   std::optional<ArcStatement> arc_;      // to the next position, in the block's frame
+  std::size_t arc_statement_ = kNone;    // CIRCLE, MOVARC or INDIRV
   std::optional<Vec3> start_tangent_;    // INDIRV
   std::optional<Vec3> last_direction_;   // of the last move where it was straight, part coordinates
   struct OpenArc {

@@ -6,6 +6,7 @@
 
 #include "postproc/cldata/goto_text.h"
 #include "postproc/cldata/interpreter.h"
+#include "postproc/cldata/lexer.h"
 #include "postproc/cldata/write_corrected_nccs.h"
 
 namespace gouge {
@@ -24,7 +25,8 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     }
     is_named[change.move] = true;
     const Move& move = path.moves[change.move];
-    const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid;
+    const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid ||
+                             (change.is_straightened && move.curve_kind != CurveKind::none);
     if (!is_straight && (change.new_end || !change.inserted_before.empty())) {
       return make_error("write-arc",
                         name + " is an arc, a curve or a cycle; only straight moves can be changed",
@@ -47,14 +49,25 @@ class CorrectedWriter {
         is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
         changes_(path.moves.size(), nullptr) {
     for (const PathChange& change : changes) changes_[change.move] = &change;
+    for (std::size_t i = 0; i < changes_.size(); ++i) {
+      if (is_straightened(i)) drop_curve(i);
+    }
+    std::sort(dropped_.begin(), dropped_.end());
   }
 
   Result<std::string> write();
 
  private:
   [[nodiscard]] bool is_changed(std::size_t move) const {
-    return changes_[move] != nullptr && (changes_[move]->new_end || !changes_[move]->inserted_before.empty());
+    return changes_[move] != nullptr &&
+           (changes_[move]->new_end || !changes_[move]->inserted_before.empty() || is_straightened(move));
   }
+  [[nodiscard]] bool is_straightened(std::size_t move) const {
+    return changes_[move] != nullptr && changes_[move]->is_straightened;
+  }
+  void drop_curve(std::size_t move);
+  void append_source(std::string& text, std::size_t from, std::size_t to) const;
+  [[nodiscard]] bool has_curve_left(std::size_t first, std::size_t last) const;
   [[nodiscard]] bool has_insertion(std::size_t move) const {
     return changes_[move] != nullptr && !changes_[move]->inserted_before.empty();
   }
@@ -62,6 +75,10 @@ class CorrectedWriter {
   void begin_statement(const MotionRecord& record, bool is_new_block);
   [[nodiscard]] bool needs_rewriting(std::size_t first, std::size_t last) const;
   [[nodiscard]] WrittenPosition written(const MotionRecord& record, const Pose& local, bool is_axis_kept);
+  // A curve has no numbers of its own to look like; it takes after the position before it.
+  [[nodiscard]] bool is_axis_kept(const MotionRecord& record) const {
+    return record.numbers == 6 || (record.form == PositionForm::curve && is_axis_usual_ && !is_axis_modal_);
+  }
   [[nodiscard]] std::string rapid_line(const MotionRecord& record) const;
   [[nodiscard]] std::string insertions(std::size_t move);
   [[nodiscard]] std::string in_place(std::size_t first, std::size_t last);
@@ -74,6 +91,8 @@ class CorrectedWriter {
   GotoText goto_text_;
   bool is_axis_modal_;
   std::vector<const PathChange*> changes_;
+  std::vector<std::size_t> dropped_;  // statements that describe what is straightened, in order
+  bool is_axis_usual_ = false;        // the last position was written with its axis
   Vec3 axis_read_ = Vec3::UnitZ();     // the modal axis after the last position of the file read so far
   Vec3 axis_written_ = Vec3::UnitZ();  // the same for the text written so far
 };
@@ -83,6 +102,51 @@ Pose CorrectedWriter::local_end(std::size_t move) const {
   const Pose& end =
       changes_[move] != nullptr && changes_[move]->new_end ? *changes_[move]->new_end : path_.moves[move].end;
   return records_[move].to_part.inverse().pose(end);
+}
+
+// CIRCLE, MOVARC or INDIRV before the position, KNOT and CNTRL after a NURBS.
+void CorrectedWriter::drop_curve(std::size_t move) {
+  const MotionRecord& record = records_[move];
+  if (record.curve_statement != kNone) dropped_.push_back(record.curve_statement);
+  if (record.form != PositionForm::curve) return;
+  const auto major = [&](std::size_t statement) {
+    const SourceStatement& span = path_.statements[statement];
+    Lexer lexer(std::string_view(path_.source).substr(0, span.last_byte), span.first_byte, span.line);
+    Statement read;
+    return lexer.next(read) ? read.word : Word::unknown;
+  };
+  for (std::size_t s = record.statement + 1; s < path_.statements.size(); ++s) {
+    const Word word = major(s);
+    if (word == Word::knot || word == Word::cntrl) dropped_.push_back(s);
+    if (word != Word::knot && word != Word::cntrl && word != Word::comment) return;
+  }
+}
+
+void CorrectedWriter::append_source(std::string& text, std::size_t from, std::size_t to) const {
+  const std::string_view source = path_.source;
+  auto next = std::lower_bound(
+      dropped_.begin(), dropped_.end(), from,
+      [this](std::size_t statement, std::size_t byte) { return path_.statements[statement].first_byte < byte; });
+  for (; next != dropped_.end() && path_.statements[*next].first_byte < to; ++next) {
+    const SourceStatement& span = path_.statements[*next];
+    text += source.substr(from, span.first_byte - from);
+    from = span.last_byte;
+  }
+  text += source.substr(from, to - from);
+}
+
+// A statement's positions share the arc that describes them: some straight and some round cannot be written.
+bool CorrectedWriter::has_curve_left(std::size_t first, std::size_t last) const {
+  bool has_straightened = false, has_round = false;
+  for (std::size_t i = first; i < last; ++i) {
+    if (path_.moves[i].kind != MoveKind::arc) continue;
+    (is_straightened(i) ? has_straightened : has_round) = true;
+  }
+  const std::size_t after = last;
+  const bool has_new_start = changes_[last - 1] != nullptr && changes_[last - 1]->new_end &&
+                             after < path_.moves.size() && path_.moves[after].kind == MoveKind::arc &&
+                             path_.moves[after].start && !is_straightened(after);
+  return (has_straightened && has_round) || has_new_start;
 }
 
 bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const {
@@ -136,8 +200,7 @@ std::string CorrectedWriter::insertions(std::size_t move) {
     if (is_rapid && !is_rapid_pending) text += rapid_line(record);
     is_rapid_pending = false;
     const bool is_template = record.form == PositionForm::go_to && record.points == 1;
-    const WrittenPosition position =
-        written(record, record.to_part.inverse().pose(pose), record.numbers == 6);
+    const WrittenPosition position = written(record, record.to_part.inverse().pose(pose), is_axis_kept(record));
     text += framed(record, position,
                    is_template ? goto_text_.with_line_end(
                                      goto_text_.replaced(record.statement, record.numbers, {position}))
@@ -166,7 +229,7 @@ std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
   std::string text;
   for (std::size_t i = first; i < last; ++i) {
     text += insertions(i);
-    const WrittenPosition position = written(records_[i], local_end(i), records_[i].numbers == 6);
+    const WrittenPosition position = written(records_[i], local_end(i), is_axis_kept(records_[i]));
     text += framed(records_[i], position, goto_text_.fresh(position));
   }
   return text;
@@ -189,25 +252,32 @@ Result<std::string> CorrectedWriter::write() {
     while (last < records_.size() && records_[last].statement == record.statement) ++last;
     begin_statement(record, first == 0 || record.block != records_[first - 1].block);
     axis_read_ = records_[last - 1].axis_local;
+    if (record.numbers != 0) is_axis_usual_ = record.numbers == 6;
     if (!needs_rewriting(first, last)) {
       if (record.numbers == 6 || goto_text_.is_same_axis(axis_written_, record.implied_axis_local))
         axis_written_ = axis_read_;
       continue;
     }
-    if (record.form == PositionForm::curve) {
+    if (has_curve_left(first, last)) {
+      return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well",
+                        path_.file, path_.moves[first].line);
+    }
+    const bool is_round = (record.form == PositionForm::curve && !is_straightened(first)) ||
+                          record.form == PositionForm::cycle;
+    if (is_round) {
       return make_error(
           "write-arc",
-          "a curve follows a position with another axis, which it would take over; keep that axis",
+          "a curve or cycle follows a position with another axis, which it would take over; keep that axis",
           path_.file, path_.moves[first].line);
     }
     const SourceStatement& span = path_.statements[record.statement];
-    result += source.substr(copied, span.first_byte - copied);
+    append_source(result, copied, span.first_byte);
     copied = span.last_byte;
-    bool is_split = record.form == PositionForm::godlta;
+    bool is_split = record.form == PositionForm::godlta || record.form == PositionForm::curve;
     for (std::size_t i = first; i < last; ++i) is_split = is_split || (record.points > 1 && has_insertion(i));
     result += is_split ? one_by_one(first, last) : in_place(first, last);
   }
-  result += source.substr(copied);
+  append_source(result, copied, source.size());
   return result;
 }
 

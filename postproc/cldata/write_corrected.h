@@ -15,9 +15,11 @@ namespace gouge {
 /// Ensures  (1) Without changes the bytes are those of the file. (2) Statements that need no change are
 ///              byte-identical. (3) Read again, the file has the changed positions (rounded to the file's
 ///              decimals, to at least 4 in mm and 5 in inch files), inserted ones as moves of their own of
-///              the same kind, tool and operation, and all other moves as before.
-/// Errors   write-move (no such move, or one named twice), write-arc (an arc, spline or cycle move cannot be
-///          moved or have positions inserted), write-alone (positions before a move that has no start).
+///              the same kind, tool and operation, and all other moves as before. (4) A straightened arc or
+///              spline is the file's own straight positions instead; the statement that described it is gone.
+/// Errors   write-move (no such move, or one named twice), write-arc (a cycle cannot be changed, an arc or spline only
+///          straightened, all positions of one statement together, and no arc or spline that stays begins
+///          at a position that moves), write-alone (positions before a move that has no start).
 /// Cost     One pass over the file.
 [[nodiscard]] Result<std::string> write_corrected(const Toolpath& path,
                                                   const std::vector<PathChange>& changes);
