@@ -55,12 +55,12 @@ std::string check_radius(double d, double r) {
 }
 
 CutterOutcome wrong(std::string error) {
-  return {std::nullopt, 0, std::move(error), {}};
+  return {std::nullopt, 0, std::move(error), {}, false};
 }
 
 }  // namespace
 
-CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit) {
+CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit, DialectKind dialect) {
   if (std::string error = check_numbers(arguments); !error.empty()) return wrong(std::move(error));
   const std::size_t count = arguments.size();
   if (count != 1 && count != 2 && count != 7) return wrong("found " + std::to_string(count) + " numbers");
@@ -69,7 +69,8 @@ CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_uni
   if (std::string error = check_sizes(v[0], v[1], v[6], v[4], v[5]); !error.empty())
     return wrong(std::move(error));
   const bool is_plain = is_zero(v[4]) && is_zero(v[5]);
-  if (is_zero(v[0]) && is_plain) return {std::nullopt, 0, {}, "CUTTER with diameter 0 defines no tool"};
+  if (is_zero(v[0]) && is_plain)
+    return {std::nullopt, 0, {}, "CUTTER with diameter 0 defines no tool", false};
 
   CutterStatement cutter;
   cutter.d_mm = v[0] * mm_per_unit;
@@ -85,8 +86,13 @@ CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_uni
     cutter.r_mm = std::min(cutter.r_mm, cutter.d_mm / 2);
     cutter.e_mm = cutter.d_mm / 2 - cutter.r_mm;
     cutter.f_mm = cutter.r_mm;
+  } else if (dialect == DialectKind::autodesk) {
+    if (v[4] + v[5] >= 90) return wrong("tip angle and flank angle together reach 90 degrees");
+    find_corner_centre(cutter);
   }
-  return {cutter, 0, {}, {}};
+  const double change_mm =
+      std::max(std::abs(cutter.e_mm - v[2] * mm_per_unit), std::abs(cutter.f_mm - v[3] * mm_per_unit));
+  return {cutter, 0, {}, {}, count == 7 && change_mm > 2 * kRadiusRounding * mm_per_unit};
 }
 
 CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill, double mm_per_unit) {
@@ -105,12 +111,13 @@ CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_dr
   if (std::string error = check_sizes(v[0], v[1], v[2], tip, taper); !error.empty())
     return wrong(std::move(error));
   if (tip + taper >= 90) return wrong("tip angle and taper angle together reach 90 degrees");
-  if (is_zero(v[0])) return {std::nullopt, 0, {}, "TLDATA with diameter 0 defines no tool"};
+  if (is_zero(v[0])) return {std::nullopt, 0, {}, "TLDATA with diameter 0 defines no tool", false};
   if (count == 10 && !is_zero(v[7])) {
     return {std::nullopt,
             0,
             {},
-            "TLDATA with an upper corner radius is not understood: define the tool in the tool library"};
+            "TLDATA with an upper corner radius is not understood: define the tool in the tool library",
+            false};
   }
   if (is_zero(tip) && is_zero(taper)) {
     if (std::string error = check_radius(v[0], v[1]); !error.empty()) return wrong(std::move(error));
@@ -124,7 +131,7 @@ CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_dr
   cutter.h_mm = v[2] * mm_per_unit;
   cutter.given = 7;
   find_corner_centre(cutter);
-  return {cutter, is_drill ? v[4] * mm_per_unit : 0, {}, {}};
+  return {cutter, is_drill ? v[4] * mm_per_unit : 0, {}, {}, false};
 }
 
 }  // namespace gouge

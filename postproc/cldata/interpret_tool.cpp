@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -10,15 +11,11 @@
 namespace gouge {
 namespace {
 
+constexpr std::size_t kCuttersTold = 20;
+constexpr std::array<std::string_view, 5> kTurningTypes = {"TURN", "GROOVE", "THREAD", "WEDM", "WIRE"};
+
 bool equal(double a, double b) {
   return !(a < b) && !(b < a);
-}
-
-bool equal(const std::optional<CutterStatement>& a, const std::optional<CutterStatement>& b) {
-  if (!a || !b) return a.has_value() == b.has_value();
-  return equal(a->d_mm, b->d_mm) && equal(a->r_mm, b->r_mm) && equal(a->e_mm, b->e_mm) &&
-         equal(a->f_mm, b->f_mm) && equal(a->alpha_deg, b->alpha_deg) && equal(a->beta_deg, b->beta_deg) &&
-         equal(a->h_mm, b->h_mm);
 }
 
 std::optional<int> whole_number(const Argument& argument) {
@@ -41,7 +38,8 @@ void Interpreter::set_cutter(const CutterStatement& cutter, double flute_length_
 }
 
 void Interpreter::take_cutter() {
-  CutterOutcome outcome = make_cutter(arguments_, mm_per_unit_);
+  CutterOutcome outcome = make_cutter(arguments_, mm_per_unit_, dialect_.kind);
+  if (outcome.is_recomputed && cutters_recomputed_++ == 0) first_cutter_recomputed_ = statement_->line;
   if (!outcome.error.empty()) {
     const Argument* word = find_word_argument(arguments_);
     if (word != nullptr && path_.moves.empty() && !word->text.empty() && word->text[0] >= 'A') {
@@ -53,7 +51,12 @@ void Interpreter::take_cutter() {
   if (outcome.cutter) return set_cutter(*outcome.cutter, outcome.flute_length_mm);
   tool_.cutter.reset();
   is_tool_changed_ = true;
-  path_.notes.push_back(make_warning("path-cutter", outcome.note, path_.file, statement_->line));
+  note_no_cutter(outcome.note);
+}
+
+void Interpreter::note_no_cutter(const std::string& note) {
+  if (cutters_without_tool_++ >= kCuttersTold) return;
+  path_.notes.push_back(make_warning("path-cutter", note, path_.file, statement_->line));
 }
 
 void Interpreter::take_tldata() {
@@ -62,10 +65,16 @@ void Interpreter::take_tldata() {
   const bool is_drill = equals_ignoring_case(type, "DRILL");
   tool_.cutter.reset();
   is_tool_changed_ = true;
-  if (!is_drill && !equals_ignoring_case(type, "MILL")) {
+  const bool is_turning = std::any_of(kTurningTypes.begin(), kTurningTypes.end(),
+                                      [&](std::string_view t) { return equals_ignoring_case(type, t); });
+  if (is_turning) {
     turning_reason_ = Reasons::kTurning;
     return;
   }
+  turning_reason_ = nullptr;
+  if (!is_drill && !equals_ignoring_case(type, "MILL"))
+    return note_no_cutter("TLDATA/" + name_text(type) +
+                          " is not understood: define the tool in the tool library");
   std::span<const Argument> numbers(arguments_);
   numbers = numbers.subspan(1);
   if (is_drill && !numbers.empty() && !numbers.front().number) numbers = numbers.subspan(1);
@@ -77,8 +86,7 @@ void Interpreter::take_tldata() {
                               : "; expected MILL,diameter,radius,length,taper angle,tip angle"));
   }
   if (outcome.cutter) return set_cutter(*outcome.cutter, outcome.flute_length_mm);
-  turning_reason_ = nullptr;
-  path_.notes.push_back(make_warning("path-cutter", outcome.note, path_.file, statement_->line));
+  note_no_cutter(outcome.note);
 }
 
 void Interpreter::take_tool_number() {
@@ -114,12 +122,12 @@ void Interpreter::change_number(int number) {
   tool_.name.clear();
   tool_.flute_length_mm = 0;
   tool_.line = statement_->line;
-  for (const PathTool& tool : path_.tools) {
-    if (tool.number != number) continue;
-    tool_.cutter = tool.cutter;
-    tool_.name = tool.name;
-    tool_.flute_length_mm = tool.flute_length_mm;
-  }
+  const auto known = tool_of_number_.find(number);
+  if (known == tool_of_number_.end()) return;
+  const PathTool& tool = path_.tools[known->second];
+  tool_.cutter = tool.cutter;
+  tool_.name = tool.name;
+  tool_.flute_length_mm = tool.flute_length_mm;
 }
 
 void Interpreter::take_flute_length() {
@@ -134,6 +142,24 @@ void Interpreter::take_tool_name(std::string_view text) {
   is_tool_changed_ = true;
 }
 
+std::size_t Interpreter::find_or_add_tool() {
+  ToolKey key;
+  key.number = tool_.number;
+  if (dialect_.kind == DialectKind::nx_clsf) key.name = tool_.name;
+  if (tool_.cutter) {
+    const CutterStatement& c = *tool_.cutter;
+    key.cutter = {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
+  }
+  const auto [it, is_new] = tool_of_key_.try_emplace(std::move(key), path_.tools.size());
+  if (is_new) {
+    path_.tools.push_back({tool_.number, tool_.name, tool_.cutter, tool_.flute_length_mm, tool_.line});
+    if (tool_.number) tool_of_number_[*tool_.number] = it->second;
+  } else if (path_.tools[it->second].flute_length_mm <= 0) {
+    path_.tools[it->second].flute_length_mm = tool_.flute_length_mm;
+  }
+  return it->second;
+}
+
 // Number and cutter (NX: and name) make a tool; the same ones again are the same tool and no break of the
 // motion.
 void Interpreter::resolve_tool() {
@@ -142,21 +168,7 @@ void Interpreter::resolve_tool() {
   is_tool_changed_ = false;
   const bool is_known =
       tool_.number || tool_.cutter || (dialect_.kind == DialectKind::nx_clsf && !tool_.name.empty());
-  std::size_t index = kNone;
-  if (is_known) {
-    for (index = 0; index < path_.tools.size(); ++index) {
-      const PathTool& tool = path_.tools[index];
-      if (tool.number == tool_.number && equal(tool.cutter, tool_.cutter) &&
-          (dialect_.kind != DialectKind::nx_clsf || tool.name == tool_.name)) {
-        break;
-      }
-    }
-    if (index == path_.tools.size()) {
-      path_.tools.push_back({tool_.number, tool_.name, tool_.cutter, tool_.flute_length_mm, tool_.line});
-    } else if (path_.tools[index].flute_length_mm <= 0) {
-      path_.tools[index].flute_length_mm = tool_.flute_length_mm;
-    }
-  }
+  const std::size_t index = is_known ? find_or_add_tool() : kNone;
   if (index == tool_index_) return;
   if (tool_index_ == kNone && was_from_) {
     path_.moves.back().tool = index;  // FROM says where the first tool stands

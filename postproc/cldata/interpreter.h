@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -170,6 +171,8 @@ class Interpreter {
   void set_cutter(const CutterStatement& cutter, double flute_length_mm);
   void change_number(int number);
   void resolve_tool();
+  [[nodiscard]] std::size_t find_or_add_tool();
+  void note_no_cutter(const std::string& note);
   void name_operation(std::string name);
   void resolve_operation();
 
@@ -233,6 +236,14 @@ class Interpreter {
 
   // tools and operations
   ToolState tool_;
+  struct ToolKey {  // what makes two tools of the file the same
+    std::optional<int> number;
+    std::optional<std::array<double, 7>> cutter;
+    std::string name;
+    auto operator<=>(const ToolKey&) const = default;
+  };
+  std::map<ToolKey, std::size_t> tool_of_key_;
+  std::map<int, std::size_t> tool_of_number_;  // the last one seen under a number
   std::size_t tool_index_ = kNone;
   bool is_tool_changed_ = false;
   std::string operation_name_;
@@ -265,6 +276,7 @@ class Interpreter {
   std::size_t renormalised_ = 0;
   double worst_axis_length_ = 1;
   std::size_t csys_told_ = 0, first_csys_line_ = 0;
+  std::size_t cutters_without_tool_ = 0;
   std::size_t cutters_recomputed_ = 0, first_cutter_recomputed_ = 0;
   std::size_t cutcoms_ = 0, first_cutcom_line_ = 0;
   std::size_t not_swept_ = 0, first_not_swept_line_ = 0;

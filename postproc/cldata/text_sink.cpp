@@ -48,6 +48,14 @@ void TextSink::begin_catia_file() {
   line("MULTAX");
 }
 
+// Positions are written in part coordinates.
+void TextSink::write_mcs() {
+  line("MCS/1.000000000, 0.000000000, 0.000000000, $");
+  line("0.000000000, 1.000000000, 0.000000000, $");
+  line("0.000000000, 0.000000000, 1.000000000, $");
+  line("0.000000, 0.000000, 0.000000");
+}
+
 void TextSink::begin_file() {
   const std::string multax = options_.is_tilted ? "ON" : "OFF";
   switch (options_.kind) {
@@ -63,7 +71,7 @@ void TextSink::begin_file() {
     case DialectKind::solidworks_cam:
       line("PARTNO/" + options_.name);
       line("UNIT/" + std::string(options_.unit == LengthUnit::inch ? "INCH" : "MM"));
-      return;
+      return line("TRNTYP/WORLD,0,0,0");
     case DialectKind::clt:
       return line("UNITS/ " + unit_word() + " ");
     case DialectKind::autodesk:
@@ -71,7 +79,9 @@ void TextSink::begin_file() {
       line("MODE/MILL");
       line("PARTNO/'" + options_.name + "'");
       line("UNITS/" + unit_word());
-      return line("MULTAX/" + multax);
+      line("MULTAX/" + multax);
+      if (options_.kind == DialectKind::camplete) write_mcs();
+      return;
     case DialectKind::mori:
       line("BEGIN");
       line("UNITS/ " + unit_word());
@@ -91,22 +101,18 @@ void TextSink::begin_file() {
 
 void TextSink::begin_operation(const std::string& name) {
   operation_ = name;
-  ++operations_;
   switch (options_.kind) {
     case DialectKind::catia:
       return line("$$ OPERATION NAME : " + name);
-    case DialectKind::creo:
+    case DialectKind::creo:  // nothing is swept from one FEATNO to the next
+      if (!is_alone_) return;
       return line("$$-> FEATNO / " + std::string(name.starts_with("FEATNO ") ? name.substr(7) : name));
     case DialectKind::solidworks_cam:
-      return line("TRNTYP/WORLD,0,0,0");
+      return line("INSERT/" + name);
     case DialectKind::clt:
       return line("OPFEATSTART/" + name);
     case DialectKind::camplete:
-      line("CSI_TOOL_PATH/" + name);
-      line("MCS/1.000000000, 0.000000000, 0.000000000, $");
-      line("0.000000000, 1.000000000, 0.000000000, $");
-      line("0.000000000, 0.000000000, 1.000000000, $");
-      return line("0.000000, 0.000000, 0.000000");
+      return line("CSI_TOOL_PATH/" + name);
     case DialectKind::mori:
       return line("OPNAME/ " + name);
     case DialectKind::autodesk:
@@ -119,6 +125,7 @@ void TextSink::begin_operation(const std::string& name) {
 }
 
 bool TextSink::break_motion() {
+  is_alone_ = true;
   axis_.reset();
   if (options_.kind == DialectKind::goto_list) return false;
   if (options_.kind == DialectKind::nx_clsf) {
@@ -177,6 +184,7 @@ void TextSink::go_to(const Pose& end) {
     text += direction;
   }
   axis_ = end.axis;
+  is_alone_ = false;
   if (options_.kind == DialectKind::clt) text += " ";
   line(text);
 }

@@ -35,6 +35,7 @@ class TextSink final : public MotionSink {
   void line(const std::string& text) { text_ += text + std::string(format_.line_end); }
   void begin_file();
   void begin_catia_file();
+  void write_mcs();
   void begin_nx_block();
   void write_cutter(const PathTool& tool);
   void write_number(const PathTool& tool);
@@ -51,7 +52,7 @@ class TextSink final : public MotionSink {
   std::optional<Vec3> axis_;  // last written, where it is modal
   bool is_block_due_ = true;  // NX: the next motion begins a block
   bool is_block_open_ = false;
-  std::size_t operations_ = 0;
+  bool is_alone_ = true;  // nothing leads to the next position
 };
 
 }  // namespace gouge

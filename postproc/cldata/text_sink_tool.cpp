@@ -90,6 +90,7 @@ void TextSink::write_number(const PathTool& tool) {
 
 void TextSink::change_tool(const PathTool& tool) {
   tool_ = tool;
+  is_alone_ = true;
   if (options_.kind == DialectKind::goto_list) return;
   if (options_.kind == DialectKind::nx_clsf) {
     is_block_due_ = true;

@@ -135,10 +135,6 @@ void PathWriter::write_motion(const Move& move) {
 }
 
 void PathWriter::write_move(const Move& move, bool is_first) {
-  if (move.operation != operation_ && move.operation != kNone) {
-    operation_ = move.operation;
-    sink_->begin_operation(path_.operations[operation_].name);
-  }
   const bool is_tool_new = move.tool != tool_ && move.tool != kNone;
   if (!move.start && !is_first && !is_tool_new) {
     sink_->break_motion() ? ++breaks_ : ++lost_breaks_;

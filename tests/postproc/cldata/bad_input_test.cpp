@@ -18,15 +18,15 @@ std::string only_error(const std::string& text) {
 
 TEST(BadPath, NoFileOfCutterPositions) {
   EXPECT_EQ(only_error(""),
-            "bad.apt: error: the file is empty; expected APT CL data or an NX CLSF [path-empty]");
+            "bad.apt: error: the file is empty; expected APT CL data, an NX CLSF, a binary NCCS or a "
+            "Mastercam NCI file [path-empty]");
   EXPECT_EQ(only_error("UNITS/MM\nFINI\n"),
             "bad.apt: error: holds no position; expected GOTO statements of APT CL data or an NX CLSF; the "
             "first line is "
             "\"UNITS/MM\" [path-no-motion]");
   EXPECT_EQ(only_error("1.0 2.0 3.0\n4.0 5.0 6.0\n"),
-            "bad.apt: error: holds no position; expected GOTO statements of APT CL data or an NX CLSF; the "
-            "first line is "
-            "\"1.0 2.0 3.0\" [path-no-motion]");
+            "bad.apt: error: holds columns of numbers without words, so what they mean is not told; expected "
+            "GOTO/x,y,z,i,j,k [path-not-cl-data]");
   EXPECT_EQ(only_error("\n\n\n"),
             "bad.apt: error: holds no position; expected GOTO statements of APT CL data or an NX CLSF "
             "[path-no-motion]");
@@ -34,13 +34,13 @@ TEST(BadPath, NoFileOfCutterPositions) {
 
 TEST(BadPath, BytesThatAreNoText) {
   EXPECT_EQ(only_error(std::string("GOTO/1,2,3\nGO\0TO/1,2,3\n", 23)),
-            "bad.apt:2: error: is not text: byte 0 at position 13; expected APT CL data or an NX CLSF "
-            "[path-binary]");
+            "bad.apt:2: error: is not text: byte 0 at position 13; expected APT CL data, an NX CLSF, a "
+            "binary NCCS or a Mastercam NCI file [path-binary]");
   const std::string ncl("\x11\x00\xe8\x1c\x00\x00\x00\x00    ", 12);
-  EXPECT_EQ(only_error(ncl),
-            "bad.apt: error: is a binary NCL file, which is not supported yet; export the CL data as ASCII "
-            "(APT source) "
-            "[path-nccs-binary]");
+  EXPECT_EQ(
+      only_error(ncl),
+      "bad.apt:1: error: the file ends within this record, or the record has no length: it is cut short "
+      "or damaged [path-unterminated]");
 }
 
 TEST(BadPath, NumbersThatAreNone) {
