@@ -33,11 +33,22 @@ std::string bench_file(const std::string& name) {
          name;
 }
 
+/// Runs `work` in a child process, so that neither its memory nor its threads stay with us.
+template <class Work>
+void in_child(const Work& work) {
+  const pid_t child = fork();
+  if (child == 0) _exit(work() ? 0 : 1);
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child || status != 0) std::abort();
+}
+
 std::string stl_file() {
   const std::string file = bench_file("wavy_2000000.stl");
   if (!std::filesystem::exists(file)) {
-    const IndexedMesh mesh = make_bench_mesh(BenchPart::wavy, kTriangles);
-    static_cast<void>(write_file(file, binary_stl_bytes(mesh, LengthUnit::mm)));
+    in_child([&file] {
+      const IndexedMesh mesh = make_bench_mesh(BenchPart::wavy, kTriangles);
+      return write_file(file, binary_stl_bytes(mesh, LengthUnit::mm)).has_value();
+    });
   }
   return file;
 }
@@ -84,19 +95,16 @@ void measure_peak(benchmark::State& state) {
   for ([[maybe_unused]] auto _ : state) {
     int ends[2];
     if (pipe(ends) != 0) std::abort();
-    const pid_t child = fork();
-    if (child == 0) {
+    in_child([&file, &ends] {
       std::ofstream("/proc/self/clear_refs") << "5";
       const double before_kb = status_kb("VmRSS");
       load_all(file);
       const double beyond_kb = status_kb("VmHWM") - before_kb;
-      const bool is_told = write(ends[1], &beyond_kb, sizeof beyond_kb) == sizeof beyond_kb;
-      _exit(is_told ? 0 : 1);
-    }
-    close(ends[1]);
+      return write(ends[1], &beyond_kb, sizeof beyond_kb) == sizeof beyond_kb;
+    });
     if (read(ends[0], &peak_kb, sizeof peak_kb) != sizeof peak_kb) std::abort();
     close(ends[0]);
-    waitpid(child, nullptr, 0);
+    close(ends[1]);
   }
   state.counters["bytes_per_triangle"] = 1024 * peak_kb / static_cast<double>(kTriangles);
 }
