@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "cli/resolve_tools.h"
+#include "cli/scene_reach.h"
 #include "lib/base/files.h"
 #include "lib/base/view_file.h"
 #include "lib/mesh/load_mesh.h"
@@ -127,10 +128,18 @@ class JobLoader {
       if (!assembly) continue;
       const CheckOptions& c = job_.options.check;
       Result<ToolForms> forms =
-          make_tool_forms(*assembly, c.stock_to_leave_mm, c.shank_clearance_mm, c.holder_clearance_mm);
+          make_tool_forms(arguments_.is_extended_up ? without_end(*assembly) : *assembly, c.stock_to_leave_mm,
+                          c.shank_clearance_mm, c.holder_clearance_mm);
       if (!forms) return errors_.push_back(forms.error());
       job_.forms.back() = std::move(*forms);
     }
+  }
+
+  // As high as the farthest point of the scene, and the widest radius more: its end is nearest to nothing.
+  [[nodiscard]] ToolAssembly without_end(const ToolAssembly& tool) const {
+    const Result<Profile> profile = make_profile(tool);
+    if (!profile) return tool;
+    return extended_up(tool, reach_mm(job_.toolpath, job_.scene) + compile_tool("", *profile).r_max_mm);
   }
 
   [[nodiscard]] Diagnostic no_tool() const {

@@ -22,6 +22,8 @@ void add_input_options(CLI::App& command, JobArguments& a) {
   command.add_option("--tool", a.tool_names,
                      "N=NAME: tool number N of the toolpath is NAME of the library (repeatable)");
   command.add_option("--holder", a.holder, "Holder of the library for tools that have none");
+  command.add_flag("--extend-up", a.is_extended_up,
+                   "Let the top body of every tool go on without end, so that nothing hides above it");
 }
 
 void add_check_options(CLI::App& command, JobArguments& a) {

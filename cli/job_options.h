@@ -27,6 +27,7 @@ struct JobArguments {
   std::string rapid = "straight", progress = "auto";
   unsigned threads = 0;
   std::string report_folder, json_file, csv_file, sarif_file, junit_file;
+  bool is_extended_up = false;
   bool is_quiet = false;
   bool is_verbose = false;
 };

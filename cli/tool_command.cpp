@@ -56,14 +56,10 @@ Result<std::string> render(const Drawing& drawing, const std::string& path) {
 
 int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostream& err) {
   if (!ends_with(path, ".svg") && !ends_with(path, ".png")) return refuse(render({}, path).error(), err);
-  std::vector<Drawing> drawings;
-  for (const ToolAssembly* tool : tools) {
-    const Result<Drawing> drawing = draw_profile(*tool, unit);
-    if (!drawing) return refuse(drawing.error(), err);
-    drawings.push_back(*drawing);
-  }
-  const Result<std::string> bytes =
-      render(drawings.size() == 1 ? drawings.front() : draw_sheet(drawings), path);
+  const Result<Drawing> drawing =
+      tools.size() == 1 ? draw_profile(*tools.front(), unit) : draw_sheet(tools, unit);
+  if (!drawing) return refuse(drawing.error(), err);
+  const Result<std::string> bytes = render(*drawing, path);
   if (!bytes) return refuse(bytes.error(), err);
   const Outcome written = write_file(path, *bytes);
   return written ? static_cast<int>(kExitClean) : refuse(written.error(), err);
@@ -94,11 +90,14 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments) {
   add_tool_option(*show, arguments);
   show->footer(std::string("Example:\n  gougecheck tool show --tools shop.json --tool 3\n") + kExitText);
   CLI::App* picture = command.add_subcommand(
-      "draw", "Draw the profile with its bodies, dimensions, Voronoi regions and correction directions");
+      "draw",
+      "Draw a tool: profile, bodies, dimensions, Voronoi regions and correction directions. Without --tool, a sheet "
+      "of the whole library");
   add_library_option(*picture, arguments, ToolAction::draw);
   add_tool_option(*picture, arguments);
   picture->add_option("-o,--output", arguments.output, "picture to write: .png or .svg")->required();
-  picture->footer(std::string("Example:\n  gougecheck tool draw --tools shop.json --tool 3 -o t3.svg\n") +
+  picture->footer(std::string("Example:\n  gougecheck tool draw --tools shop.json --tool 3 -o t3.svg\n"
+                              "  gougecheck tool draw --tools shop.json -o library.png\n") +
                   kExitText);
   CLI::App* import = command.add_subcommand("import", "Turn a tool library of another program into ours");
   add_tool_import_options(*import, arguments.import, arguments.output);

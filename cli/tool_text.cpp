@@ -38,18 +38,27 @@ std::string padded(const std::string& text, std::size_t width) {
   return text + std::string(width > text.size() ? width - text.size() : 0, ' ');
 }
 
-std::string segments_text(const char* body, const std::vector<ToolSegment>& segments, double& z,
-                          LengthUnit unit) {
+std::string segments_text(const ToolAssembly& tool, LengthUnit unit) {
   std::string text;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const ToolSegment& s = segments[i];
-    text += "  " + padded(std::string(body) + " " + std::to_string(i + 1), 10) + "z " + in_unit(z, unit) +
-            " to " + in_unit(z + s.length_mm, unit) + ", diameter " + in_unit(s.lower_diameter_mm, unit);
+  for (const PlacedSegment& placed : place_segments(tool)) {
+    const ToolSegment& s = placed.segment;
+    text += "  " + padded(placed.name, 10) + (placed.name.size() >= 10 ? " z " : "z ") +
+            in_unit(placed.z_mm, unit) + " to " + in_unit(placed.z_mm + s.length_mm, unit) + ", diameter " +
+            in_unit(s.lower_diameter_mm, unit);
     if (std::abs(s.upper_diameter_mm - s.lower_diameter_mm) > 0)
       text += " to " + in_unit(s.upper_diameter_mm, unit);
-    text += "\n";
-    z += s.length_mm;
+    const bool has_own_name = placed.name.rfind(body_name(placed.body), 0) != 0;
+    text += (has_own_name ? std::string(", counts as ") + body_name(placed.body) : "") + "\n";
   }
+  return text;
+}
+
+std::string lengths_text(const ToolAssembly& tool, LengthUnit unit) {
+  std::string text;
+  if (!tool.holder.empty() || !tool.extensions.empty())
+    text += "  stick-out " + in_unit(stickout_mm(tool), unit) + ", tip to what holds the tool\n";
+  if (tool.gauge_length_mm > 0)
+    text += "  gauge     " + in_unit(tool.gauge_length_mm, unit) + ", tip to gauge line\n";
   return text;
 }
 
@@ -79,7 +88,7 @@ std::string tool_list_text(const ToolLibrary& library) {
   using Row = std::array<std::string, 6>;
   std::vector<Row> rows{{"tool", "name", "cutter", "flutes", "assembly", "holder"}};
   for (const ToolAssembly& t : library.tools) {
-    const double height = length_mm(t.cutter) + total(t.shank) + total(t.holder);
+    const double height = height_mm(t);
     rows.push_back({t.number ? "T" + std::to_string(*t.number) : "-", t.name.empty() ? "-" : t.name,
                     describe_cutter(t.cutter, unit), in_unit(length_mm(t.cutter), unit),
                     in_unit(height, unit),
@@ -105,12 +114,12 @@ std::string tool_text(const ToolAssembly& tool, LengthUnit unit) {
   const Result<Profile> profile = make_profile(tool);
   if (!profile) return to_text(profile.error()) + "\n";
   const CompiledTool compiled = compile_tool(label(tool), *profile);
-  double z = length_mm(tool.cutter);
   std::string text = label(tool) + ", lengths in " + unit_word(unit) + "\n";
-  text += "  cutter    z 0 to " + in_unit(z, unit) + ", " + describe_cutter(tool.cutter, unit) + "\n";
-  text += segments_text("shank", tool.shank, z, unit);
-  text += segments_text("holder", tool.holder, z, unit);
-  text += "  assembly  length " + in_unit(z, unit) + ", largest diameter " +
+  text += "  cutter    z 0 to " + in_unit(length_mm(tool.cutter), unit) + ", " +
+          describe_cutter(tool.cutter, unit) + "\n";
+  text += segments_text(tool, unit);
+  text += lengths_text(tool, unit);
+  text += "  assembly  length " + in_unit(height_mm(tool), unit) + ", largest diameter " +
           in_unit(2 * compiled.r_max_mm, unit) + "\n";
   text += contour_text(*profile, unit);
   text += "  compiled  " + std::to_string(compiled.elements.size()) + " boundary elements, BSP of " +

@@ -68,6 +68,7 @@ TEST_F(ToolCommand, ShowTellsBodiesAndContour) {
             "  cutter    z 0 to 30, ball D 10\n"
             "  shank 1   z 30 to 50, diameter 10\n"
             "  holder 1  z 50 to 90, diameter 32 to 40\n"
+            "  stick-out 50, tip to what holds the tool\n"
             "  assembly  length 90, largest diameter 40\n"
             "  contour (r, z), from the tip:\n"
             "    cutter  arc     (0, 0) to (5, 5), radius 5 about (0, 5)\n"
