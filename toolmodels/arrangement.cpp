@@ -16,8 +16,7 @@ class CurveCutter {
 
   Arrangement run() {
     ends_.resize(curves_.size());
-    for (std::size_t i = 0; i < curves_.size(); ++i)
-      ends_[i] = {vertex(curves_[i].a), vertex(curves_[i].b)};
+    for (std::size_t i = 0; i < curves_.size(); ++i) ends_[i] = {vertex(curves_[i].a), vertex(curves_[i].b)};
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       for (const Vec2& p : axis_points(curves_[i], slack_)) vertex(p);
       for (std::size_t j = i + 1; j < curves_.size(); ++j)
@@ -62,8 +61,7 @@ class CurveCutter {
   }
 
   [[nodiscard]] bool coincide(const CurvePiece& p, const CurvePiece& q) const {
-    const bool has_same_ends =
-        (p.from == q.from && p.to == q.to) || (p.from == q.to && p.to == q.from);
+    const bool has_same_ends = (p.from == q.from && p.to == q.to) || (p.from == q.to && p.to == q.from);
     return has_same_ends && (middle(p.curve) - middle(q.curve)).norm() <= 4 * slack_;
   }
 
@@ -100,7 +98,8 @@ double curvature(const ProfileElement& e) {
 
 class Walker {
  public:
-  explicit Walker(const Arrangement& arrangement) : vertices_(arrangement.vertices), pieces_(arrangement.pieces) {}
+  explicit Walker(const Arrangement& arrangement)
+      : vertices_(arrangement.vertices), pieces_(arrangement.pieces) {}
 
   std::optional<std::vector<ProfileElement>> walk() {
     const std::optional<std::size_t> start = lowest_start();

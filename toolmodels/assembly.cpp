@@ -59,7 +59,8 @@ std::string name_of(const ToolExtension& extension) {
 Outcome check_extensions(const ToolAssembly& tool) {
   bool is_holder_below = false;
   for (const ToolExtension& e : tool.extensions) {
-    if (Outcome good = check_segments(tool, e.segments, "extension \"" + name_of(e) + "\""); !good) return good;
+    if (Outcome good = check_segments(tool, e.segments, "extension \"" + name_of(e) + "\""); !good)
+      return good;
     if (is_holder_below && e.counts_as == Body::shank)
       return within(tool, "extension \"" + name_of(e) + "\"",
                     make_error("tool-extension",
@@ -88,11 +89,15 @@ Outcome check_stickout(const ToolAssembly& tool) {
   if (!(tool.stickout_mm > 0)) return Done{};
   const double flutes = length_mm(tool.cutter), end = shank_end(tool);
   if (tool.stickout_mm < flutes - kSame_mm)
-    return within(tool, "", make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is less than the length of the flutes, " +
-                                       mm(flutes) + ": the holder would swallow the cutter; give at least that"));
+    return within(tool, "",
+                  make_error("tool-stickout",
+                             "stickout " + mm(tool.stickout_mm) + " is less than the length of the flutes, " +
+                                 mm(flutes) + ": the holder would swallow the cutter; give at least that"));
   if (tool.stickout_mm > end + kSame_mm)
-    return within(tool, "", make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is more than flutes and shank reach, " +
-                                       mm(end) + "; give at most that, or a longer shank"));
+    return within(tool, "",
+                  make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) +
+                                                  " is more than flutes and shank reach, " + mm(end) +
+                                                  "; give at most that, or a longer shank"));
   return Done{};
 }
 
@@ -114,7 +119,8 @@ class Placer {
       ToolSegment s = segments[i];
       if (z_ >= end_mm - kSame_mm) return;
       if (z_ + s.length_mm > end_mm) {
-        s.upper_diameter_mm = s.lower_diameter_mm + (s.upper_diameter_mm - s.lower_diameter_mm) * ((end_mm - z_) / s.length_mm);
+        s.upper_diameter_mm =
+            s.lower_diameter_mm + (s.upper_diameter_mm - s.lower_diameter_mm) * ((end_mm - z_) / s.length_mm);
         s.length_mm = end_mm - z_;
       }
       placed_.push_back({body, name + " " + std::to_string(i + 1), s, z_});

@@ -26,9 +26,9 @@ double field_or(const Cutter& cutter, std::initializer_list<std::string_view> ke
 }  // namespace
 
 const char* shape_name(const Cutter& cutter) {
-  constexpr const char* kNames[] = {"flat",     "ball",    "bull_nose", "tapered", "apt",    "drill",
-                                    "chamfer",  "lollipop", "t_slot",   "slitting_saw", "dovetail", "barrel",
-                                    "oval",     "lens",    "face_mill", "radius_mill", "profile"};
+  constexpr const char* kNames[] = {"flat",    "ball",     "bull_nose", "tapered",      "apt",      "drill",
+                                    "chamfer", "lollipop", "t_slot",    "slitting_saw", "dovetail", "barrel",
+                                    "oval",    "lens",     "face_mill", "radius_mill",  "profile"};
   static_assert(std::size(kNames) == std::variant_size_v<Cutter>);
   return kNames[cutter.index()];
 }
@@ -41,7 +41,8 @@ const std::vector<Cutter>& every_shape() {
 
 double length_mm(const Cutter& cutter) {
   if (const auto* c = std::get_if<SlittingSawCutter>(&cutter)) return c->cap_height_mm + c->thickness_mm;
-  if (const auto* c = std::get_if<ProfileCutter>(&cutter)) return c->points.empty() ? 0 : c->points.back().z_mm;
+  if (const auto* c = std::get_if<ProfileCutter>(&cutter))
+    return c->points.empty() ? 0 : c->points.back().z_mm;
   const double given = field_or(cutter, {"length", "h"}, 0);
   if (given > 0) return given;
   if (const auto* c = std::get_if<ChamferCutter>(&cutter)) return detail::cone_height_mm(*c);
@@ -51,7 +52,8 @@ double length_mm(const Cutter& cutter) {
 
 NominalSize nominal_size(const Cutter& cutter) {
   if (const auto* ball = std::get_if<BallCutter>(&cutter)) return {ball->diameter_mm, ball->diameter_mm / 2};
-  if (const auto* ball = std::get_if<LollipopCutter>(&cutter)) return {ball->diameter_mm, ball->diameter_mm / 2};
+  if (const auto* ball = std::get_if<LollipopCutter>(&cutter))
+    return {ball->diameter_mm, ball->diameter_mm / 2};
   NominalSize size{field_or(cutter, {"diameter", "d"}, 0), field_or(cutter, {"corner_radius", "r"}, 0)};
   if (size.diameter_mm > 0) return size;
   if (const Result<Profile> profile = make_cutter_profile(cutter))

@@ -40,9 +40,9 @@ double cosine(double degrees) {
 Outcome check_not_negative(const std::string& field, double value_mm) {
   if (value_mm > 0) return check_length(field, value_mm);
   if (value_mm >= 0) return Done{};
-  return make_error("tool-dimension-negative",
-                    field + " is " + (std::isfinite(value_mm) ? mm(value_mm) : "not a number") +
-                        "; it must not be negative");
+  return make_error("tool-dimension-negative", field + " is " +
+                                                   (std::isfinite(value_mm) ? mm(value_mm) : "not a number") +
+                                                   "; it must not be negative");
 }
 
 Outcome check_angle(const std::string& field, double value_deg, double low_deg, double high_deg) {
@@ -83,8 +83,8 @@ void ContourMaker::arc_to(const Vec2& to, const Vec2& center, double radius_mm, 
 Result<Profile> ContourMaker::close(const std::string& what) {
   if (at_.x() > 0) line_to({0, at_.y()});
   if (const std::vector<std::string> broken = verify_profile(profile_); !broken.empty())
-    return make_error("tool-no-closed-profile", "these numbers make no closed profile: " + broken.front() + " (" +
-                                                    what + ")");
+    return make_error("tool-no-closed-profile",
+                      "these numbers make no closed profile: " + broken.front() + " (" + what + ")");
   return std::move(profile_);
 }
 

@@ -95,7 +95,8 @@ Outcome check_apt(const AptCutter& t) {
   const double lowest = std::max(-90.0, -90 - t.alpha_deg), highest = std::min(90.0, 90 - t.alpha_deg);
   if (!(t.beta_deg > lowest && t.beta_deg < highest))
     return make_error("tool-angle-out-of-range",
-                      "beta is " + (std::isfinite(t.beta_deg) ? exact_text(t.beta_deg) + " degrees" : "not a number") +
+                      "beta is " +
+                          (std::isfinite(t.beta_deg) ? exact_text(t.beta_deg) + " degrees" : "not a number") +
                           "; it must lie between " + exact_text(lowest) + " and " + exact_text(highest) +
                           " for alpha " + exact_text(t.alpha_deg));
   if (is_plain(t)) return check_corner_radius(t.r_mm, t.d_mm);
@@ -143,7 +144,8 @@ std::string apt_contradiction(const AptCutter& t) {
   const auto is_near = [&](double found, double expected) { return std::abs(found - expected) <= slack; };
   const bool is_given = std::abs(t.e_mm) > 0 || std::abs(t.f_mm) > 0;
   // Some writers have the diameter of the flat tip in e, of the sharp cutter without regard to its angles.
-  const bool is_tip_diameter = is_near(t.e_mm, t.d_mm - 2 * t.r_mm) && (is_near(t.f_mm, t.r_mm) || is_near(t.f_mm, center.y()));
+  const bool is_tip_diameter =
+      is_near(t.e_mm, t.d_mm - 2 * t.r_mm) && (is_near(t.f_mm, t.r_mm) || is_near(t.f_mm, center.y()));
   if (!is_given || is_tip_diameter || (is_near(t.e_mm, center.x()) && is_near(t.f_mm, center.y()))) return {};
   return "e = " + mm(t.e_mm) + ", f = " + mm(t.f_mm) +
          " do not place the corner where d, r, alpha and beta do (e = " + mm(center.x()) +

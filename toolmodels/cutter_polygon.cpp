@@ -35,10 +35,10 @@ Outcome check_slot_corners(const TSlotCutter& t) {
                                                           " is larger than half the diameter; at most " +
                                                           mm(t.diameter_mm / 2) + " is possible");
   if (is_below(t.length_mm, t.corner_radius_mm + t.upper_radius_mm))
-    return make_error("tool-corner-radius-too-large",
-                      "corner_radius " + mm(t.corner_radius_mm) + " and upper_radius " + mm(t.upper_radius_mm) +
-                          " do not fit into the length " + mm(t.length_mm) +
-                          "; together they may be as large as that");
+    return make_error("tool-corner-radius-too-large", "corner_radius " + mm(t.corner_radius_mm) +
+                                                          " and upper_radius " + mm(t.upper_radius_mm) +
+                                                          " do not fit into the length " + mm(t.length_mm) +
+                                                          "; together they may be as large as that");
   return Done{};
 }
 
@@ -104,9 +104,11 @@ Result<Profile> make_shape(const DrillCutter& t) {
   if (Outcome good = check_length("diameter", t.diameter_mm); !good) return good.error();
   if (Outcome good = check_length("length", t.length_mm); !good) return good.error();
   if (!(t.point_angle_deg > 0 && t.point_angle_deg <= 180))
-    return make_error("tool-angle-out-of-range",
-                      "point_angle is " + (std::isfinite(t.point_angle_deg) ? exact_text(t.point_angle_deg) + " degrees" : "not a number") +
-                          "; the included angle of the point must lie above 0 and be 180 at most");
+    return make_error(
+        "tool-angle-out-of-range",
+        "point_angle is " +
+            (std::isfinite(t.point_angle_deg) ? exact_text(t.point_angle_deg) + " degrees" : "not a number") +
+            "; the included angle of the point must lie above 0 and be 180 at most");
   const double r = t.diameter_mm / 2, point = r * cotangent(t.point_angle_deg / 2);
   if (is_below(t.length_mm, point)) return too_short(t.length_mm, "the point", point);
   return make_rounded({{{0, 0}, 0}, {{r, point}, 0}, {{r, t.length_mm}, 0}}, "point and side");
@@ -118,12 +120,13 @@ Result<Profile> make_shape(const ChamferCutter& t) {
   if (Outcome good = check_angle("taper_angle", t.taper_angle_deg, 0, 90); !good) return good.error();
   if (Outcome good = check_not_negative("length", t.length_mm); !good) return good.error();
   if (t.tip_diameter_mm >= t.diameter_mm)
-    return contradict("tip_diameter " + mm(t.tip_diameter_mm) + " is not less than diameter " + mm(t.diameter_mm) +
-                      ", which is the largest");
+    return contradict("tip_diameter " + mm(t.tip_diameter_mm) + " is not less than diameter " +
+                      mm(t.diameter_mm) + ", which is the largest");
   const double r = t.diameter_mm / 2, cone = cone_height_mm(t);
   if (t.length_mm > 0 && is_below(t.length_mm, cone)) return too_short(t.length_mm, "the cone", cone);
   const double top = t.length_mm > 0 ? t.length_mm : cone;
-  return make_rounded({{{0, 0}, 0}, {{t.tip_diameter_mm / 2, 0}, 0}, {{r, cone}, 0}, {{r, top}, 0}}, "cone and side");
+  return make_rounded({{{0, 0}, 0}, {{t.tip_diameter_mm / 2, 0}, 0}, {{r, cone}, 0}, {{r, top}, 0}},
+                      "cone and side");
 }
 
 Result<Profile> make_shape(const TSlotCutter& t) {
@@ -131,9 +134,11 @@ Result<Profile> make_shape(const TSlotCutter& t) {
   if (Outcome good = check_length("length", t.length_mm); !good) return good.error();
   if (Outcome good = check_slot_corners(t); !good) return good.error();
   const double r = t.diameter_mm / 2;
-  return make_rounded(
-      {{{0, 0}, 0}, {{r, 0}, t.corner_radius_mm}, {{r, t.length_mm}, t.upper_radius_mm}, {{0, t.length_mm}, 0}},
-      "disc with rounded corners");
+  return make_rounded({{{0, 0}, 0},
+                       {{r, 0}, t.corner_radius_mm},
+                       {{r, t.length_mm}, t.upper_radius_mm},
+                       {{0, t.length_mm}, 0}},
+                      "disc with rounded corners");
 }
 
 Result<Profile> make_shape(const SlittingSawCutter& t) {
@@ -144,11 +149,12 @@ Result<Profile> make_shape(const SlittingSawCutter& t) {
   if ((t.cap_diameter_mm > 0) != (t.cap_height_mm > 0))
     return contradict("cap_diameter and cap_height belong together; give both, or neither");
   if (t.cap_diameter_mm >= t.diameter_mm)
-    return contradict("cap_diameter " + mm(t.cap_diameter_mm) + " is not less than diameter " + mm(t.diameter_mm) +
-                      "; the cap would cover the blade");
+    return contradict("cap_diameter " + mm(t.cap_diameter_mm) + " is not less than diameter " +
+                      mm(t.diameter_mm) + "; the cap would cover the blade");
   const double r = t.diameter_mm / 2, cap = t.cap_diameter_mm / 2, low = t.cap_height_mm;
   return make_rounded(
-      {{{0, 0}, 0}, {{cap, 0}, 0}, {{cap, low}, 0}, {{r, low}, 0}, {{r, low + t.thickness_mm}, 0}}, "cap and blade");
+      {{{0, 0}, 0}, {{cap, 0}, 0}, {{cap, low}, 0}, {{r, low}, 0}, {{r, low + t.thickness_mm}, 0}},
+      "cap and blade");
 }
 
 Result<Profile> make_shape(const FaceMillCutter& t) {
@@ -187,7 +193,12 @@ Result<Profile> make_shape(const RadiusCutter& t) {
                       "; it must be at least that");
   if (is_below(t.length_mm, top)) return too_short(t.length_mm, "the arc", top);
   const double wide = std::max(t.diameter_mm / 2, end);
-  return make_rounded({{{0, 0}, 0}, {{tip, 0}, 0}, {{tip, top}, r}, {{wide, top}, 0}, {{wide, t.length_mm}, 0}, {{0, t.length_mm}, 0}},
+  return make_rounded({{{0, 0}, 0},
+                       {{tip, 0}, 0},
+                       {{tip, top}, r},
+                       {{wide, top}, 0},
+                       {{wide, t.length_mm}, 0},
+                       {{0, t.length_mm}, 0}},
                       "tip, arc and side");
 }
 

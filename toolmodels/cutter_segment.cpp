@@ -42,7 +42,8 @@ Outcome check_barrel(const BarrelCutter& t) {
   if (!(t.corner_radius_mm >= 0)) return check_corner_radius(t.corner_radius_mm, t.diameter_mm);
   const Flank flank = flank_of(t);
   if (!flank.has_height(0) || !(flank.radius_at(0) > 0))
-    return contradict("profile_radius " + mm(t.profile_radius_mm) + " and axial_distance " + mm(t.axial_distance_mm) +
+    return contradict("profile_radius " + mm(t.profile_radius_mm) + " and axial_distance " +
+                      mm(t.axial_distance_mm) +
                       ": the flank meets the axis above the tip; give a larger profile_radius or a smaller "
                       "axial_distance");
   if (!flank.has_height(t.length_mm) || !(flank.radius_at(t.length_mm) > 0))
@@ -51,10 +52,9 @@ Outcome check_barrel(const BarrelCutter& t) {
                       "; give a larger profile_radius or a smaller length");
   const double largest = std::min(flank.largest_corner_mm(), t.profile_radius_mm);
   if (t.corner_radius_mm > largest * (1 + 1e-6))
-    return make_error("tool-corner-radius-too-large",
-                      "corner_radius " + mm(t.corner_radius_mm) +
-                          " would begin beyond the axis; at most " + mm(largest) +
-                          " is possible, which is a ball tip");
+    return make_error("tool-corner-radius-too-large", "corner_radius " + mm(t.corner_radius_mm) +
+                                                          " would begin beyond the axis; at most " +
+                                                          mm(largest) + " is possible, which is a ball tip");
   return Done{};
 }
 
@@ -65,8 +65,8 @@ Outcome check_circle_segment(double diameter_mm, double profile_radius_mm, doubl
   if (Outcome good = check_corner_radius(corner_radius_mm, diameter_mm); !good) return good;
   if (Outcome good = check_length("length", length_mm); !good) return good;
   if (profile_radius_mm < diameter_mm / 2 * (1 - kRelativeSlack))
-    return contradict("profile_radius " + mm(profile_radius_mm) + " is less than half the diameter; at least " +
-                      mm(diameter_mm / 2) + " is needed");
+    return contradict("profile_radius " + mm(profile_radius_mm) +
+                      " is less than half the diameter; at least " + mm(diameter_mm / 2) + " is needed");
   return Done{};
 }
 
@@ -94,8 +94,9 @@ Result<Profile> make_shape(const LollipopCutter& t) {
                       mm(t.diameter_mm) + ", that of the ball");
   const double r = t.diameter_mm / 2, top = t.length_mm > 0 ? t.length_mm : ball_height_mm(t);
   if (!(top > r && top < t.diameter_mm))
-    return contradict("length " + mm(top) + " does not end within the upper half of the ball; it must lie between " +
-                      mm(r) + " and " + mm(t.diameter_mm));
+    return contradict("length " + mm(top) +
+                      " does not end within the upper half of the ball; it must lie between " + mm(r) +
+                      " and " + mm(t.diameter_mm));
   ContourMaker contour(Vec2::Zero(), t.diameter_mm);
   contour.arc_to({std::sqrt((2 * r - top) * top), top}, {0, r}, r);
   return contour.close("ball and neck");
@@ -122,12 +123,15 @@ Result<Profile> make_shape(const BarrelCutter& t) {
 }
 
 Result<Profile> make_shape(const OvalCutter& t) {
-  if (Outcome good = check_circle_segment(t.diameter_mm, t.profile_radius_mm, t.corner_radius_mm, t.length_mm); !good)
+  if (Outcome good =
+          check_circle_segment(t.diameter_mm, t.profile_radius_mm, t.corner_radius_mm, t.length_mm);
+      !good)
     return good.error();
   if (Outcome good = check_length("corner_radius", t.corner_radius_mm); !good) return good.error();
   const double r = t.corner_radius_mm, side = t.diameter_mm / 2;
   const double reach = t.profile_radius_mm - r, inset = t.profile_radius_mm - side;
-  const Vec2 center(side - t.profile_radius_mm, r + std::sqrt(std::max(0.0, (reach - inset) * (reach + inset))));
+  const Vec2 center(side - t.profile_radius_mm,
+                    r + std::sqrt(std::max(0.0, (reach - inset) * (reach + inset))));
   const Vec2 ball(0, r);
   const Vec2 touch = reach > 0 ? Vec2(center + t.profile_radius_mm / reach * (ball - center)) : Vec2(side, r);
   if (touch.y() >= t.length_mm) return too_short(t.length_mm, touch.y());
@@ -143,7 +147,9 @@ Result<Profile> make_shape(const OvalCutter& t) {
 }
 
 Result<Profile> make_shape(const LensCutter& t) {
-  if (Outcome good = check_circle_segment(t.diameter_mm, t.profile_radius_mm, t.corner_radius_mm, t.length_mm); !good)
+  if (Outcome good =
+          check_circle_segment(t.diameter_mm, t.profile_radius_mm, t.corner_radius_mm, t.length_mm);
+      !good)
     return good.error();
   const double c = t.corner_radius_mm, side = t.diameter_mm / 2, big = t.profile_radius_mm;
   const double reach = big - c, inset = side - c;

@@ -7,6 +7,7 @@
 #include "lib/base/number_text.h"
 #include "toolmodels/compile_tool.h"
 #include "toolmodels/draw_parts.h"
+#include "toolmodels/offset_curves.h"
 
 namespace gouge {
 namespace {
@@ -40,7 +41,8 @@ class Sheet {
 
  private:
   [[nodiscard]] std::string length(double value_mm) const {
-    return exact_text(std::round(value_mm / mm_per(unit_) * 1e4) / 1e4);
+    const double digits = unit_ == LengthUnit::inch ? 1e4 : 1e3;
+    return exact_text(std::round(value_mm / mm_per(unit_) * digits) / digits);
   }
 
   void draw_title() {
@@ -140,8 +142,11 @@ class Sheet {
   [[nodiscard]] Vec2 widest_of_cutter() const {
     Vec2 widest = Vec2::Zero();
     for (const ProfileElement& e : bodies_[0].elements)
-      for (const Vec2& p : sample(e, 96))
-        if (p.x() > widest.x() + 1e-9 * compiled_.r_max_mm) widest = p;
+      for (const Vec2& p : {e.a, e.b, Vec2(e.center + Vec2(e.radius_mm, 0))}) {
+        const bool is_on_it = p == e.a || p == e.b ||
+                              (e.is_arc && !e.is_concave && detail::passes(e, p, 1e-12 * compiled_.r_max_mm));
+        if (is_on_it && p.x() > widest.x() + 1e-9 * compiled_.r_max_mm) widest = p;
+      }
     return widest;
   }
 
@@ -154,10 +159,12 @@ class Sheet {
     labels.push_back({at.y(), at, diameters(2 * widest.x(), 2 * widest.x())});
     for (const PlacedSegment& placed : place_segments(tool_)) {
       const ToolSegment& s = placed.segment;
-      const Vec2 middle = view.at(Vec2(0.25 * (s.lower_diameter_mm + s.upper_diameter_mm), placed.z_mm + 0.5 * s.length_mm));
+      const Vec2 middle =
+          view.at(Vec2(0.25 * (s.lower_diameter_mm + s.upper_diameter_mm), placed.z_mm + 0.5 * s.length_mm));
       const bool has_own_name = placed.name.rfind("shank", 0) != 0 && placed.name.rfind("holder", 0) != 0;
-      labels.push_back({middle.y(), middle,
-                        diameters(s.lower_diameter_mm, s.upper_diameter_mm) + (has_own_name ? "  " + placed.name : "")});
+      labels.push_back(
+          {middle.y(), middle,
+           diameters(s.lower_diameter_mm, s.upper_diameter_mm) + (has_own_name ? "  " + placed.name : "")});
     }
     return labels;
   }
@@ -183,7 +190,8 @@ class Sheet {
     const auto [low, high] = heights_of_tip();
     ProfileView view;
     const double tall = kBottom - kTop;
-    view.scale = std::min((kTipRight - kTipLeft) / (1.45 * widest.x()), 0.72 * tall / std::max(high - low, 1e-9));
+    view.scale =
+        std::min((kTipRight - kTipLeft) / (1.45 * widest.x()), 0.72 * tall / std::max(high - low, 1e-9));
     view.origin = Vec2(kTipLeft, kBottom - 0.17 * tall + view.scale * low);
     view.low = Vec2(0, (view.origin.y() - kBottom) / view.scale);
     view.high = Vec2((kTipRight - kTipLeft) / view.scale, (view.origin.y() - kTop) / view.scale);
@@ -218,7 +226,8 @@ class Sheet {
     detail::draw_line(drawing_, above, to + Vec2(0, 8), kFaint, 1, {4, 4});
     detail::draw_arrow(drawing_, to - Vec2(60, 0), to, kInk, 1);
     detail::draw_line(drawing_, from, to - Vec2(60, 0), kInk, 1);
-    detail::draw_text(drawing_, {0.5 * (from.x() + to.x()), y - 6}, "D/2 = " + length(widest.x()), 15, TextAnchor::middle, true);
+    detail::draw_text(drawing_, {0.5 * (from.x() + to.x()), y - 6}, "D/2 = " + length(widest.x()), 15,
+                      TextAnchor::middle, true);
   }
 
   void draw_scale_bar(const ProfileView& view) {

@@ -17,7 +17,8 @@ constexpr Colour kInk{25, 28, 35, 1};
 constexpr Colour kFaint{170, 174, 182, 1};
 
 std::string number(double value_mm, LengthUnit unit) {
-  return exact_text(std::round(value_mm / mm_per(unit) * 1e4) / 1e4);
+  const double digits = unit == LengthUnit::inch ? 1e4 : 1e3;
+  return exact_text(std::round(value_mm / mm_per(unit) * digits) / digits);
 }
 
 // A text that fits into a field.
@@ -45,10 +46,12 @@ class Field {
   [[nodiscard]] Vec2 at(double x, double y) const { return corner_ + Vec2(x, y); }
 
   void draw_frame() {
-    const std::vector<Vec2> frame{at(0, 0), at(kFieldWidth, 0), at(kFieldWidth, kFieldHeight), at(0, kFieldHeight)};
+    const std::vector<Vec2> frame{at(0, 0), at(kFieldWidth, 0), at(kFieldWidth, kFieldHeight),
+                                  at(0, kFieldHeight)};
     sheet_.items.emplace_back(DrawnLine{frame, kFaint, 1, true, {}});
     detail::draw_text(sheet_, at(20, 40), shortened(label(tool_), 38), 24, TextAnchor::left, true);
-    detail::draw_text(sheet_, at(20, 70), shortened(describe_cutter(tool_.cutter, unit_), 62), 17, TextAnchor::left);
+    detail::draw_text(sheet_, at(20, 70), shortened(describe_cutter(tool_.cutter, unit_), 62), 17,
+                      TextAnchor::left);
     const std::string lengths = "flutes " + number(length_mm(tool_.cutter), unit_) + ", assembly " +
                                 number(height_mm(tool_), unit_) + " " + unit_name(unit_) +
                                 (tool_.holder.empty() ? ", no holder" : "");
@@ -71,7 +74,8 @@ class Field {
   [[nodiscard]] ProfileView view_of(const Profile& profile, double left, double right) const {
     const CompiledTool tool = compile_tool("", profile);
     ProfileView view;
-    view.scale = std::min((right - left) / (2 * tool.r_max_mm), (kBottom - kTop) / (tool.z_max_mm - tool.z_min_mm));
+    view.scale =
+        std::min((right - left) / (2 * tool.r_max_mm), (kBottom - kTop) / (tool.z_max_mm - tool.z_min_mm));
     view.low = Vec2(0, tool.z_min_mm);
     view.high = Vec2(tool.r_max_mm, tool.z_max_mm);
     view.origin = at(0.5 * (left + right), kBottom + view.scale * tool.z_min_mm);
@@ -92,8 +96,8 @@ class Field {
     fill(cutter, Body::cutter, view);
     detail::draw_regions(sheet_, compiled, view, false);
     detail::draw_contour(sheet_, cutter, view, 2);
-    detail::draw_line(sheet_, view.at(Vec2(0, compiled.z_max_mm)) - Vec2(0, 12), view.at(Vec2(0, compiled.z_min_mm)) + Vec2(0, 12),
-                      kInk, 1, {12, 4, 3, 4});
+    detail::draw_line(sheet_, view.at(Vec2(0, compiled.z_max_mm)) - Vec2(0, 12),
+                      view.at(Vec2(0, compiled.z_min_mm)) + Vec2(0, 12), kInk, 1, {12, 4, 3, 4});
   }
 
   Drawing& sheet_;
@@ -112,7 +116,8 @@ Result<Drawing> draw_sheet(const std::vector<const ToolAssembly*>& tools, Length
   sheet.width = kFieldWidth * static_cast<double>(columns);
   sheet.height = kFieldHeight * static_cast<double>(rows);
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    const Vec2 corner(kFieldWidth * static_cast<double>(i % columns), kFieldHeight * static_cast<double>(i / columns));
+    const Vec2 corner(kFieldWidth * static_cast<double>(i % columns),
+                      kFieldHeight * static_cast<double>(i / columns));
     if (Outcome drawn = Field(sheet, corner, *tools[i], unit).draw(); !drawn) return drawn.error();
   }
   return sheet;

@@ -42,8 +42,7 @@ void add_corner(Body body, const Vec2& corner, const Vec2& before, const Vec2& a
                 std::vector<ProfileElement>& curves) {
   if (cross(before, after) < -kSmoothTurn) return;
   if (cross(before, after) <= kSmoothTurn && before.dot(after) > 0) return;
-  curves.push_back(
-      make_convex_arc(body, corner + growth * before, corner + growth * after, corner, growth));
+  curves.push_back(make_convex_arc(body, corner + growth * before, corner + growth * after, corner, growth));
 }
 
 std::vector<Vec2> meet_lines(const ProfileElement& c, const ProfileElement& d) {
@@ -152,7 +151,8 @@ std::vector<Vec2> axis_points(const ProfileElement& curve, double slack) {
     if ((curve.a.x() < 0) != (curve.b.x() < 0) && std::abs(run) > 0)
       points.emplace_back(0, curve.a.y() - curve.a.x() / run * (curve.b.y() - curve.a.y()));
   } else if (std::abs(curve.center.x()) < curve.radius_mm) {
-    const double half = std::sqrt((curve.radius_mm - curve.center.x()) * (curve.radius_mm + curve.center.x()));
+    const double half =
+        std::sqrt((curve.radius_mm - curve.center.x()) * (curve.radius_mm + curve.center.x()));
     points = {{0, curve.center.y() - half}, {0, curve.center.y() + half}};
   }
   std::erase_if(points, [&](const Vec2& p) { return !passes(curve, p, slack); });

@@ -170,8 +170,9 @@ class Reader {
     read_number(entry, pointer, who, tool);
     if (error_) return;
     who = "tool " + label(tool);
-    warn_unknown_keys(entry, pointer, who, {"number", "name", "cutter", "shank", "extensions", "holder", "stickout",
-                                            "gauge_length", "comment"});
+    warn_unknown_keys(
+        entry, pointer, who,
+        {"number", "name", "cutter", "shank", "extensions", "holder", "stickout", "gauge_length", "comment"});
     if (!entry.contains("cutter"))
       return fail("library-field", who + " has no \"cutter\"; it needs one", pointer);
     read_cutter(entry["cutter"], pointer + "/cutter", who, tool);
@@ -231,7 +232,8 @@ class Reader {
     }
     if (!error_)
       fail("library-field",
-           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") + "; expected one of " + names,
+           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") + "; expected one of " +
+               names,
            pointer + "/shape");
   }
 
@@ -245,13 +247,15 @@ class Reader {
     });
     if (auto* profile = std::get_if<ProfileCutter>(&cutter)) {
       known.push_back("points");
-      if (!value.contains("points")) return fail("library-field", who + " has no \"points\"; it needs them", pointer);
+      if (!value.contains("points"))
+        return fail("library-field", who + " has no \"points\"; it needs them", pointer);
       profile->points = read_points(value["points"], pointer + "/points", who);
     }
     warn_unknown_keys(value, pointer, who, known);
   }
 
-  std::vector<ProfilePoint> read_points(const Json& list, const std::string& pointer, const std::string& who) {
+  std::vector<ProfilePoint> read_points(const Json& list, const std::string& pointer,
+                                        const std::string& who) {
     std::vector<ProfilePoint> points;
     if (!is_list(list, pointer, who + ": points")) return points;
     for (std::size_t i = 0; i < list.size() && !error_; ++i) {
@@ -269,15 +273,18 @@ class Reader {
       else if (arc == "concave")
         point.way = ProfilePoint::Way::concave;
       else if (!arc.empty())
-        fail("library-field", which + ": arc is \"" + arc + "\"; expected \"convex\" or \"concave\"", here + "/arc");
+        fail("library-field", which + ": arc is \"" + arc + "\"; expected \"convex\" or \"concave\"",
+             here + "/arc");
       else if (list[i].contains("radius"))
-        fail("library-field", which + " has a radius but no \"arc\"; add \"arc\": \"convex\" or \"concave\"", here);
+        fail("library-field", which + " has a radius but no \"arc\"; add \"arc\": \"convex\" or \"concave\"",
+             here);
       points.push_back(point);
     }
     return points;
   }
 
-  void read_extensions(const Json& list, const std::string& pointer, const std::string& who, ToolAssembly& tool) {
+  void read_extensions(const Json& list, const std::string& pointer, const std::string& who,
+                       ToolAssembly& tool) {
     if (!is_list(list, pointer, who + ": extensions")) return;
     for (std::size_t i = 0; i < list.size() && !error_; ++i) {
       const std::string here = pointer + "/" + std::to_string(i);
@@ -311,12 +318,14 @@ class Reader {
           make_warning("library-duplicate-name",
                        who + " has the name of an earlier tool; asked for by name, the first is taken",
                        library_.file, lines_.at(pointer + "/name")));
-    if (const double height = height_mm(tool); tool.gauge_length_mm > height * (1 + 1e-9) && !tool.holder.empty())
-      library_.notes.push_back(make_warning(
-          "tool-gauge-length",
-          who + ": gauge_length " + detail::mm(tool.gauge_length_mm) + " is more than the assembly, which ends at " +
-              detail::mm(height) + "; what is between is not in the file and not checked",
-          library_.file, lines_.at(pointer + "/gauge_length")));
+    if (const double height = height_mm(tool);
+        tool.gauge_length_mm > height * (1 + 1e-9) && !tool.holder.empty())
+      library_.notes.push_back(make_warning("tool-gauge-length",
+                                            who + ": gauge_length " + detail::mm(tool.gauge_length_mm) +
+                                                " is more than the assembly, which ends at " +
+                                                detail::mm(height) +
+                                                "; what is between is not in the file and not checked",
+                                            library_.file, lines_.at(pointer + "/gauge_length")));
     if (const auto* apt = std::get_if<AptCutter>(&tool.cutter))
       if (const std::string told = apt_contradiction(*apt); !told.empty())
         library_.notes.push_back(make_warning("cutter-contradiction", who + ": " + told, library_.file,

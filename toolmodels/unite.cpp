@@ -11,9 +11,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kSlack = 1e-10;       // of the size: points closer than this are one
-constexpr double kSameCurve = 1e-12;   // of the size: lines and circles closer than this are one
-constexpr double kNudge = 3e-10;       // of the size: growth that breaks a tie no one can see
+constexpr double kSlack = 1e-10;      // of the size: points closer than this are one
+constexpr double kSameCurve = 1e-12;  // of the size: lines and circles closer than this are one
+constexpr double kNudge = 3e-10;      // of the size: growth that breaks a tie no one can see
 
 // A body as the distances to it are asked.
 struct Solid {
@@ -78,7 +78,8 @@ Result<Profile> unite(const std::vector<GrownBody>& bodies) {
     if (!body.profile->elements.empty()) size = std::max(size, size_of(*body.profile) + body.growth_mm);
   if (!(size > 0)) return Profile{};
   for (int attempt = 0; attempt < 4; ++attempt)
-    if (std::optional<Profile> made = try_unite(bodies, size, attempt * kNudge * size)) return *std::move(made);
+    if (std::optional<Profile> made = try_unite(bodies, size, attempt * kNudge * size))
+      return *std::move(made);
   return make_error("tool-not-closed",
                     "its bodies do not join to one contour from the tip to the top; let each begin where the "
                     "one below ends");

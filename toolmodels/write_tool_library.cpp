@@ -60,9 +60,8 @@ class LibraryWriter {
     result["cutter"] = cutter(t.cutter);
     if (!t.shank.empty()) result["shank"] = segments(t.shank);
     for (const ToolExtension& e : t.extensions)
-      result["extensions"].push_back({{"name", e.name},
-                                      {"counts_as", body_name(e.counts_as)},
-                                      {"segments", segments(e.segments)}});
+      result["extensions"].push_back(
+          {{"name", e.name}, {"counts_as", body_name(e.counts_as)}, {"segments", segments(e.segments)}});
     if (!t.holder.empty()) result["holder"] = segments(t.holder);
     if (t.stickout_mm > 0) result["stickout"] = length(t.stickout_mm);
     if (t.gauge_length_mm > 0) result["gauge_length"] = length(t.gauge_length_mm);

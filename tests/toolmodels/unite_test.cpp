@@ -168,7 +168,8 @@ TEST(Unite, GrowsProfilesOfAnyFormAsTheDistanceSays) {
   const std::uint64_t tools = count == nullptr ? 60 : std::strtoull(count, nullptr, 10);
   for (std::uint64_t seed = 0; seed < tools; ++seed) {
     SplitMix64 random(seed);
-    const Profile body = test::random_free_profile(random, {true, true, seed % 2 == 0, seed % 5 == 0, seed % 3 == 0 ? 1e-3 : 0.05});
+    const Profile body = test::random_free_profile(
+        random, {true, true, seed % 2 == 0, seed % 5 == 0, seed % 3 == 0 ? 1e-3 : 0.05});
     const double size = size_of(body);
     const double growth = seed % 7 == 0 ? 1.0 : size * std::pow(10.0, random.uniform(-5, 0));
     const Result<Profile> grown = unite({{&body, growth}});

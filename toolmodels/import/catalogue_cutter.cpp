@@ -193,22 +193,24 @@ class CutterMaker {
     const bool is_wider = at(largest_diameter) > at(diameter) + kAgree_mm;
     if (!(at(taper_angle) > 0)) {
       if (is_wider)
-        return make_error("import-field", d_.text(largest_diameter) + " is greater than " + d_.text(diameter) +
+        return make_error("import-field", d_.text(largest_diameter) + " is greater than " +
+                                              d_.text(diameter) +
                                               ", but the file gives no angle of the edge between them");
       return at(corner_radius) > 0 ? bull_nose() : Result<CatalogueCutter>(flat());
     }
     if (is_wider)
-      return CatalogueCutter{FaceMillCutter{at(diameter), at(corner_radius), at(taper_angle), at(largest_diameter), 0, 0,
-                                            at(flute_length)},
+      return CatalogueCutter{FaceMillCutter{at(diameter), at(corner_radius), at(taper_angle),
+                                            at(largest_diameter), 0, 0, at(flute_length)},
                              0};
     notes_.push_back(make_note("import-guess", "no largest diameter is given; the edge is taken to lean by " +
                                                    d_.text(taper_angle) + " up to the top of the flutes"));
-    return CatalogueCutter{AptCutter{at(diameter), at(corner_radius), 0, 0, 0, at(taper_angle), at(flute_length)}, 0};
+    return CatalogueCutter{
+        AptCutter{at(diameter), at(corner_radius), 0, 0, 0, at(taper_angle), at(flute_length)}, 0};
   }
 
   CatalogueCutter full() {
-    notes_.push_back(make_note("import-guess",
-                               "taken as a full cylinder of " + d_.text(diameter) + " along its flutes, which is the larger tool"));
+    notes_.push_back(make_note("import-guess", "taken as a full cylinder of " + d_.text(diameter) +
+                                                   " along its flutes, which is the larger tool"));
     return {FlatCutter{at(diameter), at(flute_length)}, 0};
   }
 

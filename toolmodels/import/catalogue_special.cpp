@@ -62,7 +62,9 @@ class SpecialMaker {
   }
 
   // Both names for the corner at the tip.
-  [[nodiscard]] double lower_corner() const { return at(lower_radius) > 0 ? at(lower_radius) : at(corner_radius); }
+  [[nodiscard]] double lower_corner() const {
+    return at(lower_radius) > 0 ? at(lower_radius) : at(corner_radius);
+  }
 
   void check_neck(double expected_mm, const std::string& follows_from) {
     if (!(at(shoulder_diameter) > 0) || std::abs(at(shoulder_diameter) - expected_mm) <= kAgree_mm) return;
@@ -101,7 +103,9 @@ class SpecialMaker {
     const Dimension neck = at(shoulder_diameter) > 0 ? shoulder_diameter : shank_diameter;
     if (Outcome good = need({{neck, "neck diameter"}}); !good) return good.error();
     if (flutes > 0)
-      guess(d_.text(flute_length) + " does not end within the upper half of the ball; the ball is taken to end at the neck, " + d_.text(neck));
+      guess(d_.text(flute_length) +
+            " does not end within the upper half of the ball; the ball is taken to end at the neck, " +
+            d_.text(neck));
     return Cutter(LollipopCutter{at(diameter), at(neck), 0});
   }
 
@@ -115,8 +119,11 @@ class SpecialMaker {
 
   // Pilot with its point, then a cone of the included angle up to the body.
   Result<Cutter> center_drill() {
-    if (Outcome good = need({{flute_length, "flute length"}, {point_angle, "point angle"}, {tip_diameter, "tip diameter"},
-                             {tip_length, "tip length"}, {taper_angle, "angle of the cone"}});
+    if (Outcome good = need({{flute_length, "flute length"},
+                             {point_angle, "point angle"},
+                             {tip_diameter, "tip diameter"},
+                             {tip_length, "tip length"},
+                             {taper_angle, "angle of the cone"}});
         !good)
       return good.error();
     const double pilot = at(tip_diameter) / 2, r = at(diameter) / 2;
@@ -131,15 +138,20 @@ class SpecialMaker {
   }
 
   Result<Cutter> barrel() {
-    if (Outcome good = need({{flute_length, "flute length"}, {profile_radius, "profile radius"}, {axial_distance, "axial distance"}});
+    if (Outcome good = need({{flute_length, "flute length"},
+                             {profile_radius, "profile radius"},
+                             {axial_distance, "axial distance"}});
         !good)
       return good.error();
     if (at(upper_radius) > 0)
-      guess(d_.text(upper_radius) + " at the top of the flank is left out; built with a sharp corner, which is the larger tool");
-    return Cutter(BarrelCutter{at(diameter), at(profile_radius), lower_corner(), 0, at(axial_distance), at(flute_length)});
+      guess(d_.text(upper_radius) +
+            " at the top of the flank is left out; built with a sharp corner, which is the larger tool");
+    return Cutter(BarrelCutter{at(diameter), at(profile_radius), lower_corner(), 0, at(axial_distance),
+                               at(flute_length)});
   }
 
-  // Some files leave the tip's radius out; the flutes end where the flank touches the diameter, which gives it.
+  // Some files leave the tip's radius out; the flutes end where the flank touches the diameter, which gives
+  // it.
   Result<Cutter> oval() {
     if (Outcome good = need({{flute_length, "flute length"}, {profile_radius, "profile radius"}}); !good)
       return good.error();
@@ -148,9 +160,9 @@ class SpecialMaker {
       const double big = at(profile_radius), inset = big - at(diameter) / 2, l = at(flute_length);
       r = (big * big - inset * inset - l * l) / (2 * (big - l));
       if (!(big > l && r > 0 && r <= at(diameter) / 2))
-        return make_error("import-field",
-                          "the file gives no radius of the tip, and none follows from " + d_.text(profile_radius) +
-                              ", " + d_.text(diameter) + " and " + d_.text(flute_length));
+        return make_error("import-field", "the file gives no radius of the tip, and none follows from " +
+                                              d_.text(profile_radius) + ", " + d_.text(diameter) + " and " +
+                                              d_.text(flute_length));
       guess("no radius of the tip is given; taken as " + mm_text(r) + ", with which the flank ends at " +
             d_.text(flute_length));
     }
@@ -163,8 +175,8 @@ class SpecialMaker {
     double corner = lower_corner();
     const double from_tip = (at(diameter) - at(tip_diameter)) / 2;
     if (corner > at(diameter) / 2 && at(tip_diameter) > 0 && from_tip > 0) {
-      contradiction("corner radius " + mm_text(corner) + " is larger than half of " + d_.text(diameter) + "; built with " +
-                    mm_text(from_tip) + ", which follows from " + d_.text(tip_diameter));
+      contradiction("corner radius " + mm_text(corner) + " is larger than half of " + d_.text(diameter) +
+                    "; built with " + mm_text(from_tip) + ", which follows from " + d_.text(tip_diameter));
       corner = from_tip;
     }
     return Cutter(LensCutter{at(diameter), at(profile_radius), corner, at(flute_length)});
@@ -173,7 +185,9 @@ class SpecialMaker {
   // Tip and upper arc lie where a straight flank of the taper angle would touch them; the flank's arc touches
   // both.
   Result<Cutter> taper_segment() {
-    if (Outcome good = need({{flute_length, "flute length"}, {profile_radius, "profile radius"}, {taper_angle, "taper angle"}});
+    if (Outcome good = need({{flute_length, "flute length"},
+                             {profile_radius, "profile radius"},
+                             {taper_angle, "taper angle"}});
         !good)
       return good.error();
     const double r1 = lower_corner(), r2 = at(upper_radius), big = at(profile_radius);
@@ -185,15 +199,18 @@ class SpecialMaker {
     const double distance = between.norm(), p = big - r1, q = big - r2;
     const double along = 0.5 * (distance + (p - q) * (p + q) / distance), away2 = (p - along) * (p + along);
     if (!(p > 0 && q > 0 && away2 > 0 && c2.y() > c1.y()))
-      return make_error("import-field", "no flank of " + d_.text(profile_radius) +
-                                            " touches the tip and the upper end; check it against the other dimensions");
+      return make_error("import-field",
+                        "no flank of " + d_.text(profile_radius) +
+                            " touches the tip and the upper end; check it against the other dimensions");
     const Vec2 u = between / distance;
     const Vec2 center = c1 + along * u + std::sqrt(away2) * Vec2(-u.y(), u.x());
     const Vec2 t1 = center + big / p * (c1 - center), t2 = center + big / q * (c2 - center);
     const double top = std::max(at(flute_length), c2.y());
     if (at(flute_length) < c2.y() - 0.01)
-      contradiction(d_.text(flute_length) + " ends below the upper end of the flank at " + mm_text(c2.y()) + "; built up to there");
-    guess("the flank is taken to touch tip and upper end as a straight one leaning " + d_.text(taper_angle) + " would");
+      contradiction(d_.text(flute_length) + " ends below the upper end of the flank at " + mm_text(c2.y()) +
+                    "; built up to there");
+    guess("the flank is taken to touch tip and upper end as a straight one leaning " + d_.text(taper_angle) +
+          " would");
     ProfileCutter made{{{Way::straight, 0, 0, 0}}};
     if (c1.x() > 0) made.points.push_back({Way::straight, c1.x(), 0, 0});
     if (r1 > 0) made.points.push_back({Way::convex, t1.x(), t1.y(), r1});

@@ -144,7 +144,8 @@ Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& tool, const Import
   made.number = tool.number;
   made.name = tool.name;
   made.holder = tool.holder.empty() ? options.holder : tool.holder;
-  const Result<CatalogueCutter> cutter = make_catalogue_cutter(tool.shape, with_taper(tool.dimensions), notes);
+  const Result<CatalogueCutter> cutter =
+      make_catalogue_cutter(tool.shape, with_taper(tool.dimensions), notes);
   if (!cutter) return cutter.error();
   made.cutter = cutter->cutter;
   const Result<Stickout> stickout = find_stickout(tool, options, !made.holder.empty(), notes);

@@ -130,13 +130,14 @@ class BitImporter {
     return Done{};
   }
 
-  // Half of an included angle and the rest to a right angle are the same for 60 degrees alone. A dovetail's tip
-  // diameter is labelled as a height, and used for neither.
+  // Half of an included angle and the rest to a right angle are the same for 60 degrees alone. A dovetail's
+  // tip diameter is labelled as a height, and used for neither.
   void tell_dovetail_angle(Dimensions& d) {
     if (!d[Dimension::taper_angle]) return;
-    tell(make_warning("import-guess", d.text(Dimension::taper_angle) +
-                                          " is taken between side and axis; if the angle of your dovetail is counted from "
-                                          "its bottom, correct taper_angle"));
+    tell(make_warning("import-guess",
+                      d.text(Dimension::taper_angle) +
+                          " is taken between side and axis; if the angle of your dovetail is counted from "
+                          "its bottom, correct taper_angle"));
   }
 
   // Files of old versions give a bull nose the radius of its flat instead of its corner's.

@@ -134,19 +134,23 @@ TEST(ImportFreecad, ShapesThatCannotBeImportedAreTold) {
 TEST(ImportFreecad, ADovetailHasANeckAndAnAngleThatIsTold) {
   const ImportedTools made = import_bit(
       "Dovetail",
-      R"("Diameter":"20 mm","CuttingEdgeAngle":"60 deg","CuttingEdgeHeight":"8 mm","NeckDiameter":"9 mm","NeckHeight":"12 mm","ShankDiameter":"10 mm","Length":"60 mm","TipDiameter":"1 mm")");
+      R"("Diameter":"20 mm","CuttingEdgeAngle":"60 deg","CuttingEdgeHeight":"8 mm",)"
+      R"("NeckDiameter":"9 mm","NeckHeight":"12 mm","ShankDiameter":"10 mm","Length":"60 mm","TipDiameter":"1 mm")");
   ASSERT_EQ(made.library.tools.size(), 1u) << test::all_notes(made);
   EXPECT_EQ(std::get<DovetailCutter>(made.library.tools[0].cutter).taper_angle_deg, 30);
   test::expect_segment(made.library.tools[0].shank.at(0), 9, 9, 12);
   test::expect_segment(made.library.tools[0].shank.at(1), 10, 10, 40);
-  EXPECT_NE(notes_of(made, "import-guess").find("warning: tool \"x\": half of CuttingEdgeAngle 30 degrees is taken between side and axis"),
-            std::string::npos);
+  EXPECT_NE(
+      notes_of(made, "import-guess")
+          .find("warning: tool \"x\": half of CuttingEdgeAngle 30 degrees is taken between side and axis"),
+      std::string::npos);
 }
 
 TEST(ImportFreecad, ASlittingSawHasItsCapBelow) {
   const ImportedTools made = import_bit(
       "SlittingSaw",
-      R"("Diameter":"76.2 mm","BladeThickness":"3 mm","CapDiameter":"8 mm","CapHeight":"3 mm","ShankDiameter":"19 mm","Length":"50 mm")");
+      R"("Diameter":"76.2 mm","BladeThickness":"3 mm","CapDiameter":"8 mm","CapHeight":"3 mm",)"
+      R"("ShankDiameter":"19 mm","Length":"50 mm")");
   ASSERT_EQ(made.library.tools.size(), 1u) << test::all_notes(made);
   const Profile profile = *make_cutter_profile(made.library.tools[0].cutter);
   EXPECT_EQ(profile.elements.at(0).b, Vec2(4, 0));

@@ -150,8 +150,9 @@ TEST(ImportFusion, WhatCannotBeImportedIsTold) {
       "shop.json:42: warning: tool T1 \"Second tool 1\": number 1 is already taken; this tool is imported "
       "without number, as \"Second tool 1\" [import-number]\n");
   EXPECT_EQ(made.library.tools.size(), 8u);
-  EXPECT_EQ(notes_of(import_one("form mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-shape"),
-            "one.json:1: warning: tool T9 \"x\": not imported: shape form mill [import-shape]\n");
+  EXPECT_EQ(
+      notes_of(import_one("form mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-shape"),
+      "one.json:1: warning: tool T9 \"x\": not imported: shape form mill [import-shape]\n");
 }
 
 Cutter cutter_of(const ImportedTools& made) {
@@ -163,7 +164,8 @@ Cutter cutter_of(const ImportedTools& made) {
 TEST(ImportFusion, ADovetailIsWidestAtItsBottom) {
   const ImportedTools made = import_one(
       "dovetail mill",
-      R"("DC":20,"LCF":10,"OAL":80,"LB":40,"SFDM":10,"TA":30,"RE":0,"shoulder-diameter":8.45,"shoulder-length":20,"tip-diameter":20)");
+      R"("DC":20,"LCF":10,"OAL":80,"LB":40,"SFDM":10,"TA":30,"RE":0,"shoulder-diameter":8.45,)"
+      R"("shoulder-length":20,"tip-diameter":20)");
   const Cutter cutter = cutter_of(made);
   EXPECT_EQ(std::get<DovetailCutter>(cutter).taper_angle_deg, 30);
   const Profile profile = *make_cutter_profile(cutter);
@@ -173,10 +175,11 @@ TEST(ImportFusion, ADovetailIsWidestAtItsBottom) {
   EXPECT_EQ(notes_of(made, "import-contradiction"), "");
   const ImportedTools whole = import_one(
       "dovetail mill", R"("DC":20,"LCF":10,"OAL":80,"LB":40,"SFDM":10,"TA":40,"shoulder-diameter":8.45)");
-  EXPECT_EQ(notes_of(whole, "import-contradiction"),
-            "one.json:1: warning: tool T9 \"x\": shoulder-diameter 8.45 mm, but DC 20 mm, LCF 10 mm and a side "
-            "leaning inward by 40 degrees give 3.218 mm at the top of the flutes; built from these "
-            "[import-contradiction]\n");
+  EXPECT_EQ(
+      notes_of(whole, "import-contradiction"),
+      "one.json:1: warning: tool T9 \"x\": shoulder-diameter 8.45 mm, but DC 20 mm, LCF 10 mm and a side "
+      "leaning inward by 40 degrees give 3.218 mm at the top of the flutes; built from these "
+      "[import-contradiction]\n");
 }
 
 TEST(ImportFusion, ALollipopEndsWhereItsFlutesDo) {
@@ -214,19 +217,22 @@ TEST(ImportFusion, ARadiusMillIsSmallestAtItsDiameter) {
 }
 
 TEST(ImportFusion, AFaceMillMayHaveAnEdgeThatLeans) {
-  const ImportedTools made = import_one(
-      "face mill", R"("DC":50,"DCX":62,"LCF":12,"OAL":96,"LB":48,"SFDM":50,"TA":45,"RE":0)");
+  const ImportedTools made =
+      import_one("face mill", R"("DC":50,"DCX":62,"LCF":12,"OAL":96,"LB":48,"SFDM":50,"TA":45,"RE":0)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   EXPECT_TRUE(profile.elements.at(1).b.isApprox(Vec2(31, 6), 1e-12));
-  EXPECT_EQ(notes_of(import_one("face mill", R"("DC":50,"DCX":62,"LCF":12,"OAL":96,"LB":48,"SFDM":50)"), "import-field"),
-            "one.json:1: error: tool T9 \"x\": DCX 62 mm is greater than DC 50 mm, but the file gives no angle of the "
+  EXPECT_EQ(notes_of(import_one("face mill", R"("DC":50,"DCX":62,"LCF":12,"OAL":96,"LB":48,"SFDM":50)"),
+                     "import-field"),
+            "one.json:1: error: tool T9 \"x\": DCX 62 mm is greater than DC 50 mm, but the file gives no "
+            "angle of the "
             "edge between them [import-field]\n");
 }
 
 TEST(ImportFusion, ABarrelIsWidestAtItsAxialDistance) {
   const ImportedTools made = import_one(
       "circle segment barrel",
-      R"("DC":12,"LCF":24,"OAL":72,"LB":72,"SFDM":6,"profile-radius":48,"axial-distance":12,"lower-radius":0,"upper-radius":0)");
+      R"("DC":12,"LCF":24,"OAL":72,"LB":72,"SFDM":6,"profile-radius":48,"axial-distance":12,)"
+      R"("lower-radius":0,"upper-radius":0)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   EXPECT_NEAR(profile.elements.at(0).b.x(), 4.475800, 1e-6);  // 6 - (48 - sqrt(48^2 - 12^2))
   EXPECT_EQ(profile.elements.at(1).center, Vec2(-42, 12));
@@ -235,10 +241,12 @@ TEST(ImportFusion, ABarrelIsWidestAtItsAxialDistance) {
 
 TEST(ImportFusion, AnOvalsTipFollowsFromWhereItsFlankEnds) {
   const ImportedTools made = import_one(
-      "circle segment oval", R"("DC":6,"LCF":19.76,"OAL":60,"LB":60,"SFDM":6,"RE":0,"lower-radius":0,"profile-radius":90)");
+      "circle segment oval",
+      R"("DC":6,"LCF":19.76,"OAL":60,"LB":60,"SFDM":6,"RE":0,"lower-radius":0,"profile-radius":90)");
   EXPECT_NEAR(std::get<OvalCutter>(cutter_of(made)).corner_radius_mm, 1, 1e-3);
   EXPECT_EQ(notes_of(made, "import-guess"),
-            "one.json:1: note: tool T9 \"x\": no radius of the tip is given; taken as 1.0004 mm, with which the flank "
+            "one.json:1: note: tool T9 \"x\": no radius of the tip is given; taken as 1.0004 mm, with which "
+            "the flank "
             "ends at LCF 19.76 mm [import-guess]\n");
 }
 
@@ -248,32 +256,37 @@ TEST(ImportFusion, ALensWithAnImpossibleCornerIsBuiltFromItsTipDiameter) {
       R"("DC":10,"LCF":20,"OAL":40,"LB":40,"SFDM":10,"lower-radius":10,"profile-radius":100,"tip-diameter":8)");
   EXPECT_EQ(std::get<LensCutter>(cutter_of(made)).corner_radius_mm, 1);
   EXPECT_EQ(notes_of(made, "import-contradiction"),
-            "one.json:1: warning: tool T9 \"x\": corner radius 10 mm is larger than half of DC 10 mm; built with 1 mm, "
+            "one.json:1: warning: tool T9 \"x\": corner radius 10 mm is larger than half of DC 10 mm; built "
+            "with 1 mm, "
             "which follows from tip-diameter 8 mm [import-contradiction]\n");
 }
 
 TEST(ImportFusion, ATaperedCircleSegmentTouchesTipAndUpperEnd) {
   const ImportedTools made = import_one(
       "circle segment taper",
-      R"("DC":16,"LCF":15.69,"OAL":64,"LB":64,"SFDM":16,"TA":20,"lower-radius":4,"upper-radius":8,"profile-radius":500)");
+      R"("DC":16,"LCF":15.69,"OAL":64,"LB":64,"SFDM":16,"TA":20,"lower-radius":4,"upper-radius":8,)"
+      R"("profile-radius":500)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   ASSERT_EQ(profile.elements.size(), 4u) << "tip, flank, upper arc, top";
   EXPECT_NEAR(profile.elements[2].b.y(), 15.695218, 1e-6);  // 4 + (8 - 4) / sin 20
   EXPECT_NEAR(profile.elements[2].b.x(), 8, 1e-12);
   for (std::size_t i = 0; i + 2 < profile.elements.size(); ++i)
-    EXPECT_TRUE(end_direction(profile.elements[i]).isApprox(start_direction(profile.elements[i + 1]), 1e-6)) << i;
+    EXPECT_TRUE(end_direction(profile.elements[i]).isApprox(start_direction(profile.elements[i + 1]), 1e-6))
+        << i;
 }
 
 TEST(ImportFusion, ThreadsAreTakenAsFullAndTold) {
   for (const char* shape : {"thread mill", "tap right hand", "tap left hand", "boring bar"})
     EXPECT_EQ(notes_of(import_one(shape, R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-guess"),
-              "one.json:1: note: tool T9 \"x\": taken as a full cylinder of DC 10 mm along its flutes, which is the "
+              "one.json:1: note: tool T9 \"x\": taken as a full cylinder of DC 10 mm along its flutes, which "
+              "is the "
               "larger tool [import-guess]\n");
 }
 
 TEST(ImportFusion, ACentreDrillHasPilotAndCone) {
   const ImportedTools made = import_one(
-      "center drill", R"("DC":6,"LCF":12,"OAL":36,"LB":18,"SFDM":6,"SIG":118,"TA":90,"tip-diameter":2,"tip-length":2)");
+      "center drill",
+      R"("DC":6,"LCF":12,"OAL":36,"LB":18,"SFDM":6,"SIG":118,"TA":90,"tip-diameter":2,"tip-length":2)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   EXPECT_NEAR(profile.elements.at(0).b.y(), 0.600861, 1e-6);  // 1 / tan 59
   EXPECT_EQ(profile.elements.at(1).b, Vec2(1, 2));
@@ -281,8 +294,8 @@ TEST(ImportFusion, ACentreDrillHasPilotAndCone) {
 }
 
 TEST(ImportFusion, AnEnteringAngleIsTheTaperFromTheOtherSide) {
-  const ImportedTools made = import_one(
-      "face mill", R"("DC":50,"DCX":62,"APMX":12,"OAL":96,"LPR":48,"DCONMS":50,"KAPR":45)");
+  const ImportedTools made =
+      import_one("face mill", R"("DC":50,"DCX":62,"APMX":12,"OAL":96,"LPR":48,"DCONMS":50,"KAPR":45)");
   EXPECT_EQ(std::get<FaceMillCutter>(cutter_of(made)).taper_angle_deg, 45);
 }
 

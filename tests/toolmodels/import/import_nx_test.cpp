@@ -68,14 +68,16 @@ TEST(ImportNx, ShapesThatCannotBeImportedAreTold) {
 ImportedTools import_row(const std::string& tool_class, const std::string& format, const std::string& data) {
   ImportOptions options;
   options.unit = LengthUnit::mm;
-  return import_nx("t.dat", "#CLASS " + tool_class + "\nFORMAT LIBRF " + format + "\nDATA | x | " + data + " |\n#END_DATA\n",
-                   options)
+  return import_nx(
+             "t.dat",
+             "#CLASS " + tool_class + "\nFORMAT LIBRF " + format + "\nDATA | x | " + data + " |\n#END_DATA\n",
+             options)
       .value();
 }
 
 TEST(ImportNx, SlotSphericalAndCountersinkCuttersAreImported) {
-  const ImportedTools slot =
-      import_row("T_SLOT_MILL_NON_INDEXABLE", "DIA FLEN COR1 COR2 HEI TSDIA TSLEN", "32 | 6 | 0.5 | 1 | 40 | 16 | 30");
+  const ImportedTools slot = import_row("T_SLOT_MILL_NON_INDEXABLE", "DIA FLEN COR1 COR2 HEI TSDIA TSLEN",
+                                        "32 | 6 | 0.5 | 1 | 40 | 16 | 30");
   ASSERT_EQ(slot.library.tools.size(), 1u) << test::all_notes(slot);
   const auto& disc = std::get<TSlotCutter>(slot.library.tools[0].cutter);
   EXPECT_EQ(disc.corner_radius_mm, 0.5);
