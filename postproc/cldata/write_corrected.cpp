@@ -25,9 +25,19 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     }
     is_named[change.move] = true;
     const Move& move = path.moves[change.move];
+    const bool changes_it = change.new_end || !change.inserted_before.empty();
+    if (changes_it && move.not_checked_reason == Reasons::kUnread) {
+      return make_error("write-move", name + " is a statement that is not understood, so it cannot be changed",
+                        path.file, move.line);
+    }
+    const bool is_nccs = path.dialect == dialect_of(DialectKind::nccs_binary).id;
+    if (is_nccs && change.is_straightened) {
+      return make_error("write-arc", name + " is an arc; arcs of binary NCCS files cannot be straightened",
+                        path.file, move.line);
+    }
     const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid ||
                              (change.is_straightened && move.curve_kind != CurveKind::none);
-    if (!is_straight && (change.new_end || !change.inserted_before.empty())) {
+    if (!is_straight && changes_it) {
       return make_error("write-arc",
                         name + " is an arc, a curve or a cycle; only straight moves can be changed",
                         path.file, move.line);

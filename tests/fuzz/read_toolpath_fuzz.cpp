@@ -2,6 +2,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <string>
+#include <vector>
 
 #include "postproc/cldata/read_toolpath.h"
 #include "postproc/cldata/write_corrected.h"
@@ -32,6 +33,19 @@ void read_and_write(const std::string& bytes) {
   }
   const Result<std::string> same = write_corrected(path, {});
   require(same.has_value() && *same == bytes);
+  std::vector<PathChange> changes;
+  for (std::size_t i = 0; i < path.moves.size(); i += 1 + bytes.size() % 3) {
+    const Move& move = path.moves[i];
+    if (!move.not_checked_reason.empty() || move.curve_kind != CurveKind::none ||
+        move.kind == MoveKind::cycle)
+      continue;
+    Pose end = move.end;
+    end.tip += 1.25 * end.axis;
+    changes.push_back({i, end, {}, {}});
+    if (move.start) changes.back().inserted_before.push_back(*move.start);
+  }
+  const Result<std::string> lifted = write_corrected(path, changes);
+  require(lifted.has_value() || !lifted.error().code.empty());
   const DialectKind kind = bytes.size() % 2 == 0 ? DialectKind::nx_clsf : DialectKind::catia;
   const Result<WrittenToolpath> written = write_toolpath(path, dialect_of(kind));
   require(written.has_value() || !written.error().code.empty());
