@@ -179,6 +179,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
   if (!arguments.reading.dialect.empty()) model.more_options.push_back({"dialect", arguments.reading.dialect});
   if (!arguments.reading.units.empty()) model.more_options.push_back({"path-units", arguments.reading.units});
   if (!arguments.holder.empty()) model.more_options.push_back({"holder", arguments.holder});
+  if (arguments.is_extended_up) model.more_options.push_back({"extend-up", "yes"});
   for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
   model.toolpath = &path;
   model.result = &result;
