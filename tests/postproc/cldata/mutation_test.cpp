@@ -101,6 +101,7 @@ TEST(MutatedPath, CanBeCorrectedAndReadAgain) {
     for (std::size_t move = 0; move < path.moves.size(); ++move) {
       if (path.moves[move].kind != MoveKind::feed && path.moves[move].kind != MoveKind::rapid) continue;
       if (path.moves[move].not_checked_reason.starts_with("a statement that is not understood")) continue;
+      if (move + 1 < path.moves.size() && path.moves[move + 1].kind == MoveKind::arc) continue;
       Pose end = path.moves[move].end;
       end.tip.z() += 1.25;
       changes.push_back({move, end, {}});
