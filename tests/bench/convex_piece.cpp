@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace gouge::bench {
 namespace {
@@ -69,6 +70,36 @@ Vec3 closest_on_triangle(const std::array<Vec3, 3>& t, const Vec3& p) {
   return best;
 }
 
+using Polygon = std::vector<Vec2>;
+
+Vec2 centroid(const Polygon& polygon) {
+  double area = 0;
+  Vec2 moment = Vec2::Zero(), mean = Vec2::Zero();
+  for (std::size_t k = 1; k + 1 < polygon.size(); ++k) {
+    const Vec2 a = polygon[k] - polygon[0], b = polygon[k + 1] - polygon[0];
+    const double twice = a.x() * b.y() - a.y() * b.x();
+    area += twice;
+    moment += twice * (a + b) / 3;
+  }
+  if (area > 1e-300) return polygon[0] + moment / area;
+  for (const Vec2& p : polygon) mean += p;
+  return mean / static_cast<double>(polygon.size());
+}
+
+/// Keeps of the polygon what has slope . p <= limit.
+void clip(Polygon& polygon, const Vec2& slope, double limit, Polygon& scratch) {
+  scratch.clear();
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec2 &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    const double over_a = slope.dot(a) - limit, over_b = slope.dot(b) - limit;
+    if (over_a <= 0) scratch.push_back(a);
+    if ((over_a < 0 && over_b > 0) || (over_a > 0 && over_b < 0)) {
+      scratch.push_back(a + over_a / (over_a - over_b) * (b - a));
+    }
+  }
+  polygon.swap(scratch);
+}
+
 struct Search {
   const ConvexPiece& piece;
   const Pose& pose;
@@ -76,9 +107,9 @@ struct Search {
   TriangleMinimum& best;
 
   /// Goes back and forth between the core and the triangle; true when the minimum is closed on the way. That
-  /// is the common case: where it fails, halving the triangle always succeeds.
+  /// is the common case.
   bool alternate(const std::array<Vec3, 3>& t) {
-    constexpr int kTurns = 12;
+    constexpr int kTurns = 6;
     Vec3 x = (t[0] + t[1] + t[2]) / 3.0;
     for (int turn = 0; turn < kTurns; ++turn) {
       const PieceSample s = sample_piece(piece, pose, x);
@@ -90,6 +121,26 @@ struct Search {
     return false;
   }
 
+  /// Keeps the part of the triangle where something lower than the best may still be, as a polygon in the
+  /// triangle's own coordinates, and cuts it at its centre of gravity by the plane tangent there: convexity
+  /// leaves at most 1 - 1/e of its area after each cut. No smoothness is asked. True when nothing is left.
+  bool cut(const std::array<Vec3, 3>& t) {
+    constexpr int kCuts = 120;
+    const Vec3 u = t[1] - t[0], v = t[2] - t[0];
+    Polygon polygon = {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)};
+    for (int step = 0; step < kCuts; ++step) {
+      const Vec2 c = centroid(polygon);
+      const Vec3 x = t[0] + c.x() * u + c.y() * v;
+      const PieceSample s = sample_piece(piece, pose, x);
+      if (s.distance_mm < best.distance_mm) best = {s.distance_mm, x};
+      const Vec2 slope(s.gradient.dot(u), s.gradient.dot(v));
+      clip(polygon, slope, slope.dot(c) + best.distance_mm - accuracy - s.distance_mm, scratch);
+      if (polygon.size() < 3) return true;
+    }
+    return false;
+  }
+
+  /// Quarters the triangle until every piece is closed: slow where the minimum is not smooth, never wrong.
   void visit(const std::array<Vec3, 3>& t) {
     const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
     const PieceSample s = sample_piece(piece, pose, middle);
@@ -97,18 +148,13 @@ struct Search {
     // Convexity: the tangent plane at the middle lies below the function, and is lowest at a corner.
     if (s.distance_mm + lowest_change(s.gradient, t, middle) >= best.distance_mm - accuracy) return;
     const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
-    const std::array<std::array<Vec3, 3>, 4> parts = {
-        {{ab, bc, ca}, {t[0], ab, ca}, {ab, t[1], bc}, {ca, bc, t[2]}}};
-    std::array<std::size_t, 4> order = {0, 1, 2, 3};
-    std::array<double, 4> slope{};
-    for (std::size_t k = 0; k < 4; ++k) {
-      slope[k] = s.gradient.dot(parts[k][0] + parts[k][1] + parts[k][2]);
-    }
-    std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-      return slope[a] < slope[b] || (!(slope[b] < slope[a]) && a < b);
-    });
-    for (const std::size_t k : order) visit(parts[k]);
+    visit({ab, bc, ca});
+    visit({t[0], ab, ca});
+    visit({ab, t[1], bc});
+    visit({ca, bc, t[2]});
   }
+
+  Polygon scratch{};
 };
 
 }  // namespace
@@ -147,7 +193,7 @@ Vec3 support_offset(const ConvexPiece& piece, const Vec3& axis, const Vec3& dire
 void lower_over_triangle(const ConvexPiece& piece, const Pose& pose, const std::array<Vec3, 3>& triangle,
                          double accuracy_mm, TriangleMinimum& best) {
   Search search = {piece, pose, accuracy_mm, best};
-  if (!search.alternate(triangle)) search.visit(triangle);
+  if (!search.alternate(triangle) && !search.cut(triangle)) search.visit(triangle);
 }
 
 }  // namespace gouge::bench

@@ -12,7 +12,7 @@ namespace gouge::bench {
 namespace {
 
 // Names the recipe in the names of the cached files; count it up whenever a plan or its placing changes.
-constexpr const char* kRecipe = "r3";
+constexpr const char* kRecipe = "r4";
 constexpr double kGouge_mm = 0.01;
 constexpr std::size_t kNumbers = 9;  // doubles a cached position has
 
