@@ -25,8 +25,9 @@ class JobLoader {
   LoadedJob run() {
     LoadedJob loaded;
     const bool has_path = read_path();
-    read_meshes(arguments_.parts, "part", job_.scene.parts, job_.parts);
-    read_meshes(arguments_.fixtures, "fixture", job_.scene.fixtures, job_.fixtures);
+    read_meshes(arguments_.parts, "part", job_.scene.parts, job_.parts, job_.options.place);
+    read_meshes(arguments_.fixtures, "fixture", job_.scene.fixtures, job_.fixtures, job_.options.place);
+    read_heads();
     if (has_path && errors_.empty()) read_tools();
     loaded.errors = errors_;
     if (errors_.empty()) loaded.job = std::move(job_);
@@ -62,8 +63,22 @@ class JobLoader {
     return arguments_.stl_units == "inch" ? LengthUnit::inch : LengthUnit::mm;
   }
 
+  void read_heads() {
+    std::vector<IndexedMesh> meshes;
+    std::vector<MeshFacts> facts;
+    read_meshes(arguments_.heads, "head", meshes, facts, RigidTransform());
+    for (const IndexedMesh& mesh : meshes) {
+      Result<HeadBody> head = build_head_body(mesh);
+      if (head) {
+        job_.heads.push_back(std::move(*head));
+      } else {
+        errors_.push_back(head.error());
+      }
+    }
+  }
+
   void read_meshes(const std::vector<std::string>& files, const char* role, std::vector<IndexedMesh>& meshes,
-                   std::vector<MeshFacts>& facts) {
+                   std::vector<MeshFacts>& facts, const RigidTransform& place) {
     for (const std::string& file : files) {
       const Result<FileView> view = view_file(file);
       if (!view) {
@@ -71,7 +86,7 @@ class JobLoader {
         continue;
       }
       job_.inputs.push_back(describe_input(role, file, view->bytes));
-      Result<LoadedMesh> loaded = load_mesh_bytes(view->bytes, file, {stl_unit(), job_.options.place});
+      Result<LoadedMesh> loaded = load_mesh_bytes(view->bytes, file, {stl_unit(), place});
       if (!loaded) {
         errors_.push_back(loaded.error());
         continue;
@@ -177,9 +192,11 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
   if (!arguments.place.empty()) model.more_options.push_back({"place", arguments.place});
   if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
   if (!arguments.reading.dialect.empty()) model.more_options.push_back({"dialect", arguments.reading.dialect});
-  if (!arguments.reading.units.empty()) model.more_options.push_back({"path-units", arguments.reading.units});
+  if (!arguments.reading.cutcom.empty()) model.more_options.push_back({"cutcom", arguments.reading.cutcom});
+  if (!arguments.reading.units.empty()) model.more_options.push_back({"toolpath-units", arguments.reading.units});
   if (!arguments.holder.empty()) model.more_options.push_back({"holder", arguments.holder});
   if (arguments.is_extended_up) model.more_options.push_back({"extend-up", "yes"});
+  for (const std::string& head : arguments.heads) model.more_options.push_back({"head", head});
   for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
   model.toolpath = &path;
   model.result = &result;
