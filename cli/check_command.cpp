@@ -6,11 +6,17 @@
 #include "cli/exit_code.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
+#include "lib/head/check_heads.h"
+#include "lib/overcut/measure_overcut.h"
 
 namespace gouge {
 
 void add_check_options(CLI::App& command, JobArguments& arguments) {
   add_job_options(command, arguments);
+  command.add_option(
+      "--head", arguments.heads,
+      "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
+      "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)");
   command.footer(
       "Example:\n"
       "  gougecheck check finish.apt --part part.stl --tools tools.json --clearance holder=1 --report out\n\n"
@@ -34,10 +40,11 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   Progress progress(err, options->progress);
   progress.begin("checking moves");
   const PreparedScene scene = prepare_scene(job.scene);
-  const CheckResult result =
-      check_path(job.toolpath, job.tools(), scene, options->check,
-                 [&](std::size_t done, std::size_t total) { progress.show(done, total); });
+  CheckResult result = check_path(job.toolpath, job.tools(), scene, options->check,
+                                  [&](std::size_t done, std::size_t total) { progress.show(done, total); });
   progress.end();
+  check_heads(job.toolpath, job.heads, job.scene, options->check, result);
+  measure_overcuts(job.toolpath, job.tools(), job.scene, options->check, result);
   const ReportModel model = job.report(arguments, job.toolpath, result);
   print_notes(err, model.notes, arguments);
   if (arguments.is_verbose) {

@@ -10,6 +10,7 @@
 #include "cli/outputs.h"
 #include "lib/base/files.h"
 #include "lib/correct/correct_path.h"
+#include "lib/overcut/measure_overcut.h"
 #include "postproc/cldata/write_corrected.h"
 
 namespace gouge {
@@ -92,6 +93,7 @@ class CorrectRun {
     progress_.begin(what);
     CheckResult result = check_path(path, job_.tools(), scene, job_.options.check, show());
     progress_.end();
+    measure_overcuts(path, job_.tools(), job_.scene, job_.options.check, result);
     return result;
   }
 

@@ -7,6 +7,7 @@
 #include "cli/job_options.h"
 #include "lib/check/check_path.h"
 #include "lib/check/scene.h"
+#include "lib/head/head_body.h"
 #include "lib/path/toolpath.h"
 #include "postproc/report/report_model.h"
 
@@ -17,6 +18,7 @@ struct Job {
   JobOptions options;
   Toolpath toolpath;
   Scene scene;
+  std::vector<HeadBody> heads;  ///< in the tool's frame
   std::vector<std::optional<ToolForms>> forms;  ///< one per Toolpath::tools; empty where it has no definition
   std::vector<InputFile> inputs;
   std::vector<MeshFacts> parts, fixtures;

@@ -19,7 +19,7 @@ namespace gouge {
 struct JobArguments {
   std::string path;
   ReadingArguments reading;
-  std::vector<std::string> parts, fixtures;
+  std::vector<std::string> parts, fixtures, heads;
   std::string place, stl_units;
   std::string tools_file, holder;
   std::vector<std::string> tool_names;  ///< N=NAME

@@ -11,6 +11,7 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_blade();          ///< tapered ball around a twisted blade, NX CLSF with MSYS
 [[nodiscard]] Sample make_between_rib();    ///< both positions clean, a rib between them
 [[nodiscard]] Sample make_between_swing();  ///< the tip rests, the holder swings through a post
+[[nodiscard]] Sample make_between_head();   ///< the tip rests, the machine head dips into a post
 [[nodiscard]] Sample make_thin_post();      ///< a post 0.04 mm thick, one long rapid
 [[nodiscard]] Sample make_buried();         ///< the tool inside a block, no surface inside the tool
 [[nodiscard]] Sample make_inch();           ///< inch toolpath, inch part

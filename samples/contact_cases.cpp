@@ -135,8 +135,9 @@ Sample make_big_triangles() {
 }
 
 std::vector<Sample> make_all() {
-  return {make_freeform(),  make_pocket(), make_blade(), make_between_rib(), make_between_swing(),
-          make_thin_post(), make_buried(), make_inch(),  make_needles(),     make_big_triangles()};
+  return {make_freeform(),      make_pocket(),       make_blade(),        make_between_rib(),
+          make_between_swing(), make_between_head(), make_thin_post(),    make_buried(),
+          make_inch(),          make_needles(),      make_big_triangles()};
 }
 
 }  // namespace gouge::samples

@@ -91,6 +91,35 @@ Sample make_between_swing() {
   return sample;
 }
 
+Sample make_between_head() {
+  Sample sample = small_case(
+      "between_head",
+      "The tip rests while the axis swings over: the machine's head, given as STL, dips into a post that the "
+      "tool "
+      "and its holder pass",
+      R"({"units":"mm","tools":[{"number":1,"name":"ball D6","cutter":{"shape":"ball","diameter":6,"length":20},
+  "shank":[{"lower_diameter":6,"upper_diameter":6,"length":20}],
+  "holder":[{"lower_diameter":30,"upper_diameter":30,"length":60}]}]}
+)",
+      1);
+  // The head's lower face is 100 above the tip. The post's top edges (+-1, 16.5..18.5, 101) come deepest when
+  // the axis points along (+-1, 0, 101); they pass the holder, of radius 15, at 16.5.
+  const std::array<double, 4> x = {-30, -1, 1, 30}, y = {-30, 16.5, 18.5, 30};
+  const std::array<double, 3> z = {-12, -4, 101};
+  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) {
+                            return k == 0 || (i == 1 && j == 1);
+                          })});
+  sample.heads.push_back({"head.stl", make_box({-30, -40, 100}, {30, 40, 160})});
+  const double deepest = std::sqrt(101.0 * 101.0 + 1) - 100;
+  const double tilt = std::numbers::pi / 6;
+  ClText cl = start_text(sample);
+  cl.feed({Vec3(0, 0, 0), Vec3(std::sin(tilt), 0, std::cos(tilt))});
+  const std::size_t line = cl.feed({Vec3(0, 0, 0), Vec3(-std::sin(tilt), 0, std::cos(tilt))});
+  sample.findings.push_back({line, "gouge", "head", "part", deepest - 1e-3, deepest + 1e-3});
+  finish(sample, cl);
+  return sample;
+}
+
 Sample make_thin_post() {
   Sample sample = small_case("thin_post", "A rapid 120 mm long crosses a post 0.04 mm thick", kFlatD6, 1);
   const std::array<double, 4> x = {-70, -0.02, 0.02, 70}, y = {-20, -5, 5, 20};

@@ -30,6 +30,7 @@ std::string expected_json(const Sample& sample) {
   field("unit", quoted(sample.unit));
   field("parts", file_list(sample.parts));
   field("fixtures", file_list(sample.fixtures));
+  field("heads", file_list(sample.heads));
   field("check_exit", std::to_string(sample.check_exit));
   field("correct_exit", std::to_string(sample.correct_exit));
   field("moves", std::to_string(sample.moves));
@@ -51,7 +52,7 @@ Outcome write_sample(const Sample& sample, const std::string& folder) {
   std::vector<std::pair<std::string, std::string>> files = {{sample.toolpath_file, sample.toolpath},
                                                             {"tools.json", sample.tools},
                                                             {"expected.json", expected_json(sample)}};
-  for (const auto* solids : {&sample.parts, &sample.fixtures}) {
+  for (const auto* solids : {&sample.parts, &sample.fixtures, &sample.heads}) {
     for (const NamedSolid& solid : *solids) files.emplace_back(solid.file, stl_bytes(solid.solid));
   }
   for (const auto& [name, bytes] : files) {
@@ -67,6 +68,7 @@ std::string index_text(const std::vector<Sample>& samples) {
            " " + sample.toolpath_file + " --tools tools.json";
     for (const NamedSolid& part : sample.parts) out += " --part " + part.file;
     for (const NamedSolid& fixture : sample.fixtures) out += " --fixture " + fixture.file;
+    for (const NamedSolid& head : sample.heads) out += " --head " + head.file;
     out += "\n";
   }
   return out;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "lib/penetration/nearest_foot.h"
 
@@ -10,6 +11,7 @@ namespace gouge {
 namespace {
 
 constexpr double kShortestSpan = 1e-10;
+constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
 constexpr double kRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
 
 struct Span {
@@ -82,6 +84,33 @@ class Search {
     return radius + 0.5 * (way - s0 - signed_distance(q1)) + kRounding_mm;
   }
 
+  /// Where all of the piece, at both ends of the span and `bulge` around, lies over one face of the head, its
+  /// depth is nowhere more than the distance to that face's plane: a convex function, so its corners tell.
+  [[nodiscard]] double bound_by_face(const Span& span, const std::array<Vec3, 3>& piece) const {
+    std::array<Vec3, 6> q;
+    double far = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      q[k] = span.to_tool0.point(piece[k]);
+      q[k + 3] = span.to_tool1.point(piece[k]);
+      far = std::max(far, q[k].norm());
+    }
+    const Vec3 middle = (q[0] + q[1] + q[2] + q[3] + q[4] + q[5]) / 6.0;
+    const std::uint32_t face = nearest_foot(head_.surface, middle)->triangle;
+    const IndexedMesh& mesh = head_.surface.mesh;
+    const Vec3& up = head_.surface.sign.face(face);
+    const double bulge = span.t1 > span.t0 ? motion_.bulge_mm(span.t0, span.t1, span.stretch, far) : 0;
+    double deepest = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& a = mesh.corner(face, k);
+      const Vec3 inward = up.cross(mesh.corner(face, (k + 1) % 3) - a).normalized();
+      for (const Vec3& x : q) {
+        if (!(inward.dot(x - a) >= bulge + kRounding_mm)) return kUnknown_mm;
+        deepest = std::max(deepest, std::abs(up.dot(a - x)));
+      }
+    }
+    return deepest + bulge + kRounding_mm;
+  }
+
   [[nodiscard]] double signed_distance(const Vec3& q) const {
     return nearest_foot(head_.surface, q)->signed_mm();
   }
@@ -122,6 +151,7 @@ class Search {
     c.span = span;
     c.surface = surface;
     c.index = place;
+    if (c.upper_mm > settled()) c.upper_mm = std::min(c.upper_mm, bound_by_face(spans_[span], piece));
     c.is_facet = true;
     c.piece = piece;
     c.is_time_next = way > 2 * radius && can_halve(span);

@@ -7,6 +7,8 @@
 namespace gouge {
 namespace {
 
+constexpr double kNoteworthy = 1.02;
+
 std::string place(const ReportModel& model, std::size_t move) {
   return model.toolpath->file + ":" + std::to_string(model.toolpath->moves[move].line) + ": ";
 }
@@ -42,6 +44,9 @@ std::string headline(const ReportModel& model) {
     text += ", the deepest " + depth_text(result.worst_depth_mm, model.toolpath->unit) + " at line " +
             std::to_string(model.toolpath->moves[result.worst_move].line);
   }
+  // On shallow gouges both measures agree; where the tool is deeper in than it is thick, only overcut tells.
+  if (result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm)
+    text += ", overcut up to " + depth_text(result.worst_overcut_mm, model.toolpath->unit);
   if (n.buried > 0) text += "; the tool is buried in " + count_text(n.buried, "move");
   return text;
 }

@@ -138,6 +138,7 @@ class JsonReport {
             {"not_certified", n.not_certified},
             {"left_out_as_asked", n.skipped},
             {"worst_depth", length(result.worst_depth_mm)},
+            {"worst_overcut", length(result.worst_overcut_mm)},
             {"worst_move", has_worst ? Json(result.worst_move) : Json(nullptr)},
             {"largest_gap", length(result.largest_gap_mm)}};
   }
@@ -195,6 +196,7 @@ class JsonReport {
                      {"state", state_name(verdict.state)},
                      {"depth", has_depth ? length(verdict.depth_mm) : Json(nullptr)},
                      {"depth_upper", has_depth ? length(verdict.depth_upper_mm) : Json(nullptr)},
+                     {"overcut", verdict.overcut_mm ? length(*verdict.overcut_mm) : Json(nullptr)},
                      {"clearance", verdict.clearance_mm ? length(*verdict.clearance_mm) : Json(nullptr)},
                      {"witness", verdict.witness ? witness(*verdict.witness) : Json(nullptr)},
                      {"reason", text(verdict.reason)}});

@@ -16,7 +16,7 @@ namespace {
 TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
   std::size_t solids = 0;
   for (const Sample& sample : make_all()) {
-    for (const auto* list : {&sample.parts, &sample.fixtures}) {
+    for (const auto* list : {&sample.parts, &sample.fixtures, &sample.heads}) {
       for (const NamedSolid& solid : *list) {
         const auto loaded = load_mesh_bytes(stl_bytes(solid.solid), solid.file);
         ASSERT_TRUE(loaded.has_value()) << sample.name;

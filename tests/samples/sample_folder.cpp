@@ -9,9 +9,9 @@
 namespace gouge::testing_samples {
 
 const std::vector<std::string>& sample_names() {
-  static const std::vector<std::string> kNames = {"freeform",      "pocket",       "blade",  "between_rib",
-                                                  "between_swing", "thin_post",    "buried", "inch",
-                                                  "needles",       "big_triangles"};
+  static const std::vector<std::string> kNames = {
+      "freeform",  "pocket", "blade", "between_rib", "between_swing", "between_head",
+      "thin_post", "buried", "inch",  "needles",     "big_triangles"};
   return kNames;
 }
 
@@ -33,6 +33,9 @@ std::vector<std::string> SampleFolder::arguments(const std::string& command, con
   for (const auto& part : expected.at("parts")) all.insert(all.end(), {"--part", part.get<std::string>()});
   for (const auto& fixture : expected.at("fixtures"))
     all.insert(all.end(), {"--fixture", fixture.get<std::string>()});
+  if (command == "check") {
+    for (const auto& head : expected.at("heads")) all.insert(all.end(), {"--head", head.get<std::string>()});
+  }
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -86,15 +86,15 @@ TEST(WriteCsv, HasOneRowForEveryMoveAndTheContractsColumns) {
   EXPECT_EQ(lines[0],
             "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz,mesh,triangle,"
             "operation,reason,"
-            "clearance");
-  EXPECT_EQ(lines[1], "0,10,rapid,1,clean,0,0,,,,,,,,,,,,finish <1>,,");
+            "clearance,overcut");
+  EXPECT_EQ(lines[1], "0,10,rapid,1,clean,0,0,,,,,,,,,,,,finish <1>,,,");
   EXPECT_EQ(lines[3],
-            "2,12,feed,1,gouge,0.3333,0.3338,0.42,cutter,part,12.3,4.5,6.7,0,0,1,part.stl,5,finish <1>,,");
-  EXPECT_EQ(lines[4], "3,13,feed,1,near,0,0,,,,,,,,,,,,finish <1>,,0.125");
-  EXPECT_EQ(lines[5], "4,14,feed,1,buried,,,,,,,,,,,,,,finish <1>,,");
-  EXPECT_EQ(lines[6], "5,15,feed,1,not-certified,0,0.5,,,,,,,,,,,,finish <1>,budget of 10 bounds spent,");
+            "2,12,feed,1,gouge,0.3333,0.3338,0.42,cutter,part,12.3,4.5,6.7,0,0,1,part.stl,5,finish <1>,,,");
+  EXPECT_EQ(lines[4], "3,13,feed,1,near,0,0,,,,,,,,,,,,finish <1>,,0.125,");
+  EXPECT_EQ(lines[5], "4,14,feed,1,buried,,,,,,,,,,,,,,finish <1>,,,");
+  EXPECT_EQ(lines[6], "5,15,feed,1,not-certified,0,0.5,,,,,,,,,,,,finish <1>,budget of 10 bounds spent,,");
   EXPECT_EQ(lines[7],
-            "6,16,feed,\"long, \"\"thin\"\"\",not-checked,,,,,,,,,,,,,,,\"arcs, as yet, are not read\",");
+            "6,16,feed,\"long, \"\"thin\"\"\",not-checked,,,,,,,,,,,,,,,\"arcs, as yet, are not read\",,");
 }
 
 TEST(WriteCsv, LeavesABoundThatWasNeverReachedEmpty) {

@@ -1,0 +1,141 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "lib/kdop/coulomb.h"
+#include "lib/kdop/directions.h"
+#include "lib/kdop/kdop_corners.h"
+
+namespace gouge {
+namespace {
+
+std::vector<Vec3> cloud(std::size_t count, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  std::normal_distribution<double> normal;
+  std::vector<Vec3> points;
+  for (std::size_t i = 0; i < count; ++i)
+    points.push_back(Vec3(3 * normal(random), normal(random), 2 * normal(random)) + Vec3(50, -20, 7));
+  return points;
+}
+
+TEST(Directions, HaveTheAskedNumberOfUnitAxesNoTwoAlike) {
+  for (const auto& [family, ks] :
+       {std::pair{DirectionFamily::cube, std::vector<std::size_t>{6, 14, 18, 26}},
+        std::pair{DirectionFamily::platonic, std::vector<std::size_t>{8, 12, 20}},
+        std::pair{DirectionFamily::coulomb, std::vector<std::size_t>{6, 10, 22, 64}}}) {
+    for (const std::size_t k : ks) {
+      const auto set = make_directions(family, k);
+      ASSERT_TRUE(set.has_value()) << k;
+      EXPECT_EQ(set->k(), k);
+      for (std::size_t i = 0; i < set->axes.size(); ++i) {
+        EXPECT_NEAR(set->axes[i].norm(), 1, 1e-12);
+        for (std::size_t j = 0; j < i; ++j) EXPECT_LT(std::abs(set->axes[i].dot(set->axes[j])), 0.99) << k;
+      }
+    }
+  }
+}
+
+TEST(Directions, AreNotMadeUpForOtherK) {
+  EXPECT_FALSE(make_directions(DirectionFamily::cube, 8).has_value());
+  EXPECT_FALSE(make_directions(DirectionFamily::platonic, 4).has_value());
+  EXPECT_FALSE(make_directions(DirectionFamily::coulomb, 7).has_value());
+  EXPECT_FALSE(make_directions(DirectionFamily::coulomb, 4).has_value());
+  EXPECT_FALSE(make_directions(DirectionFamily::coulomb, 130).has_value());
+}
+
+TEST(Coulomb, FindsTheOctahedronAndTheIcosahedron) {
+  const std::vector<Vec3> three = spread_axes(3), six = spread_axes(6);
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NEAR(three[i].dot(three[j]), 0, 1e-5);
+  }
+  for (std::size_t i = 0; i < 6; ++i) {
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NEAR(std::abs(six[i].dot(six[j])), 1 / std::sqrt(5.0), 1e-4);
+  }
+  // Energies of the best known arrangements of 6 and 12 charges.
+  EXPECT_NEAR(coulomb_energy(three), 9.985281374, 1e-6);
+  EXPECT_NEAR(coulomb_energy(six), 49.165253058, 1e-6);
+}
+
+TEST(Coulomb, SpreadsNoWorseThanTheCubesDirections) {
+  for (const std::size_t k : {14U, 18U, 26U}) {
+    const double cube = coulomb_energy(make_directions(DirectionFamily::cube, k)->axes);
+    EXPECT_LE(coulomb_energy(spread_axes(k / 2)), cube + 1e-6) << k;
+    if (k != 14) {
+      EXPECT_LT(coulomb_energy(spread_axes(k / 2)), cube - 0.01) << k;
+    }
+  }
+}
+
+TEST(KdopCorners, OfACubeAreItsEight) {
+  const DirectionSet six = *make_directions(DirectionFamily::cube, 6);
+  EXPECT_EQ(kdop_corners(six, intervals_of(six, std::vector<Vec3>{Vec3(0, 0, 0), Vec3(1, 2, 3)})).size(), 8U);
+}
+
+TEST(KdopCorners, AreAtMostAsManyAsTheThesisCounts) {
+  const std::vector<Vec3> points = cloud(4000, 1);
+  for (const auto& [k, most] : {std::pair{6U, 8U}, {14U, 24U}, {18U, 32U}, {26U, 48U}}) {
+    const DirectionSet set = *make_directions(DirectionFamily::cube, k);
+    const std::size_t corners = kdop_corners(set, intervals_of(set, points)).size();
+    EXPECT_LE(corners, most) << k;
+    EXPECT_GE(corners, 8U) << k;
+  }
+}
+
+TEST(KdopCorners, HoldThePointsAlongEveryDirectionFlatCloudsIncluded) {
+  std::mt19937_64 random(2);
+  std::normal_distribution<double> normal;
+  for (const std::size_t k : {6U, 14U, 26U}) {
+    const DirectionSet set = *make_directions(DirectionFamily::cube, k);
+    for (int flat = 0; flat < 3; ++flat) {
+      std::vector<Vec3> points = cloud(60, 3 + k);
+      for (Vec3& p : points) {
+        if (flat > 0) p.z() = 4;
+        if (flat > 1) p.y() = p.x();
+      }
+      const std::vector<Vec3> corners = kdop_corners(set, intervals_of(set, points));
+      ASSERT_FALSE(corners.empty());
+      for (int i = 0; i < 300; ++i) {
+        const Vec3 u = Vec3(normal(random), normal(random), normal(random)).normalized();
+        const auto reach = [&](const std::vector<Vec3>& all) {
+          double most = -1e300;
+          for (const Vec3& p : all) most = std::max(most, u.dot(p));
+          return most;
+        };
+        EXPECT_GE(reach(corners), reach(points) - 1e-6) << k << " flat " << flat;
+      }
+    }
+  }
+}
+
+/// Appendix B: bounding the turned volume is never tighter than bounding the turned points.
+TEST(KdopCorners, TurnedAreNoTighterThanThePointsAndLooseByAFewPercentWithManyDirections) {
+  const std::vector<Vec3> points = cloud(500, 9);
+  double loose6 = 0, loose26 = 0;
+  for (const std::size_t k : {6U, 26U}) {
+    const DirectionSet set = *make_directions(DirectionFamily::cube, k);
+    const std::vector<Vec3> corners = kdop_corners(set, intervals_of(set, points));
+    double sum = 0, own = 0;
+    for (int i = 1; i < 40; ++i) {
+      const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.1 * i, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+      const auto width = [&](std::vector<Vec3> all) {
+        for (Vec3& p : all) p = turn * p;
+        double total = 0;
+        for (const Interval& side : intervals_of(set, all)) total += side.high - side.low;
+        return total;
+      };
+      EXPECT_GE(width(corners), width(points) - 1e-9);
+      sum += width(corners);
+      own += width(points);
+    }
+    (k == 6 ? loose6 : loose26) = sum / own - 1;
+  }
+  std::cout << "turned volumes are wider by " << 100 * loose6 << " % (k = 6) and " << 100 * loose26
+            << " % (k = 26)\n";
+  EXPECT_LT(loose26, 0.5 * loose6);
+  EXPECT_LT(loose26, 0.15);
+}
+
+}  // namespace
+}  // namespace gouge
