@@ -19,6 +19,7 @@ constexpr float kSpaceFirst = 0.5F;
 // How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
 constexpr std::size_t kCuts = 10;
 constexpr std::uint32_t kMostParts = 32;
+constexpr std::size_t kMostBlocks = 4;
 // The swing of a triangle's corners that is not worth smaller triangles.
 constexpr float kSmallSwing_mm = 0.01F;
 
@@ -239,8 +240,8 @@ class Sweep {
   // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
   void refine(const SweepStep& step, const SweepFrame& frame, std::size_t depth) {
     if (waiting_[depth].empty()) return;
-    if (depth == kCuts || parts_ >= kMostParts) return give_up(waiting_[depth]);
-    ++parts_;
+    if (depth == kCuts || waiting_[depth].size() > kMostBlocks || parts_ >= kMostParts) return give_up(waiting_[depth]);
+    parts_ += static_cast<std::uint32_t>(waiting_[depth].size());
     const bool is_time_next = step.t1 > step.t0 && frame.half_turn * widest_edge(waiting_[depth]) <= kSmallSwing_mm;
     if (!is_time_next) {
       waiting_[depth + 1].clear();

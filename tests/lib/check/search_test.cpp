@@ -173,10 +173,10 @@ TEST(Search, ABudgetTooSmallIsNeverDecided) {
   const ToolForms tool = tools::bull();
   SearchStart start;
   for (std::uint32_t t = 0; t < ring.triangles.size(); ++t) start.seeds.push_back({0, t});
-  const Motion motion(upright(-1, 0, -10), upright(1, 0, -10));
+  const Motion motion(upright(17, 0, 2), upright(19, 0, 2.5));
   const std::vector<SearchTarget> targets{{&tool.against_part, &tree, Against::part}};
-  const SearchAnswer small = search_move(motion, targets, {0, 0.01, 0.001, 0.001, 3}, start);
-  const SearchAnswer large = search_move(motion, targets, {0, 0.01, 0.001, 0.001, 2'000'000}, start);
+  const SearchAnswer small = search_move(motion, targets, {0, 0.01, 0.001, 1e-7, 3}, start);
+  const SearchAnswer large = search_move(motion, targets, {0, 0.01, 0.001, 1e-7, 2'000'000}, start);
   EXPECT_FALSE(small.is_decided);
   EXPECT_TRUE(large.is_decided);
   EXPECT_GE(small.value_upper_mm, large.value_mm);
