@@ -5,6 +5,7 @@
 
 #include "lib/base/parallel.h"
 #include "lib/correct/bridge.h"
+#include "lib/correct/straighten.h"
 
 namespace gouge {
 namespace {
@@ -215,7 +216,12 @@ Correction correct_path(const Toolpath& toolpath, const CheckResult& result,
                         const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
                         const CheckOptions& options, const CorrectOptions& correct,
                         const ProgressCall& progress) {
-  return PathCorrector(toolpath, result, tools, scene, options, correct).run(progress);
+  if (!needs_straightening(toolpath, result)) {
+    return PathCorrector(toolpath, result, tools, scene, options, correct).run(progress);
+  }
+  const StraightenedPath straight = straighten(toolpath, result, tools, scene, options);
+  PathCorrector corrector(straight.path, straight.result, tools, scene, options, correct);
+  return restore_curves(straight, toolpath, result, corrector.run(progress));
 }
 
 }  // namespace gouge

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/check/check_path.h"
+#include "lib/correct/correct_path.h"
+
+// Arcs and splines that must change become straight moves first: chords so close to the curve that they share
+// its verdict, each corrected like any other straight move. What then needs no change stays the curve it was.
+
+namespace gouge {
+
+/// A path whose curves that gouge, or touch a gouging move, are chords.
+struct StraightenedPath {
+  Toolpath path;                    ///< moves, arcs and splines only; no source
+  std::vector<std::size_t> origin;  ///< of each of its moves: which move of the path as it was
+  CheckResult result;               ///< verdicts of its moves; no events
+};
+
+/// Chords stay within this share of the tolerance of their curve, and never further than kMostChordError_mm.
+inline constexpr double kChordShare = 0.1;
+inline constexpr double kMostChordError_mm = 0.01;
+inline constexpr double kLeastChordError_mm = 2e-4;  ///< of the digits of the files
+
+/// True when a correction of `result` may have to change a curve.
+[[nodiscard]] bool needs_straightening(const Toolpath& path, const CheckResult& result);
+
+[[nodiscard]] StraightenedPath straighten(const Toolpath& path, const CheckResult& result,
+                                          const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
+                                          const CheckOptions& options);
+
+/// The changes of a straightened path as changes of the path as it was.
+[[nodiscard]] Correction restore_curves(const StraightenedPath& straightened, const Toolpath& path,
+                                        const CheckResult& result, Correction correction);
+
+}  // namespace gouge
