@@ -23,6 +23,7 @@ DepthGrid::DepthGrid(const DepthBody& body) {
     return (size.x() / cell + 1) * (size.y() / cell + 1) * (size.z() / cell + 1);
   };
   while (cells_at(cell_mm_) > kMostCells) cell_mm_ *= 1.2;
+  per_mm_ = 1 / cell_mm_;
   low_ = box.min();
   for (int i = 0; i < 3; ++i)
     counts_[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(size[i] / cell_mm_)) + 1;
@@ -103,7 +104,7 @@ DepthGrid::Answer DepthGrid::at(const Vec3& point) const {
   std::array<int, 3> cell{};
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
-    const double at = (point[i] - low_[i]) / cell_mm_;
+    const double at = (point[i] - low_[i]) * per_mm_;
     if (!(at >= 0) || at >= counts_[k]) return Answer::not_deeper;
     cell[k] = static_cast<int>(at);
   }

@@ -38,7 +38,7 @@ class DepthGrid {
   void fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near);
 
   Vec3 low_ = Vec3::Zero();
-  double cell_mm_ = 0;
+  double cell_mm_ = 0, per_mm_ = 0;
   std::array<int, 3> counts_{0, 0, 0};
   std::vector<Answer> cells_;
 };

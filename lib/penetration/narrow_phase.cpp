@@ -57,7 +57,9 @@ bool NarrowPhase::filter(const Vec3& point) {
     is_behind = is_behind || any4(is_hit & (h <= slack));
     const std::size_t lanes = std::min<std::size_t>(4, places_.size() - i);
     for (std::size_t k = 0; k < lanes; ++k) {
-      if (is_hit[k] != 0) hits_.push_back({static_cast<std::uint32_t>(i + k), h[k], d2[k], r[k]});
+      if (is_hit[k] != 0)
+        hits_.push_back(
+            {static_cast<std::uint32_t>(i + k), std::max(std::abs(h[k]), std::sqrt(d2[k]) - r[k])});
     }
   }
   return is_behind;
@@ -71,16 +73,17 @@ NarrowAnswer NarrowPhase::test(const Vec3& point, PenetrationCounters& counters)
 }
 
 NarrowAnswer NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counters) const {
-  const auto first =
-      std::min_element(hits_.begin(), hits_.end(), [](const Hit& a, const Hit& b) { return a.d2 < b.d2; });
-  TriangleFoot best = closest_on_triangle(point, body_.corners[places_[first->place]]);
-  std::uint32_t place = places_[first->place];
-  ++counters.exact_pairs;
   const float slack = kFilterSlack * body_.slack_mm;
+  const Hit* first = hits_.data();
+  for (const Hit& hit : hits_) {
+    if (hit.least < first->least) first = &hit;
+  }
+  std::uint32_t place = places_[first->place];
+  TriangleFoot best = closest_on_triangle(point, body_.corners[place]);
+  ++counters.exact_pairs;
   float within = static_cast<float>(std::sqrt(best.distance2_mm2)) + slack;
   for (const Hit& hit : hits_) {
-    const float far = hit.r + within;
-    if (std::abs(hit.h) > within || hit.d2 > far * far || &hit == &*first) continue;
+    if (hit.least > within || &hit == first) continue;
     ++counters.exact_pairs;
     const std::uint32_t other = places_[hit.place];
     const TriangleFoot foot = closest_on_triangle(point, body_.corners[other]);

@@ -40,7 +40,7 @@ class NarrowPhase {
  private:
   struct Hit {
     std::uint32_t place;
-    float h, d2, r;
+    float least;  ///< the facet is not nearer than this: it lies in its plane and in its disc's ball
   };
 
   bool filter(const Vec3& point);

@@ -13,20 +13,19 @@ using Corners = std::array<Vec3, 3>;
 // A piece this small against its distance settles the bound to about a tenth; halving stops there.
 constexpr double kSmallPiece = 0.05;
 constexpr int kDeepestHalving = 12;
-constexpr double kMitre = 1.001;
+constexpr double kOpposed = 1e-6;  // right angles are not
 
 /// Smallest ball that touches a facet (or a vertex) and the rest of the surface.
 class BallSearch {
  public:
   explicit BallSearch(const DepthBody& body) : body_(body) {}
 
-  /// Balls about `foot - r normal`; r is told in units of 1 / stretch. Lowers `radius` to the smallest found.
-  bool lower(const Corners& foot, const Vec3& normal, double stretch, std::array<Corner, 3> own,
-             double& radius) {
+  /// Balls about `foot - r normal`. Lowers `radius` to the smallest found and says whether it did.
+  bool lower(const Corners& foot, const Vec3& normal, const TriangleCorners& own, double& radius) {
     foot_ = &foot;
     normal_ = &normal;
     own_ = own;
-    radius_ = radius * stretch;
+    radius_ = radius;
     const Vec3 centre = (foot[0] + foot[1] + foot[2]) / 3.0;
     double wide = 0;
     for (const Vec3& corner : foot) wide = std::max(wide, (corner - centre).norm());
@@ -34,7 +33,7 @@ class BallSearch {
     wide_ = wide;
     const double before = radius_;
     if (!body_.tree.nodes.empty()) visit(0);
-    radius = radius_ / stretch;
+    radius = radius_;
     return radius_ < before;
   }
 
@@ -53,15 +52,18 @@ class BallSearch {
     const KdopNode& node = body_.tree.nodes[index];
     for (std::uint32_t k = 0; k < (node.children > 0 ? node.children : 0U); ++k) visit(node.first + k);
     for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
-      if (!is_own(body_.tree.order[node.first + k])) meet(body_.corners[node.first + k], 0);
+      if (is_obstacle(body_.tree.order[node.first + k])) meet(body_.corners[node.first + k], 0);
     }
   }
 
-  [[nodiscard]] bool is_own(std::uint32_t triangle) const {
+  /// Facets that lean the same way end each other's cells by collapse; only opposed ones come from the other
+  /// side.
+  [[nodiscard]] bool is_obstacle(std::uint32_t triangle) const {
+    if (!(body_.sign.face(triangle).dot(*normal_) < -kOpposed)) return false;
     for (const Corner c : body_.mesh.triangles[triangle]) {
-      if (std::find(own_.begin(), own_.end(), c) != own_.end()) return true;
+      if (std::find(own_.begin(), own_.end(), c) != own_.end()) return false;
     }
-    return false;
+    return true;
   }
 
   /// |g - x|^2 / (2 h) over points g of `piece`, h their height below the foot's plane.
@@ -109,15 +111,7 @@ SafeDepth largest_safe_depth(const DepthBody& body, double asked_mm) {
   for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
     const TriangleCorners& c = body.mesh.triangles[t];
     const Corners facet = {body.mesh.vertices[c[0]], body.mesh.vertices[c[1]], body.mesh.vertices[c[2]]};
-    bool is_nearer = balls.lower(facet, body.sign.face(t), 1, c, safe.depth_mm);
-    for (const Corner v : c) {
-      const double stretch = body.offsets[v].move.norm();
-      if (stretch <= kMitre) continue;  // only mitres reach out of the facets' own prisms
-      const Vec3& at = body.mesh.vertices[v];
-      is_nearer =
-          balls.lower({at, at, at}, body.offsets[v].move / stretch, stretch, {v, v, v}, safe.depth_mm) ||
-          is_nearer;
-    }
+    const bool is_nearer = balls.lower(facet, body.sign.face(t), c, safe.depth_mm);
     if (is_nearer) safe = {safe.depth_mm, SafeDepthLimit::obstacle, t};
   }
   return safe;

@@ -7,6 +7,8 @@
 namespace gouge::bench {
 namespace {
 
+constexpr double kApart_mm = 2;  // without overlap, still within each other's volumes
+
 /// Slides the body in along `way` until at least `range.least` points are inside; says whether it is not too
 /// many.
 bool slide_in(PenetrationFinder& finder, const PoseRange& range, const Vec3& way, RigidTransform& pose) {
@@ -20,7 +22,7 @@ bool slide_in(PenetrationFinder& finder, const PoseRange& range, const Vec3& way
     const double middle = 0.5 * (out_mm + in_mm);
     (inside_at(middle) >= wanted ? in_mm : out_mm) = middle;
   }
-  const double distance_mm = range.most == 0 ? out_mm + 0.2 : in_mm;
+  const double distance_mm = range.most == 0 ? out_mm + kApart_mm : in_mm;
   const std::size_t inside = inside_at(distance_mm);
   return inside >= range.least && inside <= range.most;
 }
@@ -33,7 +35,7 @@ IndexedMesh make_standing_body(std::size_t rings, std::size_t sectors) {
 
 std::vector<Vec3> make_moving_points() {
   std::vector<Vec3> points = shapes::bumpy_sphere(20, 1, 24, 24).vertices;
-  for (Vec3& p : points) p.z() *= 0.3;
+  for (Vec3& p : points) p.z() *= 0.2;
   return points;
 }
 
