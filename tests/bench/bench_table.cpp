@@ -241,10 +241,10 @@ std::string time_cell(const Measured& m, const std::string& name) {
 
 void print_times(const Measured& m, const std::string& part) {
   static const std::vector<std::string> kNames = {
-      "engine.moves",    "engine.contact",     "engine.air",   "engine.gouge",
-      "engine.holder",   "engine.two_threads", "engine.dense", "floor.pose",
-      "embree.pose",     "bullet.sweep",       "bullet.pose",  "fcl.ten_steps",
-      "fcl.advancement", "fcl.pose",           "ode.pose",     "cgal.pose"};
+      "engine.moves",       "engine.contact", "engine.air",    "engine.gouge",    "engine.holder",
+      "engine.two_threads", "engine.dense",   "floor.pose",    "embree.pose",     "embree.one_cover",
+      "bullet.sweep",       "bullet.pose",    "fcl.ten_steps", "fcl.advancement", "fcl.pose",
+      "ode.pose",           "cgal.pose"};
   std::printf(
       "\n## Microseconds a move or pose, %s part; missed gouges + invented ones of those asked\n\nOf the "
       "processor; with two threads of the clock.\n\n",
