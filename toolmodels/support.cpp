@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "toolmodels/elements.h"
 
@@ -142,10 +143,63 @@ class Support {
   double slack_;
 };
 
+// The lowest point of an element: an end, or for an arc the point below its centre.
+Vec2 lowest_of(const ProfileElement& e) {
+  Vec2 lowest = e.b.y() < e.a.y() ? e.b : e.a;
+  const Vec2 pole = e.center - Vec2(0, e.radius_mm);
+  if (!e.is_arc || pole.y() >= lowest.y()) return lowest;
+  ProfileElement part = e;
+  part.b = pole;
+  return sweep_rad(part) < sweep_rad(e) ? pole : lowest;
+}
+
+// From the axis level to the lowest point, then along the contour; nothing when the rest has two radii at one
+// height. The contour before that point stays within: it starts on the axis, above the fill, and crosses
+// nothing.
+std::optional<Profile> with_filled_underside(const Profile& profile) {
+  const std::vector<ProfileElement>& parts = profile.elements;
+  std::size_t first = 0;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (lowest_of(parts[i]).y() < lowest_of(parts[first]).y()) first = i;
+  const Vec2 rim = lowest_of(parts[first]);
+  Profile filled;
+  filled.elements.push_back(make_segment(parts[first].body, Vec2(0, rim.y()), rim));
+  if (rim != parts[first].b) {
+    filled.elements.push_back(parts[first]);
+    filled.elements.back().a = rim;
+  }
+  filled.elements.insert(filled.elements.end(), parts.begin() + static_cast<std::ptrdiff_t>(first) + 1,
+                         parts.end());
+  if (!verify_profile(filled).empty() || !is_single_valued(filled)) return std::nullopt;
+  return filled;
+}
+
+bool is_same(const BoundaryElement& e, const BoundaryElement& o) {
+  return e.kind == o.kind && e.is_reflex == o.is_reflex && e.a == o.a && e.b == o.b && e.center == o.center;
+}
+
+// The planes of a vertex are those between its neighbours' normals, so these must be the same too.
+bool has_same_planes(const std::vector<BoundaryElement>& p, std::size_t i,
+                     const std::vector<BoundaryElement>& q, std::size_t j) {
+  if (!is_same(p[i], q[j])) return false;
+  if (p[i].kind != ElementKind::vertex) return true;
+  return i > 0 && j > 0 && i + 1 < p.size() && j + 1 < q.size() && is_same(p[i - 1], q[j - 1]) &&
+         is_same(p[i + 1], q[j + 1]);
+}
+
 }  // namespace
 
 void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& elements) {
-  if (is_single_valued(profile)) Support(profile, elements).set_all();
+  if (is_single_valued(profile)) return Support(profile, elements).set_all();
+  // A solid is never deeper than a larger one, so what bounds the tool with its underside filled up to the
+  // lowest rim bounds the tool.
+  const std::optional<Profile> filled = with_filled_underside(profile);
+  if (!filled) return;
+  std::vector<BoundaryElement> outer = make_elements(*filled);
+  Support(*filled, outer).set_all();
+  for (std::size_t i = 0; i < elements.size(); ++i)
+    for (std::size_t j = 0; j < outer.size(); ++j)
+      if (has_same_planes(elements, i, outer, j)) elements[i].support = outer[j].support;
 }
 
 }  // namespace gouge
