@@ -25,7 +25,11 @@ CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scen
 }
 
 const std::vector<ToolForms>& all_tools() {
-  static const std::vector<ToolForms> kTools = tools::all();
+  static const std::vector<ToolForms> kTools = [] {
+    std::vector<ToolForms> both = tools::all();
+    for (const ToolForms& more : tools::shapes()) both.push_back(more);
+    return both;
+  }();
   return kTools;
 }
 

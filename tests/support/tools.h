@@ -41,6 +41,18 @@ inline ToolForms necked() {
   return forms(assembly(FlatCutter{12, 10}, 6));
 }
 
+/// Undercut, hollow below, concave, pointed, round all over: the shapes beyond end mills.
+inline std::vector<ToolForms> shapes() {
+  std::vector<ToolForms> made;
+  for (const Cutter& cutter : std::vector<Cutter>{
+           DrillCutter{10, 118, 30}, ChamferCutter{12, 0, 45, 10}, LollipopCutter{12, 6, 0}, TSlotCutter{25, 1, 1, 8},
+           SlittingSawCutter{40, 3, 16, 4}, DovetailCutter{20, 0.5, 30, 8}, BarrelCutter{12, 40, 1, 5, 12, 24},
+           OvalCutter{10, 2, 60, 24}, LensCutter{16, 40, 1, 12}, FaceMillCutter{40, 1, 45, 50, 24, 5, 25},
+           RadiusCutter{6, 1, 4, 16, 12}, AptCutter{24, 2, 0, 0, -15, 5, 15}})
+    made.push_back(forms(assembly(cutter, 6)));
+  return made;
+}
+
 inline std::vector<ToolForms> all() {
   return {flat(), ball(), bull(), tapered(), necked()};
 }
