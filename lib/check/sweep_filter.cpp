@@ -14,8 +14,9 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one level up
-// A node much smaller than the way of a group is left to the group's parts: time first. Larger: space first.
-constexpr float kSpaceFirst = 0.5F;
+// A node is opened for a whole group only if it is this much larger than half the way of the group: space first.
+// Smaller ones are left to the parts of the group: time first.
+constexpr float kSpaceFirst = 3.0F;
 // How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
 constexpr std::size_t kCuts = 10;
 constexpr std::uint32_t kMostParts = 32;

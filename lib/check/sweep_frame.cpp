@@ -15,8 +15,10 @@ constexpr double kSmallSag_mm = 0.002;
 constexpr double kSmallTurn_rad = 0.2;
 constexpr int kMostSteps = 64;
 
+/// Of two unit vectors, and a little more: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and <= c pi / 2 for all c.
 double angle_between(const Vec3& a, const Vec3& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
+  const double chord = (a - b).norm();
+  return chord <= 1 ? chord + chord * chord * chord / 20 : 0.5 * M_PI * chord;
 }
 
 float rounded_up(double x) {

@@ -38,6 +38,7 @@ KernelPiece kernel_piece(const CoverPiece& piece) {
   k.z_hi_mm = static_cast<float>(piece.z_hi_mm);
   k.foot_lo_mm = static_cast<float>(piece.foot_lo_mm);
   k.foot_hi_mm = static_cast<float>(piece.foot_hi_mm);
+  k.r_closed_mm = static_cast<float>(piece.r_closed_mm);
   // A whole end that is free stays free however the least radius is rounded.
   k.r_below_mm = piece.r_below_mm > 0 ? static_cast<float>(piece.r_below_mm) : -3e38F;
   k.r_above_mm = piece.r_above_mm > 0 ? static_cast<float>(piece.r_above_mm) : -3e38F;

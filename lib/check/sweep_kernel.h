@@ -34,7 +34,7 @@ struct KernelPiece {
   std::array<Line, kMaxLines> lines;  ///< line k + 1 starts at the corner where line k ends
   std::uint32_t count = 0;
   float radius_mm = 0;
-  float z_lo_mm = 0, z_hi_mm = 0, foot_lo_mm = 0, foot_hi_mm = 0, r_below_mm = 0, r_above_mm = 0;
+  float z_lo_mm = 0, z_hi_mm = 0, foot_lo_mm = 0, foot_hi_mm = 0, r_below_mm = 0, r_above_mm = 0, r_closed_mm = 0;
   float rounding_mm = 0;  ///< what single precision may do to distances from the piece
 };
 

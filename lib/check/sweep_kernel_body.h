@@ -92,7 +92,8 @@ struct Range {
 
 GOUGE_INLINE V settle(const KernelPiece& piece, float need, const V& by_plane, const Range& range) {
   const float depth = need < 0 ? -need : 0.0F;
-  const M has_foot = (range.z_lo - depth > piece.foot_lo_mm) & (range.z_hi + depth < piece.foot_hi_mm);
+  const M has_foot = ((range.z_lo - depth > piece.foot_lo_mm) | (range.r_lo >= piece.r_closed_mm)) &
+                     (range.z_hi + depth < piece.foot_hi_mm);
   const V never = all(-3e38F);
   V bound = (has_foot | (by_plane >= 0)) ? by_plane : never;
   const V below = piece.z_lo_mm - range.z_hi;
@@ -203,6 +204,51 @@ GOUGE_INLINE void prepare(const TriangleBlock& block, const V3& tip, Triangle& t
   t.normal_scale = inverse(dot(t.normal, t.normal));
 }
 
+/// A lower bound of the distance that is linear in the point and in the instant, by its values at the corners of
+/// the triangle at both ends of the motion: nothing in between is smaller than the smallest.
+struct Plane {
+  V value[6];
+};
+
+GOUGE_INLINE void lay_plane(const V& distance, const V3& point, const V3& g, const Triangle& t, const Frame& f,
+                            Plane& out) {
+  const V still = dot(g, f.way);
+  const V3 lever = cross(g, f.turn);
+  const V offset = distance - dot(g, point);
+  const V3* corners[3] = {&t.a, &t.b, &t.c};
+  for (int c = 0; c < 3; ++c) {
+    const V here = offset + dot(g, *corners[c]);
+    const V swing = 0.5F * (still + dot(lever, *corners[c]));
+    out.value[2 * c] = here - swing;
+    out.value[2 * c + 1] = here + swing;
+  }
+}
+
+GOUGE_INLINE V least(const Plane& p) {
+  V low = p.value[0];
+  for (int k = 1; k < 6; ++k) low = smaller(low, p.value[k]);
+  return low;
+}
+
+/// Two lower bounds are bounds in any blend. At an edge of the tool, where one rises as the other falls, the blend in
+/// which their lowest corners balance is the best.
+GOUGE_INLINE V least_blended(const Plane& p, const Plane& q) {
+  V low_p = p.value[0], low_q = q.value[0], q_at_p = q.value[0], p_at_q = p.value[0];
+  for (int k = 1; k < 6; ++k) {
+    const M is_p = p.value[k] < low_p;
+    q_at_p = is_p ? q.value[k] : q_at_p;
+    low_p = is_p ? p.value[k] : low_p;
+    const M is_q = q.value[k] < low_q;
+    p_at_q = is_q ? p.value[k] : p_at_q;
+    low_q = is_q ? q.value[k] : low_q;
+  }
+  const V slope = (q_at_p - low_p) + (p_at_q - low_q);
+  const V share = smaller(larger((q_at_p - low_q) / larger(slope, all(1e-30F)), V{}), all(1.0F));
+  V low = all(3e38F);
+  for (int k = 0; k < 6; ++k) low = smaller(low, share * p.value[k] + (1.0F - share) * q.value[k]);
+  return low;
+}
+
 /// Smallest of g.u - |g.(way + turn x u)| / 2 over the corners: linear in the point for every instant and in the
 /// instant for every point, so nothing in between is smaller.
 GOUGE_INLINE V least_at_corners(const Triangle& t, const V3& g, const Frame& f) {
@@ -273,23 +319,35 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
   support_along_normal(piece, t, f.axis, support);
   const V flat = least_at_corners(t, support.direction, f) - support.reach - piece.radius_mm - rest;
   V bound = settle(piece, need, flat, range);
+  const M is_left = bound < need;
+  int left = 0;
+  for (int i = 0; i < 16; ++i) left |= is_left[i];
+  if (left == 0) {
+    store(flat, answer.distance);
+    answer.point = {};
+    return finish(bound, need, block.count, answer);
+  }
   V3 point = closest(support.point, t);
   V3 last_way{V{}, V{}, V{}};
+  Plane last_plane, plane;
   Touch at;
   for (int round = 0;; ++round) {
     touch(piece, point, f.axis, at);
-    const V by_plane = at.distance - dot(at.gradient, point) + least_at_corners(t, at.gradient, f) - rest;
-    const V better = larger(bound, settle(piece, need, by_plane, range));
+    lay_plane(at.distance, point, at.gradient, t, f, plane);
+    V by_plane = least(plane);
+    if (round > 0) by_plane = larger(by_plane, least_blended(last_plane, plane));
+    last_plane = plane;
+    const V better = larger(bound, settle(piece, need, by_plane - rest, range));
     // Lanes that the last rounds brought no nearer to the goal are left to smaller triangles and shorter spans.
-    M is_open = (better < need) & (at.distance >= need);
+    M is_open = better < need;
     if (round > 1) is_open = is_open & (better - bound > kWorthwhile * (need - better));
     bound = better;
     int any = 0;
     for (int i = 0; i < 16; ++i) any |= is_open[i];
     if (any == 0 || round + 1 == kRounds) break;
-    // From the piece's core straight to the triangle again. These steps shrink by a constant factor, close to 1
+    // From the piece's core straight to the triangle again; inside the core, deeper. These steps shrink by a constant factor, close to 1
     // for a large tool nearly flat on its triangle; two of them tell where they lead.
-    const V3 next = closest(minus(point, times(at.gradient, at.distance + piece.radius_mm)), t);
+    const V3 next = closest(minus(point, times(at.gradient, size(at.distance + piece.radius_mm))), t);
     const V3 way = minus(next, point);
     const V rate = smaller(dot(way, last_way) * inverse(dot(last_way, last_way)), all(0.98F));
     const M leads = rate > 0.2F;

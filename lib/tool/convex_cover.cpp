@@ -78,6 +78,7 @@ class CoverMaker {
       CoverPiece& piece = cover_.pieces[i];
       piece.r_below_mm = i > 0 ? end_radius_[i - 1] : 0;
       piece.r_above_mm = i + 1 < cover_.pieces.size() ? start_radius_[i + 1] : 0;
+      if (is_closed_[i]) piece.r_closed_mm = piece.r_below_mm;
       if (is_stack) set_feet(piece);
     }
     return std::move(cover_);
@@ -117,6 +118,7 @@ class CoverMaker {
     if (run.elements.empty() || is_level(run.elements.front()->a, run.elements.back()->b)) return;
     CoverPiece piece;
     const BoundaryElement& first = *run.elements.front();
+    const bool has_face = is_level(first.a, first.b);
     const BoundaryElement& last = *run.elements.back();
     const double rounding = run.arc_radius_mm;
     const double far = 4 * cover_.size_mm;
@@ -136,13 +138,14 @@ class CoverMaker {
     piece.radius_mm += outside;
     piece.z_lo_mm = piece.foot_lo_mm = first.a.y();
     piece.z_hi_mm = piece.foot_hi_mm = last.b.y();
-    keep(piece, is_level(first.a, first.b) ? first.b.x() : first.a.x(), last.b.x());
+    keep(piece, has_face ? first.b.x() : first.a.x(), last.b.x(), has_face);
   }
 
-  void keep(const CoverPiece& piece, double start_radius, double end_radius) {
+  void keep(const CoverPiece& piece, double start_radius, double end_radius, bool is_closed) {
     cover_.pieces.push_back(piece);
     start_radius_.push_back(start_radius);
     end_radius_.push_back(end_radius);
+    is_closed_.push_back(is_closed);
   }
 
   // Contours that turn back in height: a cylinder for every stretch of heights between two corners.
@@ -168,7 +171,7 @@ class CoverMaker {
       piece.z_hi_mm = piece.foot_hi_mm = high;
       piece.chain = {{radius, low - 4 * cover_.size_mm}, {radius, high + 4 * cover_.size_mm}};
       piece.radius_mm = kStandOff_mm;
-      keep(piece, radius, radius);
+      keep(piece, radius, radius, false);
     }
   }
 
@@ -205,6 +208,7 @@ class CoverMaker {
   const CompiledTool& tool_;
   std::vector<const BoundaryElement*> curves_;
   std::vector<double> start_radius_, end_radius_;
+  std::vector<bool> is_closed_;
   ConvexCover cover_;
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 #include "lib/tool/compiled_tool.h"
@@ -18,7 +19,7 @@ namespace gouge {
 /// Let f = dist(core) - radius, negative inside (in the core: the largest signed distance to a line of the chain,
 /// minus the radius). Then for every q with z in [z_lo, z_hi]:
 ///   (1) f(q) >= 0:  q is not in the interior of the tool;
-///   (2) f(q) = -d < 0 and [z - d, z + d] within [foot_lo, foot_hi]:  depth(q) <= d;
+///   (2) f(q) = -d < 0, z + d < foot_hi, and z - d > foot_lo or r >= r_closed:  depth(q) <= d;
 ///   (3) r >= r_below:  depth(q) <= z - z_lo;      r >= r_above:  depth(q) <= z_hi - z;
 ///   (4) the part of the tool within the slab is no closer to any point p than max(f(p), z_lo - p.z, p.z - z_hi).
 /// The slabs of a cover reach from the lowest point of the tool to the highest.
@@ -27,6 +28,7 @@ struct CoverPiece {
   double z_lo_mm = 0, z_hi_mm = 0;
   double foot_lo_mm = 0, foot_hi_mm = 0;  ///< infinite where nothing follows
   double r_below_mm = 0, r_above_mm = 0;  ///< 0: the whole end is free
+  double r_closed_mm = std::numeric_limits<double>::infinity();  ///< finite where the chain has the lower face
   double radius_mm = 0;
   std::vector<Vec2> chain;  ///< 2 to kMaxChain points
 };

@@ -170,10 +170,10 @@ TEST(Search, AFanOfNeedlesIsAsGoodAsAPlane) {
 TEST(Search, ABudgetTooSmallIsNeverDecided) {
   const IndexedMesh ring = shapes::torus(20, 5, 60, 40);
   const BlockTree tree = build_block_tree({&ring, 1}, 1);
-  const ToolForms tool = tools::bull();
+  const ToolForms tool = tools::ball();
   SearchStart start;
   for (std::uint32_t t = 0; t < ring.triangles.size(); ++t) start.seeds.push_back({0, t});
-  const Motion motion(upright(17, 0, 2), upright(19, 0, 2.5));
+  const Motion motion(upright(15, 0, 4.9), upright(18, 1, 4.95));
   const std::vector<SearchTarget> targets{{&tool.against_part, &tree, Against::part}};
   const SearchAnswer small = search_move(motion, targets, {0, 0.01, 0.001, 1e-7, 3}, start);
   const SearchAnswer large = search_move(motion, targets, {0, 0.01, 0.001, 1e-7, 2'000'000}, start);

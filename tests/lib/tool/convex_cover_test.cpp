@@ -39,7 +39,7 @@ void expect_claims_hold(const CompiledTool& tool, std::mt19937_64& random, int p
       if (f >= 0) {
         ++claims.outside;
         ASSERT_LE(depth, 1e-9) << where();
-      } else if (q.y() + f > piece.foot_lo_mm && q.y() - f < piece.foot_hi_mm) {
+      } else if ((q.y() + f > piece.foot_lo_mm || q.x() >= piece.r_closed_mm) && q.y() - f < piece.foot_hi_mm) {
         ++claims.feet;
         ASSERT_LE(depth, -f + 1e-9) << where();
       }
