@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
+#include "lib/base/files.h"
 #include "tests/toolmodels/sample_tools.h"
+#include "toolmodels/compile_tool.h"
 
 namespace gouge {
 namespace {
@@ -100,10 +104,11 @@ TEST(ToolLibrary, MistakesNameLineToolAndField) {
   EXPECT_EQ(
       error_of(with_cutter("{\"shape\":\"flat\",\n\"diameter\":\"6 mm\",\"length\":20}")),
       "lib.json:5: error: tool T3 \"x\": cutter: \"diameter\" is a text; expected a number [library-field]");
-  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"gimlet\"}")),
-            "lib.json:4: error: tool T3 \"x\": cutter: shape is \"gimlet\"; expected one of flat, ball, "
-            "bull_nose, tapered, apt, drill, chamfer, lollipop, t_slot, slitting_saw, dovetail, barrel, oval, "
-            "lens, face_mill, radius_mill, profile [library-field]");
+  EXPECT_EQ(
+      error_of(with_cutter("{\"shape\":\"gimlet\"}")),
+      "lib.json:4: error: tool T3 \"x\": cutter: shape is \"gimlet\"; expected one of flat, ball, "
+      "bull_nose, tapered, apt, drill, chamfer, lollipop, t_slot, slitting_saw, dovetail, barrel, oval, "
+      "lens, face_mill, radius_mill, profile [library-field]");
   EXPECT_EQ(
       error_of(with_cutter("{\"shape\":\"bull_nose\",\"diameter\":6,\"corner_radius\":4,\"length\":20}")),
       "lib.json:3: error: tool T3 \"x\": cutter: corner_radius 4 mm is larger than half the diameter; at "
@@ -148,12 +153,81 @@ TEST(ToolLibrary, WrongFilesGetOneClearMessage) {
   EXPECT_NE(error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":nan,\"length\":20}")), "none");
 }
 
+ToolLibrary sample_library() {
+  const Result<std::string> bytes = read_file(std::string(GOUGE_SOURCE_DIR) + "/samples/tool_shapes.json");
+  EXPECT_TRUE(bytes.has_value());
+  const Result<ToolLibrary> library = read_tool_library("tool_shapes.json", *bytes);
+  EXPECT_TRUE(library.has_value()) << (library ? "" : library.error().message);
+  return library ? *library : ToolLibrary{};
+}
+
+TEST(ToolLibrary, TheSampleLibraryShowsEveryShapeAndSurvivesARoundTrip) {
+  const ToolLibrary library = sample_library();
+  EXPECT_TRUE(library.notes.empty());
+  std::set<std::string> shapes;
+  for (const ToolAssembly& tool : library.tools) {
+    shapes.insert(shape_name(tool.cutter));
+    const Result<ToolForms> forms = make_tool_forms(tool, 0.2, 0.5, 1);
+    ASSERT_TRUE(forms.has_value()) << tool.name << ": " << forms.error().message;
+    EXPECT_EQ(verify_tool(forms->against_part), std::vector<std::string>{}) << tool.name;
+  }
+  EXPECT_EQ(shapes.size(), every_shape().size());
+  const std::string text = write_tool_library(library);
+  const Result<ToolLibrary> back = read_tool_library("back.json", text);
+  ASSERT_TRUE(back.has_value()) << back.error().message;
+  EXPECT_EQ(write_tool_library(*back), text);
+  for (std::size_t i = 0; i < library.tools.size(); ++i) {
+    const Profile one = *make_profile(library.tools[i]), other = *make_profile(back->tools[i]);
+    ASSERT_EQ(one.elements.size(), other.elements.size()) << library.tools[i].name;
+    for (std::size_t k = 0; k < one.elements.size(); ++k) EXPECT_EQ(one.elements[k].b, other.elements[k].b);
+  }
+}
+
+TEST(ToolLibrary, PointsAndExtensionsAreReadWithCare) {
+  const auto with_points = [](const std::string& points) {
+    return with_cutter("{\"shape\":\"profile\",\"points\":" + points + "}");
+  };
+  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"profile\"}")),
+            "lib.json:4: error: tool T3 \"x\": cutter has no \"points\"; it needs them [library-field]");
+  EXPECT_EQ(error_of(with_points("[{\"r\":0,\"z\":0},{\"r\":2,\"z\":0,\"arc\":\"round\",\"radius\":3}]")),
+            "lib.json:4: error: tool T3 \"x\": cutter: point 2: arc is \"round\"; expected \"convex\" or "
+            "\"concave\" "
+            "[library-field]");
+  EXPECT_EQ(error_of(with_points("[{\"r\":0,\"z\":0},{\"r\":2,\"z\":0,\"radius\":3}]")),
+            "lib.json:4: error: tool T3 \"x\": cutter: point 2 has a radius but no \"arc\"; add \"arc\": "
+            "\"convex\" or "
+            "\"concave\" [library-field]");
+  const std::string flat = "{\"shape\":\"flat\",\"diameter\":6,\"length\":20}";
+  EXPECT_EQ(error_of(with_cutter(flat + ",\"extensions\":[{\"name\":\"a\"}]")),
+            "lib.json:4: error: tool T3 \"x\": extension 1 has no \"segments\"; it needs at least one "
+            "[library-field]");
+  EXPECT_EQ(
+      error_of(with_cutter(flat + ",\"stickout\":30,\"holder\":[{\"lower_diameter\":30,\"upper_diameter\":30,"
+                                  "\"length\":30}]")),
+      "lib.json:3: error: tool T3 \"x\": stickout 30 mm is more than flutes and shank reach, 20 mm; give at "
+      "most "
+      "that, or a longer shank [tool-stickout]");
+  const Result<ToolLibrary> gauge = read_tool_library(
+      "lib.json",
+      with_cutter(flat + ",\"gauge_length\":90,\"holder\":[{\"lower_diameter\":30,\"upper_diameter\":30,"
+                         "\"length\":30}]"));
+  ASSERT_TRUE(gauge.has_value());
+  ASSERT_EQ(gauge->notes.size(), 1u);
+  EXPECT_EQ(to_text(gauge->notes[0]),
+            "lib.json:4: warning: tool T3 \"x\": gauge_length 90 mm is more than the assembly, which ends at "
+            "50 mm; what "
+            "is between is not in the file and not checked [tool-gauge-length]");
+}
+
 // Every single damage to a good file is a clean answer, never a crash, and what reads builds.
 TEST(ToolLibrary, DamagedFilesNeverCrash) {
   test::SplitMix64 random(31);
+  ToolLibrary sample = sample_library();
+  sample.holders.clear();
+  const std::string all = write_tool_library(sample);
   const std::string good(kGood);
   for (int k = 0; k < 30000; ++k) {
-    std::string text = good;
+    std::string text = k % 30 == 0 ? all : good;
     for (std::uint64_t n = 1 + random.next() % 3; n > 0; --n) {
       const std::size_t at = random.next() % text.size();
       switch (random.next() % 4) {
