@@ -21,6 +21,7 @@ constexpr float kSpaceFirst = 3.0F;
 constexpr std::size_t kCuts = 10;
 constexpr std::uint32_t kMostParts = 32;
 constexpr std::size_t kMostBlocks = 4;
+constexpr float kProgress = 0.95F;
 // The swing of a triangle's corners that is not worth smaller triangles.
 constexpr float kSmallSwing_mm = 0.01F;
 
@@ -179,11 +180,11 @@ class Sweep {
       measure(*step_, swept_[m - 1].start.at.triangle, swept_[m - 1].start.point);
     }
     need_ = need(swept_[m].start.value_mm);
-    waiting_[0].clear();
+    begin(0);
     for (const TriangleBlock* block : work.blocks) visit_triangles(*block);
     for (const std::uint32_t node : work.nodes) visit_node(node);
     parts_ = 0;
-    refine(*step_, *frame_, 0);
+    refine(*step_, *frame_, 0, short_of_);
     work_[m].least_settled = std::min(work_[m].least_settled, least_);
     swept_[m].bounds += bounds_;
   }
@@ -229,6 +230,7 @@ class Sweep {
     for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
       if (answer.distance[lane] < answer.distance[deepest]) deepest = lane;
+      short_of_ = std::max(short_of_, need_ - answer.bound[lane]);
       if (waiting.empty() || waiting.back().count == kBlockLanes) waiting.emplace_back();
       add_lane(waiting.back(), block, lane);
     }
@@ -239,22 +241,33 @@ class Sweep {
 
   // Where a triangle is looked at from its nearest point, what makes the bound slack is time: what the nearest
   // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
-  void refine(const SweepStep& step, const SweepFrame& frame, std::size_t depth) {
+  void refine(const SweepStep& step, const SweepFrame& frame, std::size_t depth, float short_of) {
     if (waiting_[depth].empty()) return;
     if (depth == kCuts || waiting_[depth].size() > kMostBlocks || parts_ >= kMostParts) return give_up(waiting_[depth]);
     parts_ += static_cast<std::uint32_t>(waiting_[depth].size());
     const bool is_time_next = step.t1 > step.t0 && frame.half_turn * widest_edge(waiting_[depth]) <= kSmallSwing_mm;
     if (!is_time_next) {
-      waiting_[depth + 1].clear();
+      begin(depth + 1);
       for (const TriangleBlock& block : waiting_[depth]) look_at_quarters(block, step, frame, waiting_[depth + 1]);
-      return refine(step, frame, depth + 1);
+      return refine(step, frame, depth + 1, short_of_);
     }
     for (const SweepStep& half : halves(motions_[step.move], step)) {
       const SweepFrame half_frame = sweep_frame({&half, 1}, tree_->origin, rounding_mm());
-      waiting_[depth + 1].clear();
+      begin(depth + 1);
       for (const TriangleBlock& block : waiting_[depth]) look(block, half, half_frame, waiting_[depth + 1]);
-      refine(half, half_frame, depth + 1);
+      // Half the time should halve what is missing. Where it does not, at edges of the tool and where the cover is
+      // not tight, the exact search is better.
+      if (short_of_ > kProgress * short_of) {
+        give_up(waiting_[depth + 1]);
+      } else {
+        refine(half, half_frame, depth + 1, short_of_);
+      }
     }
+  }
+
+  void begin(std::size_t depth) {
+    waiting_[depth].clear();
+    short_of_ = 0;
   }
 
   static float widest_edge(const std::vector<TriangleBlock>& blocks) {
@@ -360,6 +373,7 @@ class Sweep {
   const SweepStep* step_ = nullptr;
   const SweepFrame* frame_ = nullptr;
   float need_ = 0, least_ = 0, smallest_ = 0;
+  float short_of_ = 0;  ///< how much the worst of the waiting triangles lacks
   std::uint32_t parts_ = 0;
   std::uint64_t bounds_ = 0;
 };

@@ -1,3 +1,5 @@
+#pragma once
+
 // Included once for every instruction set, with GOUGE_KERNEL naming the namespace. Nothing here may come from
 // another header as an inline function: it would be compiled for this instruction set and linked into the rest.
 #include "lib/check/sweep_kernel.h"
@@ -345,8 +347,8 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
     int any = 0;
     for (int i = 0; i < 16; ++i) any |= is_open[i];
     if (any == 0 || round + 1 == kRounds) break;
-    // From the piece's core straight to the triangle again; inside the core, deeper. These steps shrink by a constant factor, close to 1
-    // for a large tool nearly flat on its triangle; two of them tell where they lead.
+    // From the piece's core straight to the triangle again; inside the core, deeper. These steps shrink by a
+    // constant factor, close to 1 for a large tool nearly flat on its triangle; two of them tell where they lead.
     const V3 next = closest(minus(point, times(at.gradient, size(at.distance + piece.radius_mm))), t);
     const V3 way = minus(next, point);
     const V rate = smaller(dot(way, last_way) * inverse(dot(last_way, last_way)), all(0.98F));

@@ -50,9 +50,11 @@ struct Run {
 
   void add(const BoundaryElement& e) {
     if (e.kind == ElementKind::arc && !e.is_reflex) arc_radius_mm = e.radius_mm;
-    const bool is_sharp = !elements.empty() && elements.back()->kind != ElementKind::arc &&
-                          e.kind != ElementKind::arc && cross(direction_at(*elements.back(), e.a), direction_at(e, e.a)) > 0;
-    if (is_sharp || e.kind == ElementKind::arc) ++corners;
+    const bool is_arc = e.kind == ElementKind::arc;
+    const bool is_after_line = !elements.empty() && elements.back()->kind != ElementKind::arc;
+    const bool is_sharp =
+        is_after_line && !is_arc && cross(direction_at(*elements.back(), e.a), direction_at(e, e.a)) > 0;
+    if (is_sharp || is_arc) ++corners;
     elements.push_back(&e);
   }
 };
