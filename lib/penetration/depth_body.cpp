@@ -143,8 +143,8 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
                               [&bounds](std::uint32_t t, float* intervals) { bounds(t, intervals); });
   for (const std::uint32_t t : body.tree.order) {
     body.corners.push_back(corners_of(body.mesh, t));
-    if (options.is_lean) continue;
     body.facets.push_back(record_of(body.corners.back(), body.sign.face(t)));
+    if (options.is_lean) continue;
     body.bisectors.push_back(bisectors_of(body, adjacency, t));
   }
   fill_boxes(body);

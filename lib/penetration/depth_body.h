@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,15 @@ struct DepthBodyOptions {
 /// A facet as the narrow phase filters it, single precision: plane n . x = o, disc of radius r about c.
 struct FacetRecord {
   float n[3], o, c[3], r;
+
+  /// Not above the distance of a point to the facet's disc, up to the body's slack: from its height over the
+  /// plane and its squared distance from the centre. What lies across the plane is taken a millionth short:
+  /// the difference of squares in single precision.
+  [[nodiscard]] static float least_distance(float height, float squared_distance, float radius) {
+    const float across2 = squared_distance * (1 - 1e-6F) - height * height;
+    const float beyond = across2 > radius * radius ? std::sqrt(across2) - radius : 0;
+    return std::sqrt(height * height + beyond * beyond);
+  }
 };
 
 /// Bisector planes of a facet with its neighbours, edge k from corner k to the next: a point behind the facet

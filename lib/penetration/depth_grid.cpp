@@ -11,6 +11,7 @@ namespace gouge {
 namespace {
 
 constexpr double kMostCells = 4e6;
+constexpr double kFewestCells = 100;  // along the longest side: the finer, the fewer points need a search
 constexpr double kRoundUp = 1 + 1e-9;
 
 }  // namespace
@@ -18,7 +19,8 @@ constexpr double kRoundUp = 1 + 1e-9;
 DepthGrid::DepthGrid(const DepthBody& body) {
   const Box3 box = body.mesh.box();
   const Vec3 size = box.sizes();
-  cell_mm_ = body.options.depth_mm / (std::numbers::sqrt3 * kRoundUp);
+  cell_mm_ =
+      std::min(body.options.depth_mm / (std::numbers::sqrt3 * kRoundUp), size.maxCoeff() / kFewestCells);
   const auto cells_at = [&](double cell) {
     return (size.x() / cell + 1) * (size.y() / cell + 1) * (size.z() / cell + 1);
   };
@@ -30,7 +32,7 @@ DepthGrid::DepthGrid(const DepthBody& body) {
   std::vector<std::uint8_t> is_near(index({counts_[0] - 1, counts_[1] - 1, counts_[2] - 1}) + 1, 0);
   mark_surface(body, is_near);
   const bool is_fine = cell_mm_ * std::numbers::sqrt3 <= body.options.depth_mm;
-  cells_.assign(is_near.size(), is_fine ? Answer::not_deeper : Answer::ask);
+  cells_.assign(is_near.size(), is_fine ? Answer::shallow : Answer::ask);
   fill(body, is_near);
 }
 
@@ -77,7 +79,7 @@ void DepthGrid::fill(const DepthBody& body, const std::vector<std::uint8_t>& is_
       for (int x = 0; x < counts_[0]; ++x) {
         if (is_done[index({x, y, z})] != 0) continue;
         const auto foot = nearest_foot(body, centre({x, y, z}));
-        const Answer answer = foot && foot->is_inside ? Answer::inside : Answer::not_deeper;
+        const Answer answer = foot && foot->is_inside ? Answer::inside : Answer::outside;
         is_done[index({x, y, z})] = 1;
         open.assign(1, {x, y, z});
         while (!open.empty()) {
@@ -105,7 +107,7 @@ DepthGrid::Answer DepthGrid::at(const Vec3& point) const {
   for (int i = 0; i < 3; ++i) {
     const auto k = static_cast<std::size_t>(i);
     const double at = (point[i] - low_[i]) * per_mm_;
-    if (!(at >= 0) || at >= counts_[k]) return Answer::not_deeper;
+    if (!(at >= 0) || at >= counts_[k]) return Answer::outside;
     cell[k] = static_cast<int>(at);
   }
   return cells_[index(cell)];

@@ -11,8 +11,8 @@ namespace gouge {
 
 struct DepthBody;
 
-/// Cells over a solid that tell at once where nothing can be deeper than the depth of its volumes, and where
-/// it may.
+/// Cells over a solid that tell most points' side at once, and where nothing can be deeper than the depth of
+/// its volumes.
 ///
 /// A cell whose centre lies within half its diagonal of the surface has no point farther from the surface
 /// than the diagonal; while that is at most the depth, nothing in it is deeper. Any other cell holds no
@@ -20,9 +20,10 @@ struct DepthBody;
 class DepthGrid {
  public:
   enum class Answer : std::uint8_t {
-    not_deeper,  ///< outside, or inside within the depth
-    inside,      ///< inside, at any depth
-    ask,         ///< the cells are too coarse here
+    outside,  ///< certainly
+    inside,   ///< certainly, at any depth
+    shallow,  ///< either; if inside, not deeper than the depth
+    ask,      ///< either, at any depth: the cells are too coarse here
   };
 
   DepthGrid() = default;  ///< asks everywhere

@@ -1,12 +1,14 @@
 #include "lib/penetration/find_penetration.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace gouge {
 namespace {
 
 constexpr float kSingle = 8.0F / (1 << 24);
 constexpr std::size_t kFloatsPerBlock = 12;
+constexpr std::size_t kManyFacets = 192, kNoLimit = std::numeric_limits<std::size_t>::max();
 
 /// Largest side along x, y and z, the first axes of most families.
 float size_of(const float* volume) {
@@ -62,7 +64,7 @@ void PenetrationFinder::visit(std::uint32_t index, const List& candidates) {
   if (has_volume) {
     float* const volume = volume_.data() + 2 * stride_ * node.level;
     update_volume(index, volume);
-    near = refine(volume, size_of(volume), candidates);
+    near = refine(volume, size_of(volume), candidates, kNoLimit);
   }
   if (near.is_empty()) {
     tell_lump(index);
@@ -79,23 +81,29 @@ void PenetrationFinder::visit_leaf(std::uint32_t index, const List& candidates) 
   } else {
     bound_points(index, volume);
   }
-  const List near = refine(volume, -1, candidates);
+  const bool may_search = options_.mode == NarrowMode::exact;
+  const List near = refine(volume, -1, candidates, may_search ? kManyFacets : kNoLimit);
   if (near.is_empty()) {
     tell_lump(index);
   } else {
-    narrow_.set_leaves(std::span(stack_).subspan(near.first, near.last - near.first));
-    test_points(index);
+    if (may_search && near.last - near.first > kManyFacets) {
+      search_points(index);
+    } else {
+      narrow_.set_leaves(std::span(stack_).subspan(near.first, near.last - near.first));
+      test_points(index);
+    }
   }
   stack_.resize(near.first);
 }
 
 /// The candidates that meet the volume, opened as long as they are larger than `size`; a negative size opens
 /// them down to the leaves. They end up behind all lists in use.
-PenetrationFinder::List PenetrationFinder::refine(const float* volume, float size, const List& candidates) {
+PenetrationFinder::List PenetrationFinder::refine(const float* volume, float size, const List& candidates,
+                                                  std::size_t most) {
   const std::size_t first = stack_.size();
   pending_.assign(stack_.begin() + static_cast<std::ptrdiff_t>(candidates.first),
                   stack_.begin() + static_cast<std::ptrdiff_t>(candidates.last));
-  while (!pending_.empty()) {
+  while (!pending_.empty() && stack_.size() - first <= most) {
     const std::uint32_t index = pending_.back();
     pending_.pop_back();
     ++answer_.counters.volume_pairs;
@@ -152,48 +160,64 @@ void PenetrationFinder::tell_lump(std::uint32_t index) {
     return pose_.point(points_.points[points_.tree.order[node.item_first + k]]);
   };
   const Vec3 first = place_of(0);
-  if (!may_be_deep(first)) return;
-  ++answer_.counters.inside_tests;
-  const auto foot = nearest_foot(body_, first);
-  if (!foot || !foot->is_inside) return;
+  const DepthGrid::Answer side = body_.depths.at(first);
+  if (side == DepthGrid::Answer::outside || side == DepthGrid::Answer::shallow) return;
   for (std::uint32_t k = 0; k < node.item_count; ++k)
     tell_if_deep(points_.tree.order[node.item_first + k], place_of(k));
 }
 
 void PenetrationFinder::test_points(std::uint32_t index) {
   const KdopNode& node = points_.tree.nodes[index];
+  const bool is_exact = options_.mode == NarrowMode::exact;
   for (std::uint32_t k = 0; k < node.item_count; ++k) {
     const std::uint32_t point = points_.tree.order[node.item_first + k];
     const Vec3 place = pose_.point(points_.points[point]);
+    const DepthGrid::Answer side = body_.depths.at(place);
+    if (is_exact && side == DepthGrid::Answer::outside) continue;
     const NarrowAnswer found = narrow_.test(place, answer_.counters);
     if (found.is_inside && found.depth_mm > 0) {
-      answer_.contacts.push_back(
-          {{place, found.normal, found.depth_mm, options_.body, body_.mesh.file_triangle[found.triangle]},
-           point,
-           false});
-    } else if (!found.is_inside && options_.mode == NarrowMode::exact) {
+      tell(point, place, found.normal, found.depth_mm, found.triangle);
+    } else if (!found.is_inside && is_exact && side != DepthGrid::Answer::shallow) {
       tell_if_deep(point, place);
     }
   }
 }
 
-void PenetrationFinder::tell_if_deep(std::uint32_t point, const Vec3& place) {
-  if (!options_.is_deeper_told || !may_be_deep(place)) return;
-  ++answer_.counters.inside_tests;
-  const auto foot = nearest_foot(body_, place);
-  if (!foot || !foot->is_inside) return;
-  answer_.contacts.push_back(
-      {{place, foot->normal, foot->distance_mm, options_.body, body_.mesh.file_triangle[foot->triangle]},
-       point,
-       foot->distance_mm > body_.options.depth_mm});
+/// Where facets are small against the depth, a search of the standing tree for each point is cheaper than all
+/// facets within reach. The last foot bounds the next: distances change by no more than the way from point to
+/// point.
+void PenetrationFinder::search_points(std::uint32_t index) {
+  const KdopNode& node = points_.tree.nodes[index];
+  double last_mm = std::numeric_limits<double>::infinity();
+  Vec3 last_place = Vec3::Zero();
+  for (std::uint32_t k = 0; k < node.item_count; ++k) {
+    const std::uint32_t point = points_.tree.order[node.item_first + k];
+    const Vec3 place = pose_.point(points_.points[point]);
+    if (body_.depths.at(place) == DepthGrid::Answer::outside) continue;
+    ++answer_.counters.exact_pairs;
+    const double within = (last_mm + (place - last_place).norm()) * (1 + 1e-9) + 1e-9;
+    const auto foot = nearest_foot(body_, place, within);
+    if (!foot) continue;
+    last_mm = foot->distance_mm;
+    last_place = place;
+    const bool is_told = options_.is_deeper_told || foot->distance_mm <= body_.options.depth_mm;
+    if (foot->is_inside && foot->distance_mm > 0 && is_told)
+      tell(point, place, foot->normal, foot->distance_mm, foot->triangle);
+  }
 }
 
-bool PenetrationFinder::may_be_deep(const Vec3& place) const {
-  const float* const box = body_.boxes.data();
-  for (int i = 0; i < 3; ++i) {
-    if (place[i] < static_cast<double>(box[i]) || place[i] > static_cast<double>(box[i + 3])) return false;
-  }
-  return body_.depths.at(place) != DepthGrid::Answer::not_deeper;
+void PenetrationFinder::tell(std::uint32_t point, const Vec3& place, const Vec3& normal, double depth_mm,
+                             std::uint32_t triangle) {
+  answer_.contacts.push_back({{place, normal, depth_mm, options_.body, body_.mesh.file_triangle[triangle]},
+                              point,
+                              depth_mm > body_.options.depth_mm});
+}
+
+void PenetrationFinder::tell_if_deep(std::uint32_t point, const Vec3& place) {
+  if (!options_.is_deeper_told) return;
+  ++answer_.counters.inside_tests;
+  const auto foot = nearest_foot(body_, place);
+  if (foot && foot->is_inside) tell(point, place, foot->normal, foot->distance_mm, foot->triangle);
 }
 
 }  // namespace gouge

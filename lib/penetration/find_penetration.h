@@ -58,13 +58,15 @@ class PenetrationFinder {
 
   void visit(std::uint32_t node, const List& candidates);
   void visit_leaf(std::uint32_t node, const List& candidates);
-  List refine(const float* volume, float size, const List& candidates);
+  List refine(const float* volume, float size, const List& candidates, std::size_t most);
   void update_volume(std::uint32_t node, float* volume);
   void bound_points(std::uint32_t node, float* volume);
   void tell_lump(std::uint32_t node);
   void test_points(std::uint32_t node);
+  void search_points(std::uint32_t node);
+  void tell(std::uint32_t point, const Vec3& place, const Vec3& normal, double depth_mm,
+            std::uint32_t triangle);
   void tell_if_deep(std::uint32_t point, const Vec3& place);
-  [[nodiscard]] bool may_be_deep(const Vec3& place) const;
 
   const DepthBody& body_;
   const PointBody& points_;

@@ -45,7 +45,7 @@ bool NarrowPhase::filter(const Vec3& point) {
   hits_.clear();
   const Float4 x = all4(static_cast<float>(point.x())), y = all4(static_cast<float>(point.y())),
                z = all4(static_cast<float>(point.z()));
-  const Float4 reach = all4(reach_), slack = all4(kFilterSlack * body_.slack_mm);
+  const Float4 reach = all4(reach_);
   bool is_behind = false;
   for (std::size_t i = 0; i < places_.size(); i += 4) {
     const float* const f = blocks_.data() + i / 4 * kFloatsPerBlock;
@@ -54,12 +54,13 @@ bool NarrowPhase::filter(const Vec3& point) {
     const Float4 d2 = dx * dx + dy * dy + dz * dz, far = r + reach;
     const Int4 is_hit = (h <= reach) & (-h <= reach) & (d2 <= far * far);
     if (!any4(is_hit)) continue;
-    is_behind = is_behind || any4(is_hit & (h <= slack));
     const std::size_t lanes = std::min<std::size_t>(4, places_.size() - i);
     for (std::size_t k = 0; k < lanes; ++k) {
-      if (is_hit[k] != 0)
-        hits_.push_back(
-            {static_cast<std::uint32_t>(i + k), std::max(std::abs(h[k]), std::sqrt(d2[k]) - r[k])});
+      if (is_hit[k] == 0) continue;
+      const float least = FacetRecord::least_distance(h[k], d2[k], r[k]);
+      if (mode_ == NarrowMode::exact && least > reach_) continue;
+      hits_.push_back({static_cast<std::uint32_t>(i + k), least});
+      is_behind = is_behind || h[k] <= kFilterSlack * body_.slack_mm;
     }
   }
   return is_behind;

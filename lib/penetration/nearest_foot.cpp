@@ -9,6 +9,8 @@
 namespace gouge {
 namespace {
 
+constexpr float kSingle = 4.0F / (1 << 24), kFilterSlack = 8;
+
 double box_distance2(const float* box, const Vec3& p) {
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
@@ -22,7 +24,13 @@ double box_distance2(const float* box, const Vec3& p) {
 class Search {
  public:
   Search(const DepthBody& body, const Vec3& point, double within_mm)
-      : body_(body), point_(point), best2_(within_mm * within_mm) {}
+      : body_(body),
+        point_(point),
+        best2_(within_mm * within_mm),
+        x_(static_cast<float>(point.x())),
+        y_(static_cast<float>(point.y())),
+        z_(static_cast<float>(point.z())),
+        slack_(body.slack_mm + kSingle * static_cast<float>(point.cwiseAbs().maxCoeff())) {}
 
   std::optional<SurfaceFoot> run() {
     if (body_.tree.nodes.empty()) return std::nullopt;
@@ -53,6 +61,12 @@ class Search {
   }
 
   void offer(std::uint32_t place) {
+    const FacetRecord& f = body_.facets[place];
+    const float h = f.n[0] * x_ + f.n[1] * y_ + f.n[2] * z_ - f.o;
+    const float dx = x_ - f.c[0], dy = y_ - f.c[1], dz = z_ - f.c[2];
+    const double least = static_cast<double>(
+        FacetRecord::least_distance(h, dx * dx + dy * dy + dz * dz, f.r) - kFilterSlack * slack_);
+    if (least > 0 && least * least > best2_) return;
     const TriangleFoot foot = closest_on_triangle(point_, body_.corners[place]);
     const bool is_nearer = has_foot_ ? foot.distance2_mm2 < best2_ : foot.distance2_mm2 <= best2_;
     if (!is_nearer) return;
@@ -65,6 +79,8 @@ class Search {
   const DepthBody& body_;
   const Vec3& point_;
   double best2_;
+  float x_, y_, z_;
+  float slack_;  ///< single precision may be off by this; the point may be farther out than the body
   TriangleFoot foot_;
   std::uint32_t place_ = 0;
   bool has_foot_ = false;

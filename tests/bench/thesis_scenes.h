@@ -20,7 +20,7 @@ namespace gouge::bench {
 /// A dented lens of 554 points.
 [[nodiscard]] std::vector<Vec3> make_moving_points();
 
-inline constexpr double kSceneDepth_mm = 2;
+inline constexpr double kSceneDepth_mm = 3;
 
 struct PoseRange {
   const char* name;
