@@ -61,9 +61,11 @@ void DepthField::add_worst_only(const PictureInput& input, std::size_t most_pose
   const std::size_t group = gouging.size() / std::max<std::size_t>(most_poses / 2, 1) + 1;
   poses_.clear();
   for (std::size_t first = 0; first < gouging.size(); first += group) {
+    // Depths are known to the resolution; equal ones leave the picks evenly spread.
+    const double equal = input.options.resolution_mm;
     std::size_t worst = gouging[first];
     for (std::size_t k = first; k < std::min(first + group, gouging.size()); ++k) {
-      if (verdicts[gouging[k]].depth_mm > verdicts[worst].depth_mm) worst = gouging[k];
+      if (verdicts[gouging[k]].depth_mm > verdicts[worst].depth_mm + equal) worst = gouging[k];
     }
     add_move(input, worst, 0);
   }

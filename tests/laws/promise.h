@@ -30,13 +30,13 @@ struct Contours {
 };
 
 /// What stands in the way of believing a witness; empty when nothing does.
-inline std::vector<std::string> doubts(const Witness& w, double depth_mm, const Pose& from, const Pose& to,
+inline std::vector<std::string> doubts(const Witness& w, double depth_mm, const reference::Movement& movement,
                                        const Contours& tool, const Scene& scene) {
   constexpr double kSlack_mm = 1e-6;
   std::vector<std::string> all;
   const auto doubt = [&all](const std::string& what, double value) { all.push_back(what + ": " + std::to_string(value)); };
   const reference::Contour& contour = tool.against(w.against);
-  const Pose pose = reference::pose_at(from, to, w.t);
+  const Pose pose = movement.at(w.t);
   const double depth = contour.depth(pose, w.point);
   if (!(std::abs(depth - depth_mm) <= kSlack_mm)) doubt("the point is deep", depth);
   if (!(w.t >= 0 && w.t <= 1)) doubt("t is not of the move", w.t);
@@ -83,8 +83,8 @@ inline void expect_witnesses(const Job& job, const CheckResult& result) {
       EXPECT_LE(v.depth_upper_mm, options.tolerance_mm + options.resolution_mm) << "move " << i;
     }
     if (!v.witness) continue;
-    const Pose from = move.start ? *move.start : move.end;
-    for (const std::string& d : doubts(*v.witness, v.depth_mm, from, move.end, *contours, job.scene)) {
+    const reference::Movement movement = reference::movement(job.toolpath, move);
+    for (const std::string& d : doubts(*v.witness, v.depth_mm, movement, *contours, job.scene)) {
       ADD_FAILURE() << "line " << move.line << ", move " << i << ", told " << v.depth_mm << " mm: " << d;
     }
   }
@@ -114,9 +114,8 @@ inline void expect_nothing_deeper(const Job& job, const CheckResult& result, std
     const bool is_gouge = v.state == MoveState::gouge;
     const Move& move = job.toolpath.moves[i];
     const Contours contours(*job.forms[move.tool]);
-    const Pose from = move.start ? *move.start : move.end;
     const reference::Found found =
-        reference::deepest(contours.part, contours.fixture, from, move.end, job.scene,
+        reference::deepest(contours.part, contours.fixture, reference::movement(job.toolpath, move), job.scene,
                            is_gouge ? v.depth_mm - 0.005 : v.depth_upper_mm);
     gouges += is_gouge ? 1 : 0;
     seen += is_gouge && found.depth_mm > v.depth_mm - 0.001 ? 1 : 0;

@@ -57,7 +57,10 @@ INSTANTIATE_TEST_SUITE_P(All, PromiseOnSamples, ::testing::ValuesIn(kSamples),
 
 TEST(PromiseOnSamplesList, NoSampleIsForgotten) {
   std::vector<std::string> made, tested;
-  for (const samples::Sample& sample : samples::make_all()) made.push_back(sample.name);
+  // The promise of heads is held in tests/lib/head.
+  for (const samples::Sample& sample : samples::make_all()) {
+    if (sample.heads.empty()) made.push_back(sample.name);
+  }
   for (const SampleCase& c : kSamples) tested.emplace_back(c.name);
   EXPECT_EQ(made, tested);
 }

@@ -31,7 +31,7 @@ TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
       }
     }
   }
-  EXPECT_EQ(solids, 11U);
+  EXPECT_EQ(solids, 13U);
 }
 
 TEST(SampleSolids, ABoxHasTheVolumeOfItsSides) {

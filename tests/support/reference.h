@@ -9,6 +9,7 @@
 
 #include "lib/check/scene.h"
 #include "lib/geom/pose.h"
+#include "lib/path/toolpath.h"
 #include "lib/tool/compiled_tool.h"
 
 // Depths by other means than the check's: the pose from the meaning of a move, the tool's distance from its
@@ -27,6 +28,68 @@ inline Pose pose_at(const Pose& from, const Pose& to, double t) {
                            : Vec3((std::sin((1 - t) * angle) * from.axis + std::sin(t * angle) * to.axis) / sine);
   pose.axis.normalize();
   return pose;
+}
+
+/// A move by its meaning: straight, or along the arc or spline that it names.
+struct Movement {
+  Pose from, to;
+  const PathArc* arc = nullptr;
+  const PathSpline* spline = nullptr;
+
+  [[nodiscard]] Pose at(double t) const {
+    Pose pose = pose_at(from, to, t);
+    if (arc != nullptr) pose.tip = on_arc(t) + t * (to.tip - on_arc(1));
+    if (spline != nullptr) pose.tip = on_spline(t);
+    return pose;
+  }
+
+  /// At least the length of the tip's way.
+  [[nodiscard]] double length() const {
+    if (arc != nullptr) {
+      const Vec3 a = from.tip - arc->center, b = to.tip - arc->center;
+      return std::abs(arc->sweep_rad) * std::max(a.norm(), b.norm()) + 2 * (to.tip - on_arc(1)).norm() +
+             std::abs(arc->axis.dot(b - a)) + std::abs(a.norm() - b.norm());
+    }
+    double length = (to.tip - from.tip).norm();
+    if (spline == nullptr) return length;
+    for (const SplinePiece& piece : spline->pieces) {
+      for (std::size_t k = 0; k < 3; ++k)
+        length = std::max(length, 3 * (piece.control[k + 1] - piece.control[k]).norm() / (piece.u1 - piece.u0));
+    }
+    return length;
+  }
+
+ private:
+  // Turned by a quaternion; the distance from the axis and the height along it change evenly.
+  [[nodiscard]] Vec3 on_arc(double t) const {
+    const Vec3 a = from.tip - arc->center, b = to.tip - arc->center;
+    const double h0 = a.dot(arc->axis), h1 = b.dot(arc->axis);
+    const Vec3 out = a - h0 * arc->axis;
+    const double r0 = out.norm(), r1 = (b - h1 * arc->axis).norm();
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(t * arc->sweep_rad, arc->axis));
+    return arc->center + (h0 + t * (h1 - h0)) * arc->axis + (1 + t * (r1 - r0) / r0) * (turn * out);
+  }
+
+  // By repeated halfway points (de Casteljau).
+  [[nodiscard]] Vec3 on_spline(double t) const {
+    std::size_t k = 0;
+    while (k + 1 < spline->pieces.size() && t > spline->pieces[k].u1) ++k;
+    const SplinePiece& piece = spline->pieces[k];
+    const double u = (t - piece.u0) / (piece.u1 - piece.u0);
+    std::array<Vec3, 4> p = piece.control;
+    for (std::size_t left = 3; left > 0; --left) {
+      for (std::size_t i = 0; i < left; ++i) p[i] = (1 - u) * p[i] + u * p[i + 1];
+    }
+    return p[0];
+  }
+};
+
+/// Of a path's move; one without a start rests.
+inline Movement movement(const Toolpath& path, const Move& move) {
+  Movement m{move.start ? *move.start : move.end, move.end};
+  if (move.start && move.curve_kind == CurveKind::arc) m.arc = &path.arcs[move.curve];
+  if (move.start && move.curve_kind == CurveKind::spline) m.spline = &path.splines[move.curve];
+  return m;
 }
 
 /// The half profile of a tool as lines and arcs, with distances by looking at each.
@@ -155,11 +218,12 @@ struct Effort {
 /// The deepest point that can be found in a move; a lower bound of the truth.
 class Search {
  public:
-  Search(const Contour& tool, const Pose& from, const Pose& to, const std::vector<IndexedMesh>& meshes,
+  Search(const Contour& tool, const Movement& movement, const std::vector<IndexedMesh>& meshes,
          const Effort& effort)
-      : tool_(tool), from_(from), to_(to), effort_(effort) {
+      : tool_(tool), movement_(movement), from_(movement.from), to_(movement.to), effort_(effort) {
     if (tool.is_empty()) return;
-    turn_ = 2 * std::atan2((to.axis - from.axis).norm(), (to.axis + from.axis).norm());
+    turn_ = 2 * std::atan2((to_.axis - from_.axis).norm(), (to_.axis + from_.axis).norm());
+    length_ = movement.length();
     const Box3 reach = swept_box();
     for (const IndexedMesh& mesh : meshes) {
       for (std::size_t t = 0; t < mesh.triangles.size(); ++t) add({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, reach);
@@ -210,7 +274,8 @@ class Search {
       box.extend(Vec3(pose.tip + tool_.top_mm() * pose.axis));
     }
     // The axis between two instants leaves the hull of its ends by the height of the arc.
-    const double more = tool_.widest_mm() + tool_.top_mm() * (1 - std::cos(turn_ / 2));
+    const bool is_straight = movement_.arc == nullptr && movement_.spline == nullptr;
+    const double more = tool_.widest_mm() + tool_.top_mm() * (1 - std::cos(turn_ / 2)) + (is_straight ? 0 : length_);
     return Box3(box.min() - Vec3::Constant(more), box.max() + Vec3::Constant(more));
   }
 
@@ -226,14 +291,15 @@ class Search {
 
   // How far a point can move against the tool between two instants `share` of the move apart.
   [[nodiscard]] double way(const Vec3& p, double share) const {
-    const double far = std::max((p - from_.tip).norm(), (p - to_.tip).norm());
-    return share * ((to_.tip - from_.tip).norm() + turn_ * far);
+    const bool is_straight = movement_.arc == nullptr && movement_.spline == nullptr;
+    const double far = std::max((p - from_.tip).norm(), (p - to_.tip).norm()) + (is_straight ? 0 : length_);
+    return share * (length_ + turn_ * far);
   }
 
   void narrow(int first, int last, const std::vector<std::size_t>& candidates) {
     const double middle = 0.5 * (first + last) / effort_.steps;
     const double share = 0.5 * (last - first) / effort_.steps;
-    const Pose pose = pose_at(from_, to_, middle);
+    const Pose pose = movement_.at(middle);
     std::vector<std::size_t> left;
     for (const std::size_t i : candidates) {
       const Piece& p = pieces_[i];
@@ -260,7 +326,7 @@ class Search {
 
   void look(int step, const std::vector<std::size_t>& candidates) {
     const double t = static_cast<double>(step) / effort_.steps;
-    const Pose pose = pose_at(from_, to_, t);
+    const Pose pose = movement_.at(t);
     Place& best = best_of_[static_cast<std::size_t>(step)];
     std::priority_queue<Cut> open;
     for (const std::size_t i : candidates) promise(pose, t, i, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}, best, open);
@@ -296,7 +362,7 @@ class Search {
         next.t = std::clamp(from.t + (k % 3 - 1) * step, 0.0, 1.0);
         next.u = std::clamp(from.u + (k / 3 % 3 - 1) * size, 0.0, 1.0);
         next.v = std::clamp(from.v + (k / 9 - 1) * size, 0.0, 1.0 - next.u);
-        next.depth = tool_.depth(pose_at(from_, to_, next.t), point(next));
+        next.depth = tool_.depth(movement_.at(next.t), point(next));
         if (next.depth > best.depth) best = next;
       }
       if (best.depth > from.depth) continue;
@@ -307,19 +373,24 @@ class Search {
   }
 
   const Contour& tool_;
+  Movement movement_;
   Pose from_, to_;
   Effort effort_;
-  double turn_ = 0, mark_ = 0;
+  double turn_ = 0, length_ = 0, mark_ = 0;
   std::vector<Piece> pieces_;
   std::vector<Place> best_of_;
 };
 
 /// The deepest point of parts and fixtures in a move, as far as it can be found.
+inline Found deepest(const Contour& against_part, const Contour& against_fixture, const Movement& movement,
+                     const Scene& scene, double mark_mm, const Effort& effort = {}) {
+  const Found part = Search(against_part, movement, scene.parts, effort).run(mark_mm);
+  const Found fixture = Search(against_fixture, movement, scene.fixtures, effort).run(std::max(mark_mm, part.depth_mm));
+  return fixture.depth_mm > part.depth_mm ? fixture : part;
+}
 inline Found deepest(const Contour& against_part, const Contour& against_fixture, const Pose& from, const Pose& to,
                      const Scene& scene, double mark_mm, const Effort& effort = {}) {
-  const Found part = Search(against_part, from, to, scene.parts, effort).run(mark_mm);
-  const Found fixture = Search(against_fixture, from, to, scene.fixtures, effort).run(std::max(mark_mm, part.depth_mm));
-  return fixture.depth_mm > part.depth_mm ? fixture : part;
+  return deepest(against_part, against_fixture, Movement{from, to}, scene, mark_mm, effort);
 }
 
 }  // namespace gouge::reference
