@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include "lib/mesh/mesh_findings.h"
@@ -115,6 +116,35 @@ void fill_boxes(DepthBody& body) {
   }
 }
 
+NodeDisc disc_of(const DepthBody& body, const KdopNode& node) {
+  Vec3 normal = Vec3::Zero();
+  Box3 box;
+  for (std::uint32_t k = node.item_first; k < node.item_first + node.item_count; ++k) {
+    const std::array<Vec3, 3>& facet = body.corners[k];
+    normal += (facet[1] - facet[0]).cross(facet[2] - facet[0]);
+    for (const Vec3& corner : facet) box.extend(corner);
+  }
+  normal = normal.squaredNorm() > 0 ? Vec3(normal.normalized()) : Vec3(Vec3::UnitZ());
+  const Vec3 centre = box.center();
+  double low = std::numeric_limits<double>::infinity(), high = -low, radius2 = 0;
+  for (std::uint32_t k = node.item_first; k < node.item_first + node.item_count; ++k) {
+    for (const Vec3& corner : body.corners[k]) {
+      low = std::min(low, normal.dot(corner));
+      high = std::max(high, normal.dot(corner));
+      radius2 = std::max(radius2, (corner - centre).squaredNorm());
+    }
+  }
+  NodeDisc disc{};
+  for (int i = 0; i < 3; ++i) {
+    disc.n[i] = static_cast<float>(normal[i]);
+    disc.c[i] = static_cast<float>(centre[i]);
+  }
+  disc.o = static_cast<float>(0.5 * (low + high));
+  disc.half = static_cast<float>(0.5 * (high - low)) + body.slack_mm;
+  disc.r = static_cast<float>(std::sqrt(radius2)) + body.slack_mm;
+  return disc;
+}
+
 }  // namespace
 
 DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
@@ -148,6 +178,8 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
     body.bisectors.push_back(bisectors_of(body, adjacency, t));
   }
   fill_boxes(body);
+  body.discs.reserve(body.tree.nodes.size());
+  for (const KdopNode& node : body.tree.nodes) body.discs.push_back(disc_of(body, node));
   if (options.is_lean) return body;
   body.is_clear_below = facets_clear_below(body);
   if (body.is_solid) body.depths = DepthGrid(body);

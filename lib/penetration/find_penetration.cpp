@@ -8,7 +8,8 @@ namespace {
 
 constexpr float kSingle = 8.0F / (1 << 24);
 constexpr std::size_t kFloatsPerBlock = 12;
-constexpr std::size_t kManyFacets = 192, kNoLimit = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kManyFacets = 192, kManyItems = 2000,
+                      kNoLimit = std::numeric_limits<std::size_t>::max();
 
 /// Largest side along x, y and z, the first axes of most families.
 float size_of(const float* volume) {
@@ -81,19 +82,31 @@ void PenetrationFinder::visit_leaf(std::uint32_t index, const List& candidates) 
   } else {
     bound_points(index, volume);
   }
+  // First no deeper than half the volume's size: that tells whether facets are small here.
+  const List coarse = refine(volume, 0.5F * size_of(volume), candidates, kNoLimit);
   const bool may_search = options_.mode == NarrowMode::exact;
-  const List near = refine(volume, -1, candidates, may_search ? kManyFacets : kNoLimit);
-  if (near.is_empty()) {
+  if (coarse.is_empty()) {
     tell_lump(index);
+  } else if (may_search && items_of(coarse) > kManyItems) {
+    search_points(index);
   } else {
-    if (may_search && near.last - near.first > kManyFacets) {
+    const List near = refine(volume, -1, coarse, may_search ? kManyFacets : kNoLimit);
+    if (near.is_empty()) {
+      tell_lump(index);
+    } else if (may_search && near.last - near.first > kManyFacets) {
       search_points(index);
     } else {
       narrow_.set_leaves(std::span(stack_).subspan(near.first, near.last - near.first));
       test_points(index);
     }
   }
-  stack_.resize(near.first);
+  stack_.resize(coarse.first);
+}
+
+std::size_t PenetrationFinder::items_of(const List& list) const {
+  std::size_t items = 0;
+  for (std::size_t i = list.first; i < list.last; ++i) items += body_.tree.nodes[stack_[i]].item_count;
+  return items;
 }
 
 /// The candidates that meet the volume, opened as long as they are larger than `size`; a negative size opens

@@ -63,6 +63,7 @@ class PenetrationFinder {
   void bound_points(std::uint32_t node, float* volume);
   void tell_lump(std::uint32_t node);
   void test_points(std::uint32_t node);
+  [[nodiscard]] std::size_t items_of(const List& list) const;
   void search_points(std::uint32_t node);
   void tell(std::uint32_t point, const Vec3& place, const Vec3& normal, double depth_mm,
             std::uint32_t triangle);

@@ -49,7 +49,9 @@ class Search {
     std::array<std::pair<double, std::uint32_t>, 8> near;
     std::size_t count = 0;
     for (std::uint32_t child = node.first; child < node.first + node.children; ++child) {
-      const double distance2 = box_distance2(body_.boxes.data() + 6 * std::size_t{child}, point_);
+      double distance2 = box_distance2(body_.boxes.data() + 6 * std::size_t{child}, point_);
+      if (distance2 > best2_) continue;
+      distance2 = std::max(distance2, disc_distance2(body_.discs[child]));
       if (distance2 > best2_) continue;
       std::size_t at = count++;
       for (; at > 0 && near[at - 1].first > distance2; --at) near[at] = near[at - 1];
@@ -58,6 +60,18 @@ class Search {
     for (std::size_t k = 0; k < count; ++k) {
       if (near[k].first <= best2_) visit(near[k].second);
     }
+  }
+
+  [[nodiscard]] double disc_distance2(const NodeDisc& disc) const {
+    const float off = disc.n[0] * x_ + disc.n[1] * y_ + disc.n[2] * z_ - disc.o;
+    const float over = std::max(0.0F, std::abs(off) - disc.half);
+    const float dx = x_ - disc.c[0], dy = y_ - disc.c[1], dz = z_ - disc.c[2];
+    // Seen along the normal the facets lie within r of the centre.
+    const float away = disc.n[0] * dx + disc.n[1] * dy + disc.n[2] * dz;
+    const float across2 = (dx * dx + dy * dy + dz * dz) * (1 - 1e-6F) - away * away;
+    const float beyond = across2 > disc.r * disc.r ? std::sqrt(across2) - disc.r : 0;
+    const float least = std::sqrt(over * over + beyond * beyond) - kFilterSlack * slack_;
+    return least > 0 ? static_cast<double>(least) * static_cast<double>(least) : 0;
   }
 
   void offer(std::uint32_t place) {
