@@ -7,6 +7,7 @@
 #include "lib/base/files.h"
 #include "lib/base/view_file.h"
 #include "lib/mesh/load_mesh.h"
+#include "lib/validate/validate_mesh.h"
 #include "postproc/cldata/read_toolpath.h"
 #include "toolmodels/compile_tool.h"
 
@@ -68,13 +69,22 @@ class JobLoader {
     std::vector<MeshFacts> facts;
     read_meshes(arguments_.heads, "head", meshes, facts, RigidTransform());
     for (const IndexedMesh& mesh : meshes) {
-      Result<HeadBody> head = build_head_body(mesh);
-      if (head) {
-        job_.heads.push_back(std::move(*head));
-      } else {
-        errors_.push_back(head.error());
-      }
+      for (const IndexedMesh& piece : head_pieces(mesh)) add_head(piece);
     }
+  }
+
+  void add_head(const IndexedMesh& piece) {
+    Result<HeadBody> head = build_head_body(piece);
+    if (!head) return errors_.push_back(head.error());
+    const MeshValidation judged = validate_mesh(piece, find_mesh_findings(piece));
+    if (judged.self_intersections.pairs > 0 || !judged.trouble.empty()) {
+      return errors_.push_back(make_error(
+          "mesh-head-crosses",
+          "crosses itself, so what is inside the head is not defined; expected a plain solid; 'gougecheck mesh "
+          "FILE' tells where",
+          piece.name));
+    }
+    job_.heads.push_back(std::move(*head));
   }
 
   void read_meshes(const std::vector<std::string>& files, const char* role, std::vector<IndexedMesh>& meshes,

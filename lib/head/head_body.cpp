@@ -1,6 +1,7 @@
 #include "lib/head/head_body.h"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "lib/penetration/nearest_foot.h"
@@ -67,6 +68,29 @@ Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
     }
   }
   return head;
+}
+
+std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh) {
+  if (find_mesh_findings(mesh).cavities > 0) return {mesh};
+  const std::vector<std::uint32_t> piece = pieces_of(mesh);
+  std::vector<IndexedMesh> all(piece.empty() ? 0 : *std::max_element(piece.begin(), piece.end()) + 1);
+  constexpr Corner kNew = std::numeric_limits<Corner>::max();
+  std::vector<Corner> place(mesh.vertices.size(), kNew);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    IndexedMesh& own = all[piece[t]];
+    TriangleCorners corners = mesh.triangles[t];
+    for (Corner& c : corners) {
+      if (place[c] == kNew) {
+        place[c] = static_cast<Corner>(own.vertices.size());
+        own.vertices.push_back(mesh.vertices[c]);
+      }
+      c = place[c];
+    }
+    own.triangles.push_back(corners);
+    own.file_triangle.push_back(mesh.file_triangle[t]);
+  }
+  for (IndexedMesh& own : all) own.name = mesh.name;
+  return all;
 }
 
 }  // namespace gouge

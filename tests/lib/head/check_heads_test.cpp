@@ -88,6 +88,16 @@ TEST(Heads, HaveACoreInEveryPiece) {
   }
 }
 
+TEST(Heads, OfOverlappingPiecesAreSplitAndThoseWithCavitiesAreNot) {
+  const std::vector<IndexedMesh> pieces = head_pieces(shapes::cubes_crossing());
+  ASSERT_EQ(pieces.size(), 2U);
+  for (const IndexedMesh& piece : pieces) {
+    EXPECT_EQ(piece.triangles.size(), 12U);
+    EXPECT_TRUE(build_head_body(piece).has_value());
+  }
+  EXPECT_EQ(head_pieces(shapes::hollow_cube()).size(), 1U);
+}
+
 TEST(Heads, MotionKeepsRotationsAndEndsWhereTheRuleSays) {
   const Motion motion(Pose{Vec3(1, 2, 3), Vec3(0.3, -0.2, 1).normalized()},
                       Pose{Vec3(9, 1, 0), Vec3(-0.5, 0.7, 0.4).normalized()});
