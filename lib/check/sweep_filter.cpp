@@ -19,8 +19,8 @@ constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one lev
 constexpr float kSpaceFirst = 3.0F;
 // How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
 constexpr std::size_t kCuts = 10;
-constexpr std::uint32_t kMostParts = 32;
-constexpr std::size_t kMostBlocks = 4;
+constexpr std::uint32_t kMostParts = 64;
+constexpr std::size_t kMostBlocks = 16;
 constexpr float kProgress = 0.95F;
 // The swing of a triangle's corners that is not worth smaller triangles.
 constexpr float kSmallSwing_mm = 0.01F;

@@ -10,9 +10,10 @@ namespace {
 // What single precision does to a length, with all that is computed from it in the kernel.
 constexpr double kSingle = 2e-6;
 
-// Bent ways are cut until the chord is this close, or to this many steps.
+// Ways are cut until the chord is this close and no step is longer or turns more than this, or to this many steps.
 constexpr double kSmallSag_mm = 0.002;
-constexpr double kSmallTurn_rad = 0.2;
+constexpr double kSmallTurn_rad = 0.1;
+constexpr double kShortWay_mm = 4;
 constexpr int kMostSteps = 64;
 
 /// Of two unit vectors, and a little more: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and <= c pi / 2 for all c.
@@ -75,7 +76,7 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepSte
     const double turn = motion.angle_rad() * length;
     int parts = 1;
     while (parts < kMostSteps &&
-           (turn / parts > kSmallTurn_rad ||
+           (turn / parts > kSmallTurn_rad || motion.way_mm(stretch.t0, stretch.t0 + length / parts, s) > kShortWay_mm ||
             motion.sag_mm(stretch.t0, stretch.t0 + length / parts, s) > kSmallSag_mm)) {
       parts *= 2;
     }
