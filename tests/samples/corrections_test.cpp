@@ -64,7 +64,10 @@ TEST_P(Corrections, ReCheckCleanAndLeaveEveryOtherLineByteForByte) {
   const std::string before = text_of(sample.path + "/" + sample.toolpath());
   const std::string after = text_of(sample.path + "/" + corrected);
   // Heads are checked, not corrected for.
-  if (!sample.expected.at("heads").empty()) return EXPECT_EQ(before, after);
+  if (!sample.expected.at("heads").empty()) {
+    EXPECT_EQ(before, after);
+    return;
+  }
   const std::vector<std::string> old_lines = lines_of(before), new_lines = lines_of(after);
   const std::set<std::size_t> changeable = changeable_lines(sample, old_lines);
   const std::size_t lost = first_lost_line(old_lines, new_lines, changeable);
