@@ -66,12 +66,11 @@ void add_text(Drawing& drawing, double x, double y, const std::string& text, con
   drawing.items.emplace_back(DrawnText{{x, y}, text, size, colour, TextAnchor::left, false});
 }
 
-void draw_panel(const Toolpath& path, Panel panel, const Box3& box, Drawing& drawing) {
+void draw_panel(const Toolpath& path, Panel panel, const Box3& box, double axis_length, Drawing& drawing) {
   panel.fit(box);
   const Vec2 a(panel.x, panel.y), b(panel.x + panel.width, panel.y + panel.height);
   drawing.items.emplace_back(DrawnLine{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}, kGrey, 1, true, {}});
   add_text(drawing, panel.x + 8, panel.y + 22, panel.name, kInk);
-  const double axis_length = kAxisShare * (box.max() - box.min()).norm();
   const std::size_t every = 1 + path.moves.size() / kAxesDrawn;
   for (std::size_t i = 0; i < path.moves.size(); i += every) {
     const Pose& pose = path.moves[i].end;
@@ -124,9 +123,12 @@ Drawing draw_path(const Toolpath& path) {
   Drawing drawing;
   drawing.width = kWidth;
   drawing.height = kHeight;
-  const Box3 box = describe_path(path).box;
+  const Box3 tips = describe_path(path).box;
+  Box3 box = tips;
+  const double axis_length = kAxisShare * (tips.max() - tips.min()).norm();
+  for (const Move& move : path.moves) box.extend(move.end.tip + axis_length * move.end.axis);
   add_text(drawing, kMargin, 36,
-           path.file.substr(path.file.find_last_of('/') + 1) + ": " + size_text(path, box), kInk, 20);
+           path.file.substr(path.file.find_last_of('/') + 1) + ": " + size_text(path, tips), kInk, 20);
   draw_legend(path, drawing);
   const double half = (kWidth - 3 * kMargin) / 2, tall = kHeight - kTitle - kMargin;
   const double low = (tall - kMargin) / 2;
@@ -136,7 +138,7 @@ Drawing draw_path(const Toolpath& path) {
   Panel front{kMargin,       kTitle + low + kMargin, half, low, "from the front: x right, z up",
               Vec3::UnitX(), Vec3::UnitZ()};
   Panel askew{2 * kMargin + half, kTitle, half, tall, "askew, from -y and +x: z up", askew_right, askew_up};
-  for (const Panel& panel : {top, front, askew}) draw_panel(path, panel, box, drawing);
+  for (const Panel& panel : {top, front, askew}) draw_panel(path, panel, box, axis_length, drawing);
   return drawing;
 }
 
