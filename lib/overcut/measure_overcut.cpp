@@ -39,6 +39,16 @@ class Solids {
   std::vector<std::unique_ptr<DepthBody>> parts_, fixtures_;
 };
 
+// The whole search costs milliseconds a move, far more than the check itself; the worst move of a finding is worth
+// it, the others get what a short search finds.
+constexpr std::size_t kCellsOfOthers = 16;
+
+std::vector<bool> worst_moves(const CheckResult& result) {
+  std::vector<bool> is_worst(result.verdicts.size(), false);
+  for (const Event& event : result.events) is_worst[event.worst_move] = true;
+  return is_worst;
+}
+
 }  // namespace
 
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
@@ -50,6 +60,7 @@ void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForm
     if (v.state == MoveState::gouge && is_tool) gouges.push_back(i);
   }
   const Solids solids(scene, result.verdicts);
+  const std::vector<bool> is_worst = worst_moves(result);
   for_each_chunk(gouges.size(), 4, options.threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       MoveVerdict& verdict = result.verdicts[gouges[k]];
@@ -60,7 +71,9 @@ void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForm
       const SweptTool tool(motion, tools[move.tool]->bare);
       // Where the tool's boundary comes to lie once the witness is followed through the tool.
       const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
-      verdict.overcut_mm = find_overcut(tool, *solid, seed, verdict.witness->t).depth_mm;
+      OvercutOptions search;
+      if (!is_worst[gouges[k]]) search.most_cells = kCellsOfOthers;
+      verdict.overcut_mm = find_overcut(tool, *solid, seed, verdict.witness->t, search).depth_mm;
     }
   });
   result.worst_overcut_mm = 0;
