@@ -192,7 +192,8 @@ class Sweep {
   void visit_node(std::uint32_t index) {
     const NodeBlock& node = tree_->nodes[index];
     KernelAnswer answer;
-    kernel_.nodes(node, *frame_, piece_, need_, answer);
+    float asked = need_;
+    kernel_.nodes(node, *frame_, piece_, asked, answer);
     ++bounds_;
     least_ = std::min(least_, answer.least_settled);
     // The deepest first: what it shows settles most of the others.
@@ -206,7 +207,13 @@ class Sweep {
     }
     for (std::size_t k = 0; k < count; ++k) {
       const std::size_t lane = order[k];
-      if (answer.bound[lane] >= need_) {
+      if (need_ < asked) {
+        // A bound below what was asked for is not proven: how far its feet may be was not looked at.
+        asked = need_;
+        kernel_.nodes(node, *frame_, piece_, asked, answer);
+        ++bounds_;
+      }
+      if (answer.bound[lane] >= asked) {
         least_ = std::min(least_, answer.bound[lane]);
       } else if (node.has_leaves) {
         visit_triangles(tree_->leaves[node.child[lane]]);

@@ -155,6 +155,34 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBytes) {
   }
 }
 
+// Inside a step of the tool a facet may be deeper than the cone above the step says; that the facet next to it is
+// deep as well, and was met first, must not settle it.
+TEST(Sweep, ADeepFacetDoesNotSettleADeeperOneByFeetThatNobodyLookedAt) {
+  ToolAssembly made = tools::assembly(FlatCutter{10, 10}, 10);
+  made.shank = {{10, 50, 10}};
+  made.holder = {{50, 50, 60}};
+  const ToolForms tool = tools::forms(made);
+  for (const double radius : {17.0, 16.5, 16.0, 15.0}) {
+    IndexedMesh mesh;
+    const auto add = [&](const Vec3& at) {
+      for (const Vec3& off : {Vec3(1e-3, 0, 0), Vec3(0, 1e-3, 0), Vec3(0, 0, 1e-3)}) mesh.vertices.push_back(at + off);
+      shapes::add_triangle(mesh, mesh.vertices.size() - 3, mesh.vertices.size() - 2, mesh.vertices.size() - 1);
+    };
+    for (int k = 0; k < 16; ++k) add({0, 0, 10.2 + 0.01 * k});
+    for (int k = 0; k < 16; ++k) add({radius, 0, 19 + 0.001 * k});
+    const BlockTree tree = build_block_tree({&mesh, 1}, 1);
+    const std::vector<SearchTarget> targets{{&tool.bare, &tree, Against::part}};
+    double deepest = 0;
+    for (const Vec3& p : mesh.vertices)
+      deepest = std::max(deepest, -evaluate(tool.bare, p.head<2>().norm(), p.z()).signed_distance_mm);
+    for (const double gap : {0.001, 0.3}) {
+      const Motion still(Pose{Vec3::Zero(), Vec3::UnitZ()});
+      const SearchAnswer answer = sweep_and_search(still, targets, {0, 0.01, 0.001, gap, 1000000});
+      EXPECT_GE(answer.value_upper_mm, deepest) << "beside facets at a radius of " << radius;
+    }
+  }
+}
+
 // What makes it fast: of a thousand positions over a surface hardly one triangle needs the exact search.
 TEST(Sweep, AClearPassOverASurfaceNeedsNoExactSearch) {
   const IndexedMesh ball = shapes::sphere(50, 96);
