@@ -54,7 +54,9 @@ struct Touch {
 
 GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, Touch& out) {
   const V z = dot(axis, u);
-  const V3 across = minus(u, times(axis, z));
+  // Close to the axis what is left is rounding and may point along it, which would tilt the gradient: taken off twice.
+  const V3 nearly = minus(u, times(axis, z));
+  const V3 across = minus(nearly, times(axis, dot(axis, nearly)));
   const V r = root(dot(across, across));
   V distance = all(-3e38F);
   V gr = V{}, gz = V{};

@@ -183,6 +183,34 @@ TEST(Sweep, ADeepFacetDoesNotSettleADeeperOneByFeetThatNobodyLookedAt) {
   }
 }
 
+// On the axis what is left across it is rounding, which may point anywhere, along the axis too.
+TEST(Sweep, PointsOnTheAxisOfAPointedToolHaveAnHonestBound) {
+  Scatter scatter(33);
+  ToolAssembly made = tools::assembly(DrillCutter{60, 118, 90}, 60);
+  const ToolForms tool = tools::forms(made);
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3 axis = scatter.point(1).normalized();
+    const Vec3 side = axis.unitOrthogonal();
+    const double below = scatter.in(1, 80), half = below * scatter.in(0.3, 1);
+    IndexedMesh mesh;
+    for (const Vec3& way : {Vec3(axis), Vec3(side)}) {
+      for (const double end : {-half, half}) mesh.vertices.push_back(end * way);
+    }
+    shapes::add_triangle(mesh, 0, 2, 1);
+    shapes::add_triangle(mesh, 0, 1, 3);
+    const BlockTree tree = build_block_tree({&mesh, 1}, 1);
+    const std::vector<Motion> still{Motion(Pose{below * axis, axis})};
+    std::vector<SweepStep> steps;
+    append_steps(still[0], 0, steps);
+    const Bounds least = proven(tool.bare, tree, sweep_frame(steps, tree.origin, tree.rounding_mm), 0);
+    for (std::uint32_t t = 0; t < 2; ++t) {
+      const double sampled = sampled_distance(tool.bare, still, tree.corners(t));
+      ASSERT_GE(sampled, static_cast<double>(least.triangle[t])) << "case " << i;
+      ASSERT_GE(sampled, static_cast<double>(least.node[0])) << "case " << i;
+    }
+  }
+}
+
 // What makes it fast: of a thousand positions over a surface hardly one triangle needs the exact search.
 TEST(Sweep, AClearPassOverASurfaceNeedsNoExactSearch) {
   const IndexedMesh ball = shapes::sphere(50, 96);
