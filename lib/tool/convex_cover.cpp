@@ -10,6 +10,8 @@ namespace {
 // How far the cover stands off the tool, so that rounding in its making never cuts into it.
 constexpr double kStandOff_mm = 1e-9;
 constexpr double kTangent = 1e-7;  // sine of the turn between elements that still count as tangent
+constexpr double kApart = 1e-7;     // points of a chain nearer than this part of the tool are one
+constexpr double kStraight = 1e-9;  // sine of the turn between lines that rounding may give
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 double cross(const Vec2& u, const Vec2& v) {
@@ -134,13 +136,29 @@ class CoverMaker {
       if (cross(direction_at(*run.elements[k - 1], e.a), direction_at(e, e.a)) > 0) push(inner(e, e.a, rounding));
     }
     push(inner(last, last.b, rounding) + far * way_at(last, last.b));
+    straighten(piece.chain);
     piece.radius_mm = rounding + kStandOff_mm;
     double outside = 0;
     for (const BoundaryElement* e : run.elements) outside = std::max(outside, farthest_out(piece, *e));
     piece.radius_mm += outside;
     piece.z_lo_mm = piece.foot_lo_mm = first.a.y();
     piece.z_hi_mm = piece.foot_hi_mm = last.b.y();
-    keep(piece, has_face ? first.b.x() : first.a.x(), last.b.x(), has_face);
+    keep(piece, has_face ? first.b.x() : first.a.x(), last.b.x(), has_face && outside <= kStandOff_mm);
+  }
+
+  // A line needs two points apart, or its direction is noise, and the chain must turn left everywhere. Halved arcs
+  // give one centre twice. What a point less leaves outside is added to the radius.
+  void straighten(std::vector<Vec2>& chain) const {
+    for (std::size_t k = 1; k + 1 < chain.size();) {
+      const Vec2 in = chain[k] - chain[k - 1], out = chain[k + 1] - chain[k];
+      const bool is_line = out.norm() > kApart * cover_.size_mm && out.y() >= -kTangent * out.norm();
+      if (is_line && cross(in.normalized(), out.normalized()) >= -kStraight) {
+        ++k;
+      } else {
+        chain.erase(chain.begin() + static_cast<std::ptrdiff_t>(k));
+        k = 1;
+      }
+    }
   }
 
   void keep(const CoverPiece& piece, double start_radius, double end_radius, bool is_closed) {

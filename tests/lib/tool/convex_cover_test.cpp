@@ -4,9 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdlib>
 #include <random>
 
 #include "lib/tool/evaluate.h"
+#include "tests/support/random_tools.h"
+#include "tests/support/tool_points.h"
 #include "tests/support/tools.h"
 
 namespace gouge {
@@ -23,12 +26,14 @@ struct Claims {
 
 void expect_claims_hold(const CompiledTool& tool, std::mt19937_64& random, int points, Claims& claims) {
   const ConvexCover cover = make_convex_cover(tool);
+  test::SplitMix64 places(random());
   ASSERT_FALSE(cover.pieces.empty());
-  EXPECT_DOUBLE_EQ(cover.pieces.front().z_lo_mm, tool.z_min_mm);
-  EXPECT_DOUBLE_EQ(cover.pieces.back().z_hi_mm, tool.z_max_mm);
+  EXPECT_NEAR(cover.pieces.front().z_lo_mm, tool.z_min_mm, 1e-12 * cover.size_mm);
+  EXPECT_NEAR(cover.pieces.back().z_hi_mm, tool.z_max_mm, 1e-12 * cover.size_mm);
   const auto in = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   for (int i = 0; i < points; ++i) {
-    const Vec2 q(in(0, 1.2 * tool.r_max_mm), in(tool.z_min_mm - 5, tool.z_max_mm + 5));
+    const Vec2 around(in(0, 1.2 * tool.r_max_mm), in(tool.z_min_mm - 5, tool.z_max_mm + 5));
+    const Vec2 q = i % 2 == 0 ? around : test::random_tool_point(places, tool);
     const double depth = -signed_distance(tool, q);
     double nearest = 1e300;
     for (const CoverPiece& piece : cover.pieces) {
@@ -67,6 +72,47 @@ TEST(ConvexCover, NeverSaysLessThanTheTool) {
   EXPECT_GT(claims.ends, 10000U);
   EXPECT_GT(claims.outside, 10000U);
   EXPECT_GT(claims.distance, 10000U);
+}
+
+// GOUGE_COVER_TOOLS makes it longer.
+TEST(ConvexCover, NeverSaysLessThanAnyToolThereIs) {
+  const char* wanted = std::getenv("GOUGE_COVER_TOOLS");
+  const std::uint64_t count = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 400;
+  Claims claims;
+  for (const ToolForms& forms : tools::shapes()) {
+    std::mt19937_64 random(6);
+    for (const CompiledTool* tool : {&forms.bare, &forms.against_part, &forms.with_clearance, &forms.non_cutting}) {
+      if (!tool->elements.empty()) expect_claims_hold(*tool, random, 1000, claims);
+    }
+  }
+  for (std::uint64_t seed = 0; seed < count; ++seed) {
+    const test::RandomTool made = test::random_tool(seed);
+    std::mt19937_64 random(seed);
+    expect_claims_hold(compile_tool(made.name, made.profile), random, 300, claims);
+  }
+  EXPECT_GT(claims.feet, 10 * count);
+  EXPECT_GT(claims.ends, 10 * count);
+  EXPECT_GT(claims.outside, 10 * count);
+  EXPECT_GT(claims.distance, 10 * count);
+}
+
+// Arcs of 150 degrees and more are halved: their centre comes twice.
+TEST(ConvexCover, EveryLineOfAChainHasADirectionAndTurnsLeft) {
+  std::vector<CompiledTool> all;
+  for (const ToolForms& forms : tools::shapes()) all.push_back(forms.bare);
+  for (std::uint64_t seed = 0; seed < 400; ++seed) all.push_back(compile_tool("", test::random_tool(seed).profile));
+  for (const CompiledTool& tool : all) {
+    for (const CoverPiece& piece : make_convex_cover(tool).pieces) {
+      Vec2 last = Vec2::Zero();
+      for (std::size_t k = 0; k + 1 < piece.chain.size(); ++k) {
+        const Vec2 way = (piece.chain[k + 1] - piece.chain[k]).normalized();
+        ASSERT_NEAR(way.norm(), 1, 1e-9) << tool.name;
+        ASSERT_GE(way.y(), -1e-7) << tool.name;
+        ASSERT_GE(last.x() * way.y() - last.y() * way.x(), -1e-8) << tool.name;
+        last = way;
+      }
+    }
+  }
 }
 
 TEST(ConvexCover, TheCutterOfABallIsExact) {
