@@ -41,7 +41,7 @@ struct KernelPiece {
 [[nodiscard]] KernelPiece kernel_piece(const CoverPiece& piece);
 
 struct alignas(64) KernelAnswer {
-  Lanes bound;                 ///< proven: signed distance of the piece >= bound, everywhere in the lane
+  Lanes bound;                 ///< where >= need, proven: signed distance >= bound, everywhere in the lane
   Lanes distance;              ///< of the point looked at last
   std::array<Lanes, 3> point;  ///< that point minus the frame's tip, mm; triangles only
   std::uint32_t open = 0;      ///< bit i: lane i is not settled: bound < need
