@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <utility>
 
 #include "lib/geom/point_triangle.h"
 #include "lib/tool/convex_cover.h"
@@ -24,7 +25,6 @@ constexpr std::size_t kMostBlocks = 16;
 constexpr float kProgress = 0.95F;
 // The swing of a triangle's corners that is not worth smaller triangles.
 constexpr float kSmallSwing_mm = 0.01F;
-
 
 /// What is known of one move so far.
 struct MoveWork {
@@ -104,15 +104,22 @@ class Sweep {
     for (const TriangleBlock* block : work.blocks) gather(*block, frame, rest);
     for (const std::uint32_t node : work.nodes) visit_node_for_group(node, frame, rest);
     const float now = least_;
+    // What was looked at for the whole group is told of its first move.
+    swept_[steps_[index * steps_below(level)].move].bounds += std::exchange(bounds_, 0);
     const std::size_t first = index * kGroup;
     const std::size_t last = std::min(first + kGroup, frames_[level - 1].size());
     if (rest.nodes.empty() && rest.blocks.empty()) return settle_group(level, index, now);
     for (std::size_t k = first; k < last; ++k) visit_group(level - 1, k, rest, now);
   }
 
-  void settle_group(std::size_t level, std::size_t index, float least) {
+  static std::size_t steps_below(std::size_t level) {
     std::size_t size = 1;
     for (std::size_t k = 0; k < level; ++k) size *= kGroup;
+    return size;
+  }
+
+  void settle_group(std::size_t level, std::size_t index, float least) {
+    const std::size_t size = steps_below(level);
     const std::size_t last = std::min(steps_.size(), (index + 1) * size);
     for (std::size_t s = index * size; s < last; ++s) {
       float& known = work_[steps_[s].move].least_settled;
@@ -173,7 +180,6 @@ class Sweep {
     step_ = &steps_[index];
     frame_ = &frames_[0][index];
     least_ = least;
-    bounds_ = 0;
     const std::uint32_t m = step_->move;
     if (m > 0 && swept_[m].start.value_mm <= 0 && swept_[m - 1].start.value_mm > question_.tolerance_mm &&
         swept_[m - 1].start.at.target == target_) {
@@ -186,7 +192,7 @@ class Sweep {
     parts_ = 0;
     refine(*step_, *frame_, 0, short_of_);
     work_[m].least_settled = std::min(work_[m].least_settled, least_);
-    swept_[m].bounds += bounds_;
+    swept_[m].bounds += std::exchange(bounds_, 0);
   }
 
   void visit_node(std::uint32_t index) {

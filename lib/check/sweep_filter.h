@@ -17,7 +17,7 @@ namespace gouge {
 /// What the wide sweep leaves of one question about one move.
 struct SweptMove {
   SearchStart start;
-  std::uint64_t bounds = 0;  ///< blocks looked at
+  std::uint64_t bounds = 0;  ///< blocks looked at; those looked at for a group count for its first move
 };
 
 /// Every motion against every target, for one question (search.h).
