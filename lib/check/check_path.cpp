@@ -74,8 +74,8 @@ class PathChecker {
     check_moves(batch.motions, batch.kinds, tool, scene_, options_, found, spent);
     for (std::size_t k = 0; k < count; ++k) {
       // Neighbours share bounds. Where the tolerance lets them reach the cutter's core, "buried" needs the move's own.
-      const bool is_loose = found[k].depth_upper_mm >= tool.bare.core_depth_mm;
-      if (is_loose && found[k].state == MoveState::clean)
+      const double core = tool.bare.core_depth_mm;
+      if (found[k].state == MoveState::clean && core > 0 && found[k].depth_upper_mm >= core)
         found[k] = check_move(batch.motions[k], batch.kinds[k], tool, scene_, options_, &spent[k]);
       verdicts[batch.moves[k]] = std::move(found[k]);
       bounds[batch.moves[k]] = spent[k];

@@ -34,8 +34,7 @@ class Builder {
     }
     if (total == 0) return;
     tree_.origin = box.center();
-    tree_.reach_mm = 0.5 * box.diagonal().norm();
-    tree_.rounding_mm = kSingle * tree_.reach_mm;
+    tree_.rounding_mm = kSingle * 0.5 * box.diagonal().norm();
     entries_.resize(total);
   }
 

@@ -2,28 +2,22 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "lib/check/hull_bound.h"
 #include "lib/check/motion.h"
 #include "lib/tool/evaluate.h"
+#include "tests/support/scatter.h"
 #include "tests/support/tools.h"
 
 namespace gouge {
 namespace {
 
-class Scatter {
- public:
-  explicit Scatter(unsigned seed) : random_(seed) {}
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  Vec3 axis(double lean) { return Vec3(in(-lean, lean), in(-lean, lean), 1).normalized(); }
-  Vec3 point(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
-  /// Somewhere about the tool, most of it near the boundary of cutter, shank and holder.
-  Vec3 about_tool() { return {in(-20, 20), in(-20, 20), in(-5, 130)}; }
+using test::Scatter;
 
- private:
-  std::mt19937_64 random_;
-};
+/// Somewhere about the tool, most of it near the boundary of cutter, shank and holder.
+Vec3 about_tool(Scatter& scatter) {
+  return {scatter.in(-20, 20), scatter.in(-20, 20), scatter.in(-5, 130)};
+}
 
 double value_at(const CompiledTool& tool, const Motion& motion, double t, const Vec3& p, double reach) {
   const Pose pose = motion.at(t);
@@ -45,7 +39,7 @@ Case random_case(Scatter& scatter) {
   const Vec3 tip = scatter.point(1);
   Case c;
   c.motion = Motion({tip, scatter.axis(lean)}, {tip + scatter.point(way), scatter.axis(lean)});
-  const Vec3 about = scatter.about_tool();
+  const Vec3 about = about_tool(scatter);
   Vec3 flat = scatter.in(0, 1) < 0.3 ? Vec3(1, 1, 0.01) : Vec3(1, 1, 1);  // lying across the axis: plateaus
   for (Vec3& corner : c.piece) corner = about + scatter.point(size).cwiseProduct(flat);
   c.reach = scatter.in(0, 1) < 0.5 ? 0.0 : scatter.in(0, 5);

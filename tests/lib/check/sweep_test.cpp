@@ -3,28 +3,19 @@
 
 #include <cmath>
 #include <cstring>
-#include <random>
 
 #include "lib/check/check_path.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/tool/convex_cover.h"
 #include "lib/tool/evaluate.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
 namespace gouge {
 namespace {
 
-class Scatter {
- public:
-  explicit Scatter(unsigned seed) : random_(seed) {}
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  Vec3 axis(double lean) { return Vec3(in(-lean, lean), in(-lean, lean), 1).normalized(); }
-  Vec3 point(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
-
- private:
-  std::mt19937_64 random_;
-};
+using test::Scatter;
 
 /// One to nine moves in a row, from a resting pose to long ways with large turns.
 std::vector<Motion> random_motions(Scatter& scatter, const Vec3& origin) {
