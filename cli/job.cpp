@@ -169,7 +169,7 @@ class JobLoader {
 
   [[nodiscard]] Diagnostic no_tool() const {
     const std::size_t line =
-        job_.toolpath.tools.empty() ? job_.toolpath.moves.front().line : job_.toolpath.tools.front().line;
+        job_.toolpath.tools.empty() ? std::size_t{job_.toolpath.moves.front().line} : job_.toolpath.tools.front().line;
     return make_error(
         "no-tool",
         "no tool of the toolpath is defined, so nothing can be checked; expected CUTTER or TLDATA in "

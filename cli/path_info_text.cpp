@@ -160,7 +160,7 @@ std::string path_info_json(const Toolpath& path, const PathInfo& info) {
   json["rapid_length"] = info.rapid_length_mm / mm_per_unit;
   json["orientations"] = info.orientations;
   json["largest_turn_deg"] = info.largest_turn_deg;
-  if (info.largest_turn_move != kNone) json["largest_turn_line"] = path.moves[info.largest_turn_move].line;
+  if (info.largest_turn_move != kNone) json["largest_turn_line"] = std::size_t{path.moves[info.largest_turn_move].line};
   json["tools"] = ordered_json::array();
   for (std::size_t i = 0; i < path.tools.size(); ++i) {
     json["tools"].push_back(tool_json(path.tools[i], info.moves_of_tool[i], mm_per_unit));

@@ -59,7 +59,7 @@ class PathChecker {
   };
 
   [[nodiscard]] std::string why_not(const Move& move) const {
-    if (!move.not_checked_reason.empty()) return move.not_checked_reason;
+    if (!move.not_checked_reason.empty()) return std::string(move.not_checked_reason);
     if (move.tool == kNone) return "no tool is defined before this move";
     if (tools_[move.tool] == nullptr) return "the tool has no definition";
     return move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip ? kSkippedRapid : "";

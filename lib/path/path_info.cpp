@@ -57,7 +57,7 @@ PathInfo describe_path(const Toolpath& path) {
     const AxisKey key = key_of(move.end.axis);
     if (axes.empty() || axes.back() != key) axes.push_back(key);
     count_motion(path, i, info);
-    if (!move.not_checked_reason.empty()) ++info.not_checkable[move.not_checked_reason];
+    if (!move.not_checked_reason.empty()) ++info.not_checkable[std::string(move.not_checked_reason)];
     if (move.tool == kNone) {
       ++info.moves_without_tool;
     } else {

@@ -6,6 +6,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/base/diagnostic.h"
@@ -13,6 +14,7 @@
 #include "lib/geom/pose.h"
 #include "lib/geom/rigid_transform.h"
 #include "lib/path/curve.h"
+#include "lib/path/small_index.h"
 
 // The neutral toolpath: what a cutter-location file says, free of any dialect, in mm and part coordinates,
 // every move remembering the source line its statement begins on. Readers and writers: postproc/cldata.
@@ -45,29 +47,26 @@ struct Operation {
   std::size_t line = 0;
 };
 
-inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
-
 /// One motion to one position. Without `start` it is the position alone: the first of the file, of a tool,
-/// of a block, or after a motion whose end is unknown.
+/// of a block, or after a motion whose end is unknown. A path holds millions, so it is kept small.
 struct Move {
-  MoveKind kind = MoveKind::feed;
-  CurveKind curve_kind = CurveKind::none;  ///< none: the tip runs straight
-  std::uint32_t curve = 0;                 ///< index into Toolpath::arcs or ::splines
-  std::size_t line = 0;            ///< where its statement begins, counted from 1
-  std::size_t statement = kNone;   ///< index into Toolpath::statements
-  std::size_t point_in_statement = 0;  ///< a GOTO may hold several positions
   std::optional<Pose> start;
   Pose end;
-  std::size_t tool = kNone;        ///< index into Toolpath::tools; kNone: no tool named yet
-  std::size_t operation = kNone;   ///< index into Toolpath::operations
-  double feed_mm_per_min = 0;      ///< 0: rapid or not given
-  std::string not_checked_reason;  ///< not empty: why this motion cannot be checked
+  double feed_mm_per_min = 0;           ///< 0: rapid or not given
+  std::string_view not_checked_reason;  ///< not empty: why this motion cannot be checked; text that is never freed
+  SmallIndex line;                      ///< where its statement begins, counted from 1
+  SmallIndex statement = kNone;         ///< index into Toolpath::statements
+  SmallIndex tool = kNone;              ///< index into Toolpath::tools; kNone: no tool named yet
+  SmallIndex operation = kNone;         ///< index into Toolpath::operations
+  SmallIndex curve;                     ///< index into Toolpath::arcs or ::splines
+  CurveKind curve_kind = CurveKind::none;  ///< none: the tip runs straight
+  MoveKind kind = MoveKind::feed;
 };
 
 /// A logical statement and the bytes it spans, line end included, so that a writer can leave it untouched.
 struct SourceStatement {
-  std::size_t line = 0;
-  std::size_t first_byte = 0, last_byte = 0;  ///< [first, last)
+  SmallIndex line;
+  SmallIndex first_byte, last_byte;  ///< [first, last)
 };
 
 struct Toolpath {

@@ -129,9 +129,9 @@ void Interpreter::attach_spline(Move& move) {
   knots_.pop_back();
   PathSpline spline = make_spline(control, knots_);
   if (spline.pieces.empty()) return;
-  move.not_checked_reason.clear();
+  move.not_checked_reason = {};
   move.curve_kind = CurveKind::spline;
-  move.curve = static_cast<std::uint32_t>(path_.splines.size());
+  move.curve = path_.splines.size();
   path_.splines.push_back(std::move(spline));
 }
 
@@ -167,9 +167,9 @@ void Interpreter::fit(const ArcStatement& arc, Move& move) {
     move.not_checked_reason = fit.problem;
     return;
   }
-  move.not_checked_reason.clear();
+  move.not_checked_reason = {};
   move.curve_kind = CurveKind::arc;
-  move.curve = static_cast<std::uint32_t>(path_.arcs.size());
+  move.curve = path_.arcs.size();
   path_.arcs.push_back(fit.arc);
 }
 

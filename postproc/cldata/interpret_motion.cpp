@@ -239,7 +239,6 @@ Move Interpreter::make_move(const Position& position, MoveKind kind) {
   move.kind = kind;
   move.line = statement_->line;
   move.statement = path_.statements.size() - 1;
-  move.point_in_statement = position.point;
   move.end = to_part_.pose({position.tip_local, position.axis_local});
   move.end.axis.normalize();
   move.tool = tool_index_;

@@ -77,7 +77,7 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
     return make_error(
         "convert-not-understood",
         std::to_string(count) + " of " + std::to_string(path_.moves.size()) + " moves are not understood (" +
-            first->not_checked_reason +
+            std::string(first->not_checked_reason) +
             "), so they cannot be written in another way; without --to the file is copied as it is",
         path_.file, first->line);
   }

@@ -161,7 +161,7 @@ class JsonReport {
                      {"last_move", event.last_move},
                      {"moves", event.moves},
                      {"worst_move", event.worst_move},
-                     {"line", model_.toolpath->moves[event.worst_move].line},
+                     {"line", std::size_t{model_.toolpath->moves[event.worst_move].line}},
                      {"tool", text(tool_key(*model_.toolpath, event.tool))},
                      {"body", body_name(event.body)},
                      {"against", against_name(event.against)}});
@@ -176,7 +176,7 @@ class JsonReport {
                      {"reason", text(group.reason)},
                      {"moves", group.moves},
                      {"first_move", group.first_move},
-                     {"first_line", model_.toolpath->moves[group.first_move].line}});
+                     {"first_line", std::size_t{model_.toolpath->moves[group.first_move].line}}});
     }
     return all;
   }
@@ -189,7 +189,7 @@ class JsonReport {
       const bool has_depth = verdict.state != MoveState::buried && verdict.state != MoveState::not_checked;
       const Move& move = model_.toolpath->moves[i];
       all.push_back({{"move", i},
-                     {"line", move.line},
+                     {"line", std::size_t{move.line}},
                      {"kind", kind_name(move.kind)},
                      {"tool", text(tool_key(*model_.toolpath, move.tool))},
                      {"operation", text(operation_name(*model_.toolpath, move.operation))},

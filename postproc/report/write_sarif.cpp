@@ -99,7 +99,7 @@ class SarifReport {
     const std::string hash = hex_text(fnv1a64(key));
     const std::size_t occurrence = ++seen_[hash];
     Json location = {{"artifactLocation", {{"uri", uri_of(model_.toolpath->file)}, {"index", 0}}}};
-    if (move.line > 0) location["region"] = {{"startLine", move.line}};
+    if (move.line > 0) location["region"] = {{"startLine", std::size_t{move.line}}};
     const std::size_t rule = rule_index(state);
     results_.push_back(
         {{"ruleId", state_name(state)},

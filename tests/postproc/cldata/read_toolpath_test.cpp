@@ -55,7 +55,6 @@ TEST(ReadApt, SixNumbersAreTwoPositionsOnlyUnderMultaxOff) {
       path_of("MULTAX/OFF\nGOTO/1,2,3,4,5,6\nMULTAX\nGOTO/7,8,9,0,0,-1\nGOTO/0,0,0,0,0,1,1,1,1,1,0,0\n");
   ASSERT_EQ(path.moves.size(), 5u);
   expect_vector(path.moves[1].end.tip, 4, 5, 6);
-  EXPECT_EQ(path.moves[1].point_in_statement, 1u);
   EXPECT_EQ(path.moves[1].statement, path.moves[0].statement);
   expect_vector(path.moves[2].end.axis, 0, 0, -1);
   expect_vector(path.moves[4].end.tip, 1, 1, 1);

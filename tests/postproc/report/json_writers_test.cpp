@@ -162,7 +162,7 @@ TEST(WriteSarif, FingerprintsHoldWhenLinesMoveAndDifferBetweenFindings) {
   };
   const std::vector<std::string> before = prints();
   EXPECT_EQ(std::set<std::string>(before.begin(), before.end()).size(), before.size());
-  for (Move& move : report.path.moves) move.line += 100;
+  for (Move& move : report.path.moves) move.line = move.line + 100;
   EXPECT_EQ(prints(), before);
 }
 
