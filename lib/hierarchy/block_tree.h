@@ -38,7 +38,7 @@ struct BlockTree {
 
 /// Requires that the meshes outlive the tree and hold fewer than 2^32 triangles together.
 /// Ensures  verify_tree(result).empty(); the same bytes at any number of threads (0: all).
-/// Cost     O(n log n) time, 47 bytes a triangle, 28 more while it is built.
+/// Cost     O(n log n) time, 47 bytes a triangle, 16 more while it is built.
 [[nodiscard]] BlockTree build_block_tree(std::span<const IndexedMesh> meshes, unsigned threads = 0);
 
 /// Broken invariants, one sentence each: every triangle in exactly one leaf, every bound holds.

@@ -1,276 +1,276 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "lib/base/parallel.h"
 #include "lib/hierarchy/block_tree.h"
+#include "lib/hierarchy/bound_leaves.h"
+#include "lib/hierarchy/cut_entries.h"
 
 namespace gouge {
 namespace {
 
-// Widening of every stored length: twice what single precision does to a coordinate of that size.
+using detail::Entry;
+
+// Twice what single precision does to a coordinate of that size.
 constexpr double kSingle = 1.2e-7;
 
-/// What is sorted: a triangle by the middle of its box and its direction.
-struct Entry {
-  std::array<float, 6> key;
-  std::uint32_t triangle;
+// Subtrees of this many triangles are made whole, one by one: their leaves stay in the processor's cache.
+constexpr std::size_t kSubtree = kBlockLanes * kBlockLanes * kBlockLanes;
+
+/// Triangles one child of a node over `count` of them holds: a power of 16, so that all blocks but the last
+/// of each level are full.
+std::size_t child_capacity(std::size_t count) {
+  std::size_t capacity = kBlockLanes;
+  while (capacity * kBlockLanes < count) capacity *= kBlockLanes;
+  return capacity;
+}
+
+std::size_t nodes_below(std::size_t count) {
+  if (count <= kBlockLanes * kBlockLanes) return 1;
+  const std::size_t capacity = child_capacity(count);
+  const std::size_t full = count / capacity;
+  return 1 + full * nodes_below(capacity) + (count % capacity > 0 ? nodes_below(count % capacity) : 0);
+}
+
+/// A node over the entries [first, last).
+struct Place {
+  std::uint32_t node = 0;
+  std::size_t first = 0, last = 0;
 };
 
-// Directions count as a place of their own: the two sides of a thin wall belong into different nodes, and a node
-// that goes round a corner has no thin disc.
-constexpr float kDirectionShare = 0.35F;
+/// Entries that hold `parts` children of `capacity` each, the last one perhaps fewer.
+struct Cut {
+  std::size_t first = 0, last = 0, parts = 1, capacity = 0;
+};
+
+Cut children_of(std::size_t first, std::size_t last) {
+  const std::size_t capacity = child_capacity(last - first);
+  return {first, last, (last - first + capacity - 1) / capacity, capacity};
+}
 
 class Builder {
  public:
   Builder(std::span<const IndexedMesh> meshes, unsigned threads) : threads_(threads) {
-    std::uint32_t total = 0;
     Box3 box;
     for (const IndexedMesh& mesh : meshes) {
       tree_.meshes.push_back(&mesh);
-      tree_.first_triangle.push_back(total);
-      total += static_cast<std::uint32_t>(mesh.triangles.size());
+      tree_.first_triangle.push_back(static_cast<std::uint32_t>(total_));
+      total_ += mesh.triangles.size();
       box.extend(mesh.box());
     }
-    if (total == 0) return;
+    if (total_ == 0) return;
     tree_.origin = box.center();
     tree_.rounding_mm = kSingle * 0.5 * box.diagonal().norm();
-    entries_.resize(total);
   }
 
   BlockTree build() {
-    if (entries_.empty()) return std::move(tree_);
-    for_each_chunk(entries_.size(), 1 << 14, threads_, [this](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) entries_[i] = entry(static_cast<std::uint32_t>(i));
+    if (total_ == 0) return std::move(tree_);
+    make_entries();
+    sort_into_subtrees();
+    tree_.nodes.resize(nodes_below(total_));
+    tree_.leaves.resize((total_ + kBlockLanes - 1) / kBlockLanes);
+    areas_.resize(tree_.leaves.size());
+    plan({0, 0, total_});
+    for_each_chunk(subtrees_.size(), 1, threads_, [this](std::size_t first, std::size_t last) {
+      for (std::size_t j = first; j < last; ++j) make_subtree(subtrees_[j]);
     });
-    plan(0, entries_.size());
-    tree_.leaves.resize((entries_.size() + kBlockLanes - 1) / kBlockLanes);
-    // Whole subtrees are sorted and bounded side by side; the few blocks above them follow.
-    for_each_chunk(jobs_.size(), 1, threads_, [this](std::size_t first, std::size_t last) {
-      for (std::size_t j = first; j < last; ++j) run(jobs_[j]);
+    for_each_chunk(lanes_.size(), 1, threads_, [this](std::size_t first, std::size_t last) {
+      for (std::size_t j = first; j < last; ++j) bound(lanes_[j]);
     });
-    for (std::size_t k = upper_.size(); k-- > 0;) bound_children(upper_[k]);
+    for (const std::uint32_t node : upper_) repeat_first(tree_.nodes[node]);
     return std::move(tree_);
   }
 
  private:
-  /// A node over the entries [first, last).
-  struct Job {
+  /// One child of a node, and where its entries are.
+  struct Lane {
     std::uint32_t node = 0;
-    std::size_t first = 0, last = 0;
+    std::size_t lane = 0, first = 0, last = 0;
   };
 
-  [[nodiscard]] Entry entry(std::uint32_t triangle) const {
-    const std::array<Vec3, 3> c = tree_.corners(triangle);
-    const Vec3 middle = 0.5 * (c[0].cwiseMin(c[1]).cwiseMin(c[2]) + c[0].cwiseMax(c[1]).cwiseMax(c[2]));
-    const Vec3 area = (c[1] - c[0]).cross(c[2] - c[0]);
-    const double length = area.norm();
-    Entry e{{}, triangle};
-    for (Eigen::Index k = 0; k < 3; ++k) {
-      const auto at = static_cast<std::size_t>(k);
-      e.key[at] = static_cast<float>(middle[k] - tree_.origin[k]);
-      e.key[at + 3] = length > 0 ? static_cast<float>(area[k] / length) : 0.0F;
-    }
-    return e;
-  }
-
-  /// Triangles one child of a node over `count` of them holds: a power of 16, so that all blocks but the last of
-  /// each level are full.
-  static std::size_t child_capacity(std::size_t count) {
-    std::size_t capacity = kBlockLanes;
-    while (capacity * kBlockLanes < count) capacity *= kBlockLanes;
-    return capacity;
-  }
-
-  static std::size_t nodes_below(std::size_t count) {
-    if (count <= kBlockLanes * kBlockLanes) return 1;
-    const std::size_t capacity = child_capacity(count);
-    const std::size_t full = count / capacity;
-    return 1 + full * nodes_below(capacity) + (count % capacity > 0 ? nodes_below(count % capacity) : 0);
-  }
-
-  // The nodes of a subtree stand together, the parent first, so that where they go is known before any is made.
-  void plan(std::size_t first, std::size_t last) {
-    constexpr std::size_t kJob = 1 << 16;
-    tree_.nodes.resize(nodes_below(last - first));
-    plan_node({0, first, last}, kJob);
-  }
-
-  void plan_node(const Job& at, std::size_t job_size) {
-    if (at.last - at.first <= job_size) {
-      jobs_.push_back(at);
-      return;
-    }
-    upper_.push_back(at);
-    for (const Job& child : divide(at)) plan_node(child, job_size);
-  }
-
-  /// Sorts the entries of a node into its children and names them in the node.
-  std::vector<Job> divide(const Job& at) {
-    const std::size_t count = at.last - at.first;
-    const std::size_t capacity = child_capacity(count);
-    NodeBlock& node = tree_.nodes[at.node];
-    node.has_leaves = capacity == kBlockLanes;
-    node.count = static_cast<std::uint32_t>((count + capacity - 1) / capacity);
-    bisect(at.first, at.last, node.count, capacity);
-    std::vector<Job> children;
-    auto next = at.node + 1;
-    for (std::uint32_t i = 0; i < node.count; ++i) {
-      const std::size_t first = at.first + i * capacity;
-      const std::size_t last = std::min(at.last, first + capacity);
-      node.child[i] = node.has_leaves ? static_cast<std::uint32_t>(first / kBlockLanes) : next;
-      children.push_back({node.child[i], first, last});
-      if (!node.has_leaves) next += static_cast<std::uint32_t>(nodes_below(last - first));
-    }
-    return children;
-  }
-
-  void bisect(std::size_t first, std::size_t last, std::size_t parts, std::size_t capacity) {
-    if (parts <= 1) return;
-    const std::size_t middle = first + (parts / 2) * capacity;
-    const std::size_t axis = widest(first, last);
-    const auto at = [this](std::size_t k) { return entries_.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::nth_element(at(first), at(middle), at(last), [axis](const Entry& a, const Entry& b) {
-      return a.key[axis] < b.key[axis] || (!(b.key[axis] < a.key[axis]) && a.triangle < b.triangle);
-    });
-    bisect(first, middle, parts / 2, capacity);
-    bisect(middle, last, parts - parts / 2, capacity);
-  }
-
-  [[nodiscard]] std::size_t widest(std::size_t first, std::size_t last) const {
-    std::array<float, 6> low, high;
-    low.fill(std::numeric_limits<float>::max());
-    high.fill(std::numeric_limits<float>::lowest());
-    for (std::size_t i = first; i < last; ++i) {
-      for (std::size_t k = 0; k < 6; ++k) {
-        low[k] = std::min(low[k], entries_[i].key[k]);
-        high[k] = std::max(high[k], entries_[i].key[k]);
-      }
-    }
-    std::size_t best = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if (high[k] - low[k] > high[best] - low[best]) best = k;
-    }
-    const float size = (high[best] - low[best]) * kDirectionShare;
-    std::size_t turn = 3;
-    for (std::size_t k = 4; k < 6; ++k) {
-      if (high[k] - low[k] > high[turn] - low[turn]) turn = k;
-    }
-    return (high[turn] - low[turn]) * size > high[best] - low[best] ? turn : best;
-  }
-
-  void run(const Job& job) {
-    const bool is_above_leaves = child_capacity(job.last - job.first) == kBlockLanes;
-    for (const Job& child : divide(job)) {
-      if (is_above_leaves) {
-        fill(tree_.leaves[child.node], child.first, child.last);
-      } else {
-        run(child);
-      }
-    }
-    bound_children(job);
-  }
-
-  void fill(TriangleBlock& leaf, std::size_t first, std::size_t last) {
-    leaf.count = static_cast<std::uint32_t>(last - first);
-    for (std::size_t i = 0; i < kBlockLanes; ++i) {
-      const std::size_t from = first + (i < leaf.count ? i : 0);
-      leaf.triangle[i] = entries_[from].triangle;
-      const std::array<Vec3, 3> c = tree_.corners(entries_[from].triangle);
-      for (std::size_t k = 0; k < 3; ++k) {
-        for (std::size_t j = 0; j < 3; ++j) {
-          const auto jj = static_cast<Eigen::Index>(j);
-          leaf.corner[k][j][i] = static_cast<float>(c[k][jj] - tree_.origin[jj]);
+  void make_entries() {
+    entries_.resize(total_);
+    for_each_chunk(total_, 1 << 14, threads_, [this](std::size_t first, std::size_t last) {
+      std::array<std::array<float, 3>, 3> c;
+      for (std::size_t i = first; i < last; ++i) {
+        const auto triangle = static_cast<std::uint32_t>(i);
+        find_corners(triangle, c);
+        Entry& entry = entries_[i];
+        entry.triangle = triangle;
+        for (std::size_t k = 0; k < 3; ++k) {
+          entry.middle[k] =
+              0.5F * (std::min({c[0][k], c[1][k], c[2][k]}) + std::max({c[0][k], c[1][k], c[2][k]}));
         }
       }
+    });
+  }
+
+  void find_corners(std::uint32_t triangle, std::array<std::array<float, 3>, 3>& corners) const {
+    const std::size_t m = tree_.meshes.size() == 1 ? 0 : tree_.mesh_of(triangle);
+    const IndexedMesh& mesh = *tree_.meshes[m];
+    for (std::size_t c = 0; c < 3; ++c) {
+      const Vec3& at = mesh.corner(triangle - tree_.first_triangle[m], c);
+      for (std::size_t k = 0; k < 3; ++k) {
+        const auto kk = static_cast<Eigen::Index>(k);
+        corners[c][k] = static_cast<float>(at[kk] - tree_.origin[kk]);
+      }
     }
   }
 
-  void bound_children(const Job& at) {
-    NodeBlock& node = tree_.nodes[at.node];
-    const std::size_t capacity = child_capacity(at.last - at.first);
-    for (std::size_t i = 0; i < node.count; ++i) {
-      const std::size_t first = at.first + i * capacity;
-      bound(node, i, first, std::min(at.last, first + capacity));
+  // All cuts of one depth side by side, from the whole down to the subtrees.
+  void sort_into_subtrees() {
+    std::vector<Entry> scratch(total_);
+    std::vector<Cut> cuts, next;
+    keep_if_large(cuts, 0, total_);
+    while (!cuts.empty()) {
+      for_each_chunk(cuts.size(), 1, threads_, [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i)
+          cut(cuts[i], {scratch.data() + cuts[i].first, scratch.size() - cuts[i].first});
+      });
+      next.clear();
+      for (const Cut& c : cuts) {
+        const std::size_t middle = c.first + c.parts / 2 * c.capacity;
+        add_half(next, {c.first, middle, c.parts / 2, c.capacity});
+        add_half(next, {middle, c.last, c.parts - c.parts / 2, c.capacity});
+      }
+      cuts.swap(next);
     }
-    for (std::size_t i = node.count; i < kBlockLanes; ++i) repeat_first(node, i);
   }
 
-  /// Calls `visit` with every rounded corner of the entries [first, last); they start a leaf.
+  static void keep_if_large(std::vector<Cut>& cuts, std::size_t first, std::size_t last) {
+    if (last - first > kSubtree) cuts.push_back(children_of(first, last));
+  }
+
+  static void add_half(std::vector<Cut>& cuts, const Cut& half) {
+    if (half.parts > 1) {
+      cuts.push_back(half);
+    } else {
+      keep_if_large(cuts, half.first, half.last);
+    }
+  }
+
+  void cut(const Cut& c, std::span<Entry> scratch) {
+    detail::cut_entries({entries_.data() + c.first, c.last - c.first}, scratch, c.parts / 2 * c.capacity);
+  }
+
+  /// Names the children of a node and calls `visit(lane, child)` for each.
   template <typename Visit>
-  void each_corner(std::size_t first, std::size_t last, const Visit& visit) const {
-    for (std::size_t i = first; i < last; ++i) {
-      const TriangleBlock& leaf = tree_.leaves[i / kBlockLanes];
-      const std::size_t lane = i % kBlockLanes;
-      for (const auto& c : leaf.corner) visit(Vec3(c[0][lane], c[1][lane], c[2][lane]));
+  void each_child(const Place& at, const Visit& visit) {
+    const Cut all = children_of(at.first, at.last);
+    NodeBlock& node = tree_.nodes[at.node];
+    node.has_leaves = all.capacity == kBlockLanes;
+    node.count = static_cast<std::uint32_t>(all.parts);
+    auto next = at.node + 1;
+    for (std::size_t i = 0; i < all.parts; ++i) {
+      const std::size_t first = at.first + i * all.capacity;
+      const std::size_t last = std::min(at.last, first + all.capacity);
+      node.child[i] = node.has_leaves ? static_cast<std::uint32_t>(first / kBlockLanes) : next;
+      visit(i, Place{node.child[i], first, last});
+      if (!node.has_leaves) next += static_cast<std::uint32_t>(nodes_below(last - first));
     }
   }
 
-  void bound(NodeBlock& node, std::size_t lane, std::size_t first, std::size_t last) const {
-    const Vec3 normal = direction(first, last);
-    const Vec3 u = normal.unitOrthogonal();
-    const Vec3 v = normal.cross(u);
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::max()), high = -low;
-    each_corner(first, last, [&](const Vec3& x) {
-      const Vec3 local(u.dot(x), v.dot(x), normal.dot(x));
-      low = low.cwiseMin(local);
-      high = high.cwiseMax(local);
+  // The nodes of a subtree stand together, the parent first, so that where they go is known before any is
+  // made.
+  void plan(const Place& at) {
+    if (at.last - at.first <= kSubtree) {
+      subtrees_.push_back({at, kNoParent, 0});
+      return;
+    }
+    upper_.push_back(at.node);
+    each_child(at, [&](std::size_t lane, const Place& child) {
+      if (child.last - child.first <= kSubtree) {
+        subtrees_.push_back({child, at.node, lane});
+      } else {
+        lanes_.push_back({at.node, lane, child.first, child.last});
+        plan(child);
+      }
     });
-    const Vec3 mid = 0.5 * (low + high);
-    const Vec3 exact = mid.x() * u + mid.y() * v + mid.z() * normal;
-    const Vec3 center = exact.cast<float>().cast<double>();
-    double radius2 = 0, disc2 = 0, thickness = 0;
-    each_corner(first, last, [&](const Vec3& x) {
-      const Vec3 d = x - center;
-      const double height = normal.dot(d);
-      thickness = std::max(thickness, std::abs(height));
-      radius2 = std::max(radius2, d.squaredNorm());
-      disc2 = std::max(disc2, (d - height * normal).squaredNorm());
+  }
+
+  static constexpr std::uint32_t kNoParent = ~0U;
+
+  struct Subtree {
+    Place place;
+    std::uint32_t parent = kNoParent;
+    std::size_t lane = 0;
+  };
+
+  void make_subtree(const Subtree& subtree) {
+    const Place& at = subtree.place;
+    std::vector<Entry> scratch(at.last - at.first);
+    sort_into_leaves(children_of(at.first, at.last), scratch);
+    for (std::size_t i = at.first; i < at.last; i += kBlockLanes) fill(i, std::min(at.last, i + kBlockLanes));
+    make_node(at);
+    if (subtree.parent != kNoParent) bound({subtree.parent, subtree.lane, at.first, at.last});
+  }
+
+  void sort_into_leaves(const Cut& c, std::span<Entry> scratch) {
+    if (c.parts > 1) {
+      cut(c, scratch);
+      const std::size_t middle = c.first + c.parts / 2 * c.capacity;
+      sort_into_leaves({c.first, middle, c.parts / 2, c.capacity}, scratch);
+      sort_into_leaves({middle, c.last, c.parts - c.parts / 2, c.capacity}, scratch);
+    } else if (c.capacity > kBlockLanes) {
+      sort_into_leaves(children_of(c.first, c.last), scratch);
+    }
+  }
+
+  void fill(std::size_t first, std::size_t last) {
+    const std::size_t index = first / kBlockLanes;
+    TriangleBlock& leaf = tree_.leaves[index];
+    leaf.count = static_cast<std::uint32_t>(last - first);
+    std::array<std::array<float, 3>, 3> c;
+    for (std::size_t i = 0; i < kBlockLanes; ++i) {
+      leaf.triangle[i] = entries_[first + (i < leaf.count ? i : 0)].triangle;
+      find_corners(leaf.triangle[i], c);
+      for (std::size_t k = 0; k < 3; ++k) {
+        for (std::size_t j = 0; j < 3; ++j) leaf.corner[k][j][i] = c[k][j];
+      }
+    }
+    areas_[index] = detail::area_sum(leaf);
+  }
+
+  void make_node(const Place& at) {
+    each_child(at, [&](std::size_t lane, const Place& child) {
+      if (!tree_.nodes[at.node].has_leaves) make_node(child);
+      bound({at.node, lane, child.first, child.last});
     });
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto kk = static_cast<Eigen::Index>(k);
-      node.center[k][lane] = static_cast<float>(center[kk]);
-      node.normal[k][lane] = static_cast<float>(normal[kk]);
-    }
-    // The rounded normal leans by 1e-7 from the exact one, hence the radius in the widening of all three.
-    const double radius = std::sqrt(radius2);
-    const double more = tree_.rounding_mm + 4 * kSingle * radius + 1e-9;
-    node.half_thickness_mm[lane] = rounded_up(thickness + more);
-    node.disc_radius_mm[lane] = rounded_up(std::sqrt(disc2) + more);
-    node.radius_mm[lane] = rounded_up(radius + more);
+    repeat_first(tree_.nodes[at.node]);
   }
 
-  [[nodiscard]] Vec3 direction(std::size_t first, std::size_t last) const {
-    Vec3 sum = Vec3::Zero();
-    for (std::size_t i = first; i < last; ++i) {
-      const auto& c = tree_.leaves[i / kBlockLanes].corner;
-      const std::size_t lane = i % kBlockLanes;
-      const auto at = [&](std::size_t k) { return Vec3(c[k][0][lane], c[k][1][lane], c[k][2][lane]); };
-      sum += (at(1) - at(0)).cross(at(2) - at(0));
-    }
-    const double length = sum.norm();
-    return (length > 0 ? Vec3(sum / length) : Vec3::UnitZ()).cast<float>().cast<double>();
+  void bound(const Lane& at) {
+    const std::size_t first = at.first / kBlockLanes, last = (at.last + kBlockLanes - 1) / kBlockLanes;
+    Vec3 direction = Vec3::Zero();
+    for (std::size_t i = first; i < last; ++i) direction += Vec3(areas_[i][0], areas_[i][1], areas_[i][2]);
+    detail::bound_leaves({tree_.leaves.data() + first, last - first}, direction, tree_.rounding_mm,
+                         tree_.nodes[at.node], at.lane);
   }
 
-  static float rounded_up(double length) {
-    return std::nextafter(static_cast<float>(length), std::numeric_limits<float>::max());
-  }
-
-  static void repeat_first(NodeBlock& node, std::size_t lane) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      node.center[k][lane] = node.center[k][0];
-      node.normal[k][lane] = node.normal[k][0];
+  static void repeat_first(NodeBlock& node) {
+    for (std::size_t lane = node.count; lane < kBlockLanes; ++lane) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        node.center[k][lane] = node.center[k][0];
+        node.normal[k][lane] = node.normal[k][0];
+      }
+      node.half_thickness_mm[lane] = node.half_thickness_mm[0];
+      node.disc_radius_mm[lane] = node.disc_radius_mm[0];
+      node.radius_mm[lane] = node.radius_mm[0];
+      node.child[lane] = node.child[0];
     }
-    node.half_thickness_mm[lane] = node.half_thickness_mm[0];
-    node.disc_radius_mm[lane] = node.disc_radius_mm[0];
-    node.radius_mm[lane] = node.radius_mm[0];
-    node.child[lane] = node.child[0];
   }
 
   unsigned threads_;
+  std::size_t total_ = 0;
   BlockTree tree_;
   std::vector<Entry> entries_;
-  std::vector<Job> jobs_, upper_;
+  std::vector<std::array<float, 3>> areas_;  // per leaf
+  std::vector<Subtree> subtrees_;
+  std::vector<Lane> lanes_;           // of nodes above the subtrees
+  std::vector<std::uint32_t> upper_;  // nodes above the subtrees
 };
 
 }  // namespace

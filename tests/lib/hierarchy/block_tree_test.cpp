@@ -25,8 +25,9 @@ IndexedMesh random_soup(std::size_t triangles, unsigned seed) {
 }
 
 TEST(BlockTree, BoundsHoldOnShapesAndSoups) {
-  for (const IndexedMesh& mesh : {shapes::cube(), shapes::sphere(), shapes::torus(), shapes::needle_fan(),
-                                  random_soup(16, 1), random_soup(17, 2), random_soup(257, 3), random_soup(5000, 4)}) {
+  for (const IndexedMesh& mesh :
+       {shapes::cube(), shapes::sphere(), shapes::torus(), shapes::needle_fan(), random_soup(16, 1),
+        random_soup(17, 2), random_soup(257, 3), random_soup(5000, 4)}) {
     const BlockTree tree = build_block_tree({&mesh, 1});
     const auto broken = verify_tree(tree);
     EXPECT_TRUE(broken.empty()) << broken.front();
@@ -79,10 +80,19 @@ TEST(BlockTree, TheNumberOfThreadsChangesNothing) {
   const BlockTree two = build_block_tree({&mesh, 1}, 2);
   ASSERT_EQ(one.leaves.size(), two.leaves.size());
   ASSERT_EQ(one.nodes.size(), two.nodes.size());
-  for (std::size_t i = 0; i < one.leaves.size(); ++i) ASSERT_EQ(one.leaves[i].triangle, two.leaves[i].triangle);
+  for (std::size_t i = 0; i < one.leaves.size(); ++i) {
+    ASSERT_EQ(one.leaves[i].triangle, two.leaves[i].triangle);
+    ASSERT_EQ(one.leaves[i].corner, two.leaves[i].corner);
+    ASSERT_EQ(one.leaves[i].count, two.leaves[i].count);
+  }
   for (std::size_t i = 0; i < one.nodes.size(); ++i) {
     ASSERT_EQ(one.nodes[i].child, two.nodes[i].child);
+    ASSERT_EQ(one.nodes[i].count, two.nodes[i].count);
+    ASSERT_EQ(one.nodes[i].has_leaves, two.nodes[i].has_leaves);
+    ASSERT_EQ(one.nodes[i].center, two.nodes[i].center);
+    ASSERT_EQ(one.nodes[i].normal, two.nodes[i].normal);
     ASSERT_EQ(one.nodes[i].radius_mm, two.nodes[i].radius_mm);
+    ASSERT_EQ(one.nodes[i].disc_radius_mm, two.nodes[i].disc_radius_mm);
     ASSERT_EQ(one.nodes[i].half_thickness_mm, two.nodes[i].half_thickness_mm);
   }
 }

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+// The sorting behind a block tree: sixteen bytes a triangle, cut in two again and again. A cut is a histogram
+// and one pass without branches that a processor could guess wrong; no more is put in order than the tree
+// asks for.
+
+namespace gouge::detail {
+
+/// A triangle and the middle of its box.
+struct alignas(16) Entry {
+  std::array<float, 3> middle{};
+  std::uint32_t triangle = 0;
+};
+
+/// Smallest and largest middles of some entries.
+struct EntryBox {
+  std::array<float, 3> low{}, high{};
+
+  [[nodiscard]] float width(std::size_t axis) const { return high[axis] - low[axis]; }
+  /// The lowest of equal ones.
+  [[nodiscard]] std::size_t widest_axis() const;
+};
+
+/// Requires at least one entry.
+[[nodiscard]] EntryBox box_of(std::span<const Entry> entries);
+
+/// Moves the `rank` entries that come first along the widest axis (ties: lower triangles first) before the
+/// others. The order on either side depends on nothing but the order before.
+///
+/// Requires 0 < rank < entries.size() <= scratch.size(), and finite middles.
+/// Cost     O(n).
+void cut_entries(std::span<Entry> entries, std::span<Entry> scratch, std::size_t rank);
+
+}  // namespace gouge::detail
