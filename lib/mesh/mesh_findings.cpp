@@ -2,39 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
-#include "lib/mesh/winding.h"
+#include "lib/mesh/mesh_pieces.h"
+#include "lib/mesh/twin_sides.h"
 
 namespace gouge {
 namespace {
-
-// Telling a cavity from an inside-out body costs one pass over the mesh; files with more inward pieces than
-// this are broken anyway.
-constexpr std::size_t kMostInwardPieces = 64;
-
-class UnionFind {
- public:
-  explicit UnionFind(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0U); }
-
-  std::uint32_t root(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-
-  // The lower index becomes the root, so roots do not depend on the order of joining.
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = root(a);
-    b = root(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 class Finder {
  public:
@@ -49,7 +24,8 @@ class Finder {
     find_edges();
     find_vertices();
     find_duplicates();
-    find_pieces();
+    find_open_pieces();
+    detail::find_pieces(mesh_, pieces_, is_open_, found_);
     return found_;
   }
 
@@ -121,55 +97,38 @@ class Finder {
     return (mesh_.corner(t, 0) + mesh_.corner(t, 1) + mesh_.corner(t, 2)) / 3;
   }
 
-  void find_pieces() {
-    const Vec3 middle = found_.box_mm.center();
-    std::vector<double> volume(mesh_.triangles.size(), 0);
-    std::vector<bool> is_open(mesh_.triangles.size(), false);
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      const Vec3 a = mesh_.corner(t, 0) - middle;
-      const Vec3 b = mesh_.corner(t, 1) - middle;
-      const Vec3 c = mesh_.corner(t, 2) - middle;
-      const double six = a.dot(b.cross(c));
-      volume[pieces_.root(t)] += six / 6;
-      found_.signed_volume_mm3 += six / 6;
-      found_.area_mm2 += (b - a).cross(c - a).norm() / 2;
-      if (pieces_.root(t) == t) ++found_.components;
-    }
+  void find_open_pieces() {
+    is_open_.assign(mesh_.triangles.size(), false);
     for (const MeshEdge& edge : adjacency_.edges()) {
       const auto uses = adjacency_.uses(edge);
       const auto forward =
           std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.is_forward; });
       if (2 * static_cast<std::size_t>(forward) != uses.size())
-        is_open[pieces_.root(uses[0].triangle)] = true;
+        is_open_[pieces_.root(uses[0].triangle)] = true;
     }
-    std::size_t looked_at = 0;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (pieces_.root(t) != t || is_open[t] || volume[t] >= 0) continue;
-      if (looked_at++ < kMostInwardPieces && is_cavity(t)) {
-        ++found_.cavities;
-      } else {
-        found_.inside_out_components.add(centre(t), mesh_.file_triangle[t]);
-      }
-    }
-  }
-
-  // A piece that faces inward is a cavity when the other pieces have its surface inside them.
-  bool is_cavity(std::uint32_t piece) {
-    const Vec3 point = centre(piece);
-    double angle = 0;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (pieces_.root(t) != piece)
-        angle += solid_angle(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), point);
-    }
-    constexpr double kHalfSphere = 6.283185307179586;
-    return angle > kHalfSphere;
   }
 
   const IndexedMesh& mesh_;
   const MeshAdjacency& adjacency_;
   UnionFind pieces_;
+  std::vector<bool> is_open_;  // by the lowest triangle of a piece
   MeshFindings found_;
 };
+
+// Where each edge has two triangles and each vertex one fan, all there is to find is about whole pieces.
+MeshFindings find_closed_findings(const IndexedMesh& mesh, const TwinSides& twins) {
+  MeshFindings found;
+  found.vertices = mesh.vertices.size();
+  found.edges = twins.size() / 2;
+  found.triangles = mesh.triangles.size();
+  found.box_mm = mesh.box();
+  UnionFind pieces(mesh.triangles.size());
+  for (std::uint32_t side = 0; side < twins.size(); ++side) {
+    if (twins[side] < side) pieces.join(twins[side] / 3, side / 3);
+  }
+  detail::find_pieces(mesh, pieces, {}, found);
+  return found;
+}
 
 }  // namespace
 
@@ -183,6 +142,9 @@ MeshFindings find_mesh_findings(const IndexedMesh& mesh, const MeshAdjacency& ad
 }
 
 MeshFindings find_mesh_findings(const IndexedMesh& mesh) {
+  if (const auto twins = find_twin_sides(mesh); twins && is_manifold(mesh, *twins)) {
+    return find_closed_findings(mesh, *twins);
+  }
   return find_mesh_findings(mesh, MeshAdjacency(mesh));
 }
 

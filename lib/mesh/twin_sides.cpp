@@ -1,0 +1,97 @@
+#include "lib/mesh/twin_sides.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+
+namespace gouge {
+namespace {
+
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+constexpr std::size_t kMostTriangles = 350'000'000;  // sides and two marks fit in 32 bits
+
+/// An edge in the list of its lower vertex.
+struct Edge {
+  Corner high = 0;
+  std::uint32_t marked_side = 0;  // the side that came first, times 4; 2: has its twin; 1: runs upward
+  std::uint32_t next = kNone;
+};
+
+class Matcher {
+ public:
+  explicit Matcher(const IndexedMesh& mesh)
+      : mesh_(mesh), first_(mesh.vertices.size(), kNone), twins_(3 * mesh.triangles.size()) {
+    edges_.reserve(twins_.size() / 2);
+  }
+
+  std::optional<TwinSides> match() {
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
+      const TriangleCorners& c = mesh_.triangles[t];
+      if (!add(3 * t, c[0], c[1]) || !add(3 * t + 1, c[1], c[2]) || !add(3 * t + 2, c[2], c[0]))
+        return std::nullopt;
+    }
+    // Half as many edges as sides, and none without a twin: `add` lets neither through.
+    if (matched_ != edges_.size()) return std::nullopt;
+    return std::move(twins_);
+  }
+
+ private:
+  /// False when the surface is none with twins everywhere.
+  bool add(std::uint32_t side, Corner from, Corner to) {
+    const std::uint32_t upward = from < to ? 1 : 0;
+    const Corner low = std::min(from, to), high = std::max(from, to);
+    for (std::uint32_t e = first_[low]; e != kNone; e = edges_[e].next) {
+      Edge& edge = edges_[e];
+      if (edge.high != high) continue;
+      if ((edge.marked_side & 3U) != (upward ^ 1U)) return false;
+      twins_[side] = edge.marked_side >> 2U;
+      twins_[edge.marked_side >> 2U] = side;
+      edge.marked_side |= 2U;
+      ++matched_;
+      return true;
+    }
+    if (low == high || edges_.size() == twins_.size() / 2) return false;
+    edges_.push_back({high, side << 2U | upward, first_[low]});
+    first_[low] = static_cast<std::uint32_t>(edges_.size() - 1);
+    return true;
+  }
+
+  const IndexedMesh& mesh_;
+  std::vector<std::uint32_t> first_;  // per vertex: its list
+  std::vector<Edge> edges_;
+  TwinSides twins_;
+  std::size_t matched_ = 0;
+};
+
+std::uint32_t after(std::uint32_t side) {
+  return side % 3 == 2 ? side - 2 : side + 1;
+}
+
+}  // namespace
+
+std::optional<TwinSides> find_twin_sides(const IndexedMesh& mesh) {
+  if (mesh.triangles.size() > kMostTriangles) return std::nullopt;
+  return Matcher(mesh).match();
+}
+
+bool is_manifold(const IndexedMesh& mesh, const TwinSides& twins) {
+  std::vector<bool> is_seen(mesh.vertices.size(), false);
+  std::size_t corners = 0;  // in the first fan of each vertex
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::uint32_t a = twins[3 * t] / 3, b = twins[3 * t + 1] / 3, c = twins[3 * t + 2] / 3;
+    if (a == b || b == c || c == a) return false;  // two common edges: the same corners
+    for (std::uint32_t k = 0; k < 3; ++k) {
+      if (is_seen[mesh.triangles[t][k]]) continue;
+      is_seen[mesh.triangles[t][k]] = true;
+      const std::uint32_t start = 3 * t + k;
+      std::uint32_t side = start;
+      do {
+        side = after(twins[side]);
+        ++corners;
+      } while (side != start);
+    }
+  }
+  return corners == twins.size();
+}
+
+}  // namespace gouge

@@ -1,0 +1,124 @@
+#include "lib/mesh/twin_sides.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "lib/mesh/mesh_findings.h"
+#include "tests/support/shapes.h"
+
+namespace gouge {
+namespace {
+
+std::string text(const MeshSpot& spot) {
+  if (spot.count == 0) return "0 ";
+  return std::to_string(spot.count) + "@" + std::to_string(spot.file_triangle) + "(" +
+         std::to_string(spot.place_mm.x()) + "," + std::to_string(spot.place_mm.y()) + "," +
+         std::to_string(spot.place_mm.z()) + ") ";
+}
+
+std::string text(const MeshFindings& found) {
+  std::string all = std::to_string(found.vertices) + " " + std::to_string(found.edges) + " " +
+                    std::to_string(found.triangles) + " " + std::to_string(found.components) + " " +
+                    std::to_string(found.cavities) + ": ";
+  for (const MeshSpot* spot :
+       {&found.boundary_edges, &found.non_manifold_edges, &found.misoriented_edges, &found.unbalanced_edges,
+        &found.non_manifold_vertices, &found.duplicate_triangles, &found.inside_out_components}) {
+    all += text(*spot);
+  }
+  return all;
+}
+
+/// Some shapes beside and over each other, their triangles in any order.
+IndexedMesh random_scene(std::mt19937& random) {
+  const std::vector<IndexedMesh> shapes = {shapes::cube(),       shapes::tetrahedron(),
+                                           shapes::torus(),      shapes::hollow_cube(),
+                                           shapes::sphere(),     shapes::inside_out(shapes::cube(3)),
+                                           shapes::needle_fan(), shapes::cubes_touching_at_edge(),
+                                           shapes::open_cube(),  shapes::cubes_touching_at_vertex()};
+  IndexedMesh mesh = shapes[random() % 6];
+  for (auto k = random() % 3; k > 0; --k) {
+    // Mostly the closed ones, so that both ways are gone often.
+    const IndexedMesh& more = shapes[random() % 8 == 0 ? random() % shapes.size() : random() % 6];
+    mesh = shapes::joined(mesh, shapes::moved(more, Vec3(static_cast<double>(random() % 3) * 40, 0, 0)));
+  }
+  std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
+  for (TriangleCorners& t : mesh.triangles) std::rotate(t.begin(), t.begin() + random() % 3, t.end());
+  return mesh;
+}
+
+/// One fault of the kinds that files have.
+void break_something(IndexedMesh& mesh, std::mt19937& random) {
+  const std::size_t t = random() % mesh.triangles.size();
+  const TriangleCorners corners = mesh.triangles[t];
+  switch (random() % 5) {
+    case 0:
+      std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
+      break;
+    case 1:
+      mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+      break;
+    case 2:
+      shapes::add_triangle(mesh, corners[1], corners[2], corners[0]);
+      break;
+    case 3:
+      shapes::add_triangle(mesh, corners[1], corners[0], corners[2]);
+      break;
+    default: {  // two vertices become one
+      const Corner to = corners[0], from = mesh.triangles[random() % mesh.triangles.size()][0];
+      for (TriangleCorners& c : mesh.triangles) std::replace(c.begin(), c.end(), from, to);
+      std::erase_if(mesh.triangles,
+                    [](const TriangleCorners& c) { return c[0] == c[1] || c[1] == c[2] || c[2] == c[0]; });
+    }
+  }
+  mesh.file_triangle.resize(mesh.triangles.size());
+  for (std::uint32_t i = 0; i < mesh.file_triangle.size(); ++i) mesh.file_triangle[i] = i;
+}
+
+TEST(TwinSides, TheShortWayFindsWhatTheLongOneFinds) {
+  std::mt19937 random(5);
+  std::size_t short_ways = 0, long_ways = 0;
+  for (int round = 0; round < 3000; ++round) {
+    IndexedMesh mesh = random_scene(random);
+    for (auto k = random() % 3; k > 0 && mesh.triangles.size() > 1; --k) break_something(mesh, random);
+    const MeshFindings found = find_mesh_findings(mesh);
+    const MeshFindings all = find_mesh_findings(mesh, MeshAdjacency(mesh));
+    ASSERT_EQ(text(found), text(all)) << round;
+    ASSERT_EQ(found.signed_volume_mm3, all.signed_volume_mm3);
+    ASSERT_EQ(found.area_mm2, all.area_mm2);
+    const auto twins = find_twin_sides(mesh);
+    ASSERT_EQ(twins.has_value(), all.is_closed() && all.is_watertight() && all.non_manifold_edges.count == 0)
+        << round;
+    const bool is_short = twins && is_manifold(mesh, *twins);
+    ASSERT_EQ(is_short, twins && all.non_manifold_vertices.count == 0 && all.duplicate_triangles.count == 0)
+        << round;
+    ++(is_short ? short_ways : long_ways);
+  }
+  EXPECT_GT(short_ways, 500U);
+  EXPECT_GT(long_ways, 500U);
+}
+
+TEST(TwinSides, TheTwinOfATwinIsTheSideAndRunsBackAlongTheSameEdge) {
+  const IndexedMesh mesh = shapes::torus();
+  const auto twins = find_twin_sides(mesh);
+  ASSERT_TRUE(twins.has_value());
+  const auto from = [&](std::uint32_t side) { return mesh.triangles[side / 3][side % 3]; };
+  const auto to = [&](std::uint32_t side) { return mesh.triangles[side / 3][(side + 1) % 3]; };
+  for (std::uint32_t side = 0; side < twins->size(); ++side) {
+    const std::uint32_t twin = (*twins)[side];
+    EXPECT_EQ((*twins)[twin], side);
+    EXPECT_EQ(from(twin), to(side));
+    EXPECT_EQ(to(twin), from(side));
+  }
+}
+
+TEST(TwinSides, FourTrianglesAtAnEdgeHaveNone) {
+  EXPECT_FALSE(find_twin_sides(shapes::cubes_touching_at_edge()).has_value());
+  EXPECT_FALSE(find_twin_sides(shapes::open_cube()).has_value());
+}
+
+}  // namespace
+}  // namespace gouge
