@@ -90,13 +90,13 @@ class JobLoader {
   void read_meshes(const std::vector<std::string>& files, const char* role, std::vector<IndexedMesh>& meshes,
                    std::vector<MeshFacts>& facts, const RigidTransform& place) {
     for (const std::string& file : files) {
-      const Result<FileView> view = view_file(file);
+      Result<FileView> view = view_file(file);
       if (!view) {
         errors_.push_back(view.error());
         continue;
       }
       job_.inputs.push_back(describe_input(role, file, view->bytes));
-      Result<LoadedMesh> loaded = load_mesh_bytes(view->bytes, file, {stl_unit(), place});
+      Result<LoadedMesh> loaded = load_mesh_view(std::move(*view), file, {stl_unit(), place});
       if (!loaded) {
         errors_.push_back(loaded.error());
         continue;

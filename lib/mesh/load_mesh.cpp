@@ -1,32 +1,53 @@
 #include "lib/mesh/load_mesh.h"
 
+#include <memory>
 #include <utility>
 
-#include "lib/base/view_file.h"
 #include "lib/mesh/read_stl.h"
 
 namespace gouge {
+namespace {
 
-Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name,
-                                   const MeshPlacement& placement) {
-  const Result<TriangleSoup> soup = parse_stl(bytes, name);
+/// A mesh, and what only its file shows.
+struct Welded {
+  BuiltMesh built;
+  StlFormat format = StlFormat::binary;
+  Diagnostics notes;
+};
+
+// The file is let go of at the end, before anything else takes memory.
+Result<Welded> weld(FileView file, const std::string& name, const MeshPlacement& placement) {
+  Result<TriangleSoup> soup = parse_stl(file.bytes, name, std::move(file.keep));
   if (!soup) return soup.error();
   Result<BuiltMesh> built = build_mesh(*soup, placement);
   if (!built) return built.error();
+  return Welded{std::move(*built), soup->format, std::move(soup->notes)};
+}
+
+}  // namespace
+
+Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name, const MeshPlacement& placement) {
+  Result<Welded> welded = weld(std::move(file), name, placement);
+  if (!welded) return welded.error();
   LoadedMesh loaded;
-  loaded.findings = find_mesh_findings(*built);
-  loaded.mesh = std::move(built->mesh);
-  loaded.format = soup->format;
-  loaded.notes = soup->notes;
+  loaded.findings = find_mesh_findings(welded->built);
+  loaded.mesh = std::move(welded->built.mesh);
+  loaded.format = welded->format;
+  loaded.notes = std::move(welded->notes);
   for (Diagnostic& told : describe(loaded.findings, name, placement.unit))
     loaded.notes.push_back(std::move(told));
   return loaded;
 }
 
+Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name,
+                                   const MeshPlacement& placement) {
+  return load_mesh_view({bytes, nullptr}, name, placement);
+}
+
 Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement) {
-  const Result<FileView> file = view_file(path);
+  Result<FileView> file = view_file(path);
   if (!file) return file.error();
-  return load_mesh_bytes(file->bytes, path, placement);
+  return load_mesh_view(std::move(*file), path, placement);
 }
 
 }  // namespace gouge

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "lib/base/result.h"
+#include "lib/base/view_file.h"
 #include "lib/mesh/mesh_builder.h"
 #include "lib/mesh/mesh_findings.h"
 
@@ -18,6 +19,10 @@ struct LoadedMesh {
 /// From an STL file to a mesh and what there is to say about it.
 /// Errors: those of read_file, parse_stl and build_mesh.
 [[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {});
+
+/// The same from a file that is looked at already; it is let go of as soon as the mesh is welded.
+[[nodiscard]] Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name,
+                                                const MeshPlacement& placement = {});
 
 /// The same from the bytes of a file.
 [[nodiscard]] Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name,
