@@ -6,6 +6,7 @@
 #include "cli/exit_code.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
+#include "cli/peak_memory.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
 
@@ -39,7 +40,7 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   const Job& job = *loaded.job;
   Progress progress(err, options->progress);
   progress.begin("checking moves");
-  const PreparedScene scene = prepare_scene(job.scene);
+  const PreparedScene scene = prepare_scene(job.scene, options->check.threads);
   CheckResult result = check_path(job.toolpath, job.tools(), scene, options->check,
                                   [&](std::size_t done, std::size_t total) { progress.show(done, total); });
   progress.end();
@@ -50,7 +51,9 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   if (arguments.is_verbose) {
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";
   }
-  if (!write_outputs(arguments, job, model, progress, out, err)) return kExitInternal;
+  const bool is_written = write_outputs(arguments, job, model, progress, out, err);
+  if (arguments.is_verbose) print_peak_memory(err);
+  if (!is_written) return kExitInternal;
   return exit_status(overall_verdict(result));
 }
 

@@ -8,6 +8,7 @@
 #include "cli/job.h"
 #include "cli/length_text.h"
 #include "cli/outputs.h"
+#include "cli/peak_memory.h"
 #include "lib/base/files.h"
 #include "lib/correct/correct_path.h"
 #include "lib/overcut/measure_overcut.h"
@@ -63,7 +64,7 @@ class CorrectRun {
         progress_(err, job.options.progress) {}
 
   int run() {
-    const PreparedScene scene = prepare_scene(job_.scene);
+    const PreparedScene scene = prepare_scene(job_.scene, job_.options.check.threads);
     const CheckResult before = check("checking moves", job_.toolpath, scene);
     progress_.begin("correcting");
     const Correction correction =
@@ -80,7 +81,9 @@ class CorrectRun {
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before);
     print_notes(err_, model.notes, arguments_.job);
-    if (!write_outputs(arguments_.job, job_, model, progress_, out_, err_)) return kExitInternal;
+    const bool is_written = write_outputs(arguments_.job, job_, model, progress_, out_, err_);
+    if (arguments_.job.is_verbose) print_peak_memory(err_);
+    if (!is_written) return kExitInternal;
     return exit_status(overall_verdict(after));
   }
 

@@ -52,7 +52,7 @@ void add_output_options(CLI::App& command, JobArguments& a) {
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   command.add_flag("-q,--quiet", a.is_quiet, "Print no findings, only errors");
-  command.add_flag("-v,--verbose", a.is_verbose, "Print notes of all inputs and what the check spent");
+  command.add_flag("-v,--verbose", a.is_verbose, "Print notes of all inputs, what the check spent and its peak memory");
 }
 
 Diagnostic usage(const std::string& option, const std::string& typed, const std::string& expected) {

@@ -72,6 +72,20 @@ TEST(CommandLine, QuietPrintsNothingButKeepsTheStatus) {
   EXPECT_EQ(ran.out, "");
 }
 
+TEST(CommandLine, VerboseTellsThePeakMemoryToPeopleOnly) {
+  const SampleFolder sample = open_sample("needles");
+  const std::string path = sample.toolpath();
+  const Outcome told = run_gougecheck(sample.path, sample.arguments("check", path, {"-v", "--json", "-"}));
+  const std::size_t at = told.err.find("memory: ");
+  ASSERT_NE(at, std::string::npos) << told.err;
+  EXPECT_GT(std::stoul(told.err.substr(at + 8)), 2U);
+  EXPECT_NE(told.err.find(" MB at the peak\n"), std::string::npos) << told.err;
+  EXPECT_EQ(told.out.find("at the peak"), std::string::npos);
+  const Outcome plain = run_gougecheck(sample.path, sample.arguments("check", path, {"--json", "-"}));
+  EXPECT_EQ(plain.out, told.out);
+  EXPECT_EQ(plain.err.find("memory: "), std::string::npos) << plain.err;
+}
+
 TEST(CommandLine, AMoveThatCannotBeCheckedIsStatus4) {
   const SampleFolder sample = open_sample("needles");
   // From one axis to the opposite one the great circle is not determined.
