@@ -88,6 +88,7 @@ PathSpline make_spline(const std::vector<Vec3>& control, const std::vector<doubl
   std::vector<double> knots(kDegree + 1, 0.0);
   knots.insert(knots.end(), inner_knots.begin(), inner_knots.end());
   knots.insert(knots.end(), kDegree + 1, 1.0);
+  spline.pieces.reserve(inner_knots.size() + 1);
   for (std::size_t span = kDegree; span < control.size(); ++span) {
     if (knots[span] < knots[span + 1]) spline.pieces.push_back(cut_out(control, knots, span));
   }

@@ -1,6 +1,9 @@
 #include "postproc/cldata/arguments.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/text.h"
@@ -8,8 +11,20 @@
 namespace gouge {
 namespace {
 
-constexpr bool is_soft_separator(char c) {
-  return is_blank(c) || c == '(' || c == ')' || c == '/';
+enum class Role : std::uint8_t { text, comma, separator };
+
+constexpr std::array<Role, 256> kRoles = [] {
+  std::array<Role, 256> roles{};
+  for (std::size_t byte = 0; byte < roles.size(); ++byte) {
+    const char c = static_cast<char>(byte);
+    if (c == ',') roles[byte] = Role::comma;
+    if (is_blank(c) || c == '(' || c == ')' || c == '/') roles[byte] = Role::separator;
+  }
+  return roles;
+}();
+
+Role role_of(char c) {
+  return kRoles[static_cast<unsigned char>(c)];
 }
 
 }  // namespace
@@ -22,20 +37,21 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
   arguments.clear();
   bool is_expecting = true;  // after a comma, or at the start: a further comma means an empty argument
   for (const std::string_view piece : statement.pieces) {
-    for (std::size_t i = 0; i < piece.size();) {
-      if (is_soft_separator(piece[i])) {
-        ++i;
-      } else if (piece[i] == ',') {
-        if (is_expecting) arguments.push_back({piece.substr(i, 0), std::nullopt});
-        is_expecting = true;
-        ++i;
-      } else {
+    for (std::size_t i = 0; i < piece.size() && arguments.size() < kMostArguments;) {
+      const Role role = role_of(piece[i]);
+      if (role == Role::text) {
         const std::size_t begin = i;
-        while (i < piece.size() && piece[i] != ',' && !is_soft_separator(piece[i])) ++i;
+        while (i < piece.size() && role_of(piece[i]) == Role::text) ++i;
         const std::string_view text = piece.substr(begin, i - begin);
         arguments.push_back({text, parse_number(text)});
         is_expecting = false;
+        continue;
       }
+      if (role == Role::comma) {
+        if (is_expecting) arguments.push_back({piece.substr(i, 0), std::nullopt});
+        is_expecting = true;
+      }
+      ++i;
     }
   }
 }

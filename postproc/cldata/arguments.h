@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -8,8 +9,12 @@
 
 namespace gouge {
 
+/// No CAM system writes a statement of so many arguments; one that has them is refused rather than held.
+inline constexpr std::size_t kMostArguments = 100000;
+
 /// The arguments of `statement`, into `arguments` (whose memory is used again). Commas separate them; so do
 /// blanks, line ends, brackets and further slashes, as CAM systems write them. One trailing comma is allowed.
+/// Stops at kMostArguments.
 void split_arguments(const Statement& statement, std::vector<Argument>& arguments);
 
 /// The first argument that is not a number, or nothing.

@@ -67,6 +67,7 @@ void Interpreter::begin_curve() {
 
 void Interpreter::take_knots() {
   for (const Argument& argument : arguments_) {
+    make_room(knots_);
     if (argument.number) knots_.push_back(*argument.number);
     is_curve_understood_ = is_curve_understood_ && argument.number.has_value();
   }
@@ -90,6 +91,7 @@ void Interpreter::take_control_point() {
   position.form = PositionForm::curve;
   position.tip_local = *tip;
   position.axis_local = *axis;
+  make_room(control_local_);
   control_local_.push_back(*tip);
   curve_end_ = position;
 }
@@ -124,10 +126,13 @@ void Interpreter::attach_spline(Move& move) {
   move.not_checked_reason = Reasons::kSpline;
   const bool is_turning = move.start->axis.cross(move.end.axis).norm() > kSameAxis;
   if (!is_curve_understood_ || is_turning || knots_.empty() || std::abs(knots_.back() - 1) > 0) return;
-  std::vector<Vec3> control = {move.start->tip};
+  std::vector<Vec3> control;
+  control.reserve(control_local_.size() + 1);
+  control.push_back(move.start->tip);
   for (const Vec3& point : control_local_) control.push_back(to_part_.point(point));
   knots_.pop_back();
   PathSpline spline = make_spline(control, knots_);
+  make_room(path_.splines);
   if (spline.pieces.empty()) return;
   move.not_checked_reason = {};
   move.curve_kind = CurveKind::spline;
@@ -143,7 +148,10 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   if (arc.problem == nullptr && last_direction_) vote(arc, move.start->tip, *last_direction_);
   // Of points that follow one another on a circle each is reached the short way.
   if (is_open && position.points > 1) arc.sense = shorter_way(arc, move);
-  if (arc.sense == ArcSense::unknown && arc.problem == nullptr) open_arcs_.push_back({path_.moves.size(), arc});
+  if (arc.sense == ArcSense::unknown && arc.problem == nullptr) {
+    make_room(open_arcs_);
+    open_arcs_.push_back({path_.moves.size(), arc});
+  }
   fit(arc, move);
 }
 
@@ -170,6 +178,7 @@ void Interpreter::fit(const ArcStatement& arc, Move& move) {
   move.not_checked_reason = {};
   move.curve_kind = CurveKind::arc;
   move.curve = path_.arcs.size();
+  make_room(path_.arcs);
   path_.arcs.push_back(fit.arc);
 }
 

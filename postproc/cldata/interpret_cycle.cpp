@@ -57,7 +57,7 @@ void Interpreter::emit_cycle_step(const Position& position, const Vec3& tip_loca
                              move.start->axis.cross(move.end.axis).norm() <= kSameAxis;
   if (is_same_place) return;
   if (is_rapid) move.feed_mm_per_min = 0;
-  append(std::move(move), step);
+  append(move, step);
 }
 
 }  // namespace gouge

@@ -101,7 +101,7 @@ Vec3 Interpreter::implied_axis() const {
 void Interpreter::note_plain_axis(const Position& position) {
   if (dialect_.is_axis_modal || dialect_.has_known_plain_axis || multax_ == false) return;
   if (position.numbers == 6) {
-    is_last_tilted_ = position.axis_local.cross(fixed_axis_).norm() > kTiltTold;
+    is_last_tilted_ = position.axis_local.cross(fixed_axis_).squaredNorm() > kTiltTold * kTiltTold;
   } else if (is_last_tilted_) {
     if (plain_after_tilt_++ == 0) first_plain_after_tilt_ = statement_->line;
   }
@@ -112,6 +112,7 @@ void Interpreter::take_positions(PositionForm form) {
   const std::size_t numbers = numbers_per_point();
   if (numbers == 0) return;
   const std::size_t points = arguments_.size() / numbers;
+  make_room(path_.moves, points);
   for (std::size_t i = 0; i < points; ++i) {
     Position position;
     position.first_argument = i * numbers;
@@ -228,7 +229,7 @@ void Interpreter::emit(const Position& position) {
                                              : MoveKind::feed);
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = Reasons::kCycle;
   if (move.not_checked_reason.empty() && is_arc) attach_curve(position, move);
-  append(std::move(move), position);
+  append(move, position);
   if (is_cycle) unknown_start_ = Reasons::kAfterCycle;
   was_from_ = is_from;
 }
@@ -251,7 +252,7 @@ Move Interpreter::make_move(const Position& position, MoveKind kind) {
   return move;
 }
 
-void Interpreter::append(Move move, const Position& position) {
+void Interpreter::append(const Move& move, const Position& position) {
   if (records_ != nullptr) {
     records_->push_back({move.statement, position.point, position.points, position.first_argument,
                          position.numbers, position.form, is_rapid_, multax_ == false, rapid_statement_,
@@ -267,7 +268,8 @@ void Interpreter::append(Move move, const Position& position) {
   unknown_start_ = nullptr;
   is_rapid_ = false;
   was_from_ = false;
-  path_.moves.push_back(std::move(move));
+  make_room(path_.moves);
+  path_.moves.push_back(move);
 }
 
 }  // namespace gouge

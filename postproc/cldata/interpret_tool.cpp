@@ -12,6 +12,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kCuttersTold = 20;
+constexpr std::size_t kMostTools = 10000;  // a machine has hundreds
 constexpr std::array<std::string_view, 5> kTurningTypes = {"TURN", "GROOVE", "THREAD", "WEDM", "WIRE"};
 
 bool equal(double a, double b) {
@@ -152,6 +153,11 @@ std::size_t Interpreter::find_or_add_tool() {
   }
   const auto [it, is_new] = tool_of_key_.try_emplace(std::move(key), path_.tools.size());
   if (is_new) {
+    if (path_.tools.size() == kMostTools) {
+      fail("path-tools", "more than " + std::to_string(kMostTools) +
+                             " different tools; expected those of a machine: divide the file by operations");
+      is_hopeless_ = true;
+    }
     path_.tools.push_back({tool_.number, tool_.name, tool_.cutter, tool_.flute_length_mm, tool_.line});
     if (tool_.number) tool_of_number_[*tool_.number] = it->second;
   } else if (path_.tools[it->second].flute_length_mm <= 0) {
@@ -190,6 +196,7 @@ void Interpreter::resolve_operation() {
   if (!is_operation_new_) return;
   is_operation_new_ = false;
   operation_index_ = path_.operations.size();
+  make_room(path_.operations);
   path_.operations.push_back({operation_name_, operation_line_});
 }
 

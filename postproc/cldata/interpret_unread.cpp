@@ -57,7 +57,8 @@ void Interpreter::emit_unread() {
   unknown_start_ = Reasons::kAfterUnread;
   is_rapid_ = false;
   was_from_ = false;
-  path_.moves.push_back(std::move(move));
+  make_room(path_.moves);
+  path_.moves.push_back(move);
 }
 
 }  // namespace gouge

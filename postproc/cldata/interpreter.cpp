@@ -1,6 +1,7 @@
 #include "postproc/cldata/interpreter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "lib/base/number_text.h"
@@ -13,6 +14,9 @@ namespace {
 constexpr std::size_t kErrorsListed = 20;
 constexpr std::size_t kUnknownWordsListed = 200;
 constexpr std::size_t kLongestSymbol = 12;  // six to eight letters and a subscript
+constexpr double kShareThatTells = 0.02;  // of a file, to expect the same of its rest
+constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
+constexpr std::size_t kLongestMajor = 24;    // of a word that is told
 constexpr const char* kOtherWords = "(other words)";
 
 std::string unknown_word(std::string_view major) {
@@ -20,7 +24,7 @@ std::string unknown_word(std::string_view major) {
   const char c = major.front();
   if ((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.') return "(line of numbers)";
   std::string word;
-  for (const char letter : major.substr(0, 24)) {
+  for (const char letter : major.substr(0, kLongestMajor)) {
     const bool is_plain = letter >= ' ' && letter < '\x7f';
     word += !is_plain ? '?' : letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
   }
@@ -77,12 +81,25 @@ Interpreter::Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit
                          std::vector<MotionRecord>* records)
     : path_(path), dialect_(dialect), records_(records), mm_per_unit_(mm_per(unit)) {}
 
+std::size_t Interpreter::expected_count(std::size_t until_here) const {
+  const double share = static_cast<double>(statement_->last_byte) / static_cast<double>(path_.source.size());
+  const double growth = share < kShareThatTells ? kFirstGrowth : std::max(kMargin / share, kLeastGrowth);
+  return static_cast<std::size_t>(std::ceil(static_cast<double>(until_here) * growth));
+}
+
 void Interpreter::fail(std::string code, std::string message) {
   if (errors_.size() >= kErrorsListed) {
     ++errors_not_listed_;
     return;
   }
   errors_.push_back(make_error(std::move(code), std::move(message), path_.file, statement_->line));
+}
+
+void Interpreter::fail_too_long() {
+  arguments_.clear();
+  fail("path-count", std::string(statement_->major.substr(0, kLongestMajor)) + " has " +
+                         std::to_string(kMostArguments) + " arguments or more; expected a statement as CAM systems "
+                         "write it: divide it into several");
 }
 
 Diagnostics Interpreter::take_errors() {
@@ -112,11 +129,13 @@ void Interpreter::count_unknown() {
 
 void Interpreter::take(const Statement& statement) {
   statement_ = &statement;
+  make_room(path_.statements);
   path_.statements.push_back({statement.line, statement.first_byte, statement.last_byte});
   if (statement.is_unterminated) return fail("path-unterminated", cut_short_text(dialect_.kind));
   if (is_assignment(statement.major)) return refuse_part_program(statement.major);
   if (curve_statement_ != kNone && !is_within_curve(statement.word)) flush_curve();
   if (has_arguments(statement.word)) split_arguments(statement, arguments_);
+  if (std::max(arguments_.size(), statement.pieces.size()) >= kMostArguments) return fail_too_long();
   if (!take_motion_word() && !take_tool_word() && !take_frame_word() && !take_text_word() &&
       !take_unread_word()) {
     take_unknown();

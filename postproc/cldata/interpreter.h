@@ -100,7 +100,17 @@ class Interpreter {
     bool is_fresh = false;  // defined since the last motion
   };
 
+  /// `all` with room for `more`, or for as many as the rest of the file holds if it goes on like this: growing
+  /// by doubling would need three times the memory while it copies.
+  template <class Things>
+  void make_room(Things& all, std::size_t more = 1) const {
+    const std::size_t needed = all.size() + more;
+    if (needed > all.capacity()) all.reserve(expected_count(needed));
+  }
+  [[nodiscard]] std::size_t expected_count(std::size_t until_here) const;
+
   void fail(std::string code, std::string message);
+  void fail_too_long();
   void refuse_part_program(std::string_view what);
   void count_unknown();
 
@@ -130,7 +140,7 @@ class Interpreter {
   [[nodiscard]] Vec3 implied_axis() const;
   void emit(const Position& position);
   [[nodiscard]] Move make_move(const Position& position, MoveKind kind);
-  void append(Move move, const Position& position);
+  void append(const Move& move, const Position& position);
   void note_plain_axis(const Position& position);
   void break_motion();
 

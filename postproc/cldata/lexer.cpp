@@ -1,5 +1,6 @@
 #include "postproc/cldata/lexer.h"
 
+#include "postproc/cldata/arguments.h"
 #include "postproc/cldata/text.h"
 
 namespace gouge {
@@ -61,9 +62,17 @@ void Lexer::take_pieces(Statement& statement, std::string_view text) {
     std::string_view more = take_line();
     const bool is_continued_again = strip_line(more);
     if (more.empty() && !is_continued_again) continue;  // a comment or an empty line amid a statement
-    statement.pieces.push_back(more);
+    if (!more.empty() && statement.pieces.size() < kMostArguments) statement.pieces.push_back(more);
     is_continued = is_continued_again;
   }
+}
+
+Word Lexer::word_of(std::string_view major) {
+  if (major != last_major_) {
+    last_major_ = major;
+    last_word_ = find_word(major);
+  }
+  return last_word_;
 }
 
 bool Lexer::next(Statement& statement) {
@@ -93,7 +102,7 @@ bool Lexer::next(Statement& statement) {
     } else {
       take_pieces(statement, text);
       statement.major = take_major(statement.pieces.front());
-      statement.word = find_word(statement.major);
+      statement.word = word_of(statement.major);
     }
     statement.last_byte = at_;
     return true;

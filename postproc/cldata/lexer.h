@@ -21,10 +21,13 @@ class Lexer {
  private:
   [[nodiscard]] std::string_view take_line();
   void take_pieces(Statement& statement, std::string_view text);
+  [[nodiscard]] Word word_of(std::string_view major);
 
   std::string_view bytes_;
   std::size_t at_;
   std::size_t line_;
+  std::string_view last_major_;  // statements repeat the word of the one before them
+  Word last_word_ = Word::unknown;
 };
 
 }  // namespace gouge

@@ -1,6 +1,8 @@
 #include "postproc/cldata/read_toolpath.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <string_view>
 #include <utility>
 
@@ -13,28 +15,74 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kUsualBytesOfLine = 32;
+constexpr std::size_t kShortestPosition = std::string_view("GOTO/1,1,1").size();
+constexpr std::size_t kLongestFile = (std::size_t{1} << 32U) - 2;  // whose bytes a SmallIndex counts
 constexpr const char* kExpected = "expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI file";
 
+// Bytes that text does not have: no line end, no tab, no other blank.
+constexpr std::array<bool, 256> kIsControl = [] {
+  std::array<bool, 256> is_control{};
+  for (std::size_t byte = 0; byte < 0x20; ++byte) {
+    const char c = static_cast<char>(byte);
+    is_control[byte] = c != '\n' && !is_blank(c);
+  }
+  is_control[0x7f] = true;
+  return is_control;
+}();
+
 bool is_control(char c) {
-  const unsigned byte = static_cast<unsigned char>(c);
-  return (byte < 0x20 && c != '\n' && !is_blank(c)) || byte == 0x7f;
+  return kIsControl[static_cast<unsigned char>(c)];
+}
+
+// Where the first control character is, or the end. A stretch at a time, because a loop that cannot end early
+// looks at several bytes at once.
+std::size_t find_control(std::string_view bytes) {
+  constexpr std::size_t kStretch = 4096;
+  for (std::size_t at = 0; at < bytes.size(); at += kStretch) {
+    const std::string_view stretch = bytes.substr(at, kStretch);
+    unsigned has_control = 0;
+    for (const char c : stretch) has_control |= static_cast<unsigned>(is_control(c));
+    if (has_control == 0) continue;
+    return at + static_cast<std::size_t>(std::find_if(stretch.begin(), stretch.end(), is_control) - stretch.begin());
+  }
+  return bytes.size();
+}
+
+struct LineCount {
+  std::size_t with_text = 0;
+  std::size_t with_position = 0;  // those that look like GOTO/x,y,z
+};
+
+LineCount count_lines(std::string_view bytes) {
+  LineCount count;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
+    if (end > at) ++count.with_text;
+    if (end >= at + kShortestPosition && (bytes[at] == 'G' || bytes[at] == 'g')) ++count.with_position;
+    at = end + 1;
+  }
+  return count;
 }
 
 std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_view bytes,
                                           const Dialect& dialect, bool is_dialect_given) {
   if (bytes.empty()) return make_error("path-empty", std::string("the file is empty; ") + kExpected, file);
+  if (bytes.size() > kLongestFile) {
+    return make_error("path-too-long", "the file has " + std::to_string(bytes.size()) +
+                                           " bytes; expected fewer than 4 GiB: divide it by operations", file);
+  }
   if (dialect.kind == DialectKind::apt && !is_dialect_given) {
     if (auto sentence = describe_foreign(bytes))
       return make_error("path-not-cl-data", std::move(*sentence), file);
   }
   if (dialect.kind == DialectKind::nccs_binary) return std::nullopt;
-  const auto control = std::find_if(bytes.begin(), bytes.end(), is_control);
-  if (control == bytes.end()) return std::nullopt;
-  const auto line = static_cast<std::size_t>(std::count(bytes.begin(), control, '\n')) + 1;
+  const std::size_t control = find_control(bytes);
+  if (control == bytes.size()) return std::nullopt;
+  const std::string_view before = bytes.substr(0, control);
+  const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
   return make_error("path-binary",
-                    "is not text: byte " + std::to_string(static_cast<unsigned char>(*control)) +
-                        " at position " + std::to_string(control - bytes.begin()) + "; " + kExpected,
+                    "is not text: byte " + std::to_string(static_cast<unsigned char>(bytes[control])) +
+                        " at position " + std::to_string(control) + "; " + kExpected,
                     file, line);
 }
 
@@ -102,8 +150,9 @@ ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const
   path.unit = guess.unit;
   path.is_unit_stated = guess.source == UnitGuess::Source::stated;
 
-  path.statements.reserve(path.source.size() / kUsualBytesOfLine);
-  path.moves.reserve(path.source.size() / kUsualBytesOfLine);
+  const LineCount lines = count_lines(path.source);
+  path.statements.reserve(lines.with_text);
+  path.moves.reserve(lines.with_position);
   Interpreter interpreter(path, dialect, guess.unit, nullptr);
   if (options.is_cutcom_centre) interpreter.set_cutter_centre();
   StatementReader reader(path.source, dialect.kind);

@@ -31,11 +31,13 @@ struct ReadOutcome {
 /// Ensures  (1) Every GOTO, FROM, GOHOME, GODLTA, arc, spline or cycle point of the file is one move, or the
 ///              file is refused. (2) What is not understood is a move with a reason, a counted word or a
 ///              note.
-/// Errors   path-empty, path-binary, path-not-cl-data, path-unit, path-no-motion, path-part-program,
-/// path-unterminated,
-///          path-number, path-count, path-axis, path-cutter, path-statement, path-frame, path-range,
-///          path-more-errors.
-/// Cost     One pass; memory is the file plus about 250 bytes for each move.
+/// Errors   path-empty, path-too-long, path-binary, path-not-cl-data, path-unit, path-no-motion,
+///          path-part-program, path-unterminated, path-number, path-count, path-axis, path-cutter, path-tools,
+///          path-statement, path-frame, path-range, path-more-errors.
+/// Cost     One pass, about 300 MB/s on one core; memory is the file, 152 bytes for each move and 12 for each
+///          statement, none of them copied while it grows where lines have one position each. That is at most
+///          16 times the file for the shortest positions there are (GOTO/1,1,1), 4 times for usual ones of five
+///          axes, 30 times for lists of positions of one digit, 60 for such holes, each of which is four moves.
 [[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, std::string bytes,
                                         const ReadOptions& options = {});
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <random>
+#include <string>
 
 namespace gouge {
 namespace {
@@ -20,6 +22,18 @@ TEST(ParseNumber, RefusesWhatIsNotWhollyAFiniteNumber) {
   for (const char* text :
        {"", "-", ".", "1.2.3", "nan", "inf", "-inf", "1e400", "0x10", "1 ", " 1", "1,5", "+-1", "e5", "1e"}) {
     EXPECT_FALSE(parse_number(text)) << text;
+  }
+}
+
+// Short decimals go a way of their own, which must round as every other.
+TEST(ParseNumber, GivesTheNearestDoubleForAnyCountOfDigits) {
+  std::mt19937_64 random(11);
+  for (int i = 0; i < 200000; ++i) {
+    const std::size_t digits = 1 + random() % 20;
+    std::string text = random() % 2 == 0 ? "-" : "";
+    for (std::size_t k = 0; k < digits; ++k) text += static_cast<char>('0' + random() % 10);
+    if (random() % 8 != 0) text.insert(text.size() - random() % (digits + 1), 1, '.');
+    EXPECT_EQ(parse_number(text), std::strtod(text.c_str(), nullptr)) << text;
   }
 }
 

@@ -130,6 +130,20 @@ TEST(BadPath, GodltaNeedsAPlaceToMoveFrom) {
             "[path-statement]");
 }
 
+// Limits that keep the memory of reading a small multiple of the file.
+TEST(BadPath, MoreThanAnyCamSystemWrites) {
+  std::string list = "GOTO/0,0,0\nGOTO/";
+  for (int i = 0; i < 50000; ++i) list += "1,1,";
+  EXPECT_EQ(only_error(list + "1,1\n"),
+            "bad.apt:2: error: GOTO has 100000 arguments or more; expected a statement as CAM systems write it: "
+            "divide it into several [path-count]");
+  std::string tools;
+  for (int i = 1; i <= 10001; ++i) tools += "LOADTL/" + std::to_string(i) + "\nGOTO/1,1,1\n";
+  EXPECT_EQ(only_error(tools),
+            "bad.apt:20002: error: more than 10000 different tools; expected those of a machine: divide the file by "
+            "operations [path-tools]");
+}
+
 // One small file for each kind of bad input; the start of its name is the code it must be refused with.
 TEST(BadPath, EveryFileOfTheCorpusIsRefusedWithItsCode) {
   const std::filesystem::path folder = std::string(GOUGE_SOURCE_DIR) + "/tests/corpus/apt";
