@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/geom/rigid_transform.h"
 #include "lib/geom/vec.h"
 
 namespace gouge {
@@ -26,22 +27,47 @@ class DepthGrid {
     ask,      ///< either, at any depth: the cells are too coarse here
   };
 
+  using Cell = std::array<int, 3>;
+
   DepthGrid() = default;  ///< asks everywhere
   /// Requires a solid. At most about 4 million cells. Cost O(triangles and cells).
   explicit DepthGrid(const DepthBody& body);
 
-  [[nodiscard]] Answer at(const Vec3& point) const;
+  [[nodiscard]] Answer at(const Vec3& point) const { return answer(cell_of(point)); }
+
+  /// The cell of a point; cell_count(), which answers outside, for points out of the body's box.
+  [[nodiscard]] std::size_t cell_of(const Vec3& point) const;
+  /// The cells of `count` points moved by `pose`, coordinates apart; several at once where the processor can.
+  void cells_of(const RigidTransform& pose, const double* x, const double* y, const double* z,
+                std::size_t count, std::int32_t* cells) const;
+  [[nodiscard]] std::size_t cell_count() const { return cell_count_; }
+  [[nodiscard]] double cell_mm() const { return cell_mm_; }
+  [[nodiscard]] const Cell& counts() const { return counts_; }
+  [[nodiscard]] std::size_t index(const Cell& cell) const;
+  [[nodiscard]] Vec3 corner(const Cell& cell) const {
+    return low_ + cell_mm_ * Vec3(cell[0], cell[1], cell[2]);
+  }
+  [[nodiscard]] Answer answer(std::size_t cell) const {
+    return packed_.empty() ? Answer::ask : static_cast<Answer>((packed_[cell / 4] >> (cell % 4 * 2)) & 3U);
+  }
+
+  /// Not above the distance of a point outside to the solid; 0 where the point may be inside.
+  [[nodiscard]] double clear_mm(const Vec3& point) const;
 
  private:
-  [[nodiscard]] std::size_t index(const std::array<int, 3>& cell) const;
-  [[nodiscard]] Vec3 centre(const std::array<int, 3>& cell) const;
+  [[nodiscard]] Vec3 centre(const Cell& cell) const;
   void mark_surface(const DepthBody& body, std::vector<std::uint8_t>& is_near) const;
-  void fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near);
+  void fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near, std::vector<Answer>& answers);
+  void measure_clearance(const DepthBody& body);
 
-  Vec3 low_ = Vec3::Zero();
+  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
   double cell_mm_ = 0, per_mm_ = 0;
-  std::array<int, 3> counts_{0, 0, 0};
-  std::vector<Answer> cells_;
+  Cell counts_{0, 0, 0};
+  std::size_t cell_count_ = 0;
+  std::vector<std::uint8_t> packed_;        ///< an answer takes two bits
+  double block_mm_ = 0, per_block_mm_ = 0;  ///< blocks of several cells, for clear_mm
+  Cell block_counts_{0, 0, 0};
+  std::vector<float> clear_;  ///< by block
 };
 
 }  // namespace gouge

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "lib/penetration/depth_body.h"
 
@@ -16,6 +17,7 @@ struct SurfaceFoot {
   double distance_mm = 0;      ///< never negative
   bool is_inside = false;      ///< the point asked for lies in the solid
   std::uint32_t triangle = 0;  ///< of body.mesh
+  std::uint32_t place = 0;     ///< of the triangle in body.tree.order
 
   /// Negative inside.
   [[nodiscard]] double signed_mm() const { return is_inside ? -distance_mm : distance_mm; }
@@ -32,5 +34,10 @@ struct SurfaceFoot {
 /// The same once facet `place` of the tree is known to be nearest, with its foot.
 [[nodiscard]] SurfaceFoot signed_foot(const DepthBody& body, const Vec3& point, std::uint32_t place,
                                       const TriangleFoot& foot);
+
+/// Appends the places of the facets within `radius_mm` of a point, in no special order; false, and not all of
+/// them, when there are more than `most`.
+[[nodiscard]] bool facets_within(const DepthBody& body, const Vec3& point, double radius_mm, std::size_t most,
+                                 std::vector<std::uint32_t>& places);
 
 }  // namespace gouge

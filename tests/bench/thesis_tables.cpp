@@ -69,15 +69,23 @@ DepthBody standing_body(std::size_t width, IndexedMesh mesh, std::size_t leaf_tr
   return build_depth_body(std::move(mesh), options);
 }
 
-void print_6a(const DepthBody& body, const PointBody& points) {
+PenetrationOptions by(BroadPhase broad) {
+  PenetrationOptions options;
+  options.broad = broad;
+  return options;
+}
+
+void print_6a(const DepthBody& body, const PointBody& points, BroadPhase broad) {
   const double thesis_ms[3][2] = {{10, 14}, {6, 9}, {3, 4}};
-  std::printf("Table 6.a  %zu triangles, %zu points, k = 26, leaves of 1 triangle and at most %zu points\n",
-              body.mesh.triangles.size(), points.points.size(), points.options.leaf_points);
+  std::printf(
+      "Table 6.a  by %s: %zu triangles, %zu points, k = 26, leaves of 1 triangle and at most %zu points\n",
+      broad == BroadPhase::trees ? "trees" : "cells", body.mesh.triangles.size(), points.points.size(),
+      points.options.leaf_points);
   std::printf("%-16s %-10s %-12s | %-10s %-22s %-10s\n", "", "points", "2001 (ms)", "points",
               "now, us: 5%  50%  95%", "2001/now");
   std::size_t line = 0;
   for (const PoseRange& range : table_6a_ranges()) {
-    PenetrationFinder finder(body, points);
+    PenetrationFinder finder(body, points, by(broad));
     const auto samples = measure(finder, find_poses(body, points, range, 200), 50);
     const auto inside = [](const Sample& s) { return s.inside; };
     const double middle = time_share(samples, 0.5);
@@ -127,7 +135,7 @@ void print_6c() {
       for (const std::size_t width : {2U, 4U, 8U}) {
         const DepthBody body = standing_body(width, make_standing_body());
         const PointBody points = moving_body(width, is_weighed, body.options.directions);
-        PenetrationFinder finder(body, points);
+        PenetrationFinder finder(body, points, by(BroadPhase::trees));
         const auto samples = measure(finder, find_poses(body, points, range, 100), 5);
         const auto corners =
             share(samples, 0.5, [](const Sample& s) { return s.counters.corners_transformed; });
@@ -150,7 +158,7 @@ void print_fit(const DepthBody& body, const PointBody& points) {
   double mean = 0, count = 0, square = 0;
   std::vector<std::pair<Eigen::Vector3d, double>> rows;
   for (const PoseRange& range : table_6a_ranges()) {
-    PenetrationFinder finder(body, points);
+    PenetrationFinder finder(body, points, by(BroadPhase::trees));
     for (const Sample& s : measure(finder, find_poses(body, points, range, 200), 5)) {
       rows.emplace_back(Eigen::Vector3d(static_cast<double>(s.counters.volume_pairs),
                                         static_cast<double>(s.counters.exact_pairs), 1),
@@ -202,7 +210,10 @@ int main(int count, char** words) {
   const std::string only = count > 1 ? words[1] : "";
   const DepthBody body = bench::standing_body(8, bench::make_standing_body());
   const PointBody points = bench::moving_body(2, true, body.options.directions);
-  if (only.empty() || only == "6a") bench::print_6a(body, points);
+  if (only.empty() || only == "6a") {
+    bench::print_6a(body, points, BroadPhase::cells);
+    bench::print_6a(body, points, BroadPhase::trees);
+  }
   if (only.empty() || only == "6b") bench::print_6b();
   if (only.empty() || only == "6c") bench::print_6c();
   if (only.empty() || only == "fit") bench::print_fit(body, points);

@@ -21,6 +21,9 @@ namespace {
 
 const std::string kParts = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/parts/";
 constexpr std::size_t kBatch = 200;
+// The cells do not depend on directions and normals, only the searches they leave over on the width: one
+// setting of each width.
+constexpr std::size_t kCellsEvery = 31;
 
 std::size_t points_in_all() {
   const char* given = std::getenv("GOUGE_PENETRATION_POINTS");
@@ -59,14 +62,10 @@ struct Tally {
   std::size_t points = 0, inside = 0, deeper = 0, wrong = 0;
 };
 
-/// Compares one batch of points in one setting.
-void compare(const DepthBody& body, const Setting& setting, const std::vector<Vec3>& in_frame,
+/// Compares one batch of points in one setting, found by the trees or by the cells.
+void compare(const DepthBody& body, const Setting& setting, const PointBody& points, BroadPhase broad,
              const RigidTransform& pose, const std::vector<Truth>& truths, Tally& tally) {
-  PointBodyOptions options;
-  options.directions = setting.directions;
-  options.width = setting.width;
-  const PointBody points = build_point_body(in_frame, options);
-  PenetrationFinder finder(body, points);
+  PenetrationFinder finder(body, points, {NarrowMode::exact, 0, true, broad});
   const PenetrationAnswer& answer = finder.find(pose);
   std::vector<const PointContact*> told(truths.size(), nullptr);
   for (const PointContact& c : answer.contacts) told[c.point] = &c;
@@ -92,9 +91,9 @@ void compare(const DepthBody& body, const Setting& setting, const std::vector<Ve
     tally.wrong += is_right ? 0 : 1;
     if (!is_right && tally.wrong < 5) {
       ADD_FAILURE() << body.mesh.name << " k " << setting.directions.k() << " width " << setting.width
-                    << ": point " << truth.place.transpose() << " true "
-                    << (truth.is_inside ? "inside " : "outside ") << truth.distance_mm << ", told "
-                    << (told[i] ? told[i]->contact.depth_mm : -1.0);
+                    << (broad == BroadPhase::trees ? " by trees" : " by cells") << ": point "
+                    << truth.place.transpose() << " true " << (truth.is_inside ? "inside " : "outside ")
+                    << truth.distance_mm << ", told " << (told[i] ? told[i]->contact.depth_mm : -1.0);
     }
   }
 }
@@ -122,9 +121,16 @@ Tally run(const IndexedMesh& mesh, double depth_mm, std::size_t count, std::uint
         options.depth_mm = depth_mm;
         options.width = settings[k].width;
         options.normals = settings[k].normals;
+        options.has_cells = k % kCellsEvery == 0;
         bodies[k] = std::make_unique<DepthBody>(build_depth_body(mesh, options));
       }
-      compare(*bodies[k], settings[k], in_frame, pose, truths, tally);
+      PointBodyOptions options;
+      options.directions = settings[k].directions;
+      options.width = settings[k].width;
+      const PointBody points = build_point_body(in_frame, options);
+      compare(*bodies[k], settings[k], points, BroadPhase::trees, pose, truths, tally);
+      if (k % kCellsEvery == 0)
+        compare(*bodies[k], settings[k], points, BroadPhase::cells, pose, truths, tally);
     }
   }
   return tally;

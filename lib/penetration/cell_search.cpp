@@ -1,0 +1,143 @@
+#include "lib/penetration/cell_search.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "lib/penetration/nearest_foot.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kBits = 64, kBlock = 32;
+
+constexpr double kRoundUp = 1 + 1e-9, kRoundDown = 1 - 1e-9;
+
+}  // namespace
+
+CellSearch::CellSearch(const DepthBody& body, const PointBody& points, const PenetrationOptions& options)
+    : body_(body),
+      points_(points),
+      options_(options),
+      rim_mm_(1e-3 * static_cast<double>(body.slack_mm)),
+      asked_of_(points.points.size()),
+      is_asked_((points.points.size() + kBits - 1) / kBits, 0) {}
+
+void CellSearch::find(const RigidTransform& pose, PenetrationAnswer& answer) {
+  asked_.clear();
+  descend(pose, answer.counters);
+  // In order of the points, without a sort.
+  std::size_t count = 0;
+  for (const Asked& asked : asked_) {
+    asked_of_[asked.point] = static_cast<std::uint32_t>(count++);
+    is_asked_[asked.point / kBits] |= std::uint64_t{1} << (asked.point % kBits);
+    body_.near.prefetch_list(asked.cell);
+  }
+  for (std::size_t word = 0; word < is_asked_.size(); ++word) {
+    for (std::uint64_t bits = is_asked_[word]; bits != 0; bits &= bits - 1) {
+      const auto point = word * kBits + static_cast<std::size_t>(std::countr_zero(bits));
+      measure(asked_[asked_of_[point]], answer);
+    }
+    is_asked_[word] = 0;
+  }
+}
+
+void CellSearch::descend(const RigidTransform& pose, PenetrationCounters& counters) {
+  stack_.assign(1, 0);
+  while (!stack_.empty()) {
+    const std::uint32_t index = stack_.back();
+    stack_.pop_back();
+    const KdopNode& node = points_.tree.nodes[index];
+    const std::array<double, 4>& ball = points_.balls[index];
+    ++counters.volume_pairs;
+    counters.moving_level = std::max<std::uint32_t>(counters.moving_level, node.level);
+    if (body_.depths.clear_mm(pose.point(Vec3(ball[0], ball[1], ball[2]))) > ball[3] * kRoundUp) continue;
+    if (node.children == 0) {
+      counters.points_transformed += node.item_count;
+      look_up(node, pose);
+      continue;
+    }
+    for (std::uint32_t child = node.first; child < node.first + node.children; ++child)
+      stack_.push_back(child);
+  }
+}
+
+void CellSearch::look_up(const KdopNode& leaf, const RigidTransform& pose) {
+  std::array<std::int32_t, kBlock> cells;
+  const std::size_t end = leaf.item_first + leaf.item_count;
+  for (std::size_t first = leaf.item_first; first < end; first += kBlock) {
+    const std::size_t count = std::min(kBlock, end - first);
+    const double *const x = points_.xs.data() + first, *const y = points_.ys.data() + first,
+                        *const z = points_.zs.data() + first;
+    body_.depths.cells_of(pose, x, y, z, count, cells.data());
+    for (std::size_t k = 0; k < count; ++k) {
+      const auto cell = static_cast<std::uint32_t>(cells[k]);
+      if (body_.depths.answer(cell) == DepthGrid::Answer::outside) continue;
+      body_.near.prefetch(cell);
+      asked_.push_back({pose.point(Vec3(x[k], y[k], z[k])), points_.tree.order[first + k], cell});
+    }
+  }
+}
+
+/// Over the facet the height is the distance, and its sign the side; only what is not over the facet it is
+/// nearest to needs more.
+SurfaceFoot CellSearch::nearest(const Asked& asked, PenetrationCounters& counters) const {
+  const NearFacets& near = body_.near;
+  const NearFacets::Known known = near.at(asked.cell);
+  if (known.facets.empty()) {
+    ++counters.inside_tests;
+    return *nearest_foot(body_, asked.place);
+  }
+  counters.primitive_pairs += known.facets.size();
+  double best2 = std::numeric_limits<double>::infinity(), over_mm = 0;
+  std::uint32_t best = 0;
+  TriangleFoot foot;
+  bool is_over = false;
+  for (const std::uint32_t facet : known.facets) {
+    const FacetPlanes::Heights height = near.planes(facet).at(asked.place);
+    const bool is_beyond = !(height.beyond_mm < -rim_mm_);
+    const double least2 =
+        height.over_mm * height.over_mm + (height.beyond_mm > 0 ? height.beyond_mm * height.beyond_mm : 0);
+    if (least2 * kRoundDown >= best2) continue;
+    if (!is_beyond) {
+      if (!(least2 < best2)) continue;
+      best2 = least2;
+      over_mm = height.over_mm;
+    } else {
+      ++counters.exact_pairs;
+      const TriangleFoot other = closest_on_triangle(asked.place, body_.corners[near.place(facet)]);
+      if (!(other.distance2_mm2 < best2)) continue;
+      best2 = other.distance2_mm2;
+      foot = other;
+    }
+    is_over = !is_beyond;
+    best = facet;
+  }
+  if (!known.is_complete) {
+    ++counters.inside_tests;
+    return *nearest_foot(body_, asked.place, std::sqrt(best2) * kRoundUp + rim_mm_);
+  }
+  const std::uint32_t place = near.place(best);
+  if (!is_over) return signed_foot(body_, asked.place, place, foot);
+  const Vec3 normal = near.planes(best).normal();
+  return {asked.place - over_mm * normal, normal, std::abs(over_mm), over_mm < 0,
+          body_.tree.order[place],        place};
+}
+
+void CellSearch::measure(const Asked& asked, PenetrationAnswer& answer) const {
+  const SurfaceFoot foot = nearest(asked, answer.counters);
+  const double depth = foot.distance_mm;
+  if (!foot.is_inside || !(depth > 0)) {
+    ++answer.counters.false_positives;
+    return;
+  }
+  const bool is_deeper = depth > body_.options.depth_mm;
+  if (is_deeper && !options_.is_deeper_told) return;
+  answer.contacts.push_back(
+      {{asked.place, foot.normal, depth, options_.body, body_.mesh.file_triangle[foot.triangle]},
+       asked.point,
+       is_deeper});
+}
+
+}  // namespace gouge

@@ -1,0 +1,227 @@
+#include "lib/penetration/near_facets.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "lib/base/parallel.h"
+#include "lib/penetration/depth_body.h"
+#include "lib/penetration/nearest_foot.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kBand = 2;  // lists reach to this many depths below the surface
+constexpr int kBrick = 8;    // cells along a side
+constexpr std::size_t kChunk = 8;
+constexpr std::size_t kMostGathered = 64, kMostListed = 12;
+constexpr int kHalvings = 2;        // of a cell
+constexpr std::size_t kLevels = 7;  // four of cubes of cells, two of halved cells, one to spare
+
+struct Distant {
+  double mm = 0;
+  std::uint32_t place = 0;
+  Vec3 way = Vec3::Zero();  ///< unit, from the foot; zero at it
+};
+
+/// The lists of some bricks.
+struct NearFacetsPart {
+  struct Cell {
+    std::uint32_t index, list;  ///< list: place in lists
+  };
+  std::vector<Cell> cells;
+  std::vector<std::uint32_t> lists;
+};
+
+/// Lists of the cells of one brick after another: cubes of cells are halved down to cells, and each hands
+/// those facets on that may be nearest somewhere in it.
+class BrickFacets {
+ public:
+  BrickFacets(const DepthBody& body, double within_mm)
+      : body_(body),
+        grid_(body.depths),
+        within_mm_(within_mm),
+        rounding_mm_(kRounding * static_cast<double>(body.slack_mm)) {}
+
+  void add_brick(const DepthGrid::Cell& low, NearFacetsPart& part) {
+    part_ = &part;
+    add_cube(low, kBrick, nullptr, 0);
+  }
+
+ private:
+  // In units of the body's slack, which is four roundings of single precision: far above those of doubles.
+  static constexpr double kRounding = 1e-3;
+  using Places = std::vector<std::uint32_t>;
+
+  static double diagonal(double half_mm) { return std::sqrt(3.0) * half_mm; }
+
+  /// `among`: the facets that may be nearest; null where they were too many.
+  void add_cube(const DepthGrid::Cell& low, int cells, const Places* among, std::size_t level) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (low[i] >= grid_.counts()[i]) return;
+    }
+    if (cells == 1 && grid_.answer(grid_.index(low)) == DepthGrid::Answer::outside) return;
+    const double half_mm = 0.5 * cells * grid_.cell_mm();
+    const Vec3 centre = grid_.corner(low) + Vec3::Constant(half_mm);
+    std::optional<SurfaceFoot> foot;
+    if (among == nullptr) {
+      foot = nearest_foot(body_, centre, within_mm_ + diagonal(half_mm));
+      if (!foot) return;
+      gathered_.clear();
+      const double reach = foot->distance_mm + 2 * diagonal(half_mm) + rounding_mm_;
+      if (facets_within(body_, centre, reach, kMostGathered, gathered_)) among = &gathered_;
+    }
+    Places& here = here_[level];
+    if (among != nullptr) {
+      const double nearest_mm = prune(centre, half_mm, *among, here, level);
+      if (nearest_mm > within_mm_ + diagonal(half_mm)) return;
+    }
+    if (cells == 1) {
+      if (among == nullptr) return add_list(low, {foot->place}, 0);
+      return add_cell(low, centre, half_mm, here, level);
+    }
+    const int n = cells / 2;
+    for (int k = 0; k < 8; ++k)
+      add_cube({low[0] + (k & 1) * n, low[1] + (k >> 1 & 1) * n, low[2] + (k >> 2) * n}, n,
+               among != nullptr ? &here : nullptr, level + 1);
+  }
+
+  void add_cell(const DepthGrid::Cell& cell, const Vec3& centre, double half_mm, const Places& among,
+                std::size_t level) {
+    kept_.clear();
+    keep(centre, half_mm, among, level, kHalvings);
+    order_.clear();
+    for (const std::uint32_t place : kept_)
+      order_.emplace_back(closest_on_triangle(centre, body_.corners[place]).distance2_mm2, place);
+    std::sort(order_.begin(), order_.end());
+    for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] = order_[i].second;
+    if (kept_.size() > kMostListed) return add_list(cell, {kept_[0]}, 0);
+    add_list(cell, kept_, NearFacets::kIsComplete);
+  }
+
+  /// Neighbours often have the same list; it is kept once.
+  void add_list(const DepthGrid::Cell& cell, const Places& places, std::uint32_t flag) {
+    const auto count = static_cast<std::uint32_t>(places.size()) | flag;
+    Places& lists = part_->lists;
+    const auto same = [&](std::size_t at) {
+      return lists[at] == count &&
+             std::equal(places.begin(), places.end(), lists.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+    };
+    if (part_->cells.empty() || !same(part_->cells.back().list)) {
+      part_->cells.push_back(
+          {static_cast<std::uint32_t>(grid_.index(cell)), static_cast<std::uint32_t>(lists.size())});
+      lists.push_back(count);
+      lists.insert(lists.end(), places.begin(), places.end());
+      return;
+    }
+    part_->cells.push_back({static_cast<std::uint32_t>(grid_.index(cell)), part_->cells.back().list});
+  }
+
+  /// How much nearer than `nearest` facet `d` can become on a way of `h` from the centre. Distances to a
+  /// convex set are convex, and their slope turns by no more than one over the distance.
+  static double gain_within(double h, const Distant& d, const Distant& nearest) {
+    const double plain = 2 * h;
+    if (!(nearest.mm > 1.5 * h)) return plain;
+    return std::min(plain, h * (d.way - nearest.way).norm() + h * h / (2 * (nearest.mm - h)));
+  }
+
+  /// Of `among` those that may be nearest in the cube; tells the distance of the one nearest to its centre.
+  double prune(const Vec3& centre, double half_mm, const Places& among, Places& here, std::size_t level) {
+    std::vector<Distant>& distances = distances_[level];
+    distances.clear();
+    here.clear();
+    Distant nearest;
+    nearest.mm = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t place : among) {
+      const Vec3 way = centre - closest_on_triangle(centre, body_.corners[place]).point;
+      const double mm = way.norm();
+      distances.push_back({mm, place, mm > 0 ? Vec3(way / mm) : Vec3(Vec3::Zero())});
+      if (mm < nearest.mm) nearest = distances.back();
+    }
+    const double h = diagonal(half_mm);
+    for (const Distant& d : distances) {
+      if (d.mm - nearest.mm <= gain_within(h, d, nearest) + rounding_mm_) here.push_back(d.place);
+    }
+    return nearest.mm;
+  }
+
+  /// Adds to kept_ the facets that may be nearest in the cube, halved `halvings` times more.
+  void keep(const Vec3& centre, double half_mm, const Places& among, std::size_t level, int halvings) {
+    const bool is_news = std::any_of(among.begin(), among.end(), [this](std::uint32_t place) {
+      return std::find(kept_.begin(), kept_.end(), place) == kept_.end();
+    });
+    if (!is_news) return;
+    if (among.size() == 1 || halvings == 0) {
+      for (const std::uint32_t place : among) {
+        if (std::find(kept_.begin(), kept_.end(), place) == kept_.end()) kept_.push_back(place);
+      }
+      return;
+    }
+    const double quarter = 0.5 * half_mm;
+    Places& here = here_[level + 1];
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 to((k & 1) != 0 ? quarter : -quarter, (k & 2) != 0 ? quarter : -quarter,
+                    (k & 4) != 0 ? quarter : -quarter);
+      const Vec3 middle = centre + to;
+      prune(middle, quarter, among, here, level + 1);
+      keep(middle, quarter, here, level + 1, halvings - 1);
+    }
+  }
+
+  const DepthBody& body_;
+  const DepthGrid& grid_;
+  double within_mm_, rounding_mm_;
+  NearFacetsPart* part_ = nullptr;
+  Places gathered_, kept_;
+  std::vector<std::pair<double, std::uint32_t>> order_;
+  std::array<std::vector<Distant>, kLevels> distances_;
+  std::array<Places, kLevels> here_;
+};
+
+}  // namespace
+
+NearFacets::NearFacets(const DepthBody& body) {
+  const DepthGrid& grid = body.depths;
+  std::vector<DepthGrid::Cell> bricks;
+  for (int z = 0; z < grid.counts()[2]; z += kBrick) {
+    for (int y = 0; y < grid.counts()[1]; y += kBrick) {
+      for (int x = 0; x < grid.counts()[0]; x += kBrick) bricks.push_back({x, y, z});
+    }
+  }
+  std::vector<NearFacetsPart> parts((bricks.size() + kChunk - 1) / kChunk);
+  for_each_chunk(bricks.size(), kChunk, 0, [&](std::size_t first, std::size_t last) {
+    BrickFacets facets(body, kBand * body.options.depth_mm);
+    for (std::size_t i = first; i < last; ++i) facets.add_brick(bricks[i], parts[first / kChunk]);
+  });
+  first_.assign(grid.cell_count() + 1, 0);
+  lists_.push_back(0);
+  for (const NearFacetsPart& part : parts) {
+    const auto base = static_cast<std::uint32_t>(lists_.size());
+    for (const NearFacetsPart::Cell& cell : part.cells) first_[cell.index] = base + cell.list;
+    lists_.insert(lists_.end(), part.lists.begin(), part.lists.end());
+  }
+  number_facets(body);
+}
+
+/// In the order of the bricks, so that what is asked for together lies together.
+void NearFacets::number_facets(const DepthBody& body) {
+  constexpr std::uint32_t kNone = ~0U;
+  std::vector<std::uint32_t> facet_at(body.corners.size(), kNone);
+  for (std::size_t at = 1; at < lists_.size();) {
+    const std::size_t end = at + 1 + (lists_[at] & ~kIsComplete);
+    for (++at; at < end; ++at) {
+      const std::uint32_t place = lists_[at];
+      if (facet_at[place] == kNone) {
+        facet_at[place] = static_cast<std::uint32_t>(places_.size());
+        places_.push_back(place);
+        planes_.push_back(facet_planes(body.corners[place], body.sign.face(body.tree.order[place])));
+      }
+      lists_[at] = facet_at[place];
+    }
+  }
+}
+
+}  // namespace gouge
