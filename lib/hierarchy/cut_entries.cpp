@@ -2,30 +2,41 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
+#include <limits>
 
 namespace gouge::detail {
 namespace {
 
 constexpr std::size_t kMostBins = 1024;
+// So many entries tell the widest axis well enough.
+constexpr std::size_t kSample = 512;
 
-/// Equal parts of a box along one axis. The number of a bin never falls as a middle grows.
+/// Equal parts of a box along one axis, the outer ones without an end.
 class Bins {
  public:
   Bins(const EntryBox& box, std::size_t axis, std::size_t entries)
       : axis_(axis),
         count_(std::clamp(std::bit_ceil(entries) / 2, std::size_t{2}, kMostBins)),
+        last_(static_cast<float>(count_ - 1)),
         low_(box.low[axis]),
         scale_(static_cast<float>(count_) / box.width(axis)) {}
 
   [[nodiscard]] std::size_t count() const { return count_; }
+  /// Too thin to be divided in single precision: everything is one bin.
+  [[nodiscard]] bool is_too_thin() const { return !(scale_ < 1e20F); }
+
+  /// Never falls as a middle grows; bin k is where this is from k to k + 1.
+  [[nodiscard]] float place_of(const Entry& entry) const { return (entry.middle[axis_] - low_) * scale_; }
   [[nodiscard]] std::size_t of(const Entry& entry) const {
-    const auto bin = static_cast<std::int32_t>((entry.middle[axis_] - low_) * scale_);
-    return std::min(static_cast<std::size_t>(bin), count_ - 1);
+    const float place = place_of(entry);
+    const float from_zero = place > 0 ? place : 0;
+    return static_cast<std::uint32_t>(static_cast<std::int32_t>(from_zero < last_ ? from_zero : last_));
   }
 
  private:
   std::size_t axis_, count_;
-  float low_, scale_;
+  float last_, low_, scale_;
 };
 
 /// A bin, and how many entries are in the bins before it and in it.
@@ -33,7 +44,7 @@ struct CutBin {
   std::size_t bin = 0, before = 0, within = 0;
 };
 
-CutBin bin_of_rank(std::span<const Entry> entries, const Bins& bins, std::size_t rank) {
+CutBin bin_of_rank(std::span<const Entry> entries, const Bins bins, std::size_t rank) {
   std::array<std::uint32_t, kMostBins> counts;
   std::fill_n(counts.begin(), bins.count(), 0U);
   for (const Entry& e : entries) ++counts[bins.of(e)];
@@ -45,24 +56,39 @@ CutBin bin_of_rank(std::span<const Entry> entries, const Bins& bins, std::size_t
   return cut;
 }
 
+// An entry as it is moved: whole.
+using Whole = std::uint32_t __attribute__((vector_size(16)));
+static_assert(sizeof(Whole) == sizeof(Entry));
+
+/// Writes an entry to both places where it may belong, so that there is nothing to guess for the processor.
+[[gnu::always_inline]] inline void copy_to_both(const Entry& entry, Entry& one, Entry& other) {
+  Whole whole;
+  std::memcpy(&whole, &entry, sizeof whole);
+  std::memcpy(&one, &whole, sizeof whole);
+  std::memcpy(&other, &whole, sizeof whole);
+}
+
 /// Entries of the bins before the cut first, then those of its own bin, then the others.
-void part_at(std::span<Entry> entries, std::span<Entry> scratch, const Bins& bins, const CutBin& cut) {
+void part_at(std::span<Entry> entries, std::span<Entry> scratch, const Bins bins, const CutBin cut) {
+  constexpr float kEnd = std::numeric_limits<float>::infinity();
+  const float begin = cut.bin == 0 ? -kEnd : static_cast<float>(cut.bin);
+  const float end = cut.bin + 1 == bins.count() ? kEnd : static_cast<float>(cut.bin + 1);
   Entry* low = entries.data();
   Entry* rest = scratch.data();
   for (const Entry& e : entries) {
-    const Entry kept = e;
-    const bool is_low = bins.of(kept) < cut.bin;
-    *(is_low ? low : rest) = kept;
-    low += is_low ? 1 : 0;
-    rest += is_low ? 0 : 1;
+    const std::ptrdiff_t is_low = bins.place_of(e) < begin ? 1 : 0;
+    copy_to_both(e, *low, *rest);
+    low += is_low;
+    rest += 1 - is_low;
   }
-  Entry* high = low + cut.within;
-  for (const Entry* e = scratch.data(); e != rest; ++e) {
-    const bool is_within = bins.of(*e) == cut.bin;
-    *(is_within ? low : high) = *e;
-    low += is_within ? 1 : 0;
-    high += is_within ? 0 : 1;
+  Entry* high = scratch.data();
+  for (const Entry* e = high; e != rest; ++e) {
+    const std::ptrdiff_t is_within = bins.place_of(*e) < end ? 1 : 0;
+    copy_to_both(*e, *low, *high);
+    low += is_within;
+    high += 1 - is_within;
   }
+  std::copy(scratch.data(), high, low);
 }
 
 }  // namespace
@@ -75,24 +101,23 @@ std::size_t EntryBox::widest_axis() const {
   return widest;
 }
 
-EntryBox box_of(std::span<const Entry> entries) {
+EntryBox box_of(std::span<const Entry> entries, std::size_t step) {
   EntryBox box{entries[0].middle, entries[0].middle};
-  for (const Entry& e : entries) {
+  for (std::size_t i = 0; i < entries.size(); i += step) {
     for (std::size_t k = 0; k < 3; ++k) {
-      box.low[k] = std::min(box.low[k], e.middle[k]);
-      box.high[k] = std::max(box.high[k], e.middle[k]);
+      box.low[k] = std::min(box.low[k], entries[i].middle[k]);
+      box.high[k] = std::max(box.high[k], entries[i].middle[k]);
     }
   }
   return box;
 }
 
 void cut_entries(std::span<Entry> entries, std::span<Entry> scratch, std::size_t rank) {
-  const EntryBox box = box_of(entries);
+  const EntryBox box = box_of(entries, std::max(std::size_t{1}, entries.size() / kSample));
   const std::size_t axis = box.widest_axis();
   CutBin cut{0, 0, entries.size()};
   const Bins bins(box, axis, entries.size());
-  // A width that single precision cannot divide by leaves one bin: everything.
-  if (static_cast<float>(bins.count()) / box.width(axis) < 1e30F) {
+  if (!bins.is_too_thin()) {
     cut = bin_of_rank(entries, bins, rank);
     part_at(entries, scratch, bins, cut);
   }

@@ -26,8 +26,8 @@ struct EntryBox {
   [[nodiscard]] std::size_t widest_axis() const;
 };
 
-/// Requires at least one entry.
-[[nodiscard]] EntryBox box_of(std::span<const Entry> entries);
+/// Of every `step`th entry. Requires at least one.
+[[nodiscard]] EntryBox box_of(std::span<const Entry> entries, std::size_t step = 1);
 
 /// Moves the `rank` entries that come first along the widest axis (ties: lower triangles first) before the
 /// others. The order on either side depends on nothing but the order before.

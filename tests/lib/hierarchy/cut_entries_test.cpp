@@ -36,7 +36,7 @@ TEST(CutEntries, WhatComesFirstIsWhatASortPutsFirst) {
     for (const std::size_t count : {2U, 3U, 17U, 64U, 1000U, 5000U}) {
       for (const std::size_t rank : {std::size_t{1}, count / 2, count - 1}) {
         std::vector<Entry> entries = random_entries(count, static_cast<unsigned>(count) + 1, places);
-        const std::size_t axis = box_of(entries).widest_axis();
+        const std::size_t axis = box_of(entries, std::max(std::size_t{1}, count / 512)).widest_axis();
         std::vector<Entry> sorted = entries, scratch(count);
         std::sort(sorted.begin(), sorted.end(),
                   [axis](const Entry& a, const Entry& b) { return comes_first(a, b, axis); });
@@ -58,6 +58,25 @@ TEST(CutEntries, SizesFarApartAndHardlyApartAreCut) {
     for (std::size_t i = 50; i < 100; ++i) first = std::min(first, entries[i].middle[1]);
     EXPECT_LE(last, first) << size;
     EXPECT_EQ(first_triangles(entries, 100).size(), 100U);
+  }
+}
+
+TEST(CutEntries, EntriesThatNoSampleSeesAreCutAllTheSame) {
+  // Of 5120 entries every tenth is looked at for the box; here those are all in one place, or nearly.
+  for (const float spread : {0.0F, 1e-30F, 1e-6F, 1.0F}) {
+    for (const float far : {1.0F, 1e9F}) {
+      std::vector<Entry> entries(5120), scratch(5120);
+      for (std::uint32_t i = 0; i < entries.size(); ++i) {
+        const float side = i % 2 == 0 ? -far : far;
+        entries[i] = {{i % 10 == 0 ? spread * static_cast<float>(i) : side * static_cast<float>(i), 0, 0}, i};
+      }
+      std::vector<Entry> sorted = entries;
+      std::sort(sorted.begin(), sorted.end(),
+                [](const Entry& a, const Entry& b) { return comes_first(a, b, 0); });
+      cut_entries(entries, scratch, 2048);
+      EXPECT_EQ(first_triangles(entries, 2048), first_triangles(sorted, 2048)) << spread << " " << far;
+      EXPECT_EQ(first_triangles(entries, 5120).size(), 5120U);
+    }
   }
 }
 
