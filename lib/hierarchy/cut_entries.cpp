@@ -60,12 +60,12 @@ CutBin bin_of_rank(std::span<const Entry> entries, const Bins bins, std::size_t 
 using Whole = std::uint32_t __attribute__((vector_size(16)));
 static_assert(sizeof(Whole) == sizeof(Entry));
 
-/// Writes an entry to both places where it may belong, so that there is nothing to guess for the processor.
+/// Writes an entry to both places where it may belong, so that the processor has nothing to guess.
 [[gnu::always_inline]] inline void copy_to_both(const Entry& entry, Entry& one, Entry& other) {
   Whole whole;
   std::memcpy(&whole, &entry, sizeof whole);
-  std::memcpy(&one, &whole, sizeof whole);
-  std::memcpy(&other, &whole, sizeof whole);
+  std::memcpy(static_cast<void*>(&one), &whole, sizeof whole);
+  std::memcpy(static_cast<void*>(&other), &whole, sizeof whole);
 }
 
 /// Entries of the bins before the cut first, then those of its own bin, then the others.

@@ -29,8 +29,9 @@ struct EntryBox {
 /// Of every `step`th entry. Requires at least one.
 [[nodiscard]] EntryBox box_of(std::span<const Entry> entries, std::size_t step = 1);
 
-/// Moves the `rank` entries that come first along the widest axis (ties: lower triangles first) before the
-/// others. The order on either side depends on nothing but the order before.
+/// Moves the `rank` entries that come first along one axis (ties: lower triangles first) before the others.
+/// The axis is the widest by a sample of the entries; the order on either side depends on nothing but the
+/// order before.
 ///
 /// Requires 0 < rank < entries.size() <= scratch.size(), and finite middles.
 /// Cost     O(n).
