@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/large_pages.h"
 #include "lib/base/parallel.h"
 #include "lib/hierarchy/block_tree.h"
 #include "lib/hierarchy/bound_leaves.h"
@@ -71,7 +72,9 @@ class Builder {
     make_entries();
     sort_into_subtrees();
     tree_.nodes.resize(nodes_below(total_));
-    tree_.leaves.resize((total_ + kBlockLanes - 1) / kBlockLanes);
+    const std::size_t leaves = (total_ + kBlockLanes - 1) / kBlockLanes;
+    reserve_large(tree_.leaves, leaves);
+    tree_.leaves.resize(leaves);
     areas_.resize(tree_.leaves.size());
     plan({0, 0, total_});
     for_each_chunk(subtrees_.size(), 1, threads_, [this](std::size_t first, std::size_t last) {
@@ -92,6 +95,7 @@ class Builder {
   };
 
   void make_entries() {
+    reserve_large(entries_, total_);
     entries_.resize(total_);
     for_each_chunk(total_, 1 << 14, threads_, [this](std::size_t first, std::size_t last) {
       std::array<std::array<float, 3>, 3> c;
@@ -122,7 +126,9 @@ class Builder {
 
   // All cuts of one depth side by side, from the whole down to the subtrees.
   void sort_into_subtrees() {
-    std::vector<Entry> scratch(total_);
+    std::vector<Entry> scratch;
+    reserve_large(scratch, total_);
+    scratch.resize(total_);
     std::vector<Cut> cuts, next;
     keep_if_large(cuts, 0, total_);
     while (!cuts.empty()) {

@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/large_pages.h"
+
 namespace gouge {
 namespace {
 
@@ -29,7 +31,10 @@ std::uint64_t hash_of(const Vec3& point) {
 class WeldTable {
  public:
   explicit WeldTable(std::size_t expected_vertices)
-      : slots_(std::bit_ceil(expected_vertices * 2 + 16)), mask_(slots_.size() - 1) {}
+      : mask_(std::bit_ceil(expected_vertices * 2 + 16) - 1) {
+    reserve_large(slots_, mask_ + 1);
+    slots_.resize(mask_ + 1);
+  }
 
   void prefetch(std::uint64_t hash) const { __builtin_prefetch(&slots_[hash & mask_]); }
 
@@ -131,9 +136,9 @@ Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& plac
   BuiltMesh built;
   IndexedMesh& mesh = built.mesh;
   mesh.name = soup.name;
-  mesh.triangles.reserve(soup.triangles.size());
-  mesh.file_triangle.reserve(soup.triangles.size());
-  mesh.vertices.reserve(soup.triangles.size() / 2 + 2);
+  reserve_large(mesh.triangles, soup.triangles.size());
+  reserve_large(mesh.file_triangle, soup.triangles.size());
+  reserve_large(mesh.vertices, soup.triangles.size() / 2 + 2);
   WeldTable table(soup.triangles.size() / 2);
   Ahead ahead(soup.triangles, table);
   const double scale = mm_per(placement.unit);

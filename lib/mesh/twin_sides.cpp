@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <limits>
 
+#include "lib/base/large_pages.h"
+
 namespace gouge {
 namespace {
 
@@ -20,8 +22,10 @@ struct Edge {
 class Matcher {
  public:
   explicit Matcher(const IndexedMesh& mesh)
-      : mesh_(mesh), first_(mesh.vertices.size(), kNone), twins_(3 * mesh.triangles.size()) {
-    edges_.reserve(twins_.size() / 2);
+      : mesh_(mesh), sides_(3 * mesh.triangles.size()), first_(mesh.vertices.size(), kNone) {
+    reserve_large(edges_, sides_ / 2);
+    reserve_large(twins_, sides_);
+    twins_.resize(sides_);
   }
 
   std::optional<TwinSides> match() {
@@ -50,13 +54,14 @@ class Matcher {
       ++matched_;
       return true;
     }
-    if (low == high || edges_.size() == twins_.size() / 2) return false;
+    if (low == high || edges_.size() == sides_ / 2) return false;
     edges_.push_back({high, side << 2U | upward, first_[low]});
     first_[low] = static_cast<std::uint32_t>(edges_.size() - 1);
     return true;
   }
 
   const IndexedMesh& mesh_;
+  std::size_t sides_;
   std::vector<std::uint32_t> first_;  // per vertex: its list
   std::vector<Edge> edges_;
   TwinSides twins_;
