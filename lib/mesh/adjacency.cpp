@@ -2,22 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
+#include <utility>
 
 namespace gouge {
 namespace {
-
-// A triangle's side, kept in the bucket of its lower vertex.
-struct Side {
-  Corner high = 0;
-  std::uint32_t triangle = 0;
-  std::uint8_t k = 0;
-  bool is_forward = true;
-};
-
-bool operator<(const Side& a, const Side& b) {
-  return std::tie(a.high, a.triangle, a.k) < std::tie(b.high, b.triangle, b.k);
-}
 
 // Turns counts (stored one place later) into the first index of each bucket.
 void counts_to_firsts(std::vector<std::uint32_t>& counts) {
@@ -49,33 +37,40 @@ void MeshAdjacency::collect_triangles_of_vertices(const IndexedMesh& mesh) {
 }
 
 void MeshAdjacency::collect_edges(const IndexedMesh& mesh) {
-  const auto side = [&](std::uint32_t t, std::uint8_t k) {
-    return std::pair(mesh.triangles[t][k], mesh.triangles[t][(k + 1U) % 3U]);
-  };
   const std::size_t triangle_count = mesh.triangles.size();
-  std::vector<std::uint32_t> first(mesh.vertices.size() + 1, 0);
-  for (std::uint32_t t = 0; t < triangle_count; ++t) {
-    for (std::uint8_t k = 0; k < 3; ++k) ++first[std::min(side(t, k).first, side(t, k).second) + 1];
+  const auto from = [&](std::size_t t, std::size_t k) { return mesh.triangles[t][k]; };
+  const auto to = [&](std::size_t t, std::size_t k) { return mesh.triangles[t][(k + 1) % 3]; };
+  // Sides 3 t + k in the buckets of their lower vertices, which begin where the ones before them end.
+  std::vector<std::uint32_t> end(mesh.vertices.size() + 1, 0);
+  for (std::size_t t = 0; t < triangle_count; ++t) {
+    for (std::size_t k = 0; k < 3; ++k) ++end[std::min(from(t, k), to(t, k)) + 1];
   }
-  counts_to_firsts(first);
-  std::vector<Side> sides(3 * triangle_count);
-  std::vector<std::uint32_t> next(first.begin(), first.end() - 1);
-  for (std::uint32_t t = 0; t < triangle_count; ++t) {
-    for (std::uint8_t k = 0; k < 3; ++k) {
-      const auto [from, to] = side(t, k);
-      sides[next[std::min(from, to)]++] = {std::max(from, to), t, k, from < to};
+  counts_to_firsts(end);
+  std::vector<std::uint32_t> sides(3 * triangle_count);
+  for (std::size_t t = 0; t < triangle_count; ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      sides[end[std::min(from(t, k), to(t, k))]++] = static_cast<std::uint32_t>(3 * t + k);
     }
   }
-  uses_.resize(sides.size());
+  uses_.reserve(sides.size());
   triangle_edges_.resize(triangle_count);
   edges_.reserve(sides.size() / 2 + 1);
+  std::vector<std::pair<Corner, std::uint32_t>> bucket;  // the higher vertex, and the side
   for (Corner low = 0; low < mesh.vertices.size(); ++low) {
-    std::sort(sides.begin() + first[low], sides.begin() + first[low + 1]);
-    for (std::uint32_t i = first[low]; i < first[low + 1]; ++i) {
-      if (i == first[low] || sides[i].high != sides[i - 1].high) edges_.push_back({low, sides[i].high, i, 0});
+    bucket.clear();
+    for (std::size_t i = uses_.size(); i < end[low]; ++i) {
+      const std::size_t t = sides[i] / 3, k = sides[i] % 3;
+      bucket.emplace_back(std::max(from(t, k), to(t, k)), sides[i]);
+    }
+    std::sort(bucket.begin(), bucket.end());
+    for (std::size_t i = 0; i < bucket.size(); ++i) {
+      const auto [high, side] = bucket[i];
+      if (i == 0 || high != bucket[i - 1].first) {
+        edges_.push_back({low, high, static_cast<std::uint32_t>(uses_.size()), 0});
+      }
       ++edges_.back().use_count;
-      uses_[i] = {sides[i].triangle, sides[i].is_forward};
-      triangle_edges_[sides[i].triangle][sides[i].k] = static_cast<std::uint32_t>(edges_.size() - 1);
+      uses_.push_back({side / 3, from(side / 3, side % 3) == low});
+      triangle_edges_[side / 3][side % 3] = static_cast<std::uint32_t>(edges_.size() - 1);
     }
   }
 }
