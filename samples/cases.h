@@ -13,6 +13,9 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_between_swing();  ///< the tip rests, the holder swings through a post
 [[nodiscard]] Sample make_between_head();   ///< the tip rests, the machine head dips into a post
 [[nodiscard]] Sample make_thin_post();      ///< a post 0.04 mm thick, one long rapid
+[[nodiscard]] Sample make_arcs_nx();       ///< arcs of both senses about a post, in three dialects
+[[nodiscard]] Sample make_arcs_creo();
+[[nodiscard]] Sample make_arcs_catia();
 [[nodiscard]] Sample make_buried();         ///< the tool inside a block, no surface inside the tool
 [[nodiscard]] Sample make_inch();           ///< inch toolpath, inch part
 [[nodiscard]] Sample make_needles();        ///< flat end mill exactly on a plane of needle triangles

@@ -137,7 +137,8 @@ Sample make_big_triangles() {
 std::vector<Sample> make_all() {
   return {make_freeform(),      make_pocket(),       make_blade(),        make_between_rib(),
           make_between_swing(), make_between_head(), make_thin_post(),    make_buried(),
-          make_inch(),          make_needles(),      make_big_triangles()};
+          make_inch(),          make_needles(),      make_big_triangles(), make_arcs_nx(),
+          make_arcs_creo(),     make_arcs_catia()};
 }
 
 }  // namespace gouge::samples

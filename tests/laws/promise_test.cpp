@@ -26,7 +26,10 @@ const SampleCase kSamples[] = {{"freeform", samples::make_freeform},
                                {"buried", samples::make_buried},
                                {"inch", samples::make_inch},
                                {"needles", samples::make_needles},
-                               {"big_triangles", samples::make_big_triangles}};
+                               {"big_triangles", samples::make_big_triangles},
+                               {"arcs_nx", samples::make_arcs_nx},
+                               {"arcs_creo", samples::make_arcs_creo},
+                               {"arcs_catia", samples::make_arcs_catia}};
 
 class PromiseOnSamples : public ::testing::TestWithParam<SampleCase> {
  protected:

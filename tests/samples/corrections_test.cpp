@@ -25,17 +25,26 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
-/// Lines that a correction may change: the positions at both ends of moves with a finding.
+bool begins_with(const std::string& line, const std::string& start) {
+  return line.compare(0, start.size(), start) == 0;
+}
+
+/// Lines that a correction may change: the positions at both ends of moves with a finding, and what says that such
+/// a move is an arc.
 std::set<std::size_t> changeable_lines(const SampleFolder& sample, const std::vector<std::string>& lines) {
   std::set<std::size_t> changeable;
   for (const auto& finding : sample.expected.at("findings")) {
-    const std::size_t line = finding.at("line");
+    std::size_t line = finding.at("line");
     changeable.insert(line);
     for (std::size_t before = line - 1; before > 0; --before) {
-      if (lines[before - 1].rfind("GOTO", 0) != 0) continue;
-      changeable.insert(before);
-      break;
+      const std::string& text = lines[before - 1];
+      const bool is_position = begins_with(text, "GOTO");
+      const bool is_of_arc = begins_with(text, "CIRCLE") || begins_with(text, "INDIRV") ||
+                             begins_with(text, "AUTOPS") || (before > 1 && begins_with(lines[before - 2], "CIRCLE"));
+      if (is_position || is_of_arc) changeable.insert(before);
+      if (is_position) break;
     }
+    while (lines[line - 1].back() == '$') changeable.insert(++line);
   }
   return changeable;
 }

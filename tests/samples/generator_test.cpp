@@ -31,7 +31,7 @@ TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
       }
     }
   }
-  EXPECT_EQ(solids, 13U);
+  EXPECT_EQ(solids, 16U);
 }
 
 TEST(SampleSolids, ABoxHasTheVolumeOfItsSides) {
@@ -68,7 +68,8 @@ TEST(SampleFindings, StandOnLinesThatHoldPositions) {
     std::size_t start = 0;
     for (std::size_t end; (end = sample.toolpath.find('\n', start)) != std::string::npos;
          start = end + 1, ++line) {
-      const bool is_position = sample.toolpath.compare(start, 4, "GOTO") == 0;
+      const bool is_position = sample.toolpath.compare(start, 4, "GOTO") == 0 ||
+                               sample.toolpath.compare(start, 4, "TLON") == 0;
       positions += is_position ? 1 : 0;
       const bool has_finding = std::any_of(sample.findings.begin(), sample.findings.end(),
                                            [&](const auto& f) { return f.line == line; });
