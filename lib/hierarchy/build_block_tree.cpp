@@ -71,7 +71,9 @@ class Builder {
     if (total_ == 0) return std::move(tree_);
     make_entries();
     sort_into_subtrees();
-    tree_.nodes.resize(nodes_below(total_));
+    const std::size_t nodes = nodes_below(total_);
+    reserve_large(tree_.nodes, nodes);
+    tree_.nodes.resize(nodes);
     const std::size_t leaves = (total_ + kBlockLanes - 1) / kBlockLanes;
     reserve_large(tree_.leaves, leaves);
     tree_.leaves.resize(leaves);
