@@ -11,6 +11,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kBits = 64, kBlock = 32;
+constexpr std::size_t kAhead = 4;  // points whose facets are on their way from memory
 
 constexpr double kRoundUp = 1 + 1e-9, kRoundDown = 1 - 1e-9;
 
@@ -27,17 +28,21 @@ CellSearch::CellSearch(const DepthBody& body, const PointBody& points, const Pen
 void CellSearch::find(const RigidTransform& pose, PenetrationAnswer& answer) {
   asked_.clear();
   descend(pose, answer.counters);
-  // In order of the points, without a sort.
-  std::size_t count = 0;
-  for (const Asked& asked : asked_) {
-    asked_of_[asked.point] = static_cast<std::uint32_t>(count++);
-    is_asked_[asked.point / kBits] |= std::uint64_t{1} << (asked.point % kBits);
-    body_.near.prefetch_list(asked.cell);
+  // Measured in the order of the moving tree, where neighbours follow each other; told in the order of the
+  // points, without a sort.
+  feet_.clear();
+  for (std::size_t i = 0; i < asked_.size(); ++i) {
+    if (i + 2 * kAhead < asked_.size()) body_.near.prefetch_list(asked_[i + 2 * kAhead].cell);
+    if (i + kAhead < asked_.size()) body_.near.prefetch_facet(asked_[i + kAhead].cell);
+    feet_.push_back(nearest(asked_[i], answer.counters));
+    const std::uint32_t point = asked_[i].point;
+    asked_of_[point] = static_cast<std::uint32_t>(i);
+    is_asked_[point / kBits] |= std::uint64_t{1} << (point % kBits);
   }
   for (std::size_t word = 0; word < is_asked_.size(); ++word) {
     for (std::uint64_t bits = is_asked_[word]; bits != 0; bits &= bits - 1) {
-      const auto point = word * kBits + static_cast<std::size_t>(std::countr_zero(bits));
-      measure(asked_[asked_of_[point]], answer);
+      const std::uint32_t i = asked_of_[word * kBits + static_cast<std::size_t>(std::countr_zero(bits))];
+      tell(asked_[i], feet_[i], answer);
     }
     is_asked_[word] = 0;
   }
@@ -125,8 +130,7 @@ SurfaceFoot CellSearch::nearest(const Asked& asked, PenetrationCounters& counter
           body_.tree.order[place],        place};
 }
 
-void CellSearch::measure(const Asked& asked, PenetrationAnswer& answer) const {
-  const SurfaceFoot foot = nearest(asked, answer.counters);
+void CellSearch::tell(const Asked& asked, const SurfaceFoot& foot, PenetrationAnswer& answer) const {
   const double depth = foot.distance_mm;
   if (!foot.is_inside || !(depth > 0)) {
     ++answer.counters.false_positives;

@@ -35,7 +35,7 @@ class CellSearch {
 
   void descend(const RigidTransform& pose, PenetrationCounters& counters);
   void look_up(const KdopNode& leaf, const RigidTransform& pose);
-  void measure(const Asked& asked, PenetrationAnswer& answer) const;
+  void tell(const Asked& asked, const SurfaceFoot& foot, PenetrationAnswer& answer) const;
   [[nodiscard]] SurfaceFoot nearest(const Asked& asked, PenetrationCounters& counters) const;
 
   const DepthBody& body_;
@@ -44,6 +44,7 @@ class CellSearch {
   double rim_mm_;  ///< nearer to an edge than this counts as beyond it: some roundings of doubles
   std::vector<std::uint32_t> stack_;
   std::vector<Asked> asked_;
+  std::vector<SurfaceFoot> feet_;        ///< of asked_
   std::vector<std::uint32_t> asked_of_;  ///< by point: place in asked_, if its bit is set
   std::vector<std::uint64_t> is_asked_;  ///< a bit for each point
 };

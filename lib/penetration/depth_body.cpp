@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "lib/mesh/mesh_findings.h"
 #include "lib/penetration/below_facets.h"
 #include "lib/penetration/inner_reach.h"
+#include "lib/penetration/node_bounds.h"
 
 namespace gouge {
 namespace {
@@ -90,61 +90,6 @@ BisectorNormals bisectors_of(const DepthBody& body, const MeshAdjacency& adjacen
   return normals;
 }
 
-void fill_boxes(DepthBody& body) {
-  body.boxes.resize(6 * body.tree.nodes.size());
-  for (std::size_t n = body.tree.nodes.size(); n-- > 0;) {
-    const KdopNode& node = body.tree.nodes[n];
-    float* const box = body.boxes.data() + 6 * n;
-    Box3 all;
-    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
-      for (const Vec3& corner : body.corners[node.first + k]) all.extend(corner);
-    }
-    for (int i = 0; i < 3; ++i) {
-      if (node.children == 0) {
-        box[i] = static_cast<float>(all.min()[i]) - body.slack_mm;
-        box[i + 3] = static_cast<float>(all.max()[i]) + body.slack_mm;
-        continue;
-      }
-      const float* const first = body.boxes.data() + 6 * std::size_t{node.first};
-      box[i] = first[i];
-      box[i + 3] = first[i + 3];
-      for (std::size_t k = 1; k < node.children; ++k) {
-        box[i] = std::min(box[i], first[6 * k + static_cast<std::size_t>(i)]);
-        box[i + 3] = std::max(box[i + 3], first[6 * k + static_cast<std::size_t>(i) + 3]);
-      }
-    }
-  }
-}
-
-NodeDisc disc_of(const DepthBody& body, const KdopNode& node) {
-  Vec3 normal = Vec3::Zero();
-  Box3 box;
-  for (std::uint32_t k = node.item_first; k < node.item_first + node.item_count; ++k) {
-    const std::array<Vec3, 3>& facet = body.corners[k];
-    normal += (facet[1] - facet[0]).cross(facet[2] - facet[0]);
-    for (const Vec3& corner : facet) box.extend(corner);
-  }
-  normal = normal.squaredNorm() > 0 ? Vec3(normal.normalized()) : Vec3(Vec3::UnitZ());
-  const Vec3 centre = box.center();
-  double low = std::numeric_limits<double>::infinity(), high = -low, radius2 = 0;
-  for (std::uint32_t k = node.item_first; k < node.item_first + node.item_count; ++k) {
-    for (const Vec3& corner : body.corners[k]) {
-      low = std::min(low, normal.dot(corner));
-      high = std::max(high, normal.dot(corner));
-      radius2 = std::max(radius2, (corner - centre).squaredNorm());
-    }
-  }
-  NodeDisc disc{};
-  for (int i = 0; i < 3; ++i) {
-    disc.n[i] = static_cast<float>(normal[i]);
-    disc.c[i] = static_cast<float>(centre[i]);
-  }
-  disc.o = static_cast<float>(0.5 * (low + high));
-  disc.half = static_cast<float>(0.5 * (high - low)) + body.slack_mm;
-  disc.r = static_cast<float>(std::sqrt(radius2)) + body.slack_mm;
-  return disc;
-}
-
 }  // namespace
 
 DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
@@ -177,9 +122,7 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
     if (options.is_lean) continue;
     body.bisectors.push_back(bisectors_of(body, adjacency, t));
   }
-  fill_boxes(body);
-  body.discs.reserve(body.tree.nodes.size());
-  for (const KdopNode& node : body.tree.nodes) body.discs.push_back(disc_of(body, node));
+  fill_node_bounds(body);
   if (options.is_lean) return body;
   body.is_clear_below = facets_clear_below(body);
   if (body.is_solid) body.depths = DepthGrid(body);

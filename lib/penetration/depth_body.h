@@ -8,6 +8,7 @@
 #include "lib/kdop/kdop_tree.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/offset/vertex_offsets.h"
+#include "lib/penetration/bound_block.h"
 #include "lib/penetration/depth_grid.h"
 #include "lib/penetration/near_facets.h"
 #include "lib/penetration/surface_sign.h"
@@ -48,12 +49,6 @@ struct FacetRecord {
   }
 };
 
-/// What a node's facets lie in: a ball about c of radius r, and a slab n . x = o +- half along their mean
-/// normal. Where the surface is nearly flat the slab is thin, which no box is that stands askew.
-struct NodeDisc {
-  float n[3], o, c[3], r, half;
-};
-
 /// Bisector planes of a facet with its neighbours, edge k from corner k to the next: a point behind the facet
 /// is nearer to the facet's plane than to the neighbour's while normal_k . (x - corner_k) >= 0 (thesis 4.8).
 using BisectorNormals = std::array<Vec3, 3>;
@@ -70,14 +65,14 @@ struct DepthBody {
   std::vector<BisectorNormals> bisectors;
   /// Six numbers a node: the box of its facets without depth, lower ends first, not above the true ones.
   std::vector<float> boxes;
+  std::vector<BoundBlock> blocks;  ///< the same tree for searches, down to facets; the first is the root
   /// By place: nothing else of the surface crosses the prism of height depth_mm below the facet, so a point
   /// in it is inside.
   std::vector<std::uint8_t> is_clear_below;
-  DepthGrid depths;             ///< tells what is deeper than depth_mm; empty unless is_solid
-  NearFacets near;              ///< empty unless is_solid and options.has_cells
-  std::vector<NodeDisc> discs;  ///< by node
-  float slack_mm = 0;           ///< single precision may be off by this
-  bool is_solid = false;        ///< closed, oriented, outward: inside means something
+  DepthGrid depths;       ///< tells what is deeper than depth_mm; empty unless is_solid
+  NearFacets near;        ///< empty unless is_solid and options.has_cells
+  float slack_mm = 0;     ///< single precision may be off by this
+  bool is_solid = false;  ///< closed, oriented, outward: inside means something
 };
 
 /// Requires what build_mesh ensures; depth_mm > 0.

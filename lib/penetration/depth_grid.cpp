@@ -52,7 +52,7 @@ DepthGrid::DepthGrid(const DepthBody& body) {
     const unsigned bits = static_cast<unsigned>(answers[cell]) << (cell % 4 * 2);
     packed_[cell / 4] = static_cast<std::uint8_t>(packed_[cell / 4] | bits);
   }
-  measure_clearance(body);
+  if (body.options.has_cells) measure_clearance(body);
 }
 
 std::size_t DepthGrid::index(const Cell& c) const {

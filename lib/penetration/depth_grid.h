@@ -51,7 +51,8 @@ class DepthGrid {
     return packed_.empty() ? Answer::ask : static_cast<Answer>((packed_[cell / 4] >> (cell % 4 * 2)) & 3U);
   }
 
-  /// Not above the distance of a point outside to the solid; 0 where the point may be inside.
+  /// Not above the distance of a point outside to the solid; 0 where the point may be inside, and everywhere
+  /// unless the body is to have cells.
   [[nodiscard]] double clear_mm(const Vec3& point) const;
 
  private:

@@ -50,6 +50,14 @@ class NearFacets {
   void prefetch_list(std::size_t cell) const {
     if (!first_.empty()) __builtin_prefetch(lists_.data() + first_[cell]);
   }
+  void prefetch_facet(std::size_t cell) const {
+    const Known known = at(cell);
+    if (known.facets.empty()) return;
+    const auto* const planes = reinterpret_cast<const char*>(planes_.data() + known.facets[0]);
+    __builtin_prefetch(planes);
+    __builtin_prefetch(planes + sizeof(FacetPlanes) / 2);
+    __builtin_prefetch(places_.data() + known.facets[0]);
+  }
 
  private:
   void number_facets(const DepthBody& body);

@@ -10,6 +10,8 @@ namespace gouge {
 namespace {
 
 constexpr float kSingle = 4.0F / (1 << 24), kFilterSlack = 8;
+constexpr std::size_t kCacheLine = 64;
+constexpr double kRoundUp = 1 + 1e-6;
 
 double box_distance2(const float* box, const Vec3& p) {
   double sum = 0;
@@ -26,75 +28,73 @@ class Search {
   Search(const DepthBody& body, const Vec3& point, double within_mm)
       : body_(body),
         point_(point),
-        best2_(within_mm * within_mm),
-        x_(static_cast<float>(point.x())),
-        y_(static_cast<float>(point.y())),
-        z_(static_cast<float>(point.z())),
-        slack_(body.slack_mm + kSingle * static_cast<float>(point.cwiseAbs().maxCoeff())) {}
+        single_{static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z())},
+        slack_mm_(kFilterSlack *
+                  (body.slack_mm + kSingle * static_cast<float>(point.cwiseAbs().maxCoeff()))) {
+    take(within_mm * within_mm);
+  }
 
   std::optional<SurfaceFoot> run() {
-    if (body_.tree.nodes.empty()) return std::nullopt;
+    if (body_.blocks.empty()) return std::nullopt;
     visit(0);
     if (!has_foot_) return std::nullopt;
     return signed_foot(body_, point_, place_, foot_);
   }
 
  private:
+  static constexpr std::size_t kLanes = BoundBlock::kLanes;
+
+  /// Nearest first.
   void visit(std::uint32_t index) {
-    const KdopNode& node = body_.tree.nodes[index];
-    if (node.children == 0) {
-      for (std::uint32_t k = 0; k < node.item_count; ++k) offer(node.first + k);
-      return;
-    }
-    std::array<std::pair<double, std::uint32_t>, 8> near;
+    const BoundBlock& block = body_.blocks[index];
+    alignas(32) std::array<float, kLanes> least;
+    kernel_.least_mm(block, single_.data(), slack_mm_, least.data());
+    std::array<std::uint32_t, kLanes> near;
     std::size_t count = 0;
-    for (std::uint32_t child = node.first; child < node.first + node.children; ++child) {
-      double distance2 = box_distance2(body_.boxes.data() + 6 * std::size_t{child}, point_);
-      if (distance2 > best2_) continue;
-      distance2 = std::max(distance2, disc_distance2(body_.discs[child]));
-      if (distance2 > best2_) continue;
+    for (std::uint32_t lane = 0; lane < kLanes; ++lane) {
+      if (!(least[lane] <= best_mm_)) continue;
+      prefetch(block.below[lane]);
       std::size_t at = count++;
-      for (; at > 0 && near[at - 1].first > distance2; --at) near[at] = near[at - 1];
-      near[at] = {distance2, child};
+      for (; at > 0 && least[near[at - 1]] > least[lane]; --at) near[at] = near[at - 1];
+      near[at] = lane;
     }
-    for (std::size_t k = 0; k < count; ++k) {
-      if (near[k].first <= best2_) visit(near[k].second);
+    for (std::size_t k = 0; k < count && least[near[k]] <= best_mm_; ++k) {
+      const std::uint32_t below = block.below[near[k]];
+      (below & BoundBlock::kIsFacet) != 0 ? offer(below & ~BoundBlock::kIsFacet) : visit(below);
     }
   }
 
-  [[nodiscard]] double disc_distance2(const NodeDisc& disc) const {
-    const float off = disc.n[0] * x_ + disc.n[1] * y_ + disc.n[2] * z_ - disc.o;
-    const float over = std::max(0.0F, std::abs(off) - disc.half);
-    const float dx = x_ - disc.c[0], dy = y_ - disc.c[1], dz = z_ - disc.c[2];
-    // Seen along the normal the facets lie within r of the centre.
-    const float away = disc.n[0] * dx + disc.n[1] * dy + disc.n[2] * dz;
-    const float across2 = (dx * dx + dy * dy + dz * dz) * (1 - 1e-6F) - away * away;
-    const float beyond = across2 > disc.r * disc.r ? std::sqrt(across2) - disc.r : 0;
-    const float least = std::sqrt(over * over + beyond * beyond) - kFilterSlack * slack_;
-    return least > 0 ? static_cast<double>(least) * static_cast<double>(least) : 0;
+  void prefetch(std::uint32_t below) const {
+    const bool is_facet = (below & BoundBlock::kIsFacet) != 0;
+    const auto* const at =
+        is_facet ? reinterpret_cast<const char*>(body_.corners.data() + (below & ~BoundBlock::kIsFacet))
+                 : reinterpret_cast<const char*>(body_.blocks.data() + below);
+    const std::size_t bytes = is_facet ? sizeof(body_.corners[0]) : sizeof(BoundBlock);
+    for (std::size_t k = 0; k < bytes; k += kCacheLine) __builtin_prefetch(at + k);
   }
 
   void offer(std::uint32_t place) {
-    const FacetRecord& f = body_.facets[place];
-    const float h = f.n[0] * x_ + f.n[1] * y_ + f.n[2] * z_ - f.o;
-    const float dx = x_ - f.c[0], dy = y_ - f.c[1], dz = z_ - f.c[2];
-    const double least = static_cast<double>(
-        FacetRecord::least_distance(h, dx * dx + dy * dy + dz * dz, f.r) - kFilterSlack * slack_);
-    if (least > 0 && least * least > best2_) return;
     const TriangleFoot foot = closest_on_triangle(point_, body_.corners[place]);
     const bool is_nearer = has_foot_ ? foot.distance2_mm2 < best2_ : foot.distance2_mm2 <= best2_;
     if (!is_nearer) return;
-    best2_ = foot.distance2_mm2;
+    take(foot.distance2_mm2);
     foot_ = foot;
     place_ = place;
     has_foot_ = true;
   }
 
+  void take(double best2) {
+    best2_ = best2;
+    best_mm_ = static_cast<float>(std::sqrt(best2) * kRoundUp);
+  }
+
   const DepthBody& body_;
   const Vec3& point_;
-  double best2_;
-  float x_, y_, z_;
-  float slack_;  ///< single precision may be off by this; the point may be farther out than the body
+  const BoundKernel& kernel_ = fastest_bound_kernel();
+  std::array<float, 3> single_;
+  float slack_mm_;  ///< single precision may be off by this; the point may be farther out than the body
+  double best2_ = 0;
+  float best_mm_ = 0;  ///< its root or a little more
   TriangleFoot foot_;
   std::uint32_t place_ = 0;
   bool has_foot_ = false;
