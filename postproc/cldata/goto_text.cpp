@@ -36,11 +36,11 @@ std::size_t blanks_before(std::string_view bytes, std::size_t at) {
 
 }  // namespace
 
-GotoText::GotoText(const Toolpath& path, const std::vector<MotionRecord>& records) : path_(path) {
+GotoText::GotoText(const Toolpath& path, const MotionRecords& records) : path_(path) {
   const std::size_t end = path.source.find('\n');
   if (end != std::string::npos && end > 0 && path.source[end - 1] == '\r') line_end_ = "\r\n";
   std::size_t learned = 0;
-  for (const MotionRecord& record : records) {
+  for (const MotionRecord& record : records.of_move) {
     if (record.form != PositionForm::go_to || record.point != 0) continue;
     learn(record);
     if (++learned == kStatementsLearned) break;

@@ -24,7 +24,7 @@ struct WrittenPosition {
 class GotoText {
  public:
   /// Learns from the first GOTO statements of the file. `records` as read_motion_records gives them.
-  GotoText(const Toolpath& path, const std::vector<MotionRecord>& records);
+  GotoText(const Toolpath& path, const MotionRecords& records);
 
   /// The bytes of statement `index` with positions put in: `positions[k]` replaces the k-th where it has a
   /// value. Numbers that stay the same at the file's decimals keep their bytes. Requires a statement with

@@ -106,7 +106,7 @@ void Interpreter::flush_curve() {
   emit(*curve_end_);
   path_.moves.back().statement = statement;
   path_.moves.back().line = curve_line_;
-  if (records_ != nullptr) records_->back().statement = statement;
+  if (records_ != nullptr) records_->of_move.back().statement = statement;
   curve_end_.reset();
   curve_statement_ = kNone;
 }

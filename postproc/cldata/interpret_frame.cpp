@@ -127,6 +127,7 @@ void Interpreter::set_frame(const RigidTransform& to_part) {
                         (to_part.shift - to_part_.shift).cwiseAbs().maxCoeff();
   if (change > kIdentityError) break_motion();
   to_part_ = to_part;
+  is_frame_recorded_ = false;
 }
 
 void Interpreter::take_msys() {
@@ -210,6 +211,7 @@ void Interpreter::take_units() {
   for (const Argument& argument : arguments_) {
     if (const std::optional<LengthUnit> unit = unit_of_word(argument.text)) {
       mm_per_unit_ = mm_per(*unit);
+      is_frame_recorded_ = false;
       return;
     }
   }
@@ -236,6 +238,7 @@ void Interpreter::take_tool_path() {
   is_cycle_ = false;
   modal_axis_ = Vec3::UnitZ();
   to_part_ = {};
+  is_frame_recorded_ = false;
   feed_mm_per_min_ = 0;
   ++block_;
   is_block_open_ = true;

@@ -252,13 +252,29 @@ Move Interpreter::make_move(const Position& position, MoveKind kind) {
   return move;
 }
 
+MotionRecord Interpreter::make_record(const Move& move, const Position& position) {
+  if (!is_frame_recorded_) records_->frames.push_back({mm_per_unit_, to_part_});
+  is_frame_recorded_ = true;
+  MotionRecord record;
+  record.statement = move.statement;
+  record.point = position.point;
+  record.points = position.points;
+  record.first_argument = position.first_argument;
+  record.rapid_statement = rapid_statement_;
+  record.block = block_;
+  if (move.kind == MoveKind::arc && arc_) record.curve_statement = arc_statement_;
+  record.numbers = static_cast<std::uint8_t>(position.numbers);
+  record.form = position.form;
+  record.is_rapid = is_rapid_;
+  record.is_multax_off = multax_ == false;
+  record.axis_local = position.axis_local;
+  record.implied_axis_local = implied_axis();
+  record.frame = &records_->frames.back();
+  return record;
+}
+
 void Interpreter::append(const Move& move, const Position& position) {
-  if (records_ != nullptr) {
-    records_->push_back({move.statement, position.point, position.points, position.first_argument,
-                         position.numbers, position.form, is_rapid_, multax_ == false, rapid_statement_,
-                         block_, position.axis_local, implied_axis(), mm_per_unit_, to_part_,
-                         move.kind == MoveKind::arc && arc_ ? arc_statement_ : kNone});
-  }
+  if (records_ != nullptr) records_->of_move.push_back(make_record(move, position));
   if (is_broken_ && not_swept_++ == 0) first_not_swept_line_ = move.line;
   is_broken_ = false;
   if (dialect_.is_axis_modal) modal_axis_ = position.axis_local;

@@ -43,14 +43,10 @@ void Interpreter::emit_unread() {
   move.operation = operation_index_;
   move.not_checked_reason = Reasons::kUnread;
   if (records_ != nullptr) {
-    MotionRecord record;
-    record.statement = move.statement;
-    record.form = PositionForm::unread;
-    record.block = block_;
-    record.axis_local = record.implied_axis_local = implied_axis();
-    record.mm_per_unit = mm_per_unit_;
-    record.to_part = to_part_;
-    records_->push_back(record);
+    Position position;
+    position.form = PositionForm::unread;
+    position.axis_local = implied_axis();
+    records_->of_move.push_back(make_record(move, position));
   }
   break_motion();
   last_pose_ = move.end;

@@ -78,7 +78,7 @@ bool has_arguments(Word word) {
 }  // namespace
 
 Interpreter::Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit,
-                         std::vector<MotionRecord>* records)
+                         MotionRecords* records)
     : path_(path), dialect_(dialect), records_(records), mm_per_unit_(mm_per(unit)) {}
 
 std::size_t Interpreter::expected_count(std::size_t until_here) const {
@@ -389,11 +389,12 @@ void Interpreter::finish() {
   }
 }
 
-std::vector<MotionRecord> read_motion_records(const Toolpath& path) {
+MotionRecords read_motion_records(const Toolpath& path) {
   Toolpath again;
   again.file = path.file;
   again.source = path.source;
-  std::vector<MotionRecord> records;
+  MotionRecords records;
+  records.of_move.reserve(path.moves.size());
   const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});
   Interpreter interpreter(again, dialect, path.unit, &records);
   StatementReader reader(again.source, dialect.kind);

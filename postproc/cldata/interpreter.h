@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <map>
 #include <optional>
 #include <span>
@@ -26,22 +27,32 @@ namespace gouge {
 /// How a position is written, as far as a writer must know.
 enum class PositionForm : std::uint8_t { go_to, from, gohome, godlta, curve, cycle, unread };
 
-/// The state a move was read in. One for each of Toolpath::moves, in the same order.
-struct MotionRecord {
-  std::size_t statement = 0;
-  std::size_t point = 0, points = 1;  ///< which of how many positions of its statement
-  std::size_t first_argument = 0;     ///< of this position
-  std::size_t numbers = 0;            ///< 3 or 6; 3 or 6 of the hole for a step of a cycle; 0 where the form is godlta, curve or unread
-  PositionForm form = PositionForm::go_to;
-  bool is_rapid = false;                ///< by a RAPID before it
-  bool is_multax_off = false;           ///< MULTAX/OFF is stated: positions with an axis would be read as two
-  std::size_t rapid_statement = kNone;  ///< the last RAPID before it
-  std::size_t block = 0;            ///< number of the TOOL PATH block; the modal axis does not cross blocks
-  Vec3 axis_local = Vec3::UnitZ();  ///< axis of this position, in the block's frame
-  Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
+/// What makes a position's numbers a place: p = to_part(mm_per_unit x).
+struct MotionFrame {
   double mm_per_unit = 1;
   RigidTransform to_part;
-  std::size_t curve_statement = kNone;  ///< of an arc: what describes it besides its own statement
+};
+
+/// The state a move was read in.
+struct MotionRecord {
+  SmallIndex statement;
+  SmallIndex point, points = 1;        ///< which of how many positions of its statement
+  SmallIndex first_argument;           ///< of this position
+  SmallIndex rapid_statement = kNone;  ///< the last RAPID before it
+  SmallIndex block;                    ///< number of the TOOL PATH block; the modal axis does not cross blocks
+  SmallIndex curve_statement = kNone;  ///< of an arc: what describes it besides its own statement
+  std::uint8_t numbers = 0;  ///< 3 or 6, of the hole for a step of a cycle; 0 where the form is godlta, curve or unread
+  PositionForm form = PositionForm::go_to;
+  bool is_rapid = false;                    ///< by a RAPID before it
+  bool is_multax_off = false;               ///< MULTAX/OFF is stated: positions with an axis would be read as two
+  Vec3 axis_local = Vec3::UnitZ();          ///< axis of this position, in the block's frame
+  Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
+  const MotionFrame* frame = nullptr;       ///< one of MotionRecords::frames
+};
+
+struct MotionRecords {
+  std::vector<MotionRecord> of_move;  ///< one for each of Toolpath::moves, in the same order
+  std::deque<MotionFrame> frames;     ///< a deque, because records point into it while it grows
 };
 
 /// Why moves are not checked. The texts are told to the user.
@@ -71,7 +82,7 @@ struct Reasons {
 class Interpreter {
  public:
   /// `path.source` holds the bytes. `records` may be null; else it gets one entry for each move.
-  Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit, std::vector<MotionRecord>* records);
+  Interpreter(Toolpath& path, const Dialect& dialect, LengthUnit unit, MotionRecords* records);
 
   /// Takes the next statement. Errors go to errors(); once is_hopeless(), reading further has no use.
   void take(const Statement& statement);
@@ -141,6 +152,7 @@ class Interpreter {
   void emit(const Position& position);
   [[nodiscard]] Move make_move(const Position& position, MoveKind kind);
   void append(const Move& move, const Position& position);
+  [[nodiscard]] MotionRecord make_record(const Move& move, const Position& position);
   void note_plain_axis(const Position& position);
   void break_motion();
 
@@ -207,7 +219,7 @@ class Interpreter {
 
   Toolpath& path_;
   Dialect dialect_;
-  std::vector<MotionRecord>* records_;
+  MotionRecords* records_;
   const Statement* statement_ = nullptr;  // the one being taken
   std::vector<Argument> arguments_;       // of it
   Diagnostics errors_;
@@ -266,6 +278,7 @@ class Interpreter {
   // frames
   double mm_per_unit_;
   RigidTransform to_part_;
+  bool is_frame_recorded_ = false;  // the last of records_->frames is the one in force
   std::size_t block_ = 0;
   bool is_block_open_ = false;
   const char* csys_reason_ = nullptr;
@@ -301,6 +314,6 @@ class Interpreter {
 };
 
 /// The records of `path`'s moves, by reading its bytes once more.
-[[nodiscard]] std::vector<MotionRecord> read_motion_records(const Toolpath& path);
+[[nodiscard]] MotionRecords read_motion_records(const Toolpath& path);
 
 }  // namespace gouge

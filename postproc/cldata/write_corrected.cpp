@@ -54,8 +54,8 @@ class CorrectedWriter {
  public:
   CorrectedWriter(const Toolpath& path, const std::vector<PathChange>& changes)
       : path_(path),
-        records_(read_motion_records(path)),
-        goto_text_(path, records_),
+        read_(read_motion_records(path)), records_(read_.of_move),
+        goto_text_(path, read_),
         is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
         changes_(path.moves.size(), nullptr) {
     for (const PathChange& change : changes) changes_[change.move] = &change;
@@ -97,7 +97,8 @@ class CorrectedWriter {
                                    std::string text) const;
 
   const Toolpath& path_;
-  std::vector<MotionRecord> records_;
+  MotionRecords read_;
+  const std::vector<MotionRecord>& records_;  // of read_
   GotoText goto_text_;
   bool is_axis_modal_;
   std::vector<const PathChange*> changes_;
@@ -111,7 +112,7 @@ class CorrectedWriter {
 Pose CorrectedWriter::local_end(std::size_t move) const {
   const Pose& end =
       changes_[move] != nullptr && changes_[move]->new_end ? *changes_[move]->new_end : path_.moves[move].end;
-  return records_[move].to_part.inverse().pose(end);
+  return records_[move].frame->to_part.inverse().pose(end);
 }
 
 // CIRCLE, MOVARC or INDIRV before the position, KNOT and CNTRL after a NURBS.
@@ -176,7 +177,7 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
 // same.
 WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose& local, bool is_axis_kept) {
   WrittenPosition position;
-  position.tip = local.tip / record.mm_per_unit;
+  position.tip = local.tip / record.frame->mm_per_unit;
   const Vec3& implied = is_axis_modal_ ? axis_written_ : record.implied_axis_local;
   if (is_axis_kept || !goto_text_.is_same_axis(local.axis, implied)) position.axis = local.axis;
   axis_written_ = local.axis;
@@ -210,7 +211,7 @@ std::string CorrectedWriter::insertions(std::size_t move) {
     if (is_rapid && !is_rapid_pending) text += rapid_line(record);
     is_rapid_pending = false;
     const bool is_template = record.form == PositionForm::go_to && record.points == 1;
-    const WrittenPosition position = written(record, record.to_part.inverse().pose(pose), is_axis_kept(record));
+    const WrittenPosition position = written(record, record.frame->to_part.inverse().pose(pose), is_axis_kept(record));
     text += framed(record, position,
                    is_template ? goto_text_.with_line_end(
                                      goto_text_.replaced(record.statement, record.numbers, {position}))

@@ -13,7 +13,7 @@ constexpr std::uint16_t kPoints = 5, kRapid = 5, kMultaxOn = 0, kMultaxOff = 1;
 class NccsCorrector {
  public:
   NccsCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
-      : path_(path), source_(path.source), records_(read_motion_records(path)), changes_(path.moves.size()) {
+      : path_(path), source_(path.source), read_(read_motion_records(path)), records_(read_.of_move), changes_(path.moves.size()) {
     for (const PathChange& change : changes) changes_[change.move] = &change;
   }
 
@@ -31,14 +31,15 @@ class NccsCorrector {
 
   const Toolpath& path_;
   NccsWords source_;
-  std::vector<MotionRecord> records_;
+  MotionRecords read_;
+  const std::vector<MotionRecord>& records_;  // of read_
   std::vector<const PathChange*> changes_;
   std::string words_;
 };
 
 Pose NccsCorrector::local_end(std::size_t move) const {
   const bool is_new = changes_[move] != nullptr && changes_[move]->new_end;
-  return records_[move].to_part.inverse().pose(is_new ? *changes_[move]->new_end : path_.moves[move].end);
+  return records_[move].frame->to_part.inverse().pose(is_new ? *changes_[move]->new_end : path_.moves[move].end);
 }
 
 bool NccsCorrector::needs_rewriting(std::size_t first, std::size_t last) const {
@@ -52,7 +53,7 @@ bool NccsCorrector::needs_rewriting(std::size_t first, std::size_t last) const {
 
 std::string NccsCorrector::numbers(const MotionRecord& record, const Pose& local, bool with_axis) const {
   std::string text;
-  for (Eigen::Index i = 0; i < 3; ++i) text += nccs_word(local.tip[i] / record.mm_per_unit);
+  for (Eigen::Index i = 0; i < 3; ++i) text += nccs_word(local.tip[i] / record.frame->mm_per_unit);
   for (Eigen::Index i = 0; with_axis && i < 3; ++i) text += nccs_word(local.axis[i]);
   return text;
 }
@@ -86,7 +87,7 @@ void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
   for (const Pose& pose : changes_[move]->inserted_before) {
     if (is_rapid && !is_pending) add(NccsClass::kPost, kRapid, sequence, {});
     is_pending = false;
-    add_position(record, record.to_part.inverse().pose(pose), sequence);
+    add_position(record, record.frame->to_part.inverse().pose(pose), sequence);
   }
   if (record.is_rapid) add(NccsClass::kPost, kRapid, sequence, {});
 }

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/write_corrected.h"
 #include "postproc/cldata/write_toolpath.h"
 
 // How much memory reading takes at its peak, for each byte of the file: every allocation is counted. The
@@ -152,6 +153,20 @@ std::vector<LongFile> long_files() {
       {"binary NCCS", binary_positions, 16},
       {"comments", [] { return "GOTO/1,1,1\n" + repeated("$$\n"); }, 16},
   };
+}
+
+// The file is read once more, to know the state each position was read in.
+TEST(WritingMemory, IsASmallMultipleOfTheFileToo) {
+  const std::string shortest = repeated("GOTO/1,1,1\n");
+  const std::string usual = repeated("GOTO/12.345678,-1.234567,0.123456,0.600000,0.000000,0.800000\n");
+  for (const auto& [text, most] : {std::pair{shortest, 26.0}, std::pair{usual, 6.0}}) {
+    const ReadOutcome outcome = read_toolpath("long.apt", text);
+    peak = in_use.load();
+    const std::size_t before = in_use;
+    const Result<std::string> written = write_corrected(*outcome.toolpath, {});
+    EXPECT_TRUE(written.has_value() && *written == text);
+    EXPECT_LT(static_cast<double>(peak - before) / static_cast<double>(text.size()), most);
+  }
 }
 
 TEST(ReadingMemory, NoFileNeedsMoreThanASmallMultipleOfItsSize) {
