@@ -20,10 +20,12 @@ bool is_one_of(std::string_view text, std::span<const std::string_view> words) {
 }
 
 // Cycles whose tool goes straight down and straight up again.
-constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2", "BRKCHP", "CHIPBRK", "TAP",  "RTAP",
-                                                        "LTAP",  "RIGID", "REAM",  "BORE",   "CSINK",   "FACE", "CBORE"};
+constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2", "BRKCHP", "CHIPBRK",
+                                                        "TAP",   "RTAP",  "LTAP",  "RIGID",  "REAM",
+                                                        "BORE",  "CSINK", "FACE",  "CBORE"};
 // Words that move the tool sideways, or turn the sense of the heights round.
-constexpr std::array<std::string_view, 6> kSideways = {"ORIENT", "NODRAG", "BACK", "SHIFT", "MANUAL", "DIAMETR"};
+constexpr std::array<std::string_view, 6> kSideways = {"ORIENT", "NODRAG", "BACK",
+                                                       "SHIFT",  "MANUAL", "DIAMETR"};
 
 std::optional<double> after(Arguments arguments, std::string_view word) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {

@@ -13,7 +13,11 @@ constexpr std::uint16_t kPoints = 5, kRapid = 5, kMultaxOn = 0, kMultaxOff = 1;
 class NccsCorrector {
  public:
   NccsCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
-      : path_(path), source_(path.source), read_(read_motion_records(path)), records_(read_.of_move), changes_(path.moves.size()) {
+      : path_(path),
+        source_(path.source),
+        read_(read_motion_records(path)),
+        records_(read_.of_move),
+        changes_(path.moves.size()) {
     for (const PathChange& change : changes) changes_[change.move] = &change;
   }
 
