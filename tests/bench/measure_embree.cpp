@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <ctime>
 #include <limits>
 #include <memory>
+#include <string>
 
 #include "tests/bench/peer_support.h"
 #include "tests/bench/sphere_cover.h"
@@ -15,8 +17,14 @@
 namespace gouge::bench {
 namespace {
 
+/// GOUGE_BENCH_THREADS (1) threads: only building the tree uses more than one.
+std::string device_text() {
+  const char* threads = std::getenv("GOUGE_BENCH_THREADS");
+  return std::string("threads=") + (threads != nullptr ? threads : "1");
+}
+
 struct Device {
-  RTCDevice device = rtcNewDevice("threads=1");
+  RTCDevice device = rtcNewDevice(device_text().c_str());
   ~Device() { rtcReleaseDevice(device); }
 };
 
