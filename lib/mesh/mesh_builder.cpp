@@ -30,8 +30,7 @@ std::uint64_t hash_of(const Vec3& point) {
 // reach the result. A slot keeps half of the hash, so that a vertex is looked at only when it is the one.
 class WeldTable {
  public:
-  explicit WeldTable(std::size_t expected_vertices)
-      : mask_(std::bit_ceil(expected_vertices * 2 + 16) - 1) {
+  explicit WeldTable(std::size_t expected_vertices) : mask_(std::bit_ceil(expected_vertices * 2 + 16) - 1) {
     reserve_large(slots_, mask_ + 1);
     slots_.resize(mask_ + 1);
   }
