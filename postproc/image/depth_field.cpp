@@ -9,6 +9,7 @@
 #include "lib/check/check_path.h"
 #include "lib/tool/evaluate.h"
 #include "lib/tool/evaluate_batch.h"
+#include "postproc/image/pixel_points.h"
 
 namespace gouge {
 namespace {
@@ -78,12 +79,12 @@ void DepthField::add_move(const PictureInput& input, std::size_t index, double d
   const Motion motion = motion_of(*input.toolpath, move, input.options.rapid);
   if (!motion.is_defined()) return;
   const MoveVerdict& verdict = input.result->verdicts[index];
-  if (verdict.witness) poses_.push_back({motion.at(verdict.witness->t), forms});
+  if (verdict.witness) poses_.push_back({motion.at(verdict.witness->t), forms, index});
   if (motion.is_alone()) return;
   const auto whole = static_cast<double>(instants_of(motion, forms->against_part, verdict.depth_mm));
   const std::size_t steps = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(whole * detail)));
   for (std::size_t k = detail < 0.1 ? steps : 0; k <= steps; ++k) {
-    poses_.push_back({motion.at(static_cast<double>(k) / static_cast<double>(steps)), forms});
+    poses_.push_back({motion.at(static_cast<double>(k) / static_cast<double>(steps)), forms, index});
   }
 }
 
@@ -207,31 +208,12 @@ std::vector<float> DepthField::depth_at(const std::vector<Point>& points) const 
 }
 
 std::vector<float> DepthField::depth_on_pixels(const PictureScene& scene, const SurfaceBuffer& buffer) const {
-  std::vector<float> out(buffer.z.size(), 0.0F);
-  if (poses_.empty()) return out;
-  // One answer serves neighbouring pixels (2 x 2) that lie on one piece of surface.
+  if (poses_.empty()) return std::vector<float>(buffer.z.size(), 0.0F);
+  const PixelPoints seen = pixel_points(buffer);
   std::vector<Point> points;
-  std::vector<std::uint32_t> source(buffer.z.size(), 0);
-  const View& view = buffer.view;
-  const auto reach = static_cast<float>(4 * view.mm_per_pixel);
-  for (int y = 0; y < view.height; ++y) {
-    for (int x = 0; x < view.width; ++x) {
-      const std::size_t i = buffer.index(x, y);
-      if (buffer.face[i] == kNoFace) continue;
-      const std::size_t lead = buffer.index(x - x % 2, y - y % 2);
-      if (lead != i && buffer.face[lead] != kNoFace && std::abs(buffer.z[lead] - buffer.z[i]) < reach) {
-        source[i] = source[lead];
-        continue;
-      }
-      source[i] = static_cast<std::uint32_t>(points.size());
-      points.push_back({buffer.point(x, y), scene.faces[buffer.face[i]].is_fixture});
-    }
-  }
-  const std::vector<float> depth = depth_at(points);
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    if (buffer.face[i] != kNoFace) out[i] = depth[source[i]];
-  }
-  return out;
+  points.reserve(seen.points.size());
+  for (const PixelPoints::Point& p : seen.points) points.push_back({p.at, scene.faces[p.face].is_fixture});
+  return seen.spread(depth_at(points));
 }
 
 }  // namespace gouge

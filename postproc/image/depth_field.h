@@ -33,11 +33,14 @@ class DepthField {
 
   [[nodiscard]] bool is_empty() const { return poses_.empty(); }
 
- private:
   struct FieldPose {
     Pose pose;
     const ToolForms* tool = nullptr;
+    std::size_t move = 0;
   };
+  [[nodiscard]] const std::vector<FieldPose>& poses() const { return poses_; }
+
+ private:
   class PointTree;
 
   void add_worst_only(const PictureInput& input, std::size_t most_poses);

@@ -10,6 +10,8 @@ namespace gouge {
 namespace {
 
 constexpr double kContentTop = 118;
+// On shallow gouges depth and overcut agree.
+constexpr double kNoteworthy = 1.02;
 constexpr double kContentBottom = kPageHeight - 24;
 
 View view_for(const PictureSet& set, const Vec3& toward, const Area& area) {
@@ -23,9 +25,10 @@ View view_for(const PictureSet& set, const Vec3& toward, const Area& area) {
 View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area& area) {
   const View view = view_for(set, toward, area);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
-  const std::vector<float> depth = set.field.depth_on_pixels(set.scene, buffer);
-  page.rasters.push_back(
-      {static_cast<int>(area.x), static_cast<int>(area.y), shade(set.scene, buffer, depth, set.scale)});
+  const std::vector<float> depth = set.overcuts.is_empty() ? set.field.depth_on_pixels(set.scene, buffer)
+                                                           : set.overcuts.on_pixels(set.scene, buffer);
+  page.rasters.push_back({static_cast<int>(area.x), static_cast<int>(area.y),
+                          shade(set.scene, buffer, depth, set.surface_scale)});
   for (const PictureEvent& event : set.events) {
     const Vec2 target = on_page(area, view.project(event.at));
     page.taken.push_back({target.x() - 8, target.y() - 8, 16, 16});
@@ -72,6 +75,24 @@ std::string tool_names(const ReportModel& model) {
   return text.empty() ? "no tool" : text;
 }
 
+void add_surface_bar(Page& page, const Area& area, const PictureSet& set) {
+  const bool is_depth = set.overcuts.is_empty();
+  add_colour_bar(page, area, set.surface_scale, set.model.toolpath->unit,
+                 is_depth ? "Gouge depth" : "Overcut");
+  if (is_depth) return;
+  page.text({area.x, area.bottom() + 22}, "how far below the", 12.5, kSoftInk);
+  page.text({area.x, area.bottom() + 38}, "surface the tool reached", 12.5, kSoftInk);
+}
+
+double largest_overcut_mm(const CheckResult& result, const Event& event) {
+  double largest = 0;
+  for (std::size_t i = event.first_move; i <= event.last_move; ++i) {
+    const MoveVerdict& v = result.verdicts[i];
+    if (v.state == MoveState::gouge) largest = std::max(largest, v.overcut_mm.value_or(0));
+  }
+  return largest;
+}
+
 void add_event_key(Page& page, const PictureSet& set, double x, double y) {
   if (set.events.empty()) return;
   page.text({x, y}, "Deepest findings", 15, kInk, TextAnchor::left, true);
@@ -80,12 +101,19 @@ void add_event_key(Page& page, const PictureSet& set, double x, double y) {
     y += 40;
     page.disc({x + 11, y - 5}, 11, kInk);
     page.text({x + 11, y}, std::to_string(event.number), 14, {255, 255, 255, 1}, TextAnchor::middle, true);
-    const std::string depth =
-        event.event.state == MoveState::buried ? std::string("buried") : depth_text(event.depth_mm, unit);
+    const std::string depth = event.event.state == MoveState::buried
+                                  ? std::string("buried")
+                                  : depth_text(event.depth_mm, unit) + " deep";
     page.text({x + 30, y - 7}, depth, 15, kInk, TextAnchor::left, true);
+    const std::size_t move = event.event.worst_move;
+    const double room = kPageWidth - 24 - x - 30;
     const std::string where = std::string(body_name(event.event.body)) + ", line " +
-                              std::to_string(set.input.toolpath->moves[event.event.worst_move].line);
-    page.text({x + 30, y + 11}, fitted(where, 13, kPageWidth - 24 - x - 30), 13, kSoftInk);
+                              std::to_string(set.input.toolpath->moves[move].line);
+    page.text({x + 30, y + 11}, fitted(where, 13, room), 13, kSoftInk);
+    const double overcut_mm = largest_overcut_mm(*set.input.result, event.event);
+    if (set.overcuts.is_empty() || overcut_mm <= 0) continue;
+    page.text({x + 30, y + 27}, fitted("overcut " + depth_text(overcut_mm, unit), 13, room), 13, kSoftInk);
+    y += 20;
   }
 }
 
@@ -112,8 +140,11 @@ std::string badge_text(const ReportModel& model, const CheckResult& result) {
     case OverallVerdict::gouges:
       break;
   }
-  return result.worst_depth_mm > 0 ? "WORST " + depth_text(result.worst_depth_mm, model.toolpath->unit)
-                                   : "TOOL BURIED";
+  if (!(result.worst_depth_mm > 0)) return "TOOL BURIED";
+  const LengthUnit unit = model.toolpath->unit;
+  const std::string worst = "WORST " + depth_text(result.worst_depth_mm, unit);
+  const bool has_news = result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm;
+  return has_news ? worst + ", OVERCUT " + depth_text(result.worst_overcut_mm, unit) : worst;
 }
 
 Colour badge_colour(const CheckResult& result) {
@@ -128,8 +159,12 @@ Colour badge_colour(const CheckResult& result) {
   return kAlarm;
 }
 
+std::string heat_map_title(const PictureSet& set) {
+  return set.overcuts.is_empty() ? "Gouge depth on the part" : "Overcut on the part";
+}
+
 Page draw_heat_map(const PictureSet& set) {
-  Page page = make_page("Gouge depth on the part", badge_text(set.model, *set.input.result),
+  Page page = make_page(heat_map_title(set), badge_text(set.model, *set.input.result),
                         badge_colour(*set.input.result), caption_lines(set.model, *set.input.toolpath));
   const LengthUnit unit = set.model.toolpath->unit;
   const double height = kContentBottom - kContentTop;
@@ -149,8 +184,8 @@ Page draw_heat_map(const PictureSet& set) {
   else
     page.line({812, kContentTop + 20}, {812, kContentBottom - 20}, kHairline, 1);
   page.line({1380, kContentTop + 20}, {1380, kContentBottom - 20}, kHairline, 1);
-  add_colour_bar(page, {1408, 190, 26, 360}, set.scale, unit, "Gouge depth");
-  add_event_key(page, set, 1408, 604);
+  add_surface_bar(page, {1408, 190, 26, 360}, set);
+  add_event_key(page, set, 1408, set.overcuts.is_empty() ? 604 : 626);
   return page;
 }
 
@@ -177,7 +212,7 @@ Page draw_before_after(const PictureSet& before, const PictureSet& after) {
   label(right, "After", *after.input.result);
   page.line({36 + kHalf + 6, 130}, {36 + kHalf + 6, kContentBottom - 10}, kHairline, 1);
   page.line({1380, 130}, {1380, kContentBottom - 10}, kHairline, 1);
-  add_colour_bar(page, {1408, 200, 26, 360}, before.scale, unit, "Gouge depth");
+  add_surface_bar(page, {1408, 200, 26, 360}, before);
   return page;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "postproc/image/choose_views.h"
+#include "postproc/image/overcut_field.h"
 #include "postproc/image/page.h"
 #include "postproc/report/report_model.h"
 
@@ -13,17 +14,23 @@ struct PictureSet {
   const PictureScene& scene;
   const DepthField& field;   ///< for the pictures
   const DepthField& coarse;  ///< fewer poses: for choosing views
+  const OvercutField& overcuts;
   std::vector<PictureEvent> events;
-  ColourScale scale;
+  ColourScale scale;          ///< of depths
+  ColourScale surface_scale;  ///< of what colours the surface: overcuts, where there are any
   std::vector<Vec3> directions;
 };
 
-/// The part from the chosen views, coloured by gouge depth, with the worst events numbered.
+/// The part from the chosen views, coloured by overcut, or by depth where no move has one, with the worst
+/// events numbered.
 [[nodiscard]] Page draw_heat_map(const PictureSet& set);
 
 /// The part before (left) and after a correction (right), same views, same colours. `after` describes the
 /// corrected path, `before` the path as read.
 [[nodiscard]] Page draw_before_after(const PictureSet& before, const PictureSet& after);
+
+/// "Overcut on the part", or "Gouge depth on the part" where no move has one.
+[[nodiscard]] std::string heat_map_title(const PictureSet& set);
 
 /// "path.apt against part.stl", and the tools with tolerance and resolution: the two lines below a title.
 [[nodiscard]] std::vector<std::string> caption_lines(const ReportModel& model, const Toolpath& toolpath);

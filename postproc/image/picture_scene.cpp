@@ -23,13 +23,14 @@ Normal unit(const Vec3& v) {
   return length > 0 ? Normal((v / length).cast<float>()) : Normal(0, 0, 1);
 }
 
-void add_mesh(PictureScene& scene, const IndexedMesh& mesh, bool is_fixture) {
+void add_mesh(PictureScene& scene, const IndexedMesh& mesh, bool is_fixture, std::uint32_t number) {
   const auto first = static_cast<std::uint32_t>(scene.vertices.size());
   scene.vertices.insert(scene.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
   for (const TriangleCorners& t : mesh.triangles) {
     PictureScene::Face face;
     face.corners = {first + t[0], first + t[1], first + t[2]};
     face.is_fixture = is_fixture;
+    face.mesh = number;
     scene.faces.push_back(face);
   }
 }
@@ -93,9 +94,10 @@ void find_edges(PictureScene& scene) {
 
 PictureScene build_picture_scene(const Scene& scene) {
   PictureScene out;
-  for (const IndexedMesh& mesh : scene.parts) add_mesh(out, mesh, false);
+  std::uint32_t number = 0;
+  for (const IndexedMesh& mesh : scene.parts) add_mesh(out, mesh, false, number++);
   out.part_vertices = out.vertices.size();
-  for (const IndexedMesh& mesh : scene.fixtures) add_mesh(out, mesh, true);
+  for (const IndexedMesh& mesh : scene.fixtures) add_mesh(out, mesh, true, number++);
   smooth_normals(out);
   find_edges(out);
   return out;

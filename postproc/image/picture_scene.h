@@ -17,6 +17,7 @@ struct PictureScene {
         Eigen::Vector3f::Zero(), Eigen::Vector3f::Zero(),
         Eigen::Vector3f::Zero()};  ///< smooth across edges that bend less than 35 degrees
     bool is_fixture = false;
+    std::uint32_t mesh = 0;  ///< among the parts, then the fixtures
   };
   struct Edge {
     std::uint32_t a = 0, b = 0;

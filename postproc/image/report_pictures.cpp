@@ -33,22 +33,44 @@ double worst_depth(const ReportModel& model, const PictureInput& input) {
   return std::max(input.result->worst_depth_mm, before != nullptr ? before->worst_depth_mm : 0.0);
 }
 
+/// What colours the surface at most: an overcut, or the depth of a gouge without one.
+double worst_on_surface(const CheckResult& result) {
+  double worst = 0;
+  for (const MoveVerdict& v : result.verdicts) {
+    if (v.state == MoveState::gouge)
+      worst = std::max(worst, v.overcut_mm.value_or(0) > 0 ? *v.overcut_mm : v.depth_mm);
+  }
+  return worst;
+}
+
+double worst_on_surface(const ReportModel& model, const PictureInput& input) {
+  const CheckResult* before = model.has_correction ? model.correction.result_before : nullptr;
+  return std::max(worst_on_surface(*input.result), before != nullptr ? worst_on_surface(*before) : 0.0);
+}
+
 Outcome add_before_after(Album& album, const PictureSet& after, const PictureInput& before_input) {
   ReportModel model = after.model;
   model.toolpath = before_input.toolpath;
   model.result = before_input.result;
   const DepthField field(before_input);
   const DepthField coarse(before_input, kCoarsePoses);
-  PictureSet before{
-      model, before_input, after.scene, field, coarse, worst_events(before_input, kMostEvents), after.scale,
-      {}};
+  const OvercutField overcuts(before_input, field);
+  PictureSet before{model,
+                    before_input,
+                    after.scene,
+                    field,
+                    coarse,
+                    overcuts,
+                    worst_events(before_input, kMostEvents),
+                    after.scale,
+                    after.surface_scale,
+                    {}};
   before.directions = choose_directions(before_input, after.scene, coarse, before.events, 1);
   return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
 }
 
 Outcome add_scene_pictures(Album& album, const PictureSet& set, const PictureInput& before) {
-  if (Outcome done = album.add(draw_heat_map(set), "heat_map.png", "Gouge depth on the part"); !done)
-    return done;
+  if (Outcome done = album.add(draw_heat_map(set), "heat_map.png", heat_map_title(set)); !done) return done;
   if (set.model.has_correction && before.toolpath != nullptr && before.result != nullptr) {
     if (Outcome done = add_before_after(album, set, before); !done) return done;
   }
@@ -72,15 +94,20 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
   const PictureScene scene = build_picture_scene(*input.scene);
   const DepthField field(input);
   const DepthField coarse(input, kCoarsePoses);
-  PictureSet set{
-      model,
-      input,
-      scene,
-      field,
-      coarse,
-      worst_events(input, kMostEvents),
-      make_colour_scale(model.options.tolerance_mm, worst_depth(model, input), model.toolpath->unit),
-      {}};
+  const OvercutField overcuts(input, field);
+  const auto scale_to = [&](double worst_mm) {
+    return make_colour_scale(model.options.tolerance_mm, worst_mm, model.toolpath->unit);
+  };
+  PictureSet set{model,
+                 input,
+                 scene,
+                 field,
+                 coarse,
+                 overcuts,
+                 worst_events(input, kMostEvents),
+                 scale_to(worst_depth(model, input)),
+                 scale_to(worst_on_surface(model, input)),
+                 {}};
   Album album;
   if (!scene.faces.empty()) {
     set.directions = choose_directions(input, scene, coarse, set.events, kViews);

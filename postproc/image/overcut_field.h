@@ -1,0 +1,54 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "lib/penetration/depth_body.h"
+#include "postproc/image/depth_field.h"
+#include "postproc/image/pixel_points.h"
+
+namespace gouge {
+
+/// How far below the part's surface the gouging moves of a path reach, at any point of it: the largest s for
+/// which the point p - s n, n being the normal at p, is in the tool and p is the nearest place of the surface
+/// to it. Where the tool is deeper in the part than it is thick this says how deep, which the tool's depth
+/// does not.
+///
+/// Where overcut says nothing, the depth is told: on surfaces that are not closed, and where only a clearance
+/// or stock to leave is entered. Sampled, for pictures, as depths are; it promises nothing.
+class OvercutField {
+ public:
+  /// Builds a tree over each closed body that a move with an overcut gouges. All arguments must outlive it.
+  OvercutField(const PictureInput& input, const DepthField& depths);
+
+  /// No move has an overcut: depths are all there is to tell.
+  [[nodiscard]] bool is_empty() const { return largest_mm_ <= 0; }
+  /// Largest overcut of a move, mm.
+  [[nodiscard]] double largest_mm() const { return largest_mm_; }
+
+  /// For every pixel of a buffer, mm; 0 where nothing is seen or gouged.
+  [[nodiscard]] std::vector<float> on_pixels(const PictureScene& scene, const SurfaceBuffer& buffer) const;
+
+  struct Ray {
+    Vec3 at = Vec3::Zero();        ///< on the surface
+    Vec3 inward = -Vec3::UnitZ();  ///< unit
+    std::size_t mesh = 0;          ///< among parts, then fixtures
+  };
+  /// For each ray, mm; 0 where the tool does not reach or overcut says nothing.
+  [[nodiscard]] std::vector<float> at(const std::vector<Ray>& rays) const;
+
+ private:
+  class RayTree;
+  [[nodiscard]] double room_mm(const DepthBody& solid, const Ray& ray, double most_mm) const;
+
+  struct Place {
+    DepthField::FieldPose pose;
+    double most_mm = 0;  ///< how far below the surface the tool reaches at most
+  };
+  std::vector<Place> places_;
+  std::vector<std::unique_ptr<DepthBody>> solids_;  ///< by mesh; none where nothing is asked
+  double largest_mm_ = 0, tolerance_mm_ = 0;
+  const DepthField& depths_;
+};
+
+}  // namespace gouge

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "postproc/image/surface_buffer.h"
+
+namespace gouge {
+
+/// The surface points a picture is coloured by: one for neighbouring pixels (2 x 2) that lie on one piece of
+/// surface.
+struct PixelPoints {
+  struct Point {
+    Vec3 at = Vec3::Zero();
+    std::uint32_t face = 0;
+  };
+  std::vector<Point> points;
+
+  /// A value for every pixel from one for every point; 0 where nothing is seen.
+  [[nodiscard]] std::vector<float> spread(const std::vector<float>& values) const;
+
+  std::vector<std::uint32_t> source;  ///< by pixel: its point, kNoFace where nothing is seen
+};
+
+[[nodiscard]] PixelPoints pixel_points(const SurfaceBuffer& buffer);
+
+}  // namespace gouge

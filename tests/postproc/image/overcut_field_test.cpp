@@ -1,0 +1,127 @@
+#include "postproc/image/overcut_field.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "lib/overcut/measure_overcut.h"
+#include "postproc/image/heat_map.h"
+#include "tests/postproc/image/small_scene.h"
+
+namespace gouge {
+namespace {
+
+/// The ball of 6 mm plunged into a block 40 x 30 x 30 mm to the tip's height `z`.
+struct Plunge : SmallScene {
+  explicit Plunge(double z, const IndexedMesh& part = box_mesh("block.stl", {0, 0, 0}, {40, 30, 30})) {
+    scene.parts = {part};
+    path.moves.resize(2);
+    path.moves[0].end.tip = Vec3(20, 15, 50);
+    path.moves[1].start = path.moves[0].end;
+    path.moves[1].end.tip = Vec3(20, 15, z);
+    check();
+    measure_overcuts(path, {&tool}, scene, model.options, result);
+    input.result = &result;
+  }
+};
+
+std::vector<OvercutField::Ray> rays_down(double height) {
+  std::vector<OvercutField::Ray> rays;
+  for (double x = 15.05; x < 25; x += 0.1) rays.push_back({Vec3(x, 15, height), -Vec3::UnitZ(), 0});
+  return rays;
+}
+
+TEST(OvercutField, SaysHowFarBelowTheSurfaceTheToolReachedWhereDepthCannot) {
+  const Plunge plunge(18);
+  const DepthField depths(plunge.input);
+  const OvercutField field(plunge.input, depths);
+  ASSERT_FALSE(field.is_empty());
+  const std::vector<OvercutField::Ray> rays = rays_down(30);
+  const std::vector<float> told = field.at(rays);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const double r = std::abs(rays[i].at.x() - 20);
+    const double truth = r < 3 ? 12 - 3 + std::sqrt(9 - r * r) : 0;
+    if (std::abs(r - 3) > 0.06) {
+      EXPECT_NEAR(static_cast<double>(told[i]), truth, 0.15) << r;
+    }
+  }
+  // Depth saturates at the radius.
+  EXPECT_NEAR(static_cast<double>(depths.depth_at({{Vec3(20, 15, 30), false}})[0]), 3, 0.05);
+}
+
+TEST(OvercutField, StopsHalfwayThroughAThinWall) {
+  // Below the middle of the plate the bottom is nearer.
+  const Plunge plunge(-5, box_mesh("plate.stl", {0, 0, 26}, {40, 30, 30}));
+  const DepthField depths(plunge.input);
+  const OvercutField field(plunge.input, depths);
+  const std::vector<float> told = field.at({{Vec3(20, 15, 30), -Vec3::UnitZ(), 0}});
+  EXPECT_NEAR(static_cast<double>(told[0]), 2, 0.15);
+}
+
+TEST(OvercutField, IsNowhereMoreThanTheOvercutOfThePath) {
+  const Plunge plunge(21);
+  const DepthField depths(plunge.input);
+  const OvercutField field(plunge.input, depths);
+  float most = 0;
+  for (const float mm : field.at(rays_down(30))) most = std::max(most, mm);
+  EXPECT_NEAR(static_cast<double>(most), plunge.result.worst_overcut_mm,
+              0.02 * plunge.result.worst_overcut_mm);
+  EXPECT_NEAR(plunge.result.worst_overcut_mm, 9, 0.1);
+}
+
+TEST(OvercutField, FindsTheToolBelowASurfaceItDoesNotPierce) {
+  // From the side, its centre 5 mm below the top: the top is not touched, and the nearest surface to the
+  // tool's axis.
+  Plunge plunge(60);
+  plunge.path.moves[0].end = {Vec3(-20, 15, 25), Vec3(-1, 0, 0)};
+  plunge.path.moves[1].start = plunge.path.moves[0].end;
+  plunge.path.moves[1].end = {Vec3(14, 15, 25), Vec3(-1, 0, 0)};
+  plunge.check();
+  measure_overcuts(plunge.path, {&plunge.tool}, plunge.scene, plunge.model.options, plunge.result);
+  plunge.input.result = &plunge.result;
+  const DepthField depths(plunge.input);
+  const OvercutField field(plunge.input, depths);
+  const Vec3 above(8, 15, 30);
+  EXPECT_EQ(depths.depth_at({{above, false}})[0], 0.0F);
+  EXPECT_NEAR(static_cast<double>(field.at({{above, -Vec3::UnitZ(), 0}})[0]), 8, 0.4);
+}
+
+TEST(OvercutField, IsEmptyForSurfacesThatAreNotClosed) {
+  IndexedMesh open = box_mesh("open.stl", {0, 0, 0}, {40, 30, 30});
+  open.triangles.pop_back();
+  open.file_triangle.pop_back();
+  const Plunge plunge(21, open);
+  ASSERT_GT(plunge.result.counts.gouge, 0U);
+  const DepthField depths(plunge.input);
+  EXPECT_TRUE(OvercutField(plunge.input, depths).is_empty());
+}
+
+TEST(HeatMap, IsColouredByOvercutAndSaysSo) {
+  const Plunge plunge(18);
+  const PictureScene scene = build_picture_scene(plunge.scene);
+  const DepthField depths(plunge.input);
+  const OvercutField overcuts(plunge.input, depths);
+  const ColourScale depth_scale = make_colour_scale(0.01, 3, LengthUnit::mm);
+  const PictureSet set{plunge.model,
+                       plunge.input,
+                       scene,
+                       depths,
+                       depths,
+                       overcuts,
+                       worst_events(plunge.input, 6),
+                       depth_scale,
+                       make_colour_scale(0.01, 12, LengthUnit::mm),
+                       {Vec3::UnitZ()}};
+  EXPECT_EQ(heat_map_title(set), "Overcut on the part");
+  const Page page = draw_heat_map(set);
+  std::string words;
+  for (const auto& item : page.drawing.items) {
+    if (const auto* text = std::get_if<DrawnText>(&item)) words += "|" + text->text + "|";
+  }
+  EXPECT_NE(words.find("|Overcut|"), std::string::npos) << words;
+  EXPECT_NE(words.find("WORST 3.000 mm, OVERCUT 12"), std::string::npos) << words;
+  EXPECT_NE(words.find("|overcut 12"), std::string::npos) << words;
+}
+
+}  // namespace
+}  // namespace gouge
