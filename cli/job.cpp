@@ -194,7 +194,7 @@ class JobLoader {
     return make_error(
         "no-tool",
         "no tool of the toolpath is defined, so nothing can be checked; expected CUTTER or TLDATA in "
-        "the file, or a library that has the tool: --tools LIB.json",
+        "the file, or a library that has the tool: --tools LIB.json, with --tool NAME where the file names none",
         arguments_.path, line);
   }
 

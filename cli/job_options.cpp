@@ -20,7 +20,8 @@ void add_input_options(CLI::App& command, JobArguments& a) {
   command.add_option("--tools", a.tools_file,
                      "Tool library (JSON); tools it lacks come from CUTTER or TLDATA");
   command.add_option("--tool", a.tool_names,
-                     "N=NAME: tool number N of the toolpath is NAME of the library (repeatable)");
+                     "N=NAME: tool number N of the toolpath is NAME of the library (repeatable); NAME alone: the "
+                     "tool of moves for which the toolpath names none");
   command.add_option("--holder", a.holder, "Holder of the library for tools that have none");
   command.add_flag("--extend-up", a.is_extended_up,
                    "Let the top body of every tool go on without end, so that nothing hides above it");
@@ -72,6 +73,14 @@ Result<JobOptions> understand(const JobArguments& a) {
   const Result<ReadOptions> reading = understand(a.reading);
   if (!reading) return reading.error();
   options.reading = *reading;
+  for (const std::string& name : a.tool_names) {
+    if (name.find('=') != std::string::npos) continue;
+    if (!options.reading.unnamed_tool.empty()) {
+      return usage("--tool", name, "N=NAME, as --tool " + options.reading.unnamed_tool +
+                                       " is already for moves that name no tool");
+    }
+    options.reading.unnamed_tool = name;
+  }
   const struct {
     const char* name;
     const std::string& text;

@@ -22,7 +22,7 @@ struct JobArguments {
   std::vector<std::string> parts, fixtures, heads;
   std::string place, stl_units;
   std::string tools_file, holder;
-  std::vector<std::string> tool_names;  ///< N=NAME
+  std::vector<std::string> tool_names;  ///< N=NAME, or NAME for moves that name no tool
   std::string tolerance = "0.01", stock_to_leave = "0", clearance, near_miss = "0", resolution = "0.001";
   std::string rapid = "straight", progress = "auto";
   unsigned threads = 0;

@@ -41,15 +41,16 @@ class Resolver {
 
   std::optional<Diagnostic> take_name(const std::string& text) {
     const std::size_t equals = text.find('=');
+    const bool is_for_unnamed = equals == std::string::npos;
     const auto number = parse_integer(text.substr(0, equals));
-    if (!number || equals == std::string::npos) return usage("--tool '" + text + "': expected N=NAME");
+    if (!number && !is_for_unnamed) return usage("--tool '" + text + "': expected N=NAME or NAME");
     if (library_ == nullptr) return usage("--tool '" + text + "' needs a library: give --tools LIB.json");
-    const ToolAssembly* tool = library_->with_name(text.substr(equals + 1));
+    const ToolAssembly* tool = library_->with_name(is_for_unnamed ? text : text.substr(equals + 1));
     if (tool == nullptr) {
       return usage("--tool '" + text + "': the library has no tool of that name; it has " +
                    names_in(*library_));
     }
-    named_[static_cast<int>(*number)] = tool;
+    if (!is_for_unnamed) named_[static_cast<int>(*number)] = tool;
     return std::nullopt;
   }
 

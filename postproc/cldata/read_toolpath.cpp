@@ -133,6 +133,24 @@ UnitGuess unit_of(std::string_view bytes, const Dialect& dialect, const ReadOpti
   return {*options.unit, UnitGuess::Source::option};
 }
 
+// Bare lists of positions name no tool at all; others not before their first tool change.
+void name_unnamed_tool(const std::string& name, Toolpath& path) {
+  std::size_t moves = 0, first_line = 0;
+  for (Move& move : path.moves) {
+    if (move.tool != kNone) continue;
+    if (moves++ == 0) first_line = move.line;
+    move.tool = path.tools.size();
+  }
+  if (moves == 0) return;
+  PathTool tool;
+  tool.name = name;
+  tool.line = first_line;
+  path.tools.push_back(std::move(tool));
+  path.notes.push_back(make_note(
+      "path-unnamed-tool", std::to_string(moves) + " moves for which the file names no tool: \"" + name + "\" as asked",
+      path.file, first_line));
+}
+
 }  // namespace
 
 ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const ReadOptions& options) {
@@ -166,6 +184,7 @@ ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const
     outcome.errors.push_back(std::move(*error));
     return outcome;
   }
+  if (!options.unnamed_tool.empty()) name_unnamed_tool(options.unnamed_tool, path);
   outcome.toolpath = std::move(path);
   return outcome;
 }

@@ -18,6 +18,7 @@ struct ReadOptions {
   std::optional<Dialect> dialect;
   std::optional<LengthUnit> unit;  ///< of a file that states none
   bool is_cutcom_centre = false;   ///< positions under CUTCOM are the cutter's centre
+  std::string unnamed_tool;        ///< name of the tool of moves for which the file names none; empty: they have none
 };
 
 /// Either a toolpath or at least one error. At most 20 errors are listed, then one that counts the rest.

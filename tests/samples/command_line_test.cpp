@@ -133,6 +133,29 @@ TEST(CommandLine, AToolWithoutADefinitionBesideOthersIsStatus4) {
   EXPECT_EQ(rows[2].state, "clean");
 }
 
+// Bare lists of positions name no tool.
+TEST(CommandLine, AToolNameAloneIsForMovesThatNameNoTool) {
+  const SampleFolder sample = open_sample("between_rib");
+  write_text(sample.path + "/list.txt", "GOTO/-20.0 0.0 5.0 0.0 0.0 1.0\nGOTO/20.0 0.0 5.0 0.0 0.0 1.0\n");
+  const Outcome without = run_gougecheck(sample.path, sample.arguments("check", "list.txt", {}));
+  EXPECT_EQ(without.exit_status, 3);
+  EXPECT_NE(without.err.find("with --tool NAME where the file names none"), std::string::npos) << without.err;
+  const Outcome with = run_gougecheck(sample.path, sample.arguments("check", "list.txt", {"--tool", "flat D10", "-v"}));
+  EXPECT_EQ(with.exit_status, 1) << with.err;
+  EXPECT_NE(with.out.find("list.txt:2: gouge: 3.000 mm cutter"), std::string::npos) << with.out;
+  EXPECT_NE(with.err.find("2 moves for which the file names no tool: \"flat D10\" as asked"), std::string::npos)
+      << with.err;
+  const Outcome corrected = run_gougecheck(
+      sample.path, sample.arguments("correct", "list.txt", {"--tool", "flat D10", "-o", "lifted.txt"}));
+  EXPECT_EQ(corrected.exit_status, 0) << corrected.out << corrected.err;
+  const Outcome unknown = run_gougecheck(sample.path, sample.arguments("check", "list.txt", {"--tool", "ball D3"}));
+  EXPECT_EQ(unknown.exit_status, 2);
+  const Outcome twice =
+      run_gougecheck(sample.path, sample.arguments("check", "list.txt", {"--tool", "flat D10", "--tool", "flat D10"}));
+  EXPECT_EQ(twice.exit_status, 2);
+  EXPECT_NE(twice.err.find("--tool 'flat D10': expected N=NAME"), std::string::npos) << twice.err;
+}
+
 TEST(CommandLine, ALargerToleranceTurnsAShallowGougeClean) {
   const SampleFolder sample = open_sample("big_triangles");
   EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.2"}))
