@@ -76,9 +76,7 @@ Word Lexer::word_of(std::string_view major) {
 }
 
 bool Lexer::next(Statement& statement) {
-  statement.pieces.clear();
-  statement.is_unterminated = false;
-  statement.is_decoded = false;
+  statement.clear();
   while (at_ < bytes_.size()) {
     statement.first_byte = at_;
     statement.line = line_;

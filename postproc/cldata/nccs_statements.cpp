@@ -145,7 +145,7 @@ void NccsStatements::take_cutter(const NccsHeader& header, Statement& statement)
 bool NccsStatements::next(Statement& statement) {
   if (is_over_ || word_ >= words_.words()) return false;
   const NccsHeader header = words_.header(word_);
-  statement = {};
+  statement.clear();
   statement.line = ++record_;
   statement.first_byte = NccsWords::offset(word_);
   statement.last_byte = statement.first_byte + words_.bytes(word_).size();

@@ -1,6 +1,7 @@
 #include "postproc/cldata/nci_statements.h"
 
 #include <cmath>
+#include <utility>
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/arguments.h"
@@ -19,14 +20,6 @@ constexpr std::size_t kToolField = 3;
 constexpr double kRapidFeed = -2, kSameFeed = -1;
 constexpr double kIdentityError = 1e-9;
 
-std::vector<Argument> fields_of(std::string_view parameters) {
-  Statement line;
-  line.pieces.push_back(parameters);
-  std::vector<Argument> fields;
-  split_arguments(line, fields);
-  return fields;
-}
-
 bool is_identity(const std::vector<Argument>& fields) {
   if (fields.size() < 9) return false;
   for (std::size_t i = 0; i < 9; ++i) {
@@ -38,9 +31,15 @@ bool is_identity(const std::vector<Argument>& fields) {
 
 }  // namespace
 
+const std::vector<Argument>& NciStatements::read_fields() {
+  parameters_.pieces.assign(1, pair_.parameters);
+  split_arguments(parameters_, fields_);
+  return fields_;
+}
+
 void NciStatements::add(Word word, std::string_view major) {
   Statement& statement = queue_[queued_++];
-  statement = {};
+  statement.clear();
   statement.line = pair_.line;
   statement.first_byte = statement.last_byte = pair_.first_byte;
   statement.word = word;
@@ -50,7 +49,7 @@ void NciStatements::add(Word word, std::string_view major) {
 }
 
 void NciStatements::take_linear() {
-  const std::vector<Argument> fields = fields_of(pair_.parameters);
+  const std::vector<Argument>& fields = read_fields();
   if (fields.size() < kFieldsOfLinear) return add(Word::unread_motion, "NCI 0 or 1 of too few numbers");
   const std::optional<double> feed = fields[4].number;
   const bool is_rapid =
@@ -67,7 +66,7 @@ void NciStatements::take_linear() {
 
 // The tool plane turns positions in a way that no public reference tells.
 void NciStatements::take_plane() {
-  add(is_identity(fields_of(pair_.parameters)) ? Word::harmless : Word::unread_frame,
+  add(is_identity(read_fields()) ? Word::harmless : Word::unread_frame,
       "NCI 1014 (tool plane)");
 }
 
@@ -103,7 +102,7 @@ void NciStatements::take_pair() {
       break;
   }
   if (code >= NciCode::kToolFirst && code <= NciCode::kToolLast) {
-    const std::vector<Argument> fields = fields_of(pair_.parameters);
+    const std::vector<Argument>& fields = read_fields();
     if (fields.size() <= kToolField) return add(Word::unread_tool, "NCI 1000 to 1002");
     add(Word::loadtl, "LOADTL");
     queue_[queued_ - 1].decoded.push_back(fields[kToolField]);
@@ -124,7 +123,7 @@ bool NciStatements::next(Statement& statement) {
     }
     queue_[queued_ - 1].last_byte = pair_.last_byte;
   }
-  statement = queue_[given_++];
+  std::swap(statement, queue_[given_++]);
   return true;
 }
 

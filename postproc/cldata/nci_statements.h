@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "postproc/cldata/nci_lines.h"
 #include "postproc/cldata/statement.h"
@@ -28,9 +29,13 @@ class NciStatements {
   void take_linear();
   void take_plane();
   void add(Word word, std::string_view major);
+  /// Of the pair's parameters; good until the next call.
+  [[nodiscard]] const std::vector<Argument>& read_fields();
 
   NciLines lines_;
   NciPair pair_;
+  Statement parameters_;
+  std::vector<Argument> fields_;
   std::array<Statement, 4> queue_;
   std::size_t queued_ = 0, given_ = 0;
   std::optional<std::string_view> wcs_;
