@@ -39,9 +39,9 @@ class Solids {
   std::vector<std::unique_ptr<DepthBody>> parts_, fixtures_;
 };
 
-// The whole search costs milliseconds a move, far more than the check itself; the worst move of a finding is worth
-// it, the others get what a short search finds.
-constexpr std::size_t kCellsOfOthers = 16;
+// The whole search costs a millisecond a move and more, the check itself a small part of that; the worst move
+// of a finding is worth it, the others get what a short search finds.
+constexpr std::size_t kCellsOfOthers = 64;
 
 std::vector<bool> worst_moves(const CheckResult& result) {
   std::vector<bool> is_worst(result.verdicts.size(), false);

@@ -16,8 +16,8 @@ namespace gouge {
 ///
 /// Bodies whose surface is not closed have no inside and get none, nor do gouges of a head; a gouge into a clearance alone has 0.
 /// Ensures  the same bits at any number of threads.
-/// Cost     a tree over each body that is gouged, then a few milliseconds for the worst move of each event and some
-///          tenths of one for every other; the latter are searched less, so theirs may be told a little smaller.
+/// Cost     a tree over each body that is gouged, then about a millisecond for the worst move of each event and a tenth
+///          of one for every other; the latter are searched less, so theirs may be told some hundredths smaller.
 /// Requires result.events.
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
                       const Scene& scene, const CheckOptions& options, CheckResult& result);

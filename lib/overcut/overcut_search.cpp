@@ -72,8 +72,13 @@ class Search {
     if (upper <= best_.depth_mm) return;
     const SweptTool::Nearest near = tool_.nearest(centre, 0.25 * radius, radius);
     if (near.lower_mm > radius) return;
-    if (near.distance_mm <= 0 && upper - radius > best_.depth_mm) {
-      take(centre, near.t);
+    if (near.distance_mm > 0) {
+      // The tool's own point next to the centre: most cells have their middle beside it.
+      const Vec3 beside = centre - near.distance_mm * tool_.outward_at(centre, near.t);
+      const bool may_be_deeper = upper - radius + near.distance_mm > best_.depth_mm;
+      if (may_be_deeper && tool_.distance_at(beside, near.t) <= kInTool_mm && take(beside, near.t))
+        push(radius);
+    } else if (upper - radius > best_.depth_mm && take(centre, near.t)) {
       push(radius);
     }
     if (upper <= settled()) {

@@ -111,7 +111,9 @@ void add_event_key(Page& page, const PictureSet& set, double x, double y) {
                               std::to_string(set.input.toolpath->moves[move].line);
     page.text({x + 30, y + 11}, fitted(where, 13, room), 13, kSoftInk);
     const double overcut_mm = largest_overcut_mm(*set.input.result, event.event);
-    if (set.overcuts.is_empty() || overcut_mm <= 0) continue;
+    const bool is_same =
+        std::max(overcut_mm, event.depth_mm) <= kNoteworthy * std::min(overcut_mm, event.depth_mm);
+    if (set.overcuts.is_empty() || overcut_mm <= 0 || is_same) continue;
     page.text({x + 30, y + 27}, fitted("overcut " + depth_text(overcut_mm, unit), 13, room), 13, kSoftInk);
     y += 20;
   }

@@ -59,6 +59,19 @@ TEST(Overcut, OfARibCutThroughIsHalfItsThickness) {
   EXPECT_NEAR(*result.verdicts[1].overcut_mm, 1, 1e-2);
 }
 
+TEST(Overcut, OfEveryMoveOfALongFindingIsFound) {
+  // A wide tool 2 mm below the top of a wall and 4 mm over its side: little of the tool's box is in the part,
+  // and only the worst move is searched whole.
+  const ToolForms tool = tools::flat(46);
+  std::vector<Pose> poses;
+  for (int k = 0; k <= 60; ++k) poses.push_back(paths::upright(-69 - 0.001 * k, -30 + k, -2));
+  const CheckResult result = check(poses, tool, kBlock);
+  for (std::size_t i = 1; i < result.verdicts.size(); ++i) {
+    ASSERT_EQ(result.verdicts[i].state, MoveState::gouge) << i;
+    EXPECT_NEAR(result.verdicts[i].overcut_mm.value_or(0), 2, 0.02) << i;
+  }
+}
+
 TEST(Overcut, IsNotToldForAnOpenSurface) {
   const IndexedMesh sheet = shapes::moved(shapes::sheet(100, 100, 0), Vec3(-50, -50, 0));
   const CheckResult result =
