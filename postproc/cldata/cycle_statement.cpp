@@ -109,13 +109,13 @@ std::optional<DrillCycle> read_heights(DialectKind dialect, Arguments arguments)
     case DialectKind::camplete:
       return read_depth_words(arguments, dialect == DialectKind::camplete);
     case DialectKind::creo:
+    case DialectKind::mori:
       return read_creo(arguments);
     case DialectKind::catia:
       return read_catia(arguments);
     case DialectKind::clt:
       return read_clt(arguments);
     case DialectKind::autodesk:
-    case DialectKind::mori:
     case DialectKind::nci:
       return std::nullopt;
     default:

@@ -159,7 +159,8 @@ void Interpreter::take_mcs() {
   set_frame(*frame);
 }
 
-// MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: an origin, an X axis and a Y axis.
+// MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: an origin, an X axis and a Y axis. Its writer turns positions
+// into no other system before it writes them, and those of three numbers have their axis from nowhere else.
 void Interpreter::take_mcsys() {
   std::vector<Argument> numbers;
   bool is_counting = false;
@@ -167,8 +168,11 @@ void Interpreter::take_mcsys() {
     is_counting = is_counting || equals_ignoring_case(argument.text, "POINT");
     if (is_counting && argument.number) numbers.push_back(argument);
   }
-  constexpr std::array<double, 9> kPlain = {0, 0, 0, 1, 0, 0, 0, 1, 0};
-  mcs_reason_ = is_identity(numbers, kPlain) ? nullptr : Reasons::kMcsys;
+  mcs_reason_ = numbers.size() == 9 ? nullptr : Reasons::kMcsys;
+  if (mcs_reason_ != nullptr) return;
+  const std::optional<RigidTransform> frame =
+      make_frame(vector_of(numbers, 0) * mm_per_unit_, vector_of(numbers, 3), vector_of(numbers, 6), "MCSYS");
+  if (frame) set_frame(*frame);
 }
 
 // ROTABL/angle,AAXIS,...: turns add up and are undone by the same angle the other way.

@@ -208,6 +208,7 @@ void Interpreter::take_cutcom() {
     cutcom_reason_ = nullptr;
     return;
   }
+  if (has_argument(arguments_, "LENGTH")) return;  // of the tool: along its axis, as positions are of its tip
   if (cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
   if (!is_cutter_centre_) cutcom_reason_ = Reasons::kCutcom;
 }

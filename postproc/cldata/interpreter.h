@@ -73,7 +73,7 @@ struct Reasons {
       "positions follow a statement that is not understood and may turn or shift them";
   static constexpr const char* kTrans = "positions are shifted by a TRANS or ORIGIN that is not applied";
   static constexpr const char* kCsys = "positions are in a coordinate system (CSYS) that is not applied";
-  static constexpr const char* kMcsys = "positions are in a coordinate system (MCSYS) that is not applied";
+  static constexpr const char* kMcsys = "positions are in a coordinate system (MCSYS) that is not understood";
   static constexpr const char* kTurned =
       "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";

@@ -70,6 +70,21 @@ TEST(Frames, McsOfCampleteIsApplied) {
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
 }
 
+TEST(Frames, McsysOfMoriIsApplied) {
+  const std::string head = "BEGIN\nUNITS/ MM\nOPNAME/ 'A'\n";
+  const Toolpath path = path_of(head +
+                                "MCSYS/ NUM, 2, POINT, 10, 20, 30, VECTOR, 0, 1, 0, VECTOR, 0, 0, 1\nGOTO/ 1, 2, 3\n"
+                                "MCSYS/ NUM, 1, POINT, 0, 0, 0, VECTOR, 1, 0, 0, VECTOR, 0, 1, 0\nGOTO/ 1, 2, 3\nEND/\n");
+  ASSERT_EQ(path.moves.size(), 2u);
+  expect_vector(path.moves[0].end.tip, 10 + 3, 20 + 1, 30 + 2);
+  expect_vector(path.moves[0].end.axis, 1, 0, 0);
+  expect_vector(path.moves[1].end.tip, 1, 2, 3);
+  EXPECT_FALSE(path.moves[1].start) << "the machine turns in between";
+  for (const Move& move : path.moves) EXPECT_TRUE(move.not_checked_reason.empty());
+  const Toolpath other = path_of(head + "MCSYS/ NUM, 2, POINT, 10, 20, 30\nGOTO/ 1, 2, 3\nEND/\n");
+  EXPECT_FALSE(other.moves.at(0).not_checked_reason.empty());
+}
+
 TEST(Frames, CsysOfCreoIsToldAndNotApplied) {
   const Toolpath path = sample("creo.ncl.1");
   expect_vector(path.moves[0].end.tip, -7.2290790757, -23, 2);

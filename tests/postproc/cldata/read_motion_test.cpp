@@ -135,6 +135,10 @@ TEST(ReadCycles, EveryDialectGoesDownAndUpByItsOwnWords) {
                             "CYCLE/ DRILL,G98,12.5,PECKING,5.0,2.0,MMPM,187.165839,3.0,46.5 46.5 DWELL,0.0 \n"
                             "GOTO/ 67.5,120.5,-21.5 \nCYCLE/ OFF \nFINI\n")),
             (Heights{-18.5, -34, 25}));
+  EXPECT_EQ(heights(path_of("OPNAME/ 'A'\nUNITS/ MM\nGOTO/ 4., 2., 50.\n"
+                            "CYCLE/ DEEP, DEPTH, 8., STEP, 2., PERMIN, 100., CLEAR, 15., RETURN, 15., RAPTO, 10.\n"
+                            "FEDRAT/ 100.\nGOTO/ 4., 2., -1.\nCYCLE/ OFF\nEND/\n")),
+            (Heights{14, -9, 14}));
 }
 
 TEST(ReadCycles, TheToolGoesAcrossBeforeItGoesDownAndUpBeforeItGoesAcross) {
@@ -158,6 +162,13 @@ TEST(ReadCycles, WhatCouldMeanTwoThingsIsNotChecked) {
     const Toolpath path = path_of(std::string("TRNTYP/WORLD,0,0,0\nGOTO/0,0,9.\n") + cycle + "\nGOTO/5.,0,0\nFINI\n");
     EXPECT_EQ(path.moves.at(1).not_checked_reason, "a cycle whose words are not understood") << cycle;
   }
+}
+
+TEST(ReadCutcom, LengthOfTheToolIsNoRadius) {
+  const Toolpath path = path_of("OPNAME/ 'A'\nCUTCOM/ ON, LENGTH, 3\nGOTO/ 0, 0, 0\nGOTO/ 1, 0, 0\nCUTCOM/ ON\n"
+                                "CUTCOM/ LEFT, XYPLAN, OSETNO, 3\nGOTO/ 2, 0, 0\nEND/\n");
+  EXPECT_TRUE(path.moves.at(1).not_checked_reason.empty());
+  EXPECT_FALSE(path.moves.at(2).not_checked_reason.empty());
 }
 
 TEST(ReadCutcom, CreoSaysWhereItsPositionsAreTheCutterCentre) {
