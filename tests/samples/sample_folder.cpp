@@ -34,9 +34,7 @@ std::vector<std::string> SampleFolder::arguments(const std::string& command, con
   for (const auto& part : expected.at("parts")) all.insert(all.end(), {"--part", part.get<std::string>()});
   for (const auto& fixture : expected.at("fixtures"))
     all.insert(all.end(), {"--fixture", fixture.get<std::string>()});
-  if (command == "check") {
-    for (const auto& head : expected.at("heads")) all.insert(all.end(), {"--head", head.get<std::string>()});
-  }
+  for (const auto& head : expected.at("heads")) all.insert(all.end(), {"--head", head.get<std::string>()});
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -18,7 +18,7 @@ struct SampleFolder {
   nlohmann::json expected;
 
   [[nodiscard]] std::string toolpath() const { return expected.at("toolpath"); }
-  /// `command` PATH --tools ... --part ... --fixture ..., for `check` --head ..., then `more`.
+  /// `command` PATH --tools ... --part ... --fixture ... --head ..., then `more`.
   [[nodiscard]] std::vector<std::string> arguments(const std::string& command, const std::string& toolpath,
                                                    const std::vector<std::string>& more = {}) const;
 };

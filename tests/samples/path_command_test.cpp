@@ -1,0 +1,108 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+// `gougecheck path` as a user sees it, on a small file of every dialect and on real files where these are at hand.
+
+namespace gouge::testing_samples {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string kCorpus = std::string(GOUGE_SOURCE_DIR) + "/tests/corpus/cl";
+const std::string kReal = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/toolpaths";
+
+std::vector<std::string> files_below(const std::string& folder) {
+  std::vector<std::string> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file()) files.push_back(entry.path().string());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+nlohmann::json info(const std::string& folder, const std::string& file) {
+  const Outcome ran = run_gougecheck(folder, {"path", "info", file, "--json", "-"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  return nlohmann::json::parse(ran.out, nullptr, false);
+}
+
+TEST(PathConvert, WithoutATargetIsTheIdentityOnEveryDialect) {
+  const std::string folder = fresh_folder();
+  std::size_t files = 0;
+  for (const std::string& file : files_below(kCorpus)) {
+    const Outcome ran = run_gougecheck(folder, {"path", "convert", file, "-o", "same"});
+    EXPECT_EQ(ran.exit_status, 0) << file << ran.err;
+    EXPECT_TRUE(text_of(folder + "/same") == text_of(file)) << file;
+    ++files;
+  }
+  EXPECT_GE(files, 13U);
+}
+
+TEST(PathConvert, WithoutATargetIsTheIdentityOnRealFilesOrRefusesWhatIsNoClData) {
+  if (!fs::exists(kReal)) GTEST_SKIP() << "no real toolpaths beside the checkout (" << kReal << ")";
+  const std::string folder = fresh_folder();
+  std::size_t same = 0, refused = 0;
+  for (const std::string& file : files_below(kReal)) {
+    const Outcome ran = run_gougecheck(folder, {"path", "convert", file, "-o", "same"});
+    if (ran.exit_status == 0) {
+      EXPECT_TRUE(text_of(folder + "/same") == text_of(file)) << file;
+      ++same;
+    } else {
+      EXPECT_EQ(ran.exit_status, 3) << file << ran.err;
+      ++refused;
+    }
+  }
+  EXPECT_EQ(same, 28U);
+  EXPECT_EQ(refused, 5U);  // three part programs, a table of words, a file without motion
+}
+
+TEST(PathConvert, KeepsMotionToolsAndArcsOnTheWayThroughOtherDialects) {
+  const SampleFolder sample = open_sample("arcs_nx");
+  const nlohmann::json before = info(sample.path, sample.toolpath());
+  for (const char* dialect : {"nx-clsf", "apt-creo", "apt-catia", "apt-solidworks-cam", "camworks-clt", "apt-autodesk",
+                              "apt-camplete", "apt-mori"}) {
+    const Outcome ran =
+        run_gougecheck(sample.path, {"path", "convert", sample.toolpath(), "-o", "other", "--to", dialect});
+    ASSERT_EQ(ran.exit_status, 0) << dialect << ran.err;
+    const nlohmann::json after = info(sample.path, "other");
+    EXPECT_EQ(after.at("dialect"), dialect);
+    EXPECT_EQ(after.at("moves"), before.at("moves")) << dialect;
+    EXPECT_EQ(after.at("moves_by_kind").at("arc"), 2) << dialect;
+    EXPECT_NEAR(after.at("feed_length").get<double>(), before.at("feed_length").get<double>(), 1e-3) << dialect;
+    const Outcome checked = run_gougecheck(sample.path, sample.arguments("check", "other"));
+    EXPECT_EQ(checked.exit_status, 1) << dialect << checked.err;
+    EXPECT_NE(checked.out.find("0.214 mm"), std::string::npos) << dialect << checked.out;
+  }
+}
+
+TEST(PathCommand, RefusesToWriteOverItsInputAndUnknownDialects) {
+  const SampleFolder sample = open_sample("arcs_nx");
+  const Outcome over =
+      run_gougecheck(sample.path, {"path", "convert", sample.toolpath(), "-o", "./" + sample.toolpath()});
+  EXPECT_EQ(over.exit_status, 2);
+  EXPECT_NE(over.err.find("is the toolpath itself"), std::string::npos) << over.err;
+  EXPECT_EQ(run_gougecheck(sample.path, {"path", "convert", sample.toolpath(), "-o", "a", "--to", "fanuc"}).exit_status,
+            2);
+  EXPECT_EQ(run_gougecheck(sample.path, {"path", "info", sample.toolpath(), "--dialect", "fanuc"}).exit_status, 2);
+  EXPECT_FALSE(fs::exists(sample.path + "/a"));
+}
+
+TEST(PathPlot, WritesPicturesOfBothKinds) {
+  const SampleFolder sample = open_sample("arcs_nx");
+  for (const auto& [file, start] : {std::pair{"plot.png", "\x89PNG"}, std::pair{"plot.svg", "<svg"}}) {
+    EXPECT_EQ(run_gougecheck(sample.path, {"path", "plot", sample.toolpath(), "-o", file}).exit_status, 0);
+    EXPECT_NE(text_of(sample.path + "/" + file).substr(0, 200).find(start), std::string::npos) << file;
+  }
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
