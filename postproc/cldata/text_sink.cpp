@@ -73,7 +73,8 @@ void TextSink::begin_file() {
       line("UNIT/" + std::string(options_.unit == LengthUnit::inch ? "INCH" : "MM"));
       return line("TRNTYP/WORLD,0,0,0");
     case DialectKind::clt:
-      return line("UNITS/ " + unit_word() + " ");
+      line("UNITS/ " + unit_word() + " ");
+      return line("OPFEATSTART/" + options_.name);  // what tells the dialect
     case DialectKind::autodesk:
     case DialectKind::camplete:
       line("MODE/MILL");
@@ -85,6 +86,7 @@ void TextSink::begin_file() {
     case DialectKind::mori:
       line("BEGIN");
       line("UNITS/ " + unit_word());
+      line("MCSYS/ NUM, 1, POINT, 0, 0, 0, VECTOR, 1, 0, 0, VECTOR, 0, 1, 0");
       return line("MULTAX/ ON");
     case DialectKind::nccs:
       line("REMARK " + options_.name + " NCLCAM");

@@ -145,6 +145,11 @@ void PathWriter::write_move(const Move& move, bool is_first) {
     sink_->change_tool(path_.tools[tool_]);
     feed_ = 0;
   }
+  if (move.operation != operation_ && move.operation != kNone) {
+    operation_ = move.operation;
+    const std::string& name = path_.operations[operation_].name;
+    if (!name.empty()) sink_->begin_operation(name);
+  }
   const bool is_rapid =
       move.kind == MoveKind::rapid || (move.kind == MoveKind::cycle && !(move.feed_mm_per_min > 0));
   if (is_rapid) {

@@ -68,6 +68,37 @@ TEST(RoundTrip, ThroughTheNeutralModelTheSameDialectHasTheSameMotions) {
   EXPECT_GE(written, 10u);
 }
 
+// The names of operations in the order in which motion comes to them.
+std::vector<std::string> operation_names(const Toolpath& path) {
+  std::vector<std::string> names;
+  std::size_t last = kNone;
+  for (const Move& move : path.moves) {
+    if (move.operation == kNone || move.operation == last) continue;
+    last = move.operation;
+    names.push_back(path.operations[last].name);
+  }
+  return names;
+}
+
+TEST(RoundTrip, NamesOfOperationsAndWhatTellsTheDialectAreWritten) {
+  const Toolpath path = path_of(
+      "TOOL PATH/ROUGH,TOOL,A\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\nLOAD/TOOL,1\nGOTO/1.0,2.0,3.0\nGOTO/2.0,2.0,3.0\n"
+      "END-OF-PATH\nTOOL PATH/FINISH,TOOL,A\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\nLOAD/TOOL,1\nGOTO/3.0,2.0,3.0\n"
+      "END-OF-PATH\n");
+  for (const Dialect& dialect : all_dialects()) {
+    if (dialect.kind == DialectKind::nci || dialect.kind == DialectKind::goto_list) continue;
+    const Result<WrittenToolpath> result = write_toolpath(path, dialect);
+    ASSERT_TRUE(result) << dialect.id;
+    EXPECT_EQ(recognise_dialect(result->bytes).id, dialect.id);
+    const ReadOutcome again = read_toolpath("again", result->bytes);
+    ASSERT_TRUE(again.toolpath) << dialect.id;
+    std::vector<std::string> names = operation_names(*again.toolpath);
+    for (std::string& name : names) name = name.substr(name.starts_with("FEATNO ") ? 7 : 0);
+    if (dialect.kind == DialectKind::solidworks_cam) continue;  // its comments name tools as well
+    EXPECT_EQ(names, (std::vector<std::string>{"ROUGH", "FINISH"})) << dialect.id;
+  }
+}
+
 TEST(RoundTrip, EveryDialectTakesAPathWithTiltsArcsAndTools) {
   const Toolpath path = path_of(bytes_of(corpus() / "autodesk.apt"));
   for (const Dialect& dialect : all_dialects()) {
