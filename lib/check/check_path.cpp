@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <mutex>
+#include <utility>
 
 #include "lib/base/parallel.h"
 #include "lib/check/buried.h"
@@ -29,6 +30,9 @@ class PathChecker {
   void check(std::size_t first, std::size_t last, std::vector<MoveVerdict>& verdicts,
              std::vector<std::uint64_t>& bounds) const {
     Batch batch;
+    batch.moves.reserve(last - first);
+    batch.motions.reserve(last - first);
+    batch.kinds.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) {
       const Move& move = toolpath_.moves[i];
       if (!batch.moves.empty() && toolpath_.moves[batch.moves.back()].tool != move.tool)
@@ -38,13 +42,13 @@ class PathChecker {
         verdicts[i] = not_checked(reason);
         continue;
       }
-      const Motion motion = motion_of(toolpath_, move, options_.rapid);
+      Motion motion = motion_of(toolpath_, move, options_.rapid);
       if (!motion.is_defined()) {
         verdicts[i] = not_checked("the axis turns by 180 degrees: its way is not defined");
         continue;
       }
       batch.moves.push_back(i);
-      batch.motions.push_back(motion);
+      batch.motions.push_back(std::move(motion));
       batch.kinds.push_back(move.kind);
     }
     check(batch, verdicts, bounds);
@@ -80,7 +84,9 @@ class PathChecker {
       verdicts[batch.moves[k]] = std::move(found[k]);
       bounds[batch.moves[k]] = spent[k];
     }
-    batch = Batch{};
+    batch.moves.clear();
+    batch.motions.clear();
+    batch.kinds.clear();
   }
 
   const Toolpath& toolpath_;

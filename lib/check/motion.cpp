@@ -49,7 +49,7 @@ Motion::Motion(const Pose& start, const Pose& end, bool is_dogleg) : start_(star
   if (is_dogleg) {
     stretches_ = dogleg(start.tip, end.tip);
   } else {
-    stretches_ = {{0, 1, start.tip, end.tip}};
+    whole_ = {0, 1, start.tip, end.tip};
   }
 }
 
@@ -90,7 +90,7 @@ Motion::Motion(const Pose& alone) : Motion(alone, alone) {
 }
 
 Vec3 Motion::tip_at(double t, std::uint32_t stretch) const {
-  const TipStretch& way = stretches_[stretch];
+  const TipStretch& way = stretches()[stretch];
   if (t >= way.t1) return way.tip1;
   if (t <= way.t0) return way.tip0;
   if (curve_ == CurveKind::arc) return turn_.at(t);
@@ -99,7 +99,7 @@ Vec3 Motion::tip_at(double t, std::uint32_t stretch) const {
 }
 
 double Motion::way_mm(double t0, double t1, std::uint32_t stretch) const {
-  const TipStretch& way = stretches_[stretch];
+  const TipStretch& way = stretches()[stretch];
   switch (curve_) {
     case CurveKind::none:
       return (way.tip1 - way.tip0).norm() * (t1 - t0) / (way.t1 - way.t0);
@@ -133,11 +133,12 @@ double Motion::sag_mm(double t0, double t1, std::uint32_t stretch) const {
 Pose Motion::at(double t) const {
   if (t <= 0) return start_;
   if (t >= 1) return end_;
-  const auto stretch = std::lower_bound(stretches_.begin(), stretches_.end() - 1, t,
+  const std::span<const TipStretch> ways = stretches();
+  const auto stretch = std::lower_bound(ways.begin(), ways.end() - 1, t,
                                         [](const TipStretch& s, double instant) { return s.t1 < instant; });
   const double turned = angle_ * t;
   return {
-      tip_at(t, static_cast<std::uint32_t>(stretch - stretches_.begin())),
+      tip_at(t, static_cast<std::uint32_t>(stretch - ways.begin())),
       (std::cos(turned) * start_.axis + std::sin(turned) * rotation_axis_.cross(start_.axis)).normalized()};
 }
 

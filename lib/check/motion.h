@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lib/check/check_options.h"
@@ -36,7 +37,9 @@ class Motion {
   [[nodiscard]] bool is_straight() const { return curve_ == CurveKind::none; }
   /// Pose at t in [0, 1]; t = 0 and 1 give the end poses bit for bit.
   [[nodiscard]] Pose at(double t) const;
-  [[nodiscard]] const std::vector<TipStretch>& stretches() const { return stretches_; }
+  [[nodiscard]] std::span<const TipStretch> stretches() const {
+    return stretches_.empty() ? std::span(&whole_, 1) : std::span(stretches_);
+  }
   /// Tip at t within the stretch; exact also on arcs and splines.
   [[nodiscard]] Vec3 tip_at(double t, std::uint32_t stretch) const;
   /// The tip's way over [t0, t1] of a stretch is no longer than this; straight ways are exactly this long.
@@ -61,7 +64,8 @@ class Motion {
   };
 
   Pose start_, end_;
-  std::vector<TipStretch> stretches_;
+  TipStretch whole_;
+  std::vector<TipStretch> stretches_;  // where there is more than one
   CurveKind curve_ = CurveKind::none;
   Turn turn_;                        // of an arc
   std::vector<SplinePiece> pieces_;  // of a spline: one for each stretch
