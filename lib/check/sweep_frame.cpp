@@ -16,9 +16,8 @@ constexpr double kSmallTurn_rad = 0.1;
 constexpr double kShortWay_mm = 4;
 constexpr int kMostSteps = 64;
 
-/// Of two unit vectors, and a little more: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and <= c pi / 2 for all c.
-double angle_between(const Vec3& a, const Vec3& b) {
-  const double chord = (a - b).norm();
+/// Of two unit vectors a chord apart, and a little more: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and <= c pi / 2.
+double angle_over(double chord) {
   return chord <= 1 ? chord + chord * chord * chord / 20 : 0.5 * M_PI * chord;
 }
 
@@ -44,25 +43,29 @@ class Line {
     double spread2 = 0;
     for (const SweepStep& step : steps) spread2 = std::max(spread2, (step.to.tip - middle_).squaredNorm());
     is_by_way_ = way_.squaredNorm() > 1e-6 * spread2 && steps.size() > 1;
+    if (is_by_way_) per_way2_ = 1 / way_.squaredNorm();
   }
   [[nodiscard]] const Vec3& way() const { return way_; }
   [[nodiscard]] const Vec3& middle() const { return middle_; }
   /// `index`: 0 for the start of the first step, k for the end of step k - 1.
   [[nodiscard]] double at(const Pose& pose, double index) const {
     if (!is_by_way_) return index / count_ - 0.5;
-    return std::clamp((pose.tip - middle_).dot(way_) / way_.squaredNorm(), -0.5, 0.5);
+    return std::clamp((pose.tip - middle_).dot(way_) * per_way2_, -0.5, 0.5);
   }
 
  private:
   double count_;
   Vec3 middle_, way_;
+  double per_way2_ = 0;
   bool is_by_way_ = false;
 };
 
 template <typename Visit>
 void each_pose(std::span<const SweepStep> steps, const Visit& visit) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
-    visit(steps[i].from, static_cast<double>(i));
+    const bool goes_on =
+        i > 0 && steps[i].from.tip == steps[i - 1].to.tip && steps[i].from.axis == steps[i - 1].to.axis;
+    if (!goes_on) visit(steps[i].from, static_cast<double>(i));
     visit(steps[i].to, static_cast<double>(i + 1));
   }
 }
@@ -131,16 +134,17 @@ SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin, dou
   frame.tip = single(middle - origin);
   const Vec3 tip = kept(frame.tip);
 
-  double beside = 0, far = 0, twisted = 0, widest = 0;
+  double beside2 = 0, far2 = 0, twisted2 = 0, chord2 = 0;
   each_pose(steps, [&](const Pose& pose, double index) {
     const double s = line.at(pose, index);
     const Vec3 way = pose.tip - origin - tip;
-    const Vec3 lean = axis.cross(pose.axis);
-    beside = std::max(beside, (way - s * line.way()).norm());
-    far = std::max(far, way.norm());
-    twisted = std::max(twisted, (lean - s * turn).norm());
-    widest = std::max(widest, angle_between(axis, pose.axis));
+    beside2 = std::max(beside2, (way - s * line.way()).squaredNorm());
+    far2 = std::max(far2, way.squaredNorm());
+    twisted2 = std::max(twisted2, (axis.cross(pose.axis) - s * turn).squaredNorm());
+    chord2 = std::max(chord2, (axis - pose.axis).squaredNorm());
   });
+  double beside = std::sqrt(beside2), far = std::sqrt(far2), twisted = std::sqrt(twisted2);
+  const double widest = angle_over(std::sqrt(chord2));
   double sag = 0, bend = 0;
   for (const SweepStep& step : steps) {
     sag = std::max(sag, step.sag_mm);
@@ -155,6 +159,7 @@ SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin, dou
   frame.way_mm = rounded_up(line.way().norm());
   frame.half_turn = rounded_up(0.5 * turn.norm());
   const double scale = kSingle * (line.way().norm() + far) + rounding_mm;
+  frame.beside_mm = rounded_up(beside + scale);
   frame.rest_mm = rounded_up(beside + widest * far * (1 + 0.5 * widest) + scale);
   frame.rest_per_mm = rounded_up(twisted + 0.5 * widest * widest + kSingle * (1 + turn.norm()));
   return frame;

@@ -21,18 +21,55 @@ extern const SweepKernel kKernel;
 
 static_assert(KernelPiece::kMaxLines + 1 == CoverPiece::kMaxChain);
 
+namespace {
+
+constexpr double kOnAxis = 1e-9;  // as a share of the piece's size
+
+/// The direction of a chain's line, upright where it leans by rounding only.
+Vec2 along(const std::vector<Vec2>& chain, std::size_t line) {
+  const Vec2 way = (chain[line + 1] - chain[line]).normalized();
+  return std::abs(way.x()) < kOnAxis ? Vec2(0, way.y() < 0 ? -1 : 1) : way;
+}
+
+void set_core(const CoverPiece& piece, double size, KernelPiece& k) {
+  const std::vector<Vec2>& chain = piece.chain;
+  double widest = 0, narrowest = 0, reach = 0;
+  for (std::size_t i = 1; i + 1 < chain.size(); ++i) {
+    widest = std::max(widest, chain[i].x());
+    narrowest = std::min(narrowest, chain[i].x());
+    reach = std::max(reach, chain[i].lpNorm<1>());
+  }
+  if (k.count == 1) widest = std::max(chain[0].x(), chain[1].x());
+  k.core_r_mm = widest > kOnAxis * size ? static_cast<float>(widest) : 0.0F;
+  k.is_steady = k.count > 1 && narrowest >= -kOnAxis * size;
+  if (!k.is_steady) return;
+  k.is_level_below = std::abs(along(chain, 0).y()) < kOnAxis;
+  k.is_level_above = std::abs(along(chain, k.count - 1).y()) < kOnAxis;
+  k.core_mm = static_cast<float>(reach);
+}
+
+}  // namespace
+
+constexpr double kSharp_mm = 1e-6;  // what stands off a piece by more is rounded
+
 KernelPiece kernel_piece(const CoverPiece& piece) {
   KernelPiece k;
   double size = std::max(std::abs(piece.z_lo_mm), std::abs(piece.z_hi_mm)) + piece.radius_mm;
   k.count = static_cast<std::uint32_t>(piece.chain.size() - 1);
   for (std::size_t i = 0; i + 1 < piece.chain.size(); ++i) {
-    const Vec2 along = (piece.chain[i + 1] - piece.chain[i]).normalized();
+    const Vec2 way = along(piece.chain, i);
     const Vec2& base = i == 0 ? piece.chain[1] : piece.chain[i];
     const Vec2 at = piece.chain.size() == 2 ? Vec2(0.5 * (piece.chain[0] + piece.chain[1])) : base;
-    k.lines[i] = {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(along.x()),
-                  static_cast<float>(along.y())};
+    k.lines[i] = {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(way.x()),
+                  static_cast<float>(way.y()), 0, 0};
     size = std::max(size, at.norm());
+    if (i == 0) continue;
+    const Vec2 before = along(piece.chain, i - 1);
+    const Vec2 in = Vec2(-before.y() - way.y(), before.x() + way.x()) / (1 + before.dot(way));
+    k.lines[i].in_r = static_cast<float>(in.x());
+    k.lines[i].in_z = static_cast<float>(in.y());
   }
+  k.is_sharp = k.count > 1 && piece.radius_mm < kSharp_mm;
   k.radius_mm = static_cast<float>(piece.radius_mm);
   k.z_lo_mm = static_cast<float>(piece.z_lo_mm);
   k.z_hi_mm = static_cast<float>(piece.z_hi_mm);
@@ -42,6 +79,7 @@ KernelPiece kernel_piece(const CoverPiece& piece) {
   // A whole end that is free stays free however the least radius is rounded.
   k.r_below_mm = piece.r_below_mm > 0 ? static_cast<float>(piece.r_below_mm) : -3e38F;
   k.r_above_mm = piece.r_above_mm > 0 ? static_cast<float>(piece.r_above_mm) : -3e38F;
+  set_core(piece, size, k);
   k.rounding_mm = static_cast<float>(1e-6 * size);
   return k;
 }

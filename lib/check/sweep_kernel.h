@@ -22,6 +22,7 @@ struct SweepFrame {
   float way_mm = 0;     ///< at least |way|
   float half_turn = 0;  ///< at least |turn| / 2
   float rest_mm = 0, rest_per_mm = 0;
+  float beside_mm = 0;  ///< how far the tip may be from its place on the straight way
 };
 
 /// A piece of the tool's cover, in single precision.
@@ -30,11 +31,17 @@ struct KernelPiece {
   struct Line {
     float r = 0, z = 0;    ///< a point of it
     float dr = 0, dz = 1;  ///< its direction, unit
+    float in_r = 0, in_z = 0;  ///< from the corner where it starts to where both its lines are 1 mm away
   };
   std::array<Line, kMaxLines> lines;  ///< line k + 1 starts at the corner where line k ends
   std::uint32_t count = 0;
+  bool is_sharp = false;  ///< its corners are not rounded
   float radius_mm = 0;
   float z_lo_mm = 0, z_hi_mm = 0, foot_lo_mm = 0, foot_hi_mm = 0, r_below_mm = 0, r_above_mm = 0, r_closed_mm = 0;
+  bool is_steady = false;  ///< how far the core reaches in a direction is known from its corners
+  float core_r_mm = 0;     ///< largest r of a corner of the chain, or of its only line
+  float core_mm = 0;       ///< no corner of the core has a larger |r| + |z|
+  bool is_level_below = false, is_level_above = false;  ///< the core ends in a flat face
   float rounding_mm = 0;  ///< what single precision may do to distances from the piece
 };
 

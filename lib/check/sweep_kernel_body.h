@@ -3,123 +3,17 @@
 // Included once for every instruction set, with GOUGE_KERNEL naming the namespace. Nothing here may come from
 // another header as an inline function: it would be compiled for this instruction set and linked into the rest.
 #include "lib/check/sweep_kernel.h"
+#include "lib/check/sweep_kernel_lanes.h"
+#include "lib/check/sweep_kernel_piece.h"
 
 namespace gouge::GOUGE_KERNEL {
 namespace {
 
-using V = float __attribute__((vector_size(64)));
-using M = int __attribute__((vector_size(64)));
-
-#define GOUGE_INLINE inline __attribute__((always_inline))
-
-struct V3 {
-  V x, y, z;
-};
-
-GOUGE_INLINE void load(const Lanes& from, V& to) { __builtin_memcpy(&to, &from, sizeof(V)); }
-GOUGE_INLINE void store(const V& from, Lanes& to) { __builtin_memcpy(&to, &from, sizeof(V)); }
-GOUGE_INLINE V all(float x) { return x - V{}; }
-GOUGE_INLINE V larger(const V& a, const V& b) { return a > b ? a : b; }
-GOUGE_INLINE V smaller(const V& a, const V& b) { return a < b ? a : b; }
-GOUGE_INLINE V size(const V& a) { return a < 0 ? -a : a; }
-GOUGE_INLINE V root(const V& a) {
-  V result;
-  for (int i = 0; i < 16; ++i) result[i] = __builtin_sqrtf(a[i]);
-  return result;
-}
-GOUGE_INLINE V dot(const V3& a, const V3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-GOUGE_INLINE V3 cross(const V3& a, const V3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-GOUGE_INLINE V3 minus(const V3& a, const V3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-GOUGE_INLINE V3 plus(const V3& a, const V3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-GOUGE_INLINE V3 times(const V3& a, const V& s) { return {a.x * s, a.y * s, a.z * s}; }
-GOUGE_INLINE V3 all(const std::array<float, 3>& a) { return {all(a[0]), all(a[1]), all(a[2])}; }
-GOUGE_INLINE V3 chosen(const M& which, const V3& a, const V3& b) {
-  return {which ? a.x : b.x, which ? a.y : b.y, which ? a.z : b.z};
-}
-
-/// The frame, a copy in every lane.
-struct Frame {
-  V3 tip, axis, way, turn;
-};
-
-GOUGE_INLINE Frame spread(const SweepFrame& f) { return {all(f.tip), all(f.axis), all(f.way), all(f.turn)}; }
-
-/// The signed distance of a piece at u, with a subgradient.
-struct Touch {
-  V distance, r, z;
-  V3 gradient;
-};
-
-GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, Touch& out) {
-  const V z = dot(axis, u);
-  // Close to the axis what is left is rounding and may point along it, which would tilt the gradient: taken off twice.
-  const V3 nearly = minus(u, times(axis, z));
-  const V3 across = minus(nearly, times(axis, dot(axis, nearly)));
-  const V r = root(dot(across, across));
-  V distance = all(-3e38F);
-  V gr = V{}, gz = V{};
-  M is_at_corner = M{};
-  for (std::uint32_t k = 0; k < piece.count; ++k) {
-    const KernelPiece::Line& line = piece.lines[k];
-    const V pr = r - line.r;
-    const V pz = z - line.z;
-    const V side = pr * line.dz - pz * line.dr;
-    if (k > 0) {
-      // Before a corner's line and past the one that ends there: nearest to the corner itself.
-      const KernelPiece::Line& last = piece.lines[k - 1];
-      const M here = (pr * last.dr + pz * last.dz > 0) & (pr * line.dr + pz * line.dz < 0);
-      const V away = root(pr * pr + pz * pz);
-      const V shrink = 1.0F / larger(away, all(1e-30F));
-      distance = here ? away : distance;
-      gr = here ? pr * shrink : gr;
-      gz = here ? pz * shrink : gz;
-      is_at_corner = is_at_corner | here;
-    }
-    const M next = (side > distance) & ~is_at_corner;
-    distance = next ? side : distance;
-    gr = next ? all(line.dz) : gr;
-    gz = next ? all(-line.dr) : gz;
-  }
-  out.distance = distance - piece.radius_mm;
-  out.r = r;
-  out.z = z;
-  const V out_share = gr / larger(r, all(1e-30F));
-  out.gradient = plus(times(across, out_share), times(axis, gz));
-}
-
-/// The larger of what each face of the piece proves, given the range of heights and the least radius.
-struct Range {
-  V z_lo, z_hi, r_lo;
-};
-
-GOUGE_INLINE V settle(const KernelPiece& piece, float need, const V& by_plane, const Range& range) {
-  const float depth = need < 0 ? -need : 0.0F;
-  const M has_foot = ((range.z_lo - depth > piece.foot_lo_mm) | (range.r_lo >= piece.r_closed_mm)) &
-                     (range.z_hi + depth < piece.foot_hi_mm);
-  const V never = all(-3e38F);
-  V bound = (has_foot | (by_plane >= 0)) ? by_plane : never;
-  const V below = piece.z_lo_mm - range.z_hi;
-  const V above = range.z_lo - piece.z_hi_mm;
-  const M is_below = (below >= 0) | (range.r_lo >= piece.r_below_mm);
-  const M is_above = (above >= 0) | (range.r_lo >= piece.r_above_mm);
-  bound = larger(bound, is_below ? below : never);
-  return larger(bound, is_above ? above : never);
-}
-
 GOUGE_INLINE void finish(const V& bound, float need, std::uint32_t count, KernelAnswer& answer) {
   store(bound, answer.bound);
-  std::uint32_t open = 0;
-  float least = 3e38F;
-  for (std::uint32_t i = 0; i < 16; ++i) {
-    const bool is_open = answer.bound[i] < need;
-    open |= (is_open ? 1U : 0U) << i;
-    const float settled = is_open ? 3e38F : answer.bound[i];
-    least = settled < least ? settled : least;
-  }
-  answer.open = open & ((1U << count) - 1U);
-  answer.least_settled = least;
+  const M is_open = bound < need;
+  answer.open = or_of(is_open & kLaneBit) & ((1U << count) - 1U);
+  answer.least_settled = least_of(is_open ? all(3e38F) : bound);
 }
 
 void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& piece, float need,
@@ -137,19 +31,29 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
   load(block.disc_radius_mm, disc);
   load(block.radius_mm, ball);
   const V3 u = minus(center, f.tip);
+  // The plane that touches the tool at the point of the disc nearest to the core says most.
+  const V3 to_core = minus(near_core(piece, u, f.axis), u);
+  const V3 lateral = minus(to_core, times(normal, dot(normal, to_core)));
+  const V length = root(dot(lateral, lateral));
+  const V3 nearest = plus(u, times(lateral, disc / larger(length, larger(disc, all(1e-30F)))));
   Touch at;
-  touch(piece, u, f.axis, at);
-  const V3 speed = plus(f.way, cross(f.turn, u));
-  const V far = at.r + size(at.z) + ball;
-  const V rest = frame.half_turn * ball + frame.rest_mm + frame.rest_per_mm * far + piece.rounding_mm;
+  touch(piece, nearest, f.axis, at);
   const V3 lean = cross(at.gradient, normal);
   const V extent = size(dot(at.gradient, normal)) * thickness + root(dot(lean, lean)) * disc;
-  const V by_plane = at.distance - 0.5F * size(dot(at.gradient, speed)) - extent - rest;
+  const V3 speed = plus(f.way, cross(f.turn, u));
+  const V far = at.r + size(at.z) + ball + disc;
+  const V rest = frame.half_turn * ball + frame.rest_mm + frame.rest_per_mm * far + piece.rounding_mm;
+  V by_plane = at.distance + dot(at.gradient, minus(u, nearest)) - extent -
+               0.5F * size(dot(at.gradient, speed)) - rest;
+  by_plane = larger(by_plane, least_along(piece, at.gradient, dot(at.gradient, u) - extent, frame, f) -
+                                  frame.rest_per_mm * far);
+  const V z = dot(f.axis, u);
   const V3 tilt = cross(f.axis, normal);
   const V height = smaller(size(dot(f.axis, normal)) * thickness + root(dot(tilt, tilt)) * disc, ball) +
                    0.5F * size(dot(f.axis, speed)) + rest;
-  const V reach = ball + 0.5F * frame.way_mm + frame.half_turn * far + rest;
-  const V bound = settle(piece, need, by_plane, {at.z - height, at.z + height, at.r - reach});
+  const V reach = ball + disc + 0.5F * frame.way_mm + frame.half_turn * far + rest;
+  const Range range{z - height, z + height, at.r - reach};
+  const V bound = settle(piece, has_foot(piece, need, range), by_plane, range);
   store(at.distance, answer.distance);
   finish(bound, need, block.count, answer);
 }
@@ -234,6 +138,12 @@ GOUGE_INLINE V least(const Plane& p) {
   return low;
 }
 
+GOUGE_INLINE V least_blended(const Plane& p, const Plane& q, const V& share) {
+  V low = all(3e38F);
+  for (int k = 0; k < 6; ++k) low = smaller(low, share * p.value[k] + (1.0F - share) * q.value[k]);
+  return low;
+}
+
 /// Two lower bounds are bounds in any blend. At an edge of the tool, where one rises as the other falls, the blend in
 /// which their lowest corners balance is the best.
 GOUGE_INLINE V least_blended(const Plane& p, const Plane& q) {
@@ -248,41 +158,57 @@ GOUGE_INLINE V least_blended(const Plane& p, const Plane& q) {
   }
   const V slope = (q_at_p - low_p) + (p_at_q - low_q);
   const V share = smaller(larger((q_at_p - low_q) / larger(slope, all(1e-30F)), V{}), all(1.0F));
-  V low = all(3e38F);
-  for (int k = 0; k < 6; ++k) low = smaller(low, share * p.value[k] + (1.0F - share) * q.value[k]);
-  return low;
+  return least_blended(p, q, share);
 }
 
-/// Smallest of g.u - |g.(way + turn x u)| / 2 over the corners: linear in the point for every instant and in the
-/// instant for every point, so nothing in between is smaller.
-GOUGE_INLINE V least_at_corners(const Triangle& t, const V3& g, const Frame& f) {
-  const V still = dot(g, f.way);
-  const V3 lever = cross(g, f.turn);
-  const V at_a = dot(g, t.a) - 0.5F * size(still + dot(lever, t.a));
-  const V at_b = dot(g, t.b) - 0.5F * size(still + dot(lever, t.b));
-  const V at_c = dot(g, t.c) - 0.5F * size(still + dot(lever, t.c));
-  return smaller(at_a, smaller(at_b, at_c));
-}
-
-/// A direction, and how far the piece's core reaches in it: no point of the core is beyond.
-struct Support {
-  V3 direction, point;
-  V reach;
+/// Where on the triangle the larger of two planes is least, at the end of the motion where that is lower, and the
+/// share of the first in the blend that is level there.
+struct Crossing {
+  V3 point;
+  V share;
 };
 
-// A triangle that meets the tool with its inside is bounded best by its own plane. Directions in which the core
-// goes on without end prove nothing; the first look is then at the core's lower end.
-GOUGE_INLINE void support_along_normal(const KernelPiece& piece, const Triangle& t, const V3& axis, Support& out) {
-  const KernelPiece::Line& start = piece.lines[piece.count > 1 ? 1 : 0];
-  const V z0 = all(piece.count > 1 ? start.z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm));
+GOUGE_INLINE void lowest_crossing(const Plane& p, const Plane& q, const Triangle& t, Crossing& out) {
+  const V3* corners[3] = {&t.a, &t.b, &t.c};
+  V lowest = all(3e38F);
+  for (int end = 0; end < 2; ++end) {
+    for (int c = 0; c < 3; ++c) {
+      const int d = (c + 1) % 3;
+      const V pc = p.value[2 * c + end], qc = q.value[2 * c + end];
+      const V pd = p.value[2 * d + end], qd = q.value[2 * d + end];
+      const V at_corner = larger(pc, qc);
+      const M is_corner = at_corner < lowest;
+      lowest = is_corner ? at_corner : lowest;
+      out.share = is_corner ? (pc < qc ? V{} : all(1.0F)) : out.share;
+      out.point = chosen(is_corner, *corners[c], out.point);
+      const V over_c = pc - qc, over_d = pd - qd;
+      const V along = over_c / (over_c - over_d);
+      const V on_edge = pc + along * (pd - pc);
+      const M is_edge = (over_c * over_d < 0) & (on_edge < lowest);
+      lowest = is_edge ? on_edge : lowest;
+      const V share = (qd - qc) / ((pc - pd) + (qd - qc));
+      out.share = is_edge ? smaller(larger(share, V{}), all(1.0F)) : out.share;
+      out.point = chosen(is_edge, plus(*corners[c], times(minus(*corners[d], *corners[c]), along)), out.point);
+    }
+  }
+}
+
+// A triangle that meets the tool with its inside is bounded best by its own plane, on the side of the core's lower end.
+GOUGE_INLINE V3 away_from_core(const KernelPiece& piece, const Triangle& t, const V3& axis) {
+  const float z = piece.count > 1 ? piece.lines[1].z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm);
   const V3 unit = times(t.normal, root(t.normal_scale));
-  const V3 lowest = times(axis, z0);
-  const M is_away = dot(unit, minus(t.a, lowest)) >= 0;
-  const V3 g = chosen(is_away, unit, {-unit.x, -unit.y, -unit.z});
+  const M is_away = dot(unit, minus(t.a, times(axis, all(z)))) >= 0;
+  return chosen(is_away, unit, {-unit.x, -unit.y, -unit.z});
+}
+
+/// The point of the core that is farthest in a direction; inside a sharp corner, the deepest point of the plane through
+/// a corner of the triangle. The core's lower end where it goes on in that direction.
+GOUGE_INLINE V3 first_look(const KernelPiece& piece, const Triangle& t, const V3& g, const V3& axis) {
+  const V z0 = all(piece.count > 1 ? piece.lines[1].z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm));
   const V gz = dot(g, axis);
   const V3 across = minus(g, times(axis, gz));
   const V gr = root(dot(across, across));
-  V reach = all(-3e38F), r = V{}, z = z0;
+  V reach = all(-3e38F), r = V{}, z = z0, in_r = V{}, in_z = V{};
   for (std::uint32_t k = 1; k < piece.count; ++k) {
     const KernelPiece::Line& line = piece.lines[k];
     const V here = gr * line.r + gz * line.z;
@@ -290,15 +216,87 @@ GOUGE_INLINE void support_along_normal(const KernelPiece& piece, const Triangle&
     reach = is_farther ? here : reach;
     r = is_farther ? all(line.r) : r;
     z = is_farther ? all(line.z) : z;
+    in_r = is_farther ? all(line.in_r) : in_r;
+    in_z = is_farther ? all(line.in_z) : in_z;
+  }
+  if (piece.is_sharp) {
+    // Equally far from both lines of the corner.
+    const V along = gr * in_r + gz * in_z;
+    const V height = dot(g, t.a) - (gr * r + gz * z);
+    const V way = along < -0.1F ? height / along : V{};
+    r = larger(r + way * in_r, V{});
+    z = z + way * in_z;
   }
   const KernelPiece::Line& last = piece.lines[piece.count - 1];
   const KernelPiece::Line& first = piece.lines[0];
   const M is_endless = (gr * last.dr + gz * last.dz > 0) | (gr * first.dr + gz * first.dz < 0) |
                        (t.normal_scale >= 1e29F);
-  out.direction = g;
-  out.reach = (is_endless | (reach < -1e38F)) ? all(3e38F) : reach;
   const V3 at_ring = plus(times(axis, z), times(across, r * inverse(gr)));
-  out.point = chosen(is_endless, lowest, at_ring);
+  return chosen(is_endless, times(axis, z0), at_ring);
+}
+
+GOUGE_INLINE V least_of_corners(const V3& g, const Triangle& t) {
+  return smaller(dot(g, t.a), smaller(dot(g, t.b), dot(g, t.c)));
+}
+
+/// The range of a triangle during the motion, `rest` beyond what is linear.
+GOUGE_INLINE Range range_of(const Triangle& t, const SweepFrame& frame, const Frame& f, const V& far, const V& rest) {
+  Range range{all(3e38F), all(-3e38F), V{}};
+  const V still = dot(f.axis, f.way);
+  const V3 lever = cross(f.axis, f.turn);
+  const V3* corners[3] = {&t.a, &t.b, &t.c};
+  for (const V3* corner : corners) {
+    const V here = dot(f.axis, *corner);
+    const V swing = 0.5F * size(still + dot(lever, *corner));
+    range.z_lo = smaller(range.z_lo, here - swing);
+    range.z_hi = larger(range.z_hi, here + swing);
+  }
+  range.z_lo -= rest;
+  range.z_hi += rest;
+  // From a corner no point of the triangle is farther than the longest edge.
+  const V edge2 = larger(dot(t.ab, t.ab), larger(dot(t.bc, t.bc), dot(t.ca, t.ca)));
+  const V3 across = minus(t.a, times(f.axis, dot(f.axis, t.a)));
+  range.r_lo = root(dot(across, across)) - root(edge2) * 1.000001F - 0.5F * frame.way_mm - frame.half_turn * far - rest;
+  return range;
+}
+
+/// The deepest point that was looked at, by its signed distance at the end of the motion where that is smaller.
+struct Deepest {
+  V distance;
+  V3 point;
+};
+
+/// Inside a sharp corner two lines are near. Each is a bound, and the deepest point is where they are equal: tells
+/// what both together prove, notes how deep `point` is, and moves it there.
+GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const Plane& plane, const Triangle& t,
+                              const Frame& f, V3& point, Deepest& deepest) {
+  Touch also;
+  touch_next(piece, point, f.axis, at, also);
+  Plane also_plane;
+  lay_plane(also.distance, point, also.gradient, t, f, also_plane);
+  const V3 speed = plus(f.way, cross(f.turn, point));
+  const V swing = 0.5F * dot(at.gradient, speed), also_swing = 0.5F * dot(also.gradient, speed);
+  const V at_ends = smaller(larger(at.distance - swing, also.distance - also_swing),
+                            larger(at.distance + swing, also.distance + also_swing));
+  const M is_deeper = at_ends < deepest.distance;
+  deepest.distance = is_deeper ? at_ends : deepest.distance;
+  deepest.point = chosen(is_deeper, point, deepest.point);
+  Crossing ridge{point, V{}};
+  lowest_crossing(plane, also_plane, t, ridge);
+  point = ridge.point;
+  return larger(least_blended(plane, also_plane, ridge.share), least(also_plane));
+}
+
+// From the piece's core straight to the triangle again; inside the core, deeper. These steps shrink by a constant
+// factor, close to 1 for a large tool nearly flat on its triangle; two of them tell where they lead.
+GOUGE_INLINE V3 step_to_core(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
+                             V3& last_way) {
+  const V3 next = closest(minus(point, times(at.gradient, size(at.distance + piece.radius_mm))), t);
+  const V3 way = minus(next, point);
+  const V rate = smaller(dot(way, last_way) * inverse(dot(last_way, last_way)), all(0.98F));
+  const M leads = rate > 0.2F;
+  last_way = {leads ? V{} : way.x, leads ? V{} : way.y, leads ? V{} : way.z};
+  return chosen(leads, closest(plus(next, times(way, rate / (1.0F - rate))), t), next);
 }
 
 constexpr int kRounds = 6;
@@ -311,57 +309,45 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
   prepare(block, f.tip, t);
   const V far = root(larger(dot(t.a, t.a), larger(dot(t.b, t.b), dot(t.c, t.c)))) * 1.000001F;
   const V rest = frame.rest_mm + frame.rest_per_mm * far + piece.rounding_mm;
-  Range range;
-  range.z_lo = least_at_corners(t, f.axis, f) - rest;
-  const V3 down{-f.axis.x, -f.axis.y, -f.axis.z};
-  range.z_hi = rest - least_at_corners(t, down, f);
-  // From a corner no point of the triangle is farther than the longest edge.
-  const V edge2 = larger(dot(t.ab, t.ab), larger(dot(t.bc, t.bc), dot(t.ca, t.ca)));
-  const V3 across = minus(t.a, times(f.axis, dot(f.axis, t.a)));
-  range.r_lo = root(dot(across, across)) - root(edge2) * 1.000001F - 0.5F * frame.way_mm - frame.half_turn * far - rest;
-  Support support;
-  support_along_normal(piece, t, f.axis, support);
-  const V flat = least_at_corners(t, support.direction, f) - support.reach - piece.radius_mm - rest;
-  V bound = settle(piece, need, flat, range);
-  const M is_left = bound < need;
-  int left = 0;
-  for (int i = 0; i < 16; ++i) left |= is_left[i];
-  if (left == 0) {
-    store(flat, answer.distance);
+  const V rest_along = frame.rest_per_mm * far;
+  const Range range = range_of(t, frame, f, far, rest);
+  const M on_side = has_foot(piece, need, range);
+  const V3 normal = away_from_core(piece, t, f.axis);
+  const V along = least_along(piece, normal, least_of_corners(normal, t), frame, f) - rest_along;
+  V bound = settle(piece, on_side, t.normal_scale < 1e29F ? along : all(-3e38F), range);
+  if (!any_of(bound < need)) {
+    store(bound, answer.distance);
     answer.point = {};
     return finish(bound, need, block.count, answer);
   }
-  V3 point = closest(support.point, t);
+  V3 point = closest(first_look(piece, t, normal, f.axis), t);
   V3 last_way{V{}, V{}, V{}};
   Plane last_plane, plane;
   Touch at;
+  Deepest deepest{all(3e38F), point};
   for (int round = 0;; ++round) {
     touch(piece, point, f.axis, at);
     lay_plane(at.distance, point, at.gradient, t, f, plane);
     V by_plane = least(plane);
     if (round > 0) by_plane = larger(by_plane, least_blended(last_plane, plane));
     last_plane = plane;
-    const V better = larger(bound, settle(piece, need, by_plane - rest, range));
+    V3 on_ridge = point;
+    if (piece.is_sharp) by_plane = larger(by_plane, meet_in_corner(piece, at, plane, t, f, on_ridge, deepest));
+    const V along_g = least_along(piece, at.gradient, least_of_corners(at.gradient, t), frame, f) - rest_along;
+    const V better = larger(bound, settle(piece, on_side, larger(along_g, by_plane - rest), range));
     // Lanes that the last rounds brought no nearer to the goal are left to smaller triangles and shorter spans.
     M is_open = better < need;
     if (round > 1) is_open = is_open & (better - bound > kWorthwhile * (need - better));
     bound = better;
-    int any = 0;
-    for (int i = 0; i < 16; ++i) any |= is_open[i];
-    if (any == 0 || round + 1 == kRounds) break;
-    // From the piece's core straight to the triangle again; inside the core, deeper. These steps shrink by a
-    // constant factor, close to 1 for a large tool nearly flat on its triangle; two of them tell where they lead.
-    const V3 next = closest(minus(point, times(at.gradient, size(at.distance + piece.radius_mm))), t);
-    const V3 way = minus(next, point);
-    const V rate = smaller(dot(way, last_way) * inverse(dot(last_way, last_way)), all(0.98F));
-    const M leads = rate > 0.2F;
-    point = chosen(leads, closest(plus(next, times(way, rate / (1.0F - rate))), t), next);
-    last_way = {leads ? V{} : way.x, leads ? V{} : way.y, leads ? V{} : way.z};
+    if (!piece.is_sharp) deepest = {at.distance, point};
+    if (!any_of(is_open) || round + 1 == kRounds) break;
+    const V3 next = step_to_core(piece, at, t, point, last_way);
+    point = piece.is_sharp ? chosen(at.distance < 0, on_ridge, next) : next;
   }
-  store(at.distance, answer.distance);
-  store(point.x, answer.point[0]);
-  store(point.y, answer.point[1]);
-  store(point.z, answer.point[2]);
+  store(deepest.distance, answer.distance);
+  store(deepest.point.x, answer.point[0]);
+  store(deepest.point.y, answer.point[1]);
+  store(deepest.point.z, answer.point[2]);
   finish(bound, need, block.count, answer);
 }
 
