@@ -5,6 +5,7 @@
 #include <cmath>
 #include <deque>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "lib/geom/point_triangle.h"
@@ -17,12 +18,15 @@ namespace {
 constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one level up
 // A node is opened for a whole group only if it is this much larger than half the way of the group: space first.
 // Smaller ones are left to the parts of the group: time first.
-constexpr float kSpaceFirst = 3.0F;
+constexpr float kSpaceFirst = 12.0F;
 // How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
 constexpr std::size_t kCuts = 10;
-constexpr std::uint32_t kMostParts = 64;
-constexpr std::size_t kMostBlocks = 16;
+constexpr std::uint32_t kMostParts = 1200;
+constexpr std::size_t kMostBlocks = 200;
 constexpr float kProgress = 0.95F;
+constexpr int kFailures = 1;
+// Where a point may be deeper than the deepest known one by all but this share of the gap it is measured.
+constexpr float kWorthMeasuring = 0.75F;
 // The swing of a triangle's corners that is not worth smaller triangles.
 constexpr float kSmallSwing_mm = 0.01F;
 
@@ -52,7 +56,7 @@ class Sweep {
       tool_ = targets_[target_].tool;
       tree_ = targets_[target_].tree;
       if (tool_->elements.empty() || tree_->nodes.empty() || steps_.empty()) continue;
-      make_frames();
+      forget_frames();
       for (const CoverPiece& piece : make_convex_cover(*tool_).pieces) {
         piece_ = kernel_piece(piece);
         Remainder all;
@@ -65,19 +69,24 @@ class Sweep {
   }
 
  private:
-  void make_frames() {
+  // Most are never asked for: what a group settles needs no frames of its parts.
+  void forget_frames() {
     frames_.clear();
-    std::size_t size = 1;
-    for (;;) {
-      std::vector<SweepFrame>& level = frames_.emplace_back();
-      for (std::size_t i = 0; i < steps_.size(); i += size) {
-        level.push_back(sweep_frame(std::span(steps_).subspan(i, std::min(size, steps_.size() - i)), tree_->origin,
-                                    rounding_mm()));
-      }
-      if (level.size() == 1) break;
-      size *= kGroup;
+    for (std::size_t size = 1;; size *= kGroup) {
+      frames_.emplace_back((steps_.size() + size - 1) / size);
+      if (frames_.back().size() == 1) break;
     }
     remainders_.resize(frames_.size());
+  }
+
+  const SweepFrame& frame_of(std::size_t level, std::size_t index) {
+    std::optional<SweepFrame>& frame = frames_[level][index];
+    if (!frame) {
+      const std::size_t size = steps_below(level), first = index * size;
+      frame = sweep_frame(std::span(steps_).subspan(first, std::min(size, steps_.size() - first)), tree_->origin,
+                          rounding_mm());
+    }
+    return *frame;
   }
 
   // Of the corners in the tree, and of the middles of edges each time a triangle is quartered.
@@ -93,7 +102,7 @@ class Sweep {
 
   void visit_group(std::size_t level, std::size_t index, const Remainder& work, float least) {
     if (level == 0) return visit_step(index, work, least);
-    const SweepFrame& frame = frames_[level][index];
+    const SweepFrame& frame = frame_of(level, index);
     Remainder& rest = remainders_[level];
     rest.nodes.clear();
     rest.blocks.clear();
@@ -138,8 +147,7 @@ class Sweep {
       widest = std::max(widest, node.radius_mm[static_cast<std::size_t>(std::countr_zero(open))]);
     }
     if (answer.open == 0) return;
-    // The triangles of a leaf are about a quarter as wide as the leaf.
-    if (widest * (node.has_leaves ? 0.25F : 1.0F) <= smallest_) return rest.nodes.push_back(index);
+    if (widest <= smallest_) return rest.nodes.push_back(index);
     for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
       const std::uint32_t child = node.child[static_cast<std::size_t>(std::countr_zero(open))];
       if (node.has_leaves) {
@@ -178,7 +186,7 @@ class Sweep {
 
   void visit_step(std::size_t index, const Remainder& work, float least) {
     step_ = &steps_[index];
-    frame_ = &frames_[0][index];
+    frame_ = &frame_of(0, index);
     least_ = least;
     const std::uint32_t m = step_->move;
     if (m > 0 && swept_[m].start.value_mm <= 0 && swept_[m - 1].start.value_mm > question_.tolerance_mm &&
@@ -190,7 +198,7 @@ class Sweep {
     for (const TriangleBlock* block : work.blocks) visit_triangles(*block);
     for (const std::uint32_t node : work.nodes) visit_node(node);
     parts_ = 0;
-    refine(*step_, *frame_, 0, short_of_);
+    refine(*step_, *frame_, 0, short_of_, 0);
     work_[m].least_settled = std::min(work_[m].least_settled, least_);
     swept_[m].bounds += std::exchange(bounds_, 0);
   }
@@ -235,45 +243,63 @@ class Sweep {
   void look(const TriangleBlock& block, const SweepStep& step, const SweepFrame& frame,
             std::vector<TriangleBlock>& waiting) {
     KernelAnswer answer;
-    kernel_.triangles(block, frame, piece_, need_, answer);
-    ++bounds_;
+    bool is_measured = false;
+    for (;;) {
+      kernel_.triangles(block, frame, piece_, need_, answer);
+      ++bounds_;
+      if (answer.open == 0 || std::exchange(is_measured, true)) break;
+      const float asked = need_;
+      measure_deepest(block, answer, step, frame);
+      // A deeper point leaves less to be proven.
+      if (need_ >= asked) break;
+    }
     least_ = std::min(least_, answer.least_settled);
-    if (answer.open == 0) return;
-    std::size_t deepest = static_cast<std::size_t>(std::countr_zero(answer.open));
+    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(open));
+      short_of_ = std::max(short_of_, need_ - answer.bound[lane]);
+      wait(waiting, block, lane);
+    }
+  }
+
+  void measure_deepest(const TriangleBlock& block, const KernelAnswer& answer, const SweepStep& step,
+                       const SweepFrame& frame) {
+    auto deepest = static_cast<std::size_t>(std::countr_zero(answer.open));
     for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
       if (answer.distance[lane] < answer.distance[deepest]) deepest = lane;
-      short_of_ = std::max(short_of_, need_ - answer.bound[lane]);
-      if (waiting.empty() || waiting.back().count == kBlockLanes) waiting.emplace_back();
-      add_lane(waiting.back(), block, lane);
     }
-    if (!(answer.distance[deepest] < need_)) return;
+    // A deeper point makes less to be settled, even if this one alone would not do.
+    if (!(answer.distance[deepest] < need_ + kWorthMeasuring * static_cast<float>(question_.gap_mm))) return;
     const Vec3 from_tip(answer.point[0][deepest], answer.point[1][deepest], answer.point[2][deepest]);
     measure(step, block.triangle[deepest], from_tip + Vec3(frame.tip[0], frame.tip[1], frame.tip[2]) + tree_->origin);
   }
 
   // Where a triangle is looked at from its nearest point, what makes the bound slack is time: what the nearest
   // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
-  void refine(const SweepStep& step, const SweepFrame& frame, std::size_t depth, float short_of) {
+  void refine(const SweepStep& step, const SweepFrame& frame, std::size_t depth, float short_of, int failures) {
     if (waiting_[depth].empty()) return;
     if (depth == kCuts || waiting_[depth].size() > kMostBlocks || parts_ >= kMostParts) return give_up(waiting_[depth]);
     parts_ += static_cast<std::uint32_t>(waiting_[depth].size());
-    const bool is_time_next = step.t1 > step.t0 && frame.half_turn * widest_edge(waiting_[depth]) <= kSmallSwing_mm;
-    if (!is_time_next) {
+    const float edge_mm = kSmallSwing_mm / std::max(frame.half_turn, 1e-9F);
+    if (!(step.t1 > step.t0) || (piece_.core_r_mm > 0 && !are_short(waiting_[depth], edge_mm))) {
       begin(depth + 1);
-      for (const TriangleBlock& block : waiting_[depth]) look_at_quarters(block, step, frame, waiting_[depth + 1]);
-      return refine(step, frame, depth + 1, short_of_);
+      short_of_ = short_of;
+      for (const TriangleBlock& block : waiting_[depth])
+        look_at_quarters(block, step, frame, step.t1 > step.t0 ? edge_mm : 0, waiting_[depth + 1]);
+      return refine(step, frame, depth + 1, short_of_, failures);
     }
     for (const SweepStep& half : halves(motions_[step.move], step)) {
+      const float needed = need_;
       const SweepFrame half_frame = sweep_frame({&half, 1}, tree_->origin, rounding_mm());
       begin(depth + 1);
       for (const TriangleBlock& block : waiting_[depth]) look(block, half, half_frame, waiting_[depth + 1]);
       // Half the time should halve what is missing. Where it does not, at edges of the tool and where the cover is
       // not tight, the exact search is better.
-      if (short_of_ > kProgress * short_of) {
+      const int failed = short_of_ > kProgress * short_of && need_ >= needed ? failures + 1 : 0;
+      if (failed > kFailures) {
         give_up(waiting_[depth + 1]);
       } else {
-        refine(half, half_frame, depth + 1, short_of_);
+        refine(half, half_frame, depth + 1, short_of_, failed);
       }
     }
   }
@@ -283,33 +309,48 @@ class Sweep {
     short_of_ = 0;
   }
 
-  static float widest_edge(const std::vector<TriangleBlock>& blocks) {
-    float widest2 = 0;
-    for (const TriangleBlock& block : blocks) {
-      for (std::size_t i = 0; i < block.count; ++i) {
-        for (std::size_t c = 0; c < 3; ++c) {
-          float edge2 = 0;
-          for (std::size_t k = 0; k < 3; ++k) {
-            const float d = block.corner[(c + 1) % 3][k][i] - block.corner[c][k][i];
-            edge2 += d * d;
-          }
-          widest2 = std::max(widest2, edge2);
-        }
+  static float longest_edge(const TriangleBlock& block, std::size_t lane) {
+    float longest2 = 0;
+    for (std::size_t c = 0; c < 3; ++c) {
+      float edge2 = 0;
+      for (std::size_t k = 0; k < 3; ++k) {
+        const float d = block.corner[(c + 1) % 3][k][lane] - block.corner[c][k][lane];
+        edge2 += d * d;
       }
+      longest2 = std::max(longest2, edge2);
     }
-    return std::sqrt(widest2);
+    return std::sqrt(longest2);
   }
 
-  void look_at_quarters(const TriangleBlock& block, const SweepStep& step, const SweepFrame& frame,
+  static bool are_short(const std::vector<TriangleBlock>& blocks, float edge_mm) {
+    for (const TriangleBlock& block : blocks) {
+      for (std::size_t i = 0; i < block.count; ++i) {
+        if (longest_edge(block, i) > edge_mm) return false;
+      }
+    }
+    return true;
+  }
+
+  /// Cuts triangles with an edge longer than `edge_mm` in four; the others wait on.
+  void look_at_quarters(const TriangleBlock& block, const SweepStep& step, const SweepFrame& frame, float edge_mm,
                         std::vector<TriangleBlock>& waiting) {
     TriangleBlock quarters;
     quarters.count = 0;
     for (std::size_t i = 0; i < block.count; ++i) {
-      add_quarters(quarters, block, i);
+      if (longest_edge(block, i) > edge_mm) {
+        add_quarters(quarters, block, i);
+      } else {
+        wait(waiting, block, i);
+      }
       if (quarters.count + 4 <= kBlockLanes && i + 1 < block.count) continue;
-      look(quarters, step, frame, waiting);
+      if (quarters.count > 0) look(quarters, step, frame, waiting);
       quarters.count = 0;
     }
+  }
+
+  static void wait(std::vector<TriangleBlock>& waiting, const TriangleBlock& block, std::size_t lane) {
+    if (waiting.empty() || waiting.back().count == kBlockLanes) waiting.emplace_back();
+    add_lane(waiting.back(), block, lane);
   }
 
   static void add_quarters(TriangleBlock& to, const TriangleBlock& from, std::size_t lane) {
@@ -378,8 +419,8 @@ class Sweep {
   const CompiledTool* tool_ = nullptr;
   const BlockTree* tree_ = nullptr;
   KernelPiece piece_;
-  std::vector<std::vector<SweepFrame>> frames_;  // [level][index]; level 0: one for each step
-  std::vector<Remainder> remainders_;            // one for each level
+  std::vector<std::vector<std::optional<SweepFrame>>> frames_;  // [level][index]; level 0: one for each step
+  std::vector<Remainder> remainders_;                           // one for each level
 
   // Of the group or step at hand.
   std::array<std::vector<TriangleBlock>, kCuts + 1> waiting_;
