@@ -42,6 +42,7 @@ TEST(FiveDialects, OfOnePartHaveOneVerdictAndOneDepth) {
   const std::string data = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/";
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";
   CheckResult first;
+  std::size_t gouges = 0;
   for (const char* name : {"autodesk_iso4343.apt", "camplete.apt", "catia.aptsource", "creo.ncl.1", "nccs.cl"}) {
     SCOPED_TRACE(name);
     JobArguments arguments;
@@ -64,9 +65,13 @@ TEST(FiveDialects, OfOnePartHaveOneVerdictAndOneDepth) {
     EXPECT_EQ(result.counts.not_checked, 0U);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
       ASSERT_EQ(result.verdicts[i].state, first.verdicts[i].state) << i;
+      // Of a clean move no more is asked than that it is not deeper than the tolerance.
+      if (result.verdicts[i].state != MoveState::gouge) continue;
+      ++gouges;
       ASSERT_NEAR(result.verdicts[i].depth_mm, first.verdicts[i].depth_mm, 1e-5) << i;
     }
   }
+  EXPECT_GT(gouges, 100U);
 }
 
 }  // namespace
