@@ -71,7 +71,7 @@ INSTANTIATE_TEST_SUITE_P(
                       ForcedArc{"Catia", "nx-clsf", "clean"}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(ForcedSense, IsNeverCleanWhereTheOtherWayRoundGouges) {
+TEST_P(ForcedSense, MeetsThePostUnlessTheStatementItselfTellsTheWay) {
   const auto* arc = std::find_if(std::begin(real_arcs::kArcs), std::end(real_arcs::kArcs),
                                  [](const auto& a) { return a.name == std::string(GetParam().name); });
   ASSERT_NE(arc, std::end(real_arcs::kArcs));
