@@ -14,10 +14,6 @@ namespace gouge {
 
 void add_check_options(CLI::App& command, JobArguments& arguments) {
   add_job_options(command, arguments);
-  command.add_option(
-      "--head", arguments.heads,
-      "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
-      "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)");
   command.footer(
       "Example:\n"
       "  gougecheck check finish.apt --part part.stl --tools tools.json --clearance holder=1 --report out\n\n"

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <optional>
 #include <ostream>
 
 #include "cli/exit_code.h"
@@ -11,6 +12,7 @@
 #include "cli/peak_memory.h"
 #include "lib/base/files.h"
 #include "lib/correct/correct_path.h"
+#include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
 #include "postproc/cldata/write_corrected.h"
 
@@ -67,8 +69,11 @@ class CorrectRun {
     const PreparedScene scene = prepare_scene(job_.scene, job_.options.check.threads);
     const CheckResult before = check("checking moves", job_.toolpath, scene);
     progress_.begin("correcting");
+    CorrectOptions correct = correct_;
+    std::optional<HeadChecker> heads;
+    if (!job_.heads.empty()) correct.heads = &heads.emplace(job_.heads, job_.scene);
     const Correction correction =
-        correct_path(job_.toolpath, before, job_.tools(), scene, job_.options.check, correct_, show());
+        correct_path(job_.toolpath, before, job_.tools(), scene, job_.options.check, correct, show());
     progress_.end();
     const Result<std::string> text = write_corrected(job_.toolpath, correction.changes);
     if (!text) return fail(text.error());
@@ -96,6 +101,7 @@ class CorrectRun {
     progress_.begin(what);
     CheckResult result = check_path(path, job_.tools(), scene, job_.options.check, show());
     progress_.end();
+    check_heads(path, job_.heads, job_.scene, job_.options.check, result);
     measure_overcuts(path, job_.tools(), job_.scene, job_.options.check, result);
     return result;
   }

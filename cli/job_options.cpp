@@ -13,6 +13,10 @@ void add_input_options(CLI::App& command, JobArguments& a) {
   command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")
       ->required();
   command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)");
+  command.add_option(
+      "--head", a.heads,
+      "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
+      "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)");
   command.add_option("--place", a.place,
                      "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z");
   command.add_option("--stl-units", a.stl_units, "Unit of the STL files (default: the toolpath's)")

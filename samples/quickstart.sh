@@ -28,13 +28,11 @@ expect() {
 
 while read -r name check_exit correct_exit toolpath options; do
   cd "$OUT/$name" || fail "cannot enter $OUT/$name"
-  # `correct` takes no heads: what it writes is checked against the tool.
-  without_heads=$(printf '%s' "$options" | sed 's/ --head [^ ]*//g')
   # The options of a sample are separate words without blanks in them.
   # shellcheck disable=SC2086
   expect "$check_exit" "$GOUGECHECK" check "$toolpath" $options --report report/check
   # shellcheck disable=SC2086
-  expect "$correct_exit" "$GOUGECHECK" correct "$toolpath" $without_heads -o "corrected_$toolpath" --report report/correct
+  expect "$correct_exit" "$GOUGECHECK" correct "$toolpath" $options -o "corrected_$toolpath" --report report/correct
 done <"$OUT/index.txt"
 
 printf '\nPictures:\n'

@@ -20,7 +20,7 @@ class Bridger {
     const Motion motion = motion_between(from, to);
     if (!motion.is_defined()) return false;
     const MoveVerdict verdict = check(motion);
-    if (verdict.state == MoveState::not_certified) return false;
+    if (verdict.state == MoveState::not_certified || verdict.state == MoveState::buried) return false;
     if (verdict.state != MoveState::gouge) return true;
     const double t = verdict.witness ? verdict.witness->t : 0;
     if (level == 0 || way.size() >= kLargest || t <= 0 || t >= 1) return false;
@@ -56,7 +56,13 @@ class Bridger {
   [[nodiscard]] MoveVerdict check(const Motion& motion) const {
     CheckOptions options = task_.options;
     options.gouge_gap_mm = kGap_mm;
-    return check_move(motion, task_.kind, *task_.tool, *task_.scene, options);
+    return check(motion, options);
+  }
+
+  [[nodiscard]] MoveVerdict check(const Motion& motion, const CheckOptions& options) const {
+    MoveVerdict verdict = check_move(motion, task_.kind, *task_.tool, *task_.scene, options);
+    if (task_.limits.heads != nullptr) task_.limits.heads->check(motion, options, verdict);
+    return verdict;
   }
 
   [[nodiscard]] bool is_clean(const Pose& from, const Pose& to) const {
@@ -64,7 +70,7 @@ class Bridger {
     if (!motion.is_defined()) return false;
     CheckOptions options = task_.options;
     options.gouge_gap_mm = kNoMatter_mm;
-    const MoveState state = check_move(motion, task_.kind, *task_.tool, *task_.scene, options).state;
+    const MoveState state = check(motion, options).state;
     return state == MoveState::clean || state == MoveState::near_miss;
   }
 

@@ -18,6 +18,18 @@ constexpr double kAir_mm = 2e-3;
 // While bridging, motions are held to this share of the tolerance.
 constexpr double kBridgeShare = 0.8;
 
+constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
+constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
+constexpr const char* kNoWayBetween = "no clean way between its positions within the largest shift";
+constexpr const char* kHeadStays =
+    "the head is in the way: no lift along the tool axis within the largest shift frees it; it takes another "
+    "tilt or a "
+    "longer tool";
+constexpr const char* kHeadBetween =
+    "the head is in the way between its positions: no clean way within the largest shift; it takes another "
+    "tilt or a "
+    "longer tool";
+
 struct PositionWork {
   bool is_wanted = false;
   std::optional<CorrectedPose> corrected;
@@ -40,6 +52,7 @@ class PathCorrector {
     limits_.aim.whole_mm = options.tolerance_mm > 2 * kAir_mm ? kAimShare * options.tolerance_mm : -kAir_mm;
     limits_.aim.clearance_mm = -kAir_mm;
     limits_.largest_shift_mm = correct.max_shift_mm;
+    limits_.heads = correct.heads;
     positions_.resize(path_.moves.size());
     moves_.resize(path_.moves.size());
   }
@@ -89,19 +102,25 @@ class PathCorrector {
     CorrectionAim allowed = limits_.aim;
     allowed.whole_mm = kBridgeShare * options_.tolerance_mm;
     allowed.clearance_mm = 0;
-    if (largest_excess(move.end, tool, scene_, allowed, options_.resolution_mm / 4) <= 0) return;
+    PoseLimits now = limits_;
+    now.aim = allowed;
+    const bool is_head_in = head_excess(move.end, now) > 0;
+    if (!is_head_in && largest_excess(move.end, tool, scene_, allowed, options_.resolution_mm / 4) <= 0)
+      return;
     work.failure = reason_to_leave(i);
     if (!work.failure.empty()) return;
     work.corrected = correct_pose(correct_.strategy, move.end, tool, scene_, limits_);
     if (!work.corrected) {
-      work.failure = "no way out within the largest shift";
+      work.failure = is_head_in ? kHeadStays : "no way out within the largest shift";
       return;
     }
     work.depth_after_mm = depth_at(work.corrected->pose, move.kind, tool);
   }
 
   [[nodiscard]] double depth_at(const Pose& pose, MoveKind kind, const ToolForms& tool) const {
-    return check_move(Motion(pose), kind, tool, scene_, options_).depth_mm;
+    MoveVerdict verdict = check_move(Motion(pose), kind, tool, scene_, options_);
+    if (correct_.heads != nullptr) correct_.heads->check(Motion(pose), options_, verdict);
+    return verdict.depth_mm;
   }
 
   void choose_moves() {
@@ -190,12 +209,13 @@ class PathCorrector {
     const MoveVerdict& verdict = result_.verdicts[i];
     const bool is_position_failed = !positions_[i].failure.empty();
     if (verdict.state == MoveState::buried) {
-      correction.uncorrected.push_back({i, 0, "the tool is buried: there is no way out to follow"});
+      const bool is_head = verdict.reason == kHeadIsBuried;
+      correction.uncorrected.push_back({i, 0, is_head ? kHeadBuried : kToolBuried});
     } else if (is_position_failed && verdict.state == MoveState::gouge) {
       correction.uncorrected.push_back({i, verdict.depth_mm, positions_[i].failure});
     } else if (moves_[i].is_failed) {
-      correction.uncorrected.push_back(
-          {i, verdict.depth_mm, "no clean way between its positions within the largest shift"});
+      const bool is_head = verdict.witness && verdict.witness->body == Body::head;
+      correction.uncorrected.push_back({i, verdict.depth_mm, is_head ? kHeadBetween : kNoWayBetween});
     }
   }
 
@@ -219,7 +239,7 @@ Correction correct_path(const Toolpath& toolpath, const CheckResult& result,
   if (!needs_straightening(toolpath, result)) {
     return PathCorrector(toolpath, result, tools, scene, options, correct).run(progress);
   }
-  const StraightenedPath straight = straighten(toolpath, result, tools, scene, options);
+  const StraightenedPath straight = straighten(toolpath, result, tools, scene, options, correct.heads);
   PathCorrector corrector(straight.path, straight.result, tools, scene, options, correct);
   return restore_curves(straight, toolpath, result, corrector.run(progress));
 }

@@ -15,6 +15,7 @@ namespace gouge {
 struct CorrectOptions {
   Strategy strategy = Strategy::weighted;
   double max_shift_mm = 20;
+  const HeadChecker* heads = nullptr;  ///< bodies that move with the tool, where there are any
 };
 
 /// One changed or added position, for the change list.
@@ -41,7 +42,9 @@ struct Correction {
   std::vector<Uncorrected> uncorrected;
 };
 
-/// Requires `result` from check_path with the same path, tools, scene and options.
+/// Requires `result` from check_path with the same path, tools, scene and options, and from check_heads where
+/// there
+///          are heads.
 /// Ensures  (1) only positions at the ends of gouging moves are moved, and only when they are themselves too
 /// deep.
 ///          (2) no position moves further than max_shift; the tool axis of a position is never changed.

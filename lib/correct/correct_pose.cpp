@@ -1,6 +1,7 @@
 #include "lib/correct/correct_pose.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace gouge {
 namespace {
@@ -37,12 +38,19 @@ std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms&
   return std::nullopt;
 }
 
+double head_excess(const Pose& pose, const PoseLimits& limits) {
+  if (limits.heads == nullptr) return 0;
+  return limits.heads->excess_at(pose, std::max(0.0, limits.aim.whole_mm), kAccuracy_mm);
+}
+
 std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool,
                                                 const PreparedScene& scene, const PoseLimits& limits) {
   CorrectedPose result{pose, Strategy::axis, 0, 0};
   for (;; ++result.iterations) {
-    const double excess = largest_excess(result.pose, tool, scene, limits.aim, kAccuracy_mm);
+    const double excess = std::max(largest_excess(result.pose, tool, scene, limits.aim, kAccuracy_mm),
+                                   head_excess(result.pose, limits));
     if (excess <= 0) return result;
+    if (!std::isfinite(excess)) return std::nullopt;
     result.shift_mm += std::max(excess, kSmallestStep_mm);
     if (result.shift_mm > limits.largest_shift_mm) return std::nullopt;
     result.pose.tip = pose.tip + result.shift_mm * pose.axis;
@@ -52,7 +60,8 @@ std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForm
 std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolForms& tool,
                                           const PreparedScene& scene, const PoseLimits& limits) {
   if (wanted == Strategy::weighted) {
-    if (auto result = correct_weighted(pose, tool, scene, limits)) return result;
+    const auto result = correct_weighted(pose, tool, scene, limits);
+    if (result && head_excess(result->pose, limits) <= 0) return result;
   }
   return correct_along_axis(pose, tool, scene, limits);
 }

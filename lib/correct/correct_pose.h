@@ -4,6 +4,7 @@
 #include <string>
 
 #include "lib/correct/contacts.h"
+#include "lib/head/check_heads.h"
 
 // Strategies that bring one pose out of the surface by moving the tip; the tool axis stays as it is.
 
@@ -16,6 +17,7 @@ struct PoseLimits {
   CorrectionAim aim;             ///< what must be met at the end
   double largest_shift_mm = 20;  ///< a tip further from where it was is no correction
   int largest_iterations = 60;
+  const HeadChecker* heads = nullptr;  ///< they must come free as well; none: there are no heads
 };
 
 struct CorrectedPose {
@@ -32,13 +34,16 @@ struct CorrectedPose {
                                                             const PreparedScene& scene,
                                                             const PoseLimits& limits);
 
+/// How much deeper than the aim heads are at a pose; infinite when one is buried or that is not decided.
+[[nodiscard]] double head_excess(const Pose& pose, const PoseLimits& limits);
+
 /// Lifts the tip along the tool axis to the first place that meets the aim: the excess is the least the tool
 /// must still move, so stepping by it never passes a place that is good. Nothing beyond the limit.
 [[nodiscard]] std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool,
                                                               const PreparedScene& scene,
                                                               const PoseLimits& limits);
 
-/// `wanted` first, then along the axis.
+/// `wanted` first, then along the axis. Heads are freed along the axis alone.
 [[nodiscard]] std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose,
                                                         const ToolForms& tool, const PreparedScene& scene,
                                                         const PoseLimits& limits);

@@ -43,7 +43,7 @@ bool needs_straightening(const Toolpath& path, const CheckResult& result) {
 
 StraightenedPath straighten(const Toolpath& path, const CheckResult& result,
                             const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
-                            const CheckOptions& options) {
+                            const CheckOptions& options, const HeadChecker* heads) {
   const std::vector<bool> is_chosen = choose_curves(path, result);
   const double error =
       std::clamp(kChordShare * options.tolerance_mm, kLeastChordError_mm, kMostChordError_mm);
@@ -68,8 +68,10 @@ StraightenedPath straighten(const Toolpath& path, const CheckResult& result,
       chord.start = from;
       chord.end = to;
       from = to;
-      straight.result.verdicts.push_back(
-          check_move(Motion(*chord.start, chord.end), chord.kind, *tools[chord.tool], scene, options));
+      const Motion motion(*chord.start, chord.end);
+      MoveVerdict verdict = check_move(motion, chord.kind, *tools[chord.tool], scene, options);
+      if (heads != nullptr) heads->check(motion, options, verdict);
+      straight.result.verdicts.push_back(std::move(verdict));
       straight.path.moves.push_back(std::move(chord));
       straight.origin.push_back(i);
     }
@@ -77,8 +79,8 @@ StraightenedPath straighten(const Toolpath& path, const CheckResult& result,
   return straight;
 }
 
-Correction restore_curves(const StraightenedPath& straightened, const Toolpath& path, const CheckResult& result,
-                          Correction correction) {
+Correction restore_curves(const StraightenedPath& straightened, const Toolpath& path,
+                          const CheckResult& result, Correction correction) {
   std::vector<const PathChange*> change_of(straightened.path.moves.size(), nullptr);
   for (const PathChange& change : correction.changes) change_of[change.move] = &change;
   Correction restored;
@@ -96,12 +98,13 @@ Correction restore_curves(const StraightenedPath& straightened, const Toolpath& 
       }
       const bool has_new_end = change != nullptr && change->new_end;
       const Pose& end = has_new_end ? *change->new_end : straightened.path.moves[last].end;
-      const bool is_last = last + 1 == straightened.origin.size() || straightened.origin[last + 1] != whole.move;
+      const bool is_last =
+          last + 1 == straightened.origin.size() || straightened.origin[last + 1] != whole.move;
       if (!is_last) whole.inserted_before.push_back(end);
       if (is_last && has_new_end) whole.new_end = end;
     }
-    const bool was_curve = is_curve(path.moves[whole.move]) &&
-                           straightened.path.moves[first].curve_kind == CurveKind::none;
+    const bool was_curve =
+        is_curve(path.moves[whole.move]) && straightened.path.moves[first].curve_kind == CurveKind::none;
     whole.is_straightened = was_curve;
     if (is_changed || (was_curve && is_start_moved)) restored.changes.push_back(whole);
     is_start_moved = is_changed && whole.new_end.has_value();
@@ -109,7 +112,8 @@ Correction restore_curves(const StraightenedPath& straightened, const Toolpath& 
   for (ChangeRecord& record : correction.records) {
     const std::size_t piece = record.move;
     record.move = straightened.origin[piece];
-    const bool is_within = piece + 1 < straightened.origin.size() && straightened.origin[piece + 1] == record.move;
+    const bool is_within =
+        piece + 1 < straightened.origin.size() && straightened.origin[piece + 1] == record.move;
     record.is_inserted = record.is_inserted || is_within;
     restored.records.push_back(record);
   }
@@ -117,7 +121,8 @@ Correction restore_curves(const StraightenedPath& straightened, const Toolpath& 
     left.move = straightened.origin[left.move];
     const bool is_told = !restored.uncorrected.empty() && restored.uncorrected.back().move == left.move;
     if (is_told) continue;
-    if (result.verdicts[left.move].state == MoveState::gouge) left.depth_mm = result.verdicts[left.move].depth_mm;
+    if (result.verdicts[left.move].state == MoveState::gouge)
+      left.depth_mm = result.verdicts[left.move].depth_mm;
     restored.uncorrected.push_back(left);
   }
   return restored;

@@ -26,8 +26,9 @@ inline constexpr double kLeastChordError_mm = 2e-4;  ///< of the digits of the f
 [[nodiscard]] bool needs_straightening(const Toolpath& path, const CheckResult& result);
 
 [[nodiscard]] StraightenedPath straighten(const Toolpath& path, const CheckResult& result,
-                                          const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
-                                          const CheckOptions& options);
+                                          const std::vector<const ToolForms*>& tools,
+                                          const PreparedScene& scene, const CheckOptions& options,
+                                          const HeadChecker* heads);
 
 /// The changes of a straightened path as changes of the path as it was.
 [[nodiscard]] Correction restore_curves(const StraightenedPath& straightened, const Toolpath& path,

@@ -4,8 +4,38 @@
 
 #include "lib/check/check_path.h"
 #include "lib/head/head_body.h"
+#include "lib/head/head_search.h"
 
 namespace gouge {
+
+/// The reason of a verdict that says buried for a head's sake.
+inline constexpr const char* kHeadIsBuried = "the head is inside the solid; no surface is inside the head";
+
+/// Heads against the meshes of a scene, which must both outlive it. Cost of making one: a tree over each
+/// mesh.
+class HeadChecker {
+ public:
+  HeadChecker(const std::vector<HeadBody>& heads, const Scene& scene);
+
+  /// Joins what the heads do during a motion to the tool's verdict on it; returns the bounds it took. The
+  /// deeper witness stays, a gouge of either is a gouge, and the motion is clean only if both are.
+  std::uint64_t check(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict) const;
+
+  /// How much deeper than `allowed_mm` the heads are at a pose, less than the truth by `accuracy_mm` at most:
+  /// the least they must still move. 0 only when that is proven and no head is buried; infinite when one is,
+  /// or when it could not be decided.
+  [[nodiscard]] double excess_at(const Pose& pose, double allowed_mm, double accuracy_mm) const;
+
+ private:
+  void join(const HeadAnswer& found, const CheckOptions& options, MoveVerdict& verdict) const;
+  void take(const HeadAnswer& found, MoveVerdict& verdict) const;
+  void look_inside(const Motion& motion, const HeadBody& head, MoveVerdict& verdict) const;
+
+  const std::vector<HeadBody>& heads_;
+  std::size_t parts_;
+  std::vector<DepthBody> bodies_;
+  std::vector<const DepthBody*> surfaces_;
+};
 
 /// Checks bodies that move with the tool, and that its profile does not hold, along every move that the tool
 /// was checked on, and joins what it finds to `result`: the deeper witness stays, a gouge of either is a

@@ -41,7 +41,7 @@ Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
   DepthBodyOptions options;
   options.directions = *make_directions(DirectionFamily::cube, 6);
   options.is_lean = true;
-  HeadBody head{build_depth_body(mesh, options), {}, {}};
+  HeadBody head{build_depth_body(mesh, options), {}, {}, find_flat_patches(mesh)};
   if (!head.surface.is_solid) {
     return make_error(
         "mesh-head-open",
@@ -49,6 +49,7 @@ Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
         "known; 'gougecheck mesh FILE --repair OUT.stl' tells what is wrong",
         mesh.name);
   }
+  measure_clear_above(head.surface, head.flat);
   const std::vector<std::uint32_t> piece = pieces_of(mesh);
   const std::uint32_t pieces = *std::max_element(piece.begin(), piece.end()) + 1;
   head.cores.resize(pieces, Vec3::Zero());

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "lib/base/result.h"
+#include "lib/head/flat_patches.h"
 #include "lib/mesh/mesh_findings.h"
 #include "lib/penetration/depth_body.h"
 
@@ -15,6 +16,7 @@ struct HeadBody {
   /// For each piece of its surface a point inside it, the deepest of some hundred tries, and how deep it is.
   std::vector<Vec3> cores;
   std::vector<double> core_depths_mm;
+  FlatPatches flat;
 };
 
 /// Requires what build_mesh ensures, and a surface that does not cross itself: the nearest facet tells the

@@ -65,7 +65,9 @@ class Search {
  private:
   /// Candidates whose bound is not above this need no further look.
   [[nodiscard]] double settled() const {
-    return std::max(answer_.depth_mm, question_.tolerance_mm) + question_.resolution_mm;
+    if (answer_.depth_mm > question_.tolerance_mm)
+      return answer_.depth_mm + std::max(question_.resolution_mm, question_.gap_mm);
+    return question_.tolerance_mm + question_.resolution_mm;
   }
 
   std::uint32_t add_span(double t0, double t1, std::uint32_t stretch) {
@@ -84,8 +86,9 @@ class Search {
     return radius + 0.5 * (way - s0 - signed_distance(q1)) + kRounding_mm;
   }
 
-  /// Where all of the piece, at both ends of the span and `bulge` around, lies over one face of the head, its
-  /// depth is nowhere more than the distance to that face's plane: a convex function, so its corners tell.
+  /// Where all of the piece, at both ends of the span and `bulge` around, lies over one flat patch of the
+  /// head, or over one face of it, and no higher than it is clear, what is above the plane is outside, and
+  /// what is below is no deeper than that: a linear function, so its corners tell.
   [[nodiscard]] double bound_by_face(const Span& span, const std::array<Vec3, 3>& piece) const {
     std::array<Vec3, 6> q;
     double far = 0;
@@ -96,19 +99,21 @@ class Search {
     }
     const Vec3 middle = (q[0] + q[1] + q[2] + q[3] + q[4] + q[5]) / 6.0;
     const std::uint32_t face = nearest_foot(head_.surface, middle)->triangle;
-    const IndexedMesh& mesh = head_.surface.mesh;
-    const Vec3& up = head_.surface.sign.face(face);
     const double bulge = span.t1 > span.t0 ? motion_.bulge_mm(span.t0, span.t1, span.stretch, far) : 0;
+    const double patch = deepest_below(head_.flat.patches[head_.flat.patch_of[face]], q, bulge);
+    return std::min(patch, deepest_below(head_.flat.faces[face], q, bulge)) + bulge + kRounding_mm;
+  }
+
+  static double deepest_below(const FlatPatch& patch, const std::array<Vec3, 6>& q, double bulge) {
+    const double inside = std::max(bulge + kRounding_mm, patch.rim_mm);
     double deepest = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3& a = mesh.corner(face, k);
-      const Vec3 inward = up.cross(mesh.corner(face, (k + 1) % 3) - a).normalized();
-      for (const Vec3& x : q) {
-        if (!(inward.dot(x - a) >= bulge + kRounding_mm)) return kUnknown_mm;
-        deepest = std::max(deepest, std::abs(up.dot(a - x)));
-      }
+    for (const Vec3& x : q) {
+      if (!(patch.inside_mm(x) >= inside)) return kUnknown_mm;
+      const double height = patch.height_mm(x);
+      // Higher than is known to be clear, the distance to the plane bounds the depth all the same.
+      deepest = std::max(deepest, height + bulge < patch.clear_mm ? -height : std::abs(height));
     }
-    return deepest + bulge + kRounding_mm;
+    return deepest + 2 * patch.off_mm;
   }
 
   [[nodiscard]] double signed_distance(const Vec3& q) const {

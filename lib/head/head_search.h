@@ -13,6 +13,7 @@ struct HeadQuestion {
   double tolerance_mm = 0;   ///< no more is asked than a proof that the depth is at most this ...
   double resolution_mm = 0;  ///< ... plus this; above the tolerance the depth is closed to it
   std::uint64_t budget = 0;  ///< bounds to compute before giving up
+  double gap_mm = 0;  ///< where larger than the resolution, closes the depth above the tolerance no further
 };
 
 struct HeadAnswer {
