@@ -45,6 +45,7 @@ void set_core(const CoverPiece& piece, double size, KernelPiece& k) {
   if (!k.is_steady) return;
   k.is_level_below = std::abs(along(chain, 0).y()) < kOnAxis;
   k.is_level_above = std::abs(along(chain, k.count - 1).y()) < kOnAxis;
+  k.is_pin = k.count == 2 && !(k.core_r_mm > 0) && k.is_level_below && std::abs(along(chain, 1).x()) <= 0;
   k.core_mm = static_cast<float>(reach);
 }
 

@@ -48,11 +48,15 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
   by_plane = larger(by_plane, least_along(piece, at.gradient, dot(at.gradient, u) - extent, frame, f) -
                                   frame.rest_per_mm * far);
   const V z = dot(f.axis, u);
-  const V3 tilt = cross(f.axis, normal);
-  const V height = smaller(size(dot(f.axis, normal)) * thickness + root(dot(tilt, tilt)) * disc, ball) +
-                   0.5F * size(dot(f.axis, speed)) + rest;
+  V height = ball;
+  // A cylinder has no lower face but the range of heights; elsewhere the chain has it.
+  if (piece.count == 1) {
+    const V3 tilt = cross(f.axis, normal);
+    height = smaller(size(dot(f.axis, normal)) * thickness + root(dot(tilt, tilt)) * disc, ball);
+  }
+  height += 0.5F * size(dot(f.axis, speed)) + rest;
   const V reach = ball + disc + 0.5F * frame.way_mm + frame.half_turn * far + rest;
-  const Range range{z - height, z + height, at.r - reach};
+  const Range range{z - height, z + height, at.r_lo - reach};
   const V bound = settle(piece, has_foot(piece, need, range), by_plane, range);
   store(at.distance, answer.distance);
   finish(bound, need, block.count, answer);

@@ -22,11 +22,26 @@ GOUGE_INLINE Frame spread(const SweepFrame& f) {
 
 /// The signed distance of a piece at u, with a subgradient.
 struct Touch {
-  V distance, r, z;
+  V distance, z;
+  V r, r_lo;  ///< no less and no more than the distance from the tool axis
   V3 gradient;
 };
 
+/// The same for a core that is no more than a stretch of the axis: a ball below a cylinder.
+GOUGE_INLINE void touch_pin(const KernelPiece& piece, const V3& u, const V3& axis, Touch& out) {
+  out.z = dot(axis, u);
+  const M is_beside = out.z >= piece.lines[1].z;
+  const V3 nearly = minus(u, times(axis, is_beside ? out.z : all(piece.lines[1].z)));
+  const V3 across = minus(nearly, times(axis, is_beside ? dot(axis, nearly) : V{}));
+  const V length = root(dot(across, across));
+  out.distance = length - piece.radius_mm;
+  out.r = length;
+  out.r_lo = is_beside ? length : V{};
+  out.gradient = times(across, 1.0F / larger(length, all(1e-20F)));
+}
+
 GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, Touch& out) {
+  if (piece.is_pin) return touch_pin(piece, u, axis, out);
   const V z = dot(axis, u);
   // Close to the axis what is left is rounding and may point along it, which would tilt the gradient: taken off twice.
   const V3 nearly = minus(u, times(axis, z));
@@ -57,7 +72,7 @@ GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, T
     gz = next ? all(-line.dr) : gz;
   }
   out.distance = distance - piece.radius_mm;
-  out.r = r;
+  out.r = out.r_lo = r;
   out.z = z;
   // One division for both: that of the direction's length and that by r.
   const V off_axis = larger(r, all(1e-20F));
@@ -117,7 +132,6 @@ GOUGE_INLINE V least_along(const KernelPiece& piece, const V3& g, const V& farth
   if (!piece.is_steady) return all(-3e38F);
   const KernelPiece::Line& first = piece.lines[0];
   const KernelPiece::Line& last = piece.lines[piece.count - 1];
-  const bool is_pin = piece.core_r_mm <= 0 && piece.is_level_below && !(last.dr > 0 || last.dr < 0);
   // Between the ends the core reaches less far than at one of them, but a line that leans to the axis may come up.
   const float unsure = 4 * frame.rest_per_mm, slack = 2 * frame.half_turn + unsure;
   const float slack_up = (last.dr < 0 ? -last.dr * slack : 0.0F) + unsure;
@@ -128,7 +142,7 @@ GOUGE_INLINE V least_along(const KernelPiece& piece, const V3& g, const V& farth
   for (int end = 0; end < 2; ++end) {
     const V gz = dot(g, f.ends[end]);
     V gr = V{};
-    if (!is_pin) {
+    if (!piece.is_pin) {
       const V3 across = cross(g, f.ends[end]);
       gr = root(dot(across, across));
     }
