@@ -4,7 +4,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <set>
+#include <sstream>
 
 #include "tests/architecture/source_rules.h"
 
@@ -126,6 +128,42 @@ TEST(Repository, EveryLinkOfTheDocumentsLeadsToAFile) {
     }
   }
   EXPECT_GT(links, 30U);
+}
+
+/// Rows of a table whose first column names sections: the last column may be empty, the others may not.
+std::map<std::string, std::vector<std::string>> rows_by_section(const std::string& text) {
+  std::map<std::string, std::vector<std::string>> rows;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] != '|') continue;
+    std::vector<std::string> cells;
+    std::istringstream row(line.substr(1));
+    for (std::string cell; std::getline(row, cell, '|');) cells.push_back(cell);
+    std::istringstream sections(cells.empty() ? "" : cells[0]);
+    for (std::string section; std::getline(sections, section, ',');) {
+      const std::size_t first = section.find_first_not_of(' '), last = section.find_last_not_of(' ');
+      if (first != std::string::npos) rows[section.substr(first, last - first + 1)] = cells;
+    }
+  }
+  return rows;
+}
+
+TEST(Repository, TheThesisMapNamesFilesAndTestsForEverySectionOfTheCoresChapters) {
+  const auto rows = rows_by_section(text_of(fs::path(GOUGE_SOURCE_DIR) / "docs" / "thesis_map.md"));
+  for (const char* section :
+       {"2.4.18", "2.4.18.1", "2.4.18.2",   "2.4.18.3",  "2.4.18.4", "2.4.18.5", "4.1",     "4.1.1",
+        "4.1.2",  "4.2",      "4.3",        "4.4",       "4.4.1",    "4.4.2",    "4.5",     "4.5.1",
+        "4.5.2",  "4.5.2.1",  "4.5.2.2",    "4.5.2.3",   "4.6",      "4.6.1",    "4.6.2",   "4.7",
+        "4.8",    "5.1",      "5.2",        "5.2.1",     "5.2.2",    "5.2.3",    "5.3",     "5.4",
+        "6.1",    "6.1.1",    "6.1.2",      "6.1.3",     "6.1.4",    "6.1.4.1",  "6.1.4.2", "6.1.4.3",
+        "6.2",    "6.3",      "appendix B", "appendix C"}) {
+    const auto row = rows.find(section);
+    ASSERT_NE(row, rows.end()) << section << " has no row";
+    ASSERT_GE(row->second.size(), 5U) << section;
+    for (std::size_t k = 1; k < 4; ++k) {
+      EXPECT_NE(row->second[k].find_first_not_of(' '), std::string::npos) << section << ", column " << k + 1;
+    }
+  }
 }
 
 TEST(Repository, EveryPathTheDocumentsNameIsThere) {
