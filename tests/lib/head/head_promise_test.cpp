@@ -1,0 +1,209 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <functional>
+#include <numbers>
+#include <random>
+
+#include "lib/head/check_heads.h"
+#include "lib/penetration/nearest_foot.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solids.h"
+
+// The bounds of heads against dense sampling, where they are hardest: fast turns with long arms, arcs whose
+// axis turns, faces that slide along faces, thin bodies, slots with walls in them, solids within cavities,
+// far from the origin. GOUGE_HEAD_MOTIONS sets how many motions each case gets (short by default).
+
+namespace gouge {
+namespace {
+
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : engine_(seed) {}
+  double unit() { return std::uniform_real_distribution<double>(-1, 1)(engine_); }
+  double share() { return 0.5 + 0.5 * unit(); }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
+  Vec3 vector() { return {unit(), unit(), unit()}; }
+  Vec3 direction() { return vector().normalized(); }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+int motions() {
+  const char* given = std::getenv("GOUGE_HEAD_MOTIONS");
+  return given == nullptr ? 12 : std::atoi(given);
+}
+
+struct Tally {
+  int deep = 0, clean = 0, tight = 0, all = 0;
+};
+
+using MakeMotion = std::function<Motion(Random&)>;
+
+/// Samples surface points, also those next to where the head was found deepest, over many instants.
+double sampled_depth(const HeadMotion& moving, const HeadBody& head, const IndexedMesh& part,
+                     const HeadAnswer& told, Random& random) {
+  double deepest = 0;
+  for (int i = 0; i < 400; ++i) {
+    const std::size_t t =
+        told.has_witness && i % 2 == 0 ? told.triangle : random.below(part.triangles.size());
+    double u = random.share(), v = random.share();
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    if (i % 7 == 0) v = 0;
+    const Vec3& a = part.corner(t, 0);
+    const Vec3 p = a + u * (part.corner(t, 1) - a) + v * (part.corner(t, 2) - a);
+    for (int s = 0; s <= 64; ++s) {
+      const double at = i % 3 == 0 ? random.share() : s / 64.0;
+      deepest = std::max(deepest, -nearest_foot(head.surface, moving.at(at).inverse().point(p))->signed_mm());
+    }
+  }
+  return deepest;
+}
+
+Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const MakeMotion& make,
+                    const HeadQuestion& question, std::uint64_t seed) {
+  Random random(seed);
+  const Result<HeadBody> head = build_head_body(head_mesh);
+  EXPECT_TRUE(head.has_value()) << head_mesh.name;
+  DepthBodyOptions lean;
+  lean.is_lean = true;
+  const DepthBody surface = build_depth_body(part, lean);
+  Tally tally;
+  for (int i = 0; i < motions(); ++i) {
+    const Motion motion = make(random);
+    if (!motion.is_defined()) continue;
+    const HeadMotion moving(motion);
+    const HeadAnswer told = search_head(moving, *head, {&surface}, question);
+    const double sampled = sampled_depth(moving, *head, part, told, random);
+    const double rounding = 1e-9 + 1e-14 * motion.start().tip.norm();
+    EXPECT_LE(sampled, told.depth_upper_mm + rounding) << head_mesh.name << ", motion " << i;
+    EXPECT_LE(told.depth_mm, told.depth_upper_mm);
+    if (told.has_witness) {
+      const double there =
+          -nearest_foot(head->surface, moving.at(told.t).inverse().point(told.point))->signed_mm();
+      EXPECT_NEAR(there, told.depth_mm, rounding);
+    }
+    ++tally.all;
+    tally.deep += told.depth_mm > question.tolerance_mm ? 1 : 0;
+    tally.clean += told.depth_upper_mm <= question.tolerance_mm + question.resolution_mm ? 1 : 0;
+    tally.tight += told.depth_upper_mm - told.depth_mm <= question.resolution_mm ? 1 : 0;
+  }
+  return tally;
+}
+
+constexpr HeadQuestion kQuestion{0.01, 0.01, 20000};
+
+TEST(HeadPromise, HoldsForFastTurnsWithLongArms) {
+  // The head is 300 mm from the tip, so that a degree of turn is 5 mm of way.
+  const IndexedMesh head = shapes::box(Vec3(-30, -20, 280), Vec3(40, 25, 330));
+  const IndexedMesh part = shapes::moved(shapes::star_prism(), Vec3(0, 0, 280));
+  const Tally tally = expect_bounds(
+      head, part,
+      [](Random& random) {
+        const Vec3 z = Vec3::UnitZ();
+        const Pose from{30 * random.vector(), (z + 0.3 * random.vector()).normalized()};
+        return Motion(from, {30 * random.vector(), (z + 0.3 * random.vector()).normalized()});
+      },
+      kQuestion, 1);
+  EXPECT_GT(tally.deep, tally.all / 4);
+}
+
+TEST(HeadPromise, HoldsOnArcsWhoseAxisTurns) {
+  const Tally tally = expect_bounds(
+      shapes::torus(20, 6, 24, 12), shapes::star_prism(),
+      [](Random& random) {
+        PathArc arc;
+        arc.axis = random.direction();
+        arc.center = 20 * random.vector();
+        arc.sweep_rad = 3 * random.unit();
+        const Vec3 r0 = 40 * arc.axis.cross(random.direction());
+        const Vec3 r1 = Eigen::AngleAxisd(arc.sweep_rad, arc.axis) * r0;
+        const Pose from{arc.center + r0, random.direction()};
+        return Motion(from, {arc.center + r1 + 15 * random.unit() * arc.axis, random.direction()}, arc);
+      },
+      kQuestion, 2);
+  EXPECT_GT(tally.deep, 0);
+}
+
+TEST(HeadPromise, HoldsWhereFacesSlideAlongFaces) {
+  // Steps of a millimetre and upright axes: faces lie in one plane again and again.
+  const Tally tally = expect_bounds(
+      shapes::box(Vec3(-10, -8, 20), Vec3(10, 8, 30)), shapes::box(Vec3(-6, -6, 0), Vec3(6, 6, 25)),
+      [](Random& random) {
+        const auto step = [&] { return std::round(6 * random.unit()); };
+        const Pose from{Vec3(3 * step(), 3 * step(), step()), Vec3::UnitZ()};
+        const bool is_level = random.below(2) == 0;
+        return Motion(from, {from.tip + Vec3(3 * step(), 3 * step(), is_level ? 0 : step()), Vec3::UnitZ()});
+      },
+      kQuestion, 3);
+  EXPECT_GT(tally.tight + tally.clean, tally.all / 2);
+}
+
+TEST(HeadPromise, HoldsForWallsInTheSlotsOfAHead) {
+  // A slotted head and the same block as part: walls stand in slots, 2.5 mm from either side, or in walls.
+  const IndexedMesh block = shapes::slotted_block();
+  const Tally tally = expect_bounds(
+      shapes::moved(block, Vec3(0, 0, 3)), block,
+      [](Random& random) {
+        const Pose from{Vec3(8 * random.unit(), 3 * random.unit(), 6 * random.unit()), Vec3::UnitZ()};
+        const Vec3 axis = (Vec3::UnitZ() + 0.1 * random.vector()).normalized();
+        return Motion(from,
+                      {from.tip + 3 * random.vector(), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
+      },
+      kQuestion, 4);
+  EXPECT_GT(tally.deep, 0);
+}
+
+TEST(HeadPromise, HoldsForAThinPlateAndForCavities) {
+  const MakeMotion make = [](Random& random) {
+    return Motion({25 * random.vector(), random.direction()}, {25 * random.vector(), random.direction()});
+  };
+  expect_bounds(shapes::box(Vec3(-30, -20, 10), Vec3(30, 20, 10.02)), shapes::bumpy_sphere(), make,
+                {1e-3, 1e-3, 8000}, 5);
+  expect_bounds(shapes::hollow_cube(30), shapes::cube(12), make, kQuestion, 6);
+  expect_bounds(shapes::needle_fan(60), shapes::hollow_cube(20), make, kQuestion, 7);
+}
+
+TEST(HeadPromise, HoldsFarFromTheOrigin) {
+  const Vec3 far(1e5, -1e5, 1e5);
+  expect_bounds(
+      shapes::torus(20, 6, 24, 12), shapes::moved(shapes::star_prism(), far),
+      [&](Random& random) {
+        return Motion({far + 30 * random.vector(), random.direction()},
+                      {far + 30 * random.vector(), random.direction()});
+      },
+      {1e-4, 1e-4, 20000}, 8);
+}
+
+TEST(HeadPromise, NeverCallsAHeadWithinASolidCleanThatTouchesNothing) {
+  // Within the material around a cavity, within the cavity, and within a solid inside the cavity.
+  const IndexedMesh part =
+      shapes::joined(shapes::joined(shapes::box(Vec3(-100, -100, -100), Vec3(100, 100, 100)),
+                                    shapes::inside_out(shapes::box(Vec3(-60, -60, -60), Vec3(60, 60, 60)))),
+                     shapes::box(Vec3(-40, -40, -40), Vec3(40, 40, 40)));
+  Scene scene;
+  scene.parts = {part};
+  const std::vector<HeadBody> heads = {*build_head_body(shapes::box(Vec3(-3, -3, 0), Vec3(3, 3, 6)))};
+  const HeadChecker checker(heads, scene);
+  for (double x = -130; x <= 130; x += 7) {
+    const Vec3 tip(x, 1, 2);
+    MoveVerdict verdict;
+    checker.check(Motion({tip, Vec3::UnitZ()}, {tip + Vec3(0.5, 2, 1), Vec3::UnitZ()}), {}, verdict);
+    const double out = std::abs(x);
+    const bool is_solid = out < 36 || (out > 65 && out < 95);
+    const bool is_free = (out > 44 && out < 55) || out > 105;
+    if (is_solid) {
+      EXPECT_EQ(verdict.state, MoveState::buried) << x;
+    }
+    if (is_free) {
+      EXPECT_EQ(verdict.state, MoveState::clean) << x << " " << verdict.reason;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace gouge
