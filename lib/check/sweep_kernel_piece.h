@@ -138,7 +138,8 @@ GOUGE_INLINE V least_along(const KernelPiece& piece, const V3& g, const V& farth
   const float slack_down = (first.dr > 0 ? first.dr * slack : 0.0F) + unsure;
   const V still = 0.5F * dot(g, f.way);
   V bound = all(3e38F);
-  M is_endless = M{};
+  // A gradient on the axis of a cone is shorter than a direction, and inside the core that promises too much.
+  M is_endless = dot(g, g) < 0.99999F;
   for (int end = 0; end < 2; ++end) {
     const V gz = dot(g, f.ends[end]);
     V gr = V{};
