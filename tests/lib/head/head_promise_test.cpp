@@ -158,6 +158,43 @@ TEST(HeadPromise, HoldsForWallsInTheSlotsOfAHead) {
   EXPECT_GT(tally.deep, 0);
 }
 
+TEST(HeadPromise, HoldsForWhatReachesAcrossASlotIntoTheOtherWall) {
+  // A sheet whose tip is in the far wall of the slot: all of it is over the near wall's side, and outside
+  // that.
+  IndexedMesh sheet;
+  sheet.name = "sheet";
+  sheet.vertices = {Vec3(8.3, 17, 13), Vec3(8.3, 23, 13), Vec3(15.6, 20, 13.5)};
+  sheet.triangles = {{0, 1, 2}};
+  sheet.file_triangle = {0};
+  const Tally tally = expect_bounds(
+      shapes::slotted_block(8, 6, 20, 40), sheet,
+      [](Random& random) {
+        const auto tip = [&] { return Vec3(0.2 * random.unit(), 5 * random.unit(), 2 * random.unit()); };
+        const Vec3 axis = (Vec3::UnitZ() + 0.01 * random.vector()).normalized();
+        const Pose from{tip(), Vec3::UnitZ()};
+        return Motion(from, {tip(), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
+      },
+      kQuestion, 9);
+  EXPECT_EQ(tally.deep, tally.all);
+}
+
+TEST(HeadPromise, HoldsForWhatIsMetInMidSwing) {
+  // A small head far out swings through the part: at both ends it is far away, and so is the chord.
+  const Vec3 middle_axis = Vec3(0.2, -0.3, 1).normalized();
+  const Vec3 place = head_rotation(middle_axis) * Vec3(150, 30, 200);
+  const Tally tally = expect_bounds(
+      shapes::box(Vec3(145, 25, 195), Vec3(155, 35, 205)),
+      shapes::moved(shapes::cube(3), place - Vec3(1.5, 1.5, 1.5)),
+      [&](Random& random) {
+        const Vec3 about = middle_axis.cross(random.direction()).normalized();
+        const double turn = 0.1 + random.share();
+        const Pose from{Vec3::Zero(), Eigen::AngleAxisd(-turn, about) * middle_axis};
+        return Motion(from, {Vec3::Zero(), Eigen::AngleAxisd(turn, about) * middle_axis});
+      },
+      kQuestion, 10);
+  EXPECT_GT(tally.deep, tally.all / 4);
+}
+
 TEST(HeadPromise, HoldsForAThinPlateAndForCavities) {
   const MakeMotion make = [](Random& random) {
     return Motion({25 * random.vector(), random.direction()}, {25 * random.vector(), random.direction()});
