@@ -41,7 +41,7 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
                                   [&](std::size_t done, std::size_t total) { progress.show(done, total); });
   progress.end();
   check_heads(job.toolpath, job.heads, job.scene, options->check, result);
-  measure_overcuts(job.toolpath, job.tools(), job.scene, options->check, result);
+  measure_overcuts(job.toolpath, job.tools(), job.scene, options->check, result, job.heads);
   const ReportModel model = job.report(arguments, job.toolpath, result);
   print_notes(err, model.notes, arguments);
   if (arguments.is_verbose) {

@@ -102,7 +102,7 @@ class CorrectRun {
     CheckResult result = check_path(path, job_.tools(), scene, job_.options.check, show());
     progress_.end();
     check_heads(path, job_.heads, job_.scene, job_.options.check, result);
-    measure_overcuts(path, job_.tools(), job_.scene, job_.options.check, result);
+    measure_overcuts(path, job_.tools(), job_.scene, job_.options.check, result, job_.heads);
     return result;
   }
 

@@ -6,6 +6,8 @@
 #include "lib/base/parallel.h"
 #include "lib/check/check_path.h"
 #include "lib/overcut/overcut_search.h"
+#include "lib/overcut/swept_head.h"
+#include "lib/overcut/swept_tool.h"
 
 namespace gouge {
 namespace {
@@ -52,12 +54,12 @@ std::vector<bool> worst_moves(const CheckResult& result) {
 }  // namespace
 
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
-                      const Scene& scene, const CheckOptions& options, CheckResult& result) {
+                      const Scene& scene, const CheckOptions& options, CheckResult& result,
+                      const std::vector<HeadBody>& heads) {
   std::vector<std::size_t> gouges;
   for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const MoveVerdict& v = result.verdicts[i];
-    const bool is_tool = v.witness && v.witness->body != Body::head;
-    if (v.state == MoveState::gouge && is_tool) gouges.push_back(i);
+    if (v.state == MoveState::gouge && v.witness) gouges.push_back(i);
   }
   const Solids solids(scene, result.verdicts);
   const std::vector<bool> is_worst = worst_moves(result);
@@ -68,12 +70,20 @@ void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForm
       const DepthBody* solid = solids.of(*verdict.witness);
       if (solid == nullptr || !solid->is_solid || tools[move.tool] == nullptr) continue;
       const Motion motion = motion_of(toolpath, move, options.rapid);
-      const SweptTool tool(motion, tools[move.tool]->bare);
       // Where the tool's boundary comes to lie once the witness is followed through the tool.
       const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
       OvercutOptions search;
       if (!is_worst[gouges[k]]) search.most_cells = kCellsOfOthers;
-      verdict.overcut_mm = find_overcut(tool, *solid, seed, verdict.witness->t, search).depth_mm;
+      if (verdict.witness->body != Body::head) {
+        const SweptTool tool(motion, tools[move.tool]->bare);
+        verdict.overcut_mm = find_overcut(tool, *solid, seed, verdict.witness->t, search).depth_mm;
+        continue;
+      }
+      for (const HeadBody& body : heads) {
+        const SweptHead head(motion, body);
+        const double reached = find_overcut(head, *solid, seed, verdict.witness->t, search).depth_mm;
+        verdict.overcut_mm = std::max(verdict.overcut_mm.value_or(0), reached);
+      }
     }
   });
   result.worst_overcut_mm = 0;

@@ -5,6 +5,7 @@
 #include "lib/check/check_options.h"
 #include "lib/check/scene.h"
 #include "lib/check/verdict.h"
+#include "lib/head/head_body.h"
 #include "lib/path/toolpath.h"
 #include "lib/tool/tool_forms.h"
 
@@ -14,12 +15,15 @@ namespace gouge {
 /// the tool as it is, without clearances and stock, reached. Where depth saturates at the tool's radius,
 /// overcut does not.
 ///
-/// Bodies whose surface is not closed have no inside and get none, nor do gouges of a head; a gouge into a clearance alone has 0.
-/// Ensures  the same bits at any number of threads.
-/// Cost     a tree over each body that is gouged, then about a millisecond for the worst move of each event and a tenth
-///          of one for every other; the latter are searched less, so theirs may be told some hundredths smaller.
+/// Of a gouge whose witness is in a head it is the head that is followed, not the tool. Bodies whose surface
+/// is not closed have no inside and get none; a gouge into a clearance alone has 0. Ensures  the same bits at
+/// any number of threads. Cost     a tree over each body that is gouged, then about a millisecond for the
+/// worst move of each event and a tenth
+///          of one for every other; the latter are searched less, so theirs may be told some hundredths
+///          smaller.
 /// Requires result.events.
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
-                      const Scene& scene, const CheckOptions& options, CheckResult& result);
+                      const Scene& scene, const CheckOptions& options, CheckResult& result,
+                      const std::vector<HeadBody>& heads = {});
 
 }  // namespace gouge

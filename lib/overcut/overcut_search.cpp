@@ -26,7 +26,7 @@ bool comes_later(const Cell& a, const Cell& b) {
 
 class Search {
  public:
-  Search(const SweptTool& tool, const DepthBody& part, const OvercutOptions& options)
+  Search(const SweptSolid& tool, const DepthBody& part, const OvercutOptions& options)
       : tool_(tool), part_(part), options_(options) {}
 
   Overcut run(const Vec3& seed, double seed_t) {
@@ -70,7 +70,7 @@ class Search {
     const auto foot = nearest_foot(part_, centre);
     const double upper = (foot ? -foot->signed_mm() : 0) + radius;
     if (upper <= best_.depth_mm) return;
-    const SweptTool::Nearest near = tool_.nearest(centre, 0.25 * radius, radius);
+    const SweptSolid::Nearest near = tool_.nearest(centre, 0.25 * radius, radius);
     if (near.lower_mm > radius) return;
     if (near.distance_mm > 0) {
       // The tool's own point next to the centre: most cells have their middle beside it.
@@ -101,7 +101,7 @@ class Search {
   /// From the best point away from the surface: as far as the tool is thick there, then along its boundary.
   void push(double step) {
     for (int i = 0; i < kPushes && best_.depth_mm > 0 && step > kInTool_mm; ++i) {
-      const SweptTool::Nearest near = tool_.nearest(best_.point, 0.02 * step, 0);
+      const SweptSolid::Nearest near = tool_.nearest(best_.point, 0.02 * step, 0);
       const Vec3 from = best_.point;
       if (near.distance_mm < -1e-7 && take(from - near.distance_mm * deeper_, near.t)) continue;
       const double t = near.distance_mm <= 0 ? near.t : best_.t;
@@ -118,7 +118,7 @@ class Search {
     }
   }
 
-  const SweptTool& tool_;
+  const SweptSolid& tool_;
   const DepthBody& part_;
   const OvercutOptions& options_;
   Overcut best_;
@@ -130,7 +130,7 @@ class Search {
 
 }  // namespace
 
-Overcut find_overcut(const SweptTool& tool, const DepthBody& part, const Vec3& seed, double seed_t,
+Overcut find_overcut(const SweptSolid& tool, const DepthBody& part, const Vec3& seed, double seed_t,
                      const OvercutOptions& options) {
   return Search(tool, part, options).run(seed, seed_t);
 }

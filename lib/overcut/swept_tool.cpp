@@ -2,33 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <vector>
 
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
-namespace {
-
-// A tool that runs along the point keeps its distance for long: no number of instants would settle that.
-constexpr int kMostInstants = 300;
-
-struct Piece {
-  double t0 = 0, t1 = 1, d0 = 0, d1 = 0;
-  std::uint32_t stretch = 0;
-};
-
-}  // namespace
 
 double SweptTool::distance_at(const Vec3& point, double t) const {
-  const Pose pose = motion_.at(t);
+  const Pose pose = motion().at(t);
   const Vec3 d = point - pose.tip;
   const double z = d.dot(pose.axis);
   return evaluate(tool_, (d - z * pose.axis).norm(), z).signed_distance_mm;
 }
 
 Vec3 SweptTool::outward_at(const Vec3& point, double t) const {
-  const Pose pose = motion_.at(t);
+  const Pose pose = motion().at(t);
   const Vec3 d = point - pose.tip;
   const double z = d.dot(pose.axis);
   const Vec3 across = d - z * pose.axis;
@@ -38,58 +25,9 @@ Vec3 SweptTool::outward_at(const Vec3& point, double t) const {
   return (normal.x() * radial + normal.y() * pose.axis).normalized();
 }
 
-/// Lipschitz in the point's place, so halving the time brackets the smallest distance: between two instants
-/// it is not below the mean of both less half of the way the point runs in tool coordinates.
-SweptTool::Nearest SweptTool::nearest(const Vec3& point, double accuracy_mm, double enough_mm) const {
-  Nearest best{distance_at(point, 0), 0, 0};
-  const auto offer = [&](double t) {
-    const double distance = distance_at(point, t);
-    if (distance < best.distance_mm) best = {distance, t, 0};
-    return distance;
-  };
-  best.lower_mm = best.distance_mm;
-  if (motion_.is_alone()) return best;
-  double lower = std::numeric_limits<double>::infinity();
-  int instants = 0;
-  std::vector<Piece> open;
-  for (std::uint32_t s = 0; s < motion_.stretches().size(); ++s) {
-    const TipStretch& stretch = motion_.stretches()[s];
-    open.push_back({stretch.t0, stretch.t1, offer(stretch.t0), offer(stretch.t1), s});
-  }
-  while (!open.empty()) {
-    const Piece piece = open.back();
-    open.pop_back();
-    const double way = motion_.way_mm(piece.t0, piece.t1, piece.stretch);
-    const double turn = std::abs(motion_.angle_rad()) * (piece.t1 - piece.t0);
-    const double run = way + turn * ((point - motion_.tip_at(piece.t0, piece.stretch)).norm() + way);
-    const double least = 0.5 * (piece.d0 + piece.d1 - run);
-    const bool is_settled = least >= best.distance_mm - accuracy_mm || least > enough_mm;
-    if (is_settled || ++instants > kMostInstants || piece.t1 - piece.t0 < 1e-9) {
-      lower = std::min(lower, least);
-      continue;
-    }
-    const double middle = 0.5 * (piece.t0 + piece.t1);
-    const double distance = offer(middle);
-    open.push_back({piece.t0, middle, piece.d0, distance, piece.stretch});
-    open.push_back({middle, piece.t1, distance, piece.d1, piece.stretch});
-  }
-  best.lower_mm = std::min(lower, best.distance_mm);
-  return best;
-}
-
-Box3 SweptTool::box() const {
+double SweptTool::reach_mm() const {
   const double height = std::max(std::abs(tool_.z_min_mm), std::abs(tool_.z_max_mm));
-  const double reach = std::sqrt(tool_.r_max_mm * tool_.r_max_mm + height * height);
-  Box3 box;
-  for (std::uint32_t s = 0; s < motion_.stretches().size(); ++s) {
-    const TipStretch& stretch = motion_.stretches()[s];
-    const double wide = reach + motion_.way_mm(stretch.t0, stretch.t1, s);
-    box.extend(Vec3(motion_.tip_at(stretch.t0, s) - Vec3::Constant(wide)));
-    box.extend(Vec3(motion_.tip_at(stretch.t0, s) + Vec3::Constant(wide)));
-  }
-  box.extend(Vec3(motion_.at(0).tip - Vec3::Constant(reach)));
-  box.extend(Vec3(motion_.at(0).tip + Vec3::Constant(reach)));
-  return box;
+  return std::sqrt(tool_.r_max_mm * tool_.r_max_mm + height * height);
 }
 
 }  // namespace gouge

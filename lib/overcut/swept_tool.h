@@ -1,35 +1,22 @@
 #pragma once
 
-#include "lib/check/motion.h"
+#include "lib/overcut/swept_solid.h"
 #include "lib/tool/compiled_tool.h"
 
 namespace gouge {
 
-/// A tool along one motion, asked from a point of the part.
-class SweptTool {
+/// A tool along one motion.
+class SweptTool : public SweptSolid {
  public:
-  /// Requires motion.is_defined() and a tool with elements; both must outlive it.
-  SweptTool(const Motion& motion, const CompiledTool& tool) : motion_(motion), tool_(tool) {}
+  /// Requires a tool with elements; it must outlive this.
+  SweptTool(const Motion& motion, const CompiledTool& tool) : SweptSolid(motion), tool_(tool) {}
 
-  struct Nearest {
-    double distance_mm = 0;  ///< signed, realised at t; negative: the point is inside the tool then
-    double t = 0;
-    double lower_mm = 0;  ///< proven: at no instant is it less
-  };
-
-  /// The smallest signed distance over the motion, to `accuracy_mm` from above or as near as a
-  /// few hundred instants bring it. Instants that cannot be at most `enough_mm` are not looked at.
-  [[nodiscard]] Nearest nearest(const Vec3& point_part, double accuracy_mm, double enough_mm) const;
-
-  [[nodiscard]] double distance_at(const Vec3& point_part, double t) const;
-  /// Unit gradient of that distance.
-  [[nodiscard]] Vec3 outward_at(const Vec3& point_part, double t) const;
-
-  /// Holds every place the tool takes.
-  [[nodiscard]] Box3 box() const;
+  [[nodiscard]] double distance_at(const Vec3& point_part, double t) const override;
+  [[nodiscard]] Vec3 outward_at(const Vec3& point_part, double t) const override;
 
  private:
-  const Motion& motion_;
+  [[nodiscard]] double reach_mm() const override;
+
   const CompiledTool& tool_;
 };
 

@@ -37,7 +37,7 @@ OvercutField::OvercutField(const PictureInput& input, const DepthField& depths)
   for (const DepthField::FieldPose& pose : depths.poses()) {
     const MoveVerdict& verdict = verdicts[pose.move];
     const double told = verdict.overcut_mm.value_or(0);
-    if (!(told > 0) || !verdict.witness) continue;
+    if (!(told > 0) || !verdict.witness || verdict.witness->body == Body::head) continue;
     places_.push_back({pose, std::min(worst, kMoreThanTold * told)});
     largest_mm_ = std::max(largest_mm_, told);
     const Witness& w = *verdict.witness;

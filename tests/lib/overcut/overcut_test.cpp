@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "lib/check/check_path.h"
+#include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
 #include "lib/overcut/overcut_search.h"
+#include "lib/overcut/swept_tool.h"
 #include "lib/penetration/nearest_foot.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
@@ -70,6 +72,25 @@ TEST(Overcut, OfEveryMoveOfALongFindingIsFound) {
     ASSERT_EQ(result.verdicts[i].state, MoveState::gouge) << i;
     EXPECT_NEAR(result.verdicts[i].overcut_mm.value_or(0), 2, 0.02) << i;
   }
+}
+
+TEST(Overcut, OfAHeadIsHowFarTheHeadReachedBelowTheSurface) {
+  // A bar 6 mm wide beside the tool, its end 15 mm deep in the block: depth says 3.
+  const ToolForms tool = tools::ball(10);
+  const Toolpath path = paths::through({paths::upright(80, 0, 30), paths::upright(80, 0, 5)});
+  Scene scene;
+  scene.parts = {kBlock};
+  const std::vector<HeadBody> heads = {*build_head_body(shapes::box(Vec3(-63, -3, -20), Vec3(-57, 3, 60)))};
+  CheckOptions options;
+  CheckResult result = check_path(path, {&tool}, prepare_scene(scene), options);
+  EXPECT_EQ(result.counts.clean, 2U);
+  check_heads(path, heads, scene, options, result);
+  ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
+  EXPECT_NEAR(result.verdicts[1].depth_mm, 3, 2e-3);
+  measure_overcuts(path, {&tool}, scene, options, result, heads);
+  ASSERT_TRUE(result.verdicts[1].overcut_mm.has_value());
+  EXPECT_NEAR(*result.verdicts[1].overcut_mm, 15, 0.01);
+  EXPECT_NEAR(result.worst_overcut_mm, 15, 0.01);
 }
 
 TEST(Overcut, IsNotToldForAnOpenSurface) {
