@@ -202,6 +202,25 @@ TEST(Sweep, PointsOnTheAxisOfAPointedToolHaveAnHonestBound) {
   }
 }
 
+// The gradient of a cone on its own axis points along the axis and is shorter than 1: not a direction to reach along.
+TEST(Sweep, APointOnTheAxisInsideACutterThatWidensIsAsDeepAsTheCone) {
+  const ToolForms tool = tools::forms(tools::assembly(TaperedCutter{4, 0.5, 30, 16}, 20));
+  IndexedMesh mesh;
+  mesh.vertices = {{0, 0, 8}, {0.5, 0, 7.5}, {0, 0.5, 7.5}};
+  shapes::add_triangle(mesh, 0, 1, 2);
+  const BlockTree tree = build_block_tree({&mesh, 1}, 1);
+  const std::vector<Motion> still{Motion(Pose{Vec3::Zero(), Vec3::UnitZ()})};
+  std::vector<SweepStep> steps;
+  append_steps(still[0], 0, steps);
+  const SweepFrame frame = sweep_frame(steps, tree.origin, tree.rounding_mm);
+  const double sampled = sampled_distance(tool.bare, still, tree.corners(0));
+  EXPECT_LT(sampled, -5);
+  for (const float need : {-5.0F, -4.5F, -4.2F, -4.0F}) {
+    EXPECT_LT(proven(tool.bare, tree, frame, need).triangle[0], need);
+    EXPECT_LT(proven(tool.bare, tree, frame, need).node[0], need);
+  }
+}
+
 // What makes it fast: of a thousand positions over a surface hardly one triangle needs the exact search.
 TEST(Sweep, AClearPassOverASurfaceNeedsNoExactSearch) {
   const IndexedMesh ball = shapes::sphere(50, 96);
