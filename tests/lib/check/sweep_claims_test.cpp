@@ -164,9 +164,9 @@ Case aligned_case(std::uint64_t seed) {
   for (auto count = static_cast<int>(scatter.in(1, 17)); count > 0; --count) {
     const Vec3 at = origin + std::abs(even(scatter, size)) * axis;
     for (int k = 0; k < 3; ++k) {
-      const bool is_on_axis = k == 0 || scatter.once_in(3);
-      made.mesh.vertices.push_back(at + even(scatter, facet) * axis + (is_on_axis ? 0 : 1) * even(scatter, facet) * side +
-                                   (is_on_axis ? 0 : 1) * even(scatter, facet) * axis.cross(side));
+      const double beside = k == 0 || scatter.once_in(3) ? 0 : facet;
+      made.mesh.vertices.push_back(at + even(scatter, facet) * axis + even(scatter, beside) * side +
+                                   even(scatter, beside) * axis.cross(side));
     }
     const std::size_t last = made.mesh.vertices.size() - 1;
     shapes::add_triangle(made.mesh, last - 2, last - 1, last);
