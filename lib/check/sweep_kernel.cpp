@@ -46,6 +46,7 @@ void set_core(const CoverPiece& piece, double size, KernelPiece& k) {
   k.is_level_below = std::abs(along(chain, 0).y()) < kOnAxis;
   k.is_level_above = std::abs(along(chain, k.count - 1).y()) < kOnAxis;
   k.is_pin = k.count == 2 && !(k.core_r_mm > 0) && k.is_level_below && std::abs(along(chain, 1).x()) <= 0;
+  k.is_disc = !k.is_sharp && k.core_r_mm > 0 && k.is_level_below && k.core_r_mm <= k.lines[1].r;
   k.core_mm = static_cast<float>(reach);
 }
 

@@ -39,6 +39,7 @@ struct KernelPiece {
   float radius_mm = 0;
   float z_lo_mm = 0, z_hi_mm = 0, foot_lo_mm = 0, foot_hi_mm = 0, r_below_mm = 0, r_above_mm = 0, r_closed_mm = 0;
   bool is_pin = false;     ///< the core is a stretch of the axis, without end above
+  bool is_disc = false;    ///< the core begins with a flat face around the axis
   bool is_steady = false;  ///< how far the core reaches in a direction is known from its corners
   float core_r_mm = 0;     ///< largest r of a corner of the chain, or of its only line
   float core_mm = 0;       ///< no corner of the core has a larger |r| + |z|

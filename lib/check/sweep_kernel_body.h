@@ -291,16 +291,57 @@ GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const P
   return larger(least_blended(plane, also_plane, ridge.share), least(also_plane));
 }
 
+/// Of a triangle, in a direction.
+GOUGE_INLINE V3 lowest_corner(const V3& g, const Triangle& t) {
+  const V a = dot(g, t.a), b = dot(g, t.b), c = dot(g, t.c);
+  return chosen((a <= b) & (a <= c), t.a, chosen(b <= c, t.b, t.c));
+}
+
+/// Under the flat face of a core that is a disc: the point of the rim above the way down the triangle.
+GOUGE_INLINE V3 rim_ahead(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
+                          const V3& axis) {
+  const V3 way = minus(lowest_corner(at.gradient, t), point);
+  const V3 from = minus(point, times(axis, at.z));
+  const V3 along = minus(way, times(axis, dot(axis, way)));
+  const V a = larger(dot(along, along), all(1e-20F)), b = dot(from, along);
+  const V inside = larger(piece.core_r_mm * piece.core_r_mm - at.r * at.r, V{});
+  const V share = smaller((root(b * b + a * inside) - b) / a, all(1.0F));
+  return plus(plus(from, times(along, share)), times(axis, all(piece.lines[1].z)));
+}
+
+/// Where the last round looked, the gradient there, and how it came there.
+struct Look {
+  V3 point, gradient, way;
+};
+
 // From the piece's core straight to the triangle again; inside the core, deeper. These steps shrink by a constant
-// factor, close to 1 for a large tool nearly flat on its triangle; two of them tell where they lead.
+// factor; two of them tell where they lead.
 GOUGE_INLINE V3 step_to_core(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
-                             V3& last_way) {
+                             Look& last) {
   const V3 next = closest(minus(point, times(at.gradient, size(at.distance + piece.radius_mm))), t);
   const V3 way = minus(next, point);
-  const V rate = smaller(dot(way, last_way) * inverse(dot(last_way, last_way)), all(0.98F));
+  const V rate = smaller(dot(way, last.way) * inverse(dot(last.way, last.way)), all(0.98F));
   const M leads = rate > 0.2F;
-  last_way = {leads ? V{} : way.x, leads ? V{} : way.y, leads ? V{} : way.z};
+  last.way = {leads ? V{} : way.x, leads ? V{} : way.y, leads ? V{} : way.z};
   return chosen(leads, closest(plus(next, times(way, rate / (1.0F - rate))), t), next);
+}
+
+constexpr float kFarthest = 16;  // a step is drawn out no more than so many times
+
+// For a large tool lying almost flat on its triangle the factor is close to 1. Under its flat face the way leads to
+// the rim; beyond, the slopes along the last step tell where it should have ended.
+GOUGE_INLINE V3 step_round_rim(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
+                               const V3& axis, Look& last) {
+  const M is_under = (at.r < piece.core_r_mm) & (at.z < piece.lines[1].z);
+  const V3 straight = minus(point, times(at.gradient, size(at.distance + piece.radius_mm)));
+  const V3 core = chosen(is_under, rim_ahead(piece, at, t, point, axis), straight);
+  const V3 way = minus(point, last.point);
+  const V slope = dot(at.gradient, way), rise = slope - dot(last.gradient, way);
+  const V back = larger(smaller(slope / larger(rise, all(1e-30F)), all(1.0F)), all(-kFarthest));
+  const M leads = (rise > 1e-6F * dot(way, way)) & ~is_under;
+  last.point = point;
+  last.gradient = at.gradient;
+  return closest(chosen(leads, minus(point, times(way, back)), core), t);
 }
 
 constexpr int kRounds = 6;
@@ -325,7 +366,7 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
     return finish(bound, need, block.count, answer);
   }
   V3 point = closest(first_look(piece, t, normal, f.axis), t);
-  V3 last_way{V{}, V{}, V{}};
+  Look last{point, {}, {}};
   Plane last_plane, plane;
   Touch at;
   Deepest deepest{all(3e38F), point};
@@ -341,11 +382,12 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
     const V better = larger(bound, settle(piece, on_side, larger(along_g, by_plane - rest), range));
     // Lanes that the last rounds brought no nearer to the goal are left to smaller triangles and shorter spans.
     M is_open = better < need;
-    if (round > 1) is_open = is_open & (better - bound > kWorthwhile * (need - better));
+    if (round > (piece.is_disc ? 2 : 1)) is_open = is_open & (better - bound > kWorthwhile * (need - better));
     bound = better;
     if (!piece.is_sharp) deepest = {at.distance, point};
     if (!any_of(is_open) || round + 1 == kRounds) break;
-    const V3 next = step_to_core(piece, at, t, point, last_way);
+    const V3 next = piece.is_disc ? step_round_rim(piece, at, t, point, f.axis, last)
+                                  : step_to_core(piece, at, t, point, last);
     point = piece.is_sharp ? chosen(at.distance < 0, on_ridge, next) : next;
   }
   store(deepest.distance, answer.distance);
