@@ -22,7 +22,7 @@ struct PreparedScene {
 
 /// Checks one motion of one tool; everything but "buried", which needs the moves before it (check_path.h).
 ///
-/// Requires motion.is_defined().
+/// Requires motion.is_defined(), and coordinates of the tip and of the meshes within 1e5 mm.
 /// Ensures  the promise of docs/method.md: depth <= true depth <= depth_upper; a gouge is closed to the
 /// resolution;
 ///          clean means depth_upper <= tolerance + resolution, and no body with a clearance entered by more

@@ -245,7 +245,7 @@ SearchQuestion random_question(Scatter& scatter, double size) {
 
 TEST(SweepClaims, WhatIsNotLeftOpenIsSettled) {
   std::size_t settled = 0, deep = 0;
-  const std::uint64_t count = cases(400);
+  const std::uint64_t count = cases(300);
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     const Case c = case_of(seed, false);
     Scatter scatter(seed + 17);
