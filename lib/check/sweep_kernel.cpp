@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/base/instruction_sets.h"
 #include "lib/tool/convex_cover.h"
 
 namespace gouge {
@@ -88,11 +89,10 @@ KernelPiece kernel_piece(const CoverPiece& piece) {
 
 std::size_t sweep_kernel_count() {
 #ifdef GOUGE_X86_KERNELS
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
-    return 3;
-  if (__builtin_cpu_supports("avx2")) return 2;
-#endif
+  return instruction_sets();
+#else
   return 1;
+#endif
 }
 
 const SweepKernel& sweep_kernel(std::size_t index) {

@@ -1,5 +1,7 @@
 #include "lib/penetration/bound_block.h"
 
+#include "lib/base/instruction_sets.h"
+
 namespace gouge {
 
 namespace bounds_plain {
@@ -16,12 +18,10 @@ extern const BoundKernel kKernel;
 
 std::size_t bound_kernel_count() {
 #ifdef GOUGE_X86_KERNELS
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") &&
-      __builtin_cpu_supports("avx512dq"))
-    return 3;
-  if (__builtin_cpu_supports("avx2")) return 2;
-#endif
+  return instruction_sets();
+#else
   return 1;
+#endif
 }
 
 const BoundKernel& bound_kernel(std::size_t index) {

@@ -5,16 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/base/instruction_sets.h"
 #include "lib/tool/evaluate.h"
-
-// One source, compiled for several instruction sets and chosen when the program starts. The arithmetic is the
-// same in each, bit for bit: nothing is fused (-ffp-contract=off) and no sum is reordered.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
-    !defined(__SANITIZE_THREAD__)
-#define GOUGE_WIDE [[gnu::target_clones("avx512f", "avx2", "default")]]
-#else
-#define GOUGE_WIDE
-#endif
 
 namespace gouge {
 namespace {

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+
+// Code that is compiled for several instruction sets from one source. The arithmetic must be the same in each, bit for
+// bit: nothing fused (-ffp-contract=off), no sum reordered.
+
+/// Before a function: one copy for each instruction set, chosen when the program starts. Nothing where the compiler or a
+/// sanitizer does not have it.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define GOUGE_WIDE [[gnu::target_clones("avx512f", "avx2", "default")]]
+#else
+#define GOUGE_WIDE
+#endif
+
+namespace gouge {
+
+/// How many of plain, AVX2 and AVX-512 (F, VL and DQ) this processor runs, in that order: at least 1.
+[[nodiscard]] inline std::size_t instruction_sets() {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512vl") && __builtin_cpu_supports("avx512dq"))
+    return 3;
+  if (__builtin_cpu_supports("avx2")) return 2;
+#endif
+  return 1;
+}
+
+}  // namespace gouge
