@@ -1,6 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 
 // Code that is compiled for several instruction sets from one source. The arithmetic must be the same in each, bit for
 // bit: nothing fused (-ffp-contract=off), no sum reordered.
@@ -24,6 +27,12 @@ namespace gouge {
   if (__builtin_cpu_supports("avx2")) return 2;
 #endif
   return 1;
+}
+
+/// Those of the kernels, one for each instruction set in that order, that this processor runs: the fastest last.
+template <typename Kernel, std::size_t count>
+[[nodiscard]] std::span<const Kernel* const> runnable(const std::array<const Kernel*, count>& kernels) {
+  return std::span(kernels).first(std::min(count, instruction_sets()));
 }
 
 }  // namespace gouge

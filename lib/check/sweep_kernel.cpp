@@ -87,26 +87,19 @@ KernelPiece kernel_piece(const CoverPiece& piece) {
   return k;
 }
 
-std::size_t sweep_kernel_count() {
+std::span<const SweepKernel* const> sweep_kernels() {
+  static constexpr std::array kernels{
+      &kernel_plain::kKernel,
 #ifdef GOUGE_X86_KERNELS
-  return instruction_sets();
-#else
-  return 1;
+      &kernel_avx2::kKernel,
+      &kernel_avx512::kKernel,
 #endif
-}
-
-const SweepKernel& sweep_kernel(std::size_t index) {
-#ifdef GOUGE_X86_KERNELS
-  if (index == 2) return kernel_avx512::kKernel;
-  if (index == 1) return kernel_avx2::kKernel;
-#endif
-  static_cast<void>(index);
-  return kernel_plain::kKernel;
+  };
+  return runnable(kernels);
 }
 
 const SweepKernel& fastest_sweep_kernel() {
-  static const SweepKernel& fastest = sweep_kernel(sweep_kernel_count() - 1);
-  return fastest;
+  return *sweep_kernels().back();
 }
 
 }  // namespace gouge

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "lib/hierarchy/blocks.h"
 
@@ -66,8 +67,7 @@ struct SweepKernel {
 };
 
 /// All that this processor can run, the fastest last.
-[[nodiscard]] std::size_t sweep_kernel_count();
-[[nodiscard]] const SweepKernel& sweep_kernel(std::size_t index);
+[[nodiscard]] std::span<const SweepKernel* const> sweep_kernels();
 [[nodiscard]] const SweepKernel& fastest_sweep_kernel();
 
 }  // namespace gouge

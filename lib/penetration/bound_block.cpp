@@ -16,26 +16,19 @@ extern const BoundKernel kKernel;
 }
 #endif
 
-std::size_t bound_kernel_count() {
+std::span<const BoundKernel* const> bound_kernels() {
+  static constexpr std::array kernels{
+      &bounds_plain::kKernel,
 #ifdef GOUGE_X86_KERNELS
-  return instruction_sets();
-#else
-  return 1;
+      &bounds_avx2::kKernel,
+      &bounds_avx512::kKernel,
 #endif
-}
-
-const BoundKernel& bound_kernel(std::size_t index) {
-#ifdef GOUGE_X86_KERNELS
-  if (index == 2) return bounds_avx512::kKernel;
-  if (index == 1) return bounds_avx2::kKernel;
-#endif
-  static_cast<void>(index);
-  return bounds_plain::kKernel;
+  };
+  return runnable(kernels);
 }
 
 const BoundKernel& fastest_bound_kernel() {
-  static const BoundKernel& fastest = bound_kernel(bound_kernel_count() - 1);
-  return fastest;
+  return *bound_kernels().back();
 }
 
 }  // namespace gouge

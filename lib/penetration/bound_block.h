@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 // A tree whose nodes are the bounds of eight groups of facets, or of single ones, side by side, and how far a
 // point is from them at least. The same source is compiled for several instruction sets; every operation is
@@ -28,8 +29,7 @@ struct BoundKernel {
 };
 
 /// All that this processor can run, the fastest last.
-[[nodiscard]] std::size_t bound_kernel_count();
-[[nodiscard]] const BoundKernel& bound_kernel(std::size_t index);
+[[nodiscard]] std::span<const BoundKernel* const> bound_kernels();
 [[nodiscard]] const BoundKernel& fastest_bound_kernel();
 
 }  // namespace gouge

@@ -131,15 +131,15 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBytes) {
     const SweepFrame frame = sweep_frame(steps, tree.origin, tree.rounding_mm);
     for (const CoverPiece& piece : make_convex_cover(tool).pieces) {
       KernelAnswer plain, other;
-      for (std::size_t k = 1; k < sweep_kernel_count(); ++k) {
-        sweep_kernel(0).triangles(tree.leaves[0], frame, kernel_piece(piece), -0.01F, plain);
-        sweep_kernel(k).triangles(tree.leaves[0], frame, kernel_piece(piece), -0.01F, other);
+      for (std::size_t k = 1; k < sweep_kernels().size(); ++k) {
+        sweep_kernels()[0]->triangles(tree.leaves[0], frame, kernel_piece(piece), -0.01F, plain);
+        sweep_kernels()[k]->triangles(tree.leaves[0], frame, kernel_piece(piece), -0.01F, other);
         ASSERT_EQ(plain.open, other.open);
-        ASSERT_EQ(std::memcmp(&plain.bound, &other.bound, sizeof(Lanes)), 0) << sweep_kernel(k).name;
-        ASSERT_EQ(std::memcmp(&plain.point, &other.point, sizeof(plain.point)), 0) << sweep_kernel(k).name;
-        sweep_kernel(0).nodes(tree.nodes[0], frame, kernel_piece(piece), -0.01F, plain);
-        sweep_kernel(k).nodes(tree.nodes[0], frame, kernel_piece(piece), -0.01F, other);
-        ASSERT_EQ(std::memcmp(&plain.bound, &other.bound, sizeof(Lanes)), 0) << sweep_kernel(k).name;
+        ASSERT_EQ(std::memcmp(&plain.bound, &other.bound, sizeof(Lanes)), 0) << sweep_kernels()[k]->name;
+        ASSERT_EQ(std::memcmp(&plain.point, &other.point, sizeof(plain.point)), 0) << sweep_kernels()[k]->name;
+        sweep_kernels()[0]->nodes(tree.nodes[0], frame, kernel_piece(piece), -0.01F, plain);
+        sweep_kernels()[k]->nodes(tree.nodes[0], frame, kernel_piece(piece), -0.01F, other);
+        ASSERT_EQ(std::memcmp(&plain.bound, &other.bound, sizeof(Lanes)), 0) << sweep_kernels()[k]->name;
         ASSERT_EQ(plain.open, other.open);
       }
     }

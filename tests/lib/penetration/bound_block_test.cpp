@@ -40,10 +40,10 @@ TEST(BoundBlock, GivesTheSameBytesWithEveryInstructionSet) {
     const Eigen::Vector3f p = random.next().cast<float>();
     const BoundBlock& block = body.blocks[static_cast<std::size_t>(i) % body.blocks.size()];
     alignas(32) float plain[kLanes], other[kLanes];
-    bound_kernel(0).least_mm(block, p.data(), 1e-5F, plain);
-    for (std::size_t k = 1; k < bound_kernel_count(); ++k) {
-      bound_kernel(k).least_mm(block, p.data(), 1e-5F, other);
-      ASSERT_EQ(std::memcmp(plain, other, sizeof plain), 0) << bound_kernel(k).name;
+    bound_kernels()[0]->least_mm(block, p.data(), 1e-5F, plain);
+    for (std::size_t k = 1; k < bound_kernels().size(); ++k) {
+      bound_kernels()[k]->least_mm(block, p.data(), 1e-5F, other);
+      ASSERT_EQ(std::memcmp(plain, other, sizeof plain), 0) << bound_kernels()[k]->name;
     }
   }
 }
