@@ -9,6 +9,7 @@
 #include "lib/base/files.h"
 #include "lib/base/parallel.h"
 #include "lib/base/view_file.h"
+#include "lib/check/check_move.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/validate_mesh.h"
 #include "postproc/cldata/read_toolpath.h"
@@ -16,9 +17,6 @@
 
 namespace gouge {
 namespace {
-
-// Bounds are proven for coordinates up to here (docs/algorithms/certified_sweep.md).
-constexpr double kFarthest_mm = 1e5;
 
 class JobLoader {
  public:

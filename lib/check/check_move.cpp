@@ -191,9 +191,48 @@ class MoveChecker {
   std::uint64_t bounds_ = 0;
 };
 
+bool is_within_reach(const std::vector<IndexedMesh>& meshes) {
+  for (const IndexedMesh& mesh : meshes) {
+    const auto holds = [](const Vec3& p) { return (p.array().abs() <= kFarthest_mm).all(); };
+    if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), holds)) return false;
+  }
+  return true;
+}
+
+MoveVerdict out_of_reach() {
+  MoveVerdict verdict;
+  verdict.state = MoveState::not_checked;
+  verdict.reason = "the motion or a mesh reaches more than 100 m from the origin: check the units";
+  return verdict;
+}
+
+// A motion beyond reach would spoil the bounds it shares with its neighbours, so those are swept without it.
+void check_near_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
+                      const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
+                      std::span<std::uint64_t> bounds) {
+  std::vector<std::size_t> near;
+  std::vector<Motion> near_motions;
+  std::vector<MoveKind> near_kinds;
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    verdicts[m] = out_of_reach();
+    if (!scene.is_within_reach || !motions[m].is_within(kFarthest_mm)) continue;
+    near.push_back(m);
+    near_motions.push_back(motions[m]);
+    near_kinds.push_back(kinds[m]);
+  }
+  std::vector<MoveVerdict> found(near.size());
+  std::vector<std::uint64_t> spent(near.size(), 0);
+  if (!near.empty()) check_moves(near_motions, near_kinds, tool, scene, options, found, spent);
+  for (std::size_t k = 0; k < near.size(); ++k) {
+    verdicts[near[k]] = std::move(found[k]);
+    bounds[near[k]] += spent[k];
+  }
+}
+
 }  // namespace
 
 PreparedScene prepare_scene(const Scene& scene, unsigned threads) {
+  if (!is_within_reach(scene.parts) || !is_within_reach(scene.fixtures)) return {&scene, {}, {}, false};
   return {&scene, build_block_tree(scene.parts, threads), build_block_tree(scene.fixtures, threads)};
 }
 
@@ -209,6 +248,10 @@ MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& too
 void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
                  const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
                  std::span<std::uint64_t> bounds) {
+  const bool are_near = std::all_of(motions.begin(), motions.end(),
+                                    [](const Motion& motion) { return motion.is_within(kFarthest_mm); });
+  if (!are_near || !scene.is_within_reach)
+    return check_near_moves(motions, kinds, tool, scene, options, verdicts, bounds);
   std::vector<SweptMove> clearance, near_feed, near_rapid;
   const std::vector<SweptMove> depth =
       sweep_moves(motions, whole_tool(tool, scene), question(options, 0, options.tolerance_mm));

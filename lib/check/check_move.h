@@ -11,10 +11,15 @@
 
 namespace gouge {
 
+/// Bounds are proven for coordinates up to here (docs/algorithms/certified_sweep.md). What reaches farther is not
+/// checked, and told so.
+inline constexpr double kFarthest_mm = 1e5;
+
 /// The scene with its trees.
 struct PreparedScene {
   const Scene* scene = nullptr;
   BlockTree parts, fixtures;
+  bool is_within_reach = true;  ///< no mesh reaches beyond kFarthest_mm
 };
 
 /// Requires that the scene outlives the result. `threads` as in for_each_chunk.
@@ -22,11 +27,12 @@ struct PreparedScene {
 
 /// Checks one motion of one tool; everything but "buried", which needs the moves before it (check_path.h).
 ///
-/// Requires motion.is_defined(), and coordinates of the tip and of the meshes within 1e5 mm.
+/// Requires motion.is_defined().
 /// Ensures  the promise of docs/method.md: depth <= true depth <= depth_upper; a gouge is closed to the
 /// resolution;
 ///          clean means depth_upper <= tolerance + resolution, and no body with a clearance entered by more
-///          than the resolution. A budget that runs out gives not_certified, never clean.
+///          than the resolution. A budget that runs out gives not_certified, never clean. Coordinates of the motion or of a mesh
+///          beyond kFarthest_mm, or that are no numbers, give not_checked.
 /// Source   docs/algorithms/certified_sweep.md; depth as in Ho 1999, thesis 2.4.18.
 [[nodiscard]] MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& tool,
                                      const PreparedScene& scene, const CheckOptions& options,

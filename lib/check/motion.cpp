@@ -130,6 +130,15 @@ double Motion::sag_mm(double t0, double t1, std::uint32_t stretch) const {
   return pieces_[stretch].largest_second_derivative() * h * h / 8;
 }
 
+bool Motion::is_within(double limit_mm) const {
+  const auto holds = [limit_mm](const Vec3& p) { return (p.array().abs() <= limit_mm).all(); };
+  if (!holds(start_.tip) || !holds(end_.tip)) return false;
+  if (curve_ == CurveKind::arc) return holds(turn_.center) && turn_.largest_radius() <= limit_mm;
+  return std::all_of(pieces_.begin(), pieces_.end(), [&](const SplinePiece& piece) {
+    return std::all_of(piece.control.begin(), piece.control.end(), holds);
+  });
+}
+
 Pose Motion::at(double t) const {
   if (t <= 0) return start_;
   if (t >= 1) return end_;

@@ -50,6 +50,9 @@ class Motion {
   /// Rotation of the axis over the whole move, radians.
   [[nodiscard]] double angle_rad() const { return angle_; }
   [[nodiscard]] const Vec3& rotation_axis() const { return rotation_axis_; }
+  /// True when no coordinate of the tip, of an arc's centre and radius or of a spline's control points is larger;
+  /// false where one is not a number.
+  [[nodiscard]] bool is_within(double limit_mm) const;
   [[nodiscard]] const Pose& start() const { return start_; }
   [[nodiscard]] const Pose& end() const { return end_; }
 

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
@@ -132,6 +134,39 @@ TEST(CheckPath, WithoutAToolNothingIsClean) {
   EXPECT_EQ(check_path(path, {nullptr}, prepare_scene(scene), {}).counts.not_checked, 1U);
   path.moves[0].tool = kNone;
   EXPECT_EQ(check_path(path, {nullptr}, prepare_scene(scene), {}).counts.not_checked, 1U);
+}
+
+// Beyond the coordinates that the bounds are proven for, a float overflows and compares as free.
+TEST(CheckPath, WhatIsTooFarAwayForTheBoundsIsNotCheckedAndDoesNotDisturbItsNeighbours) {
+  const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
+  const std::vector<Pose> near = {upright(0, 0, 5), upright(5, 0, 5), upright(5, 0, -1)};
+  const CheckResult alone = check(through(near), tools::ball(), scene);
+  for (const double far : {1.1e5, 1e20, 1e200, std::numeric_limits<double>::quiet_NaN()}) {
+    Toolpath path = through({near[0], near[1], near[2], upright(far, 0, -1)});
+    path.moves[3].start.reset();
+    CheckResult r = check(path, tools::ball(), scene);
+    EXPECT_EQ(r.verdicts[3].state, MoveState::not_checked) << far;
+    for (std::size_t i = 0; i < near.size(); ++i) {
+      EXPECT_EQ(r.verdicts[i].state, alone.verdicts[i].state);
+      EXPECT_EQ(r.verdicts[i].depth_mm, alone.verdicts[i].depth_mm);
+      EXPECT_EQ(r.verdicts[i].depth_upper_mm, alone.verdicts[i].depth_upper_mm);
+    }
+    const Scene shifted{{shapes::moved(scene.parts[0], Vec3(far, 0, 0))}, {}};
+    EXPECT_EQ(check(through({upright(far, 0, -1)}), tools::ball(), shifted).counts.not_checked, 1U) << far;
+    EXPECT_EQ(check(through(near), tools::ball(), {{scene.parts[0], shifted.parts[0]}, {}}).counts.not_checked, 3U);
+  }
+}
+
+TEST(CheckPath, AnArcAboutACentreTooFarAwayIsNotChecked) {
+  const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
+  Toolpath path = through({upright(0, 0, 5), upright(0, 1, 5)});
+  path.moves[1].kind = MoveKind::arc;
+  path.moves[1].curve_kind = CurveKind::arc;
+  for (const double radius : {1e4, 1e6}) {
+    path.arcs = {{Vec3(-radius, 0.5, 5), Vec3::UnitZ(), 2 * std::asin(0.5 / radius)}};
+    const MoveState expected = radius > 1e5 ? MoveState::not_checked : MoveState::clean;
+    EXPECT_EQ(check(path, tools::ball(), scene).verdicts[1].state, expected) << radius;
+  }
 }
 
 TEST(CheckPath, ThreadsDoNotChangeABit) {
