@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <string_view>
 
 #include "postproc/cldata/text.h"
@@ -101,6 +102,78 @@ std::optional<DrillCycle> read_generic(Arguments arguments) {
   return make(*clearance, -std::abs(*depth), after_either(arguments, "RTRCTO", "RETURN"));
 }
 
+// NCCS: the cycles whose tool goes straight down and up, as its post-processor makes them. BORE9 and SHIFT move
+// sideways, MILL stays below.
+constexpr std::array<std::string_view, 10> kNccsStraight = {"DRILL", "FACE", "DEEP",  "THRU",  "TAP",
+                                                            "REAM",  "BORE", "BORE7", "BORE8", "REVERS"};
+
+struct NccsWord {
+  std::string_view word;
+  std::size_t most;  // numbers
+};
+
+// A word with one to `most` numbers after it.
+constexpr std::array<NccsWord, 10> kNccsWords = {{{"FEDTO", 2},
+                                                  {"RAPTO", 1},
+                                                  {"RTRCTO", 2},
+                                                  {"STEP", 2},
+                                                  {"DWELL", 2},
+                                                  {"IPM", 2},
+                                                  {"IPR", 2},
+                                                  {"MMPM", 2},
+                                                  {"MMPR", 2},
+                                                  {"TPI", 2}}};
+
+// How many numbers follow the word at `at`.
+std::size_t numbers_after(Arguments arguments, std::size_t at) {
+  std::size_t count = 0;
+  while (at + 1 + count < arguments.size() && arguments[at + 1 + count].number) ++count;
+  return count;
+}
+
+// Every word must be one of those, once.
+bool has_only_nccs_words(Arguments arguments) {
+  std::array<bool, kNccsWords.size()> is_seen{};
+  for (std::size_t at = 1; at < arguments.size();) {
+    const auto* const word = std::find_if(kNccsWords.begin(), kNccsWords.end(), [&](const NccsWord& w) {
+      return equals_ignoring_case(arguments[at].text, w.word);
+    });
+    if (word == kNccsWords.end()) return false;
+    const std::size_t count = numbers_after(arguments, at);
+    bool& is_known = is_seen[static_cast<std::size_t>(word - kNccsWords.begin())];
+    if (count == 0 || count > word->most || is_known) return false;
+    is_known = true;
+    at += 1 + count;
+  }
+  return true;
+}
+
+// FEDTO,depth below the position, or FEDTO,diameter,angle: the depth to which a tip of that angle makes a hole of
+// that diameter. RAPTO, which stays in force where it is left out, and RTRCTO are heights above the position. In
+// DEEP and THRU RTRCTO is where each peck goes back to, and the tool ends at the clearance.
+std::optional<DrillCycle> read_nccs(Arguments arguments) {
+  if (!has_only_nccs_words(arguments)) return std::nullopt;
+  std::optional<double> depth = after(arguments, "FEDTO");
+  const std::optional<double> clearance = after(arguments, "RAPTO");
+  if (!depth || !clearance || *depth < 0) return std::nullopt;
+  const auto* const word =
+      std::find_if(arguments.data(), arguments.data() + arguments.size(),
+                   [](const Argument& a) { return equals_ignoring_case(a.text, "FEDTO"); });
+  const auto at = static_cast<std::size_t>(word - arguments.data());
+  if (numbers_after(arguments, at) == 2) {
+    const double angle_deg = *arguments[at + 2].number;
+    if (!(angle_deg > 0 && angle_deg < 180)) return std::nullopt;
+    depth = *depth / 2 / std::tan(angle_deg / 2 * std::numbers::pi / 180);
+  }
+  const std::optional<double> retract = after(arguments, "RTRCTO");
+  const bool is_deep = equals_ignoring_case(arguments.front().text, "DEEP");
+  const bool is_pecking = is_deep || equals_ignoring_case(arguments.front().text, "THRU");
+  if (!is_pecking || !retract) return make(*clearance, -*depth, retract);
+  const double highest = is_deep ? std::abs(after(arguments, "STEP").value_or(0)) : *clearance;
+  if (*retract > highest) return std::nullopt;
+  return make(*clearance, -*depth, std::nullopt);
+}
+
 std::optional<DrillCycle> read_heights(DialectKind dialect, Arguments arguments) {
   switch (dialect) {
     case DialectKind::nx_clsf:
@@ -118,6 +191,9 @@ std::optional<DrillCycle> read_heights(DialectKind dialect, Arguments arguments)
     case DialectKind::autodesk:
     case DialectKind::nci:
       return std::nullopt;
+    case DialectKind::nccs:
+    case DialectKind::nccs_binary:
+      return read_nccs(arguments);
     default:
       return read_generic(arguments);
   }
@@ -126,7 +202,9 @@ std::optional<DrillCycle> read_heights(DialectKind dialect, Arguments arguments)
 }  // namespace
 
 std::optional<DrillCycle> read_cycle(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit) {
-  if (arguments.empty() || !is_one_of(arguments.front().text, kStraight)) return std::nullopt;
+  if (arguments.empty()) return std::nullopt;
+  const std::string_view type = arguments.front().text;
+  if (is_nccs(dialect) ? !is_one_of(type, kNccsStraight) : !is_one_of(type, kStraight)) return std::nullopt;
   for (const Argument& argument : arguments) {
     if (is_one_of(argument.text, kSideways)) return std::nullopt;
   }

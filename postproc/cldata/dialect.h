@@ -27,6 +27,11 @@ enum class DialectKind : std::uint8_t {
   nci
 };
 
+/// NCCS NCL, as text or in binary records: the same words.
+[[nodiscard]] constexpr bool is_nccs(DialectKind kind) {
+  return kind == DialectKind::nccs || kind == DialectKind::nccs_binary;
+}
+
 struct Dialect {
   DialectKind kind = DialectKind::apt;
   std::string_view id = "apt";             ///< Toolpath::dialect, and what --dialect takes

@@ -13,6 +13,7 @@ constexpr const char* kPositionForm = "expected x,y,z or x,y,z,i,j,k";
 constexpr double kShortest_mm = 1e-3;  // of a straight way whose direction tells anything
 constexpr double kSmooth = 0.999;      // cosine between a line and an arc that go on in each other
 constexpr double kSameAxis = 1e-9;     // sine of an angle
+constexpr double kSamePoint_mm = 1e-3;
 constexpr std::size_t kClearVotes = 10;
 
 ArcStatement unreadable(const char* problem) {
@@ -144,15 +145,24 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   ArcStatement arc = *arc_;
   arc.center = to_part_.point(arc.center);
   arc.axis = to_part_.direction(arc.axis);
+  if (position.points > 1 && position.point == 0 && is_nccs(dialect_.kind) && arc.problem == nullptr &&
+      (move.start->tip - move.end.tip).norm() <= kSamePoint_mm) {
+    return;  // its lists may begin with the position there is
+  }
   const bool is_open = arc.problem == nullptr && arc.sense == ArcSense::unknown;
   if (arc.problem == nullptr && last_direction_) vote(arc, move.start->tip, *last_direction_);
-  // Of points that follow one another on a circle each is reached the short way.
-  if (is_open && position.points > 1) arc.sense = shorter_way(arc, move);
+  if (is_open && is_reached_the_short_way(position)) arc.sense = shorter_way(arc, move);
   if (arc.sense == ArcSense::unknown && arc.problem == nullptr) {
     make_room(open_arcs_);
     open_arcs_.push_back({path_.moves.size(), arc});
   }
   fit(arc, move);
+}
+
+// Points that follow one another on a circle; and in NCCS one alone, as its post-processor takes the sense from
+// the way between two points, not from the vector.
+bool Interpreter::is_reached_the_short_way(const Position& position) const {
+  return position.points > 1 || is_nccs(dialect_.kind);
 }
 
 ArcSense Interpreter::shorter_way(ArcStatement arc, const Move& move) {

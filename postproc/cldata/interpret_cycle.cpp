@@ -16,6 +16,8 @@ void Interpreter::take_cycle() {
   if (arguments_.empty()) return count_unknown();
   const std::string_view what = arguments_.front().text;
   if (equals_ignoring_case(what, "INIT") || equals_ignoring_case(what, "CLEAR")) return;
+  // Whether the control or the post-processor makes the moves.
+  if (is_nccs(dialect_.kind) && equals_ignoring_case(what, "AUTO")) return;
   is_cycle_ = !equals_ignoring_case(what, "OFF") && !equals_ignoring_case(what, "NOMORE");
   if (equals_ignoring_case(what, "ON") || !is_cycle_) return;
   cycle_ = read_cycle(dialect_.kind, arguments_, mm_per_unit_);

@@ -30,8 +30,8 @@ Vec3 vector_of(const std::vector<Argument>& arguments, std::size_t first) {
 }  // namespace
 
 const char* Interpreter::frame_reason() const {
-  for (const char* reason : {turning_reason_, contour_reason_, cutcom_reason_, unread_frame_reason_, mcs_reason_,
-                             csys_reason_, trans_reason_, trntyp_reason_}) {
+  for (const char* reason : {turning_reason_, contour_reason_, cutcom_reason_, adjust_reason_, unread_frame_reason_,
+                             mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_}) {
     if (reason != nullptr) return reason;
   }
   const bool is_turned =
@@ -180,6 +180,11 @@ void Interpreter::take_rotabl() {
   const auto number = std::find_if(arguments_.begin(), arguments_.end(),
                                    [](const Argument& a) { return a.number.has_value(); });
   if (number == arguments_.end()) return count_unknown();
+  if (is_nccs(dialect_.kind)) {
+    // Angles may be absolute or relative, and of one of several tables.
+    if (std::abs(*number->number) > 0) unread_frame_reason_ = Reasons::kTurned;
+    return;
+  }
   const std::size_t axis = has_argument(arguments_, "BAXIS") ? 1 : has_argument(arguments_, "CAXIS") ? 2 : 0;
   turned_[axis] += *number->number;
 }
@@ -189,11 +194,14 @@ void Interpreter::take_trntyp() {
   trntyp_reason_ = is_world ? nullptr : Reasons::kTrntyp;
 }
 
-// TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows.
+// TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows. Zeros undo
+// their own word's shift, unless another word says how they are meant.
 void Interpreter::take_trans() {
   const bool is_shifted = std::any_of(arguments_.begin(), arguments_.end(),
                                       [](const Argument& a) { return a.number && std::abs(*a.number) > 0; });
-  trans_reason_ = is_shifted ? Reasons::kTrans : nullptr;
+  const char*& reason = equals_ignoring_case(statement_->major, "ORIGIN") ? origin_reason_ : trans_reason_;
+  if (is_shifted) reason = Reasons::kTrans;
+  if (!is_shifted && find_word_argument(arguments_) == nullptr) reason = nullptr;
 }
 
 void Interpreter::take_tlaxis() {

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/interpreter.h"
@@ -112,6 +113,7 @@ void Interpreter::take_positions(PositionForm form) {
   const std::size_t numbers = numbers_per_point();
   if (numbers == 0) return;
   const std::size_t points = arguments_.size() / numbers;
+  if (statement_->is_continuation && !arc_) arc_ = last_arc_;
   make_room(path_.moves, points);
   for (std::size_t i = 0; i < points; ++i) {
     Position position;
@@ -130,7 +132,7 @@ void Interpreter::take_positions(PositionForm form) {
     note_plain_axis(position);
     emit(position);
   }
-  arc_.reset();
+  last_arc_ = std::exchange(arc_, std::nullopt);
 }
 
 void Interpreter::take_godlta() {
@@ -199,16 +201,34 @@ void Interpreter::break_motion() {
   last_frame_reason_ = nullptr;
   last_direction_.reset();
   arc_.reset();
+  last_arc_.reset();
 }
 
 // LEFT and RIGHT let the control offset the path by a radius nobody here knows, unless the file says that its
 // positions are the cutter's centre.
 void Interpreter::take_cutcom() {
+  if (is_nccs(dialect_.kind)) return take_nccs_cutcom();
   if (has_argument(arguments_, "OFF")) {
     cutcom_reason_ = nullptr;
     return;
   }
   if (has_argument(arguments_, "LENGTH")) return;  // of the tool: along its axis, as positions are of its tip
+  if (cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
+  if (!is_cutter_centre_) cutcom_reason_ = Reasons::kCutcom;
+}
+
+// ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT.
+void Interpreter::take_nccs_cutcom() {
+  const std::string_view what = arguments_.empty() ? std::string_view() : arguments_.front().text;
+  if (equals_ignoring_case(what, "OFF")) {
+    cutcom_reason_ = nullptr;
+    return;
+  }
+  if (equals_ignoring_case(what, "ADJUST")) {
+    const bool is_off = arguments_.size() == 2 && equals_ignoring_case(arguments_.back().text, "OFF");
+    adjust_reason_ = is_off ? nullptr : Reasons::kAdjust;
+    return;
+  }
   if (cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
   if (!is_cutter_centre_) cutcom_reason_ = Reasons::kCutcom;
 }

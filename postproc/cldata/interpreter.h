@@ -61,6 +61,8 @@ struct Reasons {
   static constexpr const char* kSpline = "a NURBS whose knots, points or axis are not those of a cubic curve";
   static constexpr const char* kCycle = "a cycle whose words are not understood";
   static constexpr const char* kCutcom = "compensated by CUTCOM: the positions need not be the cutter centre";
+  static constexpr const char* kAdjust =
+      "shifted by CUTCOM/ADJUST: the registers of the control are not known";
   static constexpr const char* kAfterCycle = "starts at an unknown retract height after a drilling cycle";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
@@ -144,6 +146,7 @@ class Interpreter {
   void take_fedrat();
   void take_multax();
   void take_cutcom();
+  void take_nccs_cutcom();
   [[nodiscard]] std::size_t numbers_per_point();
   [[nodiscard]] bool check_all_numbers(std::string_view expected);
   [[nodiscard]] std::optional<Vec3> read_axis(std::size_t first);
@@ -177,6 +180,7 @@ class Interpreter {
   void vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction);
   void note_direction(const Move& move);
   void close_arcs();
+  [[nodiscard]] bool is_reached_the_short_way(const Position& position) const;
   [[nodiscard]] static ArcSense shorter_way(ArcStatement arc, const Move& move);
 
   // interpret_notes.cpp
@@ -233,6 +237,7 @@ class Interpreter {
   bool is_rapid_ = false;
   bool is_broken_ = false;               // nothing is swept from the last position to the next
   std::optional<ArcStatement> arc_;      // to the next position, in the block's frame
+  std::optional<ArcStatement> last_arc_;  // on which the positions of the last statement went on
   std::size_t arc_statement_ = kNone;    // CIRCLE, MOVARC or INDIRV
   std::optional<Vec3> start_tangent_;    // INDIRV
   std::optional<Vec3> last_direction_;   // of the last move where it was straight, part coordinates
@@ -284,9 +289,11 @@ class Interpreter {
   const char* csys_reason_ = nullptr;
   const char* mcs_reason_ = nullptr;
   const char* trans_reason_ = nullptr;
+  const char* origin_reason_ = nullptr;
   const char* unread_frame_reason_ = nullptr;
   const char* contour_reason_ = nullptr;
   const char* cutcom_reason_ = nullptr;
+  const char* adjust_reason_ = nullptr;
   bool is_cutter_centre_ = false;  // positions under CUTCOM are the cutter's centre
   const char* turning_reason_ = nullptr;
   const char* trntyp_reason_ = nullptr;

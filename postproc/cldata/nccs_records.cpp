@@ -46,7 +46,11 @@ std::size_t NccsWords::word_at(std::size_t offset) {
 }
 
 std::string_view NccsWords::bytes(std::size_t word) const {
-  return bytes_.substr(offset(word), kWord);
+  return bytes(word, kWord);
+}
+
+std::string_view NccsWords::bytes(std::size_t word, std::size_t count) const {
+  return bytes_.substr(offset(word), count);
 }
 
 double NccsWords::number(std::size_t word) const {

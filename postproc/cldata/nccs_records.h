@@ -22,10 +22,13 @@ struct NccsHeader {
 };
 
 struct NccsClass {
-  static constexpr std::uint16_t kSourceLine = 1000, kPost = 2000, kCircle = 3000, kMotion = 5000,
-                                 kExpanded = 5200, kExpandedMore = 5210, kTool = 6000, kShownTool = 7100,
-                                 kHeader = 7400, kMode = 9000, kFini = 14000;
+  static constexpr std::uint16_t kSourceLine = 1000, kSourceNumber = 1001, kPost = 2000, kCircle = 3000,
+                                 kMotion = 5000, kExpanded = 5200, kTool = 6000, kShownTool = 7100, kHeader = 7400,
+                                 kMode = 9000, kFini = 14000;
 };
+
+/// Data words of each point in a record of expanded motion.
+inline constexpr std::size_t kNccsExpandedWords = 21;
 
 /// True where the first record is the header of a binary NCCS file.
 [[nodiscard]] bool is_nccs_binary(std::string_view bytes);
@@ -41,6 +44,8 @@ class NccsWords {
   /// The word that begins at `offset`.
   [[nodiscard]] static std::size_t word_at(std::size_t offset);
   [[nodiscard]] std::string_view bytes(std::size_t word) const;
+  /// `count` bytes from the beginning of the word on.
+  [[nodiscard]] std::string_view bytes(std::size_t word, std::size_t count) const;
   [[nodiscard]] double number(std::size_t word) const;
   [[nodiscard]] NccsHeader header(std::size_t word) const;
 

@@ -1,69 +1,28 @@
 #include "postproc/cldata/nccs_statements.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
+
+#include "lib/geom/vec.h"
+#include "postproc/cldata/arguments.h"
+#include "postproc/cldata/nccs_words.h"
 
 namespace gouge {
 namespace {
 
-struct PostWord {
-  std::uint16_t subclass;
-  std::string_view name;
-  Word word;
-};
-
-// Codes of the IBM table of words, which the files agree with. How their words are stored as arguments is not
-// known, so those whose arguments could change where the tool is are motion that is not read.
-constexpr auto kPostWords = std::to_array<PostWord>({
-    {1, "END", Word::harmless},
-    {2, "STOP", Word::harmless},
-    {3, "OPSTOP", Word::harmless},
-    {4, "ISTOP", Word::harmless},
-    {5, "RAPID", Word::rapid},
-    {7, "RETRCT", Word::retrct},
-    {14, "GOHOME", Word::gohome},
-    {1005, "TMARK", Word::harmless},
-    {1006, "SWITCH", Word::harmless},
-    {1007, "CUTCOM", Word::cutcom},
-    {1009, "FEDRAT", Word::fedrat},
-    {1010, "DELAY", Word::harmless},
-    {1012, "OPSKIP", Word::harmless},
-    {1013, "LEADER", Word::harmless},
-    {1014, "GOHOME", Word::unread_motion},
-    {1015, "MACHIN", Word::harmless},
-    {1016, "MCHTOL", Word::harmless},
-    {1019, "SEQNO", Word::harmless},
-    {1021, "DISPLY", Word::harmless},
-    {1022, "AUXFUN", Word::harmless},
-    {1025, "TOOLNO", Word::toolno},
-    {1026, "ROTABL", Word::unread_frame},
-    {1027, "ORIGIN", Word::unread_frame},
-    {1030, "COOLNT", Word::harmless},
-    {1031, "SPINDL", Word::harmless},
-    {1035, "ROTHED", Word::unread_frame},
-    {1036, "THREAD", Word::unread_motion},
-    {1037, "TRANS", Word::unread_frame},
-    {1038, "TRACUT", Word::unread_frame},
-    {1040, "COPY", Word::unread_frame},
-    {1043, "LETTER", Word::free_text},
-    {1044, "PPRINT", Word::pprint},
-    {1045, "PARTNO", Word::free_text},
-    {1046, "INSERT", Word::insert},
-    {1048, "PREFUN", Word::harmless},
-    {1054, "CYCLE", Word::unread_frame},
-    {1055, "LOADTL", Word::loadtl},
-    {1056, "SELCTL", Word::harmless},
-    {1057, "CLRSRF", Word::harmless},
-    {1058, "DWELL", Word::harmless},
-    {1060, "CLAMP", Word::harmless},
-    {1073, "LINTOL", Word::harmless},
-});
-
 constexpr std::uint16_t kPoints = 5, kMorePoints = 6, kFrom = 3, kStep = 4;
 constexpr std::uint16_t kCutter = 6, kInnerTolerance = 4, kOuterTolerance = 5;
-constexpr std::uint16_t kMultaxOn = 0, kMultaxOff = 1;
+constexpr std::uint16_t kMultaxOff = 1;
+constexpr std::uint16_t kFirstText = 1043, kLastText = 1046, kOtherText = 1199;
+constexpr std::size_t kTextLetters = 66;  // what follows in the record is not part of the text
+constexpr std::size_t kCircleNumbers = 7;
+// Before them five words that say which geometry it was.
+constexpr std::size_t kCircleWords = 12;
+constexpr double kAxisLengthError = 1e-3;
+
+// What is neither a number nor a word that is known.
+constexpr Argument kNotKnown = {"?", std::nullopt};
 
 // Numbers that a CL file may hold; words and text read as a number are far from it.
 bool is_plausible(double value) {
@@ -89,44 +48,105 @@ std::string_view motion_name(std::uint16_t subclass) {
   return subclass == kFrom ? "FROM" : subclass == kStep ? "GODLTA" : "GOTO";
 }
 
+bool is_text(std::uint16_t subclass) {
+  return (subclass >= kFirstText && subclass <= kLastText) || subclass == kOtherText;
+}
+
+// What the word means in text, but for what only text can be.
+Word post_word(const Statement& statement) {
+  const Word word = find_word(statement.major);
+  if (word == Word::part_program) return Word::unread_frame;
+  if (word != Word::gohome || statement.decoded.empty()) return word;
+  const bool is_position = find_word_argument(statement.decoded) == nullptr &&
+                           (statement.decoded.size() == 3 || statement.decoded.size() == 6);
+  return is_position ? word : Word::unread_motion;
+}
+
 }  // namespace
 
-void NccsStatements::take_numbers(const NccsHeader& header, Statement& statement) {
-  for (std::size_t i = 1; i < header.words; ++i) {
-    const double value = words_.number(word_ + i);
-    const std::string_view bytes = words_.bytes(word_ + i);
-    statement.decoded.push_back({bytes, is_plausible(value) ? std::optional<double>(value) : std::nullopt});
-  }
+Argument NccsStatements::number_at(std::size_t index) const {
+  const double value = words_.number(word_ + index);
+  return is_plausible(value) ? Argument{words_.bytes(word_ + index), value} : kNotKnown;
+}
+
+Argument NccsStatements::argument_at(std::size_t index) const {
+  const NccsHeader parts = words_.header(word_ + index);
+  if (parts.sequence != 0 || parts.words == 0) return number_at(index);
+  const std::string_view name = nccs_minor(parts.words);
+  return name.empty() ? kNotKnown : Argument{name, std::nullopt};
+}
+
+// As far as it stands in one block.
+std::string_view NccsStatements::text_of(const NccsHeader& header) const {
+  std::size_t letters = 0;
+  const std::size_t first = NccsWords::offset(word_ + 1);
+  for (std::size_t i = 1; i < header.words && NccsWords::offset(word_ + i) == first + letters; ++i)
+    letters += words_.bytes(word_ + i).size();
+  return words_.bytes(word_ + 1, std::min(letters, kTextLetters));
 }
 
 void NccsStatements::take_post(const NccsHeader& header, Statement& statement) {
-  const auto* const it = std::find_if(kPostWords.begin(), kPostWords.end(),
-                                      [&](const PostWord& w) { return w.subclass == header.subclass; });
-  if (it == kPostWords.end()) {
-    statement.major = "post-processor word";
+  if (is_text(header.subclass)) {
+    statement.major = header.subclass == kOtherText ? "text" : nccs_major(header.subclass);
+    statement.word = header.subclass == kOtherText ? Word::free_text : find_word(statement.major);
+    if (header.words > 1) statement.pieces.front() = text_of(header);
     return;
   }
-  statement.word = it->word;
-  statement.major = it->name;
-  const bool is_text = it->word == Word::pprint || it->word == Word::free_text || it->word == Word::insert;
-  if (is_text && header.words > 1) {
-    statement.pieces.front() = words_.bytes(word_ + 1);
-  } else {
-    take_numbers(header, statement);
+  statement.major = nccs_major(header.subclass);
+  if (find_word(statement.major) == Word::harmless) {
+    statement.word = Word::harmless;
+    return;
   }
+  for (std::size_t i = 1; i < header.words; ++i) statement.decoded.push_back(argument_at(i));
+  statement.word = statement.major.empty() ? Word::unknown : post_word(statement);
+  if (statement.major.empty()) statement.major = "post-processor word";
+}
+
+void NccsStatements::take_motion(const NccsHeader& header, Statement& statement) {
+  statement.word = motion_word(header.subclass);
+  statement.major = motion_name(header.subclass);
+  statement.is_continuation = header.subclass == kMorePoints;
+  for (std::size_t i = 1; i < header.words; ++i) statement.decoded.push_back(number_at(i));
+}
+
+// Each point is its place, its axis and five more vectors, of which none says where the tool is.
+void NccsStatements::take_expanded(const NccsHeader& header, Statement& statement) {
+  statement.word = Word::unread_motion;
+  statement.major = "expanded motion";
+  const std::size_t count = header.words - std::size_t{1};
+  const bool is_known_form = header.subclass == kPoints || header.subclass == kMorePoints;
+  if (!is_known_form || count == 0 || count % kNccsExpandedWords != 0) return;
+  for (std::size_t point = 1; point < header.words; point += kNccsExpandedWords) {
+    const Vec3 axis(words_.number(word_ + point + 3), words_.number(word_ + point + 4),
+                    words_.number(word_ + point + 5));
+    if (!(std::abs(axis.norm() - 1) <= kAxisLengthError)) {
+      statement.decoded.clear();
+      return;
+    }
+    for (std::size_t i = 0; i < 6; ++i) statement.decoded.push_back(number_at(point + i));
+  }
+  statement.word = Word::go_to;
+  statement.major = "GOTO";
+  statement.is_continuation = header.subclass == kMorePoints;
+}
+
+void NccsStatements::take_circle(const NccsHeader& header, Statement& statement) {
+  statement.word = Word::circle;
+  statement.major = "CIRCLE";
+  const std::size_t count = header.words - std::size_t{1};
+  if (count != kCircleNumbers && count != kCircleWords) return;  // an arc that is not understood
+  for (std::size_t i = header.words - kCircleNumbers; i < header.words; ++i)
+    statement.decoded.push_back(number_at(i));
 }
 
 // CUTTER/d,r,h as programmed, or d,r,h,side angle. APT's d is where the flank meets the bottom plane; its
 // ASCII twin shows it: 0.2,0.1,0.2,-89 is CUTTER/22.918,0.1,0,0.1,0,-89,0.2.
 void NccsStatements::take_cutter(const NccsHeader& header, Statement& statement) {
-  take_numbers(header, statement);
-  const std::vector<Argument> given = statement.decoded;
-  const bool is_known =
-      (given.size() == 3 || given.size() == 4) &&
-      std::all_of(given.begin(), given.end(), [](const Argument& a) { return a.number.has_value(); });
+  std::vector<Argument> given;
+  for (std::size_t i = 1; i < header.words; ++i) given.push_back(number_at(i));
   statement.word = Word::cutter;
   statement.major = "CUTTER";
-  if (!is_known) {
+  if ((given.size() != 3 && given.size() != 4) || find_word_argument(given) != nullptr) {
     statement.word = Word::unread_tool;
     return;
   }
@@ -137,9 +157,44 @@ void NccsStatements::take_cutter(const NccsHeader& header, Statement& statement)
   const double d = std::abs(side_deg) > 0
                        ? 2 * (e + radius / std::cos(side_rad) - radius * std::tan(side_rad))
                        : *given[0].number;
-  statement.decoded.clear();
   for (const double value : {d, radius, e, radius, 0.0, side_deg, *given[2].number})
     statement.decoded.push_back({given.front().text, value});
+}
+
+void NccsStatements::take_record(const NccsHeader& header, Statement& statement) {
+  statement.word = Word::harmless;
+  switch (header.klass) {
+    case NccsClass::kPost:
+      return take_post(header, statement);
+    case NccsClass::kMotion:
+      return take_motion(header, statement);
+    case NccsClass::kExpanded:
+      return take_expanded(header, statement);
+    case NccsClass::kCircle:
+      return take_circle(header, statement);
+    case NccsClass::kTool:
+      if (header.subclass == kCutter) return take_cutter(header, statement);
+      if (header.subclass != kInnerTolerance && header.subclass != kOuterTolerance)
+        statement.major = "tool record";
+      return;
+    case NccsClass::kMode:
+      statement.word = header.subclass <= kMultaxOff ? Word::multax : Word::unread_frame;
+      statement.major = header.subclass <= kMultaxOff ? "MULTAX" : "mode record";
+      if (header.subclass == kMultaxOff) statement.decoded.push_back({"OFF", std::nullopt});
+      return;
+    case NccsClass::kFini:
+      statement.word = Word::fini;
+      is_over_ = true;
+      return;
+    case NccsClass::kHeader:
+    case NccsClass::kSourceLine:
+    case NccsClass::kSourceNumber:
+    case NccsClass::kShownTool:
+      return;
+    default:
+      statement.word = Word::unread_motion;
+      statement.major = "record of an unknown class";
+  }
 }
 
 bool NccsStatements::next(Statement& statement) {
@@ -157,45 +212,7 @@ bool NccsStatements::next(Statement& statement) {
     return true;
   }
   statement.last_byte = NccsWords::offset(word_ + header.words - 1) + words_.bytes(word_).size();
-  statement.word = Word::harmless;
-  switch (header.klass) {
-    case NccsClass::kPost:
-      statement.word = Word::unknown;
-      take_post(header, statement);
-      break;
-    case NccsClass::kMotion:
-      statement.word = motion_word(header.subclass);
-      statement.major = motion_name(header.subclass);
-      take_numbers(header, statement);
-      break;
-    case NccsClass::kCircle:
-      statement.word = Word::circle;
-      statement.major = "CIRCLE";
-      take_numbers(header, statement);
-      break;
-    case NccsClass::kTool:
-      if (header.subclass == kCutter)
-        take_cutter(header, statement);
-      else if (header.subclass != kInnerTolerance && header.subclass != kOuterTolerance)
-        statement.major = "tool record";
-      break;
-    case NccsClass::kMode:
-      statement.word = header.subclass <= kMultaxOff ? Word::multax : Word::unread_frame;
-      statement.major = header.subclass <= kMultaxOff ? "MULTAX" : "mode record";
-      if (header.subclass == kMultaxOff) statement.decoded.push_back({"OFF", std::nullopt});
-      break;
-    case NccsClass::kFini:
-      statement.word = Word::fini;
-      is_over_ = true;
-      break;
-    case NccsClass::kHeader:
-    case NccsClass::kSourceLine:
-    case NccsClass::kShownTool:
-      break;
-    default:
-      statement.word = Word::unread_motion;
-      statement.major = "record of an unknown class";
-  }
+  take_record(header, statement);
   word_ += header.words;
   return true;
 }

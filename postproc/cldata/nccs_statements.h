@@ -6,8 +6,9 @@
 #include "postproc/cldata/nccs_records.h"
 #include "postproc/cldata/statement.h"
 
-// The records of a binary NCCS file as statements: what each says in words of APT. Lines are record numbers,
-// counted from 1. A record that is not decoded but could matter for motion becomes one that says so.
+// The records of a binary NCCS file as statements: what each says in words of APT, with the arguments its ASCII
+// twin has, so that one interpreter reads both. Lines are record numbers, counted from 1. A record that is not
+// decoded but could matter for motion becomes one that says so.
 
 namespace gouge {
 
@@ -21,12 +22,18 @@ class NccsStatements {
   [[nodiscard]] bool next(Statement& statement);
 
  private:
+  void take_record(const NccsHeader& header, Statement& statement);
   void take_post(const NccsHeader& header, Statement& statement);
+  void take_motion(const NccsHeader& header, Statement& statement);
+  void take_expanded(const NccsHeader& header, Statement& statement);
+  void take_circle(const NccsHeader& header, Statement& statement);
   void take_cutter(const NccsHeader& header, Statement& statement);
-  void take_numbers(const NccsHeader& header, Statement& statement);
+  [[nodiscard]] Argument number_at(std::size_t index) const;
+  [[nodiscard]] Argument argument_at(std::size_t index) const;
+  [[nodiscard]] std::string_view text_of(const NccsHeader& header) const;
 
   NccsWords words_;
-  std::size_t word_ = 0;
+  std::size_t word_ = 0;  // the record's first
   std::size_t record_ = 0;
   bool is_over_ = false;
 };

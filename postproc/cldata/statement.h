@@ -31,13 +31,14 @@ struct Statement {
   std::vector<std::string_view> pieces;
   bool is_decoded = false;        ///< `decoded` holds the arguments; `pieces` has one piece, of text or empty
   std::vector<Argument> decoded;  ///< arguments of a file that does not write them as APT text
+  bool is_continuation = false;   ///< its positions go on the way of those of the statement before
 
   /// As new, with the memory it has.
   void clear() {
     line = first_byte = last_byte = 0;
     word = Word::unknown;
     major = {};
-    is_unterminated = is_decoded = false;
+    is_unterminated = is_decoded = is_continuation = false;
     pieces.clear();
     decoded.clear();
   }

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+// The words of post-processor records in binary NCCS files, by their codes. A major word is the subclass of its
+// record. A minor word is one of the record's data words: its code in the lowest 16 bits and 0 in the highest,
+// which no number has but 0 and those next to it; the bits between are not set. The codes and their evidence:
+// docs/formats/nccs.md.
+
+namespace gouge {
+
+/// The major word, or nothing where the code is not known.
+[[nodiscard]] std::string_view nccs_major(std::uint16_t subclass);
+
+/// The minor word, or nothing where the code is not known.
+[[nodiscard]] std::string_view nccs_minor(std::uint16_t code);
+
+}  // namespace gouge
