@@ -30,11 +30,6 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
       return make_error("write-move", name + " is a statement that is not understood, so it cannot be changed",
                         path.file, move.line);
     }
-    const bool is_nccs = path.dialect == dialect_of(DialectKind::nccs_binary).id;
-    if (is_nccs && change.is_straightened) {
-      return make_error("write-arc", name + " is an arc; arcs of binary NCCS files cannot be straightened",
-                        path.file, move.line);
-    }
     const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid ||
                              (change.is_straightened && move.curve_kind != CurveKind::none);
     if (!is_straight && changes_it) {

@@ -1,5 +1,7 @@
 #include "postproc/cldata/write_corrected_nccs.h"
 
+#include <algorithm>
+
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/nccs_records.h"
 
@@ -21,38 +23,86 @@ class NccsCorrector {
     for (const PathChange& change : changes) changes_[change.move] = &change;
   }
 
-  std::string run();
+  Result<std::string> run();
 
  private:
+  [[nodiscard]] bool is_straightened(std::size_t move) const {
+    return changes_[move] != nullptr && changes_[move]->is_straightened;
+  }
+  [[nodiscard]] bool has_new_end(std::size_t move) const {
+    return changes_[move] != nullptr && changes_[move]->new_end.has_value();
+  }
+  [[nodiscard]] bool has_insertion(std::size_t move) const {
+    return changes_[move] != nullptr && !changes_[move]->inserted_before.empty();
+  }
+  [[nodiscard]] std::size_t first_word_of(std::size_t statement) const {
+    return NccsWords::word_at(path_.statements[statement].first_byte);
+  }
+  void drop_circles();
+  [[nodiscard]] bool is_dropped(std::size_t statement) const {
+    return std::binary_search(dropped_.begin(), dropped_.end(), statement);
+  }
+  [[nodiscard]] std::optional<Diagnostic> find_broken_arc() const;
   [[nodiscard]] bool needs_rewriting(std::size_t first, std::size_t last) const;
+  [[nodiscard]] bool is_split(std::size_t first, std::size_t last, const NccsHeader& header) const;
   [[nodiscard]] Pose local_end(std::size_t move) const;
   [[nodiscard]] std::string numbers(const MotionRecord& record, const Pose& local, bool with_axis) const;
   void copy(std::size_t first_word, std::size_t last_word);
+  /// Without the circles that go. To be called for ever later words.
+  void copy_source(std::size_t first_word, std::size_t last_word);
   void add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence, const std::string& words);
   void add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence);
   void add_insertions(std::size_t move, std::uint16_t sequence);
+  void copy_expanded(std::size_t move, const NccsHeader& header);
   void rewrite(std::size_t first, std::size_t last, const NccsHeader& header);
+  void split(std::size_t first, std::size_t last, const NccsHeader& header);
 
   const Toolpath& path_;
   NccsWords source_;
   MotionRecords read_;
   const std::vector<MotionRecord>& records_;  // of read_
   std::vector<const PathChange*> changes_;
+  std::vector<std::size_t> dropped_;  // statements of circles that become straight, in order
+  std::size_t next_dropped_ = 0;      // of those, not yet come by
   std::string words_;
 };
 
+void NccsCorrector::drop_circles() {
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    if (is_straightened(i) && records_[i].curve_statement != kNone) dropped_.push_back(records_[i].curve_statement);
+  }
+  std::sort(dropped_.begin(), dropped_.end());
+  dropped_.erase(std::unique(dropped_.begin(), dropped_.end()), dropped_.end());
+}
+
+// An arc that stays needs its circle and the place it begins at.
+std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    const Move& move = path_.moves[i];
+    if (move.kind != MoveKind::arc || is_straightened(i)) continue;
+    const bool is_straight = move.curve_kind == CurveKind::none && move.not_checked_reason.empty();
+    if (is_straight) continue;  // a list of positions may begin where the tool stands
+    if (records_[i].curve_statement != kNone && is_dropped(records_[i].curve_statement)) {
+      return make_error("write-arc", "an arc that stays shares its circle with one that goes; straighten it as well",
+                        path_.file, move.line);
+    }
+    if (i > 0 && move.start && has_new_end(i - 1)) {
+      return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well",
+                        path_.file, move.line);
+    }
+  }
+  return std::nullopt;
+}
+
 Pose NccsCorrector::local_end(std::size_t move) const {
-  const bool is_new = changes_[move] != nullptr && changes_[move]->new_end;
-  return records_[move].frame->to_part.inverse().pose(is_new ? *changes_[move]->new_end : path_.moves[move].end);
+  return records_[move].frame->to_part.inverse().pose(has_new_end(move) ? *changes_[move]->new_end : path_.moves[move].end);
 }
 
 bool NccsCorrector::needs_rewriting(std::size_t first, std::size_t last) const {
   for (std::size_t i = first; i < last; ++i) {
-    if (changes_[i] != nullptr && (changes_[i]->new_end || !changes_[i]->inserted_before.empty()))
-      return true;
+    if (has_new_end(i) || has_insertion(i)) return true;
   }
-  return records_[first].form == PositionForm::godlta && first > 0 && changes_[first - 1] != nullptr &&
-         changes_[first - 1]->new_end.has_value();
+  return records_[first].form == PositionForm::godlta && first > 0 && has_new_end(first - 1);
 }
 
 std::string NccsCorrector::numbers(const MotionRecord& record, const Pose& local, bool with_axis) const {
@@ -66,6 +116,16 @@ void NccsCorrector::copy(std::size_t first_word, std::size_t last_word) {
   for (std::size_t word = first_word; word < last_word; ++word) words_ += source_.bytes(word);
 }
 
+void NccsCorrector::copy_source(std::size_t first_word, std::size_t last_word) {
+  for (; next_dropped_ < dropped_.size(); ++next_dropped_) {
+    const std::size_t circle = first_word_of(dropped_[next_dropped_]);
+    if (circle >= last_word) break;
+    copy(first_word, circle);
+    first_word = circle + source_.header(circle).words;
+  }
+  copy(first_word, last_word);
+}
+
 void NccsCorrector::add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence,
                         const std::string& words) {
   words_ +=
@@ -77,7 +137,8 @@ void NccsCorrector::add(std::uint16_t klass, std::uint16_t subclass, std::uint16
 void NccsCorrector::add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence) {
   const bool is_new_axis = (local.axis - record.implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
   const bool has_axis = record.numbers == 6 || (record.numbers == 0 && !record.is_multax_off) || is_new_axis;
-  const bool is_switched = record.is_multax_off && has_axis && record.numbers != 6;
+  const bool is_expanded = source_.header(first_word_of(record.statement)).klass == NccsClass::kExpanded;
+  const bool is_switched = record.is_multax_off && has_axis && (record.numbers != 6 || is_expanded);
   if (is_switched) add(NccsClass::kMode, kMultaxOn, sequence, {});
   add(NccsClass::kMotion, kPoints, sequence, numbers(record, local, has_axis));
   if (is_switched) add(NccsClass::kMode, kMultaxOff, sequence, {});
@@ -85,7 +146,7 @@ void NccsCorrector::add_position(const MotionRecord& record, const Pose& local, 
 
 void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
   const MotionRecord& record = records_[move];
-  if (changes_[move] == nullptr || changes_[move]->inserted_before.empty()) return;
+  if (!has_insertion(move)) return;
   const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
   bool is_pending = record.is_rapid;
   for (const Pose& pose : changes_[move]->inserted_before) {
@@ -96,25 +157,42 @@ void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
   if (record.is_rapid) add(NccsClass::kPost, kRapid, sequence, {});
 }
 
-void NccsCorrector::rewrite(std::size_t first, std::size_t last, const NccsHeader& header) {
-  bool is_split = records_[first].form == PositionForm::godlta;
+void NccsCorrector::copy_expanded(std::size_t move, const NccsHeader& header) {
+  const MotionRecord& record = records_[move];
+  const std::size_t begin = first_word_of(record.statement) + 1 + record.point * kNccsExpandedWords;
+  words_ += nccs_word(
+      NccsHeader{static_cast<std::uint16_t>(1 + kNccsExpandedWords), header.klass, kPoints, header.sequence});
+  copy(begin, begin + kNccsExpandedWords);
+}
+
+bool NccsCorrector::is_split(std::size_t first, std::size_t last, const NccsHeader& header) const {
+  if (records_[first].form == PositionForm::godlta || header.klass == NccsClass::kExpanded) return true;
   for (std::size_t i = first; i < last; ++i) {
     const bool is_new_axis =
         records_[i].numbers == 3 &&
         (local_end(i).axis - records_[i].implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
-    is_split = is_split || is_new_axis || (changes_[i] != nullptr && !changes_[i]->inserted_before.empty());
+    if (is_new_axis || has_insertion(i)) return true;
   }
-  if (is_split) {
-    for (std::size_t i = first; i < last; ++i) {
-      add_insertions(i, header.sequence);
+  return false;
+}
+
+void NccsCorrector::split(std::size_t first, std::size_t last, const NccsHeader& header) {
+  for (std::size_t i = first; i < last; ++i) {
+    add_insertions(i, header.sequence);
+    if (header.klass == NccsClass::kExpanded && !has_new_end(i) && !has_insertion(i)) {
+      copy_expanded(i, header);
+    } else {
       add_position(records_[i], local_end(i), header.sequence);
     }
-    return;
   }
-  const std::size_t begin = NccsWords::word_at(path_.statements[records_[first].statement].first_byte);
+}
+
+void NccsCorrector::rewrite(std::size_t first, std::size_t last, const NccsHeader& header) {
+  if (is_split(first, last, header)) return split(first, last, header);
+  const std::size_t begin = first_word_of(records_[first].statement);
   words_ += source_.bytes(begin);
   for (std::size_t i = first; i < last; ++i) {
-    if (changes_[i] != nullptr && changes_[i]->new_end) {
+    if (has_new_end(i)) {
       words_ += numbers(records_[i], local_end(i), records_[i].numbers == 6);
     } else {
       const std::size_t from = begin + 1 + records_[i].first_argument;
@@ -123,20 +201,22 @@ void NccsCorrector::rewrite(std::size_t first, std::size_t last, const NccsHeade
   }
 }
 
-std::string NccsCorrector::run() {
+Result<std::string> NccsCorrector::run() {
+  drop_circles();
+  if (auto error = find_broken_arc()) return std::move(*error);
   std::size_t copied = 0;
   for (std::size_t first = 0, last = 0; first < records_.size(); first = last) {
     last = first + 1;
     while (last < records_.size() && records_[last].statement == records_[first].statement) ++last;
     if (!needs_rewriting(first, last)) continue;
-    const std::size_t word = NccsWords::word_at(path_.statements[records_[first].statement].first_byte);
+    const std::size_t word = first_word_of(records_[first].statement);
     const NccsHeader header = source_.header(word);
-    copy(copied, word);
+    copy_source(copied, word);
     copied = word + header.words;
     rewrite(first, last, header);
   }
   const std::size_t count = source_.words();
-  copy(copied, count);
+  copy_source(copied, count);
   if (words_.size() != count * kWord) return nccs_blocks(words_);
   std::string bytes = path_.source;
   for (std::size_t word = 0; word < count; ++word)
@@ -146,7 +226,7 @@ std::string NccsCorrector::run() {
 
 }  // namespace
 
-std::string write_corrected_nccs(const Toolpath& path, const std::vector<PathChange>& changes) {
+Result<std::string> write_corrected_nccs(const Toolpath& path, const std::vector<PathChange>& changes) {
   return NccsCorrector(path, changes).run();
 }
 
