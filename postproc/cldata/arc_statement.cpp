@@ -86,7 +86,7 @@ bool read_circle(std::span<const Argument> arguments, ArcStatement& statement) {
   return true;
 }
 
-// CAMWorks CLT: the vector is always +Z and the word gives the sense.
+// CAMWorks CLT and Mastercam NCI: the vector is a positive one of the part's and the word gives the sense.
 void read_sense_word(std::span<const Argument> arguments, ArcStatement& statement) {
   if (has_argument(arguments, "COUNTERCLOCKWISE")) statement.sense = ArcSense::right_handed;
   if (has_argument(arguments, "CLOCKWISE")) statement.sense = ArcSense::left_handed;
@@ -101,6 +101,7 @@ double positive(double angle) {
 ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit) {
   ArcStatement statement;
   if (!read_circle(arguments, statement)) return failed(ArcProblems::kForm);
+  if (dialect == DialectKind::nci && has_argument(arguments, "ZXPLAN")) return failed(ArcProblems::kXzPlane);
   const double length = statement.axis.norm();
   if (!(std::abs(length - 1) <= kAxisLengthError)) return failed(ArcProblems::kForm);
   statement.axis /= length;

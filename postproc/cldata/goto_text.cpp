@@ -58,6 +58,7 @@ void GotoText::learn(const MotionRecord& record) {
     return static_cast<std::size_t>(a.text.data() - bytes.data());
   };
   for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i].text.empty()) break;  // the axis of NCI, which its file does not write in numbers
     const std::size_t blanks = blanks_before(bytes, offset(arguments[i]));
     const bool is_axis = i % record.numbers >= 3;
     if (is_axis && !axis_gap_) axis_gap_ = blanks;

@@ -40,6 +40,7 @@ bool NciLines::next(NciPair& pair) {
     pair.line = line_;
     if (!take_line(text)) return false;
   } while (text.empty());
+  pair.code_text = text;
   pair.code.reset();
   const auto code = parse_integer(text);
   if (code && *code >= 0 && *code <= kLargestCode) pair.code = static_cast<int>(*code);

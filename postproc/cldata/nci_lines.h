@@ -13,6 +13,7 @@ struct NciPair {
   std::size_t line = 0;  ///< of the code
   std::size_t first_byte = 0, last_byte = 0;
   std::optional<int> code;      ///< nothing where the line is not one whole number
+  std::string_view code_text;   ///< its line, trimmed
   std::string_view parameters;  ///< trimmed
   bool is_whole = false;        ///< the file does not end between code and parameters
 };

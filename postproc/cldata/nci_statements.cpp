@@ -9,15 +9,8 @@
 namespace gouge {
 namespace {
 
-struct NciCode {
-  static constexpr int kRapid = 0, kLinear = 1, kArc = 2, kArcBack = 3, kDwell = 4, kFiveAxis = 11;
-  static constexpr int kCycleOff = 80, kToolFirst = 1000, kToolLast = 1002, kEnd = 1003, kComment = 1008,
-                       kToolPlane = 1014, kSubBegin = 1018, kSubEnd = 1019, kWcs = 1027;
-};
-
-constexpr std::size_t kFieldsOfLinear = 5;  // compensation, x, y, z, feed; flags may follow
 constexpr std::size_t kToolField = 3;
-constexpr double kRapidFeed = -2, kSameFeed = -1;
+constexpr double kCompOff = 40, kCompLeft = 41, kCompRight = 42, kCompOffAtEnd = 140;
 constexpr double kIdentityError = 1e-9;
 
 bool is_identity(const std::vector<Argument>& fields) {
@@ -27,6 +20,16 @@ bool is_identity(const std::vector<Argument>& fields) {
     if (!fields[i].number || std::abs(*fields[i].number - expected) > kIdentityError) return false;
   }
   return true;
+}
+
+std::string_view cutcom_word(double compensation) {
+  const auto is = [&](double value) { return std::abs(compensation - value) < kIdentityError; };
+  if (is(kCompOff) || is(kCompOffAtEnd)) return "OFF";
+  return is(kCompLeft) ? "LEFT" : is(kCompRight) ? "RIGHT" : "ON";
+}
+
+Argument number(double value) {
+  return {{}, value};
 }
 
 }  // namespace
@@ -48,20 +51,50 @@ void NciStatements::add(Word word, std::string_view major) {
   statement.pieces.push_back(pair_.parameters);
 }
 
-void NciStatements::take_linear() {
-  const std::vector<Argument>& fields = read_fields();
-  if (fields.size() < kFieldsOfLinear) return add(Word::unread_motion, "NCI 0 or 1 of too few numbers");
-  const std::optional<double> feed = fields[4].number;
-  const bool is_rapid =
-      *pair_.code == NciCode::kRapid || (feed && std::abs(*feed - kRapidFeed) < kIdentityError);
-  if (is_rapid) {
-    add(Word::rapid, "RAPID");
-  } else if (feed && *feed > 0) {
+// A pair that may have switched compensation in a way that is not read leaves it on.
+void NciStatements::take_compensation(std::optional<double> value) {
+  if (value && std::abs(*value) < kIdentityError) return;
+  const std::string_view word = value ? cutcom_word(*value) : "ON";
+  if (word == cutcom_) return;
+  cutcom_ = word;
+  add(Word::cutcom, "CUTCOM");
+  decoded().push_back({word, std::nullopt});
+}
+
+void NciStatements::take_speed(const NciMotion& motion) {
+  if (motion.is_rapid) {
+    if (motion.form != NciForm::arc) add(Word::rapid, "RAPID");
+  } else if (*fields_[motion.feed].number > 0) {
     add(Word::fedrat, "FEDRAT");
-    queue_[queued_ - 1].decoded.push_back(fields[4]);
+    decoded().push_back(fields_[motion.feed]);
   }
+}
+
+void NciStatements::add_circle(const NciMotion& motion) {
+  add(Word::circle, "CIRCLE");
+  std::vector<Argument>& words = decoded();
+  for (Eigen::Index i = 0; i < 3; ++i) words.push_back(number(motion.center[i]));
+  const Vec3 axis = motion.plane == NciPlane::xy   ? Vec3::UnitZ()
+                    : motion.plane == NciPlane::yz ? Vec3::UnitX()
+                                                   : Vec3::UnitY();
+  for (Eigen::Index i = 0; i < 3; ++i) words.push_back(number(axis[i]));
+  words.push_back({motion.is_clockwise ? "CLOCKWISE" : "COUNTERCLOCKWISE", std::nullopt});
+  if (motion.plane == NciPlane::xz) words.push_back({"ZXPLAN", std::nullopt});
+  if (!motion.is_full_circle) return;
+  words.push_back({"ANGLE", std::nullopt});
+  words.push_back(number(360));
+}
+
+void NciStatements::take_motion() {
+  const NciMotion motion = read_nci_motion(*pair_.code, read_fields());
+  take_compensation(motion.compensation);
+  if (motion.problem != nullptr) return add(Word::unread_motion, motion.problem);
+  take_speed(motion);
+  if (motion.form == NciForm::arc) add_circle(motion);
   add(Word::go_to, "GOTO");
-  queue_[queued_ - 1].decoded.assign(fields.begin() + 1, fields.begin() + 4);
+  for (const std::size_t field : motion.tip) decoded().push_back(fields_[field]);
+  if (motion.form != NciForm::five_axis) return;
+  for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(motion.axis[i]));
 }
 
 // The tool plane turns positions in a way that no public reference tells.
@@ -72,18 +105,14 @@ void NciStatements::take_plane() {
 
 void NciStatements::take_pair() {
   const int code = pair_.code.value_or(-1);
+  if (is_nci_motion(code)) return take_motion();
   switch (code) {
-    case NciCode::kRapid:
-    case NciCode::kLinear:
-      return take_linear();
-    case NciCode::kArc:
-    case NciCode::kArcBack:
-      return add(Word::unread_motion, "NCI 2 or 3 (arc)");
-    case NciCode::kFiveAxis:
-      return add(Word::unread_motion, "NCI 11 (five axes)");
     case NciCode::kDwell:
     case NciCode::kCycleOff:
       return add(Word::harmless, "80");
+    case NciCode::kCancelComp:
+      take_compensation(kCompOff);
+      return add(Word::harmless, "1004");
     case NciCode::kEnd:
       return add(Word::fini, "1003");
     case NciCode::kComment:
@@ -105,7 +134,7 @@ void NciStatements::take_pair() {
     const std::vector<Argument>& fields = read_fields();
     if (fields.size() <= kToolField) return add(Word::unread_tool, "NCI 1000 to 1002");
     add(Word::loadtl, "LOADTL");
-    queue_[queued_ - 1].decoded.push_back(fields[kToolField]);
+    decoded().push_back(fields[kToolField]);
   } else {
     add(code < NciCode::kToolFirst ? Word::unread_motion : Word::harmless, "NCI other code");
   }

@@ -7,11 +7,12 @@
 #include <vector>
 
 #include "postproc/cldata/nci_lines.h"
+#include "postproc/cldata/nci_motion.h"
 #include "postproc/cldata/statement.h"
 
-// The pairs of lines of a Mastercam NCI file as statements: what each says in words of APT. Only the linear
-// moves are known from a public reference; arcs, five-axis lines, drilling and tool planes become motion or
-// frames that are not read. docs/formats/mastercam_nci.md.
+// The pairs of lines of a Mastercam NCI file as statements: what each says in words of APT. Lines, arcs and
+// five-axis lines are motion; drilling and tool planes become motion or frames that are not read.
+// docs/formats/mastercam_nci.md.
 
 namespace gouge {
 
@@ -21,14 +22,19 @@ class NciStatements {
   NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line)
       : lines_(bytes, first_byte, line) {}
 
-  /// The next statement; a pair may say several, of which all but the last span no bytes.
+  /// The next statement; a pair may say several, of which all but the last span no bytes. Of a motion the last
+  /// is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
   [[nodiscard]] bool next(Statement& statement);
 
  private:
   void take_pair();
-  void take_linear();
+  void take_motion();
+  void take_compensation(std::optional<double> value);
+  void take_speed(const NciMotion& motion);
   void take_plane();
   void add(Word word, std::string_view major);
+  void add_circle(const NciMotion& motion);
+  [[nodiscard]] std::vector<Argument>& decoded() { return queue_[queued_ - 1].decoded; }
   /// Of the pair's parameters; good until the next call.
   [[nodiscard]] const std::vector<Argument>& read_fields();
 
@@ -36,8 +42,9 @@ class NciStatements {
   NciPair pair_;
   Statement parameters_;
   std::vector<Argument> fields_;
-  std::array<Statement, 4> queue_;
+  std::array<Statement, 4> queue_;  // CUTCOM, FEDRAT, CIRCLE, GOTO
   std::size_t queued_ = 0, given_ = 0;
+  std::string_view cutcom_ = "OFF";
   std::optional<std::string_view> wcs_;
 };
 

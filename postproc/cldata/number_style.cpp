@@ -29,7 +29,8 @@ void NumberStyle::settle(int least_decimals, int usual_decimals) {
     decimals_ = fewest_decimals_ = usual_decimals;
     is_aligned_ = false;
   }
-  const bool is_fixed = fewest_decimals_ == decimals_;
+  const bool is_bare_point = keeps_point_ && decimals_ == 0;  // "25.": zeros are dropped
+  const bool is_fixed = fewest_decimals_ == decimals_ && !is_bare_point;
   decimals_ = std::max(decimals_, least_decimals);
   if (is_fixed) fewest_decimals_ = decimals_;
   is_aligned_ = is_aligned_ && has_varying_length_;

@@ -8,6 +8,7 @@
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/lexer.h"
 #include "postproc/cldata/write_corrected_nccs.h"
+#include "postproc/cldata/write_corrected_nci.h"
 
 namespace gouge {
 namespace {
@@ -190,7 +191,6 @@ std::string CorrectedWriter::framed(const MotionRecord& record, const WrittenPos
 std::string CorrectedWriter::rapid_line(const MotionRecord& record) const {
   if (record.rapid_statement == kNone) return goto_text_.with_line_end("RAPID");
   const SourceStatement& span = path_.statements[record.rapid_statement];
-  if (span.first_byte == span.last_byte) return {};  // NCI: the code of the position says it
   return goto_text_.with_line_end(path_.source.substr(span.first_byte, span.last_byte - span.first_byte));
 }
 
@@ -292,6 +292,7 @@ Result<std::string> CorrectedWriter::write() {
 Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes) {
   if (auto error = check_changes(path, changes)) return std::move(*error);
   if (path.dialect == dialect_of(DialectKind::nccs_binary).id) return write_corrected_nccs(path, changes);
+  if (path.dialect == dialect_of(DialectKind::nci).id) return write_corrected_nci(path, changes);
   return CorrectedWriter(path, changes).write();
 }
 

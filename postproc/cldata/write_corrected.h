@@ -19,7 +19,8 @@ namespace gouge {
 ///              spline is the file's own straight positions instead; the statement that described it is gone.
 /// Errors   write-move (no such move, or one named twice), write-arc (a cycle cannot be changed, an arc or spline only
 ///          straightened, all positions of one statement together, and no arc or spline that stays begins
-///          at a position that moves), write-alone (positions before a move that has no start).
+///          at a position that moves), write-alone (positions before a move that has no start), write-axis (a
+///          tilted position where a Mastercam NCI file cannot say one).
 /// Cost     One pass over the file, and one to read it again: memory beyond `path` is about 5 times a usual file.
 [[nodiscard]] Result<std::string> write_corrected(const Toolpath& path,
                                                   const std::vector<PathChange>& changes);

