@@ -59,6 +59,7 @@ class CorrectedWriter {
       if (is_straightened(i)) drop_curve(i);
     }
     std::sort(dropped_.begin(), dropped_.end());
+    dropped_.erase(std::unique(dropped_.begin(), dropped_.end()), dropped_.end());
   }
 
   Result<std::string> write();
