@@ -27,7 +27,7 @@ struct ArcProblems {
   static constexpr const char* kTangent = "the arc's start direction (INDIRV) does not touch its circle";
   static constexpr const char* kHalf = "the arc's length and its ON,INTOF word contradict each other";
   static constexpr const char* kXzPlane =
-      "an arc in the XZ plane of Mastercam NCI: no source tells which way round it runs";
+      "an arc in the XZ plane of Mastercam NCI: sources do not settle which way round it runs";
   static constexpr const char* kSense = "nothing in the file tells which way round its arcs run";
 };
 
