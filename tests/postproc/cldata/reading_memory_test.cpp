@@ -150,6 +150,8 @@ std::vector<LongFile> long_files() {
        16},
       {"one smooth spline", smooth_spline, 16},
       {"Mastercam NCI", [] { return repeated("0\n0 1 1 1 1\n"); }, 20},
+      {"Mastercam NCI arcs", [] { return repeated("0\n0 1 0 0 1\n3\n41 0 0 1 0 0 0 1\n1\n40 0 1 0 1\n"); }, 20},
+      {"Mastercam NCI five axes", [] { return repeated("11\n0 0 0 0 0 1 1\n"); }, 20},
       {"binary NCCS", binary_positions, 16},
       {"comments", [] { return "GOTO/1,1,1\n" + repeated("$$\n"); }, 16},
   };
