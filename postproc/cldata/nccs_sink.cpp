@@ -6,6 +6,11 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kWord = 8;
+constexpr double kSamePlace_mm = 1e-6;
+constexpr double kSameAxis = 1e-12;
+constexpr double kLongestSweep_rad = 2.5;  // clearly less than half a turn, so that the other way is longer
+constexpr double kShortestChord_mm = 0.01;
+constexpr double kCircleKind = 5;  // the first of the five words before a circle's numbers
 constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
 
 struct PostCode {
@@ -70,8 +75,22 @@ void NccsSink::go_to(const Pose& end) {
   add(NccsClass::kMotion, 5, words);
 }
 
-bool NccsSink::go_round(const PathArc& /*arc*/, const Pose& /*start*/, const Pose& /*end*/) {
-  return false;
+// A planar arc with one tool axis, reached the short way: which sense it has the record does not say.
+bool NccsSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
+  const Vec3 radial = start.tip - arc.center;
+  const bool is_planar = std::abs(radial.dot(arc.axis)) <= kSamePlace_mm &&
+                         std::abs((end.tip - start.tip).dot(arc.axis)) <= kSamePlace_mm;
+  const bool keeps_axis = (start.axis - end.axis).cwiseAbs().maxCoeff() <= kSameAxis;
+  const bool is_short = std::abs(arc.sweep_rad) <= kLongestSweep_rad &&
+                        (end.tip - start.tip).norm() >= kShortestChord_mm;
+  if (!is_planar || !keeps_axis || !is_short) return false;
+  std::string words = nccs_word(kCircleKind) + std::string(4 * kWord, '\0');
+  for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(arc.center[i] / mm_per(unit_));
+  for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(arc.axis[i]);
+  words += nccs_word(radial.norm() / mm_per(unit_));
+  add(NccsClass::kCircle, 0, words);
+  go_to(end);
+  return true;
 }
 
 std::string NccsSink::finish() {

@@ -39,9 +39,6 @@ class NccsCorrector {
     return NccsWords::word_at(path_.statements[statement].first_byte);
   }
   void drop_circles();
-  [[nodiscard]] bool is_dropped(std::size_t statement) const {
-    return std::binary_search(dropped_.begin(), dropped_.end(), statement);
-  }
   [[nodiscard]] std::optional<Diagnostic> find_broken_arc() const;
   [[nodiscard]] bool needs_rewriting(std::size_t first, std::size_t last) const;
   [[nodiscard]] bool is_split(std::size_t first, std::size_t last, const NccsHeader& header) const;
@@ -81,8 +78,8 @@ std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
     const Move& move = path_.moves[i];
     if (move.kind != MoveKind::arc || is_straightened(i)) continue;
     const bool is_straight = move.curve_kind == CurveKind::none && move.not_checked_reason.empty();
-    if (is_straight) continue;  // a list of positions may begin where the tool stands
-    if (records_[i].curve_statement != kNone && is_dropped(records_[i].curve_statement)) {
+    const bool is_dropped = std::binary_search(dropped_.begin(), dropped_.end(), records_[i].curve_statement);
+    if (is_dropped && !is_straight) {  // a list of positions may begin where the tool stands
       return make_error("write-arc", "an arc that stays shares its circle with one that goes; straighten it as well",
                         path_.file, move.line);
     }
