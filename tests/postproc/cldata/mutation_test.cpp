@@ -4,8 +4,10 @@
 #include <random>
 #include <string>
 
+#include "lib/path/chords.h"
 #include "postproc/cldata/read_toolpath.h"
 #include "postproc/cldata/write_corrected.h"
+#include "tests/postproc/cldata/cl_files.h"
 
 namespace gouge {
 namespace {
@@ -119,6 +121,65 @@ TEST(MutatedPath, CanBeCorrectedAndReadAgain) {
     if (testing::Test::HasFailure()) FAIL() << "mutation " << i;
   }
   EXPECT_GT(written, 300u);
+}
+
+// Every straight move of a damaged NCI file lifted and led up to, every arc made straight.
+std::vector<PathChange> changes_everywhere(const Toolpath& path) {
+  std::vector<PathChange> changes;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    const bool is_arc = move.kind == MoveKind::arc;
+    const bool is_unread = move.not_checked_reason.starts_with("a statement that is not understood");
+    const bool meets_arc = i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::arc;
+    if (is_unread || meets_arc || (is_arc && move.curve_kind == CurveKind::none)) continue;
+    PathChange change{i, move.end, {}, is_arc};
+    change.new_end->tip.z() += 1.25;
+    if (is_arc) {
+      change.inserted_before = chords_of(path, move, 1);
+      change.inserted_before.pop_back();
+    } else if (move.start) {
+      change.inserted_before.push_back({move.start->tip + Vec3(1, 2, 3), move.end.axis});
+    }
+    changes.push_back(change);
+  }
+  return changes;
+}
+
+TEST(MutatedNci, CanBeCorrectedAndReadAgain) {
+  std::mt19937_64 random(11);
+  const std::string whole = bytes_of(corpus() / "five_axis.nci");
+  ReadOptions options;
+  options.dialect = dialect_called("mastercam-nci");
+  options.is_cutcom_centre = true;
+  std::size_t written = 0;
+  for (int i = 0; i < 6000 && !HasFailure(); ++i) {
+    const ReadOutcome outcome = read_toolpath("mutated", mutated(whole, random), options);
+    if (!outcome.toolpath) continue;
+    const Toolpath& path = *outcome.toolpath;
+    SCOPED_TRACE(path.source);
+    EXPECT_EQ(*write_corrected(path, {}), path.source);
+    const std::vector<PathChange> changes = changes_everywhere(path);
+    const Result<std::string> text = write_corrected(path, changes);
+    if (!text && text.error().code.starts_with("write-a")) continue;  // an arc that stays, or no five-axis line
+    ASSERT_TRUE(text.has_value()) << to_text(text.error());
+    const ReadOutcome again = read_toolpath("again", *text, options);
+    ASSERT_TRUE(again.toolpath) << to_text(again.errors.front()) << "\n" << *text;
+    std::size_t added = 0, next = 0;
+    for (std::size_t k = 0; k < path.moves.size(); ++k) {
+      const bool is_changed = next < changes.size() && changes[next].move == k;
+      if (is_changed) added += changes[next].inserted_before.size();
+      const Pose& expected = is_changed ? *changes[next].new_end : path.moves[k].end;
+      next += is_changed ? 1 : 0;
+      ASSERT_LT(k + added, again.toolpath->moves.size()) << *text;
+      if (path.moves[k].not_checked_reason.starts_with("a statement that is not understood")) continue;
+      EXPECT_LT((again.toolpath->moves[k + added].end.tip - expected.tip).norm(), 2e-4) << k << *text;
+      EXPECT_LT((again.toolpath->moves[k + added].end.axis - expected.axis).norm(), 1.01e-5) << k << *text;
+    }
+    EXPECT_EQ(again.toolpath->moves.size(), path.moves.size() + added) << *text;
+    EXPECT_EQ(again.toolpath->words_not_understood, path.words_not_understood) << *text;
+    ++written;
+  }
+  EXPECT_GT(written, 1000u);
 }
 
 }  // namespace
