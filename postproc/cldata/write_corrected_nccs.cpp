@@ -26,6 +26,7 @@ class NccsCorrector {
   Result<std::string> run();
 
  private:
+  [[nodiscard]] std::string laid_out() const;
   [[nodiscard]] bool is_straightened(std::size_t move) const {
     return changes_[move] != nullptr && changes_[move]->is_straightened;
   }
@@ -198,6 +199,15 @@ void NccsCorrector::rewrite(std::size_t first, std::size_t last, const NccsHeade
   }
 }
 
+// The zeros that fill the last block are read as damage unless they follow FINI.
+std::string NccsCorrector::laid_out() const {
+  std::string bytes = nccs_blocks(words_);
+  const std::size_t last_record = first_word_of(path_.statements.size() - 1);
+  if (source_.header(last_record).klass != NccsClass::kFini)
+    bytes.resize(NccsWords::offset(words_.size() / kWord - 1) + kWord);
+  return bytes;
+}
+
 Result<std::string> NccsCorrector::run() {
   drop_circles();
   if (auto error = find_broken_arc()) return std::move(*error);
@@ -214,7 +224,7 @@ Result<std::string> NccsCorrector::run() {
   }
   const std::size_t count = source_.words();
   copy_source(copied, count);
-  if (words_.size() != count * kWord) return nccs_blocks(words_);
+  if (words_.size() != count * kWord) return laid_out();
   std::string bytes = path_.source;
   for (std::size_t word = 0; word < count; ++word)
     bytes.replace(NccsWords::offset(word), kWord, words_, word * kWord, kWord);

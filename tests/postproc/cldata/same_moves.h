@@ -1,0 +1,36 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "lib/path/toolpath.h"
+
+namespace gouge {
+
+/// Two files that mean the same, to `within_mm`: every motion, and why it is not checked.
+inline void expect_same_moves(const Toolpath& found, const Toolpath& expected, double within_mm = 1e-9) {
+  ASSERT_EQ(found.moves.size(), expected.moves.size());
+  for (std::size_t i = 0; i < found.moves.size(); ++i) {
+    SCOPED_TRACE("move " + std::to_string(i));
+    const Move& a = found.moves[i];
+    const Move& b = expected.moves[i];
+    ASSERT_EQ(a.kind, b.kind);
+    ASSERT_EQ(a.not_checked_reason, b.not_checked_reason);
+    ASSERT_LE((a.end.tip - b.end.tip).norm(), within_mm);
+    ASSERT_LE((a.end.axis - b.end.axis).norm(), within_mm);
+    ASSERT_EQ(a.start.has_value(), b.start.has_value());
+    ASSERT_LE(a.start ? (a.start->tip - b.start->tip).norm() : 0.0, within_mm);
+    ASSERT_NEAR(a.feed_mm_per_min, b.feed_mm_per_min, 1e-9);
+    ASSERT_EQ(a.tool == kNone, b.tool == kNone);
+    ASSERT_EQ(a.curve_kind, b.curve_kind);
+    if (a.curve_kind != CurveKind::arc) continue;
+    const PathArc& arc_a = found.arcs[a.curve];
+    const PathArc& arc_b = expected.arcs[b.curve];
+    ASSERT_LE((arc_a.center - arc_b.center).norm(), within_mm);
+    ASSERT_LE((arc_a.axis - arc_b.axis).norm(), 1e-9);
+    ASSERT_NEAR(arc_a.sweep_rad, arc_b.sweep_rad, 10 * within_mm);
+  }
+}
+
+}  // namespace gouge
