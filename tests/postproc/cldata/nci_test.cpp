@@ -194,7 +194,7 @@ TEST(Nci, AMotionThatIsNotUnderstoodIsToldAndCountedByWhatIsWrong) {
     EXPECT_EQ(path.moves[2].not_checked_reason, Reasons::kUnread);
     EXPECT_FALSE(is_checked(path.moves[3])) << "its start is not known";
     EXPECT_EQ(is_checked(path.moves[4]), !c.may_compensate);
-    EXPECT_TRUE(path.words_not_understood.contains(c.word)) << path.words_not_understood.begin()->first;
+    EXPECT_TRUE(path.words_not_understood.contains(c.word));
   }
 }
 

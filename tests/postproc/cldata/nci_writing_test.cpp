@@ -75,6 +75,17 @@ TEST(NciWriting, ATiltedPositionBeforeALineIsAFiveAxisLineAtItsSpeed) {
   }
 }
 
+TEST(NciWriting, TheFiveAxisLineToLookLikeIsTheLastOneBefore) {
+  const std::string far = "11\n0. 0. 5. 0. 0. 30. 9. 1 0\n", near = "11\n0. 0. 5. 6. 0. 13. 9. 2 0\n";
+  const std::string line = "1\n0 4. 0. 5. -1. 0\n", later = "11\n0. 0. 5. 0. 0. 6. 9. 3 0\n";
+  const Pose tilted{Vec3(1, 0, 6), Vec3(0.6, 0, 0.8)};
+  const std::string text = far + near + line + later;
+  EXPECT_EQ(written(path_of(text), {{2, std::nullopt, {tilted}}}),
+            far + near + "11\n1. 0. 6. 7. 0. 14. -1. 2 0\n" + line + later);
+  EXPECT_EQ(written(path_of(line + line + far + near), {{1, std::nullopt, {tilted}}}),
+            line + "11\n1. 0. 6. 16. 0. 26. -1. 1 0\n" + line + far + near);
+}
+
 TEST(NciWriting, WhatNoPairCanSayIsRefused) {
   const Pose tilted{Vec3(1, 0, 6), Vec3(0.6, 0, 0.8)};
   const Toolpath path = path_of(std::string(kStart) + "1\n0 4. 0. 5. 350. 0\n");
