@@ -14,6 +14,8 @@ constexpr double kShortest_mm = 1e-3;  // of a straight way whose direction tell
 constexpr double kSmooth = 0.999;      // cosine between a line and an arc that go on in each other
 constexpr double kSameAxis = 1e-9;     // sine of an angle
 constexpr double kSamePoint_mm = 1e-3;
+constexpr double kLeavesPlane_mm = 0.02;  // as far as start and end of an arc may differ in radius
+constexpr double kTurningAxis = 1e-4;     // sine of an angle
 constexpr std::size_t kClearVotes = 10;
 
 ArcStatement unreadable(const char* problem) {
@@ -145,10 +147,7 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   ArcStatement arc = *arc_;
   arc.center = to_part_.point(arc.center);
   arc.axis = to_part_.direction(arc.axis);
-  if (position.points > 1 && position.point == 0 && is_nccs(dialect_.kind) && arc.problem == nullptr &&
-      (move.start->tip - move.end.tip).norm() <= kSamePoint_mm) {
-    return;  // its lists may begin with the position there is
-  }
+  if (is_nccs(dialect_.kind) && arc.problem == nullptr && !is_round_in_nccs(position, arc, move)) return;
   const bool is_open = arc.problem == nullptr && arc.sense == ArcSense::unknown;
   if (arc.problem == nullptr && last_direction_) vote(arc, move.start->tip, *last_direction_);
   if (is_open && is_reached_the_short_way(position)) arc.sense = shorter_way(arc, move);
@@ -159,7 +158,18 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   fit(arc, move);
 }
 
-// Points that follow one another on a circle; and in NCCS one alone, as its post-processor takes the sense from
+// A list may begin with the position the tool is at. An arc that leaves its plane or turns the tool is one to no
+// reader for sure: NCL's own post-processor runs it straight.
+bool Interpreter::is_round_in_nccs(const Position& position, const ArcStatement& arc, Move& move) {
+  const Vec3 way = move.end.tip - move.start->tip;
+  const bool turns = move.start->axis.cross(move.end.axis).norm() > kTurningAxis;
+  if (position.points > 1 && position.point == 0 && way.norm() <= kSamePoint_mm) return false;
+  if (!turns && std::abs(way.dot(arc.axis)) <= kLeavesPlane_mm) return true;
+  move.not_checked_reason = Reasons::kNccsArc;
+  return false;
+}
+
+// Points that follow one another on a circle; and in NCL one alone, as its post-processor takes the sense from
 // the way between two points, not from the vector.
 bool Interpreter::is_reached_the_short_way(const Position& position) const {
   return position.points > 1 || is_nccs(dialect_.kind);

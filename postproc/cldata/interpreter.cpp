@@ -293,6 +293,11 @@ bool Interpreter::take_text_word() {
     case Word::free_text:
       return true;
     case Word::pprint:
+      if (is_nccs(dialect_.kind) && starts_with_ignoring_case(trim(statement_->pieces.front()), "INCLUD")) {
+        emit_unread();  // the motion of another file stands here
+        count_unknown();
+        return true;
+      }
       if (!dialect_.names_operations) name_operation(name_text(statement_->pieces.front()));
       return true;
     case Word::operation:

@@ -63,6 +63,8 @@ struct Reasons {
   static constexpr const char* kCutcom = "compensated by CUTCOM: the positions need not be the cutter centre";
   static constexpr const char* kAdjust =
       "shifted by CUTCOM/ADJUST: the registers of the control are not known";
+  static constexpr const char* kNccsArc =
+      "an arc of NCL that leaves its plane or turns its tool axis: its post-processor may run it straight";
   static constexpr const char* kAfterCycle = "starts at an unknown retract height after a drilling cycle";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
@@ -180,6 +182,7 @@ class Interpreter {
   void vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction);
   void note_direction(const Move& move);
   void close_arcs();
+  [[nodiscard]] static bool is_round_in_nccs(const Position& position, const ArcStatement& arc, Move& move);
   [[nodiscard]] bool is_reached_the_short_way(const Position& position) const;
   [[nodiscard]] static ArcSense shorter_way(ArcStatement arc, const Move& move);
 

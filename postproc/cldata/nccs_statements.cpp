@@ -119,7 +119,9 @@ void NccsStatements::take_expanded(const NccsHeader& header, Statement& statemen
   for (std::size_t point = 1; point < header.words; point += kNccsExpandedWords) {
     const Vec3 axis(words_.number(word_ + point + 3), words_.number(word_ + point + 4),
                     words_.number(word_ + point + 5));
-    if (!(std::abs(axis.norm() - 1) <= kAxisLengthError)) {
+    // Without MULTAX the post-processor would leave another axis out.
+    const bool is_dropped = is_multax_off_ && (axis - Vec3::UnitZ()).norm() > kAxisLengthError;
+    if (!(std::abs(axis.norm() - 1) <= kAxisLengthError) || is_dropped) {
       statement.decoded.clear();
       return;
     }
@@ -180,7 +182,8 @@ void NccsStatements::take_record(const NccsHeader& header, Statement& statement)
     case NccsClass::kMode:
       statement.word = header.subclass <= kMultaxOff ? Word::multax : Word::unread_frame;
       statement.major = header.subclass <= kMultaxOff ? "MULTAX" : "mode record";
-      if (header.subclass == kMultaxOff) statement.decoded.push_back({"OFF", std::nullopt});
+      is_multax_off_ = header.subclass == kMultaxOff;
+      if (is_multax_off_) statement.decoded.push_back({"OFF", std::nullopt});
       return;
     case NccsClass::kFini:
       statement.word = Word::fini;

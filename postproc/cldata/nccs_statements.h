@@ -36,6 +36,7 @@ class NccsStatements {
   std::size_t word_ = 0;  // the record's first
   std::size_t record_ = 0;
   bool is_over_ = false;
+  bool is_multax_off_ = false;
 };
 
 }  // namespace gouge

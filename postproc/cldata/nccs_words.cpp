@@ -34,7 +34,7 @@ constexpr auto kMajors = std::to_array<Code>({
 constexpr auto kMinors = std::to_array<Code>({
     {1, "ATANGL"},  {8, "LEFT"},    {24, "RIGHT"},   {33, "XYPLAN"}, {37, "YZPLAN"},  {41, "ZXPLAN"},
     {57, "START"},  {59, "CCLW"},   {60, "CLW"},     {66, "INCR"},   {71, "ON"},      {72, "OFF"},
-    {73, "IPM"},    {74, "IPR"},    {75, "CIRCUL"},  {78, "RPM"},    {81, "FACE"},    {82, "BORE"},
+    {73, "IPM"},    {74, "IPR"},    {75, "CIRCUL"},  {78, "RPM"},     {80, "TURN"},    {81, "FACE"},    {82, "BORE"},
     {84, "XAXIS"},  {85, "YAXIS"},  {86, "ZAXIS"},   {88, "AUTO"},   {92, "STEP"},    {140, "AAXIS"},
     {141, "BAXIS"}, {142, "CAXIS"}, {143, "TPI"},    {144, "OPTION"}, {151, "MILL"},  {152, "THRU"},
     {153, "DEEP"},  {159, "ADJUST"}, {163, "DRILL"}, {168, "TAP"},   {197, "DWELL"},  {211, "BORE7"},

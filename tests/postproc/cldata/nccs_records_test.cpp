@@ -282,6 +282,37 @@ TEST(NccsFrame, ZerosUndoOnlyTheirOwnWordsShift) {
   EXPECT_FALSE(last_is_checked("ROTABL/ATANGL,90\nROTABL/ATANGL,-90\n"));
 }
 
+TEST(NccsCircle, ThatLeavesItsPlaneOrTurnsTheToolIsNotChecked) {
+  const auto is_checked = [](const std::vector<double>& end) {
+    NccsFile file;
+    file.multax(true).points({5, 0, 0, 0, 0, 1}).circle({0, 0, 0, 0, 0, 1, 5}).points(end);
+    return path_of(file.bytes()).moves.at(1).not_checked_reason.empty();
+  };
+  EXPECT_TRUE(is_checked({0, 5, 0, 0, 0, 1}));
+  EXPECT_FALSE(is_checked({0, 5, 1, 0, 0, 1}));
+  EXPECT_FALSE(is_checked({0, 5, 0, 0, 0.6, 0.8}));
+}
+
+TEST(NccsText, AFileThatIsIncludedIsAMotionThatIsNotRead) {
+  NccsFile file;
+  file.multax(false).points({0, 0, 0}).record(2000, 1044, "INCLUD OTHER.CL ").points({1, 1, 1}).points({2, 1, 1});
+  expect_twins(file, "MULTAX/OFF\nGOTO/0,0,0\nPPRINT INCLUD OTHER.CL\nGOTO/1,1,1\nGOTO/2,1,1\n");
+  const Toolpath path = path_of(file.bytes());
+  ASSERT_EQ(path.moves.size(), 4u);
+  EXPECT_FALSE(path.moves[1].not_checked_reason.empty());
+  EXPECT_FALSE(path.moves[2].start);
+}
+
+TEST(NccsExpanded, WithoutMultaxAnotherAxisThanPlusZIsNotRead) {
+  for (const bool is_on : {true, false}) {
+    NccsFile file;
+    file.multax(is_on).expanded({1, 2, 3, 0, 0, 1}).expanded({1, 2, 3, 0, 0.6, 0.8});
+    const Toolpath path = path_of(file.bytes());
+    EXPECT_TRUE(path.moves.at(0).not_checked_reason.empty());
+    EXPECT_EQ(path.moves.at(1).not_checked_reason.empty(), is_on);
+  }
+}
+
 TEST(NccsMode, TheFirstOfTheTwoIsMultaxOnAsInTheRealTwins) {
   NccsFile file;
   file.record(9000, 0).points({1, 2, 3, 0, 0.6, 0.8}).record(9000, 1).points({1, 2, 3, 4, 5, 6});

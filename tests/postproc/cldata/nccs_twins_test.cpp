@@ -60,6 +60,7 @@ class Twins {
     }
     text_ += "GOTO/" + list(values) + "\n";
     for (std::size_t i = 0; i < 3; ++i) here_[i] = values[values.size() - numbers + i];
+    for (std::size_t i = 0; i < 3; ++i) axis_[i] = numbers == 6 ? values[values.size() - 3 + i] : i == 2 ? 1 : 0;
   }
 
   void go_to(std::size_t points) {
@@ -88,7 +89,7 @@ class Twins {
     for (std::size_t i = 0; i < points; ++i) {
       at = (at + way * (1 + pick(4))) % 12;
       values.insert(values.end(), {center[0] + kOn[at][0], center[1] + kOn[at][1], center[2]});
-      if (has_axes_) values.insert(values.end(), {0, 0, 1});
+      if (has_axes_) values.insert(values.end(), axis_.begin(), axis_.end());
     }
     write(values, has_axes_ ? 6 : 3);
   }
@@ -159,7 +160,7 @@ class Twins {
   NccsFile file_;
   std::string text_;
   bool has_axes_ = true;
-  std::array<double, 3> here_{};
+  std::array<double, 3> here_{}, axis_{0, 0, 1};
 };
 
 std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& random) {
