@@ -19,8 +19,9 @@ bool is_equal(double a, double b) {
 }
 
 bool are_numbers(std::span<const Argument> fields, std::size_t count) {
-  return fields.size() >= count && std::all_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(count),
-                                               [](const Argument& a) { return a.number.has_value(); });
+  return fields.size() >= count &&
+         std::all_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(count),
+                     [](const Argument& a) { return a.number.has_value(); });
 }
 
 Vec3 point(std::span<const Argument> fields, const std::array<std::size_t, 3>& at) {
@@ -127,7 +128,7 @@ NciMotion read_five_axis(std::span<const Argument> fields) {
 
 NciMotion read_nci_motion(int code, std::span<const Argument> fields) {
   const bool is_arc = code == NciCode::kClockwise || code == NciCode::kCounterClockwise;
-  NciMotion motion = is_arc                        ? read_arc(code, fields)
+  NciMotion motion = is_arc                       ? read_arc(code, fields)
                      : code == NciCode::kFiveAxis ? read_five_axis(fields)
                                                   : read_linear(fields);
   if (motion.problem != nullptr) return motion;

@@ -9,13 +9,14 @@
 #include "lib/geom/vec.h"
 #include "postproc/cldata/statement.h"
 
-// What a motion pair of a Mastercam NCI file says, and where: the reader makes statements of it, the writer puts
-// other numbers into its fields. Evidence for each field: docs/formats/mastercam_nci.md.
+// What a motion pair of a Mastercam NCI file says, and where: the reader makes statements of it, the writer
+// puts other numbers into its fields. Evidence for each field: docs/formats/mastercam_nci.md.
 
 namespace gouge {
 
 struct NciCode {
-  static constexpr int kRapid = 0, kLinear = 1, kClockwise = 2, kCounterClockwise = 3, kDwell = 4, kFiveAxis = 11;
+  static constexpr int kRapid = 0, kLinear = 1, kClockwise = 2, kCounterClockwise = 3, kDwell = 4,
+                       kFiveAxis = 11;
   static constexpr int kCycleOff = 80, kToolFirst = 1000, kToolLast = 1002, kEnd = 1003, kCancelComp = 1004,
                        kComment = 1008, kToolPlane = 1014, kSubBegin = 1018, kSubEnd = 1019, kWcs = 1027;
 };
@@ -42,15 +43,15 @@ struct NciMotion {
   std::optional<double> compensation;  ///< 0: no change; 40 and 140: off; nothing: not told
   NciForm form = NciForm::linear;
   bool is_rapid = false;
-  std::array<std::size_t, 3> tip{};        ///< fields of the end's x, y and z
-  std::optional<std::size_t> comp;         ///< field; nothing where the pair has none or it is not told from the plane
-  std::size_t feed = 0, flags = 0;         ///< fields; that of the flags may be missing
-  Vec3 axis = Vec3::UnitZ();               ///< of five axes: unit
-  double axis_length = 1;                  ///< of five axes: how far above the tip the second point is
-  Vec3 center = Vec3::Zero();              ///< of arcs; along their axis it is where the end is
-  NciPlane plane = NciPlane::xy;           ///< of arcs
-  bool is_clockwise = false;               ///< of arcs
-  bool is_full_circle = false;             ///< of arcs, where the pair says so
+  std::array<std::size_t, 3> tip{};  ///< fields of the end's x, y and z
+  std::optional<std::size_t> comp;   ///< field; nothing where the pair has none
+  std::size_t feed = 0, flags = 0;   ///< fields; that of the flags may be missing
+  Vec3 axis = Vec3::UnitZ();         ///< of five axes: unit
+  double axis_length = 1;            ///< of five axes: how far above the tip the second point is
+  Vec3 center = Vec3::Zero();        ///< of arcs; along their axis it is where the end is
+  NciPlane plane = NciPlane::xy;     ///< of arcs
+  bool is_clockwise = false;         ///< of arcs
+  bool is_full_circle = false;       ///< of arcs, where the pair says so
 };
 
 /// Fields of the second point of a five-axis line.

@@ -99,8 +99,7 @@ void NciStatements::take_motion() {
 
 // The tool plane turns positions in a way that no public reference tells.
 void NciStatements::take_plane() {
-  add(is_identity(read_fields()) ? Word::harmless : Word::unread_frame,
-      "NCI 1014 (tool plane)");
+  add(is_identity(read_fields()) ? Word::harmless : Word::unread_frame, "NCI 1014 (tool plane)");
 }
 
 void NciStatements::take_pair() {

@@ -22,8 +22,8 @@ class NciStatements {
   NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line)
       : lines_(bytes, first_byte, line) {}
 
-  /// The next statement; a pair may say several, of which all but the last span no bytes. Of a motion the last
-  /// is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
+  /// The next statement; a pair may say several, of which all but the last span no bytes. Of a motion the
+  /// last is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
   [[nodiscard]] bool next(Statement& statement);
 
  private:

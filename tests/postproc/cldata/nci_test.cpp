@@ -88,17 +88,16 @@ struct ArcCase {
 
 TEST(Nci, ArcsRunTheirWayInTheirPlane) {
   const std::string start = pair("0", "0 5. 5. 5. -2. 0");
-  const std::vector<ArcCase> cases = {
-      {"3", "0 0 -5. 5. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), kPi},
-      {"2", "0 0 -5. 5. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), -kPi},
-      {"3", "0 0 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), kPi / 2},
-      {"2", "0 0 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), -1.5 * kPi},
-      {"2", "0 40 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), -1.5 * kPi},
-      // y to z about +x; the plane before compensation or after it
-      {"3", "1 0 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitX(), kPi / 2},
-      {"3", "0 1 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitX(), kPi / 2},
-      {"2", "1 40 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitX(), -1.5 * kPi},
-      {"2", "140 1 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitX(), -1.5 * kPi}};
+  const std::vector<ArcCase> cases = {{"3", "0 0 -5. 5. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), kPi},
+                                      {"2", "0 0 -5. 5. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), -kPi},
+                                      {"3", "0 0 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), kPi / 2},
+                                      {"2", "0 0 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), -1.5 * kPi},
+                                      {"2", "0 40 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitZ(), -1.5 * kPi},
+                                      // y to z about +x; the plane before compensation or after it
+                                      {"3", "1 0 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitX(), kPi / 2},
+                                      {"3", "0 1 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitX(), kPi / 2},
+                                      {"2", "1 40 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitX(), -1.5 * kPi},
+                                      {"2", "140 1 0. 10. 0. 5. 5. 100. 0 0", Vec3::UnitX(), -1.5 * kPi}};
   for (const ArcCase& c : cases) {
     SCOPED_TRACE(std::string(c.code) + " " + c.fields);
     const Toolpath path = path_of(start + pair(c.code, c.fields));
@@ -149,8 +148,8 @@ TEST(Nci, ArcsOfTheXzPlaneAreNotCheckedButEndWhereTheySay) {
 TEST(Nci, AFiveAxisLineHasItsAxisTowardsTheSecondPoint) {
   for (const double length : {0.5, 1.0, 25.0}) {
     const auto at = [&](double base, double part) { return std::to_string(base + length * part); };
-    const Toolpath path =
-        path_of(pair("11", "1. 2. 3. " + at(1, 0.6) + " " + at(2, 0) + " " + at(3, 0.8) + " 100. 0 0 0. 1. 0."));
+    const Toolpath path = path_of(
+        pair("11", "1. 2. 3. " + at(1, 0.6) + " " + at(2, 0) + " " + at(3, 0.8) + " 100. 0 0 0. 1. 0."));
     expect_vector(path.moves[0].end.tip, 1, 2, 3);
     expect_vector(path.moves[0].end.axis, 0.6, 0, 0.8, 1e-5);
   }

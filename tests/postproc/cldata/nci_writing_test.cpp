@@ -46,20 +46,23 @@ TEST(NciWriting, AnotherAxisGetsTheDecimalsItNeeds) {
 }
 
 TEST(NciWriting, InsertedPositionsSwitchNothing) {
-  const Toolpath path = path_of(std::string(kStart) + "1\r\n41 4. 2. 1. 200. 100\r\n1\r\n40 5. 2. 1. -1. 100\r\n");
+  const Toolpath path =
+      path_of(std::string(kStart) + "1\r\n41 4. 2. 1. 200. 100\r\n1\r\n40 5. 2. 1. -1. 100\r\n");
   const Pose above{Vec3(1, 2, 30), Vec3::UnitZ()};
   EXPECT_EQ(written(path, {{1, std::nullopt, {above, above}}}),
-            std::string(kStart) + "1\r\n0 1. 2. 30. 200. 0\r\n1\r\n0 1. 2. 30. 200. 0\r\n1\r\n41 4. 2. 1. 200. 100\r\n"
-                                  "1\r\n40 5. 2. 1. -1. 100\r\n");
+            std::string(kStart) +
+                "1\r\n0 1. 2. 30. 200. 0\r\n1\r\n0 1. 2. 30. 200. 0\r\n1\r\n41 4. 2. 1. 200. 100\r\n"
+                "1\r\n40 5. 2. 1. -1. 100\r\n");
 }
 
 TEST(NciWriting, InsertedPositionsAreAsRapidAsWhatTheyStandBefore) {
   const Toolpath path = path_of("1\n0 0. 0. 5. 200. 0\n0\n0 4. 0. 5. -2. 0\n11\n4. 0. 9. 4. 0. 10. -2. 0 0");
   const Pose a{Vec3(1, 2, 30), Vec3::UnitZ()}, b{Vec3(4, 0, 30), Vec3(0.6, 0, 0.8)};
   const std::string text = written(path, {{1, std::nullopt, {a}}, {2, std::nullopt, {b}}});
-  EXPECT_EQ(text,
-            "1\n0 0. 0. 5. 200. 0\n0\n0 1. 2. 30. -2. 0\n0\n0 4. 0. 5. -2. 0\n11\n4. 0. 30. 4.6 0. 30.8 -2. 0 0\n"
-            "11\n4. 0. 9. 4. 0. 10. -2. 0 0");
+  EXPECT_EQ(
+      text,
+      "1\n0 0. 0. 5. 200. 0\n0\n0 1. 2. 30. -2. 0\n0\n0 4. 0. 5. -2. 0\n11\n4. 0. 30. 4.6 0. 30.8 -2. 0 0\n"
+      "11\n4. 0. 9. 4. 0. 10. -2. 0 0");
   const Toolpath again = path_of(text);
   for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(again.moves[i].kind, MoveKind::rapid) << i;
 }
@@ -67,8 +70,9 @@ TEST(NciWriting, InsertedPositionsAreAsRapidAsWhatTheyStandBefore) {
 TEST(NciWriting, ATiltedPositionBeforeALineIsAFiveAxisLineAtItsSpeed) {
   const std::string five = "11\n0. 0. 5. 6. 0. 13. 200. 3 101 0. 0. 1.\n";
   const Pose tilted{Vec3(1, 0, 6), Vec3(0.6, 0, 0.8)};
-  for (const auto& [pair, feed] : {std::pair{"1\n0 4. 0. 5. 350. 0\n", "350."}, std::pair{"0\n0 4. 0. 5. -2. 0\n", "-2."},
-                                   std::pair{"0\n0 4. 0. 5. 100. 0\n", "-2"}, std::pair{"1\n0 4. 0. 5. -1. 0\n", "-1."}}) {
+  for (const auto& [pair, feed] :
+       {std::pair{"1\n0 4. 0. 5. 350. 0\n", "350."}, std::pair{"0\n0 4. 0. 5. -2. 0\n", "-2."},
+        std::pair{"0\n0 4. 0. 5. 100. 0\n", "-2"}, std::pair{"1\n0 4. 0. 5. -1. 0\n", "-1."}}) {
     const Toolpath path = path_of(five + pair);
     EXPECT_EQ(written(path, {{1, std::nullopt, {tilted}}}),
               five + "11\n1. 0. 6. 7. 0. 14. " + feed + " 3 0 0. 0. 1.\n" + pair);
@@ -108,7 +112,8 @@ PathChange straightened(const Toolpath& path, std::size_t move) {
 
 TEST(NciWriting, AStraightenedArcBecomesLinesOfItsFeedAndSwitchesAtItsEnd) {
   const std::string start = "1\r\n0 5.00 0.00 1.00 200. 0\r\n", end = "1\r\n0 0.00 9.00 1.00 -1. 0\r\n";
-  for (const char* fields : {"42 0 0.00 5.00 0.00 0.00 1.00 -1. 10 0", "0 42 0.00 5.00 0.00 0.00 1.00 -1. 10 0"}) {
+  for (const char* fields :
+       {"42 0 0.00 5.00 0.00 0.00 1.00 -1. 10 0", "0 42 0.00 5.00 0.00 0.00 1.00 -1. 10 0"}) {
     ReadOptions options;
     options.is_cutcom_centre = true;
     const std::string text = start + "3\r\n" + fields + "\r\n" + end;
@@ -152,14 +157,18 @@ class RandomNci {
  private:
   std::size_t pick(std::size_t count) { return random_() % count; }
   double real(double most) { return std::uniform_real_distribution<>(-most, most)(random_); }
-  std::string number(double value) { return std::to_string(value).substr(0, std::to_string(value).find('.') + 1 + decimals_); }
+  std::string number(double value) {
+    return std::to_string(value).substr(0, std::to_string(value).find('.') + 1 + decimals_);
+  }
   std::string feed() { return std::vector<std::string>{"-1.", "-2.", "250."}[pick(3)]; }
   std::string comp() { return std::vector<std::string>{"0", "0", "0", "40", "41", "42", "140"}[pick(7)]; }
   std::string flags() { return std::vector<std::string>{"0", "1", "100", "10"}[pick(4)]; }
-  void add(const std::string& code, const std::string& fields) { text_ += code + line_end_ + fields + line_end_; }
+  void add(const std::string& code, const std::string& fields) {
+    text_ += code + line_end_ + fields + line_end_;
+  }
   void add_point(const std::string& code) {
-    add(code, comp() + " " + number(x_) + " " + number(y_) + "  " + number(z_) + " " + (code == "0" ? "-2." : feed()) +
-                  (pick(2) == 0 ? "" : " " + flags()));
+    add(code, comp() + " " + number(x_) + " " + number(y_) + "  " + number(z_) + " " +
+                  (code == "0" ? "-2." : feed()) + (pick(2) == 0 ? "" : " " + flags()));
   }
   void move() { x_ = real(90), y_ = real(90), z_ = real(90); }
 
@@ -174,9 +183,9 @@ class RandomNci {
       case 2: {
         move();
         const Vec3 axis = Vec3(real(1), real(1), 1.1).normalized() * length_;
-        return add("11", number(x_) + " " + number(y_) + " " + number(z_) + " " + number(x_ + axis.x()) + " " +
-                             number(y_ + axis.y()) + " " + number(z_ + axis.z()) + " " + feed() + " 0 " + flags() +
-                             (pick(2) == 0 ? "" : " 0. 0. 1."));
+        return add("11", number(x_) + " " + number(y_) + " " + number(z_) + " " + number(x_ + axis.x()) +
+                             " " + number(y_ + axis.y()) + " " + number(z_ + axis.z()) + " " + feed() +
+                             " 0 " + flags() + (pick(2) == 0 ? "" : " 0. 0. 1."));
       }
       default:
         return add_arc(pick(2) == 0);
@@ -194,9 +203,10 @@ class RandomNci {
     a = 2 * center - a;
     across += pick(2) == 0 ? 0 : 2;
     const std::string plane = is_yz ? "1" : "0";
-    add(pick(2) == 0 ? "2" : "3", (pick(2) == 0 ? comp() + " " + plane : plane + " " + comp()) + " " + number(a) + " " +
-                                      number(b) + " " + number(center) + " " + number(b) + " " + number(across) + " " +
-                                      feed() + (pick(2) == 0 ? "" : " " + flags() + (pick(2) == 0 ? "" : " 0")));
+    add(pick(2) == 0 ? "2" : "3", (pick(2) == 0 ? comp() + " " + plane : plane + " " + comp()) + " " +
+                                      number(a) + " " + number(b) + " " + number(center) + " " + number(b) +
+                                      " " + number(across) + " " + feed() +
+                                      (pick(2) == 0 ? "" : " " + flags() + (pick(2) == 0 ? "" : " 0")));
   }
 
   std::mt19937_64& random_;
@@ -220,9 +230,12 @@ std::string statement_of(const Toolpath& path, std::size_t move) {
 }
 
 // A random change of some moves, and what the path must then be.
-std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& random, std::vector<Expected>& expected) {
+std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& random,
+                                       std::vector<Expected>& expected) {
   std::uniform_real_distribution<> real(-5, 5);
-  const auto shift = [&](const Pose& pose) { return Pose{pose.tip + Vec3(real(random), real(random), real(random)), pose.axis}; };
+  const auto shift = [&](const Pose& pose) {
+    return Pose{pose.tip + Vec3(real(random), real(random), real(random)), pose.axis};
+  };
   std::vector<PathChange> changes;
   std::vector<bool> is_straightened(path.moves.size());
   for (std::size_t i = 0; i < path.moves.size(); ++i)
@@ -231,7 +244,8 @@ std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& ra
     const Move& move = path.moves[i];
     PathChange change{i, std::nullopt, {}, is_straightened[i]};
     const bool is_arc = move.kind == MoveKind::arc;
-    const bool is_fixed = i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::arc && !is_straightened[i + 1];
+    const bool is_fixed =
+        i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::arc && !is_straightened[i + 1];
     if ((!is_arc || is_straightened[i]) && !is_fixed && random() % 3 == 0) change.new_end = shift(move.end);
     if (is_straightened[i]) {
       change.inserted_before = chords_of(path, move, 0.5);
@@ -243,10 +257,12 @@ std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& ra
         change.inserted_before.push_back(between);
       }
     }
-    for (const Pose& pose : change.inserted_before) expected.push_back({pose, move.kind, true, is_arc, kNone});
+    for (const Pose& pose : change.inserted_before)
+      expected.push_back({pose, move.kind, true, is_arc, kNone});
     expected.push_back({change.new_end.value_or(move.end), move.kind, change.new_end || is_straightened[i],
                         is_straightened[i], i});
-    if (change.new_end || !change.inserted_before.empty() || change.is_straightened) changes.push_back(change);
+    if (change.new_end || !change.inserted_before.empty() || change.is_straightened)
+      changes.push_back(change);
   }
   return changes;
 }
