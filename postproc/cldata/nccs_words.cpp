@@ -12,9 +12,7 @@ struct Code {
   std::string_view name;
 };
 
-constexpr bool is_below(const Code& a, const Code& b) {
-  return a.code < b.code;
-}
+constexpr bool is_below(const Code& a, const Code& b) { return a.code < b.code; }
 
 // NCL gives END, INDEX, COPY and TRACUT codes of its own (499, 810 to 812); its post-processor those of IBM.
 constexpr auto kMajors = std::to_array<Code>({
@@ -32,16 +30,16 @@ constexpr auto kMajors = std::to_array<Code>({
 
 // NCL and its post-processor have codes of their own for DWELL (197, 279) and OFFSET (814, 705).
 constexpr auto kMinors = std::to_array<Code>({
-    {1, "ATANGL"},  {8, "LEFT"},    {24, "RIGHT"},   {33, "XYPLAN"}, {37, "YZPLAN"},  {41, "ZXPLAN"},
-    {57, "START"},  {59, "CCLW"},   {60, "CLW"},     {66, "INCR"},   {71, "ON"},      {72, "OFF"},
-    {73, "IPM"},    {74, "IPR"},    {75, "CIRCUL"},  {78, "RPM"},     {80, "TURN"},    {81, "FACE"},    {82, "BORE"},
-    {84, "XAXIS"},  {85, "YAXIS"},  {86, "ZAXIS"},   {88, "AUTO"},   {92, "STEP"},    {140, "AAXIS"},
-    {141, "BAXIS"}, {142, "CAXIS"}, {143, "TPI"},    {144, "OPTION"}, {151, "MILL"},  {152, "THRU"},
-    {153, "DEEP"},  {159, "ADJUST"}, {163, "DRILL"}, {168, "TAP"},   {197, "DWELL"},  {211, "BORE7"},
-    {212, "BORE8"}, {213, "BORE9"}, {249, "SHIFT"},  {262, "REAM"},  {279, "DWELL"},  {280, "RAPTO"},
-    {281, "FEDTO"}, {295, "RTRCTO"}, {315, "MMPM"},  {316, "MMPR"},  {327, "AVOID"},  {510, "DEPTH"},
-    {617, "TOOL"},  {664, "ENDPT"}, {705, "OFFSET"}, {732, "MODIFY"}, {814, "OFFSET"}, {822, "INVERS"},
-    {934, "PARAMS"}, {1008, "REVERS"}, {1083, "REPEAT"},
+    {1, "ATANGL"},   {8, "LEFT"},     {24, "RIGHT"},    {33, "XYPLAN"},   {37, "YZPLAN"},  {41, "ZXPLAN"},
+    {57, "START"},   {59, "CCLW"},    {60, "CLW"},      {66, "INCR"},     {71, "ON"},      {72, "OFF"},
+    {73, "IPM"},     {74, "IPR"},     {75, "CIRCUL"},   {78, "RPM"},      {80, "TURN"},    {81, "FACE"},
+    {82, "BORE"},    {84, "XAXIS"},   {85, "YAXIS"},    {86, "ZAXIS"},    {88, "AUTO"},    {92, "STEP"},
+    {140, "AAXIS"},  {141, "BAXIS"},  {142, "CAXIS"},   {143, "TPI"},     {144, "OPTION"}, {151, "MILL"},
+    {152, "THRU"},   {153, "DEEP"},   {159, "ADJUST"},  {163, "DRILL"},   {168, "TAP"},    {197, "DWELL"},
+    {211, "BORE7"},  {212, "BORE8"},  {213, "BORE9"},   {249, "SHIFT"},   {262, "REAM"},   {279, "DWELL"},
+    {280, "RAPTO"},  {281, "FEDTO"},  {295, "RTRCTO"},  {315, "MMPM"},    {316, "MMPR"},   {327, "AVOID"},
+    {510, "DEPTH"},  {617, "TOOL"},   {664, "ENDPT"},   {705, "OFFSET"},  {732, "MODIFY"}, {814, "OFFSET"},
+    {822, "INVERS"}, {934, "PARAMS"}, {1008, "REVERS"}, {1083, "REPEAT"},
 });
 
 static_assert(std::is_sorted(kMajors.begin(), kMajors.end(), is_below));
@@ -54,12 +52,8 @@ std::string_view name_in(std::span<const Code> codes, std::uint16_t code) {
 
 }  // namespace
 
-std::string_view nccs_major(std::uint16_t subclass) {
-  return name_in(kMajors, subclass);
-}
+std::string_view nccs_major(std::uint16_t subclass) { return name_in(kMajors, subclass); }
 
-std::string_view nccs_minor(std::uint16_t code) {
-  return name_in(kMinors, code);
-}
+std::string_view nccs_minor(std::uint16_t code) { return name_in(kMinors, code); }
 
 }  // namespace gouge

@@ -85,15 +85,16 @@ std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
                         path_.file, move.line);
     }
     if (i > 0 && move.start && has_new_end(i - 1)) {
-      return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well",
-                        path_.file, move.line);
+      return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
+                        move.line);
     }
   }
   return std::nullopt;
 }
 
 Pose NccsCorrector::local_end(std::size_t move) const {
-  return records_[move].frame->to_part.inverse().pose(has_new_end(move) ? *changes_[move]->new_end : path_.moves[move].end);
+  return records_[move].frame->to_part.inverse().pose(has_new_end(move) ? *changes_[move]->new_end
+                                                                        : path_.moves[move].end);
 }
 
 bool NccsCorrector::needs_rewriting(std::size_t first, std::size_t last) const {
@@ -124,10 +125,8 @@ void NccsCorrector::copy_source(std::size_t first_word, std::size_t last_word) {
   copy(first_word, last_word);
 }
 
-void NccsCorrector::add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence,
-                        const std::string& words) {
-  words_ +=
-      nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + words.size() / kWord), klass, subclass, sequence});
+void NccsCorrector::add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence, const std::string& words) {
+  words_ += nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + words.size() / kWord), klass, subclass, sequence});
   words_ += words;
 }
 
@@ -158,17 +157,16 @@ void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
 void NccsCorrector::copy_expanded(std::size_t move, const NccsHeader& header) {
   const MotionRecord& record = records_[move];
   const std::size_t begin = first_word_of(record.statement) + 1 + record.point * kNccsExpandedWords;
-  words_ += nccs_word(
-      NccsHeader{static_cast<std::uint16_t>(1 + kNccsExpandedWords), header.klass, kPoints, header.sequence});
+  words_ +=
+      nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + kNccsExpandedWords), header.klass, kPoints, header.sequence});
   copy(begin, begin + kNccsExpandedWords);
 }
 
 bool NccsCorrector::is_split(std::size_t first, std::size_t last, const NccsHeader& header) const {
   if (records_[first].form == PositionForm::godlta || header.klass == NccsClass::kExpanded) return true;
   for (std::size_t i = first; i < last; ++i) {
-    const bool is_new_axis =
-        records_[i].numbers == 3 &&
-        (local_end(i).axis - records_[i].implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
+    const bool is_new_axis = records_[i].numbers == 3 &&
+                             (local_end(i).axis - records_[i].implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
     if (is_new_axis || has_insertion(i)) return true;
   }
   return false;

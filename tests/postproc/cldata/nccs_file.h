@@ -25,7 +25,8 @@ class NccsFile {
   NccsFile() { record(7400, 0, std::string(128, ' ')); }
 
   NccsFile& record(std::uint16_t klass, std::uint16_t subclass, const std::string& data = {}) {
-    words_ += nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + data.size() / 8), klass, subclass, ++sequence_}) + data;
+    words_ +=
+        nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + data.size() / 8), klass, subclass, ++sequence_}) + data;
     return *this;
   }
 
@@ -40,7 +41,8 @@ class NccsFile {
     std::string data;
     for (const Argument& argument : arguments) {
       const Minor* word = std::get_if<Minor>(&argument);
-      data += word != nullptr ? nccs_word(NccsHeader{word->code, 0x4141, 0x5a5a, 0}) : nccs_word(std::get<double>(argument));
+      data += word != nullptr ? nccs_word(NccsHeader{word->code, 0x4141, 0x5a5a, 0})
+                              : nccs_word(std::get<double>(argument));
     }
     return record(2000, subclass, data);
   }

@@ -1,7 +1,11 @@
 // Binary NCCS records beside the ASCII that says the same: one interpreter reads both, so the moves are the same.
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
 #include <numbers>
 
+#include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/nccs_file.h"
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/postproc/cldata/same_moves.h"
@@ -12,9 +16,7 @@ namespace {
 constexpr Minor kLeft{8}, kRight{24}, kOn{71}, kOff{72}, kIpm{73}, kAuto{88}, kStep{92}, kAdjust{159}, kDrill{163},
     kDeep{153}, kThru{152}, kBore9{213}, kRapto{280}, kFedto{281}, kRtrcto{295}, kMmpm{315}, kDwell{197}, kOffset{814};
 
-Toolpath text_of(const std::string& body) {
-  return path_of("REMARK a.as NCLCAM 2019.00\n" + body + "FINI\n");
-}
+Toolpath text_of(const std::string& body) { return path_of("REMARK a.as NCLCAM 2019.00\n" + body + "FINI\n"); }
 
 void expect_twins(const NccsFile& binary, const std::string& body) {
   expect_same_moves(path_of(binary.bytes()), text_of(body));
@@ -73,8 +75,7 @@ TEST(NccsCycle, TwoNumbersAfterFedtoAreADiameterAndTheAngleOfTheTip) {
   NccsFile file;
   file.multax(true).points({0, 0, 50, 0, 0, 1});
   file.post(1054, {kDrill, kFedto, 10.0, 90.0, kMmpm, 80.0, kRapto, 2.0}).points({10, 0, 0, 0, 0, 1});
-  expect_twins(file,
-               "MULTAX/ON\nGOTO/0,0,50,0,0,1\nCYCLE/DRILL,FEDTO,10,90,MMPM,80,RAPTO,2\nGOTO/10,0,0,0,0,1\n");
+  expect_twins(file, "MULTAX/ON\nGOTO/0,0,50,0,0,1\nCYCLE/DRILL,FEDTO,10,90,MMPM,80,RAPTO,2\nGOTO/10,0,0,0,0,1\n");
   double lowest = 1;
   for (const Move& move : path_of(file.bytes()).moves) lowest = std::min(lowest, move.end.tip.z());
   EXPECT_NEAR(lowest, -5, 1e-12);
@@ -91,7 +92,9 @@ TEST(NccsCycle, OnlyWhatGoesStraightDownAndUpIsRead) {
       {{kDrill, kFedto, 5.0, kRapto, 1.0}, "DRILL,FEDTO,5,RAPTO,1", true},
       {{Minor{81}, kFedto, 5.0, kRapto, 1.0}, "FACE,FEDTO,5,RAPTO,1", true},
       {{kThru, kFedto, 5.0, kRapto, 1.0, kStep, 1.0, 0.5}, "THRU,FEDTO,5,RAPTO,1,STEP,1,.5", true},
-      {{kDeep, kFedto, 5.0, kRapto, 1.0, kStep, 2.0, kRtrcto, 0.5, 0.1}, "DEEP,FEDTO,5,RAPTO,1,STEP,2,RTRCTO,.5,.1", true},
+      {{kDeep, kFedto, 5.0, kRapto, 1.0, kStep, 2.0, kRtrcto, 0.5, 0.1},
+       "DEEP,FEDTO,5,RAPTO,1,STEP,2,RTRCTO,.5,.1",
+       true},
       {{kDeep, kFedto, 5.0, kRapto, 1.0, kStep, 2.0, kRtrcto, 9.0}, "DEEP,FEDTO,5,RAPTO,1,STEP,2,RTRCTO,9", false},
       {{kThru, kFedto, 5.0, kRapto, 1.0, kStep, 2.0, kRtrcto, 9.0}, "THRU,FEDTO,5,RAPTO,1,STEP,2,RTRCTO,9", false},
       {{Minor{168}, kFedto, 5.0, kIpm, 3.0, kRapto, 1.0}, "TAP,FEDTO,5,IPM,3,RAPTO,1", true},
@@ -125,9 +128,10 @@ TEST(NccsCycle, AutoChangesNothingAndOnTakesTheLastOneUpAgain) {
   file.multax(true).post(1054, {kAuto, kOff}).points({0, 0, 50, 0, 0, 1});
   file.post(1054, {kDrill, kFedto, 5.0, kRapto, 1.0}).post(1054, {kOff}).points({9, 0, 9, 0, 0, 1});
   file.post(1054, {kOn}).points({10, 0, 0, 0, 0, 1});
-  expect_twins(file,
-               "MULTAX/ON\nCYCLE/AUTO,OFF\nGOTO/0,0,50,0,0,1\nCYCLE/DRILL,FEDTO,5,RAPTO,1\nCYCLE/OFF\nGOTO/9,0,9,0,0,1\n"
-               "CYCLE/ON\nGOTO/10,0,0,0,0,1\n");
+  expect_twins(
+      file,
+      "MULTAX/ON\nCYCLE/AUTO,OFF\nGOTO/0,0,50,0,0,1\nCYCLE/DRILL,FEDTO,5,RAPTO,1\nCYCLE/OFF\nGOTO/9,0,9,0,0,1\n"
+      "CYCLE/ON\nGOTO/10,0,0,0,0,1\n");
   const Toolpath path = path_of(file.bytes());
   for (const Move& move : path.moves) EXPECT_TRUE(move.not_checked_reason.empty());
   EXPECT_EQ(path.moves.at(0).kind, MoveKind::feed);
@@ -274,7 +278,9 @@ TEST(NccsFrame, WhatMayShiftOrTurnMakesWhatFollowsNotChecked) {
 
 TEST(NccsFrame, ZerosUndoOnlyTheirOwnWordsShift) {
   const auto last_is_checked = [](const std::string& text) {
-    return text_of("MULTAX/OFF\nGOTO/0,0,0\n" + text + "GOTO/1,1,1\nGOTO/2,1,1\n").moves.back().not_checked_reason.empty();
+    return text_of("MULTAX/OFF\nGOTO/0,0,0\n" + text + "GOTO/1,1,1\nGOTO/2,1,1\n")
+        .moves.back()
+        .not_checked_reason.empty();
   };
   EXPECT_TRUE(last_is_checked("TRANS/1,0,0\nTRANS/0,0,0\n"));
   EXPECT_FALSE(last_is_checked("ORIGIN/1,0,0\nTRANS/0,0,0\n"));
@@ -329,6 +335,30 @@ TEST(NccsRecords, ALongSequenceNumberStandsInARecordOfItsOwn) {
   ASSERT_EQ(path.moves.size(), 2u);
   EXPECT_TRUE(path.moves[1].not_checked_reason.empty());
   EXPECT_TRUE(path.words_not_understood.empty());
+}
+
+// tests/corpus/cl/nccs_words.cl is these records: a seed for the fuzzers that has every kind of them.
+TEST(NccsRecords, OfTheSampleAreThese) {
+  NccsFile file;
+  file.multax(true).record(2000, 1015, "PWORKS  ").record(2000, 1044, "POCKET  ").post(1055, {1.0});
+  file.numbers(6000, 6, {6, 1, 40}).post(1009, {kMmpm, 250.0}).post(5).points({5, 0, 9, 0, 0, 1});
+  file.points({5, 0, 1, 0, 0, 1}).circle({0, 0, 1, 0, 0, 1, 5});
+  file.points({4, 3, 1, 0, 0, 1, 0, 5, 1, 0, 0, 1, -4, 3, 1, 0, 0, 1}, 12).points({-4, 9, 1, 0, 0, 1});
+  file.expanded({-4, 9, 2, 0, 0, 1, -4, 9, 3, 0, 0.6, 0.8}).expanded({-4, 9, 4, 0, 0.6, 0.8}, 6);
+  file.post(1007, {kLeft, Minor{33}, 5.0}).points({0, 9, 4, 0, 0, 1}).post(1007, {kOff}).points({1, 9, 4, 0, 0, 1});
+  file.record(1001, 0x1234).points({2, 9, 9, 0, 0, 1}).points({3, 9, 9, 0, 0, 1});
+  file.post(1054, {kDrill, kFedto, 12.5, kMmpm, 80.0, kRapto, 2.0, kRtrcto, 8.0});
+  file.points({10, 9, 0, 0, 0, 1, 20, 9, 0, 0, 0, 1}).post(1054, {kOff}).points({20, 9, 50, 0, 0, 1}).post(14);
+  const auto sample = corpus() / "nccs_words.cl";
+  if (std::getenv("GOUGE_UPDATE_SAMPLES") != nullptr) {
+    std::ofstream(sample, std::ios::binary) << file.bytes();
+  }
+  EXPECT_TRUE(bytes_of(sample) == file.bytes());
+  const Toolpath path = path_of(file.bytes());
+  EXPECT_EQ(path.arcs.size(), 3u);
+  const auto unchecked = std::count_if(path.moves.begin(), path.moves.end(),
+                                       [](const Move& move) { return !move.not_checked_reason.empty(); });
+  EXPECT_EQ(unchecked, 2) << "the one under CUTCOM and the first after it";
 }
 
 TEST(NccsRecords, AWordAmongTheNumbersOfAMotionIsRefused) {

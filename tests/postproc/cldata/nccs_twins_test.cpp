@@ -64,7 +64,8 @@ class Twins {
   }
 
   void go_to(std::size_t points) {
-    static constexpr std::array<std::array<double, 3>, 4> kAxes = {{{0, 0, 1}, {0, 0.6, 0.8}, {1, 0, 0}, {-0.8, 0, 0.6}}};
+    static constexpr std::array<std::array<double, 3>, 4> kAxes = {
+        {{0, 0, 1}, {0, 0.6, 0.8}, {1, 0, 0}, {-0.8, 0, 0.6}}};
     std::vector<double> values;
     for (std::size_t i = 0; i < points; ++i) {
       for (int k = 0; k < 3; ++k) values.push_back(number());
@@ -76,8 +77,8 @@ class Twins {
 
   // On a circle of radius 5 that the tool stands on, by exact points of it.
   void circle() {
-    static constexpr std::array<std::array<double, 2>, 12> kOn = {{{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3},
-                                                                   {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}}};
+    static constexpr std::array<std::array<double, 2>, 12> kOn = {
+        {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}}};
     std::size_t at = pick(12);
     const std::array<double, 3> center = {here_[0] - kOn[at][0], here_[1] - kOn[at][1], here_[2]};
     const double k = pick(2) == 0 ? 1 : -1;
@@ -95,8 +96,14 @@ class Twins {
   }
 
   void cycle() {
-    static constexpr std::array<std::pair<std::uint16_t, const char*>, 8> kTypes = {
-        {{163, "DRILL"}, {81, "FACE"}, {153, "DEEP"}, {152, "THRU"}, {168, "TAP"}, {213, "BORE9"}, {82, "BORE"}, {151, "MILL"}}};
+    static constexpr std::array<std::pair<std::uint16_t, const char*>, 8> kTypes = {{{163, "DRILL"},
+                                                                                     {81, "FACE"},
+                                                                                     {153, "DEEP"},
+                                                                                     {152, "THRU"},
+                                                                                     {168, "TAP"},
+                                                                                     {213, "BORE9"},
+                                                                                     {82, "BORE"},
+                                                                                     {151, "MILL"}}};
     const auto [code, name] = kTypes[pick(kTypes.size())];
     std::vector<NccsFile::Argument> arguments = {Minor{code}, Minor{281}, 7.5, Minor{280}, 2.0};
     std::string text = std::string("CYCLE/") + name + ",FEDTO,7.5,RAPTO,2";
@@ -217,7 +224,8 @@ TEST(NccsTwins, CorrectedInTheSameWayTheyAreStillTheSameMoves) {
     const std::vector<PathChange> changes = random_changes(binary, random);
     const Result<std::string> bytes = write_corrected(binary, changes);
     const Result<std::string> lines = write_corrected(text, changes);
-    ASSERT_EQ(bytes.has_value(), lines.has_value()) << "seed " << seed << "\n" << twins.shown() << to_text(bytes ? lines.error() : bytes.error());
+    ASSERT_EQ(bytes.has_value(), lines.has_value()) << "seed " << seed << "\n"
+                                                    << twins.shown() << to_text(bytes ? lines.error() : bytes.error());
     if (!bytes) {
       ASSERT_EQ(bytes.error().code, lines.error().code);
       ++refused;
@@ -239,7 +247,8 @@ std::string mutated(std::string bytes, std::mt19937_64& random) {
   const int edits = 1 + static_cast<int>(random() % 4);
   for (int i = 0; i < edits; ++i) {
     const std::size_t at = NccsWords::offset(17 + random() % (words - 17));
-    static constexpr std::array<std::uint16_t, 10> kClasses = {1000, 1001, 2000, 3000, 5000, 5200, 5210, 6000, 9000, 14000};
+    static constexpr std::array<std::uint16_t, 10> kClasses = {1000, 1001, 2000, 3000, 5000,
+                                                               5200, 5210, 6000, 9000, 14000};
     switch (random() % 5) {
       case 0:
         bytes[at + random() % 8] = static_cast<char>(random());
@@ -251,9 +260,10 @@ std::string mutated(std::string bytes, std::mt19937_64& random) {
         bytes.replace(at, 8, nccs_word(static_cast<double>(random() % 100) / 8));
         break;
       case 3:
-        bytes.replace(at, 8, nccs_word(NccsHeader{static_cast<std::uint16_t>(random() % 9),
-                                                  kClasses[random() % kClasses.size()],
-                                                  static_cast<std::uint16_t>(random() % 8), 1}));
+        bytes.replace(
+            at, 8,
+            nccs_word(NccsHeader{static_cast<std::uint16_t>(random() % 9), kClasses[random() % kClasses.size()],
+                                 static_cast<std::uint16_t>(random() % 8), 1}));
         break;
       default:
         bytes.resize(at);

@@ -37,7 +37,10 @@ std::string refusal(const Toolpath& path, const std::vector<PathChange>& changes
 NccsFile two_arcs() {
   NccsFile file;
   file.multax(true).post(1055, {1.0}).points({5, 0, 1, 0, 0, 1}).circle({0, 0, 1, 0, 0, 1, 5});
-  file.points({0, 5, 1, 0, 0, 1}).points({-4, 5, 1, 0, 0, 1}).circle({-4, 9, 1, 0, 0, 1, 4}).points({-8, 9, 1, 0, 0, 1});
+  file.points({0, 5, 1, 0, 0, 1})
+      .points({-4, 5, 1, 0, 0, 1})
+      .circle({-4, 9, 1, 0, 0, 1, 4})
+      .points({-8, 9, 1, 0, 0, 1});
   file.post(5).points({-8, 9, 50, 0, 0, 1});
   return file;
 }
@@ -173,7 +176,8 @@ TEST(CorrectNccs, AHoleCannotBeChanged) {
 
 TEST(ConvertToNccs, ShortPlanarArcsStayArcs) {
   const Toolpath path = path_of(
-      "UNITS/MM\nMODE/MILL\nGOTO/5.000000, 0.000000, 1.000000\nMOVARC/0.000000, 0.000000, 1.000000, 0.000000, 0.000000, "
+      "UNITS/MM\nMODE/MILL\nGOTO/5.000000, 0.000000, 1.000000\nMOVARC/0.000000, 0.000000, 1.000000, 0.000000, "
+      "0.000000, "
       "1.000000, 5.000000, ANGLE, 90.000000\nGOTO/0.000000, 5.000000, 1.000000\nMOVARC/0.000000, 0.000000, 1.000000, "
       "0.000000, 0.000000, 1.000000, 5.000000, ANGLE, 270.000000\nGOTO/5.000000, 0.000000, 1.000000\nFINI\n");
   ASSERT_EQ(path.arcs.size(), 2u);
