@@ -151,7 +151,8 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   const bool is_open = arc.problem == nullptr && arc.sense == ArcSense::unknown;
   if (arc.problem == nullptr && last_direction_) vote(arc, move.start->tip, *last_direction_);
   if (is_open && is_reached_the_short_way(position)) arc.sense = shorter_way(arc, move);
-  if (arc.sense == ArcSense::unknown && arc.problem == nullptr) {
+  // In NCL the vector has no sense, so what other arcs tell of it says nothing of this one.
+  if (arc.sense == ArcSense::unknown && arc.problem == nullptr && !is_nccs(dialect_.kind)) {
     make_room(open_arcs_);
     open_arcs_.push_back({path_.moves.size(), arc});
   }
