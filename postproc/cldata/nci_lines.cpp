@@ -1,25 +1,24 @@
 #include "postproc/cldata/nci_lines.h"
 
+#include <algorithm>
+
 #include "lib/base/number_text.h"
 #include "postproc/cldata/text.h"
 
 namespace gouge {
 namespace {
 
-constexpr std::size_t kPairsLookedAt = 60;
+constexpr std::size_t kPairsLookedAt = 2000;  // hundreds of parameters may come before the first motion
+constexpr std::size_t kMostFields = 100;
 constexpr std::size_t kLeastNumbersOfMotion = 5;
 constexpr int kLargestCode = 99999;
 
 bool is_motion(const NciPair& pair) {
   if (!pair.code || *pair.code > 11) return false;
-  std::size_t numbers = 0;
-  for (std::string_view rest = pair.parameters; !rest.empty();) {
-    const std::string_view token = rest.substr(0, rest.find_first_of(" \t"));
-    if (!parse_number(token)) return false;
-    ++numbers;
-    rest = trim(rest.substr(token.size()));
-  }
-  return numbers >= kLeastNumbersOfMotion;
+  std::vector<Argument> fields;
+  split_nci_fields(pair.parameters, fields);
+  return fields.size() >= kLeastNumbersOfMotion &&
+         std::all_of(fields.begin(), fields.end(), [](const Argument& a) { return a.number.has_value(); });
 }
 
 }  // namespace
@@ -47,6 +46,16 @@ bool NciLines::next(NciPair& pair) {
   pair.is_whole = take_line(pair.parameters);
   pair.last_byte = at_;
   return true;
+}
+
+void split_nci_fields(std::string_view parameters, std::vector<Argument>& fields) {
+  fields.clear();
+  while (!parameters.empty() && fields.size() < kMostFields) {
+    std::size_t end = 0;
+    while (end < parameters.size() && !is_blank(parameters[end])) ++end;
+    fields.push_back({parameters.substr(0, end), parse_number(parameters.substr(0, end))});
+    parameters = trim(parameters.substr(end));
+  }
 }
 
 bool is_nci(std::string_view bytes) {

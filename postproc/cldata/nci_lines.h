@@ -3,6 +3,9 @@
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <vector>
+
+#include "postproc/cldata/statement.h"
 
 // The container of Mastercam NCI files: pairs of lines, first a code alone, then its parameters separated by
 // blanks.
@@ -32,6 +35,11 @@ class NciLines {
   std::size_t at_;
   std::size_t line_;
 };
+
+/// The fields of a line of parameters into `fields` (whose memory is used again). Blanks alone separate them:
+/// a comma makes a field no number. Stops at a hundred, of which none but the first twenty mean anything
+/// here.
+void split_nci_fields(std::string_view parameters, std::vector<Argument>& fields);
 
 /// True where the first pairs of lines are codes and parameters, with a motion among them.
 [[nodiscard]] bool is_nci(std::string_view bytes);

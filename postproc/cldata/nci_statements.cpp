@@ -3,9 +3,6 @@
 #include <cmath>
 #include <utility>
 
-#include "lib/base/number_text.h"
-#include "postproc/cldata/arguments.h"
-
 namespace gouge {
 namespace {
 
@@ -35,8 +32,7 @@ Argument number(double value) {
 }  // namespace
 
 const std::vector<Argument>& NciStatements::read_fields() {
-  parameters_.pieces.assign(1, pair_.parameters);
-  split_arguments(parameters_, fields_);
+  split_nci_fields(pair_.parameters, fields_);
   return fields_;
 }
 

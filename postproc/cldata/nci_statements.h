@@ -40,7 +40,6 @@ class NciStatements {
 
   NciLines lines_;
   NciPair pair_;
-  Statement parameters_;
   std::vector<Argument> fields_;
   std::array<Statement, 4> queue_;  // CUTCOM, FEDRAT, CIRCLE, GOTO
   std::size_t queued_ = 0, given_ = 0;

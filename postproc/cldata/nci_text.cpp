@@ -4,8 +4,6 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
-#include "postproc/cldata/arguments.h"
-#include "postproc/cldata/text.h"
 
 namespace gouge {
 namespace {
@@ -58,9 +56,7 @@ NciMotionPair NciText::pair_of(std::size_t move) const {
   NciMotionPair pair;
   NciLines lines(std::string_view(path_.source).substr(0, span.last_byte), span.first_byte, span.line);
   if (!lines.next(pair.lines)) return pair;
-  Statement parameters;
-  parameters.pieces.push_back(pair.lines.parameters);
-  split_arguments(parameters, pair.fields);
+  split_nci_fields(pair.lines.parameters, pair.fields);
   pair.motion = read_nci_motion(pair.lines.code.value_or(NciCode::kLinear), pair.fields);
   return pair;
 }

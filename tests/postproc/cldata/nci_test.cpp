@@ -197,6 +197,18 @@ TEST(Nci, AMotionThatIsNotUnderstoodIsToldAndCountedByWhatIsWrong) {
   }
 }
 
+TEST(Nci, ACommaIsNoBlank) {
+  const Toolpath path = with(pair("1", "0 1,5 2,5 3,5 100. 0"));
+  ASSERT_EQ(path.moves.size(), 4u);
+  EXPECT_EQ(path.moves[2].not_checked_reason, Reasons::kUnread);
+}
+
+TEST(Nci, IsRecognisedBehindHundredsOfParameters) {
+  std::string text;
+  for (int i = 0; i < 500; ++i) text += pair(std::to_string(10000 + i), "some text, 12");
+  EXPECT_EQ(path_of(text + pair("1", "0 1. 2. 3. 100. 0")).dialect, "mastercam-nci");
+}
+
 TEST(Nci, AnArcFromAnUnknownPlaceIsNotChecked) {
   const Toolpath path = path_of(pair("3", "0 0 0. 5. 0. 0. 1. 100. 0 0") + pair("1", "0 0 9. 1. 100. 0"));
   EXPECT_EQ(path.moves[0].not_checked_reason, ArcProblems::kStart);
