@@ -41,6 +41,7 @@ class NccsCorrector {
   }
   void drop_circles();
   [[nodiscard]] std::optional<Diagnostic> find_broken_arc() const;
+  [[nodiscard]] bool needs_own_circle(std::size_t move) const;
   [[nodiscard]] bool needs_rewriting(std::size_t first, std::size_t last) const;
   [[nodiscard]] bool is_split(std::size_t first, std::size_t last, const NccsHeader& header) const;
   [[nodiscard]] Pose local_end(std::size_t move) const;
@@ -51,7 +52,7 @@ class NccsCorrector {
   void add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence, const std::string& words);
   void add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence);
   void add_insertions(std::size_t move, std::uint16_t sequence);
-  void copy_expanded(std::size_t move, const NccsHeader& header);
+  void copy_point(std::size_t move, const NccsHeader& header);
   void rewrite(std::size_t first, std::size_t last, const NccsHeader& header);
   void split(std::size_t first, std::size_t last, const NccsHeader& header);
 
@@ -73,23 +74,23 @@ void NccsCorrector::drop_circles() {
   dropped_.erase(std::unique(dropped_.begin(), dropped_.end()), dropped_.end());
 }
 
-// An arc that stays needs its circle and the place it begins at.
+// An arc that stays needs the place it begins at.
 std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
-  for (std::size_t i = 0; i < records_.size(); ++i) {
+  for (std::size_t i = 1; i < records_.size(); ++i) {
     const Move& move = path_.moves[i];
-    if (move.kind != MoveKind::arc || is_straightened(i)) continue;
-    const bool is_straight = move.curve_kind == CurveKind::none && move.not_checked_reason.empty();
-    const bool is_dropped = std::binary_search(dropped_.begin(), dropped_.end(), records_[i].curve_statement);
-    if (is_dropped && !is_straight) {  // a list of positions may begin where the tool stands
-      return make_error("write-arc", "an arc that stays shares its circle with one that goes; straighten it as well",
-                        path_.file, move.line);
-    }
-    if (i > 0 && move.start && has_new_end(i - 1)) {
-      return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
-                        move.line);
-    }
+    if (move.kind != MoveKind::arc || is_straightened(i) || !move.start || !has_new_end(i - 1)) continue;
+    return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
+                      move.line);
   }
   return std::nullopt;
+}
+
+// Round, on a circle of which other arcs become straight. A list may begin with a position that is not round.
+bool NccsCorrector::needs_own_circle(std::size_t move) const {
+  const Move& m = path_.moves[move];
+  const bool is_round = m.curve_kind != CurveKind::none || !m.not_checked_reason.empty();
+  return m.kind == MoveKind::arc && is_round && !is_straightened(move) &&
+         std::binary_search(dropped_.begin(), dropped_.end(), records_[move].curve_statement);
 }
 
 Pose NccsCorrector::local_end(std::size_t move) const {
@@ -99,7 +100,8 @@ Pose NccsCorrector::local_end(std::size_t move) const {
 
 bool NccsCorrector::needs_rewriting(std::size_t first, std::size_t last) const {
   for (std::size_t i = first; i < last; ++i) {
-    if (has_new_end(i) || has_insertion(i)) return true;
+    // Left as it is, a continuation would go on along a circle put before the positions it continues.
+    if (has_new_end(i) || has_insertion(i) || is_straightened(i) || needs_own_circle(i)) return true;
   }
   return records_[first].form == PositionForm::godlta && first > 0 && has_new_end(first - 1);
 }
@@ -154,12 +156,14 @@ void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
   if (record.is_rapid) add(NccsClass::kPost, kRapid, sequence, {});
 }
 
-void NccsCorrector::copy_expanded(std::size_t move, const NccsHeader& header) {
+// As a record of its own.
+void NccsCorrector::copy_point(std::size_t move, const NccsHeader& header) {
   const MotionRecord& record = records_[move];
-  const std::size_t begin = first_word_of(record.statement) + 1 + record.point * kNccsExpandedWords;
-  words_ +=
-      nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + kNccsExpandedWords), header.klass, kPoints, header.sequence});
-  copy(begin, begin + kNccsExpandedWords);
+  const bool is_expanded = header.klass == NccsClass::kExpanded;
+  const std::size_t count = is_expanded ? kNccsExpandedWords : record.numbers;
+  const std::size_t begin = first_word_of(record.statement) + 1 + record.point * count;
+  words_ += nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + count), header.klass, kPoints, header.sequence});
+  copy(begin, begin + count);
 }
 
 bool NccsCorrector::is_split(std::size_t first, std::size_t last, const NccsHeader& header) const {
@@ -167,7 +171,7 @@ bool NccsCorrector::is_split(std::size_t first, std::size_t last, const NccsHead
   for (std::size_t i = first; i < last; ++i) {
     const bool is_new_axis = records_[i].numbers == 3 &&
                              (local_end(i).axis - records_[i].implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
-    if (is_new_axis || has_insertion(i)) return true;
+    if (is_new_axis || has_insertion(i) || is_straightened(i) || needs_own_circle(i)) return true;
   }
   return false;
 }
@@ -175,8 +179,13 @@ bool NccsCorrector::is_split(std::size_t first, std::size_t last, const NccsHead
 void NccsCorrector::split(std::size_t first, std::size_t last, const NccsHeader& header) {
   for (std::size_t i = first; i < last; ++i) {
     add_insertions(i, header.sequence);
-    if (header.klass == NccsClass::kExpanded && !has_new_end(i) && !has_insertion(i)) {
-      copy_expanded(i, header);
+    if (needs_own_circle(i)) {
+      const std::size_t circle = first_word_of(records_[i].curve_statement);
+      copy(circle, circle + source_.header(circle).words);
+    }
+    const bool is_stale = header.klass == NccsClass::kExpanded && has_insertion(i);
+    if (records_[i].form == PositionForm::go_to && !has_new_end(i) && !is_stale) {
+      copy_point(i, header);
     } else {
       add_position(records_[i], local_end(i), header.sequence);
     }

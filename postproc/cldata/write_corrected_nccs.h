@@ -10,11 +10,12 @@
 namespace gouge {
 
 /// write_corrected for a binary NCCS file: changed numbers are put into their records; where positions are
-/// inserted or an arc becomes straight, the records are laid out in blocks anew and the record of the circle goes.
+/// inserted or an arc becomes straight, the records are laid out in blocks anew and the record of the circle goes; arcs
+/// on it that stay get one of their own.
 /// A changed point of expanded motion becomes plain motion, as its other vectors no longer fit.
 /// Requires changes that write_corrected has checked.
 /// Ensures  Where no record comes or goes every byte of other numbers stays, the padding and what follows FINI too.
-/// Errors   write-arc: an arc that stays begins where a change ends, or shares its circle with one that goes.
+/// Errors   write-arc: an arc that stays begins where a change ends.
 [[nodiscard]] Result<std::string> write_corrected_nccs(const Toolpath& path,
                                                        const std::vector<PathChange>& changes);
 

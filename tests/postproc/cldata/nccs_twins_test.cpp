@@ -7,6 +7,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/path/chords.h"
+#include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/write_corrected.h"
 #include "tests/postproc/cldata/nccs_file.h"
 #include "tests/postproc/cldata/path_of.h"
@@ -184,7 +185,9 @@ std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& ra
       for (Pose& pose : change.inserted_before) pose.tip += 0.5 * pose.axis;
     } else if (move.kind != MoveKind::arc) {
       if (random() % 2 == 0) change.inserted_before.push_back({0.5 * (move.start->tip + move.end.tip), move.end.axis});
-      if (random() % 4 == 0) change.new_end = Pose{move.end.tip + Vec3(0.125, 0, 1), move.end.axis};
+      // A hole begins at the height the tool has.
+      const bool meets_hole = i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::cycle;
+      if (!meets_hole && random() % 4 == 0) change.new_end = Pose{move.end.tip + Vec3(0.125, 0, 1), move.end.axis};
     }
     if (change.new_end || change.is_straightened || !change.inserted_before.empty()) changes.push_back(change);
   }
@@ -216,7 +219,7 @@ TEST(NccsTwins, AreTheSameMoves) {
 }
 
 TEST(NccsTwins, CorrectedInTheSameWayTheyAreStillTheSameMoves) {
-  std::size_t written = 0, refused = 0, straightened = 0;
+  std::size_t written = 0, written_in_records = 0, refused = 0, straightened = 0;
   for (std::uint64_t seed = 0; seed < programs(); ++seed) {
     const Twins twins(seed);
     std::mt19937_64 random(seed);
@@ -224,11 +227,10 @@ TEST(NccsTwins, CorrectedInTheSameWayTheyAreStillTheSameMoves) {
     const std::vector<PathChange> changes = random_changes(binary, random);
     const Result<std::string> bytes = write_corrected(binary, changes);
     const Result<std::string> lines = write_corrected(text, changes);
-    ASSERT_EQ(bytes.has_value(), lines.has_value()) << "seed " << seed << "\n"
-                                                    << twins.shown() << to_text(bytes ? lines.error() : bytes.error());
-    if (!bytes) {
-      ASSERT_EQ(bytes.error().code, lines.error().code);
-      ++refused;
+    if (!bytes || !lines) {
+      ASSERT_FALSE(lines) << "seed " << seed << "\n" << twins.shown() << to_text(bytes.error());
+      ASSERT_EQ(lines.error().code, "write-arc");
+      bytes ? ++written_in_records : ++refused;  // whose arcs on one circle need not stay or go together
       continue;
     }
     expect_same_moves(path_of(*bytes), path_of(*lines), 1e-3);
@@ -237,7 +239,8 @@ TEST(NccsTwins, CorrectedInTheSameWayTheyAreStillTheSameMoves) {
     for (const PathChange& change : changes) straightened += change.is_straightened ? 1U : 0U;
   }
   EXPECT_GT(written, 200u);
-  EXPECT_GT(refused, 100u);
+  EXPECT_GT(written_in_records, 50u);
+  EXPECT_GT(refused, 50u);
   EXPECT_GT(straightened, 200u);
 }
 
@@ -273,6 +276,25 @@ std::string mutated(std::string bytes, std::mt19937_64& random) {
   return bytes;
 }
 
+// `after` is `before` with the changes and nothing else.
+void expect_changed(const Toolpath& after, const Toolpath& before, const std::vector<PathChange>& changes) {
+  std::size_t at = 0, next = 0;
+  for (std::size_t i = 0; i < before.moves.size(); ++i, ++at) {
+    const PathChange* change = next < changes.size() && changes[next].move == i ? &changes[next++] : nullptr;
+    if (change != nullptr) at += change->inserted_before.size();
+    ASSERT_LT(at, after.moves.size());
+    const Move& move = after.moves[at];
+    const Pose& end = change != nullptr && change->new_end ? *change->new_end : before.moves[i].end;
+    const bool has_end = move.not_checked_reason != Reasons::kUnread;  // else that of the move before
+    const double off = (move.end.tip - end.tip).norm() + (move.end.axis - end.axis).norm();
+    ASSERT_LE(has_end ? off : 0.0, 1e-9) << "move " << i;
+    ASSERT_EQ(move.not_checked_reason, before.moves[i].not_checked_reason) << "move " << i;
+    const bool is_straightened = change != nullptr && change->is_straightened;
+    ASSERT_EQ(move.curve_kind, is_straightened ? CurveKind::none : before.moves[i].curve_kind) << "move " << i;
+  }
+  ASSERT_EQ(at, after.moves.size());
+}
+
 TEST(NccsMutated, IsReadSoundlyOrRefusedAndWhatWasReadCanBeCorrected) {
   std::size_t read = 0, refused = 0, corrected = 0;
   for (std::uint64_t seed = 0; seed < programs(); ++seed) {
@@ -293,11 +315,11 @@ TEST(NccsMutated, IsReadSoundlyOrRefusedAndWhatWasReadCanBeCorrected) {
     if (!bytes) continue;
     ReadOptions options;
     options.dialect = dialect_of(DialectKind::nccs_binary);
+    options.unit = path.unit;
     const ReadOutcome again = read_toolpath("b.cl", *bytes, options);
     ASSERT_TRUE(again.toolpath) << "seed " << seed << " " << to_text(again.errors.front());
-    std::size_t more = 0;
-    for (const PathChange& change : changes) more += change.inserted_before.size();
-    ASSERT_EQ(again.toolpath->moves.size(), path.moves.size() + more) << "seed " << seed;
+    expect_changed(*again.toolpath, path, changes);
+    if (testing::Test::HasFailure()) FAIL() << "seed " << seed;
     ++corrected;
   }
   EXPECT_GT(read, programs() / 10);

@@ -99,11 +99,9 @@ NccsFile list_on_circle() {
   return file;
 }
 
-TEST(StraightenNccs, AllPointsOnOneCircleGoTogether) {
+TEST(StraightenNccs, AllPointsOnOneCircleMayGo) {
   const Toolpath path = path_of(list_on_circle().bytes());
   ASSERT_EQ(path.arcs.size(), 4u);
-  EXPECT_EQ(refusal(path, {straightening(path, 1)}), "write-arc");
-  EXPECT_EQ(refusal(path, {straightening(path, 1), straightening(path, 2)}), "write-arc");
   std::vector<PathChange> all;
   for (std::size_t i = 1; i <= 4; ++i) all.push_back(straightening(path, i));
   const Toolpath after = corrected(path, all);
@@ -112,6 +110,27 @@ TEST(StraightenNccs, AllPointsOnOneCircleGoTogether) {
   for (const PathChange& change : all) more += change.inserted_before.size();
   EXPECT_EQ(after.moves.size(), path.moves.size() + more);
   expect_vector(after.moves.back().end.tip, -9, 4, 0);
+}
+
+TEST(StraightenNccs, ThoseThatStayGetACircleOfTheirOwn) {
+  const Toolpath path = path_of(list_on_circle().bytes());
+  for (std::size_t gone = 1; gone <= 4; ++gone) {
+    SCOPED_TRACE(gone);
+    const PathChange change = straightening(path, gone);
+    const std::size_t more = change.inserted_before.size();
+    const Toolpath after = corrected(path, {change});
+    ASSERT_EQ(after.moves.size(), path.moves.size() + more);
+    EXPECT_EQ(count_circles(after.source), 3u);
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      const Move& before = path.moves[i];
+      const Move& now = after.moves[i < gone ? i : i + more];
+      EXPECT_EQ(now.end.tip, before.end.tip);
+      EXPECT_EQ(now.not_checked_reason, "");
+      EXPECT_EQ(now.curve_kind, i == gone ? CurveKind::none : before.curve_kind);
+      if (now.curve_kind != CurveKind::arc) continue;
+      EXPECT_NEAR(after.arcs[now.curve].sweep_rad, path.arcs[before.curve].sweep_rad, 1e-12);
+    }
+  }
 }
 
 TEST(StraightenNccs, AListThatBeginsWhereTheToolStandsMayBecomeStraight) {
