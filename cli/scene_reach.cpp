@@ -25,11 +25,10 @@ double reach_mm(const Toolpath& path, const Scene& scene) {
   Box3 box;
   for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures})
     for (const IndexedMesh& mesh : *meshes) box.extend(mesh.box());
-  for (const Move& move : path.moves) {
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
     box.extend(move.end.tip);
-    const Vec3 start = move.start ? move.start->tip : move.end.tip;
-    box.extend(start);
-    if (move.curve_kind == CurveKind::arc) add_arc(box, path.arcs[move.curve], start, move.end.tip);
+    if (move.curve_kind == CurveKind::arc) add_arc(box, path.arcs[move.curve], path.start_of(i).tip, move.end.tip);
     if (move.curve_kind == CurveKind::spline)
       for (const SplinePiece& piece : path.splines[move.curve].pieces)
         for (const Vec3& control : piece.control) box.extend(control);

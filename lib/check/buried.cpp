@@ -53,10 +53,6 @@ constexpr const char* kThinCutter =
     "smaller "
     "tolerance";
 
-bool is_same(const Pose& a, const Pose& b) {
-  return a.tip == b.tip && a.axis == b.axis;
-}
-
 }  // namespace
 
 void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,
@@ -70,11 +66,11 @@ void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& 
     const bool is_checked =
         verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified;
     const bool is_core_free = is_checked && verdict.depth_upper_mm < tools[move.tool]->bare.core_depth_mm;
-    const bool goes_on = is_chained && is_core_free && i > 0 && toolpath.moves[i - 1].tool == move.tool &&
-                         move.start && is_same(*move.start, toolpath.moves[i - 1].end);
+    const bool goes_on =
+        is_chained && is_core_free && move.has_start && toolpath.moves[i - 1].tool == move.tool;
     is_chained = is_core_free;
     if (!is_checked || (verdict.state == MoveState::gouge && !is_core_free)) continue;
-    if (!goes_on) state = marker.at(motion_of(toolpath, move, options.rapid).start(), tools[move.tool]->bare);
+    if (!goes_on) state = marker.at(motion_of(toolpath, i, options.rapid).start(), tools[move.tool]->bare);
     if (verdict.state == MoveState::gouge || (state == Inside::no && is_core_free)) continue;
     verdict.state = state == Inside::yes ? MoveState::buried : MoveState::not_certified;
     verdict.reason = state == Inside::yes ? kBuried : state == Inside::unknown ? kOpenMesh : kThinCutter;

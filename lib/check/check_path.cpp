@@ -42,7 +42,7 @@ class PathChecker {
         verdicts[i] = not_checked(reason);
         continue;
       }
-      Motion motion = motion_of(toolpath_, move, options_.rapid);
+      Motion motion = motion_of(toolpath_, i, options_.rapid);
       if (!motion.is_defined()) {
         verdicts[i] = not_checked("the axis turns by 180 degrees: its way is not defined");
         continue;
@@ -111,12 +111,13 @@ bool is_worse(const MoveVerdict& a, const MoveVerdict& b) {
 
 }  // namespace
 
-Motion motion_of(const Toolpath& toolpath, const Move& move, RapidMode rapid) {
-  if (!move.start) return Motion(move.end);
-  if (move.curve_kind == CurveKind::arc) return Motion(*move.start, move.end, toolpath.arcs[move.curve]);
-  if (move.curve_kind == CurveKind::spline)
-    return Motion(*move.start, move.end, toolpath.splines[move.curve]);
-  return Motion(*move.start, move.end, move.kind == MoveKind::rapid && rapid == RapidMode::dogleg);
+Motion motion_of(const Toolpath& toolpath, std::size_t index, RapidMode rapid) {
+  const Move& move = toolpath.moves[index];
+  if (!move.has_start) return Motion(move.end);
+  const Pose& start = toolpath.start_of(index);
+  if (move.curve_kind == CurveKind::arc) return Motion(start, move.end, toolpath.arcs[move.curve]);
+  if (move.curve_kind == CurveKind::spline) return Motion(start, move.end, toolpath.splines[move.curve]);
+  return Motion(start, move.end, move.kind == MoveKind::rapid && rapid == RapidMode::dogleg);
 }
 
 std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts) {

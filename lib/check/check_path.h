@@ -34,6 +34,6 @@ void count_states(CheckResult& result);
 
 /// The motion of a move of `toolpath`, along its arc or spline where it has one; rapids in the mode asked
 /// for.
-[[nodiscard]] Motion motion_of(const Toolpath& toolpath, const Move& move, RapidMode rapid);
+[[nodiscard]] Motion motion_of(const Toolpath& toolpath, std::size_t move, RapidMode rapid);
 
 }  // namespace gouge

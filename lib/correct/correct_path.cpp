@@ -67,10 +67,7 @@ class PathCorrector {
 
  private:
   [[nodiscard]] bool is_chained(std::size_t i) const {
-    if (i == 0 || !path_.moves[i].start) return false;
-    const Pose& start = *path_.moves[i].start;
-    const Pose& end = path_.moves[i - 1].end;
-    return start.tip == end.tip && start.axis == end.axis && path_.moves[i].tool == path_.moves[i - 1].tool;
+    return path_.moves[i].has_start && path_.moves[i].tool == path_.moves[i - 1].tool;
   }
 
   [[nodiscard]] static bool is_straight(const Move& move) {
@@ -80,7 +77,7 @@ class PathCorrector {
   [[nodiscard]] std::string reason_to_leave(std::size_t i) const {
     if (!is_straight(path_.moves[i])) return "the position ends an arc or a cycle step";
     const bool is_arc_next =
-        i + 1 < path_.moves.size() && path_.moves[i + 1].start && !is_straight(path_.moves[i + 1]);
+        i + 1 < path_.moves.size() && path_.moves[i + 1].has_start && !is_straight(path_.moves[i + 1]);
     return is_arc_next ? "an arc begins at the position" : "";
   }
 
@@ -126,7 +123,7 @@ class PathCorrector {
   void choose_moves() {
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const Move& move = path_.moves[i];
-      if (!move.start || !is_straight(move) || !move.not_checked_reason.empty()) continue;
+      if (!move.has_start || !is_straight(move) || !move.not_checked_reason.empty()) continue;
       const bool is_gouging = result_.verdicts[i].state == MoveState::gouge;
       const bool has_new_end = positions_[i].corrected || (is_chained(i) && positions_[i - 1].corrected);
       moves_[i].is_wanted = is_gouging || has_new_end;
@@ -154,7 +151,7 @@ class PathCorrector {
     task.options.tolerance_mm = kBridgeShare * options_.tolerance_mm;
     task.limits = limits_;
     task.strategy = correct_.strategy;
-    auto way = bridge(is_chained(i) ? end_of(i - 1) : *move.start, end_of(i), task);
+    auto way = bridge(is_chained(i) ? end_of(i - 1) : path_.start_of(i), end_of(i), task);
     moves_[i].is_failed = !way;
     if (way) moves_[i].inserted = std::move(*way);
   }

@@ -8,7 +8,7 @@ namespace gouge {
 namespace {
 
 bool is_curve(const Move& move) {
-  return move.curve_kind != CurveKind::none && move.start && move.not_checked_reason.empty();
+  return move.curve_kind != CurveKind::none && move.has_start && move.not_checked_reason.empty();
 }
 
 // A gouging move may move its end and the end of the move before it; both are ends of curves beside it.
@@ -60,15 +60,14 @@ StraightenedPath straighten(const Toolpath& path, const CheckResult& result,
       straight.result.verdicts.push_back(result.verdicts[i]);
       continue;
     }
-    Pose from = *path.moves[i].start;
-    for (const Pose& to : chords_of(path, path.moves[i], error)) {
+    Pose from = path.start_of(i);
+    for (const Pose& to : chords_of(path, i, error)) {
       Move chord = path.moves[i];
       chord.kind = MoveKind::feed;
       chord.curve_kind = CurveKind::none;
-      chord.start = from;
       chord.end = to;
+      const Motion motion(from, to);
       from = to;
-      const Motion motion(*chord.start, chord.end);
       MoveVerdict verdict = check_move(motion, chord.kind, *tools[chord.tool], scene, options);
       if (heads != nullptr) heads->check(motion, options, verdict);
       straight.result.verdicts.push_back(std::move(verdict));

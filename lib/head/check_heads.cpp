@@ -125,7 +125,7 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
                  [&](std::size_t first, std::size_t last) {
                    for (std::size_t i = first; i < last; ++i) {
                      if (result.verdicts[i].state == MoveState::not_checked) continue;
-                     const Motion motion = motion_of(toolpath, toolpath.moves[i], options.rapid);
+                     const Motion motion = motion_of(toolpath, i, options.rapid);
                      bounds[i] = checker.check(motion, options, result.verdicts[i]);
                    }
                  });

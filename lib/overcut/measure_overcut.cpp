@@ -69,7 +69,7 @@ void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForm
       const Move& move = toolpath.moves[gouges[k]];
       const DepthBody* solid = solids.of(*verdict.witness);
       if (solid == nullptr || !solid->is_solid || tools[move.tool] == nullptr) continue;
-      const Motion motion = motion_of(toolpath, move, options.rapid);
+      const Motion motion = motion_of(toolpath, gouges[k], options.rapid);
       // Where the tool's boundary comes to lie once the witness is followed through the tool.
       const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
       OvercutOptions search;

@@ -19,8 +19,8 @@ std::size_t count_for(double chords) {
   return static_cast<std::size_t>(std::clamp(std::ceil(chords), 1.0, kMostChords));
 }
 
-void append_arc(const PathArc& arc, const Move& move, double error_mm, std::vector<Pose>& poses) {
-  const Vec3 from = move.start->tip - arc.center, to = move.end.tip - arc.center;
+void append_arc(const PathArc& arc, const Pose& start, const Pose& end, double error_mm, std::vector<Pose>& poses) {
+  const Vec3 from = start.tip - arc.center, to = end.tip - arc.center;
   const double z0 = from.dot(arc.axis), z1 = to.dot(arc.axis);
   const Vec3 radial = from - z0 * arc.axis;
   const double r0 = radial.norm(), r1 = (to - z1 * arc.axis).norm();
@@ -33,18 +33,18 @@ void append_arc(const PathArc& arc, const Move& move, double error_mm, std::vect
     const double angle = t * arc.sweep_rad;
     const Vec3 tip = arc.center + (z0 + t * (z1 - z0)) * arc.axis +
                      (r0 + t * (r1 - r0)) * (std::cos(angle) * x + std::sin(angle) * y);
-    poses.push_back({tip, axis_between(move.start->axis, move.end.axis, t)});
+    poses.push_back({tip, axis_between(start.axis, end.axis, t)});
   }
 }
 
-void append_spline(const PathSpline& spline, const Move& move, double error_mm, std::vector<Pose>& poses) {
+void append_spline(const PathSpline& spline, const Pose& start, const Pose& end, double error_mm, std::vector<Pose>& poses) {
   for (const SplinePiece& piece : spline.pieces) {
     const double width = piece.u1 - piece.u0;
     const std::size_t count =
         count_for(width * std::sqrt(piece.largest_second_derivative() / (8 * error_mm)));
     for (std::size_t i = 1; i <= count; ++i) {
       const double u = piece.u0 + width * static_cast<double>(i) / static_cast<double>(count);
-      poses.push_back({piece.at(u), axis_between(move.start->axis, move.end.axis, u)});
+      poses.push_back({piece.at(u), axis_between(start.axis, end.axis, u)});
     }
   }
   if (!poses.empty()) poses.pop_back();
@@ -52,10 +52,12 @@ void append_spline(const PathSpline& spline, const Move& move, double error_mm, 
 
 }  // namespace
 
-std::vector<Pose> chords_of(const Toolpath& path, const Move& move, double error_mm) {
+std::vector<Pose> chords_of(const Toolpath& path, std::size_t index, double error_mm) {
+  const Move& move = path.moves[index];
+  const Pose& start = path.start_of(index);
   std::vector<Pose> poses;
-  if (move.curve_kind == CurveKind::arc) append_arc(path.arcs[move.curve], move, error_mm, poses);
-  if (move.curve_kind == CurveKind::spline) append_spline(path.splines[move.curve], move, error_mm, poses);
+  if (move.curve_kind == CurveKind::arc) append_arc(path.arcs[move.curve], start, move.end, error_mm, poses);
+  if (move.curve_kind == CurveKind::spline) append_spline(path.splines[move.curve], start, move.end, error_mm, poses);
   poses.push_back(move.end);
   return poses;
 }

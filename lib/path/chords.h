@@ -6,9 +6,9 @@
 
 namespace gouge {
 
-/// Positions along a move on an arc or a spline, its end included, so that straight moves from its start
+/// Positions along the move `index` on an arc or a spline, its end included, so that straight moves from its start
 /// through them stay within `error_mm` of it. The axis turns evenly on the great circle. Requires a curve and
 /// a start. Cost: at most about 10000 positions for a piece or a turn.
-[[nodiscard]] std::vector<Pose> chords_of(const Toolpath& path, const Move& move, double error_mm);
+[[nodiscard]] std::vector<Pose> chords_of(const Toolpath& path, std::size_t index, double error_mm);
 
 }  // namespace gouge

@@ -14,26 +14,28 @@ AxisKey key_of(const Vec3& axis) {
   return {axis.x() + 0.0, axis.y() + 0.0, axis.z() + 0.0};
 }
 
-double length_of(const Toolpath& path, const Move& move) {
+double length_of(const Toolpath& path, std::size_t index) {
+  const Move& move = path.moves[index];
+  const Pose& start = path.start_of(index);
   if (move.curve_kind == CurveKind::arc) {
-    return arc_length_mm(path.arcs[move.curve], move.start->tip, move.end.tip);
+    return arc_length_mm(path.arcs[move.curve], start.tip, move.end.tip);
   }
   if (move.curve_kind == CurveKind::spline) return spline_length_mm(path.splines[move.curve]);
-  return (move.end.tip - move.start->tip).norm();
+  return (move.end.tip - start.tip).norm();
 }
 
 void count_motion(const Toolpath& path, std::size_t index, PathInfo& info) {
   const Move& move = path.moves[index];
-  if (!move.start) {
+  if (!move.has_start) {
     ++info.alone;
     return;
   }
-  const double turn = angle_between_deg(move.start->axis, move.end.axis);
+  const double turn = angle_between_deg(path.start_of(index).axis, move.end.axis);
   if (turn > info.largest_turn_deg) {
     info.largest_turn_deg = turn;
     info.largest_turn_move = index;
   }
-  const double length = length_of(path, move);
+  const double length = length_of(path, index);
   const bool is_curve = move.curve_kind != CurveKind::none;
   if (move.kind == MoveKind::feed || is_curve) info.feed_length_mm += length;
   if (move.kind == MoveKind::rapid) info.rapid_length_mm += length;

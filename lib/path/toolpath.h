@@ -47,10 +47,9 @@ struct Operation {
   std::size_t line = 0;
 };
 
-/// One motion to one position. Without `start` it is the position alone: the first of the file, of a tool,
-/// of a block, or after a motion whose end is unknown. A path holds millions, so it is kept small.
+/// One motion to one position, from the end of the move before it (Toolpath::start_of). A path holds millions, so it
+/// is kept small.
 struct Move {
-  std::optional<Pose> start;
   Pose end;
   double feed_mm_per_min = 0;           ///< 0: rapid or not given
   std::string_view not_checked_reason;  ///< not empty: why this motion cannot be checked; text that is never freed
@@ -61,6 +60,8 @@ struct Move {
   SmallIndex curve;                     ///< index into Toolpath::arcs or ::splines
   CurveKind curve_kind = CurveKind::none;  ///< none: the tip runs straight
   MoveKind kind = MoveKind::feed;
+  /// False: the position alone, the first of the file, of a tool, of a block, or after a motion whose end is unknown.
+  bool has_start = false;
 };
 
 /// A logical statement and the bytes it spans, line end included, so that a writer can leave it untouched.
@@ -83,6 +84,9 @@ struct Toolpath {
   std::vector<PathSpline> splines;  ///< of moves whose curve_kind is spline
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; told to the user
   Diagnostics notes;     ///< warnings and notes of reading; errors make reading fail instead
+
+  /// Where a move starts. Requires moves[move].has_start.
+  [[nodiscard]] const Pose& start_of(std::size_t move) const { return moves[move - 1].end; }
 };
 
 }  // namespace gouge

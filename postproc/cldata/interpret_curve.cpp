@@ -115,7 +115,7 @@ void Interpreter::flush_curve() {
 }
 
 void Interpreter::attach_curve(const Position& position, Move& move) {
-  if (!move.start) {
+  if (!move.has_start) {
     move.not_checked_reason = ArcProblems::kStart;
   } else if (arc_) {
     attach_arc(position, move);
@@ -127,11 +127,11 @@ void Interpreter::attach_curve(const Position& position, Move& move) {
 // The curve starts at the position before it, which its CNTRL lines do not repeat.
 void Interpreter::attach_spline(Move& move) {
   move.not_checked_reason = Reasons::kSpline;
-  const bool is_turning = move.start->axis.cross(move.end.axis).norm() > kSameAxis;
+  const bool is_turning = last_pose_->axis.cross(move.end.axis).norm() > kSameAxis;
   if (!is_curve_understood_ || is_turning || knots_.empty() || std::abs(knots_.back() - 1) > 0) return;
   std::vector<Vec3> control;
   control.reserve(control_local_.size() + 1);
-  control.push_back(move.start->tip);
+  control.push_back(last_pose_->tip);
   for (const Vec3& point : control_local_) control.push_back(to_part_.point(point));
   knots_.pop_back();
   PathSpline spline = make_spline(control, knots_);
@@ -149,21 +149,21 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   arc.axis = to_part_.direction(arc.axis);
   if (is_nccs(dialect_.kind) && arc.problem == nullptr && !is_round_in_nccs(position, arc, move)) return;
   const bool is_open = arc.problem == nullptr && arc.sense == ArcSense::unknown;
-  if (arc.problem == nullptr && last_direction_) vote(arc, move.start->tip, *last_direction_);
-  if (is_open && is_reached_the_short_way(position)) arc.sense = shorter_way(arc, move);
+  if (arc.problem == nullptr && last_direction_) vote(arc, last_pose_->tip, *last_direction_);
+  if (is_open && is_reached_the_short_way(position)) arc.sense = shorter_way(arc, last_pose_->tip, move.end.tip);
   // In NCL the vector has no sense, so what other arcs tell of it says nothing of this one.
   if (arc.sense == ArcSense::unknown && arc.problem == nullptr && !is_nccs(dialect_.kind)) {
     make_room(open_arcs_);
     open_arcs_.push_back({path_.moves.size(), arc});
   }
-  fit(arc, move);
+  fit(arc, last_pose_->tip, move);
 }
 
 // A list may begin with the position the tool is at. An arc that leaves its plane or turns the tool is one to no
 // reader for sure: NCL's own post-processor runs it straight.
-bool Interpreter::is_round_in_nccs(const Position& position, const ArcStatement& arc, Move& move) {
-  const Vec3 way = move.end.tip - move.start->tip;
-  const bool turns = move.start->axis.cross(move.end.axis).norm() > kTurningAxis;
+bool Interpreter::is_round_in_nccs(const Position& position, const ArcStatement& arc, Move& move) const {
+  const Vec3 way = move.end.tip - last_pose_->tip;
+  const bool turns = last_pose_->axis.cross(move.end.axis).norm() > kTurningAxis;
   if (position.points > 1 && position.point == 0 && way.norm() <= kSamePoint_mm) return false;
   if (!turns && std::abs(way.dot(arc.axis)) <= kLeavesPlane_mm) return true;
   move.not_checked_reason = Reasons::kNccsArc;
@@ -176,18 +176,18 @@ bool Interpreter::is_reached_the_short_way(const Position& position) const {
   return position.points > 1 || is_nccs(dialect_.kind);
 }
 
-ArcSense Interpreter::shorter_way(ArcStatement arc, const Move& move) {
+ArcSense Interpreter::shorter_way(ArcStatement arc, const Vec3& start, const Vec3& end) {
   arc.sense = ArcSense::right_handed;
-  const ArcFit right = fit_arc(arc, move.start->tip, move.end.tip);
+  const ArcFit right = fit_arc(arc, start, end);
   arc.sense = ArcSense::left_handed;
-  const ArcFit left = fit_arc(arc, move.start->tip, move.end.tip);
+  const ArcFit left = fit_arc(arc, start, end);
   const double difference = std::abs(right.arc.sweep_rad) - std::abs(left.arc.sweep_rad);
   if (std::abs(difference) < 1) return ArcSense::unknown;
   return difference < 0 ? ArcSense::right_handed : ArcSense::left_handed;
 }
 
-void Interpreter::fit(const ArcStatement& arc, Move& move) {
-  const ArcFit fit = fit_arc(arc, move.start->tip, move.end.tip);
+void Interpreter::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
+  const ArcFit fit = fit_arc(arc, start, move.end.tip);
   if (fit.problem == ArcProblems::kRadius) {
     if (radius_errors_++ == 0) first_radius_error_line_ = move.line;
     worst_radius_error_mm_ = std::max(worst_radius_error_mm_, fit.radius_error_mm);
@@ -215,13 +215,13 @@ void Interpreter::vote(const ArcStatement& arc, const Vec3& tip, const Vec3& dir
 
 void Interpreter::note_direction(const Move& move) {
   last_direction_.reset();
-  if (!move.start || move.kind == MoveKind::cycle || move.kind == MoveKind::arc) return;
-  const Vec3 way = move.end.tip - move.start->tip;
+  if (!move.has_start || move.kind == MoveKind::cycle || move.kind == MoveKind::arc) return;
+  const Vec3 way = move.end.tip - last_pose_->tip;
   const double length = way.norm();
   if (!(length > kShortest_mm)) return;
   last_direction_ = way / length;
   if (!open_arcs_.empty() && open_arcs_.back().move + 1 == path_.moves.size()) {
-    vote(open_arcs_.back().arc, move.start->tip, *last_direction_);
+    vote(open_arcs_.back().arc, last_pose_->tip, *last_direction_);
   }
 }
 
@@ -234,7 +234,7 @@ void Interpreter::close_arcs() {
   for (OpenArc& open : open_arcs_) {
     open.arc.sense = is_right ? ArcSense::right_handed : ArcSense::left_handed;
     Move& move = path_.moves[open.move];
-    if (move.not_checked_reason == ArcProblems::kSense) fit(open.arc, move);
+    if (move.not_checked_reason == ArcProblems::kSense) fit(open.arc, path_.start_of(open.move).tip, move);
   }
   const std::size_t votes = is_right ? right_votes_ : left_votes_;
   path_.notes.push_back(make_note(

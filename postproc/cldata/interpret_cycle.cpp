@@ -55,8 +55,8 @@ void Interpreter::emit_cycle_step(const Position& position, const Vec3& tip_loca
   step.tip_local = tip_local;
   step.form = PositionForm::cycle;
   Move move = make_move(step, MoveKind::cycle);
-  const bool is_same_place = move.start && (move.start->tip - move.end.tip).norm() <= kSamePlace_mm &&
-                             move.start->axis.cross(move.end.axis).norm() <= kSameAxis;
+  const bool is_same_place = move.has_start && (last_pose_->tip - move.end.tip).norm() <= kSamePlace_mm &&
+                             last_pose_->axis.cross(move.end.axis).norm() <= kSameAxis;
   if (is_same_place) return;
   if (is_rapid) move.feed_mm_per_min = 0;
   append(move, step);

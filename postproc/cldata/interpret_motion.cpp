@@ -266,7 +266,7 @@ Move Interpreter::make_move(const Position& position, MoveKind kind) {
   move.tool = tool_index_;
   move.operation = operation_index_;
   if (kind != MoveKind::rapid) move.feed_mm_per_min = feed_mm_per_min_;
-  if (unknown_start_ == nullptr && last_frame_reason_ == nullptr) move.start = last_pose_;
+  if (unknown_start_ == nullptr && last_frame_reason_ == nullptr) move.has_start = last_pose_.has_value();
   for (const char* reason : {frame, last_frame_reason_, unknown_start_}) {
     if (reason != nullptr && move.not_checked_reason.empty()) move.not_checked_reason = reason;
   }

@@ -178,13 +178,13 @@ class Interpreter {
   void attach_curve(const Position& position, Move& move);
   void attach_arc(const Position& position, Move& move);
   void attach_spline(Move& move);
-  void fit(const ArcStatement& arc, Move& move);
+  void fit(const ArcStatement& arc, const Vec3& start, Move& move);
   void vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction);
   void note_direction(const Move& move);
   void close_arcs();
-  [[nodiscard]] static bool is_round_in_nccs(const Position& position, const ArcStatement& arc, Move& move);
+  [[nodiscard]] bool is_round_in_nccs(const Position& position, const ArcStatement& arc, Move& move) const;
   [[nodiscard]] bool is_reached_the_short_way(const Position& position) const;
-  [[nodiscard]] static ArcSense shorter_way(ArcStatement arc, const Move& move);
+  [[nodiscard]] static ArcSense shorter_way(ArcStatement arc, const Vec3& start, const Vec3& end);
 
   // interpret_notes.cpp
   void note_motion();

@@ -35,7 +35,7 @@ struct ReadOutcome {
 /// Errors   path-empty, path-too-long, path-binary, path-not-cl-data, path-unit, path-no-motion,
 ///          path-part-program, path-unterminated, path-number, path-count, path-axis, path-cutter, path-tools,
 ///          path-statement, path-frame, path-range, path-more-errors.
-/// Cost     One pass, about 300 MB/s on one core; memory is the file, 152 bytes for each move and 12 for each
+/// Cost     One pass, about 300 MB/s on one core; memory is the file, 96 bytes for each move and 12 for each
 ///          statement, none of them copied while it grows where lines have one position each. That is at most
 ///          16 times the file for the shortest positions there are (GOTO/1,1,1), 4 times for usual ones of five
 ///          axes, 30 times for lists of positions of one digit, 60 for such holes, each of which is four moves.

@@ -38,7 +38,7 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
                         name + " is an arc, a curve or a cycle; only straight moves can be changed",
                         path.file, move.line);
     }
-    if (!move.start && !change.inserted_before.empty()) {
+    if (!move.has_start && !change.inserted_before.empty()) {
       return make_error("write-alone", name + " has no start; positions can be inserted only into a motion",
                         path.file, move.line);
     }
@@ -155,7 +155,7 @@ bool CorrectedWriter::has_curve_left(std::size_t first, std::size_t last) const 
   const std::size_t after = last;
   const bool has_new_start = changes_[last - 1] != nullptr && changes_[last - 1]->new_end &&
                              after < path_.moves.size() && path_.moves[after].kind == MoveKind::arc &&
-                             path_.moves[after].start && !is_straightened(after);
+                             path_.moves[after].has_start && !is_straightened(after);
   return (has_straightened && has_round) || has_new_start;
 }
 

@@ -78,7 +78,7 @@ void NccsCorrector::drop_circles() {
 std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
   for (std::size_t i = 1; i < records_.size(); ++i) {
     const Move& move = path_.moves[i];
-    if (move.kind != MoveKind::arc || is_straightened(i) || !move.start || !has_new_end(i - 1)) continue;
+    if (move.kind != MoveKind::arc || is_straightened(i) || !move.has_start || !has_new_end(i - 1)) continue;
     return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
                       move.line);
   }

@@ -60,7 +60,7 @@ std::optional<Diagnostic> NciCorrector::find_error(std::size_t move, const NciMo
   const PathChange& change = *changes_[move];
   const std::size_t next = move + 1;
   const bool meets_arc = next < path_.moves.size() && path_.moves[next].kind == MoveKind::arc &&
-                         path_.moves[next].start &&
+                         path_.moves[next].has_start &&
                          (changes_[next] == nullptr || !changes_[next]->is_straightened);
   if (change.new_end && meets_arc)
     return error("write-arc", move,

@@ -38,8 +38,8 @@ class PathWriter {
  private:
   [[nodiscard]] std::optional<Diagnostic> find_obstacle() const;
   [[nodiscard]] std::unique_ptr<MotionSink> make_sink() const;
-  void write_move(const Move& move, bool is_first);
-  void write_motion(const Move& move);
+  void write_move(std::size_t index);
+  void write_motion(std::size_t index);
   void expect(const Pose& end, bool is_alone);
   void note(const char* code, std::size_t count, const std::string& what);
   void note_losses();
@@ -120,23 +120,25 @@ void PathWriter::expect(const Pose& end, bool is_alone) {
   expected_.push_back({end, is_alone});
 }
 
-void PathWriter::write_motion(const Move& move) {
-  if (move.curve_kind == CurveKind::none || !move.start) {
+void PathWriter::write_motion(std::size_t index) {
+  const Move& move = path_.moves[index];
+  if (move.curve_kind == CurveKind::none) {
     sink_->go_to(move.end);
-    return expect(move.end, !move.start);
+    return expect(move.end, !move.has_start);
   }
-  if (move.curve_kind == CurveKind::arc && sink_->go_round(path_.arcs[move.curve], *move.start, move.end))
+  if (move.curve_kind == CurveKind::arc && sink_->go_round(path_.arcs[move.curve], path_.start_of(index), move.end))
     return expect(move.end, false);
   ++chorded_;
-  for (const Pose& pose : chords_of(path_, move, kChordError_mm)) {
+  for (const Pose& pose : chords_of(path_, index, kChordError_mm)) {
     sink_->go_to(pose);
     expect(pose, false);
   }
 }
 
-void PathWriter::write_move(const Move& move, bool is_first) {
+void PathWriter::write_move(std::size_t index) {
+  const Move& move = path_.moves[index];
   const bool is_tool_new = move.tool != tool_ && move.tool != kNone;
-  if (!move.start && !is_first && !is_tool_new) {
+  if (!move.has_start && index > 0 && !is_tool_new) {
     sink_->break_motion() ? ++breaks_ : ++lost_breaks_;
     feed_ = 0;
   }
@@ -160,7 +162,7 @@ void PathWriter::write_move(const Move& move, bool is_first) {
   }
   if (move.kind == MoveKind::cycle) ++cycles_;
   if (move.not_checked_reason == Reasons::kCutcom) ++cutcoms_;
-  write_motion(move);
+  write_motion(index);
 }
 
 void PathWriter::note(const char* code, std::size_t count, const std::string& what) {
@@ -218,7 +220,7 @@ void PathWriter::verify() {
     const Move& move = again.moves[i];
     const bool is_same = (move.end.tip * factor - expected_[i].end.tip).norm() <= kSamePlace_mm &&
                          (move.end.axis - expected_[i].end.axis).norm() <= kSameAxis &&
-                         move.start.has_value() != expected_[i].is_alone;
+                         move.has_start != expected_[i].is_alone;
     differing += is_same ? 0 : 1;
   }
   const std::size_t told = std::min(lost_breaks_, differing);
@@ -228,7 +230,7 @@ void PathWriter::verify() {
 Result<WrittenToolpath> PathWriter::run() {
   if (auto obstacle = find_obstacle()) return std::move(*obstacle);
   sink_ = make_sink();
-  for (std::size_t i = 0; i < path_.moves.size(); ++i) write_move(path_.moves[i], i == 0);
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) write_move(i);
   written_.bytes = sink_->finish();
   note_losses();
   verify();

@@ -76,7 +76,7 @@ void DepthField::add_move(const PictureInput& input, std::size_t index, double d
   const Move& move = input.toolpath->moves[index];
   if (move.tool >= input.tools.size() || input.tools[move.tool] == nullptr) return;
   const ToolForms* forms = input.tools[move.tool];
-  const Motion motion = motion_of(*input.toolpath, move, input.options.rapid);
+  const Motion motion = motion_of(*input.toolpath, index, input.options.rapid);
   if (!motion.is_defined()) return;
   const MoveVerdict& verdict = input.result->verdicts[index];
   if (verdict.witness) poses_.push_back({motion.at(verdict.witness->t), forms, index});

@@ -77,14 +77,15 @@ void draw_panel(const Toolpath& path, Panel panel, const Box3& box, double axis_
     drawing.items.emplace_back(
         DrawnLine{{panel.at(pose.tip), panel.at(pose.tip + axis_length * pose.axis)}, kAxis, 1, false, {}});
   }
-  for (const Move& move : path.moves) {
-    if (!move.start) continue;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    if (!move.has_start) continue;
     const Ink& ink = ink_of(move);
-    DrawnLine line{{panel.at(move.start->tip)}, ink.colour, 1.4, false, ink.dashes};
+    DrawnLine line{{panel.at(path.start_of(i).tip)}, ink.colour, 1.4, false, ink.dashes};
     if (move.curve_kind == CurveKind::none) {
       line.points.push_back(panel.at(move.end.tip));
     } else {
-      for (const Pose& pose : chords_of(path, move, 0.5 / panel.scale))
+      for (const Pose& pose : chords_of(path, i, 0.5 / panel.scale))
         line.points.push_back(panel.at(pose.tip));
     }
     drawing.items.emplace_back(std::move(line));
@@ -95,7 +96,7 @@ void draw_legend(const Toolpath& path, Drawing& drawing) {
   std::vector<const Ink*> used;
   for (const Move& move : path.moves) {
     const Ink* ink = &ink_of(move);
-    if (move.start && std::find(used.begin(), used.end(), ink) == used.end()) used.push_back(ink);
+    if (move.has_start && std::find(used.begin(), used.end(), ink) == used.end()) used.push_back(ink);
   }
   std::sort(used.begin(), used.end(),
             [](const Ink* a, const Ink* b) { return std::string(a->name) < b->name; });

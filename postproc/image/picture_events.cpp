@@ -20,7 +20,7 @@ PictureEvent picture_event(const PictureInput& input, const Event& event) {
   one.event = event;
   one.has_witness = event.state == MoveState::gouge && verdict.witness.has_value();
   if (one.has_witness) one.witness = *verdict.witness;
-  const Motion motion = motion_of(*input.toolpath, move, input.options.rapid);
+  const Motion motion = motion_of(*input.toolpath, event.worst_move, input.options.rapid);
   one.pose = motion.is_defined() ? motion.at(one.has_witness ? one.witness.t : 1.0) : move.end;
   const CompiledTool& bare = input.tools[event.tool]->bare;
   one.at = one.has_witness ? one.witness.point : Vec3(one.pose.tip + one.pose.axis * bare.core.y());

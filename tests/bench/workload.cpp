@@ -70,7 +70,7 @@ void add_moves(Workload& work) {
     const PlacedPose& before = work.positions[i == 0 ? 0 : i - 1];
     Move move;
     move.line = i + 1;
-    if (i > 0) move.start = before.pose;
+    move.has_start = i > 0;
     move.end = here.pose;
     move.tool = 0;
     move.feed_mm_per_min = 1000;

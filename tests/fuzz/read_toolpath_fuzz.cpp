@@ -42,7 +42,7 @@ void read_and_write(const std::string& bytes) {
     Pose end = move.end;
     end.tip += 1.25 * end.axis;
     changes.push_back({i, end, {}, {}});
-    if (move.start) changes.back().inserted_before.push_back(*move.start);
+    if (move.has_start) changes.back().inserted_before.push_back(path.start_of(i));
   }
   const Result<std::string> lifted = write_corrected(path, changes);
   require(lifted.has_value() || !lifted.error().code.empty());

@@ -27,7 +27,7 @@ TEST_P(ArcSense, OnlyTheWrongWayRoundMeetsThePost) {
   Toolpath& path = *outcome.toolpath;
   path.tools.resize(1);
   for (Move& move : path.moves) move.tool = 0;
-  const Vec3 middle = motion_of(path, path.moves.at(2), RapidMode::straight).at(0.5).tip;
+  const Vec3 middle = motion_of(path, 2, RapidMode::straight).at(0.5).tip;
   PathArc& arc = path.arcs.at(0);
   const Vec3 across = 2 * (arc.center - arc.axis.dot(arc.center - middle) * arc.axis) - middle;
   Scene scene;

@@ -77,10 +77,7 @@ void on_random_scenes(std::uint64_t stream, std::size_t count, Law&& law) {
 
 RandomScene moved(RandomScene random, const RigidTransform& by) {
   for (Vec3& v : random.scene.parts[0].vertices) v = by.point(v);
-  for (Move& move : random.path.moves) {
-    if (move.start) move.start = by.pose(*move.start);
-    move.end = by.pose(move.end);
-  }
+  for (Move& move : random.path.moves) move.end = by.pose(move.end);
   return random;
 }
 
@@ -153,10 +150,7 @@ TEST(Laws, AToolThatContainsAnotherIsNeverLessDeep) {
     const Pair& pair = pairs[i % pairs.size()];
     Toolpath lower = paths::through({random.path.moves[0].end, {scatter.box(2), random.path.moves[0].end.axis}});
     Toolpath path = lower;
-    for (Move& move : lower.moves) {
-      if (move.start) move.start->tip -= pair.tip_below_mm * move.start->axis;
-      move.end.tip -= pair.tip_below_mm * move.end.axis;
-    }
+    for (Move& move : lower.moves) move.end.tip -= pair.tip_below_mm * move.end.axis;
     const CheckResult a = check(path, pair.smaller, random.scene);
     const CheckResult b = check(lower, pair.larger, random.scene);
     for (std::size_t m = 0; m < a.verdicts.size(); ++m) expect_no_shallower(b.verdicts[m], a.verdicts[m], where(i, m));
@@ -183,7 +177,7 @@ TEST(Laws, AMoveIsAsDeepAsTheDeeperOfItsHalves) {
   on_random_scenes(6, 120, [](Scatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& whole, std::size_t i) {
     std::vector<Pose> poses{random.path.moves[0].end};
     for (std::size_t m = 1; m < random.path.moves.size(); ++m) {
-      poses.push_back(reference::pose_at(*random.path.moves[m].start, random.path.moves[m].end, 0.5));
+      poses.push_back(reference::pose_at(random.path.start_of(m), random.path.moves[m].end, 0.5));
       poses.push_back(random.path.moves[m].end);
     }
     const CheckResult halves = check(paths::through(poses), tool, random.scene);
@@ -210,7 +204,7 @@ TEST(Laws, TheReversedPathHasTheSameGouges) {
 TEST(Laws, AMoveIsNoShallowerThanItsEnds) {
   on_random_scenes(8, 150, [](Scatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
     Toolpath alone = random.path;
-    for (Move& move : alone.moves) move.start.reset();
+    for (Move& move : alone.moves) move.has_start = false;
     const CheckResult ends = check(alone, tool, random.scene);
     for (std::size_t m = 1; m < a.verdicts.size(); ++m) {
       expect_no_shallower(a.verdicts[m], ends.verdicts[m], where(i, m));
@@ -257,7 +251,7 @@ TEST(Laws, TheReferenceNeverFindsMoreOnRandomScenes) {
     for (std::size_t m = 0; m < a.verdicts.size(); ++m) {
       const MoveVerdict& v = a.verdicts[m];
       const Move& move = random.path.moves[m];
-      const Pose from = move.start ? *move.start : move.end;
+      const Pose from = move.has_start ? random.path.start_of(m) : move.end;
       const double mark = v.state == MoveState::gouge ? v.depth_mm - 0.005 : v.depth_upper_mm;
       const reference::Found found = reference::deepest(contour, contour, from, move.end, random.scene, mark);
       EXPECT_LE(found.depth_mm, v.depth_upper_mm + kRounding_mm) << where(i, m) << ", t " << found.t;

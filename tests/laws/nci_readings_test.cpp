@@ -86,10 +86,7 @@ TEST(NciReading, CompensatedPositionsAreNotTheCutterCentre) {
     EXPECT_EQ(verdict(read(text, true), wall, tool), "clean") << side;
   }
   Toolpath left = read(start + "1\n41" + way, true);  // where the control takes it
-  for (Move& move : left.moves) {
-    move.end.tip.x() -= 5;
-    if (move.start) move.start->tip.x() -= 5;
-  }
+  for (Move& move : left.moves) move.end.tip.x() -= 5;
   EXPECT_EQ(verdict(left, wall, tool), "gouge");
 }
 
@@ -105,10 +102,7 @@ TEST(NciReading, FiveAxesHaveASecondPointNotAVector) {
   const Vec3 as_vector = Vec3(42, 0, 54).normalized(), downwards(0.6, 0, -0.8), as_normal(0, 0, 1);
   for (const Vec3& axis : {as_vector, downwards, as_normal}) {
     Toolpath wrong = path;
-    for (Move& move : wrong.moves) {
-      move.end.axis = axis;
-      if (move.start) move.start->axis = axis;
-    }
+    for (Move& move : wrong.moves) move.end.axis = axis;
     EXPECT_EQ(verdict(wrong, wall, tool), "gouge") << axis.transpose();
   }
 }

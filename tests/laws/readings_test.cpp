@@ -82,7 +82,7 @@ TEST_P(ForcedSense, MeetsThePostUnlessTheStatementItselfTellsTheWay) {
     return path;
   };
   const Toolpath right = with_tool("");
-  const Vec3 middle = motion_of(right, right.moves.at(2), RapidMode::straight).at(0.5).tip;
+  const Vec3 middle = motion_of(right, 2, RapidMode::straight).at(0.5).tip;
   const PathArc& circle = right.arcs.at(0);
   const Vec3 across = 2 * (circle.center - circle.axis.dot(circle.center - middle) * circle.axis) - middle;
   const IndexedMesh post = shapes::box(across - Vec3(0.1, 0.1, 5), across + Vec3(0.1, 0.1, 5));
@@ -153,10 +153,7 @@ TEST(Frame, OfSolidWorksIsNotApplied) {
   EXPECT_EQ(verdict(path, part), "clean");
   EXPECT_EQ(verdict(read_as(text, "apt"), part), "not-checked") << "nothing tells whether to apply it";
   const RigidTransform csys{(Eigen::Matrix3d() << 0, 0, 1, 0, 1, 0, -1, 0, 0).finished(), Vec3::Zero()};
-  for (Move& move : path.moves) {
-    move.end = csys.pose(move.end);
-    if (move.start) move.start = csys.pose(*move.start);
-  }
+  for (Move& move : path.moves) move.end = csys.pose(move.end);
   EXPECT_NE(verdict(path, part), "clean");
 }
 

@@ -19,7 +19,7 @@ inline Toolpath through(const std::vector<Pose>& poses, MoveKind kind = MoveKind
     Move move;
     move.kind = kind;
     move.line = i + 1;
-    if (i > 0) move.start = poses[i - 1];
+    move.has_start = i > 0;
     move.end = poses[i];
     move.tool = 0;
     path.moves.push_back(move);

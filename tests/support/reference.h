@@ -85,10 +85,11 @@ struct Movement {
 };
 
 /// Of a path's move; one without a start rests.
-inline Movement movement(const Toolpath& path, const Move& move) {
-  Movement m{move.start ? *move.start : move.end, move.end};
-  if (move.start && move.curve_kind == CurveKind::arc) m.arc = &path.arcs[move.curve];
-  if (move.start && move.curve_kind == CurveKind::spline) m.spline = &path.splines[move.curve];
+inline Movement movement(const Toolpath& path, std::size_t index) {
+  const Move& move = path.moves[index];
+  Movement m{move.has_start ? path.start_of(index) : move.end, move.end};
+  if (move.has_start && move.curve_kind == CurveKind::arc) m.arc = &path.arcs[move.curve];
+  if (move.has_start && move.curve_kind == CurveKind::spline) m.spline = &path.splines[move.curve];
   return m;
 }
 

@@ -143,7 +143,7 @@ TEST(CheckPath, WhatIsTooFarAwayForTheBoundsIsNotCheckedAndDoesNotDisturbItsNeig
   const CheckResult alone = check(through(near), tools::ball(), scene);
   for (const double far : {1.1e5, 1e20, 1e200, std::numeric_limits<double>::quiet_NaN()}) {
     Toolpath path = through({near[0], near[1], near[2], upright(far, 0, -1)});
-    path.moves[3].start.reset();
+    path.moves[3].has_start = false;
     CheckResult r = check(path, tools::ball(), scene);
     EXPECT_EQ(r.verdicts[3].state, MoveState::not_checked) << far;
     for (std::size_t i = 0; i < near.size(); ++i) {

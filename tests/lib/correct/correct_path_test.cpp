@@ -36,26 +36,22 @@ double rounded(double x) { return std::round(x * 1e4) / 1e4; }
 Toolpath applied(const Toolpath& path, const Correction& correction) {
   Toolpath changed = path;
   changed.moves.clear();
-  std::optional<Pose> last_old, last_new;
   const auto round_tip = [](Pose pose) {
     for (int k = 0; k < 3; ++k) pose.tip[k] = rounded(pose.tip[k]);
     return pose;
   };
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     Move move = path.moves[i];
-    if (move.start && last_old && move.start->tip == last_old->tip) move.start = last_new;
     for (const PathChange& change : correction.changes) {
       if (change.move != i) continue;
       for (const Pose& stop : change.inserted_before) {
         Move inserted = move;
         inserted.end = round_tip(stop);
         changed.moves.push_back(inserted);
-        move.start = inserted.end;
+        move.has_start = true;
       }
       if (change.new_end) move.end = round_tip(*change.new_end);
     }
-    last_old = path.moves[i].end;
-    last_new = move.end;
     changed.moves.push_back(move);
   }
   return changed;
@@ -103,10 +99,7 @@ TEST(CorrectPath, ChangesTheTwoDipsAndNothingElse) {
 
 TEST(CorrectPath, ACleanPathIsLeftAlone) {
   Case c = two_dips();
-  for (Move& move : c.path.moves) {
-    move.end.tip.z() = 0;
-    if (move.start) move.start->tip.z() = 0;
-  }
+  for (Move& move : c.path.moves) move.end.tip.z() = 0;
   const Correction correction = propose(c);
   EXPECT_TRUE(correction.changes.empty());
   EXPECT_TRUE(correction.records.empty());
@@ -129,10 +122,7 @@ TEST(CorrectPath, PositionsAreInsertedWhereARibStandsBetweenCleanOnes) {
 TEST(CorrectPath, AToleranceOf0GetsCleanToo) {
   Case c = two_dips();
   c.options.tolerance_mm = 0;
-  for (Move& move : c.path.moves) {
-    move.end.tip.z() += 0.02;
-    if (move.start) move.start->tip.z() += 0.02;
-  }
+  for (Move& move : c.path.moves) move.end.tip.z() += 0.02;
   const Correction correction = propose(c);
   EXPECT_EQ(changed_moves(correction), (std::set<std::size_t>{4, 9}));
   expect_clean_again(c, correction);

@@ -50,7 +50,6 @@ Toolpath changed(const Toolpath& path, const Correction& correction) {
     Move move = path.moves[i];
     const PathChange* change = next < correction.changes.size() && correction.changes[next].move == i
                                    ? &correction.changes[next++] : nullptr;
-    if (move.start && !result.moves.empty()) move.start = result.moves.back().end;
     if (change != nullptr) {
       if (change->is_straightened) {
         move.kind = MoveKind::feed;
@@ -60,7 +59,7 @@ Toolpath changed(const Toolpath& path, const Correction& correction) {
         Move inserted = move;
         inserted.end = pose;
         result.moves.push_back(inserted);
-        move.start = pose;
+        move.has_start = true;
       }
       if (change->new_end) move.end = *change->new_end;
     }

@@ -7,10 +7,10 @@
 namespace gouge {
 namespace {
 
-Move move_to(MoveKind kind, Vec3 tip, Vec3 axis, std::optional<Pose> start) {
+Move move_to(MoveKind kind, Vec3 tip, Vec3 axis, bool has_start = true) {
   Move move;
   move.kind = kind;
-  move.start = start;
+  move.has_start = has_start;
   move.end = {tip, axis};
   return move;
 }
@@ -26,12 +26,10 @@ TEST(DescribePath, CountsWhatIsThere) {
   path.tools.resize(2);
   path.operations.resize(1);
   const Pose up{Vec3(0, 0, 10), Vec3::UnitZ()};
-  path.moves.push_back(move_to(MoveKind::rapid, up.tip, up.axis, std::nullopt));
-  path.moves.push_back(move_to(MoveKind::feed, Vec3(0, 0, 4), Vec3(0, 0, 1), up));
-  path.moves.push_back(
-      move_to(MoveKind::feed, Vec3(3, 0, 0), Vec3(1, 0, -0.0), Pose{Vec3(0, 0, 4), Vec3::UnitZ()}));
-  path.moves.push_back(
-      move_to(MoveKind::arc, Vec3(3, 1, 0), Vec3(1, 0, 0.0), Pose{Vec3(3, 0, 0), Vec3::UnitX()}));
+  path.moves.push_back(move_to(MoveKind::rapid, up.tip, up.axis, false));
+  path.moves.push_back(move_to(MoveKind::feed, Vec3(0, 0, 4), Vec3(0, 0, 1)));
+  path.moves.push_back(move_to(MoveKind::feed, Vec3(3, 0, 0), Vec3(1, 0, -0.0)));
+  path.moves.push_back(move_to(MoveKind::arc, Vec3(3, 1, 0), Vec3(1, 0, 0.0)));
   path.moves[3].not_checked_reason = "because";
   path.moves[1].tool = path.moves[2].tool = path.moves[3].tool = 1;
   path.moves[2].operation = 0;

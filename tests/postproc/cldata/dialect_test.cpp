@@ -56,10 +56,10 @@ TEST(Frames, MatrixOfCatiaIsAppliedAndItsTurnBreaksTheMotion) {
       "$$*CATIA0\n$$ B\n$$ 1.0 0.0 0.0 0.0\n$$ 0.0 -1.0 0.0 0.0\n$$ 0.0 0.0 -1.0 0.0\nGOTO/1,2,3\nEND\n");
   ASSERT_EQ(path.moves.size(), 3u);
   expect_vector(path.moves[0].end.tip, -122, -70, 140);
-  EXPECT_TRUE(path.moves[1].start);
+  EXPECT_TRUE(path.moves[1].has_start);
   expect_vector(path.moves[2].end.tip, 1, -2, -3);
   expect_vector(path.moves[2].end.axis, 0, 0, -1);
-  EXPECT_FALSE(path.moves[2].start) << "the machine turns in between";
+  EXPECT_FALSE(path.moves[2].has_start) << "the machine turns in between";
 }
 
 TEST(Frames, McsOfCampleteIsApplied) {
@@ -79,7 +79,7 @@ TEST(Frames, McsysOfMoriIsApplied) {
   expect_vector(path.moves[0].end.tip, 10 + 3, 20 + 1, 30 + 2);
   expect_vector(path.moves[0].end.axis, 1, 0, 0);
   expect_vector(path.moves[1].end.tip, 1, 2, 3);
-  EXPECT_FALSE(path.moves[1].start) << "the machine turns in between";
+  EXPECT_FALSE(path.moves[1].has_start) << "the machine turns in between";
   for (const Move& move : path.moves) EXPECT_TRUE(move.not_checked_reason.empty());
   const Toolpath other = path_of(head + "MCSYS/ NUM, 2, POINT, 10, 20, 30\nGOTO/ 1, 2, 3\nEND/\n");
   EXPECT_FALSE(other.moves.at(0).not_checked_reason.empty());
@@ -121,7 +121,7 @@ TEST(Unknown, AWordWithNumbersIsAMoveThatIsNotChecked) {
   ASSERT_EQ(path.moves.size(), 4u);
   EXPECT_FALSE(path.moves[1].not_checked_reason.empty());
   EXPECT_FALSE(path.moves[2].not_checked_reason.empty()) << "its start is not known";
-  EXPECT_FALSE(path.moves[2].start);
+  EXPECT_FALSE(path.moves[2].has_start);
   EXPECT_TRUE(path.moves[3].not_checked_reason.empty());
   EXPECT_EQ(path.words_not_understood.at("MOVETO"), 1u);
 }
@@ -185,7 +185,7 @@ TEST(NccsBinary, EqualsItsAsciiTwinToTheDigitsOfTheText) {
   for (std::size_t i = 0; i < text.moves.size(); ++i) {
     EXPECT_LE((text.moves[i].end.tip - binary.moves[i].end.tip).cwiseAbs().maxCoeff(), 5.1e-5) << i;
     EXPECT_LE((text.moves[i].end.axis - binary.moves[i].end.axis).cwiseAbs().maxCoeff(), 1e-7) << i;
-    EXPECT_EQ(text.moves[i].start.has_value(), binary.moves[i].start.has_value()) << i;
+    EXPECT_EQ(text.moves[i].has_start, binary.moves[i].has_start) << i;
   }
 }
 

@@ -135,10 +135,10 @@ std::vector<PathChange> changes_everywhere(const Toolpath& path) {
     PathChange change{i, move.end, {}, is_arc};
     change.new_end->tip.z() += 1.25;
     if (is_arc) {
-      change.inserted_before = chords_of(path, move, 1);
+      change.inserted_before = chords_of(path, i, 1);
       change.inserted_before.pop_back();
-    } else if (move.start) {
-      change.inserted_before.push_back({move.start->tip + Vec3(1, 2, 3), move.end.axis});
+    } else if (move.has_start) {
+      change.inserted_before.push_back({path.start_of(i).tip + Vec3(1, 2, 3), move.end.axis});
     }
     changes.push_back(change);
   }

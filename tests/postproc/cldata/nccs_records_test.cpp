@@ -306,7 +306,7 @@ TEST(NccsText, AFileThatIsIncludedIsAMotionThatIsNotRead) {
   const Toolpath path = path_of(file.bytes());
   ASSERT_EQ(path.moves.size(), 4u);
   EXPECT_FALSE(path.moves[1].not_checked_reason.empty());
-  EXPECT_FALSE(path.moves[2].start);
+  EXPECT_FALSE(path.moves[2].has_start);
 }
 
 TEST(NccsExpanded, WithoutMultaxAnotherAxisThanPlusZIsNotRead) {

@@ -175,16 +175,16 @@ std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& ra
   std::vector<PathChange> changes;
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
-    if (!move.not_checked_reason.empty() || !move.start || move.kind == MoveKind::cycle || random() % 3 == 0) continue;
+    if (!move.not_checked_reason.empty() || !move.has_start || move.kind == MoveKind::cycle || random() % 3 == 0) continue;
     PathChange change;
     change.move = i;
     if (move.curve_kind == CurveKind::arc) {
       change.is_straightened = true;
-      change.inserted_before = chords_of(path, move, 0.2);
+      change.inserted_before = chords_of(path, i, 0.2);
       change.inserted_before.pop_back();
       for (Pose& pose : change.inserted_before) pose.tip += 0.5 * pose.axis;
     } else if (move.kind != MoveKind::arc) {
-      if (random() % 2 == 0) change.inserted_before.push_back({0.5 * (move.start->tip + move.end.tip), move.end.axis});
+      if (random() % 2 == 0) change.inserted_before.push_back({0.5 * (path.start_of(i).tip + move.end.tip), move.end.axis});
       // A hole begins at the height the tool has.
       const bool meets_hole = i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::cycle;
       if (!meets_hole && random() % 4 == 0) change.new_end = Pose{move.end.tip + Vec3(0.125, 0, 1), move.end.axis};

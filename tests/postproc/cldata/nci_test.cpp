@@ -141,7 +141,7 @@ TEST(Nci, ArcsOfTheXzPlaneAreNotCheckedButEndWhereTheySay) {
     EXPECT_EQ(path.moves[2].not_checked_reason, ArcProblems::kXzPlane);
     expect_vector(path.moves[2].end.tip, 0, 0, -4);
     EXPECT_TRUE(is_checked(path.moves[3]));
-    ASSERT_TRUE(path.moves[3].start);
+    ASSERT_TRUE(path.moves[3].has_start);
   }
 }
 

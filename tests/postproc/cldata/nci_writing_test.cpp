@@ -105,7 +105,7 @@ TEST(NciWriting, WhatNoPairCanSayIsRefused) {
 }
 
 PathChange straightened(const Toolpath& path, std::size_t move) {
-  PathChange change{move, std::nullopt, chords_of(path, path.moves.at(move), 0.1), true};
+  PathChange change{move, std::nullopt, chords_of(path, move, 0.1), true};
   change.inserted_before.pop_back();
   return change;
 }
@@ -248,12 +248,12 @@ std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& ra
         i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::arc && !is_straightened[i + 1];
     if ((!is_arc || is_straightened[i]) && !is_fixed && random() % 3 == 0) change.new_end = shift(move.end);
     if (is_straightened[i]) {
-      change.inserted_before = chords_of(path, move, 0.5);
+      change.inserted_before = chords_of(path, i, 0.5);
       change.inserted_before.pop_back();
-    } else if (!is_arc && move.start && random() % 3 == 0) {
+    } else if (!is_arc && move.has_start && random() % 3 == 0) {
       for (std::size_t k = 1 + random() % 3; k > 0; --k) {
-        Pose between = shift(*move.start);
-        between.axis = (move.start->axis + 0.3 * static_cast<double>(k) * move.end.axis).normalized();
+        Pose between = shift(path.start_of(i));
+        between.axis = (path.start_of(i).axis + 0.3 * static_cast<double>(k) * move.end.axis).normalized();
         change.inserted_before.push_back(between);
       }
     }
@@ -324,8 +324,8 @@ TEST(NciWriting, InsertionsLeaveTheCompensationOfAllOtherMoves) {
     std::vector<PathChange> changes;
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
       const Move& move = path.moves[i];
-      if (move.kind != MoveKind::arc && move.start && random() % 2 == 0)
-        changes.push_back({i, std::nullopt, {Pose{move.start->tip + Vec3(1, 1, 1), move.end.axis}}});
+      if (move.kind != MoveKind::arc && move.has_start && random() % 2 == 0)
+        changes.push_back({i, std::nullopt, {Pose{path.start_of(i).tip + Vec3(1, 1, 1), move.end.axis}}});
     }
     const std::string text = written(path, changes);
     const Toolpath again = path_of(text);

@@ -151,8 +151,8 @@ TEST(ReadCycles, TheToolGoesAcrossBeforeItGoesDownAndUpBeforeItGoesAcross) {
   expect_vector(path.moves[6].end.tip, 7, 0, 5);
   for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(path.moves[i].line, 4U);
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
-    ASSERT_TRUE(path.moves[i].start);
-    EXPECT_EQ(path.moves[i].start->tip, path.moves[i - 1].end.tip);
+    ASSERT_TRUE(path.moves[i].has_start);
+    EXPECT_EQ(path.start_of(i).tip, path.moves[i - 1].end.tip);
     EXPECT_TRUE(path.moves[i].not_checked_reason.empty());
   }
 }
@@ -184,7 +184,7 @@ TEST(ReadCutcom, CreoSaysWhereItsPositionsAreTheCutterCentre) {
 
 TEST(ReadMotion, NothingIsSweptAcrossCreoSequencesAndItIsTold) {
   const Toolpath path = path_of("$$* Pro/CLfile\n$$-> FEATNO / 1\nGOTO / 0, 0, 0\n$$-> FEATNO / 2\nGOTO / 1, 0, 0\nFINI\n");
-  EXPECT_FALSE(path.moves.at(1).start);
+  EXPECT_FALSE(path.moves.at(1).has_start);
   bool is_told = false;
   for (const Diagnostic& note : path.notes) is_told = is_told || note.code == "path-not-swept";
   EXPECT_TRUE(is_told);

@@ -21,9 +21,9 @@ TEST(ReadApt, RapidHoldsForOneMotionInEverySpelling) {
   EXPECT_EQ(kinds(path),
             (Kinds{MoveKind::rapid, MoveKind::feed, MoveKind::rapid, MoveKind::rapid, MoveKind::feed}));
   EXPECT_EQ(path.moves[1].line, 3u);
-  ASSERT_TRUE(path.moves[4].start);
-  expect_vector(path.moves[4].start->tip, 0, 0, 6);
-  EXPECT_FALSE(path.moves[0].start);
+  ASSERT_TRUE(path.moves[4].has_start);
+  expect_vector(path.start_of(4).tip, 0, 0, 6);
+  EXPECT_FALSE(path.moves[0].has_start);
 }
 
 TEST(ReadApt, AFeedAfterRapidCancelsIt) {
@@ -84,9 +84,9 @@ TEST(ReadApt, TheUnitIsGuessedFromTheFeedWord) {
 TEST(ReadApt, FromIsAPlaceAndNotACut) {
   const Toolpath path = path_of("FROM/1,2,3\nLOADTL/4\nGOTO/1,2,9\n");
   EXPECT_EQ(kinds(path), (Kinds{MoveKind::rapid, MoveKind::feed}));
-  EXPECT_FALSE(path.moves[0].start);
-  ASSERT_TRUE(path.moves[1].start);
-  expect_vector(path.moves[1].start->tip, 1, 2, 3);
+  EXPECT_FALSE(path.moves[0].has_start);
+  ASSERT_TRUE(path.moves[1].has_start);
+  expect_vector(path.start_of(1).tip, 1, 2, 3);
   EXPECT_EQ(path.moves[0].tool, path.moves[1].tool);
 }
 
@@ -97,8 +97,8 @@ TEST(ReadApt, GodltaMovesOnAndGohomeMayHaveAPlace) {
   expect_vector(path.moves[2].end.tip, 7, 3, 4);
   expect_vector(path.moves[2].end.axis, 1, 0, 0);
   EXPECT_EQ(path.moves[3].kind, MoveKind::rapid);
-  EXPECT_TRUE(path.moves[4].start);
-  EXPECT_FALSE(path.moves[5].start);
+  EXPECT_TRUE(path.moves[4].has_start);
+  EXPECT_FALSE(path.moves[5].has_start);
 }
 
 TEST(ReadApt, AnotherToolBreaksTheMotionAndTheSameOneDoesNot) {
@@ -106,9 +106,9 @@ TEST(ReadApt, AnotherToolBreaksTheMotionAndTheSameOneDoesNot) {
       "CUTTER/10\nLOADTL/1\nGOTO/0,0,1\nLOADTL/1,1\nGOTO/0,0,2\nCUTTER/6\nLOADTL/2\nGOTO/0,0,3\nLOADTL/"
       "1\nGOTO/0,0,4\n");
   ASSERT_EQ(path.tools.size(), 2u);
-  EXPECT_TRUE(path.moves[1].start);
-  EXPECT_FALSE(path.moves[2].start);
-  EXPECT_FALSE(path.moves[3].start);
+  EXPECT_TRUE(path.moves[1].has_start);
+  EXPECT_FALSE(path.moves[2].has_start);
+  EXPECT_FALSE(path.moves[3].has_start);
   EXPECT_EQ(path.moves[3].tool, 0u);
   EXPECT_DOUBLE_EQ(path.tools[path.moves[3].tool].cutter->d_mm, 10);
 }
@@ -129,8 +129,8 @@ TEST(ReadApt, AnArcOfNoKnownSenseHasAnEndAndIsNotChecked) {
   EXPECT_TRUE(path.arcs.empty());
   EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
   EXPECT_EQ(path.moves[1].not_checked_reason, "nothing in the file tells which way round its arcs run");
-  ASSERT_TRUE(path.moves[2].start);
-  expect_vector(path.moves[2].start->tip, 0, 1, 0);
+  ASSERT_TRUE(path.moves[2].has_start);
+  expect_vector(path.start_of(2).tip, 0, 1, 0);
   EXPECT_TRUE(path.moves[2].not_checked_reason.empty());
 }
 
@@ -159,9 +159,9 @@ TEST(ReadApt, AfterACycleThatIsNotUnderstoodTheStartIsNotKnown) {
   EXPECT_EQ(kinds(path), (Kinds{MoveKind::feed, MoveKind::feed, MoveKind::cycle, MoveKind::cycle,
                                 MoveKind::feed, MoveKind::feed}));
   EXPECT_EQ(path.moves[2].not_checked_reason, "a cycle whose words are not understood");
-  EXPECT_FALSE(path.moves[4].start);
+  EXPECT_FALSE(path.moves[4].has_start);
   EXPECT_EQ(path.moves[4].not_checked_reason, "starts at an unknown retract height after a drilling cycle");
-  EXPECT_TRUE(path.moves[5].start);
+  EXPECT_TRUE(path.moves[5].has_start);
   EXPECT_TRUE(path.moves[5].not_checked_reason.empty());
 }
 
@@ -226,7 +226,7 @@ TEST(ReadClsf, TheAxisIsModalAndTheFrameIsApplied) {
   expect_vector(path.moves[0].end.tip, 102, 1, -3);
   expect_vector(path.moves[1].end.tip, 102, 1, -4);
   expect_vector(path.moves[1].end.axis, 0, 0, 1);
-  EXPECT_TRUE(path.moves[1].start);
+  EXPECT_TRUE(path.moves[1].has_start);
   EXPECT_EQ(path.operations.at(0).name, "ROUGH");
   EXPECT_EQ(path.tools.at(0).name, "BALL");
   EXPECT_DOUBLE_EQ(path.tools.at(0).cutter->r_mm, 5);
@@ -237,7 +237,7 @@ TEST(ReadClsf, NothingPassesFromOneBlockToTheNext) {
                                 "TOOL PATH/FINISH,TOOL,FLAT\nTLDATA/MILL,6.0,0.0,75.0,0.0,0.0\n"
                                 "GOTO/1.0,2.0,3.0\nEND-OF-PATH\n");
   ASSERT_EQ(path.moves.size(), 3u);
-  EXPECT_FALSE(path.moves[2].start);
+  EXPECT_FALSE(path.moves[2].has_start);
   expect_vector(path.moves[2].end.tip, 1, 2, 3);
   expect_vector(path.moves[2].end.axis, 0, 0, 1);
   EXPECT_EQ(path.moves[2].tool, 1u);
@@ -255,7 +255,7 @@ TEST(ReadClsf, ACurveIsOneMoveToItsLastControlPoint) {
   EXPECT_EQ(path.moves[1].not_checked_reason,
             "a NURBS whose knots, points or axis are not those of a cubic curve");
   expect_vector(path.moves[1].end.tip, 2, 0, 0);
-  expect_vector(path.moves[2].start->tip, 2, 0, 0);
+  expect_vector(path.start_of(2).tip, 2, 0, 0);
   expect_vector(path.moves[3].end.tip, 4, 0, 0);
 }
 

@@ -29,7 +29,7 @@ void expect_same_motions(const Toolpath& a, const Toolpath& b, double within_mm)
     const double tip = (a.moves[i].end.tip - b.moves[i].end.tip).cwiseAbs().maxCoeff();
     const double axis = (a.moves[i].end.axis - b.moves[i].end.axis).cwiseAbs().maxCoeff();
     const bool is_same = tip <= within_mm && axis <= 2e-6 &&
-                         a.moves[i].start.has_value() == b.moves[i].start.has_value() &&
+                         a.moves[i].has_start == b.moves[i].has_start &&
                          a.moves[i].curve_kind == b.moves[i].curve_kind;
     if (is_same && a.moves[i].curve_kind == CurveKind::arc) {
       EXPECT_NEAR(a.arcs[a.moves[i].curve].sweep_rad, b.arcs[b.moves[i].curve].sweep_rad, 0.02)
@@ -143,11 +143,11 @@ TEST(RoundTrip, CorrectionsOfEverySampleAreReadBack) {
       const bool meets_arc = i + 1 < path.moves.size() && path.moves[i + 1].curve_kind != CurveKind::none;
       const bool meets_step = i + 1 < path.moves.size() && path.moves[i + 1].kind != MoveKind::feed &&
                               path.moves[i + 1].kind != MoveKind::rapid;
-      if (!is_straight || meets_arc || meets_step || !move.not_checked_reason.empty() || !move.start)
+      if (!is_straight || meets_arc || meets_step || !move.not_checked_reason.empty() || !move.has_start)
         continue;
       Pose end = move.end;
       end.tip += 1.25 * end.axis;
-      Pose between{0.5 * (move.start->tip + end.tip), end.axis};
+      Pose between{0.5 * (path.start_of(i).tip + end.tip), end.axis};
       changes.push_back({i, end, {between}});
       ++inserted;
     }

@@ -13,7 +13,7 @@ PathChange straightening(const Toolpath& path, std::size_t move) {
   PathChange change;
   change.move = move;
   change.is_straightened = true;
-  change.inserted_before = chords_of(path, path.moves.at(move), 0.1);
+  change.inserted_before = chords_of(path, move, 0.1);
   change.inserted_before.pop_back();
   return change;
 }

@@ -19,7 +19,7 @@ Written straightened(const std::string& text, std::size_t index) {
   PathChange change;
   change.move = index;
   change.is_straightened = true;
-  change.inserted_before = chords_of(w.before, w.before.moves.at(index), 0.1);
+  change.inserted_before = chords_of(w.before, index, 0.1);
   w.chords = change.inserted_before.size();
   change.inserted_before.pop_back();
   change.inserted_before.at(1).tip.z() += 1;

@@ -17,7 +17,7 @@ struct Plunge : SmallScene {
     scene.parts = {part};
     path.moves.resize(2);
     path.moves[0].end.tip = Vec3(20, 15, 50);
-    path.moves[1].start = path.moves[0].end;
+    path.moves[1].has_start = true;
     path.moves[1].end.tip = Vec3(20, 15, z);
     check();
     measure_overcuts(path, {&tool}, scene, model.options, result);
@@ -74,7 +74,6 @@ TEST(OvercutField, FindsTheToolBelowASurfaceItDoesNotPierce) {
   // tool's axis.
   Plunge plunge(60);
   plunge.path.moves[0].end = {Vec3(-20, 15, 25), Vec3(-1, 0, 0)};
-  plunge.path.moves[1].start = plunge.path.moves[0].end;
   plunge.path.moves[1].end = {Vec3(14, 15, 25), Vec3(-1, 0, 0)};
   plunge.check();
   measure_overcuts(plunge.path, {&plunge.tool}, plunge.scene, plunge.model.options, plunge.result);

@@ -36,11 +36,13 @@ TEST(DepthField, IsTheDeepestOfTheMovesAtEveryPoint) {
   std::size_t gouged = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     double dense = 0;
-    for (const Move& move : small.path.moves) {
-      if (!move.start) continue;
+    for (std::size_t m = 0; m < small.path.moves.size(); ++m) {
+      const Move& move = small.path.moves[m];
+      if (!move.has_start) continue;
+      const Vec3& from = small.path.start_of(m).tip;
       for (int k = 0; k <= 400; ++k) {
         const double t = k / 400.0;
-        const Pose pose{move.start->tip + t * (move.end.tip - move.start->tip), move.end.axis};
+        const Pose pose{from + t * (move.end.tip - from), move.end.axis};
         dense = std::max(dense, depth_at_pose(small.tool.against_part, pose, points[i].at));
       }
     }
@@ -59,7 +61,7 @@ TEST(DepthField, CoversTheWholePathHoweverFewPosesItMayHave) {
   small.path.moves.resize(1);
   for (int k = 0; k < 300; ++k) {
     Move move = small.path.moves.back();
-    move.start = move.end;
+    move.has_start = true;
     move.end.tip = Vec3(2 + 0.12 * k, 15, 9.7);
     small.path.moves.push_back(move);
   }
@@ -73,10 +75,7 @@ TEST(DepthField, CoversTheWholePathHoweverFewPosesItMayHave) {
 
 TEST(DepthField, IsEmptyForACleanPath) {
   SmallScene small;
-  for (Move& move : small.path.moves) {
-    move.end.tip.z() += 1;
-    if (move.start) move.start->tip.z() += 1;
-  }
+  for (Move& move : small.path.moves) move.end.tip.z() += 1;
   small.check();
   ASSERT_EQ(small.result.counts.gouge, 0U);
   const DepthField field(small.input);
@@ -111,10 +110,7 @@ TEST(ReportPictures, AreTheOnesPromisedAndTheSameOnEveryRun) {
 TEST(ReportPictures, ShowBeforeAndAfterForACorrection) {
   SmallScene before;
   SmallScene after;
-  for (Move& move : after.path.moves) {
-    move.end.tip.z() += 0.4;
-    if (move.start) move.start->tip.z() += 0.4;
-  }
+  for (Move& move : after.path.moves) move.end.tip.z() += 0.4;
   after.check();
   ASSERT_EQ(after.result.counts.gouge, 0U);
   after.model.has_correction = true;

@@ -51,7 +51,7 @@ struct SmallScene {
       move.line = 10 + path.moves.size();
       move.tool = 0;
       move.operation = 0;
-      if (!path.moves.empty()) move.start = path.moves.back().end;
+      move.has_start = !path.moves.empty();
       move.end.tip = tip;
       path.moves.push_back(move);
     }
