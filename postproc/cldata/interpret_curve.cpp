@@ -154,7 +154,7 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   // In NCL the vector has no sense, so what other arcs tell of it says nothing of this one.
   if (arc.sense == ArcSense::unknown && arc.problem == nullptr && !is_nccs(dialect_.kind)) {
     make_room(open_arcs_);
-    open_arcs_.push_back({path_.moves.size(), arc});
+    open_arcs_.push_back({path_.moves.size(), arc, cutcom_reason()});
   }
   fit(arc, last_pose_->tip, move);
 }
@@ -234,7 +234,9 @@ void Interpreter::close_arcs() {
   for (OpenArc& open : open_arcs_) {
     open.arc.sense = is_right ? ArcSense::right_handed : ArcSense::left_handed;
     Move& move = path_.moves[open.move];
-    if (move.not_checked_reason == ArcProblems::kSense) fit(open.arc, path_.start_of(open.move).tip, move);
+    if (move.not_checked_reason != ArcProblems::kSense) continue;
+    fit(open.arc, path_.start_of(open.move).tip, move);
+    if (move.not_checked_reason.empty()) move.not_checked_reason = open.not_checked_reason;
   }
   const std::size_t votes = is_right ? right_votes_ : left_votes_;
   path_.notes.push_back(make_note(

@@ -30,7 +30,7 @@ Vec3 vector_of(const std::vector<Argument>& arguments, std::size_t first) {
 }  // namespace
 
 const char* Interpreter::frame_reason() const {
-  for (const char* reason : {turning_reason_, contour_reason_, cutcom_reason_, adjust_reason_, unread_frame_reason_,
+  for (const char* reason : {turning_reason_, contour_reason_, adjust_reason_, unread_frame_reason_,
                              mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_}) {
     if (reason != nullptr) return reason;
   }

@@ -199,6 +199,7 @@ void Interpreter::break_motion() {
   last_pose_.reset();
   unknown_start_ = nullptr;
   last_frame_reason_ = nullptr;
+  was_compensated_ = false;
   last_direction_.reset();
   arc_.reset();
   last_arc_.reset();
@@ -208,29 +209,40 @@ void Interpreter::break_motion() {
 // positions are the cutter's centre.
 void Interpreter::take_cutcom() {
   if (is_nccs(dialect_.kind)) return take_nccs_cutcom();
-  if (has_argument(arguments_, "OFF")) {
-    cutcom_reason_ = nullptr;
-    return;
-  }
+  if (has_argument(arguments_, "OFF")) return end_cutcom();
   if (has_argument(arguments_, "LENGTH")) return;  // of the tool: along its axis, as positions are of its tip
+  begin_cutcom();
+}
+
+void Interpreter::begin_cutcom() {
   if (cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
-  if (!is_cutter_centre_) cutcom_reason_ = Reasons::kCutcom;
+  cutcom_ = has_argument(arguments_, "LEFT")    ? CutcomSide::left
+            : has_argument(arguments_, "RIGHT") ? CutcomSide::right
+                                                : CutcomSide::unknown;
+  if (!is_cutter_centre_) is_compensated_ = true;
+}
+
+void Interpreter::end_cutcom() {
+  cutcom_ = CutcomSide::none;
+  is_compensated_ = false;
+}
+
+// The way of the program's positions is known all the same.
+std::string_view Interpreter::cutcom_reason() const {
+  if (is_compensated_) return Reasons::kCutcom;
+  return was_compensated_ ? Reasons::kAfterCutcom : "";
 }
 
 // ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT.
 void Interpreter::take_nccs_cutcom() {
   const std::string_view what = arguments_.empty() ? std::string_view() : arguments_.front().text;
-  if (equals_ignoring_case(what, "OFF")) {
-    cutcom_reason_ = nullptr;
-    return;
-  }
+  if (equals_ignoring_case(what, "OFF")) return end_cutcom();
   if (equals_ignoring_case(what, "ADJUST")) {
     const bool is_off = arguments_.size() == 2 && equals_ignoring_case(arguments_.back().text, "OFF");
     adjust_reason_ = is_off ? nullptr : Reasons::kAdjust;
     return;
   }
-  if (cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
-  if (!is_cutter_centre_) cutcom_reason_ = Reasons::kCutcom;
+  begin_cutcom();
 }
 
 void Interpreter::emit(const Position& position) {
@@ -287,6 +299,7 @@ MotionRecord Interpreter::make_record(const Move& move, const Position& position
   record.numbers = static_cast<std::uint8_t>(position.numbers);
   record.form = position.form;
   record.is_rapid = is_rapid_;
+  record.cutcom = cutcom_;
   record.is_multax_off = multax_ == false;
   record.axis_local = position.axis_local;
   record.implied_axis_local = implied_axis();
@@ -294,7 +307,8 @@ MotionRecord Interpreter::make_record(const Move& move, const Position& position
   return record;
 }
 
-void Interpreter::append(const Move& move, const Position& position) {
+void Interpreter::append(Move move, const Position& position) {
+  if (move.not_checked_reason.empty()) move.not_checked_reason = cutcom_reason();
   if (records_ != nullptr) records_->of_move.push_back(make_record(move, position));
   if (is_broken_ && not_swept_++ == 0) first_not_swept_line_ = move.line;
   is_broken_ = false;
@@ -302,6 +316,7 @@ void Interpreter::append(const Move& move, const Position& position) {
   note_direction(move);
   last_pose_ = move.end;
   last_frame_reason_ = frame_reason();
+  was_compensated_ = is_compensated_;
   unknown_start_ = nullptr;
   is_rapid_ = false;
   was_from_ = false;

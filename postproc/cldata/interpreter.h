@@ -15,6 +15,7 @@
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/arc_statement.h"
 #include "postproc/cldata/arguments.h"
+#include "postproc/cldata/cutcom.h"
 #include "postproc/cldata/cycle_statement.h"
 #include "postproc/cldata/dialect.h"
 #include "postproc/cldata/statement.h"
@@ -44,6 +45,7 @@ struct MotionRecord {
   std::uint8_t numbers = 0;  ///< 3 or 6, of the hole for a step of a cycle; 0 where the form is godlta, curve or unread
   PositionForm form = PositionForm::go_to;
   bool is_rapid = false;                    ///< by a RAPID before it
+  CutcomSide cutcom = CutcomSide::none;
   bool is_multax_off = false;               ///< MULTAX/OFF is stated: positions with an axis would be read as two
   Vec3 axis_local = Vec3::UnitZ();          ///< axis of this position, in the block's frame
   Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
@@ -61,6 +63,8 @@ struct Reasons {
   static constexpr const char* kSpline = "a NURBS whose knots, points or axis are not those of a cubic curve";
   static constexpr const char* kCycle = "a cycle whose words are not understood";
   static constexpr const char* kCutcom = "compensated by CUTCOM: the positions need not be the cutter centre";
+  static constexpr const char* kAfterCutcom =
+      "starts at a position compensated by CUTCOM, which need not be the cutter centre";
   static constexpr const char* kAdjust =
       "shifted by CUTCOM/ADJUST: the registers of the control are not known";
   static constexpr const char* kNccsArc =
@@ -149,6 +153,9 @@ class Interpreter {
   void take_multax();
   void take_cutcom();
   void take_nccs_cutcom();
+  void begin_cutcom();
+  void end_cutcom();
+  [[nodiscard]] std::string_view cutcom_reason() const;
   [[nodiscard]] std::size_t numbers_per_point();
   [[nodiscard]] bool check_all_numbers(std::string_view expected);
   [[nodiscard]] std::optional<Vec3> read_axis(std::size_t first);
@@ -156,7 +163,7 @@ class Interpreter {
   [[nodiscard]] Vec3 implied_axis() const;
   void emit(const Position& position);
   [[nodiscard]] Move make_move(const Position& position, MoveKind kind);
-  void append(const Move& move, const Position& position);
+  void append(Move move, const Position& position);
   [[nodiscard]] MotionRecord make_record(const Move& move, const Position& position);
   void note_plain_axis(const Position& position);
   void break_motion();
@@ -237,6 +244,10 @@ class Interpreter {
   std::optional<Pose> last_pose_;        // part coordinates; nothing: the next position is alone
   const char* unknown_start_ = nullptr;  // why the next motion's start is not known
   const char* last_frame_reason_ = nullptr;
+  CutcomSide cutcom_ = CutcomSide::none;
+  bool is_cutter_centre_ = false;  // positions under CUTCOM are the cutter's centre
+  bool is_compensated_ = false;    // under CUTCOM, and nothing says that positions are the cutter's centre
+  bool was_compensated_ = false;   // the last position was
   bool is_rapid_ = false;
   bool is_broken_ = false;               // nothing is swept from the last position to the next
   std::optional<ArcStatement> arc_;      // to the next position, in the block's frame
@@ -247,6 +258,7 @@ class Interpreter {
   struct OpenArc {
     std::size_t move = 0;
     ArcStatement arc;  // part coordinates
+    std::string_view not_checked_reason;  // whatever its sense
   };
   std::vector<OpenArc> open_arcs_;  // whose sense the rest of the file must tell
   bool is_cycle_ = false;
@@ -295,9 +307,7 @@ class Interpreter {
   const char* origin_reason_ = nullptr;
   const char* unread_frame_reason_ = nullptr;
   const char* contour_reason_ = nullptr;
-  const char* cutcom_reason_ = nullptr;
   const char* adjust_reason_ = nullptr;
-  bool is_cutter_centre_ = false;  // positions under CUTCOM are the cutter's centre
   const char* turning_reason_ = nullptr;
   const char* trntyp_reason_ = nullptr;
   std::array<double, 3> turned_{};  // sum of table turns about A, B, C

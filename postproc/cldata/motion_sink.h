@@ -3,6 +3,7 @@
 #include <string>
 
 #include "lib/path/toolpath.h"
+#include "postproc/cldata/cutcom.h"
 
 // What a neutral toolpath is written into: one motion after another, in the order of the path. Poses and
 // feeds in mm and part coordinates; a sink knows the unit and the words of its dialect.
@@ -21,6 +22,8 @@ class MotionSink {
   virtual void change_tool(const PathTool& tool) = 0;
   /// Nothing leads to the next position. False where the dialect cannot say so.
   [[nodiscard]] virtual bool break_motion() = 0;
+  /// The motions that follow are compensated; none: no longer. False where the dialect cannot say so.
+  [[nodiscard]] virtual bool set_cutcom(CutcomSide side) = 0;
   virtual void set_feed(double mm_per_min) = 0;
   /// The next motion is rapid. False where the dialect cannot say so.
   [[nodiscard]] virtual bool make_rapid() = 0;

@@ -14,8 +14,23 @@ constexpr double kCircleKind = 5;  // the first of the five words before a circl
 constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
 
 struct PostCode {
-  static constexpr std::uint16_t kRapid = 5, kGohome = 14, kFedrat = 1009, kLoadtl = 1055, kPprint = 1044;
+  static constexpr std::uint16_t kRapid = 5, kGohome = 14, kFedrat = 1009, kLoadtl = 1055, kPprint = 1044, kCutcom = 1007;
 };
+
+std::uint16_t minor_code(CutcomSide side) {
+  constexpr std::uint16_t kLeft = 8, kRight = 24, kOn = 71, kOff = 72;
+  switch (side) {
+    case CutcomSide::none:
+      return kOff;
+    case CutcomSide::left:
+      return kLeft;
+    case CutcomSide::right:
+      return kRight;
+    case CutcomSide::unknown:
+      break;
+  }
+  return kOn;
+}
 
 // `text` in whole words, filled with blanks.
 std::string text_words(std::string text, std::size_t words) {
@@ -56,6 +71,11 @@ void NccsSink::change_tool(const PathTool& tool) {
 
 bool NccsSink::break_motion() {
   add(NccsClass::kPost, PostCode::kGohome, {});
+  return true;
+}
+
+bool NccsSink::set_cutcom(CutcomSide side) {
+  add(NccsClass::kPost, PostCode::kCutcom, nccs_word(NccsHeader{minor_code(side), 0, 0, 0}));
   return true;
 }
 

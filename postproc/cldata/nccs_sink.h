@@ -17,6 +17,7 @@ class NccsSink final : public MotionSink {
   void begin_operation(const std::string& name) override;
   void change_tool(const PathTool& tool) override;
   [[nodiscard]] bool break_motion() override;
+  [[nodiscard]] bool set_cutcom(CutcomSide side) override;
   void set_feed(double mm_per_min) override;
   [[nodiscard]] bool make_rapid() override;
   void go_to(const Pose& end) override;

@@ -64,7 +64,7 @@ void TextSink::begin_file() {
     case DialectKind::creo:
       line("$$*          Pro/CLfile");
       line("PARTNO / " + options_.name);
-      line("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER");
+      if (options_.is_on_centre) line("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER");
       line("UNITS / " + unit_word());
       if (options_.is_tilted) line("MULTAX / ON");
       return;
@@ -136,6 +136,15 @@ bool TextSink::break_motion() {
     line(options_.kind == DialectKind::solidworks_cam || options_.kind == DialectKind::clt ? "GOHOME/"
                                                                                            : "GOHOME");
   }
+  return true;
+}
+
+bool TextSink::set_cutcom(CutcomSide side) {
+  if (options_.kind == DialectKind::goto_list) return false;
+  if (is_block_due_ && options_.kind == DialectKind::nx_clsf) begin_nx_block();
+  const bool is_creo = options_.kind == DialectKind::creo;
+  const bool has_blank = options_.kind == DialectKind::clt || options_.kind == DialectKind::mori;
+  line(std::string(is_creo ? "CUTCOM / " : has_blank ? "CUTCOM/ " : "CUTCOM/") + cutcom_word(side));
   return true;
 }
 

@@ -15,6 +15,7 @@ struct TextSinkOptions {
   LengthUnit unit = LengthUnit::mm;
   int decimals = 0, axis_decimals = 0;  ///< no fewer than these
   bool is_tilted = false;               ///< an axis of the path is not +Z
+  bool is_on_centre = true;             ///< all positions are the cutter's centre
   std::string name;                     ///< of the part program
 };
 
@@ -25,6 +26,7 @@ class TextSink final : public MotionSink {
   void begin_operation(const std::string& name) override;
   void change_tool(const PathTool& tool) override;
   [[nodiscard]] bool break_motion() override;
+  [[nodiscard]] bool set_cutcom(CutcomSide side) override;
   void set_feed(double mm_per_min) override;
   [[nodiscard]] bool make_rapid() override;
   void go_to(const Pose& end) override;

@@ -23,15 +23,23 @@ constexpr double kSameAxis = 1e-4;
 // Motions whose end is what the file says although they are not checked: only their start or the cutter's
 // side of the contour is in doubt.
 bool is_understood(const Move& move) {
-  for (const char* reason : {"", Reasons::kAfterCycle, Reasons::kAfterRetract, Reasons::kCutcom}) {
+  for (const char* reason : {"", Reasons::kAfterCycle, Reasons::kAfterRetract, Reasons::kCutcom,
+                             Reasons::kAfterCutcom}) {
     if (move.not_checked_reason == reason) return true;
   }
   return false;
 }
 
+// Of compensated positions nothing says so.
+bool is_on_centre(const Toolpath& path) {
+  return std::none_of(path.moves.begin(), path.moves.end(),
+                      [](const Move& move) { return move.not_checked_reason == Reasons::kCutcom; });
+}
+
 class PathWriter {
  public:
-  PathWriter(const Toolpath& path, const Dialect& target) : path_(path), target_(target) {}
+  PathWriter(const Toolpath& path, const Dialect& target)
+      : path_(path), target_(target), records_(read_motion_records(path)) {}
 
   Result<WrittenToolpath> run();
 
@@ -40,6 +48,7 @@ class PathWriter {
   [[nodiscard]] std::unique_ptr<MotionSink> make_sink() const;
   void write_move(std::size_t index);
   void write_motion(std::size_t index);
+  void write_cutcom(std::size_t index);
   void expect(const Pose& end, bool is_alone);
   void note(const char* code, std::size_t count, const std::string& what);
   void note_losses();
@@ -47,14 +56,17 @@ class PathWriter {
 
   const Toolpath& path_;
   Dialect target_;
+  MotionRecords records_;
   std::unique_ptr<MotionSink> sink_;
   WrittenToolpath written_;
   std::size_t tool_ = kNone, operation_ = kNone;
   double feed_ = 0;
-  std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, chorded_ = 0, cycles_ = 0, cutcoms_ = 0;
+  CutcomSide cutcom_ = CutcomSide::none;
+  std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, chorded_ = 0, cycles_ = 0, lost_cutcoms_ = 0;
   struct Expected {
     Pose end;
     bool is_alone = false;
+    bool is_compensated = false;
   };
   std::vector<Expected> expected_;
 };
@@ -81,6 +93,12 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
             "), so they cannot be written in another way; without --to the file is copied as it is",
         path_.file, first->line);
   }
+  if (target_.kind == DialectKind::goto_list && !is_on_centre(path_)) {
+    return make_error("convert-dialect",
+                      "goto-list cannot say that positions are compensated by CUTCOM; expected another dialect for "
+                      "--to, or --cutcom centre where they are the cutter centre",
+                      path_.file);
+  }
   if (target_.kind != DialectKind::clt) return std::nullopt;
   const auto tilted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
     return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
@@ -101,12 +119,13 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   options.kind = target_.kind;
   options.unit = path_.unit;
   options.name = name.substr(0, name.find('.'));
+  options.is_on_centre = is_on_centre(path_);
   options.is_tilted = std::any_of(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
     return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
   });
   const bool is_text = path_.dialect != dialect_of(DialectKind::nccs_binary).id;
   if (is_text) {
-    const GotoText source(path_, read_motion_records(path_));
+    const GotoText source(path_, records_);
     options.decimals = source.coordinate_decimals();
     options.axis_decimals = source.axis_decimals();
   } else {
@@ -117,7 +136,13 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
 }
 
 void PathWriter::expect(const Pose& end, bool is_alone) {
-  expected_.push_back({end, is_alone});
+  expected_.push_back({end, is_alone, cutcom_ != CutcomSide::none});
+}
+
+void PathWriter::write_cutcom(std::size_t index) {
+  const CutcomSide side = records_.of_move[index].cutcom;
+  if (side != cutcom_ && !sink_->set_cutcom(side)) ++lost_cutcoms_;
+  cutcom_ = side;
 }
 
 void PathWriter::write_motion(std::size_t index) {
@@ -154,6 +179,7 @@ void PathWriter::write_move(std::size_t index) {
   }
   const bool is_rapid =
       move.kind == MoveKind::rapid || (move.kind == MoveKind::cycle && !(move.feed_mm_per_min > 0));
+  write_cutcom(index);
   if (is_rapid) {
     if (!sink_->make_rapid()) ++lost_rapids_;
   } else if (std::abs(move.feed_mm_per_min - feed_) > 0 && move.feed_mm_per_min > 0) {
@@ -161,7 +187,6 @@ void PathWriter::write_move(std::size_t index) {
     sink_->set_feed(feed_);
   }
   if (move.kind == MoveKind::cycle) ++cycles_;
-  if (move.not_checked_reason == Reasons::kCutcom) ++cutcoms_;
   write_motion(index);
 }
 
@@ -180,7 +205,7 @@ void PathWriter::note_losses() {
        "positions that nothing known leads to: the dialect cannot say so and will read straight moves to "
        "them");
   note("convert-rapid", lost_rapids_, "rapid moves: the dialect cannot say so and will read feed moves");
-  note("convert-cutcom", cutcoms_, "moves compensated by CUTCOM are written without it");
+  note("convert-cutcom", lost_cutcoms_, "moves under CUTCOM are written without it: the dialect cannot say it");
   const auto count_tools = [&](auto is_lost) {
     return static_cast<std::size_t>(std::count_if(path_.tools.begin(), path_.tools.end(), is_lost));
   };
@@ -220,7 +245,9 @@ void PathWriter::verify() {
     const Move& move = again.moves[i];
     const bool is_same = (move.end.tip * factor - expected_[i].end.tip).norm() <= kSamePlace_mm &&
                          (move.end.axis - expected_[i].end.axis).norm() <= kSameAxis &&
-                         move.has_start != expected_[i].is_alone;
+                         move.has_start != expected_[i].is_alone &&
+                         (is_on_centre(path_) ||
+                          expected_[i].is_compensated == (move.not_checked_reason == Reasons::kCutcom));
     differing += is_same ? 0 : 1;
   }
   const std::size_t told = std::min(lost_breaks_, differing);
