@@ -85,6 +85,11 @@ struct Reasons {
   static constexpr const char* kTurned =
       "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
+
+  /// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
+  [[nodiscard]] static bool is_motion_known(std::string_view reason) {
+    return reason.empty() || reason == kCutcom || reason == kAfterCutcom;
+  }
 };
 
 class Interpreter {

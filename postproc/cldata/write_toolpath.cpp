@@ -23,11 +23,8 @@ constexpr double kSameAxis = 1e-4;
 // Motions whose end is what the file says although they are not checked: only their start or the cutter's
 // side of the contour is in doubt.
 bool is_understood(const Move& move) {
-  for (const char* reason : {"", Reasons::kAfterCycle, Reasons::kAfterRetract, Reasons::kCutcom,
-                             Reasons::kAfterCutcom}) {
-    if (move.not_checked_reason == reason) return true;
-  }
-  return false;
+  const std::string_view reason = move.not_checked_reason;
+  return Reasons::is_motion_known(reason) || reason == Reasons::kAfterCycle || reason == Reasons::kAfterRetract;
 }
 
 // Of compensated positions nothing says so.
@@ -39,7 +36,7 @@ bool is_on_centre(const Toolpath& path) {
 class PathWriter {
  public:
   PathWriter(const Toolpath& path, const Dialect& target)
-      : path_(path), target_(target), records_(read_motion_records(path)) {}
+      : path_(path), target_(target), records_(read_motion_records(path)), is_on_centre_(is_on_centre(path)) {}
 
   Result<WrittenToolpath> run();
 
@@ -57,6 +54,7 @@ class PathWriter {
   const Toolpath& path_;
   Dialect target_;
   MotionRecords records_;
+  bool is_on_centre_;
   std::unique_ptr<MotionSink> sink_;
   WrittenToolpath written_;
   std::size_t tool_ = kNone, operation_ = kNone;
@@ -93,7 +91,7 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
             "), so they cannot be written in another way; without --to the file is copied as it is",
         path_.file, first->line);
   }
-  if (target_.kind == DialectKind::goto_list && !is_on_centre(path_)) {
+  if (target_.kind == DialectKind::goto_list && !is_on_centre_) {
     return make_error("convert-dialect",
                       "goto-list cannot say that positions are compensated by CUTCOM; expected another dialect for "
                       "--to, or --cutcom centre where they are the cutter centre",
@@ -119,7 +117,7 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   options.kind = target_.kind;
   options.unit = path_.unit;
   options.name = name.substr(0, name.find('.'));
-  options.is_on_centre = is_on_centre(path_);
+  options.is_on_centre = is_on_centre_;
   options.is_tilted = std::any_of(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
     return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
   });
@@ -246,7 +244,7 @@ void PathWriter::verify() {
     const bool is_same = (move.end.tip * factor - expected_[i].end.tip).norm() <= kSamePlace_mm &&
                          (move.end.axis - expected_[i].end.axis).norm() <= kSameAxis &&
                          move.has_start != expected_[i].is_alone &&
-                         (is_on_centre(path_) ||
+                         (is_on_centre_ ||
                           expected_[i].is_compensated == (move.not_checked_reason == Reasons::kCutcom));
     differing += is_same ? 0 : 1;
   }

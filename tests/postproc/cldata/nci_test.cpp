@@ -56,7 +56,7 @@ TEST(Nci, CompensationIsModalUntilItIsSwitchedOff) {
       EXPECT_TRUE(is_checked(path.moves[1]));
       EXPECT_EQ(path.moves[2].not_checked_reason, Reasons::kCutcom);
       EXPECT_EQ(path.moves[3].not_checked_reason, Reasons::kCutcom);
-      EXPECT_EQ(path.moves[4].not_checked_reason, Reasons::kCutcom) << "it starts at a compensated position";
+      EXPECT_EQ(path.moves[4].not_checked_reason, Reasons::kAfterCutcom);
       EXPECT_TRUE(is_checked(path.moves[5]));
     }
   }

@@ -150,7 +150,7 @@ std::vector<LongFile> long_files() {
        12},
       {"one smooth spline", smooth_spline, 12},
       {"Mastercam NCI", [] { return repeated("0\n0 1 1 1 1\n"); }, 13},
-      {"Mastercam NCI arcs", [] { return repeated("0\n0 1 0 0 1\n3\n41 0 0 1 0 0 0 1\n1\n40 0 1 0 1\n"); }, 13},
+      {"Mastercam NCI arcs", [] { return repeated("0\n0 1 0 0 1\n3\n41 0 0 1 0 0 0 1\n1\n40 0 1 0 1\n"); }, 14},
       {"Mastercam NCI five axes", [] { return repeated("11\n0 0 0 0 0 1 1\n"); }, 13},
       {"binary NCCS", binary_positions, 12},
       {"comments", [] { return "GOTO/1,1,1\n" + repeated("$$\n"); }, 12},

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "postproc/cldata/read_toolpath.h"
 #include "postproc/cldata/write_corrected.h"
 #include "postproc/cldata/write_toolpath.h"
@@ -120,6 +122,64 @@ TEST(RoundTrip, EveryDialectTakesAPathWithTiltsArcsAndTools) {
     expect_vector(again.toolpath->moves.back().end.tip * factor, 1.5 * 25.4, 0.5 * 25.4, 3.5 * 25.4, 2e-3);
     expect_vector(again.toolpath->moves.back().end.axis, 0.6, 0, 0.8, 1e-6);
   }
+}
+
+// A path that was not checked because of CUTCOM must not become one that is.
+TEST(RoundTrip, CompensationIsKept) {
+  const std::string text =
+      "UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,0\nCUTCOM/LEFT\nGOTO/5,0,0\nCIRCLE/5,5,0,0,0,1,5\nGOTO/10,5,0\n"
+      "GOTO/10,9,0\nCUTCOM/OFF\nGOTO/10,20,0\nGOTO/0,20,0\nCUTCOM/RIGHT\nGOTO/0,15,0\nCUTCOM/OFF\nGOTO/0,0,0\nFINI\n";
+  ReadOptions reading;
+  reading.dialect = dialect_called("apt-creo");
+  const ReadOutcome first = read_toolpath("a.ncl", text, reading);
+  ASSERT_TRUE(first.toolpath);
+  const Toolpath& path = *first.toolpath;
+  const std::vector<bool> is_checked = {true, false, false, false, false, true, false, false};
+  for (std::size_t i = 0; i < path.moves.size(); ++i)
+    EXPECT_EQ(path.moves[i].not_checked_reason.empty(), is_checked.at(i)) << i;
+  EXPECT_EQ(path.moves[2].curve_kind, CurveKind::arc);
+  for (const Dialect& dialect : all_dialects()) {
+    if (dialect.kind == DialectKind::nci) continue;
+    const Result<WrittenToolpath> written = write_toolpath(path, dialect);
+    if (dialect.kind == DialectKind::goto_list) {
+      ASSERT_FALSE(written);
+      EXPECT_EQ(written.error().code, "convert-dialect");
+      continue;
+    }
+    ASSERT_TRUE(written) << dialect.id;
+    for (const Diagnostic& note : written->notes) EXPECT_NE(note.code, "convert-verify") << dialect.id;
+    ReadOptions again;
+    again.dialect = dialect;
+    const ReadOutcome outcome = read_toolpath("again", written->bytes, again);
+    ASSERT_TRUE(outcome.toolpath) << dialect.id;
+    const bool has_chords = outcome.toolpath->moves.size() != path.moves.size();
+    for (std::size_t i = 0; !has_chords && i < path.moves.size(); ++i)
+      EXPECT_EQ(outcome.toolpath->moves[i].not_checked_reason, path.moves[i].not_checked_reason) << dialect.id << i;
+    again.is_cutcom_centre = true;
+    const ReadOutcome centre = read_toolpath("again", written->bytes, again);
+    for (const Move& move : centre.toolpath->moves) EXPECT_TRUE(move.not_checked_reason.empty()) << dialect.id;
+    EXPECT_LE(std::count_if(outcome.toolpath->moves.begin(), outcome.toolpath->moves.end(),
+                            [](const Move& move) { return move.not_checked_reason.empty(); }), 2) << dialect.id;
+  }
+}
+
+// Where the user says that positions are the cutter's centre, Creo's words say it on.
+TEST(RoundTrip, CompensationOfPositionsOnTheCentreIsKeptAsWell) {
+  ReadOptions options;
+  options.is_cutcom_centre = true;
+  const ReadOutcome read = read_toolpath(
+      "a.apt", "UNITS/MM\nGOTO/0,0,0\nCUTCOM/RIGHT\nGOTO/5,0,0\nCUTCOM/OFF\nGOTO/9,0,0\nFINI\n", options);
+  ASSERT_TRUE(read.toolpath);
+  const Result<WrittenToolpath> creo = write_toolpath(*read.toolpath, *dialect_called("apt-creo"));
+  ASSERT_TRUE(creo);
+  EXPECT_NE(creo->bytes.find("OUTPUT_ON_CENTER"), std::string::npos);
+  EXPECT_NE(creo->bytes.find("CUTCOM / RIGHT\n"), std::string::npos);
+  const Toolpath again = path_of(creo->bytes);
+  for (const Move& move : again.moves) EXPECT_TRUE(move.not_checked_reason.empty());
+  const Result<WrittenToolpath> list = write_toolpath(*read.toolpath, *dialect_called("goto-list"));
+  ASSERT_TRUE(list);
+  EXPECT_TRUE(std::any_of(list->notes.begin(), list->notes.end(),
+                          [](const Diagnostic& note) { return note.code == "convert-cutcom"; }));
 }
 
 TEST(RoundTrip, WhatIsNotUnderstoodIsNotConverted) {
