@@ -78,36 +78,67 @@ StraightenedPath straighten(const Toolpath& path, const CheckResult& result,
   return straight;
 }
 
+namespace {
+
+/// A move of the path as it was, with what its pieces became.
+struct Whole {
+  PathChange change;
+  bool is_changed = false, was_curve = false;
+};
+
+// Positions of one statement share the arc that describes them: they stay or go together.
+std::vector<PathChange> chosen_changes(const Toolpath& path, std::vector<Whole> wholes) {
+  const auto shares = [&](std::size_t a, std::size_t b) {
+    return wholes[a].was_curve && wholes[b].was_curve &&
+           path.moves[wholes[a].change.move].statement == path.moves[wholes[b].change.move].statement;
+  };
+  for (std::size_t i = 1; i < wholes.size(); ++i) {
+    const Whole& before = wholes[i - 1];
+    const bool is_start_moved = before.is_changed && before.change.new_end.has_value();
+    if (wholes[i].was_curve && (is_start_moved || (before.is_changed && shares(i - 1, i)))) wholes[i].is_changed = true;
+  }
+  for (std::size_t i = wholes.size(); i-- > 1;) {
+    if (wholes[i].is_changed && shares(i - 1, i)) wholes[i - 1].is_changed = true;
+  }
+  std::vector<PathChange> changes;
+  for (Whole& whole : wholes) {
+    if (whole.is_changed) changes.push_back(std::move(whole.change));
+  }
+  return changes;
+}
+
+}  // namespace
+
 Correction restore_curves(const StraightenedPath& straightened, const Toolpath& path,
                           const CheckResult& result, Correction correction) {
   std::vector<const PathChange*> change_of(straightened.path.moves.size(), nullptr);
   for (const PathChange& change : correction.changes) change_of[change.move] = &change;
   Correction restored;
-  bool is_start_moved = false;
+  std::vector<Whole> wholes;
   for (std::size_t first = 0, last = 0; first < straightened.origin.size(); first = last) {
-    PathChange whole;
-    whole.move = straightened.origin[first];
-    bool is_changed = false;
-    for (last = first; last < straightened.origin.size() && straightened.origin[last] == whole.move; ++last) {
+    Whole whole;
+    PathChange& all = whole.change;
+    all.move = straightened.origin[first];
+    for (last = first; last < straightened.origin.size() && straightened.origin[last] == all.move; ++last) {
       const PathChange* change = change_of[last];
-      is_changed = is_changed || change != nullptr;
+      whole.is_changed = whole.is_changed || change != nullptr;
       if (change != nullptr) {
-        whole.inserted_before.insert(whole.inserted_before.end(), change->inserted_before.begin(),
-                                     change->inserted_before.end());
+        all.inserted_before.insert(all.inserted_before.end(), change->inserted_before.begin(),
+                                   change->inserted_before.end());
       }
       const bool has_new_end = change != nullptr && change->new_end;
       const Pose& end = has_new_end ? *change->new_end : straightened.path.moves[last].end;
       const bool is_last =
-          last + 1 == straightened.origin.size() || straightened.origin[last + 1] != whole.move;
-      if (!is_last) whole.inserted_before.push_back(end);
-      if (is_last && has_new_end) whole.new_end = end;
+          last + 1 == straightened.origin.size() || straightened.origin[last + 1] != all.move;
+      if (!is_last) all.inserted_before.push_back(end);
+      if (is_last && has_new_end) all.new_end = end;
     }
-    const bool was_curve =
-        is_curve(path.moves[whole.move]) && straightened.path.moves[first].curve_kind == CurveKind::none;
-    whole.is_straightened = was_curve;
-    if (is_changed || (was_curve && is_start_moved)) restored.changes.push_back(whole);
-    is_start_moved = is_changed && whole.new_end.has_value();
+    whole.was_curve =
+        is_curve(path.moves[all.move]) && straightened.path.moves[first].curve_kind == CurveKind::none;
+    all.is_straightened = whole.was_curve;
+    wholes.push_back(std::move(whole));
   }
+  restored.changes = chosen_changes(path, std::move(wholes));
   for (ChangeRecord& record : correction.records) {
     const std::size_t piece = record.move;
     record.move = straightened.origin[piece];

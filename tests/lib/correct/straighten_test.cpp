@@ -85,6 +85,35 @@ TEST(Straighten, ACleanArcStaysAnArc) {
   EXPECT_TRUE(c.correct().changes.empty());
 }
 
+// A list of positions on one circle, as NCL and Creo write them: the statement before them describes all of them.
+TEST(Straighten, PositionsOfOneStatementGoTogetherThoughOneAloneGouges) {
+  ArcCase c(1);
+  const double w = std::sqrt(0.5) * 10;
+  c.path = through({upright(20, 0, 0), upright(10, 0, 0), upright(w, w, 0), upright(-w, w, 0), upright(-10, 0, 0),
+                    upright(-20, 0, 0)});
+  for (std::size_t i = 0; i < c.path.moves.size(); ++i) {
+    Move& move = c.path.moves[i];
+    const bool is_arc = i >= 2 && i <= 4;
+    move.statement = is_arc ? 2 : i;
+    if (!is_arc) continue;
+    move.kind = MoveKind::arc;
+    move.curve_kind = CurveKind::arc;
+    move.curve = c.path.arcs.size();
+    c.path.arcs.push_back({Vec3::Zero(), Vec3::UnitZ(), std::numbers::pi / (i == 3 ? 2 : 4)});
+  }
+  const CheckResult before = c.check(c.path);
+  ASSERT_EQ(before.verdicts[3].state, MoveState::gouge);
+  ASSERT_EQ(before.verdicts[2].state, MoveState::clean);
+  const Correction correction = c.correct();
+  std::vector<std::size_t> straightened;
+  for (const PathChange& change : correction.changes) {
+    if (change.is_straightened) straightened.push_back(change.move);
+  }
+  EXPECT_EQ(straightened, (std::vector<std::size_t>{2, 3, 4}));
+  const CheckResult after = c.check(changed(c.path, correction));
+  EXPECT_EQ(after.counts.clean, after.verdicts.size());
+}
+
 TEST(Straighten, TheRestOfTheArcStaysOnIt) {
   const ArcCase c(1);
   const Correction correction = c.correct();
