@@ -78,7 +78,7 @@ class PathCorrector {
     if (!is_straight(path_.moves[i])) return "the position ends an arc or a cycle step";
     const bool is_arc_next =
         i + 1 < path_.moves.size() && path_.moves[i + 1].has_start && !is_straight(path_.moves[i + 1]);
-    return is_arc_next ? "an arc begins at the position" : "";
+    return is_arc_next ? "an arc or a step of a cycle begins at the position" : "";
   }
 
   void choose_positions() {

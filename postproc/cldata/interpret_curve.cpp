@@ -16,7 +16,8 @@ constexpr double kSameAxis = 1e-9;     // sine of an angle
 constexpr double kSamePoint_mm = 1e-3;
 constexpr double kLeavesPlane_mm = 0.02;  // as far as start and end of an arc may differ in radius
 constexpr double kTurningAxis = 1e-4;     // sine of an angle
-constexpr std::size_t kClearVotes = 10;
+constexpr std::size_t kClearVotes = 10;  // times as many as for the other sense
+constexpr std::size_t kFewestVotes = 3;
 
 ArcStatement unreadable(const char* problem) {
   ArcStatement arc;
@@ -33,6 +34,11 @@ void Interpreter::take_arc() {
 }
 
 void Interpreter::take_unread_curve() {
+  const bool is_off = has_argument(arguments_, "OFF");
+  if (is_off || has_argument(arguments_, "ON")) {  // until it is switched off
+    spline_reason_ = is_off ? nullptr : Reasons::kCurve;
+    return;
+  }
   arc_ = unreadable(Reasons::kCurve);
 }
 
@@ -228,8 +234,8 @@ void Interpreter::note_direction(const Move& move) {
 // Arcs of a file whose dialect tells no sense: all of them have the one in which they go on smoothly.
 void Interpreter::close_arcs() {
   if (open_arcs_.empty()) return;
-  const bool is_right = right_votes_ > 0 && right_votes_ >= kClearVotes * left_votes_;
-  const bool is_left = left_votes_ > 0 && left_votes_ >= kClearVotes * right_votes_;
+  const bool is_right = right_votes_ >= kFewestVotes && right_votes_ >= kClearVotes * left_votes_;
+  const bool is_left = left_votes_ >= kFewestVotes && left_votes_ >= kClearVotes * right_votes_;
   if (!is_right && !is_left) return;
   for (OpenArc& open : open_arcs_) {
     open.arc.sense = is_right ? ArcSense::right_handed : ArcSense::left_handed;

@@ -30,7 +30,7 @@ Vec3 vector_of(const std::vector<Argument>& arguments, std::size_t first) {
 }  // namespace
 
 const char* Interpreter::frame_reason() const {
-  for (const char* reason : {turning_reason_, contour_reason_, adjust_reason_, unread_frame_reason_,
+  for (const char* reason : {turning_reason_, contour_reason_, adjust_reason_, spline_reason_, unread_frame_reason_,
                              mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_}) {
     if (reason != nullptr) return reason;
   }
@@ -90,6 +90,7 @@ void Interpreter::take_creo_comment() {
   } else if (starts_with_ignoring_case(text, "FEATNO")) {
     name_operation("FEATNO " + name_text(rest));
     break_motion();  // between sequences the machine goes home
+    is_cutter_centre_ = is_cutter_centre_said_;
   } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
     const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
     contour_reason_ = is_on_centre ? nullptr : Reasons::kContour;
@@ -175,14 +176,16 @@ void Interpreter::take_mcsys() {
   if (frame) set_frame(*frame);
 }
 
-// ROTABL/angle,AAXIS,...: turns add up and are undone by the same angle the other way.
+// CAMWorks CLT, ROTABL/angle,AAXIS,...: turns add up and are undone by the same angle the other way. Elsewhere angles
+// may be absolute or relative, and of one of several tables, so nothing undoes them.
 void Interpreter::take_rotabl() {
   const auto number = std::find_if(arguments_.begin(), arguments_.end(),
                                    [](const Argument& a) { return a.number.has_value(); });
   if (number == arguments_.end()) return count_unknown();
-  if (is_nccs(dialect_.kind)) {
-    // Angles may be absolute or relative, and of one of several tables.
-    if (std::abs(*number->number) > 0) unread_frame_reason_ = Reasons::kTurned;
+  if (dialect_.kind != DialectKind::clt) {
+    const bool is_turned = std::any_of(arguments_.begin(), arguments_.end(),
+                                       [](const Argument& a) { return a.number && std::abs(*a.number) > 0; });
+    if (is_turned) unread_frame_reason_ = Reasons::kTurned;
     return;
   }
   const std::size_t axis = has_argument(arguments_, "BAXIS") ? 1 : has_argument(arguments_, "CAXIS") ? 2 : 0;
@@ -201,7 +204,7 @@ void Interpreter::take_trans() {
                                       [](const Argument& a) { return a.number && std::abs(*a.number) > 0; });
   const char*& reason = equals_ignoring_case(statement_->major, "ORIGIN") ? origin_reason_ : trans_reason_;
   if (is_shifted) reason = Reasons::kTrans;
-  if (!is_shifted && find_word_argument(arguments_) == nullptr) reason = nullptr;
+  if (!is_shifted && !arguments_.empty() && find_word_argument(arguments_) == nullptr) reason = nullptr;
 }
 
 void Interpreter::take_tlaxis() {
@@ -216,6 +219,7 @@ void Interpreter::take_tlaxis() {
   const std::optional<Vec3> axis = read_axis(0);
   if (!axis) return;
   fixed_axis_ = *axis;
+  is_tlaxis_new_ = true;
   if (dialect_.is_axis_modal) modal_axis_ = *axis;
 }
 

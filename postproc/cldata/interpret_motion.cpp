@@ -47,6 +47,7 @@ bool Interpreter::check_all_numbers(std::string_view expected) {
 std::size_t Interpreter::numbers_per_point() {
   const std::size_t count = arguments_.size();
   if (count == 3) return 3;
+  if (statement_->has_axes) return 6;
   const auto axes_are_unit = [&] {
     for (std::size_t i = 3; i < count; i += 6) {
       const Vec3 axis(*arguments_[i].number, *arguments_[i + 1].number, *arguments_[i + 2].number);
@@ -57,6 +58,7 @@ std::size_t Interpreter::numbers_per_point() {
   const bool is_list = statement_->word == Word::go_to && !dialect_.is_axis_modal;
   if (count == 6 || (is_list && count > 6 && count % 6 == 0)) {
     if (!is_list || multax_.value_or(false)) return 6;
+    if (dialect_.kind == DialectKind::nccs_binary && multax_ == false) return 3;
     if (axes_are_unit()) return 6;
     // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect tells is it two
     // positions.
@@ -95,25 +97,42 @@ std::optional<Vec3> Interpreter::read_axis(std::size_t first) {
   return axis / length;
 }
 
+// Two positions, the second of which happens to lie at a distance of 1 from the origin, look like a position and
+// its axis. Where MULTAX/OFF says so, or a writer known to state MULTAX has not, nobody can tell.
+bool Interpreter::are_axes_doubtful(std::size_t numbers) const {
+  return numbers == 6 && !statement_->has_axes && !dialect_.is_axis_modal && needs_multax();
+}
+
+// Before an axis can be written. Those who write Creo and NCCS files say MULTAX where they mean it.
+bool Interpreter::needs_multax() const {
+  const bool states_it = dialect_.kind == DialectKind::creo || is_nccs(dialect_.kind);
+  return !multax_.value_or(!states_it);
+}
+
 Vec3 Interpreter::implied_axis() const {
   return dialect_.is_axis_modal ? modal_axis_ : fixed_axis_;
 }
 
-void Interpreter::note_plain_axis(const Position& position) {
-  if (dialect_.is_axis_modal || dialect_.has_known_plain_axis || multax_ == false) return;
+// A position without an axis after a tilted one: it may have that one's, or the fixed one.
+bool Interpreter::has_doubtful_axis(const Position& position) {
+  if (dialect_.is_axis_modal || dialect_.has_known_plain_axis || multax_ == false) return false;
   if (position.numbers == 6) {
     is_last_tilted_ = position.axis_local.cross(fixed_axis_).squaredNorm() > kTiltTold * kTiltTold;
   } else if (is_last_tilted_) {
     if (plain_after_tilt_++ == 0) first_plain_after_tilt_ = statement_->line;
+    return true;
   }
+  return false;
 }
 
 void Interpreter::take_positions(PositionForm form) {
   if (!check_all_numbers(kPositionForm)) return;
   const std::size_t numbers = numbers_per_point();
   if (numbers == 0) return;
+  if (are_axes_doubtful(numbers)) return emit_unread(Reasons::kSixNumbers);
   const std::size_t points = arguments_.size() / numbers;
   if (statement_->is_continuation && !arc_) arc_ = last_arc_;
+  bool is_going_on = false;
   make_room(path_.moves, points);
   for (std::size_t i = 0; i < points; ++i) {
     Position position;
@@ -129,10 +148,25 @@ void Interpreter::take_positions(PositionForm form) {
     position.tip_local = *tip;
     position.axis_local = *axis;
     if (form == PositionForm::from) break_motion();
-    note_plain_axis(position);
+    const bool is_doubtful = has_doubtful_axis(position);
+    const bool may_go_on = may_go_on_round(position);
+    doubt_ = is_doubtful ? Reasons::kPlainAxis : may_go_on ? Reasons::kNccsGoesOn : nullptr;
+    if (may_go_on) is_going_on = true;
     emit(position);
+    if (is_doubtful) unknown_start_ = Reasons::kPlainAxis;
+    doubt_ = nullptr;
   }
-  last_arc_ = std::exchange(arc_, std::nullopt);
+  if (!is_going_on) last_arc_ = std::exchange(arc_, std::nullopt);
+}
+
+// In NCL's text every position has a statement of its own; in its binary files those that follow a circle go on
+// along it.
+bool Interpreter::may_go_on_round(const Position& position) const {
+  constexpr double kOnCircle_mm = 0.02;
+  if (dialect_.kind != DialectKind::nccs || arc_ || !last_arc_ || last_arc_->problem != nullptr) return false;
+  const Vec3 away = position.tip_local - last_arc_->center;
+  const double radius = (away - away.dot(last_arc_->axis) * last_arc_->axis).norm();
+  return std::abs(radius - last_arc_->radius_mm.value_or(radius)) <= kOnCircle_mm;
 }
 
 void Interpreter::take_godlta() {
@@ -142,16 +176,17 @@ void Interpreter::take_godlta() {
     return fail("path-count", "GODLTA has " + std::to_string(count) +
                                   " numbers; expected dx,dy,dz or one distance along the tool axis");
   }
-  if (!last_pose_ || unknown_start_ != nullptr) {
+  if (!last_pose_) {
     return fail("path-statement",
                 "GODLTA moves on from a position that is not known; expected a FROM or GOTO before it");
   }
+  if (last_frame_reason_ != nullptr || unknown_start_ != nullptr) return emit_unread(Reasons::kStepFromUnread);
   const Pose here = to_part_.inverse().pose(*last_pose_);
   Position position;
   position.form = PositionForm::godlta;
-  position.axis_local = here.axis;
+  position.axis_local = is_tlaxis_new_ ? implied_axis() : here.axis;
   if (count == 1) {
-    position.tip_local = here.tip + here.axis * (*arguments_[0].number * mm_per_unit_);
+    position.tip_local = here.tip + position.axis_local * (*arguments_[0].number * mm_per_unit_);
   } else {
     const std::optional<Vec3> step = read_tip(0);
     if (!step) return;
@@ -159,6 +194,7 @@ void Interpreter::take_godlta() {
   }
   emit(position);
   arc_.reset();
+  last_arc_.reset();
 }
 
 void Interpreter::take_gohome() {
@@ -205,12 +241,18 @@ void Interpreter::break_motion() {
   last_arc_.reset();
 }
 
-// LEFT and RIGHT let the control offset the path by a radius nobody here knows, unless the file says that its
+// ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT. Those let the control offset the path by a radius nobody here knows, unless the file says that its
 // positions are the cutter's centre.
 void Interpreter::take_cutcom() {
-  if (is_nccs(dialect_.kind)) return take_nccs_cutcom();
-  if (has_argument(arguments_, "OFF")) return end_cutcom();
-  if (has_argument(arguments_, "LENGTH")) return;  // of the tool: along its axis, as positions are of its tip
+  if (has_argument(arguments_, "ADJUST")) {
+    const bool is_off = arguments_.size() == 2 && equals_ignoring_case(arguments_.back().text, "OFF");
+    adjust_reason_ = is_off ? nullptr : Reasons::kAdjust;
+    return;
+  }
+  const bool has_side = has_argument(arguments_, "LEFT") || has_argument(arguments_, "RIGHT");
+  // Of the tool's length: along its axis, as positions are of its tip.
+  if (has_argument(arguments_, "LENGTH") && !has_side) return;
+  if (has_argument(arguments_, "OFF") && !has_side) return end_cutcom();
   begin_cutcom();
 }
 
@@ -231,18 +273,6 @@ void Interpreter::end_cutcom() {
 std::string_view Interpreter::cutcom_reason() const {
   if (is_compensated_) return Reasons::kCutcom;
   return was_compensated_ ? Reasons::kAfterCutcom : "";
-}
-
-// ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT.
-void Interpreter::take_nccs_cutcom() {
-  const std::string_view what = arguments_.empty() ? std::string_view() : arguments_.front().text;
-  if (equals_ignoring_case(what, "OFF")) return end_cutcom();
-  if (equals_ignoring_case(what, "ADJUST")) {
-    const bool is_off = arguments_.size() == 2 && equals_ignoring_case(arguments_.back().text, "OFF");
-    adjust_reason_ = is_off ? nullptr : Reasons::kAdjust;
-    return;
-  }
-  begin_cutcom();
 }
 
 void Interpreter::emit(const Position& position) {
@@ -300,7 +330,7 @@ MotionRecord Interpreter::make_record(const Move& move, const Position& position
   record.form = position.form;
   record.is_rapid = is_rapid_;
   record.cutcom = cutcom_;
-  record.is_multax_off = multax_ == false;
+  record.is_multax_off = needs_multax();
   record.axis_local = position.axis_local;
   record.implied_axis_local = implied_axis();
   record.frame = &records_->frames.back();
@@ -308,6 +338,7 @@ MotionRecord Interpreter::make_record(const Move& move, const Position& position
 }
 
 void Interpreter::append(Move move, const Position& position) {
+  if (move.not_checked_reason.empty() && doubt_ != nullptr) move.not_checked_reason = doubt_;
   if (move.not_checked_reason.empty()) move.not_checked_reason = cutcom_reason();
   if (records_ != nullptr) records_->of_move.push_back(make_record(move, position));
   if (is_broken_ && not_swept_++ == 0) first_not_swept_line_ = move.line;
@@ -317,6 +348,7 @@ void Interpreter::append(Move move, const Position& position) {
   last_pose_ = move.end;
   last_frame_reason_ = frame_reason();
   was_compensated_ = is_compensated_;
+  is_tlaxis_new_ = false;
   unknown_start_ = nullptr;
   is_rapid_ = false;
   was_from_ = false;

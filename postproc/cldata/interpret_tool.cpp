@@ -30,7 +30,6 @@ std::optional<int> whole_number(const Argument& argument) {
 }  // namespace
 
 void Interpreter::set_cutter(const CutterStatement& cutter, double flute_length_mm) {
-  turning_reason_ = nullptr;
   tool_.cutter = cutter;
   tool_.flute_length_mm = flute_length_mm;
   tool_.line = statement_->line;
@@ -91,7 +90,8 @@ void Interpreter::take_tldata() {
 }
 
 void Interpreter::take_tool_number() {
-  if (has_argument(arguments_, "TURN")) turning_reason_ = Reasons::kTurning;
+  const bool is_turning = has_argument(arguments_, "TURN");
+  if (is_turning) turning_reason_ = Reasons::kTurning;
   if (arguments_.empty()) return count_unknown();
   const std::optional<int> number = whole_number(arguments_.front());
   if (!number) {
@@ -99,6 +99,7 @@ void Interpreter::take_tool_number() {
                                       quoted_text(arguments_.front().text) +
                                       " is not a tool number; expected a whole number");
   }
+  if (!is_turning && tool_.number != *number) turning_reason_ = nullptr;
   change_number(*number);
 }
 

@@ -28,7 +28,7 @@ void Interpreter::take_unknown() {
 }
 
 // A motion nobody knows the end of stands where the last one ended, so that it is told as a move not checked.
-void Interpreter::emit_unread() {
+void Interpreter::emit_unread(const char* reason) {
   resolve_tool();
   resolve_operation();
   Move move;
@@ -41,7 +41,7 @@ void Interpreter::emit_unread() {
   }
   move.tool = tool_index_;
   move.operation = operation_index_;
-  move.not_checked_reason = Reasons::kUnread;
+  move.not_checked_reason = reason;
   if (records_ != nullptr) {
     Position position;
     position.form = PositionForm::unread;

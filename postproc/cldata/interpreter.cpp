@@ -389,7 +389,7 @@ void Interpreter::finish() {
     notes.push_back(make_warning("path-words",
                                  counted(count, "statement") +
                                      " with words that are not understood, taken to move "
-                                     "nothing; path info lists them",
+                                     "nothing where no move is not checked for them; path info lists them",
                                  path_.file));
   }
 }

@@ -46,7 +46,7 @@ struct MotionRecord {
   PositionForm form = PositionForm::go_to;
   bool is_rapid = false;                    ///< by a RAPID before it
   CutcomSide cutcom = CutcomSide::none;
-  bool is_multax_off = false;               ///< MULTAX/OFF is stated: positions with an axis would be read as two
+  bool is_multax_off = false;               ///< positions with an axis would be read as two, or not checked
   Vec3 axis_local = Vec3::UnitZ();          ///< axis of this position, in the block's frame
   Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
   const MotionFrame* frame = nullptr;       ///< one of MotionRecords::frames
@@ -75,6 +75,13 @@ struct Reasons {
   static constexpr const char* kContour =
       "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";
   static constexpr const char* kUnread = "a statement that is not understood may have moved the tool";
+  static constexpr const char* kSixNumbers =
+      "six numbers without MULTAX/ON: two positions, or one and its tool axis";
+  static constexpr const char* kStepFromUnread = "GODLTA goes on from a position that is not known";
+  static constexpr const char* kNccsGoesOn =
+      "a position on the circle of the one before it: round or straight, the file does not say";
+  static constexpr const char* kPlainAxis =
+      "a position without a tool axis after a tilted one: the file does not say which axis it has";
   static constexpr const char* kAfterUnread =
       "starts at an unknown position after a statement that is not understood";
   static constexpr const char* kUnreadFrame =
@@ -86,6 +93,10 @@ struct Reasons {
       "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
 
+  /// True where nobody knows where the statement takes the tool.
+  [[nodiscard]] static bool is_unread(std::string_view reason) {
+    return reason == kUnread || reason == kSixNumbers || reason == kStepFromUnread;
+  }
   /// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
   [[nodiscard]] static bool is_motion_known(std::string_view reason) {
     return reason.empty() || reason == kCutcom || reason == kAfterCutcom;
@@ -103,7 +114,7 @@ class Interpreter {
   void finish();
 
   /// Positions under CUTCOM are the cutter's centre, because the user says so.
-  void set_cutter_centre() { is_cutter_centre_ = true; }
+  void set_cutter_centre() { is_cutter_centre_ = is_cutter_centre_said_ = true; }
 
   [[nodiscard]] Diagnostics take_errors();
   [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
@@ -140,7 +151,7 @@ class Interpreter {
 
   // interpret_unread.cpp
   void take_unknown();
-  void emit_unread();
+  void emit_unread(const char* reason = Reasons::kUnread);
   [[nodiscard]] bool is_statement() const;
 
   [[nodiscard]] bool take_motion_word();
@@ -157,7 +168,6 @@ class Interpreter {
   void take_fedrat();
   void take_multax();
   void take_cutcom();
-  void take_nccs_cutcom();
   void begin_cutcom();
   void end_cutcom();
   [[nodiscard]] std::string_view cutcom_reason() const;
@@ -170,7 +180,10 @@ class Interpreter {
   [[nodiscard]] Move make_move(const Position& position, MoveKind kind);
   void append(Move move, const Position& position);
   [[nodiscard]] MotionRecord make_record(const Move& move, const Position& position);
-  void note_plain_axis(const Position& position);
+  [[nodiscard]] bool has_doubtful_axis(const Position& position);
+  [[nodiscard]] bool are_axes_doubtful(std::size_t numbers) const;
+  [[nodiscard]] bool needs_multax() const;
+  [[nodiscard]] bool may_go_on_round(const Position& position) const;
   void break_motion();
 
   // interpret_cycle.cpp
@@ -250,9 +263,11 @@ class Interpreter {
   const char* unknown_start_ = nullptr;  // why the next motion's start is not known
   const char* last_frame_reason_ = nullptr;
   CutcomSide cutcom_ = CutcomSide::none;
-  bool is_cutter_centre_ = false;  // positions under CUTCOM are the cutter's centre
+  bool is_cutter_centre_said_ = false;  // by the user: positions under CUTCOM are the cutter's centre
+  bool is_cutter_centre_ = false;       // so says the user, or the file for this sequence
   bool is_compensated_ = false;    // under CUTCOM, and nothing says that positions are the cutter's centre
   bool was_compensated_ = false;   // the last position was
+  const char* doubt_ = nullptr;    // why the position being taken cannot be checked
   bool is_rapid_ = false;
   bool is_broken_ = false;               // nothing is swept from the last position to the next
   std::optional<ArcStatement> arc_;      // to the next position, in the block's frame
@@ -272,6 +287,7 @@ class Interpreter {
   std::optional<bool> multax_;
   Vec3 modal_axis_ = Vec3::UnitZ();  // the last axis given, or TLAXIS
   Vec3 fixed_axis_ = Vec3::UnitZ();  // TLAXIS
+  bool is_tlaxis_new_ = false;       // since the last position
   double feed_mm_per_min_ = 0;
   std::size_t curve_statement_ = kNone;  // NURBS whose control points are being read
   std::size_t curve_line_ = 0;
@@ -313,6 +329,7 @@ class Interpreter {
   const char* unread_frame_reason_ = nullptr;
   const char* contour_reason_ = nullptr;
   const char* adjust_reason_ = nullptr;
+  const char* spline_reason_ = nullptr;
   const char* turning_reason_ = nullptr;
   const char* trntyp_reason_ = nullptr;
   std::array<double, 3> turned_{};  // sum of table turns about A, B, C

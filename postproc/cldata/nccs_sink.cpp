@@ -14,7 +14,7 @@ constexpr double kCircleKind = 5;  // the first of the five words before a circl
 constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
 
 struct PostCode {
-  static constexpr std::uint16_t kRapid = 5, kGohome = 14, kFedrat = 1009, kLoadtl = 1055, kPprint = 1044, kCutcom = 1007;
+  static constexpr std::uint16_t kRapid = 5, kGohome = 14, kFedrat = 1009, kLoadtl = 1055, kPprint = 1044, kCutcom = 1007, kRetrct = 7;
 };
 
 std::uint16_t minor_code(CutcomSide side) {
@@ -77,6 +77,10 @@ bool NccsSink::break_motion() {
 bool NccsSink::set_cutcom(CutcomSide side) {
   add(NccsClass::kPost, PostCode::kCutcom, nccs_word(NccsHeader{minor_code(side), 0, 0, 0}));
   return true;
+}
+
+void NccsSink::retract() {
+  add(NccsClass::kPost, PostCode::kRetrct, {});
 }
 
 void NccsSink::set_feed(double mm_per_min) {

@@ -18,6 +18,7 @@ class NccsSink final : public MotionSink {
   void change_tool(const PathTool& tool) override;
   [[nodiscard]] bool break_motion() override;
   [[nodiscard]] bool set_cutcom(CutcomSide side) override;
+  void retract() override;
   void set_feed(double mm_per_min) override;
   [[nodiscard]] bool make_rapid() override;
   void go_to(const Pose& end) override;

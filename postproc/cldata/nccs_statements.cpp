@@ -129,6 +129,7 @@ void NccsStatements::take_expanded(const NccsHeader& header, Statement& statemen
   }
   statement.word = Word::go_to;
   statement.major = "GOTO";
+  statement.has_axes = true;
   statement.is_continuation = header.subclass == kMorePoints;
 }
 

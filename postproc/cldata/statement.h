@@ -31,6 +31,7 @@ struct Statement {
   std::vector<std::string_view> pieces;
   bool is_decoded = false;        ///< `decoded` holds the arguments; `pieces` has one piece, of text or empty
   std::vector<Argument> decoded;  ///< arguments of a file that does not write them as APT text
+  bool has_axes = false;          ///< every position has its axis, whatever MULTAX says
   bool is_continuation = false;   ///< its positions go on the way of those of the statement before
 
   /// As new, with the memory it has.
@@ -38,7 +39,7 @@ struct Statement {
     line = first_byte = last_byte = 0;
     word = Word::unknown;
     major = {};
-    is_unterminated = is_decoded = is_continuation = false;
+    is_unterminated = is_decoded = has_axes = is_continuation = false;
     pieces.clear();
     decoded.clear();
   }

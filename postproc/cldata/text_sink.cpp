@@ -148,6 +148,12 @@ bool TextSink::set_cutcom(CutcomSide side) {
   return true;
 }
 
+void TextSink::retract() {
+  if (is_block_due_ && options_.kind == DialectKind::nx_clsf) begin_nx_block();
+  line("RETRCT");
+  axis_.reset();
+}
+
 void TextSink::set_feed(double mm_per_min) {
   if (is_block_due_ && options_.kind == DialectKind::nx_clsf) begin_nx_block();
   const double value = scaled(mm_per_min);

@@ -27,7 +27,7 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     is_named[change.move] = true;
     const Move& move = path.moves[change.move];
     const bool changes_it = change.new_end || !change.inserted_before.empty();
-    if (changes_it && move.not_checked_reason == Reasons::kUnread) {
+    if (changes_it && Reasons::is_unread(move.not_checked_reason)) {
       return make_error("write-move", name + " is a statement that is not understood, so it cannot be changed",
                         path.file, move.line);
     }

@@ -24,19 +24,22 @@ constexpr double kSameAxis = 1e-4;
 // side of the contour is in doubt.
 bool is_understood(const Move& move) {
   const std::string_view reason = move.not_checked_reason;
-  return Reasons::is_motion_known(reason) || reason == Reasons::kAfterCycle || reason == Reasons::kAfterRetract;
+  return Reasons::is_motion_known(reason) || reason == Reasons::kAfterRetract;
 }
 
-// Of compensated positions nothing says so.
-bool is_on_centre(const Toolpath& path) {
-  return std::none_of(path.moves.begin(), path.moves.end(),
-                      [](const Move& move) { return move.not_checked_reason == Reasons::kCutcom; });
+// The file or the user says of every compensated position that it is the cutter's centre.
+bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const bool is_compensated = records.of_move[i].cutcom != CutcomSide::none;
+    if (is_compensated && !path.moves[i].not_checked_reason.empty()) return false;
+  }
+  return true;
 }
 
 class PathWriter {
  public:
   PathWriter(const Toolpath& path, const Dialect& target)
-      : path_(path), target_(target), records_(read_motion_records(path)), is_on_centre_(is_on_centre(path)) {}
+      : path_(path), target_(target), records_(read_motion_records(path)), is_on_centre_(are_on_centre(path, records_)) {}
 
   Result<WrittenToolpath> run();
 
@@ -60,11 +63,12 @@ class PathWriter {
   std::size_t tool_ = kNone, operation_ = kNone;
   double feed_ = 0;
   CutcomSide cutcom_ = CutcomSide::none;
+  bool is_checked_ = true;  // the move being written
   std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, chorded_ = 0, cycles_ = 0, lost_cutcoms_ = 0;
   struct Expected {
     Pose end;
     bool is_alone = false;
-    bool is_compensated = false;
+    bool is_checked = true;
   };
   std::vector<Expected> expected_;
 };
@@ -96,6 +100,14 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
                       "goto-list cannot say that positions are compensated by CUTCOM; expected another dialect for "
                       "--to, or --cutcom centre where they are the cutter centre",
                       path_.file);
+  }
+  const auto retracted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
+    return move.not_checked_reason == Reasons::kAfterRetract;
+  });
+  if (target_.kind == DialectKind::goto_list && retracted != path_.moves.end()) {
+    return make_error("convert-dialect",
+                      "goto-list cannot say that the tool retracts before this move; expected another dialect for --to",
+                      path_.file, retracted->line);
   }
   if (target_.kind != DialectKind::clt) return std::nullopt;
   const auto tilted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
@@ -134,7 +146,7 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
 }
 
 void PathWriter::expect(const Pose& end, bool is_alone) {
-  expected_.push_back({end, is_alone, cutcom_ != CutcomSide::none});
+  expected_.push_back({end, is_alone, is_checked_});
 }
 
 void PathWriter::write_cutcom(std::size_t index) {
@@ -160,8 +172,10 @@ void PathWriter::write_motion(std::size_t index) {
 
 void PathWriter::write_move(std::size_t index) {
   const Move& move = path_.moves[index];
+  is_checked_ = move.not_checked_reason.empty();
+  const bool is_after_retract = move.not_checked_reason == Reasons::kAfterRetract;
   const bool is_tool_new = move.tool != tool_ && move.tool != kNone;
-  if (!move.has_start && index > 0 && !is_tool_new) {
+  if (!move.has_start && index > 0 && !is_tool_new && !is_after_retract) {
     sink_->break_motion() ? ++breaks_ : ++lost_breaks_;
     feed_ = 0;
   }
@@ -177,6 +191,7 @@ void PathWriter::write_move(std::size_t index) {
   }
   const bool is_rapid =
       move.kind == MoveKind::rapid || (move.kind == MoveKind::cycle && !(move.feed_mm_per_min > 0));
+  if (is_after_retract) sink_->retract();
   write_cutcom(index);
   if (is_rapid) {
     if (!sink_->make_rapid()) ++lost_rapids_;
@@ -244,8 +259,7 @@ void PathWriter::verify() {
     const bool is_same = (move.end.tip * factor - expected_[i].end.tip).norm() <= kSamePlace_mm &&
                          (move.end.axis - expected_[i].end.axis).norm() <= kSameAxis &&
                          move.has_start != expected_[i].is_alone &&
-                         (is_on_centre_ ||
-                          expected_[i].is_compensated == (move.not_checked_reason == Reasons::kCutcom));
+                         (expected_[i].is_checked || !move.not_checked_reason.empty());
     differing += is_same ? 0 : 1;
   }
   const std::size_t told = std::min(lost_breaks_, differing);

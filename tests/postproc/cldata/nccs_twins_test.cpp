@@ -285,7 +285,7 @@ void expect_changed(const Toolpath& after, const Toolpath& before, const std::ve
     ASSERT_LT(at, after.moves.size());
     const Move& move = after.moves[at];
     const Pose& end = change != nullptr && change->new_end ? *change->new_end : before.moves[i].end;
-    const bool has_end = move.not_checked_reason != Reasons::kUnread;  // else that of the move before
+    const bool has_end = !Reasons::is_unread(move.not_checked_reason);  // else that of the move before
     const double off = (move.end.tip - end.tip).norm() + (move.end.axis - end.axis).norm();
     ASSERT_LE(has_end ? off : 0.0, 1e-9) << "move " << i;
     ASSERT_EQ(move.not_checked_reason, before.moves[i].not_checked_reason) << "move " << i;

@@ -92,7 +92,7 @@ TEST(ReadApt, FromIsAPlaceAndNotACut) {
 
 TEST(ReadApt, GodltaMovesOnAndGohomeMayHaveAPlace) {
   const Toolpath path =
-      path_of("GOTO/1,2,3,1,0,0\nGODLTA/1,1,1\nGODLTA/5\nGOHOME/0,0,50\nGOTO/1,1,1\nGOHOME\nGOTO/0,0,0\n");
+      path_of("GOTO/1,2,3,1,0,0\nGODLTA/1,1,1\nGODLTA/5\nGOHOME/0,0,50,1,0,0\nGOTO/1,1,1,1,0,0\nGOHOME\nGOTO/0,0,0\n");
   expect_vector(path.moves[1].end.tip, 2, 3, 4);
   expect_vector(path.moves[2].end.tip, 7, 3, 4);
   expect_vector(path.moves[2].end.axis, 1, 0, 0);
@@ -138,6 +138,94 @@ TEST(ReadApt, CurvesOfOtherKindsAreNotTakenAsStraight) {
   const Toolpath path = path_of("GOTO/1,0,0\nSPLINE/3\nGOTO/0,1,0\nGOTO/0,2,0\n");
   EXPECT_FALSE(path.moves[1].not_checked_reason.empty());
   EXPECT_TRUE(path.moves[2].not_checked_reason.empty());
+}
+
+TEST(ReadApt, ASplineThatIsSwitchedOnIsNotCheckedUntilItIsSwitchedOff) {
+  const Toolpath path = path_of("GOTO/1,0,0\nSPLINE/ON\nGOTO/0,1,0\nGOTO/0,2,0\nSPLINE/OFF\nGOTO/0,3,0\nGOTO/0,4,0\n");
+  std::string checked;
+  for (const Move& move : path.moves) checked += move.not_checked_reason.empty() ? '1' : '0';
+  EXPECT_EQ(checked, "100" "0" "1");
+}
+
+std::string checked_moves(const std::string& text, const char* dialect) {
+  ReadOptions options;
+  options.dialect = dialect_called(dialect);
+  const ReadOutcome outcome = read_toolpath("test", text, options);
+  std::string checked;
+  if (!outcome.toolpath) return to_text(outcome.errors.front());
+  for (const Move& move : outcome.toolpath->moves) checked += move.not_checked_reason.empty() ? '1' : '0';
+  return checked;
+}
+
+TEST(ReadApt, SixNumbersThatMayBeTwoPositionsAreNotChecked) {
+  const std::string two = "GOTO/0,0,40,0.98995,0,-0.141421\nGOTO/0,0,60\nGOTO/0,0,70\n";
+  EXPECT_EQ(checked_moves("GOTO/0,0,60\n" + two, "apt"), "1100") << "the last ones may be tilted";
+  EXPECT_EQ(checked_moves("MULTAX/ON\nGOTO/0,0,60,0,0,1\nGOTO/0,0,40,0.98995,0,-0.141421\n", "apt"), "11");
+  for (const char* dialect : {"apt", "apt-creo", "apt-nccs", "apt-catia"})
+    EXPECT_EQ(checked_moves("MULTAX/OFF\nGOTO/0,0,60\n" + two, dialect), "1001") << dialect;
+  EXPECT_EQ(checked_moves("GOTO/0,0,60\n" + two, "apt-creo"), "1001");
+  EXPECT_EQ(checked_moves("GOTO/0,0,60\nGOTO/0,0,40,8,0,2\n", "apt-creo"), "111") << "no axis has that length";
+}
+
+TEST(ReadApt, APlainPositionAfterATiltedOneIsNotChecked) {
+  const std::string text = "GOTO/0,0,9,1,0,0\nGOTO/0,0,8\nGOTO/0,0,7\nGOTO/0,0,6,0,0,1\nGOTO/0,0,5\n";
+  EXPECT_EQ(checked_moves(text, "apt"), "10001");
+  EXPECT_EQ(checked_moves(text, "apt-solidworks-cam"), "11111") << "there it means +Z";
+}
+
+TEST(ReadApt, AStepFromAPlaceThatIsNotKnownIsNotChecked) {
+  EXPECT_EQ(checked_moves("TRANS/0,0,-20\nGOTO/0,0,10\nTRANS/0,0,0\nGODLTA/10,0,0\nGODLTA/10,0,0\nGOTO/1,1,1\n"
+                          "GOTO/1,1,2\n", "apt"), "00001");
+  const Toolpath path = path_of("GOTO/0,0,7\nGOTO/0,0,3\nTLAXIS/1,0,0\nGODLTA/5,0,0\nGODLTA/2\n");
+  expect_vector(path.moves[2].end.axis, 1, 0, 0);
+  expect_vector(path.moves[3].end.tip, 7, 0, 3);
+}
+
+TEST(ReadApt, OnlyItsOwnOffEndsCompensation) {
+  const std::string after = "GOTO/1,0,9\nGOTO/2,0,9\nGOTO/3,0,9\n";
+  for (const char* off : {"CUTCOM/OFF,LENGTH", "CUTCOM/ADJUST,OFF", "CUTCOM/ON,LENGTH"})
+    EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/LEFT\n" + after + off + "\n" + after, "apt"), "1000000") << off;
+  EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/LEFT,LENGTH,3\n" + after, "apt"), "1000");
+  EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/ON,LENGTH\n" + after, "apt"), "1111");
+  EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/ADJUST,ON,3\n" + after + "CUTCOM/ADJUST,OFF\n" + after, "apt"),
+            "1000011");
+}
+
+TEST(ReadApt, NothingUndoesATurnOfATableButInClt) {
+  const std::string after = "GOTO/1,0,9\nGOTO/2,0,9\n";
+  for (const char* words : {"ROTABL/-90,AAXIS", "ROTABL/ATANGL,-90,AAXIS", "ROTHED/-90,AAXIS"})
+    EXPECT_EQ(checked_moves("GOTO/0,0,9\nROTABL/90,AAXIS\n" + after + words + "\n" + after, "apt"), "10000") << words;
+  EXPECT_EQ(checked_moves("GOTO/0,0,9\nROTABL/AAXIS,0,BAXIS,90\n" + after, "apt"), "100");
+  EXPECT_EQ(checked_moves("GOTO/0,0,9\nROTABL/AAXIS,0,BAXIS,0\n" + after, "apt"), "111");
+}
+
+TEST(ReadApt, SubroutinesMirrorsAndScalesAreNotTakenToMoveNothing) {
+  for (const char* word : {"CALSUB/1", "DEFSUB/1", "ENDSUB", "MIRROR/XYPLAN", "SCALE/2", "WORKPL/ON", "HOME/5"})
+    EXPECT_NE(checked_moves(std::string("GOTO/0,0,9\n") + word + "\nGOTO/1,0,9\n", "apt-creo"), "11") << word;
+}
+
+TEST(ReadApt, WhatOneCreoSequenceSaysOfItsPositionsTheNextDoesNot) {
+  const std::string text =
+      "$$-> FEATNO / 32\n$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\nCUTCOM / LEFT\nGOTO / 0,0,9\nCUTCOM / OFF\n"
+      "$$-> FEATNO / 33\nCUTCOM / LEFT\nGOTO / 0,0,9\n";
+  EXPECT_EQ(checked_moves(text, "apt-creo"), "10");
+}
+
+TEST(ReadApt, ACutterDoesNotMakeATurningToolSpin) {
+  EXPECT_EQ(checked_moves("TOOLNO/1,TURN\nCUTTER/0.8\nGOTO/0,0,9\nTOOLNO/2,MILL\nCUTTER/8\nGOTO/0,0,9\nGOTO/1,0,9\n",
+                          "apt-catia").front(), '0');
+  EXPECT_EQ(checked_moves("TOOLNO/1,TURN\nCUTTER/0.8\nGOTO/0,0,9\nTOOLNO/2,MILL\nCUTTER/8\nGOTO/0,0,9\nGOTO/1,0,9\n",
+                          "apt-catia").back(), '1');
+}
+
+TEST(ReadApt, PositionsThatMayGoOnAlongACircleOfNclAreNotChecked) {
+  const std::string circle = "MULTAX/ON\nGOTO/10,0,0,0,0,1\nCIRCLE/0,0,0,0,0,1,10\nGOTO/0,10,0,0,0,1\n";
+  EXPECT_EQ(checked_moves(circle + "GOTO/-10,0,0,0,0,1\nGOTO/0,-10,0,0,0,1\nGOTO/9,9,0,0,0,1\nGOTO/0,10,0,0,0,1\n",
+                          "apt-nccs"), "110011");
+}
+
+TEST(ReadApt, TransWithoutNumbersUndoesNothing) {
+  EXPECT_EQ(checked_moves("TRANS/0,0,-20\nTRANS/\nGOTO/0,0,9\n", "apt"), "0");
 }
 
 TEST(ReadApt, CatiaArcsEndWhereTheirLineEnds) {

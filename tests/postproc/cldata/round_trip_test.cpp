@@ -182,6 +182,29 @@ TEST(RoundTrip, CompensationOfPositionsOnTheCentreIsKeptAsWell) {
                           [](const Diagnostic& note) { return note.code == "convert-cutcom"; }));
 }
 
+// What leads from a retract nobody knows, before conversion and after it.
+TEST(RoundTrip, RetractsAreKept) {
+  const Toolpath path = path_of(
+      "UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,10\nRETRCT\nCUTCOM/LEFT\nGOTO/10,0,10\nCUTCOM/OFF\nGOTO/20,0,10\n"
+      "GOTO/30,0,10\nFINI\n");
+  for (const Dialect& dialect : all_dialects()) {
+    if (dialect.kind == DialectKind::nci) continue;
+    const Result<WrittenToolpath> written = write_toolpath(path, dialect);
+    ASSERT_EQ(written.has_value(), dialect.kind != DialectKind::goto_list) << dialect.id;
+    if (!written) continue;
+    for (const Diagnostic& note : written->notes) EXPECT_NE(note.code, "convert-verify") << dialect.id;
+    ReadOptions again;
+    again.dialect = dialect;
+    const ReadOutcome outcome = read_toolpath("again", written->bytes, again);
+    ASSERT_TRUE(outcome.toolpath) << dialect.id;
+    ASSERT_EQ(outcome.toolpath->moves.size(), path.moves.size()) << dialect.id;
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      EXPECT_EQ(outcome.toolpath->moves[i].not_checked_reason, path.moves[i].not_checked_reason) << dialect.id << i;
+      EXPECT_EQ(outcome.toolpath->moves[i].has_start, path.moves[i].has_start) << dialect.id << i;
+    }
+  }
+}
+
 TEST(RoundTrip, WhatIsNotUnderstoodIsNotConverted) {
   const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\nMOVETO/4,5,6\nGOTO/7,8,9\n");
   const Result<WrittenToolpath> result = write_toolpath(path, *dialect_called("creo"));
