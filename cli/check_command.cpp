@@ -6,6 +6,7 @@
 #include "cli/exit_code.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
+#include "cli/overwriting.h"
 #include "cli/peak_memory.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
@@ -26,6 +27,10 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   const Result<bool> taken = is_stdout_taken(arguments);
   if (!options || !taken) {
     print(err, {options ? taken.error() : options.error()});
+    return kExitUsage;
+  }
+  if (const auto error = find_overwriting(arguments, {})) {
+    print(err, {*error});
     return kExitUsage;
   }
   LoadedJob loaded = load_job(arguments, *options);

@@ -1,14 +1,15 @@
 #include "cli/correct_command.h"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <optional>
 #include <ostream>
+#include <utility>
 
 #include "cli/exit_code.h"
 #include "cli/job.h"
 #include "cli/length_text.h"
 #include "cli/outputs.h"
+#include "cli/overwriting.h"
 #include "cli/peak_memory.h"
 #include "lib/base/files.h"
 #include "lib/correct/correct_path.h"
@@ -47,10 +48,7 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
                                    "': expected a length above 0 in mm, or with a unit");
   }
   options.max_shift_mm = *shift;
-  std::error_code ignored;
-  if (std::filesystem::equivalent(arguments.output, arguments.job.path, ignored)) {
-    return make_error("usage", "-o '" + arguments.output + "' is the toolpath itself; name another file");
-  }
+  if (auto error = find_overwriting(arguments.job, arguments.output)) return std::move(*error);
   return options;
 }
 

@@ -7,6 +7,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/mesh_info_text.h"
+#include "cli/overwriting.h"
 #include "lib/base/files.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/repair_mesh.h"
@@ -76,6 +77,9 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
 int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& err) {
   MeshInfo info;
   info.unit = arguments.stl_units == "inch" ? LengthUnit::inch : LengthUnit::mm;
+  if (const auto error = find_overwriting({{"the mesh", arguments.file}},
+                                          {{"--repair", arguments.repair_file}, {"--json", arguments.json_file}}))
+    return tell(err, *error, kExitUsage);
   const Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}});
   if (!loaded) return tell(err, loaded.error(), kExitInput);
   info.file = arguments.file;

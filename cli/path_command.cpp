@@ -1,11 +1,11 @@
 #include "cli/path_command.h"
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <ostream>
 #include <utility>
 
 #include "cli/exit_code.h"
+#include "cli/overwriting.h"
 #include "cli/path_info_text.h"
 #include "lib/base/files.h"
 #include "postproc/cldata/write_toolpath.h"
@@ -31,7 +31,7 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
   tell(path.notes, err);
   if (arguments.json_file.empty() || arguments.json_file == "-") return kExitClean;
   const Outcome written = write_file(arguments.json_file, path_info_json(path, info));
-  return written ? kExitClean : refuse({written.error()}, err);
+  return written ? kExitClean : refuse({written.error()}, err, kExitInternal);
 }
 
 int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostream& err) {
@@ -41,7 +41,7 @@ int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostre
   tell(path.notes, err);
   tell(written->notes, err);
   const Outcome outcome = write_file(arguments.output, written->bytes);
-  return outcome ? kExitClean : refuse({outcome.error()}, err);
+  return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
 }
 
 int run_plot(const PathArguments& arguments, const Toolpath& path, std::ostream& err) {
@@ -49,10 +49,11 @@ int run_plot(const PathArguments& arguments, const Toolpath& path, std::ostream&
   const Result<std::string> picture = plot_path(path, arguments.output.ends_with(".svg"));
   if (!picture) return refuse({picture.error()}, err, kExitInternal);
   const Outcome outcome = write_file(arguments.output, *picture);
-  return outcome ? kExitClean : refuse({outcome.error()}, err);
+  return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
 }
 
-constexpr const char* kStatus = "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid.";
+constexpr const char* kStatus = "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid,\n"
+                                "5 output unwritable.";
 
 CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* name, const char* what) {
   CLI::App* added = command.add_subcommand(name, what);
@@ -62,10 +63,8 @@ CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* n
   return *added;
 }
 
-// The same file under two names is no output of its own.
-bool is_same_file(const std::string& a, const std::string& b) {
-  std::error_code ignored;
-  return std::filesystem::equivalent(a, b, ignored);
+bool is_picture(const std::string& name) {
+  return name.ends_with(".svg") || name.ends_with(".png");
 }
 
 }  // namespace
@@ -93,8 +92,8 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
       });
   convert.footer(
       "Example:\n  gougecheck path convert finish.cls -o finish.apt --to apt-creo\n\n"
-      "Motions, tools, feeds and names of operations are carried over; spindle, coolant and comments are "
-      "not. Positions are written in part coordinates. " +
+      "Motions, tools, feeds, CUTCOM and names of operations are carried over; spindle, coolant and comments are "
+      "not. mastercam-nci is only read. Positions are written in part coordinates. " +
       std::string(kStatus));
   convert.callback([&] { arguments.is_convert = true; });
 
@@ -107,9 +106,14 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
 int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<ReadOptions> options = understand(arguments.reading);
   if (!options) return refuse({options.error()}, err, kExitUsage);
-  if (!arguments.output.empty() && is_same_file(arguments.output, arguments.path)) {
+  if (const auto error = find_overwriting({{"the toolpath", arguments.path}},
+                                          {{"-o", arguments.output}, {"--json", arguments.json_file}})) {
+    return refuse({*error}, err, kExitUsage);
+  }
+  const bool is_plot = !arguments.is_info && !arguments.is_convert;
+  if (is_plot && !is_picture(arguments.output)) {
     return refuse(
-        {make_error("usage", "-o '" + arguments.output + "' is the toolpath itself; name another file")}, err,
+        {make_error("usage", "-o '" + arguments.output + "': the picture must be a .png or an .svg file")}, err,
         kExitUsage);
   }
   Result<std::string> bytes = read_file(arguments.path);

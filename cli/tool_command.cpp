@@ -62,7 +62,9 @@ int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostr
   const Result<std::string> bytes = render(*drawing, path);
   if (!bytes) return refuse(bytes.error(), err);
   const Outcome written = write_file(path, *bytes);
-  return written ? static_cast<int>(kExitClean) : refuse(written.error(), err);
+  if (written) return kExitClean;
+  refuse(written.error(), err);
+  return kExitInternal;
 }
 
 void add_library_option(CLI::App& command, ToolArguments& arguments, ToolAction action) {
@@ -75,7 +77,7 @@ void add_tool_option(CLI::App& command, ToolArguments& arguments) {
 }
 
 constexpr const char* kExitText =
-    "\nExit status: 0 done, 2 wrong command line, 3 library unreadable or invalid, or output unwritable.";
+    "\nExit status: 0 done, 2 wrong command line, 3 library unreadable or invalid, 5 output unwritable.";
 
 }  // namespace
 

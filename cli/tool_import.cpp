@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "cli/exit_code.h"
+#include "cli/overwriting.h"
 #include "cli/tool_text.h"
 #include "lib/base/files.h"
 #include "toolmodels/import/import_tools.h"
@@ -80,13 +81,16 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
   command.footer(
       "Example:\n  gougecheck tool import shop.tools -o shop.json\n\nExit status: 0 done, also with "
       "warnings; 2 wrong "
-      "command line; 3 file unreadable, output unwritable, or a tool was left out because its numbers make "
+      "command line; 3 file unreadable, or a tool was left out because its numbers make "
       "no tool "
-      "(the others are written).");
+      "(the others are written); 5 output unwritable.");
 }
 
 int run_tool_import(const ToolImportArguments& arguments, const std::string& output, std::ostream& out,
                     std::ostream& err) {
+  if (const auto error = find_overwriting({{"the file to import", arguments.file}, {"--tools", arguments.tools_file}},
+                                          {{"-o", output}}))
+    return refuse(*error, err);
   const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
   if (!holder) return refuse(holder.error(), err);
   const Result<std::string> bytes = read_file(arguments.file);
@@ -103,7 +107,10 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   const bool is_empty = made->library.tools.empty() && made->library.holders.empty();
   if (!is_empty) {
     const Outcome written = write_file(output, write_tool_library(made->library));
-    if (!written) return refuse(written.error(), err);
+    if (!written) {
+      refuse(written.error(), err);
+      return kExitInternal;
+    }
     out << tool_list_text(made->library);
   }
   tell_notes(*made, out, err);

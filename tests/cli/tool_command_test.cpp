@@ -110,7 +110,7 @@ TEST_F(ToolCommand, DrawNeedsAPictureFile) {
   EXPECT_EQ(told.err, "gougecheck: error: -o '" + path("t.pdf") +
                           "': the picture must be a .png or an .svg file [usage]\n");
   EXPECT_FALSE(fs::exists(path("t.pdf")));
-  EXPECT_EQ(run(ToolAction::draw, "1", path("none/t.png")).status, kExitInput);
+  EXPECT_EQ(run(ToolAction::draw, "1", path("none/t.png")).status, kExitInternal);
 }
 
 TEST_F(ToolCommand, ABadLibraryIsInvalidInput) {
