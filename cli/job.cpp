@@ -31,6 +31,7 @@ class JobLoader {
     read_meshes(arguments_.fixtures, "fixture", job_.scene.fixtures, job_.fixtures, job_.options.place);
     read_heads();
     if (has_path && errors_.empty()) read_tools();
+    if (errors_.empty()) note_misplaced();
     loaded.errors = errors_;
     if (errors_.empty()) loaded.job = std::move(job_);
     return loaded;
@@ -177,6 +178,14 @@ class JobLoader {
       if (!forms) return errors_.push_back(forms.error());
       job_.forms.back() = std::move(*forms);
     }
+  }
+
+  void note_misplaced() {
+    double tool_mm = 0;
+    for (const auto& form : job_.forms) {
+      if (form) tool_mm = std::max(tool_mm, form->bare.r_max_mm + form->bare.z_max_mm);
+    }
+    if (const auto warning = find_misplaced(job_.toolpath, job_.scene, tool_mm)) add_notes({*warning});
   }
 
   // As high as the farthest point of the scene, and the widest radius more: its end is nearest to nothing.

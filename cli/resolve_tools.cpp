@@ -5,6 +5,7 @@
 #include <map>
 
 #include "lib/base/number_text.h"
+#include "postproc/report/report_text.h"
 #include "toolmodels/from_path.h"
 
 namespace gouge {
@@ -21,13 +22,13 @@ std::string names_in(const ToolLibrary& library) {
   return names.empty() ? "none" : names;
 }
 
-std::string describe(const ToolAssembly& tool) {
+std::string describe(const ToolAssembly& tool, LengthUnit unit) {
   std::string text = shape_name(tool.cutter);
   if (!tool.name.empty()) text = tool.name + " (" + text + ")";
   double widest = 0;
   for (const ToolSegment& s : tool.holder)
     widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
-  if (widest > 0) text += ", holder to D" + exact_text(widest) + " mm";
+  if (widest > 0) text += ", holder to D" + length_text(widest, unit);
   return text;
 }
 
@@ -92,6 +93,7 @@ class Resolver {
       if (assembly->holder.empty()) assembly->holder = holder_;
       compare(tool, *known);
     } else if (tool.cutter) {
+      note_not_in_library(tool);
       facts.defined_in = path_.file + ":" + std::to_string(tool.line);
       const CutterStatement& c = *tool.cutter;
       const Result<ToolFromPath> made = make_tool_from_path(
@@ -105,6 +107,15 @@ class Resolver {
     tell(tool, assembly, facts);
     result_.assemblies.push_back(std::move(assembly));
     return std::nullopt;
+  }
+
+  void note_not_in_library(const PathTool& tool) {
+    if (library_ == nullptr) return;
+    result_.notes.push_back(make_warning(
+        "tool-not-in-library",
+        name_of(tool) + " is not in the library, which has " + names_in(*library_) +
+            ": the toolpath's own definition is checked" + (holder_.empty() ? ", without shank and holder" : ""),
+        path_.file, tool.line));
   }
 
   // The library wins, but a smaller tool than the file's would hide gouges, so it is told.
@@ -130,7 +141,7 @@ class Resolver {
       result_.notes.push_back(make_warning("tool-undefined", message, path_.file, tool.line));
       return;
     }
-    facts.description = describe(*assembly);
+    facts.description = describe(*assembly, path_.unit);
     if (!assembly->holder.empty()) return;
     const std::string message =
         name_of(tool) + " has no holder, so none is checked; give one in the library or with --holder";

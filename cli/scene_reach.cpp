@@ -1,6 +1,9 @@
 #include "cli/scene_reach.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "lib/base/number_text.h"
 
 namespace gouge {
 namespace {
@@ -19,12 +22,8 @@ void add_arc(Box3& box, const PathArc& arc, const Vec3& start, const Vec3& end) 
   }
 }
 
-}  // namespace
-
-double reach_mm(const Toolpath& path, const Scene& scene) {
+Box3 box_of_tips(const Toolpath& path) {
   Box3 box;
-  for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures})
-    for (const IndexedMesh& mesh : *meshes) box.extend(mesh.box());
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
     box.extend(move.end.tip);
@@ -33,7 +32,44 @@ double reach_mm(const Toolpath& path, const Scene& scene) {
       for (const SplinePiece& piece : path.splines[move.curve].pieces)
         for (const Vec3& control : piece.control) box.extend(control);
   }
+  return box;
+}
+
+// Without rapids, which may come from far away.
+Box3 box_of_cuts(const Toolpath& path) {
+  Box3 box;
+  for (const Move& move : path.moves) {
+    if (move.kind != MoveKind::rapid) box.extend(move.end.tip);
+  }
+  return box;
+}
+
+}  // namespace
+
+double reach_mm(const Toolpath& path, const Scene& scene) {
+  Box3 box = box_of_tips(path);
+  for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures})
+    for (const IndexedMesh& mesh : *meshes) box.extend(mesh.box());
   return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+std::optional<Diagnostic> find_misplaced(const Toolpath& path, const Scene& scene, double tool_mm) {
+  constexpr double kFarTooSmall = 8;  // times: parts are about as large as what is milled of them
+  Box3 parts;
+  for (const IndexedMesh& mesh : scene.parts) parts.extend(mesh.box());
+  const Box3 tips = box_of_tips(path);
+  if (parts.isEmpty() || tips.isEmpty()) return std::nullopt;
+  const double gap = std::sqrt(parts.squaredExteriorDistance(tips));
+  const auto warning = [&](const std::string& what) {
+    return make_warning("scene-misplaced", what + "; check the units (--stl-units, --path-units) and --place",
+                        path.file);
+  };
+  if (gap > tool_mm) return warning("no move comes nearer than " + fixed_text(gap - tool_mm, 0) + " mm to the part");
+  const Box3 cuts = box_of_cuts(path);
+  if (cuts.isEmpty()) return std::nullopt;
+  const double ratio = cuts.diagonal().norm() / std::max(parts.diagonal().norm(), 1e-9);
+  if (ratio > kFarTooSmall) return warning("the part is " + fixed_text(ratio, 0) + " times smaller than the path");
+  return std::nullopt;
 }
 
 }  // namespace gouge

@@ -28,6 +28,20 @@ TEST(SceneReach, AnArcReachesBeyondItsEnds) {
   EXPECT_GE(reach_mm(path, scene), 99);
 }
 
+TEST(Misplaced, IsToldOfAPartFarAwayOrFarTooSmall) {
+  const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{100, 0, 0}, {0, 0, 1}}, {{100, 80, 0}, {0, 0, 1}}});
+  const auto told = [&](const IndexedMesh& part) {
+    const auto warning = find_misplaced(path, {{part}, {}}, 60);
+    return warning ? warning->message : std::string();
+  };
+  EXPECT_EQ(told(shapes::box({0, 0, -20}, {120, 100, 0})), "");
+  EXPECT_EQ(told(shapes::box({0, 0, -20}, {900, 900, 0})), "") << "a corner of a large part";
+  EXPECT_EQ(told(shapes::box({150, 0, -20}, {270, 100, 0})), "") << "beside it, within the tool's reach";
+  EXPECT_EQ(told(shapes::box({1160, 0, -20}, {1270, 100, 0})).find("no move comes nearer than 1000 mm to the part"), 0u);
+  EXPECT_EQ(told(shapes::box({0, 0, -1}, {4, 4, 0})).find("the part is 22 times smaller than the path"), 0u);
+  EXPECT_FALSE(find_misplaced(path, {}, 60));
+}
+
 TEST(ExtendUp, WhatIsAboveTheToolNoLongerHides) {
   const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{5, 0, 0}, {0, 0, 1}}});
   Scene scene;
