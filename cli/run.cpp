@@ -27,9 +27,9 @@ struct Arguments {
 void describe(CLI::App& app) {
   app.description(
       "Certified gouge check and correction of 5-axis toolpaths.\n"
-      "Reads APT CL text and NX CLSF, checks cutter, shank and holder over the whole motion of every move "
-      "against\n"
-      "STL parts and fixtures, corrects what gouges, and reports with evidence for every finding.");
+      "Reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain APT, checks\n"
+      "cutter, shank and holder over the whole motion of every move against STL parts and fixtures,\n"
+      " corrects what gouges, and reports with evidence for every finding.");
   app.set_version_flag("--version", std::string(kProgramName) + " " + kProgramVersion);
   app.require_subcommand(1);
   app.footer("Every command explains itself: gougecheck check --help");

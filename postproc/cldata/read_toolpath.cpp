@@ -115,7 +115,7 @@ std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& o
 }
 
 Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
-  std::string message = "holds no position; expected GOTO statements of APT CL data or an NX CLSF";
+  std::string message = std::string("holds no position; ") + kExpected;
   if (dialect.kind == DialectKind::nccs_binary) {
     message = "is a binary NCCS file without a position; expected motion records";
   } else if (!path.statements.empty()) {
