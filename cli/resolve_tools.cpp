@@ -6,6 +6,7 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/report/report_text.h"
+#include "postproc/report/report_text.h"
 #include "toolmodels/from_path.h"
 
 namespace gouge {
