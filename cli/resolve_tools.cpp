@@ -6,7 +6,6 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/report/report_text.h"
-#include "postproc/report/report_text.h"
 #include "toolmodels/from_path.h"
 
 namespace gouge {
