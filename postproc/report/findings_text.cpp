@@ -112,9 +112,9 @@ std::string findings_text(const ReportModel& model) {
     for (const UncorrectedRecord& left : model.correction.uncorrected) {
       const Toolpath& before =
           model.correction.toolpath_before ? *model.correction.toolpath_before : *model.toolpath;
-      text += before.file + ":" + std::to_string(left.line) +
-              ": not corrected: " + depth_text(left.depth_mm, model.toolpath->unit) + ", move " +
-              std::to_string(left.move) + ": " + left.reason + "\n";
+      text += before.file + ":" + std::to_string(left.line) + ": not corrected: " +
+              (left.depth_mm > 0 ? depth_text(left.depth_mm, model.toolpath->unit) + ", " : std::string()) +
+              "move " + std::to_string(left.move) + ": " + left.reason + "\n";
     }
   }
   return text + summary_text(model);

@@ -8,6 +8,8 @@
 namespace gouge {
 namespace {
 
+constexpr double kLeastTold_mm = 1e-6;
+
 std::string trimmed(std::string text) {
   if (text.find('.') == std::string::npos) return text;
   while (text.back() == '0') text.pop_back();
@@ -40,7 +42,9 @@ std::string depth_text(double length_mm, LengthUnit unit) {
   const double value = length_mm / mm_per(unit);
   if (!std::isfinite(value)) return "any depth";
   const int usual = unit == LengthUnit::inch ? 4 : 3;
-  const int decimals = value > 0 ? std::clamp(1 - first_digit(value), usual, 12) : usual;
+  // Below a millionth of a millimetre it is rounding, whose digits would only look like a finding.
+  const bool is_told = length_mm >= kLeastTold_mm;
+  const int decimals = is_told ? std::clamp(1 - first_digit(value), usual, 12) : usual;
   return fixed_text(value, decimals) + " " + unit_name(unit);
 }
 

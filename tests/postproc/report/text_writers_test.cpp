@@ -62,6 +62,14 @@ TEST(FindingsText, TellsTheCorrection) {
       std::string::npos);
 }
 
+TEST(FindingsText, GivesABuriedPositionNoDepth) {
+  SmallReport report;
+  report.add_correction();
+  report.model.correction.uncorrected = {{4, 14, 0, "the tool is buried"}};
+  EXPECT_NE(findings_text(report.model).find("path.apt:14: not corrected: move 4: the tool is buried\n"),
+            std::string::npos);
+}
+
 TEST(FindingsText, IsInInchesForAnInchPath) {
   SmallReport report;
   report.path.unit = LengthUnit::inch;
@@ -154,6 +162,9 @@ TEST(DepthText, KeepsTwoDigitsOfSmallDepths) {
   EXPECT_EQ(depth_text(0.2134, LengthUnit::mm), "0.213 mm");
   EXPECT_EQ(depth_text(0.00012, LengthUnit::mm), "0.00012 mm");
   EXPECT_EQ(depth_text(0, LengthUnit::mm), "0.000 mm");
+  EXPECT_EQ(depth_text(0.00002, LengthUnit::inch), "0.00000079 in");
+  EXPECT_EQ(depth_text(3e-15, LengthUnit::inch), "0.0000 in") << "what rounding leaves is no length";
+  EXPECT_EQ(depth_text(9e-10, LengthUnit::mm), "0.000 mm");
   EXPECT_EQ(depth_text(12.5, LengthUnit::inch), "0.4921 in");
 }
 
