@@ -25,17 +25,20 @@ p { margin: 6px 0; }
 .numbers div { flex: 1 1 100px; border: 1px solid var(--line); border-radius: 5px; padding: 9px 14px; }
 .numbers b { display: block; font-size: 23px; line-height: 1.25; } .numbers span { color: var(--soft); font-size: 13px; }
 .numbers .bad b { color: var(--alarm); } .numbers .open b { color: var(--open); }
+.wide { overflow-x: auto; }
 table { border-collapse: collapse; width: 100%; font-size: 14px; }
 th { text-align: left; font-weight: 600; color: var(--soft); border-bottom: 2px solid var(--line); padding: 6px 12px 6px 0; }
-td { border-bottom: 1px solid var(--line); padding: 5px 12px 5px 0; vertical-align: top; overflow-wrap: anywhere; }
+td { border-bottom: 1px solid var(--line); padding: 5px 12px 5px 0; vertical-align: top; overflow-wrap: anywhere;
+  min-width: 6.5em; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-td.k { white-space: nowrap; }
+td.k { white-space: nowrap; } td.n, td.k { min-width: 0; }
 code { font-family: "DejaVu Sans Mono", Consolas, monospace; font-size: 13px; }
 a { color: var(--link); text-decoration: none; } a:hover { text-decoration: underline; }
 figure { margin: 16px 0 22px; } figure img { width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px;
   display: block; }
 figcaption { color: var(--soft); font-size: 13.5px; padding-top: 5px; }
-.state { display: inline-block; padding: 0 8px; border-radius: 9px; color: #fff; font-size: 12.5px; background: var(--soft); }
+.state { display: inline-block; white-space: nowrap; padding: 0 8px; border-radius: 9px; color: #fff;
+  font-size: 12.5px; background: var(--soft); }
 .state.gouge, .state.buried { background: var(--alarm); } .state.not-checked, .state.not-certified { background: var(--open); }
 footer { margin-top: 36px; color: var(--soft); font-size: 13px; border-top: 1px solid var(--line); padding-top: 10px; }
 @media print {
@@ -43,7 +46,9 @@ footer { margin-top: 36px; color: var(--soft); font-size: 13px; border-top: 1px 
   body { background: #fff; font-size: 12px; } main { margin: 0; padding: 0; box-shadow: none; max-width: none; }
   .banner, .state, .numbers div { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   figure, .banner, .numbers, tr { break-inside: avoid; } h2 { break-after: avoid; } a { color: inherit; }
+  .wide { overflow: visible; } td { min-width: 0; }
 }
+@media (max-width: 640px) { main { margin: 0; padding: 20px 16px; border-radius: 0; } }
 )css";
 
 }  // namespace gouge

@@ -157,7 +157,8 @@ class HtmlReport {
     if (events.empty()) return {};
     std::string out =
         "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, in "
-        "the order of the path. Line, depth and place are those of its deepest move.</p>\n<table><thead>"
+        "the order of the path. Line, depth and place are those of its deepest move.</p>\n<div "
+        "class=\"wide\"><table><thead>"
         "<tr><th>State</th><th class=\"n\">Line</th><th class=\"n\">Depth</th><th>Body</th><th>Against"
         "</th><th>At, in ";
     out += std::string(unit_words(unit_)) +
@@ -168,7 +169,7 @@ class HtmlReport {
     for (const Event& event : model_.result->events) {
       all += event.state != MoveState::not_checked && event.state != MoveState::not_certified ? 1 : 0;
     }
-    return out + more_rows(all, "9") + "</tbody></table>\n";
+    return out + more_rows(all, "9") + "</tbody></table></div>\n";
   }
 
   void keep_worst(std::vector<const Event*>& events) const {
@@ -189,7 +190,8 @@ class HtmlReport {
     std::string out = "<h2>What was not checked</h2>\n";
     if (!groups.empty()) {
       out +=
-          "<table><thead><tr><th>State</th><th>Reason</th><th class=\"n\">Moves</th><th class=\"n\">First "
+          "<div class=\"wide\"><table><thead><tr><th>State</th><th>Reason</th><th class=\"n\">Moves</th><th "
+          "class=\"n\">First "
           "line</th>"
           "</tr></thead><tbody>\n";
       for (const ReasonGroup& group : groups) {
@@ -198,7 +200,7 @@ class HtmlReport {
                cell(std::to_string(group.moves), "n") +
                cell(std::to_string(model_.toolpath->moves[group.first_move].line), "n") + "</tr>\n";
       }
-      out += "</tbody></table>\n";
+      out += "</tbody></table></div>\n";
     }
     std::string list;
     for (const auto& [word, count] : words)
@@ -213,12 +215,14 @@ class HtmlReport {
     const CorrectionFacts& c = model_.correction;
     std::string out = "<h2>Changes</h2>\n<p>Strategy " + xml_escaped(c.strategy);
     if (c.max_shift_mm > 0) out += ", shifts up to " + length_text(c.max_shift_mm, unit_);
-    out += c.output_file.empty() ? ". No toolpath was written.</p>\n"
-                                 : ". Written to <code>" + xml_escaped(c.output_file) +
-                                       "</code>; every record not listed here is unchanged.</p>\n";
+    out += c.output_file.empty() ? ". No toolpath was written."
+                                 : ". Written to <code>" + xml_escaped(c.output_file) + "</code>.";
+    out += c.changes.empty() ? " Nothing was changed.</p>\n"
+                             : " Every record not listed here is unchanged.</p>\n";
     if (!c.changes.empty()) {
       out +=
-          "<table><thead><tr><th class=\"n\">Line</th><th class=\"n\">Move</th><th>Strategy</th><th "
+          "<div class=\"wide\"><table><thead><tr><th class=\"n\">Line</th><th "
+          "class=\"n\">Move</th><th>Strategy</th><th "
           "class=\"n\">Shift"
           "</th><th>Shift vector</th><th class=\"n\">Depth before</th><th class=\"n\">Depth after</th>"
           "<th class=\"n\">Iterations</th></tr></thead><tbody>\n";
@@ -230,7 +234,7 @@ class HtmlReport {
                cell(depth_text(r.depth_after_mm, unit_), "n") + cell(std::to_string(r.iterations), "n") +
                "</tr>\n";
       }
-      out += more_rows(c.changes.size(), "8") + "</tbody></table>\n";
+      out += more_rows(c.changes.size(), "8") + "</tbody></table></div>\n";
     }
     return out + left_as_was();
   }
@@ -239,24 +243,27 @@ class HtmlReport {
     const std::vector<UncorrectedRecord>& left = model_.correction.uncorrected;
     if (left.empty()) return {};
     std::string out =
-        "<h2>Left as it was</h2>\n<table><thead><tr><th class=\"n\">Line</th><th class=\"n\">Move</th><th "
+        "<h2>Left as it was</h2>\n<div class=\"wide\"><table><thead><tr><th class=\"n\">Line</th><th "
+        "class=\"n\">Move</th><th "
         "class=\"n\">Depth</th><th>Reason</th></tr></thead><tbody>\n";
     for (std::size_t i = 0; i < left.size() && i < kMostRows; ++i) {
       out += "<tr>" + cell(std::to_string(left[i].line), "n") + cell(std::to_string(left[i].move), "n") +
-             cell(depth_text(left[i].depth_mm, unit_), "n") + cell(left[i].reason) + "</tr>\n";
+             cell(left[i].depth_mm > 0 ? depth_text(left[i].depth_mm, unit_) : "-", "n") +
+             cell(left[i].reason) + "</tr>\n";
     }
-    return out + more_rows(left.size(), "4") + "</tbody></table>\n";
+    return out + more_rows(left.size(), "4") + "</tbody></table></div>\n";
   }
 
   [[nodiscard]] std::string inputs() const {
     std::string out =
-        "<h2>Inputs</h2>\n<table><thead><tr><th>Role</th><th>File</th><th class=\"n\">Bytes</th><th>"
+        "<h2>Inputs</h2>\n<div class=\"wide\"><table><thead><tr><th>Role</th><th>File</th><th "
+        "class=\"n\">Bytes</th><th>"
         "Checksum</th></tr></thead><tbody>\n";
     for (const InputFile& input : model_.inputs) {
       out += "<tr>" + cell(input.role) + cell(input.name) + cell(std::to_string(input.bytes), "n") +
              "<td><code>" + xml_escaped(input.checksum) + "</code></td></tr>\n";
     }
-    out += "</tbody></table>\n";
+    out += "</tbody></table></div>\n";
     for (const std::vector<MeshFacts>* meshes : {&model_.parts, &model_.fixtures}) {
       for (const MeshFacts& mesh : *meshes) {
         out += "<p>" + xml_escaped(mesh.name) + ": " + count_text(mesh.triangles, "triangle") +
@@ -284,7 +291,8 @@ class HtmlReport {
   [[nodiscard]] std::string tools() const {
     if (model_.tools.empty()) return {};
     std::string out =
-        "<h2>Tools</h2>\n<table><thead><tr><th>Tool</th><th>Name</th><th>Shape</th><th>Defined in</th></tr>"
+        "<h2>Tools</h2>\n<div "
+        "class=\"wide\"><table><thead><tr><th>Tool</th><th>Name</th><th>Shape</th><th>Defined in</th></tr>"
         "</thead><tbody>\n";
     for (std::size_t i = 0; i < model_.tools.size(); ++i) {
       const ToolFacts& tool = model_.tools[i];
@@ -292,13 +300,13 @@ class HtmlReport {
              cell(tool.defined_in.empty() ? "nowhere: its moves are not checked" : tool.defined_in) +
              "</tr>\n";
     }
-    return out + "</tbody></table>\n";
+    return out + "</tbody></table></div>\n";
   }
 
   [[nodiscard]] std::string options() const {
     static constexpr const char* kRapid[] = {"straight", "dogleg", "skip"};
     const CheckOptions& o = model_.options;
-    std::string out = "<h2>Options in force</h2>\n<table><tbody>\n";
+    std::string out = "<h2>Options in force</h2>\n<div class=\"wide\"><table><tbody>\n";
     const auto add = [&](const std::string& name, const std::string& value) {
       out += "<tr>" + cell(name, "k") + cell(value) + "</tr>\n";
     };
@@ -310,14 +318,14 @@ class HtmlReport {
     add("near miss", o.near_miss_mm > 0 ? length_text(o.near_miss_mm, unit_) : "not asked");
     add("rapid moves", kRapid[static_cast<std::size_t>(o.rapid)]);
     for (const OptionText& option : model_.more_options) add(option.name, option.value);
-    return out + "</tbody></table>\n";
+    return out + "</tbody></table></div>\n";
   }
 
   [[nodiscard]] std::string notes() const {
     if (model_.notes.empty()) return {};
-    std::string out = "<h2>Notes on the input</h2>\n<table><tbody>\n";
+    std::string out = "<h2>Notes on the input</h2>\n<div class=\"wide\"><table><tbody>\n";
     for (const Diagnostic& note : model_.notes) out += "<tr>" + cell(to_text(note)) + "</tr>\n";
-    return out + "</tbody></table>\n";
+    return out + "</tbody></table></div>\n";
   }
 
   const ReportModel& model_;

@@ -56,6 +56,29 @@ TEST(WriteHtml, ListsTheChangesAndWhatWasLeft) {
   EXPECT_NE(html.find("the shift would exceed 0.5 mm"), std::string::npos);
 }
 
+TEST(WriteHtml, SaysWhenNothingWasChanged) {
+  SmallReport report;
+  report.add_correction();
+  EXPECT_EQ(count_of(write_html(report.model, {}), "Every record not listed here is unchanged."), 1U);
+  report.model.correction.changes.clear();
+  report.model.correction.uncorrected = {{4, 14, 0, "the tool is buried"}};
+  const std::string html = write_html(report.model, {});
+  EXPECT_EQ(count_of(html, "<code>out.apt</code>. Nothing was changed."), 1U);
+  EXPECT_EQ(count_of(html, "unchanged"), 0U);
+  EXPECT_EQ(count_of(html, "<td class=\"n\">4</td><td class=\"n\">-</td><td>the tool is buried</td>"), 1U);
+}
+
+TEST(WriteHtml, LetsWideTablesScrollAndKeepsStatesOnOneLine) {
+  SmallReport report;
+  report.add_correction();
+  const std::string html = write_html(report.model, {});
+  EXPECT_GT(count_of(html, "<table>"), 5U);
+  EXPECT_EQ(count_of(html, "<div class=\"wide\"><table>"), count_of(html, "<table>"));
+  EXPECT_EQ(count_of(html, "</table></div>"), count_of(html, "</table>"));
+  EXPECT_EQ(count_of(html, ".wide { overflow-x: auto; }"), 1U);
+  EXPECT_EQ(count_of(html, ".state { display: inline-block; white-space: nowrap;"), 1U);
+}
+
 TEST(WriteHtml, ShowsTheWorstOfVeryManyFindings) {
   SmallReport report;
   const Event event = report.result.events.front();
