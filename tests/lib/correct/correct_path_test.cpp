@@ -198,7 +198,7 @@ TEST(CorrectPath, ArcsAndTheirEndsAreNotTouched) {
   EXPECT_TRUE(correction.changes.empty());
   std::set<std::string> reasons;
   for (const Uncorrected& u : correction.uncorrected) reasons.insert(u.reason);
-  EXPECT_EQ(reasons.count("an arc begins at the position"), 1U);
+  EXPECT_EQ(reasons.count("an arc or a step of a cycle begins at the position"), 1U);
 }
 
 TEST(CorrectPath, OneAndTwoThreadsProposeTheSameBits) {
