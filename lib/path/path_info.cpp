@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/path/chords.h"
+
 namespace gouge {
 namespace {
 
@@ -22,6 +24,13 @@ double length_of(const Toolpath& path, std::size_t index) {
   }
   if (move.curve_kind == CurveKind::spline) return spline_length_mm(path.splines[move.curve]);
   return (move.end.tip - start.tip).norm();
+}
+
+void extend(Box3& box, const Toolpath& path, std::size_t index) {
+  const Move& move = path.moves[index];
+  box.extend(move.end.tip);
+  if (move.curve_kind == CurveKind::none || !move.has_start) return;
+  for (const Pose& pose : chords_of(path, index, PathInfo::kBoxError_mm)) box.extend(pose.tip);
 }
 
 void count_motion(const Toolpath& path, std::size_t index, PathInfo& info) {
@@ -55,7 +64,7 @@ PathInfo describe_path(const Toolpath& path) {
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
     ++info.moves_by_kind[static_cast<std::size_t>(move.kind)];
-    info.box.extend(move.end.tip);
+    extend(info.box, path, i);
     const AxisKey key = key_of(move.end.axis);
     if (axes.empty() || axes.back() != key) axes.push_back(key);
     count_motion(path, i, info);

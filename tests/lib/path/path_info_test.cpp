@@ -48,6 +48,16 @@ TEST(DescribePath, CountsWhatIsThere) {
   EXPECT_DOUBLE_EQ(info.box.max().z(), 10);
 }
 
+TEST(DescribePath, TheBoxHoldsArcs) {
+  Toolpath path;
+  path.moves.push_back(move_to(MoveKind::feed, Vec3(10, 0, 0), Vec3::UnitZ(), false));
+  path.moves.push_back(move_to(MoveKind::arc, Vec3(-10, 0, 0), Vec3::UnitZ()));
+  path.moves[1].curve_kind = CurveKind::arc;
+  path.arcs.push_back({Vec3::Zero(), Vec3::UnitZ(), std::acos(-1)});
+  EXPECT_NEAR(describe_path(path).box.max().y(), 10, PathInfo::kBoxError_mm);
+  EXPECT_EQ(describe_path(path).box.min().y(), 0);
+}
+
 TEST(DescribePath, AnEmptyPathHasAnEmptyBox) {
   EXPECT_TRUE(describe_path({}).box.isEmpty());
 }
