@@ -85,7 +85,7 @@ void draw_panel(const Toolpath& path, Panel panel, const Box3& box, double axis_
     if (move.curve_kind == CurveKind::none) {
       line.points.push_back(panel.at(move.end.tip));
     } else {
-      for (const Pose& pose : chords_of(path, i, 0.5 / panel.scale))
+      for (const Pose& pose : chords_of(path, i, 0.15 / panel.scale))
         line.points.push_back(panel.at(pose.tip));
     }
     drawing.items.emplace_back(std::move(line));
