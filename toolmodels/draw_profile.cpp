@@ -226,8 +226,11 @@ class Sheet {
     detail::draw_line(drawing_, above, to + Vec2(0, 8), kFaint, 1, {4, 4});
     detail::draw_arrow(drawing_, to - Vec2(60, 0), to, kInk, 1);
     detail::draw_line(drawing_, from, to - Vec2(60, 0), kInk, 1);
-    detail::draw_text(drawing_, {0.5 * (from.x() + to.x()), y - 6}, "D/2 = " + length(widest.x()), 15,
-                      TextAnchor::middle, true);
+    // The title gives the nominal diameter, which in a tapered tool is not that of the widest place.
+    const bool is_nominal = std::abs(nominal_size(tool_.cutter).diameter_mm - 2 * widest.x()) < 1e-3;
+    detail::draw_text(drawing_, {0.5 * (from.x() + to.x()), y - 6},
+                      (is_nominal ? "D/2 = " : "widest D/2 = ") + length(widest.x()), 15, TextAnchor::middle,
+                      true);
   }
 
   void draw_scale_bar(const ProfileView& view) {

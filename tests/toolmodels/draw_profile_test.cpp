@@ -108,6 +108,17 @@ TEST(DrawProfile, DimensionsAreWrittenInTheUnitAsked) {
     EXPECT_TRUE(has(texts, wanted)) << wanted;
 }
 
+TEST(DrawProfile, TheWidestRadiusIsNamedSoWhereItIsNotTheNominalOne) {
+  const auto has_radius = [](const ToolAssembly& tool, const std::string& words) {
+    const std::vector<std::string> texts = texts_of(*draw_profile(tool, LengthUnit::mm));
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const std::string& text) { return text.starts_with(words); });
+  };
+  EXPECT_TRUE(has_radius(test::assembly("t", FlatCutter{10, 20}), "D/2 = 5"));
+  EXPECT_TRUE(has_radius(test::assembly("t", TaperedCutter{2, 1, 5, 20}), "widest D/2 = "));
+  EXPECT_FALSE(has_radius(test::assembly("t", TaperedCutter{2, 1, 5, 20}), "D/2 = "));
+}
+
 TEST(DrawProfile, StickOutAndGaugeLengthAreTold) {
   ToolAssembly tool = test::assembly("t", FlatCutter{10, 20}, {{10, 10, 60}}, {{32, 32, 40}});
   tool.stickout_mm = 50;
