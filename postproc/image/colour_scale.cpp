@@ -33,8 +33,9 @@ unsigned char mix(unsigned char a, unsigned char b, double t) {
 }  // namespace
 
 Colour body_colour(int body) {
-  static constexpr std::array<Colour, 3> kBodies{{{38, 112, 178, 1}, {22, 140, 132, 1}, {126, 96, 168, 1}}};
-  return kBodies[static_cast<std::size_t>(std::clamp(body, 0, 2))];
+  static constexpr std::array<Colour, 4> kBodies{
+      {{38, 112, 178, 1}, {22, 140, 132, 1}, {126, 96, 168, 1}, {128, 122, 30, 1}}};
+  return kBodies[static_cast<std::size_t>(std::clamp(body, 0, 3))];
 }
 
 double ColourScale::place(double depth_mm) const {

@@ -139,7 +139,9 @@ class Strip {
     const double y = y_of(tolerance_mm);
     page.line({area_.x, y}, {area_.right() + 8, y}, kAlarm, 1.5, {9, 6});
     page.text({area_.right() + 14, y - 2}, "tolerance", 14, kAlarm);
-    page.text({area_.right() + 14, y + 15}, length_text(tolerance_mm, set_.model.toolpath->unit), 14, kAlarm);
+    const std::string length = short_length_text(tolerance_mm, set_.model.toolpath->unit);
+    const double left = area_.right() + 14;
+    page.text({left, y + 15}, length, fitting_size(length, 14, kPageWidth - 8 - left), kAlarm);
   }
 
   void draw_markers(Page& page) const {
@@ -207,6 +209,11 @@ void draw_legend(Page& page, const PictureSet& set, double y) {
   };
   for (const Body body : {Body::cutter, Body::shank, Body::holder})
     entry(body_colour(static_cast<int>(body)), body_name(body));
+  const std::vector<MoveVerdict>& verdicts = set.input.result->verdicts;
+  const bool has_head = std::any_of(verdicts.begin(), verdicts.end(), [](const MoveVerdict& v) {
+    return v.witness && v.witness->body == Body::head;
+  });
+  if (has_head) entry(body_colour(static_cast<int>(Body::head)), body_name(Body::head));
   entry({38, 112, 178, 0.22}, "not excluded (upper bound)");
   const StateCounts& n = set.input.result->counts;
   if (n.not_checked > 0) entry(kNotCheckedFill, "not checked");

@@ -17,6 +17,10 @@ constexpr Area kCloseUp{152, 142, 830, 742};
 constexpr Area kWhole{1016, 142, 548, 400};
 constexpr Area kDetail{1016, 582, 548, 390};
 
+std::string head_words(const PictureEvent& event) {
+  return event.event.body == Body::head ? std::string("; ") + kHeadNotDrawn : std::string();
+}
+
 const ToolForms& forms_of(const PictureSet& set, const PictureEvent& event) {
   return *set.input.tools[event.event.tool];
 }
@@ -165,8 +169,8 @@ void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, 
   page.rasters.push_back({static_cast<int>(kCloseUp.x), static_cast<int>(kCloseUp.y), std::move(raster)});
   add_callout(page, kCloseUp, on_page(kCloseUp, view.project(event.at)), words);
   page.frame(kCloseUp, kSoftInk, 1);
-  page.text({kCloseUp.x, kCloseUp.y - 10}, "Part and tool at the worst instant", 15, kInk, TextAnchor::left,
-            true);
+  page.text({kCloseUp.x, kCloseUp.y - 10}, "Part and tool at the worst instant" + head_words(event), 15, kInk,
+            TextAnchor::left, true);
   add_triad(page, {kCloseUp.x + 40, kCloseUp.bottom() + 58}, view, 28);
   add_scale_bar(page, {kCloseUp.x + 112, kCloseUp.bottom() + 56}, view, set.model.toolpath->unit, 160);
   add_colour_bar(page, {40, 204, 22, 350}, set.scale, set.model.toolpath->unit, "Gouge depth");
@@ -216,7 +220,8 @@ void add_buried_section(Page& page, const PictureSet& set, const PictureEvent& e
   const double height_mm = 1.25 * (bare.z_max_mm - bare.z_min_mm);
   const SectionPanel panel{area, Vec2(0, 0.5 * (bare.z_min_mm + bare.z_max_mm)),
                            std::max(height_mm / area.height, 2.6 * bare.r_max_mm / area.width)};
-  page.text({area.x, area.y - 10}, "Section through the tool axis", 15, kInk, TextAnchor::left, true);
+  page.text({area.x, area.y - 10}, "Section through the tool axis" + head_words(event), 15, kInk,
+            TextAnchor::left, true);
   draw_section(page, panel, section.lines, has_inside, bare, bare);
   add_panel_scale(page, panel, set.model.toolpath->unit);
   page.frame(area, kSoftInk, 1);
@@ -247,7 +252,8 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
   const double most_mm = std::max(1.6 * radius, 2.6 * event.depth_mm);
   const double detail_mm = std::clamp(9 * event.depth_mm, 0.02 * radius, most_mm);
   const SectionPanel detail{kDetail, Vec2(0.5 * (at + foot)), detail_mm / kDetail.height};
-  page.text({kWhole.x, kWhole.y - 10}, "Section through tool axis and deepest point", 15, kInk,
+  const std::string title = "Section through tool axis and deepest point" + head_words(event);
+  page.text({kWhole.x, kWhole.y - 10}, title, fitting_size(title, 15, kWhole.width, true), kInk,
             TextAnchor::left, true);
   draw_section(page, whole, lines, has_inside, forms.bare, checked);
   const Vec2 target = whole.place(detail.centre);

@@ -104,19 +104,34 @@ void add_event_key(Page& page, const PictureSet& set, double x, double y) {
     const std::string depth = event.event.state == MoveState::buried
                                   ? std::string("buried")
                                   : depth_text(event.depth_mm, unit) + " deep";
-    page.text({x + 30, y - 7}, depth, 15, kInk, TextAnchor::left, true);
-    const std::size_t move = event.event.worst_move;
     const double room = kPageWidth - 24 - x - 30;
+    page.text({x + 30, y - 7}, depth, fitting_size(depth, 15, room, true), kInk, TextAnchor::left, true);
+    const std::size_t move = event.event.worst_move;
+    const auto add_line = [&](double below, const std::string& words) {
+      page.text({x + 30, y + below}, words, fitting_size(words, 13, room), kSoftInk);
+    };
     const std::string where = std::string(body_name(event.event.body)) + ", line " +
                               std::to_string(set.input.toolpath->moves[move].line);
-    page.text({x + 30, y + 11}, fitted(where, 13, room), 13, kSoftInk);
+    add_line(11, where);
+    if (event.event.body == Body::head) {
+      add_line(27, kHeadNotDrawn);
+      y += 16;
+    }
     const double overcut_mm = largest_overcut_mm(*set.input.result, event.event);
     const bool is_same =
         std::max(overcut_mm, event.depth_mm) <= kNoteworthy * std::min(overcut_mm, event.depth_mm);
     if (set.overcuts.is_empty() || overcut_mm <= 0 || is_same) continue;
-    page.text({x + 30, y + 27}, fitted("overcut " + depth_text(overcut_mm, unit), 13, room), 13, kSoftInk);
+    add_line(27, "overcut " + depth_text(overcut_mm, unit));
     y += 20;
   }
+}
+
+std::string gouges_text(const CheckResult& result, LengthUnit unit) {
+  const StateCounts& n = result.counts;
+  std::string text = std::to_string(n.gouge) + " of " + count_text(result.verdicts.size(), "move") + " gouge";
+  if (n.gouge > 0) text += ", worst " + depth_text(result.worst_depth_mm, unit);
+  if (n.buried > 0) text += ", " + std::to_string(n.buried) + " buried";
+  return text;
 }
 
 }  // namespace
@@ -129,8 +144,8 @@ std::vector<std::string> caption_lines(const ReportModel& model, const Toolpath&
     files += (i == 0 ? ", fixture " : ", ") + model.fixtures[i].name;
   }
   const LengthUnit unit = toolpath.unit;
-  return {files, tool_names(model) + "; tolerance " + length_text(model.options.tolerance_mm, unit) +
-                     ", resolution " + length_text(model.options.resolution_mm, unit)};
+  return {files, tool_names(model) + "; tolerance " + short_length_text(model.options.tolerance_mm, unit) +
+                     ", resolution " + short_length_text(model.options.resolution_mm, unit)};
 }
 
 std::string badge_text(const ReportModel& model, const CheckResult& result) {
@@ -204,10 +219,8 @@ Page draw_before_after(const PictureSet& before, const PictureSet& after) {
   add_corner_furniture(page, view, left, unit);
   const auto label = [&](const Area& area, const std::string& words, const CheckResult& result) {
     page.text({area.x + 8, area.y - 12}, words, 19, kInk, TextAnchor::left, true);
-    const std::string state =
-        std::to_string(result.counts.gouge) + " of " + count_text(result.verdicts.size(), "move") + " gouge" +
-        (result.counts.gouge > 0 ? ", worst " + depth_text(result.worst_depth_mm, unit) : std::string());
-    page.text({area.right() - 12, area.y - 12}, state, 16, result.counts.gouge > 0 ? kAlarm : kCalm,
+    const bool is_bad = result.counts.gouge + result.counts.buried > 0;
+    page.text({area.right() - 12, area.y - 12}, gouges_text(result, unit), 16, is_bad ? kAlarm : kCalm,
               TextAnchor::right);
   };
   label(left, "Before", *before.input.result);

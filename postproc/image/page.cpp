@@ -42,15 +42,34 @@ void Page::text(const Vec2& at, const std::string& words, double size, const Col
   drawing.items.emplace_back(DrawnText{at, words, size, colour, anchor, is_bold});
 }
 
+namespace {
+
+bool is_of_number(char c) {
+  return (c >= '0' && c <= '9') || c == '.';
+}
+
+// Both ends of a cut text, less what is left of a number that the cut goes through.
+std::string without_middle(const std::string& text, std::size_t head, std::size_t tail) {
+  while (head > 0 && is_of_number(text[head - 1]) && is_of_number(text[head])) --head;
+  while (tail < text.size() && is_of_number(text[tail]) && is_of_number(text[tail - 1])) ++tail;
+  return text.substr(0, head) + "..." + text.substr(tail);
+}
+
+}  // namespace
+
 std::string fitted(const std::string& words, double size, double width, bool is_bold) {
   const std::string text = ascii_text(words);
   if (text_width(text, size, is_bold) <= width) return text;
   for (std::size_t keep = text.size(); keep > 2; --keep) {
     const std::size_t head = (keep + 1) / 2;
-    const std::string cut = text.substr(0, head) + "..." + text.substr(text.size() - (keep - head));
+    const std::string cut = without_middle(text, head, text.size() - (keep - head));
     if (text_width(cut, size, is_bold) <= width) return cut;
   }
   return {};
+}
+
+double fitting_size(const std::string& words, double size, double width, bool is_bold) {
+  return size * std::min(1.0, width / std::max(text_width(words, size, is_bold), 1e-9));
 }
 
 Page make_page(const std::string& title, const std::string& verdict, const Colour& verdict_colour,

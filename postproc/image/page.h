@@ -15,6 +15,9 @@ namespace gouge {
 inline constexpr int kPageWidth = 1600;
 inline constexpr int kPageHeight = 1000;
 
+/// Of a finding of a body given with --head: pictures show the tool alone.
+inline constexpr const char* kHeadNotDrawn = "the head is not drawn";
+
 struct Area {
   double x = 0, y = 0, width = 0, height = 0;
   [[nodiscard]] double right() const { return x + width; }
@@ -41,8 +44,11 @@ struct Page {
 [[nodiscard]] Page make_page(const std::string& title, const std::string& verdict,
                              const Colour& verdict_colour, const std::vector<std::string>& lines);
 
-/// `words`, cut short with "..." in the middle when wider than `width`.
+/// `words`, cut short with "..." in the middle when wider than `width`, never within a number.
 [[nodiscard]] std::string fitted(const std::string& words, double size, double width, bool is_bold = false);
+
+/// `size`, or as much less as makes `words` no wider than `width`: for what must not be cut.
+[[nodiscard]] double fitting_size(const std::string& words, double size, double width, bool is_bold = false);
 
 /// Vertical bar with numbers; grey below the tolerance.
 void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit,

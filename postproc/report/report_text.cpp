@@ -54,6 +54,13 @@ std::string length_text(double length_mm, LengthUnit unit) {
   return trimmed(fixed_text(value, std::clamp(5 - first_digit(value), 0, 15))) + " " + unit_name(unit);
 }
 
+std::string short_length_text(double length_mm, LengthUnit unit) {
+  const double value = length_mm / mm_per(unit);
+  if (!std::isfinite(value)) return "any length";
+  const int decimals = std::clamp(2 - first_digit(value), 6, 15);
+  return trimmed(fixed_text(value, decimals)) + " " + unit_name(unit);
+}
+
 std::string point_text(const Vec3& point_mm, LengthUnit unit) {
   const int decimals = unit == LengthUnit::inch ? 4 : 3;
   std::string text = "(";

@@ -15,6 +15,9 @@ namespace gouge {
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit);
 /// Up to six digits, no trailing zeros: "0.011 mm", "0.00043307 in".
 [[nodiscard]] std::string length_text(double length_mm, LengthUnit unit);
+/// For pictures, where room is short: six decimals, or more where three digits need them; no trailing zeros:
+/// "0.000394 in".
+[[nodiscard]] std::string short_length_text(double length_mm, LengthUnit unit);
 /// "(12.3, 4.5, 6.7)" in `unit`: three decimals in mm and four in inches, trailing zeros dropped.
 [[nodiscard]] std::string point_text(const Vec3& point_mm, LengthUnit unit);
 /// "0.42": four decimals, trailing zeros dropped.

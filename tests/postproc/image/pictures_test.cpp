@@ -5,8 +5,11 @@
 
 #include "lib/tool/evaluate.h"
 #include "postproc/image/depth_field.h"
+#include "postproc/image/depth_strip.h"
+#include "postproc/image/event_picture.h"
 #include "postproc/image/heat_map.h"
 #include "postproc/image/picture_events.h"
+#include "postproc/image/render_png.h"
 #include "postproc/image/report_pictures.h"
 #include "tests/postproc/image/small_scene.h"
 
@@ -23,6 +26,51 @@ std::vector<std::string> names(const std::vector<NamedFile>& files) {
   std::vector<std::string> out;
   for (const NamedFile& file : files) out.push_back(file.name);
   return out;
+}
+
+/// The pages of a small scene as drawings, for what they say.
+struct SmallPages {
+  explicit SmallPages(const SmallScene& small)
+      : scene(build_picture_scene(small.scene)),
+        field(small.input),
+        overcuts(small.input, field),
+        set{small.model,
+            small.input,
+            scene,
+            field,
+            field,
+            overcuts,
+            worst_events(small.input, 6),
+            make_colour_scale(0.01, 1, small.path.unit),
+            make_colour_scale(0.01, 1, small.path.unit),
+            {Vec3(1, -1, 1).normalized()}} {}
+  PictureScene scene;
+  DepthField field;
+  OvercutField overcuts;
+  PictureSet set;
+};
+
+std::vector<DrawnText> texts_of(const Page& page) {
+  std::vector<DrawnText> all;
+  for (const auto& item : page.drawing.items)
+    if (const auto* text = std::get_if<DrawnText>(&item)) all.push_back(*text);
+  return all;
+}
+
+std::size_t count_with(const Page& page, const std::string& wanted) {
+  const std::vector<DrawnText> all = texts_of(page);
+  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const DrawnText& text) {
+    return text.text.find(wanted) != std::string::npos;
+  }));
+}
+
+double right_edge(const Page& page) {
+  double right = 0;
+  for (const DrawnText& text : texts_of(page)) {
+    if (text.anchor == TextAnchor::left)
+      right = std::max(right, text.at.x() + text_width(text.text, text.size, text.is_bold));
+  }
+  return right;
 }
 
 TEST(DepthField, IsTheDeepestOfTheMovesAtEveryPoint) {
@@ -147,6 +195,59 @@ TEST(ReportPictures, SurviveABuriedToolAndAnUnfinishedCheck) {
   const Result<std::vector<NamedFile>> files = draw_report_pictures(small.model, small.input);
   ASSERT_TRUE(files);
   EXPECT_EQ(names(*files), (std::vector<std::string>{"heat_map.png", "event_1.png", "depth_along_path.png"}));
+}
+
+TEST(Pictures, SayThatTheHeadOfAFindingIsNotDrawn) {
+  SmallScene small;
+  {
+    const SmallPages pages(small);
+    EXPECT_EQ(count_with(draw_event(pages.set, pages.set.events.at(0)), kHeadNotDrawn), 0U);
+    EXPECT_EQ(count_with(draw_heat_map(pages.set), kHeadNotDrawn), 0U);
+    EXPECT_EQ(count_with(draw_depth_strip(pages.set), "head"), 0U);
+  }
+  small.result.events.at(0).body = Body::head;
+  for (MoveVerdict& v : small.result.verdicts)
+    if (v.witness) v.witness->body = Body::head;
+  const SmallPages pages(small);
+  EXPECT_EQ(count_with(draw_event(pages.set, pages.set.events.at(0)), kHeadNotDrawn), 2U);
+  EXPECT_EQ(count_with(draw_heat_map(pages.set), kHeadNotDrawn), 1U);
+  EXPECT_EQ(count_with(draw_depth_strip(pages.set), "head"), 1U);
+  EXPECT_FALSE(body_colour(3).r == body_colour(2).r && body_colour(3).g == body_colour(2).g);
+}
+
+TEST(Pictures, CutNoNumberShort) {
+  SmallScene small;
+  small.path.unit = LengthUnit::inch;
+  for (MoveVerdict& v : small.result.verdicts)
+    if (v.state == MoveState::gouge) v.overcut_mm = 25.4 * 12193;
+  small.path.moves.at(small.result.events.at(0).worst_move).line = 123456789;
+  const SmallPages pages(small);
+  const Page heat = draw_heat_map(pages.set), strip = draw_depth_strip(pages.set);
+  EXPECT_EQ(count_with(heat, "overcut 12193.0000 in"), 1U);
+  EXPECT_EQ(count_with(heat, "line 123456789"), 1U);
+  EXPECT_EQ(count_with(strip, "0.000394 in"), 2U) << "in the caption and beside the line";
+  EXPECT_LE(right_edge(heat), kPageWidth);
+  EXPECT_LE(right_edge(strip), kPageWidth);
+  const std::string words = "overcut 193.000 mm";
+  EXPECT_LE(text_width(words, fitting_size(words, 13, 100), false), 100 + 1e-9);
+  const std::string depths = "depth 1234567.891 mm of 765432.198 mm";
+  for (double room = 40; room < 300; room += 3) {
+    std::string rest = fitted(depths, 13, room);
+    for (const std::string number : {"1234567.891", "765432.198"}) {
+      const std::size_t at = rest.find(number);
+      if (at != std::string::npos) rest.erase(at, number.size());
+    }
+    EXPECT_EQ(rest.find_first_of("0123456789"), std::string::npos) << rest;
+  }
+}
+
+TEST(Pictures, TellBuriedMovesBeforeAndAfter) {
+  SmallScene small;
+  const SmallPages clean(small);
+  EXPECT_EQ(count_with(draw_before_after(clean.set, clean.set), "buried"), 0U);
+  small.result.counts.buried = 2;
+  const SmallPages pages(small);
+  EXPECT_EQ(count_with(draw_before_after(pages.set, pages.set), "2 buried"), 2U);
 }
 
 TEST(Markers, CoverNeitherEachOtherNorTheirTargets) {
