@@ -165,6 +165,10 @@ TEST(DepthText, KeepsTwoDigitsOfSmallDepths) {
   EXPECT_EQ(depth_text(0.00002, LengthUnit::inch), "0.00000079 in");
   EXPECT_EQ(depth_text(3e-15, LengthUnit::inch), "0.0000 in") << "what rounding leaves is no length";
   EXPECT_EQ(depth_text(9e-10, LengthUnit::mm), "0.000 mm");
+  EXPECT_EQ(short_length_text(0.01, LengthUnit::mm), "0.01 mm");
+  EXPECT_EQ(short_length_text(0.01, LengthUnit::inch), "0.000394 in");
+  EXPECT_EQ(short_length_text(0.001, LengthUnit::inch), "0.0000394 in");
+  EXPECT_EQ(short_length_text(0, LengthUnit::inch), "0 in");
   EXPECT_EQ(depth_text(12.5, LengthUnit::inch), "0.4921 in");
 }
 
