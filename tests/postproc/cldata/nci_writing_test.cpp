@@ -4,22 +4,11 @@
 #include "lib/path/chords.h"
 #include "postproc/cldata/write_corrected.h"
 #include "tests/postproc/cldata/cl_files.h"
+#include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"
 
 namespace gouge {
 namespace {
-
-PathChange lift(const Toolpath& path, std::size_t move, double dz) {
-  Pose end = path.moves.at(move).end;
-  end.tip.z() += dz;
-  return {move, end, {}};
-}
-
-std::string written(const Toolpath& path, const std::vector<PathChange>& changes) {
-  const Result<std::string> text = write_corrected(path, changes);
-  if (!text) ADD_FAILURE() << to_text(text.error());
-  return text ? *text : std::string();
-}
 
 constexpr const char* kStart = "0\r\n0 0. 0. 50. -2. 0\r\n";
 

@@ -4,22 +4,11 @@
 
 #include <cmath>
 
+#include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"
 
 namespace gouge {
 namespace {
-
-PathChange lift(const Toolpath& path, std::size_t move, double dz) {
-  Pose end = path.moves.at(move).end;
-  end.tip.z() += dz;
-  return {move, end, {}};
-}
-
-std::string written(const Toolpath& path, const std::vector<PathChange>& changes) {
-  const Result<std::string> text = write_corrected(path, changes);
-  if (!text) ADD_FAILURE() << text.error().message;
-  return text ? *text : std::string();
-}
 
 TEST(WriteCorrected, ChangesOnlyTheNumberThatChanged) {
   const Toolpath path = path_of(
