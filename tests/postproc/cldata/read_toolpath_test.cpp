@@ -224,6 +224,13 @@ TEST(ReadApt, PositionsThatMayGoOnAlongACircleOfNclAreNotChecked) {
                           "apt-nccs"), "110011");
 }
 
+TEST(ReadApt, ASenseThatFewerThanThreePlacesTellIsNotTaken) {
+  const std::string in = "GOTO/10,-5,0\nGOTO/10,0,0\n", arc = "CIRCLE/0,0,0,0,0,1,10\nGOTO/0,10,0\n";
+  const std::string out = "GOTO/-5,10,0\n", lift = "GOTO/-5,10,9\n";
+  EXPECT_EQ(checked_moves("UNITS/MM\n" + in + arc + out + lift, "apt"), "110" "11") << "two lines touch the arc";
+  EXPECT_EQ(checked_moves("UNITS/MM\n" + in + arc + out + lift + in + arc + out, "apt"), "11111" "1111");
+}
+
 TEST(ReadApt, TransWithoutNumbersUndoesNothing) {
   EXPECT_EQ(checked_moves("TRANS/0,0,-20\nTRANS/\nGOTO/0,0,9\n", "apt"), "0");
 }
