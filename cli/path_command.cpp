@@ -7,6 +7,7 @@
 #include "cli/exit_code.h"
 #include "cli/overwriting.h"
 #include "cli/path_info_text.h"
+#include "cli/picture_file.h"
 #include "lib/base/files.h"
 #include "postproc/cldata/write_toolpath.h"
 #include "postproc/image/path_plot.h"
@@ -44,9 +45,9 @@ int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostre
   return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
 }
 
-int run_plot(const PathArguments& arguments, const Toolpath& path, std::ostream& err) {
+int run_plot(const PathArguments& arguments, const Toolpath& path, bool is_svg, std::ostream& err) {
   tell(path.notes, err);
-  const Result<std::string> picture = plot_path(path, arguments.output.ends_with(".svg"));
+  const Result<std::string> picture = plot_path(path, is_svg);
   if (!picture) return refuse({picture.error()}, err, kExitInternal);
   const Outcome outcome = write_file(arguments.output, *picture);
   return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
@@ -61,10 +62,6 @@ CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* n
       ->required();
   add_reading_options(*added, arguments.reading);
   return *added;
-}
-
-bool is_picture(const std::string& name) {
-  return name.ends_with(".svg") || name.ends_with(".png");
 }
 
 }  // namespace
@@ -111,18 +108,15 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
     return refuse({*error}, err, kExitUsage);
   }
   const bool is_plot = !arguments.is_info && !arguments.is_convert;
-  if (is_plot && !is_picture(arguments.output)) {
-    return refuse(
-        {make_error("usage", "-o '" + arguments.output + "': the picture must be a .png or an .svg file")}, err,
-        kExitUsage);
-  }
+  const Result<bool> is_svg = is_plot ? is_svg_file(arguments.output) : false;
+  if (!is_svg) return refuse({is_svg.error()}, err, kExitUsage);
   Result<std::string> bytes = read_file(arguments.path);
   if (!bytes) return refuse({bytes.error()}, err);
   const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);
   if (!outcome.toolpath) return refuse(outcome.errors, err);
   if (arguments.is_info) return run_info(arguments, *outcome.toolpath, out, err);
   if (arguments.is_convert) return run_convert(arguments, *outcome.toolpath, err);
-  return run_plot(arguments, *outcome.toolpath, err);
+  return run_plot(arguments, *outcome.toolpath, *is_svg, err);
 }
 
 }  // namespace gouge

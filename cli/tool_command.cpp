@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/picture_file.h"
 #include "cli/tool_text.h"
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
@@ -41,25 +42,13 @@ Result<Tools> choose(const ToolLibrary& library, const std::string& wanted) {
   return Tools{tool};
 }
 
-bool ends_with(const std::string& path, std::string_view ending) {
-  return path.size() > ending.size() &&
-         std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char e, char p) {
-           return e == (p >= 'A' && p <= 'Z' ? static_cast<char>(p - 'A' + 'a') : p);
-         });
-}
-
-Result<std::string> render(const Drawing& drawing, const std::string& path) {
-  if (ends_with(path, ".svg")) return render_svg(drawing);
-  if (ends_with(path, ".png")) return render_png(drawing);
-  return make_error("usage", "-o '" + path + "': the picture must be a .png or an .svg file");
-}
-
 int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostream& err) {
-  if (!ends_with(path, ".svg") && !ends_with(path, ".png")) return refuse(render({}, path).error(), err);
+  const Result<bool> is_svg = is_svg_file(path);
+  if (!is_svg) return refuse(is_svg.error(), err);
   const Result<Drawing> drawing =
       tools.size() == 1 ? draw_profile(*tools.front(), unit) : draw_sheet(tools, unit);
   if (!drawing) return refuse(drawing.error(), err);
-  const Result<std::string> bytes = render(*drawing, path);
+  const Result<std::string> bytes = *is_svg ? Result<std::string>(render_svg(*drawing)) : render_png(*drawing);
   if (!bytes) return refuse(bytes.error(), err);
   const Outcome written = write_file(path, *bytes);
   if (written) return kExitClean;
