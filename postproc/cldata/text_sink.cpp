@@ -56,6 +56,11 @@ void TextSink::write_mcs() {
   line("0.000000, 0.000000, 0.000000");
 }
 
+// Creo: it holds for one sequence.
+void TextSink::say_on_centre() {
+  if (options_.is_on_centre) line("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER");
+}
+
 void TextSink::begin_file() {
   const std::string multax = options_.is_tilted ? "ON" : "OFF";
   switch (options_.kind) {
@@ -64,7 +69,7 @@ void TextSink::begin_file() {
     case DialectKind::creo:
       line("$$*          Pro/CLfile");
       line("PARTNO / " + options_.name);
-      if (options_.is_on_centre) line("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER");
+      say_on_centre();
       line("UNITS / " + unit_word());
       if (options_.is_tilted) line("MULTAX / ON");
       return;
@@ -108,7 +113,8 @@ void TextSink::begin_operation(const std::string& name) {
       return line("$$ OPERATION NAME : " + name);
     case DialectKind::creo:  // nothing is swept from one FEATNO to the next
       if (!is_alone_) return;
-      return line("$$-> FEATNO / " + std::string(name.starts_with("FEATNO ") ? name.substr(7) : name));
+      line("$$-> FEATNO / " + std::string(name.starts_with("FEATNO ") ? name.substr(7) : name));
+      return say_on_centre();
     case DialectKind::solidworks_cam:
       return line("INSERT/" + name);
     case DialectKind::clt:

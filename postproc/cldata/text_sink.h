@@ -39,6 +39,7 @@ class TextSink final : public MotionSink {
   void begin_file();
   void begin_catia_file();
   void write_mcs();
+  void say_on_centre();
   void begin_nx_block();
   void write_cutter(const PathTool& tool);
   void write_number(const PathTool& tool);

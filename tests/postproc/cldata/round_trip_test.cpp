@@ -176,6 +176,14 @@ TEST(RoundTrip, CompensationOfPositionsOnTheCentreIsKeptAsWell) {
   EXPECT_NE(creo->bytes.find("CUTCOM / RIGHT\n"), std::string::npos);
   const Toolpath again = path_of(creo->bytes);
   for (const Move& move : again.moves) EXPECT_TRUE(move.not_checked_reason.empty());
+  const ReadOutcome two = read_toolpath(
+      "a.apt", "UNITS/MM\nPPRINT ONE\nGOTO/0,0,0\nCUTCOM/RIGHT\nGOTO/5,0,0\nGOHOME\nPPRINT TWO\nGOTO/9,0,0\nFINI\n",
+      options);
+  ASSERT_TRUE(two.toolpath);
+  const Result<WrittenToolpath> sequences = write_toolpath(*two.toolpath, *dialect_called("apt-creo"));
+  ASSERT_TRUE(sequences);
+  const Toolpath sequences_again = path_of(sequences->bytes);
+  for (const Move& move : sequences_again.moves) EXPECT_TRUE(move.not_checked_reason.empty()) << sequences->bytes;
   const Result<WrittenToolpath> list = write_toolpath(*read.toolpath, *dialect_called("goto-list"));
   ASSERT_TRUE(list);
   EXPECT_TRUE(std::any_of(list->notes.begin(), list->notes.end(),
