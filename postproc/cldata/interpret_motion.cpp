@@ -241,8 +241,8 @@ void Interpreter::break_motion() {
   last_arc_.reset();
 }
 
-// ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT. Those let the control offset the path by a radius nobody here knows, unless the file says that its
-// positions are the cutter's centre.
+// ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT. Those let the control offset the path by a
+// radius nobody here knows, unless the file says that its positions are the cutter's centre.
 void Interpreter::take_cutcom() {
   if (has_argument(arguments_, "ADJUST")) {
     const bool is_off = arguments_.size() == 2 && equals_ignoring_case(arguments_.back().text, "OFF");
@@ -261,7 +261,7 @@ void Interpreter::begin_cutcom() {
   cutcom_ = has_argument(arguments_, "LEFT")    ? CutcomSide::left
             : has_argument(arguments_, "RIGHT") ? CutcomSide::right
                                                 : CutcomSide::unknown;
-  if (!is_cutter_centre_) is_compensated_ = true;
+  if (!is_cutter_centre_) is_compensated_ = was_ever_compensated_ = true;
 }
 
 void Interpreter::end_cutcom() {

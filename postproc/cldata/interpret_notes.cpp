@@ -17,7 +17,7 @@ void Interpreter::note_motion() {
   if (cutcoms_ > 0) {
     const std::string what = counted(cutcoms_, "CUTCOM statement") + " on: ";
     notes.push_back(
-        is_cutter_centre_
+        !was_ever_compensated_
             ? make_note("path-cutcom", what + "positions are the cutter centre, as the file or the user says",
                         path_.file, first_cutcom_line_)
             : make_warning("path-cutcom",

@@ -357,8 +357,8 @@ void Interpreter::finish() {
     notes.push_back(
         make_warning("path-plain-axis",
                      counted(plain_after_tilt_, "position") +
-                         " of 3 numbers after one with a tilted axis: taken as +Z or TLAXIS, not as the "
-                         "axis before",
+                         " of 3 numbers after one with a tilted axis: the file does not say which axis they have, so "
+                         "they are not checked",
                      path_.file, first_plain_after_tilt_));
   }
   if (csys_told_ > 0) {

@@ -267,6 +267,7 @@ class Interpreter {
   bool is_cutter_centre_ = false;       // so says the user, or the file for this sequence
   bool is_compensated_ = false;    // under CUTCOM, and nothing says that positions are the cutter's centre
   bool was_compensated_ = false;   // the last position was
+  bool was_ever_compensated_ = false;
   const char* doubt_ = nullptr;    // why the position being taken cannot be checked
   bool is_rapid_ = false;
   bool is_broken_ = false;               // nothing is swept from the last position to the next
