@@ -28,17 +28,10 @@ Statement statement_at(const Toolpath& path, std::size_t index) {
   return statement;
 }
 
-std::size_t blanks_before(std::string_view bytes, std::size_t at) {
-  std::size_t count = 0;
-  while (count < at && bytes[at - count - 1] == ' ') ++count;
-  return count;
-}
-
 }  // namespace
 
 GotoText::GotoText(const Toolpath& path, const MotionRecords& records) : path_(path) {
-  const std::size_t end = path.source.find('\n');
-  if (end != std::string::npos && end > 0 && path.source[end - 1] == '\r') line_end_ = "\r\n";
+  line_end_ = line_end_of(path.source);
   std::size_t learned = 0;
   for (const MotionRecord& record : records.of_move) {
     if (record.form != PositionForm::go_to || record.point != 0) continue;

@@ -55,7 +55,7 @@ class GotoText {
   std::size_t first_gap_ = 0, gap_ = 0;  // blanks before the first number and after a separator
   std::optional<std::size_t> axis_gap_;  // the same before a component of an axis
   bool has_form_ = false;
-  std::string line_end_ = "\n";
+  std::string line_end_;
 };
 
 }  // namespace gouge

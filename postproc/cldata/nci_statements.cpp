@@ -19,10 +19,10 @@ bool is_identity(const std::vector<Argument>& fields) {
   return true;
 }
 
-std::string_view cutcom_word(double compensation) {
+CutcomSide side_of(double compensation) {
   const auto is = [&](double value) { return std::abs(compensation - value) < kIdentityError; };
-  if (is(kCompOff) || is(kCompOffAtEnd)) return "OFF";
-  return is(kCompLeft) ? "LEFT" : is(kCompRight) ? "RIGHT" : "ON";
+  if (is(kCompOff) || is(kCompOffAtEnd)) return CutcomSide::none;
+  return is(kCompLeft) ? CutcomSide::left : is(kCompRight) ? CutcomSide::right : CutcomSide::unknown;
 }
 
 Argument number(double value) {
@@ -50,11 +50,11 @@ void NciStatements::add(Word word, std::string_view major) {
 // A pair that may have switched compensation in a way that is not read leaves it on.
 void NciStatements::take_compensation(std::optional<double> value) {
   if (value && std::abs(*value) < kIdentityError) return;
-  const std::string_view word = value ? cutcom_word(*value) : "ON";
-  if (word == cutcom_) return;
-  cutcom_ = word;
+  const CutcomSide side = value ? side_of(*value) : CutcomSide::unknown;
+  if (side == cutcom_) return;
+  cutcom_ = side;
   add(Word::cutcom, "CUTCOM");
-  decoded().push_back({word, std::nullopt});
+  decoded().push_back({cutcom_word(side), std::nullopt});
 }
 
 void NciStatements::take_speed(const NciMotion& motion) {

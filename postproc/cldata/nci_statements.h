@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "postproc/cldata/cutcom.h"
 #include "postproc/cldata/nci_lines.h"
 #include "postproc/cldata/nci_motion.h"
 #include "postproc/cldata/statement.h"
@@ -43,7 +44,7 @@ class NciStatements {
   std::vector<Argument> fields_;
   std::array<Statement, 4> queue_;  // CUTCOM, FEDRAT, CIRCLE, GOTO
   std::size_t queued_ = 0, given_ = 0;
-  std::string_view cutcom_ = "OFF";
+  CutcomSide cutcom_ = CutcomSide::none;
   std::optional<std::string_view> wcs_;
 };
 

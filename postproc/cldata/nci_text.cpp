@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/text.h"
 
 namespace gouge {
 namespace {
@@ -11,12 +12,6 @@ namespace {
 constexpr std::size_t kPairsLearned = 5000;
 constexpr int kUsualDecimals = 6, kMostDecimals = 15;
 constexpr double kLeastAxisError = 1e-6, kMostAxisError = 1e-5;
-
-std::size_t blanks_before(std::string_view bytes, std::size_t at) {
-  std::size_t count = 0;
-  while (count < at && bytes[at - count - 1] == ' ') ++count;
-  return count;
-}
 
 bool is_zero(const Argument& field) {
   return field.number && std::abs(*field.number) <= 0;
@@ -36,8 +31,7 @@ std::string_view speed(const NciMotionPair& pair) {
 }  // namespace
 
 NciText::NciText(const Toolpath& path, const MotionRecords& records) : path_(path) {
-  const std::size_t end = path.source.find('\n');
-  if (end != std::string::npos && end > 0 && path.source[end - 1] == '\r') line_end_ = "\r\n";
+  line_end_ = line_end_of(path.source);
   std::size_t learned = 0;
   for (std::size_t i = 0; i < records.of_move.size() && learned < kPairsLearned; ++i) {
     if (records.of_move[i].form != PositionForm::go_to) continue;

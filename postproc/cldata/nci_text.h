@@ -61,7 +61,7 @@ class NciText {
   const Toolpath& path_;
   NumberStyle tips_, second_points_;
   double least_axis_error_ = 0;  // what the decimals of the file's points leave open, times the length
-  std::string line_end_ = "\n";
+  std::string line_end_;
 };
 
 }  // namespace gouge

@@ -74,6 +74,17 @@ std::string_view trim(std::string_view text) {
   return text;
 }
 
+std::size_t blanks_before(std::string_view bytes, std::size_t at) {
+  std::size_t count = 0;
+  while (count < at && bytes[at - count - 1] == ' ') ++count;
+  return count;
+}
+
+std::string line_end_of(std::string_view bytes) {
+  const std::size_t end = bytes.find('\n');
+  return end != std::string_view::npos && end > 0 && bytes[end - 1] == '\r' ? "\r\n" : "\n";
+}
+
 int compare_ignoring_case(std::string_view a, std::string_view b) {
   const std::size_t shorter = std::min(a.size(), b.size());
   for (std::size_t i = 0; i < shorter; ++i) {

@@ -13,6 +13,12 @@ namespace gouge {
 
 [[nodiscard]] std::string_view trim(std::string_view text);
 
+/// How many spaces stand right before `bytes[at]`.
+[[nodiscard]] std::size_t blanks_before(std::string_view bytes, std::size_t at);
+
+/// What the first line of `bytes` ends with: "\r\n" or "\n".
+[[nodiscard]] std::string line_end_of(std::string_view bytes);
+
 /// < 0, 0, > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.
 [[nodiscard]] int compare_ignoring_case(std::string_view a, std::string_view b);
 [[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
