@@ -31,8 +31,8 @@ struct PreparedScene {
 /// Ensures  the promise of docs/method.md: depth <= true depth <= depth_upper; a gouge is closed to the
 /// resolution;
 ///          clean means depth_upper <= tolerance + resolution, and no body with a clearance entered by more
-///          than the resolution. A budget that runs out gives not_certified, never clean. Coordinates of the motion or of a mesh
-///          beyond kFarthest_mm, or that are no numbers, give not_checked.
+///          than the resolution. A budget that runs out gives not_certified, never clean. Coordinates of the
+///          motion or of a mesh beyond kFarthest_mm, or that are no numbers, give not_checked.
 /// Source   docs/algorithms/certified_sweep.md; depth as in Ho 1999, thesis 2.4.18.
 [[nodiscard]] MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& tool,
                                      const PreparedScene& scene, const CheckOptions& options,

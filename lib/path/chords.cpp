@@ -37,7 +37,8 @@ void append_arc(const PathArc& arc, const Pose& start, const Pose& end, double e
   }
 }
 
-void append_spline(const PathSpline& spline, const Pose& start, const Pose& end, double error_mm, std::vector<Pose>& poses) {
+void append_spline(const PathSpline& spline, const Pose& start, const Pose& end, double error_mm,
+                   std::vector<Pose>& poses) {
   for (const SplinePiece& piece : spline.pieces) {
     const double width = piece.u1 - piece.u0;
     const std::size_t count =

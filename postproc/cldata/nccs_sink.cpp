@@ -14,7 +14,8 @@ constexpr double kCircleKind = 5;  // the first of the five words before a circl
 constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
 
 struct PostCode {
-  static constexpr std::uint16_t kRapid = 5, kGohome = 14, kFedrat = 1009, kLoadtl = 1055, kPprint = 1044, kCutcom = 1007, kRetrct = 7;
+  static constexpr std::uint16_t kRapid = 5, kRetrct = 7, kGohome = 14, kCutcom = 1007, kFedrat = 1009,
+                                 kPprint = 1044, kLoadtl = 1055;
 };
 
 std::uint16_t minor_code(CutcomSide side) {

@@ -37,8 +37,8 @@ struct ReadOutcome {
 ///          path-statement, path-frame, path-range, path-more-errors.
 /// Cost     One pass, about 300 MB/s on one core; memory is the file, 96 bytes for each move and 12 for each
 ///          statement, none of them copied while it grows where lines have one position each. That is at most
-///          16 times the file for the shortest positions there are (GOTO/1,1,1), 4 times for usual ones of five
-///          axes, 30 times for lists of positions of one digit, 60 for such holes, each of which is four moves.
+///          12 times the file for the shortest positions there are (GOTO/1,1,1), 3 times for usual ones of five
+///          axes, 18 times for lists of positions of one digit, 39 for such holes, each of which is four moves.
 [[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, std::string bytes,
                                         const ReadOptions& options = {});
 

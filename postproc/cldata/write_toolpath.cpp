@@ -39,7 +39,10 @@ bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
 class PathWriter {
  public:
   PathWriter(const Toolpath& path, const Dialect& target)
-      : path_(path), target_(target), records_(read_motion_records(path)), is_on_centre_(are_on_centre(path, records_)) {}
+      : path_(path),
+        target_(target),
+        records_(read_motion_records(path)),
+        is_on_centre_(are_on_centre(path, records_)) {}
 
   Result<WrittenToolpath> run();
 
