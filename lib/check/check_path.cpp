@@ -37,7 +37,7 @@ class PathChecker {
       const Move& move = toolpath_.moves[i];
       if (!batch.moves.empty() && toolpath_.moves[batch.moves.back()].tool != move.tool)
         check(batch, verdicts, bounds);
-      const std::string reason = why_not(move);
+      const std::string reason = why_not(i);
       if (!reason.empty()) {
         verdicts[i] = not_checked(reason);
         continue;
@@ -62,11 +62,19 @@ class PathChecker {
     std::vector<MoveKind> kinds;
   };
 
-  [[nodiscard]] std::string why_not(const Move& move) const {
+  [[nodiscard]] std::string why_not(std::size_t index) const {
+    const Move& move = toolpath_.moves[index];
     if (!move.not_checked_reason.empty()) return std::string(move.not_checked_reason);
     if (move.tool == kNone) return "no tool is defined before this move";
-    if (tools_[move.tool] == nullptr) return "the tool has no definition";
+    if (move.tool >= tools_.size() || tools_[move.tool] == nullptr) return "the tool has no definition";
+    if (index == 0 && move.has_start) return "the path does not hold the position this move starts at";
+    if (!has_its_curve(move)) return "the path does not hold the curve of this move";
     return move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip ? kSkippedRapid : "";
+  }
+
+  [[nodiscard]] bool has_its_curve(const Move& move) const {
+    if (move.curve_kind == CurveKind::arc) return move.curve < toolpath_.arcs.size();
+    return move.curve_kind == CurveKind::none || move.curve < toolpath_.splines.size();
   }
 
   void check(Batch& batch, std::vector<MoveVerdict>& verdicts, std::vector<std::uint64_t>& bounds) const {

@@ -13,8 +13,10 @@ using ProgressCall = std::function<void(std::size_t done, std::size_t total)>;
 
 /// Checks every move of a toolpath.
 ///
-/// Shape    `tools[k]` belongs to toolpath.tools[k]; null: that tool has no definition, its moves are not
-/// checked. Ensures  (1) one verdict a move, in order; the counts add up to the moves.
+/// Shape    `tools[k]` belongs to toolpath.tools[k]; null or missing: that tool has no definition, its moves are
+///          not checked.
+/// Ensures  (1) one verdict a move, in order; the counts add up to the moves. A move whose start or curve the path
+///          does not hold (one cut out of another path) is not checked.
 ///          (2) the same result, bit for bit, at any number of threads.
 ///          (3) a move that meets no surface is clean only if the tool is not inside a solid: told by the
 ///              winding number of the mesh about the cutter's core; on an open mesh a value between 1/4 and

@@ -85,7 +85,8 @@ struct Toolpath {
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; told to the user
   Diagnostics notes;     ///< warnings and notes of reading; errors make reading fail instead
 
-  /// Where a move starts. Requires moves[move].has_start.
+  /// Where a move starts: whoever takes moves out of a path changes where those behind them start.
+  /// Requires moves[move].has_start and move > 0.
   [[nodiscard]] const Pose& start_of(std::size_t move) const { return moves[move - 1].end; }
 };
 

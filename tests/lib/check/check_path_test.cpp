@@ -136,6 +136,23 @@ TEST(CheckPath, WithoutAToolNothingIsClean) {
   EXPECT_EQ(check_path(path, {nullptr}, prepare_scene(scene), {}).counts.not_checked, 1U);
 }
 
+// A move knows no start of its own: what stood before it is part of the path.
+TEST(CheckPath, AMoveCutOutOfItsPathIsNotCheckedNorReadFromElsewhere) {
+  const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
+  const Toolpath whole = through({upright(0, 0, 5), upright(5, 0, 5), upright(5, 0, -1)});
+  Toolpath rest = whole;
+  rest.moves.erase(rest.moves.begin());
+  const CheckResult r = check(rest, tools::ball(), scene);
+  EXPECT_EQ(r.verdicts[0].state, MoveState::not_checked);
+  EXPECT_EQ(r.verdicts[1].state, MoveState::gouge);
+  Toolpath without_curves = whole;
+  for (Move& move : without_curves.moves) move.curve_kind = CurveKind::arc;
+  EXPECT_EQ(check(without_curves, tools::ball(), scene).counts.not_checked, 3U);
+  for (Move& move : without_curves.moves) move.curve_kind = CurveKind::spline;
+  EXPECT_EQ(check(without_curves, tools::ball(), scene).counts.not_checked, 3U);
+  EXPECT_EQ(check_path(whole, {}, prepare_scene(scene), {}).counts.not_checked, 3U);
+}
+
 // Beyond the coordinates that the bounds are proven for, a float overflows and compares as free.
 TEST(CheckPath, WhatIsTooFarAwayForTheBoundsIsNotCheckedAndDoesNotDisturbItsNeighbours) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
