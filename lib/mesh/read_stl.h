@@ -26,6 +26,8 @@ namespace gouge {
 /// Cost     O(bytes).
 [[nodiscard]] Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
                                              std::shared_ptr<const void> keep = nullptr);
+Result<TriangleSoup> parse_stl(std::string&& bytes, const std::string& name,
+                               std::shared_ptr<const void> keep = nullptr) = delete;  ///< would not outlive it
 
 /// Maps the file and parses it. Errors: those of read_file and parse_stl.
 [[nodiscard]] Result<TriangleSoup> read_stl(const std::string& path);

@@ -25,7 +25,8 @@ std::string error_of(std::string_view bytes) {
 }
 
 TEST(ReadStl, BinaryGivesEveryCoordinate) {
-  const auto soup = parse_stl(shapes::binary_stl("a part", 2, {kTriangle, kTriangle}), "part.stl");
+  const std::string bytes = shapes::binary_stl("a part", 2, {kTriangle, kTriangle});
+  const auto soup = parse_stl(bytes, "part.stl");
   ASSERT_TRUE(soup.has_value());
   EXPECT_EQ(soup->format, StlFormat::binary);
   EXPECT_EQ(soup->name, "part.stl");
@@ -35,13 +36,15 @@ TEST(ReadStl, BinaryGivesEveryCoordinate) {
 }
 
 TEST(ReadStl, BinaryHeaderMayBeginWithSolid) {
-  const auto soup = parse_stl(shapes::binary_stl("solid basemach", 1, {kTriangle}), "part.stl");
+  const std::string bytes = shapes::binary_stl("solid basemach", 1, {kTriangle});
+  const auto soup = parse_stl(bytes, "part.stl");
   ASSERT_TRUE(soup.has_value());
   EXPECT_EQ(soup->format, StlFormat::binary);
 }
 
 TEST(ReadStl, BinaryWithSolidHeaderAndOneTrailingByteIsReadWithANote) {
-  const auto soup = parse_stl(shapes::binary_stl("solid test.stl", 1, {kTriangle}) + "x", "part.stl");
+  const std::string bytes = shapes::binary_stl("solid test.stl", 1, {kTriangle}) + "x";
+  const auto soup = parse_stl(bytes, "part.stl");
   ASSERT_TRUE(soup.has_value());
   EXPECT_EQ(soup->triangles.size(), 1U);
   ASSERT_EQ(soup->notes.size(), 1U);
@@ -51,7 +54,8 @@ TEST(ReadStl, BinaryWithSolidHeaderAndOneTrailingByteIsReadWithANote) {
 
 TEST(ReadStl, ZeroPaddingIsNoGeometryButOtherBytesMightBe) {
   const std::string one = shapes::binary_stl("x", 1, {kTriangle});
-  EXPECT_TRUE(parse_stl(one + std::string(512, '\0'), "part.stl").has_value());
+  const std::string padded = one + std::string(512, '\0');
+  EXPECT_TRUE(parse_stl(padded, "part.stl").has_value());
   EXPECT_EQ(
       error_of(one + std::string(50, 'x')),
       "part.stl: error: the header promises 1 triangle but 50 bytes follow them; expected the file to end "
@@ -87,7 +91,8 @@ TEST(ReadStl, BinaryCoordinateThatIsNoNumberNamesTheTriangle) {
       "part.stl: error: triangle 2 of 2 has a coordinate that is infinite or not a number; expected finite "
       "coordinates [stl-bad-number]");
   bad[4] = std::numeric_limits<float>::infinity();
-  EXPECT_EQ(parse_stl(shapes::binary_stl("x", 1, {bad}), "").error().code, "stl-bad-number");
+  const std::string bytes = shapes::binary_stl("x", 1, {bad});
+  EXPECT_EQ(parse_stl(bytes, "").error().code, "stl-bad-number");
 }
 
 TEST(ReadStl, TextThatIsNoStlIsToldSo) {
