@@ -17,8 +17,8 @@ void insert_knot(std::vector<Vec3>& control, std::vector<double>& knots, double 
   for (std::size_t i = 0; i <= control.size(); ++i) {
     if (i + kDegree <= span) {
       next.push_back(control[i]);
-    } else if (i > span) {
-      next.push_back(control[i - 1]);
+    } else if (knots[i] >= u) {
+      next.push_back(control[i - 1]);  // with a share of nothing where the knot is there already
     } else {
       const double share = (u - knots[i]) / (knots[i + kDegree] - knots[i]);
       next.push_back((1 - share) * control[i - 1] + share * control[i]);
