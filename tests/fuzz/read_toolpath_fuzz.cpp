@@ -1,53 +1,103 @@
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
+#include <optional>
+#include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "lib/path/chords.h"
+#include "lib/path/path_info.h"
 #include "postproc/cldata/read_toolpath.h"
 #include "postproc/cldata/write_corrected.h"
 #include "postproc/cldata/write_toolpath.h"
 
 // One target for each reader: GOUGE_FUZZ_DIALECT names it, "" lets the content tell. What was read is sound,
-// keeps its bytes when nothing changes, and can be written anew or is refused with an error.
+// keeps its bytes when nothing changes, takes a correction or refuses it, and can be written anew in any dialect or is
+// refused with an error.
 
 namespace gouge {
 namespace {
+
+constexpr double kCoarse_mm = 0.5;
 
 void require(bool condition) {
   if (!condition) std::abort();
 }
 
-void read_and_write(const std::string& bytes) {
+ReadOptions fuzz_options() {
   ReadOptions options;
   options.dialect = dialect_called(GOUGE_FUZZ_DIALECT);
-  const ReadOutcome outcome = read_toolpath("fuzz", bytes, options);
-  require(outcome.toolpath.has_value() == outcome.errors.empty());
-  if (!outcome.toolpath) return;
-  const Toolpath& path = *outcome.toolpath;
+  return options;
+}
+
+void require_curve(const Toolpath& path, const Move& move) {
+  if (move.curve_kind == CurveKind::arc) {
+    const PathArc& arc = path.arcs.at(move.curve);
+    require(arc.center.allFinite() && arc.axis.allFinite() && std::isfinite(arc.sweep_rad));
+  }
+  if (move.curve_kind != CurveKind::spline) return;
+  const PathSpline& spline = path.splines.at(move.curve);
+  require(!spline.pieces.empty());
+  for (const SplinePiece& piece : spline.pieces) {
+    require(piece.u0 < piece.u1);
+    for (const Vec3& point : piece.control) require(point.allFinite());
+  }
+}
+
+void require_sound(const Toolpath& path) {
+  require(!path.moves.empty() && !path.moves.front().has_start);
   for (const Move& move : path.moves) {
     require(move.end.tip.allFinite() && move.end.axis.allFinite());
     require(move.statement < path.statements.size());
     require(move.tool == kNone || move.tool < path.tools.size());
     require(move.operation == kNone || move.operation < path.operations.size());
+    require_curve(path, move);
   }
-  const Result<std::string> same = write_corrected(path, {});
-  require(same.has_value() && *same == bytes);
+  const PathInfo info = describe_path(path);
+  require(info.alone > 0 && info.alone <= path.moves.size());
+}
+
+// Lines that are lifted, with their starts put in before them, and curves as chords, some of them.
+std::vector<PathChange> some_changes(const Toolpath& path, std::size_t seed) {
   std::vector<PathChange> changes;
-  for (std::size_t i = 0; i < path.moves.size(); i += 1 + bytes.size() % 3) {
+  for (std::size_t i = 0; i < path.moves.size(); i += 1 + seed % 3) {
     const Move& move = path.moves[i];
-    if (!move.not_checked_reason.empty() || move.curve_kind != CurveKind::none ||
-        move.kind == MoveKind::cycle)
+    if (!move.not_checked_reason.empty() || move.kind == MoveKind::cycle) continue;
+    if (move.curve_kind != CurveKind::none) {
+      if (!move.has_start || seed % 5 == 0) continue;
+      std::vector<Pose> chords = chords_of(path, i, kCoarse_mm);
+      require(!chords.empty());
+      chords.pop_back();
+      changes.push_back({i, std::nullopt, std::move(chords), true});
       continue;
+    }
     Pose end = move.end;
     end.tip += 1.25 * end.axis;
     changes.push_back({i, end, {}, {}});
     if (move.has_start) changes.back().inserted_before.push_back(path.start_of(i));
   }
-  const Result<std::string> lifted = write_corrected(path, changes);
+  return changes;
+}
+
+void read_and_write(const std::string& bytes) {
+  const ReadOutcome outcome = read_toolpath("fuzz", bytes, fuzz_options());
+  require(outcome.toolpath.has_value() == outcome.errors.empty());
+  if (!outcome.toolpath) return;
+  const Toolpath& path = *outcome.toolpath;
+  require_sound(path);
+  const Result<std::string> same = write_corrected(path, {});
+  require(same.has_value() && *same == bytes);
+  const Result<std::string> lifted = write_corrected(path, some_changes(path, bytes.size()));
   require(lifted.has_value() || !lifted.error().code.empty());
-  const DialectKind kind = bytes.size() % 2 == 0 ? DialectKind::nx_clsf : DialectKind::catia;
-  const Result<WrittenToolpath> written = write_toolpath(path, dialect_of(kind));
+  if (lifted) {
+    const ReadOutcome again = read_toolpath("again", *lifted, fuzz_options());
+    if (again.toolpath) require_sound(*again.toolpath);
+  }
+  const std::span<const Dialect> dialects = all_dialects();
+  const Result<WrittenToolpath> written = write_toolpath(path, dialects[bytes.size() % dialects.size()]);
   require(written.has_value() || !written.error().code.empty());
 }
 

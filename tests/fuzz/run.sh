@@ -18,7 +18,7 @@ for target in "$@"; do
   cpu=0 executions=0 findings=0
   while [ "$cpu" -lt "$seconds" ] && [ "$findings" = 0 ]; do
     { time "$build/tests/fuzz/$target" -max_total_time=$((seconds - cpu + 5)) -timeout=60 -rss_limit_mb=2048 \
-        -max_len=20000 -print_final_stats=1 -artifact_prefix="$folder/found_$target-" "$folder/$target" \
+        -max_len=20000 -dict="$here/words.dict" -print_final_stats=1 -artifact_prefix="$folder/found_$target-" "$folder/$target" \
         "$here/../corpus/cl" "$here/../corpus/apt" > "$folder/$target.log" 2>&1 || findings=1; } 2> "$folder/time"
     read -r user system < <(tail -1 "$folder/time")
     cpu=$((cpu + user + system))
