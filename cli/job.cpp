@@ -68,8 +68,7 @@ class JobLoader {
 
   void read_heads() {
     std::vector<IndexedMesh> meshes;
-    std::vector<MeshFacts> facts;
-    read_meshes(arguments_.heads, "head", meshes, facts, RigidTransform());
+    read_meshes(arguments_.heads, "head", meshes, job_.head_facts, RigidTransform());
     for (const IndexedMesh& mesh : meshes) {
       for (const IndexedMesh& piece : head_pieces(mesh)) add_head(piece);
     }
@@ -240,6 +239,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
   model.result = &result;
   model.parts = parts;
   model.fixtures = fixtures;
+  model.heads = head_facts;
   model.tools = tool_facts;
   model.notes = notes;
   return model;

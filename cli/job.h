@@ -21,7 +21,7 @@ struct Job {
   std::vector<HeadBody> heads;  ///< in the tool's frame
   std::vector<std::optional<ToolForms>> forms;  ///< one per Toolpath::tools; empty where it has no definition
   std::vector<InputFile> inputs;
-  std::vector<MeshFacts> parts, fixtures;
+  std::vector<MeshFacts> parts, fixtures, head_facts;
   std::vector<ToolFacts> tool_facts;
   Diagnostics notes;
 

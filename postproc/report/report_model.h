@@ -23,7 +23,7 @@ inline constexpr const char* kProgramVersion = "0.1.0";
 
 /// A file that was read, so that a reader of the report can tell which one it was.
 struct InputFile {
-  std::string role;  ///< "toolpath", "part", "fixture", "tools"
+  std::string role;  ///< "toolpath", "part", "fixture", "head", "tools"
   std::string name;  ///< as the user named it
   std::uint64_t bytes = 0;
   std::string checksum;  ///< "fnv1a64:" and 16 hexadecimal digits; tells versions apart, no protection
@@ -84,6 +84,7 @@ struct ReportModel {
   const Toolpath* toolpath = nullptr;      ///< what was checked; for a correction the corrected path
   const CheckResult* result = nullptr;     ///< its verdicts
   std::vector<MeshFacts> parts, fixtures;  ///< as in Scene
+  std::vector<MeshFacts> heads;            ///< the files of --head, in their order
   std::vector<ToolFacts> tools;            ///< as in Toolpath::tools
   Diagnostics notes;                       ///< warnings and notes of all inputs
   bool has_correction = false;

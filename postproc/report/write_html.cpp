@@ -55,6 +55,11 @@ class HtmlReport {
     std::string text;
     for (const MeshFacts& mesh : model_.parts) text += (text.empty() ? "part " : ", part ") + mesh.name;
     for (const MeshFacts& mesh : model_.fixtures) text += ", fixture " + mesh.name;
+    const char* before = "; with the tool moves head ";
+    for (const MeshFacts& mesh : model_.heads) {
+      text += before + mesh.name;
+      before = ", head ";
+    }
     return "<p class=\"soft\">against " + xml_escaped(text) + "</p>\n";
   }
 
@@ -264,7 +269,7 @@ class HtmlReport {
              "<td><code>" + xml_escaped(input.checksum) + "</code></td></tr>\n";
     }
     out += "</tbody></table></div>\n";
-    for (const std::vector<MeshFacts>* meshes : {&model_.parts, &model_.fixtures}) {
+    for (const std::vector<MeshFacts>* meshes : {&model_.parts, &model_.fixtures, &model_.heads}) {
       for (const MeshFacts& mesh : *meshes) {
         out += "<p>" + xml_escaped(mesh.name) + ": " + count_text(mesh.triangles, "triangle") +
                (mesh.is_closed ? ", closed" : ", not closed") +

@@ -36,6 +36,7 @@ class JsonReport {
     out["toolpath"] = toolpath();
     out["parts"] = meshes(model_.parts);
     out["fixtures"] = meshes(model_.fixtures);
+    out["heads"] = meshes(model_.heads);
     out["tools"] = tools();
     out["totals"] = totals();
     out["events"] = events();

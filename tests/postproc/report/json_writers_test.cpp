@@ -97,6 +97,17 @@ TEST(WriteJson, ObeysItsSchema) {
   EXPECT_EQ(schema_errors(json::parse(write_json(report.model))), std::vector<std::string>{});
 }
 
+TEST(WriteJson, TellsTheFilesOfHeads) {
+  SmallReport report;
+  EXPECT_EQ(json::parse(write_json(report.model))["heads"], json::array());
+  report.model.inputs.push_back(describe_input("head", "head.stl", "solid"));
+  report.model.heads = {MeshFacts{"head.stl", 12, 8, 0, true, ""}};
+  const json value = json::parse(write_json(report.model));
+  EXPECT_EQ(schema_errors(value), std::vector<std::string>{});
+  EXPECT_EQ(value["heads"][0]["name"], "head.stl");
+  EXPECT_EQ(value["heads"][0]["triangles"], 12);
+}
+
 TEST(WriteJson, SchemaCheckCanFail) {
   const SmallReport report;
   json value = json::parse(write_json(report.model));
