@@ -24,8 +24,8 @@ void add_input_options(CLI::App& command, JobArguments& a) {
   command.add_option("--tools", a.tools_file,
                      "Tool library (JSON); tools it lacks come from CUTTER or TLDATA");
   command.add_option("--tool", a.tool_names,
-                     "N=NAME: tool number N of the toolpath is NAME of the library (repeatable); NAME alone: the "
-                     "tool of moves for which the toolpath names none");
+                     "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); "
+                     "NAME alone: the tool of moves for which the toolpath names none");
   command.add_option("--holder", a.holder, "Holder of the library for tools that have none");
   command.add_flag("--extend-up", a.is_extended_up,
                    "Let the top body of every tool go on without end, so that nothing hides above it");

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "lib/base/number_text.h"
 #include "postproc/report/report_text.h"
@@ -43,15 +44,22 @@ class Resolver {
   std::optional<Diagnostic> take_name(const std::string& text) {
     const std::size_t equals = text.find('=');
     const bool is_for_unnamed = equals == std::string::npos;
-    const auto number = parse_integer(text.substr(0, equals));
-    if (!number && !is_for_unnamed) return usage("--tool '" + text + "': expected N=NAME or NAME");
+    const auto number = tool_number(std::string_view(text).substr(0, equals));
+    if (!number && !is_for_unnamed) {
+      return usage("--tool '" + text + "': expected N=NAME, N a tool number of the toolpath and NAME a name or number "
+                   "of the library, or NAME alone");
+    }
     if (library_ == nullptr) return usage("--tool '" + text + "' needs a library: give --tools LIB.json");
-    const ToolAssembly* tool = library_->with_name(is_for_unnamed ? text : text.substr(equals + 1));
+    const ToolAssembly* tool = library_->called(is_for_unnamed ? text : text.substr(equals + 1));
     if (tool == nullptr) {
-      return usage("--tool '" + text + "': the library has no tool of that name; it has " +
+      return usage("--tool '" + text + "': the library has no tool of that name or number; it has " +
                    names_in(*library_));
     }
-    if (!is_for_unnamed) named_[static_cast<int>(*number)] = tool;
+    if (is_for_unnamed) {
+      unnamed_ = {text, tool};
+    } else {
+      named_[*number] = tool;
+    }
     return std::nullopt;
   }
 
@@ -154,12 +162,14 @@ class Resolver {
     if (named != named_.end()) return named->second;
     const ToolAssembly* by_number = tool.number ? library_->with_number(*tool.number) : nullptr;
     if (by_number != nullptr) return by_number;
+    if (!tool.number && !tool.name.empty() && tool.name == unnamed_.first) return unnamed_.second;
     return tool.name.empty() ? nullptr : library_->with_name(tool.name);
   }
 
   const Toolpath& path_;
   const ToolLibrary* library_;
   std::map<int, const ToolAssembly*> named_;
+  std::pair<std::string, const ToolAssembly*> unnamed_;  // what moves without a tool are called and get
   std::vector<ToolSegment> holder_;
   ResolvedTools result_;
 };

@@ -9,7 +9,6 @@
 #include "cli/picture_file.h"
 #include "cli/tool_text.h"
 #include "lib/base/files.h"
-#include "lib/base/number_text.h"
 #include "postproc/image/render_png.h"
 #include "postproc/image/render_svg.h"
 #include "toolmodels/draw_profile.h"
@@ -31,11 +30,7 @@ Result<Tools> choose(const ToolLibrary& library, const std::string& wanted) {
     for (const ToolAssembly& tool : library.tools) chosen.push_back(&tool);
     return chosen;
   }
-  const ToolAssembly* tool = library.with_name(wanted);
-  const std::string_view digits = std::string_view(wanted).substr(wanted.starts_with('T') ? 1 : 0);
-  const std::optional<long long> number = parse_integer(digits);
-  if (tool == nullptr && number && *number >= 0 && *number < 1'000'000'000)
-    tool = library.with_number(static_cast<int>(*number));
+  const ToolAssembly* tool = library.called(wanted);
   if (tool == nullptr)
     return make_error("usage", "--tool '" + wanted + "': " + library.file +
                                    " has no tool of that number or name; see gougecheck tool list");

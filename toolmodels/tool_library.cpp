@@ -2,7 +2,16 @@
 
 #include <algorithm>
 
+#include "lib/base/number_text.h"
+
 namespace gouge {
+
+std::optional<int> tool_number(std::string_view text) {
+  constexpr long long kMost = 999'999'999;
+  const auto number = parse_integer(text.substr(text.starts_with('T') || text.starts_with('t') ? 1 : 0));
+  if (!number || *number < 0 || *number > kMost) return std::nullopt;
+  return static_cast<int>(*number);
+}
 
 const ToolAssembly* ToolLibrary::with_number(int number) const {
   const auto found =
@@ -14,6 +23,12 @@ const ToolAssembly* ToolLibrary::with_name(std::string_view name) const {
   const auto found =
       std::find_if(tools.begin(), tools.end(), [&](const ToolAssembly& t) { return t.name == name; });
   return found == tools.end() ? nullptr : &*found;
+}
+
+const ToolAssembly* ToolLibrary::called(std::string_view name) const {
+  if (const ToolAssembly* tool = with_name(name)) return tool;
+  const auto number = tool_number(name);
+  return number ? with_number(*number) : nullptr;
 }
 
 const std::vector<ToolSegment>* ToolLibrary::holder_called(std::string_view name) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,9 @@ struct NamedHolder {
   std::vector<ToolSegment> segments;
 };
 
+/// The number in "3" or "T3", as people write tools; nothing for anything else.
+[[nodiscard]] std::optional<int> tool_number(std::string_view text);
+
 struct ToolLibrary {
   std::string file;  ///< as the user named it
   LengthUnit unit = LengthUnit::mm;
@@ -29,6 +33,8 @@ struct ToolLibrary {
   /// Null when there is none.
   [[nodiscard]] const ToolAssembly* with_number(int number) const;
   [[nodiscard]] const ToolAssembly* with_name(std::string_view name) const;
+  /// The tool that people mean by `name`: the one of that name, else of that number, written 3 or T3.
+  [[nodiscard]] const ToolAssembly* called(std::string_view name) const;
   /// Segments of the holder called `name`, or of the holder of the tool called so; null when there is
   /// neither.
   [[nodiscard]] const std::vector<ToolSegment>* holder_called(std::string_view name) const;

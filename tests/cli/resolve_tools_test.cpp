@@ -33,5 +33,27 @@ TEST(ResolveTools, TellsTheHolderRoundedAndInThePathsUnit) {
   EXPECT_EQ(described(LengthUnit::mm), "flat, holder to D44.45 mm");
 }
 
+TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
+  const ToolLibrary library = library_with_holder();
+  Toolpath path = path_in(LengthUnit::mm);
+  for (const std::string name : {"2", "T2"}) {
+    path.tools = {PathTool{{}, name, {}, 0, 4}};
+    const Result<ResolvedTools> alone = resolve_tools(path, &library, {name}, "");
+    ASSERT_TRUE(alone.has_value()) << alone.error().message;
+    EXPECT_TRUE(alone->assemblies.at(0).has_value()) << name;
+    path.tools = {PathTool{7, "", {}, 0, 4}};
+    for (const std::string number : {"7=", "T7="}) {
+      const Result<ResolvedTools> renamed = resolve_tools(path, &library, {number + name}, "");
+      ASSERT_TRUE(renamed.has_value()) << renamed.error().message;
+      EXPECT_TRUE(renamed->assemblies.at(0).has_value()) << number << name;
+    }
+  }
+  const Result<ResolvedTools> missing = resolve_tools(path, &library, {"T3"}, "");
+  ASSERT_FALSE(missing.has_value());
+  EXPECT_EQ(missing.error().message,
+            "--tool 'T3': the library has no tool of that name or number; it has T2");
+  EXPECT_FALSE(resolve_tools(path, &library, {"x=2"}, "").has_value());
+}
+
 }  // namespace
 }  // namespace gouge
