@@ -194,15 +194,13 @@ ArcSense Interpreter::shorter_way(ArcStatement arc, const Vec3& start, const Vec
 
 void Interpreter::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
   const ArcFit fit = fit_arc(arc, start, move.end.tip);
-  if (fit.problem == ArcProblems::kRadius) {
+  const std::string_view problem = fit.problem != nullptr ? fit.problem : "";
+  if (problem == ArcProblems::kRadius) {
     if (radius_errors_++ == 0) first_radius_error_line_ = move.line;
     worst_radius_error_mm_ = std::max(worst_radius_error_mm_, fit.radius_error_mm);
   }
-  if (fit.problem != nullptr) {
-    move.not_checked_reason = fit.problem;
-    return;
-  }
-  move.not_checked_reason = {};
+  move.not_checked_reason = problem;
+  if (!problem.empty()) return;
   move.curve_kind = CurveKind::arc;
   move.curve = path_.arcs.size();
   make_room(path_.arcs);
