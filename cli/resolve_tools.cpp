@@ -33,6 +33,12 @@ std::string describe(const ToolAssembly& tool, LengthUnit unit) {
   return text;
 }
 
+// To a millionth: finer than what counts as a difference, coarser than what a change of unit leaves over.
+std::string size_text(double diameter_mm, double corner_mm, LengthUnit unit) {
+  const auto rounded = [&](double mm) { return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6); };
+  return "D " + rounded(diameter_mm) + " R " + rounded(corner_mm) + " " + unit_name(unit);
+}
+
 Diagnostic usage(const std::string& message) {
   return make_error("usage", message);
 }
@@ -134,9 +140,9 @@ class Resolver {
     const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
     if (std::abs(diameter - tool.cutter->d_mm) <= kSame_mm && std::abs(corner - given_corner) <= kSame_mm)
       return;
-    const std::string message = name_of(tool) + " is D " + exact_text(tool.cutter->d_mm) + " R " +
-                                exact_text(given_corner) + " mm here but D " + exact_text(diameter) + " R " +
-                                exact_text(corner) + " mm in the library, which is what is checked";
+    const std::string message = name_of(tool) + " is " + size_text(tool.cutter->d_mm, given_corner, path_.unit) +
+                                " by the toolpath but " + size_text(diameter, corner, path_.unit) +
+                                " by the library, which is what is checked";
     result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
   }
 

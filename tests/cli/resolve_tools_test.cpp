@@ -33,6 +33,24 @@ TEST(ResolveTools, TellsTheHolderRoundedAndInThePathsUnit) {
   EXPECT_EQ(described(LengthUnit::mm), "flat, holder to D44.45 mm");
 }
 
+TEST(ResolveTools, TellsADifferenceRoundedAndInThePathsUnit) {
+  ToolLibrary library = library_with_holder();
+  library.tools.front().cutter = FlatCutter{0.75 * 25.4, 38.1};
+  const auto told = [&](LengthUnit unit) {
+    Toolpath path = path_in(unit);
+    path.tools.front().cutter.emplace();
+    path.tools.front().cutter->d_mm = 0.75;
+    path.tools.front().cutter->given = 1;
+    const Result<ResolvedTools> resolved = resolve_tools(path, &library, {}, "");
+    EXPECT_TRUE(resolved.has_value());
+    return resolved->notes.at(0).message;
+  };
+  EXPECT_EQ(told(LengthUnit::mm),
+            "T2 is D 0.75 R 0 mm by the toolpath but D 19.05 R 0 mm by the library, which is what is checked");
+  EXPECT_EQ(told(LengthUnit::inch),
+            "T2 is D 0.029528 R 0 in by the toolpath but D 0.75 R 0 in by the library, which is what is checked");
+}
+
 TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
   const ToolLibrary library = library_with_holder();
   Toolpath path = path_in(LengthUnit::mm);
