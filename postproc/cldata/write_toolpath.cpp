@@ -53,7 +53,7 @@ class PathWriter {
   void write_motion(std::size_t index);
   void write_cutcom(std::size_t index);
   void expect(const Pose& end, bool is_alone);
-  void note(const char* code, std::size_t count, const std::string& what);
+  void note(const char* code, std::size_t count, const std::string& noun, const std::string& what);
   void note_losses();
   void verify();
 
@@ -67,7 +67,8 @@ class PathWriter {
   double feed_ = 0;
   CutcomSide cutcom_ = CutcomSide::none;
   bool is_checked_ = true;  // the move being written
-  std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, chorded_ = 0, cycles_ = 0, lost_cutcoms_ = 0;
+  std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, lost_cutcoms_ = 0;
+  std::size_t lost_arcs_ = 0, splines_ = 0, cycles_ = 0;
   struct Expected {
     Pose end;
     bool is_alone = false;
@@ -166,7 +167,7 @@ void PathWriter::write_motion(std::size_t index) {
   }
   if (move.curve_kind == CurveKind::arc && sink_->go_round(path_.arcs[move.curve], path_.start_of(index), move.end))
     return expect(move.end, false);
-  ++chorded_;
+  ++(move.curve_kind == CurveKind::arc ? lost_arcs_ : splines_);
   for (const Pose& pose : chords_of(path_, index, kChordError_mm)) {
     sink_->go_to(pose);
     expect(pose, false);
@@ -206,22 +207,23 @@ void PathWriter::write_move(std::size_t index) {
   write_motion(index);
 }
 
-void PathWriter::note(const char* code, std::size_t count, const std::string& what) {
+// "3 arcs written ...", "1 arc written ...": `what` goes with both.
+void PathWriter::note(const char* code, std::size_t count, const std::string& noun, const std::string& what) {
   if (count == 0) return;
-  written_.notes.push_back(make_warning(code, std::to_string(count) + " " + what, path_.file));
+  const std::string counted = std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+  written_.notes.push_back(make_warning(code, counted + " " + what, path_.file));
 }
 
 void PathWriter::note_losses() {
-  note("convert-chords", chorded_,
-       "arcs or curves that the dialect cannot say are written as straight moves within " +
-           exact_text(kChordError_mm) + " mm");
-  note("convert-cycles", cycles_, "moves of drilling cycles are written as the plain moves they are");
-  note("convert-breaks", breaks_, "positions that nothing known leads to follow a GOHOME or a new block");
-  note("convert-breaks", lost_breaks_,
-       "positions that nothing known leads to: the dialect cannot say so and will read straight moves to "
-       "them");
-  note("convert-rapid", lost_rapids_, "rapid moves: the dialect cannot say so and will read feed moves");
-  note("convert-cutcom", lost_cutcoms_, "moves under CUTCOM are written without it: the dialect cannot say it");
+  const std::string straight = "written as straight moves within " + exact_text(kChordError_mm) + " mm: ";
+  note("convert-chords", lost_arcs_, "arc", straight + "arcs like these are not written in this dialect");
+  note("convert-chords", splines_, "spline", straight + "splines are read, and written in no dialect");
+  note("convert-cycles", cycles_, "move", "of drilling cycles written as plain moves");
+  note("convert-breaks", breaks_, "position", "that nothing known leads to: a GOHOME or a new block stands before");
+  note("convert-breaks", lost_breaks_, "position",
+       "that nothing known leads to: the dialect cannot say so and will read straight moves there");
+  note("convert-rapid", lost_rapids_, "rapid move", "written as feed: the dialect has no rapid moves");
+  note("convert-cutcom", lost_cutcoms_, "CUTCOM statement", "left out: the dialect cannot say it");
   const auto count_tools = [&](auto is_lost) {
     return static_cast<std::size_t>(std::count_if(path_.tools.begin(), path_.tools.end(), is_lost));
   };
@@ -233,7 +235,7 @@ void PathWriter::note_losses() {
          return has_no_cutter || has_diameter_alone ||
                 (has_no_angles && std::abs(tool.cutter->alpha_deg) > 0);
        }),
-       "tools: the dialect cannot say their whole shape; give it in a tool library");
+       "tool", "without the whole shape, which the dialect cannot say; give it in a tool library");
 }
 
 // What was written is read as any file would be and compared with what was meant.
@@ -266,7 +268,7 @@ void PathWriter::verify() {
     differing += is_same ? 0 : 1;
   }
   const std::size_t told = std::min(lost_breaks_, differing);
-  note("convert-verify", differing - told, "moves of the result are read with another meaning");
+  note("convert-verify", differing - told, "move", "of the result read with another meaning");
 }
 
 Result<WrittenToolpath> PathWriter::run() {

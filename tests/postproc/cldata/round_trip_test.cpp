@@ -63,7 +63,9 @@ TEST(RoundTrip, ThroughTheNeutralModelTheSameDialectHasTheSameMotions) {
     if (!path.is_unit_stated) options.unit = path.unit;
     const ReadOutcome again = read_toolpath("again " + path.file, result->bytes, options);
     ASSERT_TRUE(again.toolpath) << path.file << " " << to_text(again.errors.front());
-    if (!path.splines.empty()) continue;  // written as chords, which the converter tells
+    const bool has_chords = std::any_of(result->notes.begin(), result->notes.end(),
+                                        [](const Diagnostic& note) { return note.code == "convert-chords"; });
+    if (has_chords) continue;
     expect_same_motions(path, *again.toolpath, kLastDigit_mm);
     ++written;
   }
@@ -219,6 +221,31 @@ TEST(RoundTrip, WhatIsNotUnderstoodIsNotConverted) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, "convert-not-understood");
   EXPECT_EQ(result.error().line, 3u);
+}
+
+// The source speaks the same dialect, so that the dialect cannot be the reason.
+TEST(RoundTrip, SplinesAreToldApartFromArcsAndCountedInTheSingular) {
+  const Toolpath path = path_of(
+      "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\nGOTO/-254.9774,466.5681,206.8891\nNURBS/\n"
+      "KNOT/0.0416667,0.3750000,0.6250000,0.9583333,1.0000000\nCNTRL/-254.9774,466.2698,206.9401\n"
+      "CNTRL/-254.9775,463.5692,207.2380\nCNTRL/-254.9776,459.2589,209.0136\nCNTRL/-254.9778,454.6135,213.9021\n"
+      "CNTRL/-254.9779,453.0599,218.2973\nCNTRL/-254.9779,452.9000,221.0096\nCNTRL/-254.9779,452.8642,221.3100\n"
+      "RAPID\nGOTO/-254.9779,452.7668,223.7424\nEND-OF-PATH\n");
+  const auto told = [&](const char* dialect) {
+    std::vector<std::string> messages;
+    const Result<WrittenToolpath> written = write_toolpath(path, *dialect_called(dialect));
+    EXPECT_TRUE(written.has_value());
+    for (const Diagnostic& note : written->notes) messages.push_back(note.message);
+    return messages;
+  };
+  const std::string spline =
+      "1 spline written as straight moves within 0.001 mm: splines are read, and written in no dialect";
+  EXPECT_EQ(told("nx-clsf"), std::vector<std::string>{spline});
+  const std::vector<std::string> list = told("goto-list");
+  ASSERT_GE(list.size(), 3U);
+  EXPECT_EQ(list[0], spline);
+  EXPECT_EQ(list[1], "1 rapid move written as feed: the dialect has no rapid moves");
+  EXPECT_EQ(list[2], "1 tool without the whole shape, which the dialect cannot say; give it in a tool library");
 }
 
 // Every sample with each straight move lifted and a position put before it.
