@@ -8,10 +8,10 @@
 #include "cli/exit_code.h"
 #include "cli/job.h"
 #include "cli/length_text.h"
+#include "cli/output_file.h"
 #include "cli/outputs.h"
 #include "cli/overwriting.h"
 #include "cli/peak_memory.h"
-#include "lib/base/files.h"
 #include "lib/correct/correct_path.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
@@ -26,6 +26,12 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   facts.output_file = arguments.output;
   facts.strategy = arguments.strategy;
   facts.max_shift_mm = options.max_shift_mm;
+  facts.rapid_clearance_mm = options.rapid_clearance_mm;
+  for (const PathChange& change : correction.changes) {
+    if (!change.is_straightened) continue;
+    ++facts.curves;
+    facts.straight_moves += change.inserted_before.size() + 1;
+  }
   facts.toolpath_before = &before;
   facts.result_before = &result;
   for (const ChangeRecord& r : correction.records) {
@@ -48,6 +54,12 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
                                    "': expected a length above 0 in mm, or with a unit");
   }
   options.max_shift_mm = *shift;
+  const auto clearance = parse_length_mm(arguments.rapid_clearance);
+  if (!clearance || !(*clearance >= 0)) {
+    return make_error("usage", "--rapid-clearance '" + arguments.rapid_clearance +
+                                   "': expected a length of at least 0 in mm, or with a unit");
+  }
+  options.rapid_clearance_mm = *clearance;
   if (auto error = find_overwriting(arguments.job, arguments.output)) return std::move(*error);
   return options;
 }
@@ -78,7 +90,7 @@ class CorrectRun {
     const Result<Toolpath> path = read_again(job_, arguments_.output, *text);
     if (!path) return fail(path.error());
     const CheckResult after = check("checking the corrected path", *path, scene);
-    const Outcome written = write_file(arguments_.output, *text);
+    const Outcome written = write_output(arguments_.output, *text, out_);
     if (!written) return fail(written.error());
     ReportModel model = job_.report(arguments_.job, *path, after);
     model.has_correction = true;
@@ -121,7 +133,9 @@ class CorrectRun {
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
   add_job_options(command, arguments.job);
-  command.add_option("-o,--output", arguments.output, "The corrected toolpath, in the same dialect")
+  command
+      .add_option("-o,--output", arguments.output,
+                  "The corrected toolpath, in the same dialect (- for standard output alone)")
       ->required();
   command
       .add_option("--strategy", arguments.strategy,
@@ -129,6 +143,10 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
       ->check(CLI::IsMember({"weighted", "axis"}))
       ->capture_default_str();
   command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")
+      ->capture_default_str();
+  command
+      .add_option("--rapid-clearance", arguments.rapid_clearance,
+                  "How far rapids that must change keep off, where there is room within --max-shift")
       ->capture_default_str();
   command.footer(
       "Example:\n"
@@ -142,7 +160,7 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
 int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<JobOptions> options = understand(arguments.job);
   const Result<CorrectOptions> correct = understand_correction(arguments);
-  const Result<bool> taken = is_stdout_taken(arguments.job);
+  const Result<bool> taken = is_stdout_taken(arguments.job, arguments.output);
   if (!options || !correct || !taken) {
     print(err, {!options ? options.error() : !correct ? correct.error() : taken.error()});
     return kExitUsage;

@@ -11,6 +11,7 @@ struct CorrectArguments {
   std::string output;
   std::string strategy = "weighted";
   std::string max_shift = "20";
+  std::string rapid_clearance = "1";
 };
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments);

@@ -23,11 +23,14 @@ struct BridgeTask {
   CheckOptions options;
   PoseLimits limits;
   Strategy strategy = Strategy::weighted;
+  double rapid_clearance_mm = 0;  ///< what the crossing of a rapid keeps from everything, where there is room
 };
 
 /// Positions to visit between `from` and `to` so that every motion on the way is clean; empty when the motion
 /// already is, nothing when no way was found. First the worst instant is corrected and both halves are
-/// bridged in turn; where that does not end, the tool retracts along its axis, crosses and comes down again.
+/// bridged in turn; where that does not end, the tool retracts along its axis, crosses and comes down again. A rapid
+/// retracts first of all. Positions on the straight way between their neighbours are left out where it is clean
+/// without them.
 [[nodiscard]] std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to,
                                                             const BridgeTask& task);
 

@@ -103,8 +103,8 @@ struct AimedTarget {
 
 std::vector<AimedTarget> aimed_targets(const ToolForms& tool, const PreparedScene& scene,
                                        const CorrectionAim& aim) {
-  std::vector<AimedTarget> all{{{&tool.against_part, &scene.parts, Against::part}, aim.whole_mm},
-                               {{&tool.against_fixture, &scene.fixtures, Against::fixture}, aim.whole_mm}};
+  std::vector<AimedTarget> all{{{&tool.against_part, &scene.parts, Against::part}, aim.part_mm},
+                               {{&tool.against_fixture, &scene.fixtures, Against::fixture}, aim.fixture_mm}};
   if (!tool.with_clearance.elements.empty()) {
     all.push_back({{&tool.with_clearance, &scene.parts, Against::part}, aim.clearance_mm});
     all.push_back({{&tool.with_clearance, &scene.fixtures, Against::fixture}, aim.clearance_mm});

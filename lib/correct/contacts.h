@@ -16,8 +16,9 @@ struct Contact {
 /// How deep surface points may lie in the tool after a correction. Below the check's tolerance, so that
 /// rounding in the written file and the motion between positions have room; negative asks for that much air.
 struct CorrectionAim {
-  double whole_mm = 0;      ///< in the whole tool
-  double clearance_mm = 0;  ///< in bodies that must keep a clearance
+  double part_mm = 0;       ///< of the part, in the whole tool
+  double fixture_mm = 0;    ///< of a fixture, in the whole tool
+  double clearance_mm = 0;  ///< of either, in bodies that must keep a clearance
 };
 
 /// One contact for every triangle that reaches deeper than the aim: its deepest point, to a tenth of its

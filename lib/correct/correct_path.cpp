@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t kPositionsPerChunk = 4;
 // A correction aims at half the tolerance: the other half is for the rounding of the written numbers and for
-// the motion between corrected positions. A body that must keep a clearance gets this much more of it.
+// the motion between corrected positions. What has no business at a surface, fixtures and bodies that must keep a
+// clearance, gets this much air.
 constexpr double kAimShare = 0.5;
 constexpr double kAir_mm = 2e-3;
 // While bridging, motions are held to this share of the tolerance.
@@ -49,8 +50,8 @@ class PathCorrector {
                 const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
                 const CheckOptions& options, const CorrectOptions& correct)
       : path_(toolpath), result_(result), tools_(tools), scene_(scene), options_(options), correct_(correct) {
-    limits_.aim.whole_mm = options.tolerance_mm > 2 * kAir_mm ? kAimShare * options.tolerance_mm : -kAir_mm;
-    limits_.aim.clearance_mm = -kAir_mm;
+    const double cut = options.tolerance_mm > 2 * kAir_mm ? kAimShare * options.tolerance_mm : -kAir_mm;
+    limits_.aim = {cut, -kAir_mm, -kAir_mm};
     limits_.largest_shift_mm = correct.max_shift_mm;
     limits_.heads = correct.heads;
     positions_.resize(path_.moves.size());
@@ -96,9 +97,8 @@ class PathCorrector {
     const ToolForms& tool = *tools_[move.tool];
     work.depth_before_mm = depth_at(move.end, move.kind, tool);
     // A position within the tolerance is left alone, even one deeper than a correction aims for.
-    CorrectionAim allowed = limits_.aim;
-    allowed.whole_mm = kBridgeShare * options_.tolerance_mm;
-    allowed.clearance_mm = 0;
+    const double within = kBridgeShare * options_.tolerance_mm;
+    const CorrectionAim allowed{within, within, 0};
     PoseLimits now = limits_;
     now.aim = allowed;
     const bool is_head_in = head_excess(move.end, now) > 0;
@@ -106,7 +106,11 @@ class PathCorrector {
       return;
     work.failure = reason_to_leave(i);
     if (!work.failure.empty()) return;
-    work.corrected = correct_pose(correct_.strategy, move.end, tool, scene_, limits_);
+    if (move.kind == MoveKind::rapid) {
+      now.aim = {-correct_.rapid_clearance_mm, -correct_.rapid_clearance_mm, -kAir_mm};
+      work.corrected = correct_pose(correct_.strategy, move.end, tool, scene_, now);
+    }
+    if (!work.corrected) work.corrected = correct_pose(correct_.strategy, move.end, tool, scene_, limits_);
     if (!work.corrected) {
       work.failure = is_head_in ? kHeadStays : "no way out within the largest shift";
       return;
@@ -114,9 +118,12 @@ class PathCorrector {
     work.depth_after_mm = depth_at(work.corrected->pose, move.kind, tool);
   }
 
+  // As deep as it is, not only whether that is too deep.
   [[nodiscard]] double depth_at(const Pose& pose, MoveKind kind, const ToolForms& tool) const {
-    MoveVerdict verdict = check_move(Motion(pose), kind, tool, scene_, options_);
-    if (correct_.heads != nullptr) correct_.heads->check(Motion(pose), options_, verdict);
+    CheckOptions exact = options_;
+    exact.tolerance_mm = 0;
+    MoveVerdict verdict = check_move(Motion(pose), kind, tool, scene_, exact);
+    if (correct_.heads != nullptr) correct_.heads->check(Motion(pose), exact, verdict);
     return verdict.depth_mm;
   }
 
@@ -151,6 +158,7 @@ class PathCorrector {
     task.options.tolerance_mm = kBridgeShare * options_.tolerance_mm;
     task.limits = limits_;
     task.strategy = correct_.strategy;
+    task.rapid_clearance_mm = correct_.rapid_clearance_mm;
     auto way = bridge(is_chained(i) ? end_of(i - 1) : path_.start_of(i), end_of(i), task);
     moves_[i].is_failed = !way;
     if (way) moves_[i].inserted = std::move(*way);

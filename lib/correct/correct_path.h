@@ -15,6 +15,7 @@ namespace gouge {
 struct CorrectOptions {
   Strategy strategy = Strategy::weighted;
   double max_shift_mm = 20;
+  double rapid_clearance_mm = 1;  ///< how far a rapid that must change keeps off, where there is room; at least 0
   const HeadChecker* heads = nullptr;  ///< bodies that move with the tool, where there are any
 };
 

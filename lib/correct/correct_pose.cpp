@@ -19,10 +19,11 @@ const char* strategy_name(Strategy strategy) {
 
 std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms& tool,
                                               const PreparedScene& scene, const PoseLimits& limits) {
-  const CorrectionAim further{limits.aim.whole_mm - kRoom_mm, limits.aim.clearance_mm - kRoom_mm};
+  const CorrectionAim& aim = limits.aim;
+  const CorrectionAim further{aim.part_mm - kRoom_mm, aim.fixture_mm - kRoom_mm, aim.clearance_mm - kRoom_mm};
   CorrectedPose result{pose, Strategy::weighted, 0, 0};
   for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
-    const bool is_met = largest_excess(result.pose, tool, scene, limits.aim, kAccuracy_mm) <= 0;
+    const bool is_met = largest_excess(result.pose, tool, scene, aim, kAccuracy_mm) <= 0;
     if (is_met) return result;
     Vec3 sum = Vec3::Zero();
     double weight = 0;
@@ -40,7 +41,7 @@ std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms&
 
 double head_excess(const Pose& pose, const PoseLimits& limits) {
   if (limits.heads == nullptr) return 0;
-  return limits.heads->excess_at(pose, std::max(0.0, limits.aim.whole_mm), kAccuracy_mm);
+  return limits.heads->excess_at(pose, std::max(0.0, limits.aim.part_mm), kAccuracy_mm);
 }
 
 std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool,

@@ -79,8 +79,9 @@ std::string correction_lines(const ReportModel& model) {
   const std::size_t moved = correction.changes.size() - inserted;
   std::string text = "corrected: " + count_text(moved, "position") + " moved";
   if (moved > 0) text += " by up to " + depth_text(largest_mm, unit);
-  text += ", " + std::to_string(inserted) + " inserted, " + std::to_string(correction.uncorrected.size()) +
-          " left as it was";
+  text += ", " + std::to_string(inserted) + " inserted";
+  if (correction.curves > 0) text += ", " + straightened_text(correction);
+  text += ", " + std::to_string(correction.uncorrected.size()) + " left as it was";
   if (correction.uncorrected.size() != 1) text.replace(text.size() - 6, 6, "they were");
   if (!correction.output_file.empty()) text += "; written to " + correction.output_file;
   return text + "\n";

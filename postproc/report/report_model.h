@@ -67,6 +67,9 @@ struct CorrectionFacts {
   std::string output_file;  ///< empty: none was written
   std::string strategy;     ///< as asked
   double max_shift_mm = 0;  ///< 0: no limit
+  double rapid_clearance_mm = 0;
+  std::size_t curves = 0;          ///< arcs and splines that became straight moves ...
+  std::size_t straight_moves = 0;  ///< ... and how many, those of `changes` among them
   std::vector<CorrectedRecord> changes;
   std::vector<UncorrectedRecord> uncorrected;
   const Toolpath* toolpath_before = nullptr;   ///< the path as read

@@ -82,6 +82,11 @@ std::string count_text(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
+std::string straightened_text(const CorrectionFacts& correction) {
+  return count_text(correction.curves, "curve") + " became " +
+         count_text(correction.straight_moves, "straight move");
+}
+
 std::string tool_label(const Toolpath& toolpath, std::size_t tool) {
   if (tool >= toolpath.tools.size()) return "no tool";
   const PathTool& t = toolpath.tools[tool];

@@ -27,6 +27,9 @@ namespace gouge {
 /// "1 move", "7 moves".
 [[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
 
+/// "2 curves became 79 straight moves".
+[[nodiscard]] std::string straightened_text(const CorrectionFacts& correction);
+
 /// "T1", else the quoted name, else "unnamed tool"; "no tool" for kNone.
 [[nodiscard]] std::string tool_label(const Toolpath& toolpath, std::size_t tool);
 /// For programs: the number, else the name, else nothing.

@@ -222,8 +222,10 @@ class HtmlReport {
     if (c.max_shift_mm > 0) out += ", shifts up to " + length_text(c.max_shift_mm, unit_);
     out += c.output_file.empty() ? ". No toolpath was written."
                                  : ". Written to <code>" + xml_escaped(c.output_file) + "</code>.";
-    out += c.changes.empty() ? " Nothing was changed.</p>\n"
-                             : " Every record not listed here is unchanged.</p>\n";
+    if (c.curves > 0)
+      out += " " + straightened_text(c) + ", of which those are listed that had to leave their curve.";
+    out += c.changes.empty() && c.curves == 0 ? " Nothing was changed.</p>\n"
+                                              : " Every other record is unchanged.</p>\n";
     if (!c.changes.empty()) {
       out +=
           "<div class=\"wide\"><table><thead><tr><th class=\"n\">Line</th><th "

@@ -226,6 +226,8 @@ class JsonReport {
     return {{"output_file", text(c.output_file)},
             {"strategy", text(c.strategy)},
             {"max_shift", c.max_shift_mm > 0 ? length(c.max_shift_mm) : Json(nullptr)},
+            {"rapid_clearance", length(c.rapid_clearance_mm)},
+            {"straightened", {{"curves", c.curves}, {"straight_moves", c.straight_moves}}},
             {"changes", changes},
             {"uncorrected", left}};
   }

@@ -106,6 +106,71 @@ TEST(CorrectPath, ACleanPathIsLeftAlone) {
   EXPECT_TRUE(correction.uncorrected.empty());
 }
 
+// 2 mm deep across a block, with the clamp's top 0.2 mm above the tip: neither may be grazed afterwards.
+TEST(CorrectPath, ARapidGoesOverWhatItMetWithItsClearanceAndNotWithinTheTolerance) {
+  for (const double clearance : {1.0, 5.0}) {
+    Case c;
+    c.options.tolerance_mm = 0.2;
+    c.correct.rapid_clearance_mm = clearance;
+    c.path = paths::through({upright(-90, 0, -2), upright(90, 0, -2)}, MoveKind::rapid);
+    c.scene.parts = {shapes::box(Vec3(-50, -50, -30), Vec3(30, 50, 0))};
+    c.scene.fixtures = {shapes::box(Vec3(35, -50, -30), Vec3(50, 50, -1.8))};
+    const Correction correction = propose(c);
+    EXPECT_TRUE(correction.uncorrected.empty());
+    ASSERT_EQ(correction.changes.size(), 1U);
+    const std::vector<Pose>& inserted = correction.changes[0].inserted_before;
+    ASSERT_EQ(inserted.size(), 2U) << "up and down again";
+    c.options.tolerance_mm = 0.0;
+    c.options.near_miss_mm = clearance - 0.01;
+    EXPECT_EQ(check(c, applied(c.path, correction)).counts.clean, 4U) << clearance;
+    EXPECT_LE(inserted[0].tip.z(), 1.4 * clearance + 0.3) << "no higher than it must";
+  }
+}
+
+TEST(CorrectPath, APositionWhereARapidEndsTooDeepGetsTheClearance) {
+  Case c;
+  c.path = paths::through({upright(-90, 0, 20), upright(0, 0, -0.5), upright(0, 0, 20)}, MoveKind::rapid);
+  c.scene.parts = {shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))};
+  const Correction correction = propose(c);
+  ASSERT_EQ(changed_moves(correction), (std::set<std::size_t>{1}));
+  EXPECT_NEAR(correction.changes[0].new_end->tip.z(), 1, 0.01);
+  expect_clean_again(c, correction);
+  c.path.moves[1].kind = MoveKind::feed;
+  EXPECT_NEAR(propose(c).changes[0].new_end->tip.z(), -0.005, 0.003) << "a cut stays a cut";
+  c.scene = {{}, c.scene.parts};
+  EXPECT_GE(propose(c).changes[0].new_end->tip.z(), 0) << "but not in a fixture";
+}
+
+TEST(CorrectPath, TheDepthAfterIsTheDepthThatIsLeft) {
+  Case c = two_dips();
+  c.options.tolerance_mm = 0.1;
+  const Correction correction = propose(c);
+  ASSERT_EQ(correction.records.size(), 2U);
+  for (const ChangeRecord& record : correction.records) {
+    EXPECT_NEAR(record.depth_after_mm, 0.2 - record.shift_mm.z(), 0.001);
+    EXPECT_GT(record.depth_after_mm, 0.03);
+  }
+}
+
+TEST(CorrectPath, NoPositionIsInsertedOnTheStraightWayBetweenItsNeighbours) {
+  Case c;  // a rib whose flanks the tool rides over: flat on top
+  c.tool = tools::flat();
+  c.path = paths::through({upright(-20, 0, 0), upright(20, 0, 0)});
+  c.scene.parts = {shapes::box(Vec3(-3, -20, -30), Vec3(3, 20, 2))};
+  const Correction correction = propose(c);
+  expect_clean_again(c, correction);
+  std::vector<Pose> way = {c.path.moves[0].end};
+  for (const PathChange& change : correction.changes)
+    way.insert(way.end(), change.inserted_before.begin(), change.inserted_before.end());
+  way.push_back(c.path.moves[1].end);
+  ASSERT_GE(way.size(), 4U);
+  for (std::size_t i = 1; i + 1 < way.size(); ++i) {
+    const Vec3 along = (way[i + 1].tip - way[i - 1].tip).normalized();
+    const Vec3 from = way[i].tip - way[i - 1].tip;
+    EXPECT_GT((from - from.dot(along) * along).norm(), 1e-4) << i << " of " << way.size();
+  }
+}
+
 TEST(CorrectPath, PositionsAreInsertedWhereARibStandsBetweenCleanOnes) {
   Case c;
   c.path = paths::through({upright(-20, 0, 0.5), upright(20, 0, 0.5), upright(20, 10, 0.5)});

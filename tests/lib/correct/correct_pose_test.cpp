@@ -15,7 +15,7 @@ constexpr double kRoom_mm = 0.002;  // how much further than the aim the weighte
 
 PoseLimits limits(double largest_shift = 20) {
   PoseLimits all;
-  all.aim = {kAim_mm, -0.002};
+  all.aim = {kAim_mm, kAim_mm, -0.002};
   all.largest_shift_mm = largest_shift;
   return all;
 }
