@@ -40,12 +40,36 @@ std::optional<double> after_either(Arguments arguments, std::string_view first, 
   return value ? value : after(arguments, second);
 }
 
-DrillCycle make(double clearance, double bottom, std::optional<double> retract) {
+// A word with no number after it means a height all the same, one that is not stated: RTRCTO,AUTO of NX.
+struct Retract {
+  std::optional<double> height;
+  bool is_known = true;
+};
+
+// Both words may stand in one statement; `own` is the one whose number is read. The other one alone says that there
+// is a retract, not how high.
+Retract read_retract(Arguments arguments, std::string_view own) {
+  Retract retract;
+  if (!own.empty()) retract.height = after(arguments, own);
+  const bool is_named = has_argument(arguments, "RTRCTO") || has_argument(arguments, "RETURN");
+  retract.is_known = retract.height.has_value() || !is_named;
+  return retract;
+}
+
+// RETURN,0 is the way to the retract plane, whose height Creo's statement does not have.
+Retract read_return(Arguments arguments) {
+  Retract retract = read_retract(arguments, "RETURN");
+  if (retract.height && !(std::abs(*retract.height) > 0)) retract = {std::nullopt, false};
+  return retract;
+}
+
+DrillCycle make(double clearance, double bottom, const Retract& retract) {
   DrillCycle cycle;
   cycle.clearance_mm = clearance;
   cycle.bottom_mm = bottom;
-  cycle.is_retract_stated = retract.has_value();
-  cycle.retract_mm = std::max(clearance, retract.value_or(clearance));
+  cycle.is_retract_known = retract.is_known;
+  cycle.is_retract_stated = retract.height.has_value() || !retract.is_known;
+  cycle.retract_mm = std::max(clearance, retract.height.value_or(clearance));
   return cycle;
 }
 
@@ -53,23 +77,23 @@ DrillCycle make(double clearance, double bottom, std::optional<double> retract) 
 std::optional<DrillCycle> read_nx(Arguments arguments) {
   const std::optional<double> bottom = after(arguments, "FEDTO"), clearance = after(arguments, "RAPTO");
   if (!bottom || !clearance) return std::nullopt;
-  return make(*clearance, *bottom, after(arguments, "RTRCTO"));
+  return make(*clearance, *bottom, read_retract(arguments, "RTRCTO"));
 }
 
 // FEDTO is a depth below the position; CAMplete leaves a RAPTO of 0 out, and its CLEAR is no height above it.
 std::optional<DrillCycle> read_depth_words(Arguments arguments, bool is_clearance_optional) {
   const std::optional<double> depth = after(arguments, "FEDTO");
   std::optional<double> clearance = after(arguments, "RAPTO");
-  if (!clearance && is_clearance_optional) clearance = 0;
+  if (!has_argument(arguments, "RAPTO") && is_clearance_optional) clearance = 0;
   if (!depth || *depth < 0 || !clearance) return std::nullopt;
-  return make(*clearance, -*depth, after(arguments, "RTRCTO"));
+  return make(*clearance, -*depth, read_retract(arguments, "RTRCTO"));
 }
 
 // DEPTH below the position, CLEAR and RETURN above it.
 std::optional<DrillCycle> read_creo(Arguments arguments) {
   const std::optional<double> depth = after(arguments, "DEPTH"), clearance = after(arguments, "CLEAR");
   if (!depth || *depth < 0 || !clearance) return std::nullopt;
-  return make(*clearance, -*depth, after(arguments, "RETURN"));
+  return make(*clearance, -*depth, read_return(arguments));
 }
 
 // The default post table writes depth and clearance as the first two numbers; others write Creo's words.
@@ -78,7 +102,7 @@ std::optional<DrillCycle> read_catia(Arguments arguments) {
   if (arguments.size() < 3 || !arguments[1].number || !arguments[2].number || *arguments[1].number < 0) {
     return std::nullopt;
   }
-  return make(*arguments[2].number, -*arguments[1].number, std::nullopt);
+  return make(*arguments[2].number, -*arguments[1].number, read_retract(arguments, {}));
 }
 
 // DRILL,G98,depth,...,MMPM,feed,clearance,retract: with G99 the tool stays at the clearance.
@@ -89,7 +113,7 @@ std::optional<DrillCycle> read_clt(Arguments arguments) {
     if (!is_one_of(arguments[i].text, std::array<std::string_view, 4>{"MMPM", "IPM", "MMPR", "IPR"})) continue;
     if (!depth || *depth < 0 || !arguments[i + 2].number || !arguments[i + 3].number) return std::nullopt;
     const double clearance = *arguments[i + 2].number;
-    return make(clearance, -*depth, is_g98 ? *arguments[i + 3].number : clearance);
+    return make(clearance, -*depth, {is_g98 ? *arguments[i + 3].number : clearance});
   }
   return std::nullopt;
 }
@@ -99,7 +123,8 @@ std::optional<DrillCycle> read_generic(Arguments arguments) {
   const std::optional<double> depth = after_either(arguments, "FEDTO", "DEPTH");
   const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");
   if (!depth || !clearance) return std::nullopt;
-  return make(*clearance, -std::abs(*depth), after_either(arguments, "RTRCTO", "RETURN"));
+  const bool has_rtrcto = has_argument(arguments, "RTRCTO");
+  return make(*clearance, -std::abs(*depth), has_rtrcto ? read_retract(arguments, "RTRCTO") : read_return(arguments));
 }
 
 // NCCS: the cycles whose tool goes straight down and up, as its post-processor makes them. BORE9 and SHIFT move
@@ -165,13 +190,13 @@ std::optional<DrillCycle> read_nccs(Arguments arguments) {
     if (!(angle_deg > 0 && angle_deg < 180)) return std::nullopt;
     depth = *depth / 2 / std::tan(angle_deg / 2 * std::numbers::pi / 180);
   }
-  const std::optional<double> retract = after(arguments, "RTRCTO");
+  const Retract retract = read_retract(arguments, "RTRCTO");
   const bool is_deep = equals_ignoring_case(arguments.front().text, "DEEP");
   const bool is_pecking = is_deep || equals_ignoring_case(arguments.front().text, "THRU");
-  if (!is_pecking || !retract) return make(*clearance, -*depth, retract);
+  if (!is_pecking || !retract.height) return make(*clearance, -*depth, retract);
   const double highest = is_deep ? std::abs(after(arguments, "STEP").value_or(0)) : *clearance;
-  if (*retract > highest) return std::nullopt;
-  return make(*clearance, -*depth, std::nullopt);
+  if (*retract.height > highest) return std::nullopt;
+  return make(*clearance, -*depth, {});
 }
 
 std::optional<DrillCycle> read_heights(DialectKind dialect, Arguments arguments) {

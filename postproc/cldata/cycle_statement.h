@@ -18,6 +18,7 @@ struct DrillCycle {
   double bottom_mm = 0;     ///< the deepest place, usually below 0
   double retract_mm = 0;    ///< where the tool is afterwards
   bool is_retract_stated = true;  ///< false: taken as the clearance, because the statement says nothing of it
+  bool is_retract_known = true;   ///< false: a plane the statement names without its height, no lower than retract_mm
 };
 
 /// The cycle a CYCLE statement begins; nothing where its words are not understood: other cycles than drilling,

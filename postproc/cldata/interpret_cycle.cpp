@@ -45,9 +45,26 @@ void Interpreter::emit_cycle(const Position& position, const DrillCycle& cycle) 
   }
   emit_cycle_step(position, above(cycle.clearance_mm), true);
   emit_cycle_step(position, above(cycle.bottom_mm), false);
-  emit_cycle_step(position, above(cycle.retract_mm), true);
+  if (cycle.is_retract_known) {
+    emit_cycle_step(position, above(cycle.retract_mm), true);
+  } else {
+    emit_cycle_retract(position, above(cycle.retract_mm));
+  }
   // A cycle that goes nowhere is a move all the same.
   if (path_.moves.size() == before) append(make_move(position, MoveKind::cycle), position);
+  last_hole_ = to_part_.pose({position.tip_local, position.axis_local});
+}
+
+// To a plane nobody knows, past `tip_local`; the tool comes from there to the next position.
+void Interpreter::emit_cycle_retract(const Position& position, const Vec3& tip_local) {
+  Position step = position;
+  step.tip_local = tip_local;
+  step.form = PositionForm::cycle;
+  Move move = make_move(step, MoveKind::cycle);
+  move.feed_mm_per_min = 0;
+  if (move.not_checked_reason.empty()) move.not_checked_reason = Reasons::kRetractPlane;
+  append(move, step);
+  unknown_start_ = Reasons::kAfterCycle;
 }
 
 void Interpreter::emit_cycle_step(const Position& position, const Vec3& tip_local, bool is_rapid) {

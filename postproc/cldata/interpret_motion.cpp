@@ -169,6 +169,17 @@ bool Interpreter::may_go_on_round(const Position& position) const {
   return std::abs(radius - last_arc_->radius_mm.value_or(radius)) <= kOnCircle_mm;
 }
 
+// A step goes on from the position before it. Of a hole that is its own, whatever the cycle's way up and down: a cycle
+// is the post-processor's. After the last one the tool is elsewhere, and files do not tell which of both places counts.
+std::optional<Pose> Interpreter::godlta_start() const {
+  constexpr double kSamePlace_mm = 1e-9;
+  if (last_frame_reason_ != nullptr) return std::nullopt;
+  if (last_hole_ && is_cycle_) return last_hole_;
+  const bool is_elsewhere = last_hole_ && (last_hole_->tip - last_pose_->tip).norm() > kSamePlace_mm;
+  if (unknown_start_ != nullptr || is_elsewhere) return std::nullopt;
+  return last_pose_;
+}
+
 void Interpreter::take_godlta() {
   if (!check_all_numbers("expected dx,dy,dz or one distance along the tool axis")) return;
   const std::size_t count = arguments_.size();
@@ -180,8 +191,9 @@ void Interpreter::take_godlta() {
     return fail("path-statement",
                 "GODLTA moves on from a position that is not known; expected a FROM or GOTO before it");
   }
-  if (last_frame_reason_ != nullptr || unknown_start_ != nullptr) return emit_unread(Reasons::kStepFromUnread);
-  const Pose here = to_part_.inverse().pose(*last_pose_);
+  const std::optional<Pose> start = godlta_start();
+  if (!start) return emit_unread(Reasons::kStepFromUnread);
+  const Pose here = to_part_.inverse().pose(*start);
   Position position;
   position.form = PositionForm::godlta;
   position.axis_local = is_tlaxis_new_ ? implied_axis() : here.axis;
@@ -233,6 +245,7 @@ void Interpreter::take_multax() {
 void Interpreter::break_motion() {
   is_broken_ = is_broken_ || last_pose_.has_value();
   last_pose_.reset();
+  last_hole_.reset();
   unknown_start_ = nullptr;
   last_frame_reason_ = nullptr;
   was_compensated_ = false;
@@ -346,6 +359,7 @@ void Interpreter::append(Move move, const Position& position) {
   if (dialect_.is_axis_modal) modal_axis_ = position.axis_local;
   note_direction(move);
   last_pose_ = move.end;
+  last_hole_.reset();
   last_frame_reason_ = frame_reason();
   was_compensated_ = is_compensated_;
   is_tlaxis_new_ = false;

@@ -69,6 +69,8 @@ struct Reasons {
       "shifted by CUTCOM/ADJUST: the registers of the control are not known";
   static constexpr const char* kNccsArc =
       "an arc of NCL that leaves its plane or turns its tool axis: its post-processor may run it straight";
+  static constexpr const char* kRetractPlane =
+      "a drilling cycle rises to a retract plane whose height it does not state";
   static constexpr const char* kAfterCycle = "starts at an unknown retract height after a drilling cycle";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
@@ -169,6 +171,7 @@ class Interpreter {
   void take_multax();
   void take_cutcom();
   void begin_cutcom();
+  [[nodiscard]] std::optional<Pose> godlta_start() const;
   void end_cutcom();
   [[nodiscard]] std::string_view cutcom_reason() const;
   [[nodiscard]] std::size_t numbers_per_point();
@@ -196,6 +199,7 @@ class Interpreter {
   void take_unread_curve();
   void take_indirv();
   void take_tlon();
+  void emit_cycle_retract(const Position& position, const Vec3& tip_local);
   void begin_curve();
   void take_knots();
   void take_control_point();
@@ -290,6 +294,7 @@ class Interpreter {
   Vec3 fixed_axis_ = Vec3::UnitZ();  // TLAXIS
   bool is_tlaxis_new_ = false;       // since the last position
   double feed_mm_per_min_ = 0;
+  std::optional<Pose> last_hole_;    // where the last position was a hole: what GODLTA goes on from, not where the tool is
   std::size_t curve_statement_ = kNone;  // NURBS whose control points are being read
   std::size_t curve_line_ = 0;
   std::optional<Position> curve_end_;

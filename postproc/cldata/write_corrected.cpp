@@ -165,7 +165,8 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
     if (is_changed(i)) return true;
   }
   const MotionRecord& record = records_[first];
-  if (record.form == PositionForm::godlta) {
+  const bool is_step = record.form == PositionForm::godlta || (record.form == PositionForm::cycle && record.numbers == 0);
+  if (is_step) {
     return first > 0 && changes_[first - 1] != nullptr && changes_[first - 1]->new_end.has_value();
   }
   if (record.form == PositionForm::unread) return false;
@@ -277,7 +278,7 @@ Result<std::string> CorrectedWriter::write() {
     if (is_round) {
       return make_error(
           "write-arc",
-          "a curve or cycle follows a position with another axis, which it would take over; keep that axis",
+          "a curve or cycle follows a position it takes its axis or its place from; keep that position",
           path_.file, path_.moves[first].line);
     }
     const SourceStatement& span = path_.statements[record.statement];

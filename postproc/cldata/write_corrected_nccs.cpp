@@ -222,6 +222,11 @@ Result<std::string> NccsCorrector::run() {
   for (std::size_t first = 0, last = 0; first < records_.size(); first = last) {
     last = first + 1;
     while (last < records_.size() && records_[last].statement == records_[first].statement) ++last;
+    const bool is_hole_by_step = records_[first].form == PositionForm::cycle && records_[first].numbers == 0;
+    if (is_hole_by_step && first > 0 && has_new_end(first - 1)) {
+      return make_error("write-arc", "a hole is a step from a position that changes; keep that position", path_.file,
+                        path_.moves[first].line);
+    }
     if (!needs_rewriting(first, last)) continue;
     const std::size_t word = first_word_of(records_[first].statement);
     const NccsHeader header = source_.header(word);

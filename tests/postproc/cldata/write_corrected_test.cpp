@@ -147,6 +147,15 @@ TEST(WriteCorrected, IncrementsBecomePositionsWhereTheirStartMoved) {
             "GOTO/1.0000,2.0000,3.5000\nGOTO/1.0000,2.0000,4.0000\nGODLTA/0.0000,0.0000,1.0000\n");
 }
 
+TEST(WriteCorrected, AHoleThatIsAStepFromWhatChangesIsAnError) {
+  const std::string text = "UNITS/MM\nGOTO/1,2,9\nCYCLE/DRILL,FEDTO,2,RAPTO,1\n";
+  const Toolpath by_step = path_of(text + "GODLTA/0,5,0\n");
+  const Toolpath by_position = path_of(text + "GOTO/1,7,9\n");
+  EXPECT_EQ(by_step.moves.back().end.tip, by_position.moves.back().end.tip);
+  EXPECT_EQ(write_corrected(by_step, {lift(by_step, 0, 0.5)}).error().code, "write-arc");
+  EXPECT_TRUE(write_corrected(by_position, {lift(by_position, 0, 0.5)}).has_value());
+}
+
 TEST(WriteCorrected, InchFilesStayInInches) {
   const Toolpath path = path_of("UNITS/INCHES\nGOTO/1.000000, 2.000000, 3.000000\n");
   EXPECT_EQ(written(path, {lift(path, 0, 2.54)}), "UNITS/INCHES\nGOTO/1.000000, 2.000000, 3.100000\n");

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/resolve_tools.h"
+#include "lib/check/check_path.h"
+#include "postproc/cldata/read_toolpath.h"
+#include "toolmodels/compile_tool.h"
+
+// From the text of a toolpath to its verdict, for tests whose part tells a right reading from a wrong one.
+
+namespace gouge {
+
+inline Toolpath read_as(const std::string& text, const std::string& dialect) {
+  ReadOptions options;
+  if (!dialect.empty()) options.dialect = dialect_called(dialect);
+  ReadOutcome outcome = read_toolpath("real.apt", text, options);
+  for (const Diagnostic& error : outcome.errors) ADD_FAILURE() << to_text(error);
+  return outcome.toolpath ? std::move(*outcome.toolpath) : Toolpath{};
+}
+
+/// The state of every move.
+inline std::vector<MoveState> check_states(const Toolpath& path, const IndexedMesh& part,
+                                           const std::vector<ToolForms>& tools) {
+  Scene scene;
+  scene.parts.push_back(part);
+  std::vector<const ToolForms*> forms;
+  for (const ToolForms& tool : tools) forms.push_back(&tool);
+  std::vector<MoveState> states;
+  for (const MoveVerdict& v : check_path(path, forms, prepare_scene(scene), {}).verdicts) states.push_back(v.state);
+  return states;
+}
+
+/// What is wrong with the path: "clean", or the state of its first move that is not.
+inline std::string verdict(const Toolpath& path, const IndexedMesh& part, const std::vector<ToolForms>& tools) {
+  for (const MoveState state : check_states(path, part, tools)) {
+    if (state != MoveState::clean) return state_name(state);
+  }
+  return "clean";
+}
+
+/// With the tools the file itself defines.
+inline std::string verdict(const Toolpath& path, const IndexedMesh& part) {
+  const Result<ResolvedTools> resolved = resolve_tools(path, nullptr, {}, "");
+  EXPECT_TRUE(resolved.has_value());
+  std::vector<ToolForms> tools;
+  for (const std::optional<ToolAssembly>& assembly : resolved->assemblies) {
+    EXPECT_TRUE(assembly.has_value());
+    tools.push_back(make_tool_forms(assembly.value_or(ToolAssembly{}), 0, 0, 0).value());
+  }
+  return verdict(path, part, tools);
+}
+
+}  // namespace gouge
