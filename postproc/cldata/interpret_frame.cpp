@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <string>
 
 #include "lib/base/number_text.h"
@@ -27,16 +28,38 @@ Vec3 vector_of(const std::vector<Argument>& arguments, std::size_t first) {
   return {*arguments[first].number, *arguments[first + 1].number, *arguments[first + 2].number};
 }
 
+bool is_all_zero(std::span<const Argument> arguments) {
+  return std::all_of(arguments.begin(), arguments.end(),
+                     [](const Argument& a) { return a.number && std::abs(*a.number) <= 0; });
+}
+
+// "9.X1", "ANG1": what holds a digit and is no number may be an angle.
+bool has_digit(const Argument& argument) {
+  return argument.text.find_first_of("0123456789") != std::string_view::npos;
+}
+
 }  // namespace
+
+// A turn as CAMWorks writes it; nothing where another word stands beside its four.
+std::optional<Interpreter::TableTurn> Interpreter::clt_turn(std::span<const Argument> arguments) {
+  constexpr std::array<std::string_view, 3> kAxes = {"AAXIS", "BAXIS", "CAXIS"};
+  if (arguments.size() != 4 || !arguments[0].number || !equals_ignoring_case(arguments[2].text, "TABLE"))
+    return std::nullopt;
+  const auto* const axis = std::find_if(kAxes.begin(), kAxes.end(), [&](std::string_view word) {
+    return equals_ignoring_case(word, arguments[1].text);
+  });
+  const bool is_clockwise = equals_ignoring_case(arguments[3].text, "CLW");
+  if (axis == kAxes.end() || (!is_clockwise && !equals_ignoring_case(arguments[3].text, "CCLW")))
+    return std::nullopt;
+  return TableTurn{*axis, is_clockwise ? -*arguments[0].number : *arguments[0].number};
+}
 
 const char* Interpreter::frame_reason() const {
   for (const char* reason : {turning_reason_, contour_reason_, adjust_reason_, spline_reason_, unread_frame_reason_,
-                             mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_}) {
+                             mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_, mode_reason_}) {
     if (reason != nullptr) return reason;
   }
-  const bool is_turned =
-      std::any_of(turned_.begin(), turned_.end(), [](double a) { return std::abs(a) > kIdentityError; });
-  return is_turned ? Reasons::kTurned : nullptr;
+  return turns_.empty() ? tlaxis_reason_ : Reasons::kTurned;
 }
 
 void Interpreter::take_comment() {
@@ -176,40 +199,56 @@ void Interpreter::take_mcsys() {
   if (frame) set_frame(*frame);
 }
 
-// CAMWorks CLT, ROTABL/angle,AAXIS,...: turns add up and are undone by the same angle the other way. Elsewhere angles
-// may be absolute or relative, and of one of several tables, so nothing undoes them.
+// CAMWorks CLT, ROTABL/angle,AAXIS,TABLE,CCLW: turns are undone by the opposite ones, the last one first. Elsewhere
+// angles may be absolute or relative, and of one of several tables, so nothing undoes them.
 void Interpreter::take_rotabl() {
-  const auto number = std::find_if(arguments_.begin(), arguments_.end(),
-                                   [](const Argument& a) { return a.number.has_value(); });
-  if (number == arguments_.end()) return count_unknown();
-  if (dialect_.kind != DialectKind::clt) {
-    const bool is_turned = std::any_of(arguments_.begin(), arguments_.end(),
-                                       [](const Argument& a) { return a.number && std::abs(*a.number) > 0; });
+  if (std::none_of(arguments_.begin(), arguments_.end(), has_digit)) return count_unknown();
+  const std::optional<TableTurn> turn = dialect_.kind == DialectKind::clt ? clt_turn(arguments_) : std::nullopt;
+  if (!turn) {
+    const bool is_turned = std::any_of(arguments_.begin(), arguments_.end(), [](const Argument& a) {
+      return a.number ? std::abs(*a.number) > 0 : has_digit(a);
+    });
     if (is_turned) unread_frame_reason_ = Reasons::kTurned;
     return;
   }
-  const std::size_t axis = has_argument(arguments_, "BAXIS") ? 1 : has_argument(arguments_, "CAXIS") ? 2 : 0;
-  turned_[axis] += *number->number;
+  if (std::abs(turn->angle) <= kIdentityError) return;
+  if (turns_.empty() || turns_.back().axis != turn->axis) return turns_.push_back(*turn);
+  turns_.back().angle += turn->angle;
+  if (std::abs(turns_.back().angle) <= kIdentityError) turns_.pop_back();
 }
 
+// All that is known of other systems than the part's is that these three numbers would shift them.
 void Interpreter::take_trntyp() {
-  const bool is_world = !arguments_.empty() && equals_ignoring_case(arguments_.front().text, "WORLD");
+  const std::span<const Argument> all(arguments_);
+  const bool is_world = !all.empty() && equals_ignoring_case(all.front().text, "WORLD") &&
+                        (all.size() == 1 || is_all_zero(all.subspan(1)));
   trntyp_reason_ = is_world ? nullptr : Reasons::kTrntyp;
 }
 
 // TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows. Zeros undo
 // their own word's shift, unless another word says how they are meant.
 void Interpreter::take_trans() {
-  const bool is_shifted = std::any_of(arguments_.begin(), arguments_.end(),
-                                      [](const Argument& a) { return a.number && std::abs(*a.number) > 0; });
+  if (arguments_.empty()) return;
   const char*& reason = equals_ignoring_case(statement_->major, "ORIGIN") ? origin_reason_ : trans_reason_;
-  if (is_shifted) reason = Reasons::kTrans;
-  if (!is_shifted && !arguments_.empty() && find_word_argument(arguments_) == nullptr) reason = nullptr;
+  reason = is_all_zero(arguments_) ? nullptr : Reasons::kTrans;
+}
+
+// A lathe's or a wire's program has its positions in another plane.
+void Interpreter::take_mode() {
+  for (const char* word : {"TURN", "LATHE", "WIRE", "EDM"}) {
+    if (has_argument(arguments_, word)) mode_reason_ = Reasons::kTurning;
+  }
+  if (has_argument(arguments_, "MILL")) mode_reason_ = nullptr;
 }
 
 void Interpreter::take_tlaxis() {
-  // CAMWorks CLT writes the axis in model axes while its positions are in setup axes, where it is +Z.
-  if (is_tlaxis_ignored_ || dialect_.kind == DialectKind::clt) return;
+  if (is_tlaxis_ignored_) return;
+  if (dialect_.kind == DialectKind::clt) {
+    // It is in model axes while positions are in setup axes, where it is +Z: so they differ where it is not.
+    const bool is_plus_z = is_identity(arguments_, std::array<double, 3>{0, 0, 1});
+    tlaxis_reason_ = is_plus_z ? nullptr : Reasons::kCltAxis;
+    return;
+  }
   if (arguments_.size() != 3 || find_word_argument(arguments_) != nullptr) {
     if (path_.moves.empty() && find_word_argument(arguments_) != nullptr)
       return refuse_part_program("TLAXIS");

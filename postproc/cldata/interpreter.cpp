@@ -258,6 +258,9 @@ bool Interpreter::take_frame_word() {
     case Word::trans:
       take_trans();
       return true;
+    case Word::mode:
+      take_mode();
+      return true;
     case Word::tlaxis:
       take_tlaxis();
       return true;

@@ -93,6 +93,8 @@ struct Reasons {
   static constexpr const char* kMcsys = "positions are in a coordinate system (MCSYS) that is not understood";
   static constexpr const char* kTurned =
       "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
+  static constexpr const char* kCltAxis =
+      "positions are in a setup whose TLAXIS is not +Z of the model: where it lies the file does not say";
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
 
   /// True where nobody knows where the statement takes the tool.
@@ -127,6 +129,10 @@ class Interpreter {
     Vec3 axis_local = Vec3::UnitZ();
     std::size_t point = 0, points = 1, first_argument = 0, numbers = 0;
     PositionForm form = PositionForm::go_to;
+  };
+  struct TableTurn {
+    std::string_view axis;
+    double angle = 0;  // counter-clockwise, as its file counts
   };
   struct ToolState {
     std::optional<int> number;
@@ -165,13 +171,13 @@ class Interpreter {
   // interpret_motion.cpp
   void take_positions(PositionForm form);
   void take_godlta();
+  [[nodiscard]] std::optional<Pose> godlta_start() const;
   void take_gohome();
   void take_rapid();
   void take_fedrat();
   void take_multax();
   void take_cutcom();
   void begin_cutcom();
-  [[nodiscard]] std::optional<Pose> godlta_start() const;
   void end_cutcom();
   [[nodiscard]] std::string_view cutcom_reason() const;
   [[nodiscard]] std::size_t numbers_per_point();
@@ -193,13 +199,13 @@ class Interpreter {
   void take_cycle();
   void emit_cycle(const Position& position, const DrillCycle& cycle);
   void emit_cycle_step(const Position& position, const Vec3& tip_local, bool is_rapid);
+  void emit_cycle_retract(const Position& position, const Vec3& tip_local);
 
   // interpret_curve.cpp
   void take_arc();
   void take_unread_curve();
   void take_indirv();
   void take_tlon();
-  void emit_cycle_retract(const Position& position, const Vec3& tip_local);
   void begin_curve();
   void take_knots();
   void take_control_point();
@@ -243,8 +249,10 @@ class Interpreter {
   void take_mcs();
   void take_mcsys();
   void take_rotabl();
+  [[nodiscard]] static std::optional<TableTurn> clt_turn(std::span<const Argument> arguments);
   void take_trntyp();
   void take_trans();
+  void take_mode();
   void set_frame(const RigidTransform& to_part);
   [[nodiscard]] std::optional<RigidTransform> make_frame(const Vec3& origin, const Vec3& x, const Vec3& y,
                                                          const char* what);
@@ -286,6 +294,7 @@ class Interpreter {
     std::string_view not_checked_reason;  // whatever its sense
   };
   std::vector<OpenArc> open_arcs_;  // whose sense the rest of the file must tell
+  std::optional<Pose> last_hole_;    // where the last position was a hole: what GODLTA goes on from, not where the tool is
   bool is_cycle_ = false;
   std::optional<DrillCycle> cycle_;  // nothing: not understood
   std::size_t rapid_statement_ = kNone;
@@ -294,7 +303,6 @@ class Interpreter {
   Vec3 fixed_axis_ = Vec3::UnitZ();  // TLAXIS
   bool is_tlaxis_new_ = false;       // since the last position
   double feed_mm_per_min_ = 0;
-  std::optional<Pose> last_hole_;    // where the last position was a hole: what GODLTA goes on from, not where the tool is
   std::size_t curve_statement_ = kNone;  // NURBS whose control points are being read
   std::size_t curve_line_ = 0;
   std::optional<Position> curve_end_;
@@ -338,7 +346,9 @@ class Interpreter {
   const char* spline_reason_ = nullptr;
   const char* turning_reason_ = nullptr;
   const char* trntyp_reason_ = nullptr;
-  std::array<double, 3> turned_{};  // sum of table turns about A, B, C
+  const char* mode_reason_ = nullptr;
+  const char* tlaxis_reason_ = nullptr;
+  std::vector<TableTurn> turns_;    // of CLT, those in force
   int catia_row_ = -1;              // lines seen since $$*CATIA0; -1: none
   std::array<double, 12> catia_rows_{};
   bool is_tlaxis_ignored_ = false;

@@ -82,7 +82,7 @@ constexpr auto kWords = std::to_array<Entry>({
     {"MCS", Word::mcs},
     {"MCSYS", Word::mcsys},
     {"MIRROR", Word::unread_frame},
-    {"MODE", Word::harmless},
+    {"MODE", Word::mode},
     {"MOVARC", Word::movarc},
     {"MOVE_ATTRIB", Word::harmless},
     {"MSYS", Word::msys},

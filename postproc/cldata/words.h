@@ -39,6 +39,7 @@ enum class Word : std::uint8_t {
   loadtl,
   mcs,
   mcsys,
+  mode,
   movarc,
   msys,
   multax,
