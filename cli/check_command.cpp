@@ -24,7 +24,7 @@ void add_check_options(CLI::App& command, JobArguments& arguments) {
 
 int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<JobOptions> options = understand(arguments);
-  const Result<bool> taken = is_stdout_taken(arguments);
+  const Result<bool> taken = is_stdout_taken(arguments, {});
   if (!options || !taken) {
     print(err, {options ? taken.error() : options.error()});
     return kExitUsage;

@@ -107,6 +107,7 @@ Result<JobOptions> understand(const JobArguments& a) {
   if (options.check.resolution_mm < kFinestResolution_mm) {
     return usage("--resolution", a.resolution, "at least 0.000001 mm, what double precision can certify");
   }
+  if (a.report_folder == "-") return usage("--report", a.report_folder, "a folder");
   if (!a.clearance.empty()) {
     if (const auto wrong = parse_clearance(a.clearance, options.check)) {
       return make_error("usage", "--clearance: " + *wrong);

@@ -80,6 +80,9 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   if (const auto error = find_overwriting({{"the mesh", arguments.file}},
                                           {{"--repair", arguments.repair_file}, {"--json", arguments.json_file}}))
     return tell(err, *error, kExitUsage);
+  if (arguments.repair_file == "-")
+    return tell(err, make_error("usage", "--repair '-': expected a file; a mesh does not go to standard output"),
+                kExitUsage);
   const Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}});
   if (!loaded) return tell(err, loaded.error(), kExitInput);
   info.file = arguments.file;

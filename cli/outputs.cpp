@@ -85,9 +85,9 @@ void print_notes(std::ostream& err, const Diagnostics& notes, const JobArguments
   if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
 }
 
-Result<bool> is_stdout_taken(const JobArguments& a) {
+Result<bool> is_stdout_taken(const JobArguments& a, const std::string& corrected) {
   int taken = 0;
-  for (const std::string* file : {&a.json_file, &a.csv_file, &a.sarif_file, &a.junit_file})
+  for (const std::string* file : {&corrected, &a.json_file, &a.csv_file, &a.sarif_file, &a.junit_file})
     taken += *file == "-";
   if (taken > 1) return make_error("usage", "only one output can go to standard output (-)");
   return taken == 1;
@@ -95,7 +95,7 @@ Result<bool> is_stdout_taken(const JobArguments& a) {
 
 bool write_outputs(const JobArguments& arguments, const Job& job, const ReportModel& model,
                    Progress& progress, std::ostream& out, std::ostream& err) {
-  const Result<bool> taken = is_stdout_taken(arguments);
+  const Result<bool> taken = is_stdout_taken(arguments, model.correction.output_file);
   if (taken && !*taken && !arguments.is_quiet) out << findings_text(model);
   bool is_good = true;
   for (const Writer& writer :

@@ -18,7 +18,7 @@ void print(std::ostream& err, const Diagnostics& diagnostics);
 void print_notes(std::ostream& err, const Diagnostics& notes, const JobArguments& arguments);
 
 /// Whether "-" was given for one of the outputs, so that standard output belongs to it alone; more than one
-/// is an error, returned as its message.
-[[nodiscard]] Result<bool> is_stdout_taken(const JobArguments& arguments);
+/// is an error, returned as its message. `corrected` is where the corrected toolpath goes, or empty.
+[[nodiscard]] Result<bool> is_stdout_taken(const JobArguments& arguments, const std::string& corrected);
 
 }  // namespace gouge

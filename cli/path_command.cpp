@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cli/exit_code.h"
+#include "cli/output_file.h"
 #include "cli/overwriting.h"
 #include "cli/path_info_text.h"
 #include "cli/picture_file.h"
@@ -35,13 +36,13 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
   return written ? kExitClean : refuse({written.error()}, err, kExitInternal);
 }
 
-int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostream& err) {
+int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostream& out, std::ostream& err) {
   Result<WrittenToolpath> written = WrittenToolpath{path.source, {}};
   if (!arguments.to.empty()) written = write_toolpath(path, *dialect_called(arguments.to));
   if (!written) return refuse({written.error()}, err);
   tell(path.notes, err);
   tell(written->notes, err);
-  const Outcome outcome = write_file(arguments.output, written->bytes);
+  const Outcome outcome = write_output(arguments.output, written->bytes, out);
   return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
 }
 
@@ -80,7 +81,7 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
 
   CLI::App& convert = add_command(command, arguments, "convert",
                                   "Write the toolpath in another dialect, and tell what is lost");
-  convert.add_option("-o,--output", arguments.output, "The file to write")->required();
+  convert.add_option("-o,--output", arguments.output, "The file to write; - for standard output")->required();
   convert
       .add_option("--to", arguments.to,
                   "Dialect to write (default: the file's own, byte for byte): " + dialect_names())
@@ -115,7 +116,7 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);
   if (!outcome.toolpath) return refuse(outcome.errors, err);
   if (arguments.is_info) return run_info(arguments, *outcome.toolpath, out, err);
-  if (arguments.is_convert) return run_convert(arguments, *outcome.toolpath, err);
+  if (arguments.is_convert) return run_convert(arguments, *outcome.toolpath, out, err);
   return run_plot(arguments, *outcome.toolpath, *is_svg, err);
 }
 

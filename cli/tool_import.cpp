@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "cli/exit_code.h"
+#include "cli/output_file.h"
 #include "cli/overwriting.h"
 #include "cli/tool_text.h"
 #include "lib/base/files.h"
@@ -68,7 +69,7 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
       .add_option("file", arguments.file,
                   "Fusion .json or .tools, FreeCAD .fctb or .fctl, NX tool_database.dat")
       ->required();
-  command.add_option("-o,--output", output, "tool library to write (JSON)")->required();
+  command.add_option("-o,--output", output, "tool library to write (JSON); - for standard output")->required();
   command.add_option("--format", arguments.format, "auto (by what the file holds), fusion, freecad or nx")
       ->check(CLI::IsMember({"auto", "fusion", "freecad", "nx"}));
   command.add_option("--holder", arguments.holder, "holder for tools that have none; a name in --tools");
@@ -104,16 +105,17 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   const Result<ImportedTools> made =
       import_tools(arguments.file, *bytes, format_called(arguments.format), options);
   if (!made) return refuse(made.error(), err);
+  std::ostream& told = output == "-" ? err : out;
   const bool is_empty = made->library.tools.empty() && made->library.holders.empty();
   if (!is_empty) {
-    const Outcome written = write_file(output, write_tool_library(made->library));
+    const Outcome written = write_output(output, write_tool_library(made->library), out);
     if (!written) {
       refuse(written.error(), err);
       return kExitInternal;
     }
-    out << tool_list_text(made->library);
+    told << tool_list_text(made->library);
   }
-  tell_notes(*made, out, err);
+  tell_notes(*made, told, err);
   return has_error(made->notes) ? kExitInput : kExitClean;
 }
 

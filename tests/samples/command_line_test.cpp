@@ -65,6 +65,29 @@ TEST(CommandLine, JsonOnStandardOutputIsAlone) {
   EXPECT_TRUE(nlohmann::json::accept(ran.out)) << ran.out.substr(0, 200);
 }
 
+TEST(CommandLine, AToolpathOnStandardOutputIsAlone) {
+  const SampleFolder sample = open_sample("between_rib");
+  const std::string path = sample.toolpath();
+  const Outcome in_file =
+      run_gougecheck(sample.path, sample.arguments("correct", path, {"-o", "corrected.apt", "--csv", "all.csv"}));
+  const Outcome alone =
+      run_gougecheck(sample.path, sample.arguments("correct", path, {"-o", "-", "--csv", "again.csv"}));
+  EXPECT_EQ(alone.exit_status, in_file.exit_status);
+  EXPECT_TRUE(alone.out == text_of(sample.path + "/corrected.apt")) << alone.out;
+  EXPECT_EQ(text_of(sample.path + "/again.csv"), text_of(sample.path + "/all.csv"));
+  const Outcome two = run_gougecheck(sample.path, sample.arguments("correct", path, {"-o", "-", "--json", "-"}));
+  EXPECT_EQ(two.exit_status, 2);
+  EXPECT_EQ(two.out, "");
+  EXPECT_NE(two.err.find("only one output can go to standard output"), std::string::npos) << two.err;
+  const Outcome copied = run_gougecheck(sample.path, {"path", "convert", path, "-o", "-"});
+  EXPECT_EQ(copied.exit_status, 0);
+  EXPECT_TRUE(copied.out == text_of(sample.path + "/" + path)) << copied.out;
+  const Outcome mesh = run_gougecheck(sample.path, {"mesh", "part.stl", "--repair", "-"});
+  EXPECT_EQ(mesh.exit_status, 2) << mesh.err;
+  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", path, {"--report", "-"})).exit_status, 2);
+  EXPECT_FALSE(std::filesystem::exists(sample.path + "/-"));
+}
+
 TEST(CommandLine, QuietPrintsNothingButKeepsTheStatus) {
   const SampleFolder sample = open_sample("between_rib");
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"-q"}));
