@@ -1,0 +1,69 @@
+#include "lib/check/closeness.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/paths.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+using paths::upright;
+
+std::optional<Closeness> closeness(const Toolpath& path, const ToolForms& tool = tools::flat(),
+                                   unsigned threads = 1) {
+  const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
+  return measure_closeness(path, {&tool}, prepare_scene(scene), threads);
+}
+
+TEST(Closeness, IsTheDistanceOfTheToolFromThePartAtTheEndsOfCuts) {
+  Toolpath path = paths::through({upright(0, 0, 9), upright(0, 0, 3), upright(1, 0, 1), upright(2, 0, 2)});
+  path.moves[0].kind = MoveKind::rapid;
+  const auto found = closeness(path);
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->cuts, 3U);
+  EXPECT_EQ(found->positions, 3U);
+  EXPECT_NEAR(*found->nearest_mm, 1, 0.011);
+  EXPECT_NEAR(*found->median_mm, 2, 0.011);
+}
+
+TEST(Closeness, TouchingAndDeeperIsNothing) {
+  const auto found = closeness(paths::through({upright(0, 0, 0), upright(0, 0, -2)}));
+  EXPECT_LE(*found->nearest_mm, 0);
+  EXPECT_LE(*found->median_mm, 0.011);
+}
+
+TEST(Closeness, CountsFromTheStockToLeave) {
+  const ToolForms grown = tools::forms(tools::assembly(FlatCutter{10, 30}), 0.5, 0, 0);
+  EXPECT_NEAR(*closeness(paths::through({upright(0, 0, 0.75)}), grown)->nearest_mm, 0.25, 0.011);
+}
+
+TEST(Closeness, WhatIsFarAwayHasNoNumber) {
+  const auto found = closeness(paths::through({upright(0, 0, 21), upright(0, 0, 25), upright(0, 0, 19)}));
+  EXPECT_NEAR(*found->nearest_mm, 19, 0.011);
+  EXPECT_FALSE(found->median_mm.has_value());
+}
+
+TEST(Closeness, SaysNothingWithoutCutsOrParts) {
+  EXPECT_FALSE(closeness(paths::through({upright(0, 0, 1)}, MoveKind::rapid)).has_value());
+  const ToolForms tool = tools::flat();
+  const Toolpath path = paths::through({upright(0, 0, 1)});
+  EXPECT_FALSE(measure_closeness(path, {nullptr}, prepare_scene(Scene{}), 1).has_value());
+  EXPECT_FALSE(measure_closeness(path, {&tool}, prepare_scene(Scene{}), 1).has_value());
+}
+
+TEST(Closeness, OfALongPathSomePositionsAreLookedAtWhateverTheThreads) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 10'000; ++i) poses.push_back(upright(0.002 * i, 0, 1 + 1e-3 * i));
+  const auto one = closeness(paths::through(poses));
+  const auto four = closeness(paths::through(poses), tools::flat(), 4);
+  EXPECT_EQ(one->cuts, 10'000U);
+  EXPECT_EQ(one->positions, 400U);
+  EXPECT_NEAR(*one->median_mm, 6, 0.05);
+  EXPECT_EQ(one->nearest_mm, four->nearest_mm);
+  EXPECT_EQ(one->median_mm, four->median_mm);
+}
+
+}  // namespace
+}  // namespace gouge
