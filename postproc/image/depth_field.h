@@ -1,27 +1,25 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "lib/geom/pose.h"
+#include "postproc/image/head_field.h"
 #include "postproc/image/picture_input.h"
 #include "postproc/image/surface_buffer.h"
 
 namespace gouge {
 
-/// How deep the gouging moves of a path reach into the surface, at any point of it. The depth is sampled at
-/// many instants of each gouging move, the worst one among them; it is for pictures and promises nothing.
+/// How deep the gouging moves of a path reach into the surface, at any point of it: the tool and the heads.
+/// The depth is sampled at many instants of each gouging move, the worst one among them; it is for pictures
+/// and promises nothing.
 class DepthField {
  public:
-  struct Point {
-    Vec3 at = Vec3::Zero();
-    bool is_fixture = false;
-  };
+  using Point = FieldPoint;
 
   static constexpr std::size_t kMostPoses = 12000;
 
-  /// Picks the instants, about `most_poses` of them; the worst of every gouging move as long as that many
-  /// fit.
+  /// Picks the instants, about `most_poses` of them for the tool and a tenth for the heads, which are looked
+  /// at less often; the worst of every gouging move as long as that many fit.
   explicit DepthField(const PictureInput& input, std::size_t most_poses = kMostPoses);
 
   /// For each point the largest depth that counts as a gouge, in mm, else 0. Within 3 % of the sampled poses.
@@ -31,22 +29,22 @@ class DepthField {
   [[nodiscard]] std::vector<float> depth_on_pixels(const PictureScene& scene,
                                                    const SurfaceBuffer& buffer) const;
 
-  [[nodiscard]] bool is_empty() const { return poses_.empty(); }
+  [[nodiscard]] bool is_empty() const { return poses_.empty() && heads_.is_empty(); }
 
   struct FieldPose {
     Pose pose;
     const ToolForms* tool = nullptr;
     std::size_t move = 0;
   };
+  /// Of the tool.
   [[nodiscard]] const std::vector<FieldPose>& poses() const { return poses_; }
+  [[nodiscard]] const HeadField& heads() const { return heads_; }
+  /// depth_at of the tool alone.
+  [[nodiscard]] std::vector<float> tool_depth_at(const std::vector<Point>& points) const;
 
  private:
-  class PointTree;
-
-  void add_worst_only(const PictureInput& input, std::size_t most_poses);
-  void add_move(const PictureInput& input, std::size_t move, double detail);
-
   std::vector<FieldPose> poses_;
+  HeadField heads_;
   double tolerance_mm_ = 0;
 };
 

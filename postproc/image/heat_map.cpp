@@ -113,10 +113,6 @@ void add_event_key(Page& page, const PictureSet& set, double x, double y) {
     const std::string where = std::string(body_name(event.event.body)) + ", line " +
                               std::to_string(set.input.toolpath->moves[move].line);
     add_line(11, where);
-    if (event.event.body == Body::head) {
-      add_line(27, kHeadNotDrawn);
-      y += 16;
-    }
     const double overcut_mm = largest_overcut_mm(*set.input.result, event.event);
     const bool is_same =
         std::max(overcut_mm, event.depth_mm) <= kNoteworthy * std::min(overcut_mm, event.depth_mm);

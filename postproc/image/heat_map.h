@@ -19,6 +19,7 @@ struct PictureSet {
   ColourScale scale;          ///< of depths
   ColourScale surface_scale;  ///< of what colours the surface: overcuts, where there are any
   std::vector<Vec3> directions;
+  PictureScene heads;  ///< in the tool's frame
 };
 
 /// The part from the chosen views, coloured by overcut, or by depth where no move has one, with the worst

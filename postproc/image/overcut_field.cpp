@@ -202,11 +202,12 @@ std::vector<float> OvercutField::on_pixels(const PictureScene& scene, const Surf
     points.push_back({p.at, face.is_fixture});
   }
   std::vector<float> told = at(rays);
-  const std::vector<float> depths = depths_.depth_at(points);
+  const std::vector<float> depths = depths_.tool_depth_at(points);
   for (std::size_t i = 0; i < told.size(); ++i) {
     const bool has_overcut = solids_[rays[i].mesh] != nullptr && told[i] > 0;
     if (!has_overcut) told[i] = depths[i];
   }
+  depths_.heads().deepen(points, told);
   return seen.spread(told);
 }
 

@@ -14,8 +14,9 @@ namespace gouge {
 /// to it. Where the tool is deeper in the part than it is thick this says how deep, which the tool's depth
 /// does not.
 ///
-/// Where overcut says nothing, the depth is told: on surfaces that are not closed, and where only a clearance
-/// or stock to leave is entered. Sampled, for pictures, as depths are; it promises nothing.
+/// Where overcut says nothing, the depth is told: on surfaces that are not closed, where only a clearance or
+/// stock to leave is entered, and of heads, which are too thick for their depth to saturate. Sampled, for
+/// pictures, as depths are; it promises nothing.
 class OvercutField {
  public:
   /// Builds a tree over each closed body that a move with an overcut gouges. All arguments must outlive it.

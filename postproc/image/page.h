@@ -15,9 +15,6 @@ namespace gouge {
 inline constexpr int kPageWidth = 1600;
 inline constexpr int kPageHeight = 1000;
 
-/// Of a finding of a body given with --head: pictures show the tool alone.
-inline constexpr const char* kHeadNotDrawn = "the head is not drawn";
-
 struct Area {
   double x = 0, y = 0, width = 0, height = 0;
   [[nodiscard]] double right() const { return x + width; }

@@ -1,8 +1,14 @@
 #include "postproc/image/picture_events.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "lib/check/check_path.h"
+#include "lib/head/check_heads.h"
+#include "lib/head/head_motion.h"
+#include "lib/mesh/winding.h"
+#include "lib/penetration/nearest_foot.h"
 
 namespace gouge {
 namespace {
@@ -13,6 +19,44 @@ double scene_size(const Scene& scene) {
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
+bool is_in_solid(const Scene& scene, const Vec3& point) {
+  for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures}) {
+    for (const IndexedMesh& mesh : *meshes) {
+      if (mesh.box().contains(point) && std::abs(winding_number(mesh, point)) > 0.5) return true;
+    }
+  }
+  return false;
+}
+
+// The head in which the witness is deepest.
+std::size_t gouging_head(std::span<const HeadBody> heads, const Vec3& witness_tool) {
+  std::size_t best = 0;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t h = 0; h < heads.size(); ++h) {
+    const double distance = nearest_foot(heads[h].surface, witness_tool)->signed_mm();
+    if (distance >= least) continue;
+    least = distance;
+    best = h;
+  }
+  return best;
+}
+
+void find_head(const PictureInput& input, const std::string& reason, PictureEvent& one) {
+  if (input.heads.empty()) return;
+  if (one.has_witness && one.witness.body == Body::head) {
+    one.head = gouging_head(input.heads, one.heads.inverse().point(one.at));
+  } else if (!one.has_witness && reason == kHeadIsBuried) {
+    for (std::size_t h = 0; h < input.heads.size() && !one.head; ++h) {
+      for (const Vec3& core : input.heads[h].cores) {
+        const Vec3 at = one.heads.point(core);
+        if (one.head || !is_in_solid(*input.scene, at)) continue;
+        one.head = h;
+        one.at = at;
+      }
+    }
+  }
+}
+
 PictureEvent picture_event(const PictureInput& input, const Event& event) {
   const Move& move = input.toolpath->moves[event.worst_move];
   const MoveVerdict& verdict = input.result->verdicts[event.worst_move];
@@ -21,9 +65,13 @@ PictureEvent picture_event(const PictureInput& input, const Event& event) {
   one.has_witness = event.state == MoveState::gouge && verdict.witness.has_value();
   if (one.has_witness) one.witness = *verdict.witness;
   const Motion motion = motion_of(*input.toolpath, event.worst_move, input.options.rapid);
-  one.pose = motion.is_defined() ? motion.at(one.has_witness ? one.witness.t : 1.0) : move.end;
+  const double t = one.has_witness ? one.witness.t : 1.0;
+  one.pose = motion.is_defined() ? motion.at(t) : move.end;
+  one.heads = motion.is_defined() ? HeadMotion(motion).at(t)
+                                  : RigidTransform{head_rotation(move.end.axis), move.end.tip};
   const CompiledTool& bare = input.tools[event.tool]->bare;
   one.at = one.has_witness ? one.witness.point : Vec3(one.pose.tip + one.pose.axis * bare.core.y());
+  find_head(input, verdict.reason, one);
   return one;
 }
 

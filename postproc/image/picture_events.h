@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "lib/geom/rigid_transform.h"
 #include "postproc/image/picture_input.h"
 
 namespace gouge {
@@ -10,9 +12,12 @@ namespace gouge {
 struct PictureEvent {
   int number = 0;
   Event event;
-  Pose pose;                 ///< of the tool at the worst instant
-  Vec3 at = Vec3::Zero();    ///< witness; for a buried tool the middle of its cutter
-  bool has_witness = false;  ///< a buried tool has none
+  Pose pose;                        ///< of the tool at the worst instant
+  RigidTransform heads;             ///< from the tool's frame: where the heads are then
+  std::optional<std::size_t> head;  ///< the head that gouges or is buried; none where the tool does
+  Vec3 at =
+      Vec3::Zero();  ///< witness; of what is buried a place inside: the middle of the cutter, a head's core
+  bool has_witness = false;  ///< what is buried has none
   Witness witness;
   double depth_mm = 0;
 };

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "lib/check/check_options.h"
 #include "lib/check/scene.h"
 #include "lib/check/verdict.h"
+#include "lib/head/head_body.h"
 #include "lib/path/toolpath.h"
 
 namespace gouge {
@@ -16,6 +18,7 @@ struct PictureInput {
   std::vector<const ToolForms*> tools;  ///< per tool index of the toolpath; may hold nullptr
   const CheckResult* result = nullptr;
   CheckOptions options;
+  std::span<const HeadBody> heads;  ///< in the tool's frame; they move with every tool
 };
 
 }  // namespace gouge

@@ -103,4 +103,14 @@ PictureScene build_picture_scene(const Scene& scene) {
   return out;
 }
 
+PictureScene build_picture_heads(std::span<const HeadBody> heads) {
+  PictureScene out;
+  std::uint32_t number = 0;
+  for (const HeadBody& head : heads) add_mesh(out, head.surface.mesh, false, number++);
+  out.part_vertices = out.vertices.size();
+  smooth_normals(out);
+  find_edges(out);
+  return out;
+}
+
 }  // namespace gouge

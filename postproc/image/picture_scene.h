@@ -2,14 +2,16 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lib/check/scene.h"
 #include "lib/geom/vec.h"
+#include "lib/head/head_body.h"
 
 namespace gouge {
 
-/// Parts and fixtures as one list of faces ready to be shaded.
+/// Parts and fixtures, or heads, as one list of faces ready to be shaded.
 struct PictureScene {
   struct Face {
     std::array<std::uint32_t, 3> corners{};
@@ -35,5 +37,8 @@ struct PictureScene {
 
 /// Cost     O(n log n) for n triangles.
 [[nodiscard]] PictureScene build_picture_scene(const Scene& scene);
+
+/// The heads, as parts, in the tool's frame.
+[[nodiscard]] PictureScene build_picture_heads(std::span<const HeadBody> heads);
 
 }  // namespace gouge

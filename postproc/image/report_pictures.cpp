@@ -64,6 +64,7 @@ Outcome add_before_after(Album& album, const PictureSet& after, const PictureInp
                     worst_events(before_input, kMostEvents),
                     after.scale,
                     after.surface_scale,
+                    {},
                     {}};
   before.directions = choose_directions(before_input, after.scene, coarse, before.events, 1);
   return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
@@ -107,7 +108,8 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
                  worst_events(input, kMostEvents),
                  scale_to(worst_depth(model, input)),
                  scale_to(worst_on_surface(model, input)),
-                 {}};
+                 {},
+                 build_picture_heads(input.heads)};
   Album album;
   if (!scene.faces.empty()) {
     set.directions = choose_directions(input, scene, coarse, set.events, kViews);

@@ -110,7 +110,8 @@ TEST(HeatMap, IsColouredByOvercutAndSaysSo) {
                        worst_events(plunge.input, 6),
                        depth_scale,
                        make_colour_scale(0.01, 12, LengthUnit::mm),
-                       {Vec3::UnitZ()}};
+                       {Vec3::UnitZ()},
+                       {}};
   EXPECT_EQ(heat_map_title(set), "Overcut on the part");
   const Page page = draw_heat_map(set);
   std::string words;

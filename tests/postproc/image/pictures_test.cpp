@@ -11,6 +11,7 @@
 #include "postproc/image/picture_events.h"
 #include "postproc/image/render_png.h"
 #include "postproc/image/report_pictures.h"
+#include "tests/postproc/image/small_pages.h"
 #include "tests/postproc/image/small_scene.h"
 
 namespace gouge {
@@ -26,42 +27,6 @@ std::vector<std::string> names(const std::vector<NamedFile>& files) {
   std::vector<std::string> out;
   for (const NamedFile& file : files) out.push_back(file.name);
   return out;
-}
-
-/// The pages of a small scene as drawings, for what they say.
-struct SmallPages {
-  explicit SmallPages(const SmallScene& small)
-      : scene(build_picture_scene(small.scene)),
-        field(small.input),
-        overcuts(small.input, field),
-        set{small.model,
-            small.input,
-            scene,
-            field,
-            field,
-            overcuts,
-            worst_events(small.input, 6),
-            make_colour_scale(0.01, 1, small.path.unit),
-            make_colour_scale(0.01, 1, small.path.unit),
-            {Vec3(1, -1, 1).normalized()}} {}
-  PictureScene scene;
-  DepthField field;
-  OvercutField overcuts;
-  PictureSet set;
-};
-
-std::vector<DrawnText> texts_of(const Page& page) {
-  std::vector<DrawnText> all;
-  for (const auto& item : page.drawing.items)
-    if (const auto* text = std::get_if<DrawnText>(&item)) all.push_back(*text);
-  return all;
-}
-
-std::size_t count_with(const Page& page, const std::string& wanted) {
-  const std::vector<DrawnText> all = texts_of(page);
-  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const DrawnText& text) {
-    return text.text.find(wanted) != std::string::npos;
-  }));
 }
 
 double right_edge(const Page& page) {
@@ -195,24 +160,6 @@ TEST(ReportPictures, SurviveABuriedToolAndAnUnfinishedCheck) {
   const Result<std::vector<NamedFile>> files = draw_report_pictures(small.model, small.input);
   ASSERT_TRUE(files);
   EXPECT_EQ(names(*files), (std::vector<std::string>{"heat_map.png", "event_1.png", "depth_along_path.png"}));
-}
-
-TEST(Pictures, SayThatTheHeadOfAFindingIsNotDrawn) {
-  SmallScene small;
-  {
-    const SmallPages pages(small);
-    EXPECT_EQ(count_with(draw_event(pages.set, pages.set.events.at(0)), kHeadNotDrawn), 0U);
-    EXPECT_EQ(count_with(draw_heat_map(pages.set), kHeadNotDrawn), 0U);
-    EXPECT_EQ(count_with(draw_depth_strip(pages.set), "head"), 0U);
-  }
-  small.result.events.at(0).body = Body::head;
-  for (MoveVerdict& v : small.result.verdicts)
-    if (v.witness) v.witness->body = Body::head;
-  const SmallPages pages(small);
-  EXPECT_EQ(count_with(draw_event(pages.set, pages.set.events.at(0)), kHeadNotDrawn), 2U);
-  EXPECT_EQ(count_with(draw_heat_map(pages.set), kHeadNotDrawn), 1U);
-  EXPECT_EQ(count_with(draw_depth_strip(pages.set), "head"), 1U);
-  EXPECT_FALSE(body_colour(3).r == body_colour(2).r && body_colour(3).g == body_colour(2).g);
 }
 
 TEST(Pictures, CutNoNumberShort) {

@@ -66,7 +66,7 @@ struct SmallScene {
     model.result = &result;
     model.parts = {MeshFacts{"block.stl", 12, 8, 0, true, ""}};
     model.tools = {ToolFacts{"ball D6", "tools.json", "ball D6"}};
-    input = {&path, &scene, {&tool}, &result, model.options};
+    input = {&path, &scene, {&tool}, &result, model.options, {}};
   }
 };
 

@@ -1,0 +1,144 @@
+#include "postproc/image/close_up.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "postproc/image/event_scale.h"
+#include "postproc/image/glass.h"
+#include "postproc/image/render_png.h"
+#include "postproc/image/shade.h"
+#include "postproc/image/tool_outline.h"
+
+namespace gouge {
+namespace {
+
+constexpr Area kCloseUp{152, 142, 830, 742};
+
+// Of a finding of a head: the heads as far as they are shown, with the finding and the tool's tip; the part
+// too where a head is buried in it.
+View head_view(const PictureSet& set, const PictureEvent& event, const Vec3& toward, int width, int height) {
+  View view = make_view(toward, event.pose.axis, width, height);
+  const double reach = head_reach_mm(set, event);
+  FlatExtent extent;
+  const auto take = [&](const std::vector<Vec3>& points) {
+    for (const Vec3& p : points)
+      extent.take({(p - event.at).dot(view.right), (p - event.at).dot(view.up)}, reach);
+  };
+  take(head_corners(set, event));
+  if (!event.has_witness) take(set.scene.part_points());
+  view.mm_per_pixel = extent.mm_per_unit(width, height);
+  view.centre = event.at + extent.middle().x() * view.right + extent.middle().y() * view.up;
+  return view;
+}
+
+View tool_view(const PictureSet& set, const PictureEvent& event, const Vec3& toward, int width, int height) {
+  const double part_mm = part_size_mm(set);
+  const double times = event.event.body == Body::cutter ? 8 : 5.5;
+  const double reach = event.has_witness ? times * tool_size_mm(set, event) : 1.2 * part_mm;
+  const double height_mm =
+      std::clamp(reach, std::min(8 * event.depth_mm, reach), std::max(1.1 * part_mm, 1e-3));
+  View view = make_view(toward, event.pose.axis, width, height);
+  view.mm_per_pixel = height_mm / height;
+  // A little of the tool above the finding, most of the part around it.
+  const double lift = std::min(0.18 * height_mm, 0.5 * forms_of(set, event).bare.z_max_mm);
+  view.centre = event.at + view.up * lift;
+  return view;
+}
+
+View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& toward, int width, int height) {
+  return event.head ? head_view(set, event, toward, width, height)
+                    : tool_view(set, event, toward, width, height);
+}
+
+// How much of what is seen within `near_mm` of the finding is gouged.
+double gouged_share(const PictureSet& set, const PictureEvent& event, const SurfaceBuffer& buffer,
+                    double near_mm) {
+  const std::vector<float> depth = set.coarse.depth_on_pixels(set.scene, buffer);
+  double gouged = 0;
+  for (int y = 0; y < buffer.view.height; ++y) {
+    for (int x = 0; x < buffer.view.width; ++x) {
+      const std::size_t i = buffer.index(x, y);
+      if (depth[i] > 0 && (buffer.point(x, y) - event.at).norm() < near_mm) gouged += 1;
+    }
+  }
+  const double radius = near_mm / buffer.view.mm_per_pixel;
+  return std::min(1.0, gouged / (std::numbers::pi * radius * radius));
+}
+
+Vec3 best_direction(const PictureSet& set, const PictureEvent& event) {
+  const Vec3 side = std::abs(event.pose.axis.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
+  const Vec3 e1 = event.pose.axis.cross(side).normalized();
+  const Vec3 e2 = event.pose.axis.cross(e1);
+  Vec3 best = event.pose.axis;
+  double best_score = -1;
+  // Large meshes are looked at from fewer sides.
+  const int sides = set.scene.faces.size() > 200000 ? 6 : 12;
+  for (const double rise : {0.45, 0.8}) {
+    for (int k = 0; k < sides; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.5) / sides;
+      const Vec3 around = std::cos(angle) * e1 + std::sin(angle) * e2;
+      const Vec3 toward = std::cos(rise) * around + std::sin(rise) * event.pose.axis;
+      const View view = close_view(set, event, toward, 120, 108);
+      const SurfaceBuffer buffer = draw_surface(set.scene, view);
+      double score = is_visible(buffer, event.at, view.mm_per_pixel + 1e-3) ? 1 : 0;
+      score += 0.5 * gouged_share(set, event, buffer, 0.15 * view.mm_per_pixel * view.height);
+      if (event.has_witness) score += 0.3 * event.witness.normal.dot(toward);
+      if (rise < 0.5) score += 0.05;
+      if (score > best_score + 1e-9) {
+        best_score = score;
+        best = toward;
+      }
+    }
+  }
+  return best;
+}
+
+void add_callout(Page& page, const Area& area, const Vec2& target, const std::string& words) {
+  const double width = text_width(words, 21, true) + 28;
+  const bool is_left = target.x() < area.middle().x();
+  const Vec2 corner(is_left ? area.right() - width - 24 : area.x + 24, area.bottom() - 150);
+  const Area box{corner.x(), corner.y(), width, 38};
+  const Vec2 from(is_left ? box.x : box.right(), box.middle().y());
+  page.line(from, target, {255, 255, 255, 0.9}, 5);
+  page.line(from, target, kInk, 1.8);
+  page.disc(target, 6, {255, 255, 255, 1});
+  page.disc(target, 4.2, kAlarm);
+  page.box(box, {255, 255, 255, 0.94});
+  page.frame(box, kInk, 1.5);
+  page.text({box.middle().x(), box.y + 26}, words, 21, kAlarm, TextAnchor::middle, true);
+}
+
+// The heads where they are at the worst instant.
+PictureScene placed_heads(const PictureSet& set, const PictureEvent& event) {
+  PictureScene heads = set.heads;
+  for (Vec3& v : heads.vertices) v = event.heads.point(v);
+  const Eigen::Matrix3f turn = event.heads.rotation.cast<float>();
+  for (PictureScene::Face& face : heads.faces) {
+    for (Eigen::Vector3f& normal : face.normals) normal = turn * normal;
+  }
+  return heads;
+}
+
+}  // namespace
+
+void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words) {
+  const ToolForms& forms = forms_of(set, event);
+  const Vec3 toward = best_direction(set, event);
+  const View view = close_view(set, event, toward, static_cast<int>(kCloseUp.width) * kSupersampling,
+                               static_cast<int>(kCloseUp.height) * kSupersampling);
+  const SurfaceBuffer buffer = draw_surface(set.scene, view);
+  Raster raster = shade(set.scene, buffer, set.field.depth_on_pixels(set.scene, buffer), set.scale);
+  lay_glass(raster, buffer, tool_surface(forms.bare, event.pose), placed_heads(set, event));
+  page.rasters.push_back({static_cast<int>(kCloseUp.x), static_cast<int>(kCloseUp.y), std::move(raster)});
+  add_callout(page, kCloseUp, on_page(kCloseUp, view.project(event.at)), words);
+  page.frame(kCloseUp, kSoftInk, 1);
+  const char* const title =
+      event.head ? "Part, tool and head at the worst instant" : "Part and tool at the worst instant";
+  page.text({kCloseUp.x, kCloseUp.y - 10}, title, 15, kInk, TextAnchor::left, true);
+  add_triad(page, {kCloseUp.x + 40, kCloseUp.bottom() + 58}, view, 28);
+  add_scale_bar(page, {kCloseUp.x + 112, kCloseUp.bottom() + 56}, view, set.model.toolpath->unit, 160);
+  add_colour_bar(page, {40, 204, 22, 350}, set.scale, set.model.toolpath->unit, "Gouge depth");
+}
+
+}  // namespace gouge

@@ -1,0 +1,70 @@
+#include "postproc/image/event_scale.h"
+
+#include <algorithm>
+
+#include "postproc/image/tool_outline.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kReach = 1.2;  // of the parts' size
+constexpr double kFilled = 0.84;
+
+// Radius of the body that gouges: what a picture of it should be scaled to.
+double body_radius(const CompiledTool& tool, Body body) {
+  double radius = 0;
+  for (const OutlineRun& run : tool_outline(tool)) {
+    if (run.body != body) continue;
+    for (const Vec2& p : run.points) radius = std::max(radius, p.x());
+  }
+  return radius > 0 ? radius : tool.r_max_mm;
+}
+
+}  // namespace
+
+const ToolForms& forms_of(const PictureSet& set, const PictureEvent& event) {
+  return *set.input.tools[event.event.tool];
+}
+
+double tool_size_mm(const PictureSet& set, const PictureEvent& event) {
+  const Vec3 d = event.at - event.pose.tip;
+  const double from_axis = (d - event.pose.axis * d.dot(event.pose.axis)).norm();
+  return std::max(
+      {body_radius(forms_of(set, event).bare, event.event.body), from_axis, 1.3 * event.depth_mm});
+}
+
+double part_size_mm(const PictureSet& set) {
+  if (set.scene.vertices.empty()) return 10;
+  Box3 box;
+  for (const Vec3& p : set.scene.part_points()) box.extend(p);
+  return box.diagonal().norm();
+}
+
+std::vector<Vec3> head_corners(const PictureSet& set, const PictureEvent& event) {
+  std::vector<Vec3> corners{event.pose.tip};
+  for (const HeadBody& head : set.input.heads) {
+    const Box3 box = head.surface.mesh.box();
+    for (int k = 0; k < 8; ++k)
+      corners.push_back(event.heads.point(box.corner(static_cast<Box3::CornerType>(k))));
+  }
+  return corners;
+}
+
+double head_reach_mm(const PictureSet& set, const PictureEvent& event) {
+  return std::max({kReach * part_size_mm(set), 4 * event.depth_mm, 1e-3});
+}
+
+void FlatExtent::take(const Vec2& p, double reach) {
+  for (int k = 0; k < 2; ++k) {
+    const double x = std::clamp(p[k], -reach, reach);
+    low[k] = std::min(low[k], x);
+    high[k] = std::max(high[k], x);
+  }
+}
+
+double FlatExtent::mm_per_unit(double width, double height) const {
+  const Vec2 size = high - low;
+  return std::max({size.x() / (kFilled * width), size.y() / (kFilled * height), 1e-9});
+}
+
+}  // namespace gouge

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "postproc/image/heat_map.h"
+
+// How large the pictures of a finding show what is about it.
+
+namespace gouge {
+
+/// The tool of a finding.
+[[nodiscard]] const ToolForms& forms_of(const PictureSet& set, const PictureEvent& event);
+
+/// Of a gouge of the tool: the radius of the body that gouges, or more when it is reached deep inside.
+[[nodiscard]] double tool_size_mm(const PictureSet& set, const PictureEvent& event);
+
+/// Across the parts.
+[[nodiscard]] double part_size_mm(const PictureSet& set);
+
+/// The heads of a finding in part coordinates: corners of a box about each, and the tool's tip.
+[[nodiscard]] std::vector<Vec3> head_corners(const PictureSet& set, const PictureEvent& event);
+
+/// How far from the finding a head is shown: a machine's whole column would leave nothing of the part.
+[[nodiscard]] double head_reach_mm(const PictureSet& set, const PictureEvent& event);
+
+/// What of a flat picture about (0, 0) is to be seen.
+struct FlatExtent {
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
+  /// Takes in a point, no farther out than `reach`.
+  void take(const Vec2& p, double reach);
+  [[nodiscard]] Vec2 middle() const { return 0.5 * (low + high); }
+  /// Picture units are so many mm for it to fit in, with a margin.
+  [[nodiscard]] double mm_per_unit(double width, double height) const;
+};
+
+}  // namespace gouge

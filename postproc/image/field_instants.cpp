@@ -1,0 +1,89 @@
+#include "postproc/image/field_instants.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/check/check_path.h"
+
+namespace gouge {
+namespace {
+
+class Picker {
+ public:
+  Picker(const PictureInput& input, std::size_t most,
+         const std::function<std::size_t(const Motion&, std::size_t)>& wanted)
+      : input_(input), most_(most), wanted_(wanted) {
+    const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
+    for (std::size_t i = 0; i < verdicts.size(); ++i) {
+      const std::size_t tool = input.toolpath->moves[i].tool;
+      const bool has_forms = tool < input.tools.size() && input.tools[tool] != nullptr;
+      if (verdicts[i].state == MoveState::gouge && has_forms) gouging_.push_back(i);
+    }
+  }
+
+  std::vector<FieldInstants> pick() {
+    // Fewer instants a move when there would be too many of them; the worst instant of a move always stays.
+    for (double detail = 1; detail > 0.01; detail *= 0.5) {
+      clear();
+      for (std::size_t k = 0; k < gouging_.size() && count_ <= most_; ++k) add(gouging_[k], detail);
+      if (count_ <= most_) return std::move(picked_);
+    }
+    add_worst_only();
+    return std::move(picked_);
+  }
+
+ private:
+  void clear() {
+    picked_.clear();
+    count_ = 0;
+  }
+
+  // Too many gouging moves even so: the worst of each group of neighbours.
+  void add_worst_only() {
+    clear();
+    const std::vector<MoveVerdict>& verdicts = input_.result->verdicts;
+    const std::size_t group = gouging_.size() / std::max<std::size_t>(most_ / 2, 1) + 1;
+    for (std::size_t first = 0; first < gouging_.size(); first += group) {
+      // Depths are known to the resolution; equal ones leave the picks evenly spread.
+      const double equal = input_.options.resolution_mm;
+      std::size_t worst = gouging_[first];
+      for (std::size_t k = first; k < std::min(first + group, gouging_.size()); ++k) {
+        if (verdicts[gouging_[k]].depth_mm > verdicts[worst].depth_mm + equal) worst = gouging_[k];
+      }
+      add(worst, 0);
+    }
+  }
+
+  void add(std::size_t index, double detail) {
+    const Motion motion = motion_of(*input_.toolpath, index, input_.options.rapid);
+    if (!motion.is_defined()) return;
+    const MoveVerdict& verdict = input_.result->verdicts[index];
+    FieldInstants one{index, {}};
+    if (verdict.witness) one.t.push_back(verdict.witness->t);
+    if (!motion.is_alone()) {
+      const auto whole = static_cast<double>(wanted_(motion, index));
+      const std::size_t steps = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(whole * detail)));
+      for (std::size_t k = detail < 0.1 ? steps : 0; k <= steps; ++k)
+        one.t.push_back(static_cast<double>(k) / static_cast<double>(steps));
+    }
+    count_ += one.t.size();
+    picked_.push_back(std::move(one));
+  }
+
+  const PictureInput& input_;
+  std::size_t most_;
+  const std::function<std::size_t(const Motion&, std::size_t)>& wanted_;
+  std::vector<std::size_t> gouging_;
+  std::vector<FieldInstants> picked_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace
+
+std::vector<FieldInstants> pick_instants(
+    const PictureInput& input, std::size_t most,
+    const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted) {
+  return Picker(input, most, wanted).pick();
+}
+
+}  // namespace gouge

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "lib/check/motion.h"
+#include "postproc/image/picture_input.h"
+
+namespace gouge {
+
+/// When a field looks at a gouging move.
+struct FieldInstants {
+  std::size_t move = 0;
+  std::vector<double> t;  ///< that of the witness first
+};
+
+/// The instants that show how deep a path gouges, about `most` of them. `wanted` tells how many steps would
+/// show a move as well as can be seen; where they come to too many in all, every move gets fewer, and at last
+/// of each group of neighbouring moves only the worst is looked at.
+[[nodiscard]] std::vector<FieldInstants> pick_instants(
+    const PictureInput& input, std::size_t most,
+    const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted);
+
+}  // namespace gouge

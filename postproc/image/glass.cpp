@@ -1,0 +1,140 @@
+#include "postproc/image/glass.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "postproc/image/shade.h"
+
+namespace gouge {
+namespace {
+
+constexpr int kHead = static_cast<int>(Body::head);
+
+Colour glass_colour(const View& view, Vec3 normal, int body) {
+  if (normal.dot(view.toward) < 0) normal = -normal;
+  const double light = std::min(1.15, 0.25 + light_on(view, normal));
+  const Colour colour = body_colour(body);
+  const auto lit = [&](unsigned char c) {
+    return static_cast<unsigned char>(std::min(255.0, (0.35 * 255 + 0.65 * c) * light));
+  };
+  return {lit(colour.r), lit(colour.g), lit(colour.b), 1};
+}
+
+/// The pane that a body lays over the part.
+class Pane {
+ public:
+  Pane(const SurfaceBuffer& part, SurfaceBuffer buffer) : part_(part), buffer_(std::move(buffer)) {}
+  virtual ~Pane() = default;
+  Pane(const Pane&) = delete;
+  Pane& operator=(const Pane&) = delete;
+
+  void paint(Raster& raster, int x, int y) const {
+    const std::size_t i = buffer_.index(x, y);
+    const int right = x + 2 < raster.width ? body_of(buffer_.index(x + 2, y)) : body_of(i);
+    const int below = y + 2 < raster.height ? body_of(buffer_.index(x, y + 2)) : body_of(i);
+    const int body = body_of(i);
+    const bool is_edge = right != body || below != body;
+    if (body < 0 && !is_edge) return;
+    const bool is_hidden = body >= 0 && part_.face[i] != kNoFace && buffer_.z[i] < part_.z[i];
+    if (is_edge) {
+      blend_pixel(raster, x, y, body_colour(std::max({body, right, below})), is_hidden ? 0.5 : 0.85);
+      return;
+    }
+    blend_pixel(raster, x, y, glass_colour(part_.view, normal(x, y), body),
+                is_hidden ? hidden_opacity() : opacity());
+  }
+
+  [[nodiscard]] const SurfaceBuffer& buffer() const { return buffer_; }
+
+ private:
+  [[nodiscard]] int body_of(std::size_t i) const {
+    return buffer_.face[i] == kNoFace ? -1 : body_of_face(buffer_.face[i]);
+  }
+  [[nodiscard]] virtual int body_of_face(std::uint32_t face) const = 0;
+  [[nodiscard]] virtual Vec3 normal(int x, int y) const = 0;
+  [[nodiscard]] virtual double opacity() const = 0;
+  [[nodiscard]] virtual double hidden_opacity() const = 0;
+
+  const SurfaceBuffer& part_;
+  SurfaceBuffer buffer_;
+};
+
+class ToolPane : public Pane {
+ public:
+  ToolPane(const SurfaceBuffer& part, const ToolSurface& tool)
+      : Pane(part, draw_surface(tool.vertices, tool.faces, part.view)), tool_(tool) {}
+
+ private:
+  [[nodiscard]] int body_of_face(std::uint32_t face) const override {
+    return static_cast<int>(tool_.bodies[face]);
+  }
+  [[nodiscard]] Vec3 normal(int x, int y) const override {
+    const FaceCorners& corners = tool_.faces[buffer().face[buffer().index(x, y)]];
+    const Vec3& a = tool_.vertices[corners[0]];
+    const Vec3 square = (tool_.vertices[corners[1]] - a).cross(tool_.vertices[corners[2]] - a);
+    return square.norm() < 1e-12 ? buffer().view.toward : Vec3(square.normalized());
+  }
+  [[nodiscard]] double opacity() const override { return 0.34; }
+  [[nodiscard]] double hidden_opacity() const override { return 0.10; }
+
+  const ToolSurface& tool_;
+};
+
+/// Clearer than a tool: a head is large, and what it gouges lies behind it.
+class HeadPane : public Pane {
+ public:
+  HeadPane(const SurfaceBuffer& part, const PictureScene& heads)
+      : Pane(part, draw_surface(heads, part.view)), heads_(heads) {}
+
+ private:
+  [[nodiscard]] int body_of_face(std::uint32_t) const override { return kHead; }
+  [[nodiscard]] Vec3 normal(int x, int y) const override { return normal_at(heads_, buffer(), x, y); }
+  [[nodiscard]] double opacity() const override { return 0.24; }
+  [[nodiscard]] double hidden_opacity() const override { return 0.10; }
+
+  const PictureScene& heads_;
+};
+
+void draw_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& head, const Vec3& a,
+               const Vec3& b) {
+  const double dx = b.x() - a.x();
+  const double dy = b.y() - a.y();
+  const int steps = static_cast<int>(std::min(std::ceil(std::max(std::abs(dx), std::abs(dy))), 20000.0)) + 1;
+  const bool is_steep = std::abs(dx) < std::abs(dy);
+  const double slack = 2.5 * part.view.mm_per_pixel;
+  for (int s = 0; s <= steps; ++s) {
+    const Vec3 p = a + (b - a) * (static_cast<double>(s) / steps);
+    for (int k = 0; k < 2; ++k) {  // two pixels wide, across the line's main direction
+      const int x = static_cast<int>(std::floor(p.x())) + (is_steep ? k : 0);
+      const int y = static_cast<int>(std::floor(p.y())) + (is_steep ? 0 : k);
+      if (x < 0 || y < 0 || x >= raster.width || y >= raster.height) continue;
+      const std::size_t i = head.index(x, y);
+      const bool is_behind = p.z() + slack < static_cast<double>(head.z[i]);
+      const bool is_hidden = p.z() + slack < static_cast<double>(part.z[i]);
+      blend_pixel(raster, x, y, body_colour(kHead), (is_behind ? 0.22 : 0.7) * (is_hidden ? 0.55 : 1));
+    }
+  }
+}
+
+}  // namespace
+
+void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool,
+               const PictureScene& heads) {
+  const ToolPane tool_pane(part, tool);
+  const HeadPane head_pane(part, heads);
+  for (int y = 0; y < raster.height; ++y) {
+    for (int x = 0; x < raster.width; ++x) {
+      const std::size_t i = part.index(x, y);
+      const bool is_head_nearer = head_pane.buffer().z[i] > tool_pane.buffer().z[i];
+      if (!is_head_nearer) head_pane.paint(raster, x, y);
+      tool_pane.paint(raster, x, y);
+      if (is_head_nearer) head_pane.paint(raster, x, y);
+    }
+  }
+  for (const PictureScene::Edge& edge : heads.edges) {
+    draw_edge(raster, part, head_pane.buffer(), part.view.project(heads.vertices[edge.a]),
+              part.view.project(heads.vertices[edge.b]));
+  }
+}
+
+}  // namespace gouge

@@ -1,0 +1,135 @@
+#include "postproc/image/head_field.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/check/check_path.h"
+#include "lib/head/head_motion.h"
+#include "lib/penetration/nearest_foot.h"
+#include "postproc/image/field_instants.h"
+
+namespace gouge {
+namespace {
+
+// No step of a head is longer than this share of what it may touch: it would be seen as a saw's teeth.
+constexpr double kSeenStep = 0.01;
+
+Box3 box_of(const Scene& scene) {
+  Box3 box;
+  for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures}) {
+    for (const IndexedMesh& mesh : *meshes) box.extend(mesh.box());
+  }
+  return box;
+}
+
+double reach_of(std::span<const HeadBody> heads) {
+  double reach = 0;
+  for (const HeadBody& head : heads) {
+    for (const Vec3& v : head.surface.mesh.vertices) reach = std::max(reach, v.norm());
+  }
+  return reach;
+}
+
+// Instants so close that what a swing leaves between two of them stays a small part of the depth.
+std::size_t instants_of(const Motion& motion, double reach_mm, double depth_mm, double most_step_mm) {
+  double travel = HeadMotion(motion).turn_rad() * reach_mm;
+  for (std::uint32_t s = 0; s < motion.stretches().size(); ++s)
+    travel += motion.way_mm(motion.stretches()[s].t0, motion.stretches()[s].t1, s);
+  const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, 1e-3)),
+                                 0.1 * most_step_mm, std::max(most_step_mm, 1e-6));
+  return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
+}
+
+bool is_near(const Box3& head, const RigidTransform& to_part, const Box3& scene) {
+  const Vec3 centre = to_part.point(head.center());
+  return scene.squaredExteriorDistance(centre) <= 0.25 * head.diagonal().squaredNorm();
+}
+
+/// A head where it was sampled, as a PointTree asks.
+class HeadPlace {
+ public:
+  HeadPlace(const HeadBody& head, const Box3& box, const RigidTransform& to_tool, double tolerance_mm)
+      : head_(head), box_(box), to_tool_(to_tool), tolerance_mm_(tolerance_mm) {}
+
+  [[nodiscard]] double floor_mm() const { return tolerance_mm_; }
+
+  [[nodiscard]] double most_mm(const PointTree::Node& node) const {
+    const Vec3 centre = to_tool_.point(node.centre);
+    if (box_.squaredExteriorDistance(centre) >= node.radius * node.radius) return 0;
+    // Nothing is deeper than half the head is thick; where the node is as large, the tree says no more.
+    const double half_mm = 0.5 * box_.sizes().minCoeff();
+    if (node.radius >= half_mm) return half_mm;
+    const SurfaceFoot foot = *nearest_foot(head_.surface, centre);
+    return std::min(node.radius - foot.signed_mm(), most_over(foot, node));
+  }
+
+  [[nodiscard]] PointTree::LeafDepths depths(std::span<const FieldPoint> points) const {
+    PointTree::LeafDepths told{};
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const Vec3 point = to_tool_.point(points[i].at);
+      if (!box_.contains(point)) continue;
+      const SurfaceFoot foot = *nearest_foot(head_.surface, point);
+      if (foot.is_inside && foot.distance_mm > tolerance_mm_) told[i] = static_cast<float>(foot.distance_mm);
+    }
+    return told;
+  }
+
+ private:
+  // A point inside is not deeper than it is far from any place of the surface: from the foot of the node's
+  // middle, and from what lies above it on the foot's flat patch.
+  [[nodiscard]] double most_over(const SurfaceFoot& foot, const PointTree::Node& node) const {
+    const FlatPatch& patch = head_.flat.patches[head_.flat.patch_of[foot.triangle]];
+    double from_foot2 = 0, height = 0;
+    bool is_over = true;
+    for (int k = 0; k < 8; ++k) {
+      const Vec3 corner = to_tool_.point(node.box.corner(static_cast<Box3::CornerType>(k)));
+      from_foot2 = std::max(from_foot2, (corner - foot.point).squaredNorm());
+      height = std::max(height, std::abs(patch.height_mm(corner)));
+      is_over = is_over && patch.inside_mm(corner) >= 0;
+    }
+    const double from_foot = std::sqrt(from_foot2);
+    return is_over ? std::min(from_foot, height + patch.off_mm) : from_foot;
+  }
+
+  const HeadBody& head_;
+  const Box3& box_;
+  const RigidTransform& to_tool_;
+  double tolerance_mm_;
+};
+
+}  // namespace
+
+HeadField::HeadField(const PictureInput& input, std::size_t most_poses)
+    : heads_(input.heads), tolerance_mm_(input.options.tolerance_mm) {
+  if (heads_.empty()) return;
+  for (const HeadBody& head : heads_) boxes_.push_back(head.surface.mesh.box());
+  const Box3 scene = box_of(*input.scene);
+  if (scene.isEmpty()) return;
+  const double reach = reach_of(heads_);
+  const double most_step = kSeenStep * scene.diagonal().norm();
+  const auto wanted = [&](const Motion& motion, std::size_t move) {
+    return instants_of(motion, reach, input.result->verdicts[move].depth_mm, most_step);
+  };
+  for (const FieldInstants& one : pick_instants(input, most_poses, wanted)) {
+    const Motion motion = motion_of(*input.toolpath, one.move, input.options.rapid);
+    const HeadMotion moving(motion);
+    for (const double t : one.t) {
+      const RigidTransform to_part = moving.at(t);
+      for (std::size_t h = 0; h < heads_.size(); ++h) {
+        if (is_near(boxes_[h], to_part, scene)) places_.push_back({h, to_part.inverse()});
+      }
+    }
+  }
+}
+
+void HeadField::deepen(const std::vector<FieldPoint>& points, std::vector<float>& depth_mm) const {
+  if (places_.empty()) return;
+  std::vector<HeadPlace> places;
+  places.reserve(places_.size());
+  for (const Place& p : places_)
+    places.emplace_back(heads_[p.head], boxes_[p.head], p.to_tool, tolerance_mm_);
+  const std::vector<float> deep = PointTree(points).answer(places);
+  for (std::size_t i = 0; i < deep.size(); ++i) depth_mm[i] = std::max(depth_mm[i], deep[i]);
+}
+
+}  // namespace gouge

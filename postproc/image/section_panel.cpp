@@ -1,0 +1,182 @@
+#include "postproc/image/section_panel.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/tool/evaluate.h"
+#include "postproc/image/shade.h"
+#include "postproc/image/tool_outline.h"
+
+namespace gouge {
+namespace {
+
+constexpr int kPieces = 48;  // of a straight flank that a plane beside the axis cuts in a curve
+
+void clipped_line(Page& page, const Area& box, const Vec2& a, const Vec2& b, const Colour& colour,
+                  double width, const std::vector<double>& dashes = {}) {
+  if (const auto seen = clipped(a, b, box)) page.line((*seen)[0], (*seen)[1], colour, width, dashes);
+}
+
+// Per raster row the places where an outline crosses it; an odd number tells nothing and is
+// dropped.
+std::vector<std::vector<double>> crossings(const SectionPanel& panel, const std::vector<SectionLine>& lines,
+                                           int rows) {
+  std::vector<std::vector<double>> out(static_cast<std::size_t>(rows));
+  for (const SectionLine& line : lines) {
+    const Vec2 a = (panel.place(line.a) - Vec2(panel.area.x, panel.area.y)) * kSupersampling;
+    const Vec2 b = (panel.place(line.b) - Vec2(panel.area.x, panel.area.y)) * kSupersampling;
+    const double low = std::clamp(std::floor(std::min(a.y(), b.y()) - 1), 0.0, static_cast<double>(rows));
+    const double high = std::clamp(std::ceil(std::max(a.y(), b.y()) + 1), 0.0, static_cast<double>(rows));
+    for (int row = static_cast<int>(low); row < static_cast<int>(high); ++row) {
+      const double y = row + 0.5;
+      if ((a.y() > y) == (b.y() > y)) continue;
+      out[static_cast<std::size_t>(row)].push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+    }
+  }
+  for (std::vector<double>& row : out) {
+    if (row.size() % 2 != 0) row.clear();
+    std::sort(row.begin(), row.end());
+  }
+  return out;
+}
+
+Body body_at(const std::array<BodyRange, 3>& ranges, double z) {
+  for (const Body body : {Body::holder, Body::shank}) {
+    const BodyRange& range = ranges[static_cast<std::size_t>(body)];
+    if (z >= range.low_mm && z <= range.high_mm) return body;
+  }
+  return Body::cutter;
+}
+
+// What is inside an outline, row by row from the left.
+class InsideOf {
+ public:
+  InsideOf(const SectionPanel& panel, const std::vector<SectionLine>& lines, int rows)
+      : rows_(crossings(panel, lines, rows)) {}
+
+  void begin_row(int y) {
+    row_ = &rows_[static_cast<std::size_t>(y)];
+    next_ = 0;
+  }
+  [[nodiscard]] bool at(int x) {
+    while (next_ < row_->size() && (*row_)[next_] <= x + 0.5) ++next_;
+    return next_ % 2 == 1;
+  }
+
+ private:
+  std::vector<std::vector<double>> rows_;
+  const std::vector<double>* row_ = nullptr;
+  std::size_t next_ = 0;
+};
+
+void paint_pixel(Raster& raster, int x, int y, bool is_material, bool is_head, int tool_body) {
+  if (is_material) {
+    const bool is_hatch = (x + y) % 20 < 2;
+    blend_pixel(raster, x, y, is_hatch ? Colour{150, 158, 166, 1} : Colour{214, 218, 222, 1}, 1);
+  }
+  const bool is_tool = tool_body >= 0;
+  if ((is_tool || is_head) && is_material) return blend_pixel(raster, x, y, kAlarm, 0.62);
+  if (is_head) blend_pixel(raster, x, y, body_colour(static_cast<int>(Body::head)), 0.26);
+  if (is_tool) blend_pixel(raster, x, y, body_colour(tool_body), 0.26);
+}
+
+Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_closed,
+                   const CompiledTool& tool) {
+  const int width = static_cast<int>(panel.area.width) * kSupersampling;
+  const int height = static_cast<int>(panel.area.height) * kSupersampling;
+  Raster raster(width, height, 255, 255, 255);
+  InsideOf material(panel, is_closed ? section.lines : std::vector<SectionLine>{}, height);
+  std::vector<InsideOf> heads;
+  for (const std::vector<SectionLine>& lines : section.heads) heads.emplace_back(panel, lines, height);
+  const std::array<BodyRange, 3> ranges{body_range(tool, Body::cutter), body_range(tool, Body::shank),
+                                        body_range(tool, Body::holder)};
+  const double beside2 = section.plane.beside_mm * section.plane.beside_mm;
+  for (int y = 0; y < height; ++y) {
+    material.begin_row(y);
+    for (InsideOf& head : heads) head.begin_row(y);
+    for (int x = 0; x < width; ++x) {
+      const Vec2 p(panel.centre.x() + (x + 0.5 - 0.5 * width) / kSupersampling * panel.mm_per_unit,
+                   panel.centre.y() - (y + 0.5 - 0.5 * height) / kSupersampling * panel.mm_per_unit);
+      const double r = beside2 > 0 ? std::sqrt(p.x() * p.x() + beside2) : std::abs(p.x());
+      const bool is_tool = evaluate(tool, r, p.y()).signed_distance_mm < 0;
+      bool is_head = false;
+      for (InsideOf& head : heads) is_head = head.at(x) || is_head;
+      paint_pixel(raster, x, y, material.at(x), is_head,
+                  is_tool ? static_cast<int>(body_at(ranges, p.y())) : -1);
+    }
+  }
+  return raster;
+}
+
+// The profile (r, z) as the plane shows it: |u| for r, nothing nearer to the axis than the plane is.
+std::vector<std::array<Vec2, 2>> seen_profile(const std::vector<Vec2>& points, double beside_mm) {
+  std::vector<std::array<Vec2, 2>> out;
+  const double least = std::abs(beside_mm);
+  const auto seen = [&](const Vec2& p) {
+    return Vec2(std::sqrt(std::max(0.0, p.x() * p.x() - least * least)), p.y());
+  };
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec2& from = points[i];
+    const Vec2& to = points[i + 1];
+    if (!(least > 0)) {
+      out.push_back({from, to});
+      continue;
+    }
+    for (int k = 0; k < kPieces; ++k) {
+      Vec2 a = from + (to - from) * (static_cast<double>(k) / kPieces);
+      Vec2 b = from + (to - from) * (static_cast<double>(k + 1) / kPieces);
+      if (a.x() < least && b.x() < least) continue;
+      if ((a.x() < least) != (b.x() < least)) {
+        const Vec2 edge = a + (b - a) * ((least - a.x()) / (b.x() - a.x()));
+        (a.x() < least ? a : b) = edge;
+      }
+      out.push_back({seen(a), seen(b)});
+    }
+  }
+  return out;
+}
+
+void draw_outline(Page& page, const SectionPanel& panel, double beside_mm, const CompiledTool& tool,
+                  bool is_dashed) {
+  for (const OutlineRun& run : tool_outline(tool)) {
+    const Colour colour = is_dashed ? kSoftInk : body_colour(static_cast<int>(run.body));
+    for (const auto& [from, to] : seen_profile(run.points, beside_mm)) {
+      for (const double side : {1.0, -1.0}) {
+        const Vec2 a(side * from.x(), from.y());
+        const Vec2 b(side * to.x(), to.y());
+        clipped_line(page, panel.area, panel.place(a), panel.place(b), colour, is_dashed ? 1.2 : 2,
+                     is_dashed ? std::vector<double>{6, 4} : std::vector<double>{});
+      }
+    }
+  }
+}
+
+bool is_grown(const CompiledTool& bare, const CompiledTool& checked) {
+  return std::abs(bare.r_max_mm - checked.r_max_mm) > 1e-9 ||
+         std::abs(bare.z_min_mm - checked.z_min_mm) > 1e-9 || bare.elements.size() != checked.elements.size();
+}
+
+}  // namespace
+
+void draw_section(Page& page, const SectionPanel& panel, const Section& section, bool is_closed,
+                  const CompiledTool& bare, const CompiledTool& checked) {
+  page.rasters.push_back({static_cast<int>(panel.area.x), static_cast<int>(panel.area.y),
+                          paint_panel(panel, section, is_closed, checked.elements.empty() ? bare : checked)});
+  for (const SectionLine& line : section.lines) {
+    clipped_line(page, panel.area, panel.place(line.a), panel.place(line.b),
+                 line.is_fixture ? Colour{70, 92, 118, 1} : kInk, 1.8);
+  }
+  for (const std::vector<SectionLine>& head : section.heads) {
+    for (const SectionLine& line : head)
+      clipped_line(page, panel.area, panel.place(line.a), panel.place(line.b),
+                   body_colour(static_cast<int>(Body::head)), 2);
+  }
+  const double beside = section.plane.beside_mm;
+  draw_outline(page, panel, beside, bare, false);
+  if (!checked.elements.empty() && is_grown(bare, checked)) draw_outline(page, panel, beside, checked, true);
+  clipped_line(page, panel.area, panel.place({0, bare.z_min_mm - 1e3}), panel.place({0, bare.z_max_mm + 1e3}),
+               kSoftInk, 1, {14, 4, 3, 4});
+}
+
+}  // namespace gouge

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "lib/tool/compiled_tool.h"
+#include "postproc/image/page.h"
+#include "postproc/image/section.h"
+
+namespace gouge {
+
+/// What one section panel shows.
+struct SectionPanel {
+  Area area;
+  Vec2 centre = Vec2::Zero();  ///< of the plane, in the middle of the panel
+  double mm_per_unit = 1;
+  [[nodiscard]] Vec2 place(const Vec2& p) const {
+    return {area.middle().x() + (p.x() - centre.x()) / mm_per_unit,
+            area.middle().y() - (p.y() - centre.y()) / mm_per_unit};
+  }
+};
+
+/// Paints material (only where `is_closed`, else just its outline), the tool, the heads and where they
+/// overlap with material, with the outline that was checked dashed where clearances or stock to leave make it
+/// larger than the tool.
+void draw_section(Page& page, const SectionPanel& panel, const Section& section, bool is_closed,
+                  const CompiledTool& bare, const CompiledTool& checked);
+
+}  // namespace gouge
