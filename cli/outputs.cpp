@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "cli/report_folder.h"
 #include "lib/base/files.h"
 #include "postproc/image/report_pictures.h"
 #include "postproc/report/findings_text.h"
@@ -36,7 +37,6 @@ PictureInput pictures_of(const Job& job, const Toolpath& path, const CheckResult
   input.tools = job.tools();
   input.result = &result;
   input.options = job.options.check;
-  input.heads = job.heads;
   return input;
 }
 
@@ -66,7 +66,9 @@ bool write_report(const JobArguments& arguments, const Job& job, const ReportMod
   bool is_good = true;
   for (const NamedFile& file : files)
     is_good = deliver(folder + "/" + file.name, file.bytes, out, err) && is_good;
-  return is_good;
+  const Diagnostics kept = remove_older_report(folder, files);
+  print(err, kept);
+  return is_good && kept.empty();
 }
 
 }  // namespace

@@ -1,0 +1,88 @@
+#include "cli/output_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "lib/base/files.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+class OutputFile : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "gouge_output_file_" + std::to_string(::getpid());
+    fs::create_directories(folder_ + "/there");
+    std::ofstream(folder_ + "/old.csv") << "old";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string told(const std::string& file) const {
+    const Diagnostics errors = find_unwritable({file});
+    return errors.empty() ? std::string() : errors.front().message;
+  }
+
+  std::string folder_;
+};
+
+TEST_F(OutputFile, WhatCannotBeWrittenIsFoundBefore) {
+  const auto sentence = [](const std::string& why) { return "cannot write the file: " + why + "; nothing was written"; };
+  EXPECT_EQ(told(folder_ + "/nix/all.csv"), sentence("the folder " + folder_ + "/nix does not exist; make it first"));
+  EXPECT_EQ(told(folder_ + "/there"), sentence("it is a folder"));
+  EXPECT_EQ(told(folder_ + "/old.csv/all.csv"), sentence(folder_ + "/old.csv is a file; expected a folder"));
+  EXPECT_EQ(told(folder_ + "/nix/"), sentence("it is the name of a folder; expected a file"));
+  if (::geteuid() != 0) {
+    ::chmod((folder_ + "/there").c_str(), 0555);
+    EXPECT_EQ(told(folder_ + "/there/all.csv"), sentence("the folder " + folder_ + "/there: Permission denied"));
+  }
+}
+
+TEST_F(OutputFile, WhatCanBeWrittenIsLeftAsItIs) {
+  for (const std::string& file :
+       {folder_ + "/old.csv", folder_ + "/new.csv", folder_ + "/there/new.csv", std::string("new.csv"),
+        std::string("-"), std::string(), std::string("/dev/null")})
+    EXPECT_EQ(told(file), "") << file;
+  JobArguments job;
+  job.report_folder = folder_ + "/report/of/today";
+  EXPECT_TRUE(find_unwritable(job, "").empty());
+  EXPECT_FALSE(fs::exists(folder_ + "/report"));
+  EXPECT_FALSE(fs::exists(folder_ + "/new.csv"));
+  EXPECT_EQ(*read_file(folder_ + "/old.csv"), "old");
+}
+
+TEST_F(OutputFile, EveryOutputOfAJobIsLookedAt) {
+  const std::string bad = folder_ + "/nix/x";
+  EXPECT_EQ(find_unwritable(JobArguments{}, bad).size(), 1U);
+  for (std::string JobArguments::*output :
+       {&JobArguments::json_file, &JobArguments::csv_file, &JobArguments::sarif_file, &JobArguments::junit_file}) {
+    JobArguments job;
+    job.*output = bad;
+    EXPECT_EQ(find_unwritable(job, bad).size(), 2U);
+  }
+  JobArguments job;
+  job.report_folder = folder_ + "/old.csv/report";
+  const Diagnostics errors = find_unwritable(job, "");
+  ASSERT_EQ(errors.size(), 1U);
+  EXPECT_EQ(errors.front().code, "folder-unwritable");
+  EXPECT_EQ(errors.front().message, "cannot make the report: a file of the name " + folder_ +
+                                        "/old.csv exists; nothing was written");
+}
+
+TEST_F(OutputFile, ADashIsStandardOutput) {
+  std::ostringstream out;
+  EXPECT_TRUE(write_output("-", "text", out).has_value());
+  EXPECT_EQ(out.str(), "text");
+  EXPECT_TRUE(write_output(folder_ + "/new.csv", "more", out).has_value());
+  EXPECT_EQ(out.str(), "text");
+  EXPECT_EQ(*read_file(folder_ + "/new.csv"), "more");
+}
+
+}  // namespace
+}  // namespace gouge
