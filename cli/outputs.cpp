@@ -37,6 +37,7 @@ PictureInput pictures_of(const Job& job, const Toolpath& path, const CheckResult
   input.tools = job.tools();
   input.result = &result;
   input.options = job.options.check;
+  input.heads = job.heads;
   return input;
 }
 
