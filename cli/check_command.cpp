@@ -5,6 +5,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/job.h"
+#include "cli/output_file.h"
 #include "cli/outputs.h"
 #include "cli/overwriting.h"
 #include "cli/peak_memory.h"
@@ -17,8 +18,8 @@ void add_check_options(CLI::App& command, JobArguments& arguments) {
   add_job_options(command, arguments);
   command.footer(
       "Example:\n"
-      "  gougecheck check finish.apt --part part.stl --tools tools.json --clearance holder=1 --report out\n\n"
-      "Lengths are in mm; a unit may be given: 0.0005in. Exit status: 0 checked and clean, 1 gouges,\n"
+      "  gougecheck check finish.apt --part part.stl --tools tools.json --report out\n\n"
+      "Lengths are in mm; a unit may be given: 0.0005in. Exit status: 0 checked and clean, 1 gouges, "
       "2 wrong command line, 3 input invalid, 4 not fully checked, 5 internal or resource failure.");
 }
 
@@ -32,6 +33,10 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   if (const auto error = find_overwriting(arguments, {})) {
     print(err, {*error});
     return kExitUsage;
+  }
+  if (const Diagnostics errors = find_unwritable(arguments, {}); !errors.empty()) {
+    print(err, errors);
+    return kExitInternal;
   }
   LoadedJob loaded = load_job(arguments, *options);
   if (!loaded.job) {
@@ -47,7 +52,7 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   progress.end();
   check_heads(job.toolpath, job.heads, job.scene, options->check, result);
   measure_overcuts(job.toolpath, job.tools(), job.scene, options->check, result, job.heads);
-  const ReportModel model = job.report(arguments, job.toolpath, result);
+  const ReportModel model = job.report(arguments, job.toolpath, result, scene);
   print_notes(err, model.notes, arguments);
   if (arguments.is_verbose) {
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";

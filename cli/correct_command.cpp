@@ -92,7 +92,7 @@ class CorrectRun {
     const CheckResult after = check("checking the corrected path", *path, scene);
     const Outcome written = write_output(arguments_.output, *text, out_);
     if (!written) return fail(written.error());
-    ReportModel model = job_.report(arguments_.job, *path, after);
+    ReportModel model = job_.report(arguments_.job, *path, after, scene);
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before);
     print_notes(err_, model.notes, arguments_.job);
@@ -150,8 +150,7 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
       ->capture_default_str();
   command.footer(
       "Example:\n"
-      "  gougecheck correct finish.apt --part part.stl --tools tools.json -o finish_corrected.apt --report "
-      "out\n\n"
+      "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"
       "The corrected file is read and checked again like any other; records that need no change stay byte "
       "for byte.\n"
       "Exit status 1: gouges remain; they are listed with the reason.");
@@ -164,6 +163,10 @@ int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostre
   if (!options || !correct || !taken) {
     print(err, {!options ? options.error() : !correct ? correct.error() : taken.error()});
     return kExitUsage;
+  }
+  if (const Diagnostics errors = find_unwritable(arguments.job, arguments.output); !errors.empty()) {
+    print(err, errors);
+    return kExitInternal;
   }
   const LoadedJob loaded = load_job(arguments.job, *options);
   if (!loaded.job) {

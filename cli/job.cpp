@@ -222,7 +222,7 @@ std::vector<const ToolForms*> Job::tools() const {
 }
 
 ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
-                        const CheckResult& result) const {
+                        const CheckResult& result, const PreparedScene& prepared) const {
   ReportModel model;
   model.inputs = inputs;
   model.options = options.check;
@@ -242,6 +242,11 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
   model.heads = head_facts;
   model.tools = tool_facts;
   model.notes = notes;
+  model.closeness = measure_closeness(path, tools(), prepared, options.check.threads);
+  const bool is_known = std::any_of(notes.begin(), notes.end(),
+                                    [](const Diagnostic& note) { return note.code == kSceneMisplaced; });
+  const auto apart = model.closeness && !is_known ? find_apart(path, *model.closeness) : std::nullopt;
+  if (apart) model.notes.push_back(*apart);
   return model;
 }
 

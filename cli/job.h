@@ -32,9 +32,9 @@ struct Job {
   Job& operator=(const Job&) = delete;
 
   [[nodiscard]] std::vector<const ToolForms*> tools() const;
-  /// The report of `result`, which must outlive it, like the job.
+  /// The report of `result`, which must outlive it, like the job. `scene` is that of the job, with its trees.
   [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path,
-                                   const CheckResult& result) const;
+                                   const CheckResult& result, const PreparedScene& prepared) const;
 };
 
 struct LoadedJob {

@@ -34,9 +34,16 @@ std::string describe(const ToolAssembly& tool, LengthUnit unit) {
 }
 
 // To a millionth: finer than what counts as a difference, coarser than what a change of unit leaves over.
+std::string rounded_text(double mm, LengthUnit unit) {
+  return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6);
+}
+
 std::string size_text(double diameter_mm, double corner_mm, LengthUnit unit) {
-  const auto rounded = [&](double mm) { return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6); };
-  return "D " + rounded(diameter_mm) + " R " + rounded(corner_mm) + " " + unit_name(unit);
+  return "D " + rounded_text(diameter_mm, unit) + " R " + rounded_text(corner_mm, unit) + " " + unit_name(unit);
+}
+
+std::string size_text(double diameter_mm, LengthUnit unit) {
+  return "D " + rounded_text(diameter_mm, unit) + " " + unit_name(unit);
 }
 
 Diagnostic usage(const std::string& message) {
@@ -135,13 +142,20 @@ class Resolver {
   // The library wins, but a smaller tool than the file's would hide gouges, so it is told.
   void compare(const PathTool& tool, const ToolAssembly& known) {
     constexpr double kSame_mm = 1e-3;
-    if (!tool.cutter || tool.cutter->given == 0) return;
     const auto [diameter, corner] = nominal_size(known.cutter);
+    if (tool.stated_diameter_mm > 0 && std::abs(diameter - tool.stated_diameter_mm) > kSame_mm) {
+      return tell_difference(tool, size_text(tool.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit));
+    }
+    if (!tool.cutter || tool.cutter->given == 0) return;
     const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
     if (std::abs(diameter - tool.cutter->d_mm) <= kSame_mm && std::abs(corner - given_corner) <= kSame_mm)
       return;
-    const std::string message = name_of(tool) + " is " + size_text(tool.cutter->d_mm, given_corner, path_.unit) +
-                                " by the toolpath but " + size_text(diameter, corner, path_.unit) +
+    tell_difference(tool, size_text(tool.cutter->d_mm, given_corner, path_.unit),
+                    size_text(diameter, corner, path_.unit));
+  }
+
+  void tell_difference(const PathTool& tool, const std::string& given, const std::string& known) {
+    const std::string message = name_of(tool) + " is " + given + " by the toolpath but " + known +
                                 " by the library, which is what is checked";
     result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
   }
@@ -156,7 +170,8 @@ class Resolver {
       return;
     }
     facts.description = describe(*assembly, path_.unit);
-    if (!assembly->holder.empty()) return;
+    facts.has_holder = !assembly->holder.empty();
+    if (facts.has_holder) return;
     const std::string message =
         name_of(tool) + " has no holder, so none is checked; give one in the library or with --holder";
     result_.notes.push_back(make_note("tool-no-holder", message, path_.file, tool.line));

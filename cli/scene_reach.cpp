@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "postproc/report/report_model.h"
 
 namespace gouge {
 namespace {
@@ -44,6 +45,10 @@ Box3 box_of_cuts(const Toolpath& path) {
   return box;
 }
 
+Diagnostic misplaced(const Toolpath& path, const std::string& what) {
+  return make_warning(kSceneMisplaced, what + "; check the units (--stl-units, --path-units) and --place", path.file);
+}
+
 }  // namespace
 
 double reach_mm(const Toolpath& path, const Scene& scene) {
@@ -60,16 +65,22 @@ std::optional<Diagnostic> find_misplaced(const Toolpath& path, const Scene& scen
   const Box3 tips = box_of_tips(path);
   if (parts.isEmpty() || tips.isEmpty()) return std::nullopt;
   const double gap = std::sqrt(parts.squaredExteriorDistance(tips));
-  const auto warning = [&](const std::string& what) {
-    return make_warning("scene-misplaced", what + "; check the units (--stl-units, --path-units) and --place",
-                        path.file);
-  };
-  if (gap > tool_mm) return warning("no move comes nearer than " + fixed_text(gap - tool_mm, 0) + " mm to the part");
+  if (gap > tool_mm) return misplaced(path, "no move comes nearer than " + fixed_text(gap - tool_mm, 0) + " mm to the part");
   const Box3 cuts = box_of_cuts(path);
   if (cuts.isEmpty()) return std::nullopt;
   const double ratio = cuts.diagonal().norm() / std::max(parts.diagonal().norm(), 1e-9);
-  if (ratio > kFarTooSmall) return warning("the part is " + fixed_text(ratio, 0) + " times smaller than the path");
+  if (ratio > kFarTooSmall) return misplaced(path, "the part is " + fixed_text(ratio, 0) + " times smaller than the path");
   return std::nullopt;
+}
+
+std::optional<Diagnostic> find_apart(const Toolpath& path, const Closeness& closeness) {
+  constexpr std::size_t kFewest = 10;
+  constexpr double kApart_mm = 2;  // beyond the stock to leave
+  if (closeness.positions < kFewest || closeness.nearest_mm.value_or(Closeness::kFar_mm) <= kApart_mm) return std::nullopt;
+  return misplaced(path, "the tool comes no nearer than " +
+                             fixed_text(closeness.nearest_mm.value_or(Closeness::kFar_mm), 1) +
+                             " mm to the part where it cuts, at " + std::to_string(closeness.positions) +
+                             " positions looked at");
 }
 
 }  // namespace gouge

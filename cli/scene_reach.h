@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "lib/base/diagnostic.h"
+#include "lib/check/closeness.h"
 #include "lib/check/scene.h"
 #include "lib/path/toolpath.h"
 
@@ -16,5 +17,9 @@ namespace gouge {
 /// its tips as a tool could reach (`tool_mm`, the longest way from a tip to a point of a tool), or all parts together
 /// are many times smaller than what it cuts, as with a wrong unit. Nothing where there is no part or no motion.
 [[nodiscard]] std::optional<Diagnostic> find_misplaced(const Toolpath& path, const Scene& scene, double tool_mm);
+
+/// The same warning where the tool comes nowhere near the part while it cuts, though it is not far from it. Nothing where
+/// too few positions were looked at to say so.
+[[nodiscard]] std::optional<Diagnostic> find_apart(const Toolpath& path, const Closeness& closeness);
 
 }  // namespace gouge

@@ -92,7 +92,9 @@ std::string correction_lines(const ReportModel& model) {
 std::string summary_text(const ReportModel& model) {
   std::string text = model.toolpath->file + bodies(model) + "\n";
   text += headline(model) + "\n";
+  for (const std::string& but : reservations(model)) text += "but: " + but + "\n";
   text += "moves: " + counts_line(model.result->counts) + "\n";
+  if (model.closeness) text += "contact: " + closeness_text(model) + "\n";
   if (model.has_correction) text += correction_lines(model);
   return text + "promise: " + promise_text(model) + "\n";
 }

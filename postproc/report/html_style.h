@@ -20,6 +20,7 @@ p { margin: 6px 0; }
 .banner.gouges { background: var(--alarm); } .banner.clean { background: var(--calm); }
 .banner.not-fully-checked { background: var(--open); }
 .banner strong { font-size: 25px; line-height: 1.2; white-space: nowrap; }
+.but { border-left: 4px solid var(--open); background: #fff6e0; padding: 8px 14px; margin: 10px 0; }
 .promise { border-left: 4px solid var(--line); padding: 4px 14px; margin: 14px 0; color: var(--soft); }
 .numbers { display: flex; flex-wrap: wrap; gap: 12px; margin: 18px 0 6px; }
 .numbers div { flex: 1 1 100px; border: 1px solid var(--line); border-radius: 5px; padding: 9px 14px; }

@@ -56,6 +56,39 @@ std::string promise_text(const ReportModel& model) {
   return text;
 }
 
+std::vector<std::string> reservations(const ReportModel& model) {
+  constexpr std::size_t kNamed = 5;
+  std::vector<std::string> all;
+  for (const Diagnostic& note : model.notes) {
+    if (note.code == kSceneMisplaced) all.push_back(note.message);
+  }
+  std::string bare;
+  std::size_t count = 0;
+  for (const ToolFacts& tool : model.tools) {
+    if (tool.has_holder || ++count > kNamed) continue;
+    bare += (bare.empty() ? "" : ", ") + (tool.name.empty() ? "the unnamed tool" : tool.name);
+  }
+  if (count > kNamed) bare += " and " + std::to_string(count - kNamed) + " more";
+  if (count > 0) all.push_back(bare + (count > 1 ? " have" : " has") + " no holder, so none is checked");
+  return all;
+}
+
+std::string closeness_text(const ReportModel& model) {
+  if (!model.closeness) return {};
+  constexpr double kTouch_mm = 0.01;
+  const Closeness& c = *model.closeness;
+  const LengthUnit unit = model.toolpath->unit;
+  const std::string looked = " (" + std::to_string(c.positions) + " of " + std::to_string(c.cuts) + " looked at)";
+  const std::string far = "more than " + length_text(Closeness::kFar_mm, unit);
+  if (!c.nearest_mm) return "at all cutting positions the tool is " + far + " away from the part" + looked;
+  const std::string nearest = *c.nearest_mm <= kTouch_mm ? std::string("touches the part")
+                                                         : "comes within " + depth_text(*c.nearest_mm, unit) + " of the part";
+  const std::string median = !c.median_mm               ? far + " away from it"
+                             : *c.median_mm <= kTouch_mm ? std::string("touching it")
+                                                         : "within " + depth_text(*c.median_mm, unit) + " of it";
+  return "the tool " + nearest + "; at half of the cutting positions it is " + median + looked;
+}
+
 std::vector<ReasonGroup> group_reasons(const CheckResult& result) {
   std::vector<ReasonGroup> groups;
   std::map<std::pair<MoveState, std::string>, std::size_t> known;

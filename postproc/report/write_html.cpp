@@ -1,6 +1,7 @@
 #include "postproc/report/write_html.h"
 
 #include <algorithm>
+#include <cctype>
 #include <string_view>
 
 #include "postproc/report/findings_text.h"
@@ -75,9 +76,17 @@ class HtmlReport {
     headline.erase(0, headline.find(": ") + 2);
     const std::string promise = promise_text(model_);
     return std::string("<div class=\"banner ") + verdict_name(verdict) + "\"><strong>" + word +
-           "</strong><div>" + xml_escaped(headline) +
-           "</div></div>\n<p class=\"promise\">The promise of this check: " + xml_escaped(promise) +
-           ".</p>\n";
+           "</strong><div>" + xml_escaped(headline) + "</div></div>\n" + beside_the_verdict() +
+           "<p class=\"promise\">The promise of this check: " + xml_escaped(promise) + ".</p>\n";
+  }
+
+  [[nodiscard]] std::string beside_the_verdict() const {
+    std::string out;
+    for (const std::string& but : reservations(model_)) out += "<p class=\"but\">But " + xml_escaped(but) + ".</p>\n";
+    std::string closeness = xml_escaped(closeness_text(model_));
+    if (closeness.empty()) return out;
+    closeness.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(closeness.front())));
+    return out + "<p class=\"soft\">" + closeness + ".</p>\n";
   }
 
   [[nodiscard]] std::string numbers() const {

@@ -39,6 +39,7 @@ class JsonReport {
     out["heads"] = meshes(model_.heads);
     out["tools"] = tools();
     out["totals"] = totals();
+    out["closeness"] = closeness();
     out["events"] = events();
     out["reasons"] = reasons();
     out["moves"] = moves();
@@ -203,6 +204,16 @@ class JsonReport {
                      {"reason", text(verdict.reason)}});
     }
     return all;
+  }
+
+  [[nodiscard]] Json closeness() const {
+    if (!model_.closeness) return nullptr;
+    const Closeness& c = *model_.closeness;
+    const auto distance = [&](const std::optional<double>& mm) { return mm ? length(*mm) : Json(nullptr); };
+    return {{"cuts", c.cuts},
+            {"positions", c.positions},
+            {"nearest", distance(c.nearest_mm)},
+            {"median", distance(c.median_mm)}};
   }
 
   [[nodiscard]] Json correction() const {

@@ -94,6 +94,16 @@ std::string skipped(const ReportModel& model, const Case& one) {
          "\"/>\n";
 }
 
+// Build servers show it, but it fails no test.
+std::string beside_the_verdict(const ReportModel& model) {
+  std::string text;
+  for (const std::string& but : reservations(model)) text += "but: " + xml_escaped(but) + "\n";
+  for (const Diagnostic& note : model.notes) {
+    if (note.severity == Severity::warning) text += xml_escaped(to_text(note)) + "\n";
+  }
+  return text.empty() ? text : "  <system-out>" + text + "</system-out>\n";
+}
+
 }  // namespace
 
 std::string write_junit(const ReportModel& model) {
@@ -118,7 +128,7 @@ std::string write_junit(const ReportModel& model) {
                              "\" time=\"0\"";
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n <testsuite name=\"" +
          xml_escaped(std::string(kProgramName) + " " + model.toolpath->file) + "\" " + counts + ">\n" + body +
-         " </testsuite>\n</testsuites>\n";
+         beside_the_verdict(model) + " </testsuite>\n</testsuites>\n";
 }
 
 }  // namespace gouge

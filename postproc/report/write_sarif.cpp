@@ -73,8 +73,9 @@ class SarifReport {
     }
     Json run;
     run["tool"] = {{"driver", {{"name", kProgramName}, {"version", kProgramVersion}, {"rules", rules}}}};
-    run["invocations"] = Json::array(
-        {{{"executionSuccessful", true}, {"exitCode", exit_status(overall_verdict(*model_.result))}}});
+    run["invocations"] = Json::array({{{"executionSuccessful", true},
+                                       {"exitCode", exit_status(overall_verdict(*model_.result))},
+                                       {"toolExecutionNotifications", notifications()}}});
     run["artifacts"] = Json::array({{{"location", {{"uri", uri_of(model_.toolpath->file)}}}}});
     run["columnKind"] = "utf16CodeUnits";
     run["results"] = results_;
@@ -84,6 +85,17 @@ class SarifReport {
   }
 
  private:
+  [[nodiscard]] Json notifications() const {
+    Json all = Json::array();
+    for (const Diagnostic& note : model_.notes) {
+      if (note.severity != Severity::warning) continue;
+      all.push_back({{"level", "warning"},
+                     {"message", {{"text", valid_utf8(to_text(note))}}},
+                     {"descriptor", {{"id", valid_utf8(note.code)}}}});
+    }
+    return all;
+  }
+
   [[nodiscard]] std::string statement_text(const Move& move) const {
     const Toolpath& path = *model_.toolpath;
     if (move.statement >= path.statements.size()) return {};

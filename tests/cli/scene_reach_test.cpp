@@ -42,6 +42,20 @@ TEST(Misplaced, IsToldOfAPartFarAwayOrFarTooSmall) {
   EXPECT_FALSE(find_misplaced(path, {}, 60));
 }
 
+TEST(Misplaced, IsToldOfCutsThatStayAwayFromThePart) {
+  const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}});
+  const auto told = [&](std::size_t positions, std::optional<double> nearest) {
+    return find_apart(path, Closeness{2000, positions, nearest, {}}).has_value();
+  };
+  EXPECT_TRUE(told(400, 8.5));
+  EXPECT_TRUE(told(400, std::nullopt));
+  EXPECT_FALSE(told(400, 1.5)) << "roughing";
+  EXPECT_FALSE(told(9, 8.5)) << "too few to say so";
+  EXPECT_EQ(find_apart(path, Closeness{2000, 400, 8.54, {}})->message,
+            "the tool comes no nearer than 8.5 mm to the part where it cuts, at 400 positions looked at; check the units "
+            "(--stl-units, --path-units) and --place");
+}
+
 TEST(ExtendUp, WhatIsAboveTheToolNoLongerHides) {
   const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{5, 0, 0}, {0, 0, 1}}});
   Scene scene;

@@ -161,6 +161,17 @@ TEST(WriteSarif, HasAResultForEveryFindingAndReason) {
             "gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)");
 }
 
+TEST(WriteSarif, TellsWarningsOfTheInput) {
+  SmallReport report;
+  report.model.notes.push_back(make_note("tool-no-holder", "T1 has no holder", "path.apt", 3));
+  const json invocation = json::parse(write_sarif(report.model))["runs"][0]["invocations"][0];
+  const json& told = invocation["toolExecutionNotifications"];
+  ASSERT_EQ(told.size(), 1U) << "notes are no warnings";
+  EXPECT_EQ(told[0]["level"], "warning");
+  EXPECT_EQ(told[0]["descriptor"]["id"], "apt-word");
+  EXPECT_EQ(told[0]["message"]["text"], "path.apt:4: warning: word not understood [apt-word]");
+}
+
 TEST(WriteSarif, FingerprintsHoldWhenLinesMoveAndDifferBetweenFindings) {
   SmallReport report;
   const auto prints = [&] {

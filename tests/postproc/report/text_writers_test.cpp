@@ -50,6 +50,48 @@ TEST(FindingsText, SaysCleanOnlyWhenEverythingWasChecked) {
             "not fully checked: no gouge found, but 1 of 8 moves could not be checked or certified");
 }
 
+TEST(FindingsText, SaysBesideTheVerdictWhatItDoesNotCover) {
+  SmallReport report;
+  EXPECT_TRUE(reservations(report.model).empty());
+  report.model.notes.push_back(make_warning(kSceneMisplaced, "the part is far away", "path.apt"));
+  for (ToolFacts& tool : report.model.tools) tool.has_holder = false;
+  const std::vector<std::string> lines = lines_of(summary_text(report.model));
+  EXPECT_EQ(lines[2], "but: the part is far away");
+  EXPECT_EQ(lines[3], "but: ball D10, long, \"thin\" have no holder, so none is checked");
+  report.model.tools.assign(7, ToolFacts{"T1", "tools.json", "", false});
+  EXPECT_EQ(reservations(report.model)[1], "T1, T1, T1, T1, T1 and 2 more have no holder, so none is checked");
+}
+
+TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
+  SmallReport report;
+  const auto text = [&](std::optional<double> nearest, std::optional<double> median) {
+    report.model.closeness = Closeness{2425, 400, nearest, median};
+    EXPECT_NE(summary_text(report.model).find("\ncontact: " + closeness_text(report.model) + "\n"), std::string::npos);
+    return closeness_text(report.model);
+  };
+  EXPECT_EQ(text(0.0, 0.0042),
+            "the tool touches the part; at half of the cutting positions it is touching it (400 of 2425 looked at)");
+  EXPECT_EQ(text(0.83, 4.2),
+            "the tool comes within 0.830 mm of the part; at half of the cutting positions it is within 4.200 mm of it (400 "
+            "of 2425 looked at)");
+  EXPECT_EQ(text(0.83, {}),
+            "the tool comes within 0.830 mm of the part; at half of the cutting positions it is more than 20 mm away from "
+            "it (400 of 2425 looked at)");
+  EXPECT_EQ(text({}, {}), "at all cutting positions the tool is more than 20 mm away from the part (400 of 2425 looked at)");
+  report.model.closeness.reset();
+  EXPECT_EQ(closeness_text(report.model), "");
+}
+
+TEST(FindingsText, TellsTheCurvesThatBecameStraight) {
+  SmallReport report;
+  report.add_correction();
+  EXPECT_EQ(findings_text(report.model).find("became"), std::string::npos);
+  report.model.correction.curves = 2;
+  report.model.correction.straight_moves = 79;
+  EXPECT_NE(findings_text(report.model).find(" inserted, 2 curves became 79 straight moves, 1 left as it was"),
+            std::string::npos);
+}
+
 TEST(FindingsText, TellsTheCorrection) {
   SmallReport report;
   report.add_correction();
@@ -119,6 +161,15 @@ TEST(WriteCsv, WritesInchesForAnInchPath) {
   report.result.verdicts[2].witness->point = {50.8, 0, -25.4};
   EXPECT_NE(write_csv(report.model).find("gouge,1,0.01314173228346"), std::string::npos);
   EXPECT_NE(write_csv(report.model).find(",2,0,-1,0,0,1,part.stl"), std::string::npos);
+}
+
+TEST(WriteJunit, ShowsWarningsBesideTheTests) {
+  SmallReport report;
+  const std::string text = write_junit(report.model);
+  EXPECT_NE(text.find("<system-out>path.apt:4: warning: word not understood [apt-word]\n</system-out>"), std::string::npos)
+      << text;
+  report.model.notes.clear();
+  EXPECT_EQ(write_junit(report.model).find("system-out"), std::string::npos);
 }
 
 TEST(WriteJunit, FailsTheOperationsThatGougeAndSkipsTheOpenOnes) {
