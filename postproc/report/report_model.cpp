@@ -80,7 +80,7 @@ std::string closeness_text(const ReportModel& model) {
   const LengthUnit unit = model.toolpath->unit;
   const std::string looked = " (" + std::to_string(c.positions) + " of " + std::to_string(c.cuts) + " looked at)";
   const std::string far = "more than " + length_text(Closeness::kFar_mm, unit);
-  if (!c.nearest_mm) return "at all cutting positions the tool is " + far + " away from the part" + looked;
+  if (!c.nearest_mm) return "at all cutting positions the tool is " + far + " away from the part's surface" + looked;
   const std::string nearest = *c.nearest_mm <= kTouch_mm ? std::string("touches the part")
                                                          : "comes within " + depth_text(*c.nearest_mm, unit) + " of the part";
   const std::string median = !c.median_mm               ? far + " away from it"

@@ -77,7 +77,7 @@ TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
   EXPECT_EQ(text(0.83, {}),
             "the tool comes within 0.830 mm of the part; at half of the cutting positions it is more than 20 mm away from "
             "it (400 of 2425 looked at)");
-  EXPECT_EQ(text({}, {}), "at all cutting positions the tool is more than 20 mm away from the part (400 of 2425 looked at)");
+  EXPECT_EQ(text({}, {}), "at all cutting positions the tool is more than 20 mm away from the part's surface (400 of 2425 looked at)");
   report.model.closeness.reset();
   EXPECT_EQ(closeness_text(report.model), "");
 }
