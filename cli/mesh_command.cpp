@@ -7,6 +7,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/mesh_info_text.h"
+#include "cli/output_file.h"
 #include "cli/overwriting.h"
 #include "lib/base/files.h"
 #include "lib/mesh/load_mesh.h"
@@ -57,20 +58,20 @@ bool deliver(const MeshArguments& arguments, const MeshInfo& info, std::ostream&
 
 void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
   command.add_option("PART", arguments.file, "STL file, binary or ASCII")->required();
-  command.add_option("--stl-units", arguments.stl_units, "unit of the STL's numbers")
+  command.add_option("--stl-units", arguments.stl_units, "Unit of the STL's numbers")
       ->check(CLI::IsMember({"mm", "inch"}))
       ->capture_default_str();
   CLI::Option* repair = command.add_option("--repair", arguments.repair_file,
-                                           "write a repaired binary STL here, if it has fewer defects");
+                                           "Write a repaired binary STL here, if it has fewer defects");
   command
       .add_flag("--fill-holes", arguments.fills_holes,
-                "let the repair add triangles where surface is missing")
+                "Let the repair add triangles where surface is missing")
       ->needs(repair);
-  command.add_option("--json", arguments.json_file, "write the same as JSON; - for standard output");
+  command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output");
   command.footer(
       "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair mended.stl --fill-holes\n\n"
-      "A repair moves no vertex (what is written has single precision, as binary STL has) and resolves no\n"
-      "self-intersection. Exit status: 0 the mesh (after a repair: the repaired one) is sound, 1 it has\n"
+      "A repair moves no vertex (what is written has single precision, as binary STL has) and resolves no "
+      "self-intersection. Exit status: 0 the mesh (after a repair: the repaired one) is sound, 1 it has "
       "defects, 2 wrong command line, 3 unreadable, 4 not wholly decided, 5 output unwritable.");
 }
 
@@ -83,6 +84,8 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   if (arguments.repair_file == "-")
     return tell(err, make_error("usage", "--repair '-': expected a file; a mesh does not go to standard output"),
                 kExitUsage);
+  const Diagnostics unwritable = find_unwritable({arguments.repair_file, arguments.json_file});
+  if (!unwritable.empty()) return tell(err, unwritable.front(), kExitInternal);
   const Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}});
   if (!loaded) return tell(err, loaded.error(), kExitInput);
   info.file = arguments.file;

@@ -54,7 +54,7 @@ int run_plot(const PathArguments& arguments, const Toolpath& path, bool is_svg, 
   return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
 }
 
-constexpr const char* kStatus = "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid,\n"
+constexpr const char* kStatus = "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid, "
                                 "5 output unwritable.";
 
 CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* name, const char* what) {
@@ -91,7 +91,7 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
   convert.footer(
       "Example:\n  gougecheck path convert finish.cls -o finish.apt --to apt-creo\n\n"
       "Motions, tools, feeds, CUTCOM and names of operations are carried over; spindle, coolant and comments are "
-      "not. mastercam-nci is only read. Positions are written in part coordinates. " +
+      "not. mastercam-nci is only read. Positions are written in part coordinates.\n\n" +
       std::string(kStatus));
   convert.callback([&] { arguments.is_convert = true; });
 
@@ -111,6 +111,8 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   const bool is_plot = !arguments.is_info && !arguments.is_convert;
   const Result<bool> is_svg = is_plot ? is_svg_file(arguments.output) : false;
   if (!is_svg) return refuse({is_svg.error()}, err, kExitUsage);
+  if (const Diagnostics errors = find_unwritable({arguments.output, arguments.json_file}); !errors.empty())
+    return refuse(errors, err, kExitInternal);
   Result<std::string> bytes = read_file(arguments.path);
   if (!bytes) return refuse({bytes.error()}, err);
   const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);

@@ -69,15 +69,15 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
       .add_option("file", arguments.file,
                   "Fusion .json or .tools, FreeCAD .fctb or .fctl, NX tool_database.dat")
       ->required();
-  command.add_option("-o,--output", output, "tool library to write (JSON); - for standard output")->required();
+  command.add_option("-o,--output", output, "Tool library to write (JSON); - for standard output")->required();
   command.add_option("--format", arguments.format, "auto (by what the file holds), fusion, freecad or nx")
       ->check(CLI::IsMember({"auto", "fusion", "freecad", "nx"}));
-  command.add_option("--holder", arguments.holder, "holder for tools that have none; a name in --tools");
-  command.add_option("--tools", arguments.tools_file, "tool library (JSON) with that holder");
+  command.add_option("--holder", arguments.holder, "Holder for tools that have none; a name in --tools");
+  command.add_option("--tools", arguments.tools_file, "Tool library (JSON) with that holder");
   command
-      .add_option("--stickout", arguments.stickout_mm, "mm from tip to holder, where the file does not say")
+      .add_option("--stickout", arguments.stickout_mm, "Millimetres from tip to holder, where the file does not say")
       ->check(CLI::PositiveNumber);
-  command.add_option("--unit", arguments.unit, "unit of a file that does not say its own (NX)")
+  command.add_option("--unit", arguments.unit, "Unit of a file that does not say its own (NX)")
       ->check(CLI::IsMember({"mm", "inch"}));
   command.footer(
       "Example:\n  gougecheck tool import shop.tools -o shop.json\n\nExit status: 0 done, also with "
@@ -92,6 +92,11 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   if (const auto error = find_overwriting({{"the file to import", arguments.file}, {"--tools", arguments.tools_file}},
                                           {{"-o", output}}))
     return refuse(*error, err);
+  const Diagnostics unwritable = find_unwritable({output});
+  if (!unwritable.empty()) {
+    refuse(unwritable.front(), err);
+    return kExitInternal;
+  }
   const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
   if (!holder) return refuse(holder.error(), err);
   const Result<std::string> bytes = read_file(arguments.file);

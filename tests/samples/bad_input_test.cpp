@@ -101,5 +101,29 @@ TEST(OtherBadInput, AnOutputThatCannotBeWrittenIsStatus5) {
   EXPECT_NE(ran.err.find("no/such/out.csv"), std::string::npos) << ran.err;
 }
 
+TEST(OtherBadInput, OutputsThatCannotBeWrittenAreAllFoundBeforeTheWork) {
+  const SampleFolder sample = open_sample("needles");
+  const std::string said = ": error: cannot write the file: the folder nix does not exist; make it first; nothing was "
+                           "written [file-unwritable]\n";
+  const Outcome check = run_gougecheck(
+      sample.path, sample.arguments("check", "none.apt", {"--csv", "nix/a", "--json", "nix/b", "--sarif", "new"}));
+  EXPECT_EQ(check.exit_status, 5);
+  EXPECT_EQ(check.err, "nix/b" + said + "nix/a" + said) << "the toolpath was not even looked for";
+  const Outcome correct = run_gougecheck(sample.path, sample.arguments("correct", "none.apt", {"-o", "nix/a"}));
+  EXPECT_EQ(correct.exit_status, 5);
+  EXPECT_EQ(correct.err, "nix/a" + said);
+  const std::vector<std::vector<std::string>> others = {{"path", "convert", "none.apt", "-o", "nix/a"},
+                                                        {"path", "info", "none.apt", "--json", "nix/a"},
+                                                        {"mesh", "none.stl", "--repair", "nix/a"},
+                                                        {"tool", "import", "none.json", "-o", "nix/a"}};
+  for (const std::vector<std::string>& arguments : others) {
+    const Outcome ran = run_gougecheck(sample.path, arguments);
+    EXPECT_EQ(ran.exit_status, 5) << arguments[0];
+    EXPECT_EQ(ran.err, "nix/a" + said) << arguments[0];
+  }
+  EXPECT_FALSE(std::filesystem::exists(sample.path + "/new"));
+  EXPECT_FALSE(std::filesystem::exists(sample.path + "/nix"));
+}
+
 }  // namespace
 }  // namespace gouge::testing_samples
