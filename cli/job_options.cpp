@@ -11,28 +11,34 @@ void add_input_options(CLI::App& command, JobArguments& a) {
   command.add_option("PATH", a.path, "Toolpath: CL data of any dialect; its content tells which")->required();
   add_reading_options(command, a.reading);
   command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")
-      ->required();
-  command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)");
-  command.add_option(
-      "--head", a.heads,
-      "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
-      "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)");
+      ->required()
+      ->allow_extra_args(false);
+  command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)")
+      ->allow_extra_args(false);
+  command
+      .add_option("--head", a.heads,
+                  "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
+                  "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)")
+      ->allow_extra_args(false);
   command.add_option("--place", a.place,
                      "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z");
   command.add_option("--stl-units", a.stl_units, "Unit of the STL files (default: the toolpath's)")
       ->check(CLI::IsMember({"mm", "inch"}));
   command.add_option("--tools", a.tools_file,
                      "Tool library (JSON); tools it lacks come from CUTTER or TLDATA");
-  command.add_option("--tool", a.tool_names,
-                     "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); "
-                     "NAME alone: the tool of moves for which the toolpath names none");
+  command
+      .add_option("--tool", a.tool_names,
+                  "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); "
+                  "NAME alone: the tool of moves for which the toolpath names none")
+      ->allow_extra_args(false);
   command.add_option("--holder", a.holder, "Holder of the library for tools that have none");
   command.add_flag("--extend-up", a.is_extended_up,
                    "Let the top body of every tool go on without end, so that nothing hides above it");
 }
 
 void add_check_options(CLI::App& command, JobArguments& a) {
-  command.add_option("--tolerance", a.tolerance, "Depth a move may have")->capture_default_str();
+  command.add_option("--tolerance", a.tolerance, "Depth a move may have, against parts and fixtures alike")
+      ->capture_default_str();
   command.add_option("--stock-to-leave", a.stock_to_leave, "Grow the cutter by this against the part")
       ->capture_default_str();
   command.add_option("--clearance", a.clearance, "Keep bodies away from everything: shank=0.5,holder=1");
@@ -57,7 +63,7 @@ void add_output_options(CLI::App& command, JobArguments& a) {
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   command.add_flag("-q,--quiet", a.is_quiet, "Print no findings, only errors");
-  command.add_flag("-v,--verbose", a.is_verbose, "Print notes of all inputs, what the check spent and its peak memory");
+  command.add_flag("-v,--verbose", a.is_verbose, "Print notes of all inputs, what the check spent and its peak memory (not with -q)");
 }
 
 Diagnostic usage(const std::string& option, const std::string& typed, const std::string& expected) {
@@ -107,6 +113,7 @@ Result<JobOptions> understand(const JobArguments& a) {
   if (options.check.resolution_mm < kFinestResolution_mm) {
     return usage("--resolution", a.resolution, "at least 0.000001 mm, what double precision can certify");
   }
+  if (a.is_quiet && a.is_verbose) return make_error("usage", "-q and -v exclude each other; expected one of them");
   if (a.report_folder == "-") return usage("--report", a.report_folder, "a folder");
   if (!a.clearance.empty()) {
     if (const auto wrong = parse_clearance(a.clearance, options.check)) {

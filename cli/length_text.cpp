@@ -34,8 +34,11 @@ Eigen::Matrix3d turn(double degrees, const Vec3& axis) {
 }  // namespace
 
 std::optional<double> parse_length_mm(const std::string& text) {
-  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch}) {
-    const std::string suffix = unit_name(unit);
+  const struct {
+    std::string_view suffix;
+    LengthUnit unit;
+  } units[] = {{"mm", LengthUnit::mm}, {"inch", LengthUnit::inch}, {"in", LengthUnit::inch}};
+  for (const auto& [suffix, unit] : units) {
     if (!text.ends_with(suffix)) continue;
     const auto value = parse_number(text.substr(0, text.size() - suffix.size()));
     if (!value) return std::nullopt;

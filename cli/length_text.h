@@ -6,7 +6,7 @@
 #include "lib/check/check_options.h"
 #include "lib/geom/rigid_transform.h"
 
-// Values of command-line options. Lengths are millimetres unless they carry a unit: 0.5, 0.5mm, 0.02in.
+// Values of command-line options. Lengths are millimetres unless they carry a unit: 0.5, 0.5mm, 0.02in, 0.02inch.
 
 namespace gouge {
 

@@ -8,7 +8,9 @@
 #include "cli/check_command.h"
 #include "cli/correct_command.h"
 #include "cli/exit_code.h"
+#include "cli/help_text.h"
 #include "cli/mesh_command.h"
+#include "cli/parse_errors.h"
 #include "cli/path_command.h"
 #include "cli/tool_command.h"
 #include "postproc/report/report_model.h"
@@ -25,11 +27,13 @@ struct Arguments {
 };
 
 void describe(CLI::App& app) {
+  app.name(kProgramName);
+  app.formatter(make_help_formatter());
   app.description(
       "Certified gouge check and correction of 5-axis toolpaths.\n"
-      "Reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain APT, checks\n"
-      "cutter, shank and holder over the whole motion of every move against STL parts and fixtures,\n"
-      " corrects what gouges, and reports with evidence for every finding.");
+      "Reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain APT, checks "
+      "cutter, shank and holder over the whole motion of every move against STL parts and fixtures, "
+      "corrects what gouges, and reports with evidence for every finding.");
   app.set_version_flag("--version", std::string(kProgramName) + " " + kProgramVersion);
   app.require_subcommand(1);
   app.footer("Every command explains itself: gougecheck check --help");
@@ -60,7 +64,9 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-      return app.exit(error, out, err) == 0 ? kExitClean : kExitUsage;
+      if (error.get_exit_code() == 0) return app.exit(error, out, err) == 0 ? kExitClean : kExitUsage;
+      err << to_text(describe_parse_error(app, error)) << "\n";
+      return kExitUsage;
     }
     const int status = dispatch(app, arguments, out, err);
     out.flush();

@@ -52,12 +52,12 @@ int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostr
 }
 
 void add_library_option(CLI::App& command, ToolArguments& arguments, ToolAction action) {
-  command.add_option("--tools", arguments.tools_file, "tool library (JSON)")->required();
+  command.add_option("--tools", arguments.tools_file, "Tool library (JSON)")->required();
   command.callback([&arguments, action] { arguments.action = action; });
 }
 
 void add_tool_option(CLI::App& command, ToolArguments& arguments) {
-  command.add_option("--tool", arguments.tool, "number or name; without it, every tool");
+  command.add_option("--tool", arguments.tool, "Number or name; without it, every tool");
 }
 
 constexpr const char* kExitText =
@@ -81,14 +81,13 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments) {
       "of the whole library");
   add_library_option(*picture, arguments, ToolAction::draw);
   add_tool_option(*picture, arguments);
-  picture->add_option("-o,--output", arguments.output, "picture to write: .png or .svg")->required();
+  picture->add_option("-o,--output", arguments.output, "Picture to write: .png or .svg")->required();
   picture->footer(std::string("Example:\n  gougecheck tool draw --tools shop.json --tool 3 -o t3.svg\n"
                               "  gougecheck tool draw --tools shop.json -o library.png\n") +
                   kExitText);
   CLI::App* import = command.add_subcommand("import", "Turn a tool library of another program into ours");
   add_tool_import_options(*import, arguments.import, arguments.output);
-  import->callback([&arguments] { arguments.action = ToolAction::import;
-});
+  import->callback([&arguments] { arguments.action = ToolAction::import; });
 }  // namespace gouge
 
 int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err) {

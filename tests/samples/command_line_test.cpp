@@ -88,6 +88,16 @@ TEST(CommandLine, AToolpathOnStandardOutputIsAlone) {
   EXPECT_FALSE(std::filesystem::exists(sample.path + "/-"));
 }
 
+TEST(CommandLine, AToolpathMayComeAfterTheOptionsThatAreRepeatable) {
+  const SampleFolder sample = open_sample("between_rib");
+  const Outcome ran =
+      run_gougecheck(sample.path, {"check", "--tools", "tools.json", "--part", "part.stl", sample.toolpath()});
+  EXPECT_EQ(ran.exit_status, 1) << ran.err;
+  const Outcome both = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"-q", "-v"}));
+  EXPECT_EQ(both.exit_status, 2);
+  EXPECT_EQ(both.err, "gougecheck: error: -q and -v exclude each other; expected one of them [usage]\n");
+}
+
 TEST(CommandLine, QuietPrintsNothingButKeepsTheStatus) {
   const SampleFolder sample = open_sample("between_rib");
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"-q"}));

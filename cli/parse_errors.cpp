@@ -1,0 +1,180 @@
+#include "cli/parse_errors.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+namespace {
+
+// Edits that turn `a` into `b`, a swap of neighbours being one (Damerau 1964, in its restricted form).
+std::size_t edits_between(std::string_view a, std::string_view b) {
+  std::vector<std::vector<std::size_t>> edits(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
+  for (std::size_t i = 0; i <= a.size(); ++i) {
+    for (std::size_t k = 0; k <= b.size(); ++k) {
+      if (i == 0 || k == 0) {
+        edits[i][k] = i + k;
+        continue;
+      }
+      const std::size_t change = edits[i - 1][k - 1] + (a[i - 1] == b[k - 1] ? 0 : 1);
+      edits[i][k] = std::min({edits[i - 1][k] + 1, edits[i][k - 1] + 1, change});
+      const bool is_swap = i > 1 && k > 1 && a[i - 1] == b[k - 2] && a[i - 2] == b[k - 1];
+      if (is_swap) edits[i][k] = std::min(edits[i][k], edits[i - 2][k - 2] + 1);
+    }
+  }
+  return edits[a.size()][b.size()];
+}
+
+std::string listed(const std::vector<std::string>& words, const char* last) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const char* between = i == 0 ? "" : i + 1 == words.size() ? last : ", ";
+    text += between + words[i];
+  }
+  return text;
+}
+
+/// The command that was being read when the parse failed.
+class Command {
+ public:
+  explicit Command(const CLI::App& program) : app_(&program), name_(kProgramName) {
+    while (!app_->get_subcommands().empty()) {
+      app_ = app_->get_subcommands().back();
+      name_ += " " + app_->get_name();
+    }
+    for (const CLI::App* command : app_->get_subcommands({})) commands_.push_back(command->get_name());
+  }
+
+  [[nodiscard]] std::string explain(const CLI::ParseError& error) const {
+    const std::vector<std::string> strange = app_->remaining();
+    const auto option = std::find_if(strange.begin(), strange.end(), [](const std::string& word) {
+      return word.size() > 1 && word.front() == '-';
+    });
+    if (option != strange.end()) return unknown_option(option->substr(0, option->find('=')));
+    if (!commands_.empty()) return no_command(strange);
+    if (const CLI::Option* blamed = blamed_option(error.what())) {
+      const std::string said = value_error(*blamed, error);
+      if (!said.empty()) return said;
+    }
+    const std::string missing = missing_options();
+    if (!missing.empty()) return name_ + " needs " + missing + see_help();
+    if (!strange.empty()) return one_too_many(strange.front());
+    return error.what() + see_help();
+  }
+
+ private:
+  [[nodiscard]] std::string see_help() const { return "; see " + name_ + " --help"; }
+
+  [[nodiscard]] static std::string meant(const std::string& name) {
+    return name.empty() ? std::string() : "; did you mean " + name + "?";
+  }
+
+  [[nodiscard]] std::string unknown_option(const std::string& word) const {
+    std::vector<std::string> names;
+    for (const CLI::Option* option : app_->get_options()) {
+      for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    }
+    const std::string nearest = nearest_name(word, names);
+    return name_ + " has no option '" + word + "'" + (nearest.empty() ? see_help() : meant(nearest));
+  }
+
+  [[nodiscard]] std::string no_command(const std::vector<std::string>& strange) const {
+    const std::string expected = "expected " + listed(commands_, " or ");
+    if (strange.empty()) return "no command after " + name_ + "; " + expected;
+    return "'" + strange.front() + "' is no command of " + name_ + "; " + expected +
+           meant(nearest_name(strange.front(), commands_));
+  }
+
+  [[nodiscard]] std::string missing_options() const {
+    std::vector<std::string> missing;
+    for (const CLI::Option* option : app_->get_options()) {
+      if (option->get_required() && option->count() == 0) missing.push_back(option->get_name());
+    }
+    return listed(missing, " and ");
+  }
+
+  [[nodiscard]] std::string one_too_many(const std::string& word) const {
+    std::vector<std::string> taken;
+    for (const CLI::Option* option : app_->get_options()) {
+      if (option->get_positional()) taken.push_back(option->get_name());
+    }
+    return "'" + word + "' is one argument too many; " + name_ + " takes " +
+           (taken.empty() ? "options alone" : "one " + listed(taken, " and ") + " beside its options") + see_help();
+  }
+
+  // The parser names the option in its text alone.
+  [[nodiscard]] const CLI::Option* blamed_option(const std::string& text) const {
+    const CLI::Option* blamed = nullptr;
+    std::size_t first = std::string::npos;
+    for (const CLI::Option* option : app_->get_options()) {
+      const std::string name = option->get_name();
+      const std::size_t at = text.find(name);
+      if (at == std::string::npos || at > first) continue;
+      const bool is_longer = at == first && blamed != nullptr && name.size() < blamed->get_name().size();
+      if (is_longer) continue;
+      first = at;
+      blamed = option;
+    }
+    return blamed;
+  }
+
+  [[nodiscard]] std::string value_error(const CLI::Option& option, const CLI::ParseError& error) const {
+    const std::string name = option.get_name();
+    const std::string typed = name + " '" + (option.results().empty() ? "" : option.results().back()) + "': ";
+    if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
+      const std::string type = option.get_type_name();
+      return typed + "expected " + (type == "UINT"    ? "a whole number of 0 or more"
+                                    : type == "FLOAT" ? "a number"
+                                                      : "another value") + see_help();
+    }
+    if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return typed + wanted(option, error.what());
+    if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return std::string(error.what()) + see_help();
+    if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr) return {};
+    if (option.count() > 1)
+      return name + " is given " + std::to_string(option.count()) + " times; expected once" + see_help();
+    if (option.get_items_expected_max() == 0) return name + " takes no value" + see_help();
+    return name + " has no value; expected: " + option.get_description() + see_help();
+  }
+
+  // "--rapid: slow not in {straight,dogleg,skip}", or a sentence of our own after the name.
+  [[nodiscard]] static std::string wanted(const CLI::Option& option, const std::string& text) {
+    const std::size_t open = text.rfind('{'), close = text.rfind('}');
+    if (open != std::string::npos && close != std::string::npos && open < close) {
+      std::vector<std::string> words = CLI::detail::split(text.substr(open + 1, close - open - 1), ',');
+      return "expected " + listed(words, " or ");
+    }
+    const std::size_t ours = text.find("expected ");
+    if (ours != std::string::npos) return text.substr(ours);
+    return option.get_type_name().find("POSITIVE") != std::string::npos ? "expected a number above 0" : text;
+  }
+
+  const CLI::App* app_;
+  std::string name_;
+  std::vector<std::string> commands_;
+};
+
+}  // namespace
+
+std::string nearest_name(std::string_view word, const std::vector<std::string>& names) {
+  constexpr std::size_t kShortest = 3, kLong = 8;
+  if (word.size() < kShortest) return {};
+  const auto is_begun = [&](const std::string& name) { return name.starts_with(word); };
+  const auto begun = std::find_if(names.begin(), names.end(), is_begun);
+  if (begun != names.end() && std::none_of(begun + 1, names.end(), is_begun)) return *begun;
+  std::string nearest;
+  std::size_t least = word.size() > kLong ? 4 : 3;
+  for (const std::string& name : names) {
+    const std::size_t edits = edits_between(word, name);
+    if (edits >= least) continue;
+    least = edits;
+    nearest = name;
+  }
+  return nearest;
+}
+
+Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error) {
+  return make_error("usage", Command(app).explain(error));
+}
+
+}  // namespace gouge

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/diagnostic.h"
+
+namespace CLI {
+class App;
+class ParseError;
+}  // namespace CLI
+
+namespace gouge {
+
+/// What is wrong with the command line, in our words instead of the parser's: what was found, what was expected, and
+/// where to read on. `app` is the program's, after the parse that failed with `error`. Code: usage.
+[[nodiscard]] Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error);
+
+/// The one of `names` that `word` was probably meant to be: the only one it begins, or the nearest by letters that are
+/// missing, added, wrong or swapped, the first of equals. Empty where none is near.
+[[nodiscard]] std::string nearest_name(std::string_view word, const std::vector<std::string>& names);
+
+}  // namespace gouge

@@ -1,0 +1,41 @@
+#include "cli/help_text.h"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+#include <vector>
+
+#include "cli/run.h"
+
+namespace gouge {
+namespace {
+
+TEST(HelpText, LinesBreakAtBlanksAndExamplesStayWhole) {
+  EXPECT_EQ(wrapped("one two three", 8, 0), "one two\nthree");
+  EXPECT_EQ(wrapped("one two three", 8, 4), "one\n    two\n    three");
+  EXPECT_EQ(wrapped("Example:\n  one two three\n\nfour five six", 9, 0),
+            "Example:\n  one two three\n\nfour five\nsix");
+  EXPECT_EQ(wrapped("unbreakable a", 4, 0), "unbreakable\na");
+  EXPECT_EQ(wrapped("", 4, 0), "");
+}
+
+TEST(HelpText, EveryHelpFitsIntoEightyColumns) {
+  const std::vector<std::vector<const char*>> commands = {
+      {}, {"check"}, {"correct"}, {"mesh"}, {"tool"}, {"tool", "list"}, {"tool", "show"}, {"tool", "draw"},
+      {"tool", "import"}, {"path"}, {"path", "info"}, {"path", "convert"}, {"path", "plot"}};
+  for (const std::vector<const char*>& command : commands) {
+    std::vector<const char*> argv = {"/usr/bin/gougecheck"};
+    argv.insert(argv.end(), command.begin(), command.end());
+    argv.push_back("--help");
+    std::ostringstream out, err;
+    EXPECT_EQ(run(static_cast<int>(argv.size()), argv.data(), out, err), 0);
+    std::istringstream lines(out.str());
+    std::size_t count = 0;
+    for (std::string line; std::getline(lines, line); ++count) EXPECT_LE(line.size(), 80U) << line;
+    EXPECT_GT(count, 5U);
+    EXPECT_EQ(out.str().find("/usr/bin"), std::string::npos) << "the program is called by its name";
+  }
+}
+
+}  // namespace
+}  // namespace gouge
