@@ -61,7 +61,10 @@ void GotoText::learn(const MotionRecord& record) {
   has_form_ = true;
   const std::size_t first = offset(arguments[0]);
   first_gap_ = blanks_before(bytes, first);
-  prefix_ = std::string(trim(bytes.substr(statement.first_byte, first - first_gap_ - statement.first_byte)));
+  // Without a sequence number, which is of one statement.
+  const auto begin =
+      statement.is_decoded ? statement.first_byte : static_cast<std::size_t>(statement.major.data() - bytes.data());
+  prefix_ = std::string(trim(bytes.substr(begin, first - first_gap_ - begin)));
   const std::size_t after = first + arguments[0].text.size();
   const std::size_t second = offset(arguments[1]);
   gap_ = blanks_before(bytes, second);

@@ -35,7 +35,7 @@ bool is_all_zero(std::span<const Argument> arguments) {
 
 // "9.X1", "ANG1": what holds a digit and is no number may be an angle.
 bool has_digit(const Argument& argument) {
-  return argument.text.find_first_of("0123456789") != std::string_view::npos;
+  return argument.number || argument.text.find_first_of("0123456789") != std::string_view::npos;
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/run_on.h"
 #include "postproc/cldata/statement_reader.h"
 #include "postproc/cldata/text.h"
 
@@ -102,6 +103,13 @@ void Interpreter::fail_too_long() {
                          "write it: divide it into several");
 }
 
+void Interpreter::fail_run_on(std::string_view hidden) {
+  const std::string major(statement_->word == Word::comment ? "$$->" : statement_->major.substr(0, kLongestMajor));
+  fail("path-statement", quoted_text(hidden) + " stands within " + quoted_text(major) +
+                             "; expected one statement a line: a line end is missing, or a $ continues a statement "
+                             "that has ended");
+}
+
 Diagnostics Interpreter::take_errors() {
   if (errors_not_listed_ > 0) {
     errors_.push_back(make_error("path-more-errors",
@@ -136,6 +144,7 @@ void Interpreter::take(const Statement& statement) {
   if (curve_statement_ != kNone && !is_within_curve(statement.word)) flush_curve();
   if (has_arguments(statement.word)) split_arguments(statement, arguments_);
   if (std::max(arguments_.size(), statement.pieces.size()) >= kMostArguments) return fail_too_long();
+  if (const std::string_view hidden = find_run_on(statement); !hidden.empty()) return fail_run_on(hidden);
   if (!take_motion_word() && !take_tool_word() && !take_frame_word() && !take_text_word() &&
       !take_unread_word()) {
     take_unknown();

@@ -155,6 +155,7 @@ class Interpreter {
   void fail(std::string code, std::string message);
   void fail_too_long();
   void refuse_part_program(std::string_view what);
+  void fail_run_on(std::string_view hidden);
   void count_unknown();
 
   // interpret_unread.cpp

@@ -1,5 +1,9 @@
 #include "postproc/cldata/lexer.h"
 
+#include <algorithm>
+#include <iterator>
+#include <string>
+
 #include "postproc/cldata/arguments.h"
 #include "postproc/cldata/text.h"
 
@@ -8,18 +12,55 @@ namespace {
 
 constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 
-// `text` without its comment and without a continuing `$`; tells whether there was one.
-bool strip_line(std::string_view& text) {
+constexpr std::size_t kLongestLabel = 12;
+constexpr std::size_t kLongestMajor = 24;
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+bool is_word_character(char c) {
+  return is_digit(c) || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_' || c == '-';
+}
+
+std::size_t length_of(std::string_view text, bool (*belongs)(char)) {
+  return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), belongs) - text.begin());
+}
+
+// `text` without its comment and without the `$` that continues it, after which APT reads nothing of the line; tells
+// whether there was one. In a comment with data, `$$->`, only a `$` at its end continues it.
+bool strip_line(std::string_view& text, bool is_comment) {
   const std::size_t dollar = text.find('$');
-  if (dollar != std::string_view::npos) {
-    const std::size_t comment = text.find("$$", dollar);
-    if (comment != std::string_view::npos) text = text.substr(0, comment);
+  if (dollar == std::string_view::npos) {
+    text = trim(text);
+    return false;
   }
-  text = trim(text);
-  if (text.empty() || text.back() != '$') return false;
-  text.remove_suffix(1);
-  text = trim(text);
+  const bool ends_here = text.substr(dollar, 2) != "$$" && !is_comment;
+  const std::size_t comment = text.find("$$", dollar);
+  text = trim(text.substr(0, ends_here ? dollar : comment));
+  if (ends_here || text.empty() || text.back() != '$') return ends_here;
+  text = trim(text.substr(0, text.size() - 1));
   return true;
+}
+
+bool begins_with_word(std::string_view text) {
+  return free_text_word_length(text) > 0 || find_word(text.substr(0, length_of(text, is_word_character))) != Word::unknown;
+}
+
+// Length of a sequence number or label before a word that is known: "N10 ", "20 ", "LAB1) ".
+std::size_t label_length(std::string_view line) {
+  const std::size_t letter = line.front() == 'N' || line.front() == 'n' ? 1 : 0;
+  std::size_t length = letter + length_of(line.substr(letter), is_digit);
+  if (length == letter) {
+    length = length_of(line, is_word_character);
+    if (length > kLongestLabel) return 0;
+    const std::string_view rest = trim(line.substr(length));
+    if (length == 0 || rest.empty() || rest.front() != ')') return 0;
+    length = static_cast<std::size_t>(rest.data() - line.data());
+  }
+  if (length < line.size() && line[length] == ')') ++length;
+  const std::string_view rest = trim(line.substr(length));
+  return begins_with_word(rest) ? static_cast<std::size_t>(rest.data() - line.data()) : 0;
 }
 
 // Cuts the major word off `text`: up to the slash, or up to the first blank where a blank delimits it.
@@ -34,6 +75,14 @@ std::string_view take_major(std::string_view& text) {
   }
   text = text.substr(cut);
   return major;
+}
+
+// APT reads no blanks: CUT COM/LEFT is a CUTCOM.
+Word word_without_blanks(std::string_view words) {
+  if (words.size() > kLongestMajor) return Word::unknown;
+  std::string squeezed;
+  std::copy_if(words.begin(), words.end(), std::back_inserter(squeezed), [](char c) { return !is_blank(c); });
+  return find_word(squeezed);
 }
 
 }  // namespace
@@ -52,7 +101,8 @@ std::string_view Lexer::take_line() {
 }
 
 void Lexer::take_pieces(Statement& statement, std::string_view text) {
-  bool is_continued = strip_line(text);
+  const bool is_comment = statement.word == Word::comment;
+  bool is_continued = strip_line(text, is_comment);
   statement.pieces.push_back(text);
   while (is_continued) {
     if (at_ >= bytes_.size()) {
@@ -60,7 +110,7 @@ void Lexer::take_pieces(Statement& statement, std::string_view text) {
       return;
     }
     std::string_view more = take_line();
-    const bool is_continued_again = strip_line(more);
+    const bool is_continued_again = strip_line(more, is_comment);
     if (more.empty() && !is_continued_again) continue;  // a comment or an empty line amid a statement
     if (!more.empty() && statement.pieces.size() < kMostArguments) statement.pieces.push_back(more);
     is_continued = is_continued_again;
@@ -75,6 +125,22 @@ Word Lexer::word_of(std::string_view major) {
   return last_word_;
 }
 
+void Lexer::take_words(Statement& statement, std::string_view text) {
+  take_pieces(statement, text);
+  std::string_view& first = statement.pieces.front();
+  const std::string_view all = first;
+  statement.major = take_major(first);
+  statement.word = word_of(statement.major);
+  if (statement.word != Word::unknown && statement.word != Word::part_program) return;
+  const std::size_t slash = all.find('/');
+  const std::string_view words = trim(all.substr(0, slash));
+  const Word word = words.size() > statement.major.size() ? word_without_blanks(words) : Word::unknown;
+  if (word == Word::unknown) return;
+  statement.major = words;
+  statement.word = word;
+  first = all.substr(std::min(slash, all.size() - 1) + 1);
+}
+
 bool Lexer::next(Statement& statement) {
   statement.clear();
   while (at_ < bytes_.size()) {
@@ -82,6 +148,7 @@ bool Lexer::next(Statement& statement) {
     statement.line = line_;
     std::string_view text = take_line();
     if (text.empty()) continue;
+    if (!starts_with_ignoring_case(text, "GO")) text.remove_prefix(label_length(text));
     if (text.starts_with("$$")) {
       statement.major = text.substr(0, 2);
       statement.word = Word::comment;
@@ -93,14 +160,12 @@ bool Lexer::next(Statement& statement) {
       }
     } else if (const std::size_t length = free_text_word_length(text); length > 0) {
       statement.major = text.substr(0, length);
-      statement.word = find_word(statement.major);
+      statement.word = word_without_blanks(statement.major);
       text = trim(text.substr(length));
       if (!text.empty() && text.front() == '/') text = trim(text.substr(1));
       statement.pieces.push_back(text);
     } else {
-      take_pieces(statement, text);
-      statement.major = take_major(statement.pieces.front());
-      statement.word = word_of(statement.major);
+      take_words(statement, text);
     }
     statement.last_byte = at_;
     return true;

@@ -5,8 +5,9 @@
 
 #include "postproc/cldata/statement.h"
 
-// Bytes to logical statements. A `$` that ends a line continues the statement on the next one; `$$` begins a
-// comment, except that the text of PPRINT and its like is taken as it stands. Bytes are not decoded.
+// Bytes to logical statements. A `$` ends a line and continues the statement on the next one; `$$` begins a
+// comment, except that the text of PPRINT and its like is taken as it stands. Sequence numbers and labels before a
+// word that is known are no part of it. Bytes are not decoded.
 
 namespace gouge {
 
@@ -21,6 +22,7 @@ class Lexer {
  private:
   [[nodiscard]] std::string_view take_line();
   void take_pieces(Statement& statement, std::string_view text);
+  void take_words(Statement& statement, std::string_view text);
   [[nodiscard]] Word word_of(std::string_view major);
 
   std::string_view bytes_;

@@ -137,8 +137,8 @@ constexpr auto kWords = std::to_array<Entry>({
     {"TLRGT", Word::part_program},
     {"TMARK", Word::harmless},
     {"TOLER", Word::harmless},
-    {"TOOL PATH", Word::tool_path},
     {"TOOLNO", Word::toolno},
+    {"TOOLPATH", Word::tool_path},
     {"TPRINT", Word::tprint},
     {"TRACUT", Word::unread_frame},
     {"TRANS", Word::trans},
@@ -157,11 +157,22 @@ static_assert(std::is_sorted(kWords.begin(), kWords.end(),
 
 constexpr std::array<std::string_view, 6> kSixLetterTexts = {"INSERT", "LETTER", "PARTNO",
                                                              "PPRINT", "REMARK", "TPRINT"};
-constexpr std::array<std::string_view, 6> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART",
-                                                             "OPNAME",        "TITLES",    "TOOL PATH"};
+constexpr std::array<std::string_view, 5> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART", "OPNAME",
+                                                             "TITLES"};
 
 bool is_word_character(char c) {
   return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+}
+
+// "TOOL PATH", with as many blanks as there are.
+std::size_t tool_path_length(std::string_view line) {
+  constexpr std::string_view kTool = "TOOL", kPath = "PATH";
+  if (!starts_with_ignoring_case(line, kTool)) return 0;
+  std::size_t at = kTool.size();
+  while (at < line.size() && is_blank(line[at])) ++at;
+  if (!starts_with_ignoring_case(line.substr(at), kPath)) return 0;
+  at += kPath.size();
+  return at == line.size() || !is_word_character(line[at]) ? at : 0;
 }
 
 }  // namespace
@@ -185,7 +196,7 @@ std::size_t free_text_word_length(std::string_view line) {
       return word.size();
     }
   }
-  return 0;
+  return tool_path_length(line);
 }
 
 }  // namespace gouge

@@ -1,0 +1,101 @@
+#include "postproc/cldata/run_on.h"
+
+#include <algorithm>
+#include <cstddef>
+
+#include "postproc/cldata/text.h"
+
+namespace gouge {
+namespace {
+
+bool is_letter(char c) {
+  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
+}
+
+bool is_word_character(char c) {
+  return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+}
+
+bool is_number_start(char c) {
+  return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+}
+
+// Those that would be missed. What moves nothing may stand beside another statement.
+bool matters(Word word) {
+  switch (word) {
+    case Word::comment:
+    case Word::unknown:
+    case Word::harmless:
+    case Word::free_text:
+    case Word::pprint:
+    case Word::insert:
+    case Word::tprint:
+    case Word::operation:
+    case Word::part_program:
+    case Word::fedrat:
+    case Word::fini:
+    case Word::flute_length:
+      return false;
+    default:
+      return true;
+  }
+}
+
+// Words that stand beside no other one, with or without numbers.
+bool is_major_only(Word word) {
+  return word == Word::go_to || word == Word::godlta || word == Word::gohome || word == Word::multax;
+}
+
+bool takes_position(Word word) {
+  return word == Word::go_to || word == Word::godlta || word == Word::from;
+}
+
+// Real statements that hold another one's word: TLON,GOFWD/(CIRCLE/..), CYCLE/ON CYCLE/DRILL.
+bool is_part_of(const Statement& statement, Word word, std::string_view before) {
+  if (statement.word == Word::tlon) return word == Word::circle;
+  return statement.word == Word::cycle && word == Word::cycle && equals_ignoring_case(trim(before), "ON");
+}
+
+std::string_view find_in(const Statement& statement, std::string_view text) {
+  for (std::size_t i = 0; i < text.size();) {
+    if (!is_letter(text[i])) {
+      // A number's exponent, "4TH", "'TLAXIS'" begin no word.
+      const bool is_joined = is_word_character(text[i]) || text[i] == '\'';
+      ++i;
+      while (is_joined && i < text.size() && is_word_character(text[i])) ++i;
+      continue;
+    }
+    const std::size_t begin = i;
+    while (i < text.size() && is_word_character(text[i])) ++i;
+    const std::string_view token = text.substr(begin, i - begin);
+    const Word word = find_word(token);
+    if (!matters(word) || is_part_of(statement, word, text.substr(0, begin))) continue;
+    const std::string_view rest = trim(text.substr(i));
+    const char next = rest.empty() ? '\0' : rest.front();
+    if (next == '/' || (takes_position(word) && is_number_start(next))) return token;
+    if (is_major_only(word) && statement.word != Word::unknown) return token;
+  }
+  return {};
+}
+
+bool is_text(Word word) {
+  return word == Word::free_text || word == Word::pprint || word == Word::insert || word == Word::tprint ||
+         word == Word::operation || word == Word::tool_path || word == Word::syn;
+}
+
+}  // namespace
+
+std::string_view find_run_on(const Statement& statement) {
+  // Positions are numbers only, which their readers see to; a part program is refused anyway.
+  if (statement.is_decoded || is_text(statement.word) || takes_position(statement.word) ||
+      statement.word == Word::part_program)
+    return {};
+  const std::size_t first = statement.word == Word::comment ? 1 : 0;
+  for (std::size_t i = first; i < statement.pieces.size(); ++i) {
+    const std::string_view found = find_in(statement, statement.pieces[i]);
+    if (!found.empty()) return found;
+  }
+  return {};
+}
+
+}  // namespace gouge

@@ -1,0 +1,143 @@
+// Files that older readers took for clean, because a statement was overlooked: the cutter is in the part, or nobody
+// knows where it is.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "postproc/cldata/read_toolpath.h"
+#include "tests/laws/reading.h"
+#include "tests/support/shapes.h"
+
+namespace gouge {
+namespace {
+
+/// A box whose top is z = 0, which the positions of these files miss if a statement is overlooked.
+std::string outcome(const std::string& text) {
+  const ReadOutcome read = read_toolpath("a.apt", text);
+  if (!read.toolpath) return read.errors.empty() ? "no error" : read.errors.front().code;
+  return verdict(*read.toolpath, shapes::box({-50, -50, -20}, {50, 50, 0}));
+}
+
+struct Misreading {
+  const char* name;
+  std::string text;
+  const char* outcome;
+};
+
+void PrintTo(const Misreading& c, std::ostream* out) {
+  *out << c.name;
+}
+
+class Misread : public ::testing::TestWithParam<Misreading> {};
+
+const auto kName = [](const auto& test) { return std::string(test.param.name); };
+
+std::string apt(const std::string& body) {
+  return "UNITS/MM\nCUTTER/10\nLOADTL/1\n" + body + "FINI\n";
+}
+
+std::string at_5(const std::string& statement) {
+  return apt(statement + "GOTO/0,0,5\nGOTO/10,0,5\n");
+}
+
+std::string around(const std::string& statement) {
+  return apt("GOTO/0,0,5\n" + statement + "GOTO/0,0,5\n");
+}
+
+std::string clt(const std::string& setup) {
+  return "UNITS/ MM \nCUTTER/ 10,0,5,0,0,0,50,\n" + setup +
+         "OPFEATSTART/x\nGOTO/ 0,0,5 \nGOTO/ 10,0,5 \nFINI \n";
+}
+
+std::string rotabl(const char* angle, const char* axis, const char* sense) {
+  return std::string("ROTABL/ ") + angle + "," + axis + ",TABLE," + sense + "\n";
+}
+
+constexpr const char* kQuarter = "1.570796";
+constexpr const char* kBack = "-1.570796";
+
+INSTANTIATE_TEST_SUITE_P(
+    Shift, Misread,
+    ::testing::Values(
+        Misreading{"None", at_5(""), "clean"}, Misreading{"Zero", at_5("TRANS/0,0.0,-0\nORIGIN/0,0,0\n"), "clean"},
+        Misreading{"Undone", at_5("TRANS/0,0,5\nTRANS/0,0,0\n"), "clean"},
+        Misreading{"OfFortran", at_5("TRANS/0,0,-1.D1\n"), "not-checked"},
+        Misreading{"OriginOfFortran", at_5("ORIGIN/0,0,1.D1\n"), "not-checked"},
+        Misreading{"OfSymbols", at_5("TRANS/DX,DY,DZ\n"), "not-checked"},
+        Misreading{"OfAMatrix", at_5("TRANS/M1\n"), "not-checked"},
+        Misreading{"TurnOfFortran", at_5("ROTABL/AAXIS,9.D1\n"), "not-checked"},
+        Misreading{"TurnOfASymbol", at_5("ROTHED/AAXIS,ANG1\n"), "not-checked"},
+        Misreading{"TurnOfZero", at_5("ROTABL/0.0,AAXIS,TABLE,CLW\n"), "clean"},
+        Misreading{"TrntypOfZero", at_5("TRNTYP/WORLD,0,0,0\n"), "clean"},
+        Misreading{"Trntyp", at_5("TRNTYP/WORLD,0,0,-10\n"), "not-checked"},
+        Misreading{"TrntypOfASymbol", at_5("TRNTYP/WORLD,X\n"), "not-checked"},
+        Misreading{"ModeMill", at_5("MODE/MILL\n"), "clean"}, Misreading{"ModeTurn", at_5("MODE/TURN\n"), "not-checked"},
+        Misreading{"ModeTurnThenMill", at_5("MODE/TURN\nMODE/MILL\n"), "clean"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Clt, Misread,
+    ::testing::Values(
+        Misreading{"PlusZ", clt("TLAXIS/ 0.000000,0.000000,1.000000 \n"), "clean"},
+        Misreading{"AxisAside", clt("TLAXIS/ 0.000000,-1.000000,0.000000 \n"), "not-checked"},
+        Misreading{"AxisThatIsNoNumber", clt("TLAXIS/ A1\n"), "not-checked"},
+        Misreading{"TurnUndone", clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kBack, "AAXIS", "CCLW")), "clean"},
+        Misreading{"TurnUndoneTheOtherWay",
+                   clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kQuarter, "AAXIS", "CLW")), "clean"},
+        Misreading{"TurnDoubled", clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kBack, "AAXIS", "CLW")),
+                   "not-checked"},
+        Misreading{"TurnsUndoneLastFirst",
+                   clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kQuarter, "BAXIS", "CCLW") +
+                       rotabl(kBack, "BAXIS", "CCLW") + rotabl(kBack, "AAXIS", "CCLW")),
+                   "clean"},
+        Misreading{"TurnsUndoneFirstFirst",
+                   clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kQuarter, "BAXIS", "CCLW") +
+                       rotabl(kBack, "AAXIS", "CCLW") + rotabl(kBack, "BAXIS", "CCLW")),
+                   "not-checked"},
+        Misreading{"TurnOfAHead",
+                   clt("ROTABL/ 1,AAXIS,HEAD,CCLW\nROTABL/ -1,AAXIS,HEAD,CCLW\n"), "not-checked"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Lines, Misread,
+    ::testing::Values(
+        Misreading{"Plain", around("COOLNT/ON\n"), "clean"}, Misreading{"Apart", around("RAPID\nGOTO/0,0,-5\n"), "gouge"},
+        Misreading{"Rapid", around("RAPID GOTO/0,0,-5\n"), "path-statement"},
+        Misreading{"Coolant", around("COOLNT/ON GOTO/0,0,-5\n"), "path-statement"},
+        Misreading{"Semicolon", around("SPINDL/1000,CLW;GOTO/0,0,-5\n"), "path-statement"},
+        Misreading{"Feed", around("FEDRAT/100,MMPM,GOTO/0,0,-5\n"), "path-statement"},
+        Misreading{"WithoutSlash", around("RAPID GOTO 0,0,-5\n"), "path-statement"},
+        Misreading{"Dangling", around("COOLNT/ON,$\nGOTO/0,0,-5\n"), "path-statement"},
+        Misreading{"DanglingRapid", around("RAPID $\nGODLTA/-10\n"), "path-statement"},
+        Misreading{"DanglingUnknown", around("BLURB/A,$\nGOTO/0,0,-5\n"), "path-statement"},
+        Misreading{"DanglingText", around("RAPID $ GO DOWN\nGOTO/0,0,-5\n"), "path-statement"},
+        Misreading{"Cutcom", around("COOLNT/ON CUTCOM/LEFT\n"), "path-statement"},
+        Misreading{"Deleted", around("/CUTCOM/LEFT\n"), "path-statement"},
+        Misreading{"CreoComment", "$$* Pro/CLfile\n" + around("$$-> MFGNO / $\nGOTO/0,0,-5\n"), "path-statement"},
+        Misreading{"CreoCommentWithADollar", "$$* Pro/CLfile\n" + around("$$-> MFGNO / A$B\nGOTO/0,0,-5\n"), "gouge"},
+        Misreading{"TextOfPprint", around("PPRINT COOLNT/ON GOTO/0,0,-5 $\n"), "clean"},
+        Misreading{"ShiftAfterAComment", at_5("TRANS/0,0,$ Z FOLLOWS\n-10\n"), "not-checked"},
+        Misreading{"StepInLine", around("GOTO/0,0,$ DOWN\n-5\n"), "gouge"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Numbered, Misread,
+    ::testing::Values(
+        Misreading{"Step", around("N10 GODLTA/-10\nN20 GODLTA/10\n"), "gouge"},
+        Misreading{"StepWithoutABlank", around("N10GODLTA/-10\nN20GODLTA/10\n"), "gouge"},
+        Misreading{"Goto", around("10 GOTO/0,0,-5\n"), "gouge"}, Misreading{"Label", around("LAB1) GOTO/0,0,-5\n"), "gouge"},
+        Misreading{"Cutcom", around("N10 CUTCOM/LEFT\n"), "not-checked"},
+        Misreading{"Cutter", around("N10 CUTTER/40\nGOTO/60,0,-5\n"), "gouge"},
+        Misreading{"Unit", "N10 UNITS/INCHES\nCUTTER/.1\nGOTO/0,0,1\nGOTO/1.9,0,1\nGOTO/1.9,0,-.1\nFINI\n", "gouge"},
+        Misreading{"Text", around("N10 PPRINT A $\nGOTO/0,0,-5\n"), "gouge"},
+        Misreading{"Parted", around("CUT COM/LEFT\n"), "not-checked"},
+        Misreading{"PartedGoto", around("GO TO/0,0,-5\n"), "gouge"}),
+    kName);
+
+TEST_P(Misread, IsNotTakenForClean) {
+  EXPECT_EQ(outcome(GetParam().text), GetParam().outcome);
+}
+
+}  // namespace
+}  // namespace gouge
