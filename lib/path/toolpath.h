@@ -40,6 +40,7 @@ struct PathTool {
   std::optional<CutterStatement> cutter;  ///< from CUTTER or TLDATA
   double flute_length_mm = 0;             ///< 0: not given
   std::size_t line = 0;                   ///< where it is defined or loaded
+  double stated_diameter_mm = 0;          ///< all the file says of a cutter it does not define; 0: nothing
 };
 
 struct Operation {

@@ -119,10 +119,7 @@ void Interpreter::take_creo_comment() {
     contour_reason_ = is_on_centre ? nullptr : Reasons::kContour;
     is_cutter_centre_ = is_cutter_centre_ || is_on_centre;
   } else if (starts_with_ignoring_case(text, "CUTTER")) {
-    // Only the diameter is written: a flat, a ball and a bull-nose cutter look the same, so it defines no
-    // tool.
-    tool_.name = "diameter " + name_text(rest);
-    is_tool_changed_ = true;
+    take_creo_cutter(rest);
   }
 }
 

@@ -54,6 +54,20 @@ void Interpreter::take_cutter() {
   note_no_cutter(outcome.note);
 }
 
+// Only the diameter is written: a flat, a ball and a bull-nose cutter look the same, so it defines no tool, but a
+// library's tool can be held against it.
+void Interpreter::take_creo_cutter(std::string_view text) {
+  Statement values;
+  values.pieces.push_back(text);
+  split_arguments(values, arguments_);
+  const bool is_number = arguments_.size() == 1 && arguments_.front().number && *arguments_.front().number > 0;
+  tool_.diameter_mm = is_number ? *arguments_.front().number * mm_per_unit_ : 0;
+  tool_.name = "diameter " + name_text(text);
+  tool_.line = statement_->line;
+  tool_.is_fresh = true;
+  is_tool_changed_ = true;
+}
+
 void Interpreter::note_no_cutter(const std::string& note) {
   if (cutters_without_tool_++ >= kCuttersTold) return;
   path_.notes.push_back(make_warning("path-cutter", note, path_.file, statement_->line));
@@ -123,6 +137,7 @@ void Interpreter::change_number(int number) {
   tool_.cutter.reset();
   tool_.name.clear();
   tool_.flute_length_mm = 0;
+  tool_.diameter_mm = 0;
   tool_.line = statement_->line;
   const auto known = tool_of_number_.find(number);
   if (known == tool_of_number_.end()) return;
@@ -130,6 +145,7 @@ void Interpreter::change_number(int number) {
   tool_.cutter = tool.cutter;
   tool_.name = tool.name;
   tool_.flute_length_mm = tool.flute_length_mm;
+  tool_.diameter_mm = tool.stated_diameter_mm;
 }
 
 void Interpreter::take_flute_length() {
@@ -152,6 +168,7 @@ std::size_t Interpreter::find_or_add_tool() {
     const CutterStatement& c = *tool_.cutter;
     key.cutter = {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
   }
+  key.diameter_mm = tool_.diameter_mm;
   const auto [it, is_new] = tool_of_key_.try_emplace(std::move(key), path_.tools.size());
   if (is_new) {
     if (path_.tools.size() == kMostTools) {
@@ -159,7 +176,7 @@ std::size_t Interpreter::find_or_add_tool() {
                              " different tools; expected those of a machine: divide the file by operations");
       is_hopeless_ = true;
     }
-    path_.tools.push_back({tool_.number, tool_.name, tool_.cutter, tool_.flute_length_mm, tool_.line});
+    path_.tools.push_back({tool_.number, tool_.name, tool_.cutter, tool_.flute_length_mm, tool_.line, tool_.diameter_mm});
     if (tool_.number) tool_of_number_[*tool_.number] = it->second;
   } else if (path_.tools[it->second].flute_length_mm <= 0) {
     path_.tools[it->second].flute_length_mm = tool_.flute_length_mm;

@@ -139,6 +139,7 @@ class Interpreter {
     std::optional<CutterStatement> cutter;
     std::string name;
     double flute_length_mm = 0;
+    double diameter_mm = 0;  // of Creo, whose $$-> CUTTER says nothing else
     std::size_t line = 0;
     bool is_fresh = false;  // defined since the last motion
   };
@@ -228,6 +229,7 @@ class Interpreter {
 
   // interpret_tool.cpp
   void take_cutter();
+  void take_creo_cutter(std::string_view text);
   void take_tldata();
   void take_tool_number();
   void take_load();
@@ -317,6 +319,7 @@ class Interpreter {
   struct ToolKey {  // what makes two tools of the file the same
     std::optional<int> number;
     std::optional<std::array<double, 7>> cutter;
+    double diameter_mm = 0;
     std::string name;
     auto operator<=>(const ToolKey&) const = default;
   };

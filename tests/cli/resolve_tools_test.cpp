@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "postproc/cldata/read_toolpath.h"
+
 namespace gouge {
 namespace {
 
@@ -49,6 +51,41 @@ TEST(ResolveTools, TellsADifferenceRoundedAndInThePathsUnit) {
             "T2 is D 0.75 R 0 mm by the toolpath but D 19.05 R 0 mm by the library, which is what is checked");
   EXPECT_EQ(told(LengthUnit::inch),
             "T2 is D 0.029528 R 0 in by the toolpath but D 0.75 R 0 in by the library, which is what is checked");
+}
+
+/// The differences told of the tools of `text`, for a library whose T1 is a flat cutter of 10 mm.
+std::vector<std::string> differences(const std::string& text) {
+  ToolLibrary library;
+  ToolAssembly tool;
+  tool.number = 1;
+  tool.cutter = FlatCutter{10, 30};
+  library.tools.push_back(tool);
+  const ReadOutcome read = read_toolpath("test.ncl", text);
+  EXPECT_TRUE(read.toolpath.has_value());
+  std::vector<std::string> told;
+  if (!read.toolpath) return told;
+  const Result<ResolvedTools> resolved = resolve_tools(*read.toolpath, &library, {}, "");
+  EXPECT_TRUE(resolved.has_value());
+  if (!resolved) return told;
+  for (const Diagnostic& note : resolved->notes) {
+    if (note.code == "tool-differs") told.push_back(to_text(note));
+  }
+  return told;
+}
+
+TEST(ResolveTools, TheDiameterThatCreoStatesIsComparedWithTheLibrary) {
+  const std::string head = "$$* Pro/CLfile\nUNITS / MM\n", motion = "GOTO / 56, 0, -5\nGOTO / 56, 10, -5\n";
+  const std::string first = head + "LOADTL / 1\n$$-> CUTTER / 10.000000\n" + motion;
+  EXPECT_EQ(differences(first + "FINI\n").size(), 0U);
+  EXPECT_EQ(differences(head + "LOADTL / 1\n$$-> CUTTER / 20.0\n" + motion + "FINI\n"),
+            (std::vector<std::string>{"test.ncl:4: warning: T1 is D 20 mm by the toolpath but D 10 mm by the library, "
+                                      "which is what is checked [tool-differs]"}));
+  EXPECT_EQ(differences("$$* Pro/CLfile\n$$-> CUTTER / 20.0\nUNITS / MM\nLOADTL / 1\n" + motion + "FINI\n").size(), 1U);
+  EXPECT_EQ(differences(first + "$$-> FEATNO / 2\n$$-> CUTTER / 20.0\n" + motion + "FINI\n"),
+            (std::vector<std::string>{"test.ncl:8: warning: T1 is D 20 mm by the toolpath but D 10 mm by the library, "
+                                      "which is what is checked [tool-differs]"}));
+  EXPECT_EQ(differences(first + "$$-> FEATNO / 2\nLOADTL / 2\n$$-> CUTTER / 20.0\n" + motion +
+                        "$$-> FEATNO / 3\nLOADTL / 1\n" + motion + "FINI\n").size(), 0U);
 }
 
 TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
