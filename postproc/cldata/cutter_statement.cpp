@@ -31,6 +31,13 @@ bool is_zero(double x) {
   return !(x < 0) && !(x > 0);
 }
 
+// Two zeros are no centre: a corner circle about the tip would reach below it.
+bool is_corner_elsewhere(const CutterStatement& cutter, double r_mm, double z_mm, double mm_per_unit) {
+  if (is_zero(r_mm) && is_zero(z_mm)) return false;
+  const double allowed = 2 * kRadiusRounding * mm_per_unit;
+  return std::abs(r_mm - cutter.e_mm) > allowed || std::abs(z_mm - cutter.f_mm) > allowed;
+}
+
 std::string check_numbers(std::span<const Argument> arguments) {
   const Argument* word = find_word_argument(arguments);
   if (word == nullptr) return {};
@@ -131,6 +138,14 @@ CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_dr
   cutter.h_mm = v[2] * mm_per_unit;
   cutter.given = 7;
   find_corner_centre(cutter);
+  if (count > 5 && is_corner_elsewhere(cutter, v[5] * mm_per_unit, v[6] * mm_per_unit, mm_per_unit)) {
+    return {std::nullopt,
+            0,
+            {},
+            "TLDATA whose corner circle lies at " + exact_text(v[5]) + "," + exact_text(v[6]) +
+                ", not where its other numbers have it, is not understood: define the tool in the tool library",
+            false};
+  }
   return {cutter, is_drill ? v[4] * mm_per_unit : 0, {}, {}, false};
 }
 

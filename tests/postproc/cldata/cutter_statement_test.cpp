@@ -83,6 +83,19 @@ TEST(Tldata, BallDrillAndCountersink) {
   EXPECT_DOUBLE_EQ(make_tldata_cutter(numbers({30, 0, 30, 0, 45}), false, 1).cutter->f_mm, 15);
 }
 
+TEST(Tldata, ACornerCircleElsewhereDefinesNoTool) {
+  EXPECT_TRUE(make_tldata_cutter(numbers({20, 5, 50, 0, 0, 5, 5}), false, 1).cutter);
+  EXPECT_TRUE(make_tldata_cutter(numbers({20, 5, 50, 0, 0, 0, 0}), false, 1).cutter) << "not given";
+  EXPECT_TRUE(make_tldata_cutter(numbers({0.3125, 0.1563, 2, 0, 0, 0, 0.1562}), false, 25.4).cutter) << "rounded";
+  for (const double r : {8.0, 5.001}) {
+    const CutterOutcome outcome = make_tldata_cutter(numbers({20, 5, 50, 0, 0, r, 5}), false, 1);
+    EXPECT_FALSE(outcome.cutter);
+    EXPECT_TRUE(outcome.error.empty());
+    EXPECT_NE(outcome.note.find("tool library"), std::string::npos);
+  }
+  EXPECT_FALSE(make_tldata_cutter(numbers({20, 5, 50, 0, 0, 8, 5, 0, 0, 0}), false, 1).cutter);
+}
+
 TEST(Tldata, WhatCannotBeExpressedDefinesNoTool) {
   const auto barrel = make_tldata_cutter(numbers({20, 2, 60, 0, 0, 8, 2, 50, -40, 20}), false, 1);
   EXPECT_FALSE(barrel.cutter);
