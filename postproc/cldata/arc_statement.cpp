@@ -112,7 +112,8 @@ ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, 
 
   std::optional<double> sweep_deg = number_after(arguments, "ANGLE");
   if (dialect == DialectKind::camplete && arguments.size() > 7) sweep_deg = arguments[7].number;
-  if (sweep_deg && std::abs(*sweep_deg) > 0) statement.sweep_rad = std::abs(*sweep_deg) * kPi / 180;
+  if (sweep_deg && *sweep_deg < 0) return failed(ArcProblems::kForm);
+  if (sweep_deg && *sweep_deg > 0) statement.sweep_rad = *sweep_deg * kPi / 180;
   if (has_argument(arguments, "TIMES")) {
     const double times = number_after(arguments, "TIMES").value_or(0);
     if (!(times >= 1 && times <= kMostTurns) || std::floor(times) < times) return failed(ArcProblems::kForm);
@@ -201,6 +202,13 @@ ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end
   }
   fit.arc.sweep_rad = sign * sweep;
   return fit;
+}
+
+bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end) {
+  statement.sense = ArcSense::right_handed;
+  const bool fits_right = fit_arc(statement, start, end).problem == nullptr;
+  statement.sense = ArcSense::left_handed;
+  return fits_right && fit_arc(statement, start, end).problem == nullptr;
 }
 
 Vec3 arc_tangent(const ArcStatement& statement, const Vec3& tip) {

@@ -71,6 +71,10 @@ struct ArcFit {
 ///          kTimes, and kSense when the sense is unknown.
 [[nodiscard]] ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end);
 
+/// True where the arc fits between both tips whichever way round it runs, so that only its sense tells: a stated half
+/// turn, a whole turn of a helix, any arc that states no sweep.
+[[nodiscard]] bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end);
+
 /// Unit direction in which a right-handed arc passes `tip`.
 [[nodiscard]] Vec3 arc_tangent(const ArcStatement& statement, const Vec3& tip);
 

@@ -154,6 +154,7 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   arc.center = to_part_.point(arc.center);
   arc.axis = to_part_.direction(arc.axis);
   if (is_nccs(dialect_.kind) && arc.problem == nullptr && !is_round_in_nccs(position, arc, move)) return;
+  if (dialect_.kind == DialectKind::autodesk && arc.problem == nullptr) doubt_autodesk_sense(arc, move);
   const bool is_open = arc.problem == nullptr && arc.sense == ArcSense::unknown;
   if (arc.problem == nullptr && last_direction_) vote(arc, last_pose_->tip, *last_direction_);
   if (is_open && is_reached_the_short_way(position)) arc.sense = shorter_way(arc, last_pose_->tip, move.end.tip);
@@ -163,6 +164,24 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
     open_arcs_.push_back({path_.moves.size(), arc, cutcom_reason()});
   }
   fit(arc, last_pose_->tip, move);
+}
+
+// Newer posts of this dialect turn a clockwise arc's vector round; older ones leave it, so that its stated angle tells
+// how it runs unless that is half a turn, or a whole one of a helix. Of a flat full circle both ways are the same.
+void Interpreter::doubt_autodesk_sense(ArcStatement& arc, const Move& move) {
+  constexpr double kOpposite = -0.999;
+  const Vec3& start = last_pose_->tip;
+  const Vec3& end = move.end.tip;
+  if (fits_both_ways(arc, start, end)) {
+    const bool is_flat_circle = (end - start).norm() <= 0 && last_pose_->axis.cross(move.end.axis).norm() <= kSameAxis;
+    if (!is_flat_circle) arc.sense = ArcSense::unknown;
+    return;
+  }
+  const bool is_right = fit_arc(arc, start, end).problem == nullptr;
+  if (is_right && arc.axis.dot(last_pose_->axis) < kOpposite) ++turned_vectors_;
+  arc.sense = ArcSense::left_handed;
+  if (!is_right && fit_arc(arc, start, end).problem == nullptr) ++wrong_way_arcs_;
+  arc.sense = ArcSense::right_handed;
 }
 
 // A list may begin with the position the tool is at. An arc that leaves its plane or turns the tool is one to no
@@ -232,16 +251,11 @@ void Interpreter::note_direction(const Move& move) {
 // Arcs of a file whose dialect tells no sense: all of them have the one in which they go on smoothly.
 void Interpreter::close_arcs() {
   if (open_arcs_.empty()) return;
+  if (dialect_.kind == DialectKind::autodesk) return close_autodesk_arcs();
   const bool is_right = right_votes_ >= kFewestVotes && right_votes_ >= kClearVotes * left_votes_;
   const bool is_left = left_votes_ >= kFewestVotes && left_votes_ >= kClearVotes * right_votes_;
   if (!is_right && !is_left) return;
-  for (OpenArc& open : open_arcs_) {
-    open.arc.sense = is_right ? ArcSense::right_handed : ArcSense::left_handed;
-    Move& move = path_.moves[open.move];
-    if (move.not_checked_reason != ArcProblems::kSense) continue;
-    fit(open.arc, path_.start_of(open.move).tip, move);
-    if (move.not_checked_reason.empty()) move.not_checked_reason = open.not_checked_reason;
-  }
+  close_arcs_as(is_right ? ArcSense::right_handed : ArcSense::left_handed);
   const std::size_t votes = is_right ? right_votes_ : left_votes_;
   path_.notes.push_back(make_note(
       "path-arc-sense",
@@ -250,6 +264,22 @@ void Interpreter::close_arcs() {
           " about their vector, as at " + std::to_string(votes) + " of " +
           std::to_string(right_votes_ + left_votes_) + " places where a line touches an arc it goes on smoothly",
       path_.file));
+}
+
+void Interpreter::close_arcs_as(ArcSense sense) {
+  for (OpenArc& open : open_arcs_) {
+    open.arc.sense = sense;
+    Move& move = path_.moves[open.move];
+    if (move.not_checked_reason != ArcProblems::kSense) continue;
+    fit(open.arc, path_.start_of(open.move).tip, move);
+    if (move.not_checked_reason.empty()) move.not_checked_reason = open.not_checked_reason;
+  }
+}
+
+// One clockwise arc with its vector turned round, and none without, shows which posts wrote the file.
+void Interpreter::close_autodesk_arcs() {
+  if (turned_vectors_ == 0 || wrong_way_arcs_ > 0) return;
+  close_arcs_as(ArcSense::right_handed);
 }
 
 }  // namespace gouge

@@ -220,9 +220,12 @@ class Interpreter {
   void note_direction(const Move& move);
   void close_arcs();
   [[nodiscard]] bool is_round_in_nccs(const Position& position, const ArcStatement& arc, Move& move) const;
+  void doubt_autodesk_sense(ArcStatement& arc, const Move& move);
   [[nodiscard]] bool is_reached_the_short_way(const Position& position) const;
   [[nodiscard]] static ArcSense shorter_way(ArcStatement arc, const Vec3& start, const Vec3& end);
 
+  void close_autodesk_arcs();
+  void close_arcs_as(ArcSense sense);
   // interpret_notes.cpp
   void note_motion();
   void note_arcs();
@@ -373,6 +376,7 @@ class Interpreter {
   std::size_t plain_after_tilt_ = 0, first_plain_after_tilt_ = 0;
   bool is_last_tilted_ = false;
   bool has_end_ = false;
+  std::size_t turned_vectors_ = 0, wrong_way_arcs_ = 0;  // of Autodesk: clockwise arcs right-handed, and left-handed
 };
 
 /// The records of `path`'s moves, by reading its bytes once more.

@@ -79,6 +79,33 @@ TEST(ReadArcs, TheAngleAnArcStatesMustLeadToItsEnd) {
             "the angle the arc states does not lead to its end");
 }
 
+// Its older posts write a clockwise arc with the vector of a counter-clockwise one.
+TEST(ReadArcs, AHalfTurnOfAutodeskIsCheckedWhereTheFileShowsWhichPostWroteIt) {
+  const std::string head = "MODE/MILL\nUNITS/MM\nMULTAX/OFF\nGOTO/61,0,-5\n";
+  const std::string half = "MOVARC/61,10,-5,0,0,1,10,ANGLE,180\nGOTO/61,20,-5\n";
+  const std::string turned = "MOVARC/61,10,-5,0,0,-1,10,ANGLE,90\nGOTO/51,10,-5\n";
+  const std::string not_turned = "MOVARC/61,10,-5,0,0,1,10,ANGLE,90\nGOTO/71,10,-5\n";
+  const std::string open = "nothing in the file tells which way round its arcs run";
+  const auto reason = [&](const std::string& after) {
+    return std::string(path_of(head + half + after + "END\nFINI\n").moves.at(1).not_checked_reason);
+  };
+  const std::string back = "GOTO/61,0,-5\n";
+  EXPECT_EQ(reason(""), open);
+  EXPECT_EQ(reason(back + not_turned), open) << "counter-clockwise in both posts";
+  EXPECT_EQ(reason("GOTO/61,20,-5\nMOVARC/61,10,-5,0,0,-1,10,ANGLE,90\nGOTO/71,10,-5\n"), "");
+  EXPECT_EQ(reason(back + turned), "");
+  EXPECT_EQ(reason(back + turned + back + "MOVARC/61,10,-5,0,0,1,10,ANGLE,90\nGOTO/51,10,-5\n"), open)
+      << "one that runs left-handed";
+}
+
+TEST(ReadArcs, AWholeTurnOfAutodeskIsOpenOnlyWhereItRises) {
+  const std::string head = "MODE/MILL\nUNITS/MM\nMULTAX/OFF\nGOTO/61,0,-5\nMOVARC/61,10,-5,0,0,1,10,ANGLE,";
+  EXPECT_EQ(path_of(head + "360\nGOTO/61,0,-5\nEND\nFINI\n").moves.at(1).not_checked_reason, "");
+  EXPECT_NE(path_of(head + "360\nGOTO/61,0,-4\nEND\nFINI\n").moves.at(1).not_checked_reason, "");
+  EXPECT_EQ(path_of(head + "-180\nGOTO/61,20,-5\nEND\nFINI\n").moves.at(1).not_checked_reason,
+            "an arc statement that is not understood");
+}
+
 TEST(ReadArcs, AFileOfNoKnownDialectIsReadInTheSenseThatGoesOnSmoothly) {
   const Toolpath path = path_of(
       "UNITS/MM\nGOTO/5,-9,0\nGOTO/5,0,0\nCIRCLE/0,0,0,0,0,1,5\nGOTO/0,5,0\nGOTO/-9,5,0\n"
