@@ -98,6 +98,9 @@ void TextSink::change_tool(const PathTool& tool) {
   }
   if (options_.kind == DialectKind::solidworks_cam && !tool.name.empty()) line("INSERT/" + tool.name);
   if (tool.cutter) write_cutter(tool);
+  const bool has_diameter_alone = !tool.cutter && tool.stated_diameter_mm > 0;
+  if (has_diameter_alone && options_.kind == DialectKind::creo)
+    line("$$-> CUTTER / " + fixed_text(scaled(tool.stated_diameter_mm), 6));
   if (tool.number) write_number(tool);
   const bool has_flutes =
       options_.kind == DialectKind::solidworks_cam || options_.kind == DialectKind::camplete;

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <string_view>
+#include <utility>
 
 #include "lib/base/number_text.h"
 #include "lib/path/chords.h"
@@ -52,10 +54,11 @@ class PathWriter {
   void write_move(std::size_t index);
   void write_motion(std::size_t index);
   void write_cutcom(std::size_t index);
-  void expect(const Pose& end, bool is_alone);
+  void expect(const Pose& end, bool is_alone, double sweep_rad = 0);
+  [[nodiscard]] bool write_arc(std::size_t index);
   void note(const char* code, std::size_t count, const std::string& noun, const std::string& what);
   void note_losses();
-  void verify();
+  [[nodiscard]] std::optional<Diagnostic> verify();
 
   const Toolpath& path_;
   Dialect target_;
@@ -71,10 +74,19 @@ class PathWriter {
   std::size_t lost_arcs_ = 0, splines_ = 0, cycles_ = 0;
   struct Expected {
     Pose end;
+    std::size_t move = 0;  // of path_
     bool is_alone = false;
     bool is_checked = true;
+    bool is_rapid = false;
+    double sweep_rad = 0;  // right-handed about `axis`; 0: straight
+    Vec3 axis = Vec3::UnitZ();
   };
+  [[nodiscard]] bool is_same_tool(const Toolpath& again, const Move& found, const Move& meant) const;
+  [[nodiscard]] static bool is_same_way(const Toolpath& again, const Move& found, const Expected& expected);
+  [[nodiscard]] std::optional<Diagnostic> find_other_tool(const Toolpath& again) const;
   std::vector<Expected> expected_;
+  std::size_t index_ = 0;         // of the move being written
+  bool is_rapid_written_ = false;  // before the next position
 };
 
 std::optional<Diagnostic> PathWriter::find_obstacle() const {
@@ -149,8 +161,44 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   return std::make_unique<TextSink>(options);
 }
 
-void PathWriter::expect(const Pose& end, bool is_alone) {
-  expected_.push_back({end, is_alone, is_checked_});
+void PathWriter::expect(const Pose& end, bool is_alone, double sweep_rad) {
+  Expected expected;
+  expected.end = end;
+  expected.move = index_;
+  expected.is_alone = is_alone;
+  expected.is_checked = is_checked_;
+  expected.is_rapid = std::exchange(is_rapid_written_, false);
+  expected.sweep_rad = sweep_rad;
+  if (sweep_rad < 0 || sweep_rad > 0) expected.axis = path_.arcs[path_.moves[index_].curve].axis;
+  expected_.push_back(expected);
+}
+
+// Half a turn, and a whole one of a helix, fit whichever way round they are read in the dialect that states sweeps
+// and of whose writers some mean the other way: there they are written in parts.
+bool PathWriter::write_arc(std::size_t index) {
+  constexpr double kPi = std::numbers::pi, kNear_rad = 0.2;
+  const Move& move = path_.moves[index];
+  PathArc arc = path_.arcs[move.curve];
+  Pose start = path_.start_of(index);
+  const double sweep = std::abs(arc.sweep_rad);
+  const bool is_flat_circle =
+      (start.tip - move.end.tip).norm() <= 0 && (start.axis - move.end.axis).cwiseAbs().maxCoeff() <= kTilt;
+  const bool is_open = std::abs(sweep - kPi) <= kNear_rad || (std::abs(sweep - 2 * kPi) <= kNear_rad && !is_flat_circle);
+  if (target_.kind != DialectKind::autodesk || !is_open) {
+    if (!sink_->go_round(arc, start, move.end)) return false;
+    expect(move.end, false, arc.sweep_rad);
+    return true;
+  }
+  const Vec3 from = start.tip - arc.center;
+  const double radius = (from - from.dot(arc.axis) * arc.axis).norm();
+  const std::vector<Pose> ends = chords_of(path_, index, radius / 2);
+  arc.sweep_rad /= static_cast<double>(ends.size());
+  for (const Pose& end : ends) {
+    if (!sink_->go_round(arc, start, end)) return false;
+    expect(end, false, arc.sweep_rad);
+    start = end;
+  }
+  return true;
 }
 
 void PathWriter::write_cutcom(std::size_t index) {
@@ -165,8 +213,7 @@ void PathWriter::write_motion(std::size_t index) {
     sink_->go_to(move.end);
     return expect(move.end, !move.has_start);
   }
-  if (move.curve_kind == CurveKind::arc && sink_->go_round(path_.arcs[move.curve], path_.start_of(index), move.end))
-    return expect(move.end, false);
+  if (move.curve_kind == CurveKind::arc && write_arc(index)) return;
   ++(move.curve_kind == CurveKind::arc ? lost_arcs_ : splines_);
   for (const Pose& pose : chords_of(path_, index, kChordError_mm)) {
     sink_->go_to(pose);
@@ -176,10 +223,12 @@ void PathWriter::write_motion(std::size_t index) {
 
 void PathWriter::write_move(std::size_t index) {
   const Move& move = path_.moves[index];
+  index_ = index;
   is_checked_ = move.not_checked_reason.empty();
   const bool is_after_retract = move.not_checked_reason == Reasons::kAfterRetract;
   const bool is_tool_new = move.tool != tool_ && move.tool != kNone;
-  if (!move.has_start && index > 0 && !is_tool_new && !is_after_retract) {
+  const bool says_tools = target_.kind != DialectKind::goto_list;
+  if (!move.has_start && index > 0 && !(is_tool_new && says_tools) && !is_after_retract) {
     sink_->break_motion() ? ++breaks_ : ++lost_breaks_;
     feed_ = 0;
   }
@@ -198,7 +247,8 @@ void PathWriter::write_move(std::size_t index) {
   if (is_after_retract) sink_->retract();
   write_cutcom(index);
   if (is_rapid) {
-    if (!sink_->make_rapid()) ++lost_rapids_;
+    is_rapid_written_ = sink_->make_rapid();
+    if (!is_rapid_written_) ++lost_rapids_;
   } else if (std::abs(move.feed_mm_per_min - feed_) > 0 && move.feed_mm_per_min > 0) {
     feed_ = move.feed_mm_per_min;
     sink_->set_feed(feed_);
@@ -231,15 +281,63 @@ void PathWriter::note_losses() {
   const bool has_diameter_alone = target_.kind == DialectKind::creo;
   const bool has_no_angles = target_.kind == DialectKind::nccs_binary;
   note("convert-tools", count_tools([&](const PathTool& tool) {
-         if (!tool.cutter) return false;
+         if (!tool.cutter) return tool.stated_diameter_mm > 0 && !has_diameter_alone;
+         if (target_.kind == DialectKind::nx_clsf && !(tool.cutter->d_mm > 0)) return true;
          return has_no_cutter || has_diameter_alone ||
                 (has_no_angles && std::abs(tool.cutter->alpha_deg) > 0);
        }),
        "tool", "without the whole shape, which the dialect cannot say; give it in a tool library");
 }
 
+// A tool that the result does not name or define is not checked, or told. Shapes are compared where the dialect says
+// them whole.
+bool PathWriter::is_same_tool(const Toolpath& again, const Move& found, const Move& meant) const {
+  constexpr double kSameSize_mm = 2e-3, kSameAngle_deg = 1e-3;
+  if (found.tool == kNone) return true;
+  const PathTool& tool = again.tools[found.tool];
+  if (meant.tool == kNone) return false;
+  const PathTool& wanted = path_.tools[meant.tool];
+  if (tool.number != wanted.number) return false;
+  if (!tool.cutter) return true;
+  if (!wanted.cutter) return false;
+  const CutterStatement &a = *tool.cutter, &b = *wanted.cutter;
+  const double factor = mm_per(path_.unit) / mm_per(again.unit);
+  const bool is_same_size = std::abs(a.d_mm * factor - b.d_mm) <= kSameSize_mm &&
+                            std::abs(a.r_mm * factor - b.r_mm) <= kSameSize_mm;
+  const bool is_same_shape =
+      std::abs(a.alpha_deg - b.alpha_deg) <= kSameAngle_deg && std::abs(a.beta_deg - b.beta_deg) <= kSameAngle_deg;
+  const bool is_slanted = std::abs(b.alpha_deg) > 0 || std::abs(b.beta_deg) > 0;
+  if (target_.kind == DialectKind::nccs_binary && is_slanted) return true;
+  return is_same_size && is_same_shape;
+}
+
+std::optional<Diagnostic> PathWriter::find_other_tool(const Toolpath& again) const {
+  if (target_.kind == DialectKind::goto_list) return std::nullopt;
+  for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
+    const Move& meant = path_.moves[expected_[i].move];
+    if (is_same_tool(again, again.moves[i], meant)) continue;
+    return make_error("convert-tool",
+                      std::string(target_.id) +
+                          " cannot say which tool this move has, and would give it another one: a tool without a number "
+                          "or a cutter after one that has them; expected tools with numbers and cutters",
+                      path_.file, meant.line);
+  }
+  return std::nullopt;
+}
+
+bool PathWriter::is_same_way(const Toolpath& again, const Move& found, const Expected& expected) {
+  const bool is_checked = found.not_checked_reason.empty();
+  if (is_checked != expected.is_checked) return false;
+  if ((found.kind == MoveKind::rapid) != expected.is_rapid) return false;
+  if (!is_checked) return true;
+  const bool is_round = std::abs(expected.sweep_rad) > 0;
+  if (!is_round || found.curve_kind != CurveKind::arc) return !is_round && found.curve_kind == CurveKind::none;
+  const PathArc& arc = again.arcs[found.curve];
+  return (arc.sweep_rad * arc.axis - expected.sweep_rad * expected.axis).norm() <= 0.1;
+}
+
 // What was written is read as any file would be and compared with what was meant.
-void PathWriter::verify() {
+std::optional<Diagnostic> PathWriter::verify() {
   ReadOptions options;
   options.dialect = target_;
   const ReadOutcome outcome = read_toolpath(path_.file, written_.bytes, options);
@@ -248,9 +346,10 @@ void PathWriter::verify() {
         "convert-verify",
         "the result cannot be read again: " + (outcome.errors.empty() ? "" : outcome.errors.front().message),
         path_.file));
-    return;
+    return std::nullopt;
   }
   const Toolpath& again = *outcome.toolpath;
+  if (auto error = find_other_tool(again)) return error;
   if (again.unit != path_.unit) {
     written_.notes.push_back(make_warning("convert-unit",
                                           std::string("the result does not state its unit, ") +
@@ -263,12 +362,12 @@ void PathWriter::verify() {
     const Move& move = again.moves[i];
     const bool is_same = (move.end.tip * factor - expected_[i].end.tip).norm() <= kSamePlace_mm &&
                          (move.end.axis - expected_[i].end.axis).norm() <= kSameAxis &&
-                         move.has_start != expected_[i].is_alone &&
-                         (expected_[i].is_checked || !move.not_checked_reason.empty());
+                         move.has_start != expected_[i].is_alone && is_same_way(again, move, expected_[i]);
     differing += is_same ? 0 : 1;
   }
   const std::size_t told = std::min(lost_breaks_, differing);
   note("convert-verify", differing - told, "move", "of the result read with another meaning");
+  return std::nullopt;
 }
 
 Result<WrittenToolpath> PathWriter::run() {
@@ -277,7 +376,7 @@ Result<WrittenToolpath> PathWriter::run() {
   for (std::size_t i = 0; i < path_.moves.size(); ++i) write_move(i);
   written_.bytes = sink_->finish();
   note_losses();
-  verify();
+  if (auto error = verify()) return std::move(*error);
   return std::move(written_);
 }
 

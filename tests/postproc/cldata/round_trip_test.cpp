@@ -126,6 +126,73 @@ TEST(RoundTrip, EveryDialectTakesAPathWithTiltsArcsAndTools) {
   }
 }
 
+/// How writing `text` in `target` ends: the code of its error, or of a note that begins with convert-verify, or "".
+std::string outcome_of(const std::string& text, const Dialect& target) {
+  const Result<WrittenToolpath> result = write_toolpath(path_of(text), target);
+  if (!result) return result.error().code;
+  for (const Diagnostic& note : result->notes) {
+    if (note.code == "convert-verify") return note.code + ": " + note.message;
+  }
+  return "";
+}
+
+// Each with a move that no dialect but the named one can keep from running with the tool before it.
+TEST(RoundTrip, NoMoveGetsTheToolOfAnother) {
+  const std::string nx_head = "TOOL PATH/A,TOOL,flat10\nTLDATA/MILL,10,0,50,0,0\nLOAD/TOOL,1\nGOTO/56,0,-5\n"
+                              "GOTO/56,10,-5\nEND-OF-PATH\nTOOL PATH/B,TOOL,";
+  const std::string motion = "GOTO/56,0,-5\nGOTO/56,10,-5\n";
+  struct Case {
+    std::string text;
+    std::optional<DialectKind> can_say;
+  };
+  const std::vector<Case> cases = {
+      {"UNITS/MM\nCUTTER/10\nGOTO/56,0,-5\nCUTTER/0\n" + motion, std::nullopt},
+      {"UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/56,0,-5\nCUTTER/0\n" + motion, std::nullopt},
+      {nx_head + "flat20\nTLDATA/MILL,20,0,50,0,0\n" + motion + "END-OF-PATH\n", DialectKind::nx_clsf},
+      {nx_head + "flat20\n" + motion + "END-OF-PATH\n", DialectKind::nx_clsf},
+  };
+  for (const Case& c : cases) {
+    for (const Dialect& dialect : all_dialects()) {
+      if (dialect.kind == DialectKind::nci) continue;
+      // Dialects without these tools or without any leave them to the library, and say so.
+      const bool says_no_cutter = dialect.kind == DialectKind::creo || dialect.kind == DialectKind::mori;
+      const std::string outcome = outcome_of(c.text, dialect);
+      if (dialect.kind == DialectKind::goto_list || c.can_say == dialect.kind) {
+        EXPECT_EQ(outcome, "") << dialect.id << "\n" << c.text;
+      } else if (!says_no_cutter) {
+        EXPECT_EQ(outcome, "convert-tool") << dialect.id << "\n" << c.text;
+      } else {
+        EXPECT_TRUE(outcome.empty() || outcome.starts_with("convert-")) << dialect.id << outcome << "\n" << c.text;
+        EXPECT_TRUE(outcome == "convert-tool" || !c.can_say) << dialect.id << "\n" << c.text;
+      }
+    }
+  }
+}
+
+TEST(RoundTrip, AToolThatADialectCannotSayIsTold) {
+  const Toolpath path = path_of("UNITS/MM\nCUTTER/0,0,0,0,0,45,20\nLOADTL/1\nGOTO/0,0,0\n");
+  const Result<WrittenToolpath> result = write_toolpath(path, dialect_of(DialectKind::nx_clsf));
+  ASSERT_TRUE(result);
+  EXPECT_TRUE(std::any_of(result->notes.begin(), result->notes.end(),
+                          [](const Diagnostic& note) { return note.code == "convert-tools"; }));
+  const Toolpath creo = path_of("$$* Pro/CLfile\nUNITS / MM\nLOADTL / 1\n$$-> CUTTER / 12.5\nGOTO / 0, 0, 0\nFINI\n");
+  EXPECT_NE(write_toolpath(creo, dialect_of(DialectKind::creo))->bytes.find("$$-> CUTTER / 12.500000\n"),
+            std::string::npos);
+  EXPECT_FALSE(write_toolpath(creo, dialect_of(DialectKind::apt))->notes.empty());
+}
+
+// Half a turn fits both ways round; of quarters the stated angle tells.
+TEST(RoundTrip, ArcsWhoseAngleTellsNoSenseArePartedForAutodesk) {
+  const std::string nx = "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10,0,50,0,0\nLOAD/TOOL,1\nGOTO/10,0,0\n";
+  for (const std::string sign : {"", "-"}) {
+    const std::string circle = "CIRCLE/0,0,0,0,0," + sign + "1,10,.06,.5,10,0\n";
+    for (const char* end : {"GOTO/-10,0,0\n", "GOTO/10,0,0\n", "GOTO/10,0,3\n", "GOTO/0,10,0\n"}) {
+      const std::string text = nx + circle + end + "END-OF-PATH\n";
+      EXPECT_EQ(outcome_of(text, dialect_of(DialectKind::autodesk)), "") << text;
+    }
+  }
+}
+
 // A path that was not checked because of CUTCOM must not become one that is.
 TEST(RoundTrip, CompensationIsKept) {
   const std::string text =
