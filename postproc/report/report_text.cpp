@@ -51,7 +51,9 @@ std::string depth_text(double length_mm, LengthUnit unit) {
 std::string length_text(double length_mm, LengthUnit unit) {
   const double value = length_mm / mm_per(unit);
   if (!std::isfinite(value)) return "any length";
-  return trimmed(fixed_text(value, std::clamp(5 - first_digit(value), 0, 15))) + " " + unit_name(unit);
+  const int power = first_digit(value);
+  const int digits = power < 0 ? 4 : 6;
+  return trimmed(fixed_text(value, std::clamp(digits - 1 - power, 0, 15))) + " " + unit_name(unit);
 }
 
 std::string short_length_text(double length_mm, LengthUnit unit) {

@@ -13,7 +13,7 @@ namespace gouge {
 
 /// A length for people, in `unit`, with its name: "0.213 mm", "0.0084 in". Small lengths keep two digits.
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit);
-/// Up to six digits, no trailing zeros: "0.011 mm", "0.00043307 in".
+/// Up to six digits, four below 1, no trailing zeros: "0.011 mm", "44.4543 mm", "0.0004331 in".
 [[nodiscard]] std::string length_text(double length_mm, LengthUnit unit);
 /// For pictures, where room is short: six decimals, or more where three digits need them; no trailing zeros:
 /// "0.000394 in".

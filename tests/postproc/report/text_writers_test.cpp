@@ -117,7 +117,7 @@ TEST(FindingsText, IsInInchesForAnInchPath) {
   report.path.unit = LengthUnit::inch;
   const std::string text = findings_text(report.model);
   EXPECT_NE(text.find("gouge: 0.0131 in cutter T1 at (0.4843, 0.1772, 0.2638), move 2"), std::string::npos);
-  EXPECT_NE(text.find("= 0.000433071 in goes untold"), std::string::npos);
+  EXPECT_NE(text.find("= 0.0004331 in goes untold"), std::string::npos);
 }
 
 TEST(OverallVerdict, NeverCallsAnOpenQuestionClean) {
