@@ -30,7 +30,7 @@ class HelpFormatter : public CLI::Formatter {
     return paragraph(command->get_description());
   }
   std::string make_footer(const CLI::App* command) const override {
-    return paragraph(command->get_footer().empty() ? "" : "\n" + command->get_footer());
+    return paragraph(command->get_footer());
   }
 };
 
