@@ -7,6 +7,7 @@
 
 #include "lib/base/view_file.h"
 #include "lib/mesh/ascii_stl.h"
+#include "lib/mesh/foreign_mesh.h"
 
 namespace gouge {
 namespace {
@@ -92,7 +93,10 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
     return parse_binary_stl(bytes, name, std::move(keep));
   }
   if (detail::looks_like_ascii_stl(bytes)) return detail::parse_ascii_stl(bytes, name);
-  if (is_text(bytes.substr(0, 4096))) {
+  const bool is_plain = is_text(bytes.substr(0, 4096));
+  if (const auto foreign = describe_foreign_mesh(bytes, is_plain))
+    return make_error("stl-not-stl", "the file " + *foreign, name);
+  if (is_plain) {
     return make_error("stl-not-stl", "the file is text but not ASCII STL; expected it to begin with 'solid'",
                       name);
   }

@@ -74,6 +74,30 @@ TEST(ReadStl, TruncatedBinarySaysHowManyOfHowMany) {
       "'solid' [stl-truncated]");
 }
 
+TEST(ReadStl, AnotherKindOfFileIsCalledByItsName) {
+  const auto told = [](const std::string& bytes) { return error_of(bytes); };
+  EXPECT_EQ(told("ISO-10303-21;\nHEADER;\n"),
+            "part.stl: error: the file is STEP, exact geometry without triangles; save the part as STL in the CAD "
+            "system [stl-not-stl]");
+  for (const char* path : {"UNITS/MM\nGOTO/0,0,0\n", "$$ by hand\n  GOTO / 1,2,3", "TOOL PATH/A,TOOL,B\n"})
+    EXPECT_EQ(told(path), "part.stl: error: the file is a toolpath (CL data); expected an STL file [stl-not-stl]");
+  EXPECT_EQ(told(std::string("PK\x03\x04\0\0", 6) + std::string(200, '\0')),
+            "part.stl: error: the file is a ZIP archive (3MF is one too); unpack it, or save the part as STL "
+            "[stl-not-stl]");
+  EXPECT_EQ(told("# cube\nv 0 0 0\n"), "part.stl: error: the file is an OBJ mesh; save it as STL [stl-not-stl]");
+  EXPECT_EQ(told("once upon a time"),
+            "part.stl: error: the file is text but not ASCII STL; expected it to begin with 'solid' [stl-not-stl]");
+}
+
+TEST(ReadStl, AHeaderOfABinaryFileMayHoldAnyWords) {
+  for (const char* header : {"UNITS/MM", "{", "OFF", "ISO-10303-21", "GOTO"}) {
+    const std::string one = shapes::binary_stl(header, 1, {kTriangle});
+    EXPECT_TRUE(parse_stl(one, "part.stl").has_value()) << header;
+    const std::string longer = one + '\n';
+    EXPECT_TRUE(parse_stl(longer, "part.stl").has_value()) << header;
+  }
+}
+
 TEST(ReadStl, EmptyAndEmptied) {
   EXPECT_EQ(error_of(""),
             "part.stl: error: the file is empty (0 bytes); expected a binary or ASCII STL [stl-empty]");
@@ -97,7 +121,7 @@ TEST(ReadStl, BinaryCoordinateThatIsNoNumberNamesTheTriangle) {
 
 TEST(ReadStl, TextThatIsNoStlIsToldSo) {
   EXPECT_EQ(
-      error_of("PARTNO/BLADE\nGOTO/1,2,3\n"),
+      error_of("BLADE 1\n1,2,3\n"),
       "part.stl: error: the file is text but not ASCII STL; expected it to begin with 'solid' [stl-not-stl]");
 }
 
