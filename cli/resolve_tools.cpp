@@ -81,7 +81,8 @@ class Resolver {
     const std::vector<ToolSegment>* segments = library_->holder_called(name);
     if (segments == nullptr) {
       return usage("--holder '" + name +
-                   "': the library has neither a holder nor a tool with a holder of that name");
+                   "': the library has neither a holder nor a tool with a holder of that name; it has " +
+                   library_->holder_names());
     }
     holder_ = *segments;
     return std::nullopt;

@@ -30,7 +30,7 @@ Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& argument
   const std::vector<ToolSegment>* holder = library->holder_called(arguments.holder);
   if (holder == nullptr)
     return make_error("usage", "--holder '" + arguments.holder + "': " + arguments.tools_file +
-                                   " has no holder of that name");
+                                   " has no holder of that name; it has " + library->holder_names());
   return *holder;
 }
 

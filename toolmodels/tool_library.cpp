@@ -39,4 +39,16 @@ const std::vector<ToolSegment>* ToolLibrary::holder_called(std::string_view name
   return tool != nullptr && !tool->holder.empty() ? &tool->holder : nullptr;
 }
 
+std::string ToolLibrary::holder_names() const {
+  std::string names;
+  const auto add = [&](const std::string& name) {
+    if (!name.empty()) names += (names.empty() ? "" : ", ") + name;
+  };
+  for (const NamedHolder& holder : holders) add(holder.name);
+  for (const ToolAssembly& tool : tools) {
+    if (!tool.holder.empty()) add(tool.name);
+  }
+  return names.empty() ? "none" : names;
+}
+
 }  // namespace gouge

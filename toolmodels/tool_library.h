@@ -38,6 +38,8 @@ struct ToolLibrary {
   /// Segments of the holder called `name`, or of the holder of the tool called so; null when there is
   /// neither.
   [[nodiscard]] const std::vector<ToolSegment>* holder_called(std::string_view name) const;
+  /// What holder_called finds, for people: "ER16, ball D10", or "none".
+  [[nodiscard]] std::string holder_names() const;
 };
 
 /// Every tool is built once to see that it can be; what cannot is an error that names tool and field.

@@ -110,5 +110,16 @@ TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
   EXPECT_FALSE(resolve_tools(path, &library, {"x=2"}, "").has_value());
 }
 
+TEST(ResolveTools, AnUnknownHolderIsToldWithTheHoldersThereAre) {
+  ToolLibrary library = library_with_holder();
+  const auto told = [&] { return resolve_tools(path_in(LengthUnit::mm), &library, {}, "ER16").error().message; };
+  const std::string start =
+      "--holder 'ER16': the library has neither a holder nor a tool with a holder of that name; it has ";
+  EXPECT_EQ(told(), start + "none");
+  library.holders = {{"ER32", {{40, 40, 50}}}};
+  library.tools.front().name = "flat D12.7";
+  EXPECT_EQ(told(), start + "ER32, flat D12.7");
+}
+
 }  // namespace
 }  // namespace gouge

@@ -123,13 +123,16 @@ TEST(ToolLibrary, MistakesNameLineToolAndField) {
 
 TEST(ToolLibrary, WrongFilesGetOneClearMessage) {
   EXPECT_EQ(error_of(""),
-            "lib.json:1: error: this is not JSON: there is a mistake at or before this line; expected a tool "
-            "library "
-            "[library-syntax]");
+            "lib.json: error: the file is empty (0 bytes); expected a tool library (JSON) [library-syntax]");
   EXPECT_EQ(error_of("{\"units\":\"mm\",\n\"tools\":[\n{,}]}"),
-            "lib.json:3: error: this is not JSON: there is a mistake at or before this line; expected a tool "
-            "library "
-            "[library-syntax]");
+            "lib.json:3: error: this is not JSON: there is a mistake at or before column 2: found '{,'; expected a "
+            "tool library [library-syntax]");
+  EXPECT_EQ(error_of("{\"units\":\"mm\",\n\"tools\":["),
+            "lib.json:2: error: this is not JSON: it ends before its last bracket is closed; the file may be cut off; "
+            "expected a tool library [library-syntax]");
+  EXPECT_EQ(error_of("  \"units\": mm"),
+            "lib.json:1: error: this is not JSON: there is a mistake at or before column 10: found '\"units\":'; "
+            "expected a tool library [library-syntax]");
   EXPECT_EQ(error_of("[1]"), "lib.json:1: error: the library is a list; expected an object [library-field]");
   EXPECT_EQ(error_of("{\"tools\":[]}"),
             "lib.json:1: error: the library does not say its unit; add \"units\": \"mm\" or \"inch\" "
