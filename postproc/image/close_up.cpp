@@ -94,9 +94,11 @@ Vec3 best_direction(const PictureSet& set, const PictureEvent& event) {
   return best;
 }
 
-void add_callout(Page& page, const Area& area, const Vec2& target, const std::string& words) {
+// `words` in a box on the side that `clear_of` leaves free, with a line to the target.
+void add_callout(Page& page, const Area& area, const Vec2& target, const Vec2& clear_of,
+                 const std::string& words) {
   const double width = text_width(words, 21, true) + 28;
-  const bool is_left = target.x() < area.middle().x();
+  const bool is_left = clear_of.x() < area.middle().x();
   const Vec2 corner(is_left ? area.right() - width - 24 : area.x + 24, area.bottom() - 150);
   const Area box{corner.x(), corner.y(), width, 38};
   const Vec2 from(is_left ? box.x : box.right(), box.middle().y());
@@ -131,7 +133,10 @@ void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, 
   Raster raster = shade(set.scene, buffer, set.field.depth_on_pixels(set.scene, buffer), set.scale);
   lay_glass(raster, buffer, tool_surface(forms.bare, event.pose), placed_heads(set, event));
   page.rasters.push_back({static_cast<int>(kCloseUp.x), static_cast<int>(kCloseUp.y), std::move(raster)});
-  add_callout(page, kCloseUp, on_page(kCloseUp, view.project(event.at)), words);
+  const Vec2 target = on_page(kCloseUp, view.project(event.at));
+  // A head's finding may be far from the tool, which must be seen as well.
+  const Vec2 tip = on_page(kCloseUp, view.project(event.pose.tip));
+  add_callout(page, kCloseUp, target, event.head ? tip : target, words);
   page.frame(kCloseUp, kSoftInk, 1);
   const char* const title =
       event.head ? "Part, tool and head at the worst instant" : "Part and tool at the worst instant";

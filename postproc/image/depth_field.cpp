@@ -13,7 +13,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kPosesPerHeadPose = 10;
+constexpr std::size_t kPosesPerHeadPose = 25;
 
 double signed_distance(const CompiledTool& tool, const Pose& pose, const Vec3& p) {
   const Vec3 d = p - pose.tip;
@@ -42,12 +42,13 @@ class ToolPlace {
   [[nodiscard]] double floor_mm() const { return has_clearance() ? 0.0 : tolerance_mm_; }
 
   // The part form holds every other form inside it up to its clearances, so it decides what is far away.
-  [[nodiscard]] double most_mm(const PointTree::Node& node) const {
+  [[nodiscard]] double most_mm(const PointTree::Node& node, double) const {
     return node.radius - std::min(signed_distance(tool_.against_part, pose_, node.centre),
                                   signed_distance(tool_.against_fixture, pose_, node.centre));
   }
 
-  [[nodiscard]] PointTree::LeafDepths depths(std::span<const FieldPoint> points) const {
+  [[nodiscard]] PointTree::LeafDepths depths(std::span<const FieldPoint> points,
+                                             std::span<const float>) const {
     constexpr std::size_t kMost = PointTree::kLeafPoints;
     const std::size_t count = points.size();
     std::array<double, kMost> r{}, z{}, part{}, fixture{}, clearance{};

@@ -18,8 +18,8 @@ class DepthField {
 
   static constexpr std::size_t kMostPoses = 12000;
 
-  /// Picks the instants, about `most_poses` of them for the tool and a tenth for the heads, which are looked
-  /// at less often; the worst of every gouging move as long as that many fit.
+  /// Picks the instants, about `most_poses` of them for the tool and a twenty-fifth for the heads, whose
+  /// distances cost more; the worst of every gouging move as long as that many fit.
   explicit DepthField(const PictureInput& input, std::size_t most_poses = kMostPoses);
 
   /// For each point the largest depth that counts as a gouge, in mm, else 0. Within 3 % of the sampled poses.

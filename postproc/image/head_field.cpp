@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "lib/check/check_path.h"
 #include "lib/head/head_motion.h"
@@ -53,48 +54,67 @@ class HeadPlace {
 
   [[nodiscard]] double floor_mm() const { return tolerance_mm_; }
 
-  [[nodiscard]] double most_mm(const PointTree::Node& node) const {
+  [[nodiscard]] double most_mm(const PointTree::Node& node, double enough_mm) {
     const Vec3 centre = to_tool_.point(node.centre);
     if (box_.squaredExteriorDistance(centre) >= node.radius * node.radius) return 0;
     // Nothing is deeper than half the head is thick; where the node is as large, the tree says no more.
     const double half_mm = 0.5 * box_.sizes().minCoeff();
     if (node.radius >= half_mm) return half_mm;
-    const SurfaceFoot foot = *nearest_foot(head_.surface, centre);
-    return std::min(node.radius - foot.signed_mm(), most_over(foot, node));
+    const double remembered_mm = most_over_patch(node);
+    if (remembered_mm <= enough_mm) return remembered_mm;
+    const SurfaceFoot foot = nearest(centre);
+    return std::min(
+        {node.radius - foot.signed_mm(), most_from(foot.point, node), most_over_patch(node), half_mm});
   }
 
-  [[nodiscard]] PointTree::LeafDepths depths(std::span<const FieldPoint> points) const {
+  [[nodiscard]] PointTree::LeafDepths depths(std::span<const FieldPoint> points,
+                                             std::span<const float> told_mm) {
     PointTree::LeafDepths told{};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3 point = to_tool_.point(points[i].at);
-      if (!box_.contains(point)) continue;
-      const SurfaceFoot foot = *nearest_foot(head_.surface, point);
+      const double enough_mm = std::max(tolerance_mm_, PointTree::kUnseen * static_cast<double>(told_mm[i]));
+      if (!box_.contains(point) || most_at(point) <= enough_mm) continue;
+      const SurfaceFoot foot = nearest(point);
       if (foot.is_inside && foot.distance_mm > tolerance_mm_) told[i] = static_cast<float>(foot.distance_mm);
     }
     return told;
   }
 
  private:
-  // A point inside is not deeper than it is far from any place of the surface: from the foot of the node's
-  // middle, and from what lies above it on the foot's flat patch.
-  [[nodiscard]] double most_over(const SurfaceFoot& foot, const PointTree::Node& node) const {
-    const FlatPatch& patch = head_.flat.patches[head_.flat.patch_of[foot.triangle]];
-    double from_foot2 = 0, height = 0;
-    bool is_over = true;
-    for (int k = 0; k < 8; ++k) {
-      const Vec3 corner = to_tool_.point(node.box.corner(static_cast<Box3::CornerType>(k)));
-      from_foot2 = std::max(from_foot2, (corner - foot.point).squaredNorm());
-      height = std::max(height, std::abs(patch.height_mm(corner)));
-      is_over = is_over && patch.inside_mm(corner) >= 0;
-    }
-    const double from_foot = std::sqrt(from_foot2);
-    return is_over ? std::min(from_foot, height + patch.off_mm) : from_foot;
+  [[nodiscard]] SurfaceFoot nearest(const Vec3& point) {
+    const SurfaceFoot foot = *nearest_foot(head_.surface, point);
+    patch_ = &head_.flat.patches[head_.flat.patch_of[foot.triangle]];
+    return foot;
+  }
+
+  // A point inside is not deeper than it is far from any place of the surface. From that of a node's middle:
+  [[nodiscard]] double most_from(const Vec3& foot, const PointTree::Node& node) const {
+    double far2 = 0;
+    for (int k = 0; k < 8; ++k) far2 = std::max(far2, (corner(node, k) - foot).squaredNorm());
+    return std::sqrt(far2);
+  }
+
+  // From what lies above it on the flat patch that was nearest to the last one asked about, its neighbour:
+  [[nodiscard]] double most_at(const Vec3& point) const {
+    if (patch_ == nullptr || patch_->inside_mm(point) < 0) return std::numeric_limits<double>::infinity();
+    return std::abs(patch_->height_mm(point)) + patch_->off_mm;
+  }
+
+  [[nodiscard]] double most_over_patch(const PointTree::Node& node) const {
+    double most = 0;
+    for (int k = 0; k < 8; ++k) most = std::max(most, most_at(corner(node, k)));
+    return most;
+  }
+
+  [[nodiscard]] Vec3 corner(const PointTree::Node& node, int k) const {
+    return to_tool_.point(node.box.corner(static_cast<Box3::CornerType>(k)));
   }
 
   const HeadBody& head_;
   const Box3& box_;
   const RigidTransform& to_tool_;
   double tolerance_mm_;
+  const FlatPatch* patch_ = nullptr;
 };
 
 }  // namespace
@@ -110,7 +130,12 @@ HeadField::HeadField(const PictureInput& input, std::size_t most_poses)
   const auto wanted = [&](const Motion& motion, std::size_t move) {
     return instants_of(motion, reach, input.result->verdicts[move].depth_mm, most_step);
   };
-  for (const FieldInstants& one : pick_instants(input, most_poses, wanted)) {
+  std::vector<FieldInstants> picked = pick_instants(input, most_poses, wanted);
+  // The deepest first: what they raise, the others need not be asked about.
+  const auto depth_of = [&](const FieldInstants& one) { return input.result->verdicts[one.move].depth_mm; };
+  std::stable_sort(picked.begin(), picked.end(),
+                   [&](const FieldInstants& a, const FieldInstants& b) { return depth_of(a) > depth_of(b); });
+  for (const FieldInstants& one : picked) {
     const Motion motion = motion_of(*input.toolpath, one.move, input.options.rapid);
     const HeadMotion moving(motion);
     for (const double t : one.t) {

@@ -10,7 +10,8 @@
 namespace gouge {
 
 /// How deep the heads reach into the surface during the gouging moves of a path, sampled as a DepthField is.
-/// A head is wide: it is looked at less often than a tool, and only where it comes near the surface.
+/// A head is wide: it is looked at less often than a tool, and only where it comes near the surface. Of paths
+/// with hundreds of moves whose heads gouge, the worst of each few neighbours are looked at.
 class HeadField {
  public:
   /// Picks the instants, about `most_poses` of them. `input` and what it points at must outlive it.

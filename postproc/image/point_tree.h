@@ -6,6 +6,7 @@
 #include <limits>
 #include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "lib/base/parallel.h"
@@ -47,14 +48,15 @@ class PointTree {
 
   /// The largest depth that any place tells of each point, in mm, less 3 % at most; 0 where none does.
   ///
-  /// A Place offers floor_mm(): what it tells is more; most_mm(node): no point of the node is deeper; and
-  /// depths(points of a leaf).
+  /// A Place offers most_mm(node, enough_mm): no point of the node is deeper, as exact as it need be where
+  /// that is not above `enough_mm`; depths(points of a leaf, told): of those deeper than told so far; and
+  /// floor_mm(): what it tells is more. It may remember what it found: every block gets a copy of its own.
   template <class Place>
   [[nodiscard]] std::vector<float> answer(const std::vector<Place>& places) {
     // Blocks share no points, so they may be done in any order.
     for_each_chunk(blocks_.size(), 1, 0, [&](std::size_t first, std::size_t last) {
       for (std::size_t b = first; b < last; ++b) {
-        for (const Place& place : places) visit(blocks_[b], place);
+        for (Place place : places) visit(blocks_[b], place);
       }
     });
     std::vector<float> out(depth_.size());
@@ -92,16 +94,19 @@ class PointTree {
   }
 
   template <class Place>
-  void visit(std::size_t at, const Place& place) {
+  void visit(std::size_t at, Place& place) {
     Node& node = nodes_[at];
-    if (place.most_mm(node) <= std::max(place.floor_mm(), kUnseen * static_cast<double>(node.least))) return;
+    const double enough_mm = std::max(place.floor_mm(), kUnseen * static_cast<double>(node.least));
+    if (place.most_mm(node, enough_mm) <= enough_mm) return;
     if (node.child != 0) {
       visit(node.child, place);
       visit(node.child + 1, place);
       node.least = std::min(nodes_[node.child].least, nodes_[node.child + 1].least);
       return;
     }
-    const LeafDepths told = place.depths(std::span(sorted_).subspan(node.first, node.last - node.first));
+    const std::size_t count = node.last - node.first;
+    const LeafDepths told = place.depths(std::span(sorted_).subspan(node.first, count),
+                                         std::span(std::as_const(depth_)).subspan(node.first, count));
     float least = std::numeric_limits<float>::max();
     for (std::size_t i = node.first; i < node.last; ++i) {
       depth_[i] = std::max(depth_[i], told[i - node.first]);
