@@ -151,6 +151,16 @@ void name_unnamed_tool(const std::string& name, Toolpath& path) {
       path.file, first_line));
 }
 
+// A file that was cut off ends within its last line, which then reads as nonsense.
+void tell_last_line(std::string_view bytes, const Dialect& dialect, Diagnostics& errors) {
+  const bool is_ended = bytes.empty() || bytes.back() == '\n' || bytes.back() == '\r';
+  if (is_ended || dialect.kind == DialectKind::nccs_binary) return;
+  const auto last = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1;
+  for (Diagnostic& error : errors) {
+    if (error.line == last) error.message += "; this is the last line, without an end: the file may be cut off";
+  }
+}
+
 }  // namespace
 
 ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const ReadOptions& options) {
@@ -178,6 +188,7 @@ ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const
   while (!interpreter.is_hopeless() && reader.next(statement)) interpreter.take(statement);
   if (!interpreter.is_hopeless()) interpreter.finish();
   outcome.errors = interpreter.take_errors();
+  tell_last_line(path.source, dialect, outcome.errors);
   if (outcome.errors.empty() && path.moves.empty()) outcome.errors.push_back(no_motion(path, dialect));
   if (!outcome.errors.empty()) return outcome;
   if (auto error = note_unit(guess, options, path)) {

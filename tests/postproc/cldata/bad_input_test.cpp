@@ -16,6 +16,14 @@ std::string only_error(const std::string& text) {
   return outcome.errors.empty() ? std::string() : to_text(outcome.errors.front());
 }
 
+TEST(BadPath, AnErrorInALastLineWithoutAnEndMayBeACut) {
+  const std::string cut = "; this is the last line, without an end: the file may be cut off";
+  const std::string start = "UNITS/MM\nGOTO/1,2,3\n";
+  EXPECT_NE(only_error(start + "GOTO/4,5").find(cut), std::string::npos);
+  EXPECT_EQ(only_error(start + "GOTO/4,5\n").find(cut), std::string::npos);
+  EXPECT_EQ(only_error(start + "GOTO/4,5\nGOTO/6,7,8").find(cut), std::string::npos) << "another line";
+}
+
 TEST(BadPath, NoFileOfCutterPositions) {
   EXPECT_EQ(only_error(""),
             "bad.apt: error: the file is empty; expected APT CL data, an NX CLSF, a binary NCCS or a "
