@@ -8,6 +8,7 @@
 #include "lib/base/number_text.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/from_path.h"
+#include "toolmodels/silhouette.h"
 
 namespace gouge {
 namespace {
@@ -117,11 +118,7 @@ class Resolver {
     } else if (tool.cutter) {
       note_not_in_library(tool);
       facts.defined_in = path_.file + ":" + std::to_string(tool.line);
-      const CutterStatement& c = *tool.cutter;
-      const Result<ToolFromPath> made = make_tool_from_path(
-          tool.number, tool.name,
-          {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm, c.given, tool.flute_length_mm},
-          holder_);
+      const Result<ToolFromPath> made = by_path(tool);
       if (!made) return at(made.error(), tool);
       for (const Diagnostic& note : made->notes) result_.notes.push_back(at(note, tool));
       assembly = made->tool;
@@ -129,6 +126,13 @@ class Resolver {
     tell(tool, assembly, facts);
     result_.assemblies.push_back(std::move(assembly));
     return std::nullopt;
+  }
+
+  [[nodiscard]] Result<ToolFromPath> by_path(const PathTool& tool) const {
+    const CutterStatement& c = *tool.cutter;
+    return make_tool_from_path(
+        tool.number, tool.name,
+        {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm, c.given, tool.flute_length_mm}, holder_);
   }
 
   void note_not_in_library(const PathTool& tool) {
@@ -150,9 +154,27 @@ class Resolver {
     if (!tool.cutter || tool.cutter->given == 0) return;
     const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
     if (std::abs(diameter - tool.cutter->d_mm) <= kSame_mm && std::abs(corner - given_corner) <= kSame_mm)
-      return;
+      return compare_outlines(tool, known);
     tell_difference(tool, size_text(tool.cutter->d_mm, given_corner, path_.unit),
                     size_text(diameter, corner, path_.unit));
+  }
+
+  // Of the same size, but of another taper or tip.
+  void compare_outlines(const PathTool& tool, const ToolAssembly& known) {
+    constexpr double kReach_mm = 5e-3;
+    constexpr int kWhole = 7;
+    const CutterStatement& c = *tool.cutter;
+    const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
+    // CAMplete writes its tools of any shape without angles.
+    if (c.given < kWhole || (is_plain && path_.dialect == "apt-camplete")) return;
+    const Result<ToolFromPath> made = by_path(tool);
+    const double reach = made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;
+    if (reach <= kReach_mm) return;
+    const std::string length = exact_text(std::round(reach / mm_per(path_.unit) * 1e4) / 1e4) + " " +
+                               unit_name(path_.unit);
+    const std::string message = name_of(tool) + " reaches up to " + length +
+                                " farther from its axis by the toolpath than by the library, which is what is checked";
+    result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
   }
 
   void tell_difference(const PathTool& tool, const std::string& given, const std::string& known) {

@@ -88,6 +88,18 @@ TEST(ResolveTools, TheDiameterThatCreoStatesIsComparedWithTheLibrary) {
                         "$$-> FEATNO / 3\nLOADTL / 1\n" + motion + "FINI\n").size(), 0U);
 }
 
+TEST(ResolveTools, AToolOfTheSameSizeThatReachesFartherOutIsTold) {
+  const auto told = [](const std::string& cutter, const std::string& head = "") {
+    return differences(head + "UNITS/MM\nCUTTER/" + cutter + "\nLOADTL/1\nGOTO/0,0,5\nFINI\n");
+  };
+  for (const char* same : {"10", "10,0", "10,0,5,0,0,0,28", "10,0,5,0,0,0,60", "10,0,0,0,0,0,30"})
+    EXPECT_EQ(told(same).size(), 0U) << same;
+  EXPECT_EQ(told("10,0,5,0,30,0,28").size(), 0U) << "a cone within the flat cutter";
+  EXPECT_EQ(told("10,0,5,0,0,20,28"),
+            (std::vector<std::string>{"test.ncl:2: warning: T1 reaches up to 10.1912 mm farther from its axis by the "
+                                      "toolpath than by the library, which is what is checked [tool-differs]"}));
+}
+
 TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
   const ToolLibrary library = library_with_holder();
   Toolpath path = path_in(LengthUnit::mm);

@@ -1,0 +1,41 @@
+#include "toolmodels/silhouette.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace gouge {
+namespace {
+
+TEST(Silhouette, ACutterReachesNowhereOutOfItself) {
+  const std::vector<Cutter> cutters = {FlatCutter{10, 30}, BallCutter{10, 30}, BullNoseCutter{10, 1, 30},
+                                       DrillCutter{10, 118, 40}, ChamferCutter{10, 1, 45, 20},
+                                       AptCutter{10, 1, 4, 1, 0, 0, 30}};
+  for (const Cutter& cutter : cutters) {
+    ASSERT_TRUE(make_cutter_profile(cutter)) << shape_name(cutter);
+    EXPECT_LT(reach_beyond_mm(cutter, cutter), 1e-12) << shape_name(cutter);
+  }
+}
+
+TEST(Silhouette, ReachIsMeasuredUpToTheLowerHeight) {
+  const AptCutter cone{10, 0, 5, 0, 0, 20, 28};
+  const double slope = std::tan(20 * std::numbers::pi / 180);
+  EXPECT_NEAR(reach_beyond_mm(cone, FlatCutter{10, 30}), 28 * slope, 1e-9);
+  EXPECT_NEAR(reach_beyond_mm(cone, FlatCutter{10, 12}), 12 * slope, 1e-9);
+  EXPECT_EQ(reach_beyond_mm(FlatCutter{10, 30}, cone), 0);
+}
+
+TEST(Silhouette, AFlatEndReachesOutOfARoundOne) {
+  // At the height of the rounding that counts as the same.
+  const double r = std::sqrt(2 * 5 * 1e-3);
+  EXPECT_NEAR(reach_beyond_mm(FlatCutter{10, 30}, BallCutter{10, 30}), 5 - r, 2e-3);
+  EXPECT_EQ(reach_beyond_mm(BallCutter{10, 30}, FlatCutter{10, 30}), 0);
+}
+
+TEST(Silhouette, OfACutterWithoutAProfileIsNone) {
+  EXPECT_EQ(reach_beyond_mm(FlatCutter{-1, 30}, FlatCutter{10, 30}), 0);
+}
+
+}  // namespace
+}  // namespace gouge

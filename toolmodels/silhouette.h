@@ -1,0 +1,18 @@
+#pragma once
+
+#include "toolmodels/cutter.h"
+
+// The outlines of two cutters held against each other, as when a toolpath and a library describe one tool.
+
+namespace gouge {
+
+/// How far `cutter` reaches out of `other` across the axis at its worst, both standing on their tips, up to the lower
+/// of both heights; 0 where it stays within, and where one of them makes no profile.
+///
+/// Units    mm
+/// Ensures  0.001 mm along the axis counts as the same height, so that a bottom that is flat but for rounding is no
+///          reach; arcs are compared as polygons, to within 1e-5 of their radius.
+/// Cost     some ten thousand comparisons for an ordinary cutter
+[[nodiscard]] double reach_beyond_mm(const Cutter& cutter, const Cutter& other);
+
+}  // namespace gouge
