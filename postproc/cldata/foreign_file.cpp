@@ -129,6 +129,7 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
 
 std::optional<std::string> describe_foreign(std::string_view bytes) {
   if (is_binary_stl(bytes)) return "is an STL mesh; give it with --part and a toolpath in its place";
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
   for (const Beginning& beginning : kBeginnings) {
     if (starts_with_ignoring_case(text, beginning.text)) return std::string(beginning.sentence);

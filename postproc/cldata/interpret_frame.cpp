@@ -56,7 +56,8 @@ std::optional<Interpreter::TableTurn> Interpreter::clt_turn(std::span<const Argu
 
 const char* Interpreter::frame_reason() const {
   for (const char* reason : {turning_reason_, contour_reason_, adjust_reason_, spline_reason_, unread_frame_reason_,
-                             mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_, mode_reason_}) {
+                             mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_, mode_reason_,
+                             multax_reason_}) {
     if (reason != nullptr) return reason;
   }
   return turns_.empty() ? tlaxis_reason_ : Reasons::kTurned;
@@ -65,25 +66,44 @@ const char* Interpreter::frame_reason() const {
 void Interpreter::take_comment() {
   const std::string_view text = trim(statement_->pieces.front());
   if (dialect_.kind == DialectKind::creo && text.starts_with("->")) return take_creo_comment();
-  if (dialect_.kind != DialectKind::catia) return;
   if (starts_with_ignoring_case(text, "*CATIA0")) {
+    if (catia_row_ >= 0) fail_catia_rows();
     catia_row_ = 0;
-  } else if (catia_row_ >= 0) {
+  } else if (catia_row_ >= 0 || is_catia_nameless_) {
     take_catia_row(text);
-  } else if (starts_with_ignoring_case(text, "OPERATION NAME")) {
+  } else if (dialect_.kind == DialectKind::catia && starts_with_ignoring_case(text, "OPERATION NAME")) {
     const std::size_t colon = text.find(':');
     if (colon != std::string_view::npos) name_operation(name_text(text.substr(colon + 1)));
   }
 }
 
-// $$*CATIA0 is followed by a line with a name and three lines with the rows of a matrix: absolute = R p + t.
+void Interpreter::fail_catia_rows() {
+  fail("path-frame", "$$*CATIA0 is not followed by the whole of its matrix; expected a line with a name and 3 lines of "
+                     "4 numbers");
+  catia_row_ = -1;
+  is_catia_nameless_ = false;
+}
+
+// $$*CATIA0 is followed by a line with a name and three lines with the rows of a matrix: absolute = R p + t. Where the
+// name is missing, or looks like a row, four such lines cannot be told from three.
 void Interpreter::take_catia_row(std::string_view text) {
-  if (catia_row_++ == 0) return;
   Statement row;
   row.pieces.push_back(text);
   split_arguments(row, arguments_);
-  if (arguments_.size() != 4 || find_word_argument(arguments_) != nullptr) {
+  const bool is_row = arguments_.size() == 4 && find_word_argument(arguments_) == nullptr;
+  if (catia_row_ < 0) {
+    is_catia_nameless_ = false;
+    if (is_row) fail_catia_rows();
+    return;
+  }
+  if (catia_row_++ == 0) {
+    is_catia_nameless_ = is_row;
+    if (!is_row) return;
+    ++catia_row_;
+  }
+  if (!is_row) {
     catia_row_ = -1;
+    is_catia_nameless_ = false;
     return fail("path-frame", "$$*CATIA0: " + quoted_text(text) +
                                   " is not a row of its matrix; expected 4 numbers in each of 3 lines");
   }

@@ -238,7 +238,11 @@ void Interpreter::take_fedrat() {
 }
 
 void Interpreter::take_multax() {
-  multax_ = !has_argument(arguments_, "OFF");
+  const bool is_off = has_argument(arguments_, "OFF");
+  const bool is_known = arguments_.empty() || (arguments_.size() == 1 && (is_off || has_argument(arguments_, "ON")));
+  multax_reason_ = is_known ? nullptr : Reasons::kMultax;
+  if (!is_known) count_unknown();
+  multax_ = !is_off;
   is_last_tilted_ = is_last_tilted_ && *multax_;
 }
 

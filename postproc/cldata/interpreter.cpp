@@ -60,6 +60,26 @@ bool is_within_curve(Word word) {
   return word == Word::cntrl || word == Word::knot || word == Word::comment;
 }
 
+// Of words that say where the tool is, or that nothing follows.
+bool needs_frame(Word word) {
+  switch (word) {
+    case Word::go_to:
+    case Word::from:
+    case Word::godlta:
+    case Word::gohome:
+    case Word::indirv:
+    case Word::circle:
+    case Word::movarc:
+    case Word::nurbs:
+    case Word::tlon:
+    case Word::unread_motion:
+    case Word::fini:
+      return true;
+    default:
+      return false;
+  }
+}
+
 bool has_arguments(Word word) {
   switch (word) {
     case Word::harmless:
@@ -140,7 +160,9 @@ void Interpreter::take(const Statement& statement) {
   make_room(path_.statements);
   path_.statements.push_back({statement.line, statement.first_byte, statement.last_byte});
   if (statement.is_unterminated) return fail("path-unterminated", cut_short_text(dialect_.kind));
-  if (is_assignment(statement.major)) return refuse_part_program(statement.major);
+  if (is_assignment(statement.major) || starts_with_ignoring_case(statement.major, "IF(")) return refuse_part_program(statement.major);
+  if (catia_row_ >= 0 && needs_frame(statement.word)) fail_catia_rows();
+  if (statement.word != Word::comment) is_catia_nameless_ = is_catia_nameless_ && catia_row_ >= 0;
   if (curve_statement_ != kNone && !is_within_curve(statement.word)) flush_curve();
   if (has_arguments(statement.word)) split_arguments(statement, arguments_);
   if (std::max(arguments_.size(), statement.pieces.size()) >= kMostArguments) return fail_too_long();
@@ -192,6 +214,7 @@ bool Interpreter::take_motion_word() {
       take_gohome();
       return true;
     case Word::tlon:
+      if (!has_argument(arguments_, "GOFWD")) return false;
       take_tlon();
       return true;
     case Word::cycle:
@@ -236,7 +259,7 @@ bool Interpreter::take_tool_word() {
       take_tool_name(statement_->pieces.front());
       return true;
     case Word::insert:
-      last_insert_ = name_text(statement_->pieces.front());
+      take_insert();
       return true;
     default:
       return false;
@@ -274,7 +297,7 @@ bool Interpreter::take_frame_word() {
       take_tlaxis();
       return true;
     case Word::syn:
-      is_tlaxis_ignored_ = is_tlaxis_ignored_ || has_argument(arguments_, "'TLAXIS'");
+      take_syn();
       return true;
     case Word::units:
       take_units();
@@ -328,6 +351,7 @@ bool Interpreter::take_text_word() {
 bool Interpreter::take_unread_word() {
   switch (statement_->word) {
     case Word::unread_motion:
+    case Word::tlon:
       emit_unread();
       break;
     case Word::unread_frame:
@@ -351,7 +375,7 @@ bool Interpreter::is_statement() const {
   const auto after =
       static_cast<std::size_t>(statement_->major.data() - all.data()) + statement_->major.size();
   const std::string_view rest = trim(all.substr(after, all.find('\n', after) - after));
-  return rest.empty() || rest.front() == '/' || rest.front() == ',' || rest.front() == '$';
+  return rest.empty() || rest.front() == '/' || rest.front() == '(' || rest.front() == ',' || rest.front() == '$';
 }
 
 void Interpreter::finish() {

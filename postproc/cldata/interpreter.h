@@ -95,6 +95,8 @@ struct Reasons {
       "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
   static constexpr const char* kCltAxis =
       "positions are in a setup whose TLAXIS is not +Z of the model: where it lies the file does not say";
+  static constexpr const char* kMultax =
+      "follows a MULTAX that is not understood: its numbers may be points or tool axes";
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
 
   /// True where nobody knows where the statement takes the tool.
@@ -163,6 +165,8 @@ class Interpreter {
   void take_unknown();
   void emit_unread(const char* reason = Reasons::kUnread);
   [[nodiscard]] bool is_statement() const;
+  void take_syn();
+  void take_insert();
 
   [[nodiscard]] bool take_motion_word();
   [[nodiscard]] bool take_tool_word();
@@ -249,6 +253,7 @@ class Interpreter {
   // interpret_frame.cpp
   void take_comment();
   void take_catia_row(std::string_view text);
+  void fail_catia_rows();
   void take_creo_comment();
   void take_msys();
   void take_csys();
@@ -354,9 +359,11 @@ class Interpreter {
   const char* turning_reason_ = nullptr;
   const char* trntyp_reason_ = nullptr;
   const char* mode_reason_ = nullptr;
+  const char* multax_reason_ = nullptr;
   const char* tlaxis_reason_ = nullptr;
   std::vector<TableTurn> turns_;    // of CLT, those in force
   int catia_row_ = -1;              // lines seen since $$*CATIA0; -1: none
+  bool is_catia_nameless_ = false;  // the first line after it looks like a row
   std::array<double, 12> catia_rows_{};
   bool is_tlaxis_ignored_ = false;
 

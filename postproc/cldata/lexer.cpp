@@ -10,8 +10,6 @@
 namespace gouge {
 namespace {
 
-constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
-
 constexpr std::size_t kLongestLabel = 12;
 constexpr std::size_t kLongestMajor = 24;
 

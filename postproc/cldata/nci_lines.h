@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "postproc/cldata/statement.h"
+#include "postproc/cldata/text.h"
 
 // The container of Mastercam NCI files: pairs of lines, first a code alone, then its parameters separated by
 // blanks.
@@ -24,7 +25,9 @@ struct NciPair {
 class NciLines {
  public:
   NciLines(std::string_view bytes, std::size_t first_byte, std::size_t line)
-      : bytes_(bytes), at_(first_byte), line_(line) {}
+      : bytes_(bytes), at_(first_byte), line_(line) {
+    if (at_ == 0 && bytes_.starts_with(kByteOrderMark)) at_ = kByteOrderMark.size();
+  }
 
   [[nodiscard]] bool next(NciPair& pair);
 

@@ -48,6 +48,49 @@ std::size_t find_control(std::string_view bytes) {
   return bytes.size();
 }
 
+bool is_break(char c) {
+  return c == '\f' || c == '\v' || c == '\x1a';
+}
+
+bool has_break(std::string_view stretch, char next) {
+  const auto is_odd = [](char c, char following) {
+    return static_cast<unsigned>(is_break(c)) | static_cast<unsigned>(c == '\r' && following != '\n');
+  };
+  unsigned has = is_odd(stretch.back(), next);
+  for (std::size_t i = 0; i + 1 < stretch.size(); ++i) has |= is_odd(stretch[i], stretch[i + 1]);
+  return has != 0;
+}
+
+// Where a carriage return alone, a page break or an end of file stands between two texts of one line, or the end:
+// who reads on there, and who begins another line? A stretch at a time, as above.
+std::size_t find_break(std::string_view bytes) {
+  constexpr std::size_t kStretch = 4096;
+  const auto skip_blanks = [&](std::size_t at) {
+    while (at < bytes.size() && is_blank(bytes[at])) ++at;
+    return at;
+  };
+  std::size_t text = skip_blanks(0), looked_at = 0;  // the first text of the line
+  for (std::size_t begin = 0; begin < bytes.size(); begin += kStretch) {
+    const std::size_t end = std::min(begin + kStretch, bytes.size());
+    if (!has_break(bytes.substr(begin, end - begin), end < bytes.size() ? bytes[end] : '\n')) continue;
+    for (std::size_t at = std::max(begin, looked_at); at < end; ++at) {
+      if (!is_blank(bytes[at]) || bytes[at] == ' ' || bytes[at] == '\t') continue;
+      const std::size_t line_end = bytes.substr(looked_at, at - looked_at).rfind('\n');
+      if (line_end != std::string_view::npos) text = skip_blanks(looked_at + line_end + 1);
+      looked_at = at;
+      const std::size_t after = skip_blanks(at);
+      if (text < at && after < bytes.size() && bytes[after] != '\n') return at;
+      at = std::max(at, after - 1);
+    }
+  }
+  return bytes.size();
+}
+
+std::size_t line_of(std::string_view bytes, std::size_t at) {
+  const std::string_view before = bytes.substr(0, at);
+  return static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+}
+
 struct LineCount {
   std::size_t with_text = 0;
   std::size_t with_position = 0;  // those that look like GOTO/x,y,z
@@ -77,13 +120,19 @@ std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_v
   }
   if (dialect.kind == DialectKind::nccs_binary) return std::nullopt;
   const std::size_t control = find_control(bytes);
-  if (control == bytes.size()) return std::nullopt;
-  const std::string_view before = bytes.substr(0, control);
-  const auto line = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+  const std::size_t amid = control == bytes.size() ? find_break(bytes) : control;
+  if (amid == bytes.size()) return std::nullopt;
+  if (amid != control) {
+    return make_error("path-line-end",
+                      "byte " + std::to_string(static_cast<unsigned char>(bytes[amid])) +
+                          (bytes[amid] == '\r' ? " (a carriage return alone)" : " (a page or file end)") +
+                          " stands within this line; expected lines that end with LF or CR LF: save the file so",
+                      file, line_of(bytes, amid));
+  }
   return make_error("path-binary",
                     "is not text: byte " + std::to_string(static_cast<unsigned char>(bytes[control])) +
                         " at position " + std::to_string(control) + "; " + kExpected,
-                    file, line);
+                    file, line_of(bytes, control));
 }
 
 std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& options, Toolpath& path) {

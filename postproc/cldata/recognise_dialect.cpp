@@ -85,6 +85,7 @@ FirstLines look_at(std::string_view bytes) {
 }  // namespace
 
 Dialect recognise_dialect(std::string_view bytes) {
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   if (is_nccs_binary(bytes)) return dialect_of(DialectKind::nccs_binary);
   if (is_nci(bytes)) return dialect_of(DialectKind::nci);
   const FirstLines found = look_at(bytes);

@@ -11,6 +11,9 @@ namespace gouge {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\x1a';
 }
 
+/// What some editors put before UTF-8 text; no part of it.
+inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
+
 [[nodiscard]] std::string_view trim(std::string_view text);
 
 /// How many spaces stand right before `bytes[at]`.

@@ -135,6 +135,73 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"PartedGoto", around("GO TO/0,0,-5\n"), "gouge"}),
     kName);
 
+std::string catia(const std::string& matrix) {
+  return "$$ CATIA APT VERSION 1.0\n$$*CATIA0\n" + matrix +
+         "PARTNO X\nMULTAX\nCUTTER/10\nLOADTL/1\nGOTO/0,0,5,0,0,1\nGOTO/10,0,5,0,0,1\nEND\n";
+}
+
+constexpr const char* kRows = "$$ 1 0 0 0\n$$ 0 1 0 0\n$$ 0 0 1 -10\n";
+constexpr const char* kTwoRows = "$$ 1 0 0 0\n$$ 0 1 0 0\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Catia, Misread,
+    ::testing::Values(Misreading{"Whole", catia(std::string("$$ name\n") + kRows), "gouge"},
+                      Misreading{"Nameless", catia(kRows), "gouge"},
+                      Misreading{"NamedLikeARow", catia(std::string("$$ 1 2 3 4\n") + kRows), "path-frame"},
+                      Misreading{"NameOnly", catia("$$ name\n"), "path-frame"},
+                      Misreading{"TwoRows", catia(std::string("$$ name\n") + kTwoRows), "path-frame"},
+                      Misreading{"TwoNamelessRows", catia(kTwoRows), "path-frame"},
+                      Misreading{"Nothing", catia(""), "path-frame"},
+                      Misreading{"OfNoDialect",
+                                 around(std::string("$$ *CATIA0\n$$ name\n") + kRows), "gouge"},
+                      Misreading{"BackwardsOnACircle", around("TLON,GOBACK/(CIRCLE/0,10,5,10),ON,(LINE/0,20,5,1,2,5)\n"),
+                                 "not-checked"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Bytes, Misread,
+    ::testing::Values(
+        Misreading{"CommentAndReturn", around("$$ plunge\rGOTO/0,0,-5\r"), "path-line-end"},
+        Misreading{"PageEnd", around("COOLNT/ON\fGOTO/0,0,-5\n"), "path-line-end"},
+        Misreading{"FileEnd", around("COOLNT/ON\x1aGOTO/0,0,-5\n"), "path-line-end"},
+        Misreading{"ReturnsOnly", "UNITS/MM\rCUTTER/10\rGOTO/0,0,-5\r", "path-line-end"},
+        Misreading{"PageOfItsOwn", around("\f\nCOOLNT/ON\f\n\fRAPID\r\r\n") + "\x1a", "clean"},
+        Misreading{"FarDown", around(std::string(9000, '\n') + "RAPID\x0bGOTO/0,0,-5\n"), "path-line-end"},
+        Misreading{"AcrossAStretch", around(std::string(8192 - 44, '\n') + "RAPID\rGOTO/0,0,-5\n"), "path-line-end"},
+        Misreading{"MultaxAndANoBreakSpace", around("MULTAX/OFF\xa0\n"), "not-checked"},
+        Misreading{"MultaxNoMore", around("MULTAX/NOMORE\n"), "not-checked"},
+        Misreading{"MultaxOnAgain", around("MULTAX/NOMORE\nMULTAX/ON\nMULTAX\n"), "clean"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, Misread,
+    ::testing::Values(Misreading{"Include", around("INCLUD/MORE\n"), "not-checked"},
+                      Misreading{"Clear", around("GOCLER\n"), "not-checked"},
+                      Misreading{"Loop", around("DO/10,I=1,5\nGODLTA/0,0,-1\n10)CONTIN\n"), "path-part-program"},
+                      Misreading{"LoopOfWords", around("LOOPST\nGODLTA/0,0,-1\nLOOPND\n"), "path-part-program"},
+                      Misreading{"Jump", around("A)GODLTA/0,0,-1\nJUMPTO/A\n"), "path-part-program"},
+                      Misreading{"Condition", around("IF(A)10,20,30\n"), "path-part-program"},
+                      Misreading{"Synonym", around("SYN/GT,GOTO,DZ,GODLTA\nDZ/-10\n"), "path-statement"},
+                      Misreading{"SynonymOfNoWord", around("SYN/A,B\n"), "clean"},
+                      Misreading{"Control", around("INSERT/G00 Z-10.\n"), "not-checked"},
+                      Misreading{"ControlWithoutBlanks", around("INSERT N10G1X5\n"), "not-checked"},
+                      Misreading{"ControlThatMovesNothing", around("INSERT/G17 G54 X\nINSERT/Stock X0 Y0\n"), "clean"},
+                      Misreading{"TabInToolPath",
+                                 "TOOL\tPATH/A,TOOL,B\nTLDATA/MILL,10,0,50,0,0\nGOTO/0,0,5,0,1,0\nEND-OF-PATH\n"
+                                 "TOOL  PATH/A,TOOL,C\nTLDATA/MILL,10,0,50,0,0\nGOTO/53,0,-5\nEND-OF-PATH\n",
+                                 "gouge"}),
+    kName);
+
+TEST(ByteOrderMark, IsNoPartOfWhatTellsTheDialect) {
+  const std::string mark = "\xef\xbb\xbf";
+  for (const std::string text : {"REMARK x NCLCAM\n", "GOTO/0,0,5\n", "$$*CATIA0\n", "TOOL PATH/A,TOOL,B\n"})
+    EXPECT_EQ(recognise_dialect(mark + text).id, recognise_dialect(text).id) << text;
+  const std::string nci = "1001\n0 0. 0. 5.\n0\n0 0. 0. 5. -2. 0\n1\n0 0. 0. -5. 100. 0\n99\n0\n";
+  const Toolpath read = read_as(mark + nci, "");
+  EXPECT_EQ(read.dialect, "mastercam-nci");
+  EXPECT_EQ(read.moves.size(), read_as(nci, "").moves.size());
+}
+
 TEST_P(Misread, IsNotTakenForClean) {
   EXPECT_EQ(outcome(GetParam().text), GetParam().outcome);
 }
