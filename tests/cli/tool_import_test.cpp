@@ -70,7 +70,7 @@ TEST_F(ToolImport, TheHolderIsTakenFromALibraryOfOurs) {
   EXPECT_EQ(library->tools.at(0).shank.at(0).length_mm, 10);
   arguments.holder = "HSK";
   EXPECT_EQ(run("freecad/bull_6.fctb"), kExitUsage);
-  EXPECT_NE(err.find("has no holder of that name [usage]"), std::string::npos) << err;
+  EXPECT_NE(err.find("has no holder of that name; it has "), std::string::npos) << err;
   arguments.tools_file.clear();
   EXPECT_EQ(run("freecad/bull_6.fctb"), kExitUsage);
 }
