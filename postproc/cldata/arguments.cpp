@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/text.h"
@@ -27,6 +28,16 @@ Role role_of(char c) {
   return kRoles[static_cast<unsigned char>(c)];
 }
 
+// Also with the exponent of Fortran, in which old systems are written: "-2.D-1". Without the point it is a word.
+std::optional<double> number_of(std::string_view text) {
+  if (const std::optional<double> value = parse_number(text)) return value;
+  const std::size_t exponent = text.find_first_of("dD");
+  if (exponent == std::string_view::npos || text.find('.') >= exponent) return std::nullopt;
+  std::string copy(text);
+  copy[exponent] = 'E';
+  return parse_number(copy);
+}
+
 }  // namespace
 
 void split_arguments(const Statement& statement, std::vector<Argument>& arguments) {
@@ -43,7 +54,7 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
         const std::size_t begin = i;
         while (i < piece.size() && role_of(piece[i]) == Role::text) ++i;
         const std::string_view text = piece.substr(begin, i - begin);
-        arguments.push_back({text, parse_number(text)});
+        arguments.push_back({text, number_of(text)});
         is_expecting = false;
         continue;
       }

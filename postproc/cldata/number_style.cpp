@@ -7,7 +7,7 @@
 namespace gouge {
 
 void NumberStyle::learn(std::string_view token, std::size_t field) {
-  if (token.empty() || token.find_first_of("eE") != std::string_view::npos) return;
+  if (token.empty() || token.find_first_of("eEdD") != std::string_view::npos) return;
   const std::size_t point = token.find('.');
   const int decimals = point == std::string_view::npos ? 0 : static_cast<int>(token.size() - point - 1);
   if (count_ == 0) {
