@@ -55,6 +55,27 @@ TEST_P(ForcedSense, MeetsThePostUnlessTheStatementItselfTellsTheWay) {
   EXPECT_EQ(verdict(with_tool(GetParam().dialect), post, tool), GetParam().verdict);
 }
 
+// A half circle beside the part: counter-clockwise it bows away from it, clockwise into it.
+TEST(AutodeskArc, AHalfCircleOfAnOlderAutodeskPostIsNoCleanOne) {
+  const std::string head = "MODE/MILL\nUNITS/MM\nMULTAX/OFF\nCUTTER/10, 0, 0, 0, 0, 0, 30\nLOADTL/1, 0, 30, 1\n";
+  const std::string half =
+      "GOTO/66,0,-5\nGOTO/61,0,-5\nMOVARC/61,10,-5,0,0,1,10,ANGLE,180\nGOTO/61,20,-5\nGOTO/66,20,-5\nEND\nFINI\n";
+  const std::string turned = "GOTO/70,0,50\nMOVARC/70,10,50,0,0,-1,10,ANGLE,90\nGOTO/60,10,50\nGOTO/66,0,50\n";
+  const IndexedMesh part = shapes::box({-50, -50, -20}, {50, 50, 0});
+  EXPECT_EQ(verdict(read_as(head + half, ""), part), "not-checked");
+  EXPECT_EQ(verdict(read_as(head + half, "nx-clsf"), part), "gouge");
+  EXPECT_EQ(verdict(read_as(head + turned + half, ""), part), "clean");
+}
+
+// The corner's circle reaches farther out than the diameter.
+TEST(TldataReading, ATldataWhoseCornerLiesElsewhereIsNoSmallerTool) {
+  const auto tools_of = [](const std::string& corner) {
+    return read_as("TOOL PATH/A,TOOL,B\nTLDATA/MILL,20,5,50,0,0" + corner + "\nGOTO/61,0,-10\nEND-OF-PATH\n", "").tools;
+  };
+  EXPECT_TRUE(tools_of(",5,5").at(0).cutter.has_value());
+  EXPECT_FALSE(tools_of(",8,5").at(0).cutter.has_value());
+}
+
 // A face mill leans back from a wall. Read as +Z it would stand in it.
 TEST(Modality, OfTheAxisInNx) {
   const std::string text =
