@@ -33,12 +33,13 @@ double worst_depth(const ReportModel& model, const PictureInput& input) {
   return std::max(input.result->worst_depth_mm, before != nullptr ? before->worst_depth_mm : 0.0);
 }
 
-/// What colours the surface at most: an overcut, or the depth of a gouge without one.
+/// What colours the surface at most: an overcut, or the depth of a gouge without one or of a head.
 double worst_on_surface(const CheckResult& result) {
   double worst = 0;
   for (const MoveVerdict& v : result.verdicts) {
-    if (v.state == MoveState::gouge)
-      worst = std::max(worst, v.overcut_mm.value_or(0) > 0 ? *v.overcut_mm : v.depth_mm);
+    if (v.state != MoveState::gouge) continue;
+    const bool is_head = v.witness && v.witness->body == Body::head;
+    worst = std::max(worst, v.overcut_mm.value_or(0) > 0 && !is_head ? *v.overcut_mm : v.depth_mm);
   }
   return worst;
 }
