@@ -160,7 +160,8 @@ void Interpreter::take(const Statement& statement) {
   make_room(path_.statements);
   path_.statements.push_back({statement.line, statement.first_byte, statement.last_byte});
   if (statement.is_unterminated) return fail("path-unterminated", cut_short_text(dialect_.kind));
-  if (is_assignment(statement.major) || starts_with_ignoring_case(statement.major, "IF(")) return refuse_part_program(statement.major);
+  if (is_assignment(statement.major) || starts_with_ignoring_case(statement.major, "IF("))
+    return refuse_part_program(statement.major);
   if (catia_row_ >= 0 && needs_frame(statement.word)) fail_catia_rows();
   if (statement.word != Word::comment) is_catia_nameless_ = is_catia_nameless_ && catia_row_ >= 0;
   if (curve_statement_ != kNone && !is_within_curve(statement.word)) flush_curve();

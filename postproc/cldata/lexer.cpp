@@ -42,7 +42,8 @@ bool strip_line(std::string_view& text, bool is_comment) {
 }
 
 bool begins_with_word(std::string_view text) {
-  return free_text_word_length(text) > 0 || find_word(text.substr(0, length_of(text, is_word_character))) != Word::unknown;
+  return free_text_word_length(text) > 0 ||
+         find_word(text.substr(0, length_of(text, is_word_character))) != Word::unknown;
 }
 
 // Length of a sequence number or label before a word that is known: "N10 ", "20 ", "LAB1) ".
@@ -75,11 +76,13 @@ std::string_view take_major(std::string_view& text) {
   return major;
 }
 
-// APT reads no blanks: CUT COM/LEFT is a CUTCOM.
+// APT reads no blanks: CUT COM/LEFT is a CUTCOM. Nor does it know letters beyond ASCII, as the blank that does not
+// break is one.
 Word word_without_blanks(std::string_view words) {
   if (words.size() > kLongestMajor) return Word::unknown;
   std::string squeezed;
-  std::copy_if(words.begin(), words.end(), std::back_inserter(squeezed), [](char c) { return !is_blank(c); });
+  std::copy_if(words.begin(), words.end(), std::back_inserter(squeezed),
+               [](char c) { return !is_blank(c) && static_cast<unsigned char>(c) < 0x80; });
   return find_word(squeezed);
 }
 
@@ -132,8 +135,8 @@ void Lexer::take_words(Statement& statement, std::string_view text) {
   if (statement.word != Word::unknown && statement.word != Word::part_program) return;
   const std::size_t slash = all.find('/');
   const std::string_view words = trim(all.substr(0, slash));
-  const Word word = words.size() > statement.major.size() ? word_without_blanks(words) : Word::unknown;
-  if (word == Word::unknown) return;
+  const Word word = word_without_blanks(words);
+  if (word == Word::unknown || word == statement.word) return;
   statement.major = words;
   statement.word = word;
   first = all.substr(std::min(slash, all.size() - 1) + 1);

@@ -75,7 +75,8 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"TrntypOfZero", at_5("TRNTYP/WORLD,0,0,0\n"), "clean"},
         Misreading{"Trntyp", at_5("TRNTYP/WORLD,0,0,-10\n"), "not-checked"},
         Misreading{"TrntypOfASymbol", at_5("TRNTYP/WORLD,X\n"), "not-checked"},
-        Misreading{"ModeMill", at_5("MODE/MILL\n"), "clean"}, Misreading{"ModeTurn", at_5("MODE/TURN\n"), "not-checked"},
+        Misreading{"ModeMill", at_5("MODE/MILL\n"), "clean"},
+        Misreading{"ModeTurn", at_5("MODE/TURN\n"), "not-checked"},
         Misreading{"ModeTurnThenMill", at_5("MODE/TURN\nMODE/MILL\n"), "clean"}),
     kName);
 
@@ -105,7 +106,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Lines, Misread,
     ::testing::Values(
-        Misreading{"Plain", around("COOLNT/ON\n"), "clean"}, Misreading{"Apart", around("RAPID\nGOTO/0,0,-5\n"), "gouge"},
+        Misreading{"Plain", around("COOLNT/ON\n"), "clean"},
+        Misreading{"Apart", around("RAPID\nGOTO/0,0,-5\n"), "gouge"},
         Misreading{"Rapid", around("RAPID GOTO/0,0,-5\n"), "path-statement"},
         Misreading{"Coolant", around("COOLNT/ON GOTO/0,0,-5\n"), "path-statement"},
         Misreading{"Semicolon", around("SPINDL/1000,CLW;GOTO/0,0,-5\n"), "path-statement"},
@@ -129,11 +131,14 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Misreading{"Step", around("N10 GODLTA/-10\nN20 GODLTA/10\n"), "gouge"},
         Misreading{"StepWithoutABlank", around("N10GODLTA/-10\nN20GODLTA/10\n"), "gouge"},
-        Misreading{"Goto", around("10 GOTO/0,0,-5\n"), "gouge"}, Misreading{"Label", around("LAB1) GOTO/0,0,-5\n"), "gouge"},
+        Misreading{"Goto", around("10 GOTO/0,0,-5\n"), "gouge"},
+        Misreading{"Label", around("LAB1) GOTO/0,0,-5\n"), "gouge"},
         Misreading{"Cutcom", around("N10 CUTCOM/LEFT\n"), "not-checked"},
         Misreading{"Cutter", around("N10 CUTTER/40\nGOTO/60,0,-5\n"), "gouge"},
         Misreading{"Unit", "N10 UNITS/INCHES\nCUTTER/.1\nGOTO/0,0,1\nGOTO/1.9,0,1\nGOTO/1.9,0,-.1\nFINI\n", "gouge"},
         Misreading{"Text", around("N10 PPRINT A $\nGOTO/0,0,-5\n"), "gouge"},
+        Misreading{"NoBreakSpace", around("CUTCOM\xa0/LEFT\n"), "not-checked"},
+        Misreading{"NoBreakSpaceOfUtf8", around("TRANS\xc2\xa0/0,0,-10\n"), "not-checked"},
         Misreading{"Parted", around("CUT COM/LEFT\n"), "not-checked"},
         Misreading{"PartedGoto", around("GO TO/0,0,-5\n"), "gouge"}),
     kName);
@@ -157,7 +162,8 @@ INSTANTIATE_TEST_SUITE_P(
                       Misreading{"Nothing", catia(""), "path-frame"},
                       Misreading{"OfNoDialect",
                                  around(std::string("$$ *CATIA0\n$$ name\n") + kRows), "gouge"},
-                      Misreading{"BackwardsOnACircle", around("TLON,GOBACK/(CIRCLE/0,10,5,10),ON,(LINE/0,20,5,1,2,5)\n"),
+                      Misreading{"BackwardsOnACircle",
+                                 around("TLON,GOBACK/(CIRCLE/0,10,5,10),ON,(LINE/0,20,5,1,2,5)\n"),
                                  "not-checked"}),
     kName);
 

@@ -45,6 +45,18 @@ TEST(WriteCorrected, ContinuedStatementsStayContinued) {
             "MULTAX\nGOTO / 1.0000, 2.0000, 4.0000,  $\n0.0000000000, 1.0000000000, 0.0000000000\n");
 }
 
+TEST(WriteCorrected, NumbersLabelsAndCommentsOfStatementsStay) {
+  const std::string text =
+      "\xef\xbb\xbfN10 UNITS/MM\nN20 CUT COM/OFF\nN30 GOTO/1.,2.,$ Z FOLLOWS\n3.\nLAB1) GOTO/1.D0,5.,6.\nFINI\n";
+  const Toolpath path = path_of(text);
+  EXPECT_EQ(written(path, {}), text);
+  PathChange change = lift(path, 1, 1.5);
+  change.inserted_before.push_back(lift(path, 0, 2).new_end.value());
+  EXPECT_EQ(written(path, {change}),
+            "\xef\xbb\xbfN10 UNITS/MM\nN20 CUT COM/OFF\nN30 GOTO/1.,2.,$ Z FOLLOWS\n3.\n"
+            "LAB1) GOTO/1.D0,2.,5.\nLAB1) GOTO/1.D0,5.,7.5\nFINI\n");
+}
+
 TEST(WriteCorrected, EveryPieceOfARapidStaysRapid) {
   const Toolpath path =
       path_of("GOTO/0.0000,0.0000,9.0000\nRAPID/\nGOTO/9.0000,0.0000,9.0000\nGOTO/9.0000,0.0000,1.0000\n");
