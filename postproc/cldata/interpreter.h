@@ -157,8 +157,8 @@ class Interpreter {
 
   void fail(std::string code, std::string message);
   void fail_too_long();
-  void refuse_part_program(std::string_view what);
   void fail_run_on(std::string_view hidden);
+  void refuse_part_program(std::string_view what);
   void count_unknown();
 
   // interpret_unread.cpp
@@ -220,16 +220,16 @@ class Interpreter {
   void attach_arc(const Position& position, Move& move);
   void attach_spline(Move& move);
   void fit(const ArcStatement& arc, const Vec3& start, Move& move);
+  void doubt_autodesk_sense(ArcStatement& arc, const Move& move);
   void vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction);
   void note_direction(const Move& move);
   void close_arcs();
+  void close_autodesk_arcs();
+  void close_arcs_as(ArcSense sense);
   [[nodiscard]] bool is_round_in_nccs(const Position& position, const ArcStatement& arc, Move& move) const;
-  void doubt_autodesk_sense(ArcStatement& arc, const Move& move);
   [[nodiscard]] bool is_reached_the_short_way(const Position& position) const;
   [[nodiscard]] static ArcSense shorter_way(ArcStatement arc, const Vec3& start, const Vec3& end);
 
-  void close_autodesk_arcs();
-  void close_arcs_as(ArcSense sense);
   // interpret_notes.cpp
   void note_motion();
   void note_arcs();
@@ -376,6 +376,7 @@ class Interpreter {
   std::size_t cutcoms_ = 0, first_cutcom_line_ = 0;
   std::size_t not_swept_ = 0, first_not_swept_line_ = 0;
   std::size_t right_votes_ = 0, left_votes_ = 0;         // lines that touch arcs, by the sense they tell
+  std::size_t turned_vectors_ = 0, wrong_way_arcs_ = 0;  // of Autodesk: clockwise arcs right-handed, and left-handed
   std::size_t smooth_arcs_ = 0, reversing_arcs_ = 0;     // the same, by whether it is the sense they are read in
   std::size_t radius_errors_ = 0, first_radius_error_line_ = 0;
   double worst_radius_error_mm_ = 0;
@@ -383,7 +384,6 @@ class Interpreter {
   std::size_t plain_after_tilt_ = 0, first_plain_after_tilt_ = 0;
   bool is_last_tilted_ = false;
   bool has_end_ = false;
-  std::size_t turned_vectors_ = 0, wrong_way_arcs_ = 0;  // of Autodesk: clockwise arcs right-handed, and left-handed
 };
 
 /// The records of `path`'s moves, by reading its bytes once more.
