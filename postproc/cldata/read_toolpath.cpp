@@ -77,10 +77,9 @@ std::size_t find_break(std::string_view bytes) {
       if (!is_blank(bytes[at]) || bytes[at] == ' ' || bytes[at] == '\t') continue;
       const std::size_t line_end = bytes.substr(looked_at, at - looked_at).rfind('\n');
       if (line_end != std::string_view::npos) text = skip_blanks(looked_at + line_end + 1);
-      looked_at = at;
       const std::size_t after = skip_blanks(at);
       if (text < at && after < bytes.size() && bytes[after] != '\n') return at;
-      at = std::max(at, after - 1);
+      at = looked_at = after - 1;
     }
   }
   return bytes.size();
