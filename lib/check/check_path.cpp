@@ -134,7 +134,8 @@ std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<Mov
     const MoveVerdict& v = verdicts[i];
     if (!is_told(v)) continue;
     const Move& move = toolpath.moves[i];
-    const bool is_next = !events.empty() && events.back().last_move + 1 == i;
+    const bool is_next = !events.empty() && events.back().last_move + 1 == i &&
+                         (v.state != MoveState::buried || v.reason == verdicts[i - 1].reason);
     if (is_next && belongs(events.back(), toolpath.moves[i - 1], move, v)) {
       Event& event = events.back();
       event.last_move = i;

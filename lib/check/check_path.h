@@ -26,7 +26,8 @@ using ProgressCall = std::function<void(std::size_t done, std::size_t total)>;
                                      const PreparedScene& scene, const CheckOptions& options,
                                      const ProgressCall& progress = {});
 
-/// Neighbouring moves of one state, tool, operation, body and counterpart as one event each, in path order.
+/// Neighbouring moves of one state, tool, operation, body and counterpart as one event each, in path order; buried ones
+/// only with the same reason.
 /// Clean and not-checked moves make none.
 [[nodiscard]] std::vector<Event> gather_events(const Toolpath& toolpath,
                                                const std::vector<MoveVerdict>& verdicts);

@@ -131,6 +131,10 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
                  });
   for (const std::uint64_t b : bounds) result.evaluations += b;
   result.events = gather_events(toolpath, result.verdicts);
+  for (Event& event : result.events) {
+    if (event.state == MoveState::buried && result.verdicts[event.first_move].reason == kHeadIsBuried)
+      event.body = Body::head;
+  }
   count_states(result);
 }
 

@@ -117,7 +117,8 @@ std::string event_text(const ReportModel& model, const Event& event) {
   const std::string move = ", move " + std::to_string(event.worst_move);
   std::string text = std::string(state_name(event.state)) + ": ";
   if (event.state == MoveState::buried) {
-    return text + tool_phrase(model, event) + " lies inside a solid, no surface within the tool" + move;
+    return text + tool_phrase(model, event) + " lies inside a solid, no surface within the " +
+           (event.body == Body::head ? "head" : "tool") + move;
   }
   const bool is_near = event.state == MoveState::near_miss;
   const double length_mm = is_near ? verdict.clearance_mm.value_or(0) : verdict.depth_mm;

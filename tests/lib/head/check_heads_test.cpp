@@ -70,6 +70,8 @@ TEST(Heads, InsideASolidAreBuriedAndNeverClean) {
   const CheckResult result = check({paths::upright(0, 0, 0), paths::upright(0, 5, 0)}, {side_box()}, block);
   EXPECT_EQ(result.verdicts[0].state, MoveState::buried);
   EXPECT_EQ(result.verdicts[1].state, MoveState::buried);
+  ASSERT_EQ(result.events.size(), 1U);
+  EXPECT_EQ(result.events[0].body, Body::head);
 }
 
 TEST(Heads, ThatAreOpenAreRefused) {
