@@ -78,6 +78,14 @@ std::string_view find_in(const Statement& statement, std::string_view text) {
   return {};
 }
 
+// "RAPID;CUTCOM" before a slash.
+std::string_view find_after_semicolon(std::string_view major) {
+  const std::size_t semicolon = major.rfind(';');
+  if (semicolon == std::string_view::npos) return {};
+  const std::string_view token = trim(major.substr(semicolon + 1));
+  return matters(find_word(token)) ? token : std::string_view();
+}
+
 bool is_text(Word word) {
   return word == Word::free_text || word == Word::pprint || word == Word::insert || word == Word::tprint ||
          word == Word::operation || word == Word::tool_path || word == Word::syn;
@@ -90,6 +98,10 @@ std::string_view find_run_on(const Statement& statement) {
   if (statement.is_decoded || is_text(statement.word) || takes_position(statement.word) ||
       statement.word == Word::part_program)
     return {};
+  if (statement.word == Word::unknown) {
+    const std::string_view hidden = find_after_semicolon(statement.major);
+    if (!hidden.empty()) return hidden;
+  }
   const std::size_t first = statement.word == Word::comment ? 1 : 0;
   for (std::size_t i = first; i < statement.pieces.size(); ++i) {
     const std::string_view found = find_in(statement, statement.pieces[i]);

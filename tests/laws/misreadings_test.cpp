@@ -118,6 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"DanglingUnknown", around("BLURB/A,$\nGOTO/0,0,-5\n"), "path-statement"},
         Misreading{"DanglingText", around("RAPID $ GO DOWN\nGOTO/0,0,-5\n"), "path-statement"},
         Misreading{"Cutcom", around("COOLNT/ON CUTCOM/LEFT\n"), "path-statement"},
+        Misreading{"CutcomAfterAWord", around("RAPID;CUTCOM/LEFT\n"), "path-statement"},
         Misreading{"Deleted", around("/CUTCOM/LEFT\n"), "path-statement"},
         Misreading{"CreoComment", "$$* Pro/CLfile\n" + around("$$-> MFGNO / $\nGOTO/0,0,-5\n"), "path-statement"},
         Misreading{"CreoCommentWithADollar", "$$* Pro/CLfile\n" + around("$$-> MFGNO / A$B\nGOTO/0,0,-5\n"), "gouge"},
