@@ -7,6 +7,7 @@
 #include "postproc/cldata/goto_text.h"
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/lexer.h"
+#include "postproc/cldata/text.h"
 #include "postproc/cldata/write_corrected_nccs.h"
 #include "postproc/cldata/write_corrected_nci.h"
 
@@ -87,6 +88,8 @@ class CorrectedWriter {
     return record.numbers == 6 || (record.form == PositionForm::curve && is_axis_usual_ && !is_axis_modal_);
   }
   [[nodiscard]] std::string rapid_line(const MotionRecord& record) const;
+  [[nodiscard]] std::string_view bytes_of(std::size_t statement) const;
+  [[nodiscard]] bool begins_with(std::size_t statement, std::string_view word) const;
   [[nodiscard]] std::string insertions(std::size_t move);
   [[nodiscard]] std::string in_place(std::size_t first, std::size_t last);
   [[nodiscard]] std::string one_by_one(std::size_t first, std::size_t last);
@@ -194,9 +197,18 @@ std::string CorrectedWriter::framed(const MotionRecord& record, const WrittenPos
 }
 
 std::string CorrectedWriter::rapid_line(const MotionRecord& record) const {
-  if (record.rapid_statement == kNone) return goto_text_.with_line_end("RAPID");
-  const SourceStatement& span = path_.statements[record.rapid_statement];
-  return goto_text_.with_line_end(path_.source.substr(span.first_byte, span.last_byte - span.first_byte));
+  const bool is_template = record.rapid_statement != kNone && begins_with(record.rapid_statement, "RAPID");
+  return goto_text_.with_line_end(is_template ? std::string(bytes_of(record.rapid_statement)) : "RAPID");
+}
+
+std::string_view CorrectedWriter::bytes_of(std::size_t statement) const {
+  const SourceStatement& span = path_.statements[statement];
+  return std::string_view(path_.source).substr(span.first_byte, span.last_byte - span.first_byte);
+}
+
+// False where a sequence number or label, which belongs to its statement alone, stands before the word.
+bool CorrectedWriter::begins_with(std::size_t statement, std::string_view word) const {
+  return starts_with_ignoring_case(trim(bytes_of(statement)), word);
 }
 
 // The positions to visit before `move`, and, as RAPID holds for one motion only, a RAPID for each further
@@ -210,7 +222,8 @@ std::string CorrectedWriter::insertions(std::size_t move) {
   for (const Pose& pose : changes_[move]->inserted_before) {
     if (is_rapid && !is_rapid_pending) text += rapid_line(record);
     is_rapid_pending = false;
-    const bool is_template = record.form == PositionForm::go_to && record.points == 1;
+    const bool is_template = record.form == PositionForm::go_to && record.points == 1 &&
+                             begins_with(record.statement, "GOTO");
     const WrittenPosition position = written(record, record.frame->to_part.inverse().pose(pose), is_axis_kept(record));
     text += framed(record, position,
                    is_template ? goto_text_.with_line_end(

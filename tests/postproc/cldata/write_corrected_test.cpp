@@ -54,7 +54,10 @@ TEST(WriteCorrected, NumbersLabelsAndCommentsOfStatementsStay) {
   change.inserted_before.push_back(lift(path, 0, 2).new_end.value());
   EXPECT_EQ(written(path, {change}),
             "\xef\xbb\xbfN10 UNITS/MM\nN20 CUT COM/OFF\nN30 GOTO/1.,2.,$ Z FOLLOWS\n3.\n"
-            "LAB1) GOTO/1.D0,2.,5.\nLAB1) GOTO/1.D0,5.,7.5\nFINI\n");
+            "GOTO/1.,2.,5.\nLAB1) GOTO/1.D0,5.,7.5\nFINI\n");
+  const Toolpath rapid = path_of("N1 GOTO/1.,2.,3.\nN2 RAPID\nN3 GOTO/4.,5.,6.\nFINI\n");
+  EXPECT_EQ(written(rapid, {{1, std::nullopt, {{Vec3(1, 2, 9), Vec3::UnitZ()}}, false}}),
+            "N1 GOTO/1.,2.,3.\nN2 RAPID\nGOTO/1.,2.,9.\nRAPID\nN3 GOTO/4.,5.,6.\nFINI\n");
 }
 
 TEST(WriteCorrected, EveryPieceOfARapidStaysRapid) {
