@@ -14,6 +14,8 @@ constexpr Colour kNotCertifiedFill{252, 232, 190, 1};
 constexpr Colour kBuriedFill{64, 20, 84, 1};
 
 // What one column of the strip shows: one move, or the worst of several.
+constexpr Colour kProvedFill{33, 125, 90, 0.30};
+
 struct Column {
   double depth_mm = 0, upper_mm = 0;
   Body body = Body::cutter;
@@ -28,7 +30,7 @@ class Strip {
     columns_.resize(std::min(moves_, static_cast<std::size_t>(area.width)));
     for (std::size_t i = 0; i < verdicts.size(); ++i)
       add(columns_[i * columns_.size() / moves_], verdicts[i]);
-    const double worst = std::max(set.input.result->worst_depth_mm, 3 * set.model.options.tolerance_mm);
+    const double worst = std::max(set.input.result->worst_depth_mm, 2 * set.model.options.tolerance_mm);
     scale_ = make_colour_scale(set.model.options.tolerance_mm, worst, set.model.toolpath->unit, 1.12);
   }
 
@@ -123,8 +125,8 @@ class Strip {
       const double top = y_of(c.depth_mm);
       const double upper = std::isfinite(c.upper_mm) ? y_of(c.upper_mm) : area_.y;
       const Colour colour = body_colour(static_cast<int>(c.body));
-      Colour pale = c.is_not_certified ? Colour{214, 150, 40, 0.55} : colour;
-      if (!c.is_not_certified) pale.opacity = 0.22;
+      Colour pale = c.is_not_certified ? Colour{214, 150, 40, 0.55} : c.is_gouge ? colour : kProvedFill;
+      if (c.is_gouge && !c.is_not_certified) pale.opacity = 0.22;
       if (c.upper_mm > c.depth_mm) page.box({bar.x, upper, bar.width, top - upper}, pale);
       if (!(c.depth_mm > 0)) continue;
       Colour solid = colour;
@@ -137,6 +139,9 @@ class Strip {
   void draw_tolerance(Page& page) const {
     const double tolerance_mm = set_.model.options.tolerance_mm;
     const double y = y_of(tolerance_mm);
+    // Clean moves are proved to end in this band at the latest.
+    const double limit = y_of(tolerance_mm + set_.model.options.resolution_mm);
+    page.box({area_.x, limit, area_.width, y - limit}, {178, 24, 43, 0.13});
     page.line({area_.x, y}, {area_.right() + 8, y}, kAlarm, 1.5, {9, 6});
     page.text({area_.right() + 14, y - 2}, "tolerance", 14, kAlarm);
     const std::string length = short_length_text(tolerance_mm, set_.model.toolpath->unit);
@@ -214,8 +219,10 @@ void draw_legend(Page& page, const PictureSet& set, double y) {
     return v.witness && v.witness->body == Body::head;
   });
   if (has_head) entry(body_colour(static_cast<int>(Body::head)), body_name(Body::head));
-  entry({38, 112, 178, 0.22}, "not excluded (upper bound)");
   const StateCounts& n = set.input.result->counts;
+  const std::string limit = short_length_text(set.model.options.tolerance_mm + set.model.options.resolution_mm,
+                                              set.model.toolpath->unit);
+  if (n.clean > 0) entry(kProvedFill, "clean: proved to be no deeper than this, at most " + limit);
   if (n.not_checked > 0) entry(kNotCheckedFill, "not checked");
   if (n.not_certified > 0) entry(kNotCertifiedFill, "not certified");
   if (n.buried > 0) entry(kBuriedFill, "tool buried");
@@ -227,6 +234,8 @@ Page draw_depth_strip(const PictureSet& set) {
   Page page = make_page("Depth along the path", badge_text(set.model, *set.input.result),
                         badge_colour(*set.input.result), caption_lines(set.model, *set.input.toolpath));
   const Area area{100, 206, 1390, 636};
+  page.text({area.x - 8, 149}, set.input.toolpath->operations.empty() ? "tool" : "operation", 13, kSoftInk,
+            TextAnchor::right);
   draw_operations(page, set, {area.x, 130, area.width, 28});
   Strip(set, area).draw(page);
   draw_legend(page, set, 944);
