@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <initializer_list>
+#include <utility>
 
+#include "postproc/image/path_overlay.h"
 #include "postproc/image/shade.h"
 #include "postproc/report/report_text.h"
 
@@ -21,14 +24,16 @@ View view_for(const PictureSet& set, const Vec3& toward, const Area& area) {
   return view;
 }
 
-// Draws one view into `area` and hands it back for the labels.
-View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area& area) {
+// Draws one view into `area` and hands it back for the labels. Where nothing gouges, the path can be shown in place of
+// depths: a part without colours alone would look the same wherever the path runs.
+View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area& area, bool shows_path) {
   const View view = view_for(set, toward, area);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
   const std::vector<float> depth = set.overcuts.is_empty() ? set.field.depth_on_pixels(set.scene, buffer)
                                                            : set.overcuts.on_pixels(set.scene, buffer);
-  page.rasters.push_back({static_cast<int>(area.x), static_cast<int>(area.y),
-                          shade(set.scene, buffer, depth, set.surface_scale)});
+  Raster raster = shade(set.scene, buffer, depth, set.surface_scale);
+  if (shows_path && set.events.empty()) lay_path(raster, buffer, *set.input.toolpath, *set.input.result);
+  page.rasters.push_back({static_cast<int>(area.x), static_cast<int>(area.y), std::move(raster)});
   for (const PictureEvent& event : set.events) {
     const Vec2 target = on_page(area, view.project(event.at));
     page.taken.push_back({target.x() - 8, target.y() - 8, 16, 16});
@@ -82,6 +87,33 @@ void add_surface_bar(Page& page, const Area& area, const PictureSet& set) {
   if (is_depth) return;
   page.text({area.x, area.bottom() + 22}, "how far below the", 12.5, kSoftInk);
   page.text({area.x, area.bottom() + 38}, "surface the tool reached", 12.5, kSoftInk);
+}
+
+void add_path_key(Page& page, const PictureSet& set, double x, double y) {
+  const StateCounts& n = set.input.result->counts;
+  const auto entry = [&](const Colour& colour, std::initializer_list<const char*> lines) {
+    page.box({x, y - 12, 22, 14}, colour);
+    for (const char* words : lines) {
+      page.text({x + 30, y}, words, 14, kInk);
+      y += 19;
+    }
+    y += 12;
+  };
+  entry(kCheckedWay, {"way of the tip", "while it cuts:", "checked"});
+  if (n.not_checked + n.not_certified > 0) entry(kUncheckedWay, {"not checked", "or not certified"});
+  if (!set.model.closeness) return;
+  const Closeness& c = *set.model.closeness;
+  const LengthUnit unit = set.model.toolpath->unit;
+  const auto within = [&](const std::optional<double>& mm) {
+    return mm ? depth_text(*mm, unit) : "over " + length_text(Closeness::kFar_mm, unit);
+  };
+  y += 18;
+  for (const std::string& words :
+       {std::string("Tool to part at"), std::to_string(c.positions) + " cutting positions", "nearest: " + within(c.nearest_mm),
+        "half within: " + within(c.median_mm)}) {
+    page.text({x, y}, words, fitting_size(words, 14, kPageWidth - 16 - x), kSoftInk);
+    y += 19;
+  }
 }
 
 double largest_overcut_mm(const CheckResult& result, const Event& event) {
@@ -173,6 +205,10 @@ Colour badge_colour(const CheckResult& result) {
 }
 
 std::string heat_map_title(const PictureSet& set) {
+  if (set.events.empty()) {
+    const bool is_clean = overall_verdict(*set.input.result) == OverallVerdict::clean;
+    return is_clean ? "The path on the part: no gouge" : "The path on the part: no gouge found";
+  }
   return set.overcuts.is_empty() ? "Gouge depth on the part" : "Overcut on the part";
 }
 
@@ -189,7 +225,7 @@ Page draw_heat_map(const PictureSet& set) {
   const bool is_stacked = scale_in(set, rows) < scale_in(set, areas);
   if (is_stacked) areas = rows;
   for (std::size_t i = 0; i < set.directions.size() && i < areas.size(); ++i) {
-    const View view = add_view(page, set, set.directions[i], above_furniture(areas[i]));
+    const View view = add_view(page, set, set.directions[i], above_furniture(areas[i]), true);
     add_corner_furniture(page, view, areas[i], unit);
   }
   if (is_stacked)
@@ -197,6 +233,10 @@ Page draw_heat_map(const PictureSet& set) {
   else
     page.line({812, kContentTop + 20}, {812, kContentBottom - 20}, kHairline, 1);
   page.line({1380, kContentTop + 20}, {1380, kContentBottom - 20}, kHairline, 1);
+  if (set.events.empty()) {
+    add_path_key(page, set, 1408, 190);
+    return page;
+  }
   add_surface_bar(page, {1408, 190, 26, 360}, set);
   add_event_key(page, set, 1408, set.overcuts.is_empty() ? 604 : 626);
   return page;
@@ -210,8 +250,8 @@ Page draw_before_after(const PictureSet& before, const PictureSet& after) {
   const Area left{36, 156, kHalf, kContentBottom - 156};
   const Area right{36 + kHalf + 12, 156, kHalf, kContentBottom - 156};
   const Vec3& toward = before.directions.front();
-  const View view = add_view(page, before, toward, above_furniture(left));
-  add_view(page, after, toward, above_furniture(right));
+  const View view = add_view(page, before, toward, above_furniture(left), false);
+  add_view(page, after, toward, above_furniture(right), false);
   add_corner_furniture(page, view, left, unit);
   const auto label = [&](const Area& area, const std::string& words, const CheckResult& result) {
     page.text({area.x + 8, area.y - 12}, words, 19, kInk, TextAnchor::left, true);
