@@ -104,13 +104,10 @@ void add_path_key(Page& page, const PictureSet& set, double x, double y) {
   if (!set.model.closeness) return;
   const Closeness& c = *set.model.closeness;
   const LengthUnit unit = set.model.toolpath->unit;
-  const auto within = [&](const std::optional<double>& mm) {
-    return mm ? depth_text(*mm, unit) : "over " + length_text(Closeness::kFar_mm, unit);
-  };
   y += 18;
   for (const std::string& words :
-       {std::string("Tool to part at"), std::to_string(c.positions) + " cutting positions", "nearest: " + within(c.nearest_mm),
-        "half within: " + within(c.median_mm)}) {
+       {std::string("Distance from the part"), "at " + std::to_string(c.positions) + " cutting positions:",
+        "nearest " + closeness_words(c.nearest_mm, unit), "half " + closeness_words(c.median_mm, unit)}) {
     page.text({x, y}, words, fitting_size(words, 14, kPageWidth - 16 - x), kSoftInk);
     y += 19;
   }

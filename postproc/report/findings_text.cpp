@@ -94,7 +94,7 @@ std::string summary_text(const ReportModel& model) {
   text += headline(model) + "\n";
   for (const std::string& but : reservations(model)) text += "but: " + but + "\n";
   text += "moves: " + counts_line(model.result->counts) + "\n";
-  if (model.closeness) text += "contact: " + closeness_text(model) + "\n";
+  if (model.closeness) text += "part: " + closeness_text(model) + "\n";
   if (model.has_correction) text += correction_lines(model);
   return text + "promise: " + promise_text(model) + "\n";
 }

@@ -3,6 +3,7 @@
 #include <map>
 #include <utility>
 
+#include "lib/base/number_text.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -73,20 +74,20 @@ std::vector<std::string> reservations(const ReportModel& model) {
   return all;
 }
 
+std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit unit) {
+  constexpr double kTouch_mm = 0.01;
+  if (!distance_mm) return "more than " + length_text(Closeness::kFar_mm, unit) + " away";
+  if (*distance_mm <= kTouch_mm) return "touching";
+  return "within " + fixed_text(*distance_mm / mm_per(unit), unit == LengthUnit::inch ? 3 : 2) + " " + unit_name(unit);
+}
+
 std::string closeness_text(const ReportModel& model) {
   if (!model.closeness) return {};
-  constexpr double kTouch_mm = 0.01;
   const Closeness& c = *model.closeness;
   const LengthUnit unit = model.toolpath->unit;
-  const std::string looked = " (" + std::to_string(c.positions) + " of " + std::to_string(c.cuts) + " looked at)";
-  const std::string far = "more than " + length_text(Closeness::kFar_mm, unit);
-  if (!c.nearest_mm) return "at all cutting positions the tool is " + far + " away from the part's surface" + looked;
-  const std::string nearest = *c.nearest_mm <= kTouch_mm ? std::string("touches the part")
-                                                         : "comes within " + depth_text(*c.nearest_mm, unit) + " of the part";
-  const std::string median = !c.median_mm               ? far + " away from it"
-                             : *c.median_mm <= kTouch_mm ? std::string("touching it")
-                                                         : "within " + depth_text(*c.median_mm, unit) + " of it";
-  return "the tool " + nearest + "; at half of the cutting positions it is " + median + looked;
+  return "nearest, the tool is " + closeness_words(c.nearest_mm, unit) + "; at half of the cutting positions it is " +
+         closeness_words(c.median_mm, unit) + " (" + std::to_string(c.positions) + " of " + std::to_string(c.cuts) +
+         " looked at)";
 }
 
 std::vector<ReasonGroup> group_reasons(const CheckResult& result) {

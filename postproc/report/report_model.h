@@ -118,7 +118,11 @@ inline constexpr const char* kSceneMisplaced = "scene-misplaced";
 /// tools have no holder.
 [[nodiscard]] std::vector<std::string> reservations(const ReportModel& model);
 
-/// "the tool touches the part; at half of the cutting positions it is within 0.0012 mm of it (400 of 2425 looked at)".
+/// A distance of Closeness, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "more than 20 mm
+/// away".
+[[nodiscard]] std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit unit);
+
+/// "nearest, the tool is touching; at half of the cutting positions it is within 0.83 mm (400 of 2425 looked at)".
 /// Empty without closeness.
 [[nodiscard]] std::string closeness_text(const ReportModel& model);
 

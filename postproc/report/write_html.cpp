@@ -1,7 +1,6 @@
 #include "postproc/report/write_html.h"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
 #include "postproc/report/findings_text.h"
@@ -83,10 +82,9 @@ class HtmlReport {
   [[nodiscard]] std::string beside_the_verdict() const {
     std::string out;
     for (const std::string& but : reservations(model_)) out += "<p class=\"but\">But " + xml_escaped(but) + ".</p>\n";
-    std::string closeness = xml_escaped(closeness_text(model_));
+    const std::string closeness = closeness_text(model_);
     if (closeness.empty()) return out;
-    closeness.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(closeness.front())));
-    return out + "<p class=\"soft\">" + closeness + ".</p>\n";
+    return out + "<p class=\"soft\">Distance from the part: " + xml_escaped(closeness) + ".</p>\n";
   }
 
   [[nodiscard]] std::string numbers() const {

@@ -66,18 +66,17 @@ TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
   SmallReport report;
   const auto text = [&](std::optional<double> nearest, std::optional<double> median) {
     report.model.closeness = Closeness{2425, 400, nearest, median};
-    EXPECT_NE(summary_text(report.model).find("\ncontact: " + closeness_text(report.model) + "\n"), std::string::npos);
+    EXPECT_NE(summary_text(report.model).find("\npart: " + closeness_text(report.model) + "\n"), std::string::npos);
     return closeness_text(report.model);
   };
   EXPECT_EQ(text(0.0, 0.0042),
-            "the tool touches the part; at half of the cutting positions it is touching it (400 of 2425 looked at)");
-  EXPECT_EQ(text(0.83, 4.2),
-            "the tool comes within 0.830 mm of the part; at half of the cutting positions it is within 4.200 mm of it (400 "
-            "of 2425 looked at)");
-  EXPECT_EQ(text(0.83, {}),
-            "the tool comes within 0.830 mm of the part; at half of the cutting positions it is more than 20 mm away from "
-            "it (400 of 2425 looked at)");
-  EXPECT_EQ(text({}, {}), "at all cutting positions the tool is more than 20 mm away from the part's surface (400 of 2425 looked at)");
+            "nearest, the tool is touching; at half of the cutting positions it is touching (400 of 2425 looked at)");
+  EXPECT_EQ(text(0.834, 4.2),
+            "nearest, the tool is within 0.83 mm; at half of the cutting positions it is within 4.20 mm (400 of 2425 looked "
+            "at)");
+  EXPECT_EQ(text({}, {}),
+            "nearest, the tool is more than 20 mm away; at half of the cutting positions it is more than 20 mm away (400 of "
+            "2425 looked at)");
   report.model.closeness.reset();
   EXPECT_EQ(closeness_text(report.model), "");
 }
