@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "postproc/image/shade.h"
+#include "postproc/image/walk_line.h"
 
 namespace gouge {
 namespace {
@@ -97,23 +98,13 @@ class HeadPane : public Pane {
 
 void draw_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& head, const Vec3& a,
                const Vec3& b) {
-  const double dx = b.x() - a.x();
-  const double dy = b.y() - a.y();
-  const int steps = static_cast<int>(std::min(std::ceil(std::max(std::abs(dx), std::abs(dy))), 20000.0)) + 1;
-  const bool is_steep = std::abs(dx) < std::abs(dy);
   const double slack = 2.5 * part.view.mm_per_pixel;
-  for (int s = 0; s <= steps; ++s) {
-    const Vec3 p = a + (b - a) * (static_cast<double>(s) / steps);
-    for (int k = 0; k < 2; ++k) {  // two pixels wide, across the line's main direction
-      const int x = static_cast<int>(std::floor(p.x())) + (is_steep ? k : 0);
-      const int y = static_cast<int>(std::floor(p.y())) + (is_steep ? 0 : k);
-      if (x < 0 || y < 0 || x >= raster.width || y >= raster.height) continue;
-      const std::size_t i = head.index(x, y);
-      const bool is_behind = p.z() + slack < static_cast<double>(head.z[i]);
-      const bool is_hidden = p.z() + slack < static_cast<double>(part.z[i]);
-      blend_pixel(raster, x, y, body_colour(kHead), (is_behind ? 0.22 : 0.7) * (is_hidden ? 0.55 : 1));
-    }
-  }
+  walk_two_wide(a, b, raster.width, raster.height, [&](const Vec3& p, int x, int y) {
+    const std::size_t i = head.index(x, y);
+    const bool is_behind = p.z() + slack < static_cast<double>(head.z[i]);
+    const bool is_hidden = p.z() + slack < static_cast<double>(part.z[i]);
+    blend_pixel(raster, x, y, body_colour(kHead), (is_behind ? 0.22 : 0.7) * (is_hidden ? 0.55 : 1));
+  });
 }
 
 }  // namespace

@@ -7,12 +7,12 @@
 
 #include "lib/path/chords.h"
 #include "postproc/image/shade.h"
+#include "postproc/image/walk_line.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kMostMoves = 100'000;
-constexpr double kMostPixels = 20'000;  // of one line
 constexpr double kOpacity = 0.5;
 
 enum Mark : std::uint8_t { kNothing, kChecked, kUnchecked };
@@ -22,13 +22,9 @@ class Overlay {
   explicit Overlay(const SurfaceBuffer& buffer) : buffer_(buffer), marks_(buffer.z.size(), kNothing) {}
 
   void line(const Vec3& from, const Vec3& to, Mark mark) {
-    const Vec3 a = buffer_.view.project(from), b = buffer_.view.project(to);
-    const double pixels = std::max(std::abs(b.x() - a.x()), std::abs(b.y() - a.y()));
-    const int steps = static_cast<int>(std::min(std::ceil(pixels), kMostPixels)) + 1;
-    for (int s = 0; s <= steps; ++s) {
-      const Vec3 p = a + (b - a) * (static_cast<double>(s) / steps);
+    walk_line(buffer_.view.project(from), buffer_.view.project(to), [&](const Vec3& p) {
       for (int k = 0; k < 4; ++k) put(p, k % 2, k / 2, mark);
-    }
+    });
   }
 
   void blend(Raster& raster) const {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "lib/base/parallel.h"
+#include "postproc/image/walk_line.h"
 
 namespace gouge {
 namespace {
@@ -65,22 +66,11 @@ void put(Raster& raster, int x, int y, const Colour& colour, double light) {
 }
 
 void draw_edge(Raster& raster, const SurfaceBuffer& buffer, const Vec3& a, const Vec3& b) {
-  const double dx = b.x() - a.x();
-  const double dy = b.y() - a.y();
-  const double pixels = std::max(std::abs(dx), std::abs(dy));
-  const int steps = static_cast<int>(std::min(std::ceil(pixels), 20000.0)) + 1;
   const double slack = 2.5 * buffer.view.mm_per_pixel;
-  for (int s = 0; s <= steps; ++s) {
-    const Vec3 p = a + (b - a) * (static_cast<double>(s) / steps);
-    for (int k = 0; k < 2; ++k) {  // two pixels wide, across the line's main direction
-      const int x = static_cast<int>(std::floor(p.x())) + (std::abs(dx) < std::abs(dy) ? k : 0);
-      const int y = static_cast<int>(std::floor(p.y())) + (std::abs(dx) < std::abs(dy) ? 0 : k);
-      if (x < 0 || y < 0 || x >= raster.width || y >= raster.height) continue;
-      const float seen = buffer.z[buffer.index(x, y)];
-      if (p.z() + slack < static_cast<double>(seen)) continue;
-      blend_pixel(raster, x, y, {40, 48, 58, 1}, 0.28);
-    }
-  }
+  walk_two_wide(a, b, raster.width, raster.height, [&](const Vec3& p, int x, int y) {
+    if (p.z() + slack < static_cast<double>(buffer.z[buffer.index(x, y)])) return;
+    blend_pixel(raster, x, y, {40, 48, 58, 1}, 0.28);
+  });
 }
 
 }  // namespace
