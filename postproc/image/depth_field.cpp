@@ -25,10 +25,8 @@ double signed_distance(const CompiledTool& tool, const Pose& pose, const Vec3& p
 std::size_t instants_of(const Motion& motion, const CompiledTool& tool, double depth_mm) {
   // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
-  double travel = 0;
-  for (std::uint32_t s = 0; s < motion.stretches().size(); ++s)
-    travel += motion.way_mm(motion.stretches()[s].t0, motion.stretches()[s].t1, s);
-  travel += std::abs(motion.angle_rad()) * 0.5 * (tool.z_max_mm - tool.z_min_mm);
+  const double travel =
+      way_mm(motion) + std::abs(motion.angle_rad()) * 0.5 * (tool.z_max_mm - tool.z_min_mm);
   const double step = std::max(std::sqrt(8 * reach * 0.01 * std::max(depth_mm, 1e-3)), 0.02 * reach);
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
 }

@@ -86,4 +86,11 @@ std::vector<FieldInstants> pick_instants(
   return Picker(input, most, wanted).pick();
 }
 
+double way_mm(const Motion& motion) {
+  double way = 0;
+  for (std::uint32_t s = 0; s < motion.stretches().size(); ++s)
+    way += motion.way_mm(motion.stretches()[s].t0, motion.stretches()[s].t1, s);
+  return way;
+}
+
 }  // namespace gouge

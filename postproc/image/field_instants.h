@@ -22,4 +22,7 @@ struct FieldInstants {
     const PictureInput& input, std::size_t most,
     const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted);
 
+/// How far the tip goes.
+[[nodiscard]] double way_mm(const Motion& motion);
+
 }  // namespace gouge

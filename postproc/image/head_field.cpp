@@ -33,9 +33,7 @@ double reach_of(std::span<const HeadBody> heads) {
 
 // Instants so close that what a swing leaves between two of them stays a small part of the depth.
 std::size_t instants_of(const Motion& motion, double reach_mm, double depth_mm, double most_step_mm) {
-  double travel = HeadMotion(motion).turn_rad() * reach_mm;
-  for (std::uint32_t s = 0; s < motion.stretches().size(); ++s)
-    travel += motion.way_mm(motion.stretches()[s].t0, motion.stretches()[s].t1, s);
+  const double travel = HeadMotion(motion).turn_rad() * reach_mm + way_mm(motion);
   const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, 1e-3)),
                                  0.1 * most_step_mm, std::max(most_step_mm, 1e-6));
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
