@@ -154,7 +154,7 @@ ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std
   statement.radius_mm = tlon.radius_mm;
   statement.sense = ArcSense::right_handed;
   const ArcFit fit = fit_arc(statement, start, tlon.end);
-  if (fit.problem != nullptr) return statement;
+  if (!fit.problem.empty()) return statement;
   // Within rounding of half a turn either word is right.
   const bool is_beyond_half = fit.arc.sweep_rad > kPi;
   if (is_beyond_half != tlon.is_beyond_half && std::abs(fit.arc.sweep_rad - kPi) > kAngleError_rad &&
@@ -167,7 +167,7 @@ ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std
 ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end) {
   ArcFit fit;
   fit.problem = statement.problem;
-  if (fit.problem != nullptr) return fit;
+  if (!fit.problem.empty()) return fit;
   fit.arc.center = statement.center;
   fit.arc.axis = statement.axis;
   const Vec3 from = start - statement.center, to = end - statement.center;
@@ -179,7 +179,7 @@ ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end
   if (!(fit.radius_error_mm <= kRadiusError_mm)) fit.problem = ArcProblems::kRadius;
   if (!(std::min(r0, r1) > kSamePlace_mm)) fit.problem = ArcProblems::kPoint;
   if (statement.sense == ArcSense::unknown) fit.problem = ArcProblems::kSense;
-  if (fit.problem != nullptr) return fit;
+  if (!fit.problem.empty()) return fit;
 
   const double sign = statement.sense == ArcSense::right_handed ? 1 : -1;
   const double chord = (b - a).norm();
@@ -206,9 +206,9 @@ ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end
 
 bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end) {
   statement.sense = ArcSense::right_handed;
-  const bool fits_right = fit_arc(statement, start, end).problem == nullptr;
+  const bool fits_right = fit_arc(statement, start, end).problem.empty();
   statement.sense = ArcSense::left_handed;
-  return fits_right && fit_arc(statement, start, end).problem == nullptr;
+  return fits_right && fit_arc(statement, start, end).problem.empty();
 }
 
 Vec3 arc_tangent(const ArcStatement& statement, const Vec3& tip) {

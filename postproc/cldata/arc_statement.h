@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "lib/geom/vec.h"
 #include "lib/path/curve.h"
@@ -39,7 +40,7 @@ struct ArcStatement {
   std::optional<double> sweep_rad;  ///< stated, without sign
   int turns = 1;                    ///< TIMES
   ArcSense sense = ArcSense::unknown;
-  const char* problem = nullptr;  ///< one of ArcProblems: then the rest says nothing
+  std::string_view problem;  ///< one of ArcProblems: then the rest says nothing; empty: none
 };
 
 /// CIRCLE/ or MOVARC/ in the sense of `dialect`.
@@ -62,7 +63,7 @@ struct TlonStatement {
 /// The arc of a statement between two tips, or why there is none.
 struct ArcFit {
   PathArc arc;
-  const char* problem = nullptr;
+  std::string_view problem;    ///< one of ArcProblems; empty: none
   double radius_error_mm = 0;  ///< how far start, end and the stated radius disagree
 };
 

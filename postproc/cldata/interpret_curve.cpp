@@ -153,13 +153,13 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   ArcStatement arc = *arc_;
   arc.center = to_part_.point(arc.center);
   arc.axis = to_part_.direction(arc.axis);
-  if (is_nccs(dialect_.kind) && arc.problem == nullptr && !is_round_in_nccs(position, arc, move)) return;
-  if (dialect_.kind == DialectKind::autodesk && arc.problem == nullptr) doubt_autodesk_sense(arc, move);
-  const bool is_open = arc.problem == nullptr && arc.sense == ArcSense::unknown;
-  if (arc.problem == nullptr && last_direction_) vote(arc, last_pose_->tip, *last_direction_);
+  if (is_nccs(dialect_.kind) && arc.problem.empty() && !is_round_in_nccs(position, arc, move)) return;
+  if (dialect_.kind == DialectKind::autodesk && arc.problem.empty()) doubt_autodesk_sense(arc, move);
+  const bool is_open = arc.problem.empty() && arc.sense == ArcSense::unknown;
+  if (arc.problem.empty() && last_direction_) vote(arc, last_pose_->tip, *last_direction_);
   if (is_open && is_reached_the_short_way(position)) arc.sense = shorter_way(arc, last_pose_->tip, move.end.tip);
   // In NCL the vector has no sense, so what other arcs tell of it says nothing of this one.
-  if (arc.sense == ArcSense::unknown && arc.problem == nullptr && !is_nccs(dialect_.kind)) {
+  if (arc.sense == ArcSense::unknown && arc.problem.empty() && !is_nccs(dialect_.kind)) {
     make_room(open_arcs_);
     open_arcs_.push_back({path_.moves.size(), arc, cutcom_reason()});
   }
@@ -177,10 +177,10 @@ void Interpreter::doubt_autodesk_sense(ArcStatement& arc, const Move& move) {
     if (!is_flat_circle) arc.sense = ArcSense::unknown;
     return;
   }
-  const bool is_right = fit_arc(arc, start, end).problem == nullptr;
+  const bool is_right = fit_arc(arc, start, end).problem.empty();
   if (is_right && arc.axis.dot(last_pose_->axis) < kOpposite) ++turned_vectors_;
   arc.sense = ArcSense::left_handed;
-  if (!is_right && fit_arc(arc, start, end).problem == nullptr) ++wrong_way_arcs_;
+  if (!is_right && fit_arc(arc, start, end).problem.empty()) ++wrong_way_arcs_;
   arc.sense = ArcSense::right_handed;
 }
 
@@ -213,13 +213,12 @@ ArcSense Interpreter::shorter_way(ArcStatement arc, const Vec3& start, const Vec
 
 void Interpreter::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
   const ArcFit fit = fit_arc(arc, start, move.end.tip);
-  const std::string_view problem = fit.problem != nullptr ? fit.problem : "";
-  if (problem == ArcProblems::kRadius) {
+  if (fit.problem == ArcProblems::kRadius) {
     if (radius_errors_++ == 0) first_radius_error_line_ = move.line;
     worst_radius_error_mm_ = std::max(worst_radius_error_mm_, fit.radius_error_mm);
   }
-  move.not_checked_reason = problem;
-  if (!problem.empty()) return;
+  move.not_checked_reason = fit.problem;
+  if (!fit.problem.empty()) return;
   move.curve_kind = CurveKind::arc;
   move.curve = path_.arcs.size();
   make_room(path_.arcs);

@@ -163,7 +163,7 @@ void Interpreter::take_positions(PositionForm form) {
 // along it.
 bool Interpreter::may_go_on_round(const Position& position) const {
   constexpr double kOnCircle_mm = 0.02;
-  if (dialect_.kind != DialectKind::nccs || arc_ || !last_arc_ || last_arc_->problem != nullptr) return false;
+  if (dialect_.kind != DialectKind::nccs || arc_ || !last_arc_ || !last_arc_->problem.empty()) return false;
   const Vec3 away = position.tip_local - last_arc_->center;
   const double radius = (away - away.dot(last_arc_->axis) * last_arc_->axis).norm();
   return std::abs(radius - last_arc_->radius_mm.value_or(radius)) <= kOnCircle_mm;
