@@ -51,12 +51,8 @@ bool is_binary_stl(std::string_view bytes) {
   return count > 0 && bytes.size() == kStlHeader + kStlCount + kStlTriangle * count;
 }
 
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
 bool is_number_character(char c) {
-  return (c >= '0' && c <= '9') || c == '.' || c == '-' || c == '+';
+  return is_digit(c) || c == '.' || c == '-' || c == '+';
 }
 
 // "N10 G1 X1.5 Y-2 F200", "%", "O1234", "G0X1Y2": letters each followed by a number.

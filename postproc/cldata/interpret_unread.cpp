@@ -16,10 +16,6 @@ namespace {
 constexpr std::ptrdiff_t kNumbersOfMotion = 3;
 constexpr std::ptrdiff_t kNumbersOfFrame = 9;
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 // G0 to G3 and a number of an axis: "G00 Z-10.", "N10G1X5".
 bool is_motion_of_control(std::string_view text) {
   bool has_motion = false, has_axis = false;

@@ -8,16 +8,8 @@
 namespace gouge {
 namespace {
 
-bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
-
-bool is_word_character(char c) {
-  return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
-}
-
 bool is_number_start(char c) {
-  return (c >= '0' && c <= '9') || c == '+' || c == '-' || c == '.';
+  return is_digit(c) || c == '+' || c == '-' || c == '.';
 }
 
 // Those that would be missed. What moves nothing may stand beside another statement.

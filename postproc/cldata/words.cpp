@@ -169,8 +169,8 @@ constexpr std::array<std::string_view, 6> kSixLetterTexts = {"INSERT", "LETTER",
 constexpr std::array<std::string_view, 5> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART", "OPNAME",
                                                              "TITLES"};
 
-bool is_word_character(char c) {
-  return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '_';
+bool is_major_character(char c) {
+  return is_letter(c) || is_digit(c) || c == '_';
 }
 
 // "TOOL PATH", with as many blanks as there are.
@@ -181,7 +181,7 @@ std::size_t tool_path_length(std::string_view line) {
   while (at < line.size() && is_blank(line[at])) ++at;
   if (!starts_with_ignoring_case(line.substr(at), kPath)) return 0;
   at += kPath.size();
-  return at == line.size() || !is_word_character(line[at]) ? at : 0;
+  return at == line.size() || !is_major_character(line[at]) ? at : 0;
 }
 
 }  // namespace
@@ -201,7 +201,7 @@ std::size_t free_text_word_length(std::string_view line) {
   }
   for (const std::string_view word : kWholeWordTexts) {
     if (starts_with_ignoring_case(line, word) &&
-        (line.size() == word.size() || !is_word_character(line[word.size()]))) {
+        (line.size() == word.size() || !is_major_character(line[word.size()]))) {
       return word.size();
     }
   }
