@@ -36,10 +36,10 @@ void Interpreter::take_arc() {
 void Interpreter::take_unread_curve() {
   const bool is_off = has_argument(arguments_, "OFF");
   if (is_off || has_argument(arguments_, "ON")) {  // until it is switched off
-    spline_reason_ = is_off ? nullptr : Reasons::kCurve;
+    spline_reason_ = is_off ? nullptr : because(Reasons::kCurve);
     return;
   }
-  arc_ = unreadable(Reasons::kCurve);
+  arc_ = unreadable(because(Reasons::kCurve));
 }
 
 void Interpreter::take_indirv() {

@@ -21,6 +21,7 @@ void Interpreter::take_cycle() {
   is_cycle_ = !equals_ignoring_case(what, "OFF") && !equals_ignoring_case(what, "NOMORE");
   if (equals_ignoring_case(what, "ON") || !is_cycle_) return;
   cycle_ = read_cycle(dialect_.kind, arguments_, mm_per_unit_);
+  if (!cycle_) cycle_reason_ = because(Reasons::kCycle);
   if (cycle_ && !cycle_->is_retract_stated && cycles_without_retract_++ == 0) {
     first_cycle_without_retract_ = statement_->line;
   }

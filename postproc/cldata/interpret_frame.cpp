@@ -136,7 +136,7 @@ void Interpreter::take_creo_comment() {
     is_cutter_centre_ = is_cutter_centre_said_;
   } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
     const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
-    contour_reason_ = is_on_centre ? nullptr : Reasons::kContour;
+    contour_reason_ = is_on_centre ? nullptr : because(Reasons::kContour);
     is_cutter_centre_ = is_cutter_centre_ || is_on_centre;
   } else if (starts_with_ignoring_case(text, "CUTTER")) {
     take_creo_cutter(rest);
@@ -182,7 +182,7 @@ void Interpreter::take_msys() {
 }
 
 void Interpreter::take_csys() {
-  csys_reason_ = is_identity(arguments_, kIdentityByRows) ? nullptr : Reasons::kCsys;
+  csys_reason_ = is_identity(arguments_, kIdentityByRows) ? nullptr : because(Reasons::kCsys);
 }
 
 // CAMplete: the X, Y and Z axes, then the origin.
@@ -209,7 +209,7 @@ void Interpreter::take_mcsys() {
     is_counting = is_counting || equals_ignoring_case(argument.text, "POINT");
     if (is_counting && argument.number) numbers.push_back(argument);
   }
-  mcs_reason_ = numbers.size() == 9 ? nullptr : Reasons::kMcsys;
+  mcs_reason_ = numbers.size() == 9 ? nullptr : because(Reasons::kMcsys);
   if (mcs_reason_ != nullptr) return;
   const std::optional<RigidTransform> frame =
       make_frame(vector_of(numbers, 0) * mm_per_unit_, vector_of(numbers, 3), vector_of(numbers, 6), "MCSYS");
@@ -225,7 +225,7 @@ void Interpreter::take_rotabl() {
     const bool is_turned = std::any_of(arguments_.begin(), arguments_.end(), [](const Argument& a) {
       return a.number ? std::abs(*a.number) > 0 : has_digit(a);
     });
-    if (is_turned) unread_frame_reason_ = Reasons::kTurned;
+    if (is_turned) unread_frame_reason_ = because(Reasons::kTurned);
     return;
   }
   if (std::abs(turn->angle) <= kIdentityError) return;
@@ -239,7 +239,7 @@ void Interpreter::take_trntyp() {
   const std::span<const Argument> all(arguments_);
   const bool is_world = !all.empty() && equals_ignoring_case(all.front().text, "WORLD") &&
                         (all.size() == 1 || is_all_zero(all.subspan(1)));
-  trntyp_reason_ = is_world ? nullptr : Reasons::kTrntyp;
+  trntyp_reason_ = is_world ? nullptr : because(Reasons::kTrntyp);
 }
 
 // TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows. Zeros undo
@@ -247,13 +247,13 @@ void Interpreter::take_trntyp() {
 void Interpreter::take_trans() {
   if (arguments_.empty()) return;
   const char*& reason = equals_ignoring_case(statement_->major, "ORIGIN") ? origin_reason_ : trans_reason_;
-  reason = is_all_zero(arguments_) ? nullptr : Reasons::kTrans;
+  reason = is_all_zero(arguments_) ? nullptr : because(Reasons::kTrans);
 }
 
 // A lathe's or a wire's program has its positions in another plane.
 void Interpreter::take_mode() {
   for (const char* word : {"TURN", "LATHE", "WIRE", "EDM"}) {
-    if (has_argument(arguments_, word)) mode_reason_ = Reasons::kTurning;
+    if (has_argument(arguments_, word)) mode_reason_ = because(Reasons::kTurning);
   }
   if (has_argument(arguments_, "MILL")) mode_reason_ = nullptr;
 }
@@ -263,7 +263,7 @@ void Interpreter::take_tlaxis() {
   if (dialect_.kind == DialectKind::clt) {
     // It is in model axes while positions are in setup axes, where it is +Z: so they differ where it is not.
     const bool is_plus_z = is_identity(arguments_, std::array<double, 3>{0, 0, 1});
-    tlaxis_reason_ = is_plus_z ? nullptr : Reasons::kCltAxis;
+    tlaxis_reason_ = is_plus_z ? nullptr : because(Reasons::kCltAxis);
     return;
   }
   if (arguments_.size() != 3 || find_word_argument(arguments_) != nullptr) {

@@ -240,7 +240,7 @@ void Interpreter::take_fedrat() {
 void Interpreter::take_multax() {
   const bool is_off = has_argument(arguments_, "OFF");
   const bool is_known = arguments_.empty() || (arguments_.size() == 1 && (is_off || has_argument(arguments_, "ON")));
-  multax_reason_ = is_known ? nullptr : Reasons::kMultax;
+  multax_reason_ = is_known ? nullptr : because(Reasons::kMultax);
   if (!is_known) count_unknown();
   multax_ = !is_off;
   is_last_tilted_ = is_last_tilted_ && *multax_;
@@ -263,7 +263,7 @@ void Interpreter::break_motion() {
 void Interpreter::take_cutcom() {
   if (has_argument(arguments_, "ADJUST")) {
     const bool is_off = arguments_.size() == 2 && equals_ignoring_case(arguments_.back().text, "OFF");
-    adjust_reason_ = is_off ? nullptr : Reasons::kAdjust;
+    adjust_reason_ = is_off ? nullptr : because(Reasons::kAdjust);
     return;
   }
   const bool has_side = has_argument(arguments_, "LEFT") || has_argument(arguments_, "RIGHT");
@@ -307,7 +307,7 @@ void Interpreter::emit(const Position& position) {
                                   : is_arc   ? MoveKind::arc
                                   : is_rapid ? MoveKind::rapid
                                              : MoveKind::feed);
-  if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = Reasons::kCycle;
+  if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = cycle_reason_;
   if (move.not_checked_reason.empty() && is_arc) attach_curve(position, move);
   append(move, position);
   if (is_cycle) unknown_start_ = Reasons::kAfterCycle;

@@ -82,7 +82,7 @@ void Interpreter::take_tldata() {
   const bool is_turning = std::any_of(kTurningTypes.begin(), kTurningTypes.end(),
                                       [&](std::string_view t) { return equals_ignoring_case(type, t); });
   if (is_turning) {
-    turning_reason_ = Reasons::kTurning;
+    turning_reason_ = because(Reasons::kTurning);
     return;
   }
   turning_reason_ = nullptr;
@@ -105,7 +105,7 @@ void Interpreter::take_tldata() {
 
 void Interpreter::take_tool_number() {
   const bool is_turning = has_argument(arguments_, "TURN");
-  if (is_turning) turning_reason_ = Reasons::kTurning;
+  if (is_turning) turning_reason_ = because(Reasons::kTurning);
   if (arguments_.empty()) return count_unknown();
   const std::optional<int> number = whole_number(arguments_.front());
   if (!number) {
@@ -119,7 +119,7 @@ void Interpreter::take_tool_number() {
 
 void Interpreter::take_load() {
   if (arguments_.empty() || !equals_ignoring_case(arguments_.front().text, "TOOL")) {
-    if (has_argument(arguments_, "WIRE")) turning_reason_ = Reasons::kTurning;
+    if (has_argument(arguments_, "WIRE")) turning_reason_ = because(Reasons::kTurning);
     return count_unknown();
   }
   const std::optional<int> number = arguments_.size() > 1 ? whole_number(arguments_[1]) : std::nullopt;

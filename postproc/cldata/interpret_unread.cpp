@@ -67,7 +67,7 @@ void Interpreter::take_unknown() {
   const auto numbers = std::count_if(arguments_.begin(), arguments_.end(),
                                      [](const Argument& argument) { return argument.number.has_value(); });
   if (numbers >= kNumbersOfFrame) {
-    unread_frame_reason_ = Reasons::kUnreadFrame;
+    unread_frame_reason_ = because(Reasons::kUnreadFrame);
   } else if (numbers >= kNumbersOfMotion) {
     emit_unread();
   }
@@ -88,6 +88,9 @@ void Interpreter::emit_unread(const char* reason) {
   move.tool = tool_index_;
   move.operation = operation_index_;
   move.not_checked_reason = reason;
+  if (move.not_checked_reason == Reasons::kUnread) {
+    move.not_checked_reason = reasons_.name(reason, statement_->major);
+  }
   if (records_ != nullptr) {
     Position position;
     position.form = PositionForm::unread;

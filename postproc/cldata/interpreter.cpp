@@ -20,18 +20,6 @@ constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
 constexpr std::size_t kLongestMajor = 24;    // of a word that is told
 constexpr const char* kOtherWords = "(other words)";
 
-std::string unknown_word(std::string_view major) {
-  if (major.empty()) return "(no word)";
-  const char c = major.front();
-  if ((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.') return "(line of numbers)";
-  std::string word;
-  for (const char letter : major.substr(0, kLongestMajor)) {
-    const bool is_plain = letter >= ' ' && letter < '\x7f';
-    word += !is_plain ? '?' : letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;
-  }
-  return word;
-}
-
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
@@ -149,10 +137,14 @@ void Interpreter::refuse_part_program(std::string_view what) {
 }
 
 void Interpreter::count_unknown() {
-  std::string word = unknown_word(statement_->major);
+  std::string word = word_as_told(statement_->major);
   auto& words = path_.words_not_understood;
   if (words.size() >= kUnknownWordsListed && !words.contains(word)) word = kOtherWords;
   ++words[word];
+}
+
+const char* Interpreter::because(const char* reason) {
+  return reasons_.name(reason, statement_->major, statement_->line);
 }
 
 void Interpreter::take(const Statement& statement) {
@@ -254,7 +246,7 @@ bool Interpreter::take_tool_word() {
       take_flute_length();
       return true;
     case Word::turret:
-      turning_reason_ = Reasons::kTurning;
+      turning_reason_ = because(Reasons::kTurning);
       return true;
     case Word::tprint:
       take_tool_name(statement_->pieces.front());
@@ -356,7 +348,7 @@ bool Interpreter::take_unread_word() {
       emit_unread();
       break;
     case Word::unread_frame:
-      unread_frame_reason_ = Reasons::kUnreadFrame;
+      unread_frame_reason_ = because(Reasons::kUnreadFrame);
       break;
     case Word::unread_tool:
       tool_.cutter.reset();

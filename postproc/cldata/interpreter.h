@@ -18,6 +18,7 @@
 #include "postproc/cldata/cutcom.h"
 #include "postproc/cldata/cycle_statement.h"
 #include "postproc/cldata/dialect.h"
+#include "postproc/cldata/named_reasons.h"
 #include "postproc/cldata/statement.h"
 
 // Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it
@@ -57,7 +58,8 @@ struct MotionRecords {
   std::deque<MotionFrame> frames;     ///< a deque, because records point into it while it grows
 };
 
-/// Why moves are not checked. The texts are told to the user.
+/// Why moves are not checked. The texts are told to the user, some with the word and the line behind them
+/// (NamedReasons).
 struct Reasons {
   static constexpr const char* kCurve = "a curve that is not understood";
   static constexpr const char* kSpline = "a NURBS whose knots, points or axis are not those of a cubic curve";
@@ -101,7 +103,7 @@ struct Reasons {
 
   /// True where nobody knows where the statement takes the tool.
   [[nodiscard]] static bool is_unread(std::string_view reason) {
-    return reason == kUnread || reason == kSixNumbers || reason == kStepFromUnread;
+    return reason.starts_with(kUnread) || reason == kSixNumbers || reason == kStepFromUnread;
   }
   /// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
   [[nodiscard]] static bool is_motion_known(std::string_view reason) {
@@ -160,6 +162,7 @@ class Interpreter {
   void fail_run_on(std::string_view hidden);
   void refuse_part_program(std::string_view what);
   void count_unknown();
+  [[nodiscard]] const char* because(const char* reason);
 
   // interpret_unread.cpp
   void take_unknown();
@@ -308,6 +311,7 @@ class Interpreter {
   std::optional<Pose> last_hole_;    // where the last position was a hole: what GODLTA goes on from, not where the tool is
   bool is_cycle_ = false;
   std::optional<DrillCycle> cycle_;  // nothing: not understood
+  const char* cycle_reason_ = Reasons::kCycle;  // why, then
   std::size_t rapid_statement_ = kNone;
   std::optional<bool> multax_;
   Vec3 modal_axis_ = Vec3::UnitZ();  // the last axis given, or TLAXIS
@@ -366,6 +370,8 @@ class Interpreter {
   bool is_catia_nameless_ = false;  // the first line after it looks like a row
   std::array<double, 12> catia_rows_{};
   bool is_tlaxis_ignored_ = false;
+
+  NamedReasons reasons_;
 
   // told once at the end
   std::size_t renormalised_ = 0;

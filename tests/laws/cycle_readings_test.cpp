@@ -67,7 +67,7 @@ TEST(Retract, ToAPlaneWithoutItsHeightLeavesThePlungesChecked) {
 TEST(Retract, WordsOfCampleteWithoutANumberAreNoHeightOfZero) {
   const std::string text = "CSI_TOOL_PATH/A\nUNITS/MM\nCUTTER/10, 0, 0, 0, 0, 0, 30\nLOADTL/1\nGOTO/0, 0, 30\n";
   const Toolpath path = read_as(text + "CYCLE/DRILL, FEDTO, 5, RAPTO, AUTO\nGOTO/0, 0, 0\nFINI\n", "apt-camplete");
-  EXPECT_EQ(path.moves.at(1).not_checked_reason, "a cycle whose words are not understood");
+  EXPECT_EQ(path.moves.at(1).not_checked_reason, "a cycle whose words are not understood: CYCLE in line 6");
 }
 
 const std::string kApt = "UNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/-20,0,20\n";

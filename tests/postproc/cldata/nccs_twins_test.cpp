@@ -276,6 +276,11 @@ std::string mutated(std::string bytes, std::mt19937_64& random) {
   return bytes;
 }
 
+// A reason names the line of its statement, which inserted positions move on.
+std::string_view without_line(std::string_view reason) {
+  return reason.substr(0, reason.rfind(" in line "));
+}
+
 // `after` is `before` with the changes and nothing else.
 void expect_changed(const Toolpath& after, const Toolpath& before, const std::vector<PathChange>& changes) {
   std::size_t at = 0, next = 0;
@@ -288,7 +293,7 @@ void expect_changed(const Toolpath& after, const Toolpath& before, const std::ve
     const bool has_end = !Reasons::is_unread(move.not_checked_reason);  // else that of the move before
     const double off = (move.end.tip - end.tip).norm() + (move.end.axis - end.axis).norm();
     ASSERT_LE(has_end ? off : 0.0, 1e-9) << "move " << i;
-    ASSERT_EQ(move.not_checked_reason, before.moves[i].not_checked_reason) << "move " << i;
+    ASSERT_EQ(without_line(move.not_checked_reason), without_line(before.moves[i].not_checked_reason)) << "move " << i;
     const bool is_straightened = change != nullptr && change->is_straightened;
     ASSERT_EQ(move.curve_kind, is_straightened ? CurveKind::none : before.moves[i].curve_kind) << "move " << i;
   }

@@ -190,7 +190,7 @@ TEST(Nci, AMotionThatIsNotUnderstoodIsToldAndCountedByWhatIsWrong) {
     SCOPED_TRACE(std::string(c.code) + " " + c.fields);
     const Toolpath path = with(pair(c.code, c.fields) + pair("1", "0 8. 8. 8. 100. 0"));
     ASSERT_EQ(path.moves.size(), 5u);
-    EXPECT_EQ(path.moves[2].not_checked_reason, Reasons::kUnread);
+    EXPECT_TRUE(path.moves[2].not_checked_reason.starts_with(Reasons::kUnread));
     EXPECT_FALSE(is_checked(path.moves[3])) << "its start is not known";
     EXPECT_EQ(is_checked(path.moves[4]), !c.may_compensate);
     EXPECT_TRUE(path.words_not_understood.contains(c.word));
@@ -200,7 +200,7 @@ TEST(Nci, AMotionThatIsNotUnderstoodIsToldAndCountedByWhatIsWrong) {
 TEST(Nci, ACommaIsNoBlank) {
   const Toolpath path = with(pair("1", "0 1,5 2,5 3,5 100. 0"));
   ASSERT_EQ(path.moves.size(), 4u);
-  EXPECT_EQ(path.moves[2].not_checked_reason, Reasons::kUnread);
+  EXPECT_TRUE(path.moves[2].not_checked_reason.starts_with(Reasons::kUnread));
 }
 
 TEST(Nci, IsRecognisedBehindHundredsOfParameters) {

@@ -187,7 +187,7 @@ TEST(ReadCycles, TheToolGoesAcrossBeforeItGoesDownAndUpBeforeItGoesAcross) {
 TEST(ReadCycles, WhatCouldMeanTwoThingsIsNotChecked) {
   for (const char* cycle : {"CYCLE/BORE,FEDTO,2.,RAPTO,1.,ORIENT,0", "CYCLE/THREAD,FEDTO,2.,RAPTO,1.", "CYCLE/DRILL,RAPTO,1."}) {
     const Toolpath path = path_of(std::string("TRNTYP/WORLD,0,0,0\nGOTO/0,0,9.\n") + cycle + "\nGOTO/5.,0,0\nFINI\n");
-    EXPECT_EQ(path.moves.at(1).not_checked_reason, "a cycle whose words are not understood") << cycle;
+    EXPECT_EQ(path.moves.at(1).not_checked_reason, "a cycle whose words are not understood: CYCLE in line 3") << cycle;
   }
 }
 

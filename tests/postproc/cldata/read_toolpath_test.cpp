@@ -253,7 +253,7 @@ TEST(ReadApt, AfterACycleThatIsNotUnderstoodTheStartIsNotKnown) {
       "9,0,9\nGOTO/9,9,9\n");
   EXPECT_EQ(kinds(path), (Kinds{MoveKind::feed, MoveKind::feed, MoveKind::cycle, MoveKind::cycle,
                                 MoveKind::feed, MoveKind::feed}));
-  EXPECT_EQ(path.moves[2].not_checked_reason, "a cycle whose words are not understood");
+  EXPECT_EQ(path.moves[2].not_checked_reason, "a cycle whose words are not understood: CYCLE in line 4");
   EXPECT_FALSE(path.moves[4].has_start);
   EXPECT_EQ(path.moves[4].not_checked_reason, "starts at an unknown retract height after a drilling cycle");
   EXPECT_TRUE(path.moves[5].has_start);

@@ -3,11 +3,17 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <string_view>
 
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/interpreter.h"
 
 namespace gouge {
+
+/// A reason without the word and the line it names, which may differ between two files that mean the same.
+inline std::string_view unnamed(std::string_view reason) {
+  return reason.substr(0, reason.rfind(": "));
+}
 
 /// Two files that mean the same, to `within_mm`: every motion, and why it is not checked.
 inline void expect_same_moves(const Toolpath& found, const Toolpath& expected, double within_mm = 1e-9) {
@@ -19,7 +25,7 @@ inline void expect_same_moves(const Toolpath& found, const Toolpath& expected, d
     ASSERT_EQ(a.kind, b.kind);
     // What a binary file tells by its records, its text leaves open.
     const bool is_open = b.not_checked_reason == Reasons::kNccsGoesOn;
-    ASSERT_EQ(a.not_checked_reason, is_open ? a.not_checked_reason : b.not_checked_reason);
+    ASSERT_EQ(unnamed(a.not_checked_reason), unnamed(is_open ? a.not_checked_reason : b.not_checked_reason));
     ASSERT_LE((a.end.tip - b.end.tip).norm(), within_mm);
     ASSERT_LE((a.end.axis - b.end.axis).norm(), within_mm);
     ASSERT_EQ(a.has_start, b.has_start);
