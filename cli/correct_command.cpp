@@ -40,7 +40,7 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
                              r.shift_mm.norm(), r.depth_before_mm, r.depth_after_mm, r.iterations});
   }
   for (const Uncorrected& u : correction.uncorrected) {
-    facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason});
+    facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason, u.is_changed});
   }
   return facts;
 }
@@ -60,6 +60,13 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
                                    "': expected a length of at least 0 in mm, or with a unit");
   }
   options.rapid_clearance_mm = *clearance;
+  if (!arguments.max_side_shift.empty()) {
+    options.max_side_shift_mm = parse_length_mm(arguments.max_side_shift);
+    if (!options.max_side_shift_mm || !(*options.max_side_shift_mm >= 0)) {
+      return make_error("usage", "--max-side-shift '" + arguments.max_side_shift +
+                                     "': expected a length of at least 0 in mm, or with a unit");
+    }
+  }
   if (auto error = find_overwriting(arguments.job, arguments.output)) return std::move(*error);
   return options;
 }
@@ -77,22 +84,34 @@ class CorrectRun {
 
   int run() {
     const PreparedScene scene = prepare_scene(job_.scene, job_.options.check.threads);
-    const CheckResult before = check("checking moves", job_.toolpath, scene);
+    CheckResult before = check("checking moves", job_.toolpath, scene);
+    measure_overcuts(job_.toolpath, job_.tools(), job_.scene, job_.options.check, before, job_.heads);
     progress_.begin("correcting");
     CorrectOptions correct = correct_;
     std::optional<HeadChecker> heads;
     if (!job_.heads.empty()) correct.heads = &heads.emplace(job_.heads, job_.scene);
-    const Correction correction =
-        correct_path(job_.toolpath, before, job_.tools(), scene, job_.options.check, correct, show());
+    std::string text;
+    const auto change = [&](const std::vector<PathChange>& changes) -> Result<ChangedPath> {
+      progress_.end();
+      Result<std::string> written = write_corrected(job_.toolpath, changes);
+      if (!written) return written.error();
+      Result<Toolpath> path = read_again(job_, arguments_.output, *written);
+      if (!path) return path.error();
+      CheckResult result = check("checking the corrected path", *path, scene);
+      text = std::move(*written);
+      return ChangedPath{std::move(*path), std::move(result)};
+    };
+    Result<LawfulCorrection> corrected =
+        correct_lawfully(job_.toolpath, before, job_.tools(), scene, job_.options.check, correct, change, show());
     progress_.end();
-    const Result<std::string> text = write_corrected(job_.toolpath, correction.changes);
-    if (!text) return fail(text.error());
-    const Result<Toolpath> path = read_again(job_, arguments_.output, *text);
-    if (!path) return fail(path.error());
-    const CheckResult after = check("checking the corrected path", *path, scene);
-    const Outcome written = write_output(arguments_.output, *text, out_);
+    if (!corrected) return fail(corrected.error());
+    const Correction& correction = corrected->correction;
+    const Toolpath& path = corrected->after.path;
+    CheckResult& after = corrected->after.result;
+    measure_overcuts(path, job_.tools(), job_.scene, job_.options.check, after, job_.heads);
+    const Outcome written = write_output(arguments_.output, text, out_);
     if (!written) return fail(written.error());
-    ReportModel model = job_.report(arguments_.job, *path, after, scene);
+    ReportModel model = job_.report(arguments_.job, path, after, scene);
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before);
     print_notes(err_, model.notes, arguments_.job);
@@ -112,7 +131,6 @@ class CorrectRun {
     CheckResult result = check_path(path, job_.tools(), scene, job_.options.check, show());
     progress_.end();
     check_heads(path, job_.heads, job_.scene, job_.options.check, result);
-    measure_overcuts(path, job_.tools(), job_.scene, job_.options.check, result, job_.heads);
     return result;
   }
 
@@ -144,6 +162,8 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
       ->capture_default_str();
   command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")
       ->capture_default_str();
+  command.add_option("--max-side-shift", arguments.max_side_shift,
+                     "Furthest a position may be moved across its tool axis (default: its depth times 2)");
   command
       .add_option("--rapid-clearance", arguments.rapid_clearance,
                   "How far rapids that must change keep off, where there is room within --max-shift")

@@ -11,6 +11,7 @@ struct CorrectArguments {
   std::string output;
   std::string strategy = "weighted";
   std::string max_shift = "20";
+  std::string max_side_shift;  ///< empty: by the depth
   std::string rapid_clearance = "1";
 };
 

@@ -3,8 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "lib/check/check_path.h"
-#include "lib/correct/correct_pose.h"
+#include "lib/correct/free_pose.h"
 
 namespace gouge {
 
@@ -19,18 +18,24 @@ struct BridgePose {
 struct BridgeTask {
   MoveKind kind = MoveKind::feed;
   const ToolForms* tool = nullptr;
-  const PreparedScene* scene = nullptr;
-  CheckOptions options;
+  const MotionChecker* checker = nullptr;
+  CheckOptions options;  ///< stricter than those of the checker, so that rounding has room
   PoseLimits limits;
   Strategy strategy = Strategy::weighted;
   double rapid_clearance_mm = 0;  ///< what the crossing of a rapid keeps from everything, where there is room
+  std::optional<double> largest_side_mm;  ///< as in free_pose
+  /// The programmed motion: where a feed may keep to it, it does, to this distance.
+  const Motion* programmed = nullptr;
+  double keeps_to_mm = 0;
 };
 
 /// Positions to visit between `from` and `to` so that every motion on the way is clean; empty when the motion
-/// already is, nothing when no way was found. First the worst instant is corrected and both halves are
-/// bridged in turn; where that does not end, the tool retracts along its axis, crosses and comes down again. A rapid
-/// retracts first of all. Positions on the straight way between their neighbours are left out where it is clean
-/// without them.
+/// already is, nothing when no way was found.
+///
+/// A feed first stays on the programmed motion as far as that is clean. Then the worst instant is corrected and both
+/// halves are bridged in turn; where that does not end, the tool retracts along its axis, crosses and comes down again.
+/// A rapid retracts first of all. Positions on the straight way between their neighbours are left out where it is clean
+/// without them. Every shift obeys free_pose.
 [[nodiscard]] std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to,
                                                             const BridgeTask& task);
 

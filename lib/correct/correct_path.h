@@ -1,20 +1,24 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "lib/base/result.h"
 #include "lib/check/check_path.h"
 #include "lib/correct/correct_pose.h"
 #include "lib/path/path_change.h"
 
-// Proposes the changes that take a path out of its gouges. The proof that they do is not here: the written
-// file is read and checked again like any other.
+// Takes a path out of its gouges and makes nothing worse. What proves that is not the search for the changes: the written
+// file is read and checked again like any other, and a change that does not hold its own there is not made.
 
 namespace gouge {
 
 struct CorrectOptions {
   Strategy strategy = Strategy::weighted;
   double max_shift_mm = 20;
+  std::optional<double> max_side_shift_mm;  ///< none: kSideShiftsPerDepth times the depth (free_pose.h)
   double rapid_clearance_mm = 1;  ///< how far a rapid that must change keeps off, where there is room; at least 0
   const HeadChecker* heads = nullptr;  ///< bodies that move with the tool, where there are any
 };
@@ -30,11 +34,12 @@ struct ChangeRecord {
   int iterations = 0;
 };
 
-/// A gouging move that stays as it is, and why.
+/// A move that still gouges, or is buried, and why.
 struct Uncorrected {
   std::size_t move = 0;
   double depth_mm = 0;
   std::string reason;
+  bool is_changed = false;  ///< its own record was changed all the same, for a neighbour's sake or to gouge less
 };
 
 struct Correction {
@@ -43,17 +48,42 @@ struct Correction {
   std::vector<Uncorrected> uncorrected;
 };
 
-/// Requires `result` from check_path with the same path, tools, scene and options, and from check_heads where
-/// there
+/// The changes as they are proposed. Each motion that they touch has been checked by itself and is no worse than it was.
+///
+/// Requires `result` from check_path with the same path, tools, scene and options, and from check_heads where there
 ///          are heads.
-/// Ensures  (1) only positions at the ends of gouging moves are moved, and only when they are themselves too
-/// deep.
-///          (2) no position moves further than max_shift; the tool axis of a position is never changed.
+/// Ensures  (1) only positions at the ends of gouging moves are moved, and only when they are themselves too deep.
+///          (2) no position moves further than max_shift, nor further than max_side_shift across the tool axis; the tool
+///          axis of a position is never changed.
 ///          (3) the same proposal at any number of threads.
-/// Source   thesis 5.3 (weighted, iterated); lifting and inserting are ours: docs/algorithms/correction.md.
+/// Source   thesis 5.3 (weighted, iterated); lifting, inserting and taking back are ours: docs/algorithms/correction.md.
 [[nodiscard]] Correction correct_path(const Toolpath& toolpath, const CheckResult& result,
                                       const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
                                       const CheckOptions& options, const CorrectOptions& correct,
                                       const ProgressCall& progress = {});
+
+/// What a list of changes makes of the path: written, read again, checked.
+struct ChangedPath {
+  Toolpath path;
+  CheckResult result;
+};
+using ChangePath = std::function<Result<ChangedPath>(const std::vector<PathChange>&)>;
+
+struct LawfulCorrection {
+  Correction correction;
+  ChangedPath after;
+};
+
+/// The changes that keep the laws (laws.h) in what `change` makes of them: what makes a move worse there, or cannot be
+/// written, is taken back until nothing does.
+///
+/// Ensures  `uncorrected` lists every move that gouges or is buried in `after`, and no other.
+/// Errors   those of `change` for no changes at all; correct-law: even then a move is worse, a fault of ours.
+/// Cost     as correct_path, and a call of `change` for every time something was taken back.
+[[nodiscard]] Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckResult& result,
+                                                        const std::vector<const ToolForms*>& tools,
+                                                        const PreparedScene& scene, const CheckOptions& options,
+                                                        const CorrectOptions& correct, const ChangePath& change,
+                                                        const ProgressCall& progress = {});
 
 }  // namespace gouge

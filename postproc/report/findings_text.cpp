@@ -81,8 +81,12 @@ std::string correction_lines(const ReportModel& model) {
   if (moved > 0) text += " by up to " + depth_text(largest_mm, unit);
   text += ", " + std::to_string(inserted) + " inserted";
   if (correction.curves > 0) text += ", " + straightened_text(correction);
-  text += ", " + std::to_string(correction.uncorrected.size()) + " left as it was";
-  if (correction.uncorrected.size() != 1) text.replace(text.size() - 6, 6, "they were");
+  const auto changed = static_cast<std::size_t>(
+      std::count_if(correction.uncorrected.begin(), correction.uncorrected.end(),
+                    [](const UncorrectedRecord& left) { return left.is_changed; }));
+  const std::size_t left = correction.uncorrected.size() - changed;
+  text += ", " + std::to_string(left) + (left == 1 ? " left as it was" : " left as they were");
+  if (changed > 0) text += ", " + std::to_string(changed) + " changed but not freed";
   if (!correction.output_file.empty()) text += "; written to " + correction.output_file;
   return text + "\n";
 }
@@ -115,7 +119,7 @@ std::string findings_text(const ReportModel& model) {
     for (const UncorrectedRecord& left : model.correction.uncorrected) {
       const Toolpath& before =
           model.correction.toolpath_before ? *model.correction.toolpath_before : *model.toolpath;
-      text += before.file + ":" + std::to_string(left.line) + ": not corrected: " +
+      text += before.file + ":" + std::to_string(left.line) + (left.is_changed ? ": not freed: " : ": not corrected: ") +
               (left.depth_mm > 0 ? depth_text(left.depth_mm, model.toolpath->unit) + ", " : std::string()) +
               "move " + std::to_string(left.move) + ": " + left.reason + "\n";
     }

@@ -62,8 +62,9 @@ struct CorrectedRecord {
 struct UncorrectedRecord {
   std::size_t move = 0;
   std::size_t line = 0;
-  double depth_mm = 0;
+  double depth_mm = 0;  ///< that is left
   std::string reason;
+  bool is_changed = false;  ///< its own record was changed all the same
 };
 
 struct CorrectionFacts {

@@ -232,7 +232,8 @@ class JsonReport {
     Json left = Json::array();
     for (const UncorrectedRecord& r : c.uncorrected) {
       left.push_back(
-          {{"move", r.move}, {"line", r.line}, {"depth", length(r.depth_mm)}, {"reason", text(r.reason)}});
+          {{"move", r.move}, {"line", r.line}, {"depth", length(r.depth_mm)}, {"reason", text(r.reason)},
+           {"is_changed", r.is_changed}});
     }
     return {{"output_file", text(c.output_file)},
             {"strategy", text(c.strategy)},

@@ -1,0 +1,108 @@
+#include "lib/correct/laws.h"
+
+#include <algorithm>
+#include <functional>
+
+#include "lib/check/buried.h"
+
+namespace gouge {
+namespace {
+
+bool is_same(const Pose& a, const Pose& b) {
+  return a.tip == b.tip && a.axis == b.axis;
+}
+
+bool is_same_curve(const Toolpath& a, const Move& ma, const Toolpath& b, const Move& mb) {
+  if (ma.curve_kind != mb.curve_kind) return false;
+  if (ma.curve_kind == CurveKind::arc) {
+    const PathArc &x = a.arcs[ma.curve], &y = b.arcs[mb.curve];
+    return x.center == y.center && x.axis == y.axis && std::equal_to<>()(x.sweep_rad, y.sweep_rad);
+  }
+  if (ma.curve_kind == CurveKind::none) return true;
+  const std::vector<SplinePiece>&x = a.splines[ma.curve].pieces, &y = b.splines[mb.curve].pieces;
+  return x.size() == y.size() && std::equal(x.begin(), x.end(), y.begin(), [](const SplinePiece& p, const SplinePiece& q) {
+           return p.control == q.control && std::equal_to<>()(p.u0, q.u0) && std::equal_to<>()(p.u1, q.u1);
+         });
+}
+
+bool is_same_motion(const Toolpath& a, std::size_t i, const Toolpath& b, std::size_t k) {
+  const Move &ma = a.moves[i], &mb = b.moves[k];
+  if (ma.kind != mb.kind || ma.has_start != mb.has_start || !is_same(ma.end, mb.end)) return false;
+  return (!ma.has_start || is_same(a.start_of(i), b.start_of(k))) && is_same_curve(a, ma, b, mb);
+}
+
+/// The same motion is as deep as it was; only the path that leads to it may tell more or less of its inside.
+bool has_kept_state(const MoveVerdict& before, const MoveVerdict& after) {
+  return before.state == after.state || after.state == MoveState::clean ||
+         (before.state == MoveState::not_certified && after.state != MoveState::buried);
+}
+
+class LawsCheck {
+ public:
+  LawsCheck(const CheckedPath& before, const std::vector<PathChange>& changes, const CheckedPath& after,
+            double resolution_mm)
+      : before_(before), after_(after), resolution_mm_(resolution_mm), change_of_(before.path->moves.size(), nullptr) {
+    for (const PathChange& change : changes) change_of_[change.move] = &change;
+  }
+
+  [[nodiscard]] bool is_lawful(std::size_t i, const MovesAfter& span) const {
+    const Toolpath &a = *before_.path, &b = *after_.path;
+    const Move &old = a.moves[i], &own = b.moves[span.last - 1];
+    const PathChange* change = change_of_[i];
+    if (own.tool != old.tool || own.not_checked_reason != old.not_checked_reason) return false;
+    if ((change == nullptr || !change->new_end) && !is_same(own.end, old.end)) return false;
+    const MoveVerdict& was = before_.result->verdicts[i];
+    if (is_same_motion(a, i, b, span.last - 1) && span.last - span.first == 1)
+      return has_kept_state(was, after_.result->verdicts[span.first]);
+    if (change == nullptr && !is_same_curve(a, old, b, own)) return false;
+    for (std::size_t k = span.first; k < span.last; ++k) {
+      if (!is_no_worse_than(was, after_.result->verdicts[k], resolution_mm_)) return false;
+    }
+    return true;
+  }
+
+ private:
+  const CheckedPath& before_;
+  const CheckedPath& after_;
+  double resolution_mm_;
+  std::vector<const PathChange*> change_of_;
+};
+
+}  // namespace
+
+bool is_no_worse_than(const MoveVerdict& before, const MoveVerdict& after, double resolution_mm) {
+  if (after.state == MoveState::clean) return true;
+  if (after.state == MoveState::near_miss) return before.state != MoveState::clean;
+  // A rapid left out on request is still left out.
+  if (after.state == MoveState::not_checked)
+    return before.state == after.state && before.reason == kSkippedRapid && after.reason == kSkippedRapid;
+  if (after.state != MoveState::gouge || before.state != MoveState::gouge) return false;
+  return after.depth_mm <= before.depth_upper_mm && after.depth_upper_mm <= before.depth_mm + 2 * resolution_mm;
+}
+
+std::vector<MovesAfter> moves_after(std::size_t moves, const std::vector<PathChange>& changes) {
+  std::vector<std::size_t> inserted(moves, 0);
+  for (const PathChange& change : changes) inserted[change.move] = change.inserted_before.size();
+  std::vector<MovesAfter> after(moves);
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < moves; ++i) {
+    after[i] = {next, next + inserted[i] + 1};
+    next = after[i].last;
+  }
+  return after;
+}
+
+std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector<PathChange>& changes,
+                                    const CheckedPath& after, double resolution_mm) {
+  const std::size_t count = before.path->moves.size();
+  const std::vector<MovesAfter> spans = moves_after(count, changes);
+  std::vector<std::size_t> worse;
+  const bool is_as_long = count == 0 || spans.back().last == after.path->moves.size();
+  const LawsCheck check(before, changes, after, resolution_mm);
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!is_as_long || !check.is_lawful(i, spans[i])) worse.push_back(i);
+  }
+  return worse;
+}
+
+}  // namespace gouge

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/check/check_move.h"
+#include "lib/head/check_heads.h"
+
+namespace gouge {
+
+/// Where the middle of a cutter is.
+enum class Side { outside, inside, unknown };
+
+/// All that a single motion is checked for, in one place: cutter, shank and holder against parts and fixtures, the
+/// bodies that move with the tool, and whether tool or head lies inside a solid. No step of a correction asks for less.
+///
+/// It looks at one motion, not at the path that leads to it: where only that path can tell inside from outside (an open
+/// mesh), a motion that meets no surface passes here, and the check of the whole written path decides.
+class MotionChecker {
+ public:
+  /// What is given must outlive it. `heads` may be null: there are none.
+  MotionChecker(const PreparedScene& scene, const CheckOptions& options, const HeadChecker* heads);
+
+  /// Requires motion.is_defined(). `is_start_outside`: the caller knows it, which saves asking.
+  [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolForms& tool, const CheckOptions& options,
+                                  bool is_start_outside = false) const;
+  [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolForms& tool, const CheckOptions& options,
+                              bool is_start_outside = false) const;
+
+  /// As deep as it is, not only whether that is too deep: tolerance 0.
+  [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolForms& tool) const;
+
+  [[nodiscard]] Side side_of(const Pose& pose, const ToolForms& tool) const;
+
+  [[nodiscard]] const PreparedScene& scene() const { return scene_; }
+  [[nodiscard]] const CheckOptions& options() const { return options_; }  ///< as the path is checked
+  [[nodiscard]] const HeadChecker* heads() const { return heads_; }
+
+ private:
+  const PreparedScene& scene_;
+  const CheckOptions& options_;
+  const HeadChecker* heads_;
+  std::vector<const IndexedMesh*> meshes_;
+  std::vector<Box3> boxes_;  // of meshes_
+};
+
+}  // namespace gouge

@@ -1,0 +1,321 @@
+#include "lib/correct/path_corrector.h"
+
+#include <algorithm>
+#include <mutex>
+
+#include "lib/base/parallel.h"
+#include "lib/check/buried.h"
+#include "lib/correct/laws.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kPositionsPerChunk = 4;
+// A correction aims at half the tolerance: the other half is for the rounding of the written numbers and for
+// the motion between corrected positions. What has no business at a surface, fixtures and bodies that must keep a
+// clearance, gets this much air.
+constexpr double kAimShare = 0.5;
+constexpr double kAir_mm = 2e-3;
+// While bridging, motions are held to this share of the tolerance.
+constexpr double kBridgeShare = 0.8;
+
+constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
+constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
+constexpr const char* kNoWayBetween = "no clean way between its positions within the largest shift";
+constexpr const char* kHeadBetween =
+    "the head is in the way between its positions: no clean way within the largest shift; it takes another "
+    "tilt or a "
+    "longer tool";
+constexpr const char* kWorse = "a change here would make a neighbouring move worse";
+constexpr const char* kCycleStep =
+    "the motion follows from the words of a drilling cycle: it takes another clearance height or another order of the "
+    "holes";
+constexpr const char* kRound = "an arc or curve that no change of its positions frees";
+constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
+
+bool is_straight(const Move& move) {
+  return move.kind == MoveKind::feed || move.kind == MoveKind::rapid;
+}
+
+}  // namespace
+
+std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
+  if (verdict.state == MoveState::buried) return verdict.reason == kHeadIsBuried ? kHeadBuried : kToolBuried;
+  if (verdict.state == MoveState::not_certified) return kUncertain;
+  if (move.kind == MoveKind::cycle) return kCycleStep;
+  if (!is_straight(move)) return kRound;
+  const bool is_head = verdict.witness && verdict.witness->body == Body::head;
+  return is_head ? kHeadBetween : kNoWayBetween;
+}
+
+PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
+                             const std::vector<const ToolForms*>& tools, const MotionChecker& checker,
+                             const CorrectOptions& correct)
+    : path_(path), result_(result), tools_(tools), checker_(checker), options_(checker.options()), correct_(correct) {
+  const double cut = options_.tolerance_mm > 2 * kAir_mm ? kAimShare * options_.tolerance_mm : -kAir_mm;
+  limits_.aim = {cut, -kAir_mm, -kAir_mm};
+  limits_.largest_shift_mm = correct.max_shift_mm;
+  limits_.heads = checker.heads();
+  positions_.resize(path_.moves.size());
+  moves_.resize(path_.moves.size());
+  choose_positions();
+}
+
+void PathCorrector::keep(std::size_t move, const std::string& reason) {
+  moves_[move].is_kept = true;
+  moves_[move].kept_reason = reason;
+  moves_[move].is_dirty = true;
+  keep_position(move, reason);
+  if (is_chained(move)) keep_position(move - 1, reason);
+}
+
+void PathCorrector::keep_position(std::size_t i, const std::string& reason) {
+  if (positions_[i].corrected) positions_[i].failure = reason;
+  positions_[i].corrected.reset();
+  positions_[i].is_worked = true;
+  moves_[i].is_dirty = true;
+  if (i + 1 < moves_.size()) moves_[i + 1].is_dirty = true;
+}
+
+Correction PathCorrector::propose(const ProgressCall& progress) {
+  std::vector<std::size_t> wanted;
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    if (positions_[i].is_wanted && !positions_[i].is_worked) wanted.push_back(i);
+  }
+  work(wanted, progress, [this](std::size_t i) { correct_position(i); });
+  do {
+    choose_moves();
+    wanted.clear();
+    for (std::size_t i = 0; i < moves_.size(); ++i) {
+      if (moves_[i].is_wanted && moves_[i].is_dirty) wanted.push_back(i);
+    }
+    work(wanted, progress, [this](std::size_t i) { bridge_move(i); });
+  } while (take_back());
+  return gather();
+}
+
+bool PathCorrector::is_chained(std::size_t i) const {
+  return i > 0 && path_.moves[i].has_start;
+}
+
+std::string PathCorrector::reason_to_leave(std::size_t i) const {
+  if (!is_straight(path_.moves[i])) return "the position ends an arc or a cycle step";
+  if (i + 1 == path_.moves.size() || !path_.moves[i + 1].has_start) return {};
+  const Move& next = path_.moves[i + 1];
+  if (!is_straight(next)) return "an arc or a step of a cycle begins at the position";
+  if (next.tool != path_.moves[i].tool) return "another tool starts at the position";
+  return next.not_checked_reason.empty() ? "" : "a move that is not checked begins at the position";
+}
+
+void PathCorrector::choose_positions() {
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+    if (result_.verdicts[i].state != MoveState::gouge) continue;
+    positions_[i].is_wanted = true;
+    if (is_chained(i)) positions_[i - 1].is_wanted = true;
+    moves_[i].is_dirty = true;
+  }
+}
+
+void PathCorrector::correct_position(std::size_t i) {
+  PositionWork& work = positions_[i];
+  work.is_worked = true;
+  const Move& move = path_.moves[i];
+  if (move.tool == kNone || tools_[move.tool] == nullptr) return;
+  const ToolForms& tool = *tools_[move.tool];
+  work.depth_before_mm = depth_at(move.end, move.kind, tool);
+  // A position within the tolerance is left alone, even one deeper than a correction aims for.
+  const double within = kBridgeShare * options_.tolerance_mm;
+  const CorrectionAim allowed{within, within, 0};
+  PoseLimits now = limits_;
+  now.aim = allowed;
+  const bool is_head_in = head_excess(move.end, now) > 0;
+  if (!is_head_in &&
+      largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) <= 0)
+    return;
+  work.failure = reason_to_leave(i);
+  if (!work.failure.empty()) return;
+  const auto freed = [&](const PoseLimits& limits) {
+    return free_pose(correct_.strategy, move.end, work.depth_before_mm, move.kind, tool, checker_, limits,
+                     correct_.max_side_shift_mm);
+  };
+  FreedPose found;
+  if (move.kind == MoveKind::rapid) {
+    now.aim = {-correct_.rapid_clearance_mm, -correct_.rapid_clearance_mm, -kAir_mm};
+    found = freed(now);
+  }
+  if (!found.corrected) found = freed(limits_);
+  work.corrected = found.corrected;
+  if (!work.corrected) {
+    work.failure = found.reason;
+    return;
+  }
+  work.depth_after_mm = depth_at(work.corrected->pose, move.kind, tool);
+  moves_[i].is_dirty = true;
+  if (i + 1 < moves_.size()) moves_[i + 1].is_dirty = true;
+}
+
+double PathCorrector::depth_at(const Pose& pose, MoveKind kind, const ToolForms& tool) const {
+  return checker_.measure(pose, kind, tool).depth_mm;
+}
+
+bool PathCorrector::has_new_end(std::size_t i) const {
+  return positions_[i].corrected || (is_chained(i) && positions_[i - 1].corrected);
+}
+
+void PathCorrector::choose_moves() {
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+    const Move& move = path_.moves[i];
+    if (!move.has_start && !positions_[i].corrected) continue;
+    const bool is_gouging = result_.verdicts[i].state == MoveState::gouge;
+    const bool is_bridged = is_gouging && move.has_start && is_straight(move) && move.not_checked_reason.empty();
+    const bool was_wanted = moves_[i].is_wanted;
+    moves_[i].is_wanted = is_bridged || has_new_end(i);
+    if (was_wanted && !moves_[i].is_wanted) {
+      moves_[i].inserted.clear();
+      moves_[i].is_failed = moves_[i].is_refused = false;
+    }
+  }
+}
+
+Pose PathCorrector::end_of(std::size_t i) const {
+  return positions_[i].corrected ? positions_[i].corrected->pose : path_.moves[i].end;
+}
+
+Pose PathCorrector::start_of(std::size_t i) const {
+  return is_chained(i) ? end_of(i - 1) : path_.moves[i].end;
+}
+
+BridgeTask PathCorrector::task_of(std::size_t i) const {
+  const Move& move = path_.moves[i];
+  BridgeTask task;
+  task.kind = move.kind;
+  task.tool = tools_[move.tool];
+  task.checker = &checker_;
+  task.options = options_;
+  const MoveState state = result_.verdicts[i].state;
+  task.options.near_miss_mm = state == MoveState::clean ? options_.near_miss_mm : 0;
+  task.options.tolerance_mm = kBridgeShare * options_.tolerance_mm;
+  task.limits = limits_;
+  task.strategy = correct_.strategy;
+  task.rapid_clearance_mm = correct_.rapid_clearance_mm;
+  task.largest_side_mm = correct_.max_side_shift_mm;
+  task.keeps_to_mm = options_.tolerance_mm;
+  return task;
+}
+
+void PathCorrector::bridge_move(std::size_t i) {
+  MoveWork& work = moves_[i];
+  const Move& move = path_.moves[i];
+  work.is_dirty = work.is_failed = work.is_refused = false;
+  work.inserted.clear();
+  const bool has_bad_end = !positions_[i].failure.empty() || (is_chained(i) && !positions_[i - 1].failure.empty());
+  const bool can_change = move.has_start && is_straight(move) && move.not_checked_reason.empty() && !work.is_kept;
+  if (can_change && !has_bad_end) {
+    BridgeTask task = task_of(i);
+    const bool is_dogleg = move.kind == MoveKind::rapid && options_.rapid == RapidMode::dogleg;
+    const Motion programmed(path_.start_of(i), move.end, is_dogleg);
+    if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
+    if (auto way = bridge(start_of(i), end_of(i), task)) {
+      work.inserted = std::move(*way);
+      return;
+    }
+  }
+  work.is_failed = true;
+  work.is_refused = has_new_end(i) && !is_no_worse(i);
+}
+
+// A rapid that is left out on request is nevertheless there.
+MoveVerdict PathCorrector::verdict_before(std::size_t i) const {
+  const MoveVerdict& verdict = result_.verdicts[i];
+  if (verdict.state != MoveState::not_checked || verdict.reason != kSkippedRapid) return verdict;
+  return checker_.check(motion_of(path_, i, RapidMode::straight), path_.moves[i].kind, *tools_[path_.moves[i].tool],
+                        options_);
+}
+
+bool PathCorrector::is_no_worse(std::size_t i) const {
+  const Move& move = path_.moves[i];
+  if ((move.has_start && !is_straight(move)) || !move.not_checked_reason.empty()) return false;
+  const Motion motion = move.has_start ? Motion(start_of(i), end_of(i),
+                                                move.kind == MoveKind::rapid && options_.rapid == RapidMode::dogleg)
+                                       : Motion(end_of(i));
+  if (!motion.is_defined()) return false;
+  const MoveVerdict after = checker_.check(motion, move.kind, *tools_[move.tool], options_);
+  return is_no_worse_than(verdict_before(i), after, options_.resolution_mm);
+}
+
+/// Takes back what makes a move worse; true where something was.
+bool PathCorrector::take_back() {
+  bool is_any = false;
+  for (std::size_t i = 0; i < moves_.size(); ++i) {
+    if (!moves_[i].is_refused) continue;
+    moves_[i].is_refused = false;
+    is_any = true;
+    const std::size_t first = is_chained(i) ? i - 1 : i;
+    for (std::size_t k = first; k <= i; ++k) {
+      if (positions_[k].corrected) keep_position(k, kWorse);
+    }
+  }
+  return is_any;
+}
+
+void PathCorrector::work(const std::vector<std::size_t>& wanted, const ProgressCall& progress,
+                         const std::function<void(std::size_t)>& what) {
+  std::mutex told;
+  std::size_t done = 0;
+  for_each_chunk(wanted.size(), kPositionsPerChunk, options_.threads,
+                 [&](std::size_t first, std::size_t last) {
+                   for (std::size_t k = first; k < last; ++k) what(wanted[k]);
+                   if (!progress) return;
+                   const std::scoped_lock lock(told);
+                   done += last - first;
+                   progress(done, wanted.size());
+                 });
+}
+
+Correction PathCorrector::gather() const {
+  Correction correction;
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+    gather_records(i, correction);
+    PathChange change;
+    change.move = i;
+    if (positions_[i].corrected) change.new_end = positions_[i].corrected->pose;
+    for (const BridgePose& stop : moves_[i].inserted) change.inserted_before.push_back(stop.corrected.pose);
+    if (change.new_end || !change.inserted_before.empty()) correction.changes.push_back(change);
+    gather_failure(i, correction);
+  }
+  return correction;
+}
+
+void PathCorrector::gather_records(std::size_t i, Correction& correction) const {
+  for (const BridgePose& stop : moves_[i].inserted) {
+    const double after = depth_at(stop.corrected.pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]);
+    correction.records.push_back({i, stop.corrected.strategy, true,
+                                  stop.corrected.pose.tip - stop.before.tip, stop.depth_before_mm, after,
+                                  stop.corrected.iterations});
+  }
+  const PositionWork& p = positions_[i];
+  if (!p.corrected) return;
+  correction.records.push_back({i, p.corrected->strategy, false,
+                                p.corrected->pose.tip - path_.moves[i].end.tip, p.depth_before_mm,
+                                p.depth_after_mm, p.corrected->iterations});
+}
+
+void PathCorrector::gather_failure(std::size_t i, Correction& correction) const {
+  const MoveVerdict& verdict = result_.verdicts[i];
+  const MoveWork& work = moves_[i];
+  const bool is_left = verdict.state == MoveState::buried || verdict.state == MoveState::gouge;
+  if (!is_left || (work.is_wanted && !work.is_failed)) return;
+  // A position alone that was corrected gouges no more.
+  if (!path_.moves[i].has_start && positions_[i].corrected) return;
+  std::string reason = usual_reason(path_.moves[i], verdict);
+  const bool is_gouge = verdict.state == MoveState::gouge;
+  if (is_gouge && is_straight(path_.moves[i]) && !work.kept_reason.empty()) reason = work.kept_reason;
+  if (is_gouge && !positions_[i].failure.empty()) {
+    reason = positions_[i].failure;
+  } else if (is_gouge && is_chained(i) && !positions_[i - 1].failure.empty() && is_straight(path_.moves[i])) {
+    reason = "it begins at a position that stays: " + positions_[i - 1].failure;
+  }
+  correction.uncorrected.push_back({i, is_gouge ? verdict.depth_mm : 0, reason});
+}
+
+}  // namespace gouge

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lib/correct/bridge.h"
+#include "lib/correct/correct_path.h"
+
+namespace gouge {
+
+/// Proposes positions for one path of straight moves, arcs and splines that stay.
+///
+/// A change touches the motions at both sides of its position. One that would leave any of them worse than it was is taken
+/// back, and with it what relies on it, until nothing is worse.
+class PathCorrector {
+ public:
+  /// All must outlive it. `tools` as in check_path.
+  PathCorrector(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
+                const MotionChecker& checker, const CorrectOptions& correct);
+
+  /// Keeps this move, both its positions and what lies between, as it is from now on.
+  void keep(std::size_t move, const std::string& reason);
+
+  [[nodiscard]] Correction propose(const ProgressCall& progress);
+
+ private:
+  struct PositionWork {
+    bool is_wanted = false, is_worked = false;
+    std::optional<CorrectedPose> corrected;
+    std::string failure;  ///< why it stays although it is too deep
+    double depth_before_mm = 0, depth_after_mm = 0;
+  };
+  struct MoveWork {
+    bool is_wanted = false, is_dirty = false, is_kept = false;
+    std::vector<BridgePose> inserted;
+    bool is_failed = false;   ///< it still gouges
+    bool is_refused = false;  ///< it would be worse than it was
+    std::string kept_reason;
+  };
+
+  void keep_position(std::size_t i, const std::string& reason);
+  [[nodiscard]] bool is_chained(std::size_t i) const;
+  [[nodiscard]] std::string reason_to_leave(std::size_t i) const;
+  [[nodiscard]] Pose end_of(std::size_t i) const;
+  [[nodiscard]] Pose start_of(std::size_t i) const;
+  [[nodiscard]] bool has_new_end(std::size_t i) const;
+  void choose_positions();
+  void correct_position(std::size_t i);
+  void choose_moves();
+  void bridge_move(std::size_t i);
+  [[nodiscard]] BridgeTask task_of(std::size_t i) const;
+  [[nodiscard]] bool is_no_worse(std::size_t i) const;
+  [[nodiscard]] MoveVerdict verdict_before(std::size_t i) const;
+  [[nodiscard]] bool take_back();
+  [[nodiscard]] double depth_at(const Pose& pose, MoveKind kind, const ToolForms& tool) const;
+  void work(const std::vector<std::size_t>& wanted, const ProgressCall& progress,
+            const std::function<void(std::size_t)>& what);
+  [[nodiscard]] Correction gather() const;
+  void gather_records(std::size_t i, Correction& correction) const;
+  void gather_failure(std::size_t i, Correction& correction) const;
+
+  const Toolpath& path_;
+  const CheckResult& result_;
+  const std::vector<const ToolForms*>& tools_;
+  const MotionChecker& checker_;
+  const CheckOptions& options_;
+  const CorrectOptions& correct_;
+  PoseLimits limits_;
+  std::vector<PositionWork> positions_;
+  std::vector<MoveWork> moves_;
+};
+
+/// Why a gouge, a buried or an uncertain move of this kind stays where nothing else is known.
+[[nodiscard]] std::string usual_reason(const Move& move, const MoveVerdict& verdict);
+
+}  // namespace gouge
