@@ -40,10 +40,12 @@ void Interpreter::take_unread_curve() {
     return;
   }
   arc_ = unreadable(because(Reasons::kCurve));
+  arc_statement_ = path_.statements.size() - 1;
 }
 
 void Interpreter::take_indirv() {
   start_tangent_.reset();
+  has_indirv_ = true;
   arc_statement_ = path_.statements.size() - 1;
   if (arguments_.size() != 3 || find_word_argument(arguments_) != nullptr) return;
   start_tangent_ = Vec3(*arguments_[0].number, *arguments_[1].number, *arguments_[2].number);
@@ -61,7 +63,12 @@ void Interpreter::take_tlon() {
   position.axis_local = is_start_known && multax_.value_or(false) ? here.axis : implied_axis();
   arc_ = is_start_known ? arc_of_tlon(*tlon, here.tip, start_tangent_) : unreadable(ArcProblems::kStart);
   start_tangent_.reset();
+  has_indirv_ = false;
+  const bool is_doubtful = !multax_.value_or(false) && has_doubtful_axis(position);
+  doubt_ = is_doubtful ? Reasons::kPlainAxis : nullptr;
   emit(position);
+  if (is_doubtful) unknown_start_ = Reasons::kPlainAxis;
+  doubt_ = nullptr;
   arc_.reset();
 }
 

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "postproc/cldata/cycle_statement.h"
 #include "postproc/cldata/interpreter.h"
@@ -15,16 +17,85 @@ constexpr double kSameAxis = 1e-9;  // sine of an angle
 void Interpreter::take_cycle() {
   if (arguments_.empty()) return count_unknown();
   const std::string_view what = arguments_.front().text;
-  if (equals_ignoring_case(what, "INIT") || equals_ignoring_case(what, "CLEAR")) return;
+  if (equals_ignoring_case(what, "INIT") || equals_ignoring_case(what, "CLEAR")) {
+    if (cycle_.is_on) contradict(ModalState::cycle);  // does it end the one in force? no document says
+    return;
+  }
   // Whether the control or the post-processor makes the moves.
   if (is_nccs(dialect_.kind) && equals_ignoring_case(what, "AUTO")) return;
-  is_cycle_ = !equals_ignoring_case(what, "OFF") && !equals_ignoring_case(what, "NOMORE");
-  if (equals_ignoring_case(what, "ON") || !is_cycle_) return;
-  cycle_ = read_cycle(dialect_.kind, arguments_, mm_per_unit_);
-  if (!cycle_) cycle_reason_ = because(Reasons::kCycle);
-  if (cycle_ && !cycle_->is_retract_stated && cycles_without_retract_++ == 0) {
+  if (equals_ignoring_case(what, "OFF") || equals_ignoring_case(what, "NOMORE")) return end_cycle();
+  begin_cycle();
+}
+
+// ON takes up the cycle that was switched off; CAMWorks CLT describes it in the statement after it.
+void Interpreter::begin_cycle() {
+  const bool is_taken_up = equals_ignoring_case(arguments_.front().text, "ON");
+  const bool describes = !is_taken_up || arguments_.size() > 1;
+  const bool was_on = std::exchange(cycle_.is_on, true);
+  if (is_taken_up && !describes && was_on && dialect_.kind != DialectKind::clt) return;
+  cycle_.line = statement_->line;
+  cycle_.first_positions = kNone;
+  cycle_.certain_moves = path_.moves.size();
+  cycle_.is_contradicted = false;
+  cycle_.reason = {};
+  if (is_taken_up && (describes || dialect_.kind == DialectKind::clt)) cycle_.drill.reset();
+  if (is_taken_up) {
+    if (!cycle_.drill) cycle_reason_ = describes ? because(Reasons::kCycle) : Reasons::kCycle;
+    return;
+  }
+  cycle_.drill = read_cycle(dialect_.kind, arguments_, mm_per_unit_);
+  if (!cycle_.drill) cycle_reason_ = because(Reasons::kCycle);
+  if (cycle_.drill && !cycle_.drill->is_retract_stated && cycles_without_retract_++ == 0) {
     first_cycle_without_retract_ = statement_->line;
   }
+}
+
+void Interpreter::end_cycle() {
+  if (!std::exchange(cycle_.is_on, false)) doubt_moves_before_stray_end();
+  cycle_.first_possible_hole = path_.moves.size();
+}
+
+// The end of a cycle that was lost may have stood behind any of its positions but the first.
+void Interpreter::count_holes() {
+  const std::size_t statement = path_.statements.size() - 1;
+  const bool goes_on = statement_->is_continuation && cycle_.first_positions + 1 == statement;  // a list in records
+  if (cycle_.first_positions == kNone || goes_on) cycle_.first_positions = statement;
+  if (cycle_.first_positions == statement) cycle_.certain_moves = path_.moves.size();
+}
+
+void Interpreter::doubt_cycle() {
+  if (!cycle_.reason.empty()) return;
+  cycle_.reason = reasons_.name(Reasons::kCycleOpen, "CYCLE", cycle_.line);
+  if (cycles_never_ended_++ == 0) first_cycle_never_ended_ = cycle_.line;
+  const std::size_t end = cycle_.is_contradicted ? cycle_.contradicted_moves : path_.moves.size();
+  for (std::size_t i = cycle_.certain_moves; i < end; ++i) {
+    std::string_view& reason = path_.moves[i].not_checked_reason;
+    if (reason.empty()) reason = cycle_.reason;
+  }
+}
+
+// CYCLE/OFF where no cycle is in force: one may have begun anywhere behind the last word that no cycle has.
+void Interpreter::doubt_moves_before_stray_end() {
+  std::string_view reason;
+  for (std::size_t i = cycle_.first_possible_hole; i < path_.moves.size(); ++i) {
+    Move& move = path_.moves[i];
+    if (move.kind != MoveKind::feed || !move.not_checked_reason.empty()) continue;
+    if (reason.empty()) {
+      reason = because(Reasons::kCycleStrayEnd);
+      if (cycles_never_begun_++ == 0) first_cycle_never_begun_ = statement_->line;
+    }
+    move.not_checked_reason = reason;
+  }
+  if (!reason.empty() && last_pose_) unknown_start_ = Reasons::kAfterCycle;
+}
+
+// Under a cycle that should have ended: a hole or a position of a motion.
+void Interpreter::emit_doubtful(const Position& position) {
+  doubt_cycle();
+  Move move = make_move(position, MoveKind::cycle);
+  if (frame_reason() == nullptr) move.not_checked_reason = cycle_.reason;
+  append(move, position);
+  unknown_start_ = Reasons::kAfterCycle;
 }
 
 // To a place above the next position before going down to it: at the height the tool has, or first up to the
@@ -54,6 +125,7 @@ void Interpreter::emit_cycle(const Position& position, const DrillCycle& cycle) 
   // A cycle that goes nowhere is a move all the same.
   if (path_.moves.size() == before) append(make_move(position, MoveKind::cycle), position);
   last_hole_ = to_part_.pose({position.tip_local, position.axis_local});
+  count_holes();
 }
 
 // To a plane nobody knows, past `tip_local`; the tool comes from there to the next position.

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/interpreter.h"
@@ -55,7 +56,7 @@ std::optional<Interpreter::TableTurn> Interpreter::clt_turn(std::span<const Argu
 }
 
 const char* Interpreter::frame_reason() const {
-  for (const char* reason : {turning_reason_, contour_reason_, adjust_reason_, spline_reason_, unread_frame_reason_,
+  for (const char* reason : {block_reason_, turning_reason_, contour_reason_, adjust_reason_, spline_reason_, unread_frame_reason_,
                              mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_, mode_reason_,
                              multax_reason_}) {
     if (reason != nullptr) return reason;
@@ -133,7 +134,6 @@ void Interpreter::take_creo_comment() {
   } else if (starts_with_ignoring_case(text, "FEATNO")) {
     name_operation("FEATNO " + name_text(rest));
     break_motion();  // between sequences the machine goes home
-    is_cutter_centre_ = is_cutter_centre_said_;
   } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
     const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
     contour_reason_ = is_on_centre ? nullptr : because(Reasons::kContour);
@@ -178,7 +178,9 @@ void Interpreter::take_msys() {
   }
   const std::optional<RigidTransform> frame = make_frame(
       vector_of(arguments_, 0) * mm_per_unit_, vector_of(arguments_, 3), vector_of(arguments_, 6), "MSYS");
-  if (frame) set_frame(*frame);
+  if (!frame) return;
+  set_frame(*frame);
+  if (is_block_open_) block_reason_ = nullptr;
 }
 
 void Interpreter::take_csys() {
@@ -306,14 +308,13 @@ void Interpreter::take_tool_path() {
   }
   is_tool_changed_ = true;
   break_motion();
-  is_rapid_ = false;
-  is_cycle_ = false;
   modal_axis_ = Vec3::UnitZ();
   to_part_ = {};
   is_frame_recorded_ = false;
   feed_mm_per_min_ = 0;
   ++block_;
   is_block_open_ = true;
+  block_reason_ = std::exchange(is_msys_outside_, false) ? Reasons::kMsysOutside : nullptr;
 }
 
 }  // namespace gouge

@@ -174,7 +174,8 @@ bool Interpreter::may_go_on_round(const Position& position) const {
 std::optional<Pose> Interpreter::godlta_start() const {
   constexpr double kSamePlace_mm = 1e-9;
   if (last_frame_reason_ != nullptr) return std::nullopt;
-  if (last_hole_ && is_cycle_) return last_hole_;
+  if (is_cycle_doubtful()) return std::nullopt;
+  if (last_hole_ && cycle_.is_on) return last_hole_;
   const bool is_elsewhere = last_hole_ && (last_hole_->tip - last_pose_->tip).norm() > kSamePlace_mm;
   if (unknown_start_ != nullptr || is_elsewhere) return std::nullopt;
   return last_pose_;
@@ -221,7 +222,6 @@ void Interpreter::take_rapid() {
 }
 
 void Interpreter::take_fedrat() {
-  is_rapid_ = false;
   const auto number = std::find_if(arguments_.begin(), arguments_.end(),
                                    [](const Argument& a) { return a.number.has_value(); });
   if (number == arguments_.end()) return;
@@ -278,17 +278,16 @@ void Interpreter::begin_cutcom() {
   cutcom_ = has_argument(arguments_, "LEFT")    ? CutcomSide::left
             : has_argument(arguments_, "RIGHT") ? CutcomSide::right
                                                 : CutcomSide::unknown;
-  if (!is_cutter_centre_) is_compensated_ = was_ever_compensated_ = true;
+  was_ever_compensated_ = was_ever_compensated_ || is_compensated();
 }
 
 void Interpreter::end_cutcom() {
   cutcom_ = CutcomSide::none;
-  is_compensated_ = false;
 }
 
 // The way of the program's positions is known all the same.
 std::string_view Interpreter::cutcom_reason() const {
-  if (is_compensated_) return Reasons::kCutcom;
+  if (is_compensated()) return Reasons::kCutcom;
   return was_compensated_ ? Reasons::kAfterCutcom : "";
 }
 
@@ -296,9 +295,10 @@ void Interpreter::emit(const Position& position) {
   resolve_tool();
   resolve_operation();
   const bool is_from = position.form == PositionForm::from;
+  if (is_cycle_doubtful() && !is_from) return emit_doubtful(position);
   const bool is_cycle =
-      is_cycle_ && (position.form == PositionForm::go_to || position.form == PositionForm::godlta);
-  if (is_cycle && cycle_ && frame_reason() == nullptr) return emit_cycle(position, *cycle_);
+      cycle_.is_on && (position.form == PositionForm::go_to || position.form == PositionForm::godlta);
+  if (is_cycle && cycle_.drill && frame_reason() == nullptr) return emit_cycle(position, *cycle_.drill);
 
   const bool is_curve = position.form == PositionForm::curve;
   const bool is_arc = !is_cycle && (arc_ || is_curve);
@@ -310,7 +310,10 @@ void Interpreter::emit(const Position& position) {
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = cycle_reason_;
   if (move.not_checked_reason.empty() && is_arc) attach_curve(position, move);
   append(move, position);
-  if (is_cycle) unknown_start_ = Reasons::kAfterCycle;
+  if (is_cycle) {
+    unknown_start_ = Reasons::kAfterCycle;
+    count_holes();
+  }
   was_from_ = is_from;
 }
 
@@ -365,7 +368,8 @@ void Interpreter::append(Move move, const Position& position) {
   last_pose_ = move.end;
   last_hole_.reset();
   last_frame_reason_ = frame_reason();
-  was_compensated_ = is_compensated_;
+  was_compensated_ = is_compensated();
+  was_ever_compensated_ = was_ever_compensated_ || was_compensated_;
   is_tlaxis_new_ = false;
   unknown_start_ = nullptr;
   is_rapid_ = false;

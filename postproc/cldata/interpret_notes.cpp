@@ -32,6 +32,19 @@ void Interpreter::note_motion() {
                                   "positions: nothing is swept there",
                               path_.file, first_not_swept_line_));
   }
+  if (cycles_never_ended_ > 0) {
+    notes.push_back(make_warning("path-cycle",
+                                 counted(cycles_never_ended_, "cycle") +
+                                     " never ended by CYCLE/OFF: which positions are holes and which are motions of "
+                                     "their own the file does not say, so they are not checked",
+                                 path_.file, first_cycle_never_ended_));
+  }
+  if (cycles_never_begun_ > 0) {
+    notes.push_back(make_warning("path-cycle",
+                                 counted(cycles_never_begun_, "CYCLE/OFF statement") +
+                                     " without a cycle: the positions before it may be holes, so they are not checked",
+                                 path_.file, first_cycle_never_begun_));
+  }
   if (cycles_without_retract_ > 0) {
     notes.push_back(make_note("path-cycle",
                               counted(cycles_without_retract_, "cycle") +

@@ -202,6 +202,7 @@ void Interpreter::resolve_tool() {
     arc_ = arc;
   }
   tool_index_ = index;
+  if (!cycle_.is_on) cycle_.drill.reset();  // CYCLE/ON takes up no cycle of another tool
 }
 
 void Interpreter::name_operation(std::string name) {

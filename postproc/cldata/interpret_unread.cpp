@@ -74,12 +74,12 @@ void Interpreter::take_unknown() {
 }
 
 // A motion nobody knows the end of stands where the last one ended, so that it is told as a move not checked.
-void Interpreter::emit_unread(const char* reason) {
+void Interpreter::emit_unread(const char* reason, std::size_t statement) {
   resolve_tool();
   resolve_operation();
   Move move;
-  move.line = statement_->line;
-  move.statement = path_.statements.size() - 1;
+  move.line = path_.statements[statement].line;
+  move.statement = statement;
   if (last_pose_) {
     move.end = *last_pose_;
   } else if (!path_.moves.empty()) {

@@ -160,6 +160,7 @@ void Interpreter::take(const Statement& statement) {
   if (has_arguments(statement.word)) split_arguments(statement, arguments_);
   if (std::max(arguments_.size(), statement.pieces.size()) >= kMostArguments) return fail_too_long();
   if (const std::string_view hidden = find_run_on(statement); !hidden.empty()) return fail_run_on(hidden);
+  apply_modal_states(acting_word(statement, dialect_.kind));
   if (!take_motion_word() && !take_tool_word() && !take_frame_word() && !take_text_word() &&
       !take_unread_word()) {
     take_unknown();
@@ -300,6 +301,8 @@ bool Interpreter::take_frame_word() {
       return true;
     case Word::end_of_path:
       is_block_open_ = false;
+      is_between_blocks_ = true;
+      block_reason_ = Reasons::kBetweenBlocks;
       break_motion();
       return true;
     case Word::fini:
@@ -373,6 +376,8 @@ bool Interpreter::is_statement() const {
 
 void Interpreter::finish() {
   if (curve_statement_ != kNone) flush_curve();
+  if (arc_ || has_indirv_) drop_described_curve();
+  if (cycle_.is_on && cycle_.certain_moves < path_.moves.size()) doubt_cycle();
   Diagnostics& notes = path_.notes;
   if (renormalised_ > 0) {
     notes.push_back(make_note("path-axis-length",

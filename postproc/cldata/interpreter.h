@@ -18,6 +18,7 @@
 #include "postproc/cldata/cutcom.h"
 #include "postproc/cldata/cycle_statement.h"
 #include "postproc/cldata/dialect.h"
+#include "postproc/cldata/modal_states.h"
 #include "postproc/cldata/named_reasons.h"
 #include "postproc/cldata/statement.h"
 
@@ -74,6 +75,18 @@ struct Reasons {
   static constexpr const char* kRetractPlane =
       "a drilling cycle rises to a retract plane whose height it does not state";
   static constexpr const char* kAfterCycle = "starts at an unknown retract height after a drilling cycle";
+  static constexpr const char* kCycleOpen =
+      "a hole, or a motion of its own, as its cycle is never ended";
+  static constexpr const char* kCycleStrayEnd =
+      "a hole, or a motion of its own, as a cycle ends that never began";
+  static constexpr const char* kNoArcEnd =
+      "a curve is described and no position says where it ends: the tool may have gone along it";
+  static constexpr const char* kNoTlon =
+      "an INDIRV that no TLON follows: a motion may be missing here";
+  static constexpr const char* kBetweenBlocks =
+      "positions stand between END-OF-PATH and TOOL PATH: in which frame and with which tool the file does not say";
+  static constexpr const char* kMsysOutside =
+      "an MSYS stands between END-OF-PATH and this TOOL PATH, which has none: which frame holds the file does not say";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
   static constexpr const char* kContour =
@@ -103,7 +116,8 @@ struct Reasons {
 
   /// True where nobody knows where the statement takes the tool.
   [[nodiscard]] static bool is_unread(std::string_view reason) {
-    return reason.starts_with(kUnread) || reason == kSixNumbers || reason == kStepFromUnread;
+    return reason.starts_with(kUnread) || reason == kSixNumbers || reason == kStepFromUnread ||
+           reason == kNoArcEnd || reason == kNoTlon;
   }
   /// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
   [[nodiscard]] static bool is_motion_known(std::string_view reason) {
@@ -133,6 +147,18 @@ class Interpreter {
     Vec3 axis_local = Vec3::UnitZ();
     std::size_t point = 0, points = 1, first_argument = 0, numbers = 0;
     PositionForm form = PositionForm::go_to;
+  };
+  struct CycleState {
+    bool is_on = false;
+    std::optional<DrillCycle> drill;  // nothing: not understood
+    std::size_t line = 0;             // of the CYCLE in force
+    std::size_t first_positions = kNone;  // the statement of its first position
+    std::size_t certain_moves = 0;    // those before this one are certain whether or not the cycle ever ended
+    bool is_contradicted = false;     // a later statement says that it should have ended
+    std::size_t contradicted_moves = 0;  // read until then
+    std::string_view reason;          // told of what it leaves doubtful
+    // While none is in force: moves from here on could be holes of a cycle whose CYCLE is missing.
+    std::size_t first_possible_hole = 0;
   };
   struct TableTurn {
     std::string_view axis;
@@ -164,9 +190,18 @@ class Interpreter {
   void count_unknown();
   [[nodiscard]] const char* because(const char* reason);
 
+  // interpret_states.cpp
+  void apply_modal_states(Word word);
+  [[nodiscard]] bool is_open(ModalState state) const;
+  [[nodiscard]] bool is_used(ModalState state) const;
+  void end_state(ModalState state);
+  void contradict(ModalState state);
+  void drop_described_curve();
+
   // interpret_unread.cpp
   void take_unknown();
-  void emit_unread(const char* reason = Reasons::kUnread);
+  void emit_unread(const char* reason = Reasons::kUnread) { emit_unread(reason, path_.statements.size() - 1); }
+  void emit_unread(const char* reason, std::size_t statement);
   [[nodiscard]] bool is_statement() const;
   void take_syn();
   void take_insert();
@@ -188,6 +223,8 @@ class Interpreter {
   void take_cutcom();
   void begin_cutcom();
   void end_cutcom();
+  /// Under CUTCOM, and nothing says that positions are the cutter's centre.
+  [[nodiscard]] bool is_compensated() const { return cutcom_ != CutcomSide::none && !is_cutter_centre_; }
   [[nodiscard]] std::string_view cutcom_reason() const;
   [[nodiscard]] std::size_t numbers_per_point();
   [[nodiscard]] bool check_all_numbers(std::string_view expected);
@@ -206,6 +243,13 @@ class Interpreter {
 
   // interpret_cycle.cpp
   void take_cycle();
+  void begin_cycle();
+  void end_cycle();
+  void doubt_cycle();
+  void doubt_moves_before_stray_end();
+  void count_holes();
+  [[nodiscard]] bool is_cycle_doubtful() const { return cycle_.is_on && cycle_.is_contradicted; }
+  void emit_doubtful(const Position& position);
   void emit_cycle(const Position& position, const DrillCycle& cycle);
   void emit_cycle_step(const Position& position, const Vec3& tip_local, bool is_rapid);
   void emit_cycle_retract(const Position& position, const Vec3& tip_local);
@@ -291,7 +335,6 @@ class Interpreter {
   CutcomSide cutcom_ = CutcomSide::none;
   bool is_cutter_centre_said_ = false;  // by the user: positions under CUTCOM are the cutter's centre
   bool is_cutter_centre_ = false;       // so says the user, or the file for this sequence
-  bool is_compensated_ = false;    // under CUTCOM, and nothing says that positions are the cutter's centre
   bool was_compensated_ = false;   // the last position was
   bool was_ever_compensated_ = false;
   const char* doubt_ = nullptr;    // why the position being taken cannot be checked
@@ -301,6 +344,7 @@ class Interpreter {
   std::optional<ArcStatement> last_arc_;  // on which the positions of the last statement went on
   std::size_t arc_statement_ = kNone;    // CIRCLE, MOVARC or INDIRV
   std::optional<Vec3> start_tangent_;    // INDIRV
+  bool has_indirv_ = false;              // that no motion has used
   std::optional<Vec3> last_direction_;   // of the last move where it was straight, part coordinates
   struct OpenArc {
     std::size_t move = 0;
@@ -309,9 +353,8 @@ class Interpreter {
   };
   std::vector<OpenArc> open_arcs_;  // whose sense the rest of the file must tell
   std::optional<Pose> last_hole_;    // where the last position was a hole: what GODLTA goes on from, not where the tool is
-  bool is_cycle_ = false;
-  std::optional<DrillCycle> cycle_;  // nothing: not understood
-  const char* cycle_reason_ = Reasons::kCycle;  // why, then
+  CycleState cycle_;
+  const char* cycle_reason_ = Reasons::kCycle;  // why its drill is not understood
   std::size_t rapid_statement_ = kNone;
   std::optional<bool> multax_;
   Vec3 modal_axis_ = Vec3::UnitZ();  // the last axis given, or TLAXIS
@@ -352,6 +395,9 @@ class Interpreter {
   bool is_frame_recorded_ = false;  // the last of records_->frames is the one in force
   std::size_t block_ = 0;
   bool is_block_open_ = false;
+  bool is_between_blocks_ = false;  // of NX
+  bool is_msys_outside_ = false;    // an MSYS stood there
+  const char* block_reason_ = nullptr;
   const char* csys_reason_ = nullptr;
   const char* mcs_reason_ = nullptr;
   const char* trans_reason_ = nullptr;
@@ -386,6 +432,8 @@ class Interpreter {
   std::size_t smooth_arcs_ = 0, reversing_arcs_ = 0;     // the same, by whether it is the sense they are read in
   std::size_t radius_errors_ = 0, first_radius_error_line_ = 0;
   double worst_radius_error_mm_ = 0;
+  std::size_t cycles_never_begun_ = 0, first_cycle_never_begun_ = 0;
+  std::size_t cycles_never_ended_ = 0, first_cycle_never_ended_ = 0;
   std::size_t cycles_without_retract_ = 0, first_cycle_without_retract_ = 0;
   std::size_t plain_after_tilt_ = 0, first_plain_after_tilt_ = 0;
   bool is_last_tilted_ = false;

@@ -1,0 +1,91 @@
+#include "postproc/cldata/interpreter.h"
+
+// The table of modal_states.h applied to what is in force, before a statement's own reader has its turn.
+
+namespace gouge {
+
+void Interpreter::apply_modal_states(Word word) {
+  for (const ModalState state : kModalStates) {
+    if (!is_open(state)) continue;
+    switch (effect_on(state, word, dialect_.kind, is_used(state))) {
+      case ModalEffect::none:
+        break;
+      case ModalEffect::ends:
+        end_state(state);
+        break;
+      case ModalEffect::contradicts:
+        contradict(state);
+        break;
+    }
+  }
+  // What no cycle holds bounds the moves that could be holes of one whose CYCLE is missing.
+  const bool is_no_hole = effect_on(ModalState::cycle, word, dialect_.kind, true) == ModalEffect::contradicts;
+  if (!cycle_.is_on && is_no_hole) cycle_.first_possible_hole = path_.moves.size();
+}
+
+bool Interpreter::is_open(ModalState state) const {
+  switch (state) {
+    case ModalState::cycle:
+      return cycle_.is_on;
+    case ModalState::described_arc:
+      return arc_.has_value();
+    case ModalState::start_tangent:
+      return has_indirv_;
+    case ModalState::rapid:
+      return is_rapid_;
+    case ModalState::cutter_centre:
+      return is_cutter_centre_;
+    case ModalState::between_blocks:
+      return is_between_blocks_;
+  }
+  return false;
+}
+
+bool Interpreter::is_used(ModalState state) const {
+  return state == ModalState::cycle && cycle_.first_positions != kNone;
+}
+
+void Interpreter::end_state(ModalState state) {
+  switch (state) {
+    case ModalState::rapid:
+      is_rapid_ = false;
+      break;
+    case ModalState::cutter_centre:
+      is_cutter_centre_ = is_cutter_centre_said_;
+      break;
+    case ModalState::between_blocks:
+      is_between_blocks_ = false;
+      break;
+    default:
+      break;
+  }
+}
+
+void Interpreter::contradict(ModalState state) {
+  switch (state) {
+    case ModalState::cycle:
+      if (!cycle_.is_contradicted) cycle_.contradicted_moves = path_.moves.size();
+      cycle_.is_contradicted = true;  // told at the next position: before it nothing is lost
+      break;
+    case ModalState::described_arc:
+    case ModalState::start_tangent:
+      drop_described_curve();
+      break;
+    case ModalState::between_blocks:
+      is_msys_outside_ = true;
+      break;
+    default:
+      break;
+  }
+}
+
+// A motion that is announced and not finished: where it ends nobody knows.
+void Interpreter::drop_described_curve() {
+  const bool is_arc = arc_.has_value();
+  arc_.reset();
+  start_tangent_.reset();
+  has_indirv_ = false;
+  emit_unread(is_arc ? Reasons::kNoArcEnd : Reasons::kNoTlon, arc_statement_);
+}
+
+}  // namespace gouge

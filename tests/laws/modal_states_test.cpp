@@ -1,0 +1,173 @@
+// The rows of docs/formats/modal_states.md: which moves of a file are not checked because a statement before or behind
+// them contradicts what is in force. Every cell of the table is a case here, under the name the table gives it.
+#include <gtest/gtest.h>
+
+#include <ostream>
+#include <string>
+
+#include "tests/laws/reading.h"
+#include "tests/support/shapes.h"
+
+namespace gouge {
+namespace {
+
+struct ModalCase {
+  const char* name;
+  std::string text;
+  const char* unchecked;  // the lines whose moves are not checked, each once, in order of the file
+};
+
+void PrintTo(const ModalCase& modal, std::ostream* out) {
+  *out << modal.text;
+}
+
+std::string unchecked_lines(const Toolpath& path) {
+  std::string lines;
+  std::size_t last = 0;
+  for (const Move& move : path.moves) {
+    if (move.not_checked_reason.empty() || move.line == last) continue;
+    last = move.line;
+    lines += (lines.empty() ? "" : " ") + std::to_string(last);
+  }
+  return lines;
+}
+
+class ModalStates : public ::testing::TestWithParam<ModalCase> {};
+
+TEST_P(ModalStates, LeaveUncheckedWhatHasMoreThanOneReading) {
+  const Toolpath path = read_as(GetParam().text, "");
+  std::string told;
+  for (const Move& move : path.moves) {
+    if (!move.not_checked_reason.empty()) told += std::to_string(move.line) + ": " + std::string(move.not_checked_reason) + "\n";
+  }
+  EXPECT_EQ(unchecked_lines(path), GetParam().unchecked) << told;
+}
+
+std::string name_of(const ::testing::TestParamInfo<ModalCase>& info) {
+  return info.param.name;
+}
+
+// Four lines; the first hole is line 6.
+std::string apt(const std::string& text) {
+  return "UNITS/MM\nCUTTER/10,0,5,0,0,0,50\nLOADTL/1\nGOTO/0,0,50\n" + text;
+}
+
+std::string drilled(const std::string& text) {
+  return apt("CYCLE/DRILL,FEDTO,7,RAPTO,3,RTRCTO,50\nGOTO/10,0,0\n" + text);
+}
+
+std::string solidworks(const std::string& text) {
+  return "UNIT/MM\nTRNTYP/WORLD,0,0,0\nCUTTER/10.,0,5.,0,0,0,50.\nLOAD/TOOL,1\nCYCLE/INIT\n"
+         "CYCLE/DRILL,FEDTO,7.,MMPM,100.,RAPTO,3.,RTRCTO,50.,DWELL,0\nGOTO/10.,0,0\n" +
+         text;
+}
+
+std::string creo(const std::string& text) {
+  return "$$* Pro/CLfile\n$$-> FEATNO / 1\nUNITS / MM\nLOADTL / 1\n" + text;
+}
+
+std::string creo_drilled(const std::string& text) {
+  return creo("CYCLE / DRILL, DEPTH, 7, MMPM, 100, CLEAR, 3, RETURN, 50\nGOTO / 10, 0, 0\n" + text);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Cycle, ModalStates,
+    ::testing::Values(
+        ModalCase{"Ended", drilled("GOTO/20,0,0\nCYCLE/OFF\nGOTO/20,0,60\nLOADTL/2\nGOTO/0,0,50\nFINI\n"), ""},
+        ModalCase{"EndedByNomore", drilled("GOTO/20,0,0\nCYCLE/NOMORE\nGOTO/20,0,60\nFINI\n"), ""},
+        ModalCase{"FollowedByAnother", drilled("CYCLE/DRILL,FEDTO,7,RAPTO,3\nGOTO/20,0,0\nCYCLE/OFF\nFINI\n"), ""},
+        ModalCase{"NewTool", drilled("LOADTL/2\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"NewToolThenOff", drilled("LOADTL/2\nGOTO/20,0,0\nCYCLE/OFF\nGOTO/20,0,60\nGOTO/30,0,60\nFINI\n"), "8 10"},
+        ModalCase{"NewToolAfterOff", drilled("CYCLE/OFF\nLOADTL/2\nGOTO/20,0,0\nFINI\n"), ""},
+        ModalCase{"NewCutter", drilled("CUTTER/8,0,4,0,0,0,50\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"Rapid", drilled("RAPID\nGOTO/20,0,60\nFINI\n"), "8"},
+        ModalCase{"RapidBeforeOff", drilled("RAPID\nCYCLE/OFF\nGOTO/20,0,60\nFINI\n"), ""},
+        ModalCase{"Arc", drilled("CIRCLE/15,0,0,0,0,1,5\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"Cutcom", drilled("CUTCOM/OFF\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"From", drilled("FROM/0,0,50\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"Home", drilled("GOHOME\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"HomeWithAPosition", drilled("GOHOME/0,0,50\nFINI\n"), "7"},
+        ModalCase{"Frame", drilled("TRANS/0,0,0\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"Units", drilled("UNITS/MM\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"Axis", drilled("TLAXIS/0,0,1\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"FeedBetweenHoles", drilled("FEDRAT/100,MMPM\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"FeedBeforeTheFirstHole",
+                  apt("CYCLE/DRILL,FEDTO,7,RAPTO,3\nFEDRAT/100,MMPM\nGOTO/10,0,0\nGOTO/20,0,0\nCYCLE/OFF\nFINI\n"), ""},
+        ModalCase{"Step", drilled("RAPID\nGODLTA/10,0,0\nGOTO/20,0,0\nFINI\n"), "8 9"},
+        ModalCase{"SecondContradiction", drilled("GOTO/20,0,0\nGOTO/30,0,0\nRAPID\nGOTO/30,0,60\nFINI\n"), "7 8 10"},
+        ModalCase{"NeverEnded", drilled("GOTO/20,0,0\nFINI\n"), "7"}, ModalCase{"OneHoleAlone", drilled("FINI\n"), ""},
+        ModalCase{"BecomesCertainWithAnother",
+                  drilled("RAPID\nGOTO/20,0,60\nCYCLE/DRILL,FEDTO,7,RAPTO,3\nGOTO/30,0,0\nGOTO/40,0,0\nCYCLE/OFF\nFINI\n"),
+                  "8 10"},
+        ModalCase{"OffWithout", apt("GOTO/10,0,0\nGOTO/20,0,0\nCYCLE/OFF\nGOTO/20,0,60\nGOTO/30,0,60\nFINI\n"), "4 5 6 8"},
+        ModalCase{"OffWithoutAfterRapid", apt("RAPID\nGOTO/10,0,0\nCYCLE/OFF\nGOTO/20,0,60\nFINI\n"), ""},
+        ModalCase{"OffAtTheStart", "UNITS/MM\nCYCLE/OFF\nCUTTER/10\nLOADTL/1\nGOTO/0,0,50\nGOTO/1,0,50\nFINI\n", ""},
+        ModalCase{"OffTwice", drilled("CYCLE/OFF\nCYCLE/OFF\nGOTO/20,0,60\nFINI\n"), ""},
+        ModalCase{"TakenUpWithTheSameTool", drilled("CYCLE/OFF\nCYCLE/ON\nGOTO/20,0,0\nCYCLE/OFF\nFINI\n"), ""},
+        ModalCase{"TakenUpWithAnotherTool",
+                  drilled("CYCLE/OFF\nLOADTL/2\nGOTO/0,0,50\nCYCLE/ON\nGOTO/20,0,0\nCYCLE/OFF\nGOTO/20,0,60\nFINI\n"), "11 13"},
+        ModalCase{"SolidworksTool", solidworks("CUTTER/8.,0,4.,0,0,0,50.\nLOAD/TOOL,2\nGOTO/20.,0,0\nFINI\n"), "10"},
+        ModalCase{"SolidworksInit", solidworks("CYCLE/INIT\nGOTO/20.,0,0\nFINI\n"), "9"},
+        ModalCase{"SolidworksFeed", solidworks("FEDRAT/100.,MMPM\nGOTO/20.,0,0\nCYCLE/OFF\nFINI\n"), "9"},
+        ModalCase{"CreoFeature", creo_drilled("$$-> FEATNO / 2\nGOTO / 20, 0, 0\nCYCLE / OFF\nFINI\n"), "8"},
+        ModalCase{"CreoTool", creo_drilled("LOADTL / 2\nGOTO / 20, 0, 0\nCYCLE / OFF\nFINI\n"), "8"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    DescribedArc, ModalStates,
+    ::testing::Values(
+        ModalCase{"Used", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nGOTO / 0, 10, 0\nFINI\n"), ""},
+        ModalCase{"Twice",
+                  creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nGOTO / 0, 10, 0\n"
+                       "FINI\n"),
+                  "6 8"},
+        ModalCase{"LastOfTheFile", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\n"), "6"},
+        ModalCase{"BeforeFini", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nFINI\n"), "6"},
+        ModalCase{"BeforeFrom", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nFROM / 0, 10, 0\nFINI\n"), "6"},
+        ModalCase{"BeforeHome", creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nGOHOME\nFINI\n"), "6"},
+        ModalCase{"BeforeAFeature",
+                  creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\n$$-> FEATNO / 2\nGOTO / 0, 10, 0\nFINI\n"), "6"},
+        ModalCase{"BeforeACycle",
+                  creo("GOTO / 10, 0, 9\nCIRCLE / 0, 0, 9, 0, 0, 1, 10\nCYCLE / DRILL, DEPTH, 7, CLEAR, 3\n"
+                       "GOTO / 10, 0, 0\nCYCLE / OFF\nFINI\n"),
+                  "6 8"},
+        ModalCase{"BeforeRapid",
+                  creo("GOTO / 10, 0, 0\nCIRCLE / 0, 0, 0, 0, 0, 1, 10\nRAPID\nGOTO / 0, 10, 0\nGOTO / 0, 9, 0\nFINI\n"),
+                  "6 8"},
+        ModalCase{"NxBeforeEndOfPath",
+                  "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10,0,50,0,0\nMSYS/0,0,0,1,0,0,0,1,0\nGOTO/10,0,0\n"
+                  "CIRCLE/0,0,0,0,0,1,10,0.06,0.5,10,0\nEND-OF-PATH\n",
+                  "5"},
+        ModalCase{"HelixTwice", apt("HELIX/1\nHELIX/1\nGOTO/1,0,0\nFINI\n"), "5 7"}),
+    name_of);
+
+// The issue of a real file: an end mill's contour read as holes, through a post.
+TEST(OpenCycle, DoesNotSwallowTheMillingAfterIt) {
+  const std::string text =
+      "CYCLE/DRILL,FEDTO,7.65,MMPM,125.68,RAPTO,3.,RTRCTO,100.,DWELL,0\nGOTO/0,0,0\nCUTTER/10.,0,5.,0,0,0,73.\n"
+      "LOAD/TOOL,2\nRAPID/\nGOTO/40.,0,2.5\nCIRCLE/60.,0,0,0,0,1.\nGOTO/40.,0,0.\nGOTO/80.,30.,0.\nGOTO/80.,-30.,0.\n";
+  const IndexedMesh post = shapes::box({79, -1, -30}, {81, 1, 20});
+  for (const char* head : {"UNITS/MM\nCUTTER/10.,0,5.,0,0,0,73.\nLOAD/TOOL,1\n",
+                           "UNIT/MM\nTRNTYP/WORLD,0,0,0\nCUTTER/10.,0,5.,0,0,0,73.\nLOAD/TOOL,1\n"}) {
+    const Toolpath path = read_as(head + text + "FINI\n", "");
+    EXPECT_EQ(verdict(path, post), "not-checked");
+    EXPECT_NE(path.moves.back().not_checked_reason.find("never ended: CYCLE in line"), std::string_view::npos);
+    const Toolpath ended = read_as(head + text.substr(0, text.find("CUTTER")) + "CYCLE/OFF\n" +
+                                       text.substr(text.find("CUTTER")) + "FINI\n",
+                                   "apt-solidworks-cam");
+    EXPECT_EQ(verdict(ended, post), "gouge");
+  }
+}
+
+TEST(OpenCycle, IsNamedByItsLineInCopiesOfThePath) {
+  Toolpath copy;
+  {
+    const Toolpath path = read_as(drilled("LOADTL/2\nGOTO/20,0,0\nFINI\n"), "");
+    copy = path;
+  }
+  EXPECT_EQ(copy.moves.back().not_checked_reason, 
+            "a hole, or a motion of its own, as its cycle is never ended: CYCLE in line 5");
+}
+
+}  // namespace
+}  // namespace gouge
