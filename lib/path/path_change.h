@@ -5,16 +5,35 @@
 #include <vector>
 
 #include "lib/geom/pose.h"
+#include "lib/path/curve.h"
 
 namespace gouge {
 
 /// A correction of one move. Poses in mm and part coordinates, as in the Toolpath.
+///
+/// At most one of `is_straightened`, `new_arc` and `hole_shift_mm`; the last stands alone.
 struct PathChange {
   std::size_t move = 0;
   std::optional<Pose> new_end;
   std::vector<Pose> inserted_before;  ///< positions to visit, in this order, before the move's end
   /// An arc or spline becomes straight moves through `inserted_before` to the end.
   bool is_straightened = false;
+  /// The arc stays an arc, about another axis line, to the move's (new) end. It begins at the last of
+  /// `inserted_before`, which are reached on straight lines, or else where the move before it ends after its
+  /// own change. Both ends lie on the circle to 0.01 mm; those of a full circle are the same place, digit for
+  /// digit. The sign of the sweep with the axis says which way round it runs, as in Toolpath::arcs.
+  std::optional<PathArc> new_arc = std::nullopt;
+  /// The drilled hole whose first move this is goes elsewhere: its programmed position and with it all
+  /// heights that the cycle counts from there. What the cycle rises to from the position before it stays, so
+  /// a hole may get a step more or less than it had: read again, its moves are those of the same statement.
+  std::optional<Vec3> hole_shift_mm = std::nullopt;
+};
+
+/// What a file lets a correction rewrite within its own statements, one entry a move of the path.
+struct RewritableMoves {
+  std::vector<bool> arc;  ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
+  std::vector<bool>
+      hole;  ///< PathChange::hole_shift_mm can be written; true for the first move of a hole alone
 };
 
 }  // namespace gouge

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
-#include "postproc/cldata/statement_reader.h"
+#include "postproc/cldata/statement_at.h"
 #include "postproc/cldata/text.h"
 
 namespace gouge {
@@ -13,20 +13,6 @@ constexpr std::size_t kStatementsLearned = 5000;
 constexpr int kLeastAxisDecimals = 6;
 constexpr int kUsualAxisDecimals = 9;
 constexpr int kUsualDecimals = 6;
-
-Statement statement_at(const Toolpath& path, std::size_t index) {
-  const SourceStatement& span = path.statements[index];
-  const DialectKind kind = dialect_called(path.dialect).value_or(Dialect{}).kind;
-  StatementReader reader(std::string_view(path.source).substr(0, span.last_byte), kind, span.first_byte,
-                         span.line);
-  Statement statement;
-  bool is_found = reader.next(statement);
-  // A pair of lines of NCI says several statements, the last of which is the position.
-  while (is_found && kind == DialectKind::nci && statement.word != Word::go_to)
-    is_found = reader.next(statement);
-  if (!is_found) statement.pieces.clear();
-  return statement;
-}
 
 }  // namespace
 
@@ -38,8 +24,21 @@ GotoText::GotoText(const Toolpath& path, const MotionRecords& records) : path_(p
     learn(record);
     if (++learned == kStatementsLearned) break;
   }
+  if (learned == 0) learn_holes(records);
   coordinates_.settle(least_coordinate_decimals(path.unit), kUsualDecimals);
   components_.settle(kLeastAxisDecimals, kUsualAxisDecimals);
+}
+
+// A file that does nothing but drill.
+void GotoText::learn_holes(const MotionRecords& records) {
+  std::size_t learned = 0, last = kNone;
+  for (const MotionRecord& record : records.of_move) {
+    if (record.form != PositionForm::cycle || record.numbers == 0 || record.point != 0 || record.statement == last)
+      continue;
+    last = record.statement;
+    learn(record);
+    if (++learned == kStatementsLearned) break;
+  }
 }
 
 void GotoText::learn(const MotionRecord& record) {
@@ -96,22 +95,32 @@ std::string GotoText::replaced(std::size_t index, std::size_t numbers,
     if (k >= 3 && !position->axis) continue;
     const NumberStyle& style = k < 3 ? coordinates_ : components_;
     const auto component = static_cast<Eigen::Index>(k % 3);
-    const std::string token = style.text(k < 3 ? position->tip[component] : (*position->axis)[component]);
-    const auto begin = static_cast<std::size_t>(arguments[i].text.data() - bytes.data());
-    const std::size_t end = begin + arguments[i].text.size();
-    if (parse_number(token) != parse_number(style.text(*arguments[i].number))) {
-      const std::size_t blanks = blanks_before(bytes, begin);
-      result += bytes.substr(copied, begin - blanks - copied);
-      result += style.padding(token, blanks) + token;
-      copied = end;
-    }
+    const double value = k < 3 ? position->tip[component] : (*position->axis)[component];
+    append_changed_number(result, copied, bytes, arguments[i], style, value);
     if (k == 2 && numbers == 3 && position->axis) {
+      const auto end = static_cast<std::size_t>(arguments[i].text.data() - bytes.data()) + arguments[i].text.size();
       result += bytes.substr(copied, end - copied);
       for (Eigen::Index c = 0; c < 3; ++c) append_number(result, components_, (*position->axis)[c]);
       copied = end;
     }
   }
   result += bytes.substr(copied, statement.last_byte - copied);
+  return result;
+}
+
+std::string GotoText::shifted(std::size_t index, std::size_t numbers,
+                              const std::vector<Vec3>& shifts) const {
+  const Statement statement = statement_at(path_, index);
+  std::vector<Argument> arguments;
+  split_arguments(statement, arguments);
+  std::string result;
+  std::size_t copied = statement.first_byte;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (i % numbers >= 3) continue;
+    const double shift = shifts[i / numbers][static_cast<Eigen::Index>(i % numbers)];
+    append_changed_number(result, copied, path_.source, arguments[i], coordinates_, *arguments[i].number + shift);
+  }
+  result += std::string_view(path_.source).substr(copied, statement.last_byte - copied);
   return result;
 }
 

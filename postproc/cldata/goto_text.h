@@ -32,6 +32,11 @@ class GotoText {
   [[nodiscard]] std::string replaced(std::size_t index, std::size_t numbers,
                                      const std::vector<std::optional<WrittenPosition>>& positions) const;
 
+  /// The bytes of statement `index` with `shifts[k]`, in the statement's own frame and unit, added to its
+  /// k-th position. Requires and ensures as `replaced`; axes keep their bytes.
+  [[nodiscard]] std::string shifted(std::size_t index, std::size_t numbers,
+                                    const std::vector<Vec3>& shifts) const;
+
   /// A GOTO statement of its own, line end included.
   [[nodiscard]] std::string fresh(const WrittenPosition& position) const;
 
@@ -46,6 +51,7 @@ class GotoText {
 
  private:
   void learn(const MotionRecord& record);
+  void learn_holes(const MotionRecords& records);
   void append_number(std::string& text, const NumberStyle& style, double value) const;
 
   const Toolpath& path_;

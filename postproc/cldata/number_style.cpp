@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/text.h"
 
 namespace gouge {
 
@@ -50,6 +51,17 @@ std::string NumberStyle::text(double value) const {
 std::string NumberStyle::padding(std::string_view token, std::size_t blanks) const {
   if (is_aligned_) blanks = field_ > token.size() ? field_ - token.size() : 0;
   return std::string(blanks, ' ');
+}
+
+void append_changed_number(std::string& text, std::size_t& copied, std::string_view bytes,
+                           const Argument& argument, const NumberStyle& style, double value) {
+  const std::string token = style.text(value);
+  if (parse_number(token) == parse_number(style.text(*argument.number))) return;
+  const auto begin = static_cast<std::size_t>(argument.text.data() - bytes.data());
+  const std::size_t blanks = blanks_before(bytes, begin);
+  text += bytes.substr(copied, begin - blanks - copied);
+  text += style.padding(token, blanks) + token;
+  copied = begin + argument.text.size();
 }
 
 }  // namespace gouge

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "lib/base/units.h"
+#include "postproc/cldata/statement.h"
 
 // How a file writes its numbers, learned from the numbers it has, so that new ones look like their
 // neighbours.
@@ -38,6 +39,12 @@ class NumberStyle {
   bool drops_zero_ = false;           ///< ".5"
   bool keeps_negative_zero_ = false;  ///< "-0.5" although ".5"
 };
+
+/// Appends `bytes` from `copied` to the end of `argument`, which lies in them, with `value` in its place, and
+/// moves `copied` there. A number that stays the same at the style's decimals keeps its bytes: then nothing
+/// is appended yet.
+void append_changed_number(std::string& text, std::size_t& copied, std::string_view bytes,
+                           const Argument& argument, const NumberStyle& style, double value);
 
 /// Decimals that keep a coordinate within 1e-4 mm.
 [[nodiscard]] constexpr int least_coordinate_decimals(LengthUnit unit) {

@@ -1,12 +1,15 @@
 #include "postproc/cldata/write_corrected.h"
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 #include <utility>
 
+#include "postproc/cldata/arc_text.h"
 #include "postproc/cldata/goto_text.h"
 #include "postproc/cldata/interpreter.h"
-#include "postproc/cldata/lexer.h"
+#include "postproc/cldata/rewritable_moves.h"
+#include "postproc/cldata/statement_at.h"
 #include "postproc/cldata/text.h"
 #include "postproc/cldata/write_corrected_nccs.h"
 #include "postproc/cldata/write_corrected_nci.h"
@@ -28,12 +31,18 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     is_named[change.move] = true;
     const Move& move = path.moves[change.move];
     const bool changes_it = change.new_end || !change.inserted_before.empty();
+    if (change.hole_shift_mm && (changes_it || change.is_straightened || change.new_arc)) {
+      return make_error("write-move", name + " has a shifted hole and another change; expected one of both", path.file);
+    }
+    if (change.new_arc && change.is_straightened) {
+      return make_error("write-arc", name + " is to be an arc and straight; expected one of both", path.file);
+    }
     if (changes_it && Reasons::is_unread(move.not_checked_reason)) {
       return make_error("write-move", name + " is a statement that is not understood, so it cannot be changed",
                         path.file, move.line);
     }
     const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid ||
-                             (change.is_straightened && move.curve_kind != CurveKind::none);
+                             (change.is_straightened && move.curve_kind != CurveKind::none) || change.new_arc;
     if (!is_straight && changes_it) {
       return make_error("write-arc",
                         name + " is an arc, a curve or a cycle; only straight moves can be changed",
@@ -47,20 +56,31 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
   return std::nullopt;
 }
 
+// What only dialects of text can say.
+std::optional<Diagnostic> find_unsaid(const Toolpath& path, const std::vector<PathChange>& changes) {
+  const bool is_text = path.dialect != dialect_of(DialectKind::nccs_binary).id &&
+                       path.dialect != dialect_of(DialectKind::nci).id;
+  for (const PathChange& change : changes) {
+    if (is_text || (!change.new_arc && !change.hole_shift_mm)) continue;
+    return make_error("write-arc", "arcs and holes of this dialect cannot be rewritten; straighten or leave them",
+                      path.file, path.moves[change.move].line);
+  }
+  return std::nullopt;
+}
+
 class CorrectedWriter {
  public:
   CorrectedWriter(const Toolpath& path, const std::vector<PathChange>& changes)
       : path_(path),
         read_(read_motion_records(path)), records_(read_.of_move),
         goto_text_(path, read_),
+        arc_text_(path, read_),
         is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
         changes_(path.moves.size(), nullptr) {
     for (const PathChange& change : changes) changes_[change.move] = &change;
     for (std::size_t i = 0; i < changes_.size(); ++i) {
       if (is_straightened(i)) drop_curve(i);
     }
-    std::sort(dropped_.begin(), dropped_.end());
-    dropped_.erase(std::unique(dropped_.begin(), dropped_.end()), dropped_.end());
   }
 
   Result<std::string> write();
@@ -68,12 +88,21 @@ class CorrectedWriter {
  private:
   [[nodiscard]] bool is_changed(std::size_t move) const {
     return changes_[move] != nullptr &&
-           (changes_[move]->new_end || !changes_[move]->inserted_before.empty() || is_straightened(move));
+           (changes_[move]->new_end || !changes_[move]->inserted_before.empty() || is_straightened(move) ||
+            has_new_arc(move) || changes_[move]->hole_shift_mm);
+  }
+  [[nodiscard]] bool has_new_arc(std::size_t move) const {
+    return changes_[move] != nullptr && changes_[move]->new_arc;
   }
   [[nodiscard]] bool is_straightened(std::size_t move) const {
     return changes_[move] != nullptr && changes_[move]->is_straightened;
   }
+  [[nodiscard]] std::optional<Diagnostic> find_unwritable() const;
   void drop_curve(std::size_t move);
+  [[nodiscard]] std::optional<Diagnostic> redescribe_arc(std::size_t move);
+  [[nodiscard]] std::optional<Diagnostic> find_stuck(std::size_t first, std::size_t last) const;
+  [[nodiscard]] std::string rewritten(std::size_t first, std::size_t last);
+  [[nodiscard]] std::string shifted_holes(std::size_t first, std::size_t last) const;
   void append_source(std::string& text, std::size_t from, std::size_t to) const;
   [[nodiscard]] bool has_curve_left(std::size_t first, std::size_t last) const;
   [[nodiscard]] bool has_insertion(std::size_t move) const {
@@ -100,9 +129,12 @@ class CorrectedWriter {
   MotionRecords read_;
   const std::vector<MotionRecord>& records_;  // of read_
   GotoText goto_text_;
+  ArcText arc_text_;
   bool is_axis_modal_;
   std::vector<const PathChange*> changes_;
-  std::vector<std::size_t> dropped_;  // statements that describe what is straightened, in order
+  // What statements become that have no position of their own: nothing, where they describe what is straightened; or what
+  // describes the arc, with the positions before it.
+  std::map<std::size_t, std::string> replaced_;
   bool is_axis_usual_ = false;        // the last position was written with its axis
   Vec3 axis_read_ = Vec3::UnitZ();     // the modal axis after the last position of the file read so far
   Vec3 axis_written_ = Vec3::UnitZ();  // the same for the text written so far
@@ -118,29 +150,56 @@ Pose CorrectedWriter::local_end(std::size_t move) const {
 // CIRCLE, MOVARC or INDIRV before the position, KNOT and CNTRL after a NURBS.
 void CorrectedWriter::drop_curve(std::size_t move) {
   const MotionRecord& record = records_[move];
-  if (record.curve_statement != kNone) dropped_.push_back(record.curve_statement);
+  if (record.curve_statement != kNone) replaced_[record.curve_statement];
   if (record.form != PositionForm::curve) return;
-  const auto major = [&](std::size_t statement) {
-    const SourceStatement& span = path_.statements[statement];
-    Lexer lexer(std::string_view(path_.source).substr(0, span.last_byte), span.first_byte, span.line);
-    Statement read;
-    return lexer.next(read) ? read.word : Word::unknown;
-  };
   for (std::size_t s = record.statement + 1; s < path_.statements.size(); ++s) {
-    const Word word = major(s);
-    if (word == Word::knot || word == Word::cntrl) dropped_.push_back(s);
+    const Word word = statement_at(path_, s).word;
+    if (word == Word::knot || word == Word::cntrl) replaced_[s];
     if (word != Word::knot && word != Word::cntrl && word != Word::comment) return;
   }
 }
 
+// An arc with other numbers, and the positions on the way to its start before it.
+std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
+  const MotionRecord& record = records_[move];
+  const PathChange& change = *changes_[move];
+  const RigidTransform to_local = record.frame->to_part.inverse();
+  const Pose start = change.inserted_before.empty()
+                         ? (changes_[move - 1] != nullptr ? changes_[move - 1]->new_end : std::nullopt)
+                               .value_or(path_.start_of(move))
+                         : change.inserted_before.back();
+  const PathArc& old = path_.arcs[path_.moves[move].curve];
+  WrittenArc arc{*change.new_arc, to_local.point(start.tip), local_end(move).tip};
+  // The vector of the statement points as it did.
+  const double sense = (arc.arc.sweep_rad < 0) == (old.sweep_rad < 0) ? 1 : -1;
+  arc.arc = {to_local.point(arc.arc.center), to_local.direction(sense * arc.arc.axis), sense * arc.arc.sweep_rad};
+  if (record.form == PositionForm::curve && !goto_text_.is_same_axis(to_local.direction(start.axis), local_end(move).axis))
+    return make_error("write-arc", "a TLON keeps the tool axis of its start", path_.file, path_.moves[move].line);
+  const Result<std::string> text = arc_text_.description(move, arc);
+  if (!text) return text.error();
+  replaced_[record.curve_statement] = *text;
+  if (has_insertion(move)) {
+    const std::size_t first = arc_text_.first_statement(move);
+    if (first != record.curve_statement) replaced_[first] = std::string(bytes_of(first));
+    replaced_[first].insert(0, insertions(move));
+  }
+  if (record.form != PositionForm::curve) return std::nullopt;
+  const Result<std::string> tlon = arc_text_.tlon(move, arc);
+  if (!tlon) return tlon.error();
+  replaced_[record.statement] = *tlon;
+  return std::nullopt;
+}
+
 void CorrectedWriter::append_source(std::string& text, std::size_t from, std::size_t to) const {
   const std::string_view source = path_.source;
-  auto next = std::lower_bound(
-      dropped_.begin(), dropped_.end(), from,
-      [this](std::size_t statement, std::size_t byte) { return path_.statements[statement].first_byte < byte; });
-  for (; next != dropped_.end() && path_.statements[*next].first_byte < to; ++next) {
-    const SourceStatement& span = path_.statements[*next];
+  const auto first = std::lower_bound(
+      path_.statements.begin(), path_.statements.end(), from,
+      [](const SourceStatement& statement, std::size_t byte) { return statement.first_byte < byte; });
+  auto next = replaced_.lower_bound(static_cast<std::size_t>(first - path_.statements.begin()));
+  for (; next != replaced_.end() && path_.statements[next->first].first_byte < to; ++next) {
+    const SourceStatement& span = path_.statements[next->first];
     text += source.substr(from, span.first_byte - from);
+    text += next->second;
     from = span.last_byte;
   }
   text += source.substr(from, to - from);
@@ -159,7 +218,7 @@ bool CorrectedWriter::has_curve_left(std::size_t first, std::size_t last) const 
   const std::size_t after = last;
   const bool has_new_start = changes_[last - 1] != nullptr && changes_[last - 1]->new_end &&
                              after < path_.moves.size() && path_.moves[after].kind == MoveKind::arc &&
-                             path_.moves[after].has_start && !is_straightened(after);
+                             path_.moves[after].has_start && !is_straightened(after) && !has_new_arc(after);
   return (has_straightened && has_round) || has_new_start;
 }
 
@@ -236,7 +295,7 @@ std::string CorrectedWriter::insertions(std::size_t move) {
 
 std::string CorrectedWriter::in_place(std::size_t first, std::size_t last) {
   const MotionRecord& record = records_[first];
-  const std::string text = insertions(first);
+  const std::string text = has_new_arc(first) ? std::string() : insertions(first);
   std::vector<std::optional<WrittenPosition>> positions(last - first);
   bool has_new_axis = false;
   for (std::size_t i = first; i < last; ++i) {
@@ -265,7 +324,69 @@ void CorrectedWriter::begin_statement(const MotionRecord& record, bool is_new_bl
     axis_written_ = record.implied_axis_local;
 }
 
+// Arcs and cycles that stay what they are, where what they go by changes.
+std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::size_t last) const {
+  const MotionRecord& record = records_[first];
+  if (has_curve_left(first, last)) {
+    return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
+                      path_.moves[first].line);
+  }
+  const bool is_curve = record.form == PositionForm::curve && !is_straightened(first) && !has_new_arc(first);
+  const bool relies_on_axis = is_axis_modal_ && record.numbers == 3 &&
+                              !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
+  const bool is_cycle = record.form == PositionForm::cycle && (record.numbers == 0 || relies_on_axis);
+  if (!is_curve && !is_cycle) return std::nullopt;
+  return make_error("write-arc",
+                    "a curve or cycle follows a position it takes its axis or its place from; keep that position",
+                    path_.file, path_.moves[first].line);
+}
+
+// The text of a statement's positions.
+std::string CorrectedWriter::rewritten(std::size_t first, std::size_t last) {
+  const MotionRecord& record = records_[first];
+  if (record.form == PositionForm::cycle) {
+    axis_written_ = axis_read_;
+    return shifted_holes(first, last);
+  }
+  if (has_new_arc(first)) {
+    if (record.form != PositionForm::curve) return in_place(first, last);
+    axis_written_ = local_end(first).axis;
+    return replaced_[record.statement];
+  }
+  bool is_split = record.form == PositionForm::godlta || record.form == PositionForm::curve;
+  for (std::size_t i = first; i < last; ++i) is_split = is_split || (record.points > 1 && has_insertion(i));
+  return is_split ? one_by_one(first, last) : in_place(first, last);
+}
+
+std::string CorrectedWriter::shifted_holes(std::size_t first, std::size_t last) const {
+  const MotionRecord& record = records_[first];
+  std::vector<Vec3> shifts(record.points, Vec3::Zero());
+  for (std::size_t i = first; i < last; ++i) {
+    if (changes_[i] == nullptr || !changes_[i]->hole_shift_mm) continue;
+    shifts[records_[i].point] =
+        record.frame->to_part.inverse().direction(*changes_[i]->hole_shift_mm) / record.frame->mm_per_unit;
+  }
+  return goto_text_.shifted(record.statement, record.numbers, shifts);
+}
+
+std::optional<Diagnostic> CorrectedWriter::find_unwritable() const {
+  const auto is_asked = [](const PathChange* c) { return c != nullptr && (c->new_arc || c->hole_shift_mm); };
+  if (std::none_of(changes_.begin(), changes_.end(), is_asked)) return std::nullopt;
+  const RewritableMoves can = rewritable_moves(path_, read_, arc_text_);
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    if (!is_asked(changes_[i])) continue;
+    if (changes_[i]->new_arc ? can.arc[i] : can.hole[i]) continue;
+    return make_error("write-arc",
+                      "move " + std::to_string(i) +
+                          (changes_[i]->new_arc ? " is no arc whose statement can be rewritten; straighten it instead"
+                                                : " does not begin a hole whose position can be rewritten; leave it"),
+                      path_.file, path_.moves[i].line);
+  }
+  return std::nullopt;
+}
+
 Result<std::string> CorrectedWriter::write() {
+  if (auto error = find_unwritable()) return std::move(*error);
   const std::string_view source = path_.source;
   std::string result;
   result.reserve(source.size() + source.size() / 8);
@@ -282,24 +403,14 @@ Result<std::string> CorrectedWriter::write() {
         axis_written_ = axis_read_;
       continue;
     }
-    if (has_curve_left(first, last)) {
-      return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well",
-                        path_.file, path_.moves[first].line);
-    }
-    const bool is_round = (record.form == PositionForm::curve && !is_straightened(first)) ||
-                          record.form == PositionForm::cycle;
-    if (is_round) {
-      return make_error(
-          "write-arc",
-          "a curve or cycle follows a position it takes its axis or its place from; keep that position",
-          path_.file, path_.moves[first].line);
+    if (auto error = find_stuck(first, last)) return std::move(*error);
+    if (has_new_arc(first)) {
+      if (auto error = redescribe_arc(first)) return std::move(*error);
     }
     const SourceStatement& span = path_.statements[record.statement];
     append_source(result, copied, span.first_byte);
     copied = span.last_byte;
-    bool is_split = record.form == PositionForm::godlta || record.form == PositionForm::curve;
-    for (std::size_t i = first; i < last; ++i) is_split = is_split || (record.points > 1 && has_insertion(i));
-    result += is_split ? one_by_one(first, last) : in_place(first, last);
+    result += rewritten(first, last);
   }
   append_source(result, copied, source.size());
   return result;
@@ -309,6 +420,7 @@ Result<std::string> CorrectedWriter::write() {
 
 Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes) {
   if (auto error = check_changes(path, changes)) return std::move(*error);
+  if (auto error = find_unsaid(path, changes)) return std::move(*error);
   if (path.dialect == dialect_of(DialectKind::nccs_binary).id) return write_corrected_nccs(path, changes);
   if (path.dialect == dialect_of(DialectKind::nci).id) return write_corrected_nci(path, changes);
   return CorrectedWriter(path, changes).write();
