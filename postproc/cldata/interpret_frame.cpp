@@ -58,7 +58,8 @@ std::optional<Interpreter::TableTurn> Interpreter::clt_turn(std::span<const Argu
 const char* Interpreter::frame_reason() const {
   for (const char* reason : {block_reason_, turning_reason_, contour_reason_, adjust_reason_, spline_reason_, unread_frame_reason_,
                              mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_, mode_reason_,
-                             multax_reason_}) {
+                             multax_reason_, cutter_reason_, loading_reason_, setup_reason_, machine_shift_reason_,
+                             machine_cycle_reason_, machine_steps_reason_}) {
     if (reason != nullptr) return reason;
   }
   return turns_.empty() ? tlaxis_reason_ : Reasons::kTurned;
@@ -167,6 +168,7 @@ void Interpreter::set_frame(const RigidTransform& to_part) {
   const double change = (to_part.rotation - to_part_.rotation).cwiseAbs().maxCoeff() +
                         (to_part.shift - to_part_.shift).cwiseAbs().maxCoeff();
   if (change > kIdentityError) break_motion();
+  setup_reason_ = nullptr;  // the file says where it is
   to_part_ = to_part;
   is_frame_recorded_ = false;
 }
@@ -307,6 +309,7 @@ void Interpreter::take_tool_path() {
     tool_.line = statement_->line;
   }
   is_tool_changed_ = true;
+  cutter_reason_ = loading_reason_ = nullptr;
   break_motion();
   modal_axis_ = Vec3::UnitZ();
   to_part_ = {};

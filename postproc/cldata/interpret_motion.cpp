@@ -216,7 +216,12 @@ void Interpreter::take_gohome() {
   break_motion();
 }
 
+// It has no numbers: a position may stand here.
 void Interpreter::take_rapid() {
+  if (std::any_of(arguments_.begin(), arguments_.end(), [](const Argument& a) { return a.number.has_value(); })) {
+    count_unknown();
+    emit_unread();
+  }
   is_rapid_ = true;
   rapid_statement_ = path_.statements.size() - 1;
 }

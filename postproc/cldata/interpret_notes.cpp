@@ -25,6 +25,13 @@ void Interpreter::note_motion() {
                                   "contour, so these moves are not checked; --cutcom centre says they are",
                            path_.file, first_cutcom_line_));
   }
+  if (offsets_chosen_ > 0) {
+    notes.push_back(make_note("path-machine-text",
+                              counted(offsets_chosen_, "text") +
+                                  " for the machine's control that choose a work offset: taken as the one that "
+                                  "positions are meant for",
+                              path_.file, first_offset_line_));
+  }
   if (not_swept_ > 0) {
     notes.push_back(make_note("path-not-swept",
                               counted(not_swept_, "time") +

@@ -38,6 +38,7 @@ void Interpreter::set_cutter(const CutterStatement& cutter, double flute_length_
 }
 
 void Interpreter::take_cutter() {
+  cutter_reason_ = nullptr;
   CutterOutcome outcome = make_cutter(arguments_, mm_per_unit_, dialect_.kind);
   if (outcome.is_recomputed && cutters_recomputed_++ == 0) first_cutter_recomputed_ = statement_->line;
   if (!outcome.error.empty()) {
@@ -75,6 +76,7 @@ void Interpreter::note_no_cutter(const std::string& note) {
 
 void Interpreter::take_tldata() {
   if (arguments_.empty()) return count_unknown();
+  cutter_reason_ = nullptr;
   const std::string_view type = arguments_.front().text;
   const bool is_drill = equals_ignoring_case(type, "DRILL");
   tool_.cutter.reset();
@@ -130,6 +132,7 @@ void Interpreter::take_load() {
 // A tool that was not described since the last motion is the one last seen under that number, or one the file
 // says nothing about: never the one before it.
 void Interpreter::change_number(int number) {
+  loading_reason_ = nullptr;
   if (tool_.number == number) return;
   is_tool_changed_ = true;
   tool_.number = number;

@@ -1,8 +1,6 @@
 #include <algorithm>
-#include <cctype>
 #include <cstddef>
 
-#include "lib/base/number_text.h"
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/text.h"
 
@@ -12,25 +10,97 @@
 namespace gouge {
 namespace {
 
-// A word with this many numbers may be a motion, and with that many more a coordinate system.
+// A word with this many numbers may be a motion.
 constexpr std::ptrdiff_t kNumbersOfMotion = 3;
-constexpr std::ptrdiff_t kNumbersOfFrame = 9;
 
-// G0 to G3 and a number of an axis: "G00 Z-10.", "N10G1X5".
-bool is_motion_of_control(std::string_view text) {
-  bool has_motion = false, has_axis = false;
-  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-    const char c = static_cast<char>(std::toupper(static_cast<unsigned char>(text[i])));
-    if (i > 0 && std::isalpha(static_cast<unsigned char>(text[i - 1])) != 0) continue;
-    const std::string_view rest = trim(text.substr(i + 1));
-    if (rest.empty()) break;
-    const bool is_number = is_digit(rest[0]) || rest[0] == '-' || rest[0] == '+' || rest[0] == '.';
-    has_axis = has_axis || (is_number && std::string_view("XYZUVWABC").find(c) != std::string_view::npos);
-    if (c != 'G' || !is_digit(text[i + 1])) continue;
-    const std::size_t end = std::min(text.find_first_not_of("0123456789", i + 1), text.size());
-    has_motion = has_motion || parse_integer(text.substr(i + 1, end - i - 1)).value_or(4) <= 3;
+bool is_sign(char c) {
+  return c == '+' || c == '-' || c == '.';
+}
+
+bool begins_with_number(std::string_view text) {
+  while (!text.empty() && (is_blank(text.front()) || text.front() == '(' || text.front() == ','))
+    text.remove_prefix(1);
+  return !text.empty() && (is_digit(text.front()) ||
+                           (text.size() > 1 && is_sign(text[0]) && (is_digit(text[1]) || is_sign(text[1]))));
+}
+
+// Characters of the width of Chinese ones, and the minus of books, as those of ASCII; other ones beyond it as
+// blanks.
+std::string in_ascii(std::string_view text) {
+  std::string plain;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto byte = [&](std::size_t at) {
+      return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
+    };
+    const unsigned code = ((byte(i) & 0x0fU) << 12U) | ((byte(i + 1) & 0x3fU) << 6U) | (byte(i + 2) & 0x3fU);
+    if (byte(i) < 0x80) {
+      plain += text[i];
+    } else if (byte(i) == 0xef && code > 0xff00 && code < 0xff5f) {
+      plain += static_cast<char>(code - 0xff00 + 0x20);
+      i += 2;
+    } else if (code == 0x2212) {
+      plain += '-';
+      i += 2;
+    } else {
+      plain += ' ';
+    }
   }
-  return has_motion && has_axis;
+  return plain;
+}
+
+// What follows a `/` that deletes blocks, a sequence number or a label: "N10 X5", "20 FOO/1", "LAB1) -50."
+std::string_view without_label(std::string_view text) {
+  while (!text.empty() && (is_blank(text.front()) || text.front() == '/')) text.remove_prefix(1);
+  std::size_t at = !text.empty() && (text[0] == 'N' || text[0] == 'n') ? 1 : 0;
+  while (at < text.size() && is_digit(text[at])) ++at;
+  if (at > 1 && at == text.size() && !is_digit(text[0])) return {};
+  if (at < text.size() && at > 0 && is_digit(text[at - 1]) && (is_blank(text[at]) || is_letter(text[at])))
+    return trim(text.substr(at));
+  std::size_t word = 0;
+  while (word < text.size() && is_word_character(text[word])) ++word;
+  const std::string_view rest = trim(text.substr(word));
+  return word > 0 && rest.size() > 1 && rest.front() == ')' ? trim(rest.substr(1)) : text;
+}
+
+// The known word that the beginning of `text` was meant to be.
+Word intended_word(std::string_view text) {
+  constexpr std::size_t kLongest = 24;
+  std::string_view word = text.substr(0, text.find_first_of(" \t,/"));
+  if (const Word known = find_word(word); changes_motion(known)) return known;
+  if (const Word intended = find_intended_word(word); intended != Word::unknown) return intended;
+  std::string squeezed;
+  for (const char c : text.substr(0, text.find('/'))) {
+    if (!is_blank(c) && squeezed.size() < kLongest) squeezed += c;
+  }
+  return find_intended_word(squeezed);
+}
+
+bool moves_tool(Word word) {
+  switch (word) {
+    case Word::go_to:
+    case Word::godlta:
+    case Word::from:
+    case Word::gohome:
+    case Word::unread_motion:
+    case Word::circle:
+    case Word::movarc:
+    case Word::curve:
+    case Word::tlon:
+    case Word::nurbs:
+    case Word::cntrl:
+    case Word::knot:
+    case Word::indirv:
+    case Word::retrct:
+    case Word::repeat:
+    case Word::auxfun:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool has_effect(const MachineEffect& e) {
+  return e.moves || e.shifts || e.begins_cycle || e.begins_steps || e.changes_tool || e.unit;
 }
 
 std::string_view without_quotes(std::string_view text) {
@@ -41,36 +111,145 @@ std::string_view without_quotes(std::string_view text) {
 
 }  // namespace
 
-// Text for the control may move the machine. SolidWorks CAM names its tools so.
-void Interpreter::take_insert() {
-  last_insert_ = name_text(statement_->pieces.front());
-  if (dialect_.kind == DialectKind::solidworks_cam || !is_motion_of_control(statement_->pieces.front())) return;
-  count_unknown();
-  emit_unread();
-}
-
-// CAMplete: SYN/'TLAXIS','$$*TLAXIS' makes comments of TLAXIS. Other names of words would have to be read as these.
+// CAMplete: SYN/'TLAXIS','$$*TLAXIS' makes comments of TLAXIS. Other names of words would have to be read as
+// these.
 void Interpreter::take_syn() {
   for (const Argument& argument : arguments_) {
     if (equals_ignoring_case(argument.text, "'TLAXIS'")) {
       is_tlaxis_ignored_ = true;
     } else if (find_word(without_quotes(argument.text)) != Word::unknown) {
-      return fail("path-statement", "SYN: a synonym of " + quoted_text(argument.text) +
-                                        "; expected the words themselves: write them in place of their synonyms");
+      return fail("path-statement",
+                  "SYN: a synonym of " + quoted_text(argument.text) +
+                      "; expected the words themselves: write them in place of their synonyms");
     }
   }
 }
 
-// Without numbers a word cannot say where the tool goes; words that switch something have one or two.
+// A word with one or two numbers switches something; with a negative one, with three or where the word says
+// so it may go somewhere, and unless the word says so it may as well be a shift.
 void Interpreter::take_unknown() {
   count_unknown();
-  const auto numbers = std::count_if(arguments_.begin(), arguments_.end(),
-                                     [](const Argument& argument) { return argument.number.has_value(); });
-  if (numbers >= kNumbersOfFrame) {
-    unread_frame_reason_ = because(Reasons::kUnreadFrame);
-  } else if (numbers >= kNumbersOfMotion) {
-    emit_unread();
+  if (!statement_->is_decoded) {
+    const std::string_view end = statement_->pieces.front();
+    const auto length = static_cast<std::size_t>(end.data() + end.size() - statement_->major.data());
+    const std::string text = in_ascii({statement_->major.data(), length});
+    bool is_misread = false;
+    for (std::size_t at = 0; at <= text.size(); at = std::min(text.find(';', at), text.size()) + 1) {
+      is_misread = take_misread(std::string_view(text).substr(at, text.find(';', at) - at)) || is_misread;
+    }
+    if (is_misread) return;
   }
+  std::ptrdiff_t numbers = 0;
+  bool has_negative = false;
+  for (const Argument& argument : arguments_) {
+    numbers += argument.number ? 1 : 0;
+    has_negative = has_negative || argument.number.value_or(0) < 0;
+  }
+  const bool is_motion = starts_with_ignoring_case(statement_->major, "GO") ||
+                         starts_with_ignoring_case(statement_->major, "MOV");
+  if (!(numbers >= kNumbersOfMotion || has_negative || (is_motion && numbers > 0))) return;
+  // Before the first position it can only be a shift that matters.
+  if (is_motion || !path_.moves.empty()) emit_unread();
+  if (!is_motion) unread_frame_reason_ = because(Reasons::kUnreadFrame);
+}
+
+// True where `text` is a line of numbers, a word that something was glued to or that is misspelt, or a block
+// of a control that does something.
+bool Interpreter::take_misread(std::string_view text) {
+  text = without_label(text);
+  if (begins_with_number(text)) {
+    take_line_of_numbers();
+    return true;
+  }
+  const std::size_t slash = text.find('/');
+  const bool is_block = slash == std::string_view::npos;
+  MachineEffect effect = read_machine_text(is_block ? text : text.substr(slash + 1), !is_block);
+  effect.is_unknown = false;
+  if (has_effect(effect)) take_machine_text(effect);
+  const Word word = intended_word(text);
+  distrust(word);
+  if (moves_tool(word) && !effect.moves) emit_unread();
+  return has_effect(effect) || word != Word::unknown;
+}
+
+// Its beginning is missing, or the `$` that would make it part of the statement before it.
+void Interpreter::take_line_of_numbers() {
+  if (previous_statement_ != kNone) distrust_moves(previous_statement_);
+  distrust(previous_word_);
+  emit_unread();
+}
+
+// What a statement of this word would have changed is not known any more.
+void Interpreter::distrust(Word word) {
+  switch (word) {
+    case Word::cutter:
+    case Word::tldata:
+    case Word::unread_tool:
+      tool_.cutter.reset();
+      is_tool_changed_ = true;
+      cutter_reason_ = because(Reasons::kUnreadTool);
+      return;
+    case Word::load:
+    case Word::loadtl:
+    case Word::toolno:
+    case Word::turret:
+      loading_reason_ = because(Reasons::kUnreadTool);
+      return;
+    case Word::tool_path:
+      loading_reason_ = because(Reasons::kUnreadTool);
+      [[fallthrough]];
+    case Word::csys:
+    case Word::mcs:
+    case Word::mcsys:
+    case Word::msys:
+    case Word::mode:
+    case Word::prefun:
+    case Word::repeat:
+    case Word::rotabl:
+    case Word::select:
+    case Word::setup:
+    case Word::syn:
+    case Word::tlaxis:
+    case Word::trans:
+    case Word::trntyp:
+    case Word::units:
+    case Word::unread_frame:
+      unread_frame_reason_ = because(Reasons::kUnreadFrame);
+      return;
+    case Word::multax:
+      multax_reason_ = because(Reasons::kMultax);
+      return;
+    case Word::cycle:
+      is_cycle_ = true;
+      cycle_.reset();
+      cycle_reason_ = because(Reasons::kCycle);
+      return;
+    case Word::cutcom:
+      return begin_cutcom();
+    case Word::cntrl:
+    case Word::knot:
+      if (!path_.moves.empty()) path_.moves.back().not_checked_reason = Reasons::kSpline;
+      return;
+    case Word::rapid:
+      unknown_start_ = Reasons::kAfterUnread;
+      return;
+    default:
+      return;
+  }
+}
+
+void Interpreter::distrust_moves(std::size_t statement) {
+  for (std::size_t i = path_.moves.size(); i-- > 0 && path_.moves[i].statement == statement;) {
+    if (!Reasons::is_unread(path_.moves[i].not_checked_reason))
+      path_.moves[i].not_checked_reason = Reasons::kCutShort;
+  }
+}
+
+// A statement that ends with a comma.
+void Interpreter::distrust_cut_short() {
+  distrust_moves(path_.statements.size() - 1);
+  distrust(statement_->word);
+  if (moves_tool(statement_->word)) unknown_start_ = Reasons::kAfterUnread;
 }
 
 // A motion nobody knows the end of stands where the last one ended, so that it is told as a move not checked.

@@ -68,6 +68,14 @@ bool needs_frame(Word word) {
   }
 }
 
+// A comma at the end goes on to something; but CAMWorks writes one after the seven numbers of a CUTTER.
+bool is_cut_short(const Statement& statement, std::size_t arguments) {
+  constexpr std::size_t kNumbersOfCutter = 7;
+  if (statement.is_decoded || !changes_motion(statement.word) || statement.pieces.empty()) return false;
+  if (statement.word == Word::cutter && arguments == kNumbersOfCutter) return false;
+  return statement.pieces.back().ends_with(',');
+}
+
 bool has_arguments(Word word) {
   switch (word) {
     case Word::harmless:
@@ -165,7 +173,10 @@ void Interpreter::take(const Statement& statement) {
       !take_unread_word()) {
     take_unknown();
   }
-  if (statement.word != Word::comment) previous_word_ = statement.word;
+  if (is_cut_short(statement, arguments_.size())) distrust_cut_short();
+  if (statement.word == Word::comment) return;
+  previous_word_ = statement.word;
+  previous_statement_ = path_.statements.size() - 1;
 }
 
 bool Interpreter::take_motion_word() {
@@ -255,6 +266,12 @@ bool Interpreter::take_tool_word() {
     case Word::insert:
       take_insert();
       return true;
+    case Word::prefun:
+      take_codes('G');
+      return true;
+    case Word::auxfun:
+      take_codes('M');
+      return true;
     default:
       return false;
   }
@@ -286,6 +303,12 @@ bool Interpreter::take_frame_word() {
       return true;
     case Word::mode:
       take_mode();
+      return true;
+    case Word::setup:
+      take_setup();
+      return true;
+    case Word::select:
+      take_select();
       return true;
     case Word::tlaxis:
       take_tlaxis();
@@ -349,6 +372,10 @@ bool Interpreter::take_unread_word() {
     case Word::unread_motion:
     case Word::tlon:
       emit_unread();
+      break;
+    case Word::repeat:
+      emit_unread();
+      unread_frame_reason_ = because(Reasons::kUnreadFrame);
       break;
     case Word::unread_frame:
       unread_frame_reason_ = because(Reasons::kUnreadFrame);

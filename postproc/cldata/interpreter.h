@@ -18,6 +18,7 @@
 #include "postproc/cldata/cutcom.h"
 #include "postproc/cldata/cycle_statement.h"
 #include "postproc/cldata/dialect.h"
+#include "postproc/cldata/machine_text.h"
 #include "postproc/cldata/modal_states.h"
 #include "postproc/cldata/named_reasons.h"
 #include "postproc/cldata/statement.h"
@@ -103,6 +104,14 @@ struct Reasons {
       "starts at an unknown position after a statement that is not understood";
   static constexpr const char* kUnreadFrame =
       "positions follow a statement that is not understood and may turn or shift them";
+  static constexpr const char* kUnreadTool = "follows a statement that is not understood and may change the tool";
+  static constexpr const char* kCutShort =
+      "a position whose statement may be cut short: a tool axis or further positions may be missing";
+  static constexpr const char* kMachineShift =
+      "follows text for the machine's control that may shift, turn or offset positions";
+  static constexpr const char* kMachineCycle = "follows text for the machine's control that makes each position a cycle";
+  static constexpr const char* kMachineSteps = "follows text for the machine's control that makes positions steps (G91)";
+  static constexpr const char* kSetup = "follows a setup or selection that may shift or turn positions";
   static constexpr const char* kTrans = "positions are shifted by a TRANS or ORIGIN that is not applied";
   static constexpr const char* kCsys = "positions are in a coordinate system (CSYS) that is not applied";
   static constexpr const char* kMcsys = "positions are in a coordinate system (MCSYS) that is not understood";
@@ -117,7 +126,7 @@ struct Reasons {
   /// True where nobody knows where the statement takes the tool.
   [[nodiscard]] static bool is_unread(std::string_view reason) {
     return reason.starts_with(kUnread) || reason == kSixNumbers || reason == kStepFromUnread ||
-           reason == kNoArcEnd || reason == kNoTlon;
+           reason == kNoArcEnd || reason == kNoTlon || reason == kCutShort;
   }
   /// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
   [[nodiscard]] static bool is_motion_known(std::string_view reason) {
@@ -204,7 +213,18 @@ class Interpreter {
   void emit_unread(const char* reason, std::size_t statement);
   [[nodiscard]] bool is_statement() const;
   void take_syn();
+  [[nodiscard]] bool take_misread(std::string_view text);
+  void take_line_of_numbers();
+  void distrust(Word word);
+  void distrust_moves(std::size_t statement);
+  void distrust_cut_short();
+
+  // interpret_machine_text.cpp
   void take_insert();
+  void take_codes(char letter);
+  void take_machine_text(const MachineEffect& effect);
+  void take_setup();
+  void take_select();
 
   [[nodiscard]] bool take_motion_word();
   [[nodiscard]] bool take_tool_word();
@@ -387,6 +407,7 @@ class Interpreter {
   bool is_operation_new_ = false;
   std::size_t operation_index_ = kNone;
   Word previous_word_ = Word::comment;
+  std::size_t previous_statement_ = kNone;  // that word's
   std::string last_insert_;
 
   // frames
@@ -411,6 +432,12 @@ class Interpreter {
   const char* mode_reason_ = nullptr;
   const char* multax_reason_ = nullptr;
   const char* tlaxis_reason_ = nullptr;
+  const char* cutter_reason_ = nullptr;   // no cutter since a statement that may have been one
+  const char* loading_reason_ = nullptr;  // no tool change since a statement that may have been one
+  const char* setup_reason_ = nullptr;
+  const char* machine_shift_reason_ = nullptr;
+  const char* machine_cycle_reason_ = nullptr;
+  const char* machine_steps_reason_ = nullptr;
   std::vector<TableTurn> turns_;    // of CLT, those in force
   int catia_row_ = -1;              // lines seen since $$*CATIA0; -1: none
   bool is_catia_nameless_ = false;  // the first line after it looks like a row
@@ -426,6 +453,7 @@ class Interpreter {
   std::size_t cutters_without_tool_ = 0;
   std::size_t cutters_recomputed_ = 0, first_cutter_recomputed_ = 0;
   std::size_t cutcoms_ = 0, first_cutcom_line_ = 0;
+  std::size_t offsets_chosen_ = 0, first_offset_line_ = 0;
   std::size_t not_swept_ = 0, first_not_swept_line_ = 0;
   std::size_t right_votes_ = 0, left_votes_ = 0;         // lines that touch arcs, by the sense they tell
   std::size_t turned_vectors_ = 0, wrong_way_arcs_ = 0;  // of Autodesk: clockwise arcs right-handed, and left-handed

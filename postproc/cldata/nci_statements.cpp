@@ -110,6 +110,10 @@ void NciStatements::take_pair() {
       return add(Word::harmless, "1004");
     case NciCode::kEnd:
       return add(Word::fini, "1003");
+    case NciCode::kEntryFirst:
+    case NciCode::kEntrySecond:
+    case NciCode::kEntryLast:
+      return add(Word::insert, "NCI manual entry");
     case NciCode::kComment:
       return add(Word::operation, "1008");
     case NciCode::kToolPlane:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "postproc/cldata/machine_text.h"
 #include "postproc/cldata/text.h"
 
 namespace gouge {
@@ -10,27 +11,6 @@ namespace {
 
 bool is_number_start(char c) {
   return is_digit(c) || c == '+' || c == '-' || c == '.';
-}
-
-// Those that would be missed. What moves nothing may stand beside another statement.
-bool matters(Word word) {
-  switch (word) {
-    case Word::comment:
-    case Word::unknown:
-    case Word::harmless:
-    case Word::free_text:
-    case Word::pprint:
-    case Word::insert:
-    case Word::tprint:
-    case Word::operation:
-    case Word::part_program:
-    case Word::fedrat:
-    case Word::fini:
-    case Word::flute_length:
-      return false;
-    default:
-      return true;
-  }
 }
 
 // Words that stand beside no other one, with or without numbers.
@@ -48,6 +28,19 @@ bool is_part_of(const Statement& statement, Word word, std::string_view before) 
   return statement.word == Word::cycle && word == Word::cycle && equals_ignoring_case(trim(before), "ON");
 }
 
+// Of "GODLTA" in "GODLTA-50", or all of `token`.
+std::size_t glued_length(std::string_view token) {
+  const auto letters =
+      static_cast<std::size_t>(std::find_if_not(token.begin(), token.end(), is_letter) - token.begin());
+  return takes_position(find_word(token.substr(0, letters))) ? letters : token.size();
+}
+
+// "G1" in "COOLNT/ON G1 Z-50".
+bool is_block_of_control(std::string_view token, std::string_view text) {
+  return token.size() > 1 && (token[0] == 'G' || token[0] == 'g') && is_digit(token[1]) &&
+         read_machine_text(text, false).moves;
+}
+
 std::string_view find_in(const Statement& statement, std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
     if (!is_letter(text[i])) {
@@ -60,8 +53,10 @@ std::string_view find_in(const Statement& statement, std::string_view text) {
     const std::size_t begin = i;
     while (i < text.size() && is_word_character(text[i])) ++i;
     const std::string_view token = text.substr(begin, i - begin);
-    const Word word = find_word(token);
-    if (!matters(word) || is_part_of(statement, word, text.substr(0, begin))) continue;
+    const bool is_known = statement.word != Word::unknown && statement.word != Word::comment;
+    if (is_known && is_block_of_control(token, text.substr(begin))) return token;
+    const Word word = find_word(token.substr(0, glued_length(token)));
+    if (!changes_motion(word) || is_part_of(statement, word, text.substr(0, begin))) continue;
     const std::string_view rest = trim(text.substr(i));
     const char next = rest.empty() ? '\0' : rest.front();
     if (next == '/' || (takes_position(word) && is_number_start(next))) return token;
@@ -75,7 +70,7 @@ std::string_view find_after_semicolon(std::string_view major) {
   const std::size_t semicolon = major.rfind(';');
   if (semicolon == std::string_view::npos) return {};
   const std::string_view token = trim(major.substr(semicolon + 1));
-  return matters(find_word(token)) ? token : std::string_view();
+  return changes_motion(find_word(token)) ? token : std::string_view();
 }
 
 bool is_text(Word word) {

@@ -16,13 +16,13 @@ constexpr auto kWords = std::to_array<Entry>({
     {"APPLY", Word::harmless},
     {"ARCSLP", Word::harmless},
     {"AUTOPS", Word::harmless},
-    {"AUXFUN", Word::harmless},
+    {"AUXFUN", Word::auxfun},
     {"BEGIN", Word::harmless},
     {"BOX", Word::harmless},
     {"BREAK", Word::harmless},
     {"BSPLIN", Word::curve},
     {"CALL", Word::part_program},
-    {"CALSUB", Word::unread_frame},
+    {"CALSUB", Word::repeat},
     {"CIRCLE", Word::circle},
     {"CLAMP", Word::harmless},
     {"CLEARP", Word::harmless},
@@ -30,7 +30,7 @@ constexpr auto kWords = std::to_array<Entry>({
     {"CLRSRF", Word::harmless},
     {"CNTRL", Word::cntrl},
     {"COOLNT", Word::harmless},
-    {"COPY", Word::unread_frame},
+    {"COPY", Word::repeat},
     {"COUPLE", Word::unread_frame},
     {"CSI_PATH_TOLERANCE", Word::harmless},
     {"CSI_SET_EXTENSION_LENGTH", Word::harmless},
@@ -111,7 +111,7 @@ constexpr auto kWords = std::to_array<Entry>({
     {"POSITN", Word::unread_motion},
     {"PPFUN", Word::harmless},
     {"PPRINT", Word::pprint},
-    {"PREFUN", Word::harmless},
+    {"PREFUN", Word::prefun},
     {"PRINT", Word::harmless},
     {"PSIS", Word::part_program},
     {"RAPID", Word::rapid},
@@ -125,9 +125,9 @@ constexpr auto kWords = std::to_array<Entry>({
     {"ROTHED", Word::rotabl},
     {"SCALE", Word::unread_frame},
     {"SELCTL", Word::harmless},
-    {"SELECT", Word::harmless},
+    {"SELECT", Word::select},
     {"SEQNO", Word::harmless},
-    {"SETUP", Word::harmless},
+    {"SETUP", Word::setup},
     {"SPINDL", Word::harmless},
     {"SPLINE", Word::curve},
     {"STOP", Word::harmless},
@@ -166,8 +166,8 @@ static_assert(std::is_sorted(kWords.begin(), kWords.end(),
 
 constexpr std::array<std::string_view, 6> kSixLetterTexts = {"INSERT", "LETTER", "PARTNO",
                                                              "PPRINT", "REMARK", "TPRINT"};
-constexpr std::array<std::string_view, 5> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART", "OPNAME",
-                                                             "TITLES"};
+constexpr std::array<std::string_view, 5> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART",
+                                                             "OPNAME", "TITLES"};
 
 bool is_major_character(char c) {
   return is_letter(c) || is_digit(c) || c == '_';
@@ -184,7 +184,75 @@ std::size_t tool_path_length(std::string_view line) {
   return at == line.size() || !is_major_character(line[at]) ? at : 0;
 }
 
+// "GOTO" before "GOTO(0" and "GODLTA" before "GODLTA-50.": what follows is no part of a longer word.
+bool is_glued_to(std::string_view word, std::string_view major) {
+  if (word.empty() || major.size() <= word.size() || !starts_with_ignoring_case(major, word)) return false;
+  const char next = major[word.size()];
+  if (next != '-') return !is_letter(next) && next != '_';
+  const std::string_view rest = major.substr(word.size() + 1);
+  return !rest.empty() && (is_digit(rest.front()) || rest.front() == '.');
+}
+
+// One character is missing, wrong or too many, or two neighbours are in each other's place.
+bool is_misspelt(std::string_view word, std::string_view major) {
+  const std::size_t shorter = std::min(word.size(), major.size());
+  std::size_t same = 0;
+  while (same < shorter && equals_ignoring_case(word.substr(same, 1), major.substr(same, 1))) ++same;
+  const auto is_same_after = [&](std::size_t of_word, std::size_t of_major) {
+    return equals_ignoring_case(word.substr(std::min(same + of_word, word.size())),
+                                major.substr(std::min(same + of_major, major.size())));
+  };
+  if (word.size() == major.size() + 1) return is_same_after(1, 0);
+  if (word.size() + 1 == major.size()) return is_same_after(0, 1);
+  if (word.size() != major.size() || same == shorter) return false;
+  const bool is_swapped = same + 1 < shorter &&
+                          equals_ignoring_case(word.substr(same, 1), major.substr(same + 1, 1)) &&
+                          equals_ignoring_case(word.substr(same + 1, 1), major.substr(same, 1));
+  return is_same_after(1, 1) || (is_swapped && is_same_after(2, 2));
+}
+
+// Short words are too near to others, such as MODE to MODEL, but where a character is missing.
+bool may_be_misspelt(const Entry& entry, std::string_view major) {
+  constexpr std::size_t kLong = 5;
+  if (!changes_motion(entry.second)) return false;
+  if (entry.first.size() >= kLong || entry.second == Word::go_to || entry.second == Word::from) return true;
+  return entry.first.size() + 1 == kLong && major.size() < entry.first.size();
+}
+
 }  // namespace
+
+bool changes_motion(Word word) {
+  switch (word) {
+    case Word::comment:
+    case Word::unknown:
+    case Word::harmless:
+    case Word::free_text:
+    case Word::pprint:
+    case Word::insert:
+    case Word::tprint:
+    case Word::operation:
+    case Word::part_program:
+    case Word::fedrat:
+    case Word::fini:
+    case Word::flute_length:
+      return false;
+    default:
+      return true;
+  }
+}
+
+Word find_intended_word(std::string_view major) {
+  const Entry* found = nullptr;
+  for (const Entry& entry : kWords) {
+    const bool is_longer = found == nullptr || entry.first.size() > found->first.size();
+    if (is_longer && changes_motion(entry.second) && is_glued_to(entry.first, major)) found = &entry;
+  }
+  if (found != nullptr) return found->second;
+  for (const Entry& entry : kWords) {
+    if (may_be_misspelt(entry, major) && is_misspelt(entry.first, major)) return entry.second;
+  }
+  return Word::unknown;
+}
 
 Word find_word(std::string_view major) {
   const auto* const it = std::lower_bound(

@@ -19,6 +19,7 @@ enum class Word : std::uint8_t {
   operation,     // CSI_TOOL_PATH, OPNAME, OPFEATSTART: text that names an operation
   part_program,  // geometry and drive words of the APT source language
   curve,         // words after which the next positions are not reached on straight lines
+  auxfun,        // an M of the control
   circle,
   csys,
   cntrl,
@@ -44,9 +45,12 @@ enum class Word : std::uint8_t {
   msys,
   multax,
   nurbs,
+  prefun,  // a G of the control
   rapid,
   retrct,
   rotabl,
+  select,
+  setup,
   syn,
   tldata,
   tlaxis,
@@ -57,6 +61,7 @@ enum class Word : std::uint8_t {
   trntyp,
   turret,
   units,
+  repeat,         // repeats motion, or calls it from elsewhere
   unread_frame,   // may turn or shift what follows, in a way that is not read
   unread_motion,  // moves the tool, in a way that is not read
   unread_tool     // defines a tool, in a way that is not read
@@ -64,6 +69,15 @@ enum class Word : std::uint8_t {
 
 /// The word a statement begins with; upper or lower case.
 [[nodiscard]] Word find_word(std::string_view major);
+
+/// True of words that move the tool or change what motion means: what would be missed if it were overlooked.
+[[nodiscard]] bool changes_motion(Word word);
+
+/// Of a statement whose word is not known: the known word that its beginning was meant to be, as far as that
+/// can be told; else `unknown`. Either something stands at the word without a slash ("GOTO(0", "GODLTA-50.",
+/// "CUTTER=5"), or one character is missing, wrong or too many ("GODLT", "CUTTTER"), or two are in each
+/// other's place. Only words that change motion are found.
+[[nodiscard]] Word find_intended_word(std::string_view major);
 
 /// Words of `line` (without leading blanks) whose rest is text, whatever it holds: how many characters the
 /// word has, or 0 when it is no such word. PARTNO, PPRINT and their like need no delimiter after their six
