@@ -198,8 +198,9 @@ bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
   const Token second = tokens.size() > 1 ? tokens[1] : Token{};
   const std::string_view after =
       trim(text.substr(static_cast<std::size_t>(first.letters.data() - text.data()) + first.letters.size()));
-  // Before words alone ("ROT AND CLAMP THE PART") they begin a sentence.
-  const bool is_sentence = !second.letters.empty() && second.letters.size() > 3 && !second.number;
+  // Before other words ("ROT AND CLAMP THE PART") they begin a sentence.
+  const bool is_sentence =
+      second.letters.size() > 1 && !second.number && !is(second, "DATUM") && !is(second, "RPL");
   if (is(first, "MCALL")) {
     (after.empty() ? effect.ends_cycle : effect.begins_cycle) = true;
     return true;

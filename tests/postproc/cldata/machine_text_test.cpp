@@ -32,7 +32,7 @@ TEST(MachineText, TellsWhatGCodeDoes) {
   EXPECT_EQ(effects("G68.2 X0 Y0 Z0 I0 J30. K0"), "s");
   EXPECT_EQ(effects("G91 G28 Z0 G90"), "m");
   EXPECT_EQ(effects("G91 G28 Z0"), "mi");
-  EXPECT_EQ(effects("G81 Z-5. R2. F100"), "c") << "its axes are the holes'";
+  EXPECT_EQ(effects("G81 Z-5. R2. F100"), "mc") << "it drills here, too";
   EXPECT_EQ(effects("T5 M6"), "t");
   EXPECT_EQ(effects("G0 A90."), "ms");
   EXPECT_EQ(effects("G0 A0."), "m");
