@@ -220,8 +220,10 @@ void Interpreter::distrust(Word word) {
       multax_reason_ = because(Reasons::kMultax);
       return;
     case Word::cycle:
-      is_cycle_ = true;
-      cycle_.reset();
+      cycle_ = {};
+      cycle_.is_on = true;
+      cycle_.line = statement_->line;
+      cycle_.certain_moves = path_.moves.size();
       cycle_reason_ = because(Reasons::kCycle);
       return;
     case Word::cutcom:
