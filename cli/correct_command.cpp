@@ -13,6 +13,7 @@
 #include "cli/overwriting.h"
 #include "cli/peak_memory.h"
 #include "lib/correct/correct_path.h"
+#include "lib/correct/misfit.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
 #include "postproc/cldata/write_corrected.h"
@@ -71,6 +72,22 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
   return options;
 }
 
+Diagnostic misfit_error(const Job& job, const std::string& file, const Misfit& misfit) {
+  const Move& first = job.toolpath.moves[misfit.first_move];
+  const auto percent = [](double share) { return std::to_string(static_cast<int>(100 * share)) + " %"; };
+  std::string text = "the path does not fit the part: of the cutting positions of ";
+  text += first.operation != kNone && !job.toolpath.operations[first.operation].name.empty()
+              ? "operation '" + job.toolpath.operations[first.operation].name + "'"
+              : job.tool_facts[first.tool].name;
+  text += ", " + std::to_string(misfit.deep) + " of " + std::to_string(misfit.positions) +
+          " looked at are deeper than the cutter's radius or inside the solid; check units, placement, axis sign";
+  if (misfit.explanation) {
+    text += "; " + misfit.explanation->without + " " + percent(misfit.explanation->share) +
+            " of the positions touch the part (as it is: " + percent(misfit.share_touching) + ")";
+  }
+  return make_error("correct-misfit", text + ". Nothing was written; --force corrects all the same", file, first.line);
+}
+
 class CorrectRun {
  public:
   CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const Job& job,
@@ -86,6 +103,12 @@ class CorrectRun {
     const PreparedScene scene = prepare_scene(job_.scene, job_.options.check.threads);
     CheckResult before = check("checking moves", job_.toolpath, scene);
     measure_overcuts(job_.toolpath, job_.tools(), job_.scene, job_.options.check, before, job_.heads);
+    if (!arguments_.is_forced) {
+      if (const auto misfit = find_misfit(job_.toolpath, job_.tools(), scene, job_.options.check)) {
+        print(err_, {misfit_error(job_, arguments_.job.path, *misfit)});
+        return kExitGouges;
+      }
+    }
     progress_.begin("correcting");
     CorrectOptions correct = correct_;
     std::optional<HeadChecker> heads;
@@ -168,12 +191,15 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
       .add_option("--rapid-clearance", arguments.rapid_clearance,
                   "How far rapids that must change keep off, where there is room within --max-shift")
       ->capture_default_str();
+  command.add_flag("--force", arguments.is_forced,
+                   "Correct also a path that plainly does not fit the part (units, placement, axis sign)");
   command.footer(
       "Example:\n"
       "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"
       "The corrected file is read and checked again like any other; records that need no change stay byte "
       "for byte.\n"
-      "Exit status 1: gouges remain; they are listed with the reason.");
+      "No move that was clean becomes anything else, none becomes deeper or buried.\n"
+      "Exit status 1: gouges remain, listed with the reason; or the path does not fit the part, and nothing was written.");
 }
 
 int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err) {

@@ -15,6 +15,8 @@ namespace {
 // Contacts steer a correction, they prove nothing; a tenth of their excess is close enough.
 constexpr double kRelativeAccuracy = 0.1;
 constexpr double kSmallestPiece_mm = 0.02;
+// Pieces looked at of one triangle: in hollow or undercut tools the bounds do not settle over a wide face.
+constexpr int kMostPieces = 1000;
 // How far below the truth the excess may be told while it is above 0.
 constexpr double kGap_mm = 0.05;
 
@@ -46,6 +48,7 @@ class Collector {
   void visit_leaf(const TriangleBlock& leaf) {
     for (std::size_t i = 0; i < leaf.count; ++i) {
       best_ = Contact{};
+      pieces_ = 0;
       refine(tree_.corners(leaf.triangle[i]));
       if (best_.excess_mm > 0) contacts_.push_back(best_);
     }
@@ -60,6 +63,7 @@ class Collector {
 
   // The bound by planes knows at once that a face lying in a face is equally deep everywhere.
   void refine(const std::array<Vec3, 3>& t) {
+    if (++pieces_ > kMostPieces) return;
     const double reach = std::max(0.0, -aim_);
     const double enough = std::max(0.0, aim_) + best_.excess_mm * (1 + kRelativeAccuracy);
     const PieceBound bound = bound_piece(tool_, t, span_, reach, enough);
@@ -94,6 +98,7 @@ class Collector {
   double aim_;
   std::vector<Contact>& contacts_;
   Contact best_;
+  int pieces_ = 0;
 };
 
 struct AimedTarget {

@@ -20,8 +20,7 @@ class Proposer {
   Proposer(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
            const PreparedScene& scene, const CheckOptions& options, const CorrectOptions& correct)
       : path_(path), result_(result), checker_(scene, options, correct.heads) {
-    if (needs_straightening(path, result))
-      straight_ = straighten(path, result, tools, scene, options, correct.heads);
+    straight_ = straighten(path, result, tools, scene, options, correct.heads);
     corrector_ = std::make_unique<PathCorrector>(straight_ ? straight_->path : path,
                                                  straight_ ? straight_->result : result, tools, checker_, correct);
   }

@@ -11,42 +11,71 @@ bool is_curve(const Move& move) {
   return move.curve_kind != CurveKind::none && move.has_start && move.not_checked_reason.empty();
 }
 
-// A gouging move may move its end and the end of the move before it; both are ends of curves beside it.
-std::vector<bool> choose_curves(const Toolpath& path, const CheckResult& result) {
-  const std::size_t count = path.moves.size();
-  std::vector<bool> is_chosen(count, false);
-  const auto choose = [&](std::size_t i) {
-    if (i < count && is_curve(path.moves[i])) is_chosen[i] = true;
-  };
-  for (std::size_t i = 0; i < count; ++i) {
-    if (result.verdicts[i].state != MoveState::gouge) continue;
-    choose(i);
-    choose(i + 1);
-    if (i > 0) choose(i - 1);
+/// Which curves a correction may have to change.
+class CurveChoice {
+ public:
+  CurveChoice(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
+              const PreparedScene& scene, const CheckOptions& options, const HeadChecker* heads)
+      : path_(path), result_(result), tools_(tools), scene_(scene), options_(options), heads_(heads),
+        is_chosen_(path.moves.size(), false) {
+    options_.tolerance_mm *= kSurelyStays;
+    options_.near_miss_mm = 0;
   }
-  // Positions of one statement share the arc that describes them.
-  for (std::size_t i = 1; i < count; ++i) {
-    if (is_chosen[i - 1] && path.moves[i].statement == path.moves[i - 1].statement) choose(i);
+
+  // A gouging move may move its end and the end of the move before it, where those are too deep themselves; both are
+  // ends of curves beside it.
+  std::vector<bool> run() {
+    const std::size_t count = path_.moves.size();
+    for (std::size_t i = 0; i < count; ++i) {
+      if (result_.verdicts[i].state != MoveState::gouge) continue;
+      choose(i);
+      if (is_curve_at(i + 1) && path_.moves[i + 1].has_start && may_move(i)) choose(i + 1);
+      if (i > 0 && is_curve_at(i - 1) && path_.moves[i].has_start && may_move(i - 1)) choose(i - 1);
+    }
+    // Positions of one statement share the arc that describes them.
+    for (std::size_t i = 1; i < count; ++i) {
+      if (is_chosen_[i - 1] && path_.moves[i].statement == path_.moves[i - 1].statement) choose(i);
+    }
+    for (std::size_t i = count; i-- > 1;) {
+      if (is_chosen_[i] && path_.moves[i].statement == path_.moves[i - 1].statement) choose(i - 1);
+    }
+    return is_chosen_;
   }
-  for (std::size_t i = count; i-- > 1;) {
-    if (is_chosen[i] && path.moves[i].statement == path.moves[i - 1].statement) choose(i - 1);
+
+ private:
+  // Of the tolerance: what a correction leaves alone is deeper than this.
+  static constexpr double kSurelyStays = 0.7;
+
+  [[nodiscard]] bool is_curve_at(std::size_t i) const { return i < path_.moves.size() && is_curve(path_.moves[i]); }
+  void choose(std::size_t i) {
+    if (is_curve_at(i)) is_chosen_[i] = true;
   }
-  return is_chosen;
-}
+  [[nodiscard]] bool may_move(std::size_t i) const {
+    const Move& move = path_.moves[i];
+    const Motion motion(move.end);
+    MoveVerdict verdict = check_move(motion, move.kind, *tools_[move.tool], scene_, options_);
+    if (heads_ != nullptr) heads_->check(motion, options_, verdict);
+    return verdict.state != MoveState::clean;
+  }
+
+  const Toolpath& path_;
+  const CheckResult& result_;
+  const std::vector<const ToolForms*>& tools_;
+  const PreparedScene& scene_;
+  CheckOptions options_;
+  const HeadChecker* heads_;
+  std::vector<bool> is_chosen_;
+};
 
 }  // namespace
 
-bool needs_straightening(const Toolpath& path, const CheckResult& result) {
-  const std::vector<bool> is_chosen = choose_curves(path, result);
-  return std::any_of(is_chosen.begin(), is_chosen.end(), [](bool chosen) { return chosen; });
-}
-
-StraightenedPath straighten(const Toolpath& path, const CheckResult& result,
-                            const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
-                            const CheckOptions& options, const HeadChecker* heads) {
-  const std::vector<bool> is_chosen = choose_curves(path, result);
-  const double error =
-      std::clamp(kChordShare * options.tolerance_mm, kLeastChordError_mm, kMostChordError_mm);
+std::optional<StraightenedPath> straighten(const Toolpath& path, const CheckResult& result,
+                                           const std::vector<const ToolForms*>& tools,
+                                           const PreparedScene& scene, const CheckOptions& options,
+                                           const HeadChecker* heads) {
+  const std::vector<bool> is_chosen = CurveChoice(path, result, tools, scene, options, heads).run();
+  if (std::none_of(is_chosen.begin(), is_chosen.end(), [](bool chosen) { return chosen; })) return std::nullopt;
+  const double error = std::max(kChordShare * options.tolerance_mm, kLeastChordError_mm);
   StraightenedPath straight;
   straight.path.file = path.file;
   straight.path.tools = path.tools;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "lib/check/check_path.h"
@@ -17,18 +18,16 @@ struct StraightenedPath {
   CheckResult result;               ///< verdicts of its moves; no events
 };
 
-/// Chords stay within this share of the tolerance of their curve, and never further than kMostChordError_mm.
-inline constexpr double kChordShare = 0.1;
-inline constexpr double kMostChordError_mm = 0.01;
+/// Chords stay within this share of the tolerance of their curve: every chord is checked, so they need be no finer than what
+/// a correction aims at.
+inline constexpr double kChordShare = 0.5;
 inline constexpr double kLeastChordError_mm = 2e-4;  ///< of the digits of the files
 
-/// True when a correction of `result` may have to change a curve.
-[[nodiscard]] bool needs_straightening(const Toolpath& path, const CheckResult& result);
-
-[[nodiscard]] StraightenedPath straighten(const Toolpath& path, const CheckResult& result,
-                                          const std::vector<const ToolForms*>& tools,
-                                          const PreparedScene& scene, const CheckOptions& options,
-                                          const HeadChecker* heads);
+/// Nothing where no correction of `result` has to change a curve.
+[[nodiscard]] std::optional<StraightenedPath> straighten(const Toolpath& path, const CheckResult& result,
+                                                         const std::vector<const ToolForms*>& tools,
+                                                         const PreparedScene& scene, const CheckOptions& options,
+                                                         const HeadChecker* heads);
 
 /// The changes of a straightened path as changes of the path as it was.
 [[nodiscard]] Correction restore_curves(const StraightenedPath& straightened, const Toolpath& path,

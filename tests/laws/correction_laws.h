@@ -1,0 +1,203 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/check/brute_force.h"
+#include "lib/check/check_path.h"
+#include "lib/correct/correct_path.h"
+#include "lib/head/check_heads.h"
+#include "lib/mesh/winding.h"
+
+// The laws of a correction, held against the corrected file as it is read and checked, by means of their own: which moves
+// belong together, what the tool meets on a shift, how far a path is off. Nothing of lib/correct/laws.h is used.
+
+namespace gouge::laws {
+
+struct Corrected {
+  const Toolpath* before = nullptr;
+  const CheckResult* result_before = nullptr;
+  const Toolpath* after = nullptr;
+  const CheckResult* result_after = nullptr;
+  const Correction* correction = nullptr;
+  const Scene* scene = nullptr;
+  const PreparedScene* prepared = nullptr;
+  std::vector<const ToolForms*> tools;
+  CheckOptions options;
+  std::optional<double> max_side_shift_mm;
+  double max_shift_mm = 20;
+};
+
+struct Figures {
+  std::size_t changed = 0, left = 0, gouges_before = 0, gouges_after = 0;
+  std::size_t kept_samples = 0, left_path_samples = 0;
+};
+
+class LawBook {
+ public:
+  explicit LawBook(const Corrected& c) : c_(c) {
+    changes_.resize(c.before->moves.size(), nullptr);
+    for (const PathChange& change : c.correction->changes) changes_[change.move] = &change;
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < changes_.size(); ++i) {
+      first_.push_back(next);
+      next += 1 + (changes_[i] != nullptr ? changes_[i]->inserted_before.size() : 0);
+    }
+    first_.push_back(next);
+  }
+
+  /// What is broken, in words; empty: nothing.
+  std::vector<std::string> broken(Figures& figures) {
+    if (first_.back() != c_.after->moves.size()) return {"the corrected file has another number of moves"};
+    for (std::size_t i = 0; i < changes_.size(); ++i) {
+      nothing_worse(i);
+      listed(i);
+      left_to_the_byte(i);
+      shift(i, figures);
+      keeps_its_path(i, figures);
+      const MoveState state = c_.result_before->verdicts[i].state;
+      figures.gouges_before += state == MoveState::gouge ? 1U : 0U;
+      for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
+        figures.gouges_after += c_.result_after->verdicts[k].state == MoveState::gouge ? 1U : 0U;
+    }
+    figures.changed += c_.correction->changes.size();
+    figures.left += c_.correction->uncorrected.size();
+    return std::move(broken_);
+  }
+
+ private:
+  static constexpr double kRounding_mm = 2e-4;
+
+  void say(char law, std::size_t i, const std::string& what) {
+    broken_.push_back(std::string("(") + law + ") move " + std::to_string(i) + ", line " +
+                      std::to_string(std::size_t{c_.before->moves[i].line}) + ": " + what);
+  }
+
+  static int rank(MoveState state) {
+    return state == MoveState::clean ? 0 : state == MoveState::near_miss ? 1 : state == MoveState::gouge ? 2 : 3;
+  }
+
+  // (a) and (b)
+  void nothing_worse(std::size_t i) {
+    const MoveVerdict& was = c_.result_before->verdicts[i];
+    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+      const MoveVerdict& is = c_.result_after->verdicts[k];
+      if (rank(is.state) > rank(was.state))
+        say(was.state == MoveState::clean ? 'a' : 'b', i, std::string(state_name(was.state)) + " became " + state_name(is.state));
+      if (is.state == MoveState::gouge && was.state == MoveState::gouge && is.depth_mm > was.depth_upper_mm + 1e-9)
+        say('b', i, "deeper: " + std::to_string(was.depth_mm) + " became " + std::to_string(is.depth_mm));
+      if (changes_[i] == nullptr || c_.after->moves[k].tool == kNone) continue;
+      const ToolForms* tool = c_.tools[c_.after->moves[k].tool];
+      if (tool == nullptr || !c_.after->moves[k].not_checked_reason.empty()) continue;
+      const double found =
+          brute_force_depth(motion_of(*c_.after, k, c_.options.rapid), *tool, *c_.scene, 6, 0.2).depth_mm;
+      const double allowed = was.state == MoveState::gouge ? was.depth_upper_mm : c_.options.tolerance_mm;
+      if (found > allowed + 2 * c_.options.resolution_mm && was.state != MoveState::buried)
+        say('b', i, "brute force finds " + std::to_string(found) + " after " + std::to_string(was.depth_mm));
+    }
+  }
+
+  // What remains is listed, with a reason, and nothing else is.
+  void listed(std::size_t i) {
+    bool is_bad = false;
+    for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+      const MoveState state = c_.result_after->verdicts[k].state;
+      is_bad = is_bad || state == MoveState::gouge || state == MoveState::buried;
+    }
+    const auto& list = c_.correction->uncorrected;
+    const auto found = std::count_if(list.begin(), list.end(), [&](const Uncorrected& u) {
+      return u.move == i && !u.reason.empty() && u.is_changed == (changes_[i] != nullptr);
+    });
+    if (found != (is_bad ? 1 : 0)) say('c', i, is_bad ? "gouges and is not listed" : "is listed and does not gouge");
+  }
+
+  static std::string_view bytes(const Toolpath& path, std::size_t move) {
+    const SourceStatement& span = path.statements[path.moves[move].statement];
+    return std::string_view(path.source).substr(span.first_byte, span.last_byte - span.first_byte);
+  }
+
+  // A record of a move that no change touches is the same to the byte; what GODLTA and modal words need is its neighbour's.
+  void left_to_the_byte(std::size_t i) {
+    if (changes_[i] != nullptr || c_.before->moves[i].statement == kNone) return;
+    for (std::size_t k = 0; k < changes_.size(); ++k) {
+      if (changes_[k] != nullptr && c_.before->moves[k].statement == c_.before->moves[i].statement) return;
+    }
+    if (bytes(*c_.before, i) != bytes(*c_.after, first_[i + 1] - 1)) say('c', i, "a record that is left was rewritten");
+    if (c_.before->moves[i].end.tip != c_.after->moves[first_[i + 1] - 1].end.tip) say('c', i, "a position that is left moved");
+  }
+
+  double depth_at(const Pose& pose, const ToolForms& tool) const {
+    CheckOptions exact = c_.options;
+    exact.tolerance_mm = 0;
+    return check_move(Motion(pose), MoveKind::feed, tool, *c_.prepared, exact).depth_mm;
+  }
+
+  bool is_inside(const Pose& pose, const ToolForms& tool) const {
+    const Vec3 core = pose.tip + tool.bare.core.y() * pose.axis;
+    for (const auto* meshes : {&c_.scene->parts, &c_.scene->fixtures}) {
+      for (const IndexedMesh& mesh : *meshes) {
+        if (std::abs(winding_number(mesh, core)) > 0.9) return true;
+      }
+    }
+    return false;
+  }
+
+  // (d) and the bounds of (e), at many places of the straight shift.
+  void shift(std::size_t i, Figures&) {
+    if (changes_[i] == nullptr || !changes_[i]->new_end) return;
+    const Move& old = c_.before->moves[i];
+    const ToolForms* tool = c_.tools[old.tool];
+    const Pose to = c_.after->moves[first_[i + 1] - 1].end;
+    const Vec3 way = to.tip - old.end.tip;
+    const double start = depth_at(old.end, *tool);
+    if (way.norm() > c_.max_shift_mm + kRounding_mm) say('e', i, "shifted by " + std::to_string(way.norm()));
+    const double air = old.kind == MoveKind::rapid ? 1 : 0.004;
+    const double side = (way - way.dot(old.end.axis) * old.end.axis).norm();
+    if (side > c_.max_side_shift_mm.value_or(2 * (start + air + 0.002)) + kRounding_mm)
+      say('e', i, "shifted sideways by " + std::to_string(side) + " for a depth of " + std::to_string(start));
+    for (int k = 1; k <= 12; ++k) {
+      const Pose there{old.end.tip + k / 12.0 * way, old.end.axis};
+      const double depth = depth_at(there, *tool);
+      if (depth > start + 2 * c_.options.resolution_mm)
+        say('d', i, "on its shift it is " + std::to_string(depth) + " deep, at the start " + std::to_string(start));
+      if (depth <= 0 && is_inside(there, *tool)) say('d', i, "on its shift the tool is buried");
+    }
+  }
+
+  // (e): where the programmed motion is clean for a while, the new one runs along it.
+  void keeps_its_path(std::size_t i, Figures& figures) {
+    const Move& old = c_.before->moves[i];
+    const bool is_changed = changes_[i] != nullptr || (i > 0 && old.has_start && changes_[i - 1] != nullptr && changes_[i - 1]->new_end);
+    if (!is_changed || !old.has_start || old.kind != MoveKind::feed) return;
+    const ToolForms* tool = c_.tools[old.tool];
+    const Motion motion = motion_of(*c_.before, i, c_.options.rapid);
+    constexpr int kSamples = 16;
+    for (int s = 1; s + 1 < kSamples; ++s) {
+      const double t = static_cast<double>(s) / kSamples, around = 1.5 / kSamples;
+      const Motion part(motion.at(std::max(0.0, t - around)), motion.at(std::min(1.0, t + around)));
+      CheckOptions strict = c_.options;
+      strict.tolerance_mm *= 0.5;
+      if (check_move(part, old.kind, *tool, *c_.prepared, strict).state != MoveState::clean) continue;
+      if (is_inside(motion.at(t), *tool)) continue;
+      ++figures.kept_samples;
+      double off = 1e9;
+      for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
+        const Vec3 a = c_.after->moves[k - 1].end.tip, b = c_.after->moves[k].end.tip, p = motion.at(t).tip;
+        const double length2 = (b - a).squaredNorm();
+        const double u = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
+        off = std::min(off, (a + u * (b - a) - p).norm());
+      }
+      if (off > c_.options.tolerance_mm + kRounding_mm) ++figures.left_path_samples;
+    }
+  }
+
+  const Corrected& c_;
+  std::vector<const PathChange*> changes_;
+  std::vector<std::size_t> first_;  // the first move of the corrected path that each move became
+  std::vector<std::string> broken_;
+};
+
+}  // namespace gouge::laws
