@@ -87,9 +87,11 @@ bool read_circle(std::span<const Argument> arguments, ArcStatement& statement) {
 }
 
 // CAMWorks CLT and Mastercam NCI: the vector is a positive one of the part's and the word gives the sense.
-void read_sense_word(std::span<const Argument> arguments, ArcStatement& statement) {
-  if (has_argument(arguments, "COUNTERCLOCKWISE")) statement.sense = ArcSense::right_handed;
-  if (has_argument(arguments, "CLOCKWISE")) statement.sense = ArcSense::left_handed;
+bool read_sense_word(std::span<const Argument> arguments, ArcStatement& statement) {
+  const bool is_right = has_argument(arguments, "COUNTERCLOCKWISE"), is_left = has_argument(arguments, "CLOCKWISE");
+  if (is_right) statement.sense = ArcSense::right_handed;
+  if (is_left) statement.sense = ArcSense::left_handed;
+  return !(is_right && is_left);
 }
 
 double positive(double angle) {
@@ -100,6 +102,7 @@ double positive(double angle) {
 
 ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit) {
   ArcStatement statement;
+  if (has_repeated_word(arguments)) return failed(ArcProblems::kForm);
   if (!read_circle(arguments, statement)) return failed(ArcProblems::kForm);
   if (dialect == DialectKind::nci && has_argument(arguments, "ZXPLAN")) return failed(ArcProblems::kXzPlane);
   const double length = statement.axis.norm();
@@ -108,7 +111,7 @@ ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, 
   statement.center *= mm_per_unit;
   if (statement.radius_mm) *statement.radius_mm *= mm_per_unit;
   statement.sense = sense_of(dialect);
-  read_sense_word(arguments, statement);
+  if (!read_sense_word(arguments, statement)) return failed(ArcProblems::kBothSenses);
 
   std::optional<double> sweep_deg = number_after(arguments, "ANGLE");
   if (dialect == DialectKind::camplete && arguments.size() > 7) sweep_deg = arguments[7].number;
@@ -122,23 +125,34 @@ ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, 
   return statement;
 }
 
+bool is_tlon_of_numbers(std::span<const Argument> arguments) {
+  return vector_after(arguments, "CIRCLE").has_value() && vector_after(arguments, "LINE").has_value();
+}
+
+// GOFWD,CIRCLE,x,y,z,r,ON[,2,INTOF],LINE,x,y,z,x,y,z and nothing else: PAST, TO and TANTO end elsewhere.
 std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, double mm_per_unit) {
-  const std::optional<Vec3> center = vector_after(arguments, "CIRCLE");
-  const auto line = std::find_if(arguments.begin(), arguments.end(),
-                                 [](const Argument& a) { return equals_ignoring_case(a.text, "LINE"); });
-  const auto circle = std::find_if(arguments.begin(), arguments.end(),
-                                   [](const Argument& a) { return equals_ignoring_case(a.text, "CIRCLE"); });
-  if (!center || arguments.end() - line != 7 || arguments.end() - circle < 5 || !circle[4].number) {
-    return std::nullopt;
-  }
-  if (!std::all_of(line + 1, arguments.end(), [](const Argument& a) { return a.number.has_value(); })) {
-    return std::nullopt;
-  }
+  const auto is_word = [&](std::size_t i, std::string_view word) {
+    return equals_ignoring_case(arguments[i].text, word);
+  };
+  const auto are_numbers = [&](std::size_t first, std::size_t count) {
+    const auto numbers = arguments.subspan(first, count);
+    return std::all_of(numbers.begin(), numbers.end(), [](const Argument& a) { return a.number.has_value(); });
+  };
+  constexpr std::size_t kShort = 14, kLong = 16;
+  const std::size_t size = arguments.size();
+  if (size != kShort && size != kLong) return std::nullopt;
+  if (!is_word(0, "GOFWD") || !is_word(1, "CIRCLE") || !are_numbers(2, 4) || !is_word(6, "ON")) return std::nullopt;
+  const bool is_second = size == kLong;
+  if (is_second && (arguments[7].number != 2 || !is_word(8, "INTOF"))) return std::nullopt;
+  if (!is_word(size - 7, "LINE") || !are_numbers(size - 6, 6)) return std::nullopt;
+  const auto vector_at = [&](std::size_t i) {
+    return Vec3(Vec3(*arguments[i].number, *arguments[i + 1].number, *arguments[i + 2].number) * mm_per_unit);
+  };
   TlonStatement tlon;
-  tlon.center = *center * mm_per_unit;
-  tlon.radius_mm = *circle[4].number * mm_per_unit;
-  tlon.end = Vec3(*line[4].number, *line[5].number, *line[6].number) * mm_per_unit;
-  tlon.is_beyond_half = has_argument(arguments, "INTOF");
+  tlon.center = vector_at(2);
+  tlon.radius_mm = *arguments[5].number * mm_per_unit;
+  tlon.end = vector_at(size - 3);
+  tlon.is_beyond_half = is_second;
   return tlon;
 }
 

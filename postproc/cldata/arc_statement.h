@@ -29,6 +29,7 @@ struct ArcProblems {
   static constexpr const char* kHalf = "the arc's length and its ON,INTOF word contradict each other";
   static constexpr const char* kXzPlane =
       "an arc in the XZ plane of Mastercam NCI: sources do not settle which way round it runs";
+  static constexpr const char* kBothSenses = "the arc is said to run clockwise and counter-clockwise";
   static constexpr const char* kSense = "nothing in the file tells which way round its arcs run";
 };
 
@@ -53,6 +54,9 @@ struct TlonStatement {
   double radius_mm = 0;
   bool is_beyond_half = false;  ///< ON,2,INTOF: the second crossing of the line
 };
+
+/// True where circle and line are numbers, whatever words stand beside them: no part program.
+[[nodiscard]] bool is_tlon_of_numbers(std::span<const Argument> arguments);
 
 /// Nothing for a TLON of another form.
 [[nodiscard]] std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, double mm_per_unit);

@@ -78,4 +78,16 @@ bool has_argument(std::span<const Argument> arguments, std::string_view word) {
                      [&](const Argument& a) { return equals_ignoring_case(a.text, word); });
 }
 
+bool has_repeated_word(std::span<const Argument> arguments) {
+  constexpr std::size_t kMostWords = 64;  // of any statement that is understood; comparing all pairs must stay cheap
+  std::vector<std::string_view> words;
+  for (const Argument& argument : arguments) {
+    if (argument.number || argument.text.empty()) continue;
+    const auto is_same = [&](std::string_view word) { return equals_ignoring_case(word, argument.text); };
+    if (words.size() == kMostWords || std::any_of(words.begin(), words.end(), is_same)) return true;
+    words.push_back(argument.text);
+  }
+  return false;
+}
+
 }  // namespace gouge

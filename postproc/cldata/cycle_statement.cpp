@@ -28,6 +28,10 @@ constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2
 constexpr std::array<std::string_view, 6> kSideways = {"ORIENT", "NODRAG", "BACK",
                                                        "SHIFT",  "MANUAL", "DIAMETR"};
 
+// Words that one number follows.
+constexpr std::array<std::string_view, 11> kHeights = {"FEDTO",  "DEPTH", "RAPTO", "CLEAR",  "RTRCTO", "RETURN",
+                                                       "MMPM",   "IPM",   "MMPR",  "IPR",    "PERMIN"};
+
 std::optional<double> after(Arguments arguments, std::string_view word) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
     if (equals_ignoring_case(arguments[i].text, word)) return arguments[i + 1].number;
@@ -53,6 +57,8 @@ Retract read_retract(Arguments arguments, std::string_view own) {
   if (!own.empty()) retract.height = after(arguments, own);
   const bool is_named = has_argument(arguments, "RTRCTO") || has_argument(arguments, "RETURN");
   retract.is_known = retract.height.has_value() || !is_named;
+  const std::optional<double> rtrcto = after(arguments, "RTRCTO"), back = after(arguments, "RETURN");
+  if (rtrcto && back && std::abs(*rtrcto - *back) > 0) retract = {std::nullopt, false};
   return retract;
 }
 
@@ -71,6 +77,25 @@ DrillCycle make(double clearance, double bottom, const Retract& retract) {
   cycle.is_retract_stated = retract.height.has_value() || !retract.is_known;
   cycle.retract_mm = std::max(clearance, retract.height.value_or(clearance));
   return cycle;
+}
+
+bool has_both(Arguments arguments, std::string_view one, std::string_view other) {
+  return has_argument(arguments, one) && has_argument(arguments, other);
+}
+
+// Two depths, two clearances that differ, a height with two numbers: which one counts nobody can tell.
+bool contradicts_itself(DialectKind dialect, Arguments arguments) {
+  if (has_repeated_word(arguments) || has_both(arguments, "FEDTO", "DEPTH") || has_both(arguments, "G98", "G99") ||
+      has_argument(arguments, "OFF") || has_argument(arguments, "NOMORE")) {
+    return true;
+  }
+  // Their numbers have places, not words, or are read one by one.
+  if (dialect == DialectKind::clt || is_nccs(dialect)) return false;
+  for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
+    const bool is_height = is_one_of(arguments[i].text, kHeights);
+    if (is_height && arguments[i + 1].number && arguments[i + 2].number) return true;
+  }
+  return false;
 }
 
 // FEDTO is a height (negative below the position), RAPTO and RTRCTO are heights above it.
@@ -98,7 +123,9 @@ std::optional<DrillCycle> read_creo(Arguments arguments) {
 
 // The default post table writes depth and clearance as the first two numbers; others write Creo's words.
 std::optional<DrillCycle> read_catia(Arguments arguments) {
-  if (has_argument(arguments, "DEPTH")) return read_creo(arguments);
+  if (has_argument(arguments, "DEPTH")) {
+    return arguments[1].number ? std::nullopt : read_creo(arguments);
+  }
   if (arguments.size() < 3 || !arguments[1].number || !arguments[2].number || *arguments[1].number < 0) {
     return std::nullopt;
   }
@@ -123,6 +150,8 @@ std::optional<DrillCycle> read_generic(Arguments arguments) {
   const std::optional<double> depth = after_either(arguments, "FEDTO", "DEPTH");
   const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");
   if (!depth || !clearance) return std::nullopt;
+  const std::optional<double> rapto = after(arguments, "RAPTO"), clear = after(arguments, "CLEAR");
+  if (rapto && clear && std::abs(*rapto - *clear) > 0) return std::nullopt;
   const bool has_rtrcto = has_argument(arguments, "RTRCTO");
   return make(*clearance, -std::abs(*depth), has_rtrcto ? read_retract(arguments, "RTRCTO") : read_return(arguments));
 }
@@ -233,6 +262,7 @@ std::optional<DrillCycle> read_cycle(DialectKind dialect, std::span<const Argume
   for (const Argument& argument : arguments) {
     if (is_one_of(argument.text, kSideways)) return std::nullopt;
   }
+  if (contradicts_itself(dialect, arguments)) return std::nullopt;
   std::optional<DrillCycle> cycle = read_heights(dialect, arguments);
   if (!cycle) return std::nullopt;
   for (double* height : {&cycle->clearance_mm, &cycle->bottom_mm, &cycle->retract_mm}) {

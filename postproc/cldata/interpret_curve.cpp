@@ -34,8 +34,8 @@ void Interpreter::take_arc() {
 }
 
 void Interpreter::take_unread_curve() {
-  const bool is_off = has_argument(arguments_, "OFF");
-  if (is_off || has_argument(arguments_, "ON")) {  // until it is switched off
+  const bool is_on = has_argument(arguments_, "ON"), is_off = !is_on && has_argument(arguments_, "OFF");
+  if (is_off || is_on) {  // until it is switched off
     spline_reason_ = is_off ? nullptr : because(Reasons::kCurve);
     return;
   }
@@ -53,6 +53,10 @@ void Interpreter::take_indirv() {
 
 void Interpreter::take_tlon() {
   const std::optional<TlonStatement> tlon = read_tlon(arguments_, mm_per_unit_);
+  if (!tlon && is_tlon_of_numbers(arguments_)) {
+    count_unknown();
+    return emit_unread();
+  }
   if (!tlon) return refuse_part_program("TLON");
   Position position;
   position.form = PositionForm::curve;

@@ -23,7 +23,8 @@ void Interpreter::take_cycle() {
   }
   // Whether the control or the post-processor makes the moves.
   if (is_nccs(dialect_.kind) && equals_ignoring_case(what, "AUTO")) return;
-  if (equals_ignoring_case(what, "OFF") || equals_ignoring_case(what, "NOMORE")) return end_cycle();
+  const bool is_end = equals_ignoring_case(what, "OFF") || equals_ignoring_case(what, "NOMORE");
+  if (is_end && arguments_.size() == 1) return end_cycle();
   begin_cycle();
 }
 

@@ -182,7 +182,9 @@ void Interpreter::take_msys() {
       vector_of(arguments_, 0) * mm_per_unit_, vector_of(arguments_, 3), vector_of(arguments_, 6), "MSYS");
   if (!frame) return;
   set_frame(*frame);
-  if (is_block_open_) block_reason_ = nullptr;
+  if (!is_block_open_) return;
+  block_reason_ = nullptr;
+  block_has_msys_ = is_msys_ever_ = true;
 }
 
 void Interpreter::take_csys() {
@@ -256,10 +258,10 @@ void Interpreter::take_trans() {
 
 // A lathe's or a wire's program has its positions in another plane.
 void Interpreter::take_mode() {
+  if (has_argument(arguments_, "MILL")) mode_reason_ = nullptr;
   for (const char* word : {"TURN", "LATHE", "WIRE", "EDM"}) {
     if (has_argument(arguments_, word)) mode_reason_ = because(Reasons::kTurning);
   }
-  if (has_argument(arguments_, "MILL")) mode_reason_ = nullptr;
 }
 
 void Interpreter::take_tlaxis() {
@@ -284,21 +286,49 @@ void Interpreter::take_tlaxis() {
 }
 
 void Interpreter::take_units() {
+  std::optional<LengthUnit> stated;
   for (const Argument& argument : arguments_) {
-    if (const std::optional<LengthUnit> unit = unit_of_word(argument.text)) {
-      mm_per_unit_ = mm_per(*unit);
-      is_frame_recorded_ = false;
-      return;
+    const std::optional<LengthUnit> unit = unit_of_word(argument.text);
+    if (!unit) continue;
+    if (stated && *stated != *unit) {
+      return fail("path-statement",
+                  std::string(statement_->major) + " states two units; expected MM or INCHES: leave the right one");
+    }
+    stated = unit;
+  }
+  if (!stated) {
+    return fail("path-statement",
+                std::string(statement_->major) + ": " +
+                    (arguments_.empty() ? std::string("nothing") : quoted_text(arguments_.front().text)) +
+                    " is not a unit; expected MM or INCHES");
+  }
+  mm_per_unit_ = mm_per(*stated);
+  is_frame_recorded_ = false;
+}
+
+// Where the other blocks of a file state their frame, one that states none has lost it.
+void Interpreter::close_block() {
+  if (block_ > 0 && !block_has_msys_ && block_begin_ < path_.moves.size()) {
+    blocks_without_msys_.emplace_back(block_begin_, path_.moves.size());
+  }
+  block_has_msys_ = false;
+  block_begin_ = path_.moves.size();
+}
+
+void Interpreter::doubt_blocks_without_msys() {
+  close_block();
+  if (!is_msys_ever_) return;
+  for (const auto& [begin, end] : blocks_without_msys_) {
+    for (std::size_t i = begin; i < end; ++i) {
+      std::string_view& reason = path_.moves[i].not_checked_reason;
+      if (reason.empty()) reason = Reasons::kNoMsys;
     }
   }
-  fail("path-statement",
-       std::string(statement_->major) + ": " +
-           (arguments_.empty() ? std::string("nothing") : quoted_text(arguments_.front().text)) +
-           " is not a unit; expected MM or INCHES");
 }
 
 // TOOL PATH/operation,TOOL,tool: a block of its own, with its own frame, axis and tool.
 void Interpreter::take_tool_path() {
+  close_block();
   const std::string_view text = statement_->pieces.front();
   const std::size_t cut = text.find(",TOOL,");
   const std::string tool = cut == std::string_view::npos ? std::string() : name_text(text.substr(cut + 6));

@@ -269,6 +269,7 @@ void Interpreter::take_cutcom() {
   if (has_argument(arguments_, "ADJUST")) {
     const bool is_off = arguments_.size() == 2 && equals_ignoring_case(arguments_.back().text, "OFF");
     adjust_reason_ = is_off ? nullptr : because(Reasons::kAdjust);
+    if (has_argument(arguments_, "LEFT") || has_argument(arguments_, "RIGHT")) begin_cutcom();
     return;
   }
   const bool has_side = has_argument(arguments_, "LEFT") || has_argument(arguments_, "RIGHT");

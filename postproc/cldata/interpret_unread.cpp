@@ -279,6 +279,8 @@ void Interpreter::emit_unread(const char* reason, std::size_t statement) {
     records_->of_move.push_back(make_record(move, position));
   }
   break_motion();
+  start_tangent_.reset();
+  has_indirv_ = false;
   last_pose_ = move.end;
   unknown_start_ = Reasons::kAfterUnread;
   is_rapid_ = false;

@@ -405,6 +405,7 @@ void Interpreter::finish() {
   if (curve_statement_ != kNone) flush_curve();
   if (arc_ || has_indirv_) drop_described_curve();
   if (cycle_.is_on && cycle_.certain_moves < path_.moves.size()) doubt_cycle();
+  doubt_blocks_without_msys();
   Diagnostics& notes = path_.notes;
   if (renormalised_ > 0) {
     notes.push_back(make_note("path-axis-length",

@@ -9,6 +9,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lib/geom/rigid_transform.h"
@@ -88,6 +89,8 @@ struct Reasons {
       "positions stand between END-OF-PATH and TOOL PATH: in which frame and with which tool the file does not say";
   static constexpr const char* kMsysOutside =
       "an MSYS stands between END-OF-PATH and this TOOL PATH, which has none: which frame holds the file does not say";
+  static constexpr const char* kNoMsys =
+      "positions are in a TOOL PATH without MSYS where others of the file have one: in which frame it does not say";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
   static constexpr const char* kContour =
@@ -337,6 +340,8 @@ class Interpreter {
   void take_tlaxis();
   void take_units();
   void take_tool_path();
+  void close_block();
+  void doubt_blocks_without_msys();
   [[nodiscard]] const char* frame_reason() const;
 
   Toolpath& path_;
@@ -419,6 +424,9 @@ class Interpreter {
   bool is_between_blocks_ = false;  // of NX
   bool is_msys_outside_ = false;    // an MSYS stood there
   const char* block_reason_ = nullptr;
+  bool block_has_msys_ = false, is_msys_ever_ = false;
+  std::size_t block_begin_ = 0;  // its first move
+  std::vector<std::pair<std::size_t, std::size_t>> blocks_without_msys_;  // their moves
   const char* csys_reason_ = nullptr;
   const char* mcs_reason_ = nullptr;
   const char* trans_reason_ = nullptr;

@@ -141,6 +141,148 @@ INSTANTIATE_TEST_SUITE_P(
         ModalCase{"HelixTwice", apt("HELIX/1\nHELIX/1\nGOTO/1,0,0\nFINI\n"), "5 7"}),
     name_of);
 
+std::string catia(const std::string& text) {
+  return "$$ CATIA APT VERSION 1.0\nUNITS/MM\nLOADTL/1\n" + text;
+}
+
+std::string tlon(const std::string& word) {
+  return "TLON,GOFWD/(CIRCLE/0,0,0,10)," + word + ",(LINE/0,0,0,0,10,0)\n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    StartTangent, ModalStates,
+    ::testing::Values(
+        ModalCase{"Used", catia("GOTO/10,0,0\nINDIRV/0,1,0\nAUTOPS\n" + tlon("ON") + "END\n"), ""},
+        ModalCase{"UsedLong",
+                  catia("GOTO/10,0,0\nINDIRV/0,-1,0\n" + tlon("ON,2,INTOF") + "GOTO/0,20,0\nEND\n"), ""},
+        ModalCase{"BeforeAPosition",
+                  catia("GOTO/10,0,0\nINDIRV/0,1,0\nGOTO/10,0,5\nGOTO/10,0,0\n" + tlon("ON") + "END\n"), "5 6 8"},
+        ModalCase{"Twice", catia("GOTO/10,0,0\nINDIRV/0,1,0\nINDIRV/0,1,0\n" + tlon("ON") + "END\n"), "5 7"},
+        ModalCase{"LastOfTheFile", catia("GOTO/10,0,0\nINDIRV/0,1,0\nEND\n"), "5"},
+        ModalCase{"TlonTwice", catia("GOTO/10,0,0\nINDIRV/0,1,0\n" + tlon("ON") + tlon("ON") + "END\n"), "7"},
+        ModalCase{"Past", catia("GOTO/10,0,0\nINDIRV/0,1,0\n" + tlon("PAST") + "GOTO/0,20,0\nEND\n"), "6 7"},
+        ModalCase{"To", catia("GOTO/10,0,0\nINDIRV/0,1,0\n" + tlon("TO") + "GOTO/0,20,0\nEND\n"), "6 7"},
+        ModalCase{"Tanto", catia("GOTO/10,0,0\nINDIRV/0,1,0\n" + tlon("TANTO") + "GOTO/0,20,0\nEND\n"), "6 7"},
+        ModalCase{"FirstCrossing", catia("GOTO/10,0,0\nINDIRV/0,1,0\n" + tlon("ON,1,INTOF") + "GOTO/0,20,0\nEND\n"), "6 7"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Axis, ModalStates,
+    ::testing::Values(
+        ModalCase{"TlonAfterATilt",
+                  catia("GOTO/10,0,0,0.6,0,0.8\nINDIRV/0,1,0\n" + tlon("ON") + "GOTO/0,20,0,0,0,1\nEND\n"), "6 7"},
+        ModalCase{"TlonUnderMultax",
+                  catia("MULTAX\nGOTO/10,0,0,0.6,0,0.8\nINDIRV/0,1,0\n" + tlon("ON") + "GOTO/0,20,0,0,0,1\nEND\n"), ""},
+        ModalCase{"PositionAfterATilt", catia("GOTO/10,0,0,0.6,0,0.8\nGOTO/10,0,5\nGOTO/0,20,0,0,0,1\nEND\n"), "5 6"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Cutcom, ModalStates,
+    ::testing::Values(
+        ModalCase{"CreoAcrossFeatures",
+                  creo("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\nGOTO / 0, 0, 9\nCUTCOM / LEFT\nGOTO / 0, 0, 0\n"
+                       "$$-> FEATNO / 2\nGOTO / 9, 0, 0\nCUTCOM / OFF\nGOTO / 9, 9, 0\nGOTO / 9, 0, 9\nFINI\n"),
+                  "10 12"},
+        ModalCase{"CreoFeatureThatSaysCentre",
+                  creo("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\nGOTO / 0, 0, 9\nCUTCOM / LEFT\nGOTO / 0, 0, 0\n"
+                       "$$-> FEATNO / 2\n$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\nGOTO / 9, 0, 0\nFINI\n"),
+                  ""},
+        ModalCase{"CreoEndedInItsFeature",
+                  creo("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\nGOTO / 0, 0, 9\nCUTCOM / LEFT\nGOTO / 0, 0, 0\n"
+                       "CUTCOM / OFF\n$$-> FEATNO / 2\nGOTO / 9, 0, 0\nFINI\n"),
+                  ""},
+        ModalCase{"NeverEnded", apt("CUTCOM/LEFT\nGOTO/0,0,0\nLOADTL/2\nGOTO/9,0,0\nFINI\n"), "6 8"},
+        ModalCase{"AdjustWithASide", apt("CUTCOM/ADJUST,OFF,LEFT\nCUTCOM/ADJUST,OFF\nGOTO/0,0,0\nFINI\n"), "7"}),
+    name_of);
+
+const std::string kShifted = "MSYS/0,0,30,1,0,0,0,1,0\n";
+
+std::string nx(const std::string& block, const std::string& text) {
+  return block + "TLDATA/MILL,10,0,50,0,0\n" + text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Block, ModalStates,
+    ::testing::Values(
+        ModalCase{"EachWithItsFrame",
+                  nx("TOOL PATH/A,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\n") +
+                      nx("TOOL PATH/B,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\n"),
+                  ""},
+        ModalCase{"MsysBetween",
+                  nx("TOOL PATH/A,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\n") +
+                      nx(kShifted + "TOOL PATH/B,TOOL,B\n", "GOTO/0,0,0\nGOTO/1,0,0\nEND-OF-PATH\n"),
+                  "9 10"},
+        ModalCase{"MsysBetweenAndWithin",
+                  nx("TOOL PATH/A,TOOL,B\n", "GOTO/0,0,0\nEND-OF-PATH\n") +
+                      nx(kShifted + "TOOL PATH/B,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\n"),
+                  "3"},
+        ModalCase{"MsysMissing",
+                  nx("TOOL PATH/A,TOOL,B\n", "GOTO/0,0,0\nEND-OF-PATH\n") +
+                      nx("TOOL PATH/B,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\n"),
+                  "3"},
+        ModalCase{"NoneHasOne",
+                  nx("TOOL PATH/A,TOOL,B\n", "GOTO/0,0,0\nEND-OF-PATH\n") +
+                      nx("TOOL PATH/B,TOOL,B\n", "GOTO/0,0,0\nEND-OF-PATH\n"),
+                  ""},
+        ModalCase{"PositionBetween",
+                  nx("TOOL PATH/A,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\nGOTO/0,0,0\n") +
+                      nx("TOOL PATH/B,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\n"),
+                  "6"},
+        ModalCase{"OpenCycleInANewBlock",
+                  nx("TOOL PATH/A,TOOL,B\n", kShifted + "CYCLE/DRILL,RAPTO,3,FEDTO,-5\nGOTO/0,0,0\nEND-OF-PATH\n") +
+                      nx("TOOL PATH/B,TOOL,B\n", kShifted + "GOTO/0,0,0\nCYCLE/OFF\nEND-OF-PATH\n"),
+                  "10"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Spline, ModalStates,
+    ::testing::Values(ModalCase{"OffAndOn", apt("SPLINE/ON,OFF\nGOTO/1,0,0\nSPLINE/OFF\nGOTO/2,0,0\nFINI\n"), "6 8"},
+                      ModalCase{"NeverEnded", apt("SPLINE/ON\nGOTO/1,0,0\nLOADTL/2\nGOTO/2,0,0\nFINI\n"), "6 8"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(Mode, ModalStates,
+                         ::testing::Values(ModalCase{"Both", apt("MODE/TURN,MILL\nGOTO/1,0,0\nFINI\n"), "6"},
+                                           ModalCase{"Undone", apt("MODE/TURN\nMODE/MILL\nGOTO/1,0,0\nFINI\n"), ""}),
+                         name_of);
+
+std::string cycle_of(const std::string& words) {
+  return apt("CYCLE/" + words + "\nGOTO/10,0,0\nCYCLE/OFF\nFINI\n");
+}
+
+std::string clt_arc(const std::string& words) {
+  return "UNITS/ MM \nOPFEATSTART/A\nGOTO/ 1,0,0 \nCIRCLE/ 0,0,0,0,0,1,1," + words + " \nGOTO/ 0,1,0 \nFINI \n";
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OneStatement, ModalStates,
+    ::testing::Values(ModalCase{"Cycle", cycle_of("DRILL,FEDTO,15,RAPTO,2,RTRCTO,50"), ""},
+                      ModalCase{"TwoDepths", cycle_of("DRILL,FEDTO,1,FEDTO,15,RAPTO,2,RTRCTO,50"), "6"},
+                      ModalCase{"DepthOfTwoKinds", cycle_of("DRILL,DEPTH,15,FEDTO,1,RAPTO,2,RTRCTO,50"), "6"},
+                      ModalCase{"TwoClearances", cycle_of("DRILL,FEDTO,15,RAPTO,2,CLEAR,9,RTRCTO,50"), "6"},
+                      ModalCase{"EqualClearances", cycle_of("DRILL,FEDTO,15,RAPTO,2,CLEAR,2,RTRCTO,50"), ""},
+                      ModalCase{"TwoRetracts", cycle_of("DRILL,FEDTO,15,RAPTO,2,RTRCTO,50,RETURN,5"), "6"},
+                      ModalCase{"HeightWithTwoNumbers", cycle_of("DRILL,FEDTO,15,RAPTO,2,50"), "6"},
+                      ModalCase{"OnAndOff", cycle_of("DRILL,FEDTO,15,RAPTO,2,OFF"), "6"},
+                      ModalCase{"OffAndOn", cycle_of("OFF,DRILL,FEDTO,15,RAPTO,2"), "6"},
+                      ModalCase{"CatiaDepthOfTwoKinds",
+                                catia("GOTO/0,0,9\nCYCLE/DRILL,3,5,DEPTH,9,CLEAR,1\nGOTO/0,0,0\nCYCLE/OFF\nEND\n"), "6"},
+                      ModalCase{"CltClockwise", clt_arc("CLOCKWISE"), ""},
+                      ModalCase{"CltBothSenses", clt_arc("COUNTERCLOCKWISE,CLOCKWISE"), "5"},
+                      ModalCase{"CltBothLevels",
+                                "UNITS/ MM \nOPFEATSTART/A\nGOTO/ 1,0,50 \nCYCLE/ DRILL,G98,5,G99,9,MMPM,100,2,50 \n"
+                                "GOTO/ 1,0,0 \nCYCLE/ OFF \nFINI \n",
+                                "5"}),
+    name_of);
+
+TEST(Units, TwoInOneStatementAreRefused) {
+  for (const char* units : {"UNITS/MM,INCHES\n", "UNITS/INCHES,MM\n", "UNIT/IN,MM\n"}) {
+    const ReadOutcome outcome = read_toolpath("real.apt", units + std::string("GOTO/0,0,0\nFINI\n"));
+    ASSERT_EQ(outcome.errors.size(), 1U) << units;
+    EXPECT_EQ(outcome.errors.front().code, "path-statement");
+  }
+  EXPECT_EQ(read_as("UNITS/MM,MM\nGOTO/0,0,0\nFINI\n", "").moves.size(), 1U);
+}
+
 // The issue of a real file: an end mill's contour read as holes, through a post.
 TEST(OpenCycle, DoesNotSwallowTheMillingAfterIt) {
   const std::string text =
