@@ -230,7 +230,9 @@ void Interpreter::distrust(Word word) {
       return begin_cutcom();
     case Word::cntrl:
     case Word::knot:
-      if (!path_.moves.empty()) path_.moves.back().not_checked_reason = Reasons::kSpline;
+      if (!path_.moves.empty() && !Reasons::is_unread(path_.moves.back().not_checked_reason)) {
+        path_.moves.back().not_checked_reason = Reasons::kSpline;
+      }
       return;
     case Word::rapid:
       unknown_start_ = Reasons::kAfterUnread;
