@@ -225,7 +225,10 @@ void Interpreter::take_mcsys() {
 // CAMWorks CLT, ROTABL/angle,AAXIS,TABLE,CCLW: turns are undone by the opposite ones, the last one first. Elsewhere
 // angles may be absolute or relative, and of one of several tables, so nothing undoes them.
 void Interpreter::take_rotabl() {
-  if (std::none_of(arguments_.begin(), arguments_.end(), has_digit)) return count_unknown();
+  if (std::none_of(arguments_.begin(), arguments_.end(), has_digit)) {
+    distrust(Word::rotabl);
+    return count_unknown();
+  }
   const std::optional<TableTurn> turn = dialect_.kind == DialectKind::clt ? clt_turn(arguments_) : std::nullopt;
   if (!turn) {
     const bool is_turned = std::any_of(arguments_.begin(), arguments_.end(), [](const Argument& a) {

@@ -121,6 +121,9 @@ void Interpreter::take_tool_number() {
 
 void Interpreter::take_load() {
   if (arguments_.empty() || !equals_ignoring_case(arguments_.front().text, "TOOL")) {
+    const bool has_number = std::any_of(arguments_.begin(), arguments_.end(),
+                                        [](const Argument& a) { return a.number.has_value(); });
+    if (has_number) distrust(Word::load);
     if (has_argument(arguments_, "WIRE")) turning_reason_ = because(Reasons::kTurning);
     return count_unknown();
   }

@@ -75,6 +75,41 @@ Word intended_word(std::string_view text) {
   return find_intended_word(squeezed);
 }
 
+// Between these a line of numbers is a position, or part of one.
+bool is_among_positions(Word word) {
+  return word == Word::go_to || word == Word::godlta || word == Word::from || word == Word::circle ||
+         word == Word::movarc || word == Word::rapid || word == Word::fedrat || word == Word::unknown ||
+         word == Word::cntrl;
+}
+
+// Words that say nothing without an argument.
+bool needs_arguments(Word word) {
+  switch (word) {
+    case Word::cycle:
+    case Word::load:
+    case Word::loadtl:
+    case Word::mode:
+    case Word::rotabl:
+    case Word::select:
+    case Word::setup:
+    case Word::tldata:
+    case Word::toolno:
+    case Word::trans:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// A comma at the end goes on to something; but CAMWorks writes one after the seven numbers of a CUTTER.
+bool is_cut_short(const Statement& statement, std::size_t arguments) {
+  constexpr std::size_t kNumbersOfCutter = 7;
+  if (statement.is_decoded || !changes_motion(statement.word) || statement.pieces.empty()) return false;
+  if (arguments == 0 && needs_arguments(statement.word)) return true;
+  if (statement.word == Word::cutter && arguments == kNumbersOfCutter) return false;
+  return statement.pieces.back().ends_with(',');
+}
+
 bool moves_tool(Word word) {
   switch (word) {
     case Word::go_to:
@@ -158,7 +193,11 @@ void Interpreter::take_unknown() {
 bool Interpreter::take_misread(std::string_view text) {
   text = without_label(text);
   if (begins_with_number(text)) {
-    take_line_of_numbers();
+    take_rest_of_statement(is_among_positions(previous_word_));
+    return true;
+  }
+  if (is_minor_word(text.substr(0, text.find_first_of(" \t,")))) {
+    take_rest_of_statement(false);
     return true;
   }
   const std::size_t slash = text.find('/');
@@ -169,14 +208,17 @@ bool Interpreter::take_misread(std::string_view text) {
   const Word word = intended_word(text);
   distrust(word);
   if (moves_tool(word) && !effect.moves) emit_unread();
+  if (statement_->major.empty() && !has_effect(effect) && word == Word::unknown && !text.empty())
+    take_rest_of_statement(false);  // "/LEFT" without its word
   return has_effect(effect) || word != Word::unknown;
 }
 
-// Its beginning is missing, or the `$` that would make it part of the statement before it.
-void Interpreter::take_line_of_numbers() {
+// The beginning of a statement is missing, or the `$` that would make this part of the one before it.
+void Interpreter::take_rest_of_statement(bool is_position) {
   if (previous_statement_ != kNone) distrust_moves(previous_statement_);
   distrust(previous_word_);
   emit_unread();
+  if (!is_position) unread_frame_reason_ = because(Reasons::kUnreadFrame);
 }
 
 // What a statement of this word would have changed is not known any more.
@@ -249,8 +291,9 @@ void Interpreter::distrust_moves(std::size_t statement) {
   }
 }
 
-// A statement that ends with a comma.
+// A statement that ends with a comma, or has a word alone that says nothing so.
 void Interpreter::distrust_cut_short() {
+  if (!is_cut_short(*statement_, arguments_.size())) return;
   distrust_moves(path_.statements.size() - 1);
   distrust(statement_->word);
   if (moves_tool(statement_->word)) unknown_start_ = Reasons::kAfterUnread;

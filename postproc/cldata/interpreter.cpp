@@ -68,14 +68,6 @@ bool needs_frame(Word word) {
   }
 }
 
-// A comma at the end goes on to something; but CAMWorks writes one after the seven numbers of a CUTTER.
-bool is_cut_short(const Statement& statement, std::size_t arguments) {
-  constexpr std::size_t kNumbersOfCutter = 7;
-  if (statement.is_decoded || !changes_motion(statement.word) || statement.pieces.empty()) return false;
-  if (statement.word == Word::cutter && arguments == kNumbersOfCutter) return false;
-  return statement.pieces.back().ends_with(',');
-}
-
 bool has_arguments(Word word) {
   switch (word) {
     case Word::harmless:
@@ -168,12 +160,13 @@ void Interpreter::take(const Statement& statement) {
   if (has_arguments(statement.word)) split_arguments(statement, arguments_);
   if (std::max(arguments_.size(), statement.pieces.size()) >= kMostArguments) return fail_too_long();
   if (const std::string_view hidden = find_run_on(statement); !hidden.empty()) return fail_run_on(hidden);
+  if (statement.hides_comment) return fail_run_on("$$");
   apply_modal_states(acting_word(statement, dialect_.kind));
   if (!take_motion_word() && !take_tool_word() && !take_frame_word() && !take_text_word() &&
       !take_unread_word()) {
     take_unknown();
   }
-  if (is_cut_short(statement, arguments_.size())) distrust_cut_short();
+  distrust_cut_short();
   if (statement.word == Word::comment) return;
   previous_word_ = statement.word;
   previous_statement_ = path_.statements.size() - 1;

@@ -217,7 +217,7 @@ class Interpreter {
   [[nodiscard]] bool is_statement() const;
   void take_syn();
   [[nodiscard]] bool take_misread(std::string_view text);
-  void take_line_of_numbers();
+  void take_rest_of_statement(bool is_position);
   void distrust(Word word);
   void distrust_moves(std::size_t statement);
   void distrust_cut_short();

@@ -41,25 +41,38 @@ bool is_block_of_control(std::string_view token, std::string_view text) {
          read_machine_text(text, false).moves;
 }
 
+// Whether the word at the end of `token` begins a statement with what comes after it.
+bool begins_statement(Word word, std::string_view rest) {
+  rest = trim(rest);
+  const char next = rest.empty() ? '\0' : rest.front();
+  return next == '/' || (takes_position(word) && is_number_start(next));
+}
+
+// "16GOTO/" and "OFFCYCLE/": a line end is missing.
+bool ends_with_statement(std::string_view token, std::string_view rest) {
+  const std::string_view after = trim(rest);
+  if (after.empty() || (after.front() != '/' && !is_number_start(after.front()))) return false;
+  const Word word = find_word_at_end(token);
+  return word != Word::unknown && begins_statement(word, rest);
+}
+
 std::string_view find_in(const Statement& statement, std::string_view text) {
   for (std::size_t i = 0; i < text.size();) {
-    if (!is_letter(text[i])) {
-      // A number's exponent, "4TH", "'TLAXIS'" begin no word.
-      const bool is_joined = is_word_character(text[i]) || text[i] == '\'';
+    const std::size_t begin = i;
+    if (!is_word_character(text[i]) && text[i] != '\'') {
       ++i;
-      while (is_joined && i < text.size() && is_word_character(text[i])) ++i;
       continue;
     }
-    const std::size_t begin = i;
+    ++i;
     while (i < text.size() && is_word_character(text[i])) ++i;
     const std::string_view token = text.substr(begin, i - begin);
+    if (statement.word != Word::unknown && ends_with_statement(token, text.substr(i))) return token;
+    if (!is_letter(token.front())) continue;  // a number's exponent, "4TH", "'TLAXIS'" begin no word
     const bool is_known = statement.word != Word::unknown && statement.word != Word::comment;
     if (is_known && is_block_of_control(token, text.substr(begin))) return token;
     const Word word = find_word(token.substr(0, glued_length(token)));
     if (!changes_motion(word) || is_part_of(statement, word, text.substr(0, begin))) continue;
-    const std::string_view rest = trim(text.substr(i));
-    const char next = rest.empty() ? '\0' : rest.front();
-    if (next == '/' || (takes_position(word) && is_number_start(next))) return token;
+    if (begins_statement(word, text.substr(i)) || glued_length(token) < token.size()) return token;
     if (is_major_only(word) && statement.word != Word::unknown) return token;
   }
   return {};

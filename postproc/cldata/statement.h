@@ -26,6 +26,7 @@ struct Statement {
   Word word = Word::unknown;
   std::string_view major;        ///< as written, without blanks around it
   bool is_unterminated = false;  ///< the file ends after a `$`
+  bool hides_comment = false;    ///< a comment with data, such as `$$*CATIA0`, stands between its lines
   /// What follows the major word, one piece for each physical line, without `$` and comments. A comment has
   /// one piece: what follows `$$` (and for Creo's `$$->`, its continuation lines).
   std::vector<std::string_view> pieces;
@@ -39,7 +40,7 @@ struct Statement {
     line = first_byte = last_byte = 0;
     word = Word::unknown;
     major = {};
-    is_unterminated = is_decoded = has_axes = is_continuation = false;
+    is_unterminated = hides_comment = is_decoded = has_axes = is_continuation = false;
     pieces.clear();
     decoded.clear();
   }

@@ -164,6 +164,16 @@ constexpr auto kWords = std::to_array<Entry>({
 static_assert(std::is_sorted(kWords.begin(), kWords.end(),
                              [](const Entry& a, const Entry& b) { return a.first < b.first; }));
 
+// Of those that never begin a statement the ones that matter to motion.
+constexpr auto kMinorWords = std::to_array<std::string_view>(
+    {"AAXIS",  "ADJUST", "ANGLE",  "ATANGL", "BAXIS",     "BORE",  "BRKCHP",
+     "CAXIS",  "CCLW",   "CENTER", "CLEAR",  "CLOCKWISE", "CLW",   "COUNTERCLOCKWISE",
+     "DEEP",   "DEPTH",  "DRILL",  "FEDTO",  "INCHES",    "INCR",  "IPM",
+     "IPR",    "LEFT",   "MILL",   "MM",     "MMPM",      "MMPR",  "NOMORE",
+     "OFF",    "ON",     "RAPTO",  "REAM",   "RETURN",    "RIGHT", "RPM",
+     "RTRCTO", "STEP",   "TAP",    "TIMES",  "TRANSL",    "TURN",  "WORLD",
+     "XYPLAN", "YZPLAN", "ZXPLAN"});
+
 constexpr std::array<std::string_view, 6> kSixLetterTexts = {"INSERT", "LETTER", "PARTNO",
                                                              "PPRINT", "REMARK", "TPRINT"};
 constexpr std::array<std::string_view, 5> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART",
@@ -188,7 +198,8 @@ std::size_t tool_path_length(std::string_view line) {
 bool is_glued_to(std::string_view word, std::string_view major) {
   if (word.empty() || major.size() <= word.size() || !starts_with_ignoring_case(major, word)) return false;
   const char next = major[word.size()];
-  if (next != '-') return !is_letter(next) && next != '_';
+  if (is_letter(next)) return is_minor_word(major.substr(word.size()));  // "CYCLEOFF"
+  if (next != '-') return next != '_';
   const std::string_view rest = major.substr(word.size() + 1);
   return !rest.empty() && (is_digit(rest.front()) || rest.front() == '.');
 }
@@ -220,6 +231,23 @@ bool may_be_misspelt(const Entry& entry, std::string_view major) {
 }
 
 }  // namespace
+
+bool is_minor_word(std::string_view word) {
+  return std::any_of(kMinorWords.begin(), kMinorWords.end(),
+                     [&](std::string_view minor) { return equals_ignoring_case(minor, word); });
+}
+
+Word find_word_at_end(std::string_view token) {
+  constexpr std::size_t kLong = 4;
+  const Entry* found = nullptr;
+  for (const Entry& entry : kWords) {
+    const std::size_t size = entry.first.size();
+    if (size < kLong || size >= token.size() || (found != nullptr && size < found->first.size())) continue;
+    if (changes_motion(entry.second) && equals_ignoring_case(entry.first, token.substr(token.size() - size)))
+      found = &entry;
+  }
+  return found == nullptr ? Word::unknown : found->second;
+}
 
 bool changes_motion(Word word) {
   switch (word) {

@@ -79,6 +79,13 @@ enum class Word : std::uint8_t {
 /// other's place. Only words that change motion are found.
 [[nodiscard]] Word find_intended_word(std::string_view major);
 
+/// The word that `token` ends with, of those that change motion and have four letters or more: CYCLE of
+/// "OFFCYCLE".
+[[nodiscard]] Word find_word_at_end(std::string_view token);
+
+/// True of words that only go on in a statement whose beginning is missing: OFF, FEDTO, MMPM.
+[[nodiscard]] bool is_minor_word(std::string_view word);
+
 /// Words of `line` (without leading blanks) whose rest is text, whatever it holds: how many characters the
 /// word has, or 0 when it is no such word. PARTNO, PPRINT and their like need no delimiter after their six
 /// letters.
