@@ -8,6 +8,7 @@
 #include "cli/output_file.h"
 #include "cli/outputs.h"
 #include "cli/overwriting.h"
+#include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
@@ -52,7 +53,9 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   progress.end();
   check_heads(job.toolpath, job.heads, job.scene, options->check, result);
   measure_overcuts(job.toolpath, job.tools(), job.scene, options->check, result, job.heads);
-  const ReportModel model = job.report(arguments, job.toolpath, result, scene);
+  ReportModel model = job.report(arguments, job.toolpath, result, scene);
+  const PathFit fit = find_path_fit(job.toolpath, result.verdicts, job.tools(), scene, options->check.threads);
+  if (const auto misfit = describe_misfit(job.toolpath, fit)) model.notes.push_back(*misfit);
   print_notes(err, model.notes, arguments);
   if (arguments.is_verbose) {
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";

@@ -11,9 +11,9 @@
 #include "cli/output_file.h"
 #include "cli/outputs.h"
 #include "cli/overwriting.h"
+#include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
 #include "lib/correct/correct_path.h"
-#include "lib/correct/misfit.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
 #include "postproc/cldata/write_corrected.h"
@@ -72,22 +72,6 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
   return options;
 }
 
-Diagnostic misfit_error(const Job& job, const std::string& file, const Misfit& misfit) {
-  const Move& first = job.toolpath.moves[misfit.first_move];
-  const auto percent = [](double share) { return std::to_string(static_cast<int>(100 * share)) + " %"; };
-  std::string text = "the path does not fit the part: of the cutting positions of ";
-  text += first.operation != kNone && !job.toolpath.operations[first.operation].name.empty()
-              ? "operation '" + job.toolpath.operations[first.operation].name + "'"
-              : job.tool_facts[first.tool].name;
-  text += ", " + std::to_string(misfit.deep) + " of " + std::to_string(misfit.positions) +
-          " looked at are deeper than the cutter's radius or inside the solid; check units, placement, axis sign";
-  if (misfit.explanation) {
-    text += "; " + misfit.explanation->without + " " + percent(misfit.explanation->share) +
-            " of the positions touch the part (as it is: " + percent(misfit.share_touching) + ")";
-  }
-  return make_error("correct-misfit", text + ". Nothing was written; --force corrects all the same", file, first.line);
-}
-
 class CorrectRun {
  public:
   CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const Job& job,
@@ -102,13 +86,11 @@ class CorrectRun {
   int run() {
     const PreparedScene scene = prepare_scene(job_.scene, job_.options.check.threads);
     CheckResult before = check("checking moves", job_.toolpath, scene);
+    const PathFit fit =
+        find_path_fit(job_.toolpath, before.verdicts, job_.tools(), scene, job_.options.check.threads);
+    const std::optional<Diagnostic> misfit = describe_misfit(job_.toolpath, fit);
+    if (misfit && is_beyond_correction(fit) && !arguments_.is_forced) return refuse(*misfit);
     measure_overcuts(job_.toolpath, job_.tools(), job_.scene, job_.options.check, before, job_.heads);
-    if (!arguments_.is_forced) {
-      if (const auto misfit = find_misfit(job_.toolpath, job_.tools(), scene, job_.options.check)) {
-        print(err_, {misfit_error(job_, arguments_.job.path, *misfit)});
-        return kExitGouges;
-      }
-    }
     progress_.begin("correcting");
     CorrectOptions correct = correct_;
     std::optional<HeadChecker> heads;
@@ -137,6 +119,7 @@ class CorrectRun {
     ReportModel model = job_.report(arguments_.job, path, after, scene);
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before);
+    if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
     const bool is_written = write_outputs(arguments_.job, job_, model, progress_, out_, err_);
     if (arguments_.job.is_verbose) print_peak_memory(err_);
@@ -155,6 +138,13 @@ class CorrectRun {
     progress_.end();
     check_heads(path, job_.heads, job_.scene, job_.options.check, result);
     return result;
+  }
+
+  // Moving thousands of positions out of a part that lies elsewhere makes nothing of use.
+  int refuse(const Diagnostic& misfit) {
+    print(err_, {make_error(misfit.code, misfit.message + "; nothing was written; --force corrects all the same",
+                            misfit.file)});
+    return kExitGouges;
   }
 
   int fail(const Diagnostic& error) {

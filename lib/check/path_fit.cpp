@@ -1,0 +1,283 @@
+#include "lib/check/path_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "lib/base/parallel.h"
+#include "lib/check/sweep_filter.h"
+#include "lib/check/usual_mistakes.h"
+#include "lib/mesh/winding.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kFewestPositions = 10, kFewestChanged = 20;
+constexpr std::size_t kMostSamples = 128, kFirstSamples = 16;
+constexpr double kGoldenRatio = 0.6180339887498949;
+constexpr std::uint64_t kBudget = 20'000;
+constexpr double kAccuracy = 0.2;  // of what counts as touching
+constexpr double kDeep =
+    0.9;  // of the cutter's radius, as a ball sunk in to its centre is where it is inclined
+constexpr double kMost = 0.5;
+constexpr double kSuspicious = 0.1;  // of the positions gouge: worth a look at what may be wrong
+constexpr double kOften = 0.2;       // of the positions that a mistake changes gouge with it ...
+constexpr double kFewLeft = 0.2;     // ... and so few of these without it
+constexpr double kApart = 0.1;       // of the positions touch at most
+constexpr double kExplained = 0.75, kHopeful = 0.6, kStillGouging = 0.1;
+constexpr double kLeastRise_mm = 1;  // a shift along the axis that stock to leave does not explain
+constexpr double kSameAxis = 1e-3;
+constexpr std::size_t kInsideLooks = 16;
+
+struct Sample {
+  Pose pose;
+  const ToolForms* tool = nullptr;
+  bool is_gouging = false;
+};
+
+enum class Contact { apart, touching, gouging };
+
+bool is_in_part(const MoveVerdict& verdict) {
+  return verdict.witness && verdict.witness->against == Against::part && verdict.witness->body != Body::head;
+}
+
+// The radius of the corner next to the tip, of a ball its own; 0: none.
+double corner_radius_mm(const CompiledTool& tool) {
+  const auto corner = std::find_if(tool.elements.begin(), tool.elements.end(), [](const BoundaryElement& e) {
+    return e.kind == ElementKind::arc && e.body == Body::cutter && !e.is_reflex;
+  });
+  return corner == tool.elements.end() ? 0 : corner->radius_mm;
+}
+
+Contact contact_of(const Pose& pose, const ToolForms& tool, const PreparedScene& scene) {
+  const double touch = touch_mm(tool);
+  const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
+  const SearchAnswer answer =
+      sweep_and_search(Motion(pose), {part}, {touch, 0, kAccuracy * touch, kAccuracy * touch, kBudget});
+  if (answer.value_mm > 2 * touch) return Contact::gouging;
+  return answer.has_witness ? Contact::touching : Contact::apart;
+}
+
+bool is_inside(const Pose& pose, const ToolForms& tool, const Scene& scene) {
+  double winding = 0;
+  for (const IndexedMesh& mesh : scene.parts)
+    winding += winding_number(mesh, pose.tip + tool.bare.core.y() * pose.axis);
+  return std::abs(winding) > 0.5;
+}
+
+Scene scaled(const Scene& scene, double factor) {
+  Scene made;
+  made.parts = scene.parts;
+  for (IndexedMesh& mesh : made.parts) {
+    for (Vec3& vertex : mesh.vertices) vertex *= factor;
+  }
+  return made;
+}
+
+class FitFinder {
+ public:
+  FitFinder(const Toolpath& path, const std::vector<MoveVerdict>& verdicts,
+            const std::vector<const ToolForms*>& tools, const PreparedScene& scene, unsigned threads)
+      : path_(path), verdicts_(verdicts), tools_(tools), scene_(scene), threads_(threads) {}
+
+  PathFit run() {
+    gather();
+    if (cuts_.size() < kFewestPositions || scene_.parts.nodes.empty() || !scene_.is_within_reach) return fit_;
+    if (is_too_deep()) fit_.kind = PathFit::Kind::too_deep;
+    take_samples();
+    const bool is_suspicious =
+        static_cast<double>(fit_.gouging) >= kSuspicious * static_cast<double>(cuts_.size());
+    const bool is_apart = !is_suspicious && touches_seldom();
+    if (!is_suspicious && !is_apart) return fit_;
+    explain(is_apart);
+    if (fit_.explanation && fit_.kind == PathFit::Kind::fits)
+      fit_.kind = is_apart ? PathFit::Kind::apart : PathFit::Kind::mistaken;
+    return fit_;
+  }
+
+ private:
+  struct Attempt {
+    double share = 0;
+    bool is_of_all = true;
+  };
+
+  void gather() {
+    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+      const Move& move = path_.moves[i];
+      const MoveVerdict& verdict = verdicts_[i];
+      const bool is_cut = move.kind != MoveKind::rapid && move.tool < tools_.size() &&
+                          tools_[move.tool] != nullptr && verdict.state != MoveState::not_checked &&
+                          verdict.state != MoveState::not_certified;
+      if (!is_cut) continue;
+      const ToolForms& tool = *tools_[move.tool];
+      const double depth = is_in_part(verdict) ? verdict.depth_mm : 0;
+      const bool is_buried = verdict.state == MoveState::buried;
+      const bool is_deep = is_buried || depth >= kDeep * tool.bare.core_depth_mm;
+      cuts_.push_back(i);
+      fit_.deep += is_deep ? 1U : 0U;
+      fit_.gouging += is_gouging(i) ? 1U : 0U;
+      auto& [all, deep] = operations_[move.operation];
+      ++all;
+      deep += is_deep ? 1U : 0U;
+    }
+    fit_.positions = cuts_.size();
+  }
+
+  [[nodiscard]] bool is_gouging(std::size_t move) const {
+    const MoveVerdict& verdict = verdicts_[move];
+    return verdict.state == MoveState::buried ||
+           (is_in_part(verdict) && verdict.depth_mm > touch_mm(*tools_[path_.moves[move].tool]));
+  }
+
+  [[nodiscard]] bool is_too_deep() const {
+    const auto bad = std::count_if(operations_.begin(), operations_.end(), [](const auto& operation) {
+      return static_cast<double>(operation.second.second) >
+             kMost * static_cast<double>(operation.second.first);
+    });
+    return static_cast<double>(fit_.deep) > kMost * static_cast<double>(cuts_.size()) &&
+           static_cast<double>(bad) > kMost * static_cast<double>(operations_.size());
+  }
+
+  void take_samples() {
+    const std::size_t count = std::min(cuts_.size(), kMostSamples);
+    for (std::size_t k = 0; k < count; ++k) {
+      const double at = 0.5 + kGoldenRatio * static_cast<double>(k);
+      const auto n = static_cast<double>(cuts_.size());
+      const std::size_t chosen =
+          count == cuts_.size() ? k : static_cast<std::size_t>((at - std::floor(at)) * n);
+      const std::size_t move = cuts_[std::min(chosen, cuts_.size() - 1)];
+      samples_.push_back({path_.moves[move].end, tools_[path_.moves[move].tool], is_gouging(move)});
+    }
+  }
+
+  [[nodiscard]] bool touches_seldom() const {
+    std::size_t touching = 0;
+    const std::size_t count = std::min(samples_.size(), 2 * kFirstSamples);
+    for (std::size_t i = 0; i < count; ++i)
+      touching += contact_of(samples_[i].pose, *samples_[i].tool, scene_) != Contact::apart ? 1U : 0U;
+    return static_cast<double>(touching) <= kApart * static_cast<double>(count);
+  }
+
+  void explain(bool is_apart) {
+    const std::vector<UndoneMistake> mistakes = usual_mistakes(path_.unit);
+    std::vector<std::optional<Attempt>> attempts(mistakes.size());
+    for_each_chunk(mistakes.size(), 1, threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) attempts[i] = attempt(mistakes[i], is_apart);
+    });
+    for (std::size_t i = 0; i < mistakes.size(); ++i) {
+      if (!attempts[i] || (fit_.explanation && attempts[i]->share <= fit_.explanation->share)) continue;
+      fit_.explanation = PathFit::Explanation{mistakes[i].text, attempts[i]->share, attempts[i]->is_of_all};
+    }
+  }
+
+  [[nodiscard]] std::optional<Attempt> attempt(const UndoneMistake& mistake, bool is_apart) const {
+    const bool is_rise = std::abs(mistake.corner_radii) > 0;
+    const bool is_fitting_else =
+        fit_.kind == PathFit::Kind::fits && !is_apart;  // else it may be a shallow undercut
+    std::vector<Sample> changed;
+    std::size_t gouging = 0;
+    for (const Sample& sample : samples_) {
+      const double corner = corner_radius_mm(sample.tool->bare);
+      if (is_rise &&
+          corner < std::max(kLeastRise_mm, is_fitting_else ? 0.5 * sample.tool->bare.core_depth_mm : 0))
+        continue;
+      const Pose pose = mistake.pose(sample.pose, corner);
+      const bool is_changed = (pose.tip - sample.pose.tip).norm() > touch_mm(*sample.tool) ||
+                              (pose.axis - sample.pose.axis).norm() > kSameAxis ||
+                              std::abs(mistake.part_scale - 1) > 0;
+      if (!is_changed) continue;
+      changed.push_back({pose, sample.tool, sample.is_gouging});
+      gouging += sample.is_gouging ? 1U : 0U;
+    }
+    if (changed.size() < (is_fitting_else ? kFewestChanged : kFewestPositions) || !is_size_better(mistake))
+      return std::nullopt;
+    const bool is_needed =
+        is_apart || static_cast<double>(gouging) >= kOften * static_cast<double>(changed.size());
+    if (!is_needed) return std::nullopt;
+    const double allowed = fit_.kind == PathFit::Kind::too_deep || is_apart
+                               ? kStillGouging * static_cast<double>(changed.size())
+                               : kFewLeft * static_cast<double>(gouging);
+    const bool is_of_all = changed.size() == samples_.size();
+    if (!(std::abs(mistake.part_scale - 1) > 0)) return try_at(changed, allowed, is_of_all, scene_);
+    if (!is_hopeful(changed, mistake.part_scale)) return std::nullopt;
+    const Scene other = scaled(*scene_.scene, mistake.part_scale);
+    return try_at(changed, allowed, is_of_all, prepare_scene(other, 1));
+  }
+
+  // Parts are about as large as what is cut of them. Positions drawn together touch whatever one of them
+  // touches.
+  [[nodiscard]] bool is_size_better(const UndoneMistake& mistake) const {
+    const double scale = std::cbrt(std::abs(mistake.tip.determinant())) / mistake.part_scale;
+    if (std::abs(scale - 1) < 1e-9) return true;
+    Box3 cuts, parts;
+    for (const std::size_t move : cuts_) cuts.extend(path_.moves[move].end.tip);
+    for (const IndexedMesh& mesh : scene_.scene->parts) parts.extend(mesh.box());
+    const double ratio = cuts.diagonal().norm() / parts.diagonal().norm();
+    return ratio > 0 && std::abs(std::log(ratio * scale)) < std::abs(std::log(ratio));
+  }
+
+  // Before a tree is built over a part of another size.
+  [[nodiscard]] bool is_hopeful(const std::vector<Sample>& samples, double part_scale) const {
+    Box3 box;
+    for (const IndexedMesh& mesh : scene_.scene->parts) box.extend(mesh.box());
+    const Box3 scaled_box(Vec3(part_scale * box.min()), Vec3(part_scale * box.max()));
+    const auto near = std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
+      const double reach = sample.tool->bare.r_max_mm + touch_mm(*sample.tool);
+      return scaled_box.squaredExteriorDistance(sample.pose.tip) <= reach * reach;
+    });
+    return static_cast<double>(near) >= kHopeful * static_cast<double>(samples.size());
+  }
+
+  [[nodiscard]] static std::optional<Attempt> try_at(const std::vector<Sample>& samples,
+                                                     double gouging_allowed, bool is_of_all,
+                                                     const PreparedScene& scene) {
+    if (!scene.is_within_reach) return std::nullopt;
+    std::vector<const Sample*> touching;
+    std::size_t gouging = 0, next_look = kFirstSamples;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      if (i == next_look) {
+        if (static_cast<double>(touching.size()) < kHopeful * static_cast<double>(i)) return std::nullopt;
+        next_look *= 2;
+      }
+      const Vec3& tip = samples[i].pose.tip;
+      if (!(tip.cwiseAbs().maxCoeff() <= kFarthest_mm)) return std::nullopt;
+      const Contact contact = contact_of(samples[i].pose, *samples[i].tool, scene);
+      if (contact == Contact::touching) touching.push_back(&samples[i]);
+      gouging += contact == Contact::gouging ? 1U : 0U;
+    }
+    const auto count = static_cast<double>(samples.size());
+    const double share = static_cast<double>(touching.size()) / count;
+    if (share < kExplained || static_cast<double>(gouging) > gouging_allowed) return std::nullopt;
+    const std::size_t looks = std::min(touching.size(), kInsideLooks);
+    std::size_t inside = 0;
+    for (std::size_t i = 0; i < looks; ++i)
+      inside += is_inside(touching[i]->pose, *touching[i]->tool, *scene.scene) ? 1U : 0U;
+    if (static_cast<double>(inside) > kStillGouging * static_cast<double>(looks)) return std::nullopt;
+    return Attempt{share, is_of_all};
+  }
+
+  const Toolpath& path_;
+  const std::vector<MoveVerdict>& verdicts_;
+  const std::vector<const ToolForms*>& tools_;
+  const PreparedScene& scene_;
+  unsigned threads_;
+  PathFit fit_;
+  std::vector<std::size_t> cuts_;
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>>
+      operations_;  // cuts, and how many of them are too deep
+  std::vector<Sample> samples_;
+};
+
+}  // namespace
+
+double touch_mm(const ToolForms& tool) {
+  return std::clamp(0.05 * tool.bare.core_depth_mm, 0.02, 0.5);
+}
+
+PathFit find_path_fit(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts,
+                      const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
+                      unsigned threads) {
+  return FitFinder(toolpath, verdicts, tools, scene, threads).run();
+}
+
+}  // namespace gouge
