@@ -1,80 +1,204 @@
 #include "lib/check/buried.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
+#include <memory>
 
 #include "lib/check/check_path.h"
-#include "lib/mesh/winding.h"
+#include "lib/check/scene_sides.h"
+#include "lib/tool/free_regions.h"
 
 namespace gouge {
 namespace {
 
-enum class Inside { no, yes, unknown };
-
-// Inside a closed solid the winding number is a whole number other than 0. The share of the solid angle that
-// an open mesh leaves free cannot exceed what its holes cover, so far from one half it still tells.
-constexpr double kSurelyOutside = 0.25;
-constexpr double kSurelyInside = 0.75;
-
-Inside inside_of(const std::vector<IndexedMesh>& meshes, const std::vector<Box3>& boxes, const Vec3& point) {
-  Inside answer = Inside::no;
-  for (std::size_t m = 0; m < meshes.size(); ++m) {
-    if (!boxes[m].contains(point)) continue;
-    const double winding = std::abs(winding_number(meshes[m], point));
-    if (winding >= kSurelyInside) return Inside::yes;
-    if (winding > kSurelyOutside) answer = Inside::unknown;
-  }
-  return answer;
-}
-
-class BuriedMarker {
+/// The regions of one tool, for depths that moves share.
+class ToolRegions {
  public:
-  explicit BuriedMarker(const Scene& scene) : scene_(scene) {
-    for (const IndexedMesh& mesh : scene.parts) part_boxes_.push_back(mesh.box());
-    for (const IndexedMesh& mesh : scene.fixtures) fixture_boxes_.push_back(mesh.box());
-  }
+  ToolRegions(const CompiledTool& tool, double usual_mm) : finder_(tool), usual_mm_(usual_mm) {}
 
-  [[nodiscard]] Inside at(const Pose& pose, const CompiledTool& tool) const {
-    const Vec3 core = pose.tip + tool.core.y() * pose.axis;
-    const Inside part = inside_of(scene_.parts, part_boxes_, core);
-    if (part == Inside::yes) return part;
-    const Inside fixture = inside_of(scene_.fixtures, fixture_boxes_, core);
-    return fixture == Inside::no ? part : fixture;
+  /// For a depth that is at least `depth_mm`; that depth itself where a body would else have no place. Stays valid.
+  const FreeRegions& at(double depth_mm) {
+    const FreeRegions& rounded = stored(rounded_up(depth_mm));
+    return rounded.covers_all() || depth_mm > usual_mm_ ? rounded : stored(depth_mm);
   }
 
  private:
-  const Scene& scene_;
-  std::vector<Box3> part_boxes_, fixture_boxes_;
+  [[nodiscard]] double rounded_up(double depth_mm) const {
+    constexpr int kFinest = -6;
+    if (!(depth_mm > 0) || !(usual_mm_ > 0)) return std::max(depth_mm, 0.0);
+    const int power = std::max(kFinest, static_cast<int>(std::ceil(2 * std::log2(depth_mm / usual_mm_) - 1e-9)));
+    return std::max(depth_mm, usual_mm_ * std::exp2(0.5 * power));
+  }
+  const FreeRegions& stored(double depth_mm) {
+    std::unique_ptr<FreeRegions>& slot = stored_[depth_mm];
+    if (!slot) slot = std::make_unique<FreeRegions>(finder_.at(depth_mm));
+    return *slot;
+  }
+
+  RegionFinder finder_;
+  double usual_mm_;
+  std::map<double, std::unique_ptr<FreeRegions>> stored_;
 };
 
-constexpr const char* kBuried = "the tool is inside the solid; no surface is inside the tool";
-constexpr const char* kOpenMesh = "the mesh is open here: it cannot tell whether the tool is buried";
-constexpr const char* kThinCutter =
-    "the tolerance lets the surface reach the middle of the cutter, so the tool may be buried; give a "
-    "smaller "
-    "tolerance";
+class BuriedMarker {
+ public:
+  BuriedMarker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,
+               const CheckOptions& options, std::vector<MoveVerdict>& verdicts)
+      : toolpath_(toolpath), tools_(tools), sides_(scene), options_(options), verdicts_(verdicts) {}
+
+  void mark() {
+    find_regions();
+    FreeChains chains(sides_, first_.back());
+    for (std::size_t i = 0; i < verdicts_.size(); ++i) join(i, chains);
+    chains.decide(options_.threads, [this](std::size_t item) { return places_of(item); });
+    for (std::size_t i = 0; i < verdicts_.size(); ++i) {
+      const MoveState state = verdicts_[i].state;
+      if (state == MoveState::clean || state == MoveState::near_miss) judge(i, chains);
+    }
+  }
+
+ private:
+  [[nodiscard]] bool is_proved(std::size_t i) const {
+    const MoveState state = verdicts_[i].state;
+    return state != MoveState::not_checked && state != MoveState::not_certified;
+  }
+
+  void find_regions() {
+    std::map<std::size_t, ToolRegions*> by_tool;
+    regions_.assign(verdicts_.size(), nullptr);
+    first_.assign(verdicts_.size() + 1, 0);
+    for (std::size_t i = 0; i < verdicts_.size(); ++i) {
+      if (is_proved(i)) {
+        const std::size_t tool = toolpath_.moves[i].tool;
+        ToolRegions*& own = by_tool[tool];
+        if (own == nullptr) {
+          own_regions_.push_back(std::make_unique<ToolRegions>(tools_[tool]->bare,
+                                                               options_.tolerance_mm + options_.resolution_mm));
+          own = own_regions_.back().get();
+        }
+        regions_[i] = &own->at(verdicts_[i].depth_upper_mm);
+      }
+      first_[i + 1] = first_[i] + (regions_[i] != nullptr ? regions_[i]->regions.size() : 0);
+    }
+  }
+
+  // The pose in which a move ends is the one in which the next begins.
+  void join(std::size_t i, FreeChains& chains) const {
+    if (regions_[i] == nullptr) return;
+    const std::vector<FreeRegion>& own = regions_[i]->regions;
+    const Move& move = toolpath_.moves[i];
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      for (const Vec3& place : places_at(move.end, own[k])) chains.add(first_[i] + k, place);
+    }
+    if (!move.has_start || i == 0) return;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      for (const Vec3& place : places_at(toolpath_.start_of(i), own[k])) chains.add(first_[i] + k, place);
+    }
+    if (regions_[i - 1] == nullptr || toolpath_.moves[i - 1].tool != move.tool) return;
+    const std::vector<FreeRegion>& before = regions_[i - 1]->regions;
+    for (std::size_t k = 0; k < own.size(); ++k) {
+      for (std::size_t l = 0; l < before.size(); ++l) {
+        if (own[k].meets(before[l])) chains.join(first_[i] + k, first_[i - 1] + l);
+      }
+    }
+  }
+
+  /// Places of a region at a pose: the deepest, and both ends of a stretch or four of a ring.
+  static std::vector<Vec3> places_at(const Pose& pose, const FreeRegion& region) {
+    const Vec3 middle = pose.tip + region.deepest.y() * pose.axis;
+    if (region.ring == FreeRegion::kNoRing) {
+      constexpr double kWithin = 0.999;
+      const double z = region.deepest.y();
+      return {middle, middle + kWithin * (region.z_hi_mm - z) * pose.axis,
+              middle + kWithin * (region.z_lo_mm - z) * pose.axis};
+    }
+    const Vec3 e1 = pose.axis.unitOrthogonal(), e2 = pose.axis.cross(e1);
+    const double r = region.deepest.x();
+    return {middle + r * e1, middle - r * e1, middle + r * e2, middle - r * e2};
+  }
+
+  [[nodiscard]] JoinedPlaces places_of(std::size_t item) const {
+    const auto after = std::upper_bound(first_.begin(), first_.end(), item);
+    const auto i = static_cast<std::size_t>(after - first_.begin()) - 1;
+    const Pose& pose = toolpath_.moves[i].end;
+    return {places_at(pose, regions_[i]->regions[item - first_[i]]), {pose.axis}};
+  }
+
+  void judge(std::size_t i, FreeChains& chains) {
+    const FreeRegions& found = *regions_[i];
+    MoveVerdict& verdict = verdicts_[i];
+    const MoveVerdict* unknown = nullptr;
+    MoveVerdict open;
+    for (std::size_t k = 0; k < found.regions.size(); ++k) {
+      const FreeRegion& region = found.regions[k];
+      const SideAnswer& answer = chains.answer(first_[i] + k);
+      if (answer.side == Side::outside) continue;
+      const Body body = body_of(i, region);
+      // Where the tolerance lets the surface come far into the tool it is neither buried nor clean.
+      if (answer.side == Side::inside && 2 * verdict.depth_upper_mm <= region.depth_mm) {
+        verdict.state = MoveState::buried;
+        verdict.reason = buried_reason(body);
+        return;
+      }
+      if (unknown != nullptr) continue;
+      open.reason = answer.side == Side::inside ? thin_body_reason(body) : unknown_side_reason(body, answer.why);
+      unknown = &open;
+    }
+    if (unknown == nullptr && found.covers_all() && !found.regions.empty()) return;
+    verdict.state = MoveState::not_certified;
+    verdict.reason = unknown != nullptr ? unknown->reason : thin_body_reason(found.uncovered());
+    verdict.clearance_mm.reset();
+  }
+
+  /// The cutter where the region reaches down to it, else the lowest body.
+  [[nodiscard]] Body body_of(std::size_t i, const FreeRegion& region) const {
+    Body lowest = Body::holder;
+    for (const BoundaryElement& e : tools_[toolpath_.moves[i].tool]->bare.elements) {
+      const bool is_at = std::min(e.a.y(), e.b.y()) <= region.z_hi_mm && std::max(e.a.y(), e.b.y()) >= region.z_lo_mm;
+      if (is_at && e.body < lowest) lowest = e.body;
+    }
+    return lowest;
+  }
+
+  const Toolpath& toolpath_;
+  const std::vector<const ToolForms*>& tools_;
+  SceneSides sides_;
+  const CheckOptions& options_;
+  std::vector<MoveVerdict>& verdicts_;
+  std::vector<std::unique_ptr<ToolRegions>> own_regions_;
+  std::vector<const FreeRegions*> regions_;  // per move; null without a proof
+  std::vector<std::size_t> first_;           // per move: the number of its first region
+};
 
 }  // namespace
 
+std::string buried_reason(Body body) {
+  // The cutter's is as old as the report.
+  if (body == Body::cutter) return "the tool is inside the solid; no surface is inside the tool";
+  const std::string name = body_name(body);
+  return "the " + name + " is inside the solid; no surface is inside the " + name;
+}
+
+Body buried_body(const std::string& reason) {
+  for (const Body body : {Body::shank, Body::holder, Body::head}) {
+    if (reason == buried_reason(body)) return body;
+  }
+  return Body::cutter;
+}
+
+std::string unknown_side_reason(Body body, const std::string& why) {
+  return std::string("whether the ") + body_name(body) + " is inside the solid cannot be told: " + why;
+}
+
+std::string thin_body_reason(Body body) {
+  return std::string("the tolerance lets the surface reach the middle of the ") + body_name(body) +
+         ", so the tool may be buried; give a smaller tolerance";
+}
+
 void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,
                  const CheckOptions& options, std::vector<MoveVerdict>& verdicts) {
-  const BuriedMarker marker(scene);
-  Inside state = Inside::unknown;
-  bool is_chained = false;
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    const Move& move = toolpath.moves[i];
-    MoveVerdict& verdict = verdicts[i];
-    const bool is_checked =
-        verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified;
-    const bool is_core_free = is_checked && verdict.depth_upper_mm < tools[move.tool]->bare.core_depth_mm;
-    const bool goes_on =
-        is_chained && is_core_free && move.has_start && toolpath.moves[i - 1].tool == move.tool;
-    is_chained = is_core_free;
-    if (!is_checked || (verdict.state == MoveState::gouge && !is_core_free)) continue;
-    if (!goes_on) state = marker.at(motion_of(toolpath, i, options.rapid).start(), tools[move.tool]->bare);
-    if (verdict.state == MoveState::gouge || (state == Inside::no && is_core_free)) continue;
-    verdict.state = state == Inside::yes ? MoveState::buried : MoveState::not_certified;
-    verdict.reason = state == Inside::yes ? kBuried : state == Inside::unknown ? kOpenMesh : kThinCutter;
-  }
+  BuriedMarker(toolpath, tools, scene, options, verdicts).mark();
 }
 
 }  // namespace gouge

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "lib/check/check_options.h"
@@ -11,13 +12,24 @@ namespace gouge {
 
 inline constexpr const char* kSkippedRapid = "rapid moves are skipped as asked";
 
-/// Turns moves that meet no surface although the tool is inside a solid from clean or near to buried.
+/// Why a move is buried: "the holder is inside the solid; no surface is inside the holder".
+[[nodiscard]] std::string buried_reason(Body body);
+/// The body that such a reason names; the cutter where it names none of the tool's.
+[[nodiscard]] Body buried_body(const std::string& reason);
+/// Why a move is not certified: which body, and what of the meshes.
+[[nodiscard]] std::string unknown_side_reason(Body body, const std::string& why);
+/// Why a move is not certified: the surface may reach the middle of a body.
+[[nodiscard]] std::string thin_body_reason(Body body);
+
+/// Turns moves that are clean or near although the tool is inside a solid, or may be, into buried and not certified.
 ///
-/// While nothing of the surface comes as deep into the tool as its core lies, the core cannot pass from
-/// outside to inside; so one winding number tells a whole chain of moves, and only a chain's beginning costs
-/// one. Where the tolerance lets the surface come that deep, a move that begins outside is not certified.
+/// While nothing of the surface comes as deep into the tool as some places of it lie, those places cannot pass from
+/// outside to inside; nor can a move's last place and the next one's first differ. So each part of the tool that is
+/// connected at that depth is on one side during a whole chain of moves, which ends only at moves without a proof, and
+/// is asked once for all of it. A move stays clean only if every body of its tool has such a place and all of them are
+/// proved outside. Proof: docs/algorithms/inside_outside.md.
 ///
-/// Cost   O(triangles) for each chain whose core is within the mesh's box.
+/// Cost     O(moves), and for each chain that never leaves the surfaces' box O(triangles).
 void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,
                  const CheckOptions& options, std::vector<MoveVerdict>& verdicts);
 

@@ -87,7 +87,7 @@ class PathChecker {
     for (std::size_t k = 0; k < count; ++k) {
       // Neighbours share bounds. Where the tolerance lets them reach the cutter's core, "buried" needs the move's own.
       const double core = tool.bare.core_depth_mm;
-      if (found[k].state == MoveState::clean && core > 0 && found[k].depth_upper_mm >= core)
+      if (found[k].state == MoveState::clean && core > 0 && 2 * found[k].depth_upper_mm >= core)
         found[k] = check_move(batch.motions[k], batch.kinds[k], tool, scene_, options_, &spent[k]);
       verdicts[batch.moves[k]] = std::move(found[k]);
       bounds[batch.moves[k]] = spent[k];
@@ -109,7 +109,7 @@ bool is_told(const MoveVerdict& v) {
 
 bool belongs(const Event& event, const Move& last, const Move& move, const MoveVerdict& v) {
   if (event.state != v.state || last.tool != move.tool || last.operation != move.operation) return false;
-  return !v.witness || (event.body == v.witness->body && event.against == v.witness->against);
+  return !v.witness || v.state == MoveState::buried || (event.body == v.witness->body && event.against == v.witness->against);
 }
 
 bool is_worse(const MoveVerdict& a, const MoveVerdict& b) {
@@ -152,6 +152,7 @@ std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<Mov
       event.body = v.witness->body;
       event.against = v.witness->against;
     }
+    if (v.state == MoveState::buried) event.body = buried_body(v.reason);
     events.push_back(event);
   }
   return events;

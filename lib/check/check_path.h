@@ -18,9 +18,8 @@ using ProgressCall = std::function<void(std::size_t done, std::size_t total)>;
 /// Ensures  (1) one verdict a move, in order; the counts add up to the moves. A move whose start or curve the path
 ///          does not hold (one cut out of another path) is not checked.
 ///          (2) the same result, bit for bit, at any number of threads.
-///          (3) a move that meets no surface is clean only if the tool is not inside a solid: told by the
-///              winding number of the mesh about the cutter's core; on an open mesh a value between 1/4 and
-///              3/4 decides nothing and the move is not certified.
+///          (3) a move is clean only if every body of the tool is proved outside of all solids during it, and
+///              buried only if one is proved inside; else it is not certified (buried.h).
 /// Source   design of docs/method.md; docs/algorithms/certified_sweep.md.
 [[nodiscard]] CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
                                      const PreparedScene& scene, const CheckOptions& options,

@@ -5,33 +5,39 @@
 #include <limits>
 
 #include "lib/base/parallel.h"
+#include "lib/check/buried.h"
 #include "lib/head/head_search.h"
-#include "lib/mesh/winding.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kMovesPerChunk = 8;
 constexpr std::uint64_t kMostBounds = 100'000;
-// As for a buried tool (lib/check/buried.cpp): what an open mesh leaves undecided.
-constexpr double kSurelyOutside = 0.25, kSurelyInside = 0.75;
-
-constexpr const char* kOpen = "the mesh is open here: it cannot tell whether the head is buried";
 constexpr const char* kThin =
     "the tolerance is as large as the head is thick: it may be buried; give a smaller tolerance";
 constexpr const char* kBudget =
     "the head comes too close to the surface for too long: the budget of bounds ran out";
 
-void decide(MoveState state, const char* reason, MoveVerdict& verdict) {
+void decide(MoveState state, const std::string& reason, MoveVerdict& verdict) {
   verdict.state = state;
   verdict.reason = reason;
   verdict.clearance_mm.reset();
 }
 
+void decide_side(const SideAnswer& answer, MoveVerdict& verdict) {
+  if (answer.side == Side::inside) decide(MoveState::buried, kHeadIsBuried, verdict);
+  if (answer.side == Side::unknown)
+    decide(MoveState::not_certified, unknown_side_reason(Body::head, answer.why), verdict);
+}
+
+bool is_open_to_judgement(const MoveVerdict& verdict) {
+  return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
+}
+
 }  // namespace
 
 HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const Scene& scene)
-    : heads_(heads), parts_(scene.parts.size()) {
+    : heads_(heads), sides_(scene), parts_(scene.parts.size()) {
   DepthBodyOptions lean;
   lean.directions = *make_directions(DirectionFamily::cube, 6);
   lean.is_lean = true;
@@ -43,17 +49,25 @@ HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const Scene& scene)
 
 std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& options,
                                  MoveVerdict& verdict) const {
+  std::vector<double> uppers_mm;
+  const std::uint64_t bounds = sweep(motion, options, verdict, uppers_mm);
+  if (is_open_to_judgement(verdict)) look_inside(motion.start(), uppers_mm, verdict);
+  return bounds;
+}
+
+std::uint64_t HeadChecker::sweep(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
+                                 std::vector<double>& uppers_mm) const {
   const HeadMotion head_motion(motion);
   std::uint64_t bounds = 0;
+  uppers_mm.clear();
   for (const HeadBody& head : heads_) {
     const HeadAnswer found =
         search_head(head_motion, head, surfaces_,
                     {options.tolerance_mm, options.resolution_mm,
                      std::min(kMostBounds, options.budget_per_move), options.gouge_gap_mm});
     bounds += found.bounds;
+    uppers_mm.push_back(found.depth_upper_mm);
     join(found, options, verdict);
-    if (verdict.state == MoveState::clean || verdict.state == MoveState::near_miss)
-      look_inside(motion, head, verdict);
   }
   return bounds;
 }
@@ -101,17 +115,63 @@ void HeadChecker::take(const HeadAnswer& found, MoveVerdict& verdict) const {
 
 /// No surface comes as deep into the head as its cores lie, so each core stays on one side during the whole
 /// move.
-void HeadChecker::look_inside(const Motion& motion, const HeadBody& head, MoveVerdict& verdict) const {
-  const RigidTransform pose = HeadMotion(motion).at(0);
-  for (std::size_t k = 0; k < head.cores.size(); ++k) {
-    if (head.core_depths_mm[k] <= verdict.depth_upper_mm)
-      return decide(MoveState::not_certified, kThin, verdict);
-    const Vec3 core = pose.point(head.cores[k]);
-    for (const DepthBody* body : surfaces_) {
-      if (!body->mesh.box().contains(core)) continue;
-      const double winding = std::abs(winding_number(body->mesh, core));
-      if (winding >= kSurelyInside) return decide(MoveState::buried, kHeadIsBuried, verdict);
-      if (winding > kSurelyOutside) decide(MoveState::not_certified, kOpen, verdict);
+void HeadChecker::look_inside(const Pose& pose, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const {
+  const RigidTransform at{head_rotation(pose.axis), pose.tip};
+  for (std::size_t h = 0; h < heads_.size() && verdict.state != MoveState::buried; ++h) {
+    for (std::size_t k = 0; k < heads_[h].cores.size() && verdict.state != MoveState::buried; ++k) {
+      if (heads_[h].core_depths_mm[k] <= uppers_mm[h]) {
+        decide(MoveState::not_certified, kThin, verdict);
+      } else {
+        decide_side(sides_.side_of({{at.point(heads_[h].cores[k])}, {pose.axis}}), verdict);
+      }
+    }
+  }
+}
+
+void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& options,
+                              const std::vector<std::vector<double>>& uppers_mm,
+                              std::vector<MoveVerdict>& verdicts) const {
+  std::vector<std::pair<std::size_t, std::size_t>> cores;  // head, core
+  for (std::size_t h = 0; h < heads_.size(); ++h) {
+    for (std::size_t k = 0; k < heads_[h].cores.size(); ++k) cores.emplace_back(h, k);
+  }
+  const auto core_at = [&](const Pose& pose, std::size_t c) {
+    const RigidTransform at{head_rotation(pose.axis), pose.tip};
+    return at.point(heads_[cores[c].first].cores[cores[c].second]);
+  };
+  const auto is_free = [&](std::size_t i, std::size_t c) {
+    const auto [h, k] = cores[c];
+    return !uppers_mm[i].empty() && uppers_mm[i][h] < heads_[h].core_depths_mm[k];
+  };
+  FreeChains chains(sides_, verdicts.size() * cores.size());
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const Move& move = toolpath.moves[i];
+    for (std::size_t c = 0; c < cores.size(); ++c) {
+      if (!is_free(i, c)) continue;
+      chains.add(i * cores.size() + c, core_at(move.end, c));
+      if (i == 0 || !move.has_start) continue;
+      chains.add(i * cores.size() + c, core_at(toolpath.start_of(i), c));
+      if (is_free(i - 1, c)) chains.join(i * cores.size() + c, (i - 1) * cores.size() + c);
+    }
+  }
+  const auto is_asked = [&](std::size_t item) {
+    return is_free(item / cores.size(), item % cores.size());
+  };
+  chains.decide(
+      options.threads,
+      [&](std::size_t item) {
+        const Pose& pose = toolpath.moves[item / cores.size()].end;
+        return JoinedPlaces{{core_at(pose, item % cores.size())}, {pose.axis}};
+      },
+      is_asked);
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (uppers_mm[i].empty() || !is_open_to_judgement(verdicts[i])) continue;
+    for (std::size_t c = 0; c < cores.size() && verdicts[i].state != MoveState::buried; ++c) {
+      if (!is_free(i, c)) {
+        decide(MoveState::not_certified, kThin, verdicts[i]);
+      } else {
+        decide_side(chains.answer(i * cores.size() + c), verdicts[i]);
+      }
     }
   }
 }
@@ -121,20 +181,18 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
   if (heads.empty()) return;
   const HeadChecker checker(heads, scene);
   std::vector<std::uint64_t> bounds(result.verdicts.size(), 0);
+  std::vector<std::vector<double>> uppers_mm(result.verdicts.size());
   for_each_chunk(result.verdicts.size(), kMovesPerChunk, options.threads,
                  [&](std::size_t first, std::size_t last) {
                    for (std::size_t i = first; i < last; ++i) {
                      if (result.verdicts[i].state == MoveState::not_checked) continue;
                      const Motion motion = motion_of(toolpath, i, options.rapid);
-                     bounds[i] = checker.check(motion, options, result.verdicts[i]);
+                     bounds[i] = checker.sweep(motion, options, result.verdicts[i], uppers_mm[i]);
                    }
                  });
+  checker.mark_buried(toolpath, options, uppers_mm, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;
   result.events = gather_events(toolpath, result.verdicts);
-  for (Event& event : result.events) {
-    if (event.state == MoveState::buried && result.verdicts[event.first_move].reason == kHeadIsBuried)
-      event.body = Body::head;
-  }
   count_states(result);
 }
 

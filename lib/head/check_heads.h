@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "lib/check/check_path.h"
+#include "lib/check/scene_sides.h"
 #include "lib/head/head_body.h"
 #include "lib/head/head_search.h"
 
@@ -21,6 +22,15 @@ class HeadChecker {
   /// deeper witness stays, a gouge of either is a gouge, and the motion is clean only if both are.
   std::uint64_t check(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict) const;
 
+  /// The same but for whether a head is inside a solid; how deep the surface may be in each head goes to `uppers_mm`.
+  std::uint64_t sweep(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
+                      std::vector<double>& uppers_mm) const;
+
+  /// Turns moves that are clean or near into buried or not certified where a head is inside a solid or may be, as
+  /// mark_buried does for the tool. `uppers_mm`: of each move, empty where it was not swept.
+  void mark_buried(const Toolpath& toolpath, const CheckOptions& options,
+                   const std::vector<std::vector<double>>& uppers_mm, std::vector<MoveVerdict>& verdicts) const;
+
   /// How much deeper than `allowed_mm` the heads are at a pose, less than the truth by `accuracy_mm` at most:
   /// the least they must still move. 0 only when that is proven and no head is buried; infinite when one is,
   /// or when it could not be decided.
@@ -29,9 +39,10 @@ class HeadChecker {
  private:
   void join(const HeadAnswer& found, const CheckOptions& options, MoveVerdict& verdict) const;
   void take(const HeadAnswer& found, MoveVerdict& verdict) const;
-  void look_inside(const Motion& motion, const HeadBody& head, MoveVerdict& verdict) const;
+  void look_inside(const Pose& pose, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const;
 
   const std::vector<HeadBody>& heads_;
+  SceneSides sides_;
   std::size_t parts_;
   std::vector<DepthBody> bodies_;
   std::vector<const DepthBody*> surfaces_;

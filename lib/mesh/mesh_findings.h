@@ -49,8 +49,11 @@ struct MeshFindings {
   [[nodiscard]] bool is_consistently_oriented() const { return misoriented_edges.count == 0; }
   /// The surface separates inside from outside: winding numbers are whole.
   [[nodiscard]] bool is_watertight() const { return unbalanced_edges.count == 0; }
-  /// Inside is where the triangles say it is: a buried tool can be told.
-  [[nodiscard]] bool is_solid() const { return is_watertight() && inside_out_components.count == 0; }
+  /// Inside is where the triangles say it is: a buried tool is reported. Triangles written twice leave no inside, or
+  /// one that the nearest of them does not tell.
+  [[nodiscard]] bool is_solid() const {
+    return is_watertight() && inside_out_components.count == 0 && duplicate_triangles.count == 0;
+  }
 
   /// V - E + F: 2 for a surface like a sphere, 0 for one like a torus.
   [[nodiscard]] long long euler_number() const {

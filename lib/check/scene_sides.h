@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "lib/check/scene.h"
+#include "lib/mesh/enclosure.h"
+#include "lib/mesh/union_find.h"
+
+// Inside and outside of a scene, for the tool and for heads. Proofs: docs/algorithms/inside_outside.md.
+
+namespace gouge {
+
+struct SideAnswer {
+  Side side = Side::unknown;
+  std::string why;  ///< of unknown: which mesh does not tell, and for which fault
+};
+
+/// Parts together, and fixtures together.
+class SceneSides {
+ public:
+  /// The scene must outlive it.
+  explicit SceneSides(const Scene& scene) : parts_(scene.parts), fixtures_(scene.fixtures) {}
+
+  /// Bit 1: beyond all parts; bit 2: beyond all fixtures.
+  [[nodiscard]] std::uint8_t beyond(const Vec3& point) const;
+  static constexpr std::uint8_t kBeyondAll = 3;
+
+  /// Outside only when outside of both kinds, inside when inside of one. `beyond`: what is known already.
+  [[nodiscard]] SideAnswer side_of(const JoinedPlaces& joined, std::uint8_t beyond = 0) const;
+
+ private:
+  Enclosure parts_, fixtures_;
+};
+
+/// Places that moves keep free of all surfaces, numbered from 0, joined where one leads to the next: what holds of one
+/// holds of all that are joined with it, before it on the path as well as after.
+class FreeChains {
+ public:
+  FreeChains(const SceneSides& sides, std::size_t count) : sides_(sides), joins_(count), beyond_(count, 0) {}
+
+  void join(std::size_t a, std::size_t b) {
+    joins_.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
+  }
+  /// `point` is one that `item` keeps free.
+  void add(std::size_t item, const Vec3& point) { beyond_[item] |= sides_.beyond(point); }
+
+  /// Asks for each chain that was not seen beyond everything; `places_of` gives places of an item.
+  /// What `is_asked` leaves out belongs to no chain and gets no answer; nothing: all are asked.
+  /// Ensures the same answers at any number of threads.
+  void decide(unsigned threads, const std::function<JoinedPlaces(std::size_t)>& places_of,
+              const std::function<bool(std::size_t)>& is_asked = {});
+
+  /// Requires decide().
+  [[nodiscard]] const SideAnswer& answer(std::size_t item) {
+    return answers_[answer_of_[joins_.root(static_cast<std::uint32_t>(item))]];
+  }
+
+ private:
+  const SceneSides& sides_;
+  UnionFind joins_;
+  std::vector<std::uint8_t> beyond_;
+  std::vector<std::uint32_t> answer_of_;  // by root
+  std::vector<SideAnswer> answers_;
+};
+
+}  // namespace gouge

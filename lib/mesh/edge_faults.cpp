@@ -1,0 +1,116 @@
+#include "lib/mesh/edge_faults.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <limits>
+#include <numeric>
+
+#include "lib/mesh/adjacency.h"
+#include "lib/mesh/twin_sides.h"
+#include "lib/mesh/union_find.h"
+
+namespace gouge {
+namespace {
+
+std::array<double, 3> key_of(const Vec3& v) {
+  return {v.x() + 0.0, v.y() + 0.0, v.z() + 0.0};  // -0 is 0
+}
+
+/// The surplus of an edge from its lower vertex to its higher one.
+int surplus_of(const MeshAdjacency& adjacency, const MeshEdge& edge) {
+  int surplus = 0;
+  for (const EdgeUse& use : adjacency.uses(edge)) surplus += use.is_forward ? 1 : -1;
+  return surplus;
+}
+
+/// The corner of the rim farthest from a place.
+Vec3 farthest(const IndexedMesh& mesh, const SurfaceGap& gap, const Vec3& place) {
+  Vec3 best = place;
+  for (const FaultyEdge& edge : gap.edges) {
+    for (const Corner c : {edge.from, edge.to}) {
+      if ((mesh.vertices[c] - place).squaredNorm() > (best - place).squaredNorm()) best = mesh.vertices[c];
+    }
+  }
+  return best;
+}
+
+void measure(const IndexedMesh& mesh, SurfaceGap& gap) {
+  gap.end_a = farthest(mesh, gap, mesh.vertices[gap.edges[0].from]);
+  gap.end_b = farthest(mesh, gap, gap.end_a);
+  for (const FaultyEdge& edge : gap.edges) {
+    for (const Corner c : {edge.from, edge.to})
+      gap.width_mm = std::max(gap.width_mm, gap.distance_mm(mesh.vertices[c]));
+  }
+}
+
+/// `edges` by the connected piece they belong to, in the order of their lowest vertices.
+std::vector<SurfaceGap> gather_gaps(const IndexedMesh& mesh, const std::vector<FaultyEdge>& edges) {
+  UnionFind roots(mesh.vertices.size());
+  for (const FaultyEdge& edge : edges) roots.join(edge.from, edge.to);
+  constexpr std::size_t kNoGap = std::numeric_limits<std::size_t>::max();
+  std::vector<std::size_t> gap_of(mesh.vertices.size(), kNoGap);
+  std::vector<SurfaceGap> gaps;
+  for (const FaultyEdge& edge : edges) {
+    std::size_t& gap = gap_of[roots.root(edge.from)];
+    if (gap == kNoGap) {
+      gap = gaps.size();
+      gaps.emplace_back();
+    }
+    gaps[gap].edges.push_back(edge);
+  }
+  for (SurfaceGap& gap : gaps) measure(mesh, gap);
+  return gaps;
+}
+
+}  // namespace
+
+double SurfaceGap::distance_mm(const Vec3& point) const {
+  const Vec3 along = end_b - end_a;
+  const double length2 = along.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((point - end_a).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (point - end_a - t * along).norm();
+}
+
+IndexedMesh weld_together(std::span<const IndexedMesh> meshes) {
+  IndexedMesh welded;
+  for (const IndexedMesh& mesh : meshes)
+    welded.vertices.insert(welded.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
+  std::vector<Corner> order(welded.vertices.size());
+  std::iota(order.begin(), order.end(), Corner{0});
+  std::sort(order.begin(), order.end(), [&](Corner a, Corner b) {
+    const auto ka = key_of(welded.vertices[a]), kb = key_of(welded.vertices[b]);
+    return ka != kb ? ka < kb : a < b;
+  });
+  std::vector<Corner> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const bool is_same =
+        i > 0 && key_of(welded.vertices[order[i]]) == key_of(welded.vertices[order[i - 1]]);
+    place[order[i]] = is_same ? place[order[i - 1]] : order[i];
+  }
+  Corner first = 0;
+  for (const IndexedMesh& mesh : meshes) {
+    for (const TriangleCorners& t : mesh.triangles)
+      welded.triangles.push_back({place[first + t[0]], place[first + t[1]], place[first + t[2]]});
+    first += static_cast<Corner>(mesh.vertices.size());
+  }
+  return welded;
+}
+
+EdgeFaults find_edge_faults(const IndexedMesh& mesh) {
+  EdgeFaults faults;
+  if (find_twin_sides(mesh)) return faults;
+  const MeshAdjacency adjacency(mesh);
+  std::vector<FaultyEdge> edges;
+  for (const MeshEdge& edge : adjacency.edges()) {
+    const int surplus = surplus_of(adjacency, edge);
+    if (surplus == 0) continue;
+    ++(edge.use_count % 2 != 0 ? faults.open : faults.misoriented);
+    edges.push_back(surplus > 0 ? FaultyEdge{edge.low, edge.high, surplus}
+                                : FaultyEdge{edge.high, edge.low, -surplus});
+  }
+  faults.gaps = gather_gaps(mesh, edges);
+  return faults;
+}
+
+}  // namespace gouge

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/mesh/edge_faults.h"
+#include "lib/mesh/indexed_mesh.h"
+
+// Inside and outside of all surfaces of a kind together, answered only where it is proved
+// (docs/algorithms/inside_outside.md).
+
+namespace gouge {
+
+enum class Side { outside, inside, unknown };
+
+/// Places that the caller knows to lie on one side: no surface separates them.
+struct JoinedPlaces {
+  std::vector<Vec3> places;      ///< mm, part coordinates; at least one, off the surface; the surest first
+  std::vector<Vec3> directions;  ///< in which a way out is looked for, besides those along the coordinate axes
+};
+
+class Enclosure {
+ public:
+  /// The meshes must outlive it. Cost O(vertices); all else is done when it is first needed.
+  explicit Enclosure(std::span<const IndexedMesh> meshes);
+  ~Enclosure();
+  Enclosure(const Enclosure&) = delete;
+  Enclosure& operator=(const Enclosure&) = delete;
+
+  /// Beyond the box of all surfaces together: outside, however broken they are. O(1).
+  [[nodiscard]] bool is_beyond(const Vec3& point) const;
+
+  /// On which side the places are.
+  ///
+  /// Ensures  outside: a place is beyond the box; or no edge has an odd number of triangles and a straight line from
+  ///          a place to infinity meets none; or all edges are balanced and the places are in a cavity.
+  ///          inside: what the surfaces enclose, however their gaps are closed within reach of their rims: an odd
+  ///          winding number, or where all edges are balanced one other than 0.
+  ///          The same answer for the same places, from any number of threads.
+  /// Cost     O(n) for places within the box; the first of them O(n log n) for several files or broken ones.
+  [[nodiscard]] Side side_of(const JoinedPlaces& joined) const;
+
+  /// Why a side is not known, with the files' names: "part.stl has 3 open edges, so ...".
+  [[nodiscard]] std::string why_unknown() const;
+
+ private:
+  struct Surface;
+  [[nodiscard]] const Surface& surface() const;
+
+  std::span<const IndexedMesh> meshes_;
+  Box3 box_, beyond_;
+  std::unique_ptr<Surface> surface_;  // made when first asked for
+};
+
+}  // namespace gouge

@@ -1,0 +1,153 @@
+#include "lib/tool/free_regions.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kLeast = 1e-5;  // regions that are less deep than this share of the height beyond are passed over
+constexpr int kRows = 160, kColumns = 12, kSamples = 256;
+
+/// Nothing between two places of depths a and b is less deep than this: depth changes no faster than the way.
+double least_between(double a, double b, double way) {
+  return 0.5 * (a + b - way);
+}
+
+}  // namespace
+
+bool FreeRegions::covers_all() const {
+  for (std::size_t k = 0; k < has_body.size(); ++k) {
+    if (has_body[k] && !is_covered[k]) return false;
+  }
+  return true;
+}
+
+Body FreeRegions::uncovered() const {
+  std::size_t k = 0;
+  while (k + 1 < has_body.size() && (!has_body[k] || is_covered[k])) ++k;
+  return static_cast<Body>(k);
+}
+
+RegionFinder::RegionFinder(const CompiledTool& tool)
+    : tool_(tool), least_mm_(std::max(kLeast * (tool.z_max_mm - tool.z_min_mm), 1e-9)) {
+  find_rings();
+  for (std::size_t k = 0; k < has_body_.size(); ++k) {
+    double low = tool.z_max_mm, high = tool.z_min_mm;
+    for (const BoundaryElement& e : tool.elements) {
+      if (static_cast<std::size_t>(e.body) != k) continue;
+      has_body_[k] = true;
+      low = std::min({low, e.a.y(), e.b.y()});
+      high = std::max({high, e.a.y(), e.b.y()});
+    }
+    if (!has_body_[k]) continue;
+    for (int i = 0; i <= kSamples; ++i)
+      body_depth_mm_[k] = std::max(body_depth_mm_[k], depth_at(0, low + (high - low) * i / kSamples));
+    for (const Ring& ring : rings_) {
+      if (ring.place.y() >= low && ring.place.y() <= high)
+        body_depth_mm_[k] = std::max(body_depth_mm_[k], ring.depth_mm);
+    }
+  }
+}
+
+double RegionFinder::depth_at(double r, double z) const {
+  return -evaluate(tool_, std::abs(r), z).signed_distance_mm;
+}
+
+// Local maxima of the depth off the axis: hollow cutters and undercut rings have them.
+void RegionFinder::find_rings() {
+  if (tool_.elements.empty()) return;
+  const double height = tool_.z_max_mm - tool_.z_min_mm;
+  const double near = 1e-3 * (height + tool_.r_max_mm);
+  for (int i = 0; i < kRows; ++i) {
+    for (int j = 1; j < kColumns; ++j) {
+      const Vec2 place(tool_.r_max_mm * j / kColumns, tool_.z_min_mm + height * (i + 0.5) / kRows);
+      if (!(depth_at(place.x(), place.y()) > 0)) continue;
+      Ring ring = climb(place);
+      if (ring.place.x() <= near) continue;
+      const bool is_known = std::any_of(rings_.begin(), rings_.end(), [&](const Ring& known) {
+        return (known.place - ring.place).norm() <= std::max(near, 0.5 * std::min(known.depth_mm, ring.depth_mm));
+      });
+      if (is_known) continue;
+      join_with_axis(ring);
+      rings_.push_back(ring);
+    }
+  }
+}
+
+/// Up the depth from a place, by steps that are halved when none of them leads up.
+RegionFinder::Ring RegionFinder::climb(Vec2 place) const {
+  double depth = depth_at(place.x(), place.y());
+  const double size = tool_.r_max_mm + tool_.z_max_mm - tool_.z_min_mm;
+  for (double step = 0.5 * depth; step > 1e-5 * size;) {
+    Vec2 best = place;
+    double best_depth = depth;
+    for (int k = 0; k < 8; ++k) {
+      const double angle = 0.785398163397448 * k;
+      Vec2 next = place + step * Vec2(std::cos(angle), std::sin(angle));
+      next.x() = std::max(0.0, next.x());
+      const double there = depth_at(next.x(), next.y());
+      if (there > best_depth + 1e-3 * step) best = next, best_depth = there;
+    }
+    if (best_depth > depth)
+      place = best, depth = best_depth;
+    else
+      step *= 0.5;
+  }
+  Ring ring;
+  ring.place = place;
+  ring.depth_mm = depth;
+  return ring;
+}
+
+void RegionFinder::join_with_axis(Ring& ring) const {
+  constexpr int kHeights = 96, kParts = 48;
+  for (int i = 0; i <= kHeights; ++i) {
+    const double z = i == kHeights ? ring.place.y()
+                                   : tool_.z_min_mm + (tool_.z_max_mm - tool_.z_min_mm) * (i + 0.5) / kHeights;
+    const Vec2 joint(0, z);
+    const double way = (joint - ring.place).norm() / kParts;
+    double before = ring.depth_mm, least = ring.depth_mm;
+    for (int k = 1; k <= kParts && least > ring.joint_depth_mm; ++k) {
+      const Vec2 q = ring.place + (joint - ring.place) * (static_cast<double>(k) / kParts);
+      const double depth = depth_at(q.x(), q.y());
+      least = std::min(least, least_between(before, depth, way));
+      before = depth;
+    }
+    if (least <= ring.joint_depth_mm) continue;
+    ring.joint_depth_mm = least;
+    ring.joint_z_mm = z;
+  }
+}
+
+FreeRegions RegionFinder::at(double depth_mm) const {
+  FreeRegions found;
+  found.depth_mm = depth_mm;
+  found.has_body = has_body_;
+  for (std::size_t k = 0; k < has_body_.size(); ++k) found.is_covered[k] = body_depth_mm_[k] > depth_mm + least_mm_;
+  const double height = tool_.z_max_mm - tool_.z_min_mm;
+  bool is_open = false;
+  // Around a place on the axis everything within its excess is free, or within its lack is not.
+  for (double z = tool_.z_min_mm; z <= tool_.z_max_mm && height > 0;) {
+    const double depth = depth_at(0, z), excess = depth - depth_mm;
+    const bool is_free = excess > least_mm_;
+    if (is_free) {
+      if (!is_open) found.regions.push_back({z - excess, z + excess, Vec2(0, z), depth});
+      FreeRegion& region = found.regions.back();
+      region.z_hi_mm = std::max(region.z_hi_mm, z + excess);
+      if (depth > region.depth_mm) region.deepest = Vec2(0, z), region.depth_mm = depth;
+    }
+    is_open = is_free;
+    z += std::max(least_mm_, 0.95 * std::abs(excess));  // within the excess of a free place
+  }
+  for (std::size_t k = 0; k < rings_.size(); ++k) {
+    const Ring& ring = rings_[k];
+    if (!(ring.depth_mm > depth_mm) || ring.joint_depth_mm > depth_mm) continue;
+    found.regions.push_back({ring.place.y(), ring.place.y(), ring.place, ring.depth_mm, k});
+  }
+  return found;
+}
+
+}  // namespace gouge
