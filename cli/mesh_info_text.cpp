@@ -98,8 +98,9 @@ std::string verdict(const MeshValidation& judged) {
 }
 
 std::string meaning(const MeshValidation& judged) {
-  if (judged.findings.is_solid()) return "depths are found, and a tool buried in the part is told";
-  return "depths are found on every triangle, but a tool buried in the part may go untold";
+  if (judged.findings.is_solid()) return "depths are found, and a tool wholly inside the part is reported";
+  return "depths are found on every triangle; a tool that may be wholly inside the part is never clean, but may be "
+         "reported as not certified only";
 }
 
 std::string repair_rows(const MeshInfo& info) {

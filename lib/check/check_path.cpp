@@ -85,16 +85,26 @@ class PathChecker {
     const ToolForms& tool = *tools_[toolpath_.moves[batch.moves.front()].tool];
     check_moves(batch.motions, batch.kinds, tool, scene_, options_, found, spent);
     for (std::size_t k = 0; k < count; ++k) {
-      // Neighbours share bounds. Where the tolerance lets them reach the cutter's core, "buried" needs the move's own.
-      const double core = tool.bare.core_depth_mm;
-      if (found[k].state == MoveState::clean && core > 0 && 2 * found[k].depth_upper_mm >= core)
-        found[k] = check_move(batch.motions[k], batch.kinds[k], tool, scene_, options_, &spent[k]);
+      tighten(batch.motions[k], batch.kinds[k], tool, found[k], spent[k]);
       verdicts[batch.moves[k]] = std::move(found[k]);
       bounds[batch.moves[k]] = spent[k];
     }
     batch.moves.clear();
     batch.motions.clear();
     batch.kinds.clear();
+  }
+
+  // Where the tolerance lets the surface come far into the tool, "buried" needs a bound of the move's own.
+  void tighten(const Motion& motion, MoveKind kind, const ToolForms& tool, MoveVerdict& verdict,
+               std::uint64_t& spent) const {
+    const double core = tool.bare.core_depth_mm;
+    if (verdict.state != MoveState::clean || !(core > 0) || 2 * verdict.depth_upper_mm < core) return;
+    CheckOptions finer = options_;
+    finer.tolerance_mm = std::min(finer.tolerance_mm, core / 4);
+    finer.resolution_mm = std::min(finer.resolution_mm, core / 8);
+    finer.near_miss_mm = 0;
+    const MoveVerdict found = check_move(motion, kind, tool, scene_, finer, &spent);
+    if (found.state == MoveState::clean) verdict.depth_upper_mm = std::min(verdict.depth_upper_mm, found.depth_upper_mm);
   }
 
   const Toolpath& toolpath_;

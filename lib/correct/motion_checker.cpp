@@ -1,30 +1,16 @@
 #include "lib/correct/motion_checker.h"
 
-#include <cmath>
-
-#include "lib/mesh/winding.h"
+#include "lib/check/buried.h"
 
 namespace gouge {
 namespace {
 
-// As for a buried tool (lib/check/buried.cpp).
-constexpr double kSurelyOutside = 0.25, kSurelyInside = 0.75;
-
 constexpr double kAnyGap_mm = 1e6;  // how far the depth of a gouge is left open when only the verdict counts
-constexpr const char* kInside = "the tool is inside the solid; no surface is inside the tool";
-constexpr const char* kThin = "the surface may reach the middle of the cutter, so it may be buried";
 
 }  // namespace
 
 MotionChecker::MotionChecker(const PreparedScene& scene, const CheckOptions& options, const HeadChecker* heads)
-    : scene_(scene), options_(options), heads_(heads) {
-  for (const std::vector<IndexedMesh>* all : {&scene.scene->parts, &scene.scene->fixtures}) {
-    for (const IndexedMesh& mesh : *all) {
-      meshes_.push_back(&mesh);
-      boxes_.push_back(mesh.box());
-    }
-  }
-}
+    : scene_(scene), options_(options), heads_(heads), sides_(*scene.scene) {}
 
 MoveVerdict MotionChecker::check(const Motion& motion, MoveKind kind, const ToolForms& tool,
                                  const CheckOptions& options, bool is_start_outside) const {
@@ -34,10 +20,10 @@ MoveVerdict MotionChecker::check(const Motion& motion, MoveKind kind, const Tool
   if (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss) return verdict;
   if (verdict.depth_upper_mm >= tool.bare.core_depth_mm) {
     verdict.state = MoveState::not_certified;
-    verdict.reason = kThin;
+    verdict.reason = thin_body_reason(Body::cutter);
   } else if (!is_start_outside && side_of(motion.start(), tool) == Side::inside) {
     verdict.state = MoveState::buried;
-    verdict.reason = kInside;
+    verdict.reason = buried_reason(Body::cutter);
   }
   return verdict;
 }
@@ -59,14 +45,7 @@ MoveVerdict MotionChecker::measure(const Pose& pose, MoveKind kind, const ToolFo
 
 Side MotionChecker::side_of(const Pose& pose, const ToolForms& tool) const {
   const Vec3 core = pose.tip + tool.bare.core.y() * pose.axis;
-  Side side = Side::outside;
-  for (std::size_t m = 0; m < meshes_.size(); ++m) {
-    if (!boxes_[m].contains(core)) continue;
-    const double winding = std::abs(winding_number(*meshes_[m], core));
-    if (winding >= kSurelyInside) return Side::inside;
-    if (winding > kSurelyOutside) side = Side::unknown;
-  }
-  return side;
+  return sides_.side_of({{core}, {pose.axis}}).side;
 }
 
 }  // namespace gouge

@@ -1,14 +1,10 @@
 #pragma once
 
-#include <vector>
-
 #include "lib/check/check_move.h"
+#include "lib/check/scene_sides.h"
 #include "lib/head/check_heads.h"
 
 namespace gouge {
-
-/// Where the middle of a cutter is.
-enum class Side { outside, inside, unknown };
 
 /// All that a single motion is checked for, in one place: cutter, shank and holder against parts and fixtures, the
 /// bodies that move with the tool, and whether tool or head lies inside a solid. No step of a correction asks for less.
@@ -29,6 +25,7 @@ class MotionChecker {
   /// As deep as it is, not only whether that is too deep: tolerance 0.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolForms& tool) const;
 
+  /// Where the middle of the cutter is.
   [[nodiscard]] Side side_of(const Pose& pose, const ToolForms& tool) const;
 
   [[nodiscard]] const PreparedScene& scene() const { return scene_; }
@@ -39,8 +36,7 @@ class MotionChecker {
   const PreparedScene& scene_;
   const CheckOptions& options_;
   const HeadChecker* heads_;
-  std::vector<const IndexedMesh*> meshes_;
-  std::vector<Box3> boxes_;  // of meshes_
+  SceneSides sides_;
 };
 
 }  // namespace gouge

@@ -67,15 +67,15 @@ bool Cavities::contain(const Vec3& point) const {
     else
       others += windings[k];
   }
-  return inward.size() == 1 && is_about(others, 1) && stands_alone(inward[0]);
+  return inward.size() == 1 && is_about(others, 1) && stands_alone(inward[0], point);
 }
 
-bool Cavities::stands_alone(std::uint32_t shell) const {
+bool Cavities::stands_alone(std::uint32_t shell, const Vec3& point) const {
   Box3 box = shells_[shell].box;
   const Vec3 wall = Vec3::Constant(kLeastWall * box.diagonal().norm());
   box = Box3(box.min() - wall, box.max() + wall);
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-    if (shell_of_[t] == shell) continue;
+    if (shell_of_[t] == shell || !shells_[shell_of_[t]].box.contains(point)) continue;
     if (may_meet({mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)}, box)) return false;
   }
   return true;

@@ -14,8 +14,8 @@ class Cavities {
   explicit Cavities(const IndexedMesh& mesh);
 
   /// Whether the point is in a cavity. True only when one shell of two triangles an edge winds about it inward, the
-  /// others about it once outward, and none of these comes near the shell's box, so that all of that box but the
-  /// cavity is material. Cost O(n).
+  /// others about it once outward, and none of those that have the point in their box comes near the shell's, so that
+  /// the shell is cut out of material. Cost O(n).
   [[nodiscard]] bool contain(const Vec3& point) const;
 
  private:
@@ -23,7 +23,7 @@ class Cavities {
     Box3 box;
     bool is_manifold = true;  ///< two triangles at every edge
   };
-  [[nodiscard]] bool stands_alone(std::uint32_t shell) const;
+  [[nodiscard]] bool stands_alone(std::uint32_t shell, const Vec3& point) const;
 
   const IndexedMesh& mesh_;
   std::vector<std::uint32_t> shell_of_;  // per triangle

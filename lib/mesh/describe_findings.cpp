@@ -30,21 +30,26 @@ Diagnostics describe(const MeshFindings& found, const std::string& file, LengthU
   };
   tell(Severity::warning, "mesh-open", found.boundary_edges, "open edge (one triangle only)",
        "open edges (one triangle only)",
-       "the surface is checked, but a tool wholly inside this body cannot be told: export a closed solid");
+       "the surface is checked, but a move that only this body could prove to be outside or inside is not certified: "
+       "export a closed solid");
   tell(Severity::warning, "mesh-misoriented", found.misoriented_edges,
        "edge with triangles oriented against each other", "edges with triangles oriented against each other",
-       "the surface is checked, but a tool wholly inside this body cannot be told: repair the mesh");
+       "the surface is checked, but a move that only this body could prove to be outside or inside is not certified: "
+       "repair the mesh");
   tell(Severity::warning, "mesh-inside-out", found.inside_out_components, "closed piece is inside out",
        "closed pieces are inside out", "inside and outside are exchanged there: repair the mesh");
-  tell(found.is_watertight() ? Severity::note : Severity::warning, "mesh-non-manifold-edges",
-       found.non_manifold_edges, "edge with more than two triangles", "edges with more than two triangles",
-       found.is_watertight() ? "the check is not affected"
-                             : "the surface is checked, but a tool wholly inside this body may go untold");
+  const bool is_cancelled = found.duplicate_triangles.count > 0;
+  const bool is_harmless = found.is_watertight() && !is_cancelled;
+  tell(is_harmless ? Severity::note : Severity::warning, "mesh-non-manifold-edges", found.non_manifold_edges,
+       "edge with more than two triangles", "edges with more than two triangles",
+       is_harmless ? "the check is not affected"
+                   : "the surface is checked, but a tool wholly inside this body may be reported as not certified only");
   tell(Severity::note, "mesh-non-manifold-vertices", found.non_manifold_vertices,
        "vertex where separate pieces of surface touch", "vertices where separate pieces of surface touch",
        "the check is not affected");
-  tell(Severity::note, "mesh-duplicate-triangles", found.duplicate_triangles, "duplicated triangle",
-       "duplicated triangles", "depths are not affected");
+  tell(Severity::warning, "mesh-duplicate-triangles", found.duplicate_triangles,
+       "duplicated triangle", "duplicated triangles",
+       "depths are not affected, but where the surface is doubled inside and outside cannot be told: repair the mesh");
   tell(Severity::note, "mesh-degenerate-triangles", found.degenerate_triangles,
        "triangle with identical corners left out", "triangles with identical corners left out",
        "they have no area");

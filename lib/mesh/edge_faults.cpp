@@ -113,4 +113,26 @@ EdgeFaults find_edge_faults(const IndexedMesh& mesh) {
   return faults;
 }
 
+IndexedMesh pieces_without_holes(const IndexedMesh& mesh, Box3& holed_box) {
+  const MeshAdjacency adjacency(mesh);
+  UnionFind pieces(mesh.triangles.size());
+  for (const MeshEdge& edge : adjacency.edges()) {
+    for (const EdgeUse& use : adjacency.uses(edge)) pieces.join(adjacency.uses(edge)[0].triangle, use.triangle);
+  }
+  std::vector<bool> is_holed(mesh.triangles.size(), false);
+  for (const MeshEdge& edge : adjacency.edges()) {
+    if (edge.use_count % 2 != 0) is_holed[pieces.root(adjacency.uses(edge)[0].triangle)] = true;
+  }
+  IndexedMesh whole;
+  whole.vertices = mesh.vertices;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    if (!is_holed[pieces.root(t)]) {
+      whole.triangles.push_back(mesh.triangles[t]);
+      continue;
+    }
+    for (std::size_t k = 0; k < 3; ++k) holed_box.extend(mesh.corner(t, k));
+  }
+  return whole;
+}
+
 }  // namespace gouge

@@ -43,4 +43,8 @@ struct EdgeFaults {
 /// Requires triangles with three distinct corners. Cost  O(n).
 [[nodiscard]] EdgeFaults find_edge_faults(const IndexedMesh& mesh);
 
+/// The pieces of surface that have no edge with an odd number of triangles, over the same vertices; the box of the
+/// others is added to `holed_box`. Pieces hang together by edges. Cost  O(n).
+[[nodiscard]] IndexedMesh pieces_without_holes(const IndexedMesh& mesh, Box3& holed_box);
+
 }  // namespace gouge

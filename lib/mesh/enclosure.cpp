@@ -1,7 +1,6 @@
 #include "lib/mesh/enclosure.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <mutex>
 #include <numbers>
@@ -49,20 +48,29 @@ std::string faults_text(const EdgeFaults& faults) {
   return text;
 }
 
-}  // namespace
+/// Shells that are looked at together, with what is known of their edges.
+class Shells {
+ public:
+  explicit Shells(const IndexedMesh& mesh) : mesh_(mesh), faults_(find_edge_faults(mesh)) {}
 
-/// What is found out about the edges, once.
-struct Enclosure::Surface {
-  std::once_flag once, cavities_once;
-  IndexedMesh welded;  // of several files
-  const IndexedMesh* mesh = nullptr;
-  EdgeFaults faults;
-  std::optional<Cavities> cavities;
+  [[nodiscard]] const EdgeFaults& faults() const { return faults_; }
 
-  void find(std::span<const IndexedMesh> meshes) {
-    if (meshes.size() > 1) welded = weld_together(meshes);
-    mesh = meshes.size() == 1 ? meshes.data() : &welded;
-    faults = find_edge_faults(*mesh);
+  [[nodiscard]] Side side_of(const JoinedPlaces& joined) const {
+    if (faults_.open == 0 && has_way_out(joined)) return Side::outside;
+    for (const Vec3& place : joined.places) {
+      if (!is_clear_of_holes(place)) continue;
+      const std::optional<long> winding = filled_winding(place);
+      if (!winding) continue;
+      if (is_inside(*winding)) return Side::inside;
+      if (*winding == 0 && faults_.is_empty() && cavities().contain(place)) return Side::outside;
+    }
+    return Side::unknown;
+  }
+
+ private:
+  [[nodiscard]] bool has_way_out(const JoinedPlaces& joined) const {
+    static const std::vector<Vec3> kFixed = fixed_directions();
+    return has_free_ray(mesh_, joined.places, joined.directions) || has_free_ray(mesh_, joined.places, kFixed);
   }
 
   /// However the holes are closed, within what their width makes likely: the point is on the same side. Where there
@@ -71,22 +79,69 @@ struct Enclosure::Surface {
     const auto is_near = [&](const SurfaceGap& gap) {
       return gap.distance_mm(point) <= kReach * gap.width_mm + kMargin * (1 + point.cwiseAbs().maxCoeff());
     };
-    return faults.open == 0 || std::none_of(faults.gaps.begin(), faults.gaps.end(), is_near);
+    return faults_.open == 0 || std::none_of(faults_.gaps.begin(), faults_.gaps.end(), is_near);
   }
 
   /// With every gap filled by the triangles from its edges to its middle.
   [[nodiscard]] std::optional<long> filled_winding(const Vec3& point) const {
-    double winding = winding_number(*mesh, point);
-    for (const SurfaceGap& gap : faults.gaps) {
+    double winding = winding_number(mesh_, point);
+    for (const SurfaceGap& gap : faults_.gaps) {
       const Vec3 apex = 0.5 * (gap.end_a + gap.end_b);
       double angle = 0;
       for (const FaultyEdge& e : gap.edges)
-        angle += e.surplus * solid_angle(mesh->vertices[e.to], mesh->vertices[e.from], apex, point);
+        angle += e.surplus * solid_angle(mesh_.vertices[e.to], mesh_.vertices[e.from], apex, point);
       winding += angle / (4 * std::numbers::pi);
     }
     const double whole = std::round(winding);
     if (!(std::abs(winding - whole) <= kWhole)) return std::nullopt;
     return static_cast<long>(whole);
+  }
+
+  // Where triangles were turned only whether the number is odd can be believed. A hole's rim alone does not say on
+  // which side the material is unless the surface faces outward.
+  [[nodiscard]] bool is_inside(long winding) const {
+    if (faults_.open > 0) return winding == 1;
+    return winding % 2 != 0 || (faults_.is_empty() && winding != 0);
+  }
+
+  [[nodiscard]] const Cavities& cavities() const {
+    std::call_once(cavities_once_, [this] { cavities_.emplace(mesh_); });
+    return *cavities_;
+  }
+
+  const IndexedMesh& mesh_;
+  EdgeFaults faults_;
+  mutable std::once_flag cavities_once_;
+  mutable std::optional<Cavities> cavities_;
+};
+
+}  // namespace
+
+/// What is found out about the edges, once.
+struct Enclosure::Surface {
+  std::once_flag once;
+  IndexedMesh welded;  // of several files
+  IndexedMesh closed;  // where some pieces have holes: the others
+  Box3 holed_box;      // of those that have
+  std::optional<Shells> all, whole;
+
+  void find(std::span<const IndexedMesh> meshes) {
+    if (meshes.size() > 1) welded = weld_together(meshes);
+    const IndexedMesh& mesh = meshes.size() == 1 ? meshes[0] : welded;
+    all.emplace(mesh);
+    if (all->faults().open == 0) return;
+    closed = pieces_without_holes(mesh, holed_box);
+    whole.emplace(closed);
+  }
+
+  [[nodiscard]] Side side_of(const JoinedPlaces& joined) const {
+    if (!whole) return all->side_of(joined);
+    JoinedPlaces apart{{}, joined.directions};
+    for (const Vec3& place : joined.places) {
+      if (!holed_box.contains(place)) apart.places.push_back(place);
+    }
+    const Side side = apart.places.empty() ? Side::unknown : whole->side_of(apart);
+    return side == Side::unknown ? all->side_of(joined) : side;
   }
 };
 
@@ -112,25 +167,7 @@ const Enclosure::Surface& Enclosure::surface() const {
 Side Enclosure::side_of(const JoinedPlaces& joined) const {
   const auto is_out = [this](const Vec3& p) { return is_beyond(p); };
   if (std::any_of(joined.places.begin(), joined.places.end(), is_out)) return Side::outside;
-  const Surface& s = surface();
-  if (s.faults.open == 0) {
-    if (has_free_ray(*s.mesh, joined.places, joined.directions)) return Side::outside;
-    static const std::vector<Vec3> kFixed = fixed_directions();
-    if (has_free_ray(*s.mesh, joined.places, kFixed)) return Side::outside;
-  }
-  for (const Vec3& place : joined.places) {
-    if (!s.is_clear_of_holes(place)) continue;
-    const std::optional<long> winding = s.filled_winding(place);
-    if (!winding) continue;
-    const bool is_odd = *winding % 2 != 0;
-    // Where triangles were turned only whether the number is odd can be believed; a hole's rim alone does not say on
-    // which side the material is unless the surface faces outward.
-    if (s.faults.open > 0 ? *winding == 1 : is_odd || (s.faults.is_empty() && *winding != 0)) return Side::inside;
-    if (!s.faults.is_empty() || *winding != 0) continue;
-    std::call_once(surface_->cavities_once, [this] { surface_->cavities.emplace(*surface_->mesh); });
-    if (s.cavities->contain(place)) return Side::outside;
-  }
-  return Side::unknown;
+  return surface().side_of(joined);
 }
 
 std::string Enclosure::why_unknown() const {
@@ -138,7 +175,7 @@ std::string Enclosure::why_unknown() const {
   std::string names;
   for (const IndexedMesh& mesh : meshes_) names += (names.empty() ? "" : ", ") + mesh.name;
   const std::string what = meshes_.size() == 1 ? " has " : " have together ";
-  if (!s.faults.is_empty()) return names + what + faults_text(s.faults);
+  if (!s.all->faults().is_empty()) return names + what + faults_text(s.all->faults());
   return "the shells of " + names +
          (meshes_.size() == 1 ? " cancel each other there: doubled, or overlapping inside out"
                               : " cancel one another there: doubled, or overlapping inside out");

@@ -35,7 +35,8 @@ class Enclosure {
   /// On which side the places are.
   ///
   /// Ensures  outside: a place is beyond the box; or no edge has an odd number of triangles and a straight line from
-  ///          a place to infinity meets none; or all edges are balanced and the places are in a cavity.
+  ///          a place to infinity meets none; or all edges are balanced and the places are in a cavity. Pieces with
+  ///          holes need not be looked at for places beyond the box of all such pieces.
   ///          inside: what the surfaces enclose, however their gaps are closed within reach of their rims: an odd
   ///          winding number, or where all edges are balanced one other than 0.
   ///          The same answer for the same places, from any number of threads.

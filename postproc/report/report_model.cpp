@@ -47,14 +47,15 @@ std::string promise_text(const ReportModel& model) {
   const LengthUnit unit = model.toolpath->unit;
   const CheckOptions& options = model.options;
   const double limit_mm = options.tolerance_mm + options.resolution_mm;
-  std::string text =
-      "no gouge deeper than tolerance + resolution = " + length_text(limit_mm, unit) + " goes untold";
+  const std::string limit = "no gouge deeper than tolerance + resolution = " + length_text(limit_mm, unit) + " goes untold";
   const StateCounts& n = model.result->counts;
   const std::size_t left_out = n.not_checked + n.not_certified;
-  if (left_out > 0) {
-    text += ", save in the " + count_text(left_out, "move") + " not checked or not certified";
-  }
-  return text;
+  const std::size_t covered = model.result->verdicts.size() - left_out;
+  if (left_out == 0) return limit;
+  const std::string not_covered = count_text(left_out, "move") + " not checked or not certified";
+  if (covered == 0) return "none: it does not cover the " + not_covered;
+  return "in the " + count_text(covered, "move") + " that " + (covered == 1 ? "is" : "are") + " certified, " + limit +
+         "; it does not cover the " + not_covered;
 }
 
 std::vector<std::string> reservations(const ReportModel& model) {

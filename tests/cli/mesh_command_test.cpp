@@ -59,7 +59,7 @@ TEST_F(MeshCommand, ASoundPartIsToldInFull) {
       << told.out;
   EXPECT_NE(told.out.find("  pieces                    1, 1 through hole\n"), std::string::npos) << told.out;
   EXPECT_NE(told.out.find("verdict: sound: closed, manifold, facing outward, free of self-intersections\n"
-                          "for a check: depths are found, and a tool buried in the part is told\n"),
+                          "for a check: depths are found, and a tool wholly inside the part is reported\n"),
             std::string::npos)
       << told.out;
 }
@@ -73,8 +73,8 @@ TEST_F(MeshCommand, AnOpenPartHasDefectsWithTheirPlaceInItsOwnUnit) {
   EXPECT_NE(told.out.find("  open edges                4, first at ("), std::string::npos) << told.out;
   EXPECT_NE(told.out.find("1.0000 x 1.0000 x 1.0000 in"), std::string::npos) << told.out;
   EXPECT_NE(told.out.find(
-                "verdict: 4 defects\nfor a check: depths are found on every triangle, but a tool buried in "
-                "the part may go untold\n"),
+                "verdict: 4 defects\nfor a check: depths are found on every triangle; a tool that may be wholly "
+                "inside the part is never clean, but may be reported as not certified only\n"),
             std::string::npos)
       << told.out;
 }

@@ -48,8 +48,8 @@ TEST(MeshFindings, AnOpenCubeCannotTellBuried) {
       to_text(told[0]),
       "part.stl: warning: 4 open edges (one triangle only), the first at (5.000, 0.000, 10.000) mm, triangle "
       "4; "
-      "the surface is checked, but a tool wholly inside this body cannot be told: export a closed solid "
-      "[mesh-open]");
+      "the surface is checked, but a move that only this body could prove to be outside or inside is not certified: "
+      "export a closed solid [mesh-open]");
 }
 
 TEST(MeshFindings, OneTurnedTriangleHasThreeMisorientedEdges) {

@@ -17,7 +17,7 @@ TEST(WriteHtml, TellsVerdictPromiseFindingsAndWhatWasNotChecked) {
   const std::string html = write_html(report.model, {});
   EXPECT_NE(html.find("<div class=\"banner gouges\"><strong>Gouges</strong>"), std::string::npos);
   EXPECT_NE(
-      html.find("no gouge deeper than tolerance + resolution = 0.011 mm goes untold, save in the 3 moves"),
+      html.find("in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm goes untold"),
       std::string::npos);
   EXPECT_NE(html.find("0.333 mm"), std::string::npos);
   EXPECT_NE(html.find("arcs, as yet, are not read"), std::string::npos);

@@ -31,8 +31,8 @@ TEST(FindingsText, TellsEveryFindingAndTheSummary) {
       "path.apt against part.stl, vise.stl\n"
       "gouges: 1 finding in 2 of 8 moves, the deepest 0.333 mm at line 12; the tool is buried in 1 move\n"
       "moves: 1 clean, 1 near, 2 gouge, 1 buried, 1 not certified, 2 not checked\n"
-      "promise: no gouge deeper than tolerance + resolution = 0.011 mm goes untold, save in the 3 moves not "
-      "checked or not certified\n");
+      "promise: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm goes untold; "
+      "it does not cover the 3 moves not checked or not certified\n");
 }
 
 TEST(FindingsText, SaysCleanOnlyWhenEverythingWasChecked) {

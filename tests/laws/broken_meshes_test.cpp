@@ -1,0 +1,174 @@
+// Meshes broken at random around a solid that is known: a tool in the solid is never clean unless its own free motion
+// leads out, a tool outside is never buried.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "lib/check/check_path.h"
+#include "tests/laws/random_scenes.h"
+#include "tests/support/crossing_parity.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solids.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+using laws::Scatter;
+
+IndexedMesh random_solid(Scatter& random) {
+  IndexedMesh mesh;
+  switch (random.below(5)) {
+    case 0:
+      mesh = shapes::sphere(40, 8, 16);
+      break;
+    case 1:
+      mesh = shapes::torus(30, 12);
+      break;
+    case 2:
+      mesh = shapes::star_prism(5, 50, 25, 40);
+      break;
+    case 3:
+      mesh = shapes::sphere(40, 20, 40);
+      break;
+    default:
+      mesh = shapes::box(Vec3::Constant(-35), Vec3::Constant(35));
+  }
+  const Vec3 scale(random.in(0.7, 1.3), random.in(0.7, 1.3), random.in(0.7, 1.3));
+  for (Vec3& v : mesh.vertices) v = v.cwiseProduct(scale);
+  return mesh;
+}
+
+void turn_some(Scatter& random, IndexedMesh& mesh) {
+  const double share = random.in(0, 1);
+  for (TriangleCorners& t : mesh.triangles) {
+    if (random.in(0, 1) < share) std::swap(t[1], t[2]);
+  }
+}
+
+void double_some(Scatter& random, IndexedMesh& mesh) {
+  const double share = random.below(2) == 0 ? 1 : random.in(0, 1);
+  const bool is_opposite = random.below(3) > 0;
+  const std::size_t count = mesh.triangles.size();
+  for (std::size_t t = 0; t < count; ++t) {
+    if (random.in(0, 1) > share) continue;
+    const TriangleCorners c = mesh.triangles[t];
+    shapes::add_triangle(mesh, c[0], c[is_opposite ? 2 : 1], c[is_opposite ? 1 : 2]);
+  }
+}
+
+void leave_some_out(Scatter& random, IndexedMesh& mesh) {
+  const double share = std::pow(random.in(0, 0.5), 2);
+  for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
+    if (random.in(0, 1) >= share) continue;
+    mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t));
+    mesh.file_triangle.pop_back();
+  }
+}
+
+/// What a crack does: a vertex that its triangles do not share.
+void crack_some(Scatter& random, IndexedMesh& mesh) {
+  for (std::size_t n = random.below(6) + 1; n-- > 0;) {
+    Corner& c = mesh.triangles[random.below(mesh.triangles.size())][random.below(3)];
+    const Vec3 shaken = mesh.vertices[c] + random.box(1e-6);
+    mesh.vertices.push_back(shaken);
+    c = static_cast<Corner>(mesh.vertices.size() - 1);
+  }
+}
+
+std::vector<IndexedMesh> split(Scatter& random, const IndexedMesh& mesh) {
+  std::vector<IndexedMesh> files(1 + random.below(4));
+  for (IndexedMesh& file : files) file.vertices = mesh.vertices, file.name = "file";
+  for (const TriangleCorners& t : mesh.triangles) shapes::add_triangle(files[random.below(files.size())], t[0], t[1], t[2]);
+  return files;
+}
+
+struct Broken {
+  std::vector<IndexedMesh> intended;  // inside of one is inside
+  std::vector<IndexedMesh> files;
+};
+
+Broken break_at_random(Scatter& random) {
+  Broken broken;
+  broken.intended = {random_solid(random)};
+  IndexedMesh mesh = broken.intended[0];
+  if (random.below(4) == 0) {
+    const IndexedMesh other = shapes::moved(random_solid(random), random.box(40));
+    broken.intended.push_back(other);
+    mesh = shapes::joined(mesh, random.below(2) == 0 ? other : shapes::inside_out(other));
+  }
+  if (random.below(6) == 0) mesh = shapes::inside_out(mesh);
+  if (random.below(3) == 0) turn_some(random, mesh);
+  if (random.below(3) == 0) double_some(random, mesh);
+  if (random.below(3) == 0) leave_some_out(random, mesh);
+  if (random.below(3) == 0 && !mesh.triangles.empty()) crack_some(random, mesh);
+  broken.files = split(random, mesh);
+  return broken;
+}
+
+struct Tally {
+  int clean = 0, buried = 0, undecided = 0, gouge = 0, led_out = 0;
+};
+
+bool is_in_any(const std::vector<IndexedMesh>& solids, const Vec3& point) {
+  return std::any_of(solids.begin(), solids.end(), [&](const IndexedMesh& s) { return test::is_inside(s, point); });
+}
+
+void check_once(std::uint64_t stream, Tally& tally) {
+  Scatter random(stream);
+  const Broken broken = break_at_random(random);
+  const double diameter = random.in(0.5, 5), length = diameter * random.in(1.5, 4);
+  const ToolForms tool = make_tool_forms({1, "ball", BallCutter{diameter, length}, {}, {}}, 0, 0, 0).value();
+  std::vector<Pose> poses = {{random.box(45), random.axis(3)}};
+  for (std::size_t n = random.below(4); n-- > 0;) poses.push_back({poses.back().tip + random.box(8), poses.back().axis});
+  const Toolpath path = paths::through(poses);
+  Scene scene;
+  (random.below(4) == 0 ? scene.fixtures : scene.parts) = broken.files;
+  CheckOptions options;
+  options.threads = 1;
+  if (random.below(8) == 0) options.tolerance_mm = random.in(0.1, 3);
+  const CheckResult r = check_path(path, {&tool}, prepare_scene(scene), options);
+  Box3 box;
+  for (const IndexedMesh& file : broken.files) {
+    for (std::size_t t = 0; t < file.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) box.extend(file.corner(t, k));
+    }
+  }
+  const auto sticks_out = [&](const Pose& pose) {
+    return box.isEmpty() || !box.contains(pose.tip) || !box.contains(pose.tip + length * pose.axis);
+  };
+  const bool leads_out = std::any_of(poses.begin(), poses.end(), sticks_out);
+  for (std::size_t i = 0; i < r.verdicts.size(); ++i) {
+    const MoveVerdict& v = r.verdicts[i];
+    const Pose& pose = poses[i];
+    const bool is_in = is_in_any(broken.intended, pose.tip + tool.bare.core.y() * pose.axis);
+    if (v.state == MoveState::gouge) ++tally.gouge;
+    if (v.state == MoveState::not_certified) ++tally.undecided;
+    if (v.state == MoveState::buried) {
+      ++tally.buried;
+      EXPECT_TRUE(is_in) << "stream " << stream << ", move " << i << ": told buried, but outside";
+    }
+    if (v.state != MoveState::clean) continue;
+    ++tally.clean;
+    if (is_in && leads_out) ++tally.led_out;
+    // A tolerance of the cutter's size lets it stand partly inside.
+    if (!leads_out && options.tolerance_mm < 0.1) {
+      EXPECT_FALSE(is_in) << "stream " << stream << ", move " << i << ": told clean, but inside the solid";
+    }
+  }
+}
+
+TEST(BrokenMeshes, NeverMakeABuriedToolCleanNorAFreeOneBuried) {
+  const char* given = std::getenv("GOUGE_BROKEN_MESHES");
+  const std::uint64_t count = given == nullptr ? 600 : std::strtoull(given, nullptr, 10);
+  Tally tally;
+  for (std::uint64_t stream = 0; stream < count; ++stream) check_once(stream, tally);
+  std::cout << count << " meshes: " << tally.clean << " clean (" << tally.led_out << " of them led out of the solid), "
+            << tally.buried << " buried, " << tally.undecided << " not certified, " << tally.gouge << " gouges\n";
+  EXPECT_GT(tally.clean, static_cast<int>(count / 10));
+  EXPECT_GT(tally.buried, static_cast<int>(count / 20));
+}
+
+}  // namespace
+}  // namespace gouge
