@@ -16,18 +16,23 @@
 #include "lib/correct/correct_path.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
+#include "postproc/cldata/list_written.h"
 #include "postproc/cldata/write_corrected.h"
 
 namespace gouge {
 namespace {
 
 CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options,
-                         const Correction& correction, const Toolpath& before, const CheckResult& result) {
+                         const Correction& correction, const Toolpath& before, const CheckResult& result,
+                         const Toolpath& after) {
   CorrectionFacts facts;
   facts.output_file = arguments.output;
   facts.strategy = arguments.strategy;
   facts.max_shift_mm = options.max_shift_mm;
+  facts.max_side_shift_mm = options.max_side_shift_mm;
   facts.rapid_clearance_mm = options.rapid_clearance_mm;
+  for (const WrittenStatement& written : list_written(before, correction.changes, after))
+    facts.written.push_back({written_name(written.kind), written.line});
   for (const PathChange& change : correction.changes) {
     if (!change.is_straightened) continue;
     ++facts.curves;
@@ -118,7 +123,7 @@ class CorrectRun {
     if (!written) return fail(written.error());
     ReportModel model = job_.report(arguments_.job, path, after, scene);
     model.has_correction = true;
-    model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before);
+    model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
     const bool is_written = write_outputs(arguments_.job, job_, model, progress_, out_, err_);

@@ -65,6 +65,17 @@ std::string counts_line(const StateCounts& n) {
   return text;
 }
 
+std::string written_line(const CorrectionFacts& correction) {
+  if (correction.written.empty()) return {};
+  std::string text = "records:";
+  for (const char* kind : {"changed", "added", "removed"}) {
+    const auto count = std::count_if(correction.written.begin(), correction.written.end(),
+                                     [&](const WrittenRecord& record) { return record.kind == kind; });
+    text += (text.back() == ':' ? " " : ", ") + std::to_string(count) + " " + kind;
+  }
+  return text + "; every other one is the same to the byte\n";
+}
+
 std::string correction_lines(const ReportModel& model) {
   const CorrectionFacts& correction = model.correction;
   const LengthUnit unit = model.toolpath->unit;
@@ -88,7 +99,7 @@ std::string correction_lines(const ReportModel& model) {
   text += ", " + std::to_string(left) + (left == 1 ? " left as it was" : " left as they were");
   if (changed > 0) text += ", " + std::to_string(changed) + " changed but not freed";
   if (!correction.output_file.empty()) text += "; written to " + correction.output_file;
-  return text + "\n";
+  return text + "\n" + written_line(correction);
 }
 
 }  // namespace

@@ -67,15 +67,23 @@ struct UncorrectedRecord {
   bool is_changed = false;  ///< its own record was changed all the same
 };
 
+/// A statement of the corrected file that is not as it was.
+struct WrittenRecord {
+  std::string kind;      ///< "changed", "added", "removed"
+  std::size_t line = 0;  ///< of the file before the correction; of one that was added: after it
+};
+
 struct CorrectionFacts {
   std::string output_file;  ///< empty: none was written
   std::string strategy;     ///< as asked
   double max_shift_mm = 0;  ///< 0: no limit
+  std::optional<double> max_side_shift_mm;  ///< none: by the depth
   double rapid_clearance_mm = 0;
   std::size_t curves = 0;          ///< arcs and splines that became straight moves ...
   std::size_t straight_moves = 0;  ///< ... and how many, those of `changes` among them
   std::vector<CorrectedRecord> changes;
   std::vector<UncorrectedRecord> uncorrected;
+  std::vector<WrittenRecord> written;  ///< every other record is the same to the byte
   const Toolpath* toolpath_before = nullptr;   ///< the path as read
   const CheckResult* result_before = nullptr;  ///< its verdicts
 };

@@ -232,7 +232,9 @@ class HtmlReport {
     if (c.curves > 0)
       out += " " + straightened_text(c) + ", of which those are listed that had to leave their curve.";
     out += c.changes.empty() && c.curves == 0 ? " Nothing was changed.</p>\n"
-                                              : " Every other record is unchanged.</p>\n";
+                                              : " " + count_text(c.written.size(), "record") +
+                                                    " of the file changed, added or removed; every other one is the "
+                                                    "same to the byte.</p>\n";
     if (!c.changes.empty()) {
       out +=
           "<div class=\"wide\"><table><thead><tr><th class=\"n\">Line</th><th "

@@ -235,13 +235,17 @@ class JsonReport {
           {{"move", r.move}, {"line", r.line}, {"depth", length(r.depth_mm)}, {"reason", text(r.reason)},
            {"is_changed", r.is_changed}});
     }
+    Json written = Json::array();
+    for (const WrittenRecord& r : c.written) written.push_back({{"kind", r.kind}, {"line", r.line}});
     return {{"output_file", text(c.output_file)},
             {"strategy", text(c.strategy)},
             {"max_shift", c.max_shift_mm > 0 ? length(c.max_shift_mm) : Json(nullptr)},
+            {"max_side_shift", c.max_side_shift_mm ? length(*c.max_side_shift_mm) : Json(nullptr)},
             {"rapid_clearance", length(c.rapid_clearance_mm)},
             {"straightened", {{"curves", c.curves}, {"straight_moves", c.straight_moves}}},
             {"changes", changes},
-            {"uncorrected", left}};
+            {"uncorrected", left},
+            {"written", written}};
   }
 
   [[nodiscard]] Json notes() const {

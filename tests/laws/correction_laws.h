@@ -11,6 +11,7 @@
 #include "lib/correct/correct_path.h"
 #include "lib/head/check_heads.h"
 #include "lib/mesh/winding.h"
+#include "postproc/cldata/list_written.h"
 
 // The laws of a correction, held against the corrected file as it is read and checked, by means of their own: which moves
 // belong together, what the tool meets on a shift, how far a path is off. Nothing of lib/correct/laws.h is used.
@@ -63,6 +64,7 @@ class LawBook {
       for (std::size_t k = first_[i]; k < first_[i + 1]; ++k)
         figures.gouges_after += c_.result_after->verdicts[k].state == MoveState::gouge ? 1U : 0U;
     }
+    nothing_written_but_what_is_listed();
     figures.changed += c_.correction->changes.size();
     figures.left += c_.correction->uncorrected.size();
     return std::move(broken_);
@@ -89,7 +91,7 @@ class LawBook {
         say(was.state == MoveState::clean ? 'a' : 'b', i, std::string(state_name(was.state)) + " became " + state_name(is.state));
       if (is.state == MoveState::gouge && was.state == MoveState::gouge && is.depth_mm > was.depth_upper_mm + 1e-9)
         say('b', i, "deeper: " + std::to_string(was.depth_mm) + " became " + std::to_string(is.depth_mm));
-      if (changes_[i] == nullptr || c_.after->moves[k].tool == kNone) continue;
+      if (changes_[i] == nullptr || c_.after->moves[k].tool == kNone || ++looked_at_ % one_of(*c_.scene) != 0) continue;
       const ToolForms* tool = c_.tools[c_.after->moves[k].tool];
       if (tool == nullptr || !c_.after->moves[k].not_checked_reason.empty()) continue;
       const double found =
@@ -127,6 +129,37 @@ class LawBook {
     }
     if (bytes(*c_.before, i) != bytes(*c_.after, first_[i + 1] - 1)) say('c', i, "a record that is left was rewritten");
     if (c_.before->moves[i].end.tip != c_.after->moves[first_[i + 1] - 1].end.tip) say('c', i, "a position that is left moved");
+  }
+
+  // (c): without what is listed as changed or removed, and what as added, both files are the same statements.
+  void nothing_written_but_what_is_listed() {
+    const auto all = list_written(*c_.before, c_.correction->changes, *c_.after);
+    std::vector<std::size_t> gone, come;
+    std::size_t changed = 0;
+    for (const WrittenStatement& w : all) {
+      (w.kind == WrittenKind::added ? come : gone).push_back(w.line);
+      changed += w.kind == WrittenKind::changed ? 1U : 0U;
+    }
+    const auto rest = [](const Toolpath& path, const std::vector<std::size_t>& lines, std::size_t& left_out) {
+      std::vector<std::string_view> texts;
+      for (const SourceStatement& span : path.statements) {
+        const bool is_listed = std::find(lines.begin(), lines.end(), std::size_t{span.line}) != lines.end();
+        left_out += is_listed ? 1U : 0U;
+        if (!is_listed) texts.push_back(std::string_view(path.source).substr(span.first_byte, span.last_byte - span.first_byte));
+      }
+      return texts;
+    };
+    std::size_t gone_count = 0, come_count = 0;
+    const auto before = rest(*c_.before, gone, gone_count), after = rest(*c_.after, come, come_count);
+    std::size_t i = 0, skipped = 0;  // what is changed stands in the new file unlisted
+    for (const std::string_view text : after) {
+      if (i < before.size() && text == before[i]) {
+        ++i;
+      } else {
+        ++skipped;
+      }
+    }
+    if (i != before.size() || skipped != changed) broken_.push_back("(c) records differ that are not listed as written");
   }
 
   double depth_at(const Pose& pose, const ToolForms& tool) const {
@@ -194,7 +227,15 @@ class LawBook {
     }
   }
 
+  // Brute force looks at every triangle: at all moves of small scenes, at some of large ones.
+  static std::size_t one_of(const Scene& scene) {
+    std::size_t triangles = 0;
+    for (const IndexedMesh& mesh : scene.parts) triangles += mesh.triangles.size();
+    return 1 + triangles / 20;
+  }
+
   const Corrected& c_;
+  std::size_t looked_at_ = 0;
   std::vector<const PathChange*> changes_;
   std::vector<std::size_t> first_;  // the first move of the corrected path that each move became
   std::vector<std::string> broken_;

@@ -59,7 +59,7 @@ TEST(WriteHtml, ListsTheChangesAndWhatWasLeft) {
 TEST(WriteHtml, SaysWhenNothingWasChanged) {
   SmallReport report;
   report.add_correction();
-  EXPECT_EQ(count_of(write_html(report.model, {}), "Every other record is unchanged."), 1U);
+  EXPECT_EQ(count_of(write_html(report.model, {}), "every other one is the same to the byte."), 1U);
   report.model.correction.changes.clear();
   report.model.correction.uncorrected = {{4, 14, 0, "the tool is buried"}};
   const std::string html = write_html(report.model, {});

@@ -19,6 +19,17 @@ std::vector<std::string> lines_of(const std::string& text) {
   return lines;
 }
 
+TEST(FindingsText, CountsTheRecordsWrittenAndThoseChangedButNotFreed) {
+  SmallReport report(true);
+  report.model.correction.written = {{"changed", 4}, {"changed", 5}, {"added", 6}};
+  report.model.correction.uncorrected = {{4, 14, 0.2, "no way out"}, {5, 15, 0.1, "no way out", true}};
+  const std::string text = findings_text(report.model);
+  EXPECT_NE(text.find("records: 2 changed, 1 added, 0 removed; every other one is the same to the byte\n"),
+            std::string::npos) << text;
+  EXPECT_NE(text.find(", 1 left as it was, 1 changed but not freed"), std::string::npos) << text;
+  EXPECT_NE(text.find(":15: not freed: 0.100 mm, move 5: no way out"), std::string::npos) << text;
+}
+
 TEST(FindingsText, TellsEveryFindingAndTheSummary) {
   const SmallReport report;
   EXPECT_EQ(
