@@ -20,7 +20,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 }
 
 TEST(FindingsText, CountsTheRecordsWrittenAndThoseChangedButNotFreed) {
-  SmallReport report(true);
+  SmallReport report;
+  report.add_correction();
   report.model.correction.written = {{"changed", 4}, {"changed", 5}, {"added", 6}};
   report.model.correction.uncorrected = {{4, 14, 0.2, "no way out"}, {5, 15, 0.1, "no way out", true}};
   const std::string text = findings_text(report.model);
