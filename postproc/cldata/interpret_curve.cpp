@@ -36,6 +36,8 @@ void Interpreter::take_arc() {
 void Interpreter::take_unread_curve() {
   const bool is_on = has_argument(arguments_, "ON"), is_off = !is_on && has_argument(arguments_, "OFF");
   if (is_off || is_on) {  // until it is switched off
+    if (is_off && spline_reason_ == nullptr) doubt_run(Reasons::kStrayOff, spline_run_);
+    spline_run_ = path_.moves.size();
     spline_reason_ = is_off ? nullptr : because(Reasons::kCurve);
     return;
   }

@@ -69,10 +69,7 @@ void Interpreter::doubt_cycle() {
   cycle_.reason = reasons_.name(Reasons::kCycleOpen, "CYCLE", cycle_.line);
   if (cycles_never_ended_++ == 0) first_cycle_never_ended_ = cycle_.line;
   const std::size_t end = cycle_.is_contradicted ? cycle_.contradicted_moves : path_.moves.size();
-  for (std::size_t i = cycle_.certain_moves; i < end; ++i) {
-    std::string_view& reason = path_.moves[i].not_checked_reason;
-    if (reason.empty()) reason = cycle_.reason;
-  }
+  doubt_moves(cycle_.certain_moves, end, cycle_.reason);
 }
 
 // CYCLE/OFF where no cycle is in force: one may have begun anywhere behind the last word that no cycle has.

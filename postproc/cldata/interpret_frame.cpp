@@ -56,13 +56,21 @@ std::optional<Interpreter::TableTurn> Interpreter::clt_turn(std::span<const Argu
 }
 
 const char* Interpreter::frame_reason() const {
-  for (const char* reason : {block_reason_, turning_reason_, contour_reason_, adjust_reason_, spline_reason_, unread_frame_reason_,
+  for (const char* reason : {block_reason_, matrix_reason_, turning_reason_, contour_reason_, adjust_reason_, spline_reason_, unread_frame_reason_,
                              mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_, mode_reason_,
                              multax_reason_, cutter_reason_, loading_reason_, setup_reason_, machine_shift_reason_,
                              machine_cycle_reason_, machine_steps_reason_}) {
     if (reason != nullptr) return reason;
   }
   return turns_.empty() ? tlaxis_reason_ : Reasons::kTurned;
+}
+
+// Four numbers in a comment: one of the rows after $$*CATIA0.
+bool Interpreter::is_matrix_row(std::string_view text) {
+  Statement row;
+  row.pieces.push_back(text);
+  split_arguments(row, arguments_);
+  return arguments_.size() == 4 && find_word_argument(arguments_) == nullptr;
 }
 
 void Interpreter::take_comment() {
@@ -73,6 +81,8 @@ void Interpreter::take_comment() {
     catia_row_ = 0;
   } else if (catia_row_ >= 0 || is_catia_nameless_) {
     take_catia_row(text);
+  } else if (dialect_.kind == DialectKind::catia && is_matrix_row(text)) {
+    matrix_reason_ = reasons_.name(Reasons::kMatrixRow, "$$", statement_->line);
   } else if (dialect_.kind == DialectKind::catia && starts_with_ignoring_case(text, "OPERATION NAME")) {
     const std::size_t colon = text.find(':');
     if (colon != std::string_view::npos) name_operation(name_text(text.substr(colon + 1)));
@@ -89,10 +99,7 @@ void Interpreter::fail_catia_rows() {
 // $$*CATIA0 is followed by a line with a name and three lines with the rows of a matrix: absolute = R p + t. Where the
 // name is missing, or looks like a row, four such lines cannot be told from three.
 void Interpreter::take_catia_row(std::string_view text) {
-  Statement row;
-  row.pieces.push_back(text);
-  split_arguments(row, arguments_);
-  const bool is_row = arguments_.size() == 4 && find_word_argument(arguments_) == nullptr;
+  const bool is_row = is_matrix_row(text);
   if (catia_row_ < 0) {
     is_catia_nameless_ = false;
     if (is_row) fail_catia_rows();
@@ -121,6 +128,7 @@ void Interpreter::take_catia_row(std::string_view text) {
   if (!frame) return;
   if (column(2).dot(frame->rotation.col(2)) < 0)
     return fail("path-frame", "$$*CATIA0: the matrix mirrors; expected a right-handed axis system");
+  matrix_reason_ = nullptr;
   set_frame(*frame);
 }
 
@@ -255,8 +263,13 @@ void Interpreter::take_trntyp() {
 // their own word's shift, unless another word says how they are meant.
 void Interpreter::take_trans() {
   if (arguments_.empty()) return;
-  const char*& reason = equals_ignoring_case(statement_->major, "ORIGIN") ? origin_reason_ : trans_reason_;
-  reason = is_all_zero(arguments_) ? nullptr : because(Reasons::kTrans);
+  const bool is_origin = equals_ignoring_case(statement_->major, "ORIGIN");
+  const char*& reason = is_origin ? origin_reason_ : trans_reason_;
+  std::size_t& run = is_origin ? origin_run_ : trans_run_;
+  const bool is_zero = is_all_zero(arguments_);
+  if (is_zero && reason == nullptr) doubt_run(Reasons::kStrayOff, run);
+  run = path_.moves.size();
+  reason = is_zero ? nullptr : because(Reasons::kTrans);
 }
 
 // A lathe's or a wire's program has its positions in another plane.
@@ -305,7 +318,10 @@ void Interpreter::take_units() {
                     (arguments_.empty() ? std::string("nothing") : quoted_text(arguments_.front().text)) +
                     " is not a unit; expected MM or INCHES");
   }
-  mm_per_unit_ = mm_per(*stated);
+  const double mm = mm_per(*stated);
+  const bool is_late = !std::exchange(is_unit_stated_, true) && !path_.moves.empty();
+  if (is_late && std::abs(mm - mm_per_unit_) > 0) doubt_moves(0, path_.moves.size(), because(Reasons::kLateUnit));
+  mm_per_unit_ = mm;
   is_frame_recorded_ = false;
 }
 
@@ -321,12 +337,7 @@ void Interpreter::close_block() {
 void Interpreter::doubt_blocks_without_msys() {
   close_block();
   if (!is_msys_ever_) return;
-  for (const auto& [begin, end] : blocks_without_msys_) {
-    for (std::size_t i = begin; i < end; ++i) {
-      std::string_view& reason = path_.moves[i].not_checked_reason;
-      if (reason.empty()) reason = Reasons::kNoMsys;
-    }
-  }
+  for (const auto& [begin, end] : blocks_without_msys_) doubt_moves(begin, end, Reasons::kNoMsys);
 }
 
 // TOOL PATH/operation,TOOL,tool: a block of its own, with its own frame, axis and tool.

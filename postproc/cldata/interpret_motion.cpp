@@ -268,6 +268,8 @@ void Interpreter::break_motion() {
 void Interpreter::take_cutcom() {
   if (has_argument(arguments_, "ADJUST")) {
     const bool is_off = arguments_.size() == 2 && equals_ignoring_case(arguments_.back().text, "OFF");
+    if (is_off && adjust_reason_ == nullptr) doubt_run(Reasons::kStrayOff, adjust_run_);
+    adjust_run_ = path_.moves.size();
     adjust_reason_ = is_off ? nullptr : because(Reasons::kAdjust);
     if (has_argument(arguments_, "LEFT") || has_argument(arguments_, "RIGHT")) begin_cutcom();
     return;
@@ -288,6 +290,8 @@ void Interpreter::begin_cutcom() {
 }
 
 void Interpreter::end_cutcom() {
+  if (cutcom_ == CutcomSide::none && !is_cutter_centre_) doubt_run(Reasons::kStrayOff, cutcom_run_);
+  cutcom_run_ = path_.moves.size();
   cutcom_ = CutcomSide::none;
 }
 

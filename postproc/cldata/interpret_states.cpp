@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "postproc/cldata/interpreter.h"
 
 // The table of modal_states.h applied to what is in force, before a statement's own reader has its turn.
@@ -35,6 +37,8 @@ bool Interpreter::is_open(ModalState state) const {
       return is_rapid_;
     case ModalState::cutter_centre:
       return is_cutter_centre_;
+    case ModalState::motion_run:
+      return true;
     case ModalState::between_blocks:
       return is_between_blocks_;
   }
@@ -52,6 +56,9 @@ void Interpreter::end_state(ModalState state) {
       break;
     case ModalState::cutter_centre:
       is_cutter_centre_ = is_cutter_centre_said_;
+      break;
+    case ModalState::motion_run:
+      run_begin_ = path_.moves.size();
       break;
     case ModalState::between_blocks:
       is_between_blocks_ = false;
@@ -76,6 +83,25 @@ void Interpreter::contradict(ModalState state) {
       break;
     default:
       break;
+  }
+}
+
+// An OFF that ends nothing: what it should end may have begun anywhere since the last tool, operation or OFF.
+void Interpreter::doubt_run(const char* reason, std::size_t& run_begin) {
+  const std::size_t begin = std::max(run_begin, run_begin_);
+  run_begin = path_.moves.size();
+  if (begin == run_begin) return;
+  doubt_moves(begin, run_begin, because(reason));
+  if (last_pose_) unknown_start_ = Reasons::kAfterUnread;
+}
+
+void Interpreter::doubt_moves(std::size_t begin, std::size_t end, std::string_view reason) {
+  for (std::size_t i = begin; i < end; ++i) {
+    std::string_view& own = path_.moves[i].not_checked_reason;
+    if (own.empty()) own = reason;
+  }
+  for (auto open = open_arcs_.rbegin(); open != open_arcs_.rend() && open->move >= begin; ++open) {
+    if (open->move < end && open->not_checked_reason.empty()) open->not_checked_reason = reason;
   }
 }
 

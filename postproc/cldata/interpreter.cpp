@@ -316,6 +316,7 @@ bool Interpreter::take_frame_word() {
       take_tool_path();
       return true;
     case Word::end_of_path:
+      if (block_ == 0) doubt_moves(0, path_.moves.size(), Reasons::kNoToolPath);
       is_block_open_ = false;
       is_between_blocks_ = true;
       block_reason_ = Reasons::kBetweenBlocks;

@@ -22,6 +22,7 @@
 #include "postproc/cldata/machine_text.h"
 #include "postproc/cldata/modal_states.h"
 #include "postproc/cldata/named_reasons.h"
+#include "postproc/cldata/reasons.h"
 #include "postproc/cldata/statement.h"
 
 // Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it
@@ -59,82 +60,6 @@ struct MotionRecord {
 struct MotionRecords {
   std::vector<MotionRecord> of_move;  ///< one for each of Toolpath::moves, in the same order
   std::deque<MotionFrame> frames;     ///< a deque, because records point into it while it grows
-};
-
-/// Why moves are not checked. The texts are told to the user, some with the word and the line behind them
-/// (NamedReasons).
-struct Reasons {
-  static constexpr const char* kCurve = "a curve that is not understood";
-  static constexpr const char* kSpline = "a NURBS whose knots, points or axis are not those of a cubic curve";
-  static constexpr const char* kCycle = "a cycle whose words are not understood";
-  static constexpr const char* kCutcom = "compensated by CUTCOM: the positions need not be the cutter centre";
-  static constexpr const char* kAfterCutcom =
-      "starts at a position compensated by CUTCOM, which need not be the cutter centre";
-  static constexpr const char* kAdjust =
-      "shifted by CUTCOM/ADJUST: the registers of the control are not known";
-  static constexpr const char* kNccsArc =
-      "an arc of NCL that leaves its plane or turns its tool axis: its post-processor may run it straight";
-  static constexpr const char* kRetractPlane =
-      "a drilling cycle rises to a retract plane whose height it does not state";
-  static constexpr const char* kAfterCycle = "starts at an unknown retract height after a drilling cycle";
-  static constexpr const char* kCycleOpen =
-      "a hole, or a motion of its own, as its cycle is never ended";
-  static constexpr const char* kCycleStrayEnd =
-      "a hole, or a motion of its own, as a cycle ends that never began";
-  static constexpr const char* kNoArcEnd =
-      "a curve is described and no position says where it ends: the tool may have gone along it";
-  static constexpr const char* kNoTlon =
-      "an INDIRV that no TLON follows: a motion may be missing here";
-  static constexpr const char* kBetweenBlocks =
-      "positions stand between END-OF-PATH and TOOL PATH: in which frame and with which tool the file does not say";
-  static constexpr const char* kMsysOutside =
-      "an MSYS stands between END-OF-PATH and this TOOL PATH, which has none: which frame holds the file does not say";
-  static constexpr const char* kNoMsys =
-      "positions are in a TOOL PATH without MSYS where others of the file have one: in which frame it does not say";
-  static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
-  static constexpr const char* kTurning = "turning and wire tools are not understood";
-  static constexpr const char* kContour =
-      "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";
-  static constexpr const char* kUnread = "a statement that is not understood may have moved the tool";
-  static constexpr const char* kSixNumbers =
-      "six numbers without MULTAX/ON: two positions, or one and its tool axis";
-  static constexpr const char* kStepFromUnread = "GODLTA goes on from a position that is not known";
-  static constexpr const char* kNccsGoesOn =
-      "a position on the circle of the one before it: round or straight, the file does not say";
-  static constexpr const char* kPlainAxis =
-      "a position without a tool axis after a tilted one: the file does not say which axis it has";
-  static constexpr const char* kAfterUnread =
-      "starts at an unknown position after a statement that is not understood";
-  static constexpr const char* kUnreadFrame =
-      "positions follow a statement that is not understood and may turn or shift them";
-  static constexpr const char* kUnreadTool = "follows a statement that is not understood and may change the tool";
-  static constexpr const char* kCutShort =
-      "a position whose statement may be cut short: a tool axis or further positions may be missing";
-  static constexpr const char* kMachineShift =
-      "follows text for the machine's control that may shift, turn or offset positions";
-  static constexpr const char* kMachineCycle = "follows text for the machine's control that makes each position a cycle";
-  static constexpr const char* kMachineSteps = "follows text for the machine's control that makes positions steps (G91)";
-  static constexpr const char* kSetup = "follows a setup or selection that may shift or turn positions";
-  static constexpr const char* kTrans = "positions are shifted by a TRANS or ORIGIN that is not applied";
-  static constexpr const char* kCsys = "positions are in a coordinate system (CSYS) that is not applied";
-  static constexpr const char* kMcsys = "positions are in a coordinate system (MCSYS) that is not understood";
-  static constexpr const char* kTurned =
-      "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
-  static constexpr const char* kCltAxis =
-      "positions are in a setup whose TLAXIS is not +Z of the model: where it lies the file does not say";
-  static constexpr const char* kMultax =
-      "follows a MULTAX that is not understood: its numbers may be points or tool axes";
-  static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
-
-  /// True where nobody knows where the statement takes the tool.
-  [[nodiscard]] static bool is_unread(std::string_view reason) {
-    return reason.starts_with(kUnread) || reason == kSixNumbers || reason == kStepFromUnread ||
-           reason == kNoArcEnd || reason == kNoTlon || reason == kCutShort;
-  }
-  /// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
-  [[nodiscard]] static bool is_motion_known(std::string_view reason) {
-    return reason.empty() || reason == kCutcom || reason == kAfterCutcom;
-  }
 };
 
 class Interpreter {
@@ -209,6 +134,8 @@ class Interpreter {
   void end_state(ModalState state);
   void contradict(ModalState state);
   void drop_described_curve();
+  void doubt_run(const char* reason, std::size_t& run_begin);
+  void doubt_moves(std::size_t begin, std::size_t end, std::string_view reason);
 
   // interpret_unread.cpp
   void take_unknown();
@@ -322,6 +249,7 @@ class Interpreter {
 
   // interpret_frame.cpp
   void take_comment();
+  [[nodiscard]] bool is_matrix_row(std::string_view text);
   void take_catia_row(std::string_view text);
   void fail_catia_rows();
   void take_creo_comment();
@@ -376,6 +304,9 @@ class Interpreter {
     ArcStatement arc;  // part coordinates
     std::string_view not_checked_reason;  // whatever its sense
   };
+  std::size_t run_begin_ = 0;  // the first move since the last tool or operation
+  // The same since the last OFF of each, or the last zeros.
+  std::size_t cutcom_run_ = 0, adjust_run_ = 0, spline_run_ = 0, trans_run_ = 0, origin_run_ = 0;
   std::vector<OpenArc> open_arcs_;  // whose sense the rest of the file must tell
   std::optional<Pose> last_hole_;    // where the last position was a hole: what GODLTA goes on from, not where the tool is
   CycleState cycle_;
@@ -417,6 +348,7 @@ class Interpreter {
 
   // frames
   double mm_per_unit_;
+  bool is_unit_stated_ = false;  // by a statement read until now
   RigidTransform to_part_;
   bool is_frame_recorded_ = false;  // the last of records_->frames is the one in force
   std::size_t block_ = 0;
@@ -424,6 +356,7 @@ class Interpreter {
   bool is_between_blocks_ = false;  // of NX
   bool is_msys_outside_ = false;    // an MSYS stood there
   const char* block_reason_ = nullptr;
+  const char* matrix_reason_ = nullptr;
   bool block_has_msys_ = false, is_msys_ever_ = false;
   std::size_t block_begin_ = 0;  // its first move
   std::vector<std::pair<std::size_t, std::size_t>> blocks_without_msys_;  // their moves

@@ -32,6 +32,8 @@ constexpr WordSet kTools = {Word::cutter, Word::tldata, Word::loadtl,       Word
 constexpr WordSet kCurves = {Word::circle, Word::movarc, Word::curve, Word::indirv,
                              Word::tlon,   Word::nurbs,  Word::cntrl};
 constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion};
+constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
+                             Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
 constexpr WordSet kPosition = {Word::go_to, Word::godlta};
 constexpr WordSet kFeed = {Word::fedrat};
 constexpr WordSet kFeedOrBlock = {Word::fedrat, Word::tool_path};
@@ -70,6 +72,7 @@ constexpr auto kRules = std::to_array<ModalRule>({
     {ModalState::start_tangent, contradicts, kPosition},
     {ModalState::rapid, ends, kFeedOrBlock},
     {ModalState::cutter_centre, ends, kOperation, Files::creo},
+    {ModalState::motion_run, ends, kNewRun},
     {ModalState::between_blocks, contradicts, kFrame},
     {ModalState::between_blocks, ends, kBlock},
 });

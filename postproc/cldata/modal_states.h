@@ -17,7 +17,8 @@ enum class ModalState : std::uint8_t {
   start_tangent,  ///< INDIRV: the next TLON leaves along it
   rapid,          ///< RAPID: the next position is reached at rapid
   cutter_centre,  ///< Creo's OUTPUT_ON_CENTER: positions under CUTCOM are the cutter's centre
-  between_blocks, ///< after END-OF-PATH of NX: no TOOL PATH gives a frame, a tool and an axis
+  motion_run,      ///< always open: positions that one switched-on state could span
+  between_blocks,  ///< after END-OF-PATH of NX: no TOOL PATH gives a frame, a tool and an axis
 };
 
 /// What a word does to a modal state that is open.
@@ -29,7 +30,8 @@ enum class ModalEffect : std::uint8_t {
 
 inline constexpr ModalState kModalStates[] = {ModalState::cycle, ModalState::described_arc,
                                               ModalState::start_tangent, ModalState::rapid,
-                                              ModalState::cutter_centre, ModalState::between_blocks};
+                                              ModalState::cutter_centre, ModalState::motion_run,
+                                              ModalState::between_blocks};
 
 /// What `statement` acts as: its word, or for the comments of Creo and CATIA that are statements the word of another
 /// dialect that does the same.

@@ -83,11 +83,11 @@ INSTANTIATE_TEST_SUITE_P(
         ModalCase{"Rapid", drilled("RAPID\nGOTO/20,0,60\nFINI\n"), "8"},
         ModalCase{"RapidBeforeOff", drilled("RAPID\nCYCLE/OFF\nGOTO/20,0,60\nFINI\n"), ""},
         ModalCase{"Arc", drilled("CIRCLE/15,0,0,0,0,1,5\nGOTO/20,0,0\nFINI\n"), "8"},
-        ModalCase{"Cutcom", drilled("CUTCOM/OFF\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"Cutcom", drilled("CUTCOM/LEFT\nGOTO/20,0,0\nFINI\n"), "8"},
         ModalCase{"From", drilled("FROM/0,0,50\nGOTO/20,0,0\nFINI\n"), "8"},
         ModalCase{"Home", drilled("GOHOME\nGOTO/20,0,0\nFINI\n"), "8"},
         ModalCase{"HomeWithAPosition", drilled("GOHOME/0,0,50\nFINI\n"), "7"},
-        ModalCase{"Frame", drilled("TRANS/0,0,0\nGOTO/20,0,0\nFINI\n"), "8"},
+        ModalCase{"Frame", drilled("TRNTYP/WORLD,0,0,0\nGOTO/20,0,0\nFINI\n"), "8"},
         ModalCase{"Units", drilled("UNITS/MM\nGOTO/20,0,0\nFINI\n"), "8"},
         ModalCase{"Axis", drilled("TLAXIS/0,0,1\nGOTO/20,0,0\nFINI\n"), "8"},
         ModalCase{"FeedBetweenHoles", drilled("FEDRAT/100,MMPM\nGOTO/20,0,0\nFINI\n"), "8"},
@@ -192,6 +192,19 @@ INSTANTIATE_TEST_SUITE_P(
                        "CUTCOM / OFF\n$$-> FEATNO / 2\nGOTO / 9, 0, 0\nFINI\n"),
                   ""},
         ModalCase{"NeverEnded", apt("CUTCOM/LEFT\nGOTO/0,0,0\nLOADTL/2\nGOTO/9,0,0\nFINI\n"), "6 8"},
+        ModalCase{"OffWithout", apt("GOTO/0,0,0\nGOTO/9,0,0\nCUTCOM/OFF\nGOTO/9,9,0\nGOTO/9,0,9\nFINI\n"), "4 5 6 8"},
+        ModalCase{"OffWithoutAfterATool", apt("LOADTL/2\nCUTCOM/OFF\nGOTO/9,9,0\nGOTO/9,0,9\nFINI\n"), ""},
+        ModalCase{"OffTwice",
+                  apt("CUTCOM/LEFT\nGOTO/0,0,0\nCUTCOM/OFF\nCUTCOM/OFF\nGOTO/9,9,0\nGOTO/9,0,9\nFINI\n"), "6 9"},
+        ModalCase{"OffWithoutBehindAnArc",
+                  apt("GOTO/-20,-10,0\nGOTO/0,-10,0\nCIRCLE/0,0,0,0,0,1,10\nGOTO/10,0,0\nGOTO/10,20,0\nGOTO/0,-10,0\n"
+                      "CIRCLE/0,0,0,0,0,1,10\nGOTO/10,0,0\nGOTO/10,20,0\nCUTCOM/OFF\nLOADTL/2\nGOTO/-20,-10,0\n"
+                      "GOTO/0,-10,0\nCIRCLE/0,0,0,0,0,1,10\nGOTO/10,0,0\nGOTO/10,20,0\nFINI\n"),
+                  "4 5 6 8 9 10 12 13"},
+        ModalCase{"CreoOffWithoutOnCentre",
+                  creo("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\nGOTO / 0, 0, 9\nCUTCOM / OFF\nGOTO / 0, 0, 0\nFINI\n"),
+                  ""},
+        ModalCase{"AdjustOffWithout", apt("GOTO/0,0,0\nCUTCOM/ADJUST,OFF\nGOTO/9,0,0\nGOTO/9,0,9\nFINI\n"), "4 5 7"},
         ModalCase{"AdjustWithASide", apt("CUTCOM/ADJUST,OFF,LEFT\nCUTCOM/ADJUST,OFF\nGOTO/0,0,0\nFINI\n"), "7"}),
     name_of);
 
@@ -228,6 +241,9 @@ INSTANTIATE_TEST_SUITE_P(
                   nx("TOOL PATH/A,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\nGOTO/0,0,0\n") +
                       nx("TOOL PATH/B,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\n"),
                   "6"},
+        ModalCase{"NoToolPath", nx("", kShifted + "GOTO/0,0,0\nEND-OF-PATH\n") +
+                                    nx("TOOL PATH/B,TOOL,B\n", kShifted + "GOTO/0,0,0\nEND-OF-PATH\n"),
+                  "3"},
         ModalCase{"OpenCycleInANewBlock",
                   nx("TOOL PATH/A,TOOL,B\n", kShifted + "CYCLE/DRILL,RAPTO,3,FEDTO,-5\nGOTO/0,0,0\nEND-OF-PATH\n") +
                       nx("TOOL PATH/B,TOOL,B\n", kShifted + "GOTO/0,0,0\nCYCLE/OFF\nEND-OF-PATH\n"),
@@ -237,7 +253,29 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Spline, ModalStates,
     ::testing::Values(ModalCase{"OffAndOn", apt("SPLINE/ON,OFF\nGOTO/1,0,0\nSPLINE/OFF\nGOTO/2,0,0\nFINI\n"), "6 8"},
+                      ModalCase{"OffWithout", apt("GOTO/1,0,0\nSPLINE/OFF\nGOTO/2,0,0\nGOTO/3,0,0\nFINI\n"), "4 5 7"},
                       ModalCase{"NeverEnded", apt("SPLINE/ON\nGOTO/1,0,0\nLOADTL/2\nGOTO/2,0,0\nFINI\n"), "6 8"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Shift, ModalStates,
+    ::testing::Values(ModalCase{"Undone", apt("TRANS/0,0,5\nGOTO/1,0,0\nTRANS/0,0,0\nGOTO/2,0,0\nGOTO/3,0,0\nFINI\n"), "6 8"},
+                      ModalCase{"ZerosWithout", apt("GOTO/1,0,0\nTRANS/0,0,0\nGOTO/2,0,0\nGOTO/3,0,0\nFINI\n"), "4 5 7"},
+                      ModalCase{"OriginZerosWithout", apt("GOTO/1,0,0\nORIGIN/0,0,0\nGOTO/2,0,0\nFINI\n"), "4 5 7"},
+                      ModalCase{"ZerosAtTheStart", "UNITS/MM\nTRANS/0,0,0\nCUTTER/10\nLOADTL/1\nGOTO/2,0,0\nFINI\n", ""},
+                      ModalCase{"NeverUndone", apt("TRANS/0,0,5\nGOTO/1,0,0\nLOADTL/2\nGOTO/2,0,0\nFINI\n"), "6 8"}),
+    name_of);
+
+const std::string kRows = "$$     1.0   0.0   0.0   0.0\n$$     0.0   1.0   0.0   0.0\n$$     0.0   0.0   1.0   5.0\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Matrix, ModalStates,
+    ::testing::Values(ModalCase{"Whole", "$$ CATIA APT VERSION 1.0\n$$*CATIA0\n$$ A\n" + kRows + "GOTO/0,0,0\nEND\n", ""},
+                      ModalCase{"RowsAlone", "$$ CATIA APT VERSION 1.0\n$$ A\n" + kRows + "GOTO/0,0,0\nEND\n", "6"},
+                      ModalCase{"RowsAloneThenWhole",
+                                "$$ CATIA APT VERSION 1.0\n$$ A\n" + kRows + "GOTO/0,0,0\n$$*CATIA0\n$$ A\n" + kRows +
+                                    "GOTO/0,0,0\nEND\n",
+                                "6"}),
     name_of);
 
 INSTANTIATE_TEST_SUITE_P(Mode, ModalStates,
@@ -272,6 +310,13 @@ INSTANTIATE_TEST_SUITE_P(
                                 "UNITS/ MM \nOPFEATSTART/A\nGOTO/ 1,0,50 \nCYCLE/ DRILL,G98,5,G99,9,MMPM,100,2,50 \n"
                                 "GOTO/ 1,0,0 \nCYCLE/ OFF \nFINI \n",
                                 "5"}),
+    name_of);
+
+INSTANTIATE_TEST_SUITE_P(
+    Unit, ModalStates,
+    ::testing::Values(ModalCase{"Late", "GOTO/1,1,1\nGOTO/2,2,2\nUNITS/INCHES\nGOTO/3,3,3\nFINI\n", "1 2"},
+                      ModalCase{"LateAndTheSame", "GOTO/1,1,1\nGOTO/2,2,2\nUNITS/MM\nGOTO/3,3,3\nFINI\n", ""},
+                      ModalCase{"Changed", "UNITS/MM\nGOTO/1,1,1\nUNITS/INCHES\nGOTO/3,3,3\nFINI\n", ""}),
     name_of);
 
 TEST(Units, TwoInOneStatementAreRefused) {

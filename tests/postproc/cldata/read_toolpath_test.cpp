@@ -183,8 +183,10 @@ TEST(ReadApt, AStepFromAPlaceThatIsNotKnownIsNotChecked) {
 
 TEST(ReadApt, OnlyItsOwnOffEndsCompensation) {
   const std::string after = "GOTO/1,0,9\nGOTO/2,0,9\nGOTO/3,0,9\n";
-  for (const char* off : {"CUTCOM/OFF,LENGTH", "CUTCOM/ADJUST,OFF", "CUTCOM/ON,LENGTH"})
+  for (const char* off : {"CUTCOM/OFF,LENGTH", "CUTCOM/ON,LENGTH"})
     EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/LEFT\n" + after + off + "\n" + after, "apt"), "1000000") << off;
+  EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/LEFT\n" + after + "CUTCOM/ADJUST,OFF\n" + after, "apt"), "0000000")
+      << "an ADJUST may be lost before its OFF";
   EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/LEFT,LENGTH,3\n" + after, "apt"), "1000");
   EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/ON,LENGTH\n" + after, "apt"), "1111");
   EXPECT_EQ(checked_moves("GOTO/0,0,9\nCUTCOM/ADJUST,ON,3\n" + after + "CUTCOM/ADJUST,OFF\n" + after, "apt"),
