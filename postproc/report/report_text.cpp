@@ -118,7 +118,7 @@ std::string event_text(const ReportModel& model, const Event& event) {
   std::string text = std::string(state_name(event.state)) + ": ";
   if (event.state == MoveState::buried) {
     return text + tool_phrase(model, event) + " lies inside a solid, no surface within the " +
-           (event.body == Body::head ? "head" : "tool") + move;
+           (event.body == Body::cutter ? "tool" : body_name(event.body)) + move;
   }
   const bool is_near = event.state == MoveState::near_miss;
   const double length_mm = is_near ? verdict.clearance_mm.value_or(0) : verdict.depth_mm;

@@ -80,6 +80,24 @@ TEST(Heads, ThatAreOpenAreRefused) {
   EXPECT_EQ(head.error().code, "mesh-head-open");
 }
 
+TEST(Heads, WhoseTrianglesAreDoubledAreRefused) {
+  const IndexedMesh cube = shapes::cube();
+  EXPECT_FALSE(build_head_body(shapes::joined(cube, shapes::inside_out(cube))).has_value());
+}
+
+TEST(Heads, InsideASolidThatDoesNotTellAreNotCertifiedUnlessTheirPathLeadsOut) {
+  const IndexedMesh block = shapes::box(Vec3(40, -60, 60), Vec3(160, 60, 200));
+  const IndexedMesh doubled = shapes::joined(block, shapes::inside_out(block));
+  const CheckResult staying = check({paths::upright(0, 0, 0), paths::upright(0, 5, 0)}, {side_box()}, doubled);
+  EXPECT_EQ(staying.counts.not_certified, 2U);
+  IndexedMesh pot = block;
+  pot.triangles.resize(10);
+  pot.file_triangle.resize(10);
+  const CheckResult rising =
+      check({paths::upright(0, 0, 0), paths::upright(0, 5, 0), paths::upright(0, 5, 150)}, {side_box()}, pot);
+  EXPECT_EQ(rising.counts.clean, 3U) << rising.verdicts[0].reason;
+}
+
 TEST(Heads, HaveACoreInEveryPiece) {
   const IndexedMesh two = shapes::joined(shapes::cube(10), shapes::moved(shapes::cube(4), Vec3(30, 0, 0)));
   const HeadBody head = *build_head_body(two);

@@ -1,0 +1,110 @@
+#include "lib/mesh/enclosure.h"
+
+#include <gtest/gtest.h>
+
+#include "lib/mesh/cavity.h"
+#include "lib/mesh/free_ray.h"
+#include "tests/support/shapes.h"
+#include "tests/support/solids.h"
+#include "tests/support/split_mix.h"
+#include "tests/support/crossing_parity.h"
+
+namespace gouge {
+namespace {
+
+Side side_in(const std::vector<IndexedMesh>& meshes, const Vec3& point) {
+  return Enclosure(meshes).side_of({{point}, {Vec3::UnitZ()}});
+}
+
+TEST(Enclosure, AgreesWithCrossingsOnClosedSolids) {
+  test::SplitMix64 random(5);
+  for (const IndexedMesh& mesh : {shapes::torus(20, 6), shapes::star_prism(), shapes::sphere(15)}) {
+    for (int i = 0; i < 200; ++i) {
+      const Vec3 p(random.uniform(-27, 27), random.uniform(-27, 27), random.uniform(-8, 14));
+      EXPECT_EQ(side_in({mesh}, p), test::is_inside(mesh, p) ? Side::inside : Side::outside) << p.transpose();
+    }
+  }
+}
+
+TEST(Enclosure, BeyondTheBoxIsOutsideHoweverBrokenTheMesh) {
+  EXPECT_EQ(side_in({shapes::open_cube(10)}, Vec3(5, 5, 10.001)), Side::outside);
+  EXPECT_EQ(side_in({shapes::open_cube(10)}, Vec3(5, 5, 5)), Side::unknown);
+  EXPECT_EQ(side_in({}, Vec3(5, 5, 5)), Side::outside);
+}
+
+TEST(Enclosure, APlaceThatIsJoinedWithOneBeyondIsOutside) {
+  const std::vector<IndexedMesh> pot = {shapes::open_cube(10)};
+  EXPECT_EQ(Enclosure(pot).side_of({{Vec3(5, 5, 5), Vec3(5, 5, 11)}, {Vec3::UnitZ()}}), Side::outside);
+}
+
+TEST(Enclosure, PiecesWithHolesConcernOnlyPlacesInTheirBox) {
+  const IndexedMesh both = shapes::joined(shapes::open_cube(10), shapes::moved(shapes::cube(10), Vec3(30, 0, 0)));
+  EXPECT_EQ(side_in({both}, Vec3(35, 5, 5)), Side::inside);
+  EXPECT_EQ(side_in({both}, Vec3(20, 5, 5)), Side::outside);
+  EXPECT_EQ(side_in({both}, Vec3(5, 5, 8)), Side::unknown);
+}
+
+TEST(Enclosure, ASmallHoleLeavesTheInsideKnownFarFromIt) {
+  IndexedMesh holed = shapes::sphere(10, 20, 40);
+  holed.triangles.erase(holed.triangles.begin() + 400);
+  holed.file_triangle.pop_back();
+  EXPECT_EQ(side_in({holed}, Vec3(0, 0, 0)), Side::inside);
+  EXPECT_NE(side_in({holed}, Vec3(9, 9, 0)), Side::inside);
+}
+
+TEST(Enclosure, ACavityIsOutsideAndAWallWrittenTwiceIsNone) {
+  const IndexedMesh block = shapes::cube(10);
+  const auto with = [&](double low, double high) {
+    return shapes::joined(block, shapes::inside_out(shapes::box(Vec3::Constant(low), Vec3::Constant(high))));
+  };
+  EXPECT_EQ(side_in({with(2.5, 7.5)}, Vec3(5, 5, 5)), Side::outside);
+  EXPECT_TRUE(Cavities(with(2.5, 7.5)).contain(Vec3(5, 5, 5)));
+  EXPECT_EQ(side_in({with(2.5, 7.5)}, Vec3(1, 5, 5)), Side::inside);
+  EXPECT_EQ(side_in({with(0.001, 9.999)}, Vec3(5, 5, 5)), Side::unknown);
+  EXPECT_EQ(side_in({with(0, 10)}, Vec3(5, 5, 5)), Side::unknown);
+  EXPECT_EQ(side_in({with(-1, 11)}, Vec3(5, 5, 5)), Side::unknown);
+  EXPECT_EQ(side_in({with(5, 15)}, Vec3(7, 7, 7)), Side::unknown);
+}
+
+TEST(Enclosure, BodiesThatTouchOrOverlapAreInside) {
+  EXPECT_EQ(side_in({shapes::cubes_crossing(10)}, Vec3(7, 7, 7)), Side::inside);
+  EXPECT_EQ(side_in({shapes::cubes_touching_at_edge(10)}, Vec3(5, 5, 5)), Side::inside);
+  EXPECT_EQ(side_in({shapes::cubes_touching_at_edge(10)}, Vec3(15, 5, 5)), Side::outside);
+  EXPECT_EQ(side_in({shapes::cube(10), shapes::moved(shapes::cube(10), Vec3(10, 0, 0))}, Vec3(15, 5, 5)), Side::inside);
+}
+
+TEST(FreeRay, WhatRoundingCouldTurnIntoAHitIsOne) {
+  const IndexedMesh cube = shapes::cube(10);
+  const std::vector<Vec3> up = {Vec3::UnitZ()}, inside = {Vec3(5, 5, 5)}, above = {Vec3(5, 5, 11)};
+  EXPECT_FALSE(has_free_ray(cube, inside, up));
+  EXPECT_TRUE(has_free_ray(cube, above, up));
+  // Along an edge, through a corner, along a face.
+  EXPECT_FALSE(has_free_ray(cube, std::vector<Vec3>{Vec3(10, 10, -5)}, up));
+  EXPECT_FALSE(has_free_ray(cube, std::vector<Vec3>{Vec3(-5, -5, -5)}, std::vector<Vec3>{Vec3(1, 1, 1)}));
+  EXPECT_TRUE(has_free_ray(cube, std::vector<Vec3>{Vec3(10.001, 5, 5)}, up));
+}
+
+TEST(EdgeFaults, AreCountedAndGatheredByRim) {
+  EXPECT_TRUE(find_edge_faults(shapes::torus()).is_empty());
+  const EdgeFaults open = find_edge_faults(shapes::open_cube(10));
+  EXPECT_EQ(open.open, 4U);
+  ASSERT_EQ(open.gaps.size(), 1U);
+  EXPECT_NEAR(open.gaps[0].width_mm, 10 / std::sqrt(2.0), 1e-12);
+  IndexedMesh turned = shapes::cube(10);
+  std::swap(turned.triangles[0][1], turned.triangles[0][2]);
+  const EdgeFaults faults = find_edge_faults(turned);
+  EXPECT_EQ(faults.open, 0U);
+  EXPECT_EQ(faults.misoriented, 3U);
+  for (const FaultyEdge& e : faults.gaps[0].edges) EXPECT_EQ(e.surplus, 2);
+}
+
+TEST(EdgeFaults, FilesThatFitTogetherHaveNone) {
+  IndexedMesh lower = shapes::cube(10), upper = lower;
+  lower.triangles.resize(6);
+  upper.triangles.erase(upper.triangles.begin(), upper.triangles.begin() + 6);
+  EXPECT_FALSE(find_edge_faults(lower).is_empty());
+  EXPECT_TRUE(find_edge_faults(weld_together(std::vector<IndexedMesh>{lower, upper})).is_empty());
+}
+
+}  // namespace
+}  // namespace gouge
