@@ -4,7 +4,9 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include "postproc/cldata/text.h"
 
@@ -27,6 +29,9 @@ constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2
 // Words that move the tool sideways, or turn the sense of the heights round.
 constexpr std::array<std::string_view, 6> kSideways = {"ORIENT", "NODRAG", "BACK",
                                                        "SHIFT",  "MANUAL", "DIAMETR"};
+
+constexpr std::array<std::string_view, 6> kHeightWords = {"FEDTO", "DEPTH", "RAPTO", "CLEAR", "RTRCTO", "RETURN"};
+constexpr std::size_t kLongestWord = 24;
 
 // Words that one number follows.
 constexpr std::array<std::string_view, 11> kHeights = {"FEDTO",  "DEPTH", "RAPTO", "CLEAR",  "RTRCTO", "RETURN",
@@ -79,6 +84,29 @@ DrillCycle make(double clearance, double bottom, const Retract& retract) {
   return cycle;
 }
 
+// True where `text` is `word` but for one letter put in, left out or changed.
+bool is_off_by_one(std::string_view text, std::string_view word) {
+  if (text.size() > word.size()) std::swap(text, word);
+  if (word.size() - text.size() > 1 || equals_ignoring_case(text, word)) return false;
+  std::size_t same = 0;
+  while (same < text.size() && equals_ignoring_case(text.substr(same, 1), word.substr(same, 1))) ++same;
+  const std::size_t skipped = text.size() == word.size() ? same + 1 : same;
+  return equals_ignoring_case(text.substr(std::min(skipped, text.size())), word.substr(same + 1));
+}
+
+// A height's word with a letter wrong, or its number run into it: what it said is lost.
+bool is_damaged_height(const Argument& argument) {
+  if (argument.number || argument.text.empty()) return false;
+  std::string letters;
+  for (const char c : argument.text.substr(0, kLongestWord)) {
+    if (is_letter(c)) letters += c;
+  }
+  const bool is_run_in = letters.size() != argument.text.size();
+  return std::any_of(kHeightWords.begin(), kHeightWords.end(), [&](std::string_view word) {
+    return is_off_by_one(letters, word) || (is_run_in && equals_ignoring_case(letters, word));
+  });
+}
+
 bool has_both(Arguments arguments, std::string_view one, std::string_view other) {
   return has_argument(arguments, one) && has_argument(arguments, other);
 }
@@ -89,6 +117,7 @@ bool contradicts_itself(DialectKind dialect, Arguments arguments) {
       has_argument(arguments, "OFF") || has_argument(arguments, "NOMORE")) {
     return true;
   }
+  if (std::any_of(arguments.begin(), arguments.end(), is_damaged_height)) return true;
   // Their numbers have places, not words, or are read one by one.
   if (dialect == DialectKind::clt || is_nccs(dialect)) return false;
   for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
