@@ -109,6 +109,27 @@ INSTANTIATE_TEST_SUITE_P(
         ModalCase{"SolidworksTool", solidworks("CUTTER/8.,0,4.,0,0,0,50.\nLOAD/TOOL,2\nGOTO/20.,0,0\nFINI\n"), "10"},
         ModalCase{"SolidworksInit", solidworks("CYCLE/INIT\nGOTO/20.,0,0\nFINI\n"), "9"},
         ModalCase{"SolidworksFeed", solidworks("FEDRAT/100.,MMPM\nGOTO/20.,0,0\nCYCLE/OFF\nFINI\n"), "9"},
+        ModalCase{"NxArc",
+                  "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10,0,50,0,0\nMSYS/0,0,0,1,0,0,0,1,0\nGOTO/0,0,50\n"
+                  "CYCLE/DRILL,RAPTO,3,FEDTO,-5\nGOTO/0,0,0\nCIRCLE/5,0,0,0,0,1,5,0.06,0.5,10,0\nGOTO/10,0,0\nCYCLE/OFF\n"
+                  "END-OF-PATH\n",
+                  "8"},
+        ModalCase{"CampleteFeedBetweenHoles",
+                  "CSI_TOOL_PATH/A\nUNITS/MM\nCUTTER/10, 0, 0, 0, 0, 0, 30\nLOADTL/1\nGOTO/0, 0, 30\n"
+                  "CYCLE/DRILL, FEDTO, 5, RAPTO, 3, RTRCTO, 30\nGOTO/0, 0, 0\nFEDRAT/100, MMPM\nGOTO/9, 0, 0\nCYCLE/OFF\nFINI\n",
+                  ""},
+        ModalCase{"CltFeed",
+                  "UNITS/ MM \nOPFEATSTART/A\nGOTO/ 1,0,50 \nCYCLE/ ON \nCYCLE/ DRILL,G98,5,MMPM,100,2,50 \nGOTO/ 1,0,0 \n"
+                  "FEDRAT/ MMPM,100 \nGOTO/ 2,0,0 \nCYCLE/ OFF \nFINI \n",
+                  "8"},
+        ModalCase{"CltOnAlone",
+                  "UNITS/ MM \nOPFEATSTART/A\nGOTO/ 1,0,50 \nCYCLE/ DRILL,G98,5,MMPM,100,2,50 \nGOTO/ 1,0,0 \nCYCLE/ OFF \n"
+                  "CYCLE/ ON \nGOTO/ 2,0,0 \nCYCLE/ OFF \nFINI \n",
+                  "8"},
+        ModalCase{"CatiaOperation",
+                  "$$ CATIA APT VERSION 1.0\nUNITS/MM\nLOADTL/1\nGOTO/0,0,50\nCYCLE/DRILL,3,5\nGOTO/0,0,0\n"
+                  "$$ OPERATION NAME : A\nGOTO/9,0,0\nCYCLE/OFF\nEND\n",
+                  "8"},
         ModalCase{"CreoFeature", creo_drilled("$$-> FEATNO / 2\nGOTO / 20, 0, 0\nCYCLE / OFF\nFINI\n"), "8"},
         ModalCase{"CreoTool", creo_drilled("LOADTL / 2\nGOTO / 20, 0, 0\nCYCLE / OFF\nFINI\n"), "8"}),
     name_of);
