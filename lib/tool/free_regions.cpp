@@ -9,7 +9,7 @@ namespace gouge {
 namespace {
 
 constexpr double kLeast = 1e-5;  // regions that are less deep than this share of the height beyond are passed over
-constexpr int kRows = 160, kColumns = 12, kSamples = 256;
+constexpr int kRows = 200, kColumns = 64, kSamples = 256;
 
 /// Nothing between two places of depths a and b is less deep than this: depth changes no faster than the way.
 double least_between(double a, double b, double way) {
@@ -56,16 +56,29 @@ double RegionFinder::depth_at(double r, double z) const {
   return -evaluate(tool_, std::abs(r), z).signed_distance_mm;
 }
 
-// Local maxima of the depth off the axis: hollow cutters and undercut rings have them.
+// Local maxima of the depth off the axis: hollow cutters and undercut rings have them. Looked for upward from the
+// places of a grid that are no less deep than their neighbours.
 void RegionFinder::find_rings() {
   if (tool_.elements.empty()) return;
   const double height = tool_.z_max_mm - tool_.z_min_mm;
   const double near = 1e-3 * (height + tool_.r_max_mm);
+  std::vector<double> depth(static_cast<std::size_t>(kRows * kColumns));
+  const auto at = [&](int i, int j) -> double& { return depth[static_cast<std::size_t>(i * kColumns + j)]; };
+  const auto place = [&](int i, int j) {
+    return Vec2(tool_.r_max_mm * j / kColumns, tool_.z_min_mm + height * (i + 0.5) / kRows);
+  };
+  for (int i = 0; i < kRows; ++i) {
+    for (int j = 0; j < kColumns; ++j) at(i, j) = depth_at(place(i, j).x(), place(i, j).y());
+  }
+  const auto is_top = [&](int i, int j) {
+    const auto beside = [&](int k, int l) { return k < 0 || k >= kRows || l >= kColumns ? 0.0 : at(k, l); };
+    return at(i, j) > 0 && at(i, j) > beside(i - 1, j) && at(i, j) > beside(i, j - 1) && at(i, j) >= beside(i + 1, j) &&
+           at(i, j) >= beside(i, j + 1);
+  };
   for (int i = 0; i < kRows; ++i) {
     for (int j = 1; j < kColumns; ++j) {
-      const Vec2 place(tool_.r_max_mm * j / kColumns, tool_.z_min_mm + height * (i + 0.5) / kRows);
-      if (!(depth_at(place.x(), place.y()) > 0)) continue;
-      Ring ring = climb(place);
+      if (!is_top(i, j)) continue;
+      Ring ring = climb(place(i, j));
       if (ring.place.x() <= near) continue;
       const bool is_known = std::any_of(rings_.begin(), rings_.end(), [&](const Ring& known) {
         return (known.place - ring.place).norm() <= std::max(near, 0.5 * std::min(known.depth_mm, ring.depth_mm));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "lib/tool/evaluate.h"
 #include "tests/support/tools.h"
 
@@ -32,6 +34,17 @@ TEST(FreeRegions, ANeckThinnerThanTwiceTheDepthSeparates) {
   EXPECT_EQ(parted.uncovered(), Body::shank);
   EXPECT_FALSE(parted.regions[0].meets(parted.regions[1]));
   EXPECT_TRUE(parted.regions[1].meets(finder.at(0.29).regions[0]));
+}
+
+TEST(FreeRegions, TheRingOfAHollowCutterIsJoinedWithItsAxis) {
+  const CompiledTool tool = tools::forms(tools::assembly(FaceMillCutter{40, 1, 45, 50, 24, 5, 25}, 6)).bare;
+  const RegionFinder finder(tool);
+  const auto has_ring = [](const FreeRegions& found) {
+    return std::any_of(found.regions.begin(), found.regions.end(),
+                       [](const FreeRegion& region) { return region.ring != FreeRegion::kNoRing; });
+  };
+  EXPECT_FALSE(has_ring(finder.at(0.01))) << "joined with the axis through the cutter's body";
+  EXPECT_TRUE(finder.at(0.01).covers_all());
 }
 
 TEST(FreeRegions, HoldTheirPlacesDeeperThanAskedInEveryShape) {
