@@ -17,6 +17,7 @@
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
 #include "postproc/cldata/list_written.h"
+#include "postproc/cldata/rewritable_moves.h"
 #include "postproc/cldata/write_corrected.h"
 
 namespace gouge {
@@ -99,6 +100,8 @@ class CorrectRun {
     progress_.begin("correcting");
     CorrectOptions correct = correct_;
     std::optional<HeadChecker> heads;
+    const RewritableMoves rewritable = rewritable_moves(job_.toolpath);
+    correct.rewritable = &rewritable;
     if (!job_.heads.empty()) correct.heads = &heads.emplace(job_.heads, job_.scene);
     std::string text;
     const auto change = [&](const std::vector<PathChange>& changes) -> Result<ChangedPath> {

@@ -5,6 +5,7 @@
 
 #include "lib/correct/laws.h"
 #include "lib/correct/path_corrector.h"
+#include "lib/correct/shift_arc.h"
 #include "lib/correct/straighten.h"
 
 namespace gouge {
@@ -19,7 +20,8 @@ class Proposer {
  public:
   Proposer(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
            const PreparedScene& scene, const CheckOptions& options, const CorrectOptions& correct)
-      : path_(path), result_(result), checker_(scene, options, correct.heads) {
+      : path_(path), result_(result), tools_(tools), checker_(scene, options, correct.heads) {
+    if (correct.rewritable != nullptr) can_keep_arc_ = correct.rewritable->arc;
     straight_ = straighten(path, result, tools, scene, options, correct.heads);
     corrector_ = std::make_unique<PathCorrector>(straight_ ? straight_->path : path,
                                                  straight_ ? straight_->result : result, tools, checker_, correct);
@@ -27,7 +29,18 @@ class Proposer {
 
   Correction propose(const ProgressCall& progress) {
     Correction correction = corrector_->propose(progress);
-    return straight_ ? restore_curves(*straight_, path_, result_, std::move(correction)) : correction;
+    if (!straight_) return correction;
+    correction = restore_curves(*straight_, path_, result_, std::move(correction));
+    if (!can_keep_arc_.empty()) keep_arcs(path_, can_keep_arc_, tools_, checker_, correction);
+    return correction;
+  }
+
+  /// What was proposed as an arc becomes straight from now on. False where it was not.
+  [[nodiscard]] bool give_up_arc(const std::vector<PathChange>& changes, std::size_t move) {
+    const bool was_arc = std::any_of(changes.begin(), changes.end(),
+                                     [move](const PathChange& c) { return c.move == move && c.new_arc; });
+    if (was_arc) can_keep_arc_[move] = false;
+    return was_arc;
   }
 
   void keep(std::size_t move, const std::string& reason) {
@@ -44,7 +57,9 @@ class Proposer {
  private:
   const Toolpath& path_;
   const CheckResult& result_;
+  const std::vector<const ToolForms*>& tools_;
   MotionChecker checker_;
+  std::vector<bool> can_keep_arc_;
   std::optional<StraightenedPath> straight_;
   std::unique_ptr<PathCorrector> corrector_;
 };
@@ -129,7 +144,9 @@ Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckR
     if (round >= kRounds || !is_touched) {
       proposer.keep_all(reason);
     } else {
-      for (const std::size_t i : worse) proposer.keep(i, reason);
+      for (const std::size_t i : worse) {
+        if (!proposer.give_up_arc(correction.changes, i)) proposer.keep(i, reason);
+      }
     }
   }
 }

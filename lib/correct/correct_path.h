@@ -21,6 +21,7 @@ struct CorrectOptions {
   std::optional<double> max_side_shift_mm;  ///< none: kSideShiftsPerDepth times the depth (free_pose.h)
   double rapid_clearance_mm = 1;  ///< how far a rapid that must change keeps off, where there is room; at least 0
   const HeadChecker* heads = nullptr;  ///< bodies that move with the tool, where there are any
+  const RewritableMoves* rewritable = nullptr;  ///< what can be written without making it straight; null: nothing
 };
 
 /// One changed or added position, for the change list.

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "lib/base/files.h"
+#include "postproc/cldata/rewritable_moves.h"
 #include "postproc/cldata/write_corrected.h"
 #include "tests/laws/correction_scenes.h"
 #include "tests/laws/promise.h"
@@ -51,6 +52,8 @@ TEST(CorrectionLaws, HoldForRandomPrograms) {
     const CheckResult before = check_path(made.path, {&made.tool}, scene, options);
     with_gouges += before.counts.gouge > 0 ? 1 : 0;
     CorrectOptions how;
+    const RewritableMoves rewritable = rewritable_moves(made.path);
+    how.rewritable = &rewritable;
     how.max_side_shift_mm = made.max_side_shift_mm;
     const Result<LawfulCorrection> corrected = correct(made, before, scene, options, how);
     ASSERT_TRUE(corrected.has_value()) << n << ": " << corrected.error().message;
