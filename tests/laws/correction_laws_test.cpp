@@ -110,8 +110,11 @@ class CorrectionLawsOnRealPairs : public ::testing::TestWithParam<Pair> {
       CheckResult result = check_path(*again, job.tools(), scene, job.options.check);
       return ChangedPath{std::move(*again), std::move(result)};
     };
+    const RewritableMoves rewritable = rewritable_moves(job.toolpath);
+    CorrectOptions how;
+    how.rewritable = &rewritable;
     const Result<LawfulCorrection> corrected =
-        correct_lawfully(job.toolpath, before, job.tools(), scene, job.options.check, {}, change);
+        correct_lawfully(job.toolpath, before, job.tools(), scene, job.options.check, how, change);
     ASSERT_TRUE(corrected.has_value()) << corrected.error().message;
     const Corrected all{&job.toolpath, &before, &corrected->after.path, &corrected->after.result, &corrected->correction,
                         &job.scene, &scene, job.tools(), job.options.check, std::nullopt, 20};
