@@ -7,6 +7,7 @@
 namespace gouge {
 
 void Interpreter::apply_modal_states(Word word) {
+  if (word == Word::go_to && !has_indirv_) return;  // most of a file; of all rows only INDIRV's names it
   for (const ModalState state : kModalStates) {
     if (!is_open(state)) continue;
     switch (effect_on(state, word, dialect_.kind, is_used(state))) {
