@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cstddef>
 
+#include "lib/base/number_text.h"
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/text.h"
 
@@ -75,6 +76,22 @@ Word intended_word(std::string_view text) {
   return find_intended_word(squeezed);
 }
 
+// "Z: -50": the letter of an axis, then something else and a number.
+bool is_axis_alone(std::string_view text) {
+  constexpr std::string_view kAxes = "XYZxyz";
+  return text.size() > 1 && kAxes.find(text[0]) != std::string_view::npos && !is_letter(text[1]) &&
+         text[1] != '_' && text.find_first_of("0123456789") != std::string_view::npos &&
+         text.find('/') == std::string_view::npos;
+}
+
+// "DOWN-50.": a word and a negative number at it, and nothing else.
+bool is_step_alone(std::string_view text) {
+  const auto letters =
+      static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_letter) - text.begin());
+  return letters > 0 && letters < text.size() && text[letters] == '-' &&
+         parse_number(trim(text.substr(letters)));
+}
+
 // Between these a line of numbers is a position, or part of one.
 bool is_among_positions(Word word) {
   return word == Word::go_to || word == Word::godlta || word == Word::from || word == Word::circle ||
@@ -135,7 +152,8 @@ bool moves_tool(Word word) {
 }
 
 bool has_effect(const MachineEffect& e) {
-  return e.moves || e.shifts || e.begins_cycle || e.begins_steps || e.changes_tool || e.unit;
+  return e.moves || e.shifts || e.changes_length || e.begins_cycle || e.begins_steps || e.changes_tool ||
+         e.unit;
 }
 
 std::string_view without_quotes(std::string_view text) {
@@ -194,6 +212,10 @@ bool Interpreter::take_misread(std::string_view text) {
   text = without_label(text);
   if (begins_with_number(text)) {
     take_rest_of_statement(is_among_positions(previous_word_));
+    return true;
+  }
+  if (is_axis_alone(text) || is_step_alone(text)) {
+    emit_unread();
     return true;
   }
   if (is_minor_word(text.substr(0, text.find_first_of(" \t,")))) {

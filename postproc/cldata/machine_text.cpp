@@ -127,8 +127,8 @@ constexpr std::array<std::string_view, 8> kBesideAddresses = {"FMAX", "F",    "M
 // A block of addresses, and nothing that makes it a sentence.
 bool is_block(Tokens tokens) {
   return std::all_of(tokens.begin(), tokens.end(), [](const Token& t) {
-    return (t.number && !t.letters.empty() && t.letters.size() <= 2) ||
-           is_one_of(t.letters, kBesideAddresses);
+    const bool is_address = !t.letters.empty() && t.letters.size() <= 2 && t.number;
+    return is_address || (t.letters.size() == 1 && !t.number) || is_one_of(t.letters, kBesideAddresses);
   });
 }
 
@@ -201,6 +201,10 @@ bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
   // Before other words ("ROT AND CLAMP THE PART") they begin a sentence.
   const bool is_sentence =
       second.letters.size() > 1 && !second.number && !is(second, "DATUM") && !is(second, "RPL");
+  if (is(first, "SUPA") && tokens.size() > 1 && !is_sentence) {
+    effect.moves = true;
+    return true;
+  }
   if (is(first, "MCALL")) {
     (after.empty() ? effect.ends_cycle : effect.begins_cycle) = true;
     return true;
@@ -224,6 +228,7 @@ bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
 
 enum class Code {
   harmless,
+  length,
   path,
   moves,
   shifts,
@@ -263,8 +268,8 @@ constexpr auto kCodes = std::to_array<CodeRange>({
     {320, 339, Code::path},
     {400, 400, Code::harmless},
     {401, 429, Code::shifts},
-    {430, 449, Code::harmless},
-    {490, 490, Code::harmless},
+    {430, 449, Code::length},
+    {490, 490, Code::length},
     {500, 500, Code::shifts_with_axes},
     {501, 501, Code::harmless},
     {510, 529, Code::shifts},
@@ -334,6 +339,9 @@ void take_code(double number, Tokens tokens, MachineEffect& effect) {
     case Code::shifts:
       effect.shifts = true;
       return;
+    case Code::length:
+      effect.changes_length = true;
+      return;
     case Code::begins_cycle:
       effect.begins_cycle = true;
       return;
@@ -365,6 +373,8 @@ void take_auxiliary(double number, MachineEffect& effect) {
 
 // "MOVE THE CLAMP": words, not addresses, and no macro.
 bool is_sentence(Tokens tokens) {
+  constexpr std::array<std::string_view, 4> kJumps = {"GOTO", "GOTOF", "GOTOB", "WHILE"};
+  if (is_one_of(tokens.front().letters, kJumps)) return false;
   const bool has_macro = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
     return t.other != '\0' && std::string_view("#[]=*<>{}$").find(t.other) != std::string_view::npos;
   });
@@ -398,7 +408,8 @@ void take_addresses(Tokens tokens, bool is_whole, MachineEffect& effect) {
     });
     if (has_axis && !are_axes_taken) move(tokens, effect);
   }
-  if (!has_code && (!is_whole || is_call(tokens))) effect.is_unknown = !is_sentence(tokens);
+  const bool is_odd = !is_whole || (!has_code && is_call(tokens));
+  effect.is_unknown = effect.is_unknown || (is_odd && !is_sentence(tokens));
 }
 
 }  // namespace
@@ -406,9 +417,10 @@ void take_addresses(Tokens tokens, bool is_whole, MachineEffect& effect) {
 MachineEffect read_machine_text(std::string_view text, bool may_be_name) {
   MachineEffect effect;
   text = trim(text);
-  while (!text.empty() && (text.front() == '/' || text.front() == '%' || text.front() == '\''))
+  while (!text.empty() &&
+         (text.front() == '/' || text.front() == '%' || text.front() == '\'' || text.front() == '"'))
     text = trim(text.substr(1));
-  while (!text.empty() && (text.back() == '\'' || text.back() == '%'))
+  while (!text.empty() && (text.back() == '\'' || text.back() == '%' || text.back() == '"'))
     text = trim(text.substr(0, text.size() - 1));
   const std::vector<Token> all = tokens_of(text);
   Tokens tokens(all);

@@ -20,6 +20,7 @@ struct MachineEffect {
   bool begins_steps = false;       ///< what follows are steps (G91)
   bool ends_steps = false;         ///< G90, after any G91 of the text
   bool changes_tool = false;       ///< M6, TOOL CALL
+  bool changes_length = false;     ///< of the tool, in the control: G43, G44, G49
   bool chooses_offset = false;     ///< G54 and the like
   bool is_unknown = false;         ///< words of a control, a macro or a call that are not known
   std::optional<LengthUnit> unit;  ///< of the numbers that follow (G20, G21, G70, G71)

@@ -35,8 +35,12 @@ std::size_t glued_length(std::string_view token) {
   return takes_position(find_word(token.substr(0, letters))) ? letters : token.size();
 }
 
-// "G1" in "COOLNT/ON G1 Z-50".
+// "G1" in "COOLNT/ON G1 Z-50", or "Z-50" and "Z50." alone.
 bool is_block_of_control(std::string_view token, std::string_view text) {
+  constexpr std::string_view kAxes = "XYZxyz";
+  const bool is_place = token.size() > 1 && kAxes.find(token[0]) != std::string_view::npos &&
+                        (token[1] == '-' || (is_digit(token[1]) && text.substr(token.size()).starts_with('.')));
+  if (is_place) return read_machine_text(token, true).moves;
   return token.size() > 1 && (token[0] == 'G' || token[0] == 'g') && is_digit(token[1]) &&
          read_machine_text(text, false).moves;
 }
