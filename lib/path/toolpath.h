@@ -14,6 +14,7 @@
 #include "lib/geom/pose.h"
 #include "lib/geom/rigid_transform.h"
 #include "lib/path/curve.h"
+#include "lib/path/feed.h"
 #include "lib/path/small_index.h"
 
 // The neutral toolpath: what a cutter-location file says, free of any dialect, in mm and part coordinates,
@@ -52,7 +53,7 @@ struct Operation {
 /// is kept small.
 struct Move {
   Pose end;
-  double feed_mm_per_min = 0;           ///< 0: rapid or not given
+  double feed_mm = 0;                   ///< per minute or revolution, as `feed_unit` says; 0: no number is known
   std::string_view not_checked_reason;  ///< not empty: why this motion cannot be checked; text that is never freed
   SmallIndex line;                      ///< where its statement begins, counted from 1
   SmallIndex statement = kNone;         ///< index into Toolpath::statements
@@ -61,8 +62,15 @@ struct Move {
   SmallIndex curve;                     ///< index into Toolpath::arcs or ::splines
   CurveKind curve_kind = CurveKind::none;  ///< none: the tip runs straight
   MoveKind kind = MoveKind::feed;
+  FeedUnit feed_unit = FeedUnit::not_stated;
   /// False: the position alone, the first of the file, of a tool, of a block, or after a motion whose end is unknown.
   bool has_start = false;
+
+  [[nodiscard]] Feed feed() const { return {feed_mm, feed_unit}; }
+  void set_feed(const Feed& feed) {
+    feed_mm = feed.mm;
+    feed_unit = feed.unit;
+  }
 };
 
 /// A logical statement and the bytes it spans, line end included, so that a writer can leave it untouched.

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "postproc/cldata/feed_statement.h"
 #include "postproc/cldata/text.h"
 
 namespace gouge {
@@ -26,6 +27,9 @@ bool is_one_of(std::string_view text, std::span<const std::string_view> words) {
 constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2", "BRKCHP", "CHIPBRK",
                                                         "TAP",   "RTAP",  "LTAP",  "RIGID",  "REAM",
                                                         "BORE",  "CSINK", "FACE",  "CBORE"};
+// Cycles whose tool comes up while the spindle turns back, and those that may come up at the feed.
+constexpr std::array<std::string_view, 4> kTapping = {"TAP", "RTAP", "LTAP", "RIGID"};
+constexpr std::array<std::string_view, 5> kFedOut = {"REAM", "BORE", "BORE7", "BORE8", "CBORE"};
 // Words that move the tool sideways, or turn the sense of the heights round.
 constexpr std::array<std::string_view, 6> kSideways = {"ORIENT", "NODRAG", "BACK",
                                                        "SHIFT",  "MANUAL", "DIAMETR"};
@@ -294,6 +298,9 @@ std::optional<DrillCycle> read_cycle(DialectKind dialect, std::span<const Argume
   if (contradicts_itself(dialect, arguments)) return std::nullopt;
   std::optional<DrillCycle> cycle = read_heights(dialect, arguments);
   if (!cycle) return std::nullopt;
+  cycle->feed = read_cycle_feed(arguments, mm_per_unit);
+  cycle->is_tapping = is_one_of(type, kTapping) || has_argument(arguments, "TAP");
+  cycle->is_fed_out = cycle->is_tapping || is_one_of(type, kFedOut);
   for (double* height : {&cycle->clearance_mm, &cycle->bottom_mm, &cycle->retract_mm}) {
     *height *= mm_per_unit;
     if (!(std::abs(*height) <= kFarthest_mm)) return std::nullopt;

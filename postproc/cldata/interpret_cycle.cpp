@@ -116,7 +116,7 @@ void Interpreter::emit_cycle(const Position& position, const DrillCycle& cycle) 
   emit_cycle_step(position, above(cycle.clearance_mm), true);
   emit_cycle_step(position, above(cycle.bottom_mm), false);
   if (cycle.is_retract_known) {
-    emit_cycle_step(position, above(cycle.retract_mm), true);
+    emit_cycle_step(position, above(cycle.retract_mm), !cycle.is_fed_out);
   } else {
     emit_cycle_retract(position, above(cycle.retract_mm));
   }
@@ -132,7 +132,7 @@ void Interpreter::emit_cycle_retract(const Position& position, const Vec3& tip_l
   step.tip_local = tip_local;
   step.form = PositionForm::cycle;
   Move move = make_move(step, MoveKind::cycle);
-  move.feed_mm_per_min = 0;
+  move.set_feed({0, FeedUnit::rapid});
   if (move.not_checked_reason.empty()) move.not_checked_reason = Reasons::kRetractPlane;
   append(move, step);
   unknown_start_ = Reasons::kAfterCycle;
@@ -146,7 +146,8 @@ void Interpreter::emit_cycle_step(const Position& position, const Vec3& tip_loca
   const bool is_same_place = move.has_start && (last_pose_->tip - move.end.tip).norm() <= kSamePlace_mm &&
                              last_pose_->axis.cross(move.end.axis).norm() <= kSameAxis;
   if (is_same_place) return;
-  if (is_rapid) move.feed_mm_per_min = 0;
+  if (is_rapid) move.set_feed({0, FeedUnit::rapid});
+  if (!is_rapid && cycle_.drill->feed.unit != FeedUnit::not_stated) move.set_feed(cycle_.drill->feed);
   append(move, step);
 }
 

@@ -358,7 +358,7 @@ void Interpreter::take_tool_path() {
   modal_axis_ = Vec3::UnitZ();
   to_part_ = {};
   is_frame_recorded_ = false;
-  feed_mm_per_min_ = 0;
+  feed_ = {};
   ++block_;
   is_block_open_ = true;
   block_reason_ = std::exchange(is_msys_outside_, false) ? Reasons::kMsysOutside : nullptr;

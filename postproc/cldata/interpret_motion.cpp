@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/feed_statement.h"
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/text.h"
 
@@ -226,20 +227,12 @@ void Interpreter::take_rapid() {
   rapid_statement_ = path_.statements.size() - 1;
 }
 
+// One without a unit after one per revolution: of which kind it is no file says.
 void Interpreter::take_fedrat() {
-  const auto number = std::find_if(arguments_.begin(), arguments_.end(),
-                                   [](const Argument& a) { return a.number.has_value(); });
-  if (number == arguments_.end()) return;
-  double mm_per_feed_unit = mm_per_unit_;
-  for (const Argument& argument : arguments_) {
-    if (equals_ignoring_case(argument.text, "MMPM")) mm_per_feed_unit = 1;
-    if (equals_ignoring_case(argument.text, "IPM")) mm_per_feed_unit = mm_per(LengthUnit::inch);
-    if (equals_ignoring_case(argument.text, "FPM")) mm_per_feed_unit = 12 * mm_per(LengthUnit::inch);
-    for (const char* per_turn : {"MMPR", "IPR", "FPR", "PERREV", "INVERS"}) {
-      if (equals_ignoring_case(argument.text, per_turn)) mm_per_feed_unit = 0;
-    }
-  }
-  feed_mm_per_min_ = std::max(0.0, *number->number * mm_per_feed_unit);
+  if (switches_inverse_time(arguments_)) return;
+  feed_ = read_feed(arguments_, mm_per_unit_);
+  if (has_feed_per_turn_ && !has_feed_unit(arguments_)) feed_ = {0, FeedUnit::not_understood};
+  has_feed_per_turn_ = has_feed_per_turn_ || feed_.unit == FeedUnit::per_revolution;
 }
 
 void Interpreter::take_multax() {
@@ -337,7 +330,8 @@ Move Interpreter::make_move(const Position& position, MoveKind kind) {
   move.end.axis.normalize();
   move.tool = tool_index_;
   move.operation = operation_index_;
-  if (kind != MoveKind::rapid) move.feed_mm_per_min = feed_mm_per_min_;
+  const bool is_at_rapid = kind == MoveKind::rapid || (kind == MoveKind::arc && is_rapid_);
+  move.set_feed(is_at_rapid ? Feed{0, FeedUnit::rapid} : feed_);
   if (unknown_start_ == nullptr && last_frame_reason_ == nullptr) move.has_start = last_pose_.has_value();
   for (const char* reason : {frame, last_frame_reason_, unknown_start_}) {
     if (reason != nullptr && move.not_checked_reason.empty()) move.not_checked_reason = reason;
@@ -360,6 +354,7 @@ MotionRecord Interpreter::make_record(const Move& move, const Position& position
   record.form = position.form;
   record.is_rapid = is_rapid_;
   record.cutcom = cutcom_;
+  record.is_tapping = position.form == PositionForm::cycle && cycle_.drill && cycle_.drill->is_tapping;
   record.is_multax_off = needs_multax();
   record.axis_local = position.axis_local;
   record.implied_axis_local = implied_axis();

@@ -51,6 +51,7 @@ struct MotionRecord {
   PositionForm form = PositionForm::go_to;
   bool is_rapid = false;                    ///< by a RAPID before it
   CutcomSide cutcom = CutcomSide::none;
+  bool is_tapping = false;                  ///< a step of a cycle whose spindle turns back
   bool is_multax_off = false;               ///< positions with an axis would be read as two, or not checked
   Vec3 axis_local = Vec3::UnitZ();          ///< axis of this position, in the block's frame
   Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
@@ -316,7 +317,8 @@ class Interpreter {
   Vec3 modal_axis_ = Vec3::UnitZ();  // the last axis given, or TLAXIS
   Vec3 fixed_axis_ = Vec3::UnitZ();  // TLAXIS
   bool is_tlaxis_new_ = false;       // since the last position
-  double feed_mm_per_min_ = 0;
+  Feed feed_;                        // of FEDRAT
+  bool has_feed_per_turn_ = false;   // a FEDRAT stated one: what one without a unit means is then not known
   std::size_t curve_statement_ = kNone;  // NURBS whose control points are being read
   std::size_t curve_line_ = 0;
   std::optional<Position> curve_end_;

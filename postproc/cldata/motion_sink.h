@@ -26,7 +26,8 @@ class MotionSink {
   [[nodiscard]] virtual bool set_cutcom(CutcomSide side) = 0;
   /// The tool retracts to where nobody knows. Not asked of dialects that cannot say so.
   virtual void retract() = 0;
-  virtual void set_feed(double mm_per_min) = 0;
+  /// The feed of the motions that follow; requires one that is a number. False where the dialect cannot say so.
+  [[nodiscard]] virtual bool set_feed(const Feed& feed) = 0;
   /// The next motion is rapid. False where the dialect cannot say so.
   [[nodiscard]] virtual bool make_rapid() = 0;
   virtual void go_to(const Pose& end) = 0;

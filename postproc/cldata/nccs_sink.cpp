@@ -84,8 +84,17 @@ void NccsSink::retract() {
   add(NccsClass::kPost, PostCode::kRetrct, {});
 }
 
-void NccsSink::set_feed(double mm_per_min) {
-  add(NccsClass::kPost, PostCode::kFedrat, nccs_word(mm_per_min / mm_per(unit_)));
+// As NCL writes it, without a unit; with it once one per revolution makes it needed.
+bool NccsSink::set_feed(const Feed& feed) {
+  constexpr std::uint16_t kIpm = 73, kIpr = 74, kMmpm = 315, kMmpr = 316;
+  const bool is_inch = unit_ == LengthUnit::inch;
+  const bool is_per_turn = feed.unit == FeedUnit::per_revolution;
+  has_feed_per_turn_ = has_feed_per_turn_ || is_per_turn;
+  std::string words = nccs_word(feed.mm / mm_per(unit_));
+  const std::uint16_t code = is_per_turn ? (is_inch ? kIpr : kMmpr) : (is_inch ? kIpm : kMmpm);
+  if (has_feed_per_turn_) words += nccs_word(NccsHeader{code, 0, 0, 0});
+  add(NccsClass::kPost, PostCode::kFedrat, words);
+  return true;
 }
 
 bool NccsSink::make_rapid() {

@@ -19,7 +19,7 @@ class NccsSink final : public MotionSink {
   [[nodiscard]] bool break_motion() override;
   [[nodiscard]] bool set_cutcom(CutcomSide side) override;
   void retract() override;
-  void set_feed(double mm_per_min) override;
+  [[nodiscard]] bool set_feed(const Feed& feed) override;
   [[nodiscard]] bool make_rapid() override;
   void go_to(const Pose& end) override;
   [[nodiscard]] bool go_round(const PathArc& arc, const Pose& start, const Pose& end) override;
@@ -31,6 +31,7 @@ class NccsSink final : public MotionSink {
   LengthUnit unit_;
   std::string words_;
   std::uint16_t sequence_ = 0;
+  bool has_feed_per_turn_ = false;
 };
 
 }  // namespace gouge

@@ -16,6 +16,19 @@ bool is_plus_z(const Vec3& axis) {
   return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameAxis;
 }
 
+// Enough for a feed to keep its value, which in inches per revolution may be small.
+int feed_decimals(double value, int usual) {
+  constexpr double kRelativeError = 1e-5;
+  constexpr int kMostDecimals = 15;
+  int decimals = usual;
+  while (decimals < kMostDecimals && 0.5 * std::pow(10.0, -decimals) > kRelativeError * value) ++decimals;
+  return decimals;
+}
+
+std::string feed_text(double value, int usual) {
+  return fixed_text(value, feed_decimals(value, usual));
+}
+
 double degrees(double radians) {
   return radians * 180 / kPi;
 }
@@ -160,30 +173,40 @@ void TextSink::retract() {
   axis_.reset();
 }
 
-void TextSink::set_feed(double mm_per_min) {
+// NCL writes no unit; once one per revolution was written, every one needs its own.
+bool TextSink::set_feed(const Feed& feed) {
+  if (options_.kind == DialectKind::goto_list) return false;
   if (is_block_due_ && options_.kind == DialectKind::nx_clsf) begin_nx_block();
-  const double value = scaled(mm_per_min);
-  const std::string unit = options_.unit == LengthUnit::inch ? "IPM" : "MMPM";
+  const double value = scaled(feed.mm);
+  const bool is_per_turn = feed.unit == FeedUnit::per_revolution;
+  has_feed_per_turn_ = has_feed_per_turn_ || is_per_turn;
+  const std::string unit = std::string(options_.unit == LengthUnit::inch ? "IP" : "MMP") + (is_per_turn ? "R" : "M");
   switch (options_.kind) {
     case DialectKind::nx_clsf:
-      return line("FEDRAT/" + unit + "," + fixed_text(value, 4));
+      line("FEDRAT/" + unit + "," + feed_text(value, 4));
+      break;
     case DialectKind::catia:
-      return line("FEDRAT/ " + fixed_text(value, 4) + "," + unit);
+      line("FEDRAT/ " + feed_text(value, 4) + "," + unit);
+      break;
     case DialectKind::creo:
-      return line("FEDRAT / " + fixed_text(value, 6) + ",  " + unit);
+      line("FEDRAT / " + feed_text(value, 6) + ",  " + unit);
+      break;
     case DialectKind::clt:
-      return line("FEDRAT/ " + unit + "," + fixed_text(value, 6));
+      line("FEDRAT/ " + unit + "," + feed_text(value, 6));
+      break;
     case DialectKind::mori:
-      return line("FEDRAT/ PERMIN, " + exact_text(value));
+      line(std::string("FEDRAT/ ") + (is_per_turn ? "PERREV, " : "PERMIN, ") + exact_text(value));
+      break;
     case DialectKind::nccs:
-      return line("FEDRAT/ " + exact_text(value));
-    case DialectKind::goto_list:
-      return;
+      line("FEDRAT/ " + exact_text(value) + (has_feed_per_turn_ ? "," + unit : ""));
+      break;
     case DialectKind::solidworks_cam:
-      return line("FEDRAT/" + format_.number(value, 6) + "," + unit);
+      line("FEDRAT/" + format_.number(value, feed_decimals(value, 6)) + "," + unit);
+      break;
     default:
-      return line("FEDRAT/" + fixed_text(value, 6) + ", " + unit);
+      line("FEDRAT/" + feed_text(value, 6) + ", " + unit);
   }
+  return true;
 }
 
 bool TextSink::make_rapid() {

@@ -28,7 +28,7 @@ class TextSink final : public MotionSink {
   [[nodiscard]] bool break_motion() override;
   [[nodiscard]] bool set_cutcom(CutcomSide side) override;
   void retract() override;
-  void set_feed(double mm_per_min) override;
+  [[nodiscard]] bool set_feed(const Feed& feed) override;
   [[nodiscard]] bool make_rapid() override;
   void go_to(const Pose& end) override;
   [[nodiscard]] bool go_round(const PathArc& arc, const Pose& start, const Pose& end) override;
@@ -57,6 +57,7 @@ class TextSink final : public MotionSink {
   bool is_block_due_ = true;  // NX: the next motion begins a block
   bool is_block_open_ = false;
   bool is_alone_ = true;  // nothing leads to the next position
+  bool has_feed_per_turn_ = false;
 };
 
 }  // namespace gouge

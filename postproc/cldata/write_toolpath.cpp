@@ -21,12 +21,29 @@ namespace {
 constexpr double kTilt = 1e-12;
 constexpr double kSamePlace_mm = 1e-3;
 constexpr double kSameAxis = 1e-4;
+constexpr double kSameFeed = 1e-4;  // relative
 
 // Motions whose end is what the file says although they are not checked: only their start or the cutter's
 // side of the contour is in doubt.
 bool is_understood(const Move& move) {
   const std::string_view reason = move.not_checked_reason;
   return Reasons::is_motion_known(reason) || reason == Reasons::kAfterRetract;
+}
+
+std::string feed_name(const Feed& feed) {
+  switch (feed.unit) {
+    case FeedUnit::rapid:
+      return "rapid";
+    case FeedUnit::per_minute:
+      return "at " + exact_text(feed.mm) + " mm per minute";
+    case FeedUnit::per_revolution:
+      return "at " + exact_text(feed.mm) + " mm per revolution";
+    case FeedUnit::not_stated:
+      break;
+    case FeedUnit::not_understood:
+      return "at a feed that is not understood";
+  }
+  return "at a feed that is not stated";
 }
 
 // The file or the user says of every compensated position that it is the cutter's centre.
@@ -54,6 +71,10 @@ class PathWriter {
   void write_move(std::size_t index);
   void write_motion(std::size_t index);
   void write_cutcom(std::size_t index);
+  void write_rapid();
+  void write_feed(const Move& move);
+  void forget_feed();
+  void refuse_feed(const Move& move, const std::string& what);
   void expect(const Pose& end, bool is_alone, double sweep_rad = 0);
   [[nodiscard]] bool write_arc(std::size_t index);
   void note(const char* code, std::size_t count, const std::string& noun, const std::string& what);
@@ -67,26 +88,28 @@ class PathWriter {
   std::unique_ptr<MotionSink> sink_;
   WrittenToolpath written_;
   std::size_t tool_ = kNone, operation_ = kNone;
-  double feed_ = 0;
+  Feed feed_;                 // in force in what was written
+  bool is_feed_due_ = false;  // to be stated again before the next feed motion
+  std::optional<Diagnostic> feed_error_;
   CutcomSide cutcom_ = CutcomSide::none;
   bool is_checked_ = true;  // the move being written
-  std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, lost_cutcoms_ = 0;
+  std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, lost_cutcoms_ = 0, lost_feeds_ = 0, unstated_feeds_ = 0;
   std::size_t lost_arcs_ = 0, splines_ = 0, cycles_ = 0;
   struct Expected {
     Pose end;
     std::size_t move = 0;  // of path_
     bool is_alone = false;
     bool is_checked = true;
-    bool is_rapid = false;
+    Feed feed;
     double sweep_rad = 0;  // right-handed about `axis`; 0: straight
     Vec3 axis = Vec3::UnitZ();
   };
   [[nodiscard]] bool is_same_tool(const Toolpath& again, const Move& found, const Move& meant) const;
   [[nodiscard]] static bool is_same_way(const Toolpath& again, const Move& found, const Expected& expected);
   [[nodiscard]] std::optional<Diagnostic> find_other_tool(const Toolpath& again) const;
+  [[nodiscard]] std::optional<Diagnostic> find_other_feed(const Toolpath& again) const;
   std::vector<Expected> expected_;
-  std::size_t index_ = 0;         // of the move being written
-  bool is_rapid_written_ = false;  // before the next position
+  std::size_t index_ = 0;  // of the move being written
 };
 
 std::optional<Diagnostic> PathWriter::find_obstacle() const {
@@ -110,6 +133,15 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
             std::string(first->not_checked_reason) +
             "), so they cannot be written in another way; without --to the file is copied as it is",
         path_.file, first->line);
+  }
+  const auto tapping = std::find_if(records_.of_move.begin(), records_.of_move.end(),
+                                    [](const MotionRecord& record) { return record.is_tapping; });
+  if (target_.kind != DialectKind::goto_list && tapping != records_.of_move.end()) {
+    const auto index = static_cast<std::size_t>(tapping - records_.of_move.begin());
+    return make_error("convert-cycle",
+                      "a tapping cycle cannot be written as plain moves, in which the spindle would not turn back; "
+                      "without --to the file is copied as it is",
+                      path_.file, path_.moves[index].line);
   }
   if (target_.kind == DialectKind::goto_list && !is_on_centre_) {
     return make_error("convert-dialect",
@@ -167,7 +199,7 @@ void PathWriter::expect(const Pose& end, bool is_alone, double sweep_rad) {
   expected.move = index_;
   expected.is_alone = is_alone;
   expected.is_checked = is_checked_;
-  expected.is_rapid = std::exchange(is_rapid_written_, false);
+  expected.feed = path_.moves[index_].feed();
   expected.sweep_rad = sweep_rad;
   if (sweep_rad < 0 || sweep_rad > 0) expected.axis = path_.arcs[path_.moves[index_].curve].axis;
   expected_.push_back(expected);
@@ -194,6 +226,7 @@ bool PathWriter::write_arc(std::size_t index) {
   const std::vector<Pose> ends = chords_of(path_, index, radius / 2);
   arc.sweep_rad /= static_cast<double>(ends.size());
   for (const Pose& end : ends) {
+    if (&end != &ends.front()) write_rapid();
     if (!sink_->go_round(arc, start, end)) return false;
     expect(end, false, arc.sweep_rad);
     start = end;
@@ -207,6 +240,51 @@ void PathWriter::write_cutcom(std::size_t index) {
   cutcom_ = side;
 }
 
+// RAPID holds for one motion only.
+void PathWriter::write_rapid() {
+  if (path_.moves[index_].feed_unit == FeedUnit::rapid && !sink_->make_rapid()) ++lost_rapids_;
+}
+
+// A new block of NX has no feed; elsewhere the old one is still in force, and stated again.
+void PathWriter::forget_feed() {
+  is_feed_due_ = true;
+  if (target_.kind == DialectKind::nx_clsf) feed_ = {};
+}
+
+void PathWriter::refuse_feed(const Move& move, const std::string& what) {
+  if (feed_error_) return;
+  feed_error_ = make_error("convert-feed", what, path_.file, move.line);
+}
+
+// FEDRAT is modal: a motion without one would run at the feed of those before it.
+void PathWriter::write_feed(const Move& move) {
+  const Feed feed = move.feed();
+  const bool is_same = feed.unit == feed_.unit && !(std::abs(feed.mm - feed_.mm) > 0);
+  if (feed.is_number()) {
+    if (is_same && !is_feed_due_) return;
+    if (!sink_->set_feed(feed)) return void(++lost_feeds_);
+    feed_ = feed;
+    is_feed_due_ = false;
+    return;
+  }
+  if (target_.kind == DialectKind::goto_list) {
+    if (feed.unit == FeedUnit::not_understood) ++lost_feeds_;
+    return;
+  }
+  if (feed.unit == FeedUnit::not_understood) {
+    return refuse_feed(move,
+                       "the feed of this move is stated in words that are not understood (inverse time, two units, "
+                       "no unit after a feed per revolution), so it cannot be written in another way; expected FEDRAT "
+                       "or CYCLE with one number and MMPM, MMPR, IPM or IPR");
+  }
+  if (feed_.is_number()) {
+    return refuse_feed(move, "the file states no feed for this move, and " + std::string(target_.id) +
+                                 " would run it at that of the move before; expected a FEDRAT before it, or a cycle "
+                                 "that states its feed");
+  }
+  ++unstated_feeds_;
+}
+
 void PathWriter::write_motion(std::size_t index) {
   const Move& move = path_.moves[index];
   if (move.curve_kind == CurveKind::none) {
@@ -215,7 +293,9 @@ void PathWriter::write_motion(std::size_t index) {
   }
   if (move.curve_kind == CurveKind::arc && write_arc(index)) return;
   ++(move.curve_kind == CurveKind::arc ? lost_arcs_ : splines_);
-  for (const Pose& pose : chords_of(path_, index, kChordError_mm)) {
+  const std::vector<Pose> chords = chords_of(path_, index, kChordError_mm);
+  for (const Pose& pose : chords) {
+    if (&pose != &chords.front()) write_rapid();
     sink_->go_to(pose);
     expect(pose, false);
   }
@@ -230,29 +310,21 @@ void PathWriter::write_move(std::size_t index) {
   const bool says_tools = target_.kind != DialectKind::goto_list;
   if (!move.has_start && index > 0 && !(is_tool_new && says_tools) && !is_after_retract) {
     sink_->break_motion() ? ++breaks_ : ++lost_breaks_;
-    feed_ = 0;
+    forget_feed();
   }
   if (is_tool_new) {
     tool_ = move.tool;
     sink_->change_tool(path_.tools[tool_]);
-    feed_ = 0;
+    forget_feed();
   }
   if (move.operation != operation_ && move.operation != kNone) {
     operation_ = move.operation;
     const std::string& name = path_.operations[operation_].name;
     if (!name.empty()) sink_->begin_operation(name);
   }
-  const bool is_rapid =
-      move.kind == MoveKind::rapid || (move.kind == MoveKind::cycle && !(move.feed_mm_per_min > 0));
   if (is_after_retract) sink_->retract();
   write_cutcom(index);
-  if (is_rapid) {
-    is_rapid_written_ = sink_->make_rapid();
-    if (!is_rapid_written_) ++lost_rapids_;
-  } else if (std::abs(move.feed_mm_per_min - feed_) > 0 && move.feed_mm_per_min > 0) {
-    feed_ = move.feed_mm_per_min;
-    sink_->set_feed(feed_);
-  }
+  move.feed_unit == FeedUnit::rapid ? write_rapid() : write_feed(move);
   if (move.kind == MoveKind::cycle) ++cycles_;
   write_motion(index);
 }
@@ -268,11 +340,14 @@ void PathWriter::note_losses() {
   const std::string straight = "written as straight moves within " + exact_text(kChordError_mm) + " mm: ";
   note("convert-chords", lost_arcs_, "arc", straight + "arcs like these are not written in this dialect");
   note("convert-chords", splines_, "spline", straight + "splines are read, and written in no dialect");
-  note("convert-cycles", cycles_, "move", "of drilling cycles written as plain moves");
+  note("convert-cycles", cycles_, "move",
+       "of drilling cycles written as plain moves, without the pecks and dwells of their cycles");
   note("convert-breaks", breaks_, "position", "that nothing known leads to: a GOHOME or a new block stands before");
   note("convert-breaks", lost_breaks_, "position",
        "that nothing known leads to: the dialect cannot say so and will read straight moves there");
   note("convert-rapid", lost_rapids_, "rapid move", "written as feed: the dialect has no rapid moves");
+  note("convert-feed", lost_feeds_, "feed move", "whose feed is left out: the dialect has no feeds");
+  note("convert-feed", unstated_feeds_, "feed move", "without a feed, as in the input: it states none before them");
   note("convert-cutcom", lost_cutcoms_, "CUTCOM statement", "left out: the dialect cannot say it");
   const auto count_tools = [&](auto is_lost) {
     return static_cast<std::size_t>(std::count_if(path_.tools.begin(), path_.tools.end(), is_lost));
@@ -325,10 +400,29 @@ std::optional<Diagnostic> PathWriter::find_other_tool(const Toolpath& again) con
   return std::nullopt;
 }
 
+// A feed motion that becomes rapid, or one at another feed, breaks tools: nothing is written then.
+std::optional<Diagnostic> PathWriter::find_other_feed(const Toolpath& again) const {
+  if (target_.kind == DialectKind::goto_list) return std::nullopt;
+  // Binary NCCS files say their feeds, like their positions, without a unit.
+  const bool has_no_unit = target_.kind == DialectKind::nccs_binary;
+  const double factor = has_no_unit ? mm_per(path_.unit) / mm_per(again.unit) : 1;
+  for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
+    const Feed found = again.moves[i].feed();
+    const Feed& meant = expected_[i].feed;
+    const bool is_same =
+        found.unit == meant.unit && std::abs(found.mm * factor - meant.mm) <= kSameFeed * std::abs(meant.mm);
+    if (is_same) continue;
+    return make_error("convert-feed",
+                      "written in " + std::string(target_.id) + ", this move would be " + feed_name(found) +
+                          "; it is " + feed_name(meant) + ": expected another dialect for --to",
+                      path_.file, path_.moves[expected_[i].move].line);
+  }
+  return std::nullopt;
+}
+
 bool PathWriter::is_same_way(const Toolpath& again, const Move& found, const Expected& expected) {
   const bool is_checked = found.not_checked_reason.empty();
   if (is_checked != expected.is_checked) return false;
-  if ((found.kind == MoveKind::rapid) != expected.is_rapid) return false;
   if (!is_checked) return true;
   const bool is_round = std::abs(expected.sweep_rad) > 0;
   if (!is_round || found.curve_kind != CurveKind::arc) return !is_round && found.curve_kind == CurveKind::none;
@@ -350,6 +444,7 @@ std::optional<Diagnostic> PathWriter::verify() {
   }
   const Toolpath& again = *outcome.toolpath;
   if (auto error = find_other_tool(again)) return error;
+  if (auto error = find_other_feed(again)) return error;
   if (again.unit != path_.unit) {
     written_.notes.push_back(make_warning("convert-unit",
                                           std::string("the result does not state its unit, ") +
@@ -373,7 +468,8 @@ std::optional<Diagnostic> PathWriter::verify() {
 Result<WrittenToolpath> PathWriter::run() {
   if (auto obstacle = find_obstacle()) return std::move(*obstacle);
   sink_ = make_sink();
-  for (std::size_t i = 0; i < path_.moves.size(); ++i) write_move(i);
+  for (std::size_t i = 0; i < path_.moves.size() && !feed_error_; ++i) write_move(i);
+  if (feed_error_) return std::move(*feed_error_);
   written_.bytes = sink_->finish();
   note_losses();
   if (auto error = verify()) return std::move(*error);

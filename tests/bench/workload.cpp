@@ -73,7 +73,7 @@ void add_moves(Workload& work) {
     move.has_start = i > 0;
     move.end = here.pose;
     move.tool = 0;
-    move.feed_mm_per_min = 1000;
+    move.set_feed({1000, FeedUnit::per_minute});
     work.path.moves.push_back(move);
     work.groups.push_back(group_of(before, here));
   }

@@ -27,7 +27,7 @@ TEST(NccsWords, AreToldFromNumbersByTheirHighestHalf) {
   file.multax(false).post(1009, {kMmpm, 250.0}).points({1, 2, 3}).points({4, 2, 3});
   expect_twins(file, "MULTAX/OFF\nFEDRAT/MMPM,250\nGOTO/1,2,3\nGOTO/4,2,3\n");
   const Toolpath path = path_of(file.bytes());
-  EXPECT_NEAR(path.moves.at(1).feed_mm_per_min, 250, 1e-12);
+  EXPECT_NEAR(path.moves.at(1).feed_mm, 250, 1e-12);
   EXPECT_EQ(path.unit, LengthUnit::mm);
 }
 

@@ -32,7 +32,7 @@ TEST(Nci, ReadsTheLinesOfTheSample) {
   EXPECT_EQ(path.moves[1].kind, MoveKind::feed);
   expect_vector(path.moves[2].end.tip, 4.5, 2, 0.5);
   expect_vector(path.moves[2].end.axis, 0, 0, 1);
-  EXPECT_EQ(path.moves[2].feed_mm_per_min, 200);
+  EXPECT_EQ(path.moves[2].feed_mm, 200);
   EXPECT_EQ(path.tools[0].number, 3);
   EXPECT_TRUE(path.words_not_understood.empty());
 }

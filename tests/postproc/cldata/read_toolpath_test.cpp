@@ -33,11 +33,15 @@ TEST(ReadApt, AFeedAfterRapidCancelsIt) {
 TEST(ReadApt, FeedComesInBothOrdersAndUnits) {
   const Toolpath path = path_of(
       "FEDRAT/MMPM,250\nGOTO/0,0,1\nFEDRAT/ 10.0,IPM\nGOTO/0,0,2\nFEDRAT/0.1,MMPR\nGOTO/0,0,3\nUNITS/INCHES\n"
-      "FEDRAT/2\nGOTO/0,0,4\n");
-  EXPECT_DOUBLE_EQ(path.moves[0].feed_mm_per_min, 250);
-  EXPECT_DOUBLE_EQ(path.moves[1].feed_mm_per_min, 254);
-  EXPECT_DOUBLE_EQ(path.moves[2].feed_mm_per_min, 0);
-  EXPECT_DOUBLE_EQ(path.moves[3].feed_mm_per_min, 50.8);
+      "FEDRAT/2,PERMIN\nGOTO/0,0,4\nRAPID\nGOTO/0,0,5\nFEDRAT/2\nGOTO/0,0,6\n");
+  EXPECT_DOUBLE_EQ(path.moves[0].feed_mm, 250);
+  EXPECT_DOUBLE_EQ(path.moves[1].feed_mm, 254);
+  EXPECT_DOUBLE_EQ(path.moves[2].feed_mm, 0.1);
+  EXPECT_DOUBLE_EQ(path.moves[3].feed_mm, 50.8);
+  std::vector<FeedUnit> units;
+  for (const Move& move : path.moves) units.push_back(move.feed_unit);
+  EXPECT_EQ(units, (std::vector<FeedUnit>{FeedUnit::per_minute, FeedUnit::per_minute, FeedUnit::per_revolution,
+                                          FeedUnit::per_minute, FeedUnit::rapid, FeedUnit::not_understood}));
 }
 
 TEST(ReadApt, ThreeNumbersMeanUpwardsAndNotTheLastAxis) {

@@ -29,7 +29,8 @@ inline void expect_same_moves(const Toolpath& found, const Toolpath& expected, d
     ASSERT_LE((a.end.tip - b.end.tip).norm(), within_mm);
     ASSERT_LE((a.end.axis - b.end.axis).norm(), within_mm);
     ASSERT_EQ(a.has_start, b.has_start);
-    ASSERT_NEAR(a.feed_mm_per_min, b.feed_mm_per_min, 1e-9);
+    ASSERT_NEAR(a.feed_mm, b.feed_mm, 1e-9);
+    ASSERT_EQ(a.feed_unit, b.feed_unit);
     ASSERT_EQ(a.tool == kNone, b.tool == kNone);
     ASSERT_EQ(a.curve_kind, b.curve_kind);
     if (a.curve_kind != CurveKind::arc) continue;
