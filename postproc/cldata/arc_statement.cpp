@@ -17,6 +17,7 @@ constexpr double kRadiusError_mm = 0.02;
 constexpr double kAxisLengthError = 1e-3;
 constexpr double kSamePlace_mm = 1e-9;
 constexpr double kTinyChord_mm = 2e-3;   // rounding could make of an arc this short a full circle
+constexpr double kTurnsChord_mm = 0.01;  // and of whole turns, which TIMES states, in inches of 4 decimals
 constexpr double kAngleError_rad = 0.01;
 constexpr double kLeastTangency = 0.02;  // cosine between tangent and radius that rounding can make
 constexpr double kMostTurns = 1000;
@@ -200,7 +201,8 @@ ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end
   const bool is_full = chord <= kSamePlace_mm;
   double sweep = 2 * kPi;
   if (!is_full) sweep = positive(sign * std::atan2(statement.axis.dot(a.cross(b)), a.dot(b)));
-  const bool is_tiny = !is_full && chord <= std::min(kTinyChord_mm, 0.1 * r0);
+  const double tiny = statement.turns > 1 ? kTurnsChord_mm : kTinyChord_mm;
+  const bool is_tiny = !is_full && chord <= std::min(tiny, 0.1 * r0);
   if (statement.turns > 1) {
     if (!is_full && !is_tiny) fit.problem = ArcProblems::kTimes;
     if (sweep < kPi) sweep += 2 * kPi;

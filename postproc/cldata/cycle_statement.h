@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "postproc/cldata/arguments.h"
 #include "postproc/cldata/dialect.h"
@@ -24,6 +25,11 @@ struct DrillCycle {
   bool is_retract_stated = true;  ///< false: taken as the clearance, because the statement says nothing of it
   bool is_retract_known = true;   ///< false: a plane the statement names without its height, no lower than retract_mm
 };
+
+/// NX's CYCLE/ON,word,value,..: the last cycle taken up with these values in place of its own. `cycle` are the arguments
+/// of that one, `changes` what follows ON. Nothing where a word is not one with a value.
+[[nodiscard]] std::optional<std::vector<Argument>> changed_cycle(std::span<const Argument> cycle,
+                                                                 std::span<const Argument> changes);
 
 /// The cycle a CYCLE statement begins; nothing where its words are not understood: other cycles than drilling,
 /// reaming, tapping and straight boring, heights that are missing, and Autodesk ISO 4343, whose positions may be

@@ -43,6 +43,9 @@ constexpr const char* kHeidenhain =
 constexpr const char* kColumns =
     "holds columns of numbers without words, so what they mean is not told; expected GOTO/x,y,z,i,j,k";
 
+constexpr const char* kColumnsUnderHeading =
+    "holds columns of numbers under a heading, and what they mean is not told; expected GOTO/x,y,z,i,j,k";
+
 bool is_binary_stl(std::string_view bytes) {
   if (bytes.size() < kStlHeader + kStlCount) return false;
   std::size_t count = 0;
@@ -55,7 +58,7 @@ bool is_number_character(char c) {
   return is_digit(c) || c == '.' || c == '-' || c == '+';
 }
 
-// "N10 G1 X1.5 Y-2 F200", "%", "O1234", "G0X1Y2": letters each followed by a number.
+// "N10 G1 X1.5 Y-2 F200", "%", "O1234", "G0X1Y2", "G1 X  1.5": letters each followed by a number.
 bool is_gcode_block(std::string_view line) {
   if (line == "%") return true;
   std::size_t words = 0;
@@ -65,8 +68,10 @@ bool is_gcode_block(std::string_view line) {
       continue;
     }
     if (line[i] == '(' || line[i] == ';') return words > 0;
-    if (!is_letter(line[i]) || i + 1 >= line.size() || !is_number_character(line[i + 1])) return false;
-    for (++i; i < line.size() && is_number_character(line[i]);) ++i;
+    std::size_t number = i + 1;
+    while (number < line.size() && is_blank(line[number])) ++number;
+    if (!is_letter(line[i]) || number >= line.size() || !is_number_character(line[number])) return false;
+    for (i = number; i < line.size() && is_number_character(line[i]);) ++i;
     ++words;
   }
   return words > 0;
@@ -94,7 +99,8 @@ bool is_row_of_numbers(std::string_view line) {
 }
 
 std::optional<std::string> describe_lines(std::string_view bytes) {
-  std::size_t blocks = 0, rows = 0, others = 0;
+  constexpr std::size_t kLongestHeading = 5;
+  std::size_t blocks = 0, rows = 0, others = 0, heading = 0;
   bool is_first = true;
   for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kLinesLookedAt; ++lines) {
     const std::size_t end = bytes.find('\n', at);
@@ -113,11 +119,14 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
     } else if (is_row_of_numbers(line)) {
       ++rows;
     } else {
-      ++others;
+      // Statements of CL data are no heading of their own continuations.
+      const bool may_head = rows + blocks == 0 && heading < kLongestHeading && line.find_first_of("/$") == std::string_view::npos;
+      ++(may_head ? heading : others);
     }
   }
+  others += rows > 0 ? 0 : heading;
   if (blocks > 2 && blocks > 4 * (others + rows)) return kGCode;
-  if (rows > 0 && others + blocks == 0) return kColumns;
+  if (rows > 0 && others + blocks == 0) return heading == 0 ? kColumns : kColumnsUnderHeading;
   return std::nullopt;
 }
 

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -28,8 +29,14 @@ void Interpreter::take_cycle() {
   begin_cycle();
 }
 
-// ON takes up the cycle that was switched off; CAMWorks CLT describes it in the statement after it.
+// ON takes up the cycle that was switched off, in NX with other values for some of its words; CAMWorks CLT describes
+// it in the statement after it, or behind it in the same one.
 void Interpreter::begin_cycle() {
+  if (has_argument(std::span(arguments_).subspan(0, 1), "ON") && arguments_.size() > 1) {
+    if (dialect_.kind == DialectKind::nx_clsf) take_changed_cycle();
+    if (equals_ignoring_case(arguments_[1].text, "CYCLE")) arguments_.erase(arguments_.begin(), arguments_.begin() + 2);
+  }
+  if (arguments_.empty()) return count_unknown();
   const bool is_taken_up = equals_ignoring_case(arguments_.front().text, "ON");
   const bool describes = !is_taken_up || arguments_.size() > 1;
   const bool was_on = std::exchange(cycle_.is_on, true);
@@ -45,10 +52,20 @@ void Interpreter::begin_cycle() {
     return;
   }
   cycle_.drill = read_cycle(dialect_.kind, arguments_, mm_per_unit_);
+  cycle_words_ = arguments_;
   if (!cycle_.drill) cycle_reason_ = because(Reasons::kCycle);
   if (cycle_.drill && !cycle_.drill->is_retract_stated && cycles_without_retract_++ == 0) {
     first_cycle_without_retract_ = statement_->line;
   }
+}
+
+// The arguments become those of the last cycle with the values that stand here; they stay as they are, and are then not
+// understood, where there is none, or words stand here that have no value.
+void Interpreter::take_changed_cycle() {
+  if (cycle_words_.empty()) return;
+  const std::optional<std::vector<Argument>> changed =
+      changed_cycle(cycle_words_, std::span<const Argument>(arguments_).subspan(1));
+  if (changed) arguments_ = *changed;
 }
 
 void Interpreter::end_cycle() {

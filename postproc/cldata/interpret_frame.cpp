@@ -41,20 +41,6 @@ bool has_digit(const Argument& argument) {
 
 }  // namespace
 
-// A turn as CAMWorks writes it; nothing where another word stands beside its four.
-std::optional<Interpreter::TableTurn> Interpreter::clt_turn(std::span<const Argument> arguments) {
-  constexpr std::array<std::string_view, 3> kAxes = {"AAXIS", "BAXIS", "CAXIS"};
-  if (arguments.size() != 4 || !arguments[0].number || !equals_ignoring_case(arguments[2].text, "TABLE"))
-    return std::nullopt;
-  const auto* const axis = std::find_if(kAxes.begin(), kAxes.end(), [&](std::string_view word) {
-    return equals_ignoring_case(word, arguments[1].text);
-  });
-  const bool is_clockwise = equals_ignoring_case(arguments[3].text, "CLW");
-  if (axis == kAxes.end() || (!is_clockwise && !equals_ignoring_case(arguments[3].text, "CCLW")))
-    return std::nullopt;
-  return TableTurn{*axis, is_clockwise ? -*arguments[0].number : *arguments[0].number};
-}
-
 const char* Interpreter::frame_reason() const {
   for (const char* reason : {block_reason_, matrix_reason_, turning_reason_, contour_reason_, adjust_reason_, spline_reason_, unread_frame_reason_,
                              mcs_reason_, csys_reason_, trans_reason_, origin_reason_, trntyp_reason_, mode_reason_,
@@ -62,7 +48,7 @@ const char* Interpreter::frame_reason() const {
                              machine_cycle_reason_, machine_steps_reason_}) {
     if (reason != nullptr) return reason;
   }
-  return turns_.empty() ? tlaxis_reason_ : Reasons::kTurned;
+  return clt_setup_reason_;
 }
 
 // Four numbers in a comment: one of the rows after $$*CATIA0.
@@ -132,6 +118,10 @@ void Interpreter::take_catia_row(std::string_view text) {
   set_frame(*frame);
 }
 
+void Interpreter::note_creo_csys() {
+  if (!is_identity(arguments_, kIdentityByRows) && csys_told_++ == 0) first_csys_line_ = statement_->line;
+}
+
 void Interpreter::take_creo_comment() {
   const std::string_view text = trim(trim(statement_->pieces.front()).substr(2));
   const std::string_view rest = trim(text.substr(std::min(text.find('/'), text.size() - 1) + 1));
@@ -139,13 +129,13 @@ void Interpreter::take_creo_comment() {
     Statement values = *statement_;
     values.pieces.front() = rest;
     split_arguments(values, arguments_);
-    if (!is_identity(arguments_, kIdentityByRows) && csys_told_++ == 0) first_csys_line_ = statement_->line;
+    note_creo_csys();
   } else if (starts_with_ignoring_case(text, "FEATNO")) {
     name_operation("FEATNO " + name_text(rest));
     break_motion();  // between sequences the machine goes home
   } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
     const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
-    contour_reason_ = is_on_centre ? nullptr : because(Reasons::kContour);
+    contour_reason_ = is_on_centre ? nullptr : reasons_.name(Reasons::kContour, "CUTCOM_GEOMETRY_TYPE", statement_->line);
     is_cutter_centre_ = is_cutter_centre_ || is_on_centre;
   } else if (starts_with_ignoring_case(text, "CUTTER")) {
     take_creo_cutter(rest);
@@ -245,10 +235,7 @@ void Interpreter::take_rotabl() {
     if (is_turned) unread_frame_reason_ = because(Reasons::kTurned);
     return;
   }
-  if (std::abs(turn->angle) <= kIdentityError) return;
-  if (turns_.empty() || turns_.back().axis != turn->axis) return turns_.push_back(*turn);
-  turns_.back().angle += turn->angle;
-  if (std::abs(turns_.back().angle) <= kIdentityError) turns_.pop_back();
+  take_clt_turn(*turn);
 }
 
 // All that is known of other systems than the part's is that these three numbers would shift them.
@@ -282,12 +269,7 @@ void Interpreter::take_mode() {
 
 void Interpreter::take_tlaxis() {
   if (is_tlaxis_ignored_) return;
-  if (dialect_.kind == DialectKind::clt) {
-    // It is in model axes while positions are in setup axes, where it is +Z: so they differ where it is not.
-    const bool is_plus_z = is_identity(arguments_, std::array<double, 3>{0, 0, 1});
-    tlaxis_reason_ = is_plus_z ? nullptr : because(Reasons::kCltAxis);
-    return;
-  }
+  if (dialect_.kind == DialectKind::clt) return take_clt_axis();
   if (arguments_.size() != 3 || find_word_argument(arguments_) != nullptr) {
     if (path_.moves.empty() && find_word_argument(arguments_) != nullptr)
       return refuse_part_program("TLAXIS");
@@ -361,6 +343,7 @@ void Interpreter::take_tool_path() {
   feed_ = {};
   ++block_;
   is_block_open_ = true;
+  cycle_words_.clear();
   block_reason_ = std::exchange(is_msys_outside_, false) ? Reasons::kMsysOutside : nullptr;
 }
 

@@ -212,7 +212,7 @@ void Interpreter::take_godlta() {
 }
 
 void Interpreter::take_gohome() {
-  if (!arguments_.empty()) return take_positions(PositionForm::gohome);
+  if (!arguments_.empty() && !names_axes_only()) return take_positions(PositionForm::gohome);
   is_rapid_ = false;
   break_motion();
 }
@@ -295,6 +295,7 @@ std::string_view Interpreter::cutcom_reason() const {
 }
 
 void Interpreter::emit(const Position& position) {
+  settle_setup();
   resolve_tool();
   resolve_operation();
   const bool is_from = position.form == PositionForm::from;

@@ -32,6 +32,12 @@ void Interpreter::note_motion() {
                                   "positions are meant for",
                               path_.file, first_offset_line_));
   }
+  if (turned_setup_line_ > 0) {
+    notes.push_back(make_warning("path-setup",
+                                 "positions are in the axes of a turned setup, not in those of the model: the parts must "
+                                 "be exported in that setup's coordinate system",
+                                 path_.file, turned_setup_line_));
+  }
   if (not_swept_ > 0) {
     notes.push_back(make_note("path-not-swept",
                               counted(not_swept_, "time") +

@@ -1,6 +1,7 @@
 #include "postproc/cldata/interpreter.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -34,6 +35,15 @@ bool is_assignment(std::string_view major) {
            c == ')' || c == '_';
   };
   return symbol.size() <= kLongestSymbol && std::all_of(symbol.begin(), symbol.end(), is_symbol);
+}
+
+// The word of what an assignment gives to its symbol: PL1=PLANE/..
+bool is_geometry(std::string_view value) {
+  constexpr std::array<std::string_view, 20> kGeometry = {
+      "POINT",  "LINE",   "PLANE",  "CIRCLE", "CYLNDR", "CONE",   "SPHERE", "ELLIPS", "HYPERB", "GCONIC",
+      "LCONIC", "VECTOR", "MATRIX", "QADRIC", "TABCYL", "RLDSRF", "POLCON", "PATERN", "MACRO",  "SCURV"};
+  return std::any_of(kGeometry.begin(), kGeometry.end(),
+                     [&](std::string_view word) { return equals_ignoring_case(word, value); });
 }
 
 std::string cut_short_text(DialectKind kind) {
@@ -136,6 +146,27 @@ void Interpreter::refuse_part_program(std::string_view what) {
   is_hopeless_ = true;
 }
 
+// What gives a symbol geometry is written in APT. A number given to a name is what logs hold as well: only beside a
+// position is it part of a program.
+void Interpreter::take_assignment() {
+  if (is_geometry(trim(statement_->major.substr(statement_->major.find('=') + 1))))
+    return refuse_part_program(statement_->major);
+  if (first_assignment_line_ == 0) {
+    first_assignment_line_ = statement_->line;
+    first_assignment_ = statement_->major.substr(0, 2 * kLongestMajor);
+  }
+  count_unknown();
+}
+
+void Interpreter::refuse_assignments() {
+  const bool has_position = std::any_of(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
+    return !move.not_checked_reason.starts_with(Reasons::kUnread);
+  });
+  if (first_assignment_line_ == 0 || (!has_position && errors_.empty())) return;
+  refuse_part_program(first_assignment_);
+  errors_.back().line = first_assignment_line_;
+}
+
 void Interpreter::count_unknown() {
   std::string word = word_as_told(statement_->major);
   auto& words = path_.words_not_understood;
@@ -152,8 +183,8 @@ void Interpreter::take(const Statement& statement) {
   make_room(path_.statements);
   path_.statements.push_back({statement.line, statement.first_byte, statement.last_byte});
   if (statement.is_unterminated) return fail("path-unterminated", cut_short_text(dialect_.kind));
-  if (is_assignment(statement.major) || starts_with_ignoring_case(statement.major, "IF("))
-    return refuse_part_program(statement.major);
+  if (starts_with_ignoring_case(statement.major, "IF(")) return refuse_part_program(statement.major);
+  if (is_assignment(statement.major)) return take_assignment();
   if (catia_row_ >= 0 && needs_frame(statement.word)) fail_catia_rows();
   if (statement.word != Word::comment) is_catia_nameless_ = is_catia_nameless_ && catia_row_ >= 0;
   if (curve_statement_ != kNone && !is_within_curve(statement.word)) flush_curve();
@@ -276,6 +307,9 @@ bool Interpreter::take_frame_word() {
       // SolidWorks CAM writes positions in world coordinates; its CSYS tells the machine's setup.
       if (dialect_.kind != DialectKind::solidworks_cam) take_csys();
       return true;
+    case Word::camera:
+      take_camera();
+      return true;
     case Word::mcs:
       take_mcs();
       return true;
@@ -338,7 +372,16 @@ bool Interpreter::take_text_word() {
       take_comment();
       return true;
     case Word::harmless:
+      return true;
     case Word::free_text:
+      if (equals_ignoring_case(statement_->major, "OPFEATEND")) end_clt_feature();
+      // Creo 9 writes REMARK -> where older files have the comment $$->.
+      if (dialect_.kind == DialectKind::creo && starts_with_ignoring_case(statement_->major, "REMARK") &&
+          trim(statement_->pieces.front()).starts_with("->"))
+        take_creo_comment();
+      return true;
+    case Word::ppword:
+      take_ppword();
       return true;
     case Word::pprint:
       if (is_nccs(dialect_.kind) && starts_with_ignoring_case(trim(statement_->pieces.front()), "INCLUD")) {
@@ -396,6 +439,7 @@ bool Interpreter::is_statement() const {
 }
 
 void Interpreter::finish() {
+  refuse_assignments();
   if (curve_statement_ != kNone) flush_curve();
   if (arc_ || has_indirv_) drop_described_curve();
   if (cycle_.is_on && cycle_.certain_moves < path_.moves.size()) doubt_cycle();

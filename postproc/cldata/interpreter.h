@@ -125,6 +125,8 @@ class Interpreter {
   void fail_too_long();
   void fail_run_on(std::string_view hidden);
   void refuse_part_program(std::string_view what);
+  void take_assignment();
+  void refuse_assignments();
   void count_unknown();
   [[nodiscard]] const char* because(const char* reason);
 
@@ -195,6 +197,7 @@ class Interpreter {
   // interpret_cycle.cpp
   void take_cycle();
   void begin_cycle();
+  void take_changed_cycle();
   void end_cycle();
   void doubt_cycle();
   void doubt_moves_before_stray_end();
@@ -254,12 +257,12 @@ class Interpreter {
   void take_catia_row(std::string_view text);
   void fail_catia_rows();
   void take_creo_comment();
+  void note_creo_csys();
   void take_msys();
   void take_csys();
   void take_mcs();
   void take_mcsys();
   void take_rotabl();
-  [[nodiscard]] static std::optional<TableTurn> clt_turn(std::span<const Argument> arguments);
   void take_trntyp();
   void take_trans();
   void take_mode();
@@ -267,6 +270,19 @@ class Interpreter {
   [[nodiscard]] std::optional<RigidTransform> make_frame(const Vec3& origin, const Vec3& x, const Vec3& y,
                                                          const char* what);
   void take_tlaxis();
+
+  // interpret_setup.cpp
+  [[nodiscard]] static std::optional<TableTurn> clt_turn(std::span<const Argument> arguments);
+  [[nodiscard]] Eigen::Matrix3d clt_setup() const;
+  void settle_setup();
+  void note_setup_statement();
+  void take_clt_turn(const TableTurn& turn);
+  void take_clt_axis();
+  void end_clt_feature();
+  void take_camera();
+  void take_ppword();
+  [[nodiscard]] bool names_axes_only() const;
+
   void take_units();
   void take_tool_path();
   void close_block();
@@ -281,6 +297,8 @@ class Interpreter {
   Diagnostics errors_;
   std::size_t errors_not_listed_ = 0;
   bool is_hopeless_ = false;
+  std::string first_assignment_;  // of a number to a symbol
+  std::size_t first_assignment_line_ = 0;
 
   // motion
   std::optional<Pose> last_pose_;        // part coordinates; nothing: the next position is alone
@@ -311,6 +329,7 @@ class Interpreter {
   std::vector<OpenArc> open_arcs_;  // whose sense the rest of the file must tell
   std::optional<Pose> last_hole_;    // where the last position was a hole: what GODLTA goes on from, not where the tool is
   CycleState cycle_;
+  std::vector<Argument> cycle_words_;  // of the last cycle that was described
   const char* cycle_reason_ = Reasons::kCycle;  // why its drill is not understood
   std::size_t rapid_statement_ = kNone;
   std::optional<bool> multax_;
@@ -374,14 +393,20 @@ class Interpreter {
   const char* trntyp_reason_ = nullptr;
   const char* mode_reason_ = nullptr;
   const char* multax_reason_ = nullptr;
-  const char* tlaxis_reason_ = nullptr;
   const char* cutter_reason_ = nullptr;   // no cutter since a statement that may have been one
   const char* loading_reason_ = nullptr;  // no tool change since a statement that may have been one
   const char* setup_reason_ = nullptr;
   const char* machine_shift_reason_ = nullptr;
   const char* machine_cycle_reason_ = nullptr;
   const char* machine_steps_reason_ = nullptr;
-  std::vector<TableTurn> turns_;    // of CLT, those in force
+  std::vector<TableTurn> turns_;                // of CLT, those in force
+  std::optional<Vec3> clt_axis_ = Vec3::UnitZ();  // TLAXIS, in model axes; nothing: not understood
+  std::optional<Eigen::Matrix3d> first_setup_;             // of the first position
+  std::size_t turned_setup_line_ = 0;           // where that is not the model's
+  const char* clt_setup_reason_ = nullptr;
+  bool is_setup_new_ = false;                   // since the last position
+  std::string_view setup_word_;
+  std::size_t setup_line_ = 0;
   int catia_row_ = -1;              // lines seen since $$*CATIA0; -1: none
   bool is_catia_nameless_ = false;  // the first line after it looks like a row
   std::array<double, 12> catia_rows_{};

@@ -24,12 +24,46 @@ void append16(std::string& text, std::uint16_t value) {
   text += static_cast<char>(value >> 8U);
 }
 
+bool is_known_class(std::uint16_t klass) {
+  switch (klass) {
+    case NccsClass::kSourceLine:
+    case NccsClass::kSourceNumber:
+    case NccsClass::kPost:
+    case NccsClass::kCircle:
+    case NccsClass::kMotion:
+    case NccsClass::kExpanded:
+    case NccsClass::kTool:
+    case NccsClass::kShownTool:
+    case NccsClass::kHeader:
+    case NccsClass::kMode:
+    case NccsClass::kFini:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// A file without the header record: its first records are of classes that are known, each as long as it says, up to the
+// end or as many as no other file has by chance.
+bool is_chain_of_records(std::string_view bytes) {
+  constexpr std::size_t kFewest = 3, kEnough = 16;
+  const NccsWords words(bytes);
+  std::size_t records = 0;
+  for (std::size_t word = 0; word < words.words() && records < kEnough; ++records) {
+    const NccsHeader header = words.header(word);
+    if (header.words == 0 || header.words > words.words() - word || !is_known_class(header.klass)) return false;
+    if (header.klass == NccsClass::kFini) return records + 1 >= kFewest;
+    word += header.words;
+  }
+  return records >= kFewest;
+}
+
 }  // namespace
 
 bool is_nccs_binary(std::string_view bytes) {
   if (bytes.size() < kLeastBytes) return false;
   const NccsHeader header = NccsWords(bytes).header(0);
-  return header.klass == NccsClass::kHeader && header.words > 0;
+  return header.klass == NccsClass::kHeader ? header.words > 0 : is_chain_of_records(bytes);
 }
 
 std::size_t NccsWords::words() const {

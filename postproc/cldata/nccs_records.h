@@ -30,7 +30,8 @@ struct NccsClass {
 /// Data words of each point in a record of expanded motion.
 inline constexpr std::size_t kNccsExpandedWords = 21;
 
-/// True where the first record is the header of a binary NCCS file.
+/// True where the first record is the header of a binary NCCS file; or, in one without that record, where the file
+/// begins with at least three records of known classes, one after another.
 [[nodiscard]] bool is_nccs_binary(std::string_view bytes);
 
 /// The words of a file, without its padding. Requires `word` < words() where one is asked for.

@@ -162,8 +162,21 @@ std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& o
   return std::nullopt;
 }
 
+// Statements that may be motions and are not understood leave moves, none of which is one of the file's dialect.
+bool has_motion(const Toolpath& path) {
+  return std::any_of(path.moves.begin(), path.moves.end(), [](const Move& move) {
+    return !move.not_checked_reason.starts_with(Reasons::kUnread);
+  });
+}
+
 Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
   std::string message = std::string("holds no position; ") + kExpected;
+  if (!path.moves.empty()) {
+    const std::size_t count = path.moves.size();
+    message = "holds no position that is understood, and " + std::to_string(count) +
+              (count == 1 ? " statement" : " statements") + " that may be motions, the first in line " +
+              std::to_string(path.moves.front().line) + "; " + kExpected;
+  }
   if (dialect.kind == DialectKind::nccs_binary) {
     message = "is a binary NCCS file without a position; expected motion records";
   } else if (!path.statements.empty()) {
@@ -237,7 +250,7 @@ ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const
   if (!interpreter.is_hopeless()) interpreter.finish();
   outcome.errors = interpreter.take_errors();
   tell_last_line(path.source, dialect, outcome.errors);
-  if (outcome.errors.empty() && path.moves.empty()) outcome.errors.push_back(no_motion(path, dialect));
+  if (outcome.errors.empty() && !has_motion(path)) outcome.errors.push_back(no_motion(path, dialect));
   if (!outcome.errors.empty()) return outcome;
   if (auto error = note_unit(guess, options, path)) {
     outcome.errors.push_back(std::move(*error));

@@ -73,6 +73,9 @@ struct Reasons {
       "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
   static constexpr const char* kCltAxis =
       "positions are in a setup whose TLAXIS is not +Z of the model: where it lies the file does not say";
+  static constexpr const char* kSetupAxis = "ROTABL and TLAXIS contradict each other about the setup of the positions";
+  static constexpr const char* kOtherSetup =
+      "positions are in another setup than those before: how the two lie to each other the file does not say";
   static constexpr const char* kMultax =
       "follows a MULTAX that is not understood: its numbers may be points or tool axes";
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";

@@ -22,12 +22,13 @@ struct Mark {
 };
 
 // In order of trust: the first mark of the list that occurs in the file's first lines decides.
-constexpr std::array<Mark, 20> kMarks = {{
+constexpr std::array<Mark, 21> kMarks = {{
     {"TOOLPATH/", DialectKind::nx_clsf},
     {"CATIAAPT", DialectKind::catia, Where::in_comment},
     {"$$*CATIA0", DialectKind::catia},
     {"PRO/CLFILE", DialectKind::creo, Where::in_comment},
     {"$$->", DialectKind::creo},
+    {"REMARK->", DialectKind::creo},
     {"NCLCAM", DialectKind::nccs, Where::in_comment},
     {"OPFEATSTART/", DialectKind::clt},
     {"MCSYS/", DialectKind::mori},

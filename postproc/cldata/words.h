@@ -20,6 +20,7 @@ enum class Word : std::uint8_t {
   part_program,  // geometry and drive words of the APT source language
   curve,         // words after which the next positions are not reached on straight lines
   auxfun,        // an M of the control
+  camera,
   circle,
   csys,
   cntrl,
@@ -45,6 +46,7 @@ enum class Word : std::uint8_t {
   msys,
   multax,
   nurbs,
+  ppword,
   prefun,  // a G of the control
   rapid,
   retrct,

@@ -104,7 +104,7 @@ TEST(BadPath, AFileCutWithinAStatement) {
 
 TEST(BadPath, PartProgramsAreRefusedOnce) {
   for (const char* text :
-       {"partno x\npl1=plane/1,0,0,4\ngo/to,pl1\n", "TP(1) =POINT/60.85,25.475\n", "d=.5\n",
+       {"partno x\npl1=plane/1,0,0,4\ngo/to,pl1\n", "TP(1) =POINT/60.85,25.475\n", "d=.5\ngoto/1,2,3\n",
         "tllft,gofwd/pl5,on,pl2\n", "goto/setpt2\n", "from/setpt1,-1,0,0\n", "cutter/d\n"}) {
     EXPECT_NE(only_error(text).find("is an APT part program ("), std::string::npos) << text;
   }

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "postproc/cldata/arc_statement.h"
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/support/real_arcs.h"
 
@@ -58,7 +59,7 @@ TEST(ReadArcs, TimesAreTurnsOfAHelix) {
   const Toolpath path = path_of(text + "GOTO/5.0,0.0,4.0\nEND-OF-PATH\n");
   EXPECT_NEAR(path.arcs.at(0).sweep_rad, -4 * std::numbers::pi, 1e-12);
   const Toolpath elsewhere = path_of(text + "GOTO/0.0,5.0,4.0\nEND-OF-PATH\n");
-  EXPECT_EQ(elsewhere.moves.at(1).not_checked_reason, "TIMES on an arc that does not end above its start is not understood");
+  EXPECT_EQ(elsewhere.moves.at(1).not_checked_reason, ArcProblems::kTimes);
 }
 
 TEST(ReadArcs, WhatDoesNotFitOnOneCircleIsToldAndNotChecked) {
