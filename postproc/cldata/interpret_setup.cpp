@@ -120,8 +120,9 @@ void Interpreter::take_clt_axis() {
 
 // Creo 9 writes it where older files have the comment $$-> CSYS, with the same twelve numbers.
 void Interpreter::take_camera() {
-  if (dialect_.kind != DialectKind::creo || !is_rigid_by_rows(arguments_)) return take_unknown();
-  note_creo_csys();
+  if (dialect_.kind == DialectKind::creo && is_rigid_by_rows(arguments_)) return note_creo_csys();
+  count_unknown();
+  unread_frame_reason_ = because(Reasons::kUnreadFrame);
 }
 
 // PPWORD/word,code: a word of the post-processor and its number in the table of words. One that is read here must keep

@@ -1,7 +1,6 @@
 #include "postproc/cldata/interpreter.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -15,7 +14,6 @@ namespace {
 
 constexpr std::size_t kErrorsListed = 20;
 constexpr std::size_t kUnknownWordsListed = 200;
-constexpr std::size_t kLongestSymbol = 12;  // six to eight letters and a subscript
 constexpr double kShareThatTells = 0.02;  // of a file, to expect the same of its rest
 constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
 constexpr std::size_t kLongestMajor = 24;    // of a word that is told
@@ -23,27 +21,6 @@ constexpr const char* kOtherWords = "(other words)";
 
 std::string counted(std::size_t count, const std::string& what) {
   return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
-// "PL1=PLANE", "TP(1) =POINT", "D=.5": a symbol of the APT source language is being given a value.
-bool is_assignment(std::string_view major) {
-  const std::size_t sign = major.find('=');
-  if (sign == std::string_view::npos || sign == 0) return false;
-  const std::string_view symbol = trim(major.substr(0, sign));
-  const auto is_symbol = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '(' ||
-           c == ')' || c == '_';
-  };
-  return symbol.size() <= kLongestSymbol && std::all_of(symbol.begin(), symbol.end(), is_symbol);
-}
-
-// The word of what an assignment gives to its symbol: PL1=PLANE/..
-bool is_geometry(std::string_view value) {
-  constexpr std::array<std::string_view, 20> kGeometry = {
-      "POINT",  "LINE",   "PLANE",  "CIRCLE", "CYLNDR", "CONE",   "SPHERE", "ELLIPS", "HYPERB", "GCONIC",
-      "LCONIC", "VECTOR", "MATRIX", "QADRIC", "TABCYL", "RLDSRF", "POLCON", "PATERN", "MACRO",  "SCURV"};
-  return std::any_of(kGeometry.begin(), kGeometry.end(),
-                     [&](std::string_view word) { return equals_ignoring_case(word, value); });
 }
 
 std::string cut_short_text(DialectKind kind) {
@@ -136,37 +113,6 @@ Diagnostics Interpreter::take_errors() {
   return std::exchange(errors_, {});
 }
 
-void Interpreter::refuse_part_program(std::string_view what) {
-  errors_.clear();
-  errors_not_listed_ = 0;
-  fail("path-part-program",
-       "is an APT part program (" + quoted_text(what) +
-           "); expected CL data with positions in numbers: run it through an APT system and "
-           "check the CL file that gives");
-  is_hopeless_ = true;
-}
-
-// What gives a symbol geometry is written in APT. A number given to a name is what logs hold as well: only beside a
-// position is it part of a program.
-void Interpreter::take_assignment() {
-  if (is_geometry(trim(statement_->major.substr(statement_->major.find('=') + 1))))
-    return refuse_part_program(statement_->major);
-  if (first_assignment_line_ == 0) {
-    first_assignment_line_ = statement_->line;
-    first_assignment_ = statement_->major.substr(0, 2 * kLongestMajor);
-  }
-  count_unknown();
-}
-
-void Interpreter::refuse_assignments() {
-  const bool has_position = std::any_of(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
-    return !move.not_checked_reason.starts_with(Reasons::kUnread);
-  });
-  if (first_assignment_line_ == 0 || (!has_position && errors_.empty())) return;
-  refuse_part_program(first_assignment_);
-  errors_.back().line = first_assignment_line_;
-}
-
 void Interpreter::count_unknown() {
   std::string word = word_as_told(statement_->major);
   auto& words = path_.words_not_understood;
@@ -184,7 +130,7 @@ void Interpreter::take(const Statement& statement) {
   path_.statements.push_back({statement.line, statement.first_byte, statement.last_byte});
   if (statement.is_unterminated) return fail("path-unterminated", cut_short_text(dialect_.kind));
   if (starts_with_ignoring_case(statement.major, "IF(")) return refuse_part_program(statement.major);
-  if (is_assignment(statement.major)) return take_assignment();
+  if (take_assignment()) return;
   if (catia_row_ >= 0 && needs_frame(statement.word)) fail_catia_rows();
   if (statement.word != Word::comment) is_catia_nameless_ = is_catia_nameless_ && catia_row_ >= 0;
   if (curve_statement_ != kNone && !is_within_curve(statement.word)) flush_curve();

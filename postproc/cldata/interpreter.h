@@ -124,9 +124,12 @@ class Interpreter {
   void fail(std::string code, std::string message);
   void fail_too_long();
   void fail_run_on(std::string_view hidden);
+
+  // interpret_assignment.cpp
   void refuse_part_program(std::string_view what);
-  void take_assignment();
+  [[nodiscard]] bool take_assignment();
   void refuse_assignments();
+
   void count_unknown();
   [[nodiscard]] const char* because(const char* reason);
 
