@@ -5,6 +5,7 @@
 
 #include "lib/correct/laws.h"
 #include "lib/correct/path_corrector.h"
+#include "lib/correct/plan_holes.h"
 #include "lib/correct/shift_arc.h"
 #include "lib/correct/straighten.h"
 
@@ -25,13 +26,16 @@ class Proposer {
     straight_ = straighten(path, result, tools, scene, options, correct.heads);
     corrector_ = std::make_unique<PathCorrector>(straight_ ? straight_->path : path,
                                                  straight_ ? straight_->result : result, tools, checker_, correct);
+    holes_ = plan_holes(path, result, tools, checker_, correct);
   }
 
   Correction propose(const ProgressCall& progress) {
     Correction correction = corrector_->propose(progress);
-    if (!straight_) return correction;
-    correction = restore_curves(*straight_, path_, result_, std::move(correction));
-    if (!can_keep_arc_.empty()) keep_arcs(path_, can_keep_arc_, tools_, checker_, correction);
+    if (straight_) {
+      correction = restore_curves(*straight_, path_, result_, std::move(correction));
+      if (!can_keep_arc_.empty()) keep_arcs(path_, can_keep_arc_, tools_, checker_, correction);
+    }
+    add_holes(correction);
     return correction;
   }
 
@@ -44,6 +48,7 @@ class Proposer {
   }
 
   void keep(std::size_t move, const std::string& reason) {
+    std::erase_if(holes_, [move](const HolePlan& hole) { return move + 1 >= hole.first && move <= hole.last; });
     if (!straight_) return corrector_->keep(move, reason);
     const std::vector<std::size_t>& origin = straight_->origin;
     for (auto piece = std::lower_bound(origin.begin(), origin.end(), move); piece != origin.end() && *piece == move; ++piece)
@@ -55,10 +60,28 @@ class Proposer {
   }
 
  private:
+  void add_holes(Correction& correction) const {
+    for (const HolePlan& hole : holes_) {
+      const auto is_of_it = [&hole](const auto& thing) { return thing.move >= hole.first && thing.move < hole.last; };
+      if (std::any_of(correction.changes.begin(), correction.changes.end(), is_of_it)) continue;
+      PathChange change;
+      change.move = hole.first;
+      change.hole_shift_mm = hole.shift_mm;
+      correction.changes.push_back(change);
+      correction.records.push_back(
+          {hole.first, Strategy::axis, false, hole.shift_mm, hole.depth_before_mm, hole.depth_after_mm, 1});
+      std::erase_if(correction.uncorrected, is_of_it);
+    }
+    const auto by_move = [](const auto& a, const auto& b) { return a.move < b.move; };
+    std::stable_sort(correction.changes.begin(), correction.changes.end(), by_move);
+    std::stable_sort(correction.records.begin(), correction.records.end(), by_move);
+  }
+
   const Toolpath& path_;
   const CheckResult& result_;
   const std::vector<const ToolForms*>& tools_;
   MotionChecker checker_;
+  std::vector<HolePlan> holes_;
   std::vector<bool> can_keep_arc_;
   std::optional<StraightenedPath> straight_;
   std::unique_ptr<PathCorrector> corrector_;
@@ -84,7 +107,11 @@ std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult&
   std::vector<const Uncorrected*> known(path.moves.size(), nullptr);
   for (const Uncorrected& left : correction.uncorrected) known[left.move] = &left;
   std::vector<bool> is_changed(path.moves.size(), false);
-  for (const PathChange& change : correction.changes) is_changed[change.move] = true;
+  for (const PathChange& change : correction.changes) {
+    const std::size_t last = change.hole_shift_mm ? end_of_hole(path, change.move) : change.move + 1;
+    std::fill(is_changed.begin() + static_cast<std::ptrdiff_t>(change.move),
+              is_changed.begin() + static_cast<std::ptrdiff_t>(last), true);
+  }
   const std::vector<MovesAfter> spans = moves_after(path.moves.size(), correction.changes);
   std::vector<Uncorrected> remaining;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {

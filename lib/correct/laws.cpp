@@ -4,6 +4,7 @@
 #include <functional>
 
 #include "lib/check/buried.h"
+#include "lib/correct/plan_holes.h"
 
 namespace gouge {
 namespace {
@@ -42,7 +43,10 @@ class LawsCheck {
   LawsCheck(const CheckedPath& before, const std::vector<PathChange>& changes, const CheckedPath& after,
             double resolution_mm)
       : before_(before), after_(after), resolution_mm_(resolution_mm), change_of_(before.path->moves.size(), nullptr) {
-    for (const PathChange& change : changes) change_of_[change.move] = &change;
+    for (const PathChange& change : changes) {
+      const std::size_t last = change.hole_shift_mm ? end_of_hole(*before.path, change.move) : change.move + 1;
+      for (std::size_t i = change.move; i < last; ++i) change_of_[i] = &change;
+    }
   }
 
   [[nodiscard]] bool is_lawful(std::size_t i, const MovesAfter& span) const {
@@ -50,7 +54,9 @@ class LawsCheck {
     const Move &old = a.moves[i], &own = b.moves[span.last - 1];
     const PathChange* change = change_of_[i];
     if (own.tool != old.tool || own.not_checked_reason != old.not_checked_reason) return false;
-    if ((change == nullptr || !change->new_end) && !is_same(own.end, old.end)) return false;
+    const bool may_end_elsewhere = change != nullptr && (change->new_end || change->hole_shift_mm);
+    if (!may_end_elsewhere && !is_same(own.end, old.end)) return false;
+    if (own.kind != old.kind && !(change != nullptr && change->is_straightened)) return false;
     const MoveVerdict& was = before_.result->verdicts[i];
     if (is_same_motion(a, i, b, span.last - 1) && span.last - span.first == 1)
       return has_kept_state(was, after_.result->verdicts[span.first]);
@@ -67,6 +73,11 @@ class LawsCheck {
   double resolution_mm_;
   std::vector<const PathChange*> change_of_;
 };
+
+/// A hole that goes elsewhere may be reached by a step more or less.
+bool has_same_steps(const Toolpath& before, std::size_t i, const Toolpath& after, std::size_t k) {
+  return k < after.moves.size() && end_of_hole(before, i) - i == end_of_hole(after, k) - k;
+}
 
 }  // namespace
 
@@ -97,6 +108,10 @@ std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector
   const std::size_t count = before.path->moves.size();
   const std::vector<MovesAfter> spans = moves_after(count, changes);
   std::vector<std::size_t> worse;
+  for (const PathChange& change : changes) {
+    if (change.hole_shift_mm && !has_same_steps(*before.path, change.move, *after.path, spans[change.move].first))
+      return {change.move};  // what stands behind it is then not where it is looked for
+  }
   const bool is_as_long = count == 0 || spans.back().last == after.path->moves.size();
   const LawsCheck check(before, changes, after, resolution_mm);
   for (std::size_t i = 0; i < count; ++i) {

@@ -28,7 +28,7 @@ constexpr const char* kHeadBetween =
     "longer tool";
 constexpr const char* kWorse = "a change here would make a neighbouring move worse";
 constexpr const char* kCycleStep =
-    "the motion follows from the words of a drilling cycle: it takes another clearance height or another order of the "
+    "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of the "
     "holes";
 constexpr const char* kRound = "an arc or curve that no change of its positions frees";
 constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
@@ -310,7 +310,7 @@ void PathCorrector::gather_failure(std::size_t i, Correction& correction) const 
   std::string reason = usual_reason(path_.moves[i], verdict);
   const bool is_gouge = verdict.state == MoveState::gouge;
   if (is_gouge && is_straight(path_.moves[i]) && !work.kept_reason.empty()) reason = work.kept_reason;
-  if (is_gouge && !positions_[i].failure.empty()) {
+  if (is_gouge && !positions_[i].failure.empty() && path_.moves[i].kind != MoveKind::cycle) {
     reason = positions_[i].failure;
   } else if (is_gouge && is_chained(i) && !positions_[i - 1].failure.empty() && is_straight(path_.moves[i])) {
     reason = "it begins at a position that stays: " + positions_[i - 1].failure;

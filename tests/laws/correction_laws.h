@@ -46,6 +46,11 @@ class LawBook {
     for (std::size_t i = 0; i < changes_.size(); ++i) {
       first_.push_back(next);
       next += 1 + (changes_[i] != nullptr ? changes_[i]->inserted_before.size() : 0);
+      // The steps of a hole that goes elsewhere.
+      const bool goes_on = i > 0 && changes_[i] == nullptr && changes_[i - 1] != nullptr && changes_[i - 1]->hole_shift_mm &&
+                           c.before->moves[i].kind == MoveKind::cycle &&
+                           c.before->moves[i].statement == c.before->moves[i - 1].statement;
+      if (goes_on) changes_[i] = changes_[i - 1];
     }
     first_.push_back(next);
   }

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/correct/correct_path.h"
+#include "lib/correct/motion_checker.h"
+
+// Drilled holes that are too deep: their positions move along the tool axis, and all heights of the cycle with them.
+
+namespace gouge {
+
+/// The moves [first, last) of one hole and where it goes.
+struct HolePlan {
+  std::size_t first = 0, last = 0;
+  Vec3 shift_mm = Vec3::Zero();  ///< along the tool axis, away from the part
+  double depth_before_mm = 0, depth_after_mm = 0;
+};
+
+/// The moves of the hole that begins at `first`: neighbouring cycle steps of one statement.
+[[nodiscard]] std::size_t end_of_hole(const Toolpath& path, std::size_t first);
+
+/// Plans for the holes of which a step gouges and which the file can write elsewhere. Each is the least lift for which the steps
+/// that gouge, shifted with it, are clean, and keeps the law of a shift. How the way to it and from it runs then, the written
+/// file tells.
+[[nodiscard]] std::vector<HolePlan> plan_holes(const Toolpath& path, const CheckResult& result,
+                                               const std::vector<const ToolForms*>& tools, const MotionChecker& checker,
+                                               const CorrectOptions& correct);
+
+}  // namespace gouge

@@ -1,0 +1,84 @@
+#include "lib/correct/plan_holes.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/paths.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+using paths::upright;
+
+/// A hole of three steps at (0, 0), its bottom at `bottom`, in a part whose top is z = 0.
+struct Hole {
+  ToolForms tool = tools::forms(tools::assembly(DrillCutter{10, 118, 30}));
+  Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
+  CheckOptions options;
+  RewritableMoves rewritable;
+  Toolpath path;
+
+  explicit Hole(double bottom) {
+    path = paths::through({upright(30, 0, 20), upright(0, 0, 3), upright(0, 0, bottom), upright(0, 0, 3), upright(30, 0, 20)});
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      const bool is_step = i > 0 && i < 4;
+      path.moves[i].statement = is_step ? 1 : i;
+      if (is_step) path.moves[i].kind = MoveKind::cycle;
+    }
+    rewritable.arc.assign(path.moves.size(), false);
+    rewritable.hole = {false, true, false, false, false};
+  }
+
+  [[nodiscard]] CheckResult check() const { return check_path(path, {&tool}, prepare_scene(scene), options); }
+  [[nodiscard]] Correction correct() const {
+    CorrectOptions how;
+    how.rewritable = &rewritable;
+    return correct_path(path, check(), {&tool}, prepare_scene(scene), options, how);
+  }
+};
+
+TEST(PlanHoles, AHoleALittleTooDeepIsLiftedByWhatItIsTooDeep) {
+  const Hole hole(-0.021);
+  ASSERT_EQ(hole.check().counts.gouge, 2U);
+  const Correction correction = hole.correct();
+  EXPECT_TRUE(correction.uncorrected.empty());
+  ASSERT_EQ(correction.changes.size(), 1U);
+  EXPECT_EQ(correction.changes[0].move, 1U);
+  ASSERT_TRUE(correction.changes[0].hole_shift_mm.has_value());
+  const Vec3 shift = *correction.changes[0].hole_shift_mm;
+  EXPECT_GT(shift.z(), 0.01);
+  EXPECT_LT(shift.z(), 0.025);
+  EXPECT_EQ(shift.head<2>().norm(), 0);
+  ASSERT_EQ(correction.records.size(), 1U);
+  EXPECT_GT(correction.records[0].depth_before_mm, hole.options.tolerance_mm);
+  EXPECT_LE(correction.records[0].depth_after_mm, hole.options.tolerance_mm);
+}
+
+TEST(PlanHoles, AHoleThatTheFileCannotWriteElsewhereIsListed) {
+  Hole hole(-0.021);
+  hole.rewritable.hole.assign(5, false);
+  const Correction correction = hole.correct();
+  EXPECT_TRUE(correction.changes.empty());
+  ASSERT_EQ(correction.uncorrected.size(), 2U);
+  EXPECT_NE(correction.uncorrected[0].reason.find("a step of a drilling cycle"), std::string::npos);
+}
+
+TEST(PlanHoles, AHoleDeeperThanTheLargestShiftStays) {
+  const Hole hole(-25);
+  EXPECT_TRUE(hole.correct().changes.empty());
+}
+
+TEST(PlanHoles, ACrossingThroughAWallBetweenTwoHolesIsListedWithItsReason) {
+  Hole hole(0.5);
+  hole.scene.parts.push_back(shapes::box(Vec3(12, -20, -1), Vec3(14, 20, 15)));
+  hole.path.moves[4].kind = MoveKind::cycle;
+  hole.path.moves[4].end = upright(30, 0, 3);
+  const Correction correction = hole.correct();
+  std::size_t listed = 0;
+  for (const Uncorrected& left : correction.uncorrected) listed += left.move == 4 && !left.reason.empty() ? 1U : 0U;
+  EXPECT_EQ(listed, 1U);
+}
+
+}  // namespace
+}  // namespace gouge
