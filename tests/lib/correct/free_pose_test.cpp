@@ -1,0 +1,101 @@
+// No shift leads across the surface.
+#include "lib/correct/free_pose.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/paths.h"
+#include "tests/support/shapes.h"
+#include "tests/support/tools.h"
+
+namespace gouge {
+namespace {
+
+using paths::upright;
+
+struct Case {
+  ToolForms tool = tools::ball();
+  Scene scene;
+  CheckOptions options;
+
+  [[nodiscard]] const char* why_not(const Pose& from, const Pose& to) const {
+    const PreparedScene prepared = prepare_scene(scene);
+    return why_not_shift(from, to, MoveKind::feed, tool, MotionChecker(prepared, options, nullptr));
+  }
+};
+
+Case over_a_block() {
+  Case c;
+  c.scene.parts = {shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 0))};
+  return c;
+}
+
+TEST(Shift, OutOfTheSurfaceIsAllowed) {
+  const Case c = over_a_block();
+  EXPECT_EQ(c.why_not(upright(0, 0, -0.3), upright(0, 0, 0)), nullptr);
+  EXPECT_EQ(c.why_not(upright(0, 0, 1), upright(0, 0, 5)), nullptr);
+}
+
+TEST(Shift, DeeperIntoItIsNot) {
+  const Case c = over_a_block();
+  EXPECT_NE(c.why_not(upright(0, 0, -0.3), upright(0, 0, -0.4)), nullptr);
+}
+
+TEST(Shift, ThroughAWallIsNotThoughBothItsEndsAreAsDeep) {
+  Case c;
+  c.scene.parts = {shapes::box(Vec3(-0.5, -50, -20), Vec3(0.5, 50, 20))};
+  const Pose left = upright(-5.3, 0, 0), right = upright(5.3, 0, 0);
+  const char* reason = c.why_not(left, right);
+  ASSERT_NE(reason, nullptr);
+  EXPECT_NE(std::string(reason).find("through the surface"), std::string::npos) << reason;
+}
+
+// The surface leaves the tool because all of it is in the solid then: no depth any more, and buried.
+TEST(Shift, OnIntoTheSolidIsNotThoughTheDepthFallsToNothing) {
+  Case c = over_a_block();
+  c.tool = tools::forms([] {
+    ToolAssembly tool;
+    tool.cutter = BallCutter{10, 12};
+    return tool;
+  }());
+  const char* reason = c.why_not(upright(0, 0, -10), upright(0, 0, -30));
+  ASSERT_NE(reason, nullptr);
+  EXPECT_NE(std::string(reason).find("into the solid"), std::string::npos) << reason;
+}
+
+// As deep as the middle of the cutter, where the depth is the radius all the way up.
+TEST(Shift, ALongLiftOfASunkenToolIsAllowed) {
+  Case c = over_a_block();
+  c.tool = tools::flat();
+  EXPECT_EQ(c.why_not(upright(0, 0, -12), upright(0, 0, 0)), nullptr);
+}
+
+TEST(FreePose, ASidewaysWayOutBeyondTheLimitGivesWayToALift) {
+  Case c;
+  c.tool = tools::flat();
+  c.scene.parts = {shapes::box(Vec3(0, -50, -20), Vec3(40, 50, 3))};  // its wall at x = 0
+  const Pose pose = upright(-4.6, 0, 0);                              // 0.4 mm in the wall
+  const PreparedScene prepared = prepare_scene(c.scene);
+  const MotionChecker checker(prepared, c.options, nullptr);
+  PoseLimits limits;
+  limits.aim = {0.005, -0.002, -0.002};
+  const double depth = checker.measure(pose, MoveKind::feed, c.tool).depth_mm;
+  EXPECT_NEAR(depth, 0.4, 0.001);
+  const auto freed = [&](const std::optional<double>& side) {
+    return free_pose(Strategy::weighted, pose, depth, MoveKind::feed, c.tool, checker, limits, side);
+  };
+  const FreedPose aside = freed(std::nullopt);
+  ASSERT_TRUE(aside.corrected.has_value());
+  EXPECT_EQ(aside.corrected->strategy, Strategy::weighted);
+  EXPECT_NEAR(aside.corrected->pose.tip.x(), -5, 0.01);
+  const FreedPose up = freed(0.1);
+  ASSERT_TRUE(up.corrected.has_value());
+  EXPECT_EQ(up.corrected->strategy, Strategy::axis);
+  EXPECT_NEAR(up.corrected->pose.tip.z(), 3, 0.01);
+  limits.largest_shift_mm = 1;
+  const FreedPose none = freed(0.1);
+  EXPECT_FALSE(none.corrected.has_value());
+  EXPECT_NE(std::string(none.reason).find("--max-side-shift"), std::string::npos) << none.reason;
+}
+
+}  // namespace
+}  // namespace gouge

@@ -1,0 +1,101 @@
+#include "lib/correct/laws.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/paths.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kResolution_mm = 0.001;
+
+MoveVerdict verdict(MoveState state, double depth = 0) {
+  MoveVerdict v;
+  v.state = state;
+  v.depth_mm = depth;
+  v.depth_upper_mm = depth + kResolution_mm;
+  return v;
+}
+
+bool is_allowed(const MoveVerdict& before, const MoveVerdict& after) {
+  return is_no_worse_than(before, after, kResolution_mm);
+}
+
+TEST(Laws, CleanStaysClean) {
+  const MoveVerdict clean = verdict(MoveState::clean);
+  EXPECT_TRUE(is_allowed(clean, clean));
+  for (const MoveState state : {MoveState::near_miss, MoveState::gouge, MoveState::buried, MoveState::not_checked,
+                                MoveState::not_certified})
+    EXPECT_FALSE(is_allowed(clean, verdict(state, 0.02))) << state_name(state);
+}
+
+TEST(Laws, AGougeBecomesNoDeeperAndNothingWorse) {
+  const MoveVerdict gouge = verdict(MoveState::gouge, 0.5);
+  EXPECT_TRUE(is_allowed(gouge, verdict(MoveState::clean)));
+  EXPECT_TRUE(is_allowed(gouge, verdict(MoveState::near_miss)));
+  EXPECT_TRUE(is_allowed(gouge, verdict(MoveState::gouge, 0.5)));
+  EXPECT_FALSE(is_allowed(gouge, verdict(MoveState::gouge, 0.51)));
+  for (const MoveState state : {MoveState::buried, MoveState::not_checked, MoveState::not_certified})
+    EXPECT_FALSE(is_allowed(gouge, verdict(state))) << state_name(state);
+}
+
+TEST(Laws, WhatWasBuriedOrUncertainAndChangesMustBecomeClean) {
+  for (const MoveState state : {MoveState::buried, MoveState::not_checked, MoveState::not_certified}) {
+    EXPECT_TRUE(is_allowed(verdict(state), verdict(MoveState::clean)));
+    EXPECT_FALSE(is_allowed(verdict(state), verdict(state))) << state_name(state);
+    EXPECT_FALSE(is_allowed(verdict(state), verdict(MoveState::gouge, 0.02)));
+  }
+}
+
+struct Two {
+  Toolpath before = paths::through({paths::upright(0, 0, 0), paths::upright(10, 0, 0), paths::upright(20, 0, 0)});
+  Toolpath after = before;
+  CheckResult was, is;
+  std::vector<PathChange> changes;
+
+  Two() {
+    was.verdicts.assign(3, verdict(MoveState::clean));
+    is = was;
+  }
+  [[nodiscard]] std::vector<std::size_t> worse() const {
+    return find_worse({&before, &was}, changes, {&after, &is}, kResolution_mm);
+  }
+};
+
+TEST(Laws, AMoveThatNoChangeNamesIsTheSame) {
+  Two two;
+  EXPECT_TRUE(two.worse().empty());
+  two.after.moves[1].end.tip.y() = 1e-9;
+  EXPECT_EQ(two.worse(), (std::vector<std::size_t>{1}));
+}
+
+TEST(Laws, TheMoveBehindAChangedPositionIsHeldToItsVerdict) {
+  Two two;
+  two.changes = {{1, paths::upright(10, 0, 1), {}}};
+  two.after.moves[1].end.tip.z() = 1;
+  EXPECT_TRUE(two.worse().empty());
+  two.is.verdicts[2] = verdict(MoveState::gouge, 0.1);
+  EXPECT_EQ(two.worse(), (std::vector<std::size_t>{2}));
+}
+
+TEST(Laws, AnInsertedMoveIsHeldToTheVerdictOfTheMoveItIsPartOf) {
+  Two two;
+  two.changes = {{2, std::nullopt, {paths::upright(15, 0, 1)}}};
+  Move inserted = two.after.moves[2];
+  inserted.end.tip = Vec3(15, 0, 1);
+  two.after.moves.insert(two.after.moves.begin() + 2, inserted);
+  two.is.verdicts.push_back(verdict(MoveState::clean));
+  EXPECT_TRUE(two.worse().empty());
+  two.is.verdicts[2] = verdict(MoveState::buried);
+  EXPECT_EQ(two.worse(), (std::vector<std::size_t>{2}));
+}
+
+TEST(Laws, AnotherNumberOfMovesIsWorseEverywhere) {
+  Two two;
+  two.after.moves.pop_back();
+  two.is.verdicts.pop_back();
+  EXPECT_EQ(two.worse().size(), 3U);
+}
+
+}  // namespace
+}  // namespace gouge
