@@ -1,7 +1,9 @@
 #include "postproc/cldata/arc_statement.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
 #include <vector>
 
@@ -26,6 +28,28 @@ ArcStatement failed(const char* problem) {
   ArcStatement statement;
   statement.problem = problem;
   return statement;
+}
+
+// Centre and vector; with the radius; with what NX and CAMplete write behind it. Any other number of them is a comma
+// lost or a number twice, and what stands behind it is read as something else. Readers of records make their own lists.
+bool has_known_form(DialectKind dialect, std::span<const Argument> arguments) {
+  if (dialect == DialectKind::nci || is_nccs(dialect)) return true;
+  constexpr std::array<std::string_view, 7> kWords = {"CENTER", "AXIS", "RADIUS", "TIMES", "ANGLE", "CLOCKWISE",
+                                                      "COUNTERCLOCKWISE"};
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string_view text = arguments[i].text;
+    if (arguments[i].number) {
+      ++numbers;
+    } else if (std::none_of(kWords.begin(), kWords.end(),
+                            [&](std::string_view word) { return equals_ignoring_case(text, word); })) {
+      return false;
+    } else if (equals_ignoring_case(text, "TIMES") || equals_ignoring_case(text, "ANGLE")) {
+      if (++i >= arguments.size() || !arguments[i].number) return false;
+    }
+  }
+  const bool has_angle = dialect == DialectKind::camplete && numbers == 8;
+  return numbers == 6 || numbers == 7 || numbers == 11 || has_angle;
 }
 
 ArcSense sense_of(DialectKind dialect) {
@@ -103,7 +127,8 @@ double positive(double angle) {
 
 ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit) {
   ArcStatement statement;
-  if (has_repeated_word(arguments)) return failed(ArcProblems::kForm);
+  if (has_repeated_word(arguments) || has_damaged_argument(arguments) || !has_known_form(dialect, arguments))
+    return failed(ArcProblems::kForm);
   if (!read_circle(arguments, statement)) return failed(ArcProblems::kForm);
   if (dialect == DialectKind::nci && has_argument(arguments, "ZXPLAN")) return failed(ArcProblems::kXzPlane);
   const double length = statement.axis.norm();
@@ -112,6 +137,8 @@ ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, 
   statement.center *= mm_per_unit;
   if (statement.radius_mm) *statement.radius_mm *= mm_per_unit;
   statement.sense = sense_of(dialect);
+  const bool has_word = has_argument(arguments, "CLOCKWISE") || has_argument(arguments, "COUNTERCLOCKWISE");
+  if (has_word && (statement.sense != ArcSense::unknown || dialect == DialectKind::nccs)) return failed(ArcProblems::kBothSenses);
   if (!read_sense_word(arguments, statement)) return failed(ArcProblems::kBothSenses);
 
   std::optional<double> sweep_deg = number_after(arguments, "ANGLE");

@@ -78,6 +78,12 @@ bool has_argument(std::span<const Argument> arguments, std::string_view word) {
                      [&](const Argument& a) { return equals_ignoring_case(a.text, word); });
 }
 
+bool has_damaged_argument(std::span<const Argument> arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const Argument& argument) {
+    return !argument.number && argument.text.find_first_not_of("+-.0123456789") == std::string_view::npos;
+  });
+}
+
 bool has_repeated_word(std::span<const Argument> arguments) {
   constexpr std::size_t kMostWords = 64;  // of any statement that is understood; comparing all pairs must stay cheap
   std::vector<std::string_view> words;

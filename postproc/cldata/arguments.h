@@ -23,6 +23,10 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
 /// True where an argument is the word `word`, in any case.
 [[nodiscard]] bool has_argument(std::span<const Argument> arguments, std::string_view word);
 
+/// True where nothing stands between two commas, or digits, signs and points are no number: what was lost there nobody
+/// knows.
+[[nodiscard]] bool has_damaged_argument(std::span<const Argument> arguments);
+
 /// True where a word stands twice, in any case: which of both counts no reader can tell; and of
 /// more than 64 words, as no statement that is understood has them.
 [[nodiscard]] bool has_repeated_word(std::span<const Argument> arguments);

@@ -121,7 +121,7 @@ bool contradicts_itself(DialectKind dialect, Arguments arguments) {
       has_argument(arguments, "OFF") || has_argument(arguments, "NOMORE")) {
     return true;
   }
-  if (std::any_of(arguments.begin(), arguments.end(), is_damaged_height)) return true;
+  if (has_damaged_argument(arguments) || std::any_of(arguments.begin(), arguments.end(), is_damaged_height)) return true;
   // Their numbers have places, not words, or are read one by one.
   if (dialect == DialectKind::clt || is_nccs(dialect)) return false;
   for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
@@ -160,6 +160,9 @@ std::optional<DrillCycle> read_creo(Arguments arguments) {
 std::optional<DrillCycle> read_catia(Arguments arguments) {
   if (has_argument(arguments, "DEPTH")) {
     return arguments[1].number ? std::nullopt : read_creo(arguments);
+  }
+  for (const std::string_view height : {"FEDTO", "RAPTO", "CLEAR"}) {
+    if (has_argument(arguments, height)) return std::nullopt;  // beside the numbers, which say it already
   }
   if (arguments.size() < 3 || !arguments[1].number || !arguments[2].number || *arguments[1].number < 0) {
     return std::nullopt;

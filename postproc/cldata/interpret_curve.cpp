@@ -88,6 +88,10 @@ void Interpreter::begin_curve() {
 }
 
 void Interpreter::take_knots() {
+  if (curve_statement_ == kNone) {
+    return fail("path-statement",
+                "KNOT without a NURBS before it; expected NURBS/, KNOT/ and then CNTRL/ lines");
+  }
   for (const Argument& argument : arguments_) {
     make_room(knots_);
     if (argument.number) knots_.push_back(*argument.number);

@@ -16,7 +16,10 @@ constexpr double kSameAxis = 1e-9;  // sine of an angle
 }  // namespace
 
 void Interpreter::take_cycle() {
-  if (arguments_.empty()) return count_unknown();
+  if (arguments_.empty()) {
+    count_unknown();
+    return distrust(Word::cycle);
+  }
   const std::string_view what = arguments_.front().text;
   if (equals_ignoring_case(what, "INIT") || equals_ignoring_case(what, "CLEAR")) {
     if (cycle_.is_on) contradict(ModalState::cycle);  // does it end the one in force? no document says

@@ -166,6 +166,10 @@ void Interpreter::set_frame(const RigidTransform& to_part) {
   const double change = (to_part.rotation - to_part_.rotation).cwiseAbs().maxCoeff() +
                         (to_part.shift - to_part_.shift).cwiseAbs().maxCoeff();
   if (change > kIdentityError) break_motion();
+  // A block and a section have one frame, which stands before their positions.
+  const bool has_blocks = is_block_open_ || dialect_.kind == DialectKind::camplete;
+  if (change > kIdentityError && has_blocks && block_ > 0 && block_begin_ < path_.moves.size())
+    unread_frame_reason_ = because(Reasons::kUnreadFrame);
   setup_reason_ = nullptr;  // the file says where it is
   to_part_ = to_part;
   is_frame_recorded_ = false;
@@ -180,9 +184,10 @@ void Interpreter::take_msys() {
       vector_of(arguments_, 0) * mm_per_unit_, vector_of(arguments_, 3), vector_of(arguments_, 6), "MSYS");
   if (!frame) return;
   set_frame(*frame);
+  is_msys_ever_ = true;
   if (!is_block_open_) return;
   block_reason_ = nullptr;
-  block_has_msys_ = is_msys_ever_ = true;
+  block_has_msys_ = block_has_msys_ || block_begin_ == path_.moves.size();  // before its positions, as written
 }
 
 void Interpreter::take_csys() {
@@ -202,18 +207,23 @@ void Interpreter::take_mcs() {
     return fail("path-frame",
                 "MCS: the third axis is not the first cross the second; expected a right-handed system");
   set_frame(*frame);
+  is_msys_ever_ = true;
+  block_has_msys_ = block_has_msys_ || block_begin_ == path_.moves.size();
 }
 
 // MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: an origin, an X axis and a Y axis. Its writer turns positions
 // into no other system before it writes them, and those of three numbers have their axis from nowhere else.
 void Interpreter::take_mcsys() {
+  constexpr std::array<std::string_view, 13> kForm = {"NUM", "",       "POINT", "", "", "", "VECTOR",
+                                                      "",    "",       "",      "VECTOR", "", ""};
   std::vector<Argument> numbers;
-  bool is_counting = false;
-  for (const Argument& argument : arguments_) {
-    is_counting = is_counting || equals_ignoring_case(argument.text, "POINT");
-    if (is_counting && argument.number) numbers.push_back(argument);
+  bool has_form = arguments_.size() == kForm.size() + 1;
+  for (std::size_t i = 0; i < arguments_.size() && has_form; ++i) {
+    const bool is_word = i < kForm.size() && !kForm[i].empty();
+    has_form = is_word ? equals_ignoring_case(arguments_[i].text, kForm[i]) : arguments_[i].number.has_value();
+    if (!is_word && i > 1) numbers.push_back(arguments_[i]);
   }
-  mcs_reason_ = numbers.size() == 9 ? nullptr : because(Reasons::kMcsys);
+  mcs_reason_ = has_form ? nullptr : because(Reasons::kMcsys);
   if (mcs_reason_ != nullptr) return;
   const std::optional<RigidTransform> frame =
       make_frame(vector_of(numbers, 0) * mm_per_unit_, vector_of(numbers, 3), vector_of(numbers, 6), "MCSYS");
@@ -302,9 +312,16 @@ void Interpreter::take_units() {
   }
   const double mm = mm_per(*stated);
   const bool is_late = !std::exchange(is_unit_stated_, true) && !path_.moves.empty();
-  if (is_late && std::abs(mm - mm_per_unit_) > 0) doubt_moves(0, path_.moves.size(), because(Reasons::kLateUnit));
+  // The guess of the unit knows of it; before it a reader takes mm.
+  const bool is_other = *stated != LengthUnit::mm || std::abs(mm - mm_per_unit_) > 0;
+  if (is_late && is_other) doubt_moves(0, path_.moves.size(), because(Reasons::kLateUnit));
   mm_per_unit_ = mm;
   is_frame_recorded_ = false;
+}
+
+void Interpreter::begin_block() {
+  close_block();
+  ++block_;
 }
 
 // Where the other blocks of a file state their frame, one that states none has lost it.
@@ -324,7 +341,7 @@ void Interpreter::doubt_blocks_without_msys() {
 
 // TOOL PATH/operation,TOOL,tool: a block of its own, with its own frame, axis and tool.
 void Interpreter::take_tool_path() {
-  close_block();
+  begin_block();
   const std::string_view text = statement_->pieces.front();
   const std::size_t cut = text.find(",TOOL,");
   const std::string tool = cut == std::string_view::npos ? std::string() : name_text(text.substr(cut + 6));
@@ -341,7 +358,6 @@ void Interpreter::take_tool_path() {
   to_part_ = {};
   is_frame_recorded_ = false;
   feed_ = {};
-  ++block_;
   is_block_open_ = true;
   cycle_words_.clear();
   block_reason_ = std::exchange(is_msys_outside_, false) ? Reasons::kMsysOutside : nullptr;

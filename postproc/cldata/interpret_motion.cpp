@@ -110,16 +110,23 @@ bool Interpreter::needs_multax() const {
   return !multax_.value_or(!states_it);
 }
 
+// Autodesk's posts: an axis with every position under MULTAX, and none without it.
+bool Interpreter::writes_axes_under_multax() const {
+  return dialect_.kind == DialectKind::autodesk || dialect_.kind == DialectKind::camplete ||
+         dialect_.kind == DialectKind::mori;
+}
+
 Vec3 Interpreter::implied_axis() const {
   return dialect_.is_axis_modal ? modal_axis_ : fixed_axis_;
 }
 
 // A position without an axis after a tilted one: it may have that one's, or the fixed one.
 bool Interpreter::has_doubtful_axis(const Position& position) {
-  if (dialect_.is_axis_modal || dialect_.has_known_plain_axis || multax_ == false) return false;
+  if (dialect_.is_axis_modal || multax_ == false) return false;
+  const bool is_known = dialect_.has_known_plain_axis && !(multax_ == true && writes_axes_under_multax());
   if (position.numbers == 6) {
     is_last_tilted_ = position.axis_local.cross(fixed_axis_).squaredNorm() > kTiltTold * kTiltTold;
-  } else if (is_last_tilted_) {
+  } else if (is_last_tilted_ && !is_known) {
     if (plain_after_tilt_++ == 0) first_plain_after_tilt_ = statement_->line;
     return true;
   }
@@ -133,6 +140,9 @@ void Interpreter::take_positions(PositionForm form) {
   if (are_axes_doubtful(numbers)) return emit_unread(Reasons::kSixNumbers);
   const std::size_t points = arguments_.size() / numbers;
   if (statement_->is_continuation && !arc_) arc_ = last_arc_;
+  // Along the arc in Creo's and NCCS's files; elsewhere nobody knows.
+  if (arc_ && points > 1 && dialect_.kind != DialectKind::creo && !is_nccs(dialect_.kind))
+    arc_->problem = ArcProblems::kForm;
   bool is_going_on = false;
   make_room(path_.moves, points);
   for (std::size_t i = 0; i < points; ++i) {
@@ -268,6 +278,7 @@ void Interpreter::take_cutcom() {
     return;
   }
   const bool has_side = has_argument(arguments_, "LEFT") || has_argument(arguments_, "RIGHT");
+  if (has_argument(arguments_, "OFF") && (has_side || has_argument(arguments_, "ON"))) return begin_cutcom();
   // Of the tool's length: along its axis, as positions are of its tip.
   if (has_argument(arguments_, "LENGTH") && !has_side) return;
   if (has_argument(arguments_, "OFF") && !has_side) return end_cutcom();

@@ -108,7 +108,10 @@ void Interpreter::take_tldata() {
 void Interpreter::take_tool_number() {
   const bool is_turning = has_argument(arguments_, "TURN");
   if (is_turning) turning_reason_ = because(Reasons::kTurning);
-  if (arguments_.empty()) return count_unknown();
+  if (arguments_.empty()) {
+    loading_reason_ = because(Reasons::kUnreadTool);
+    return count_unknown();
+  }
   const std::optional<int> number = whole_number(arguments_.front());
   if (!number) {
     return fail("path-statement", std::string(statement_->major) + ": " +
@@ -124,7 +127,10 @@ void Interpreter::take_load() {
     const bool has_number = std::any_of(arguments_.begin(), arguments_.end(),
                                         [](const Argument& a) { return a.number.has_value(); });
     if (has_number) distrust(Word::load);
+    const std::string_view what = arguments_.empty() ? std::string_view() : arguments_.front().text;
     if (has_argument(arguments_, "WIRE")) turning_reason_ = because(Reasons::kTurning);
+    if (starts_with_ignoring_case("TOOL", what) || is_one_letter_off("TOOL", what))
+      loading_reason_ = because(Reasons::kUnreadTool);
     return count_unknown();
   }
   const std::optional<int> number = arguments_.size() > 1 ? whole_number(arguments_[1]) : std::nullopt;

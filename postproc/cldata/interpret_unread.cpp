@@ -4,6 +4,7 @@
 #include "lib/base/number_text.h"
 #include "postproc/cldata/interpreter.h"
 #include "postproc/cldata/text.h"
+#include "postproc/cldata/unit_guess.h"
 
 // Statements that are not understood: counted by word, and where they could have moved the tool, the moves
 // they could have changed are not checked.
@@ -192,6 +193,7 @@ void Interpreter::take_unknown() {
     }
     if (is_misread) return;
   }
+  distrust_arguments();
   std::ptrdiff_t numbers = 0;
   bool has_negative = false;
   for (const Argument& argument : arguments_) {
@@ -204,6 +206,18 @@ void Interpreter::take_unknown() {
   // Before the first position it can only be a shift that matters.
   if (is_motion || !path_.moves.empty()) emit_unread();
   if (!is_motion) unread_frame_reason_ = because(Reasons::kUnreadFrame);
+}
+
+// LOAAD/TOOL,2 and UINT/MM: whatever the word is, its arguments are those of one that matters.
+void Interpreter::distrust_arguments() {
+  for (const char* glued : {"UNITSMM", "UNITSINCH", "UNITMM", "UNITINCH"}) {
+    if (starts_with_ignoring_case(statement_->major, glued)) unread_frame_reason_ = because(Reasons::kUnreadFrame);
+  }
+  if (arguments_.empty()) return;
+  const bool is_load = arguments_.size() > 1 && arguments_[1].number && equals_ignoring_case(arguments_[0].text, "TOOL");
+  if (is_load || starts_with_ignoring_case(statement_->major, "LOADTOOL")) loading_reason_ = because(Reasons::kUnreadTool);
+  const bool is_unit = arguments_.size() == 1 && unit_of_word(arguments_[0].text);
+  if (is_unit) unread_frame_reason_ = because(Reasons::kUnreadFrame);
 }
 
 // True where `text` is a line of numbers, a word that something was glued to or that is misspelt, or a block

@@ -304,7 +304,8 @@ bool Interpreter::take_frame_word() {
       return true;
     case Word::fini:
       has_end_ = true;
-      break_motion();
+      last_hole_.reset();
+      if (last_pose_) unknown_start_ = Reasons::kAfterEnd;  // another program's tool or name breaks the motion
       return true;
     default:
       return false;
@@ -320,6 +321,7 @@ bool Interpreter::take_text_word() {
     case Word::harmless:
       return true;
     case Word::free_text:
+      if (has_end_ && starts_with_ignoring_case(statement_->major, "PARTNO")) break_motion();  // another program
       if (equals_ignoring_case(statement_->major, "OPFEATEND")) end_clt_feature();
       // Creo 9 writes REMARK -> where older files have the comment $$->.
       if (dialect_.kind == DialectKind::creo && starts_with_ignoring_case(statement_->major, "REMARK") &&
@@ -338,6 +340,7 @@ bool Interpreter::take_text_word() {
       if (!dialect_.names_operations) name_operation(name_text(statement_->pieces.front()));
       return true;
     case Word::operation:
+      if (dialect_.kind == DialectKind::camplete) begin_block();  // each section has its MCS
       name_operation(name_text(statement_->pieces.front()));
       return true;
     case Word::part_program:

@@ -151,6 +151,8 @@ class Interpreter {
   void take_syn();
   [[nodiscard]] bool take_misread(std::string_view text);
   void take_rest_of_statement(bool is_position);
+  void begin_block();
+  void distrust_arguments();
   void distrust(Word word);
   void distrust_moves(std::size_t statement);
   void distrust_cut_short();
@@ -187,6 +189,7 @@ class Interpreter {
   [[nodiscard]] std::optional<Vec3> read_axis(std::size_t first);
   [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
   [[nodiscard]] Vec3 implied_axis() const;
+  [[nodiscard]] bool writes_axes_under_multax() const;
   void emit(const Position& position);
   [[nodiscard]] Move make_move(const Position& position, MoveKind kind);
   void append(Move move, const Position& position);

@@ -42,6 +42,8 @@ struct Reasons {
       "an MSYS stands between END-OF-PATH and this TOOL PATH, which has none: which frame holds the file does not say";
   static constexpr const char* kNoMsys =
       "positions are in a TOOL PATH without MSYS where others of the file have one: in which frame it does not say";
+  static constexpr const char* kAfterEnd =
+      "starts where the program had ended: what lies between, the file does not say";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
   static constexpr const char* kContour =

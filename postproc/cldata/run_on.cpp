@@ -82,6 +82,16 @@ std::string_view find_in(const Statement& statement, std::string_view text) {
   return {};
 }
 
+// "CENTERLOADTL/" in a text that is a name, or a statement that Creo writes as a comment.
+std::string_view find_glued(std::string_view text) {
+  for (std::size_t slash = text.find('/'); slash != std::string_view::npos; slash = text.find('/', slash + 1)) {
+    const std::string_view before = trim(text.substr(0, slash));
+    const std::string_view token = before.substr(before.find_last_of(" ,/>") + 1);
+    if (find_word(token) == Word::unknown && ends_with_statement(token, "/")) return token;
+  }
+  return {};
+}
+
 // "RAPID;CUTCOM" before a slash.
 std::string_view find_after_semicolon(std::string_view major) {
   const std::size_t semicolon = major.rfind(';');
@@ -98,6 +108,10 @@ bool is_text(Word word) {
 }  // namespace
 
 std::string_view find_run_on(const Statement& statement) {
+  if (statement.word == Word::tool_path && !statement.pieces.empty()) {
+    const std::string_view text = statement.pieces.front();
+    return find_glued(text.substr(std::min(text.find(",TOOL,"), text.size())));
+  }
   // Positions are numbers only, which their readers see to; a part program is refused anyway.
   if (statement.is_decoded || is_text(statement.word) || takes_position(statement.word) ||
       statement.word == Word::part_program)
@@ -107,6 +121,10 @@ std::string_view find_run_on(const Statement& statement) {
     if (!hidden.empty()) return hidden;
   }
   const std::size_t first = statement.word == Word::comment ? 1 : 0;
+  if (first > 0 && !statement.pieces.empty() && statement.pieces.front().starts_with("->")) {
+    const std::string_view found = find_glued(statement.pieces.front());
+    if (!found.empty()) return found;
+  }
   for (std::size_t i = first; i < statement.pieces.size(); ++i) {
     const std::string_view found = find_in(statement, statement.pieces[i]);
     if (!found.empty()) return found;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace gouge {
 namespace {
@@ -101,6 +102,18 @@ bool equals_ignoring_case(std::string_view a, std::string_view b) {
 
 bool starts_with_ignoring_case(std::string_view text, std::string_view start) {
   return text.size() >= start.size() && compare_ignoring_case(text.substr(0, start.size()), start) == 0;
+}
+
+bool is_one_letter_off(std::string_view a, std::string_view b) {
+  if (a.size() > b.size()) std::swap(a, b);
+  std::size_t same = 0;
+  while (same < a.size() && equals_ignoring_case(a.substr(same, 1), b.substr(same, 1))) ++same;
+  if (a.size() + 1 == b.size()) return equals_ignoring_case(a.substr(same), b.substr(same + 1));
+  if (a.size() != b.size() || same == a.size()) return false;
+  if (equals_ignoring_case(a.substr(same + 1), b.substr(same + 1))) return true;
+  return same + 1 < a.size() && equals_ignoring_case(a.substr(same, 1), b.substr(same + 1, 1)) &&
+         equals_ignoring_case(a.substr(same + 1, 1), b.substr(same, 1)) &&
+         equals_ignoring_case(a.substr(same + 2), b.substr(same + 2));
 }
 
 std::string name_text(std::string_view text) {

@@ -40,6 +40,10 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 [[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
 [[nodiscard]] bool starts_with_ignoring_case(std::string_view text, std::string_view start);
 
+/// True where one character of one is missing, wrong or too many in the other, or two neighbours are in each other's
+/// place; letters compared as capitals. False for equal texts.
+[[nodiscard]] bool is_one_letter_off(std::string_view a, std::string_view b);
+
 /// `text` as a name for people and for JSON: trimmed, quotes around it and control characters dropped. Text
 /// that is not UTF-8 is taken as Latin-1 (CATIA writes the code page of its user). At most 200 bytes.
 [[nodiscard]] std::string name_text(std::string_view text);

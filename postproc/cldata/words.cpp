@@ -206,24 +206,6 @@ bool is_glued_to(std::string_view word, std::string_view major) {
   return !rest.empty() && (is_digit(rest.front()) || rest.front() == '.');
 }
 
-// One character is missing, wrong or too many, or two neighbours are in each other's place.
-bool is_misspelt(std::string_view word, std::string_view major) {
-  const std::size_t shorter = std::min(word.size(), major.size());
-  std::size_t same = 0;
-  while (same < shorter && equals_ignoring_case(word.substr(same, 1), major.substr(same, 1))) ++same;
-  const auto is_same_after = [&](std::size_t of_word, std::size_t of_major) {
-    return equals_ignoring_case(word.substr(std::min(same + of_word, word.size())),
-                                major.substr(std::min(same + of_major, major.size())));
-  };
-  if (word.size() == major.size() + 1) return is_same_after(1, 0);
-  if (word.size() + 1 == major.size()) return is_same_after(0, 1);
-  if (word.size() != major.size() || same == shorter) return false;
-  const bool is_swapped = same + 1 < shorter &&
-                          equals_ignoring_case(word.substr(same, 1), major.substr(same + 1, 1)) &&
-                          equals_ignoring_case(word.substr(same + 1, 1), major.substr(same, 1));
-  return is_same_after(1, 1) || (is_swapped && is_same_after(2, 2));
-}
-
 // Short words are too near to others, such as MODE to MODEL, but where a character is missing.
 bool may_be_misspelt(const Entry& entry, std::string_view major) {
   constexpr std::size_t kLong = 5;
@@ -279,7 +261,7 @@ Word find_intended_word(std::string_view major) {
   }
   if (found != nullptr) return found->second;
   for (const Entry& entry : kWords) {
-    if (may_be_misspelt(entry, major) && is_misspelt(entry.first, major)) return entry.second;
+    if (may_be_misspelt(entry, major) && is_one_letter_off(entry.first, major)) return entry.second;
   }
   return Word::unknown;
 }

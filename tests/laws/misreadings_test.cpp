@@ -202,6 +202,79 @@ INSTANTIATE_TEST_SUITE_P(
                                  "gouge"}),
     kName);
 
+std::string holes(const std::string& cycle) {
+  return around(cycle + "GOTO/10,0,5\nCYCLE/OFF\n");
+}
+
+std::string creo(const std::string& body) {
+  return "$$* Pro/CLfile\n$$-> FEATNO / 1\nUNITS / MM\nCUTTER / 10\nLOADTL / 1\nGOTO / 0, 0, 5\n" + body +
+         "GOTO / 0, 0, 5\nFINI\n";
+}
+
+std::string block(const std::string& setup, const std::string& body) {
+  return "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10,0,50,0,0\n" + setup + "GOTO/0,0,5\n" + body + "END-OF-PATH\n";
+}
+
+std::string camplete(const std::string& second) {
+  const std::string frame = "MCS/1,0,0,0,1,0,0,0,1,0,0,0\n";
+  return "UNITS/MM\nCSI_TOOL_PATH/A\n" + frame + "CUTTER/10,0,0,0,0,0,50\nLOADTL/1\nGOTO/0,0,5\nCSI_TOOL_PATH/B\n" +
+         second + "GOTO/10,0,5\nEND\nFINI\n";
+}
+
+std::string mori(const std::string& frame) {
+  return "OPNAME/ A\nUNITS/ MM\n" + frame + "CUTTER/10\nTOOLNO/ 4\nGOTO/ 0,0,5\nGOTO/ 1,0,5\nEND/\n";
+}
+
+std::string tilted(const std::string& position) {
+  return "MODE/MILL\nUNITS/MM\nMULTAX/ON\nCUTTER/10\nLOADTL/1\nGOTO/0,0,30,.6,0,.8\n" + position + "END\nFINI\n";
+}
+
+constexpr const char* kFrame = "MSYS/0,0,1,1,0,0,0,1,0\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Damaged, Misread,
+    ::testing::Values(
+        Misreading{"MotionAfterTheEnd", around("FINI\n"), "not-checked"},
+        Misreading{"ProgramAfterTheEnd", around("FINI\nPARTNO NEXT\n"), "clean"},
+        Misreading{"Arc", around("GOTO/0,-5,5\nCIRCLE/0,0,5,0,0,1,5\nGOTO/5,0,5\n"), "not-checked"},
+        Misreading{"ArcToSeveral", around("CIRCLE/0,5,5,0,0,1,5,CLOCKWISE\nGOTO/5,5,5,0,10,5,-5,5,5\n"), "not-checked"},
+        Misreading{"CreoArc", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5\nGOTO / 5, 5, 5\n"), "clean"},
+        Misreading{"CreoArcWithASenseWord", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5, CLOCKWISE\nGOTO / 5, 5, 5\n"), "not-checked"},
+        Misreading{"CreoArcWithNothingBetweenCommas", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5,,0,0,0\nGOTO / 5, 5, 5\n"),
+                   "not-checked"},
+        Misreading{"CreoArcOfTenNumbers", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5, 0, 0, 0\nGOTO / 5, 5, 5\n"), "not-checked"},
+        Misreading{"CreoCommentWithALoadtl", creo("$$-> MFGNO / ALOADTL / 2\n"), "path-statement"},
+        Misreading{"Cycle", holes("CYCLE/DRILL,FEDTO,1,RAPTO,2\n"), "clean"},
+        Misreading{"CycleWithNothingBetweenCommas", holes("CYCLE/DRILL,,FEDTO,1,RAPTO,2\n"), "not-checked"},
+        Misreading{"CycleWithTwoPointsInANumber", holes("CYCLE/DRILL,FEDTO,1,RAPTO,2,STEP,1.0.5\n"), "not-checked"},
+        Misreading{"CycleWithoutAWord", holes("CYCLE/\n"), "not-checked"},
+        Misreading{"CutcomBothWays", around("CUTCOM/ON,OFF\n"), "not-checked"},
+        Misreading{"LoadMisspelt", around("LOAAD/TOOL,2\n"), "not-checked"},
+        Misreading{"LoadGlued", around("LOADTOOL,2\n"), "not-checked"},
+        Misreading{"LoadCutShort", around("LOAD/TOO\n"), "not-checked"},
+        Misreading{"LoadtlCutShort", around("LOADTL/\n"), "not-checked"},
+        Misreading{"UnitMisspelt", around("UINT/INCH\n"), "not-checked"},
+        Misreading{"UnitGlued", around("UNITSINCHES\n"), "not-checked"},
+        Misreading{"UnitAfterPositions", "CUTTER/1\nGOTO/0,0,1\nUNITS/INCHES\nGOTO/0,0,1\nFINI\n", "not-checked"},
+        Misreading{"KnotWithoutANurbs", block("", "KNOT/1.0\n"), "path-statement"},
+        Misreading{"NxFrame", block(kFrame, "GOTO/1,0,5\n"), "clean"},
+        Misreading{"NxFrameAfterPositions", block("", std::string(kFrame) + "GOTO/1,0,5\n"), "not-checked"},
+        Misreading{"NxFrameAfterAllPositions", block("", kFrame), "not-checked"},
+        Misreading{"NxTldataInTheName",
+                   "TOOL PATH/A,TOOL,BTLDATA/MILL,10,0,50,0,0\nGOTO/0,0,5\nEND-OF-PATH\n", "path-statement"},
+        Misreading{"CampleteFrame", camplete("MCS/1,0,0,0,1,0,0,0,1,0,0,0\n"), "clean"},
+        Misreading{"CampleteSectionWithoutItsFrame", camplete(""), "not-checked"},
+        Misreading{"CampleteFrameAfterPositions", camplete("GOTO/0,0,5\nMCS/1,0,0,0,1,0,0,0,1,0,0,1\n"), "not-checked"},
+        Misreading{"MoriFrame", mori("MCSYS/ NUM,1,POINT,0,0,0,VECTOR,1,0,0,VECTOR,0,1,0\n"), "clean"},
+        Misreading{"MoriFrameMisspelt", mori("MCSYS/ NUM,1,POINT,0,0,0,VECTR,1,0,0,VECTOR,0,1,0\n"), "not-checked"},
+        Misreading{"AutodeskAxis", tilted("MULTAX/OFF\nGOTO/0,0,40\n"), "clean"},
+        Misreading{"AutodeskAxisCutShort", tilted("GOTO/0,0,40\n"), "not-checked"},
+        Misreading{"CatiaCycleWithAnotherHeight",
+                   "$$ CATIA APT VERSION 1.0\nCUTTER/10\nLOADTL/1\nGOTO/0,0,15\nCYCLE/DRILL,3,5,RAPTO,1\nGOTO/0,0,5\n"
+                   "CYCLE/OFF\nEND\n",
+                   "not-checked"}),
+    kName);
+
 TEST(ByteOrderMark, IsNoPartOfWhatTellsTheDialect) {
   const std::string mark = "\xef\xbb\xbf";
   for (const std::string text : {"REMARK x NCLCAM\n", "GOTO/0,0,5\n", "$$*CATIA0\n", "TOOL PATH/A,TOOL,B\n"})

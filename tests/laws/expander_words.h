@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+// Which words of a toolpath tell the mutation law's reader what moves, and which leave the cutter where it
+// is.
+
+namespace gouge::laws {
+
+/// A motion, or what changes the meaning of one: cycle, compensation, axis, frame, unit, tool, block.
+[[nodiscard]] bool is_meaningful(std::string_view word);
+
+/// Known to leave the cutter and the meaning of positions as they are.
+[[nodiscard]] bool is_passive(std::string_view word);
+
+/// What follows its slash is a name or a free text.
+[[nodiscard]] bool is_naming(std::string_view word);
+
+/// One letter added, lost, changed, or two of them the wrong way round; or the same.
+[[nodiscard]] bool is_one_letter_away(std::string_view a, std::string_view b);
+
+/// The meaningful word that `text` holds somewhere, or is one letter away from; empty: none.
+[[nodiscard]] std::string_view meaning_hidden_in(std::string_view text);
+
+/// The meaningful word that stands somewhere in `text`; empty: none.
+[[nodiscard]] std::string_view meaning_within(std::string_view text);
+
+/// Without the slash: the meaningful word that `text` begins with, where a blank or a number follows it.
+[[nodiscard]] std::string_view meaning_before_blank(std::string_view text);
+
+}  // namespace gouge::laws

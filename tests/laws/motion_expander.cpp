@@ -1,0 +1,65 @@
+#include "tests/laws/motion_expander.h"
+
+#include <cmath>
+
+#include "tests/laws/expander_statements.h"
+#include "tests/laws/expander_words.h"
+
+namespace gouge::laws {
+namespace {
+
+// What the first UNITS of the file says, else its feeds.
+double first_unit(const std::vector<LooseStatement>& statements, Expansion& expansion) {
+  bool inch = false, mm = false;
+  for (const LooseStatement& statement : statements) {
+    for (const LooseArgument& argument : statement.arguments) {
+      if ((statement.word == "UNITS" || statement.word == "UNIT") && argument.text == "MM") return 1;
+      if ((statement.word == "UNITS" || statement.word == "UNIT") && argument.text.starts_with("INCH")) return 25.4;
+      if (statement.word != "FEDRAT") continue;
+      inch = inch || argument.text == "IPM" || argument.text == "IPR";
+      mm = mm || argument.text == "MMPM" || argument.text == "MMPR";
+    }
+  }
+  if (inch && mm) expansion.doubts.push_back({1, "feeds in mm and in inches, and no unit"});
+  return inch ? 25.4 : 1;
+}
+
+// Within a line: what stands before it may be a line of its own.
+bool holds_lone_return(std::string_view bytes) {
+  bool has_text = false, has_return = false;
+  for (const char c : bytes) {
+    if (c == '\n')
+      has_text = has_return = false;
+    else if (c == '\r')
+      has_return = has_text;
+    else if (c != ' ' && has_return)
+      return true;
+    else if (c != ' ')
+      has_text = true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Expansion expand_motions(std::string_view bytes, std::string_view dialect) {
+  if (dialect == "mastercam-nci") return expand_nci(bytes);
+  Expansion expansion;
+  const std::vector<LooseStatement> statements = loose_statements(bytes);
+  StatementExpander expander(dialect, expansion);
+  expander.reading().mm = first_unit(statements, expansion);
+  for (const LooseStatement& statement : statements) {
+    if (statement.word == "MSYS" || statement.word == "MCS") expander.reading().has_frames = true;
+  }
+  if (holds_lone_return(bytes)) expansion.doubts.push_back({1, "a carriage return within a line"});
+  for (std::size_t i = 0; i < statements.size() && expansion.doubts.empty(); ++i) {
+    if (expander.is_matrix_begun(statements[i]))
+      i = expander.matrix(statements, i);
+    else
+      expander.step(statements[i]);
+  }
+  if (expansion.doubts.empty()) expander.end_of_file();
+  return expansion;
+}
+
+}  // namespace gouge::laws
