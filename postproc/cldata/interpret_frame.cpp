@@ -207,7 +207,9 @@ void Interpreter::take_mcs() {
     return fail("path-frame",
                 "MCS: the third axis is not the first cross the second; expected a right-handed system");
   set_frame(*frame);
-  is_msys_ever_ = true;
+  // Files whose only system is the part's own need not repeat it.
+  const double turn = (frame->rotation - RigidTransform{}.rotation).cwiseAbs().maxCoeff();
+  is_msys_ever_ = is_msys_ever_ || turn > kIdentityError || frame->shift.norm() > kIdentityError;
   block_has_msys_ = block_has_msys_ || block_begin_ == path_.moves.size();
 }
 

@@ -216,7 +216,7 @@ std::string block(const std::string& setup, const std::string& body) {
 }
 
 std::string camplete(const std::string& second) {
-  const std::string frame = "MCS/1,0,0,0,1,0,0,0,1,0,0,0\n";
+  const std::string frame = "MCS/1,0,0,0,1,0,0,0,1,0,0,1\n";
   return "UNITS/MM\nCSI_TOOL_PATH/A\n" + frame + "CUTTER/10,0,0,0,0,0,50\nLOADTL/1\nGOTO/0,0,5\nCSI_TOOL_PATH/B\n" +
          second + "GOTO/10,0,5\nEND\nFINI\n";
 }
@@ -262,9 +262,9 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"NxFrameAfterAllPositions", block("", kFrame), "not-checked"},
         Misreading{"NxTldataInTheName",
                    "TOOL PATH/A,TOOL,BTLDATA/MILL,10,0,50,0,0\nGOTO/0,0,5\nEND-OF-PATH\n", "path-statement"},
-        Misreading{"CampleteFrame", camplete("MCS/1,0,0,0,1,0,0,0,1,0,0,0\n"), "clean"},
+        Misreading{"CampleteFrame", camplete("MCS/1,0,0,0,1,0,0,0,1,0,0,1\n"), "clean"},
         Misreading{"CampleteSectionWithoutItsFrame", camplete(""), "not-checked"},
-        Misreading{"CampleteFrameAfterPositions", camplete("GOTO/0,0,5\nMCS/1,0,0,0,1,0,0,0,1,0,0,1\n"), "not-checked"},
+        Misreading{"CampleteFrameAfterPositions", camplete("GOTO/0,0,5\nMCS/1,0,0,0,1,0,0,0,1,0,0,2\n"), "not-checked"},
         Misreading{"MoriFrame", mori("MCSYS/ NUM,1,POINT,0,0,0,VECTOR,1,0,0,VECTOR,0,1,0\n"), "clean"},
         Misreading{"MoriFrameMisspelt", mori("MCSYS/ NUM,1,POINT,0,0,0,VECTR,1,0,0,VECTOR,0,1,0\n"), "not-checked"},
         Misreading{"AutodeskAxis", tilted("MULTAX/OFF\nGOTO/0,0,40\n"), "clean"},

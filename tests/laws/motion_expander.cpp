@@ -1,6 +1,8 @@
 #include "tests/laws/motion_expander.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "tests/laws/expander_statements.h"
 #include "tests/laws/expander_words.h"
@@ -49,7 +51,13 @@ Expansion expand_motions(std::string_view bytes, std::string_view dialect) {
   StatementExpander expander(dialect, expansion);
   expander.reading().mm = first_unit(statements, expansion);
   for (const LooseStatement& statement : statements) {
-    if (statement.word == "MSYS" || statement.word == "MCS") expander.reading().has_frames = true;
+    if (statement.word == "MSYS") expander.reading().has_frames = true;
+    if (statement.word != "MCS") continue;
+    constexpr std::array<double, 12> kOwn{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
+    for (std::size_t i = 0; i < statement.arguments.size(); ++i) {
+      const double value = statement.arguments[i].number.value_or(-1);
+      if (i >= kOwn.size() || std::abs(value - kOwn[i]) > 1e-9) expander.reading().has_frames = true;
+    }
   }
   if (holds_lone_return(bytes)) expansion.doubts.push_back({1, "a carriage return within a line"});
   for (std::size_t i = 0; i < statements.size() && expansion.doubts.empty(); ++i) {
