@@ -23,7 +23,7 @@ void add_input_options(CLI::App& command, JobArguments& a) {
   command.add_option("--place", a.place,
                      "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z");
   command.add_option("--stl-units", a.stl_units, "Unit of the STL files (default: the toolpath's)")
-      ->check(CLI::IsMember({"mm", "inch"}));
+      ->check(CLI::IsMember(unit_words()));
   command.add_option("--tools", a.tools_file,
                      "Tool library (JSON); tools it lacks come from CUTTER or TLDATA");
   command

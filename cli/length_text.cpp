@@ -33,6 +33,12 @@ Eigen::Matrix3d turn(double degrees, const Vec3& axis) {
 
 }  // namespace
 
+std::vector<std::string> unit_words() {
+  std::vector<std::string> words;
+  for (const UnitFacts& unit : kUnits) words.emplace_back(unit.option);
+  return words;
+}
+
 std::optional<double> parse_length_mm(const std::string& text) {
   const struct {
     std::string_view suffix;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lib/check/check_options.h"
 #include "lib/geom/rigid_transform.h"
@@ -9,6 +10,9 @@
 // Values of command-line options. Lengths are millimetres unless they carry a unit: 0.5, 0.5mm, 0.02in, 0.02inch.
 
 namespace gouge {
+
+/// The units an STL file may be in, as --stl-units takes them.
+[[nodiscard]] std::vector<std::string> unit_words();
 
 [[nodiscard]] std::optional<double> parse_length_mm(const std::string& text);
 

@@ -6,10 +6,12 @@
 #include <utility>
 
 #include "cli/exit_code.h"
+#include "cli/length_text.h"
 #include "cli/mesh_info_text.h"
 #include "cli/output_file.h"
 #include "cli/overwriting.h"
 #include "lib/base/files.h"
+#include "lib/mesh/join_vertices.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/repair_mesh.h"
 
@@ -27,12 +29,12 @@ int status_of(const MeshValidation& judged) {
 }
 
 // The repair asked for, written when it is an improvement. Returns the exit status if it failed.
-std::optional<int> repair(const MeshArguments& arguments, const LoadedMesh& loaded, MeshInfo& info,
+std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mesh, MeshInfo& info,
                           std::ostream& err) {
   RepairOptions options;
   options.fills_holes = arguments.fills_holes;
   options.unit = info.unit;
-  Result<MeshRepair> repaired = repair_mesh(loaded.mesh, info.judged, options);
+  Result<MeshRepair> repaired = repair_mesh(mesh, info.judged, options);
   if (!repaired) return tell(err, repaired.error(), kExitGouges);
   info.repair = std::move(*repaired);
   if (!info.repair->is_better()) return std::nullopt;
@@ -59,8 +61,11 @@ bool deliver(const MeshArguments& arguments, const MeshInfo& info, std::ostream&
 void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
   command.add_option("PART", arguments.file, "STL file, binary or ASCII")->required();
   command.add_option("--stl-units", arguments.stl_units, "Unit of the STL's numbers")
-      ->check(CLI::IsMember({"mm", "inch"}))
+      ->check(CLI::IsMember(unit_words()))
       ->capture_default_str();
+  command.add_option("--weld", arguments.weld,
+                     "Join vertices no farther apart than this (no vertex moves farther) and judge the result; with "
+                     "--repair it is what is repaired and written");
   CLI::Option* repair = command.add_option("--repair", arguments.repair_file,
                                            "Write a repaired binary STL here, if it has fewer defects");
   command
@@ -69,15 +74,21 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
       ->needs(repair);
   command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output");
   command.footer(
-      "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair mended.stl --fill-holes\n\n"
-      "A repair moves no vertex (what is written has single precision, as binary STL has) and resolves no "
-      "self-intersection. Exit status: 0 the mesh (after a repair: the repaired one) is sound, 1 it has "
+      "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair mended.stl --fill-holes\n"
+      "  gougecheck mesh part.stl --weld 0.002 --repair welded.stl\n\n"
+      "A repair moves no vertex but those --weld joins (what is written has single precision, as binary STL has) and resolves no "
+      "self-intersection. Exit status: 0 the mesh (where one was written: that one) is sound, 1 it has "
       "defects, 2 wrong command line, 3 unreadable, 4 not wholly decided, 5 output unwritable.");
 }
 
 int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& err) {
   MeshInfo info;
-  info.unit = arguments.stl_units == "inch" ? LengthUnit::inch : LengthUnit::mm;
+  info.unit = unit_called(arguments.stl_units).value_or(LengthUnit::mm);
+  const std::optional<double> weld_mm = arguments.weld.empty() ? 0.0 : parse_length_mm(arguments.weld);
+  if (!weld_mm || (!arguments.weld.empty() && !(*weld_mm > 0)))
+    return tell(err, make_error("usage", "--weld '" + arguments.weld + "': expected a length above 0 in mm, or with a "
+                                         "unit (0.0005in)"),
+                kExitUsage);
   if (const auto error = find_overwriting({{"the mesh", arguments.file}},
                                           {{"--repair", arguments.repair_file}, {"--json", arguments.json_file}}))
     return tell(err, *error, kExitUsage);
@@ -86,14 +97,22 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
                 kExitUsage);
   const Diagnostics unwritable = find_unwritable({arguments.repair_file, arguments.json_file});
   if (!unwritable.empty()) return tell(err, unwritable.front(), kExitInternal);
-  const Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}});
+  Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}});
   if (!loaded) return tell(err, loaded.error(), kExitInput);
   info.file = arguments.file;
   info.format = loaded->format;
   info.notes = loaded->notes;
   info.judged = validate_mesh(loaded->mesh, loaded->findings);
+  IndexedMesh mesh = std::move(loaded->mesh);
+  if (*weld_mm > 0) {
+    Result<JoinedMesh> joined = join_near_vertices(mesh, *weld_mm);
+    if (!joined) return tell(err, joined.error(), kExitUsage);
+    info.weld = MeshWeld{*weld_mm, joined->vertices_joined, joined->largest_shift_mm, joined->triangles_collapsed,
+                         validate_mesh(joined->mesh, joined->findings)};
+    mesh = std::move(joined->mesh);
+  }
   std::optional<int> failed;
-  if (!arguments.repair_file.empty()) failed = repair(arguments, *loaded, info, err);
+  if (!arguments.repair_file.empty()) failed = repair(arguments, mesh, info, err);
   if (!deliver(arguments, info, out, err)) return kExitInternal;
   if (failed) return *failed;
   return status_of(info.written_file.empty() ? info.judged : info.repair->after);

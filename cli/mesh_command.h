@@ -12,6 +12,7 @@ namespace gouge {
 struct MeshArguments {
   std::string file;
   std::string stl_units = "mm";
+  std::string weld;         ///< a length; empty: only identical coordinates are one vertex
   std::string repair_file;  ///< empty: no repair
   bool fills_holes = false;
   std::string json_file;  ///< "-" writes to standard output alone

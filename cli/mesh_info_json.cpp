@@ -74,13 +74,24 @@ Json repair_json(const MeshInfo& info) {
                  {"vertices_split", steps.vertices_split},
                  {"borders_stitched", steps.borders_stitched},
                  {"without_area_removed", steps.collinear_removed},
+                 {"without_area_left", steps.collinear_left},
                  {"holes_filled", steps.holes_filled},
                  {"hole_triangles_added", steps.hole_triangles_added},
                  {"holes_left", steps.holes_left},
-                 {"triangles_turned", steps.triangles_turned}}},
+                 {"triangles_turned", steps.triangles_turned},
+                 {"flat_pieces", steps.pieces_not_oriented}}},
                {"result", judged_json(info.repair->after, info.unit)}};
   json["written"] = info.written_file.empty() ? Json() : Json(info.written_file);
   return json;
+}
+
+Json weld_json(const MeshWeld& weld, LengthUnit unit) {
+  const double mm = mm_per(unit);
+  return {{"distance", weld.reach_mm / mm},
+          {"vertices_joined", weld.vertices_joined},
+          {"largest_displacement", weld.largest_shift_mm / mm},
+          {"triangles_collapsed", weld.triangles_collapsed},
+          {"result", judged_json(weld.judged, unit)}};
 }
 
 }  // namespace
@@ -93,6 +104,7 @@ std::string mesh_info_json(const MeshInfo& info) {
   json["notes"] = Json::array();
   for (const Diagnostic& note : info.notes)
     json["notes"].push_back({{"code", note.code}, {"message", note.message}});
+  if (info.weld) json["weld"] = weld_json(*info.weld, info.unit);
   if (info.repair) json["repair"] = repair_json(info);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

@@ -1,5 +1,7 @@
 #include "cli/mesh_info_text.h"
 
+#include <cmath>
+
 #include "lib/base/number_text.h"
 
 namespace gouge {
@@ -19,7 +21,7 @@ std::string counted(std::size_t count, const std::string& one) {
 // Writes lengths, areas and volumes of the mesh in the unit of its file.
 class Lengths {
  public:
-  explicit Lengths(LengthUnit unit) : unit_(unit), decimals_(unit == LengthUnit::inch ? 4 : 3) {}
+  explicit Lengths(LengthUnit unit) : unit_(unit), decimals_(facts_of(unit).decimals) {}
 
   [[nodiscard]] std::string vector(const Vec3& v_mm, const std::string& between) const {
     const double mm = mm_per(unit_);
@@ -30,6 +32,10 @@ class Lengths {
   [[nodiscard]] std::string power(double value_mm, int power) const {
     for (int k = 0; k < power; ++k) value_mm /= mm_per(unit_);
     return fixed_text(value_mm, decimals_) + " " + unit_name(unit_) + std::to_string(power);
+  }
+
+  [[nodiscard]] std::string exact(double length_mm) const {
+    return exact_text(std::round(length_mm / mm_per(unit_) * 1e9) / 1e9) + " " + unit_name(unit_);
   }
 
   [[nodiscard]] std::string spot(const MeshSpot& spot) const {
@@ -103,6 +109,20 @@ std::string meaning(const MeshValidation& judged) {
          "reported as not certified only";
 }
 
+std::string weld_rows(const MeshInfo& info, const Lengths& lengths) {
+  const MeshWeld& weld = *info.weld;
+  std::string text = "weld: vertices no more than " + lengths.exact(weld.reach_mm) + " apart become one\n";
+  text += row("vertices joined", std::to_string(weld.vertices_joined) +
+                                     (weld.vertices_joined > 0
+                                          ? ", moved by up to " + lengths.exact(weld.largest_shift_mm)
+                                          : std::string()));
+  text += row("triangles collapsed", std::to_string(weld.triangles_collapsed));
+  text += defect_rows(weld.judged, lengths);
+  text += "welded: " + verdict(weld.judged) + "\n";
+  if (info.repair) return text;
+  return text + "not written: give --repair OUT.stl to write the welded mesh\n";
+}
+
 std::string repair_rows(const MeshInfo& info) {
   const RepairSteps& steps = info.repair->steps;
   std::string text = "repair\n";
@@ -110,11 +130,17 @@ std::string repair_rows(const MeshInfo& info) {
   text += row("duplicates removed", std::to_string(steps.duplicates_removed));
   text += row("vertices split", std::to_string(steps.vertices_split));
   text += row("borders stitched", counted(steps.borders_stitched, "pair"));
-  text += row("without area removed", std::to_string(steps.collinear_removed));
+  text += row("without area removed",
+              std::to_string(steps.collinear_removed) +
+                  (steps.collinear_left > 0 ? ", " + std::to_string(steps.collinear_left) + " left" : ""));
   text += row("holes filled", std::to_string(steps.holes_filled) + " (" +
                                   counted(steps.hole_triangles_added, "triangle") + " added), " +
                                   std::to_string(steps.holes_left) + " left");
   text += row("triangles turned", std::to_string(steps.triangles_turned));
+  if (steps.pieces_not_oriented > 0) {
+    text += row("flat pieces", std::to_string(steps.pieces_not_oriented) +
+                                   ", closed but without an inside: left as they are");
+  }
   text += "repaired: " + verdict(info.repair->after) + "\n";
   if (!info.written_file.empty()) return text + "written: " + info.written_file + "\n";
   return text + (info.judged.is_sound()
@@ -132,6 +158,7 @@ std::string mesh_info_text(const MeshInfo& info) {
   for (const Diagnostic& note : info.notes) {
     if (note.code.starts_with("stl-")) text += to_text(note) + "\n";
   }
+  if (info.weld) text += weld_rows(info, lengths);
   if (info.repair) text += repair_rows(info);
   return text;
 }

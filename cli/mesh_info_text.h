@@ -9,13 +9,23 @@
 
 namespace gouge {
 
+/// What joining near vertices did.
+struct MeshWeld {
+  double reach_mm = 0;
+  std::size_t vertices_joined = 0;
+  double largest_shift_mm = 0;
+  std::size_t triangles_collapsed = 0;
+  MeshValidation judged;  ///< of the joined mesh
+};
+
 /// What `gougecheck mesh` has to tell.
 struct MeshInfo {
   std::string file;
   LengthUnit unit = LengthUnit::mm;  ///< of the file, and of every length told
   StlFormat format = StlFormat::binary;
   Diagnostics notes;  ///< of reading and structure
-  MeshValidation judged;
+  MeshValidation judged;                    ///< of the file as it is
+  std::optional<MeshWeld> weld;             ///< when asked for
   std::optional<MeshRepair> repair;  ///< when asked for and not failed
   std::string written_file;          ///< the repaired STL; empty when none was written
 };

@@ -62,7 +62,10 @@ class Words {
   // writers use no line ends at all.
   void skip_name() {
     while (at_ < text_.size() && !is_line_end(text_[at_])) {
-      if (is_blank(text_[at_]) && equals(text_.substr(at_ + 1, 13), "facet normal ")) return;
+      if (is_blank(text_[at_]) && (equals(text_.substr(at_ + 1, 13), "facet normal ") ||
+                                   equals(text_.substr(at_ + 1, 12), "facet outer "))) {
+        return;
+      }
       ++at_;
     }
   }
@@ -70,17 +73,27 @@ class Words {
   [[nodiscard]] std::size_t line() const { return line_; }
 
  private:
+  // Blanks, line ends, and lines that begin with '#', as some writers put them above the solid.
   void skip_space() {
     for (; at_ < text_.size(); ++at_) {
       const char c = text_[at_];
+      if (c == '#' && is_line_start_) {
+        while (at_ + 1 < text_.size() && !is_line_end(text_[at_ + 1])) ++at_;
+        continue;
+      }
       if (c == '\n' || (c == '\r' && text_.substr(at_ + 1, 1) != "\n")) ++line_;
-      if (!is_blank(c) && !is_line_end(c)) return;
+      if (is_line_end(c)) is_line_start_ = true;
+      if (!is_blank(c) && !is_line_end(c)) {
+        is_line_start_ = false;
+        return;
+      }
     }
   }
 
   std::string_view text_;
   std::size_t at_ = 0;
   std::size_t line_ = 1;
+  bool is_line_start_ = true;
 };
 
 class AsciiParser {
@@ -127,8 +140,11 @@ class AsciiParser {
   }
 
   bool parse_facet() {
-    if (!expect("normal")) return false;
-    const std::optional<Vec3> normal = parse_normal();
+    std::optional<Vec3> normal = Vec3(0, 0, 0);  // a facet may have none: it is never needed
+    if (!equals(words_.peek(), "outer")) {
+      if (!expect("normal")) return false;
+      normal = parse_normal();
+    }
     if (!normal || !expect("outer") || !expect("loop")) return false;
     std::array<Vec3, 3> triangle;
     for (int k = 0; k < 3; ++k) {

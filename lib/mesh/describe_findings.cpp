@@ -11,7 +11,7 @@ std::string count_text(std::size_t count, const std::string& one, const std::str
 }  // namespace
 
 std::string place_text(const MeshSpot& spot, LengthUnit unit) {
-  const int decimals = unit == LengthUnit::inch ? 4 : 3;
+  const int decimals = facts_of(unit).decimals;
   std::string text = "(";
   for (int k = 0; k < 3; ++k) {
     text += fixed_text(spot.place_mm[k] / mm_per(unit), decimals) + (k < 2 ? ", " : ") ");

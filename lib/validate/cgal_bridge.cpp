@@ -2,6 +2,7 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/manifoldness.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
@@ -13,6 +14,8 @@
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <CGAL/boost/graph/copy_face_graph.h>
 #include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
@@ -61,19 +64,17 @@ class QuietCgal {
   CGAL::Failure_function warning_;
 };
 
-// What `work` returns, or what CGAL threw as an error. Running out of memory is not the mesh's fault: it goes
-// on.
+// What `work` returns, or an error where CGAL threw one. Its own words ("p1p2p3_2d!=COLLINEAR") help nobody who has
+// a part to check. Running out of memory is not the mesh's fault: it goes on.
 template <class Value, class Work>
-Result<Value> guarded(const Work& work) {
+Result<Value> guarded(const std::string& task, const Work& work) {
   const QuietCgal quiet;
   try {
     return work();
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const CGAL::Failure_exception& failure) {
-    return make_error("cgal-failed", failure.library() + " " + failure.expression());
-  } catch (const std::exception& other) {
-    return make_error("cgal-failed", other.what());
+  } catch (const std::exception&) {
+    return make_error("cgal-failed", "the triangles are too degenerate to " + task);
   }
 }
 
@@ -234,11 +235,55 @@ std::size_t count_faces_without_area(const SurfaceMesh& surface) {
   return found.size();
 }
 
-// By flipping and collapsing edges: the surface stays where it is. Returns how many are gone.
+double squared_length(const SurfaceMesh& surface, SurfaceMesh::Halfedge_index side) {
+  return CGAL::squared_distance(surface.point(surface.source(side)), surface.point(surface.target(side)));
+}
+
+SurfaceMesh::Halfedge_index longest_side(const SurfaceMesh& surface, SurfaceMesh::Face_index face) {
+  SurfaceMesh::Halfedge_index longest = surface.halfedge(face);
+  for (const auto side : CGAL::halfedges_around_face(surface.halfedge(face), surface)) {
+    if (squared_length(surface, side) > squared_length(surface, longest)) longest = side;
+  }
+  return longest;
+}
+
+// The corner of a face without area that lies between the two others splits the neighbour on its longest side: an
+// edge flip, by which no point of the surface moves. Nothing is lost either when a face without a neighbour there goes.
+void flip_faces_without_area(SurfaceMesh& surface) {
+  constexpr std::size_t kMostFlipsEach = 20;  // several faces on one line may pass their corners to and fro
+  std::vector<SurfaceMesh::Face_index> open;
+  pmp::degenerate_faces(surface, std::back_inserter(open));
+  for (std::size_t left = kMostFlipsEach * open.size(); left > 0 && !open.empty(); --left) {
+    const SurfaceMesh::Face_index face = open.back();
+    open.pop_back();
+    if (surface.is_removed(face) || !pmp::is_degenerate_triangle_face(face, surface)) continue;
+    const auto side = longest_side(surface, face);
+    const auto across = surface.opposite(side);
+    if (surface.is_border(across)) {
+      CGAL::Euler::remove_face(side, surface);
+      continue;
+    }
+    const auto corner = surface.target(surface.next(side));
+    const auto other_corner = surface.target(surface.next(across));
+    if (corner == other_corner || CGAL::halfedge(corner, other_corner, surface).second) continue;
+    CGAL::Euler::flip_edge(side, surface);
+    open.push_back(surface.face(side));
+    open.push_back(surface.face(across));
+  }
+}
+
+// By flipping and collapsing edges: the surface stays where it is. Returns how many are gone. CGAL knows more ways
+// than flips alone, but gives up halfway on some surfaces.
 std::size_t remove_faces_without_area(SurfaceMesh& surface) {
   const std::size_t count = count_faces_without_area(surface);
   if (count == 0) return 0;
-  pmp::remove_degenerate_faces(surface);
+  SurfaceMesh attempt = surface;
+  try {
+    pmp::remove_degenerate_faces(attempt);
+    surface = std::move(attempt);
+  } catch (const CGAL::Failure_exception&) {
+    flip_faces_without_area(surface);
+  }
   return count - std::min(count, count_faces_without_area(surface));
 }
 
@@ -272,7 +317,7 @@ void fill_holes(SurfaceMesh& surface, bool fills_holes, RepairSteps& steps) {
 }
 
 // Nesting decides where pieces do not cross; where they do, each closed piece faces outward by itself.
-void orient_outward(SurfaceMesh& surface) {
+void orient_as_one(SurfaceMesh& surface) {
   if (CGAL::is_closed(surface)) {
     pmp::orient_to_bound_a_volume(surface);
   } else {
@@ -280,10 +325,45 @@ void orient_outward(SurfaceMesh& surface) {
   }
 }
 
+// Whether CGAL can tell which way a piece faces: not where the triangles about its uppermost corner lie in one plane.
+bool has_facing(const SurfaceMesh& piece) {
+  if (!CGAL::is_closed(piece)) return true;
+  try {
+    static_cast<void>(pmp::is_outward_oriented(piece));
+    return true;
+  } catch (const CGAL::Failure_exception&) {
+    return false;
+  }
+}
+
+// Pieces whose facing cannot be told (folded flat, they bound nothing) stay as they are and keep none of the others
+// from being turned.
+void orient_outward(SurfaceMesh& surface, RepairSteps& steps) {
+  SurfaceMesh attempt = surface;
+  try {
+    orient_as_one(attempt);
+    surface = std::move(attempt);
+    return;
+  } catch (const CGAL::Failure_exception&) {
+    surface.collect_garbage();
+  }
+  std::vector<SurfaceMesh> pieces;
+  pmp::split_connected_components(surface, pieces);
+  SurfaceMesh facing, flat;
+  for (const SurfaceMesh& piece : pieces) {
+    const bool is_facing = has_facing(piece);
+    CGAL::copy_face_graph(piece, is_facing ? facing : flat);
+    steps.pieces_not_oriented += is_facing ? 0 : 1;
+  }
+  if (facing.number_of_faces() > 0) orient_as_one(facing);
+  CGAL::copy_face_graph(flat, facing);
+  surface = std::move(facing);
+}
+
 }  // namespace
 
 Result<SelfIntersections> find_self_intersections(const IndexedMesh& mesh) {
-  return guarded<SelfIntersections>([&] {
+  return guarded<SelfIntersections>("find self-intersections", [&] {
     const TrianglePairs pairs(mesh);
     std::vector<Box> boxes;
     for (const std::uint32_t t : distinct_triangles(mesh)) {
@@ -309,7 +389,7 @@ Result<SelfIntersections> find_self_intersections(const IndexedMesh& mesh) {
 }
 
 Result<VolumeFacts> find_volume_facts(const IndexedMesh& mesh) {
-  return guarded<VolumeFacts>([&]() -> Result<VolumeFacts> {
+  return guarded<VolumeFacts>("tell what they bound", [&]() -> Result<VolumeFacts> {
     std::vector<Point> points;
     std::vector<Polygon> polygons;
     to_soup(mesh, points, polygons);
@@ -328,7 +408,7 @@ Result<VolumeFacts> find_volume_facts(const IndexedMesh& mesh) {
 }
 
 Result<CgalRepair> repair_with_cgal(const IndexedMesh& mesh, bool fills_holes) {
-  return guarded<CgalRepair>([&]() -> Result<CgalRepair> {
+  return guarded<CgalRepair>("be repaired", [&]() -> Result<CgalRepair> {
     CgalRepair repair;
     RepairSteps& steps = repair.steps;
     std::vector<Point> points;
@@ -344,7 +424,8 @@ Result<CgalRepair> repair_with_cgal(const IndexedMesh& mesh, bool fills_holes) {
     steps.vertices_split += pmp::duplicate_non_manifold_vertices(surface);
     if (surface.number_of_faces() == 0) return make_error("cgal-failed", "no triangle with area is left");
     fill_holes(surface, fills_holes, steps);
-    orient_outward(surface);
+    steps.collinear_left = count_faces_without_area(surface);
+    orient_outward(surface, steps);
     repair.mesh = to_indexed_mesh(surface, mesh.name);
     return repair;
   });

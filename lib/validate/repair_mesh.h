@@ -22,9 +22,11 @@ struct RepairSteps {
   std::size_t vertices_split = 0;     ///< copies made where surfaces only touched or could not be oriented
   std::size_t borders_stitched = 0;   ///< pairs of border edges joined
   std::size_t collinear_removed = 0;  ///< triangles whose corners lie on one line
+  std::size_t collinear_left = 0;     ///< of those the ones that could not be removed
   std::size_t holes_filled = 0;
   std::size_t hole_triangles_added = 0;
   std::size_t holes_left = 0;        ///< not asked for, or no filling found
+  std::size_t pieces_not_oriented = 0;  ///< closed but flat: no side of theirs is inside
   std::size_t triangles_turned = 0;  ///< against their orientation in the file
 };
 

@@ -99,6 +99,63 @@ TEST_F(MeshCommand, RepairFillsHolesOnlyWhenAskedAndWritesOnlyWhatIsBetter) {
   EXPECT_EQ(run(arguments).status, kExitClean);
 }
 
+TEST_F(MeshCommand, NearVerticesAreJoinedWhenAskedAndToldSo) {
+  IndexedMesh cube = shapes::cube(10);
+  cube.vertices.push_back(cube.vertices[cube.triangles[0][0]] + Vec3(0, 0, 0.003));
+  cube.triangles[0][0] = static_cast<Corner>(cube.vertices.size() - 1);
+  MeshArguments arguments;
+  arguments.file = write(cube);
+  arguments.weld = "0.01";
+  arguments.json_file = path("out.json");
+  const Told told = run(arguments);
+  EXPECT_EQ(told.status, kExitGouges) << "the file is as it was";
+  EXPECT_NE(told.out.find("weld: vertices no more than 0.01 mm apart become one\n"
+                          "  vertices joined           1, moved by up to 0.003"),
+            std::string::npos)
+      << told.out;
+  EXPECT_NE(told.out.find("welded: sound: closed, manifold, facing outward, free of self-intersections\n"
+                          "not written: give --repair OUT.stl to write the welded mesh\n"),
+            std::string::npos)
+      << told.out;
+  const nlohmann::json json = nlohmann::json::parse(*read_file(path("out.json")));
+  EXPECT_EQ(json["weld"]["vertices_joined"], 1);
+  EXPECT_NEAR(json["weld"]["largest_displacement"].get<double>(), 0.003, 1e-6);
+  EXPECT_EQ(json["weld"]["result"]["sound"], true);
+  EXPECT_EQ(json["mesh"]["sound"], false);
+
+  arguments.repair_file = path("out.stl");
+  EXPECT_EQ(run(arguments).status, kExitClean);
+  arguments = {};
+  arguments.file = path("out.stl");
+  EXPECT_EQ(run(arguments).status, kExitClean);
+}
+
+TEST_F(MeshCommand, AWeldThatMakesNoSenseIsRefused) {
+  MeshArguments arguments;
+  arguments.file = write(shapes::cube(10));
+  for (const char* weld : {"0", "-1", "near", "nan"}) {
+    arguments.weld = weld;
+    EXPECT_EQ(run(arguments).status, kExitUsage) << weld;
+  }
+  arguments.weld = "50";
+  const Told told = run(arguments);
+  EXPECT_EQ(told.status, kExitUsage);
+  EXPECT_NE(told.err.find("every triangle collapses when vertices within 50 mm are joined"), std::string::npos);
+}
+
+TEST_F(MeshCommand, AnyUnitOfAnStlFile) {
+  MeshArguments arguments;
+  for (const auto& [unit, size] : {std::pair{LengthUnit::um, "10000 x 10000 x 10000 um"},
+                                   {LengthUnit::cm, "1.0000 x 1.0000 x 1.0000 cm"},
+                                   {LengthUnit::m, "0.010000 x 0.010000 x 0.010000 m"}}) {
+    arguments.file = write(shapes::cube(10), unit);
+    arguments.stl_units = std::string(facts_of(unit).option);
+    const Told told = run(arguments);
+    EXPECT_EQ(told.status, kExitClean) << told.err;
+    EXPECT_NE(told.out.find(size), std::string::npos) << told.out;
+  }
+}
+
 TEST_F(MeshCommand, JsonOnStandardOutputIsAlone) {
   MeshArguments arguments;
   arguments.file = write(shapes::cubes_crossing(10));

@@ -140,6 +140,31 @@ TEST(ReadStl, AsciiInAnyCaseWithExponentsAndAnyLineEnds) {
   }
 }
 
+TEST(ReadStl, AFacetNeedsNoNormalAndLinesOfRemarksMayStandBeforeTheSolid) {
+  std::string text = shapes::ascii_stl(shapes::tetrahedron());
+  for (std::size_t at = text.find(" normal 0 0 0"); at != std::string::npos; at = text.find(" normal 0 0 0"))
+    text.erase(at, 13);
+  text = "# written by hand\r\n  # solid facet\n\n" + text + "# the end\n";
+  const auto soup = parse_stl(text, "part.stl");
+  ASSERT_TRUE(soup.has_value()) << to_text(soup.error());
+  EXPECT_EQ(soup->triangles.size(), 4U);
+  EXPECT_EQ(soup->opposite_normals, 0U);
+  EXPECT_EQ(error_of(replaced(text, "vertex 0 10 0", "vertex 0 oops 0")),
+            "part.stl:8: error: facet 1: expected a finite number as y of a vertex, found 'oops' [stl-bad-number]");
+  EXPECT_EQ(error_of(replaced(text, "outer loop", "inner loop")),
+            "part.stl:6: error: expected 'normal' in facet 1, found 'inner' [stl-syntax]");
+  EXPECT_EQ(parse_stl(std::string_view("solid a facet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop "
+                                       "endfacet endsolid a"),
+                      "part.stl")
+                ->triangles.size(),
+            1U);
+}
+
+TEST(ReadStl, RemarksMakeNoStlOfOtherText) {
+  EXPECT_NE(error_of("# Blender\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").find("[stl-not-stl]"), std::string::npos);
+  EXPECT_NE(error_of("solid a\nfacet normal 0 0 1 # up\nouter loop\n").find("[stl-syntax]"), std::string::npos);
+}
+
 TEST(ReadStl, SeveralSolidsWithOddNamesAreOneSoup) {
   const std::string text = shapes::ascii_stl(shapes::cube(), "\xe6\x9c\x88 \xff facet") +
                            shapes::ascii_stl(shapes::tetrahedron(), "");

@@ -4,6 +4,7 @@
 
 #include "lib/mesh/load_mesh.h"
 #include "tests/support/shapes.h"
+#include "tests/support/solids.h"
 
 namespace gouge {
 namespace {
@@ -85,6 +86,42 @@ TEST(RepairMesh, TrianglesWithoutAreaAreRemoved) {
   const MeshRepair repair = repaired(mesh);
   EXPECT_EQ(repair.steps.collinear_removed, 1U);
   EXPECT_TRUE(repair.after.is_sound());
+}
+
+/// Every coordinate on a grid: triangles fold flat, vanish and lie on each other.
+IndexedMesh on_grid(IndexedMesh mesh, double step) {
+  TriangleSoup soup;
+  soup.name = mesh.name;
+  for (Vec3& v : mesh.vertices) v = step * (v / step).array().round().matrix();
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+    soup.triangles.push_back({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+  Result<BuiltMesh> built = build_mesh(soup);
+  return built ? built->mesh : IndexedMesh{};
+}
+
+// Slivers without area stopped the removal of such triangles, and pieces folded flat the orientation of all others.
+TEST(RepairMesh, SliversAndFlatPiecesDoNotStopIt) {
+  std::size_t tried = 0, better = 0;
+  for (const IndexedMesh& mesh : {shapes::torus(20, 5), shapes::bumpy_sphere(), shapes::star_prism(9, 20, 3, 2),
+                                  shapes::slotted_block(), shapes::needle_fan(200)}) {
+    for (const double step : {0.7, 1.3, 2.0, 3.1, 4.5, 6.0, 8.0, 11.0, 15.0}) {
+      const IndexedMesh coarse = on_grid(mesh, step);
+      if (coarse.triangles.empty()) continue;
+      const MeshValidation before = validate_mesh(coarse, find_mesh_findings(coarse));
+      EXPECT_EQ(before.trouble, "") << mesh.name << " " << step;
+      for (const bool fills_holes : {false, true}) {
+        RepairOptions options;
+        options.fills_holes = fills_holes;
+        const Result<MeshRepair> repair = repair_mesh(coarse, before, options);
+        ASSERT_TRUE(repair.has_value()) << mesh.name << " " << step << ": " << to_text(repair.error());
+        EXPECT_EQ(repair->after.trouble, "") << mesh.name << " " << step;
+        ++tried;
+        better += repair->is_better() ? 1U : 0U;
+      }
+    }
+  }
+  EXPECT_GT(tried, 60U);
+  EXPECT_GT(better, tried / 5);
 }
 
 TEST(RepairMesh, WhatIsToldHoldsForTheBytes) {

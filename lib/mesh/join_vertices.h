@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+
+#include "lib/base/result.h"
+#include "lib/mesh/mesh_findings.h"
+
+namespace gouge {
+
+/// A mesh whose near vertices were joined, and what that took.
+struct JoinedMesh {
+  IndexedMesh mesh;
+  MeshFindings findings;           ///< of `mesh`; its degenerate triangles are those that collapsed
+  std::size_t vertices_joined = 0; ///< vertices that went to the place of another
+  double largest_shift_mm = 0;     ///< the farthest any of them went
+  std::size_t triangles_collapsed = 0;  ///< left with two corners in one place, and left out
+};
+
+/// Joins vertices no farther apart than `reach_mm`: each goes to the nearest of the vertices before it that stay where
+/// they are (of two as near to the earlier), or stays.
+///
+/// Requires reach_mm > 0 and what build_mesh ensures.
+/// Ensures  no vertex moves farther than reach_mm, however long a chain of near vertices is, and those left are farther
+///          apart than that. Deterministic. Triangles keep their order and their numbers in the file.
+/// Errors   mesh-weld: every triangle collapses.
+/// Cost     O(n).
+[[nodiscard]] Result<JoinedMesh> join_near_vertices(const IndexedMesh& mesh, double reach_mm);
+
+}  // namespace gouge
