@@ -93,14 +93,15 @@ inline Movement movement(const Toolpath& path, std::size_t index) {
   return m;
 }
 
-/// The half profile of a tool as lines and arcs, with distances by looking at each.
-/// Requires a solid {r <= rho(z)}: one radius at each height, steps apart.
+/// The half profile of a tool as lines and arcs, with distances by looking at each. Inside is where a ray away from
+/// the axis crosses the profile an odd number of times: undercuts and hollows count as what they are.
 class Contour {
  public:
   explicit Contour(const CompiledTool& tool) {
     for (const BoundaryElement& e : tool.elements) {
       if (e.kind != ElementKind::vertex) pieces_.push_back(piece_of(e));
     }
+    for (const Piece& p : pieces_) add_sides(p);
     for (const Piece& p : pieces_) {
       top_ = std::max({top_, p.a.y(), p.b.y()});
       widest_ = std::max({widest_, p.a.x(), p.b.x(), p.is_arc && faces(p, Vec2(1, 0)) ? p.c.x() + p.radius : 0});
@@ -110,13 +111,18 @@ class Contour {
   /// How deep (r, z) is in the solid: distance to the boundary, negative outside.
   [[nodiscard]] double depth(double r, double z) const {
     const Vec2 q(r, z);
-    double nearest = 1e300;
-    double rho = -1;
+    double nearest2 = 1e300;
     for (const Piece& p : pieces_) {
-      nearest = std::min(nearest, p.is_arc ? arc_distance(p, q) : line_distance(p, q));
-      rho = std::max(rho, radius_at(p, z));
+      if (p.is_arc) {
+        const double away = arc_distance(p, q);
+        nearest2 = std::min(nearest2, away * away);
+      } else {
+        nearest2 = std::min(nearest2, line_distance2(p, q));
+      }
     }
-    return r < rho ? nearest : -nearest;
+    bool is_inside = false;
+    for (const Side& s : sides_) is_inside ^= (s.a.y() <= z) != (s.b.y() <= z) && r < radius_at(s, z);
+    return is_inside ? std::sqrt(nearest2) : -std::sqrt(nearest2);
   }
 
   /// Distance to the nearest piece of one body.
@@ -161,11 +167,12 @@ class Contour {
     return p.turn * cross(p.a - p.c, d) >= 0 && p.turn * cross(d, p.b - p.c) >= 0;
   }
 
-  static double line_distance(const Piece& p, const Vec2& q) {
+  static double line_distance2(const Piece& p, const Vec2& q) {
     const Vec2 along = p.b - p.a;
     const double s = std::clamp((q - p.a).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return (p.a + s * along - q).norm();
+    return (p.a + s * along - q).squaredNorm();
   }
+  static double line_distance(const Piece& p, const Vec2& q) { return std::sqrt(line_distance2(p, q)); }
 
   static double arc_distance(const Piece& p, const Vec2& q) {
     const Vec2 d = q - p.c;
@@ -173,21 +180,35 @@ class Contour {
     return std::sqrt(std::min((q - p.a).squaredNorm(), (q - p.b).squaredNorm()));
   }
 
-  // Largest r of the piece at height z, or -1 where it has none.
-  static double radius_at(const Piece& p, double z) {
-    if (!p.is_arc) {
-      const double low = std::min(p.a.y(), p.b.y()), high = std::max(p.a.y(), p.b.y());
-      if (z < low || z > high) return -1;
-      if (!(high > low)) return std::max(p.a.x(), p.b.x());
-      return p.a.x() + (z - p.a.y()) / (p.b.y() - p.a.y()) * (p.b.x() - p.a.x());
+  // A stretch of the profile that is met once at every height from a to b: a line, or an arc no farther than to its
+  // highest or lowest point.
+  struct Side {
+    Vec2 a, b, c;
+    double radius = 0;
+    double way = 0;  ///< arcs: +1 on the far side of the centre from the axis, -1 on the near one
+  };
+
+  void add_sides(const Piece& p) {
+    if (!p.is_arc) return sides_.push_back({p.a, p.b, p.c, 0, 0});
+    std::vector<Vec2> stops{p.a};
+    for (const double up : {p.turn, -p.turn}) {
+      const Vec2 top(0, up * p.radius);
+      if (faces(p, top) && (p.c + top - p.a).norm() > 0 && (p.c + top - p.b).norm() > 0) stops.push_back(p.c + top);
     }
-    const double h = z - p.c.y();
-    if (std::abs(h) > p.radius) return -1;
-    const double w = std::sqrt(p.radius * p.radius - h * h);
-    if (faces(p, Vec2(w, h))) return p.c.x() + w;
-    return faces(p, Vec2(-w, h)) ? p.c.x() - w : -1;
+    stops.push_back(p.b);
+    for (std::size_t k = 0; k + 1 < stops.size(); ++k) {
+      const Vec2 middle = 0.5 * (stops[k] + stops[k + 1]);
+      sides_.push_back({stops[k], stops[k + 1], p.c, p.radius, middle.x() >= p.c.x() ? 1.0 : -1.0});
+    }
   }
 
+  static double radius_at(const Side& s, double z) {
+    if (!(s.radius > 0)) return s.a.x() + (z - s.a.y()) / (s.b.y() - s.a.y()) * (s.b.x() - s.a.x());
+    const double h = z - s.c.y();
+    return s.c.x() + s.way * std::sqrt(std::max(0.0, s.radius * s.radius - h * h));
+  }
+
+  std::vector<Side> sides_;
   std::vector<Piece> pieces_;
   double top_ = 0, widest_ = 0;
 };

@@ -1,0 +1,236 @@
+// The promise of docs/method.md on random moves of every kind, with tools of every shape and heads, among closed and
+// open meshes. GOUGE_RANDOM_MOVES sets how many moves, GOUGE_SEED which; GOUGE_STREAM looks at one stream of a failure
+// again. docs/testing.md has the longest run.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iomanip>
+#include <iostream>
+#include <map>
+
+#include "lib/base/number_text.h"
+#include "lib/check/check_path.h"
+#include "lib/head/check_heads.h"
+#include "tests/laws/promise.h"
+#include "tests/laws/random_moves.h"
+#include "tests/support/reference_hunt.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kRounding_mm = 1e-9, kWitness_mm = 1e-6;
+constexpr int kLooks = 600, kLooksOfHeads = 200;
+constexpr std::uint64_t kBounds = 5000;
+
+std::size_t wanted_moves() {
+  const char* given = std::getenv("GOUGE_RANDOM_MOVES");
+  return given == nullptr ? 2000 : static_cast<std::size_t>(std::strtoull(given, nullptr, 10));
+}
+
+struct Tally {
+  std::size_t moves = 0, clean = 0, gouge = 0, buried = 0, open = 0, wide = 0, seen = 0, violations = 0;
+};
+
+std::string kind_of(const Toolpath& path, const Move& move) {
+  if (!move.has_start) return "position";
+  if (move.curve_kind == CurveKind::arc) return "arc";
+  if (move.curve_kind == CurveKind::spline) return "spline";
+  static_cast<void>(path);
+  return kind_name(move.kind);
+}
+
+/// A point of the tool as deep inside it as can be found, in (r, z), for telling whether the tool is in a solid.
+struct Core {
+  double r = 0, z = 0, depth = -1;
+  explicit Core(const reference::Contour& tool) {
+    for (int i = 0; i <= 12; ++i) {
+      for (int k = 0; k <= 40; ++k) {
+        const double at_r = tool.widest_mm() * i / 12, at_z = tool.top_mm() * k / 40;
+        const double inside = tool.depth(at_r, at_z);
+        if (inside > depth) {
+          r = at_r;
+          z = at_z;
+          depth = inside;
+        }
+      }
+    }
+  }
+};
+
+class Campaign {
+ public:
+  void run(std::size_t moves) {
+    const auto begin = std::chrono::steady_clock::now();
+    const char* alone = std::getenv("GOUGE_STREAM");
+    for (std::uint64_t stream = alone == nullptr ? 0 : std::strtoull(alone, nullptr, 10);
+         done_ < moves && (alone == nullptr || done_ == 0); ++stream) {
+      laws::RandomJobs jobs(stream);
+      for (int k = 0; k < 8 && done_ < moves; ++k) {
+        where_ = "stream " + std::to_string(stream) + ", job " + std::to_string(k);
+        check(jobs.next());
+      }
+    }
+    const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin;
+    print(spent.count());
+  }
+
+  std::map<std::string, Tally> by_kind;
+  std::size_t heads = 0, tools_seen = 0;
+
+ private:
+  void check(const laws::RandomJob& job) {
+    CheckOptions options;
+    options.threads = 1;
+    options.tolerance_mm = std::array{0.01, 0.0, 0.1}[done_ % 3];
+    options.resolution_mm = done_ % 2 == 0 ? 0.001 : 0.01;
+    // What is promised holds at any budget; a small one for most lets many more moves be tried.
+    const bool is_patient = ++jobs_ % 32 == 0;
+    if (!is_patient) options.budget_per_move = kBounds;
+    CheckResult result = check_path(job.path, {&job.tool}, prepare_scene(job.scene, 1), options);
+    std::vector<HeadBody> bodies;
+    for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
+    check_heads(job.path, bodies, job.scene, options, result);
+    heads += job.heads.empty() ? 0 : result.verdicts.size();
+    const promise::Contours tool(job.tool);
+    const Core core(tool.part);
+    for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+      const std::size_t failures = failures_;
+      judge(job, options, result.verdicts[i], i, tool, core);
+      Tally& tally = by_kind[kind_of(job.path, job.path.moves[i])];
+      tally.violations += failures_ > failures ? 1 : 0;
+    }
+    done_ += result.verdicts.size();
+  }
+
+  void fail(const laws::RandomJob& job, std::size_t move, const std::string& what) {
+    ++failures_;
+    ADD_FAILURE() << where_ << ", " << job.tool_name << ", move " << move << ": " << what;
+  }
+
+  void judge(const laws::RandomJob& job, const CheckOptions& options, const MoveVerdict& v, std::size_t i,
+             const promise::Contours& tool, const Core& core) {
+    Tally& tally = by_kind[kind_of(job.path, job.path.moves[i])];
+    ++tally.moves;
+    tally.clean += v.state == MoveState::clean ? 1 : 0;
+    tally.buried += v.state == MoveState::buried ? 1 : 0;
+    tally.gouge += v.state == MoveState::gouge ? 1 : 0;
+    if (v.state == MoveState::not_certified || v.state == MoveState::not_checked) ++tally.open;
+    if (v.state == MoveState::not_checked) return;
+    const reference::Movement movement = reference::movement(job.path, i);
+    judge_inside(job, options, v, i, movement, core);
+    if (v.state == MoveState::buried) return;
+    if (v.state == MoveState::clean && v.depth_upper_mm > options.tolerance_mm + options.resolution_mm)
+      fail(job, i, "clean, yet only proved to " + std::to_string(v.depth_upper_mm));
+    if (v.state == MoveState::gouge && !(v.depth_mm > options.tolerance_mm))
+      fail(job, i, "a gouge within the tolerance of " + std::to_string(options.tolerance_mm) + ": " + exact_text(v.depth_mm) + " to " +
+                       std::to_string(v.depth_upper_mm) + " " + v.reason);
+    if (v.state == MoveState::gouge && v.depth_upper_mm - v.depth_mm > options.resolution_mm) {
+      ++tally.wide;
+      if (job.heads.empty() && options.budget_per_move > kBounds)
+        fail(job, i, "a gouge known only to " + std::to_string(v.depth_upper_mm - v.depth_mm));
+    }
+    if (v.witness) judge_witness(job, v, i, movement, tool);
+    hunt(job, v, i, movement, tool, tally);
+  }
+
+  /// A clean tool is outside of what is closed, a buried one inside.
+  void judge_inside(const laws::RandomJob& job, const CheckOptions& options, const MoveVerdict& v, std::size_t i,
+                    const reference::Movement& movement, const Core& core) {
+    const bool is_clean = v.state == MoveState::clean, is_buried = v.state == MoveState::buried;
+    if (!job.is_closed || !(is_clean || is_buried) || core.depth <= options.tolerance_mm + options.resolution_mm) return;
+    bool is_inside = false;
+    const auto look = [&](const Vec3& p) {
+      for (const std::vector<IndexedMesh>* meshes : {&job.scene.parts, &job.scene.fixtures}) {
+        for (const IndexedMesh& mesh : *meshes) is_inside |= reference::solid_angle_share(mesh, p) > 0.5;
+      }
+    };
+    const Pose pose = movement.at(0.5);
+    look(pose.tip + core.r * pose.axis.unitOrthogonal() + core.z * pose.axis);
+    if (is_clean && is_inside) fail(job, i, "clean, and inside a solid");
+    if (is_buried && !is_inside && job.heads.empty()) fail(job, i, "buried, and outside");
+  }
+
+  void judge_witness(const laws::RandomJob& job, const MoveVerdict& v, std::size_t i,
+                     const reference::Movement& movement, const promise::Contours& tool) {
+    if (v.witness->body != Body::head) {
+      for (const std::string& doubt : promise::doubts(*v.witness, v.depth_mm, movement, tool, job.scene)) {
+        // Giving way by the depth frees a point, but on a concave boundary by no plain sum.
+        if (doubt.rfind("deep after", 0) != 0) fail(job, i, doubt);
+      }
+      return;
+    }
+    double deepest = -1e300;
+    for (const IndexedMesh& head : job.heads) {
+      const reference::MovingHead moving(head, movement);
+      deepest = std::max(deepest, moving.depth(moving.frame(v.witness->t), v.witness->point));
+    }
+    if (std::abs(deepest - v.depth_mm) > kWitness_mm)
+      fail(job, i, "the head's witness is " + std::to_string(deepest) + " deep, not " + std::to_string(v.depth_mm));
+  }
+
+  void hunt(const laws::RandomJob& job, const MoveVerdict& v, std::size_t i, const reference::Movement& movement,
+            const promise::Contours& tool, Tally& tally) {
+    const bool is_gouge = v.state == MoveState::gouge;
+    const double mark = is_gouge ? v.depth_mm - 0.005 : v.depth_upper_mm;
+    reference::Found found;
+    const auto take = [&](const reference::Found& one) {
+      if (one.depth_mm > found.depth_mm) found = one;
+    };
+    const reference::MovingTool against_part(tool.part, movement), against_fixture(tool.fixture, movement);
+    take(reference::Hunt(against_part, job.scene.parts, kLooks).run(mark));
+    take(reference::Hunt(against_fixture, job.scene.fixtures, kLooks).run(mark));
+    for (const IndexedMesh& head : job.heads) {
+      const reference::MovingHead moving(head, movement);
+      take(reference::Hunt(moving, job.scene.parts, kLooksOfHeads).run(mark));
+      take(reference::Hunt(moving, job.scene.fixtures, kLooksOfHeads).run(mark));
+    }
+    tally.seen += is_gouge && found.depth_mm > v.depth_mm - 0.001 ? 1 : 0;
+    if (found.depth_mm <= v.depth_upper_mm + kRounding_mm) return;
+    std::ostringstream text;
+    text << std::setprecision(17) << state_name(v.state) << ", depth " << v.depth_mm << ", at most " << v.depth_upper_mm
+         << ", but " << found.depth_mm << " at t " << found.t << ", " << found.point.transpose();
+    fail(job, i, text.str());
+  }
+
+  void print(double seconds) const {
+    std::cout << "kind      moves    clean    gouge  buried  open  wide  found again  violations\n";
+    Tally all;
+    const auto row = [](const std::string& kind, const Tally& t) {
+      std::cout << std::left << std::setw(9) << kind << std::right << std::setw(7) << t.moves << std::setw(9) << t.clean
+                << std::setw(9) << t.gouge << std::setw(8) << t.buried << std::setw(6) << t.open << std::setw(6) << t.wide
+                << std::setw(13) << t.seen << std::setw(12) << t.violations << "\n";
+    };
+    for (const auto& [kind, t] : by_kind) {
+      row(kind, t);
+      all.moves += t.moves, all.clean += t.clean, all.gouge += t.gouge, all.buried += t.buried, all.open += t.open;
+      all.wide += t.wide, all.seen += t.seen, all.violations += t.violations;
+    }
+    row("all", all);
+    std::cout << heads << " moves with a head; " << seconds << " s\n";
+  }
+
+  std::size_t done_ = 0, jobs_ = 0, failures_ = 0;
+  std::string where_;
+};
+
+TEST(RandomMoves, NothingIsDeeperThanItsBoundAndEveryWitnessIsReal) {
+  Campaign campaign;
+  campaign.run(wanted_moves());
+  Tally all;
+  for (const auto& [kind, tally] : campaign.by_kind) {
+    all.moves += tally.moves;
+    all.clean += tally.clean;
+    all.gouge += tally.gouge;
+    all.seen += tally.seen;
+    EXPECT_GT(tally.moves, 0U) << kind;
+  }
+  EXPECT_EQ(campaign.by_kind.size(), 6U) << "arc, cycle, feed, position, rapid, spline";
+  EXPECT_GT(campaign.heads, 0U);
+  EXPECT_GT(all.clean * 10, all.moves) << "too few clean moves to try";
+  EXPECT_GT(all.gouge * 10, all.moves) << "too few gouges to try";
+  EXPECT_GE(all.seen * 10, all.gouge * 9) << "the reference is too weak";
+}
+
+}  // namespace
+}  // namespace gouge
