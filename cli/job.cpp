@@ -61,10 +61,7 @@ class JobLoader {
     return true;
   }
 
-  [[nodiscard]] LengthUnit stl_unit() const {
-    if (arguments_.stl_units.empty()) return job_.toolpath.unit;
-    return arguments_.stl_units == "inch" ? LengthUnit::inch : LengthUnit::mm;
-  }
+  [[nodiscard]] LengthUnit stl_unit() const { return job_.stl_unit(arguments_); }
 
   void read_heads() {
     std::vector<IndexedMesh> meshes;
@@ -184,7 +181,7 @@ class JobLoader {
     for (const auto& form : job_.forms) {
       if (form) tool_mm = std::max(tool_mm, form->bare.r_max_mm + form->bare.z_max_mm);
     }
-    if (const auto warning = find_misplaced(job_.toolpath, job_.scene, tool_mm)) add_notes({*warning});
+    if (const auto warning = find_misplaced(job_.toolpath, job_.scene, tool_mm, stl_unit())) add_notes({*warning});
   }
 
   // As high as the farthest point of the scene, and the widest radius more: its end is nearest to nothing.
@@ -242,12 +239,20 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
   model.heads = head_facts;
   model.tools = tool_facts;
   model.notes = notes;
-  model.closeness = measure_closeness(path, tools(), prepared, options.check.threads);
+  model.closeness = measure_closeness(path, tools(), prepared, result.verdicts, options.check.threads);
   const bool is_known = std::any_of(notes.begin(), notes.end(),
                                     [](const Diagnostic& note) { return note.code == kSceneMisplaced; });
-  const auto apart = model.closeness && !is_known ? find_apart(path, *model.closeness) : std::nullopt;
+  if (is_known) return model;
+  const auto apart = model.closeness ? find_apart(path, *model.closeness) : std::nullopt;
   if (apart) model.notes.push_back(*apart);
+  const auto too_large = find_too_large(path, scene, result.verdicts, stl_unit(arguments));
+  if (too_large) model.notes.push_back(*too_large);
   return model;
+}
+
+LengthUnit Job::stl_unit(const JobArguments& arguments) const {
+  if (arguments.stl_units.empty()) return toolpath.unit;
+  return unit_called(arguments.stl_units).value_or(LengthUnit::mm);
 }
 
 LoadedJob load_job(const JobArguments& arguments, const JobOptions& options) {

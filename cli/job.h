@@ -32,6 +32,8 @@ struct Job {
   Job& operator=(const Job&) = delete;
 
   [[nodiscard]] std::vector<const ToolForms*> tools() const;
+  /// As asked for, else the toolpath's.
+  [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
   /// The report of `result`, which must outlive it, like the job. `scene` is that of the job, with its trees.
   [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path,
                                    const CheckResult& result, const PreparedScene& prepared) const;

@@ -19,7 +19,14 @@ bool is_cut(const Move& move, const std::vector<const ToolForms*>& tools) {
          tools[move.tool] != nullptr && move.end.tip.cwiseAbs().maxCoeff() <= kFarthest_mm;
 }
 
-// Of `count` cuts those in the middle of equal shares.
+std::uint64_t mixed(std::uint64_t k) {
+  k = (k ^ (k >> 30U)) * 0xbf58476d1ce4e5b9ULL;
+  k = (k ^ (k >> 27U)) * 0x94d049bb133111ebULL;
+  return k ^ (k >> 31U);
+}
+
+// Of `count` cuts one out of each of equal shares, by hash: paths repeat a pattern over and over, and equal steps would
+// meet the same place of it every time.
 std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
                                 std::size_t count) {
   const std::size_t wanted = std::min(count, kMostPositions);
@@ -27,17 +34,39 @@ std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<cons
   std::size_t seen = 0;
   for (std::size_t i = 0; i < toolpath.moves.size() && chosen.size() < wanted; ++i) {
     if (!is_cut(toolpath.moves[i], tools)) continue;
-    if (seen++ == (2 * chosen.size() + 1) * count / (2 * wanted)) chosen.push_back(i);
+    const std::size_t k = chosen.size();
+    const std::size_t first = k * count / wanted, last = (k + 1) * count / wanted;
+    if (seen++ == first + mixed(k + 1) % (last - first)) chosen.push_back(i);
   }
   return chosen;
 }
 
-double distance_mm(const Pose& pose, const ToolForms& tool, const PreparedScene& scene) {
+struct Distance {
+  double seen_mm = 0;   ///< of a point of the surface; infinite where none was met
+  double least_mm = 0;  ///< proved
+};
+
+Distance distance_from_part(const Pose& pose, const ToolForms& tool, const PreparedScene& scene) {
   const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
   const SearchAnswer answer =
       sweep_and_search(Motion(pose), {part}, {Closeness::kFar_mm, 0, kAccuracy_mm, kAccuracy_mm, kBudget});
-  if (!answer.has_witness) return std::numeric_limits<double>::infinity();
-  return std::max(0.0, Closeness::kFar_mm - answer.value_mm);
+  const double seen =
+      answer.has_witness ? Closeness::kFar_mm - answer.value_mm : std::numeric_limits<double>::infinity();
+  return {std::max(0.0, seen), std::max(0.0, Closeness::kFar_mm - answer.value_upper_mm)};
+}
+
+// What the check has seen of cuts already: a surface point of a part in the tool, or as near as it tells.
+double seen_by_check_mm(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+                        const std::vector<MoveVerdict>& verdicts) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < toolpath.moves.size() && i < verdicts.size(); ++i) {
+    const MoveVerdict& v = verdicts[i];
+    const bool is_seen = v.witness && v.witness->against == Against::part && v.witness->body != Body::head;
+    if (!is_seen || !is_cut(toolpath.moves[i], tools)) continue;
+    if (v.depth_mm > 0) return 0;
+    if (v.clearance_mm) nearest = std::min(nearest, *v.clearance_mm);
+  }
+  return nearest;
 }
 
 std::optional<double> if_near(double distance) {
@@ -47,22 +76,26 @@ std::optional<double> if_near(double distance) {
 }  // namespace
 
 std::optional<Closeness> measure_closeness(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
-                                           const PreparedScene& scene, unsigned threads) {
+                                           const PreparedScene& scene, const std::vector<MoveVerdict>& verdicts,
+                                           unsigned threads) {
   Closeness closeness;
   closeness.cuts = static_cast<std::size_t>(std::count_if(
       toolpath.moves.begin(), toolpath.moves.end(), [&](const Move& move) { return is_cut(move, tools); }));
   if (closeness.cuts == 0 || scene.parts.nodes.empty() || !scene.is_within_reach) return std::nullopt;
   const std::vector<std::size_t> chosen = spread(toolpath, tools, closeness.cuts);
-  std::vector<double> distances(chosen.size());
+  std::vector<double> distances(chosen.size()), least(chosen.size());
   for_each_chunk(chosen.size(), kPositionsPerChunk, threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       const Move& move = toolpath.moves[chosen[k]];
-      distances[k] = distance_mm(move.end, *tools[move.tool], scene);
+      const Distance found = distance_from_part(move.end, *tools[move.tool], scene);
+      distances[k] = found.seen_mm;
+      least[k] = found.least_mm;
     }
   });
   std::sort(distances.begin(), distances.end());
   closeness.positions = distances.size();
-  closeness.nearest_mm = if_near(distances.front());
+  closeness.apart_mm = *std::min_element(least.begin(), least.end());
+  closeness.nearest_mm = if_near(std::min(distances.front(), seen_by_check_mm(toolpath, tools, verdicts)));
   closeness.median_mm = if_near(distances[(distances.size() - 1) / 2]);
   return closeness;
 }

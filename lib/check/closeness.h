@@ -5,27 +5,32 @@
 #include <vector>
 
 #include "lib/check/check_move.h"
+#include "lib/check/verdict.h"
 #include "lib/path/toolpath.h"
 
 namespace gouge {
 
-/// How near a tool comes to the parts while it cuts. What belongs to a part cuts along it, so this tells at a glance
-/// whether part and path lie in one place. It is looked at, not certified.
+/// How near a tool is seen to come to the parts while it cuts. What belongs to a part cuts along it, so this tells at a
+/// glance whether part and path lie in one place. Both distances are bounds from above: the tool is seen as near, and
+/// may come nearer where nobody looked.
 struct Closeness {
   static constexpr double kFar_mm = 20;  ///< what is farther away is not measured
 
   std::size_t cuts = 0;       ///< moves with a tool that are neither rapid nor left unchecked
-  std::size_t positions = 0;  ///< how many of their ends were looked at, spread evenly over the path
-  /// Distance of the tool, with its stock to leave, from the parts: 0 where it touches; none: farther than kFar_mm.
+  std::size_t positions = 0;  ///< how many of their ends were looked at: one out of each of as many equal shares
+  /// The least distance of the tool, with its stock to leave, from the parts at these positions, and in moves that the
+  /// check found to touch or to be near; 0 where it touches; none: nowhere seen within kFar_mm.
   std::optional<double> nearest_mm;
   std::optional<double> median_mm;  ///< half of the positions are as near
+  double apart_mm = 0;  ///< proved: at none of the positions looked at is the tool nearer; nothing of the others
 };
 
-/// Shape    as check_path. Nothing where there is no part or no cut.
+/// Shape    as check_path, `verdicts` its answer on the same path. Nothing where there is no part or no cut.
 /// Ensures  the same result at any number of threads; distances to a hundredth of a millimetre.
 /// Cost     a search at 400 positions at most.
 [[nodiscard]] std::optional<Closeness> measure_closeness(const Toolpath& toolpath,
                                                          const std::vector<const ToolForms*>& tools,
-                                                         const PreparedScene& scene, unsigned threads);
+                                                         const PreparedScene& scene,
+                                                         const std::vector<MoveVerdict>& verdicts, unsigned threads);
 
 }  // namespace gouge

@@ -37,7 +37,8 @@ struct MoveVerdict {
   double depth_upper_mm = 0;
   std::optional<Witness> witness;      ///< where depth > 0 (for near: the surface point that comes closest)
   std::optional<double> clearance_mm;  ///< near: realised distance at the witness
-  std::optional<double> overcut_mm;    ///< gouge of a closed solid: how far below its surface the tool reached
+  std::optional<double> overcut_mm;    ///< gouge of a closed solid: the tool reached as far below its surface, or farther
+  double overcut_upper_mm = 0;         ///< where there is an overcut: the tool reached no farther
   std::string reason;                  ///< for not_checked and not_certified
 };
 

@@ -74,16 +74,16 @@ void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForm
       const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
       OvercutOptions search;
       if (!is_worst[gouges[k]]) search.most_cells = kCellsOfOthers;
+      const auto join = [&](const SweptSolid& moving) {
+        const Overcut found = find_overcut(moving, *solid, seed, verdict.witness->t, search);
+        verdict.overcut_mm = std::max(verdict.overcut_mm.value_or(0), found.depth_mm);
+        verdict.overcut_upper_mm = std::max(verdict.overcut_upper_mm, found.depth_upper_mm);
+      };
       if (verdict.witness->body != Body::head) {
-        const SweptTool tool(motion, tools[move.tool]->bare);
-        verdict.overcut_mm = find_overcut(tool, *solid, seed, verdict.witness->t, search).depth_mm;
+        join(SweptTool(motion, tools[move.tool]->bare));
         continue;
       }
-      for (const HeadBody& body : heads) {
-        const SweptHead head(motion, body);
-        const double reached = find_overcut(head, *solid, seed, verdict.witness->t, search).depth_mm;
-        verdict.overcut_mm = std::max(verdict.overcut_mm.value_or(0), reached);
-      }
+      for (const HeadBody& body : heads) join(SweptHead(motion, body));
     }
   });
   result.worst_overcut_mm = 0;

@@ -107,7 +107,7 @@ void add_path_key(Page& page, const PictureSet& set, double x, double y) {
   y += 18;
   for (const std::string& words :
        {std::string("Distance from the part"), "at " + std::to_string(c.positions) + " cutting positions:",
-        "nearest " + closeness_words(c.nearest_mm, unit), "half " + closeness_words(c.median_mm, unit)}) {
+        "nearest seen: " + closeness_words(c.nearest_mm, unit), "half of them " + closeness_words(c.median_mm, unit)}) {
     page.text({x, y}, words, fitting_size(words, 14, kPageWidth - 16 - x), kSoftInk);
     y += 19;
   }

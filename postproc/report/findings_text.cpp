@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "postproc/report/report_text.h"
+#include "postproc/report/tightness.h"
 
 namespace gouge {
 namespace {
@@ -46,7 +47,7 @@ std::string headline(const ReportModel& model) {
   }
   // On shallow gouges both measures agree; where the tool is deeper in than it is thick, only overcut tells.
   if (result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm)
-    text += ", overcut up to " + depth_text(result.worst_overcut_mm, model.toolpath->unit);
+    text += ", overcut " + overcut_range_text(model);
   if (n.buried > 0) text += "; the tool is buried in " + count_text(n.buried, "move");
   return text;
 }
@@ -109,6 +110,8 @@ std::string summary_text(const ReportModel& model) {
   text += headline(model) + "\n";
   for (const std::string& but : reservations(model)) text += "but: " + but + "\n";
   text += "moves: " + counts_line(model.result->counts) + "\n";
+  const std::string overcut = overcut_gaps_text(model);
+  if (!overcut.empty()) text += "overcut: " + overcut + "\n";
   if (model.closeness) text += "part: " + closeness_text(model) + "\n";
   if (model.has_correction) text += correction_lines(model);
   return text + "promise: " + promise_text(model) + "\n";

@@ -1,10 +1,12 @@
 #include "postproc/report/report_model.h"
 
+#include <cmath>
 #include <map>
 #include <utility>
 
 #include "lib/base/number_text.h"
 #include "postproc/report/report_text.h"
+#include "postproc/report/tightness.h"
 
 namespace gouge {
 
@@ -64,6 +66,7 @@ std::vector<std::string> reservations(const ReportModel& model) {
   for (const Diagnostic& note : model.notes) {
     if (note.code == kSceneMisplaced) all.push_back(note.message);
   }
+  if (std::string gaps = depth_gaps_text(model); !gaps.empty()) all.push_back(std::move(gaps));
   std::string bare;
   std::size_t count = 0;
   for (const ToolFacts& tool : model.tools) {
@@ -77,18 +80,27 @@ std::vector<std::string> reservations(const ReportModel& model) {
 
 std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit unit) {
   constexpr double kTouch_mm = 0.01;
-  if (!distance_mm) return "more than " + length_text(Closeness::kFar_mm, unit) + " away";
+  if (!distance_mm) return "not within " + length_text(Closeness::kFar_mm, unit);
   if (*distance_mm <= kTouch_mm) return "touching";
-  return "within " + fixed_text(*distance_mm / mm_per(unit), unit == LengthUnit::inch ? 3 : 2) + " " + unit_name(unit);
+  // Rounded up: it is as near as that.
+  const int decimals = facts_of(unit).decimals - 1;
+  const double steps = std::pow(10, decimals);
+  const double told = std::ceil(*distance_mm / mm_per(unit) * steps - 1e-6) / steps;
+  return "within " + fixed_text(told, decimals) + " " + unit_name(unit);
+}
+
+std::string positions_looked_at(const Closeness& closeness) {
+  const std::string positions = count_text(closeness.positions, "cutting position");
+  if (closeness.positions == closeness.cuts) return positions;
+  return positions + " looked at (of " + std::to_string(closeness.cuts) + ")";
 }
 
 std::string closeness_text(const ReportModel& model) {
   if (!model.closeness) return {};
   const Closeness& c = *model.closeness;
   const LengthUnit unit = model.toolpath->unit;
-  return "nearest, the tool is " + closeness_words(c.nearest_mm, unit) + "; at half of the cutting positions it is " +
-         closeness_words(c.median_mm, unit) + " (" + std::to_string(c.positions) + " of " + std::to_string(c.cuts) +
-         " looked at)";
+  return "seen nearest, the tool is " + closeness_words(c.nearest_mm, unit) + "; half of the " +
+         positions_looked_at(c) + " are " + closeness_words(c.median_mm, unit);
 }
 
 std::vector<ReasonGroup> group_reasons(const CheckResult& result) {

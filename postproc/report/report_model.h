@@ -127,11 +127,14 @@ inline constexpr const char* kSceneMisplaced = "scene-misplaced";
 /// tools have no holder.
 [[nodiscard]] std::vector<std::string> reservations(const ReportModel& model);
 
-/// A distance of Closeness, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "more than 20 mm
-/// away".
+/// A distance of Closeness, which is known to a hundredth of a millimetre: "touching", "within 0.83 mm", "not within 20
+/// mm".
 [[nodiscard]] std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit unit);
 
-/// "nearest, the tool is touching; at half of the cutting positions it is within 0.83 mm (400 of 2425 looked at)".
+/// "37 cutting positions", "400 cutting positions looked at (of 2425)".
+[[nodiscard]] std::string positions_looked_at(const Closeness& closeness);
+
+/// "seen nearest, the tool is touching; half of the 400 cutting positions looked at (of 2425) are within 0.83 mm".
 /// Empty without closeness.
 [[nodiscard]] std::string closeness_text(const ReportModel& model);
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "postproc/report/tightness.h"
 
 namespace gouge {
 namespace {
@@ -122,7 +123,9 @@ std::string event_text(const ReportModel& model, const Event& event) {
   }
   const bool is_near = event.state == MoveState::near_miss;
   const double length_mm = is_near ? verdict.clearance_mm.value_or(0) : verdict.depth_mm;
-  text += depth_text(length_mm, unit) + (is_near ? " left " : " ") + tool_phrase(model, event);
+  text += depth_text(length_mm, unit) + (is_near ? " left " : " ");
+  if (has_wide_depth(model, verdict)) text += "(at most " + depth_text(verdict.depth_upper_mm, unit) + ") ";
+  text += tool_phrase(model, event);
   if (!verdict.witness) return text + move;
   return text + counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) +
          move + " t=" + instant_text(verdict.witness->t);

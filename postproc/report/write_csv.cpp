@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::string_view kHeader =
     "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz,"
-    "mesh,triangle,operation,reason,clearance,overcut\n";
+    "mesh,triangle,operation,reason,clearance,overcut,overcut_upper\n";
 
 std::string quoted(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
@@ -80,10 +80,12 @@ std::string row_of(const ReportModel& model, std::size_t index) {
     row.number(*verdict.clearance_mm / mm_per(unit));
   else
     row.empty(1);
-  if (verdict.overcut_mm)
+  if (verdict.overcut_mm) {
     row.number(*verdict.overcut_mm / mm_per(unit));
-  else
-    row.empty(1);
+    row.number(verdict.overcut_upper_mm / mm_per(unit));
+  } else {
+    row.empty(2);
+  }
   return row.line() + "\n";
 }
 

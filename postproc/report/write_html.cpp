@@ -6,6 +6,7 @@
 #include "postproc/report/findings_text.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/report_text.h"
+#include "postproc/report/tightness.h"
 
 namespace gouge {
 namespace {
@@ -82,6 +83,8 @@ class HtmlReport {
   [[nodiscard]] std::string beside_the_verdict() const {
     std::string out;
     for (const std::string& but : reservations(model_)) out += "<p class=\"but\">But " + xml_escaped(but) + ".</p>\n";
+    const std::string overcut = overcut_gaps_text(model_);
+    if (!overcut.empty()) out += "<p class=\"soft\">Overcut: " + xml_escaped(overcut) + ".</p>\n";
     const std::string closeness = closeness_text(model_);
     if (closeness.empty()) return out;
     return out + "<p class=\"soft\">Distance from the part: " + xml_escaped(closeness) + ".</p>\n";
@@ -144,6 +147,7 @@ class HtmlReport {
     const std::string state = state_name(event.state);
     std::string depth = "-";
     if (event.state == MoveState::gouge) depth = depth_text(verdict.depth_mm, unit_);
+    if (has_wide_depth(model_, verdict)) depth += " to " + depth_text(verdict.depth_upper_mm, unit_);
     if (event.state == MoveState::near_miss)
       depth = depth_text(verdict.clearance_mm.value_or(0), unit_) + " left";
     std::string against = against_name(event.against);

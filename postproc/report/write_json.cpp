@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "postproc/report/report_text.h"
+#include "postproc/report/tightness.h"
 
 namespace gouge {
 namespace {
@@ -141,8 +142,12 @@ class JsonReport {
             {"left_out_as_asked", n.skipped},
             {"worst_depth", length(result.worst_depth_mm)},
             {"worst_overcut", length(result.worst_overcut_mm)},
+            {"worst_overcut_upper", length(worst_overcut_upper_mm(result))},
             {"worst_move", has_worst ? Json(result.worst_move) : Json(nullptr)},
-            {"largest_gap", length(result.largest_gap_mm)}};
+            {"largest_gap", length(result.largest_gap_mm)},
+            {"wide_gaps", depth_gaps(model_).wide},
+            {"largest_overcut_gap", length(overcut_gaps(model_).widest_mm)},
+            {"wide_overcut_gaps", overcut_gaps(model_).wide}};
   }
 
   [[nodiscard]] Json witness(const Witness& w) const {
@@ -199,6 +204,7 @@ class JsonReport {
                      {"depth", has_depth ? length(verdict.depth_mm) : Json(nullptr)},
                      {"depth_upper", has_depth ? length(verdict.depth_upper_mm) : Json(nullptr)},
                      {"overcut", verdict.overcut_mm ? length(*verdict.overcut_mm) : Json(nullptr)},
+                     {"overcut_upper", verdict.overcut_mm ? length(verdict.overcut_upper_mm) : Json(nullptr)},
                      {"clearance", verdict.clearance_mm ? length(*verdict.clearance_mm) : Json(nullptr)},
                      {"witness", verdict.witness ? witness(*verdict.witness) : Json(nullptr)},
                      {"reason", text(verdict.reason)}});

@@ -45,15 +45,49 @@ TEST(Misplaced, IsToldOfAPartFarAwayOrFarTooSmall) {
 TEST(Misplaced, IsToldOfCutsThatStayAwayFromThePart) {
   const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}});
   const auto told = [&](std::size_t positions, std::optional<double> nearest) {
-    return find_apart(path, Closeness{2000, positions, nearest, {}}).has_value();
+    return find_apart(path, Closeness{2000, positions, nearest, {}, 0}).has_value();
   };
   EXPECT_TRUE(told(400, 8.5));
   EXPECT_TRUE(told(400, std::nullopt));
   EXPECT_FALSE(told(400, 1.5)) << "roughing";
   EXPECT_FALSE(told(9, 8.5)) << "too few to say so";
-  EXPECT_EQ(find_apart(path, Closeness{2000, 400, 8.54, {}})->message,
-            "the tool comes no nearer than 8.5 mm to the part where it cuts, at 400 positions looked at; check the units "
-            "(--stl-units, --path-units) and --place");
+  EXPECT_EQ(find_apart(path, Closeness{2000, 400, 8.59, {}, 8.58})->message,
+            "at none of 400 cutting positions looked at (of 2000) is the tool nearer than 8.5 mm to the part; check the "
+            "units (--stl-units, --path-units) and --place");
+  EXPECT_EQ(find_apart(path, Closeness{40, 40, {}, {}, 20})->message,
+            "at none of 40 cutting positions is the tool nearer than 20.0 mm to the part; check the units (--stl-units, "
+            "--path-units) and --place");
+}
+
+TEST(Misplaced, NamesTheUnitThatWouldFit) {
+  const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{100, 0, 0}, {0, 0, 1}}, {{100, 80, 0}, {0, 0, 1}}});
+  const auto told = [&](double size, LengthUnit read_as) {
+    const IndexedMesh part = shapes::box({0, 0, -0.2 * size}, {size, 0.8 * size, 0});
+    const auto warning = find_misplaced(path, {{part}, {}}, 60, read_as);
+    return warning ? warning->message.substr(0, warning->message.find("; check")) : std::string();
+  };
+  EXPECT_EQ(told(0.12, LengthUnit::mm), "the part is 823 times smaller than the path; with --stl-units m it would be "
+                                        "about as large as the path");
+  EXPECT_EQ(told(4.1, LengthUnit::mm), "the part is 24 times smaller than the path; with --stl-units inch or "
+                                       "--stl-units cm it would be about as large as the path");
+  EXPECT_EQ(told(0.1, LengthUnit::um), "the part is 988 times smaller than the path; with --stl-units mm it would be "
+                                       "about as large as the path");
+  EXPECT_EQ(told(1, LengthUnit::mm).find("--stl-units"), std::string::npos) << "a hundred times: no unit of these";
+  EXPECT_EQ(told(110, LengthUnit::mm), "");
+}
+
+// An inch path: the part, written in mm and read in inches, is 25 times too large, and the tool cuts deep inside it.
+TEST(Misplaced, IsToldOfAPartFarTooLargeWhenTheCutsAreInIt) {
+  const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{100, 0, 0}, {0, 0, 1}}, {{100, 80, 0}, {0, 0, 1}}});
+  const Scene scene{{shapes::box({0, 0, -25.4 * 20}, {25.4 * 100, 25.4 * 80, 1})}, {}};
+  std::vector<MoveVerdict> verdicts(3);
+  EXPECT_FALSE(find_too_large(path, scene, verdicts, LengthUnit::inch)) << "a small pocket in a large part";
+  verdicts[0].state = MoveState::gouge;
+  verdicts[1].state = MoveState::buried;
+  EXPECT_EQ(find_too_large(path, scene, verdicts, LengthUnit::inch)->message,
+            "the part is 26 times larger than the path, and 2 of 3 cuts are in it; with --stl-units mm it would be about "
+            "as large as the path; check the units (--stl-units, --path-units) and --place");
+  EXPECT_FALSE(find_too_large(path, scene, verdicts, LengthUnit::mm)) << "no unit would fit";
 }
 
 TEST(ExtendUp, WhatIsAboveTheToolNoLongerHides) {

@@ -103,6 +103,17 @@ INSTANTIATE_TEST_SUITE_P(
                    "no cutter"},
         Overlooked{"OfAShift", before("TRANS/0,0\n-10\n")}, Overlooked{"OfACycle", around("CYCLE/OFF,\n")},
         Overlooked{"ShiftCutShort", before("TRANS/0,0,\n")},
+        Overlooked{"OfACutterLost", before("PPRINT/A\n0.0, 40.0\n")},
+        Overlooked{"OfAFeed", around("300.0, MMPM\n")}, Overlooked{"MinorWord", around("OFF\n")},
+        Overlooked{"RestOfACycle", around("RETURN,    0.000000\n")},
+        Overlooked{"SlashAndAWord", around("/OFF\n")}, Overlooked{"SlashAndAUnit", around("/MM\n")},
+        Overlooked{"LineEndLostAfterADigit", around("FEDRAT/ MMPM,187.16GOTO/1,2,3\n"), "path-statement"},
+        Overlooked{"LineEndLostAfterAWord", around("SPINDL/OFFCYCLE/OFF\n"), "path-statement"},
+        Overlooked{"LineEndLostBeforeAStep", around("COOLNT/ONGODLTA/-5\n"), "path-statement"},
+        Overlooked{"DollarForTwo",
+                   "$ CATIA APT VERSION 1.0\n$$*CATIA0\n$$ A\n$$ 1 0 0 0\n$$ 0 1 0 0\n$$ 0 0 1 -10\n"
+                   "PARTNO A\nMULTAX\nCUTTER/10\nLOADTL/1\nGOTO/0,0,5,0,0,1\nGOTO/10,0,5,0,0,1\nEND\n",
+                   "path-statement"},
         Overlooked{"TextWithAComma", around("PPRINT/A,\n"), "clean"}),
     kName);
 
@@ -142,6 +153,12 @@ INSTANTIATE_TEST_SUITE_P(
         Overlooked{"LoadingOfATool", around("LOA/TOOL,2\n")},
         Overlooked{"Arc", around("CIRCL/0,10,5,0,0,1,10\n")}, Overlooked{"Retract", at_the_end("RETRACT\n")},
         Overlooked{"ToolPath", before("TOOL PTH/A,TOOL,B\n")},
+        Overlooked{"OffWithoutASlash", around("CYCLEOFF\n")},
+        Overlooked{"LeftWithoutASlash", around("CUTCOMLEFT\n")}, Overlooked{"CycleAlone", around("CYCLE/\n")},
+        Overlooked{"LoadingAlone", around("LOADTL/\n")},
+        Overlooked{"LoadingOfAnother", around("LOAD/TOL,2\n")}, Overlooked{"ShiftAlone", before("TRANS/\n")},
+        Overlooked{"TurnAlone", before("ROTABL/\n")},
+        Overlooked{"TurnWithoutAnAngle", before("ROTHED/AAXIS,ATANGL\n")},
         Overlooked{"WordLikeMode", around("MODEL/A\n"), "clean"},
         Overlooked{"OtherWord", around("FEATURE/12\n"), "clean"},
         Overlooked{"NegativeNumber", around("ZSTEP/-50\n")},
@@ -282,7 +299,7 @@ TEST(WorkOffset, IsTold) {
 TEST(MotionOfUnknownEnd, MakesOneMoveMoreNotChecked) {
   for (const std::string statement :
        {"20. 0. -25.\n", "GODLTA-50.\n", "G1 Z-50.\n", "INSERT/G53 Z0\n", "INSERT/L Z-50 FMAX\n"}) {
-    const ReadOutcome read = read_toolpath("a.apt", around("PPRINT/A\n" + statement));
+    const ReadOutcome read = read_toolpath("a.apt", around("FEDRAT/100,MMPM\n" + statement));
     ASSERT_TRUE(read.toolpath) << statement;
     std::vector<bool> is_checked;
     for (const Move& move : read.toolpath->moves) is_checked.push_back(move.not_checked_reason.empty());

@@ -12,9 +12,9 @@ namespace {
 using paths::upright;
 
 std::optional<Closeness> closeness(const Toolpath& path, const ToolForms& tool = tools::flat(),
-                                   unsigned threads = 1) {
+                                   unsigned threads = 1, const std::vector<MoveVerdict>& verdicts = {}) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
-  return measure_closeness(path, {&tool}, prepare_scene(scene), threads);
+  return measure_closeness(path, {&tool}, prepare_scene(scene), verdicts, threads);
 }
 
 TEST(Closeness, IsTheDistanceOfTheToolFromThePartAtTheEndsOfCuts) {
@@ -45,12 +45,45 @@ TEST(Closeness, WhatIsFarAwayHasNoNumber) {
   EXPECT_FALSE(found->median_mm.has_value());
 }
 
+// Every 25th position of a long path touches; steps of 25 from the 13th on never meet one of them.
+TEST(Closeness, APatternOfThePathIsNotMissedByEqualSteps) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 10'000; ++i) poses.push_back(upright(0.002 * i, 0, i % 25 == 0 ? 0 : 5));
+  const auto found = closeness(paths::through(poses));
+  ASSERT_EQ(found->positions, 400U);
+  EXPECT_NEAR(*found->nearest_mm, 0, 0.011);
+}
+
+TEST(Closeness, WhatTheCheckHasSeenCounts) {
+  std::vector<Pose> poses;
+  for (int i = 0; i < 5000; ++i) poses.push_back(upright(0.002 * i, 0, 5));
+  Toolpath path = paths::through(poses);
+  std::vector<MoveVerdict> verdicts(poses.size());
+  const auto nearest = [&] { return closeness(path, tools::flat(), 1, verdicts)->nearest_mm.value_or(99); };
+  EXPECT_NEAR(nearest(), 5, 0.011);
+  MoveVerdict& dive = verdicts[7];
+  dive.witness = Witness{0.5, {0, 0, -3}, {0, 0, 1}, Body::cutter, Against::part, 0, 0};
+  dive.clearance_mm = 1.25;
+  EXPECT_DOUBLE_EQ(nearest(), 1.25) << "a near move";
+  dive.clearance_mm.reset();
+  dive.depth_mm = 3;
+  EXPECT_DOUBLE_EQ(nearest(), 0) << "a dive between two positions 5 mm above the part";
+  path.moves[7].kind = MoveKind::rapid;
+  EXPECT_NEAR(nearest(), 5, 0.011) << "a rapid does not cut";
+  path.moves[7].kind = MoveKind::feed;
+  dive.witness->against = Against::fixture;
+  EXPECT_NEAR(nearest(), 5, 0.011);
+  dive.witness->against = Against::part;
+  dive.witness->body = Body::head;
+  EXPECT_NEAR(nearest(), 5, 0.011);
+}
+
 TEST(Closeness, SaysNothingWithoutCutsOrParts) {
   EXPECT_FALSE(closeness(paths::through({upright(0, 0, 1)}, MoveKind::rapid)).has_value());
   const ToolForms tool = tools::flat();
   const Toolpath path = paths::through({upright(0, 0, 1)});
-  EXPECT_FALSE(measure_closeness(path, {nullptr}, prepare_scene(Scene{}), 1).has_value());
-  EXPECT_FALSE(measure_closeness(path, {&tool}, prepare_scene(Scene{}), 1).has_value());
+  EXPECT_FALSE(measure_closeness(path, {nullptr}, prepare_scene(Scene{}), {}, 1).has_value());
+  EXPECT_FALSE(measure_closeness(path, {&tool}, prepare_scene(Scene{}), {}, 1).has_value());
 }
 
 TEST(Closeness, OfALongPathSomePositionsAreLookedAtWhateverTheThreads) {

@@ -74,6 +74,40 @@ TEST(Overcut, OfEveryMoveOfALongFindingIsFound) {
   }
 }
 
+// Moves that are not the worst of their finding are searched less: theirs may be a lower bound by far, and what bounds
+// it from above must hold all the same.
+TEST(Overcut, ABriefSearchIsBoundedFromAboveAllTheSame) {
+  const ToolForms tool = tools::bull(16, 2);
+  const IndexedMesh mesh = shapes::torus(40, 12, 48, 24);
+  std::vector<Pose> poses;
+  for (int k = 0; k <= 24; ++k) {
+    const double angle = 0.25 * k;
+    poses.push_back({Vec3(43 * std::cos(angle), 43 * std::sin(angle), 9 - 0.5 * (k % 7)),
+                     Vec3(0.3 * std::sin(3 * angle), 0.2, 1).normalized()});
+  }
+  const CheckResult result = check(poses, tool, mesh);
+  DepthBodyOptions options;
+  options.is_lean = true;
+  const DepthBody part = build_depth_body(mesh, options);
+  OvercutOptions fine;
+  fine.most_cells = 20000;
+  std::size_t gouges = 0, wide = 0;
+  for (std::size_t i = 1; i < result.verdicts.size(); ++i) {
+    const MoveVerdict& v = result.verdicts[i];
+    if (!v.overcut_mm) continue;
+    ++gouges;
+    const Motion motion(poses[i - 1], poses[i]);
+    const SweptTool swept(motion, tool.bare);
+    const Overcut truth = find_overcut(swept, part, v.witness->point, v.witness->t, fine);
+    EXPECT_LE(*v.overcut_mm, truth.depth_upper_mm + 1e-9) << i;
+    EXPECT_GE(v.overcut_upper_mm, truth.depth_mm - 1e-9) << i;
+    EXPECT_GE(v.overcut_upper_mm, *v.overcut_mm) << i;
+    wide += v.overcut_upper_mm - *v.overcut_mm > 0.1 ? 1U : 0U;
+  }
+  EXPECT_GT(gouges, 10U);
+  EXPECT_GT(wide, 3U) << "nothing to bound";
+}
+
 TEST(Overcut, OfAHeadIsHowFarTheHeadReachedBelowTheSurface) {
   // A bar 6 mm wide beside the tool, its end 15 mm deep in the block: depth says 3.
   const ToolForms tool = tools::ball(10);

@@ -5,6 +5,7 @@
 
 #include "postproc/report/findings_text.h"
 #include "postproc/report/report_text.h"
+#include "postproc/report/tightness.h"
 #include "postproc/report/write_csv.h"
 #include "postproc/report/write_junit.h"
 #include "tests/postproc/report/small_report.h"
@@ -74,21 +75,59 @@ TEST(FindingsText, SaysBesideTheVerdictWhatItDoesNotCover) {
   EXPECT_EQ(reservations(report.model)[1], "T1, T1, T1, T1, T1 and 2 more have no holder, so none is checked");
 }
 
+TEST(FindingsText, SaysWhichDepthsAreKnownLessCloselyThanAsked) {
+  SmallReport report;
+  EXPECT_EQ(depth_gaps_text(report.model), "");
+  report.result.verdicts[2].depth_upper_mm = 0.3539;
+  report.result.largest_gap_mm = 0.0206;
+  EXPECT_EQ(lines_of(findings_text(report.model))[0],
+            "path.apt:12: gouge: 0.333 mm (at most 0.354 mm) cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)");
+  EXPECT_EQ(lines_of(summary_text(report.model))[2],
+            "but: the depth of 1 of 2 gouging moves is certified to 0.0206 mm only, not to the resolution of 0.001 mm: "
+            "move 2, line 12, is at least 0.333 mm and at most 0.354 mm deep");
+  report.model.options.resolution_mm = 0.03;
+  EXPECT_EQ(depth_gaps_text(report.model), "");
+  EXPECT_EQ(lines_of(findings_text(report.model))[0].find("at most"), std::string::npos);
+}
+
+TEST(FindingsText, SaysWhichOvercutsAreLowerBounds) {
+  SmallReport report;
+  const auto set = [&](std::size_t move, double overcut, double upper) {
+    report.result.verdicts[move].overcut_mm = overcut;
+    report.result.verdicts[move].overcut_upper_mm = upper;
+    report.result.worst_overcut_mm = std::max(report.result.worst_overcut_mm, overcut);
+  };
+  set(1, 7.5, 9.5);
+  set(2, 9.2, 9.2009);
+  EXPECT_EQ(overcut_gaps_text(report.model),
+            "a lower bound in 1 of 2 gouging moves; the true one may be up to 2 mm larger (move 1)");
+  const std::vector<std::string> lines = lines_of(summary_text(report.model));
+  EXPECT_NE(lines[1].find(", overcut 9.200 to 9.500 mm;"), std::string::npos) << lines[1];
+  EXPECT_EQ(lines[3], "overcut: " + overcut_gaps_text(report.model));
+  EXPECT_NE(write_csv(report.model).find(",,,7.5,9.5\n"), std::string::npos);
+  set(1, 7.5, 7.5001);
+  EXPECT_EQ(overcut_gaps_text(report.model), "");
+  EXPECT_NE(lines_of(summary_text(report.model))[1].find(", overcut 9.200 to 9.201 mm;"), std::string::npos);
+}
+
 TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
   SmallReport report;
   const auto text = [&](std::optional<double> nearest, std::optional<double> median) {
-    report.model.closeness = Closeness{2425, 400, nearest, median};
+    report.model.closeness = Closeness{2425, 400, nearest, median, 0};
     EXPECT_NE(summary_text(report.model).find("\npart: " + closeness_text(report.model) + "\n"), std::string::npos);
     return closeness_text(report.model);
   };
   EXPECT_EQ(text(0.0, 0.0042),
-            "nearest, the tool is touching; at half of the cutting positions it is touching (400 of 2425 looked at)");
+            "seen nearest, the tool is touching; half of the 400 cutting positions looked at (of 2425) are touching");
   EXPECT_EQ(text(0.834, 4.2),
-            "nearest, the tool is within 0.83 mm; at half of the cutting positions it is within 4.20 mm (400 of 2425 looked "
-            "at)");
+            "seen nearest, the tool is within 0.84 mm; half of the 400 cutting positions looked at (of 2425) are within "
+            "4.20 mm");
   EXPECT_EQ(text({}, {}),
-            "nearest, the tool is more than 20 mm away; at half of the cutting positions it is more than 20 mm away (400 of "
-            "2425 looked at)");
+            "seen nearest, the tool is not within 20 mm; half of the 400 cutting positions looked at (of 2425) are not "
+            "within 20 mm");
+  report.model.closeness = Closeness{37, 37, 1.0, 2.0, 1.0};
+  EXPECT_EQ(closeness_text(report.model),
+            "seen nearest, the tool is within 1.00 mm; half of the 37 cutting positions are within 2.00 mm");
   report.model.closeness.reset();
   EXPECT_EQ(closeness_text(report.model), "");
 }
@@ -147,15 +186,15 @@ TEST(WriteCsv, HasOneRowForEveryMoveAndTheContractsColumns) {
   EXPECT_EQ(lines[0],
             "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz,mesh,triangle,"
             "operation,reason,"
-            "clearance,overcut");
-  EXPECT_EQ(lines[1], "0,10,rapid,1,clean,0,0,,,,,,,,,,,,finish <1>,,,");
+            "clearance,overcut,overcut_upper");
+  EXPECT_EQ(lines[1], "0,10,rapid,1,clean,0,0,,,,,,,,,,,,finish <1>,,,,");
   EXPECT_EQ(lines[3],
-            "2,12,feed,1,gouge,0.3333,0.3338,0.42,cutter,part,12.3,4.5,6.7,0,0,1,part.stl,5,finish <1>,,,");
-  EXPECT_EQ(lines[4], "3,13,feed,1,near,0,0,,,,,,,,,,,,finish <1>,,0.125,");
-  EXPECT_EQ(lines[5], "4,14,feed,1,buried,,,,,,,,,,,,,,finish <1>,,,");
-  EXPECT_EQ(lines[6], "5,15,feed,1,not-certified,0,0.5,,,,,,,,,,,,finish <1>,budget of 10 bounds spent,,");
+            "2,12,feed,1,gouge,0.3333,0.3338,0.42,cutter,part,12.3,4.5,6.7,0,0,1,part.stl,5,finish <1>,,,,");
+  EXPECT_EQ(lines[4], "3,13,feed,1,near,0,0,,,,,,,,,,,,finish <1>,,0.125,,");
+  EXPECT_EQ(lines[5], "4,14,feed,1,buried,,,,,,,,,,,,,,finish <1>,,,,");
+  EXPECT_EQ(lines[6], "5,15,feed,1,not-certified,0,0.5,,,,,,,,,,,,finish <1>,budget of 10 bounds spent,,,");
   EXPECT_EQ(lines[7],
-            "6,16,feed,\"long, \"\"thin\"\"\",not-checked,,,,,,,,,,,,,,,\"arcs, as yet, are not read\",,");
+            "6,16,feed,\"long, \"\"thin\"\"\",not-checked,,,,,,,,,,,,,,,\"arcs, as yet, are not read\",,,");
 }
 
 TEST(WriteCsv, LeavesABoundThatWasNeverReachedEmpty) {
