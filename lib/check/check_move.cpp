@@ -50,7 +50,9 @@ class MoveChecker {
   MoveVerdict run() {
     const SearchAnswer depth = finish(whole(), 0, options_.tolerance_mm, *swept_.depth);
     set_depth(depth, whole());
-    const bool is_deep = depth.value_mm > options_.tolerance_mm;
+    // By the witness, as anyone would compute it: the search may differ from it in the last digits.
+    const bool is_deep = verdict_.depth_mm > options_.tolerance_mm;
+    if (!is_deep && verdict_.depth_upper_mm > options_.tolerance_mm + options_.resolution_mm) is_decided_ = false;
     if (is_deep) {
       verdict_.state = MoveState::gouge;
     } else if (!tool_.with_clearance.elements.empty()) {
@@ -132,6 +134,12 @@ class MoveChecker {
     const Targets grown = grown_bodies(tool_, scene_);
     const SearchAnswer entered = finish(grown, 0, 0, *swept_.clearance);
     if (!entered.has_witness) return;
+    const Place place = place_of(entered);
+    if (!(evaluate(*grown[entered.at.target].tool, place.r, place.z).signed_distance_mm < 0)) {
+      // It touches, and no point is in the clearance but for rounding.
+      if (entered.value_upper_mm > options_.resolution_mm) is_decided_ = false;
+      return;
+    }
     const bool is_closed = depth.value_upper_mm - depth.value_mm <= options_.resolution_mm;
     const SearchAnswer closed = is_closed ? depth : ask(whole(), 0, 0);
     set_depth(closed, whole());

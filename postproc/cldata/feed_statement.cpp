@@ -36,7 +36,7 @@ constexpr std::array<UnitWord, 10> kUnits = {{{"MMPM", FeedUnit::per_minute, 1},
                                               {"INVERS", FeedUnit::not_understood, 0},
                                               {"TPI", FeedUnit::not_understood, 0}}};
 
-const UnitWord* unit_called(std::string_view word) {
+const UnitWord* feed_unit_called(std::string_view word) {
   const auto* const it = std::find_if(kUnits.begin(), kUnits.end(),
                                       [&](const UnitWord& u) { return equals_ignoring_case(word, u.word); });
   return it == kUnits.end() ? nullptr : it;
@@ -52,7 +52,7 @@ Feed feed_of(double number, const UnitWord& unit, double mm_per_unit) {
 std::optional<std::size_t> find_unit_word(Arguments arguments) {
   std::optional<std::size_t> found;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    if (unit_called(arguments[i].text) == nullptr) continue;
+    if (feed_unit_called(arguments[i].text) == nullptr) continue;
     if (found) return arguments.size();
     found = i;
   }
@@ -67,7 +67,7 @@ Feed read_feed(Arguments arguments, double mm_per_unit) {
   const double number = *std::find_if(arguments.begin(), arguments.end(), is_number)->number;
   const std::optional<std::size_t> at = find_unit_word(arguments);
   if (at == arguments.size()) return kNotUnderstood;
-  return feed_of(number, at ? *unit_called(arguments[*at].text) : UnitWord{"", FeedUnit::per_minute, 0}, mm_per_unit);
+  return feed_of(number, at ? *feed_unit_called(arguments[*at].text) : UnitWord{"", FeedUnit::per_minute, 0}, mm_per_unit);
 }
 
 bool switches_inverse_time(Arguments arguments) {
@@ -78,14 +78,14 @@ bool switches_inverse_time(Arguments arguments) {
 
 bool has_feed_unit(Arguments arguments) {
   return std::any_of(arguments.begin(), arguments.end(),
-                     [](const Argument& a) { return unit_called(a.text) != nullptr; });
+                     [](const Argument& a) { return feed_unit_called(a.text) != nullptr; });
 }
 
 Feed read_cycle_feed(Arguments arguments, double mm_per_unit) {
   const std::optional<std::size_t> at = find_unit_word(arguments);
   if (!at) return has_argument(arguments, "FEDRAT") ? kNotUnderstood : Feed{};
   if (*at + 1 >= arguments.size() || !arguments[*at + 1].number) return kNotUnderstood;
-  return feed_of(*arguments[*at + 1].number, *unit_called(arguments[*at].text), mm_per_unit);
+  return feed_of(*arguments[*at + 1].number, *feed_unit_called(arguments[*at].text), mm_per_unit);
 }
 
 }  // namespace gouge
