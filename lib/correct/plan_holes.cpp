@@ -104,10 +104,10 @@ std::vector<HolePlan> plan_holes(const Toolpath& path, const CheckResult& result
                                  const std::vector<const ToolForms*>& tools, const MotionChecker& checker,
                                  const CorrectOptions& correct) {
   std::vector<HolePlan> plans;
-  if (correct.rewritable == nullptr) return plans;
+  if (correct.rewritable == nullptr || correct.rewritable->hole.empty()) return plans;
   const std::vector<bool>& can_shift = correct.rewritable->hole;
   const HolePlanner planner(path, result, tools, checker, correct);
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+  for (std::size_t i = 1; i < path.moves.size(); ++i) {
     if (!can_shift[i] || !path.moves[i].has_start) continue;
     // Of several positions in one statement it is not told which moves are of which.
     const std::size_t last = end_of_hole(path, i);

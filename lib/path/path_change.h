@@ -29,11 +29,11 @@ struct PathChange {
   std::optional<Vec3> hole_shift_mm = std::nullopt;
 };
 
-/// What a file lets a correction rewrite within its own statements, one entry a move of the path.
+/// What a file lets a correction rewrite within its own statements: one entry a move of the path, or none at all where
+/// nothing can be rewritten.
 struct RewritableMoves {
-  std::vector<bool> arc;  ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
-  std::vector<bool>
-      hole;  ///< PathChange::hole_shift_mm can be written; true for the first move of a hole alone
+  std::vector<bool> arc;   ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
+  std::vector<bool> hole;  ///< PathChange::hole_shift_mm can be written; true for the first move of a hole alone
 };
 
 }  // namespace gouge
