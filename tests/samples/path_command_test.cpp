@@ -61,7 +61,7 @@ TEST(PathConvert, WithoutATargetIsTheIdentityOnRealFilesOrRefusesWhatIsNoClData)
       ++refused;
     }
   }
-  EXPECT_EQ(same, 28U);
+  EXPECT_EQ(same, 29U);
   EXPECT_EQ(refused, 5U);  // three part programs, a table of words, a file without motion
 }
 

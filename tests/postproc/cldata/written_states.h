@@ -24,9 +24,9 @@ struct MotionState {
            std::abs(feed.mm - other.feed.mm) <= 1e-4 * std::abs(other.feed.mm);
   }
   [[nodiscard]] std::string text() const {
-    static constexpr const char* kUnits[] = {"not stated", "rapid", "mm/min", "mm/rev", "not understood"};
+    static constexpr const char* kFeedUnits[] = {"not stated", "rapid", "mm/min", "mm/rev", "not understood"};
     std::ostringstream text;
-    text << "T" << tool << " " << kUnits[static_cast<std::size_t>(feed.unit)] << " " << feed.mm;
+    text << "T" << tool << " " << kFeedUnits[static_cast<std::size_t>(feed.unit)] << " " << feed.mm;
     return text.str();
   }
 };
