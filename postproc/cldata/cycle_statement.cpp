@@ -88,16 +88,6 @@ DrillCycle make(double clearance, double bottom, const Retract& retract) {
   return cycle;
 }
 
-// True where `text` is `word` but for one letter put in, left out or changed.
-bool is_off_by_one(std::string_view text, std::string_view word) {
-  if (text.size() > word.size()) std::swap(text, word);
-  if (word.size() - text.size() > 1 || equals_ignoring_case(text, word)) return false;
-  std::size_t same = 0;
-  while (same < text.size() && equals_ignoring_case(text.substr(same, 1), word.substr(same, 1))) ++same;
-  const std::size_t skipped = text.size() == word.size() ? same + 1 : same;
-  return equals_ignoring_case(text.substr(std::min(skipped, text.size())), word.substr(same + 1));
-}
-
 // A height's word with a letter wrong, or its number run into it: what it said is lost.
 bool is_damaged_height(const Argument& argument) {
   if (argument.number || argument.text.empty()) return false;
@@ -107,7 +97,7 @@ bool is_damaged_height(const Argument& argument) {
   }
   const bool is_run_in = letters.size() != argument.text.size();
   return std::any_of(kHeightWords.begin(), kHeightWords.end(), [&](std::string_view word) {
-    return is_off_by_one(letters, word) || (is_run_in && equals_ignoring_case(letters, word));
+    return is_one_letter_off(letters, word) || (is_run_in && equals_ignoring_case(letters, word));
   });
 }
 
