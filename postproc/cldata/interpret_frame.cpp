@@ -277,6 +277,9 @@ void Interpreter::take_mode() {
   for (const char* word : {"TURN", "LATHE", "WIRE", "EDM"}) {
     if (has_argument(arguments_, word)) mode_reason_ = because(Reasons::kTurning);
   }
+  for (const char* word : {"INCR", "INCREMENTAL"}) {
+    if (has_argument(arguments_, word)) unread_frame_reason_ = because(Reasons::kUnreadFrame);
+  }
 }
 
 void Interpreter::take_tlaxis() {

@@ -31,6 +31,7 @@ constexpr auto kWords = std::to_array<Entry>({
     {"CLRSRF", Word::harmless},
     {"CNTRL", Word::cntrl},
     {"COOLNT", Word::harmless},
+    {"COORD", Word::unread_frame},
     {"COPY", Word::repeat},
     {"COUPLE", Word::unread_frame},
     {"CSI_PATH_TOLERANCE", Word::harmless},
@@ -117,6 +118,7 @@ constexpr auto kWords = std::to_array<Entry>({
     {"PRINT", Word::harmless},
     {"PSIS", Word::part_program},
     {"RAPID", Word::rapid},
+    {"REFSYS", Word::unread_frame},
     {"REMARK", Word::free_text},
     {"RESERV", Word::part_program},
     {"RETRCT", Word::retrct},
@@ -159,7 +161,7 @@ constexpr auto kWords = std::to_array<Entry>({
     {"UNITS", Word::units},
     {"UNLOAD", Word::harmless},
     {"WORKPL", Word::unread_frame},
-    {"ZERO", Word::harmless},
+    {"ZERO", Word::setup},
     {"ZSURF", Word::part_program},
 });
 
