@@ -231,7 +231,7 @@ ArcSense Interpreter::shorter_way(ArcStatement arc, const Vec3& start, const Vec
 void Interpreter::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
   const ArcFit fit = fit_arc(arc, start, move.end.tip);
   if (fit.problem == ArcProblems::kRadius) {
-    if (radius_errors_++ == 0) first_radius_error_line_ = move.line;
+    radius_errors_.add(move.line);
     worst_radius_error_mm_ = std::max(worst_radius_error_mm_, fit.radius_error_mm);
   }
   move.not_checked_reason = fit.problem;

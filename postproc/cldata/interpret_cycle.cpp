@@ -57,9 +57,7 @@ void Interpreter::begin_cycle() {
   cycle_.drill = read_cycle(dialect_.kind, arguments_, mm_per_unit_);
   cycle_words_ = arguments_;
   if (!cycle_.drill) cycle_reason_ = because(Reasons::kCycle);
-  if (cycle_.drill && !cycle_.drill->is_retract_stated && cycles_without_retract_++ == 0) {
-    first_cycle_without_retract_ = statement_->line;
-  }
+  if (cycle_.drill && !cycle_.drill->is_retract_stated) cycles_without_retract_.add(statement_->line);
 }
 
 // The arguments become those of the last cycle with the values that stand here; they stay as they are, and are then not
@@ -87,7 +85,7 @@ void Interpreter::count_holes() {
 void Interpreter::doubt_cycle() {
   if (!cycle_.reason.empty()) return;
   cycle_.reason = reasons_.name(Reasons::kCycleOpen, "CYCLE", cycle_.line);
-  if (cycles_never_ended_++ == 0) first_cycle_never_ended_ = cycle_.line;
+  cycles_never_ended_.add(cycle_.line);
   const std::size_t end = cycle_.is_contradicted ? cycle_.contradicted_moves : path_.moves.size();
   doubt_moves(cycle_.certain_moves, end, cycle_.reason);
 }
@@ -100,7 +98,7 @@ void Interpreter::doubt_moves_before_stray_end() {
     if (move.kind != MoveKind::feed || !move.not_checked_reason.empty()) continue;
     if (reason.empty()) {
       reason = because(Reasons::kCycleStrayEnd);
-      if (cycles_never_begun_++ == 0) first_cycle_never_begun_ = statement_->line;
+      cycles_never_begun_.add(statement_->line);
     }
     move.not_checked_reason = reason;
   }

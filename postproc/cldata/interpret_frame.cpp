@@ -119,7 +119,7 @@ void Interpreter::take_catia_row(std::string_view text) {
 }
 
 void Interpreter::note_creo_csys() {
-  if (!is_identity(arguments_, kIdentityByRows) && csys_told_++ == 0) first_csys_line_ = statement_->line;
+  if (!is_identity(arguments_, kIdentityByRows)) csys_told_.add(statement_->line);
 }
 
 void Interpreter::take_creo_comment() {

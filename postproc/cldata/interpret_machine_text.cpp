@@ -48,7 +48,7 @@ void Interpreter::take_codes(char letter) {
 void Interpreter::take_machine_text(const MachineEffect& effect) {
   const bool is_other_unit = effect.unit && std::abs(mm_per(*effect.unit) - mm_per_unit_) > 0;
   const bool moves = effect.moves || effect.changes_tool || effect.is_unknown;
-  if (effect.chooses_offset && offsets_chosen_++ == 0) first_offset_line_ = statement_->line;
+  if (effect.chooses_offset) offsets_chosen_.add(statement_->line);
   if (moves || effect.shifts || effect.changes_length || effect.begins_cycle || effect.begins_steps || is_other_unit) count_unknown();
   if (moves) emit_unread();
   if (effect.changes_length) loading_reason_ = because(Reasons::kMachineShift);

@@ -127,7 +127,7 @@ bool Interpreter::has_doubtful_axis(const Position& position) {
   if (position.numbers == 6) {
     is_last_tilted_ = position.axis_local.cross(fixed_axis_).squaredNorm() > kTiltTold * kTiltTold;
   } else if (is_last_tilted_ && !is_known) {
-    if (plain_after_tilt_++ == 0) first_plain_after_tilt_ = statement_->line;
+    plain_after_tilt_.add(statement_->line);
     return true;
   }
   return false;
@@ -286,7 +286,7 @@ void Interpreter::take_cutcom() {
 }
 
 void Interpreter::begin_cutcom() {
-  if (cutcoms_++ == 0) first_cutcom_line_ = statement_->line;
+  cutcoms_.add(statement_->line);
   cutcom_ = has_argument(arguments_, "LEFT")    ? CutcomSide::left
             : has_argument(arguments_, "RIGHT") ? CutcomSide::right
                                                 : CutcomSide::unknown;
@@ -378,7 +378,7 @@ void Interpreter::append(Move move, const Position& position) {
   if (move.not_checked_reason.empty() && doubt_ != nullptr) move.not_checked_reason = doubt_;
   if (move.not_checked_reason.empty()) move.not_checked_reason = cutcom_reason();
   if (records_ != nullptr) records_->of_move.push_back(make_record(move, position));
-  if (is_broken_ && not_swept_++ == 0) first_not_swept_line_ = move.line;
+  if (is_broken_) not_swept_.add(move.line);
   is_broken_ = false;
   if (dialect_.is_axis_modal) modal_axis_ = position.axis_local;
   note_direction(move);

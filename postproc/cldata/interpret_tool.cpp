@@ -40,7 +40,7 @@ void Interpreter::set_cutter(const CutterStatement& cutter, double flute_length_
 void Interpreter::take_cutter() {
   cutter_reason_ = nullptr;
   CutterOutcome outcome = make_cutter(arguments_, mm_per_unit_, dialect_.kind);
-  if (outcome.is_recomputed && cutters_recomputed_++ == 0) first_cutter_recomputed_ = statement_->line;
+  if (outcome.is_recomputed) cutters_recomputed_.add(statement_->line);
   if (!outcome.error.empty()) {
     const Argument* word = find_word_argument(arguments_);
     if (word != nullptr && path_.moves.empty() && !word->text.empty() && word->text[0] >= 'A') {

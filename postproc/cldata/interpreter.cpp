@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "lib/base/number_text.h"
 #include "postproc/cldata/run_on.h"
 #include "postproc/cldata/statement_reader.h"
 #include "postproc/cldata/text.h"
@@ -18,10 +17,6 @@ constexpr double kShareThatTells = 0.02;  // of a file, to expect the same of it
 constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
 constexpr std::size_t kLongestMajor = 24;    // of a word that is told
 constexpr const char* kOtherWords = "(other words)";
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
 
 std::string cut_short_text(DialectKind kind) {
   if (kind == DialectKind::nccs_binary)
@@ -393,54 +388,7 @@ void Interpreter::finish() {
   if (arc_ || has_indirv_) drop_described_curve();
   if (cycle_.is_on && cycle_.certain_moves < path_.moves.size()) doubt_cycle();
   doubt_blocks_without_msys();
-  Diagnostics& notes = path_.notes;
-  if (renormalised_ > 0) {
-    notes.push_back(make_note("path-axis-length",
-                              counted(renormalised_, "tool axis vector") + " not of length 1 (worst " +
-                                  exact_text(worst_axis_length_) + ") made so",
-                              path_.file));
-  }
-  note_motion();
-  note_arcs();
-  if (plain_after_tilt_ > 0) {
-    notes.push_back(
-        make_warning("path-plain-axis",
-                     counted(plain_after_tilt_, "position") +
-                         " of 3 numbers after one with a tilted axis: the file does not say which axis they have, so "
-                         "they are not checked",
-                     path_.file, first_plain_after_tilt_));
-  }
-  if (csys_told_ > 0) {
-    notes.push_back(make_note("path-csys",
-                              counted(csys_told_, "CSYS statement") +
-                                  " not applied: Creo writes positions in the machine coordinate system",
-                              path_.file, first_csys_line_));
-  }
-  if (cutters_recomputed_ > 0) {
-    notes.push_back(
-        make_note("path-cutter-recomputed",
-                  counted(cutters_recomputed_, "CUTTER statement") +
-                      " with e and f other than d, r, alpha and beta give: these are taken, as CAM "
-                      "systems disagree about e and f",
-                  path_.file, first_cutter_recomputed_));
-  }
-  if (dialect_.has_end_word && !has_end_) {
-    notes.push_back(
-        make_warning("path-cut-short", "the file ends without END or FINI: it may be cut short", path_.file));
-  }
-  if (is_block_open_) {
-    notes.push_back(make_warning(
-        "path-cut-short", "the last TOOL PATH has no END-OF-PATH: the file may be cut short", path_.file));
-  }
-  if (!path_.words_not_understood.empty()) {
-    std::size_t count = 0;
-    for (const auto& entry : path_.words_not_understood) count += entry.second;
-    notes.push_back(make_warning("path-words",
-                                 counted(count, "statement") +
-                                     " with words that are not understood, taken to move "
-                                     "nothing where no move is not checked for them; path info lists them",
-                                 path_.file));
-  }
+  write_notes();
 }
 
 MotionRecords read_motion_records(const Toolpath& path) {

@@ -24,6 +24,7 @@
 #include "postproc/cldata/named_reasons.h"
 #include "postproc/cldata/reasons.h"
 #include "postproc/cldata/statement.h"
+#include "postproc/cldata/tally.h"
 
 // Statements to moves: the modal state of CL data. The reader runs it to fill a Toolpath; the writer runs it
 // again over the same bytes to know in which state (axis, frame, unit, rapid) each position was read.
@@ -238,6 +239,7 @@ class Interpreter {
   [[nodiscard]] static ArcSense shorter_way(ArcStatement arc, const Vec3& start, const Vec3& end);
 
   // interpret_notes.cpp
+  void write_notes();
   void note_motion();
   void note_arcs();
 
@@ -423,21 +425,21 @@ class Interpreter {
   // told once at the end
   std::size_t renormalised_ = 0;
   double worst_axis_length_ = 1;
-  std::size_t csys_told_ = 0, first_csys_line_ = 0;
+  Tally csys_told_;
   std::size_t cutters_without_tool_ = 0;
-  std::size_t cutters_recomputed_ = 0, first_cutter_recomputed_ = 0;
-  std::size_t cutcoms_ = 0, first_cutcom_line_ = 0;
-  std::size_t offsets_chosen_ = 0, first_offset_line_ = 0;
-  std::size_t not_swept_ = 0, first_not_swept_line_ = 0;
+  Tally cutters_recomputed_;
+  Tally cutcoms_;
+  Tally offsets_chosen_;
+  Tally not_swept_;
   std::size_t right_votes_ = 0, left_votes_ = 0;         // lines that touch arcs, by the sense they tell
   std::size_t turned_vectors_ = 0, wrong_way_arcs_ = 0;  // of Autodesk: clockwise arcs right-handed, and left-handed
   std::size_t smooth_arcs_ = 0, reversing_arcs_ = 0;     // the same, by whether it is the sense they are read in
-  std::size_t radius_errors_ = 0, first_radius_error_line_ = 0;
+  Tally radius_errors_;
   double worst_radius_error_mm_ = 0;
-  std::size_t cycles_never_begun_ = 0, first_cycle_never_begun_ = 0;
-  std::size_t cycles_never_ended_ = 0, first_cycle_never_ended_ = 0;
-  std::size_t cycles_without_retract_ = 0, first_cycle_without_retract_ = 0;
-  std::size_t plain_after_tilt_ = 0, first_plain_after_tilt_ = 0;
+  Tally cycles_never_begun_;
+  Tally cycles_never_ended_;
+  Tally cycles_without_retract_;
+  Tally plain_after_tilt_;
   bool is_last_tilted_ = false;
   bool has_end_ = false;
 };
