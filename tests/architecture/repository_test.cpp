@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "tests/architecture/source_rules.h"
+#include "tests/support/source_folder.h"
 
 // The rules of the house on the house itself.
 
@@ -24,7 +25,7 @@ std::string text_of(const fs::path& path) {
 
 const std::vector<SourceFile>& repository() {
   static const std::vector<SourceFile> kFiles = [] {
-    const fs::path root = GOUGE_SOURCE_DIR;
+    const fs::path root = source_folder();
     std::vector<SourceFile> files;
     const auto add = [&](const fs::path& path) {
       files.push_back({path.lexically_relative(root).generic_string(), text_of(path)});
@@ -118,7 +119,7 @@ TEST(Repository, EveryMessageCodeIsDocumentedAndNoOther) {
 }
 
 TEST(Repository, EveryLinkOfTheDocumentsLeadsToAFile) {
-  const fs::path root = GOUGE_SOURCE_DIR;
+  const fs::path root = source_folder();
   std::size_t links = 0;
   for (const SourceFile& file : repository()) {
     if (fs::path(file.path).extension() != ".md") continue;
@@ -149,7 +150,7 @@ std::map<std::string, std::vector<std::string>> rows_by_section(const std::strin
 }
 
 TEST(Repository, TheThesisMapNamesFilesAndTestsForEverySectionOfTheCoresChapters) {
-  const auto rows = rows_by_section(text_of(fs::path(GOUGE_SOURCE_DIR) / "docs" / "thesis_map.md"));
+  const auto rows = rows_by_section(text_of(fs::path(source_folder()) / "docs" / "thesis_map.md"));
   for (const char* section :
        {"2.4.18", "2.4.18.1", "2.4.18.2",   "2.4.18.3",  "2.4.18.4", "2.4.18.5", "4.1",     "4.1.1",
         "4.1.2",  "4.2",      "4.3",        "4.4",       "4.4.1",    "4.4.2",    "4.5",     "4.5.1",
@@ -167,7 +168,7 @@ TEST(Repository, TheThesisMapNamesFilesAndTestsForEverySectionOfTheCoresChapters
 }
 
 TEST(Repository, EveryPathTheDocumentsNameIsThere) {
-  const fs::path root = GOUGE_SOURCE_DIR;
+  const fs::path root = source_folder();
   std::size_t named = 0;
   for (const SourceFile& file : repository()) {
     if (fs::path(file.path).extension() != ".md") continue;

@@ -8,6 +8,7 @@
 
 #include "cli/exit_code.h"
 #include "lib/base/files.h"
+#include "tests/support/source_folder.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
@@ -30,7 +31,7 @@ class ToolImport : public testing::Test {
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
 
   int run(const std::string& corpus_file) {
-    arguments.file = std::string(GOUGE_SOURCE_DIR) + "/tests/corpus/tool/" + corpus_file;
+    arguments.file = source_folder() + "/tests/corpus/tool/" + corpus_file;
     std::ostringstream out_stream, err_stream;
     const int status = run_tool_import(arguments, path("new.json"), out_stream, err_stream);
     out = out_stream.str();

@@ -11,6 +11,7 @@
 #include "tests/laws/promise.h"
 #include "tests/support/real_arcs.h"
 #include "tests/support/shapes.h"
+#include "tests/support/source_folder.h"
 #include "tests/support/tools.h"
 
 namespace gouge {
@@ -39,7 +40,7 @@ TEST_P(ArcSense, OnlyTheWrongWayRoundMeetsThePost) {
 }
 
 TEST(FiveDialects, OfOnePartHaveOneVerdictAndOneDepth) {
-  const std::string data = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/";
+  const std::string data = source_folder() + "/../shared/data/";
   if (!std::filesystem::exists(data)) GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";
   CheckResult first;
   std::size_t gouges = 0;

@@ -15,6 +15,7 @@
 #include "postproc/cldata/write_corrected.h"
 #include "tests/laws/correction_scenes.h"
 #include "tests/laws/promise.h"
+#include "tests/support/source_folder.h"
 
 namespace gouge::laws {
 namespace {
@@ -87,7 +88,7 @@ class CorrectionLawsOnRealPairs : public ::testing::TestWithParam<Pair> {
  protected:
   // The toolpath with this change of each of its lines.
   void hold(const std::function<std::string(const std::string&)>& edit) {
-    const std::filesystem::path data = std::filesystem::path(GOUGE_SOURCE_DIR) / "../shared/data";
+    const std::filesystem::path data = std::filesystem::path(source_folder()) / "../shared/data";
     const std::filesystem::path path = data / "toolpaths" / GetParam().toolpath;
     JobArguments arguments;
     arguments.parts = {(data / "parts/matched" / GetParam().part).string()};

@@ -9,6 +9,7 @@
 #include "tests/laws/loose_statements.h"
 #include "tests/laws/motion_coverage.h"
 #include "tests/laws/motion_expander.h"
+#include "tests/support/source_folder.h"
 
 namespace gouge::laws {
 namespace {
@@ -26,12 +27,12 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 }  // namespace
 
 std::vector<std::filesystem::path> modal_files() {
-  return files_in(GOUGE_SOURCE_DIR "/tests/corpus/modal");
+  return files_in(source_folder() + "/tests/corpus/modal");
 }
 
 std::vector<std::filesystem::path> real_files() {
   constexpr std::array<std::string_view, 3> kNoText{".cl", ".tbl", ".md"};
-  std::vector<std::filesystem::path> files = files_in(GOUGE_SOURCE_DIR "/../shared/data/toolpaths");
+  std::vector<std::filesystem::path> files = files_in(source_folder() + "/../shared/data/toolpaths");
   std::erase_if(files, [&](const std::filesystem::path& file) {
     return std::find(kNoText.begin(), kNoText.end(), file.extension().string()) != kNoText.end();
   });

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "tests/laws/promise.h"
+#include "tests/support/source_folder.h"
 
 namespace gouge {
 namespace {
@@ -30,7 +31,7 @@ INSTANTIATE_TEST_SUITE_P(All, PromiseOnRealPairs, ::testing::ValuesIn(kPairs),
                          [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(PromiseOnRealPairs, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanTold) {
-  const std::filesystem::path data = std::filesystem::path(GOUGE_SOURCE_DIR) / "../shared/data";
+  const std::filesystem::path data = std::filesystem::path(source_folder()) / "../shared/data";
   JobArguments arguments;
   arguments.path = (data / "toolpaths" / GetParam().toolpath).string();
   arguments.parts = {(data / "parts/matched" / GetParam().part).string()};

@@ -6,6 +6,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/support/source_folder.h"
 
 // A path that plainly does not fit its part: refused by `correct`, told by `check`, explained where it can
 // be.
@@ -64,7 +65,7 @@ TEST(Misfit, WhatGougesHereAndThereIsCorrectedWithoutAWord) {
 }
 
 TEST(Misfit, ARealFiveAxisPathWithOneSignWrong) {
-  const std::string data = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/";
+  const std::string data = source_folder() + "/../shared/data/";
   if (!std::filesystem::exists(data))
     GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";
   const std::string folder = fresh_folder();
@@ -89,7 +90,7 @@ TEST(Misfit, ARealFiveAxisPathWithOneSignWrong) {
 }
 
 TEST(Misfit, NoRealPairIsToldNotToFit) {
-  const std::string data = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/";
+  const std::string data = source_folder() + "/../shared/data/";
   if (!std::filesystem::exists(data))
     GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";
   for (const char* name :

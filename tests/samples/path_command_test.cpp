@@ -9,6 +9,7 @@
 
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
+#include "tests/support/source_folder.h"
 
 // `gougecheck path` as a user sees it, on a small file of every dialect and on real files where these are at hand.
 
@@ -17,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kCorpus = std::string(GOUGE_SOURCE_DIR) + "/tests/corpus/cl";
-const std::string kReal = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/toolpaths";
+const std::string kCorpus = source_folder() + "/tests/corpus/cl";
+const std::string kReal = source_folder() + "/../shared/data/toolpaths";
 
 std::vector<std::string> files_below(const std::string& folder) {
   std::vector<std::string> files;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "lib/base/files.h"
+#include "tests/support/source_folder.h"
 #include "tests/toolmodels/sample_tools.h"
 #include "toolmodels/compile_tool.h"
 
@@ -157,7 +158,7 @@ TEST(ToolLibrary, WrongFilesGetOneClearMessage) {
 }
 
 ToolLibrary sample_library() {
-  const Result<std::string> bytes = read_file(std::string(GOUGE_SOURCE_DIR) + "/samples/tool_shapes.json");
+  const Result<std::string> bytes = read_file(source_folder() + "/samples/tool_shapes.json");
   EXPECT_TRUE(bytes.has_value());
   const Result<ToolLibrary> library = read_tool_library("tool_shapes.json", *bytes);
   EXPECT_TRUE(library.has_value()) << (library ? "" : library.error().message);

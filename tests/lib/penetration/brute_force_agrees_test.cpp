@@ -12,6 +12,7 @@
 #include "lib/penetration/find_penetration.h"
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
+#include "tests/support/source_folder.h"
 
 // Depth and direction against all triangles and the winding number, for every k, tree width and normal
 // method. GOUGE_PENETRATION_POINTS sets how many points there are in all (short by default). Every point is
@@ -20,7 +21,7 @@
 namespace gouge {
 namespace {
 
-const std::string kParts = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/parts/";
+const std::string kParts = source_folder() + "/../shared/data/parts/";
 constexpr std::size_t kBatch = 200;
 // The cells do not depend on directions and normals, only the searches they leave over on the width: one
 // setting of each width.

@@ -7,6 +7,7 @@
 
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/repair_mesh.h"
+#include "tests/support/source_folder.h"
 
 // Parts other people's systems wrote, kept beside the project, not in it. Skipped where they are absent.
 
@@ -15,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kParts = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/parts";
+const std::string kParts = source_folder() + "/../shared/data/parts";
 
 TEST(RealPartsValidation, EveryReadablePartIsJudgedAndRepairNeverHidesADefect) {
   if (!fs::exists(kParts)) GTEST_SKIP() << "real parts absent: " << kParts;

@@ -5,6 +5,7 @@
 
 #include "lib/base/files.h"
 #include "postproc/cldata/read_toolpath.h"
+#include "tests/support/source_folder.h"
 
 namespace gouge {
 namespace {
@@ -154,7 +155,7 @@ TEST(BadPath, MoreThanAnyCamSystemWrites) {
 
 // One small file for each kind of bad input; the start of its name is the code it must be refused with.
 TEST(BadPath, EveryFileOfTheCorpusIsRefusedWithItsCode) {
-  const std::filesystem::path folder = std::string(GOUGE_SOURCE_DIR) + "/tests/corpus/apt";
+  const std::filesystem::path folder = source_folder() + "/tests/corpus/apt";
   std::size_t files = 0;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();

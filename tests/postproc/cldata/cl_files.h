@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/source_folder.h"
+
 namespace gouge {
 
 inline std::string bytes_of(const std::filesystem::path& file) {
@@ -26,11 +28,11 @@ inline std::vector<std::filesystem::path> files_below(const std::filesystem::pat
 }
 
 inline std::filesystem::path corpus() {
-  return std::filesystem::path(GOUGE_SOURCE_DIR) / "tests/corpus/cl";
+  return std::filesystem::path(source_folder()) / "tests/corpus/cl";
 }
 
 inline std::filesystem::path real_toolpaths() {
-  return std::filesystem::path(GOUGE_SOURCE_DIR) / "../shared/data/toolpaths";
+  return std::filesystem::path(source_folder()) / "../shared/data/toolpaths";
 }
 
 /// Our own sample of every dialect, and the real files where they are.

@@ -10,11 +10,12 @@
 #include "lib/path/path_info.h"
 #include "postproc/cldata/read_toolpath.h"
 #include "postproc/cldata/write_corrected.h"
+#include "tests/support/source_folder.h"
 
 namespace gouge {
 namespace {
 
-const std::string kFolder = std::string(GOUGE_SOURCE_DIR) + "/../shared/data/toolpaths/";
+const std::string kFolder = source_folder() + "/../shared/data/toolpaths/";
 
 #define SKIP_WITHOUT_DATA()              \
   if (!std::filesystem::exists(kFolder)) \

@@ -9,6 +9,7 @@
 #include "postproc/report/write_json.h"
 #include "postproc/report/write_sarif.h"
 #include "tests/postproc/report/small_report.h"
+#include "tests/support/source_folder.h"
 
 namespace gouge {
 namespace {
@@ -80,7 +81,7 @@ void check_schema(const json& root, const json& schema, const json& value, const
 
 std::vector<std::string> schema_errors(const json& value) {
   const Result<std::string> text =
-      read_file(std::string(GOUGE_SOURCE_DIR) + "/docs/formats/report.schema.json");
+      read_file(source_folder() + "/docs/formats/report.schema.json");
   if (!text) return {text.error().message};
   std::vector<std::string> errors;
   const json schema = json::parse(*text);

@@ -5,12 +5,13 @@
 #include <string>
 
 #include "lib/base/files.h"
+#include "tests/support/source_folder.h"
 #include "toolmodels/import/import_tools.h"
 
 namespace gouge::test {
 
 inline std::string corpus(const std::string& name) {
-  const Result<std::string> bytes = read_file(std::string(GOUGE_SOURCE_DIR) + "/tests/corpus/tool/" + name);
+  const Result<std::string> bytes = read_file(source_folder() + "/tests/corpus/tool/" + name);
   EXPECT_TRUE(bytes.has_value()) << name;
   return bytes ? *bytes : std::string();
 }
