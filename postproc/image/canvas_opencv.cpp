@@ -2,10 +2,10 @@
 #include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
 #include "postproc/image/ascii_text.h"
+#include "postproc/image/encode_png.h"
 #include "postproc/image/render_png.h"
 
 // The only file that knows OpenCV. Everything is painted kSupersampling times larger and averaged down.
@@ -137,13 +137,11 @@ class Painter {
     });
   }
 
-  [[nodiscard]] std::string png() const {
+  [[nodiscard]] Result<std::string> png() const {
     cv::Mat small;
     cv::resize(image_, small, cv::Size(image_.cols / kSupersampling, image_.rows / kSupersampling), 0, 0,
                cv::INTER_AREA);
-    std::vector<unsigned char> bytes;
-    cv::imencode(".png", small, bytes, {cv::IMWRITE_PNG_COMPRESSION, 7});
-    return {bytes.begin(), bytes.end()};
+    return encode_png(small.ptr<std::uint8_t>(), small.cols, small.rows);
   }
 
   static double scale_of(double size) { return size * kCapHeightOfSize * kSupersampling / kHersheyCapHeight; }

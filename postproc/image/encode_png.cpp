@@ -1,0 +1,29 @@
+#include "postproc/image/encode_png.h"
+
+#include <png.h>
+
+// libpng's simplified interface: it gives its errors back as text, where the full one would jump over
+// destructors.
+
+namespace gouge {
+
+Result<std::string> encode_png(const std::uint8_t* bgr, int width, int height) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(width);
+  image.height = static_cast<png_uint_32>(height);
+  image.format = PNG_FORMAT_BGR;
+  // The largest size it can have: asking libpng for the true one would compress everything twice.
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string bytes(size, '\0');
+  constexpr int kRowsAsTheyAre = 0;
+  if (png_image_write_to_memory(&image, bytes.data(), &size, 0, bgr, kRowsAsTheyAre, nullptr) == 0) {
+    return make_error("picture-not-encoded",
+                      std::string("the picture could not be encoded: ") + image.message);
+  }
+  bytes.resize(size);
+  bytes.shrink_to_fit();
+  return bytes;
+}
+
+}  // namespace gouge
