@@ -175,6 +175,7 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
   command
       .add_option("-o,--output", arguments.output,
                   "The corrected toolpath, in the same dialect (- for standard output alone)")
+      ->type_name("FILE")
       ->required();
   command
       .add_option("--strategy", arguments.strategy,
@@ -182,12 +183,16 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
       ->check(CLI::IsMember({"weighted", "axis"}))
       ->capture_default_str();
   command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")
+      ->type_name("LENGTH")
       ->capture_default_str();
-  command.add_option("--max-side-shift", arguments.max_side_shift,
-                     "Furthest a position may be moved across its tool axis (default: its depth times 2)");
+  command
+      .add_option("--max-side-shift", arguments.max_side_shift,
+                  "Furthest a position may be moved across its tool axis (default: its depth times 2)")
+      ->type_name("LENGTH");
   command
       .add_option("--rapid-clearance", arguments.rapid_clearance,
                   "How far rapids that must change keep off, where there is room within --max-shift")
+      ->type_name("LENGTH")
       ->capture_default_str();
   command.add_flag("--force", arguments.is_forced,
                    "Correct also a path that plainly does not fit the part (units, placement, axis sign)");

@@ -8,43 +8,59 @@ namespace gouge {
 namespace {
 
 void add_input_options(CLI::App& command, JobArguments& a) {
-  command.add_option("PATH", a.path, "Toolpath: CL data of any dialect; its content tells which")->required();
+  command.add_option("PATH", a.path, "Toolpath: CL data of any dialect; its content tells which")
+      ->type_name("FILE")
+      ->required();
   add_reading_options(command, a.reading);
   command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")
+      ->type_name("FILE")
       ->required()
       ->allow_extra_args(false);
   command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)")
+      ->type_name("FILE")
       ->allow_extra_args(false);
   command
-      .add_option("--head", a.heads,
-                  "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
-                  "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)")
+      .add_option(
+          "--head", a.heads,
+          "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
+          "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)")
+      ->type_name("FILE")
       ->allow_extra_args(false);
-  command.add_option("--place", a.place,
-                     "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z");
+  command
+      .add_option("--place", a.place, "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z")
+      ->type_name("X,Y,Z");
   command.add_option("--stl-units", a.stl_units, "Unit of the STL files (default: the toolpath's)")
       ->check(CLI::IsMember(unit_words()));
-  command.add_option("--tools", a.tools_file,
-                     "Tool library (JSON); tools it lacks come from CUTTER or TLDATA");
   command
-      .add_option("--tool", a.tool_names,
-                  "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); "
-                  "NAME alone: the tool of moves for which the toolpath names none")
+      .add_option("--tools", a.tools_file, "Tool library (JSON); tools it lacks come from CUTTER or TLDATA")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--tool", a.tool_names,
+          "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); "
+          "NAME alone: the tool of moves for which the toolpath names none")
+      ->type_name("N=NAME")
       ->allow_extra_args(false);
-  command.add_option("--holder", a.holder, "Holder of the library for tools that have none");
+  command.add_option("--holder", a.holder, "Holder of the library for tools that have none")
+      ->type_name("NAME");
   command.add_flag("--extend-up", a.is_extended_up,
                    "Let the top body of every tool go on without end, so that nothing hides above it");
 }
 
 void add_check_options(CLI::App& command, JobArguments& a) {
   command.add_option("--tolerance", a.tolerance, "Depth a move may have, against parts and fixtures alike")
+      ->type_name("LENGTH")
       ->capture_default_str();
   command.add_option("--stock-to-leave", a.stock_to_leave, "Grow the cutter by this against the part")
+      ->type_name("LENGTH")
       ->capture_default_str();
-  command.add_option("--clearance", a.clearance, "Keep bodies away from everything: shank=0.5,holder=1");
+  command.add_option("--clearance", a.clearance, "Keep bodies away from everything: shank=0.5,holder=1")
+      ->type_name("BODY=LENGTH");
   command.add_option("--near-miss", a.near_miss, "Tell moves that come closer than this (0: do not)")
+      ->type_name("LENGTH")
       ->capture_default_str();
   command.add_option("--resolution", a.resolution, "Certified gap: the largest depth that may go untold")
+      ->type_name("LENGTH")
       ->capture_default_str();
   command.add_option("--rapid", a.rapid, "How rapid moves run")
       ->check(CLI::IsMember({"straight", "dogleg", "skip"}))
@@ -53,12 +69,15 @@ void add_check_options(CLI::App& command, JobArguments& a) {
 }
 
 void add_output_options(CLI::App& command, JobArguments& a) {
-  command.add_option("--report", a.report_folder,
-                     "Folder for the report: report.html, pictures, JSON and CSV");
-  command.add_option("--json", a.json_file, "Write the result as JSON (- for standard output alone)");
-  command.add_option("--csv", a.csv_file, "Write one row for every move (- for standard output alone)");
-  command.add_option("--sarif", a.sarif_file, "Write SARIF 2.1.0 for code review tools");
-  command.add_option("--junit", a.junit_file, "Write JUnit XML for build servers");
+  command
+      .add_option("--report", a.report_folder, "Folder for the report: report.html, pictures, JSON and CSV")
+      ->type_name("FOLDER");
+  command.add_option("--json", a.json_file, "Write the result as JSON (- for standard output alone)")
+      ->type_name("FILE");
+  command.add_option("--csv", a.csv_file, "Write one row for every move (- for standard output alone)")
+      ->type_name("FILE");
+  command.add_option("--sarif", a.sarif_file, "Write SARIF 2.1.0 for code review tools")->type_name("FILE");
+  command.add_option("--junit", a.junit_file, "Write JUnit XML for build servers")->type_name("FILE");
   command.add_option("--progress", a.progress, "Show progress on standard error")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();

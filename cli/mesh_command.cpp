@@ -59,20 +59,26 @@ bool deliver(const MeshArguments& arguments, const MeshInfo& info, std::ostream&
 }  // namespace
 
 void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
-  command.add_option("PART", arguments.file, "STL file, binary or ASCII")->required();
+  command.add_option("PART", arguments.file, "STL file, binary or ASCII")->type_name("FILE")->required();
   command.add_option("--stl-units", arguments.stl_units, "Unit of the STL's numbers")
       ->check(CLI::IsMember(unit_words()))
       ->capture_default_str();
-  command.add_option("--weld", arguments.weld,
-                     "Join vertices no farther apart than this (no vertex moves farther) and judge the result; with "
-                     "--repair it is what is repaired and written");
-  CLI::Option* repair = command.add_option("--repair", arguments.repair_file,
-                                           "Write a repaired binary STL here, if it has fewer defects");
+  command
+      .add_option(
+          "--weld", arguments.weld,
+          "Join vertices no farther apart than this (no vertex moves farther) and judge the result; with "
+          "--repair it is what is repaired and written")
+      ->type_name("LENGTH");
+  CLI::Option* repair = command
+                            .add_option("--repair", arguments.repair_file,
+                                        "Write a repaired binary STL here, if it has fewer defects")
+                            ->type_name("FILE");
   command
       .add_flag("--fill-holes", arguments.fills_holes,
                 "Let the repair add triangles where surface is missing")
       ->needs(repair);
-  command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output");
+  command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")
+      ->type_name("FILE");
   command.footer(
       "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair mended.stl --fill-holes\n"
       "  gougecheck mesh part.stl --weld 0.002 --repair welded.stl\n\n"

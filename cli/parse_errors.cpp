@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <utility>
 
 #include "postproc/report/report_model.h"
 
@@ -46,6 +47,22 @@ class Command {
     for (const CLI::App* command : app_->get_subcommands({})) commands_.push_back(command->get_name());
   }
 
+  [[nodiscard]] std::string empty_value(std::span<const char* const> words) const {
+    for (const CLI::Option* option : app_->get_options()) {
+      const std::vector<std::string>& values = option->results();
+      const bool takes_value = option->get_items_expected_max() > 0;
+      if (takes_value && std::find(values.begin(), values.end(), "") != values.end()) return unset(*option);
+    }
+    // The parser gives "--csv=" the word behind it.
+    for (const std::string_view word : words) {
+      if (word == "--") break;
+      if (!word.starts_with("--") || word.find('=') + 1 != word.size()) continue;
+      const CLI::Option* option = app_->get_option_no_throw(std::string(word.substr(0, word.size() - 1)));
+      if (option != nullptr && option->get_items_expected_max() > 0) return unset(*option);
+    }
+    return {};
+  }
+
   [[nodiscard]] std::string explain(const CLI::ParseError& error) const {
     const std::vector<std::string> strange = app_->remaining();
     const auto option = std::find_if(strange.begin(), strange.end(), [](const std::string& word) {
@@ -64,6 +81,34 @@ class Command {
   }
 
  private:
+  [[nodiscard]] static std::string unset(const CLI::Option& option) {
+    return option.get_name() + " '': expected " + kind_of_value(option) +
+           "; is a variable of your script unset?";
+  }
+
+  [[nodiscard]] static std::string kind_of_value(const CLI::Option& option) {
+    const std::string type = option.get_type_name();
+    if (const std::vector<std::string> words = choices_in(type); !words.empty()) return listed(words, " or ");
+    constexpr std::pair<std::string_view, const char*> kKinds[] = {{"FILE", "a file"},
+                                                                   {"FOLDER", "a folder"},
+                                                                   {"NAME", "a name"},
+                                                                   {"LENGTH", "a length"},
+                                                                   {"UINT", "a whole number of 0 or more"},
+                                                                   {"FLOAT", "a number"},
+                                                                   {"FLOAT:POSITIVE", "a number above 0"}};
+    for (const auto& [name, kind] : kKinds) {
+      if (type == name) return kind;
+    }
+    return type;
+  }
+
+  // Those of "TEXT:{straight,dogleg,skip}".
+  [[nodiscard]] static std::vector<std::string> choices_in(const std::string& text) {
+    const std::size_t open = text.rfind('{'), close = text.rfind('}');
+    if (open == std::string::npos || close == std::string::npos || open > close) return {};
+    return CLI::detail::split(text.substr(open + 1, close - open - 1), ',');
+  }
+
   [[nodiscard]] std::string see_help() const { return "; see " + name_ + " --help"; }
 
   [[nodiscard]] static std::string meant(const std::string& name) {
@@ -123,10 +168,7 @@ class Command {
     const std::string name = option.get_name();
     const std::string typed = name + " '" + (option.results().empty() ? "" : option.results().back()) + "': ";
     if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) {
-      const std::string type = option.get_type_name();
-      return typed + "expected " + (type == "UINT"    ? "a whole number of 0 or more"
-                                    : type == "FLOAT" ? "a number"
-                                                      : "another value") + see_help();
+      return typed + "expected " + kind_of_value(option) + see_help();
     }
     if (dynamic_cast<const CLI::ValidationError*>(&error) != nullptr) return typed + wanted(option, error.what());
     if (dynamic_cast<const CLI::RequiresError*>(&error) != nullptr) return std::string(error.what()) + see_help();
@@ -139,11 +181,8 @@ class Command {
 
   // "--rapid: slow not in {straight,dogleg,skip}", or a sentence of our own after the name.
   [[nodiscard]] static std::string wanted(const CLI::Option& option, const std::string& text) {
-    const std::size_t open = text.rfind('{'), close = text.rfind('}');
-    if (open != std::string::npos && close != std::string::npos && open < close) {
-      std::vector<std::string> words = CLI::detail::split(text.substr(open + 1, close - open - 1), ',');
+    if (const std::vector<std::string> words = choices_in(text); !words.empty())
       return "expected " + listed(words, " or ");
-    }
     const std::size_t ours = text.find("expected ");
     if (ours != std::string::npos) return text.substr(ours);
     return option.get_type_name().find("POSITIVE") != std::string::npos ? "expected a number above 0" : text;
@@ -155,6 +194,12 @@ class Command {
 };
 
 }  // namespace
+
+std::optional<Diagnostic> find_empty_value(const CLI::App& app, std::span<const char* const> words) {
+  const std::string found = Command(app).empty_value(words);
+  if (found.empty()) return std::nullopt;
+  return make_error("usage", found);
+}
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& names) {
   constexpr std::size_t kShortest = 3, kLong = 8;

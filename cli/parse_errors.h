@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,6 +18,13 @@ namespace gouge {
 /// What is wrong with the command line, in our words instead of the parser's: what was found, what was expected, and
 /// where to read on. `app` is the program's, after the parse that failed with `error`. Code: usage.
 [[nodiscard]] Diagnostic describe_parse_error(const CLI::App& app, const CLI::ParseError& error);
+
+/// The first option or positional of the command line that has an empty value ("--csv ''", "--csv="), which
+/// is what the unset variable of a script leaves: with it the option would pass for not given. `app` is the
+/// program's after the parse, also after one that failed; `words` are all of the command line, the program's
+/// name first. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_empty_value(const CLI::App& app,
+                                                         std::span<const char* const> words);
 
 /// The one of `names` that `word` was probably meant to be: the only one it begins, or the nearest by letters that are
 /// missing, added, wrong or swapped, the first of equals. Empty where none is near.

@@ -60,6 +60,7 @@ constexpr const char* kStatus = "Exit status: 0 done, 2 wrong command line, 3 in
 CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* name, const char* what) {
   CLI::App* added = command.add_subcommand(name, what);
   added->add_option("PATH", arguments.path, "Toolpath: CL data of any dialect; its content tells which")
+      ->type_name("FILE")
       ->required();
   add_reading_options(*added, arguments.reading);
   return *added;
@@ -74,17 +75,21 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
       add_command(command, arguments, "info",
                   "Tell dialect, unit, tools, operations, moves, box, orientations and what is not "
                   "understood");
-  info.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output");
+  info.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")
+      ->type_name("FILE");
   info.footer("Example:\n  gougecheck path info finish.apt --json -\n\nLengths are in the file's unit. " +
               std::string(kStatus));
   info.callback([&] { arguments.is_info = true; });
 
   CLI::App& convert = add_command(command, arguments, "convert",
                                   "Write the toolpath in another dialect, and tell what is lost");
-  convert.add_option("-o,--output", arguments.output, "The file to write; - for standard output")->required();
+  convert.add_option("-o,--output", arguments.output, "The file to write; - for standard output")
+      ->type_name("FILE")
+      ->required();
   convert
       .add_option("--to", arguments.to,
                   "Dialect to write (default: the file's own, byte for byte): " + dialect_names())
+      ->type_name("DIALECT")
       ->check([](const std::string& id) {
         return dialect_called(id) ? std::string() : "expected one of " + dialect_names();
       });
@@ -97,7 +102,9 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
 
   CLI::App& plot =
       add_command(command, arguments, "plot", "Draw the toolpath from the front, from above and askew");
-  plot.add_option("-o,--output", arguments.output, "The picture: .png or .svg")->required();
+  plot.add_option("-o,--output", arguments.output, "The picture: .png or .svg")
+      ->type_name("FILE")
+      ->required();
   plot.footer("Example:\n  gougecheck path plot finish.apt -o finish.png\n\n" + std::string(kStatus));
 }
 

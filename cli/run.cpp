@@ -3,7 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <exception>
 #include <new>
+#include <optional>
 #include <ostream>
+#include <span>
 
 #include "cli/check_command.h"
 #include "cli/correct_command.h"
@@ -61,11 +63,17 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     add_path_options(*app.add_subcommand("path", "Tell what is in a toolpath file"), arguments.path);
     add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"),
                      arguments.tool);
+    const std::span words(argv, static_cast<std::size_t>(argc));
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
       if (error.get_exit_code() == 0) return app.exit(error, out, err) == 0 ? kExitClean : kExitUsage;
-      err << to_text(describe_parse_error(app, error)) << "\n";
+      const std::optional<Diagnostic> empty = find_empty_value(app, words);
+      err << to_text(empty ? *empty : describe_parse_error(app, error)) << "\n";
+      return kExitUsage;
+    }
+    if (const std::optional<Diagnostic> empty = find_empty_value(app, words)) {
+      err << to_text(*empty) << "\n";
       return kExitUsage;
     }
     const int status = dispatch(app, arguments, out, err);

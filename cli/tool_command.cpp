@@ -52,12 +52,12 @@ int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostr
 }
 
 void add_library_option(CLI::App& command, ToolArguments& arguments, ToolAction action) {
-  command.add_option("--tools", arguments.tools_file, "Tool library (JSON)")->required();
+  command.add_option("--tools", arguments.tools_file, "Tool library (JSON)")->type_name("FILE")->required();
   command.callback([&arguments, action] { arguments.action = action; });
 }
 
 void add_tool_option(CLI::App& command, ToolArguments& arguments) {
-  command.add_option("--tool", arguments.tool, "Number or name; without it, every tool");
+  command.add_option("--tool", arguments.tool, "Number or name; without it, every tool")->type_name("NAME");
 }
 
 constexpr const char* kExitText =
@@ -81,7 +81,9 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments) {
       "of the whole library");
   add_library_option(*picture, arguments, ToolAction::draw);
   add_tool_option(*picture, arguments);
-  picture->add_option("-o,--output", arguments.output, "Picture to write: .png or .svg")->required();
+  picture->add_option("-o,--output", arguments.output, "Picture to write: .png or .svg")
+      ->type_name("FILE")
+      ->required();
   picture->footer(std::string("Example:\n  gougecheck tool draw --tools shop.json --tool 3 -o t3.svg\n"
                               "  gougecheck tool draw --tools shop.json -o library.png\n") +
                   kExitText);

@@ -68,12 +68,17 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
   command
       .add_option("file", arguments.file,
                   "Fusion .json or .tools, FreeCAD .fctb or .fctl, NX tool_database.dat")
+      ->type_name("FILE")
       ->required();
-  command.add_option("-o,--output", output, "Tool library to write (JSON); - for standard output")->required();
+  command.add_option("-o,--output", output, "Tool library to write (JSON); - for standard output")
+      ->type_name("FILE")
+      ->required();
   command.add_option("--format", arguments.format, "auto (by what the file holds), fusion, freecad or nx")
       ->check(CLI::IsMember({"auto", "fusion", "freecad", "nx"}));
-  command.add_option("--holder", arguments.holder, "Holder for tools that have none; a name in --tools");
-  command.add_option("--tools", arguments.tools_file, "Tool library (JSON) with that holder");
+  command.add_option("--holder", arguments.holder, "Holder for tools that have none; a name in --tools")
+      ->type_name("NAME");
+  command.add_option("--tools", arguments.tools_file, "Tool library (JSON) with that holder")
+      ->type_name("FILE");
   command
       .add_option("--stickout", arguments.stickout_mm, "Millimetres from tip to holder, where the file does not say")
       ->check(CLI::PositiveNumber);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
 #include <sstream>
+#include <string>
 #include <vector>
 
 #include "cli/exit_code.h"
@@ -69,6 +71,61 @@ TEST(ParseErrors, WhatIsMissingTwiceOrTooMuchIsTold) {
             "'b.apt' is one argument too many; gougecheck check takes one PATH beside its options; see gougecheck check "
             "--help");
   EXPECT_EQ(said({"mesh", "p.stl", "--fill-holes"}), "--fill-holes requires --repair; see gougecheck mesh --help");
+}
+
+// The options with a value and the positionals of a command, as its help names them.
+std::vector<std::string> taking_values(std::vector<const char*> command) {
+  command.insert(command.begin(), "/usr/bin/gougecheck");
+  command.push_back("--help");
+  std::ostringstream out, err;
+  EXPECT_EQ(run(static_cast<int>(command.size()), command.data(), out, err), kExitClean);
+  const std::regex row("^  (?:-[a-z],)?(--[a-z-]+|[A-Za-z]+) (?!Needs)[A-Z].*");
+  std::vector<std::string> names;
+  std::istringstream lines(out.str());
+  std::smatch found;
+  for (std::string line; std::getline(lines, line);) {
+    if (line == "Example:" || line == "Examples:") break;
+    if (std::regex_match(line, found, row)) names.push_back(found[1]);
+  }
+  return names;
+}
+
+TEST(ParseErrors, AnEmptyValueIsRefusedWhereverAValueIsTaken) {
+  const std::vector<std::vector<const char*>> commands = {
+      {"check"},        {"correct"},        {"mesh"},         {"tool", "list"},    {"tool", "show"},
+      {"tool", "draw"}, {"tool", "import"}, {"path", "info"}, {"path", "convert"}, {"path", "plot"}};
+  const std::string end = "; is a variable of your script unset?";
+  std::size_t count = 0;
+  for (const std::vector<const char*>& command : commands) {
+    for (const std::string& name : taking_values(command)) {
+      const bool is_option = name.front() == '-';
+      const std::string with_equals = name + "=";
+      std::vector<std::vector<const char*>> lines(is_option ? 3 : 1, command);
+      if (is_option) lines[0].push_back(name.c_str());
+      lines[0].push_back("");
+      for (std::size_t i = 1; i < lines.size(); ++i) lines[i].push_back(with_equals.c_str());
+      if (is_option) lines[2].push_back("-q");
+      for (const std::vector<const char*>& line : lines) {
+        const std::string text = said(line);
+        EXPECT_TRUE(text.starts_with(name + " '': expected ") && text.ends_with(end)) << name << ": " << text;
+        ++count;
+      }
+    }
+  }
+  EXPECT_GT(count, 150U);
+}
+
+TEST(ParseErrors, AnEmptyValueIsToldWithWhatIsExpected) {
+  const std::string end = "; is a variable of your script unset?";
+  EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--csv", ""}), "--csv '': expected a file" + end);
+  EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--part", ""}), "--part '': expected a file" + end);
+  EXPECT_EQ(said({"check", "", "--part", "p.stl"}), "PATH '': expected a file" + end);
+  EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--threads", ""}),
+            "--threads '': expected a whole number of 0 or more" + end);
+  EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--rapid="}),
+            "--rapid '': expected straight, dogleg or skip" + end);
+  EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--clearance", ""}),
+            "--clearance '': expected BODY=LENGTH" + end);
 }
 
 TEST(ParseErrors, TheNearestNameIsNearAndTheOnlyOneBegun) {
