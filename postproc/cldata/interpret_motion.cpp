@@ -239,6 +239,7 @@ void Interpreter::take_rapid() {
 
 // One without a unit after one per revolution: of which kind it is no file says.
 void Interpreter::take_fedrat() {
+  distrust_numbers_of_feed();
   if (switches_inverse_time(arguments_)) return;
   feed_ = read_feed(arguments_, mm_per_unit_);
   if (has_feed_per_turn_ && !has_feed_unit(arguments_)) feed_ = {0, FeedUnit::not_understood};

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cstddef>
 
 #include "lib/base/number_text.h"
@@ -157,6 +158,18 @@ bool has_effect(const MachineEffect& e) {
          e.unit;
 }
 
+bool has_number(const std::vector<Argument>& arguments) {
+  return std::any_of(arguments.begin(), arguments.end(), [](const Argument& a) { return a.number.has_value(); });
+}
+
+// Words of no dialect that is read here, which elsewhere choose an offset, a datum or a head: OFFSET/5.
+bool is_shifting_word(std::string_view word) {
+  constexpr std::array<std::string_view, 8> kShifting = {"ADJUST", "DATUM",  "FIXOFF", "HEAD",
+                                                         "OFFSET", "OFSETL", "OFSTNO", "SHIFT"};
+  return std::any_of(kShifting.begin(), kShifting.end(),
+                     [&](std::string_view shifting) { return equals_ignoring_case(word, shifting); });
+}
+
 std::string_view without_quotes(std::string_view text) {
   while (!text.empty() && text.front() == '\'') text.remove_prefix(1);
   while (!text.empty() && text.back() == '\'') text.remove_suffix(1);
@@ -215,7 +228,11 @@ void Interpreter::distrust_arguments() {
   }
   if (arguments_.empty()) return;
   const bool is_load = arguments_.size() > 1 && arguments_[1].number && equals_ignoring_case(arguments_[0].text, "TOOL");
-  if (is_load || starts_with_ignoring_case(statement_->major, "LOADTOOL")) loading_reason_ = because(Reasons::kUnreadTool);
+  const bool is_tool = starts_with_ignoring_case(statement_->major, "LOADTOOL") ||
+                       (starts_with_ignoring_case(statement_->major, "TOOL") && has_number(arguments_));
+  if (is_load || is_tool) loading_reason_ = because(Reasons::kUnreadTool);
+  if (is_shifting_word(statement_->major) && has_number(arguments_))
+    unread_frame_reason_ = because(Reasons::kUnreadFrame);
   const bool is_unit = arguments_.size() == 1 && unit_of_word(arguments_[0].text);
   if (is_unit) unread_frame_reason_ = because(Reasons::kUnreadFrame);
 }

@@ -314,6 +314,7 @@ bool Interpreter::take_text_word() {
       take_comment();
       return true;
     case Word::harmless:
+      take_harmless();
       return true;
     case Word::free_text:
       if (has_end_ && starts_with_ignoring_case(statement_->major, "PARTNO")) break_motion();  // another program

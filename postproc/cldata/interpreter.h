@@ -158,6 +158,10 @@ class Interpreter {
   void distrust_moves(std::size_t statement);
   void distrust_cut_short();
 
+  // interpret_harmless.cpp
+  void take_harmless();
+  void distrust_numbers_of_feed();
+
   // interpret_machine_text.cpp
   void take_insert();
   void take_codes(char letter);

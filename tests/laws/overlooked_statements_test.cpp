@@ -182,6 +182,22 @@ INSTANTIATE_TEST_SUITE_P(
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
+    NumbersBehind, Overlook,
+    ::testing::Values(
+        Overlooked{"Coolant", around("COOLNT/ON,0,0,-5\n")}, Overlooked{"CoolantAbove", around("COOLNT/ON,0,0,5\n")},
+        Overlooked{"CoolantsNegative", around("COOLNT/ON,-5\n")}, Overlooked{"Feed", around("FEDRAT/100,0,0,-5\n")},
+        Overlooked{"FeedAndAUnit", around("FEDRAT/MMPM,100.,0,0,5\n")}, Overlooked{"Stop", around("STOP/0,0,-50\n")},
+        Overlooked{"Spindle", around("SPINDL/RPM,1000.,CLW,0,0,-5\n")},
+        Overlooked{"SpindleBackwards", around("SPINDL/-1000\n"), "clean"},
+        Overlooked{"SpindleOfARange", around("SPINDL/1000,RPM,CLW,RANGE,2\n"), "clean"},
+        Overlooked{"FeedOfAUnit", around("FEDRAT/MMPM,100.\n"), "clean"},
+        Overlooked{"Sequence", around("SEQNO/10,INCR,5\n"), "clean"},
+        Overlooked{"Box", around("BOX/0,-10,0,10,20,30\n"), "clean"},
+        Overlooked{"Tool", around("TOOL/5\n")}, Overlooked{"Offset", around("OFFSET/5\n")},
+        Overlooked{"Head", around("HEAD/2\n")}, Overlooked{"OffsetOfAName", around("OFFSET/ON\n"), "clean"}),
+    kName);
+
+INSTANTIATE_TEST_SUITE_P(
     Setup, Overlook,
     ::testing::Values(Overlooked{"Shift", before("SETUP/0,0,-50\n")},
                       Overlooked{"Number", before("SETUP/2\n")},
