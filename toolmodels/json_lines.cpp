@@ -1,17 +1,19 @@
 #include "toolmodels/json_lines.h"
 
 #include <algorithm>
-#include <vector>
+#include <nlohmann/json.hpp>
 
 namespace gouge::detail {
 namespace {
 
 struct Level {
   bool is_object = false;
-  std::size_t index = 0;  // in an array
-  std::string key;        // in an object
   bool awaits_key = false;
-  std::string pointer;  // of the container
+  std::size_t index = 0;  // in a list
+  std::string key;        // in an object
+  std::size_t value = 0;  // the container itself
+
+  [[nodiscard]] std::string name() const { return is_object ? key : std::to_string(index); }
 };
 
 class Scanner {
@@ -28,13 +30,14 @@ class Scanner {
     if (c == '\n') ++line_;
     if (c == ' ' || c == '\t' || c == '\r' || c == '\n' || c == ':') return;
     if (c == '{' || c == '[') {
-      open(c == '{');
+      const std::size_t value = note_value();
+      levels_.push_back({c == '{', c == '{', 0, {}, value});
     } else if (c == '}' || c == ']') {
       if (!levels_.empty()) levels_.pop_back();
     } else if (c == ',') {
       next();
     } else if (c == '"') {
-      const std::string word = read_string();
+      const std::string_view word = read_string();
       if (!levels_.empty() && levels_.back().awaits_key)
         name(word);
       else
@@ -47,38 +50,39 @@ class Scanner {
     }
   }
 
-  void open(bool is_object) {
-    const std::string here = pointer();
-    note_value();
-    levels_.push_back({is_object, 0, {}, is_object, here});
-  }
-
   void next() {
     if (levels_.empty()) return;
     ++levels_.back().index;
     levels_.back().awaits_key = levels_.back().is_object;
   }
 
-  void name(const std::string& word) {
-    levels_.back().key = word;
+  // "\u0061" is the key "a", whose twin the parser would drop in silence.
+  void name(std::string_view quoted) {
+    const auto key = nlohmann::json::parse(quoted, nullptr, false);
+    levels_.back().key = key.is_string() ? key.get<std::string>() : std::string(quoted);
     levels_.back().awaits_key = false;
-    if (found_.lines.contains(pointer()) && !found_.duplicate) found_.duplicate = pointer();
   }
 
-  std::string read_string() {
-    const std::size_t first = at_ + 1;
+  // With its quotes.
+  std::string_view read_string() {
+    const std::size_t first = at_;
     for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_)
       if (text_[at_] == '\\') ++at_;
-    return std::string(text_.substr(std::min(first, text_.size()), at_ - first));
+    return text_.substr(first, at_ + 1 - first);
   }
 
   [[nodiscard]] std::string pointer() const {
-    if (levels_.empty()) return "";
-    const Level& top = levels_.back();
-    return top.pointer + "/" + (top.is_object ? top.key : std::to_string(top.index));
+    std::string all;
+    for (const Level& level : levels_) all += "/" + level.name();
+    return all;
   }
 
-  void note_value() { found_.lines.emplace(pointer(), line_); }
+  std::size_t note_value() {
+    if (levels_.empty()) return found_.set_root(line_);
+    const auto [value, is_new] = found_.add(levels_.back().value, levels_.back().name(), line_);
+    if (!is_new && !found_.duplicate) found_.duplicate = {pointer(), line_};
+    return value;
+  }
 
   std::string_view text_;
   std::size_t at_ = 0;
@@ -89,13 +93,32 @@ class Scanner {
 
 }  // namespace
 
-std::size_t JsonLines::at(std::string pointer) const {
-  while (true) {
-    if (const auto found = lines.find(pointer); found != lines.end()) return found->second;
-    const std::size_t slash = pointer.rfind('/');
-    if (slash == std::string::npos) return 1;
-    pointer.resize(slash);
+std::pair<std::size_t, bool> JsonLines::add(std::size_t parent, const std::string& key, std::size_t line) {
+  const auto [found, is_new] = values_.try_emplace({parent, key}, lines_.size());
+  if (is_new) lines_.push_back(line);
+  return {found->second, is_new};
+}
+
+std::size_t JsonLines::set_root(std::size_t line) {
+  lines_.front() = line;
+  return 0;
+}
+
+// A key may hold a slash, so that the next name is the shortest one there is.
+std::size_t JsonLines::at(std::string_view pointer) const {
+  std::size_t value = 0;
+  while (!pointer.empty()) {
+    pointer.remove_prefix(1);
+    auto found = values_.end();
+    for (std::size_t end = 0; found == values_.end() && end < pointer.size(); ++end) {
+      end = std::min(pointer.find('/', end), pointer.size());
+      found = values_.find({value, std::string(pointer.substr(0, end))});
+      if (found != values_.end()) pointer.remove_prefix(end);
+    }
+    if (found == values_.end()) break;
+    value = found->second;
   }
+  return lines_[value];
 }
 
 JsonLines find_json_lines(std::string_view text) {

@@ -1,11 +1,10 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <vector>
 
 #include "toolmodels/cutter_fields.h"
 #include "toolmodels/cutter_shapes.h"
-#include "toolmodels/json_lines.h"
+#include "toolmodels/json_file.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
@@ -338,40 +337,12 @@ class Reader {
   std::optional<Diagnostic> error_;
 };
 
-// The parser stops at the last byte of what it could not take, which may be later than the mistake.
-std::string mistake_at(std::string_view bytes, std::size_t byte) {
-  constexpr std::size_t kMost = 30;
-  if (byte >= bytes.size()) return "it ends before its last bracket is closed; the file may be cut off";
-  const std::size_t begin = byte == 0 ? 0 : bytes.rfind('\n', byte - 1) + 1;
-  std::string_view before = bytes.substr(begin, byte - begin + 1);
-  const std::size_t column = before.size();
-  if (before.size() > kMost) before.remove_prefix(before.size() - kMost);
-  before.remove_prefix(std::min(before.find_first_not_of(" \t"), before.size()));
-  const std::string found = before == "\n" || before.empty() ? "the end of the line" : "'" + std::string(before) + "'";
-  return "there is a mistake at or before column " + std::to_string(column) + ": found " + found;
-}
-
 }  // namespace
 
 Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes) {
-  if (bytes.empty())
-    return make_error("library-syntax", "the file is empty (0 bytes); expected a tool library (JSON)", file);
-  try {
-    const Json root = Json::parse(bytes);
-    detail::JsonLines lines = detail::find_json_lines(bytes);
-    if (lines.duplicate)
-      return make_error("library-duplicate-key",
-                        "the key " + *lines.duplicate + " is there twice; remove one", file,
-                        lines.at(*lines.duplicate));
-    return Reader(file, std::move(lines)).read(root);
-  } catch (const Json::parse_error& error) {
-    const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
-    return make_error("library-syntax", "this is not JSON: " + mistake_at(bytes, byte) + "; expected a tool library",
-                      file, detail::line_of_byte(bytes, byte));
-  } catch (const Json::exception&) {
-    return make_error("library-syntax",
-                      "a number in this file is too large to be a length; expected a tool library", file);
-  }
+  Result<detail::JsonFile> json = detail::parse_json(file, bytes, {"library", "a tool library"});
+  if (!json) return json.error();
+  return Reader(file, std::move(json->lines)).read(json->root);
 }
 
 }  // namespace gouge

@@ -143,7 +143,7 @@ TEST(ToolLibrary, WrongFilesGetOneClearMessage) {
   EXPECT_EQ(error_of("{\"units\":\"mm\",\"tools\":[]}"),
             "lib.json:1: error: the list of tools is empty; it needs at least one [library-empty]");
   EXPECT_EQ(error_of("{\"units\":\"mm\",\n\"units\":\"inch\",\"tools\":[]}"),
-            "lib.json:1: error: the key /units is there twice; remove one [library-duplicate-key]");
+            "lib.json:2: error: the key /units is there twice; remove one [library-duplicate-key]");
   EXPECT_EQ(
       error_of(R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":"flat","diameter":6,"length":20}},
                      {"number":1,"cutter":{"shape":"flat","diameter":8,"length":20}}]})"),

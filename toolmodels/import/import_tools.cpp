@@ -1,9 +1,8 @@
 #include "toolmodels/import/import_tools.h"
 
-#include <nlohmann/json.hpp>
-
 #include "toolmodels/import/quantity.h"
 #include "toolmodels/import/unzip.h"
+#include "toolmodels/json_file.h"
 
 namespace gouge {
 namespace {
@@ -18,14 +17,16 @@ bool has_class_line(std::string_view text) {
   return false;
 }
 
-}  // namespace
-
-std::optional<ImportFormat> recognise_format(std::string_view bytes) {
-  if (is_zip(bytes)) return ImportFormat::fusion;
+std::string_view without_mark(std::string_view bytes) {
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
-  const std::string_view text = trim_blanks(bytes);
-  if (!text.starts_with('{')) return has_class_line(text) ? std::optional(ImportFormat::nx) : std::nullopt;
-  const nlohmann::json root = nlohmann::json::parse(text, nullptr, false);
+  return trim_blanks(bytes);
+}
+
+bool is_json(std::string_view bytes) {
+  return without_mark(bytes).starts_with('{') || without_mark(bytes).starts_with('[');
+}
+
+std::optional<ImportFormat> format_of(const nlohmann::json& root) {
   if (has_key(root, "data")) return ImportFormat::fusion;
   if (has_key(root, "parameter")) return ImportFormat::freecad;
   // Our own library has "tools" too, but always says its "units".
@@ -33,9 +34,24 @@ std::optional<ImportFormat> recognise_format(std::string_view bytes) {
   return std::nullopt;
 }
 
+const detail::JsonKind kAnyLibrary{"import", "a tool library of Fusion or FreeCAD"};
+
+}  // namespace
+
+std::optional<ImportFormat> recognise_format(std::string_view bytes) {
+  if (is_zip(bytes)) return ImportFormat::fusion;
+  if (!is_json(bytes)) return has_class_line(bytes) ? std::optional(ImportFormat::nx) : std::nullopt;
+  const Result<detail::JsonFile> json = detail::parse_json({}, bytes, kAnyLibrary);
+  return json ? format_of(json->root) : std::nullopt;
+}
+
 Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes,
                                    std::optional<ImportFormat> format, const ImportOptions& options) {
   if (!format) format = recognise_format(bytes);
+  if (!format && is_json(bytes)) {
+    const Result<detail::JsonFile> json = detail::parse_json(file, bytes, kAnyLibrary);
+    if (!json) return json.error();
+  }
   if (!format)
     return make_error("import-format",
                       "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or "

@@ -36,8 +36,8 @@ struct ImportedTools {
 };
 
 /// Fusion library: JSON, or .tools, which is a zip of it.
-/// Errors   import-syntax, import-format, import-zip: the file as a whole cannot be read. What is wrong with
-/// one
+/// Errors   json-too-deep, json-too-long, import-syntax, import-duplicate-key, import-format, import-zip: the
+/// file as a whole cannot be read. What is wrong with one
 ///          tool is in `notes`: import-field, import-shape, import-stickout, import-contradiction,
 ///          import-number, import-guess, import-left-out, import-empty, and those of make_body_profiles.
 [[nodiscard]] Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes,

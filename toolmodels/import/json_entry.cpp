@@ -2,26 +2,6 @@
 
 namespace gouge::detail {
 
-Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const std::string& what) {
-  constexpr std::string_view kMark = "\xEF\xBB\xBF";
-  if (bytes.starts_with(kMark)) bytes.remove_prefix(kMark.size());
-  try {
-    JsonFile parsed{nlohmann::json::parse(bytes), find_json_lines(bytes)};
-    if (parsed.lines.duplicate)
-      return make_error("import-syntax",
-                        "the key " + clean_text(*parsed.lines.duplicate) + " is there twice; remove one",
-                        file, parsed.lines.at(*parsed.lines.duplicate));
-    return parsed;
-  } catch (const nlohmann::json::parse_error& error) {
-    return make_error("import-syntax",
-                      "this is not JSON: there is a mistake at or before this line; expected " + what, file,
-                      line_of_byte(bytes, error.byte > 0 ? error.byte - 1 : 0));
-  } catch (const nlohmann::json::exception&) {
-    return make_error("import-syntax", "a number in this file is too large to be a length; expected " + what,
-                      file);
-  }
-}
-
 std::string text_of(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? clean_text(found->get<std::string>()) : std::string();

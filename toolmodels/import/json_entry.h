@@ -10,21 +10,11 @@
 #include "lib/base/units.h"
 #include "toolmodels/assembly.h"
 #include "toolmodels/import/quantity.h"
-#include "toolmodels/json_lines.h"
+#include "toolmodels/json_file.h"
 
 // What the importers of JSON formats share.
 
 namespace gouge::detail {
-
-struct JsonFile {
-  nlohmann::json root;
-  JsonLines lines;
-};
-
-/// Errors   import-syntax: not JSON, or an object that has one key twice. `what` was expected: "a Fusion
-/// library".
-[[nodiscard]] Result<JsonFile> parse_json(const std::string& file, std::string_view bytes,
-                                          const std::string& what);
 
 /// The cleaned text of `key`; empty when there is none or it is no text.
 [[nodiscard]] std::string text_of(const nlohmann::json& object, const char* key);

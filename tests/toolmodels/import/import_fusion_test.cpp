@@ -407,15 +407,25 @@ TEST(ImportFusion, FilesThatAreNoLibraryAreRefused) {
     const Result<ImportedTools> made = import_fusion("a.json", bytes, {});
     return made ? "none" : to_text(made.error());
   };
-  EXPECT_EQ(
-      error("{\n\"data\": [}"),
-      "a.json:2: error: this is not JSON: there is a mistake at or before this line; expected a Fusion tool "
-      "library [import-syntax]");
+  EXPECT_EQ(error("{\n\"data\": [}"),
+            "a.json:2: error: this is not JSON: there is a mistake at or before column 10: found '\"data\": "
+            "[}'; expected a "
+            "Fusion tool library [import-syntax]");
   EXPECT_EQ(error("{\"data\": 3}"),
             "a.json: error: this JSON has no list \"data\"; expected a Fusion tool library [import-format]");
   EXPECT_EQ(error("{\"data\": [], \"data\": []}"),
-            "a.json:1: error: the key /data is there twice; remove one [import-syntax]");
+            "a.json:1: error: the key /data is there twice; remove one [import-duplicate-key]");
   EXPECT_NE(error("{\"data\": [1e999]}").find("too large"), std::string::npos);
+}
+
+TEST(ImportTools, WhatIsNestedTooDeepIsToldAsThatWhateverTheFormat) {
+  const std::string deep = "{\"data\": " + std::string(200'000, '[');
+  for (const auto format : {std::optional<ImportFormat>(), std::optional(ImportFormat::fusion),
+                            std::optional(ImportFormat::freecad)}) {
+    const Result<ImportedTools> made = import_tools("a.json", deep, format, {});
+    ASSERT_FALSE(made);
+    EXPECT_EQ(made.error().code, "json-too-deep");
+  }
 }
 
 }  // namespace

@@ -1,0 +1,85 @@
+#include "toolmodels/json_file.h"
+
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <string>
+
+#include "toolmodels/tool_library.h"
+
+namespace gouge {
+namespace {
+
+std::string repeated(const std::string& piece, std::size_t times) {
+  std::string text;
+  for (std::size_t i = 0; i < times; ++i) text += piece;
+  return text;
+}
+
+std::string error_of(const std::string& text) {
+  const auto json = detail::parse_json("a.json", text, {"some", "a list"});
+  return json ? "" : to_text(json.error());
+}
+
+long most_memory_kB() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+TEST(JsonFile, NestingEndsAtSixtyFourLevels) {
+  EXPECT_EQ(error_of(repeated("[", 64) + repeated("]", 64)), "");
+  EXPECT_EQ(error_of("{\n\"a\":" + repeated("[", 64) + repeated("]", 64) + "}"),
+            "a.json:2: error: objects and lists are nested deeper than 64 levels; expected a list, which needs no more "
+            "than ten; the file is damaged or not one [json-too-deep]");
+  EXPECT_EQ(error_of(repeated("{\"[[{{\\\"\":", 64) + "\"" + repeated("[", 100) + "\"" + repeated("}", 64)), "")
+      << "brackets within texts are no levels";
+  EXPECT_EQ(error_of("[" + repeated("[],", 1000) + "[]]"), "") << "what is closed is no level";
+}
+
+TEST(JsonFile, NestingTakesNoMemory) {
+  const long before = most_memory_kB();
+  for (const std::string& text : {repeated("[", 200'000), repeated("{\"a\":", 40'000), repeated("[{\"a\":", 40'000)}) {
+    EXPECT_NE(error_of(text).find("[json-too-deep]"), std::string::npos);
+    const auto library = read_tool_library("a.json", text);
+    ASSERT_FALSE(library);
+    EXPECT_EQ(library.error().code, "json-too-deep");
+  }
+  // Gigabytes, if every value kept the names of all around it.
+  const std::string key = repeated("k", 2'000);
+  EXPECT_EQ(error_of(repeated("{\"" + key + "\":", 60) + "[" + repeated("0,", 30'000) + "0]" + repeated("}", 60)), "");
+  EXPECT_LT(most_memory_kB() - before, 64'000);
+}
+
+TEST(JsonFile, TextsAndNumbersHaveALimit) {
+  EXPECT_EQ(error_of("[\"" + std::string(1'000'000, 'x') + "\"]"), "");
+  EXPECT_EQ(error_of("[\n\"" + std::string(1'000'001, 'x') + "\"]"),
+            "a.json:2: error: a text of more than 1000000 characters; expected a list; the file is damaged or not one "
+            "[json-too-long]");
+  EXPECT_EQ(error_of("[0." + std::string(998, '1') + "]"), "");
+  EXPECT_EQ(error_of("[0." + std::string(999, '1') + "]"),
+            "a.json:1: error: a number of more than 1000 characters; expected a list; the file is damaged or not one "
+            "[json-too-long]");
+}
+
+TEST(JsonFile, OneKeyTwiceIsFoundHoweverItIsWritten) {
+  const std::string end = " is there twice; remove one [some-duplicate-key]";
+  EXPECT_EQ(error_of("{\"a\":{\"b\":1,\n\"b\":2}}"), "a.json:2: error: the key /a/b" + end);
+  EXPECT_EQ(error_of("{\"name\":1,\"n\\u0061me\":2}"), "a.json:1: error: the key /name" + end);
+  EXPECT_EQ(error_of("{\"a\":{\"b\":1},\"a/b\":2}"), "");
+  EXPECT_EQ(error_of("[{\"a\":1},{\"a\":1}]"), "");
+}
+
+TEST(JsonFile, EveryValueHasItsLine) {
+  const auto json = detail::parse_json("a.json", "\xEF\xBB\xBF{\n\"a\":[1,\n{\"b/c\":\n2}],\"d\":\n3}", {"some", "a list"});
+  ASSERT_TRUE(json);
+  EXPECT_EQ(json->lines.at(""), 1U);
+  EXPECT_EQ(json->lines.at("/a"), 2U);
+  EXPECT_EQ(json->lines.at("/a/1"), 3U);
+  EXPECT_EQ(json->lines.at("/a/1/b/c"), 4U);
+  EXPECT_EQ(json->lines.at("/a/1/none"), 3U) << "the nearest thing around it";
+  EXPECT_EQ(json->lines.at("/d"), 5U);
+}
+
+}  // namespace
+}  // namespace gouge

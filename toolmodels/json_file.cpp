@@ -1,0 +1,107 @@
+#include "toolmodels/json_file.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace gouge::detail {
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+// Looks at brackets and lengths alone: any text whatever may come.
+class LimitScan {
+ public:
+  LimitScan(const std::string& file, std::string_view text, const std::string& what)
+      : file_(file), text_(text), what_(what) {}
+
+  [[nodiscard]] std::optional<Diagnostic> find_excess() {
+    for (at_ = 0; at_ < text_.size(); ++at_) {
+      const char c = text_[at_];
+      if (c == '"') {
+        if (skip_text() > kLongestText) return too_long("a text", kLongestText);
+      } else if (c == '[' || c == '{') {
+        if (++depth_ > kDeepestJson) return too_deep();
+      } else if (c == ']' || c == '}') {
+        if (depth_ > 0) --depth_;
+      } else if (c == '-' || (c >= '0' && c <= '9')) {
+        if (skip_number() > kLongestNumber) return too_long("a number", kLongestNumber);
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  // From the opening quote to the closing one, which is then at `at_`.
+  std::size_t skip_text() {
+    begin_ = at_;
+    for (++at_; at_ < text_.size() && text_[at_] != '"'; ++at_) {
+      if (text_[at_] == '\\') ++at_;
+    }
+    return at_ - begin_ - 1;
+  }
+
+  std::size_t skip_number() {
+    begin_ = at_;
+    const std::size_t end = text_.find_first_not_of("0123456789+-.eE", at_);
+    at_ = std::min(end, text_.size()) - 1;
+    return at_ + 1 - begin_;
+  }
+
+  [[nodiscard]] Diagnostic too_deep() const {
+    return make_error("json-too-deep",
+                      "objects and lists are nested deeper than " + std::to_string(kDeepestJson) +
+                          " levels; expected " + what_ + ", which needs no more than ten; the file is damaged or not one",
+                      file_, line_of_byte(text_, at_));
+  }
+
+  [[nodiscard]] Diagnostic too_long(const std::string& found, std::size_t most) const {
+    return make_error("json-too-long",
+                      found + " of more than " + std::to_string(most) + " characters; expected " + what_ +
+                          "; the file is damaged or not one",
+                      file_, line_of_byte(text_, begin_));
+  }
+
+  const std::string& file_;
+  std::string_view text_;
+  const std::string& what_;
+  std::size_t at_ = 0, begin_ = 0, depth_ = 0;
+};
+
+// The parser stops at the last byte of what it could not take, which may be later than the mistake.
+std::string mistake_at(std::string_view bytes, std::size_t byte) {
+  constexpr std::size_t kMost = 30;
+  if (byte >= bytes.size()) return "it ends before its last bracket is closed; the file may be cut off";
+  const std::size_t begin = byte == 0 ? 0 : bytes.rfind('\n', byte - 1) + 1;
+  std::string_view before = bytes.substr(begin, byte - begin + 1);
+  const std::size_t column = before.size();
+  if (before.size() > kMost) before.remove_prefix(before.size() - kMost);
+  before.remove_prefix(std::min(before.find_first_not_of(" \t"), before.size()));
+  const std::string found = before == "\n" || before.empty() ? "the end of the line" : "'" + std::string(before) + "'";
+  return "there is a mistake at or before column " + std::to_string(column) + ": found " + found;
+}
+
+}  // namespace
+
+Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const JsonKind& kind) {
+  const std::string syntax = kind.code + "-syntax";
+  if (bytes.empty())
+    return make_error(syntax, "the file is empty (0 bytes); expected " + kind.what + " (JSON)", file);
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  if (const auto excess = LimitScan(file, bytes, kind.what).find_excess()) return *excess;
+  try {
+    JsonFile parsed{nlohmann::json::parse(bytes), find_json_lines(bytes)};
+    const auto& twice = parsed.lines.duplicate;
+    if (twice)
+      return make_error(kind.code + "-duplicate-key", "the key " + twice->pointer + " is there twice; remove one",
+                        file, twice->line);
+    return parsed;
+  } catch (const nlohmann::json::parse_error& error) {
+    const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;
+    return make_error(syntax, "this is not JSON: " + mistake_at(bytes, byte) + "; expected " + kind.what, file,
+                      line_of_byte(bytes, byte));
+  } catch (const nlohmann::json::exception&) {
+    return make_error(syntax, "a number in this file is too large to be a length; expected " + kind.what, file);
+  }
+}
+
+}  // namespace gouge::detail

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+
+#include "lib/base/result.h"
+#include "toolmodels/json_lines.h"
+
+// The one way JSON is read, whoever wrote it: what would take memory or time out of proportion to the file is refused
+// before anything of it is stored.
+
+namespace gouge::detail {
+
+inline constexpr std::size_t kDeepestJson = 64;        ///< objects and lists within each other
+inline constexpr std::size_t kLongestText = 1'000'000; ///< bytes of one text or key
+inline constexpr std::size_t kLongestNumber = 1'000;   ///< characters of one number
+
+struct JsonFile {
+  nlohmann::json root;
+  JsonLines lines;
+};
+
+/// What a file was expected to hold, and how the codes of its errors begin.
+struct JsonKind {
+  std::string code;  ///< "library"
+  std::string what;  ///< "a tool library"
+};
+
+/// Reads `bytes`, a byte order mark before them or not. `file` is for messages alone. Time and memory grow with the size
+/// of the text.
+/// Errors, with the line   json-too-deep, json-too-long; with `kind.code` before it: -syntax (not JSON, a number beyond
+/// double precision's), -duplicate-key.
+[[nodiscard]] Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const JsonKind& kind);
+
+}  // namespace gouge::detail
