@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
 
 namespace gouge {
 namespace {
@@ -10,8 +11,7 @@ namespace {
 constexpr std::size_t kLabelWidth = 26;
 
 std::string row(const std::string& name, const std::string& value) {
-  return "  " + name + std::string(name.size() < kLabelWidth ? kLabelWidth - name.size() : 1, ' ') + value +
-         "\n";
+  return "  " + padded(name, kLabelWidth - 1) + " " + printable(value) + "\n";
 }
 
 std::string counted(std::size_t count, const std::string& one) {
@@ -99,7 +99,7 @@ std::string defect_rows(const MeshValidation& judged, const Lengths& lengths) {
 
 std::string verdict(const MeshValidation& judged) {
   if (judged.is_sound()) return "sound: closed, manifold, facing outward, free of self-intersections";
-  if (!judged.trouble.empty()) return "not decided: " + judged.trouble;
+  if (!judged.trouble.empty()) return "not decided: " + printable(judged.trouble);
   return counted(judged.defects(), "defect");
 }
 
@@ -142,7 +142,7 @@ std::string repair_rows(const MeshInfo& info) {
                                    ", closed but without an inside: left as they are");
   }
   text += "repaired: " + verdict(info.repair->after) + "\n";
-  if (!info.written_file.empty()) return text + "written: " + info.written_file + "\n";
+  if (!info.written_file.empty()) return text + "written: " + printable(info.written_file) + "\n";
   return text + (info.judged.is_sound()
                      ? "not written: there was nothing to repair\n"
                      : "not written: the repair leaves no fewer defects than there were\n");
@@ -152,7 +152,7 @@ std::string repair_rows(const MeshInfo& info) {
 
 std::string mesh_info_text(const MeshInfo& info) {
   const Lengths lengths(info.unit);
-  std::string text = info.file + "\n" + size_rows(info, lengths) + defect_rows(info.judged, lengths);
+  std::string text = printable(info.file) + "\n" + size_rows(info, lengths) + defect_rows(info.judged, lengths);
   text += "verdict: " + verdict(info.judged) + "\n";
   text += "for a check: " + meaning(info.judged) + "\n";
   for (const Diagnostic& note : info.notes) {

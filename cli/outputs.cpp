@@ -4,6 +4,7 @@
 
 #include "cli/report_folder.h"
 #include "lib/base/files.h"
+#include "lib/base/printable_text.h"
 #include "postproc/image/report_pictures.h"
 #include "postproc/report/findings_text.h"
 #include "postproc/report/write_csv.h"
@@ -110,7 +111,7 @@ bool write_outputs(const JobArguments& arguments, const Job& job, const ReportMo
   if (!arguments.report_folder.empty()) {
     is_good = write_report(arguments, job, model, progress, out, err) && is_good;
     if (is_good && taken && !*taken && !arguments.is_quiet) {
-      out << "report: " << arguments.report_folder << "/report.html\n";
+      out << "report: " << printable(arguments.report_folder) << "/report.html\n";
     }
   }
   return is_good;

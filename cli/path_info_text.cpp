@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
 
 namespace gouge {
 namespace {
@@ -11,12 +12,8 @@ namespace {
 constexpr std::size_t kLabelWidth = 22;
 constexpr int kShownDecimals = 4;
 
-std::string label(const std::string& text) {
-  return text + std::string(text.size() < kLabelWidth ? kLabelWidth - text.size() : 1, ' ');
-}
-
 std::string row(const std::string& name, const std::string& value) {
-  return label(name) + value + "\n";
+  return padded(name, kLabelWidth - 1) + " " + printable(value) + "\n";
 }
 
 // A number for people: at most four decimals, without zeros at the end.

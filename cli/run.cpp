@@ -15,6 +15,7 @@
 #include "cli/parse_errors.h"
 #include "cli/path_command.h"
 #include "cli/tool_command.h"
+#include "lib/base/printable_text.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
@@ -86,7 +87,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
   } catch (const std::bad_alloc&) {
     err << "gougecheck: error: out of memory; nothing more was written [out-of-memory]\n";
   } catch (const std::exception& error) {
-    err << "gougecheck: error: internal failure: " << error.what() << " [internal]\n";
+    err << "gougecheck: error: internal failure: " << printable(error.what()) << " [internal]\n";
   }
   return kExitInternal;
 }

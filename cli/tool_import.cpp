@@ -9,6 +9,7 @@
 #include "cli/overwriting.h"
 #include "cli/tool_text.h"
 #include "lib/base/files.h"
+#include "lib/base/printable_text.h"
 #include "toolmodels/import/import_tools.h"
 
 namespace gouge {
@@ -58,7 +59,7 @@ void tell_notes(const ImportedTools& made, std::ostream& out, std::ostream& err)
     }
     if (is_first) out << "assumed or left out:\n";
     is_first = false;
-    out << "  " << note.message << "\n";
+    out << "  " << printable(note.message) << "\n";
   }
 }
 

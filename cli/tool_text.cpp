@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
 #include "toolmodels/bsp.h"
 #include "toolmodels/compile_tool.h"
 #include "toolmodels/draw_profile.h"
@@ -34,15 +35,11 @@ double total(const std::vector<ToolSegment>& segments) {
   return length;
 }
 
-std::string padded(const std::string& text, std::size_t width) {
-  return text + std::string(width > text.size() ? width - text.size() : 0, ' ');
-}
-
 std::string segments_text(const ToolAssembly& tool, LengthUnit unit) {
   std::string text;
   for (const PlacedSegment& placed : place_segments(tool)) {
     const ToolSegment& s = placed.segment;
-    text += "  " + padded(placed.name, 10) + (placed.name.size() >= 10 ? " z " : "z ") +
+    text += "  " + padded(placed.name, 9) + " z " +
             in_unit(placed.z_mm, unit) + " to " + in_unit(placed.z_mm + s.length_mm, unit) + ", diameter " +
             in_unit(s.lower_diameter_mm, unit);
     if (std::abs(s.upper_diameter_mm - s.lower_diameter_mm) > 0)
@@ -96,16 +93,16 @@ std::string tool_list_text(const ToolLibrary& library) {
   }
   std::array<std::size_t, 6> widths{};
   for (const Row& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], display_width(printable(row[i])));
   std::string text;
   for (const Row& row : rows) {
     for (std::size_t i = 0; i + 1 < row.size(); ++i) text += padded(row[i], widths[i] + 2);
-    text += row.back() + "\n";
+    text += printable(row.back()) + "\n";
   }
   text += std::to_string(library.tools.size()) + (library.tools.size() == 1 ? " tool" : " tools") +
           ", lengths in " + unit_word(unit) + "\n";
   for (const NamedHolder& holder : library.holders)
-    text += "holder \"" + holder.name + "\": D " + in_unit(widest(holder.segments), unit) + ", length " +
+    text += "holder \"" + printable(holder.name) + "\": D " + in_unit(widest(holder.segments), unit) + ", length " +
             in_unit(total(holder.segments), unit) + "\n";
   return text;
 }
@@ -114,7 +111,7 @@ std::string tool_text(const ToolAssembly& tool, LengthUnit unit) {
   const Result<Profile> profile = make_profile(tool);
   if (!profile) return to_text(profile.error()) + "\n";
   const CompiledTool compiled = compile_tool(label(tool), *profile);
-  std::string text = label(tool) + ", lengths in " + unit_word(unit) + "\n";
+  std::string text = printable(label(tool)) + ", lengths in " + unit_word(unit) + "\n";
   text += "  cutter    z 0 to " + in_unit(length_mm(tool.cutter), unit) + ", " +
           describe_cutter(tool.cutter, unit) + "\n";
   text += segments_text(tool, unit);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "lib/base/printable_text.h"
+
 namespace gouge {
 namespace {
 
@@ -43,9 +45,9 @@ bool has_error(const Diagnostics& diagnostics) {
 }
 
 std::string to_text(const Diagnostic& diagnostic) {
-  std::string text = diagnostic.file.empty() ? "gougecheck" : diagnostic.file;
+  std::string text = diagnostic.file.empty() ? "gougecheck" : printable(diagnostic.file);
   if (diagnostic.line > 0) text += ":" + std::to_string(diagnostic.line);
-  text += std::string(": ") + word(diagnostic.severity) + ": " + diagnostic.message;
+  text += std::string(": ") + word(diagnostic.severity) + ": " + printable(diagnostic.message);
   if (!diagnostic.code.empty()) text += " [" + diagnostic.code + "]";
   return text;
 }

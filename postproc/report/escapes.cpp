@@ -1,37 +1,16 @@
 #include <cstddef>
 
+#include "lib/base/utf8.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
-namespace {
-
-// Length of the well-formed UTF-8 sequence at `at`, 0 when there is none (RFC 3629: no overlong forms, no
-// surrogates, nothing above U+10FFFF).
-std::size_t sequence_length(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const unsigned char first = byte(at);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || at + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte(at + k) & 0xC0) != 0x80) return 0;
-  }
-  const unsigned char second = byte(at + 1);
-  if (first == 0xE0 && second < 0xA0) return 0;
-  if (first == 0xED && second > 0x9F) return 0;
-  if (first == 0xF0 && second < 0x90) return 0;
-  if (first == 0xF4 && second > 0x8F) return 0;
-  return length;
-}
-
-}  // namespace
 
 std::string valid_utf8(std::string_view text) {
   std::string out;
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t length = sequence_length(text, at);
-    out += length > 0 ? std::string(text.substr(at, length)) : std::string("\xEF\xBF\xBD");
-    at += length > 0 ? length : 1;
+    const std::optional<CodePoint> c = decode_utf8(text, at);
+    out += c ? text.substr(at, c->bytes) : std::string_view("\xEF\xBF\xBD");
+    at += c ? c->bytes : 1;
   }
   return out;
 }

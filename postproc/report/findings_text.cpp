@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/printable_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
 
@@ -9,6 +10,11 @@ namespace gouge {
 namespace {
 
 constexpr double kNoteworthy = 1.02;
+
+// Names and reasons in a line are from outside: none may end it, begin another one or move the cursor.
+std::string line(const std::string& text) {
+  return printable(text) + "\n";
+}
 
 std::string place(const ReportModel& model, std::size_t move) {
   return model.toolpath->file + ":" + std::to_string(model.toolpath->moves[move].line) + ": ";
@@ -100,21 +106,21 @@ std::string correction_lines(const ReportModel& model) {
   text += ", " + std::to_string(left) + (left == 1 ? " left as it was" : " left as they were");
   if (changed > 0) text += ", " + std::to_string(changed) + " changed but not freed";
   if (!correction.output_file.empty()) text += "; written to " + correction.output_file;
-  return text + "\n" + written_line(correction);
+  return line(text) + written_line(correction);
 }
 
 }  // namespace
 
 std::string summary_text(const ReportModel& model) {
-  std::string text = model.toolpath->file + bodies(model) + "\n";
-  text += headline(model) + "\n";
-  for (const std::string& but : reservations(model)) text += "but: " + but + "\n";
-  text += "moves: " + counts_line(model.result->counts) + "\n";
+  std::string text = line(model.toolpath->file + bodies(model));
+  text += line(headline(model));
+  for (const std::string& but : reservations(model)) text += line("but: " + but);
+  text += line("moves: " + counts_line(model.result->counts));
   const std::string overcut = overcut_gaps_text(model);
-  if (!overcut.empty()) text += "overcut: " + overcut + "\n";
-  if (model.closeness) text += "part: " + closeness_text(model) + "\n";
+  if (!overcut.empty()) text += line("overcut: " + overcut);
+  if (model.closeness) text += line("part: " + closeness_text(model));
   if (model.has_correction) text += correction_lines(model);
-  return text + "promise: " + promise_text(model) + "\n";
+  return text + line("promise: " + promise_text(model));
 }
 
 std::string findings_text(const ReportModel& model) {
@@ -124,18 +130,19 @@ std::string findings_text(const ReportModel& model) {
         event.state != MoveState::near_miss) {
       continue;
     }
-    text += place(model, event.worst_move) + event_text(model, event) + span_text(event) + "\n";
+    text += line(place(model, event.worst_move) + event_text(model, event) + span_text(event));
   }
   for (const ReasonGroup& group : group_reasons(*model.result)) {
-    text += place(model, group.first_move) + group_text(group) + "\n";
+    text += line(place(model, group.first_move) + group_text(group));
   }
   if (model.has_correction) {
     for (const UncorrectedRecord& left : model.correction.uncorrected) {
       const Toolpath& before =
           model.correction.toolpath_before ? *model.correction.toolpath_before : *model.toolpath;
-      text += before.file + ":" + std::to_string(left.line) + (left.is_changed ? ": not freed: " : ": not corrected: ") +
-              (left.depth_mm > 0 ? depth_text(left.depth_mm, model.toolpath->unit) + ", " : std::string()) +
-              "move " + std::to_string(left.move) + ": " + left.reason + "\n";
+      text += line(before.file + ":" + std::to_string(left.line) +
+                   (left.is_changed ? ": not freed: " : ": not corrected: ") +
+                   (left.depth_mm > 0 ? depth_text(left.depth_mm, model.toolpath->unit) + ", " : std::string()) +
+                   "move " + std::to_string(left.move) + ": " + left.reason);
     }
   }
   return text + summary_text(model);

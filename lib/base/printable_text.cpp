@@ -1,0 +1,96 @@
+#include "lib/base/printable_text.h"
+
+#include <wchar.h>
+
+#include <algorithm>
+#include <array>
+#include <clocale>
+
+#include "lib/base/utf8.h"
+
+namespace gouge {
+namespace {
+
+struct Range {
+  char32_t first, last;
+};
+
+// What a terminal or a reader does not see, or what turns the direction of what follows (Unicode 15: Cc, Cf without the
+// signs of numbers, Zl, Zp, Default_Ignorable_Code_Point without variation selectors, noncharacters of the first plane).
+constexpr std::array<Range, 20> kUnseen = {{{0x00, 0x1F},       {0x7F, 0x9F},       {0xAD, 0xAD},
+                                            {0x34F, 0x34F},     {0x61C, 0x61C},     {0x115F, 0x1160},
+                                            {0x17B4, 0x17B5},   {0x180B, 0x180F},   {0x200B, 0x200F},
+                                            {0x2028, 0x202E},   {0x2060, 0x206F},   {0x3164, 0x3164},
+                                            {0xFDD0, 0xFDEF},   {0xFEFF, 0xFEFF},   {0xFFA0, 0xFFA0},
+                                            {0xFFF0, 0xFFFB},   {0xFFFE, 0xFFFF},   {0x1BCA0, 0x1BCA3},
+                                            {0x1D173, 0x1D17A}, {0xE0000, 0xE0FFF}}};
+
+bool is_unseen(char32_t c) {
+  return std::any_of(kUnseen.begin(), kUnseen.end(), [c](const Range& r) { return c >= r.first && c <= r.last; });
+}
+
+bool is_plain_ascii(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) { return c >= 0x20 && c < 0x7F; });
+}
+
+std::string hexadecimal(const char* prefix, char32_t value, int digits) {
+  std::string text = prefix;
+  for (int shift = 4 * (digits - 1); shift >= 0; shift -= 4)
+    text += "0123456789abcdef"[(value >> static_cast<unsigned>(shift)) & 15U];
+  return text;
+}
+
+std::string escaped(char32_t c) {
+  if (c == '\n') return "\\n";
+  if (c == '\r') return "\\r";
+  if (c == '\t') return "\\t";
+  if (c < 0x100) return hexadecimal(c < 0x80 ? "\\x" : "\\u00", c, 2);
+  return c < 0x10000 ? hexadecimal("\\u", c, 4) : hexadecimal("\\U", c, 8);
+}
+
+// The C library's table of widths, by a locale of our own: the caller's may know ASCII only.
+int width_of(char32_t c) {
+  static const locale_t utf8 = ::newlocale(LC_CTYPE_MASK, "C.UTF-8", nullptr);
+  if (c < 0x7F || utf8 == nullptr) return 1;
+  const locale_t before = ::uselocale(utf8);
+  const int width = ::wcwidth(static_cast<wchar_t>(c));
+  ::uselocale(before);
+  return width < 0 ? 1 : width;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  if (is_plain_ascii(text)) return std::string(text);
+  std::string out;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::optional<CodePoint> c = decode_utf8(text, at);
+    if (!c) {
+      out += hexadecimal("\\x", static_cast<unsigned char>(text[at]), 2);
+    } else if (is_unseen(c->value)) {
+      out += escaped(c->value);
+    } else {
+      out += text.substr(at, c->bytes);
+    }
+    at += c ? c->bytes : 1;
+  }
+  return out;
+}
+
+std::size_t display_width(std::string_view text) {
+  std::size_t width = 0;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::optional<CodePoint> c = decode_utf8(text, at);
+    width += c ? static_cast<std::size_t>(width_of(c->value)) : 1;
+    at += c ? c->bytes : 1;
+  }
+  return width;
+}
+
+std::string padded(std::string_view text, std::size_t width) {
+  std::string out = printable(text);
+  const std::size_t taken = display_width(out);
+  return out.append(width > taken ? width - taken : 0, ' ');
+}
+
+}  // namespace gouge
