@@ -15,18 +15,18 @@ struct Range {
   char32_t first, last;
 };
 
-// What a terminal or a reader does not see, or what turns the direction of what follows (Unicode 15: Cc, Cf without the
-// signs of numbers, Zl, Zp, Default_Ignorable_Code_Point without variation selectors, noncharacters of the first plane).
-constexpr std::array<Range, 20> kUnseen = {{{0x00, 0x1F},       {0x7F, 0x9F},       {0xAD, 0xAD},
-                                            {0x34F, 0x34F},     {0x61C, 0x61C},     {0x115F, 0x1160},
-                                            {0x17B4, 0x17B5},   {0x180B, 0x180F},   {0x200B, 0x200F},
-                                            {0x2028, 0x202E},   {0x2060, 0x206F},   {0x3164, 0x3164},
-                                            {0xFDD0, 0xFDEF},   {0xFEFF, 0xFEFF},   {0xFFA0, 0xFFA0},
-                                            {0xFFF0, 0xFFFB},   {0xFFFE, 0xFFFF},   {0x1BCA0, 0x1BCA3},
-                                            {0x1D173, 0x1D17A}, {0xE0000, 0xE0FFF}}};
+// What a terminal or a reader does not see, or what turns the direction of what follows (Unicode 15: Cc, Cf
+// without the signs of numbers, Zl, Zp, Default_Ignorable_Code_Point without variation selectors,
+// noncharacters of the first plane).
+constexpr std::array<Range, 20> kUnseen = {
+    {{0x00, 0x1F},     {0x7F, 0x9F},     {0xAD, 0xAD},       {0x34F, 0x34F},     {0x61C, 0x61C},
+     {0x115F, 0x1160}, {0x17B4, 0x17B5}, {0x180B, 0x180F},   {0x200B, 0x200F},   {0x2028, 0x202E},
+     {0x2060, 0x206F}, {0x3164, 0x3164}, {0xFDD0, 0xFDEF},   {0xFEFF, 0xFEFF},   {0xFFA0, 0xFFA0},
+     {0xFFF0, 0xFFFB}, {0xFFFE, 0xFFFF}, {0x1BCA0, 0x1BCA3}, {0x1D173, 0x1D17A}, {0xE0000, 0xE0FFF}}};
 
 bool is_unseen(char32_t c) {
-  return std::any_of(kUnseen.begin(), kUnseen.end(), [c](const Range& r) { return c >= r.first && c <= r.last; });
+  return std::any_of(kUnseen.begin(), kUnseen.end(),
+                     [c](const Range& r) { return c >= r.first && c <= r.last; });
 }
 
 bool is_plain_ascii(std::string_view text) {

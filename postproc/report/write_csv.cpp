@@ -1,9 +1,11 @@
 #include "postproc/report/write_csv.h"
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 
 #include "lib/base/number_text.h"
+#include "lib/base/utf8.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -12,6 +14,35 @@ namespace {
 constexpr std::string_view kHeader =
     "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz,"
     "mesh,triangle,operation,reason,clearance,overcut,overcut_upper\n";
+
+// Whether a spreadsheet might take the text for a formula: =, +, - or @, also in full width, behind blanks,
+// quotes and the apostrophe that hides one; tabs and carriage returns begin a cell of their own in some.
+bool may_be_formula(std::string_view text) {
+  using namespace std::string_view_literals;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::optional<CodePoint> c = decode_utf8(text, at);
+    if (!c) return false;
+    if (U"=+-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20\u2212"sv.find(c->value) != std::u32string_view::npos)
+      return true;
+    if (U" \"'\u00A0\u200B\u3000\uFEFF"sv.find(c->value) == std::u32string_view::npos) return false;
+    at += c->bytes;
+  }
+  return false;
+}
+
+// An apostrophe in front of what may be a formula, also behind the separators of other locales: there a row
+// is split at semicolons, tabs and line ends without regard to quotes that begin within it.
+std::string without_formula(std::string_view text) {
+  if (parse_number(text)) return std::string(text);
+  std::string out;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool begins_cell =
+        at == 0 || std::string_view(";\t\r\n").find(text[at - 1]) != std::string_view::npos;
+    if (begins_cell && may_be_formula(text.substr(at))) out += '\'';
+    out += text[at];
+  }
+  return out;
+}
 
 std::string quoted(std::string_view text) {
   if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
@@ -30,6 +61,8 @@ class Row {
     is_first_ = false;
     line_ += quoted(value);
   }
+  // Text from a file, which somebody else may have written for the spreadsheet that opens ours.
+  void foreign(std::string_view value) { text(without_formula(value)); }
   // A bound that was never reached is no number, and a row has no word for it.
   void number(double value) { text(std::isfinite(value) ? exact_text(value) : std::string()); }
   void empty(int count) {
@@ -58,7 +91,7 @@ std::string row_of(const ReportModel& model, std::size_t index) {
   row.text(std::to_string(index));
   row.text(std::to_string(move.line));
   row.text(kind_name(move.kind));
-  row.text(tool_key(*model.toolpath, move.tool));
+  row.foreign(tool_key(*model.toolpath, move.tool));
   row.text(state_name(verdict.state));
   const bool has_depth = verdict.state != MoveState::buried && verdict.state != MoveState::not_checked;
   if (has_depth) {
@@ -72,10 +105,10 @@ std::string row_of(const ReportModel& model, std::size_t index) {
     add_witness(row, *verdict.witness, unit);
   else
     row.empty(9);
-  row.text(has_witness ? mesh_name(model, *verdict.witness) : std::string());
+  row.foreign(has_witness ? mesh_name(model, *verdict.witness) : std::string());
   row.text(has_witness ? std::to_string(verdict.witness->triangle) : std::string());
-  row.text(operation_name(*model.toolpath, move.operation));
-  row.text(verdict.reason);
+  row.foreign(operation_name(*model.toolpath, move.operation));
+  row.foreign(verdict.reason);
   if (verdict.clearance_mm)
     row.number(*verdict.clearance_mm / mm_per(unit));
   else

@@ -17,14 +17,21 @@ TEST(Printable, EscapesWhatATerminalObeysOrHides) {
   EXPECT_EQ(printable(std::string_view("a\0b", 3)), "a\\x00b");
   EXPECT_EQ(printable("a\r\nb\tc\x7F"), "a\\r\\nb\\tc\\x7f");
   EXPECT_EQ(printable("\x1B[31mred\x1B]0;title\x07"), "\\x1b[31mred\\x1b]0;title\\x07");
-  EXPECT_EQ(printable("\xC2\x9B" "31m\xC2\x85"), "\\u009b31m\\u0085") << "C1 controls";
-  EXPECT_EQ(printable("\u202Egpj.exe\u2066\u200E\u061C"), "\\u202egpj.exe\\u2066\\u200e\\u061c") << "directions";
-  EXPECT_EQ(printable("a\u200Bb\u200D\uFEFF\u00AD\u2028\u2029\u3164"), "a\\u200bb\\u200d\\ufeff\\u00ad\\u2028\\u2029\\u3164");
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m\xC2\x85"),
+            "\\u009b31m\\u0085")
+      << "C1 controls";
+  EXPECT_EQ(printable("\u202Egpj.exe\u2066\u200E\u061C"), "\\u202egpj.exe\\u2066\\u200e\\u061c")
+      << "directions";
+  EXPECT_EQ(printable("a\u200Bb\u200D\uFEFF\u00AD\u2028\u2029\u3164"),
+            "a\\u200bb\\u200d\\ufeff\\u00ad\\u2028\\u2029\\u3164");
   EXPECT_EQ(printable("\U000E0041"), "\\U000e0041");
 }
 
 TEST(Printable, EscapesWhatIsNotUtf8ByteByByte) {
-  EXPECT_EQ(printable("\xFF\x9B" "31m"), "\\xff\\x9b31m");
+  EXPECT_EQ(printable("\xFF\x9B"
+                      "31m"),
+            "\\xff\\x9b31m");
   EXPECT_EQ(printable("Fr\xE4ser"), "Fr\\xe4ser");
   EXPECT_EQ(printable("\xC0\x8A"), "\\xc0\\x8a") << "an overlong line feed";
   EXPECT_EQ(printable("\xE0\x80\x8A"), "\\xe0\\x80\\x8a") << "a longer one";

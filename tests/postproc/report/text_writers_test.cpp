@@ -197,6 +197,34 @@ TEST(WriteCsv, HasOneRowForEveryMoveAndTheContractsColumns) {
             "6,16,feed,\"long, \"\"thin\"\"\",not-checked,,,,,,,,,,,,,,,\"arcs, as yet, are not read\",,,");
 }
 
+// What is in the operation's column of the first move.
+std::string operation_cell(const std::string& name) {
+  SmallReport report;
+  report.path.operations[0].name = name;
+  const std::string row = lines_of(write_csv(report.model))[1];
+  const std::string before = "0,10,rapid,1,clean,0,0,,,,,,,,,,,,";  // 18 columns
+  EXPECT_EQ(row.substr(0, before.size()), before);
+  return row.substr(before.size(), row.size() - before.size() - std::string(",,,,").size());
+}
+
+TEST(WriteCsv, HandsNoFormulaToASpreadsheet) {
+  EXPECT_EQ(operation_cell("=1+1"), "'=1+1");
+  EXPECT_EQ(operation_cell("=HYPERLINK(\"http://x\",\"y\")"), "\"'=HYPERLINK(\"\"http://x\"\",\"\"y\"\")\"");
+  EXPECT_EQ(operation_cell("@SUM(1+1)*cmd"), "'@SUM(1+1)*cmd");
+  EXPECT_EQ(operation_cell("+cmd|' /C calc'!A0"), "'+cmd|' /C calc'!A0");
+  EXPECT_EQ(operation_cell("-2+3"), "'-2+3");
+  EXPECT_EQ(operation_cell("\t=1"), "'\t'=1");
+  EXPECT_EQ(operation_cell("  \"=1"), "\"'  \"\"=1\"");
+  EXPECT_EQ(operation_cell("'=1"), "''=1");
+  EXPECT_EQ(operation_cell("\uFF1D1+1"), "'\uFF1D1+1") << "full width";
+  EXPECT_EQ(operation_cell("rough;=1+1"), "rough;'=1+1") << "split at semicolons where the comma is the decimal point";
+}
+
+TEST(WriteCsv, LeavesOtherTextAndNumbersAsTheyAre) {
+  for (const char* name : {"finish", "a=b", "D10-R2", "-12.5", "+3", "3 - rough", "Fr\xC3\xA4sen; fine", "\xFF=1"})
+    EXPECT_EQ(operation_cell(name), name);
+}
+
 TEST(WriteCsv, LeavesABoundThatWasNeverReachedEmpty) {
   SmallReport report;
   report.result.verdicts[5].depth_upper_mm = std::numeric_limits<double>::infinity();
