@@ -83,7 +83,7 @@ std::string mistake_at(std::string_view bytes, std::size_t byte) {
 }  // namespace
 
 Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const JsonKind& kind) {
-  const std::string syntax = kind.code + "-syntax";
+  const std::string& syntax = kind.syntax_code;
   if (bytes.empty())
     return make_error(syntax, "the file is empty (0 bytes); expected " + kind.what + " (JSON)", file);
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
@@ -92,7 +92,7 @@ Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, con
     JsonFile parsed{nlohmann::json::parse(bytes), find_json_lines(bytes)};
     const auto& twice = parsed.lines.duplicate;
     if (twice)
-      return make_error(kind.code + "-duplicate-key", "the key " + twice->pointer + " is there twice; remove one",
+      return make_error(kind.duplicate_key_code, "the key " + twice->pointer + " is there twice; remove one",
                         file, twice->line);
     return parsed;
   } catch (const nlohmann::json::parse_error& error) {

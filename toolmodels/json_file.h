@@ -21,16 +21,15 @@ struct JsonFile {
   JsonLines lines;
 };
 
-/// What a file was expected to hold, and how the codes of its errors begin.
+/// What a file was expected to hold ("a tool library"), and the codes of its errors.
 struct JsonKind {
-  std::string code;  ///< "library"
-  std::string what;  ///< "a tool library"
+  std::string syntax_code;         ///< not JSON, or a number beyond double precision's
+  std::string duplicate_key_code;  ///< an object has one key twice
+  std::string what;
 };
 
-/// Reads `bytes`, a byte order mark before them or not. `file` is for messages alone. Time and memory grow with the size
-/// of the text.
-/// Errors, with the line   json-too-deep, json-too-long; with `kind.code` before it: -syntax (not JSON, a number beyond
-/// double precision's), -duplicate-key.
+/// Reads `bytes`, a byte order mark before them or not. `file` is for messages alone. Time and memory grow
+/// with the size of the text. Errors, with the line   json-too-deep, json-too-long, and those of `kind`.
 [[nodiscard]] Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const JsonKind& kind);
 
 }  // namespace gouge::detail

@@ -340,7 +340,8 @@ class Reader {
 }  // namespace
 
 Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes) {
-  Result<detail::JsonFile> json = detail::parse_json(file, bytes, {"library", "a tool library"});
+  Result<detail::JsonFile> json =
+      detail::parse_json(file, bytes, {"library-syntax", "library-duplicate-key", "a tool library"});
   if (!json) return json.error();
   return Reader(file, std::move(json->lines)).read(json->root);
 }

@@ -200,7 +200,8 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
     return collector.tell(who, make_error("import-field", path + " cannot be read from here"), line);
   const Result<std::string> bytes = collector.options().read_beside(path);
   if (!bytes) return collector.tell(who, bytes.error(), line);
-  const Result<detail::JsonFile> bit = detail::parse_json(path, *bytes, {"import", "a FreeCAD tool bit"});
+  const Result<detail::JsonFile> bit =
+      detail::parse_json(path, *bytes, detail::imported_kind("a FreeCAD tool bit"));
   if (!bit) return collector.tell(who, bit.error(), line);
   if (!is_bit(bit->root))
     return collector.tell(who, make_error("import-format", "this is no FreeCAD tool bit", path), line);
@@ -212,7 +213,7 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
 Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes,
                                      const ImportOptions& options) {
   const Result<detail::JsonFile> json =
-      detail::parse_json(file, bytes, {"import", "a FreeCAD tool bit or library"});
+      detail::parse_json(file, bytes, detail::imported_kind("a FreeCAD tool bit or library"));
   if (!json) return json.error();
   Collector collector(file, options);
   if (is_bit(json->root)) {

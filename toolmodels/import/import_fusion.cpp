@@ -268,7 +268,8 @@ Result<ImportedTools> import_fusion(const std::string& file, std::string_view by
     unzipped = std::move(*content);
     bytes = unzipped;
   }
-  const Result<detail::JsonFile> json = detail::parse_json(file, bytes, {"import", "a Fusion tool library"});
+  const Result<detail::JsonFile> json =
+      detail::parse_json(file, bytes, detail::imported_kind("a Fusion tool library"));
   if (!json) return json.error();
   const auto data = json->root.find("data");
   if (data == json->root.end() || !data->is_array())

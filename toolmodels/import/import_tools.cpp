@@ -1,8 +1,8 @@
 #include "toolmodels/import/import_tools.h"
 
+#include "toolmodels/import/json_entry.h"
 #include "toolmodels/import/quantity.h"
 #include "toolmodels/import/unzip.h"
-#include "toolmodels/json_file.h"
 
 namespace gouge {
 namespace {
@@ -34,14 +34,16 @@ std::optional<ImportFormat> format_of(const nlohmann::json& root) {
   return std::nullopt;
 }
 
-const detail::JsonKind kAnyLibrary{"import", "a tool library of Fusion or FreeCAD"};
+detail::JsonKind any_library() {
+  return detail::imported_kind("a tool library of Fusion or FreeCAD");
+}
 
 }  // namespace
 
 std::optional<ImportFormat> recognise_format(std::string_view bytes) {
   if (is_zip(bytes)) return ImportFormat::fusion;
   if (!is_json(bytes)) return has_class_line(bytes) ? std::optional(ImportFormat::nx) : std::nullopt;
-  const Result<detail::JsonFile> json = detail::parse_json({}, bytes, kAnyLibrary);
+  const Result<detail::JsonFile> json = detail::parse_json({}, bytes, any_library());
   return json ? format_of(json->root) : std::nullopt;
 }
 
@@ -49,7 +51,7 @@ Result<ImportedTools> import_tools(const std::string& file, std::string_view byt
                                    std::optional<ImportFormat> format, const ImportOptions& options) {
   if (!format) format = recognise_format(bytes);
   if (!format && is_json(bytes)) {
-    const Result<detail::JsonFile> json = detail::parse_json(file, bytes, kAnyLibrary);
+    const Result<detail::JsonFile> json = detail::parse_json(file, bytes, any_library());
     if (!json) return json.error();
   }
   if (!format)

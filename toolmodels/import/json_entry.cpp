@@ -2,6 +2,10 @@
 
 namespace gouge::detail {
 
+JsonKind imported_kind(const std::string& what) {
+  return {"import-syntax", "import-duplicate-key", what};
+}
+
 std::string text_of(const nlohmann::json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? clean_text(found->get<std::string>()) : std::string();

@@ -16,6 +16,9 @@
 
 namespace gouge::detail {
 
+/// Of a file to import, where `what` was expected: "a Fusion tool library".
+[[nodiscard]] JsonKind imported_kind(const std::string& what);
+
 /// The cleaned text of `key`; empty when there is none or it is no text.
 [[nodiscard]] std::string text_of(const nlohmann::json& object, const char* key);
 
