@@ -9,6 +9,9 @@
 namespace gouge {
 namespace {
 
+constexpr double kSameTurn_rad = 0.05;  // far more than digits make of an arc, far less than another way round
+const std::optional<PathArc> kStraight;
+
 bool is_same(const Pose& a, const Pose& b) {
   return a.tip == b.tip && a.axis == b.axis;
 }
@@ -30,6 +33,24 @@ bool is_same_motion(const Toolpath& a, std::size_t i, const Toolpath& b, std::si
   const Move &ma = a.moves[i], &mb = b.moves[k];
   if (ma.kind != mb.kind || ma.has_start != mb.has_start || !is_same(ma.end, mb.end)) return false;
   return (!ma.has_start || is_same(a.start_of(i), b.start_of(k))) && is_same_curve(a, ma, b, mb);
+}
+
+/// The motions that the move became turn as the change says, and no other way round.
+bool turns_as_asked(const PathChange& change, const Toolpath& after, const MovesAfter& span) {
+  for (std::size_t k = span.first; k < span.last; ++k) {
+    const std::size_t piece = k - span.first;
+    const bool is_own = k + 1 == span.last;
+    if (is_own && !change.new_arc && !change.is_straightened) continue;
+    const std::optional<PathArc>& asked = is_own                                ? change.new_arc
+                                          : piece < change.inserted_arcs.size() ? change.inserted_arcs[piece]
+                                                                                : kStraight;
+    const Move& move = after.moves[k];
+    if (asked.has_value() != (move.curve_kind == CurveKind::arc)) return false;
+    if (!asked) continue;
+    const PathArc& arc = after.arcs[move.curve];
+    if ((arc.sweep_rad * arc.axis - asked->sweep_rad * asked->axis).norm() > kSameTurn_rad) return false;
+  }
+  return true;
 }
 
 /// The same motion is as deep as it was; only the path that leads to it may tell more or less of its inside.
@@ -57,6 +78,7 @@ class LawsCheck {
     const bool may_end_elsewhere = change != nullptr && (change->new_end || change->hole_shift_mm);
     if (!may_end_elsewhere && !is_same(own.end, old.end)) return false;
     if (own.kind != old.kind && !(change != nullptr && change->is_straightened)) return false;
+    if (change != nullptr && change->has_arc() && !turns_as_asked(*change, b, span)) return false;
     const MoveVerdict& was = before_.result->verdicts[i];
     if (is_same_motion(a, i, b, span.last - 1) && span.last - span.first == 1)
       return has_kept_state(was, after_.result->verdicts[span.first]);

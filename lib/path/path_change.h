@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <optional>
 #include <vector>
@@ -27,12 +28,22 @@ struct PathChange {
   /// heights that the cycle counts from there. What the cycle rises to from the position before it stays, so
   /// a hole may get a step more or less than it had: read again, its moves are those of the same statement.
   std::optional<Vec3> hole_shift_mm = std::nullopt;
+  /// How each of `inserted_before` is reached: on this arc, which obeys what new_arc says of its ends, or straight. One
+  /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which say how the
+  /// end of the move itself is reached.
+  std::vector<std::optional<PathArc>> inserted_arcs = {};
+
+  /// True where some piece of what the move becomes is an arc of the change's own.
+  [[nodiscard]] bool has_arc() const {
+    return new_arc || std::any_of(inserted_arcs.begin(), inserted_arcs.end(), [](const auto& arc) { return arc.has_value(); });
+  }
 };
 
 /// What a file lets a correction rewrite within its own statements: one entry a move of the path, or none at all where
 /// nothing can be rewritten.
 struct RewritableMoves {
   std::vector<bool> arc;   ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
+  std::vector<bool> split;  ///< and PathChange::inserted_arcs: the arc can become several
   std::vector<bool> hole;  ///< PathChange::hole_shift_mm can be written; true for the first move of a hole alone
 };
 

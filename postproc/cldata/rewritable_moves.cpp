@@ -32,7 +32,8 @@ RewritableMoves rewritable_moves(const Toolpath& path) {
 
 RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read, const ArcText& arcs) {
   const std::vector<MotionRecord>& records = read.of_move;
-  RewritableMoves can{std::vector<bool>(records.size(), false), std::vector<bool>(records.size(), false)};
+  const std::vector<bool> none(records.size(), false);
+  RewritableMoves can{none, none, none};
   const DialectKind kind = dialect_called(path.dialect).value_or(Dialect{}).kind;
   if (kind == DialectKind::nccs_binary || kind == DialectKind::nci) return can;
   for (std::size_t first = 0, last = 0; first < records.size(); first = last) {
@@ -41,6 +42,7 @@ RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read
     if (records[first].form == PositionForm::cycle)
       can.hole[first] = is_shiftable(path, records, first, last);
     can.arc[first] = arcs.is_writable(first);
+    can.split[first] = can.arc[first] && records[first].form == PositionForm::go_to;
   }
   return can;
 }

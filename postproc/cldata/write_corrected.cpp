@@ -13,60 +13,10 @@
 #include "postproc/cldata/text.h"
 #include "postproc/cldata/write_corrected_nccs.h"
 #include "postproc/cldata/write_corrected_nci.h"
+#include "postproc/cldata/wrong_change.h"
 
 namespace gouge {
 namespace {
-
-std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<PathChange>& changes) {
-  std::vector<bool> is_named(path.moves.size(), false);
-  for (const PathChange& change : changes) {
-    const std::string name = "move " + std::to_string(change.move);
-    if (change.move >= path.moves.size() || is_named[change.move]) {
-      return make_error("write-move",
-                        name + " is " +
-                            (change.move >= path.moves.size() ? "not in the path" : "named twice") +
-                            "; expected one change for a move of the path",
-                        path.file);
-    }
-    is_named[change.move] = true;
-    const Move& move = path.moves[change.move];
-    const bool changes_it = change.new_end || !change.inserted_before.empty();
-    if (change.hole_shift_mm && (changes_it || change.is_straightened || change.new_arc)) {
-      return make_error("write-move", name + " has a shifted hole and another change; expected one of both", path.file);
-    }
-    if (change.new_arc && change.is_straightened) {
-      return make_error("write-arc", name + " is to be an arc and straight; expected one of both", path.file);
-    }
-    if (changes_it && Reasons::is_unread(move.not_checked_reason)) {
-      return make_error("write-move", name + " is a statement that is not understood, so it cannot be changed",
-                        path.file, move.line);
-    }
-    const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid ||
-                             (change.is_straightened && move.curve_kind != CurveKind::none) || change.new_arc;
-    if (!is_straight && changes_it) {
-      return make_error("write-arc",
-                        name + " is an arc, a curve or a cycle; only straight moves can be changed",
-                        path.file, move.line);
-    }
-    if (!move.has_start && !change.inserted_before.empty()) {
-      return make_error("write-alone", name + " has no start; positions can be inserted only into a motion",
-                        path.file, move.line);
-    }
-  }
-  return std::nullopt;
-}
-
-// What only dialects of text can say.
-std::optional<Diagnostic> find_unsaid(const Toolpath& path, const std::vector<PathChange>& changes) {
-  const bool is_text = path.dialect != dialect_of(DialectKind::nccs_binary).id &&
-                       path.dialect != dialect_of(DialectKind::nci).id;
-  for (const PathChange& change : changes) {
-    if (is_text || (!change.new_arc && !change.hole_shift_mm)) continue;
-    return make_error("write-arc", "arcs and holes of this dialect cannot be rewritten; straighten or leave them",
-                      path.file, path.moves[change.move].line);
-  }
-  return std::nullopt;
-}
 
 class CorrectedWriter {
  public:
@@ -100,6 +50,9 @@ class CorrectedWriter {
   [[nodiscard]] std::optional<Diagnostic> find_unwritable() const;
   void drop_curve(std::size_t move);
   [[nodiscard]] std::optional<Diagnostic> redescribe_arc(std::size_t move);
+  [[nodiscard]] std::optional<Diagnostic> describe_inserted_arcs(std::size_t move);
+  [[nodiscard]] Pose new_start(std::size_t move) const;
+  [[nodiscard]] WrittenArc in_statement(std::size_t move, const PathArc& arc, const Pose& start, const Pose& end) const;
   [[nodiscard]] std::optional<Diagnostic> find_stuck(std::size_t first, std::size_t last) const;
   [[nodiscard]] std::string rewritten(std::size_t first, std::size_t last);
   [[nodiscard]] std::string shifted_holes(std::size_t first, std::size_t last) const;
@@ -135,6 +88,7 @@ class CorrectedWriter {
   // What statements become that have no position of their own: nothing, where they describe what is straightened; or what
   // describes the arc, with the positions before it.
   std::map<std::size_t, std::string> replaced_;
+  std::vector<std::string> inserted_arcs_;  // what describes those of the move being written; nothing: straight
   bool is_axis_usual_ = false;        // the last position was written with its axis
   Vec3 axis_read_ = Vec3::UnitZ();     // the modal axis after the last position of the file read so far
   Vec3 axis_written_ = Vec3::UnitZ();  // the same for the text written so far
@@ -159,20 +113,41 @@ void CorrectedWriter::drop_curve(std::size_t move) {
   }
 }
 
+Pose CorrectedWriter::new_start(std::size_t move) const {
+  return (changes_[move - 1] != nullptr ? changes_[move - 1]->new_end : std::nullopt).value_or(path_.start_of(move));
+}
+
+// The vector of the statement points as it did.
+WrittenArc CorrectedWriter::in_statement(std::size_t move, const PathArc& arc, const Pose& start, const Pose& end) const {
+  const RigidTransform to_local = records_[move].frame->to_part.inverse();
+  const double sense = (arc.sweep_rad < 0) == (path_.arcs[path_.moves[move].curve].sweep_rad < 0) ? 1 : -1;
+  return {{to_local.point(arc.center), to_local.direction(sense * arc.axis), sense * arc.sweep_rad},
+          to_local.point(start.tip), to_local.point(end.tip)};
+}
+
+std::optional<Diagnostic> CorrectedWriter::describe_inserted_arcs(std::size_t move) {
+  const PathChange& change = *changes_[move];
+  Pose start = new_start(move);
+  inserted_arcs_.assign(change.inserted_before.size(), "");
+  for (std::size_t k = 0; k < change.inserted_arcs.size(); ++k) {
+    const Pose& end = change.inserted_before[k];
+    if (const std::optional<PathArc>& arc = change.inserted_arcs[k]) {
+      const Result<std::string> text = arc_text_.description(move, in_statement(move, *arc, start, end));
+      if (!text) return text.error();
+      inserted_arcs_[k] = goto_text_.with_line_end(*text);
+    }
+    start = end;
+  }
+  return std::nullopt;
+}
+
 // An arc with other numbers, and the positions on the way to its start before it.
 std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
   const MotionRecord& record = records_[move];
   const PathChange& change = *changes_[move];
   const RigidTransform to_local = record.frame->to_part.inverse();
-  const Pose start = change.inserted_before.empty()
-                         ? (changes_[move - 1] != nullptr ? changes_[move - 1]->new_end : std::nullopt)
-                               .value_or(path_.start_of(move))
-                         : change.inserted_before.back();
-  const PathArc& old = path_.arcs[path_.moves[move].curve];
-  WrittenArc arc{*change.new_arc, to_local.point(start.tip), local_end(move).tip};
-  // The vector of the statement points as it did.
-  const double sense = (arc.arc.sweep_rad < 0) == (old.sweep_rad < 0) ? 1 : -1;
-  arc.arc = {to_local.point(arc.arc.center), to_local.direction(sense * arc.arc.axis), sense * arc.arc.sweep_rad};
+  const Pose start = change.inserted_before.empty() ? new_start(move) : change.inserted_before.back();
+  const WrittenArc arc = in_statement(move, *change.new_arc, start, change.new_end.value_or(path_.moves[move].end));
   if (record.form == PositionForm::curve && !goto_text_.is_same_axis(to_local.direction(start.axis), local_end(move).axis))
     return make_error("write-arc", "a TLON keeps the tool axis of its start", path_.file, path_.moves[move].line);
   const Result<std::string> text = arc_text_.description(move, arc);
@@ -278,7 +253,9 @@ std::string CorrectedWriter::insertions(std::size_t move) {
   bool is_rapid_pending = record.is_rapid;
   std::string text;
   if (!has_insertion(move)) return text;
-  for (const Pose& pose : changes_[move]->inserted_before) {
+  for (std::size_t k = 0; k < changes_[move]->inserted_before.size(); ++k) {
+    const Pose& pose = changes_[move]->inserted_before[k];
+    if (!changes_[move]->inserted_arcs.empty()) text += inserted_arcs_[k];
     if (is_rapid && !is_rapid_pending) text += rapid_line(record);
     is_rapid_pending = false;
     const bool is_template = record.form == PositionForm::go_to && record.points == 1 &&
@@ -370,15 +347,16 @@ std::string CorrectedWriter::shifted_holes(std::size_t first, std::size_t last) 
 }
 
 std::optional<Diagnostic> CorrectedWriter::find_unwritable() const {
-  const auto is_asked = [](const PathChange* c) { return c != nullptr && (c->new_arc || c->hole_shift_mm); };
+  const auto is_asked = [](const PathChange* c) { return c != nullptr && (c->has_arc() || c->hole_shift_mm); };
   if (std::none_of(changes_.begin(), changes_.end(), is_asked)) return std::nullopt;
   const RewritableMoves can = rewritable_moves(path_, read_, arc_text_);
   for (std::size_t i = 0; i < changes_.size(); ++i) {
     if (!is_asked(changes_[i])) continue;
-    if (changes_[i]->new_arc ? can.arc[i] : can.hole[i]) continue;
+    const bool is_split = !changes_[i]->inserted_arcs.empty();
+    if (is_split ? can.split[i] : changes_[i]->new_arc ? can.arc[i] : can.hole[i]) continue;
     return make_error("write-arc",
                       "move " + std::to_string(i) +
-                          (changes_[i]->new_arc ? " is no arc whose statement can be rewritten; straighten it instead"
+                          (changes_[i]->has_arc() ? " is no arc whose statement can be rewritten; straighten it instead"
                                                 : " does not begin a hole whose position can be rewritten; leave it"),
                       path_.file, path_.moves[i].line);
   }
@@ -404,6 +382,9 @@ Result<std::string> CorrectedWriter::write() {
       continue;
     }
     if (auto error = find_stuck(first, last)) return std::move(*error);
+    if (changes_[first] != nullptr && !changes_[first]->inserted_arcs.empty()) {
+      if (auto error = describe_inserted_arcs(first)) return std::move(*error);
+    }
     if (has_new_arc(first)) {
       if (auto error = redescribe_arc(first)) return std::move(*error);
     }
@@ -419,8 +400,7 @@ Result<std::string> CorrectedWriter::write() {
 }  // namespace
 
 Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes) {
-  if (auto error = check_changes(path, changes)) return std::move(*error);
-  if (auto error = find_unsaid(path, changes)) return std::move(*error);
+  if (auto error = find_wrong_change(path, changes)) return std::move(*error);
   if (path.dialect == dialect_of(DialectKind::nccs_binary).id) return write_corrected_nccs(path, changes);
   if (path.dialect == dialect_of(DialectKind::nci).id) return write_corrected_nci(path, changes);
   return CorrectedWriter(path, changes).write();

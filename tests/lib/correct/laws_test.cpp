@@ -90,6 +90,31 @@ TEST(Laws, AnInsertedMoveIsHeldToTheVerdictOfTheMoveItIsPartOf) {
   EXPECT_EQ(two.worse(), (std::vector<std::size_t>{2}));
 }
 
+TEST(Laws, AnArcThatReadsAsAnotherIsWorseHoweverCleanItIs) {
+  Two two;
+  const PathArc arc{Vec3(15, 0, 0), Vec3::UnitZ(), 3};
+  PathChange change{2, std::nullopt, {paths::upright(15, 0, 1)}};
+  change.new_arc = arc;
+  change.inserted_arcs = {arc};
+  two.changes = {change};
+  for (Toolpath* path : {&two.before, &two.after}) {
+    path->arcs = {arc};
+    path->moves[2].kind = MoveKind::arc;
+    path->moves[2].curve_kind = CurveKind::arc;
+    path->moves[2].curve = 0;
+  }
+  Move inserted = two.after.moves[2];
+  inserted.end.tip = Vec3(15, 0, 1);
+  two.after.moves.insert(two.after.moves.begin() + 2, inserted);
+  two.is.verdicts.push_back(verdict(MoveState::clean));
+  EXPECT_TRUE(two.worse().empty());
+  two.after.arcs[0].axis = -arc.axis;
+  EXPECT_EQ(two.worse(), (std::vector<std::size_t>{2})) << "the other way round";
+  two.after.arcs[0] = arc;
+  two.after.moves[2].curve_kind = CurveKind::none;
+  EXPECT_EQ(two.worse(), (std::vector<std::size_t>{2})) << "straight";
+}
+
 TEST(Laws, AnotherNumberOfMovesIsWorseEverywhere) {
   Two two;
   two.after.moves.pop_back();

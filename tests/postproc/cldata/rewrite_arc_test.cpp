@@ -1,9 +1,11 @@
 // Arcs that stay arcs with other numbers, in every dialect that describes them in text.
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <set>
 
+#include "lib/path/curve.h"
 #include "postproc/cldata/rewritable_moves.h"
 #include "postproc/cldata/write_toolpath.h"
 #include "tests/postproc/cldata/cl_files.h"
@@ -139,6 +141,72 @@ TEST(RewriteArc, EveryArcOfEveryFileCanBeLiftedAndWidened) {
   }
   for (const char* dialect : {"apt-autodesk", "apt-camplete", "apt-catia", "apt-creo", "apt-mori", "nx-clsf"})
     EXPECT_TRUE(dialects.contains(dialect)) << dialect;
+}
+
+// The place of an arc or helix where it has made this share of its turn.
+Pose place_on(const Toolpath& path, std::size_t i, double t) {
+  const PathArc& arc = path.arcs[path.moves[i].curve];
+  Pose pose = path.start_of(i);
+  const double rise = (path.moves[i].end.tip - pose.tip).dot(arc.axis);
+  pose.tip = arc.center + Eigen::AngleAxisd(t * arc.sweep_rad, arc.axis) * (pose.tip - arc.center) + t * rise * arc.axis;
+  return pose;
+}
+
+// Each arc on its own: the middle of it becomes straight, what is before and after it stays round; or its end does.
+std::size_t split_each_arc(const Toolpath& path, std::size_t most) {
+  const RewritableMoves can = rewritable_moves(path);
+  std::size_t split = 0;
+  for (std::size_t i = 1; i < path.moves.size() && split < most; ++i) {
+    const Move& move = path.moves[i];
+    if (!can.split[i] || arc_length_mm(path.arcs[move.curve], path.start_of(i).tip, move.end.tip) < 0.5) continue;
+    SCOPED_TRACE("move " + std::to_string(i) + " at line " + std::to_string(move.line));
+    for (const bool is_end_round : {true, false}) {
+      PathChange change{i, std::nullopt, {place_on(path, i, 0.45), place_on(path, i, 0.55)}};
+      PathArc first = path.arcs[move.curve], last = first;
+      first.sweep_rad *= 0.45;
+      last.sweep_rad *= 0.45;
+      change.inserted_arcs = {first, std::nullopt};
+      if (is_end_round) change.new_arc = last;
+      change.is_straightened = !is_end_round;
+      const Result<std::string> text = write_corrected(path, {change});
+      if (!text) {
+        ADD_FAILURE() << to_text(text.error());
+        continue;
+      }
+      ReadOptions options;
+      options.dialect = dialect_called(path.dialect);
+      options.is_cutcom_centre = true;
+      const ReadOutcome again = read_toolpath(path.file, *text, options);
+      if (!again.toolpath || again.toolpath->moves.size() != path.moves.size() + 2) {
+        ADD_FAILURE() << "read as another path";
+        continue;
+      }
+      expect_arc(*again.toolpath, i, first, path.start_of(i), change.inserted_before[0]);
+      EXPECT_EQ(again.toolpath->moves[i + 1].curve_kind, CurveKind::none);
+      EXPECT_LE((again.toolpath->moves[i + 1].end.tip - change.inserted_before[1].tip).norm(), kDigits_mm);
+      if (is_end_round) expect_arc(*again.toolpath, i + 2, last, change.inserted_before[1], move.end);
+      else EXPECT_EQ(again.toolpath->moves[i + 2].curve_kind, CurveKind::none);
+      EXPECT_EQ(again.toolpath->moves[i + 2].end.tip, move.end.tip);
+      expect_rest_untouched(path, *text, i);
+      ++split;
+    }
+  }
+  return split;
+}
+
+TEST(RewriteArc, EveryArcWithAPositionOfItsOwnCanBeSplit) {
+  std::set<std::string> dialects;
+  for (const std::filesystem::path& file : all_cl_files()) {
+    SCOPED_TRACE(file.filename().string());
+    ReadOptions options;
+    options.is_cutcom_centre = true;
+    const ReadOutcome outcome = read_toolpath(file.filename().string(), bytes_of(file), options);
+    if (!outcome.toolpath) continue;
+    if (split_each_arc(*outcome.toolpath, 40) > 0) dialects.insert(outcome.toolpath->dialect);
+  }
+  for (const char* dialect : {"apt-autodesk", "apt-camplete", "apt-creo", "apt-mori", "nx-clsf"})
+    EXPECT_TRUE(dialects.contains(dialect)) << dialect;
+  EXPECT_FALSE(dialects.contains("apt-catia")) << "an arc of CATIA is a TLON, whose start is where the tool stands";
 }
 
 // A line lost, doubled or moved: what is rewritable there is rewritten as anywhere. An inch in the middle of a file of mm may be
@@ -287,6 +355,10 @@ TEST(RewriteArc, WhatIsNoArcBetweenItsEndsIsRefused) {
   arc.new_arc->sweep_rad =
       path.arcs[0].sweep_rad + (path.arcs[0].sweep_rad < 0 ? 1 : -1) * -2 * std::numbers::pi;
   EXPECT_EQ(refusal(path, {arc}), "write-arc") << "the other way round";
+  PathChange uneven{1, std::nullopt, {path.moves[1].end}};
+  uneven.new_arc = path.arcs[0];
+  uneven.inserted_arcs = {std::nullopt, path.arcs[0]};
+  EXPECT_EQ(refusal(path, {uneven}), "write-arc") << "two arcs for one position";
   PathChange straight{2, std::nullopt, {}};
   straight.new_arc = path.arcs[0];
   EXPECT_EQ(refusal(path, {straight}), "write-arc") << "not an arc";
