@@ -1,6 +1,7 @@
 #include "cli/correct_command.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -35,9 +36,12 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   for (const WrittenStatement& written : list_written(before, correction.changes, after))
     facts.written.push_back({written_name(written.kind), written.line});
   for (const PathChange& change : correction.changes) {
-    if (!change.is_straightened) continue;
-    ++facts.curves;
-    facts.straight_moves += change.inserted_before.size() + 1;
+    if (!change.is_straightened && change.inserted_arcs.empty()) continue;
+    const auto arcs = std::count_if(change.inserted_arcs.begin(), change.inserted_arcs.end(),
+                                    [](const auto& arc) { return arc.has_value(); });
+    const std::size_t straight = change.inserted_before.size() + (change.is_straightened ? 1 : 0) - static_cast<std::size_t>(arcs);
+    facts.curves += straight > 0 ? 1 : 0;
+    facts.straight_moves += straight;
   }
   facts.toolpath_before = &before;
   facts.result_before = &result;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "lib/correct/keep_arcs.h"
 #include "lib/correct/laws.h"
 #include "lib/correct/path_corrector.h"
 #include "lib/correct/plan_holes.h"
-#include "lib/correct/shift_arc.h"
 #include "lib/correct/straighten.h"
 
 namespace gouge {
@@ -21,8 +21,10 @@ class Proposer {
  public:
   Proposer(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
            const PreparedScene& scene, const CheckOptions& options, const CorrectOptions& correct)
-      : path_(path), result_(result), tools_(tools), checker_(scene, options, correct.heads) {
+      : path_(path), result_(result), tools_(tools), checker_(scene, options, correct.heads), correct_(correct) {
     if (correct.rewritable != nullptr) can_keep_arc_ = correct.rewritable->arc;
+    if (correct.rewritable != nullptr) can_split_ = correct.rewritable->split;
+    can_split_.resize(path.moves.size(), false);
     straight_ = straighten(path, result, tools, scene, options, correct.heads);
     corrector_ = std::make_unique<PathCorrector>(straight_ ? straight_->path : path,
                                                  straight_ ? straight_->result : result, tools, checker_, correct);
@@ -33,7 +35,7 @@ class Proposer {
     Correction correction = corrector_->propose(progress);
     if (straight_) {
       correction = restore_curves(*straight_, path_, result_, std::move(correction));
-      if (!can_keep_arc_.empty()) keep_arcs(path_, can_keep_arc_, tools_, checker_, correction);
+      if (!can_keep_arc_.empty()) keep_arcs({path_, tools_, checker_, correct_, can_keep_arc_, can_split_}, correction);
     }
     add_holes(correction);
     return correction;
@@ -42,7 +44,7 @@ class Proposer {
   /// What was proposed as an arc becomes straight from now on. False where it was not.
   [[nodiscard]] bool give_up_arc(const std::vector<PathChange>& changes, std::size_t move) {
     const bool was_arc = std::any_of(changes.begin(), changes.end(),
-                                     [move](const PathChange& c) { return c.move == move && c.new_arc; });
+                                     [move](const PathChange& c) { return c.move == move && c.has_arc(); });
     if (was_arc) can_keep_arc_[move] = false;
     return was_arc;
   }
@@ -81,8 +83,9 @@ class Proposer {
   const CheckResult& result_;
   const std::vector<const ToolForms*>& tools_;
   MotionChecker checker_;
+  const CorrectOptions& correct_;
   std::vector<HolePlan> holes_;
-  std::vector<bool> can_keep_arc_;
+  std::vector<bool> can_keep_arc_, can_split_;
   std::optional<StraightenedPath> straight_;
   std::unique_ptr<PathCorrector> corrector_;
 };

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <numbers>
 
 #include "lib/correct/free_pose.h"
@@ -19,6 +18,8 @@ constexpr double kSweepChange_rad = 0.2;
 constexpr double kSamePlace_mm = 1e-9, kSameAxis = 1e-12;
 constexpr double kLeastRadius_mm = 1e-3;
 constexpr int kPlaces = 16;
+constexpr double kNearby = 0.2;  // of the motion
+constexpr int kNarrowings = 40;
 
 Vec3 across(const Vec3& way, const Vec3& axis) {
   return way - way.dot(axis) * axis;
@@ -82,18 +83,33 @@ class ArcShift {
 
   [[nodiscard]] bool is_shift_allowed(const Motion& motion) const {
     const Motion before(task_.start, task_.end, task_.arc);
-    double farthest = 0;
+    const double tolerance = checker_.options().tolerance_mm;
     int too_deep = 0;
+    bool is_forced = true;
     for (int i = 0; i <= kPlaces; ++i) {
       const double t = static_cast<double>(i) / kPlaces;
-      const Pose from = before.at(t), to = motion.at(t);
-      farthest = std::max(farthest, (to.tip - from.tip).norm());
-      const MoveVerdict verdict = checker_.measure(from, task_.kind, *task_.tool);
-      too_deep += verdict.depth_mm > kTooDeepShare * checker_.options().tolerance_mm ? 1 : 0;
+      const Pose from = before.at(t), to = i == 0 || i == kPlaces ? motion.at(t) : nearest(motion, t, from);
+      const double depth = checker_.measure(from, task_.kind, *task_.tool).depth_mm;
+      const double shift = (to.tip - from.tip).norm();
+      too_deep += depth > kTooDeepShare * tolerance ? 1 : 0;
+      is_forced = is_forced && shift <= tolerance + kSideShiftsPerDepth * depth;
+      // Between two clean places so near to each other the arc, which is checked whole, says enough.
+      if (depth <= kAimShare * tolerance && shift <= tolerance) continue;
       if (why_not_shift(from, {to.tip, from.axis}, task_.kind, *task_.tool, checker_) != nullptr)
         return false;
     }
-    return farthest <= checker_.options().tolerance_mm || too_deep >= kMostOfIt * (kPlaces + 1);
+    return is_forced || too_deep >= kMostOfIt * (kPlaces + 1);
+  }
+
+  // The place of the new arc nearest to `from`, sought about the same instant: the distance has one least value there.
+  static Pose nearest(const Motion& motion, double t, const Pose& from) {
+    double low = std::max(0.0, t - kNearby), high = std::min(1.0, t + kNearby);
+    for (int i = 0; i < kNarrowings; ++i) {
+      const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+      const bool is_first = (motion.at(a).tip - from.tip).norm() <= (motion.at(b).tip - from.tip).norm();
+      (is_first ? high : low) = is_first ? b : a;
+    }
+    return motion.at(0.5 * (low + high));
   }
 
   const ArcTask& task_;
@@ -102,56 +118,10 @@ class ArcShift {
   bool is_full_ = false;
 };
 
-/// One record for the whole arc, by the deepest of those of its pieces.
-void join_records(std::size_t move, const Vec3& shift, Correction& correction) {
-  std::vector<ChangeRecord>& all = correction.records;
-  const auto of_move = [move](const ChangeRecord& record) { return record.move == move; };
-  const auto first = std::find_if(all.begin(), all.end(), of_move);
-  if (first == all.end()) return;
-  ChangeRecord joined = *first;
-  for (const ChangeRecord& record : all) {
-    if (!of_move(record)) continue;
-    joined.depth_before_mm = std::max(joined.depth_before_mm, record.depth_before_mm);
-    joined.depth_after_mm = std::max(joined.depth_after_mm, record.depth_after_mm);
-    joined.iterations = std::max(joined.iterations, record.iterations);
-  }
-  joined.is_inserted = false;
-  joined.shift_mm = shift;
-  const auto place = static_cast<std::size_t>(first - all.begin());
-  std::erase_if(all, of_move);
-  all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), joined);
-}
-
 }  // namespace
 
 std::optional<PathArc> shift_arc(const ArcTask& task, const MotionChecker& checker) {
   return ArcShift(task, checker).run();
-}
-
-void keep_arcs(const Toolpath& path, const std::vector<bool>& can_rewrite,
-               const std::vector<const ToolForms*>& tools, const MotionChecker& checker,
-               Correction& correction) {
-  std::map<std::size_t, const PathChange*> change_of;
-  for (const PathChange& change : correction.changes) change_of[change.move] = &change;
-  const auto end_of = [&](std::size_t move) {
-    const auto found = change_of.find(move);
-    return found != change_of.end() && found->second->new_end ? *found->second->new_end
-                                                              : path.moves[move].end;
-  };
-  for (PathChange& change : correction.changes) {
-    const Move& move = path.moves[change.move];
-    if (!change.is_straightened || move.curve_kind != CurveKind::arc || !can_rewrite[change.move]) continue;
-    ArcTask task{path.arcs[move.curve],   path.start_of(change.move), move.end,
-                 end_of(change.move - 1), end_of(change.move),        move.kind,
-                 tools[move.tool]};
-    const std::optional<PathArc> arc = shift_arc(task, checker);
-    if (!arc) continue;
-    change.is_straightened = false;
-    change.inserted_before.clear();
-    change.new_arc = arc;
-    join_records(change.move, task.new_end.tip - task.end.tip, correction);
-    std::erase_if(correction.uncorrected, [&](const Uncorrected& left) { return left.move == change.move; });
-  }
 }
 
 }  // namespace gouge

@@ -1,9 +1,7 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "lib/correct/correct_path.h"
 #include "lib/correct/motion_checker.h"
 
 // An arc that must change stays an arc where one can be found: the same circle elsewhere, or about a centre
@@ -27,19 +25,13 @@ struct ArcTask {
 /// and as high above each
 ///          other as they were, to a fifth of the tolerance. A full circle stays one.
 ///          (2) It is clean to four fifths of the tolerance, which leaves room for the digits of the file,
-///          over its whole motion (check_move). (3) Where it leaves the arc as it was by more than the
-///          tolerance, nine tenths of that were too deep: no part that fits is given up for another. Sixteen
-///          places of it are shifted as why_not_shift allows.
+///          over its whole motion (check_move). (3) No part that fits is given up for another: no place goes further
+///          than the tolerance and twice its depth, or nine tenths of the arc were too deep. Seventeen places are
+///          looked at; those that are too deep or go further than the tolerance may be shifted there
+///          (why_not_shift).
 /// Tried    the centre shifted with the ends; the centre line kept, with another radius; each moved to where
 /// both ends are
 ///          equally far.
 [[nodiscard]] std::optional<PathArc> shift_arc(const ArcTask& task, const MotionChecker& checker);
-
-/// Lets arcs of `path` that `correction` makes straight stay arcs where shift_arc finds one for the ends they
-/// got. Only arcs that `can_rewrite` (one entry a move) are looked at. Positions and all other moves stay as
-/// proposed.
-void keep_arcs(const Toolpath& path, const std::vector<bool>& can_rewrite,
-               const std::vector<const ToolForms*>& tools, const MotionChecker& checker,
-               Correction& correction);
 
 }  // namespace gouge

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/correct/correct_path.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
