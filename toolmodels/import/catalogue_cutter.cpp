@@ -156,6 +156,7 @@ class CutterMaker {
   Result<CatalogueCutter> chamfer() {
     if (Outcome good = check_taper(); !good) return good.error();
     const double d = at(diameter), tip = at(tip_diameter), half = at(taper_angle);
+    if (!(d > 0)) return make_error("import-field", d_.text(diameter) + " is not possible; it must be greater than 0");
     if (tip >= d)
       return make_error("import-field", d_.text(tip_diameter) + " is not less than " + d_.text(diameter) +
                                             "; the diameter of a chamfer mill is its largest");

@@ -168,6 +168,14 @@ TEST(ImportFreecad, AProbeIsABallOnItsShaft) {
   EXPECT_NEAR(profile.elements.back().a.y(), 5.236068, 1e-6);  // 3 + sqrt(9 - 4)
 }
 
+TEST(ImportFreecad, AVBitOfNoDiameterIsLeftOutWithTheReason) {
+  const ImportedTools made = import_bit(
+      "VBit", R"("Diameter":"0 in","CuttingEdgeAngle":"20 \u00b0","CuttingEdgeHeight":"0.6 in")");
+  EXPECT_TRUE(made.library.tools.empty());
+  EXPECT_NE(test::notes_of(made, "import-field").find("Diameter 0 mm is not possible"), std::string::npos)
+      << test::all_notes(made);
+}
+
 TEST(ImportFreecad, ARoundTripLosesNothing) {
   test::expect_round_trip(import_library(beside()).library);
   const ImportedTools inches = import_bit(
