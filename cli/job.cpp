@@ -39,7 +39,7 @@ class JobLoader {
 
  private:
   bool read_path() {
-    Result<std::string> bytes = read_file(arguments_.path);
+    Result<std::string> bytes = read_file(arguments_.path, arguments_.input.most_bytes);
     if (!bytes) {
       errors_.push_back(bytes.error());
       return false;
@@ -88,7 +88,7 @@ class JobLoader {
   void read_meshes(const std::vector<std::string>& files, const char* role, std::vector<IndexedMesh>& meshes,
                    std::vector<MeshFacts>& facts, const RigidTransform& place) {
     for (const std::string& file : files) {
-      Result<FileView> view = view_file(file);
+      Result<FileView> view = view_file(file, arguments_.input.most_bytes);
       if (!view) {
         errors_.push_back(view.error());
         continue;
@@ -148,7 +148,7 @@ class JobLoader {
   void read_tools() {
     std::optional<ToolLibrary> library;
     if (!arguments_.tools_file.empty()) {
-      const Result<std::string> bytes = read_file(arguments_.tools_file);
+      const Result<std::string> bytes = read_file(arguments_.tools_file, arguments_.input.most_bytes);
       if (!bytes) return errors_.push_back(bytes.error());
       job_.inputs.push_back(describe_input("tools", arguments_.tools_file, *bytes));
       Result<ToolLibrary> read = read_tool_library(arguments_.tools_file, *bytes);

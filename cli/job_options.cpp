@@ -43,6 +43,7 @@ void add_input_options(CLI::App& command, JobArguments& a) {
       ->allow_extra_args(false);
   command.add_option("--holder", a.holder, "Holder of the library for tools that have none")
       ->type_name("NAME");
+  add_input_limit(command, a.input);
   command.add_flag("--extend-up", a.is_extended_up,
                    "Let the top body of every tool go on without end, so that nothing hides above it");
 }

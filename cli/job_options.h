@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/input_limit.h"
 #include "cli/progress.h"
 #include "cli/reading_options.h"
 #include "lib/base/result.h"
@@ -19,6 +20,7 @@ namespace gouge {
 struct JobArguments {
   std::string path;
   ReadingArguments reading;
+  InputLimit input;
   std::vector<std::string> parts, fixtures, heads;
   std::string place, stl_units;
   std::string tools_file, holder;

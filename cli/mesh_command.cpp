@@ -79,6 +79,7 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
       ->needs(repair);
   command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")
       ->type_name("FILE");
+  add_input_limit(command, arguments.input);
   command.footer(
       "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair mended.stl --fill-holes\n"
       "  gougecheck mesh part.stl --weld 0.002 --repair welded.stl\n\n"
@@ -103,7 +104,7 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
                 kExitUsage);
   const Diagnostics unwritable = find_unwritable({arguments.repair_file, arguments.json_file});
   if (!unwritable.empty()) return tell(err, unwritable.front(), kExitInternal);
-  Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}});
+  Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.most_bytes);
   if (!loaded) return tell(err, loaded.error(), kExitInput);
   info.file = arguments.file;
   info.format = loaded->format;

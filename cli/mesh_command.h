@@ -3,6 +3,8 @@
 #include <iosfwd>
 #include <string>
 
+#include "cli/input_limit.h"
+
 namespace CLI {
 class App;
 }
@@ -11,6 +13,7 @@ namespace gouge {
 
 struct MeshArguments {
   std::string file;
+  InputLimit input;
   std::string stl_units = "mm";
   std::string weld;         ///< a length; empty: only identical coordinates are one vertex
   std::string repair_file;  ///< empty: no repair

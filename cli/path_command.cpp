@@ -63,6 +63,7 @@ CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* n
       ->type_name("FILE")
       ->required();
   add_reading_options(*added, arguments.reading);
+  add_input_limit(*added, arguments.input);
   return *added;
 }
 
@@ -120,7 +121,7 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   if (!is_svg) return refuse({is_svg.error()}, err, kExitUsage);
   if (const Diagnostics errors = find_unwritable({arguments.output, arguments.json_file}); !errors.empty())
     return refuse(errors, err, kExitInternal);
-  Result<std::string> bytes = read_file(arguments.path);
+  Result<std::string> bytes = read_file(arguments.path, arguments.input.most_bytes);
   if (!bytes) return refuse({bytes.error()}, err);
   const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);
   if (!outcome.toolpath) return refuse(outcome.errors, err);

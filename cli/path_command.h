@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "cli/input_limit.h"
 #include "cli/reading_options.h"
 
 namespace CLI {
@@ -14,6 +15,7 @@ namespace gouge {
 struct PathArguments {
   std::string path;
   ReadingArguments reading;
+  InputLimit input;
   std::string json_file;
   std::string output, to;  ///< convert and plot
   bool is_info = false, is_convert = false;

@@ -53,6 +53,7 @@ int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostr
 
 void add_library_option(CLI::App& command, ToolArguments& arguments, ToolAction action) {
   command.add_option("--tools", arguments.tools_file, "Tool library (JSON)")->type_name("FILE")->required();
+  add_input_limit(command, arguments.input);
   command.callback([&arguments, action] { arguments.action = action; });
 }
 
@@ -95,7 +96,7 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments) {
 int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err) {
   if (arguments.action == ToolAction::import)
     return run_tool_import(arguments.import, arguments.output, out, err);
-  const Result<std::string> bytes = read_file(arguments.tools_file);
+  const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.most_bytes);
   if (!bytes) return refuse(bytes.error(), err);
   const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);
   if (!library) return refuse(library.error(), err);

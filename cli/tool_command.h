@@ -15,6 +15,7 @@ enum class ToolAction { list, show, draw, import };
 
 struct ToolArguments {
   ToolAction action = ToolAction::list;
+  InputLimit input;
   std::string tools_file;
   std::string tool;    ///< number, T and number, or name; empty: all
   std::string output;  ///< draw: .png or .svg; import: the library to write

@@ -24,7 +24,7 @@ Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& argument
   if (arguments.holder.empty()) return std::vector<ToolSegment>{};
   if (arguments.tools_file.empty())
     return make_error("usage", "--holder needs --tools, the library that holder is in");
-  const Result<std::string> bytes = read_file(arguments.tools_file);
+  const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.most_bytes);
   if (!bytes) return bytes.error();
   const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);
   if (!library) return library.error();
@@ -36,10 +36,12 @@ Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& argument
 }
 
 // FreeCAD keeps the bits of a library beside it, or in the folder Bit beside the library's own.
-Result<std::string> read_beside(const std::filesystem::path& folder, const std::string& name) {
-  Result<std::string> bytes = read_file((folder / name).string());
+Result<std::string> read_beside(const std::filesystem::path& folder, const std::string& name,
+                                const InputLimit& limit) {
+  Result<std::string> bytes = read_file((folder / name).string(), limit.most_bytes);
   if (bytes || bytes.error().code != "file-not-found") return bytes;
-  Result<std::string> bit = read_file((folder / ".." / "Bit" / name).lexically_normal().string());
+  Result<std::string> bit =
+      read_file((folder / ".." / "Bit" / name).lexically_normal().string(), limit.most_bytes);
   return bit ? bit : bytes;
 }
 
@@ -85,6 +87,7 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
       ->check(CLI::PositiveNumber);
   command.add_option("--unit", arguments.unit, "Unit of a file that does not say its own (NX)")
       ->check(CLI::IsMember({"mm", "inch"}));
+  add_input_limit(command, arguments.input);
   command.footer(
       "Example:\n  gougecheck tool import shop.tools -o shop.json\n\nExit status: 0 done, also with "
       "warnings; 2 wrong "
@@ -105,14 +108,16 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   }
   const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
   if (!holder) return refuse(holder.error(), err);
-  const Result<std::string> bytes = read_file(arguments.file);
+  const Result<std::string> bytes = read_file(arguments.file, arguments.input.most_bytes);
   if (!bytes) return refuse(bytes.error(), err);
   ImportOptions options;
   options.holder = *holder;
   if (arguments.stickout_mm > 0) options.stickout_mm = arguments.stickout_mm;
   if (!arguments.unit.empty()) options.unit = arguments.unit == "inch" ? LengthUnit::inch : LengthUnit::mm;
   const std::filesystem::path folder = std::filesystem::path(arguments.file).parent_path();
-  options.read_beside = [&folder](const std::string& name) { return read_beside(folder, name); };
+  options.read_beside = [&folder, &arguments](const std::string& name) {
+    return read_beside(folder, name, arguments.input);
+  };
   const Result<ImportedTools> made =
       import_tools(arguments.file, *bytes, format_called(arguments.format), options);
   if (!made) return refuse(made.error(), err);

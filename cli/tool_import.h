@@ -3,6 +3,8 @@
 #include <iosfwd>
 #include <string>
 
+#include "cli/input_limit.h"
+
 namespace CLI {
 class App;
 }
@@ -11,6 +13,7 @@ namespace gouge {
 
 struct ToolImportArguments {
   std::string file;
+  InputLimit input;
   std::string format = "auto";  ///< auto, fusion, freecad or nx
   std::string holder;           ///< name in `tools_file`
   std::string tools_file;

@@ -44,36 +44,6 @@ Outcome write_in_place(const std::string& path, std::string_view bytes) {
 
 }  // namespace
 
-Result<std::string> read_file(const std::string& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) {
-    return make_error("file-is-folder", "is a folder; expected a file", path);
-  }
-  const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  if (handle < 0) {
-    const bool is_missing = errno == ENOENT;
-    return make_error(is_missing ? "file-not-found" : "file-unreadable",
-                      is_missing ? "no such file" : "cannot read the file: " + reason(), path);
-  }
-  std::string bytes;
-  struct stat info {};
-  if (::fstat(handle, &info) == 0 && info.st_size > 0) bytes.reserve(static_cast<std::size_t>(info.st_size));
-  std::string chunk(1 << 20, '\0');
-  for (;;) {
-    const ssize_t count = ::read(handle, chunk.data(), chunk.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      const std::string why = reason();
-      ::close(handle);
-      return make_error("file-unreadable", "cannot read the file: " + why, path);
-    }
-    if (count == 0) break;
-    bytes.append(chunk.data(), static_cast<std::size_t>(count));
-  }
-  ::close(handle);
-  return bytes;
-}
-
 Outcome write_file(const std::string& path, std::string_view bytes) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);

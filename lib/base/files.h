@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -9,8 +10,12 @@
 
 namespace gouge {
 
-/// The bytes of `path`. Errors: file-not-found, file-is-folder, file-unreadable.
-[[nodiscard]] Result<std::string> read_file(const std::string& path);
+/// What an input may have where the user does not say otherwise: 8 GB.
+inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
+
+/// The bytes of `path`, a file or a pipe. Errors: those of InputFile (lib/base/input_file.h).
+[[nodiscard]] Result<std::string> read_file(const std::string& path,
+                                            std::uint64_t most_bytes = kMaxInputBytes);
 
 /// Writes beside `path` and renames, so that readers see the old file or the whole new one. Devices and
 /// pipes (/dev/null, a FIFO) are written directly. Errors: file-unwritable (with the system's reason).

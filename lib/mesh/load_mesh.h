@@ -18,7 +18,8 @@ struct LoadedMesh {
 
 /// From an STL file to a mesh and what there is to say about it.
 /// Errors: those of read_file, parse_stl and build_mesh.
-[[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {});
+[[nodiscard]] Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement = {},
+                                           std::uint64_t most_bytes = kMaxInputBytes);
 
 /// The same from a file that is looked at already; it is let go of as soon as the mesh is welded.
 [[nodiscard]] Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name,

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <sys/stat.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+
+#include "lib/base/result.h"
+
+namespace gouge {
+
+/// A file that is read once from its begin to its end, with a limit on how much that may be. What never ends is refused:
+/// devices before they are opened, pipes at the limit. What changes while it is read is refused too, as half of the old
+/// and half of the new is neither.
+class InputFile {
+ public:
+  /// A terminal is read where it is this program's standard input. Opening a pipe waits for its writer.
+  /// Errors: file-not-found, file-is-folder, file-unreadable, input-is-device, input-too-large (a file of more than
+  /// `most_bytes`).
+  [[nodiscard]] static Result<InputFile> open(const std::string& path, std::uint64_t most_bytes);
+
+  InputFile(InputFile&& other) noexcept;
+  InputFile& operator=(InputFile&&) = delete;
+  ~InputFile();
+
+  /// How many bytes it will be; 0 where only reading shows.
+  [[nodiscard]] std::size_t expected_bytes() const;
+
+  /// The next bytes, at most `room`, to `to`; 0 at the end. Requires room > 0.
+  /// Errors: file-unreadable, input-too-large, input-changed.
+  [[nodiscard]] Result<std::size_t> read(char* to, std::size_t room);
+
+ private:
+  InputFile(std::string path, int handle, const struct stat& before, std::uint64_t most_bytes);
+
+  std::string path_;
+  int handle_ = -1;
+  struct stat before_;
+  std::uint64_t most_bytes_ = 0, bytes_ = 0;
+};
+
+}  // namespace gouge
