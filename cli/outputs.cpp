@@ -2,6 +2,7 @@
 
 #include <ostream>
 
+#include "cli/picture_file.h"
 #include "cli/report_folder.h"
 #include "lib/base/files.h"
 #include "lib/base/printable_text.h"
@@ -61,6 +62,9 @@ bool write_report(const JobArguments& arguments, const Job& job, const ReportMod
     print(err, {drawn.error()});
     return false;
   }
+  std::vector<std::string> meshes;
+  for (const MeshFacts& mesh : model.parts) meshes.push_back(mesh.name);
+  if (!arguments.is_quiet) print(err, find_missing_letters(*model.toolpath, meshes));
   std::vector<NamedFile> files = std::move(*drawn);
   files.push_back({"report.html", write_html(model, files), ""});
   files.push_back({"result.json", write_json(model), ""});

@@ -48,6 +48,7 @@ int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostre
 
 int run_plot(const PathArguments& arguments, const Toolpath& path, bool is_svg, std::ostream& err) {
   tell(path.notes, err);
+  if (!is_svg) tell(find_missing_letters(path), err);
   const Result<std::string> picture = plot_path(path, is_svg);
   if (!picture) return refuse({picture.error()}, err, kExitInternal);
   const Outcome outcome = write_file(arguments.output, *picture);

@@ -9,6 +9,7 @@
 #include "cli/picture_file.h"
 #include "cli/tool_text.h"
 #include "lib/base/files.h"
+#include "postproc/image/font.h"
 #include "postproc/image/render_png.h"
 #include "postproc/image/render_svg.h"
 #include "toolmodels/draw_profile.h"
@@ -45,6 +46,11 @@ int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostr
   if (!drawing) return refuse(drawing.error(), err);
   const Result<std::string> bytes = *is_svg ? Result<std::string>(render_svg(*drawing)) : render_png(*drawing);
   if (!bytes) return refuse(bytes.error(), err);
+  std::vector<std::string> names;
+  for (const ToolAssembly* tool : tools) names.push_back(tool->name);
+  if (!*is_svg) {
+    for (const Diagnostic& note : find_missing_letters(names)) err << to_text(note) << "\n";
+  }
   const Outcome written = write_file(path, *bytes);
   if (written) return kExitClean;
   refuse(written.error(), err);

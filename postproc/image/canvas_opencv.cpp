@@ -6,6 +6,7 @@
 
 #include "postproc/image/ascii_text.h"
 #include "postproc/image/encode_png.h"
+#include "postproc/image/font.h"
 #include "postproc/image/render_png.h"
 
 // The only file that knows OpenCV. Everything is painted kSupersampling times larger and averaged down.
@@ -16,6 +17,7 @@ namespace {
 constexpr int kSubpixelBits = 4;
 constexpr double kLargestSide = 16384;
 constexpr double kCapHeightOfSize = 0.70;   // of the font's size, as in common sans-serif fonts
+constexpr double kCapHeightOfEm = 0.729;    // of DejaVu Sans
 constexpr double kHersheyCapHeight = 21.0;  // of FONT_HERSHEY_SIMPLEX at scale 1
 
 cv::Scalar bgr(const Colour& c) {
@@ -120,11 +122,29 @@ class Painter {
   }
 
   void operator()(const DrawnText& text) {
+    if (text.text.empty() || !(text.size > 0)) return;
+    if (!installed_font().has_letters()) return draw_strokes(text);
+    const double size = em_of(text.size) * kSupersampling;
+    const double left = std::clamp(text.at.x(), -1e5, 1e5) * kSupersampling -
+                        share_before(text.anchor) * installed_font().width(text.text, text.is_bold) * size;
+    const double whole = std::floor(left);
+    const TextMask letters = installed_font().draw(text.text, std::min(size, 4096.0), text.is_bold, left - whole);
+    // The base line lies between two pixels of the picture: feet that end there are sharp.
+    const int base = static_cast<int>(std::lround(std::clamp(text.at.y(), -1e5, 1e5))) * kSupersampling;
+    const cv::Rect area(static_cast<int>(whole) + letters.left, base + letters.top, letters.width, letters.height);
+    blend(area, text.colour, [&](cv::Mat& mask, const cv::Point&) {
+      const cv::Rect seen = area & cv::Rect(0, 0, image_.cols, image_.rows);
+      const cv::Mat greys(letters.height, letters.width, CV_8UC1, const_cast<std::uint8_t*>(letters.grey.data()));
+      greys(cv::Rect(seen.tl() - area.tl(), seen.size())).copyTo(mask);
+    });
+  }
+
+  // Without any font installed: OpenCV's letters of strokes, which are ASCII only.
+  void draw_strokes(const DrawnText& text) {
     const std::string ascii = ascii_text(text.text);
-    if (ascii.empty() || !(text.size > 0)) return;
     const int thickness = stroke_of(text.size, text.is_bold);
     const double width = text_width(ascii, text.size, text.is_bold) * kSupersampling;
-    const double anchor = text.anchor == TextAnchor::left ? 0 : text.anchor == TextAnchor::middle ? 0.5 : 1;
+    const double anchor = share_before(text.anchor);
     const cv::Point at(
         static_cast<int>(std::lround(std::clamp(text.at.x(), -1e5, 1e5) * kSupersampling - anchor * width)),
         static_cast<int>(std::lround(std::clamp(text.at.y(), -1e5, 1e5) * kSupersampling)));
@@ -144,6 +164,10 @@ class Painter {
     return encode_png(small.ptr<std::uint8_t>(), small.cols, small.rows);
   }
 
+  static double share_before(TextAnchor anchor) {
+    return anchor == TextAnchor::left ? 0 : anchor == TextAnchor::middle ? 0.5 : 1;
+  }
+  static double em_of(double size) { return size * kCapHeightOfSize / kCapHeightOfEm; }
   static double scale_of(double size) { return size * kCapHeightOfSize * kSupersampling / kHersheyCapHeight; }
   static int stroke_of(double size, bool is_bold) {
     return std::max(1, static_cast<int>(std::lround(size * kSupersampling * (is_bold ? 0.115 : 0.07))));
@@ -188,6 +212,7 @@ class Painter {
 }  // namespace
 
 double text_width(const std::string& text, double size, bool is_bold) {
+  if (installed_font().has_letters()) return installed_font().width(text, is_bold) * Painter::em_of(size);
   int base_line = 0;
   // At a fixed large scale, so that widths grow smoothly with the size.
   const cv::Size box = cv::getTextSize(ascii_text(text), cv::FONT_HERSHEY_SIMPLEX, 4, 1, &base_line);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "postproc/image/ascii_text.h"
+#include "lib/base/printable_text.h"
 #include "postproc/image/render_png.h"
 #include "postproc/report/report_text.h"
 
@@ -58,11 +58,14 @@ std::string without_middle(const std::string& text, std::size_t head, std::size_
 }  // namespace
 
 std::string fitted(const std::string& words, double size, double width, bool is_bold) {
-  const std::string text = ascii_text(words);
+  const std::string text = printable(words);
+  const auto begins_letter = [&](std::size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U; };
   if (text_width(text, size, is_bold) <= width) return text;
   for (std::size_t keep = text.size(); keep > 2; --keep) {
-    const std::size_t head = (keep + 1) / 2;
-    const std::string cut = without_middle(text, head, text.size() - (keep - head));
+    std::size_t head = (keep + 1) / 2, tail = text.size() - (keep - head);
+    while (head > 0 && !begins_letter(head)) --head;
+    while (tail < text.size() && !begins_letter(tail)) ++tail;
+    const std::string cut = without_middle(text, head, tail);
     if (text_width(cut, size, is_bold) <= width) return cut;
   }
   return {};

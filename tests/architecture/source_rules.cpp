@@ -109,9 +109,10 @@ Complaints check_heavy_libraries(const std::vector<SourceFile>& files) {
     std::string prefix, room;
     std::set<std::string> users;
   };
-  std::array<Heavy, 3> libraries = {Heavy{"CGAL/", "lib/validate/", {}},
+  std::array<Heavy, 4> libraries = {Heavy{"CGAL/", "lib/validate/", {}},
                                     Heavy{"opencv2/", "postproc/image/", {}},
-                                    Heavy{"png.h", "postproc/image/", {}}};
+                                    Heavy{"png.h", "postproc/image/", {}},
+                                    Heavy{"ft2build.h", "postproc/image/", {}}};
   Complaints complaints;
   for (const SourceFile& file : files) {
     if (!is_code(file.path) || starts_with(file.path, "tests/")) continue;

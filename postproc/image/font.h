@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/diagnostic.h"
+
+namespace gouge {
+
+/// A line of text as grey values: rows from the top, 0 (nothing) to 255 (covered).
+struct TextMask {
+  int left = 0,
+      top = 0;  ///< of the first value, in pixels from the pen's first position on the base line, y down
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> grey;
+};
+
+/// The letters of font files, one after the other: a letter comes from the first file that has it, without
+/// hinting, so that its shape does not depend on where it stands. Letters of right-to-left and joined scripts
+/// are neither turned nor joined. Text is made printable first (lib/base/printable_text.h); a character that
+/// no file has is drawn as a box. May be used from several threads.
+class Font {
+ public:
+  /// Files that are missing or no fonts are passed over.
+  Font(const std::vector<std::string>& regular_files, const std::vector<std::string>& bold_files);
+  ~Font();
+  Font(const Font&) = delete;
+  Font& operator=(const Font&) = delete;
+
+  /// Whether any file could be read. Without, every letter is a box.
+  [[nodiscard]] bool has_letters() const;
+  [[nodiscard]] bool has_letter(char32_t letter) const;
+
+  /// Width of the text in units of the size, which is the height of the font's em square.
+  [[nodiscard]] double width(std::string_view text, bool is_bold) const;
+
+  /// The text with an em square of `size` pixels, the pen first at `shift` (0 to 1) pixels.
+  /// Requires 0 < size <= 4096.
+  [[nodiscard]] TextMask draw(std::string_view text, double size, bool is_bold, double shift) const;
+
+ private:
+  class Files;
+  std::unique_ptr<Files> files_;
+};
+
+/// The fonts of the system: DejaVu Sans, then one that has Chinese, Japanese and Korean. Opened at the first
+/// call.
+[[nodiscard]] const Font& installed_font();
+
+/// One note ("picture-letters") if characters of these texts are drawn as boxes, with the first of them and
+/// what to install; nothing where all are there or no font is.
+[[nodiscard]] Diagnostics find_missing_letters(const std::vector<std::string>& texts,
+                                               const Font& font = installed_font());
+
+}  // namespace gouge
