@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "lib/base/number_text.h"
 #include "lib/path/chords.h"
 #include "lib/path/path_info.h"
 #include "postproc/image/render_png.h"
 #include "postproc/image/render_svg.h"
+#include "postproc/image/thin_lines.h"
 
 namespace gouge {
 namespace {
@@ -28,13 +30,19 @@ struct Ink {
   std::vector<double> dashes;
 };
 
+// In the order of MoveKind, then what cannot be checked.
+const std::array<Ink, 5> kInks = {{{"feed", {25, 95, 180, 1}, {}},
+                                   {"rapid", {225, 140, 20, 1}, {6, 4}},
+                                   {"arc", {20, 140, 95, 1}, {}},
+                                   {"cycle", {130, 60, 170, 1}, {}},
+                                   {"cannot be checked", {200, 30, 40, 1}, {}}}};
+
 const Ink& ink_of(const Move& move) {
-  static const Ink kNotChecked{"cannot be checked", {200, 30, 40, 1}, {}};
-  static const std::array<Ink, 4> kKinds = {{{"feed", {25, 95, 180, 1}, {}},
-                                             {"rapid", {225, 140, 20, 1}, {6, 4}},
-                                             {"arc", {20, 140, 95, 1}, {}},
-                                             {"cycle", {130, 60, 170, 1}, {}}}};
-  return move.not_checked_reason.empty() ? kKinds[static_cast<std::size_t>(move.kind)] : kNotChecked;
+  return move.not_checked_reason.empty() ? kInks[static_cast<std::size_t>(move.kind)] : kInks.back();
+}
+
+std::uint8_t number_of(const Ink& ink) {
+  return static_cast<std::uint8_t>(&ink - kInks.data());
 }
 
 struct Panel {
@@ -77,19 +85,21 @@ void draw_panel(const Toolpath& path, Panel panel, const Box3& box, double axis_
     drawing.items.emplace_back(
         DrawnLine{{panel.at(pose.tip), panel.at(pose.tip + axis_length * pose.axis)}, kAxis, 1, false, {}});
   }
+  ThinLines lines(a, b);
+  std::vector<Vec2> points;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
     if (!move.has_start) continue;
     const Ink& ink = ink_of(move);
-    DrawnLine line{{panel.at(path.start_of(i).tip)}, ink.colour, 1.4, false, ink.dashes};
+    points.assign(1, panel.at(path.start_of(i).tip));
     if (move.curve_kind == CurveKind::none) {
-      line.points.push_back(panel.at(move.end.tip));
+      points.push_back(panel.at(move.end.tip));
     } else {
-      for (const Pose& pose : chords_of(path, i, 0.15 / panel.scale))
-        line.points.push_back(panel.at(pose.tip));
+      for (const Pose& pose : chords_of(path, i, 0.15 / panel.scale)) points.push_back(panel.at(pose.tip));
     }
-    drawing.items.emplace_back(std::move(line));
+    lines.add(points, number_of(ink), {{}, ink.colour, 1.4, false, ink.dashes});
   }
+  for (DrawnLine& line : lines.take()) drawing.items.emplace_back(std::move(line));
 }
 
 void draw_legend(const Toolpath& path, Drawing& drawing) {

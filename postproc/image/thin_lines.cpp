@@ -1,0 +1,98 @@
+#include "postproc/image/thin_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace gouge {
+namespace {
+
+constexpr double kSame = 0.1;           // picture units: a tenth of a pixel is not seen
+constexpr double kCellsPerUnit = 2;     // finer than a line is wide
+constexpr std::size_t kMostPassed = 64;  // points that one segment may stand for: bounds the work for each
+constexpr std::uint8_t kNoInk = 255;
+
+double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
+  const Vec2 along = b - a;
+  const double length2 = along.squaredNorm();
+  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
+  return (p - a - t * along).norm();
+}
+
+}  // namespace
+
+ThinLines::ThinLines(const Vec2& low, const Vec2& high) : low_(low) {
+  columns_ = static_cast<std::size_t>(std::ceil(kCellsPerUnit * (high - low).x()));
+  rows_ = static_cast<std::size_t>(std::ceil(kCellsPerUnit * (high - low).y()));
+  top_ink_.assign(columns_ * rows_, kNoInk);
+}
+
+void ThinLines::add(const std::vector<Vec2>& points, std::uint8_t ink, const DrawnLine& style) {
+  if (points.size() < 2) return;
+  const bool goes_on = ink == ink_ && !passed_.empty() && (passed_.back() - points.front()).norm() <= 1e-9;
+  if (!goes_on) {
+    end_stroke();
+    ink_ = ink;
+    style_ = style;
+    style_.points.clear();
+    passed_.assign(1, points.front());
+    kept_.assign(1, points.front());
+  }
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const Vec2& p = points[i];
+    const bool is_near = std::all_of(passed_.begin(), passed_.end(),
+                                     [&](const Vec2& q) { return distance(q, kept_.back(), p) <= kSame; });
+    if (passed_.size() > 1 && (!is_near || passed_.size() >= kMostPassed)) {
+      kept_.push_back(passed_.back());
+      passed_.assign(1, kept_.back());
+    }
+    passed_.push_back(p);
+  }
+}
+
+void ThinLines::end_stroke() {
+  if (passed_.size() > 1) kept_.push_back(passed_.back());
+  is_joined_ = false;
+  for (std::size_t i = 1; i < kept_.size(); ++i) draw(kept_[i - 1], kept_[i]);
+  passed_.clear();
+  kept_.clear();
+}
+
+void ThinLines::draw(const Vec2& a, const Vec2& b) {
+  if (!cover(a, b)) {
+    is_joined_ = false;
+    return;
+  }
+  if (!is_joined_) {
+    lines_.push_back(style_);
+    lines_.back().points.push_back(a);
+  }
+  lines_.back().points.push_back(b);
+  is_joined_ = true;
+}
+
+// Inks the cells under the segment; false where all of them were of this ink already.
+bool ThinLines::cover(const Vec2& a, const Vec2& b) {
+  const int steps = std::max(1, static_cast<int>(std::ceil(2 * kCellsPerUnit * (b - a).norm())));
+  bool is_new = false;
+  for (int k = 0; k <= steps; ++k) {
+    const Vec2 cell = kCellsPerUnit * (a + (b - a) * (static_cast<double>(k) / steps) - low_);
+    const bool is_inside = cell.x() >= 0 && cell.y() >= 0 && cell.x() < static_cast<double>(columns_) &&
+                           cell.y() < static_cast<double>(rows_);
+    if (!is_inside) {
+      is_new = true;
+      continue;
+    }
+    std::uint8_t& ink = top_ink_[static_cast<std::size_t>(cell.y()) * columns_ + static_cast<std::size_t>(cell.x())];
+    is_new = is_new || ink != ink_;
+    ink = ink_;
+  }
+  return is_new;
+}
+
+std::vector<DrawnLine> ThinLines::take() {
+  end_stroke();
+  return std::exchange(lines_, {});
+}
+
+}  // namespace gouge
