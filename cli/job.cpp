@@ -221,6 +221,7 @@ std::vector<const ToolForms*> Job::tools() const {
 ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
                         const CheckResult& result, const PreparedScene& prepared) const {
   ReportModel model;
+  model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   model.inputs = inputs;
   model.options = options.check;
   if (!arguments.place.empty()) model.more_options.push_back({"place", arguments.place});

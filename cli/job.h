@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ struct Job {
   std::vector<MeshFacts> parts, fixtures, head_facts;
   std::vector<ToolFacts> tool_facts;
   Diagnostics notes;
+  std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< of the work on it
 
   Job() = default;
   Job(Job&&) = default;

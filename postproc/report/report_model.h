@@ -104,6 +104,7 @@ struct ReportModel {
   Diagnostics notes;                       ///< warnings and notes of all inputs
   bool has_correction = false;
   CorrectionFacts correction;
+  double seconds = 0;                  ///< spent from the first file read to this report; only JUnit has it
   std::optional<Closeness> closeness;  ///< none: not looked at, or nothing to look at
 };
 

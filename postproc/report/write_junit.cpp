@@ -1,9 +1,11 @@
 #include "postproc/report/write_junit.h"
 
+#include <algorithm>
 #include <map>
 #include <utility>
 #include <vector>
 
+#include "lib/base/number_text.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -94,6 +96,10 @@ std::string skipped(const ReportModel& model, const Case& one) {
          "\"/>\n";
 }
 
+std::string seconds_text(double seconds) {
+  return fixed_text(seconds, 3);
+}
+
 // Build servers show it, but it fails no test.
 std::string beside_the_verdict(const ReportModel& model) {
   std::string text;
@@ -107,13 +113,15 @@ std::string beside_the_verdict(const ReportModel& model) {
 }  // namespace
 
 std::string write_junit(const ReportModel& model) {
+  const double seconds_per_move = model.seconds / static_cast<double>(std::max<std::size_t>(model.result->verdicts.size(), 1));
   const std::vector<Case> cases = cases_of(model);
   std::size_t failures = 0;
   std::size_t skips = 0;
   std::string body;
   for (const Case& one : cases) {
     body += "  <testcase classname=\"" + xml_escaped(model.toolpath->file) + "\" name=\"" +
-            xml_escaped(case_name(model, one)) + "\" time=\"0\">\n";
+            xml_escaped(case_name(model, one)) + "\" time=\"" +
+            seconds_text(seconds_per_move * static_cast<double>(one.moves)) + "\">\n";
     if (one.gouging + one.buried > 0) {
       ++failures;
       body += failure(model, one);
@@ -125,7 +133,7 @@ std::string write_junit(const ReportModel& model) {
   }
   const std::string counts = "tests=\"" + std::to_string(cases.size()) + "\" failures=\"" +
                              std::to_string(failures) + "\" errors=\"0\" skipped=\"" + std::to_string(skips) +
-                             "\" time=\"0\"";
+                             "\" time=\"" + seconds_text(model.seconds) + "\"";
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n <testsuite name=\"" +
          xml_escaped(std::string(kProgramName) + " " + model.toolpath->file) + "\" " + counts + ">\n" + body +
          beside_the_verdict(model) + " </testsuite>\n</testsuites>\n";

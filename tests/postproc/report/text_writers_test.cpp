@@ -225,6 +225,16 @@ TEST(WriteCsv, LeavesOtherTextAndNumbersAsTheyAre) {
     EXPECT_EQ(operation_cell(name), name);
 }
 
+TEST(WriteJunit, TellsTheSecondsSpent) {
+  SmallReport report;
+  EXPECT_NE(write_junit(report.model).find("skipped=\"1\" time=\"0.000\""), std::string::npos);
+  report.model.seconds = 2;
+  const std::string text = write_junit(report.model);
+  EXPECT_NE(text.find("skipped=\"1\" time=\"2.000\""), std::string::npos) << text;
+  EXPECT_NE(text.find("T1\" time=\"1.500\""), std::string::npos) << "six of eight moves\n" << text;
+  EXPECT_NE(text.find("time=\"0.500\""), std::string::npos) << text;
+}
+
 TEST(WriteCsv, LeavesABoundThatWasNeverReachedEmpty) {
   SmallReport report;
   report.result.verdicts[5].depth_upper_mm = std::numeric_limits<double>::infinity();
