@@ -32,8 +32,8 @@ struct BridgeTask {
 /// Positions to visit between `from` and `to` so that every motion on the way is clean; empty when the motion
 /// already is, nothing when no way was found.
 ///
-/// A feed first stays on the programmed motion as far as that is clean. Then the worst instant is corrected and both
-/// halves are bridged in turn; where that does not end, the tool retracts along its axis, crosses and comes down again.
+/// A feed stays on the programmed motion in all time intervals in which that is clean and from which a way leads on. In a
+/// gap between them, and in other motions, the worst instant is corrected and both halves are bridged in turn; where that does not end, the tool retracts along its axis, crosses and comes down again.
 /// A rapid retracts first of all. Positions on the straight way between their neighbours are left out where it is clean
 /// without them. Every shift obeys free_pose.
 [[nodiscard]] std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to,

@@ -35,6 +35,8 @@ struct Corrected {
 struct Figures {
   std::size_t changed = 0, left = 0, gouges_before = 0, gouges_after = 0;
   std::size_t kept_samples = 0, left_path_samples = 0;
+  std::size_t listed_samples = 0;  // of left_path_samples, on moves that are listed as left
+  std::size_t added = 0;           // positions
 };
 
 class LawBook {
@@ -71,6 +73,7 @@ class LawBook {
     }
     nothing_written_but_what_is_listed();
     figures.changed += c_.correction->changes.size();
+    figures.added += c_.after->moves.size() - c_.before->moves.size();
     figures.left += c_.correction->uncorrected.size();
     return std::move(broken_);
   }
@@ -228,7 +231,10 @@ class LawBook {
         const double u = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
         off = std::min(off, (a + u * (b - a) - p).norm());
       }
-      if (off > c_.options.tolerance_mm + kRounding_mm) ++figures.left_path_samples;
+      if (off <= c_.options.tolerance_mm + kRounding_mm) continue;
+      ++figures.left_path_samples;
+      const auto& list = c_.correction->uncorrected;
+      figures.listed_samples += std::any_of(list.begin(), list.end(), [i](const Uncorrected& u) { return u.move == i; });
     }
   }
 

@@ -106,6 +106,21 @@ TEST(CorrectPath, ChangesTheTwoDipsAndNothingElse) {
   }
 }
 
+TEST(CorrectPath, StaysOnTheCutUpToBothSidesOfARib) {
+  Case c;
+  c.path = paths::through({upright(-20, 0.3, 0), upright(20, 0.3, 0)});
+  c.scene.parts = {shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0)), shapes::box(Vec3(-1, -40, -1), Vec3(1, 40, 8))};
+  const Correction correction = propose(c);
+  expect_clean_again(c, correction);
+  ASSERT_EQ(correction.changes.size(), 1U);
+  const std::vector<Pose>& stops = correction.changes[0].inserted_before;
+  ASSERT_GE(stops.size(), 2U);
+  for (const Pose& stop : {stops.front(), stops.back()}) {
+    EXPECT_NEAR(stop.tip.z(), 0, 1e-9);
+    EXPECT_LT(std::abs(stop.tip.x()), 7);
+  }
+}
+
 TEST(CorrectPath, ACleanPathIsLeftAlone) {
   Case c = two_dips();
   for (Move& move : c.path.moves) move.end.tip.z() = 0;

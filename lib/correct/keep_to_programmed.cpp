@@ -1,0 +1,156 @@
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "lib/correct/bridger.h"
+
+namespace gouge {
+namespace {
+
+// How far from the end of a clean interval a way may leave it, tried in turn.
+constexpr std::array kBack_mm{0.02, 0.1, 0.5, 2.0, 8.0};
+constexpr std::array kBackShares{1.0 / 16, 1.0 / 4, 1.0 / 2};  // of both intervals, for ways over corrected positions
+constexpr double kShortest_mm = 0.01;  // of an interval that is worth a position
+
+}  // namespace
+
+std::optional<BridgeNodes> Bridger::keep_to_programmed(const BridgeNode& u, const BridgeNode& v) {
+  clean_ = clean_programmed();
+  while (!clean_.empty()) {
+    BridgeNodes way;
+    const std::optional<std::size_t> failed = chain(u, v, way);
+    if (!failed) {
+      leave_out_holds(u, v, way);
+      return way;
+    }
+    drop_interval(*failed);
+  }
+  return std::nullopt;
+}
+
+/// The clean intervals that are worth a position and in which the tool is outside.
+std::vector<TimeInterval> Bridger::clean_programmed() const {
+  const Motion& motion = *task_.programmed;
+  std::vector<TimeInterval> clean = find_clean_intervals(
+      motion, [&](double first, double last) { return is_clean(motion.at(first), motion.at(last)); });
+  std::erase_if(clean, [&](const TimeInterval& interval) {
+    const Pose first = motion.at(interval.first), last = motion.at(interval.last);
+    const bool is_end = interval.first <= 0 || interval.last >= 1;
+    return (!is_end && (first.tip - last.tip).norm() < kShortest_mm) ||
+           task_.checker->side_of(first, *task_.tool) == Side::inside;
+  });
+  return clean;
+}
+
+/// The way over all clean intervals: along each of them, and across the gaps between. The gap that cannot be crossed, if any;
+/// gap k ends at interval k.
+std::optional<std::size_t> Bridger::chain(const BridgeNode& u, const BridgeNode& v, BridgeNodes& way) {
+  Shore left{u, {u.t, u.t}, true};
+  for (std::size_t k = 0; k <= clean_.size(); ++k) {
+    Shore right{v, {v.t, v.t}, true};
+    if (k < clean_.size()) right = {hold(clean_[k].first), clean_[k], false};
+    const auto across = cross(left, right);
+    if (!across) return k;
+    if (!left.is_fixed) {
+      way.push_back(hold(left.room.first));
+      if (left.room.last > left.room.first) way.push_back(hold(left.room.last));
+    }
+    way.insert(way.end(), across->begin(), across->end());
+    left = right;
+  }
+  return std::nullopt;
+}
+
+/// A way from one clean interval to the next, which shortens both to what the way leaves of them.
+std::optional<BridgeNodes> Bridger::cross(Shore& left, Shore& right) {
+  double tried_left = left.room.last, tried_right = right.room.first;
+  std::optional<BridgeNodes> way;
+  const auto try_at = [&](double left_t, double right_t, Search search) {
+    way = cross_here(left, right, left_t, right_t, search);
+    if (!way) return false;
+    left.room.last = left_t;
+    right.room.first = right_t;
+    return true;
+  };
+  if (try_at(tried_left, tried_right, Search::thorough)) return way;
+  const double length = (task_.programmed->at(1).tip - task_.programmed->at(0).tip).norm();
+  for (const double back_mm : kBack_mm) {
+    const double back = length > back_mm ? back_mm / length : 1;
+    const double left_t = std::max(left.room.first, left.room.last - back);
+    const double right_t = std::min(right.room.last, right.room.first + back);
+    const bool is_left_new = left_t < tried_left, is_right_new = right_t > tried_right;
+    if (is_left_new && try_at(left_t, right.room.first, Search::simple)) return way;
+    if (is_right_new && try_at(left.room.last, right_t, Search::simple)) return way;
+    if (is_left_new && is_right_new && try_at(left_t, right_t, Search::simple)) return way;
+    tried_left = left_t;
+    tried_right = right_t;
+  }
+  if (left.is_fixed && right.is_fixed) return std::nullopt;
+  for (const double share : kBackShares) {
+    const double left_t = left.room.last - share * (left.room.last - left.room.first);
+    const double right_t = right.room.first + share * (right.room.last - right.room.first);
+    if (try_at(left_t, right_t, Search::thorough)) return way;
+  }
+  return std::nullopt;
+}
+
+std::optional<BridgeNodes> Bridger::cross_here(const Shore& left, const Shore& right, double left_t, double right_t,
+                                               Search search) {
+  const BridgeNode from = left.is_fixed ? left.node : hold(left_t);
+  const BridgeNode to = right.is_fixed ? right.node : hold(right_t);
+  if (is_clean(from.pose(), to.pose())) return BridgeNodes{};
+  count_ = 0;
+  auto way = search == Search::thorough ? halve(from, to, kLevels) : corner(from, to, 0);
+  if (!way) way = over(from, to, 0);
+  return way;
+}
+
+/// The shorter one of the intervals at both sides of a gap that nothing crosses.
+void Bridger::drop_interval(std::size_t gap) {
+  const auto length = [&](std::size_t k) { return clean_[k].last - clean_[k].first; };
+  const bool has_left = gap > 0, has_right = gap < clean_.size();
+  const bool is_left = has_left && (!has_right || length(gap - 1) < length(gap));
+  clean_.erase(clean_.begin() + static_cast<std::ptrdiff_t>(is_left ? gap - 1 : gap));
+}
+
+/// Leaves out positions on the programmed motion without which the way is clean and as near to it.
+void Bridger::leave_out_holds(const BridgeNode& u, const BridgeNode& v, BridgeNodes& way) const {
+  BridgeNodes kept;
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    const BridgeNode& last = kept.empty() ? u : kept.back();
+    const BridgeNode& next = k + 1 < way.size() ? way[k + 1] : v;
+    const bool is_needless = is_on_programmed(way[k]) && stays_near(last, next) && is_clean(last.pose(), next.pose());
+    if (!is_needless) kept.push_back(way[k]);
+  }
+  way = std::move(kept);
+}
+
+/// Whether the straight way keeps to the programmed motion wherever that is clean. It leaves the motion by a mean of what its
+/// ends are off, so the ends of the clean intervals answer for all instants.
+bool Bridger::stays_near(const BridgeNode& from, const BridgeNode& to) const {
+  const Vec3 off_from = offset_mm(from), off_to = offset_mm(to);
+  const double span = to.t - from.t;
+  const auto is_near = [&](double t) {
+    const double share = span > 0 ? (t - from.t) / span : 0;
+    return ((1 - share) * off_from + share * off_to).norm() <= task_.keeps_to_mm;
+  };
+  return std::all_of(clean_.begin(), clean_.end(), [&](const TimeInterval& interval) {
+    const double first = std::max(interval.first, from.t), last = std::min(interval.last, to.t);
+    return first >= last || (is_near(first) && is_near(last));
+  });
+}
+
+BridgeNode Bridger::hold(double t) const {
+  const Pose pose = task_.programmed->at(t);
+  return {bridge_stop(pose, pose, 0, 0), t};
+}
+
+Vec3 Bridger::offset_mm(const BridgeNode& node) const {
+  return node.pose().tip - task_.programmed->at(node.t).tip;
+}
+
+bool Bridger::is_on_programmed(const BridgeNode& node) const {
+  return offset_mm(node).norm() <= 1e-9;
+}
+
+}  // namespace gouge
