@@ -1,8 +1,10 @@
 #include "cli/job_options.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "cli/length_text.h"
+#include "lib/base/thread_limit.h"
 
 namespace gouge {
 namespace {
@@ -66,7 +68,9 @@ void add_check_options(CLI::App& command, JobArguments& a) {
   command.add_option("--rapid", a.rapid, "How rapid moves run")
       ->check(CLI::IsMember({"straight", "dogleg", "skip"}))
       ->capture_default_str();
-  command.add_option("--threads", a.threads, "Threads to use (0: all)")->capture_default_str();
+  command
+      .add_option("--threads", a.threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
+      ->capture_default_str();
 }
 
 void add_output_options(CLI::App& command, JobArguments& a) {
@@ -148,7 +152,7 @@ Result<JobOptions> understand(const JobArguments& a) {
   options.check.rapid = a.rapid == "skip"     ? RapidMode::skip
                         : a.rapid == "dogleg" ? RapidMode::dogleg
                                               : RapidMode::straight;
-  options.check.threads = a.threads;
+  options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMostThreads));
   options.progress = a.progress == "always"  ? ProgressMode::always
                      : a.progress == "never" ? ProgressMode::never
                                              : ProgressMode::automatic;

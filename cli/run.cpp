@@ -1,6 +1,7 @@
 #include "cli/run.h"
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <exception>
 #include <new>
 #include <optional>
@@ -16,6 +17,7 @@
 #include "cli/path_command.h"
 #include "cli/tool_command.h"
 #include "lib/base/printable_text.h"
+#include "lib/base/thread_limit.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
@@ -42,7 +44,24 @@ void describe(CLI::App& app) {
   app.footer("Every command explains itself: gougecheck check --help");
 }
 
+/// What --threads asks for, for everything the command does. False where that is more than can be.
+bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& err) {
+  if (!app.got_subcommand("check") && !app.got_subcommand("correct")) return true;
+  const std::uint64_t threads =
+      app.got_subcommand("check") ? arguments.check.threads : arguments.correct.job.threads;
+  if (threads > kMostThreads) {
+    err << to_text(make_error("too-many-threads", "--threads '" + std::to_string(threads) +
+                                                      "': expected at most " + std::to_string(kMostThreads) +
+                                                      ", or 0 for all the machine has"))
+        << "\n";
+    return false;
+  }
+  set_default_threads(static_cast<unsigned>(threads));
+  return true;
+}
+
 int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out, std::ostream& err) {
+  if (!set_threads(app, arguments, err)) return kExitInternal;
   if (app.got_subcommand("check")) return run_check(arguments.check, out, err);
   if (app.got_subcommand("correct")) return run_correct(arguments.correct, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);

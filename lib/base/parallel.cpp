@@ -1,63 +1,85 @@
 #include "lib/base/parallel.h"
 
 #include <algorithm>
-
-#if defined(__SANITIZE_THREAD__)
 #include <atomic>
 #include <exception>
 #include <mutex>
 #include <thread>
 #include <vector>
-#else
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#endif
+
+#include "lib/base/thread_limit.h"
 
 namespace gouge {
 namespace {
 
 using Run = std::function<void(std::size_t)>;
 
-#if defined(__SANITIZE_THREAD__)
-// oneTBB is not built with the thread sanitizer, which would see races that are not there. The counter orders
-// nothing between the threads, so that every race that is there can be seen.
-void run_all(std::size_t chunks, unsigned threads, const Run& run) {
-  std::atomic<std::size_t> next{0};
-  std::mutex guard;
-  std::exception_ptr thrown;
-  const auto work = [&] {
-    try {
-      for (std::size_t k = 0; (k = next.fetch_add(1, std::memory_order_relaxed)) < chunks;) run(k);
-    } catch (...) {
-      next = chunks;
-      const std::scoped_lock lock(guard);
-      thrown = std::current_exception();
+std::atomic<unsigned> default_threads{0};
+
+// Of a thread that works at a chunk: what this chunk splits in turn it does by itself.
+thread_local bool is_at_work = false;
+
+unsigned threads_for(unsigned wanted) {
+  if (wanted == 0) wanted = default_threads;
+  return wanted == 0 ? std::max(1U, std::thread::hardware_concurrency()) : wanted;
+}
+
+// The chunks of one call and who works at them. The counter orders nothing between the threads, so that the
+// thread sanitizer can see every race that is there.
+class Crew {
+ public:
+  Crew(std::size_t chunks, const Run& run) : chunks_(chunks), run_(run) {}
+
+  // Where the system lets no more threads begin, those there are do all of the work: the result is the same.
+  void work(std::size_t threads) {
+    {
+      std::vector<std::jthread> others;
+      try {
+        others.reserve(threads - 1);
+        while (others.size() + 1 < threads) others.emplace_back([this] { work_at_chunks(); });
+      } catch (const std::exception&) {
+      }
+      work_at_chunks();
     }
-  };
-  std::vector<std::thread> workers;
-  const unsigned all = std::max(2U, std::thread::hardware_concurrency());
-  for (unsigned i = 0; i < (threads == 0 ? all : threads); ++i) workers.emplace_back(work);
-  for (std::thread& worker : workers) worker.join();
-  if (thrown) std::rethrow_exception(thrown);
-}
-#else
-void run_all(std::size_t chunks, unsigned threads, const Run& run) {
-  tbb::task_arena arena(threads == 0 ? tbb::task_arena::automatic : static_cast<int>(threads));
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, chunks, run); });
-}
-#endif
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  void work_at_chunks() noexcept {
+    is_at_work = true;
+    try {
+      for (std::size_t k = 0; (k = next_.fetch_add(1, std::memory_order_relaxed)) < chunks_;) run_(k);
+    } catch (...) {
+      next_ = chunks_;
+      const std::scoped_lock lock(guard_);
+      if (!thrown_) thrown_ = std::current_exception();
+    }
+    is_at_work = false;
+  }
+
+  std::size_t chunks_;
+  const Run& run_;
+  std::atomic<std::size_t> next_{0};
+  std::mutex guard_;
+  std::exception_ptr thrown_;
+};
 
 }  // namespace
+
+void set_default_threads(unsigned threads) {
+  default_threads = threads;
+}
 
 void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads,
                     const std::function<void(std::size_t, std::size_t)>& body) {
   const std::size_t chunks = (count + chunk - 1) / chunk;
   const auto run = [&](std::size_t k) { body(k * chunk, std::min(count, (k + 1) * chunk)); };
-  if (threads == 1 || chunks < 2) {
+  const std::size_t workers = is_at_work ? 1 : std::min<std::size_t>(threads_for(threads), chunks);
+  if (workers < 2) {
     for (std::size_t k = 0; k < chunks; ++k) run(k);
     return;
   }
-  run_all(chunks, threads, run);
+  Crew(chunks, run).work(workers);
 }
 
 }  // namespace gouge

@@ -9,8 +9,10 @@
 namespace gouge {
 
 /// Calls `body(first, last)` once for each chunk of [0, count) with `chunk` items (the last one shorter).
-/// `threads` = 0 takes all the machine has; 1 runs in the calling thread, in order.
-/// Requires chunk > 0. An exception of `body` reaches the caller after the other chunks have stopped.
+/// `threads` = 0 takes all the machine has, or what set_default_threads says; 1 runs in the calling thread,
+/// in order, as do chunks of a chunk. Where the system lets no more threads begin, those that run do all of
+/// the work. Requires chunk > 0. An exception of `body` reaches the caller after the other chunks have
+/// stopped.
 void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads,
                     const std::function<void(std::size_t, std::size_t)>& body);
 

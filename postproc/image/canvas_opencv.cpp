@@ -79,7 +79,10 @@ std::vector<std::vector<Vec2>> cut_dashes(const DrawnLine& line) {
 class Painter {
  public:
   Painter(int width, int height, const Colour& background)
-      : image_(height * kSupersampling, width * kSupersampling, CV_8UC3, bgr(background)) {}
+      : image_(height * kSupersampling, width * kSupersampling, CV_8UC3, bgr(background)) {
+    // Threads are started by for_each_chunk alone, which knows how many may be and does without.
+    cv::setNumThreads(1);
+  }
 
   void paint(const PlacedRaster& placed) {
     if (placed.raster.rgb.empty()) return;
