@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/tool/evaluate.h"
 
@@ -199,31 +200,33 @@ class MoveChecker {
   std::uint64_t bounds_ = 0;
 };
 
-bool is_within_reach(const std::vector<IndexedMesh>& meshes) {
-  for (const IndexedMesh& mesh : meshes) {
-    const auto holds = [](const Vec3& p) { return (p.array().abs() <= kFarthest_mm).all(); };
-    if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), holds)) return false;
-  }
-  return true;
-}
-
-MoveVerdict out_of_reach() {
+MoveVerdict refused(std::string_view reason) {
   MoveVerdict verdict;
   verdict.state = MoveState::not_checked;
-  verdict.reason = "the motion or a mesh reaches more than 100 m from the origin: check the units";
+  verdict.reason = reason;
   return verdict;
 }
 
-// A motion beyond reach would spoil the bounds it shares with its neighbours, so those are swept without it.
-void check_near_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
-                      const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
-                      std::span<std::uint64_t> bounds) {
+// Why the motion cannot be checked in this scene with these options; empty where it can.
+std::string_view why_not(const Motion& motion, const PreparedScene& scene, const CheckOptions& options) {
+  if (!scene.is_within_reach) return kOutOfReach;
+  const std::string_view unfit = why_unfit(options);
+  return unfit.empty() ? why_unfit(motion) : unfit;
+}
+
+// A motion that is refused would spoil the bounds it shares with its neighbours, so those are swept without
+// it.
+void check_fit_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
+                     const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
+                     std::span<std::uint64_t> bounds) {
   std::vector<std::size_t> near;
   std::vector<Motion> near_motions;
   std::vector<MoveKind> near_kinds;
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    verdicts[m] = out_of_reach();
-    if (!scene.is_within_reach || !motions[m].is_within(kFarthest_mm)) continue;
+    if (const std::string_view reason = why_not(motions[m], scene, options); !reason.empty()) {
+      verdicts[m] = refused(reason);
+      continue;
+    }
     near.push_back(m);
     near_motions.push_back(motions[m]);
     near_kinds.push_back(kinds[m]);
@@ -240,7 +243,7 @@ void check_near_moves(std::span<const Motion> motions, std::span<const MoveKind>
 }  // namespace
 
 PreparedScene prepare_scene(const Scene& scene, unsigned threads) {
-  if (!is_within_reach(scene.parts) || !is_within_reach(scene.fixtures)) return {&scene, {}, {}, false};
+  if (!why_unfit(scene).empty()) return {&scene, {}, {}, false};
   return {&scene, build_block_tree(scene.parts, threads), build_block_tree(scene.fixtures, threads)};
 }
 
@@ -256,10 +259,10 @@ MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& too
 void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
                  const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
                  std::span<std::uint64_t> bounds) {
-  const bool are_near = std::all_of(motions.begin(), motions.end(),
-                                    [](const Motion& motion) { return motion.is_within(kFarthest_mm); });
-  if (!are_near || !scene.is_within_reach)
-    return check_near_moves(motions, kinds, tool, scene, options, verdicts, bounds);
+  const bool are_fit = scene.is_within_reach && why_unfit(options).empty() &&
+                       std::all_of(motions.begin(), motions.end(),
+                                   [](const Motion& motion) { return why_unfit(motion).empty(); });
+  if (!are_fit) return check_fit_moves(motions, kinds, tool, scene, options, verdicts, bounds);
   std::vector<SweptMove> clearance, near_feed, near_rapid;
   const std::vector<SweptMove> depth =
       sweep_moves(motions, whole_tool(tool, scene), question(options, 0, options.tolerance_mm));

@@ -6,6 +6,7 @@
 
 #include "lib/base/parallel.h"
 #include "lib/check/buried.h"
+#include "lib/check/reach.h"
 
 namespace gouge {
 namespace {
@@ -43,6 +44,10 @@ class PathChecker {
         continue;
       }
       Motion motion = motion_of(toolpath_, i, options_.rapid);
+      if (const std::string_view unfit = why_unfit(motion); !unfit.empty()) {
+        verdicts[i] = not_checked(std::string(unfit));
+        continue;
+      }
       if (!motion.is_defined()) {
         verdicts[i] = not_checked("the axis turns by 180 degrees: its way is not defined");
         continue;
@@ -221,7 +226,8 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolFor
     done += last - first;
     progress(done, total);
   });
-  mark_buried(toolpath, tools, *scene.scene, options, result.verdicts);
+  if (scene.is_within_reach && why_unfit(options).empty())
+    mark_buried(toolpath, tools, *scene.scene, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;
   result.events = gather_events(toolpath, result.verdicts);
   count_states(result);

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "lib/base/parallel.h"
+#include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/check/usual_mistakes.h"
 #include "lib/mesh/winding.h"
@@ -240,7 +241,7 @@ class FitFinder {
         next_look *= 2;
       }
       const Vec3& tip = samples[i].pose.tip;
-      if (!(tip.cwiseAbs().maxCoeff() <= kFarthest_mm)) return std::nullopt;
+      if (!is_within_reach(tip)) return std::nullopt;
       const Contact contact = contact_of(samples[i].pose, *samples[i].tool, scene);
       if (contact == Contact::touching) touching.push_back(&samples[i]);
       gouging += contact == Contact::gouging ? 1U : 0U;

@@ -6,6 +6,7 @@
 
 #include "lib/base/parallel.h"
 #include "lib/check/buried.h"
+#include "lib/check/reach.h"
 #include "lib/head/head_search.h"
 
 namespace gouge {
@@ -34,6 +35,14 @@ bool is_open_to_judgement(const MoveVerdict& verdict) {
   return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
 }
 
+// What was found of the tool stays where it gouges; nothing is clean.
+void refuse(std::string_view reason, MoveVerdict& verdict) {
+  if (verdict.state == MoveState::gouge || verdict.state == MoveState::not_checked) return;
+  verdict = {};
+  verdict.state = MoveState::not_checked;
+  verdict.reason = reason;
+}
+
 }  // namespace
 
 HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const Scene& scene)
@@ -57,9 +66,13 @@ std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& optio
 
 std::uint64_t HeadChecker::sweep(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
                                  std::vector<double>& uppers_mm) const {
+  uppers_mm.clear();
+  if (const std::string_view unfit = why_unfit(motion); !unfit.empty()) {
+    refuse(unfit, verdict);
+    return 0;
+  }
   const HeadMotion head_motion(motion);
   std::uint64_t bounds = 0;
-  uppers_mm.clear();
   for (const HeadBody& head : heads_) {
     const HeadAnswer found =
         search_head(head_motion, head, surfaces_,
@@ -179,6 +192,13 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const Scene& scene,
                  const CheckOptions& options, CheckResult& result) {
   if (heads.empty()) return;
+  std::string_view unfit = why_unfit(scene);
+  if (unfit.empty()) unfit = why_unfit(options);
+  if (!unfit.empty()) {
+    for (MoveVerdict& verdict : result.verdicts) refuse(unfit, verdict);
+    result.events = gather_events(toolpath, result.verdicts);
+    return count_states(result);
+  }
   const HeadChecker checker(heads, scene);
   std::vector<std::uint64_t> bounds(result.verdicts.size(), 0);
   std::vector<std::vector<double>> uppers_mm(result.verdicts.size());

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numeric>
 
+#include "lib/check/reach.h"
 #include "lib/penetration/nearest_foot.h"
 
 namespace gouge {
@@ -38,6 +39,11 @@ std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
 }  // namespace
 
 Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
+  if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_within_reach)) {
+    return make_error(
+        "mesh-too-far",
+        "reaches more than 100 m from the origin; expected a head within that; check --stl-units", mesh.name);
+  }
   DepthBodyOptions options;
   options.directions = *make_directions(DirectionFamily::cube, 6);
   options.is_lean = true;

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <limits>
 
+#include "lib/check/closeness.h"
+#include "lib/check/reach.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -171,6 +173,56 @@ TEST(CheckPath, WhatIsTooFarAwayForTheBoundsIsNotCheckedAndDoesNotDisturbItsNeig
     const Scene shifted{{shapes::moved(scene.parts[0], Vec3(far, 0, 0))}, {}};
     EXPECT_EQ(check(through({upright(far, 0, -1)}), tools::ball(), shifted).counts.not_checked, 1U) << far;
     EXPECT_EQ(check(through(near), tools::ball(), {{scene.parts[0], shifted.parts[0]}, {}}).counts.not_checked, 3U);
+  }
+}
+
+// A library caller may break what a reader of files never lets through.
+TEST(CheckPath, WhatIsNoNumberOrNoUnitVectorIsRefusedWithTheReason) {
+  const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinite = std::numeric_limits<double>::infinity();
+  const auto reason_of = [&](const Pose& pose, bool has_start) {
+    Toolpath path = through({upright(0, 0, 5), pose});
+    path.moves[1].has_start = has_start;
+    const CheckResult r = check(path, tools::ball(), scene);
+    EXPECT_EQ(r.verdicts[0].state, MoveState::clean);
+    EXPECT_EQ(r.verdicts[1].state, MoveState::not_checked);
+    const ToolForms tool = tools::ball();
+    const auto closeness = measure_closeness(path, {&tool}, prepare_scene(scene), r.verdicts, 1);
+    EXPECT_TRUE(closeness && closeness->cuts == 1 && closeness->nearest_mm);
+    return r.verdicts[1].reason;
+  };
+  for (const bool has_start : {true, false}) {
+    for (const double far : {nan, infinite, -infinite, 1e300, -1.1e5}) {
+      for (const Vec3& tip : {Vec3(far, 0, 5), Vec3(0, far, 5), Vec3(0, 0, far)})
+        EXPECT_EQ(reason_of({tip, Vec3::UnitZ()}, has_start), kOutOfReach) << far;
+      EXPECT_EQ(reason_of({Vec3(0, 0, 5), Vec3(0, far, 1)}, has_start), "the tool axis is no unit vector")
+          << far;
+    }
+    for (const Vec3& axis : {Vec3(0, 0, 0), Vec3(0, 0, 2), Vec3(0, 0, 0.99), Vec3(1e-200, 0, 0)})
+      EXPECT_EQ(reason_of({Vec3(0, 0, 5), axis}, has_start), "the tool axis is no unit vector");
+  }
+}
+
+TEST(CheckPath, OptionsThatAreNoLengthsAreRefusedWithTheReason) {
+  const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
+  const double nan = std::numeric_limits<double>::quiet_NaN(),
+               infinite = std::numeric_limits<double>::infinity();
+  const ToolForms tool = tools::ball();
+  std::vector<CheckOptions> wrong(7);
+  wrong[0].tolerance_mm = nan;  // compared with it, every depth is small enough
+  wrong[1].tolerance_mm = infinite;
+  wrong[2].resolution_mm = nan;
+  wrong[3].resolution_mm = 0;
+  wrong[4].resolution_mm = -1;
+  wrong[5].gouge_gap_mm = nan;
+  wrong[6].near_miss_mm = infinite;
+  for (const CheckOptions& options : wrong) {
+    const CheckResult r =
+        check_path(through({upright(0, 0, 5), upright(0, 0, -1)}), {&tool}, prepare_scene(scene), options);
+    EXPECT_EQ(r.counts.not_checked, 2U);
+    EXPECT_EQ(r.verdicts[1].reason,
+              "an option of the check is no finite length, or the resolution is not above 0");
   }
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "lib/head/check_heads.h"
@@ -34,6 +35,45 @@ CheckResult check(const std::vector<Pose>& poses, const std::vector<IndexedMesh>
 }
 
 const IndexedMesh kPost = shapes::box(Vec3(89, -1, 0), Vec3(91, 1, 130));
+
+TEST(Heads, ThatAreTooFarAwayOrNoNumbersAreRefused) {
+  for (const double far :
+       {1.1e5, 1e300, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    IndexedMesh mesh = side_box();
+    mesh.vertices[3].y() = far;
+    const Result<HeadBody> head = build_head_body(mesh);
+    ASSERT_FALSE(head) << far;
+    EXPECT_EQ(head.error().code, "mesh-too-far");
+  }
+}
+
+TEST(Heads, MakeNothingCleanInASceneOrOnAPathThatCannotBeChecked) {
+  const ToolForms tool = tools::ball(10);
+  const std::vector<HeadBody> heads = {*build_head_body(side_box())};
+  const Toolpath path = paths::through({paths::upright(0, -80, 0), paths::upright(0, 80, 0)});
+  const Scene scene{{kPost}, {}};
+  const CheckResult clean = check_path(path, {&tool}, prepare_scene(scene), {});
+  ASSERT_EQ(clean.counts.clean, 2U);
+  for (const double far : {1.1e5, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
+    Scene far_scene = scene;
+    far_scene.parts[0].vertices[0].x() = far;
+    CheckResult result = clean;
+    check_heads(path, heads, far_scene, {}, result);
+    EXPECT_EQ(result.counts.not_checked, 2U) << far;
+
+    Toolpath far_path = path;
+    far_path.moves[1].end.tip.y() = far;
+    result = clean;
+    check_heads(far_path, heads, scene, {}, result);
+    EXPECT_EQ(result.verdicts[0].state, MoveState::clean);
+    EXPECT_EQ(result.verdicts[1].state, MoveState::not_checked) << far;
+  }
+  CheckOptions options;
+  options.tolerance_mm = std::numeric_limits<double>::quiet_NaN();
+  CheckResult result = clean;
+  check_heads(path, heads, scene, options, result);
+  EXPECT_EQ(result.counts.not_checked, 2U);
+}
 
 TEST(Heads, AreFoundBetweenTwoCleanPositionsWhereTheToolAloneIsClean) {
   const std::vector<Pose> poses = {paths::upright(0, -80, 0), paths::upright(0, 80, 0)};

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string_view>
+
+#include "lib/check/check_options.h"
+#include "lib/check/motion.h"
+#include "lib/check/scene.h"
+
+// What the bounds are not proven for is refused with its reason, whoever asks: numbers that come out all the
+// same would mean nothing, and a comparison with one that is no number reads as free.
+
+namespace gouge {
+
+inline constexpr std::string_view kOutOfReach =
+    "the motion or a mesh reaches more than 100 m from the origin: check the units";
+
+/// A point of the motion or of its curve beyond kFarthest_mm or that is no number, or an axis that is no unit
+/// vector. Empty where the motion can be checked.
+[[nodiscard]] std::string_view why_unfit(const Motion& motion);
+
+/// A vertex beyond kFarthest_mm or that is no number. Empty where there is none.
+[[nodiscard]] std::string_view why_unfit(const Scene& scene);
+
+/// A length that is not finite, or a resolution that is not above 0. Empty where there is none.
+[[nodiscard]] std::string_view why_unfit(const CheckOptions& options);
+
+/// Whether the point is one that bounds are proven for.
+[[nodiscard]] bool is_within_reach(const Vec3& point);
+
+}  // namespace gouge
