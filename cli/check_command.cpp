@@ -20,7 +20,7 @@ void add_check_options(CLI::App& command, JobArguments& arguments) {
   command.footer(
       "Example:\n"
       "  gougecheck check finish.apt --part part.stl --tools tools.json --report out\n\n"
-      "Lengths are in mm; a unit may be given: 0.0005in. Exit status: 0 checked and clean, 1 gouges, "
+      "Lengths are in mm, at most 100000; a unit may be given: 0.0005in. Exit status: 0 checked and clean, 1 gouges, "
       "2 wrong command line, 3 input invalid, 4 not fully checked, 5 internal or resource failure.");
 }
 

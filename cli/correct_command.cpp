@@ -62,20 +62,20 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
   const auto shift = parse_length_mm(arguments.max_shift);
   if (!shift || !(*shift > 0)) {
     return make_error("usage", "--max-shift '" + arguments.max_shift +
-                                   "': expected a length above 0 in mm, or with a unit");
+                                   "': expected a length above 0 in mm, or with a unit, and at most 100 m");
   }
   options.max_shift_mm = *shift;
   const auto clearance = parse_length_mm(arguments.rapid_clearance);
   if (!clearance || !(*clearance >= 0)) {
     return make_error("usage", "--rapid-clearance '" + arguments.rapid_clearance +
-                                   "': expected a length of at least 0 in mm, or with a unit");
+                                   "': expected a length of at least 0 in mm, or with a unit, and at most 100 m");
   }
   options.rapid_clearance_mm = *clearance;
   if (!arguments.max_side_shift.empty()) {
     options.max_side_shift_mm = parse_length_mm(arguments.max_side_shift);
     if (!options.max_side_shift_mm || !(*options.max_side_shift_mm >= 0)) {
       return make_error("usage", "--max-side-shift '" + arguments.max_side_shift +
-                                     "': expected a length of at least 0 in mm, or with a unit");
+                                     "': expected a length of at least 0 in mm, or with a unit, and at most 100 m");
     }
   }
   if (auto error = find_overwriting(arguments.job, arguments.output)) return std::move(*error);

@@ -129,7 +129,7 @@ Result<JobOptions> understand(const JobArguments& a) {
     if (!value || *value < 0 || (!length.is_zero_allowed && !(*value > 0))) {
       return usage(length.name, length.text,
                    std::string("a length ") + (length.is_zero_allowed ? "of 0 or more" : "above 0") +
-                       " in mm, or with a unit (0.0005in)");
+                       " in mm, or with a unit (0.0005in), and at most 100 m");
     }
     length.value = *value;
   }

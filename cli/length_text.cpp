@@ -5,6 +5,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
+#include "lib/check/check_move.h"
 
 namespace gouge {
 namespace {
@@ -18,6 +19,11 @@ std::vector<std::string> split(const std::string& text, char separator) {
     begin = i + 1;
   }
   return parts;
+}
+
+// A check reaches no farther; a longer length is a mistake.
+std::optional<double> within_reach(double length_mm) {
+  return std::abs(length_mm) <= kFarthest_mm ? std::optional(length_mm) : std::nullopt;
 }
 
 Eigen::Matrix3d turn(double degrees, const Vec3& axis) {
@@ -47,10 +53,10 @@ std::optional<double> parse_length_mm(const std::string& text) {
   for (const auto& [suffix, unit] : units) {
     if (!text.ends_with(suffix)) continue;
     const auto value = parse_number(text.substr(0, text.size() - suffix.size()));
-    if (!value) return std::nullopt;
-    return *value * mm_per(unit);
+    return value ? within_reach(*value * mm_per(unit)) : std::nullopt;
   }
-  return parse_number(text);
+  const auto value = parse_number(text);
+  return value ? within_reach(*value) : std::nullopt;
 }
 
 std::optional<RigidTransform> parse_place(const std::string& text) {
@@ -77,7 +83,7 @@ std::optional<std::string> parse_clearance(const std::string& text, CheckOptions
     const auto length = equals == std::string::npos ? std::nullopt : parse_length_mm(part.substr(equals + 1));
     if (!length || *length < 0) {
       return "'" + part +
-             "' is not BODY=LENGTH with a length of 0 or more; expected for example shank=0.5,holder=1";
+             "' is not BODY=LENGTH with a length from 0 to 100 m; expected for example shank=0.5,holder=1";
     }
     if (body == "shank") {
       options.shank_clearance_mm = *length;

@@ -14,6 +14,7 @@ namespace gouge {
 /// The units an STL file may be in, as --stl-units takes them.
 [[nodiscard]] std::vector<std::string> unit_words();
 
+/// Nothing also for lengths beyond 100 m, which is as far as a check reaches (kFarthest_mm).
 [[nodiscard]] std::optional<double> parse_length_mm(const std::string& text);
 
 /// "x,y,z" or "x,y,z,rx,ry,rz": lengths, then degrees about the fixed X, Y and Z axes in this order.

@@ -16,12 +16,8 @@ std::string row(const std::string& name, const std::string& value) {
   return padded(name, kLabelWidth - 1) + " " + printable(value) + "\n";
 }
 
-// A number for people: at most four decimals, without zeros at the end.
 std::string shown(double value) {
-  std::string text = fixed_text(value, kShownDecimals);
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
+  return people_text(value, kShownDecimals);
 }
 
 std::string shown(const Vec3& point, double mm_per_unit) {

@@ -99,7 +99,7 @@ std::optional<Diagnostic> find_misplaced(const Toolpath& path, const Scene& scen
   if (gap > tool_mm)
     return misplaced(path, "no move comes nearer than " + fixed_text(gap - tool_mm, 0) + " mm to the part" + hint);
   if (ratio > kFarOff)
-    return misplaced(path, "the part is " + fixed_text(ratio, 0) + " times smaller than the path" + hint);
+    return misplaced(path, "the part is " + people_text(ratio, 0) + " times smaller than the path" + hint);
   return std::nullopt;
 }
 
@@ -118,7 +118,7 @@ std::optional<Diagnostic> find_too_large(const Toolpath& path, const Scene& scen
     deep += verdicts[i].state == MoveState::gouge || verdicts[i].state == MoveState::buried ? 1U : 0U;
   }
   if (2 * deep <= cuts) return std::nullopt;
-  return misplaced(path, "the part is " + fixed_text(1 / ratio, 0) + " times larger than the path, and " +
+  return misplaced(path, "the part is " + people_text(1 / ratio, 0) + " times larger than the path, and " +
                              std::to_string(deep) + " of " + std::to_string(cuts) + " cuts are in it" + hint);
 }
 

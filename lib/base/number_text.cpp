@@ -100,4 +100,19 @@ std::string fixed_text(double value, int decimals) {
   return std::string(text);
 }
 
+std::string people_text(double value, int decimals, Zeros zeros) {
+  constexpr double kLargestFixed = 1e15;
+  if (std::abs(value) >= kLargestFixed) {
+    std::array<char, 40> buffer{};
+    const auto [end, error] =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific);
+    return {buffer.data(), end};
+  }
+  std::string text = fixed_text(value, decimals);
+  if (zeros == Zeros::kept || text.find('.') == std::string::npos) return text;
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.back() == '.') text.pop_back();
+  return text == "-0" ? "0" : text;
+}
+
 }  // namespace gouge

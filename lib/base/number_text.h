@@ -22,4 +22,10 @@ namespace gouge {
 /// Fixed notation with `decimals` digits after the point; never "-0.000".
 [[nodiscard]] std::string fixed_text(double value, int decimals);
 
+enum class Zeros { kept, dropped };
+
+/// A number for people: fixed_text, its zeros at the end kept or dropped; from 1e15 on, where more digits would say nothing,
+/// the shortest form with an exponent ("1e+300").
+[[nodiscard]] std::string people_text(double value, int decimals, Zeros zeros = Zeros::dropped);
+
 }  // namespace gouge

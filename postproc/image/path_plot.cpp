@@ -124,7 +124,7 @@ std::string size_text(const Toolpath& path, const Box3& box) {
   const double factor = mm_per(path.unit);
   const Vec3 size = (box.max() - box.min()) / factor;
   std::string text = path.dialect + ", " + std::to_string(path.moves.size()) + " moves, box ";
-  for (Eigen::Index i = 0; i < 3; ++i) text += (i > 0 ? " x " : "") + fixed_text(size[i], 2);
+  for (Eigen::Index i = 0; i < 3; ++i) text += (i > 0 ? " x " : "") + people_text(size[i], 2, Zeros::kept);
   return text + " " + unit_name(path.unit);
 }
 

@@ -11,13 +11,6 @@ namespace {
 
 constexpr double kLeastTold_mm = 1e-6;
 
-std::string trimmed(std::string text) {
-  if (text.find('.') == std::string::npos) return text;
-  while (text.back() == '0') text.pop_back();
-  if (text.back() == '.') text.pop_back();
-  return text == "-0" ? "0" : text;
-}
-
 // Power of ten of the first digit, found by comparing so that no rounding of a logarithm enters.
 int first_digit(double value) {
   int power = 0;
@@ -46,7 +39,7 @@ std::string depth_text(double length_mm, LengthUnit unit) {
   // Below a millionth of a millimetre it is rounding, whose digits would only look like a finding.
   const bool is_told = length_mm >= kLeastTold_mm;
   const int decimals = is_told ? std::clamp(1 - first_digit(value), usual, 12) : usual;
-  return fixed_text(value, decimals) + " " + unit_name(unit);
+  return people_text(value, decimals, Zeros::kept) + " " + unit_name(unit);
 }
 
 std::string length_text(double length_mm, LengthUnit unit) {
@@ -54,21 +47,21 @@ std::string length_text(double length_mm, LengthUnit unit) {
   if (!std::isfinite(value)) return "any length";
   const int power = first_digit(value);
   const int digits = power < 0 ? 4 : 6;
-  return trimmed(fixed_text(value, std::clamp(digits - 1 - power, 0, 15))) + " " + unit_name(unit);
+  return people_text(value, std::clamp(digits - 1 - power, 0, 15)) + " " + unit_name(unit);
 }
 
 std::string short_length_text(double length_mm, LengthUnit unit) {
   const double value = length_mm / mm_per(unit);
   if (!std::isfinite(value)) return "any length";
   const int decimals = std::clamp(2 - first_digit(value), 6, 15);
-  return trimmed(fixed_text(value, decimals)) + " " + unit_name(unit);
+  return people_text(value, decimals) + " " + unit_name(unit);
 }
 
 std::string point_text(const Vec3& point_mm, LengthUnit unit) {
   const int decimals = unit == LengthUnit::inch ? 4 : 3;
   std::string text = "(";
   for (int k = 0; k < 3; ++k) {
-    text += (k > 0 ? ", " : "") + trimmed(fixed_text(point_mm[k] / mm_per(unit), decimals));
+    text += (k > 0 ? ", " : "") + people_text(point_mm[k] / mm_per(unit), decimals);
   }
   return text + ")";
 }
@@ -78,7 +71,7 @@ const char* unit_words(LengthUnit unit) {
 }
 
 std::string instant_text(double t) {
-  return trimmed(fixed_text(t, 4));
+  return people_text(t, 4);
 }
 
 std::string count_text(std::size_t count, std::string_view noun) {

@@ -31,7 +31,7 @@ TEST(CommandLine, MissingAndUnknownOptionsAreStatus2) {
       << "no output";
   EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", path, {"--no-such-option"})).exit_status,
             2);
-  for (const std::string tolerance : {"-1", "abc", "nan", "1e400", ""}) {
+  for (const std::string tolerance : {"-1", "abc", "nan", "1e400", "1e300", "100000.1", "5000in", ""}) {
     const Outcome ran =
         run_gougecheck(sample.path, sample.arguments("check", path, {"--tolerance", tolerance}));
     EXPECT_EQ(ran.exit_status, 2) << "tolerance " << tolerance;

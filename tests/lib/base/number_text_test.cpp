@@ -53,5 +53,16 @@ TEST(FixedText, NeverWritesANegativeZero) {
   EXPECT_EQ(fixed_text(2, 4), "2.0000");
 }
 
+TEST(PeopleText, IsShortHoweverLargeTheNumber) {
+  EXPECT_EQ(people_text(1e300, 3), "1e+300") << "its zeros are not dropped";
+  EXPECT_EQ(people_text(-1.5e20, 3, Zeros::kept), "-1.5e+20");
+  EXPECT_EQ(people_text(999999999999999.0, 0), "999999999999999");
+  EXPECT_EQ(people_text(12.5, 3), "12.5");
+  EXPECT_EQ(people_text(100, 3), "100");
+  EXPECT_EQ(people_text(100, 0), "100");
+  EXPECT_EQ(people_text(12.5, 3, Zeros::kept), "12.500");
+  EXPECT_EQ(people_text(-0.0001, 3), "0");
+}
+
 }  // namespace
 }  // namespace gouge
