@@ -17,8 +17,8 @@ inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 [[nodiscard]] Result<std::string> read_file(const std::string& path,
                                             std::uint64_t most_bytes = kMaxInputBytes);
 
-/// Writes beside `path` and renames, so that readers see the old file or the whole new one. Devices and
-/// pipes (/dev/null, a FIFO) are written directly. Errors: file-unwritable (with the system's reason).
+/// A StagedFile that is committed at once: readers see the old file or the whole new one; links, owner and mode stay.
+/// Errors: file-unwritable (with the system's reason).
 [[nodiscard]] Outcome write_file(const std::string& path, std::string_view bytes);
 
 /// Creates `path` and its parents. Errors: folder-unwritable.

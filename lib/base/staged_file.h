@@ -1,0 +1,56 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "lib/base/result.h"
+
+namespace gouge {
+
+/// What the name `path` stands for once every symbolic link at its end is followed; the file there need not
+/// exist. Errors: file-unwritable where the links go in a circle.
+[[nodiscard]] Result<std::string> follow_links(const std::string& path);
+
+/// Why a new file cannot take the place of the one at `path`, which exists, with its owner, group and mode:
+/// it is write-protected, or belongs to somebody a file cannot be given to. None where it can, as far as is
+/// known before.
+[[nodiscard]] std::optional<std::string> why_not_replaceable(const std::string& path);
+
+/// The whole new content of a file, written and synchronised to the disk but not yet in its place: commit()
+/// puts it there with one rename, so that readers see the old file or the new one. A symbolic link is
+/// followed and stays. A file that is replaced hands on its owner, group and mode; its other hard links keep
+/// the old content. What is not committed leaves nothing behind, on most file systems not even when the
+/// process is killed: until commit() the content has no name. Devices and pipes (/dev/null, a FIFO) are
+/// written directly, by commit().
+class StagedFile {
+ public:
+  /// `prefix` begins the name it has beside `path` for the moment where one is needed. Errors:
+  /// file-unwritable, with the system's reason.
+  [[nodiscard]] static Result<StagedFile> make(const std::string& path, std::string_view bytes,
+                                               const std::string& prefix = ".gougecheck-");
+  StagedFile(StagedFile&& other) noexcept;
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  StagedFile& operator=(StagedFile&&) = delete;
+  ~StagedFile();
+
+  /// To be called once. Errors: file-unwritable; what stood at `path` is then as it was.
+  [[nodiscard]] Outcome commit();
+
+ private:
+  StagedFile(std::string path, std::string prefix) : path_(std::move(path)), prefix_(std::move(prefix)) {}
+  [[nodiscard]] bool open_beside();
+  [[nodiscard]] bool fill(std::string_view bytes);
+  [[nodiscard]] bool put_in_place();
+  [[nodiscard]] std::string random_name() const;
+
+  std::string path_;  // as the user named it
+  std::string prefix_;
+  std::string target_;  // with links followed
+  std::string beside_;  // the temporary name; empty where there is none
+  std::string direct_;  // the bytes of a device or pipe
+  int handle_ = -1;     // -1: a device or pipe, or moved from
+};
+
+}  // namespace gouge
