@@ -2,6 +2,7 @@
 
 #include "cli/last_resort.h"
 #include "cli/run.h"
+#include "cli/standard_output.h"
 
 namespace {
 
@@ -15,5 +16,6 @@ void before_all(int, char**, char**) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  gouge::prepare_standard_streams();
   return gouge::run(argc, argv, std::cout, std::cerr);
 }

@@ -15,6 +15,7 @@
 #include "cli/mesh_command.h"
 #include "cli/parse_errors.h"
 #include "cli/path_command.h"
+#include "cli/standard_output.h"
 #include "cli/tool_command.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/thread_limit.h"
@@ -69,6 +70,14 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   return run_path(arguments.path, out, err);
 }
 
+// What people read may end early (`| head -1`); data that could not be delivered is a failure its command has told.
+int after_printing(int status, std::ostream& out, std::ostream& err) {
+  out.flush();
+  if (out || status == kExitInternal || is_reader_gone()) return status;
+  err << to_text(describe_failed_output()) << "\n";
+  return kExitInternal;
+}
+
 }  // namespace
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
@@ -87,7 +96,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-      if (error.get_exit_code() == 0) return app.exit(error, out, err) == 0 ? kExitClean : kExitUsage;
+      // --help and --version come as errors of status 0.
+      if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), out, err);
       const std::optional<Diagnostic> empty = find_empty_value(app, words);
       err << to_text(empty ? *empty : describe_parse_error(app, error)) << "\n";
       return kExitUsage;
@@ -96,13 +106,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       err << to_text(*empty) << "\n";
       return kExitUsage;
     }
-    const int status = dispatch(app, arguments, out, err);
-    out.flush();
-    if (!out) {
-      err << "gougecheck: error: standard output could not be written [output-unwritable]\n";
-      return kExitInternal;
-    }
-    return status;
+    return after_printing(dispatch(app, arguments, out, err), out, err);
   } catch (const std::bad_alloc&) {
     err << "gougecheck: error: out of memory; nothing more was written [out-of-memory]\n";
   } catch (const std::exception& error) {
