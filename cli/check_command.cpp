@@ -5,9 +5,7 @@
 
 #include "cli/exit_code.h"
 #include "cli/job.h"
-#include "cli/output_file.h"
 #include "cli/outputs.h"
-#include "cli/overwriting.h"
 #include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
 #include "lib/head/check_heads.h"
@@ -17,6 +15,8 @@ namespace gouge {
 
 void add_check_options(CLI::App& command, JobArguments& arguments) {
   add_job_options(command, arguments);
+  command.add_flag("--force", arguments.is_forced,
+                   "Let --report replace and remove files of a report's names that no report wrote, never an input");
   command.footer(
       "Example:\n"
       "  gougecheck check finish.apt --part part.stl --tools tools.json --report out\n\n"
@@ -26,19 +26,12 @@ void add_check_options(CLI::App& command, JobArguments& arguments) {
 
 int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<JobOptions> options = understand(arguments);
-  const Result<bool> taken = is_stdout_taken(arguments, {});
-  if (!options || !taken) {
-    print(err, {options ? taken.error() : options.error()});
+  if (!options) {
+    print(err, {options.error()});
     return kExitUsage;
   }
-  if (const auto error = find_overwriting(arguments, {})) {
-    print(err, {*error});
-    return kExitUsage;
-  }
-  if (const Diagnostics errors = find_unwritable(arguments, {}); !errors.empty()) {
-    print(err, errors);
-    return kExitInternal;
-  }
+  JobOutputs outputs(arguments, {});
+  if (const auto status = outputs.refuse(err)) return *status;
   LoadedJob loaded = load_job(arguments, *options);
   if (!loaded.job) {
     print(err, loaded.errors);
@@ -60,7 +53,7 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   if (arguments.is_verbose) {
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";
   }
-  const bool is_written = write_outputs(arguments, job, model, progress, out, err);
+  const bool is_written = outputs.write(job, model, progress, out, err);
   if (arguments.is_verbose) print_peak_memory(err);
   if (!is_written) return kExitInternal;
   return exit_status(overall_verdict(result));

@@ -9,9 +9,7 @@
 #include "cli/exit_code.h"
 #include "cli/job.h"
 #include "cli/length_text.h"
-#include "cli/output_file.h"
 #include "cli/outputs.h"
-#include "cli/overwriting.h"
 #include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
 #include "lib/correct/correct_path.h"
@@ -78,17 +76,17 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
                                      "': expected a length of at least 0 in mm, or with a unit, and at most 100 m");
     }
   }
-  if (auto error = find_overwriting(arguments.job, arguments.output)) return std::move(*error);
   return options;
 }
 
 class CorrectRun {
  public:
   CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const Job& job,
-             std::ostream& out, std::ostream& err)
+             JobOutputs& outputs, std::ostream& out, std::ostream& err)
       : arguments_(arguments),
         correct_(correct),
         job_(job),
+        outputs_(outputs),
         out_(out),
         err_(err),
         progress_(err, job.options.progress) {}
@@ -99,7 +97,7 @@ class CorrectRun {
     const PathFit fit =
         find_path_fit(job_.toolpath, before.verdicts, job_.tools(), scene, job_.options.check.threads);
     const std::optional<Diagnostic> misfit = describe_misfit(job_.toolpath, fit);
-    if (misfit && is_beyond_correction(fit) && !arguments_.is_forced) return refuse(*misfit);
+    if (misfit && is_beyond_correction(fit) && !arguments_.job.is_forced) return refuse(*misfit);
     measure_overcuts(job_.toolpath, job_.tools(), job_.scene, job_.options.check, before, job_.heads);
     progress_.begin("correcting");
     CorrectOptions correct = correct_;
@@ -126,14 +124,13 @@ class CorrectRun {
     const Toolpath& path = corrected->after.path;
     CheckResult& after = corrected->after.result;
     measure_overcuts(path, job_.tools(), job_.scene, job_.options.check, after, job_.heads);
-    const Outcome written = write_output(arguments_.output, text, out_);
-    if (!written) return fail(written.error());
     ReportModel model = job_.report(arguments_.job, path, after, scene);
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
+    model.correction.output_bytes = text;
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
-    const bool is_written = write_outputs(arguments_.job, job_, model, progress_, out_, err_);
+    const bool is_written = outputs_.write(job_, model, progress_, out_, err_);
     if (arguments_.job.is_verbose) print_peak_memory(err_);
     if (!is_written) return kExitInternal;
     return exit_status(overall_verdict(after));
@@ -167,6 +164,7 @@ class CorrectRun {
   const CorrectArguments& arguments_;
   const CorrectOptions& correct_;
   const Job& job_;
+  JobOutputs& outputs_;
   std::ostream& out_;
   std::ostream& err_;
   Progress progress_;
@@ -198,8 +196,9 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
                   "How far rapids that must change keep off, where there is room within --max-shift")
       ->type_name("LENGTH")
       ->capture_default_str();
-  command.add_flag("--force", arguments.is_forced,
-                   "Correct also a path that plainly does not fit the part (units, placement, axis sign)");
+  command.add_flag("--force", arguments.job.is_forced,
+                   "Correct also a path that plainly does not fit the part (units, placement, axis sign); let --report "
+                   "replace and remove files of a report's names that no report wrote, never an input");
   command.footer(
       "Example:\n"
       "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"
@@ -212,21 +211,18 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
 int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<JobOptions> options = understand(arguments.job);
   const Result<CorrectOptions> correct = understand_correction(arguments);
-  const Result<bool> taken = is_stdout_taken(arguments.job, arguments.output);
-  if (!options || !correct || !taken) {
-    print(err, {!options ? options.error() : !correct ? correct.error() : taken.error()});
+  if (!options || !correct) {
+    print(err, {!options ? options.error() : correct.error()});
     return kExitUsage;
   }
-  if (const Diagnostics errors = find_unwritable(arguments.job, arguments.output); !errors.empty()) {
-    print(err, errors);
-    return kExitInternal;
-  }
+  JobOutputs outputs(arguments.job, arguments.output);
+  if (const auto status = outputs.refuse(err)) return *status;
   const LoadedJob loaded = load_job(arguments.job, *options);
   if (!loaded.job) {
     print(err, loaded.errors);
     return is_usage(loaded.errors) ? kExitUsage : kExitInput;
   }
-  return CorrectRun(arguments, *correct, *loaded.job, out, err).run();
+  return CorrectRun(arguments, *correct, *loaded.job, outputs, out, err).run();
 }
 
 }  // namespace gouge

@@ -13,7 +13,6 @@ struct CorrectArguments {
   std::string max_shift = "20";
   std::string max_side_shift;  ///< empty: by the depth
   std::string rapid_clearance = "1";
-  bool is_forced = false;  ///< also a path that plainly does not fit the part
 };
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments);

@@ -75,7 +75,9 @@ void add_check_options(CLI::App& command, JobArguments& a) {
 
 void add_output_options(CLI::App& command, JobArguments& a) {
   command
-      .add_option("--report", a.report_folder, "Folder for the report: report.html, pictures, JSON and CSV")
+      .add_option("--report", a.report_folder,
+                  "Folder for the report: report.html, pictures, JSON and CSV; an older report there is replaced, "
+                  "nothing else is")
       ->type_name("FOLDER");
   command.add_option("--json", a.json_file, "Write the result as JSON (- for standard output alone)")
       ->type_name("FILE");

@@ -9,8 +9,6 @@
 #include "cli/length_text.h"
 #include "cli/mesh_info_text.h"
 #include "cli/output_file.h"
-#include "cli/overwriting.h"
-#include "lib/base/files.h"
 #include "lib/mesh/join_vertices.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/repair_mesh.h"
@@ -28,9 +26,13 @@ int status_of(const MeshValidation& judged) {
   return judged.trouble.empty() ? kExitGouges : kExitNotChecked;
 }
 
-// The repair asked for, written when it is an improvement. Returns the exit status if it failed.
+OutputTable outputs_of(const MeshArguments& arguments) {
+  return asked_for({{"--repair", arguments.repair_file}, {"--json", arguments.json_file}});
+}
+
+// The repair asked for, kept to be written when it is an improvement. Returns the exit status if it failed.
 std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mesh, MeshInfo& info,
-                          std::ostream& err) {
+                          PendingOutputs& outputs, std::ostream& err) {
   RepairOptions options;
   options.fills_holes = arguments.fills_holes;
   options.unit = info.unit;
@@ -38,21 +40,19 @@ std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mes
   if (!repaired) return tell(err, repaired.error(), kExitGouges);
   info.repair = std::move(*repaired);
   if (!info.repair->is_better()) return std::nullopt;
-  const Outcome written = write_file(arguments.repair_file, info.repair->stl_bytes);
+  const Outcome written = outputs.add(arguments.repair_file, info.repair->stl_bytes);
   if (!written) return tell(err, written.error(), kExitInternal);
   info.written_file = arguments.repair_file;
   return std::nullopt;
 }
 
-bool deliver(const MeshArguments& arguments, const MeshInfo& info, std::ostream& out, std::ostream& err) {
-  if (arguments.json_file == "-") {
-    out << mesh_info_json(info);
-    return true;
-  }
-  out << mesh_info_text(info);
-  if (arguments.json_file.empty()) return true;
-  const Outcome written = write_file(arguments.json_file, mesh_info_json(info));
+// Files first, then the terminal.
+bool deliver(const MeshArguments& arguments, const MeshInfo& info, PendingOutputs& outputs, std::ostream& out,
+             std::ostream& err) {
+  Outcome written = arguments.json_file.empty() ? Done{} : outputs.add(arguments.json_file, mesh_info_json(info));
+  if (written) written = outputs.commit(out);
   if (!written) tell(err, written.error(), kExitInternal);
+  if (written && arguments.json_file != "-") out << mesh_info_text(info);
   return written.has_value();
 }
 
@@ -96,14 +96,10 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
     return tell(err, make_error("usage", "--weld '" + arguments.weld + "': expected a length above 0 in mm, or with a "
                                          "unit (0.0005in)"),
                 kExitUsage);
-  if (const auto error = find_overwriting({{"the mesh", arguments.file}},
-                                          {{"--repair", arguments.repair_file}, {"--json", arguments.json_file}}))
-    return tell(err, *error, kExitUsage);
   if (arguments.repair_file == "-")
     return tell(err, make_error("usage", "--repair '-': expected a file; a mesh does not go to standard output"),
                 kExitUsage);
-  const Diagnostics unwritable = find_unwritable({arguments.repair_file, arguments.json_file});
-  if (!unwritable.empty()) return tell(err, unwritable.front(), kExitInternal);
+  if (const auto status = refuse_outputs({{"the mesh", arguments.file}}, outputs_of(arguments), err)) return *status;
   Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.most_bytes);
   if (!loaded) return tell(err, loaded.error(), kExitInput);
   info.file = arguments.file;
@@ -119,8 +115,9 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
     mesh = std::move(joined->mesh);
   }
   std::optional<int> failed;
-  if (!arguments.repair_file.empty()) failed = repair(arguments, mesh, info, err);
-  if (!deliver(arguments, info, out, err)) return kExitInternal;
+  PendingOutputs outputs;
+  if (!arguments.repair_file.empty()) failed = repair(arguments, mesh, info, outputs, err);
+  if (failed == kExitInternal || !deliver(arguments, info, outputs, out, err)) return kExitInternal;
   if (failed) return *failed;
   return status_of(info.written_file.empty() ? info.judged : info.repair->after);
 }

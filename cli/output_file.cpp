@@ -8,7 +8,8 @@
 #include <optional>
 #include <ostream>
 
-#include "lib/base/files.h"
+#include "cli/exit_code.h"
+#include "cli/standard_output.h"
 
 namespace gouge {
 namespace {
@@ -20,9 +21,12 @@ std::optional<std::string> why_closed(const fs::path& path, int wanted) {
   return std::strerror(errno);
 }
 
-// A file is written beside its place and renamed, so its folder must be open to us and it itself need not.
-std::optional<std::string> why_unwritable(const fs::path& file) {
+// A file is written beside its place and renamed, so its folder must be open to us.
+std::optional<std::string> why_unwritable(const std::string& named) {
+  const Result<std::string> target = follow_links(named);
+  if (!target) return "its symbolic links go in a circle";
   std::error_code ignored;
+  const fs::path file = fs::exists(named, ignored) && !fs::is_regular_file(named, ignored) ? named : *target;
   const fs::file_status status = fs::status(file, ignored);
   if (fs::is_directory(status)) return "it is a folder";
   if (fs::exists(status) && !fs::is_regular_file(status)) return why_closed(file, W_OK);
@@ -31,12 +35,14 @@ std::optional<std::string> why_unwritable(const fs::path& file) {
   if (!fs::exists(folder, ignored)) return "the folder " + folder.string() + " does not exist; make it first";
   if (!fs::is_directory(folder, ignored)) return folder.string() + " is a file; expected a folder";
   if (const auto why = why_closed(folder, W_OK | X_OK)) return "the folder " + folder.string() + ": " + *why;
-  return std::nullopt;
+  return fs::exists(status) ? why_not_replaceable(file.string()) : std::nullopt;
 }
 
-std::optional<std::string> why_not_made(const fs::path& folder) {
+std::optional<std::string> why_not_made(const std::string& folder) {
+  const Result<std::string> target = follow_links(folder);
+  if (!target) return "its symbolic links go in a circle";
   std::error_code ignored;
-  fs::path there = folder;
+  fs::path there = *target;
   while (!there.empty() && !fs::exists(there, ignored)) there = there.parent_path();
   if (there.empty()) there = ".";
   if (!fs::is_directory(there, ignored)) return "a file of the name " + there.string() + " exists";
@@ -46,29 +52,61 @@ std::optional<std::string> why_not_made(const fs::path& folder) {
 
 }  // namespace
 
-Outcome write_output(const std::string& file, std::string_view bytes, std::ostream& out) {
-  if (file != "-") return write_file(file, bytes);
-  out << bytes;
+Outcome PendingOutputs::add(const std::string& file, std::string_view bytes) {
+  if (file == "-") {
+    for_stdout_ = bytes;
+    return Done{};
+  }
+  Result<StagedFile> staged = StagedFile::make(file, bytes);
+  if (!staged) return staged.error();
+  files_.push_back(std::move(*staged));
   return Done{};
 }
 
-Diagnostics find_unwritable(const std::vector<std::string>& files) {
+Outcome PendingOutputs::commit(std::ostream& out) {
+  for (StagedFile& file : files_) {
+    if (Outcome put = file.commit(); !put) return put;
+  }
+  if (!for_stdout_) return Done{};
+  out << *for_stdout_ << std::flush;
+  if (!out) return describe_failed_output();
+  return Done{};
+}
+
+Outcome write_output(const std::string& file, std::string_view bytes, std::ostream& out) {
+  PendingOutputs pending;
+  if (Outcome added = pending.add(file, bytes); !added) return added;
+  return pending.commit(out);
+}
+
+Diagnostics find_unwritable(const OutputTable& outputs) {
   Diagnostics errors;
-  for (const std::string& file : files) {
-    if (file.empty() || file == "-") continue;
-    if (const auto why = why_unwritable(file))
-      errors.push_back(make_error("file-unwritable", "cannot write the file: " + *why + "; nothing was written", file));
+  for (const Output& output : outputs) {
+    if (output.kind == Output::Kind::report_folder) {
+      if (const auto why = why_not_made(output.file))
+        errors.push_back(make_error(
+            "folder-unwritable", "cannot make the report: " + *why + "; nothing was written", output.file));
+    } else if (output.file != "-") {
+      if (const auto why = why_unwritable(output.file))
+        errors.push_back(make_error("file-unwritable",
+                                    "cannot write the file: " + *why + "; nothing was written", output.file));
+    }
   }
   return errors;
 }
 
-Diagnostics find_unwritable(const JobArguments& a, const std::string& corrected) {
-  Diagnostics errors = find_unwritable({corrected, a.json_file, a.csv_file, a.sarif_file, a.junit_file});
-  if (a.report_folder.empty()) return errors;
-  if (const auto why = why_not_made(a.report_folder))
-    errors.push_back(make_error("folder-unwritable", "cannot make the report: " + *why + "; nothing was written",
-                                a.report_folder));
-  return errors;
+std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
+                                  std::ostream& err) {
+  std::optional<Diagnostic> wrong = find_overwriting(inputs, outputs);
+  if (const Result<bool> taken = is_stdout_taken(outputs); !taken) wrong = taken.error();
+  if (wrong) {
+    err << to_text(*wrong) << "\n";
+    return kExitUsage;
+  }
+  const Diagnostics unwritable = find_unwritable(outputs);
+  for (const Diagnostic& error : unwritable) err << to_text(error) << "\n";
+  if (!unwritable.empty()) return kExitInternal;
+  return std::nullopt;
 }
 
 }  // namespace gouge

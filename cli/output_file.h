@@ -1,28 +1,48 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "cli/job_options.h"
+#include "cli/output_table.h"
+#include "cli/overwriting.h"
 #include "lib/base/diagnostic.h"
 #include "lib/base/result.h"
+#include "lib/base/staged_file.h"
 
 // Outputs of commands: files, or standard output where their name is "-".
 
 namespace gouge {
 
-/// write_file, or onto `out` where `file` is "-".
+/// The outputs of one command, which appear together or not at all, as far as the system lets them.
+class PendingOutputs {
+ public:
+  /// Writes `bytes` so that only their place is missing; those for "-" are kept. Errors: file-unwritable.
+  [[nodiscard]] Outcome add(const std::string& file, std::string_view bytes);
+  /// Puts the files in their places, then writes what belongs on `out`. Errors: file-unwritable,
+  /// output-unwritable.
+  [[nodiscard]] Outcome commit(std::ostream& out);
+
+ private:
+  std::vector<StagedFile> files_;
+  std::optional<std::string> for_stdout_;
+};
+
+/// PendingOutputs of one file.
 [[nodiscard]] Outcome write_output(const std::string& file, std::string_view bytes, std::ostream& out);
 
-/// What will keep these outputs from being written, as far as that can be known before the work is done: their folder
-/// is missing or closed to us, or a folder has their name. Empty names and "-" are passed over. Creates and opens
-/// nothing. Code: file-unwritable.
-[[nodiscard]] Diagnostics find_unwritable(const std::vector<std::string>& files);
+/// What will keep these outputs from being written, as far as that can be known before the work is done:
+/// their folder is missing or closed to us, a folder has their name, or the file there could not keep its
+/// owner and mode. The folder of a report may be missing if it can be made (code folder-unwritable). "-" is
+/// passed over. Creates and opens nothing. Code: file-unwritable.
+[[nodiscard]] Diagnostics find_unwritable(const OutputTable& outputs);
 
-/// Of `check` and `correct`, with the folder of the report, which may be missing if it can be made (code
-/// folder-unwritable). `corrected` is where the corrected toolpath goes, or empty.
-[[nodiscard]] Diagnostics find_unwritable(const JobArguments& arguments, const std::string& corrected);
+/// What of a command's outputs is known to be wrong before its work: two for standard output, one that is an
+/// input or another output, one that cannot be written. Prints it, and answers with the exit status; none
+/// where all is well.
+[[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs,
+                                                const OutputTable& outputs, std::ostream& err);
 
 }  // namespace gouge

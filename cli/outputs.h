@@ -1,24 +1,46 @@
 #pragma once
 
 #include <iosfwd>
+#include <optional>
+#include <string>
 
 #include "cli/job.h"
+#include "cli/output_table.h"
+#include "cli/report_folder.h"
 
 namespace gouge {
 
-/// Prints the findings and writes every file asked for. A file that cannot be written is told on `err`.
-/// Returns whether all were written.
-[[nodiscard]] bool write_outputs(const JobArguments& arguments, const Job& job, const ReportModel& model,
-                                 Progress& progress, std::ostream& out, std::ostream& err);
+/// What one run of `check` or `correct` writes. All of it stands before anything of it is put in its place;
+/// the terminal comes last.
+class JobOutputs {
+ public:
+  /// `corrected` is where the corrected toolpath goes, or empty.
+  JobOutputs(const JobArguments& arguments, const std::string& corrected);
+
+  /// Before the work: what is wrong with the outputs is printed, and the answer is the exit status. None
+  /// where all is well; the report's folder, if it exists, is then locked.
+  [[nodiscard]] std::optional<int> refuse(std::ostream& err);
+
+  /// Writes every file asked for, then prints the findings. What cannot be written is told on `err`. Returns
+  /// whether all was written, and delivered where it is standard output's.
+  [[nodiscard]] bool write(const Job& job, const ReportModel& model, Progress& progress, std::ostream& out,
+                           std::ostream& err);
+
+ private:
+  [[nodiscard]] Outcome write_files(const Job& job, const ReportModel& model, Progress& progress,
+                                    std::ostream& out);
+  [[nodiscard]] Outcome stage_report(const Job& job, const ReportModel& model, Progress& progress);
+  void print_findings(const ReportModel& model, bool is_written, std::ostream& out) const;
+
+  const JobArguments& arguments_;
+  OutputTable outputs_;
+  std::optional<ReportFolder> report_;
+};
 
 /// Prints diagnostics, one a line, as compilers do.
 void print(std::ostream& err, const Diagnostics& diagnostics);
 
 /// Warnings of the inputs; with -v notes as well, with -q nothing. More than a handful are counted.
 void print_notes(std::ostream& err, const Diagnostics& notes, const JobArguments& arguments);
-
-/// Whether "-" was given for one of the outputs, so that standard output belongs to it alone; more than one
-/// is an error, returned as its message. `corrected` is where the corrected toolpath goes, or empty.
-[[nodiscard]] Result<bool> is_stdout_taken(const JobArguments& arguments, const std::string& corrected);
 
 }  // namespace gouge

@@ -4,22 +4,23 @@
 #include <string>
 #include <vector>
 
-#include "cli/job_options.h"
+#include "cli/output_table.h"
 #include "lib/base/diagnostic.h"
 
 namespace gouge {
 
-/// A file of the command line and what names it: "--csv", "the toolpath".
-struct FileOption {
+/// A file that is read, and what it is: "the toolpath".
+struct InputOption {
   std::string what, file;
 };
 
-/// Why nothing may be written: an output is one of the inputs, or another output, under whatever name. Empty names and
-/// "-" are passed over.
-[[nodiscard]] std::optional<Diagnostic> find_overwriting(const std::vector<FileOption>& inputs,
-                                                         const std::vector<FileOption>& outputs);
+/// What `check` and `correct` read.
+[[nodiscard]] std::vector<InputOption> inputs_of(const JobArguments& arguments);
 
-/// Of `check` and `correct`; `corrected` is where the corrected toolpath goes, or empty.
-[[nodiscard]] std::optional<Diagnostic> find_overwriting(const JobArguments& arguments, const std::string& corrected);
+/// Why nothing may be written: an output, or a file that a report may replace or remove in its folder, is one
+/// of the inputs, another output, or the file standard output goes to, under whatever name (links, ./,
+/// relative). Empty names and "-" are passed over. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_overwriting(const std::vector<InputOption>& inputs,
+                                                         const OutputTable& outputs);
 
 }  // namespace gouge

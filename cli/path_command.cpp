@@ -6,7 +6,6 @@
 
 #include "cli/exit_code.h"
 #include "cli/output_file.h"
-#include "cli/overwriting.h"
 #include "cli/path_info_text.h"
 #include "cli/picture_file.h"
 #include "lib/base/files.h"
@@ -29,10 +28,10 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
   const PathInfo info = describe_path(path);
   const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});
   const std::string title(dialect.title);
-  out << (arguments.json_file == "-" ? path_info_json(path, info) : path_info_text(path, info, title));
+  Outcome written = Done{};
+  if (!arguments.json_file.empty()) written = write_output(arguments.json_file, path_info_json(path, info), out);
+  if (arguments.json_file != "-") out << path_info_text(path, info, title);
   tell(path.notes, err);
-  if (arguments.json_file.empty() || arguments.json_file == "-") return kExitClean;
-  const Outcome written = write_file(arguments.json_file, path_info_json(path, info));
   return written ? kExitClean : refuse({written.error()}, err, kExitInternal);
 }
 
@@ -113,15 +112,13 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
 int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<ReadOptions> options = understand(arguments.reading);
   if (!options) return refuse({options.error()}, err, kExitUsage);
-  if (const auto error = find_overwriting({{"the toolpath", arguments.path}},
-                                          {{"-o", arguments.output}, {"--json", arguments.json_file}})) {
-    return refuse({*error}, err, kExitUsage);
-  }
   const bool is_plot = !arguments.is_info && !arguments.is_convert;
   const Result<bool> is_svg = is_plot ? is_svg_file(arguments.output) : false;
   if (!is_svg) return refuse({is_svg.error()}, err, kExitUsage);
-  if (const Diagnostics errors = find_unwritable({arguments.output, arguments.json_file}); !errors.empty())
-    return refuse(errors, err, kExitInternal);
+  if (const auto status =
+          refuse_outputs({{"the toolpath", arguments.path}},
+                         asked_for({{"-o", arguments.output}, {"--json", arguments.json_file}}), err))
+    return *status;
   Result<std::string> bytes = read_file(arguments.path, arguments.input.most_bytes);
   if (!bytes) return refuse({bytes.error()}, err);
   const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);

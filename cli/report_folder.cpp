@@ -1,48 +1,171 @@
 #include "cli/report_folder.h"
 
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
 #include <algorithm>
-#include <array>
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
-#include <string_view>
+
+#include "lib/base/files.h"
 
 namespace gouge {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 6> kNames = {"report.html",      "result.json",  "moves.csv",
-                                                    "before_after.png", "heat_map.png", "depth_along_path.png"};
+constexpr const char* kPrefix = ".gougecheck-report-";  // of names a file has for a moment
+constexpr std::uintmax_t kLargestManifest = 1 << 16;
 
-// event_1.png to event_9.png: a report has fewer, and a longer number may be a date of somebody's own.
-bool is_event_picture(std::string_view name) {
-  return name.size() == 11 && name.starts_with("event_") && name.ends_with(".png") && name[6] >= '1' && name[6] <= '9';
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
+  return text;
+}
+
+std::optional<ReportManifest> manifest_of(const std::string& path) {
+  std::error_code error;
+  const std::uintmax_t bytes = fs::file_size(path, error);
+  if (error || bytes > kLargestManifest) return std::nullopt;
+  const Result<std::string> text = read_file(path);
+  return text ? read_manifest(*text) : std::nullopt;
+}
+
+Outcome unwritable(const std::string& path, const std::string& why) {
+  return make_error("file-unwritable", "belongs to an older report and cannot be removed: " + why, path);
 }
 
 }  // namespace
 
-bool is_name_of_report(const std::string& name) {
-  return std::find(kNames.begin(), kNames.end(), name) != kNames.end() || is_event_picture(name);
+ReportFolder::~ReportFolder() {
+  staged_.clear();
+  for (auto folder = made_.rbegin(); folder != made_.rend(); ++folder) ::rmdir(folder->c_str());
+  if (lock_ >= 0) ::close(lock_);
 }
 
-Diagnostics remove_older_report(const std::string& folder, const std::vector<NamedFile>& files) {
-  std::vector<std::string> older;
+Outcome ReportFolder::open() {
   std::error_code ignored;
-  for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored)) {
-    const std::string name = entry->path().filename().string();
-    const bool is_new = std::any_of(files.begin(), files.end(), [&](const NamedFile& f) { return f.name == name; });
-    if (is_name_of_report(name) && !is_new && entry->is_regular_file(ignored)) older.push_back(name);
+  if (!fs::is_directory(folder_, ignored)) return Done{};
+  if (Outcome locked = lock(); !locked) return locked;
+  return look();
+}
+
+Outcome ReportFolder::lock() {
+  if (lock_ >= 0) return Done{};
+  lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (lock_ < 0)
+    return make_error("folder-unwritable", "cannot read the folder: " + std::string(std::strerror(errno)),
+                      folder_);
+  // Where a file system has no locks, two reports at once are the user's to avoid.
+  if (::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return Done{};
+  ::close(std::exchange(lock_, -1));
+  return make_error(
+      "report-busy",
+      "another gougecheck is about to write its report here; expected a folder for each, or one after the "
+      "other",
+      folder_);
+}
+
+Outcome ReportFolder::make() {
+  const Result<std::string> target = follow_links(folder_);
+  if (!target) return target.error();
+  std::error_code ignored;
+  for (fs::path at = *target; !at.empty() && !fs::exists(at, ignored); at = at.parent_path())
+    made_.insert(made_.begin(), at.string());
+  return make_folder(*target);
+}
+
+Diagnostic ReportFolder::foreign(const std::string& message) const {
+  return make_error("report-foreign", message, folder_);
+}
+
+Outcome ReportFolder::look() {
+  std::error_code ignored;
+  present_.clear();
+  const fs::file_status status = fs::symlink_status(at(kManifestName), ignored);
+  const std::optional<ReportManifest> manifest =
+      fs::is_regular_file(status) ? manifest_of(at(kManifestName)) : std::nullopt;
+  std::vector<std::string> others;
+  for (const std::string& name : names_of_report()) {
+    const fs::file_status found = fs::symlink_status(at(name), ignored);
+    if (!fs::exists(found)) continue;
+    if (!fs::is_regular_file(found))
+      return foreign(name +
+                     " is no plain file, so no report can replace it; move it away, or name another folder");
+    if (const auto why = why_not_replaceable(at(name)))
+      return make_error("file-unwritable", "no report can replace it: " + *why + "; nothing was written",
+                        at(name));
+    if (name == kManifestName) {
+      if (!manifest) others.push_back(name);
+      continue;
+    }
+    Result<ManifestEntry> file = describe_file(folder_, name);
+    if (!file || !manifest || !manifest->has(*file)) others.push_back(name);
+    if (file) present_.push_back(std::move(*file));
   }
-  std::sort(older.begin(), older.end());
-  Diagnostics errors;
-  for (const std::string& name : older) {
-    std::error_code error;
-    fs::remove(fs::path(folder) / name, error);
-    if (!error) continue;
-    errors.push_back(make_error("file-unwritable",
-                                "belongs to an older report and cannot be removed: " + error.message(),
-                                (fs::path(folder) / name).string()));
+  if (others.empty() || is_forced_) return Done{};
+  const std::string what_to_do =
+      "; expected a folder without them: name another one, move them away, or let --force replace or remove "
+      "them";
+  if (manifest)
+    return foreign("a report would replace or remove " + listed(others) +
+                   ", which no report wrote or which was changed since (" + kManifestName + ")" + what_to_do);
+  return foreign("a report would replace or remove " + listed(others) + ", and no " + kManifestName +
+                 " says that a report wrote them: they are yours, or of an earlier version of gougecheck" +
+                 what_to_do);
+}
+
+void ReportFolder::remove_leftovers() {
+  std::vector<std::string> leftovers;
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder_, ignored), end; entry != end; entry.increment(ignored)) {
+    if (entry->path().filename().string().starts_with(kPrefix)) leftovers.push_back(entry->path().string());
   }
-  return errors;
+  for (const std::string& file : leftovers) ::unlink(file.c_str());
+}
+
+Outcome ReportFolder::stage(const std::vector<NamedFile>& files) {
+  if (Outcome made = make(); !made) return made;
+  if (Outcome opened = open(); !opened) return opened;
+  remove_leftovers();
+  for (const NamedFile& file : files) {
+    Result<StagedFile> staged = StagedFile::make(at(file.name), file.bytes, kPrefix);
+    if (!staged) return staged.error();
+    staged_.push_back(std::move(*staged));
+    new_.push_back(describe_bytes(file.name, file.bytes));
+  }
+  return Done{};
+}
+
+Outcome ReportFolder::put_manifest(const ReportManifest& manifest) {
+  Result<StagedFile> staged = StagedFile::make(at(kManifestName), write_manifest(manifest), kPrefix);
+  return staged ? staged->commit() : staged.error();
+}
+
+Outcome ReportFolder::remove_older() {
+  for (const ManifestEntry& file : present_) {
+    const bool is_new =
+        std::any_of(new_.begin(), new_.end(), [&](const ManifestEntry& n) { return n.name == file.name; });
+    if (!is_new && ::unlink(at(file.name).c_str()) != 0 && errno != ENOENT)
+      return unwritable(at(file.name), std::strerror(errno));
+  }
+  return Done{};
+}
+
+Outcome ReportFolder::commit() {
+  // Until the last file stands, each may be the old one or the new one.
+  ReportManifest either{present_, false};
+  either.files.insert(either.files.end(), new_.begin(), new_.end());
+  if (Outcome put = put_manifest(either); !put) return put;
+  made_.clear();
+  for (StagedFile& file : staged_) {
+    if (Outcome put = file.commit(); !put) return put;
+  }
+  if (Outcome removed = remove_older(); !removed) return removed;
+  return put_manifest({new_, true});
 }
 
 }  // namespace gouge

@@ -1,19 +1,57 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/report_manifest.h"
 #include "lib/base/diagnostic.h"
+#include "lib/base/staged_file.h"
 #include "postproc/report/named_file.h"
 
 namespace gouge {
 
-/// Whether a report could write a file of this name: report.html, result.json, moves.csv and the pictures. Nothing
-/// else in a folder is ours.
-[[nodiscard]] bool is_name_of_report(const std::string& name);
+/// The folder of --report, in which a new report takes the place of an older one and of nothing else. What is
+/// an older report's says its manifest, by name and content; all other files under a name of the report's are
+/// foreign, and refused unless `is_forced`. A process that is killed at any instant leaves a folder whose
+/// manifest knows every file of the report in it. Order of calls: open, stage, commit.
+class ReportFolder {
+ public:
+  ReportFolder(std::string folder, bool is_forced) : folder_(std::move(folder)), is_forced_(is_forced) {}
+  ReportFolder(const ReportFolder&) = delete;
+  ReportFolder& operator=(const ReportFolder&) = delete;
+  /// Without commit() the folder is as it was, and was not made.
+  ~ReportFolder();
 
-/// Removes from `folder` what an older report left there under its own names and the new one, `files`, has not: it
-/// would be taken for part of the new one. Errors: file-unwritable for each that cannot be removed.
-[[nodiscard]] Diagnostics remove_older_report(const std::string& folder, const std::vector<NamedFile>& files);
+  /// Locks the folder, if it exists, until the end, and finds what stands in the way of a report. Changes
+  /// nothing. Errors: report-busy (another process has it), report-foreign.
+  [[nodiscard]] Outcome open();
+
+  /// Makes the folder if need be, opens it again, and writes all of `files` beside their places, with no name
+  /// yet. Errors: folder-unwritable, file-unwritable, and those of open().
+  [[nodiscard]] Outcome stage(const std::vector<NamedFile>& files);
+
+  /// Puts every file in its place and removes those of the older report that the new one has not. Errors:
+  /// file-unwritable, where some files may be new and others old.
+  [[nodiscard]] Outcome commit();
+
+ private:
+  [[nodiscard]] Outcome lock();
+  [[nodiscard]] Outcome make();
+  [[nodiscard]] Outcome look();
+  [[nodiscard]] Outcome put_manifest(const ReportManifest& manifest);
+  [[nodiscard]] Outcome remove_older();
+  void remove_leftovers();
+  [[nodiscard]] std::string at(const std::string& name) const { return folder_ + "/" + name; }
+  [[nodiscard]] Diagnostic foreign(const std::string& message) const;
+
+  std::string folder_;
+  bool is_forced_;
+  int lock_ = -1;                       // the folder, locked
+  std::vector<std::string> made_;       // folders made for it, the outermost first
+  std::vector<ManifestEntry> present_;  // files under names of the report, as they are
+  std::vector<ManifestEntry> new_;
+  std::vector<StagedFile> staged_;
+};
 
 }  // namespace gouge

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/exit_code.h"
+#include "cli/output_file.h"
 #include "cli/picture_file.h"
 #include "cli/tool_text.h"
 #include "lib/base/files.h"
@@ -102,6 +103,13 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments) {
 int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err) {
   if (arguments.action == ToolAction::import)
     return run_tool_import(arguments.import, arguments.output, out, err);
+  if (arguments.action == ToolAction::draw) {
+    const Result<bool> is_svg = is_svg_file(arguments.output);
+    if (!is_svg) return refuse(is_svg.error(), err);
+    if (const auto status =
+            refuse_outputs({{"the tool library", arguments.tools_file}}, {{"-o", arguments.output}}, err))
+      return *status;
+  }
   const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.most_bytes);
   if (!bytes) return refuse(bytes.error(), err);
   const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);

@@ -35,14 +35,18 @@ Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& argument
   return *holder;
 }
 
-// FreeCAD keeps the bits of a library beside it, or in the folder Bit beside the library's own.
+// FreeCAD keeps the bits of a library beside it, or in the folder Bit beside the library's own. What is read goes to
+// `inputs`.
 Result<std::string> read_beside(const std::filesystem::path& folder, const std::string& name,
-                                const InputLimit& limit) {
-  Result<std::string> bytes = read_file((folder / name).string(), limit.most_bytes);
+                                const InputLimit& limit, std::vector<InputOption>& inputs) {
+  const std::string beside = (folder / name).string();
+  const std::string bit = (folder / ".." / "Bit" / name).lexically_normal().string();
+  inputs.push_back({"a file of the library", beside});
+  Result<std::string> bytes = read_file(beside, limit.most_bytes);
   if (bytes || bytes.error().code != "file-not-found") return bytes;
-  Result<std::string> bit =
-      read_file((folder / ".." / "Bit" / name).lexically_normal().string(), limit.most_bytes);
-  return bit ? bit : bytes;
+  inputs.back().file = bit;
+  Result<std::string> found = read_file(bit, limit.most_bytes);
+  return found ? found : bytes;
 }
 
 std::optional<ImportFormat> format_called(const std::string& name) {
@@ -98,14 +102,9 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
 
 int run_tool_import(const ToolImportArguments& arguments, const std::string& output, std::ostream& out,
                     std::ostream& err) {
-  if (const auto error = find_overwriting({{"the file to import", arguments.file}, {"--tools", arguments.tools_file}},
-                                          {{"-o", output}}))
-    return refuse(*error, err);
-  const Diagnostics unwritable = find_unwritable({output});
-  if (!unwritable.empty()) {
-    refuse(unwritable.front(), err);
-    return kExitInternal;
-  }
+  std::vector<InputOption> inputs = {{"the file to import", arguments.file}, {"--tools", arguments.tools_file}};
+  const OutputTable outputs = {{"-o", output}};
+  if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
   const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
   if (!holder) return refuse(holder.error(), err);
   const Result<std::string> bytes = read_file(arguments.file, arguments.input.most_bytes);
@@ -115,12 +114,13 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   if (arguments.stickout_mm > 0) options.stickout_mm = arguments.stickout_mm;
   if (!arguments.unit.empty()) options.unit = arguments.unit == "inch" ? LengthUnit::inch : LengthUnit::mm;
   const std::filesystem::path folder = std::filesystem::path(arguments.file).parent_path();
-  options.read_beside = [&folder, &arguments](const std::string& name) {
-    return read_beside(folder, name, arguments.input);
+  options.read_beside = [&](const std::string& name) {
+    return read_beside(folder, name, arguments.input, inputs);
   };
   const Result<ImportedTools> made =
       import_tools(arguments.file, *bytes, format_called(arguments.format), options);
   if (!made) return refuse(made.error(), err);
+  if (const auto error = find_overwriting(inputs, outputs)) return refuse(*error, err);
   std::ostream& told = output == "-" ? err : out;
   const bool is_empty = made->library.tools.empty() && made->library.holders.empty();
   if (!is_empty) {

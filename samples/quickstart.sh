@@ -26,8 +26,15 @@ expect() {
   fi
 }
 
+# forget FOLDER: removes a report that an earlier version wrote, for which no manifest says that it may be replaced.
+forget() {
+  [ -e "$1/manifest.json" ] || rm -f "$1"/{report.html,result.json,moves.csv} "$1"/*.png
+}
+
 while read -r name check_exit correct_exit toolpath options; do
   cd "$OUT/$name" || fail "cannot enter $OUT/$name"
+  forget report/check
+  forget report/correct
   # The options of a sample are separate words without blanks in them.
   # shellcheck disable=SC2086
   expect "$check_exit" "$GOUGECHECK" check "$toolpath" $options --report report/check

@@ -75,6 +75,7 @@ struct WrittenRecord {
 
 struct CorrectionFacts {
   std::string output_file;  ///< empty: none was written
+  std::string_view output_bytes;  ///< the corrected toolpath, as it goes there
   std::string strategy;     ///< as asked
   double max_shift_mm = 0;  ///< 0: no limit
   std::optional<double> max_side_shift_mm;  ///< none: by the depth

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "lib/base/files.h"
+#include "tests/support/other_user.h"
 
 namespace gouge {
 namespace {
@@ -25,7 +26,7 @@ class OutputFile : public testing::Test {
   void TearDown() override { fs::remove_all(folder_); }
 
   [[nodiscard]] std::string told(const std::string& file) const {
-    const Diagnostics errors = find_unwritable({file});
+    const Diagnostics errors = find_unwritable({{"--csv", file}});
     return errors.empty() ? std::string() : errors.front().message;
   }
 
@@ -33,25 +34,54 @@ class OutputFile : public testing::Test {
 };
 
 TEST_F(OutputFile, WhatCannotBeWrittenIsFoundBefore) {
-  const auto sentence = [](const std::string& why) { return "cannot write the file: " + why + "; nothing was written"; };
-  EXPECT_EQ(told(folder_ + "/nix/all.csv"), sentence("the folder " + folder_ + "/nix does not exist; make it first"));
+  const auto sentence = [](const std::string& why) {
+    return "cannot write the file: " + why + "; nothing was written";
+  };
+  EXPECT_EQ(told(folder_ + "/nix/all.csv"),
+            sentence("the folder " + folder_ + "/nix does not exist; make it first"));
   EXPECT_EQ(told(folder_ + "/there"), sentence("it is a folder"));
   EXPECT_EQ(told(folder_ + "/old.csv/all.csv"), sentence(folder_ + "/old.csv is a file; expected a folder"));
   EXPECT_EQ(told(folder_ + "/nix/"), sentence("it is the name of a folder; expected a file"));
+  fs::create_symlink("circle", folder_ + "/circle");
+  EXPECT_EQ(told(folder_ + "/circle"), sentence("its symbolic links go in a circle"));
+  fs::create_symlink("nix/all.csv", folder_ + "/link");
+  EXPECT_EQ(told(folder_ + "/link"),
+            sentence("the folder " + folder_ + "/nix does not exist; make it first"));
+  ::chmod((folder_ + "/there").c_str(), 0555);
+  EXPECT_EQ(testing_support::as_nobody([&] {
+              return told(folder_ + "/there/all.csv") ==
+                             sentence("the folder " + folder_ + "/there: Permission denied")
+                         ? 0
+                         : 1;
+            }),
+            0);
+}
+
+TEST_F(OutputFile, AFileOfAnotherUserOrWriteProtectedIsRefusedBefore) {
+  ::chmod(folder_.c_str(), 0777);
+  ::chmod((folder_ + "/old.csv").c_str(), 0444);
   if (::geteuid() != 0) {
-    ::chmod((folder_ + "/there").c_str(), 0555);
-    EXPECT_EQ(told(folder_ + "/there/all.csv"), sentence("the folder " + folder_ + "/there: Permission denied"));
+    EXPECT_NE(told(folder_ + "/old.csv").find("it is write-protected"), std::string::npos);
+    return;
   }
+  const auto is_told = [&](const char* why) {
+    return testing_support::as_nobody(
+        [&] { return told(folder_ + "/old.csv").find(why) == std::string::npos ? 1 : 0; });
+  };
+  EXPECT_EQ(is_told("it is write-protected"), 0);
+  ::chmod((folder_ + "/old.csv").c_str(), 0666);
+  EXPECT_EQ(is_told("it belongs to another user"), 0);
+  ASSERT_EQ(::chown((folder_ + "/old.csv").c_str(), testing_support::kNobody, 4), 0);
+  EXPECT_EQ(is_told("its group is not one of yours"), 0);
 }
 
 TEST_F(OutputFile, WhatCanBeWrittenIsLeftAsItIs) {
-  for (const std::string& file :
-       {folder_ + "/old.csv", folder_ + "/new.csv", folder_ + "/there/new.csv", std::string("new.csv"),
-        std::string("-"), std::string(), std::string("/dev/null")})
+  for (const std::string& file : {folder_ + "/old.csv", folder_ + "/new.csv", folder_ + "/there/new.csv",
+                                  std::string("new.csv"), std::string("-"), std::string("/dev/null")})
     EXPECT_EQ(told(file), "") << file;
   JobArguments job;
   job.report_folder = folder_ + "/report/of/today";
-  EXPECT_TRUE(find_unwritable(job, "").empty());
+  EXPECT_TRUE(find_unwritable(outputs_of(job, "")).empty());
   EXPECT_FALSE(fs::exists(folder_ + "/report"));
   EXPECT_FALSE(fs::exists(folder_ + "/new.csv"));
   EXPECT_EQ(*read_file(folder_ + "/old.csv"), "old");
@@ -59,20 +89,20 @@ TEST_F(OutputFile, WhatCanBeWrittenIsLeftAsItIs) {
 
 TEST_F(OutputFile, EveryOutputOfAJobIsLookedAt) {
   const std::string bad = folder_ + "/nix/x";
-  EXPECT_EQ(find_unwritable(JobArguments{}, bad).size(), 1U);
-  for (std::string JobArguments::*output :
-       {&JobArguments::json_file, &JobArguments::csv_file, &JobArguments::sarif_file, &JobArguments::junit_file}) {
+  EXPECT_EQ(find_unwritable(outputs_of(JobArguments{}, bad)).size(), 1U);
+  for (std::string JobArguments::*output : {&JobArguments::json_file, &JobArguments::csv_file,
+                                            &JobArguments::sarif_file, &JobArguments::junit_file}) {
     JobArguments job;
     job.*output = bad;
-    EXPECT_EQ(find_unwritable(job, bad).size(), 2U);
+    EXPECT_EQ(find_unwritable(outputs_of(job, bad)).size(), 2U);
   }
   JobArguments job;
   job.report_folder = folder_ + "/old.csv/report";
-  const Diagnostics errors = find_unwritable(job, "");
+  const Diagnostics errors = find_unwritable(outputs_of(job, ""));
   ASSERT_EQ(errors.size(), 1U);
   EXPECT_EQ(errors.front().code, "folder-unwritable");
-  EXPECT_EQ(errors.front().message, "cannot make the report: a file of the name " + folder_ +
-                                        "/old.csv exists; nothing was written");
+  EXPECT_EQ(errors.front().message,
+            "cannot make the report: a file of the name " + folder_ + "/old.csv exists; nothing was written");
 }
 
 TEST_F(OutputFile, ADashIsStandardOutput) {
@@ -82,6 +112,29 @@ TEST_F(OutputFile, ADashIsStandardOutput) {
   EXPECT_TRUE(write_output(folder_ + "/new.csv", "more", out).has_value());
   EXPECT_EQ(out.str(), "text");
   EXPECT_EQ(*read_file(folder_ + "/new.csv"), "more");
+}
+
+TEST_F(OutputFile, OutputsAppearTogetherOrNotAtAll) {
+  std::ostringstream out;
+  {
+    PendingOutputs failing;
+    EXPECT_TRUE(failing.add(folder_ + "/old.csv", "new").has_value());
+    EXPECT_TRUE(failing.add("-", "text").has_value());
+    EXPECT_FALSE(failing.add(folder_ + "/nix/x", "new").has_value());
+  }
+  EXPECT_EQ(*read_file(folder_ + "/old.csv"), "old");
+  PendingOutputs pending;
+  EXPECT_TRUE(pending.add(folder_ + "/old.csv", "new").has_value());
+  EXPECT_TRUE(pending.add("-", "text").has_value());
+  EXPECT_EQ(out.str() + *read_file(folder_ + "/old.csv"), "old");
+  EXPECT_TRUE(pending.commit(out).has_value());
+  EXPECT_EQ(out.str() + *read_file(folder_ + "/old.csv"), "textnew");
+}
+
+TEST_F(OutputFile, DataThatStandardOutputDoesNotTakeAreAFailure) {
+  std::ostringstream out;
+  out.setstate(std::ios::badbit);
+  EXPECT_EQ(write_output("-", "text", out).error().code, "output-unwritable");
 }
 
 }  // namespace

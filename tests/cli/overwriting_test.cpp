@@ -1,48 +1,140 @@
 #include "cli/overwriting.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
 
+#include "cli/report_manifest.h"
+
 namespace gouge {
 namespace {
 
-TEST(Overwriting, OutputsAreNeitherInputsNorOneAnother) {
-  const std::string folder = testing::TempDir() + "overwriting";
-  std::filesystem::create_directories(folder);
-  const std::string path = folder + "/a.apt", part = folder + "/part.stl", same = folder + "/./b/../part.stl";
-  std::ofstream(path) << "GOTO/0,0,0";
-  std::ofstream(part) << "solid";
-  std::filesystem::create_directories(folder + "/b");
-  const auto told = [&](const std::vector<FileOption>& outputs) {
-    const auto error = find_overwriting({{"the toolpath", path}, {"the part", part}}, outputs);
+namespace fs = std::filesystem;
+
+class Overwriting : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = testing::TempDir() + "gouge_overwriting_" + std::to_string(::getpid());
+    fs::create_directories(folder_ + "/b");
+    std::ofstream(path()) << "GOTO/0,0,0";
+    std::ofstream(part()) << "solid";
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  [[nodiscard]] std::string path() const { return folder_ + "/a.apt"; }
+  [[nodiscard]] std::string part() const { return folder_ + "/part.stl"; }
+  [[nodiscard]] std::string told(const OutputTable& outputs) const {
+    const auto error = find_overwriting({{"the toolpath", path()}, {"the part", part()}}, outputs);
     return error ? error->message : std::string();
-  };
-  EXPECT_EQ(told({{"--csv", folder + "/new.csv"}, {"--json", "-"}, {"--sarif", ""}, {"--junit", "-"}}), "");
-  EXPECT_EQ(told({{"--csv", path}}), "--csv '" + path + "' is the toolpath itself; name another file");
+  }
+  [[nodiscard]] static Output report(const std::string& folder) {
+    return {"--report", folder, Output::Kind::report_folder};
+  }
+
+  std::string folder_;
+};
+
+TEST_F(Overwriting, OutputsAreNeitherInputsNorOneAnother) {
+  const std::string same = folder_ + "/./b/../part.stl";
+  EXPECT_EQ(told({{"--csv", folder_ + "/new.csv"}, {"--json", "-"}, {"--sarif", ""}, {"--junit", "-"}}), "");
+  EXPECT_EQ(told({{"--csv", path()}}), "--csv '" + path() + "' is the toolpath itself; name another file");
   EXPECT_EQ(told({{"--json", same}}), "--json '" + same + "' is the part itself; name another file");
-  EXPECT_EQ(told({{"--csv", folder + "/x"}, {"--json", folder + "/b/../x"}}),
-            "--json '" + folder + "/b/../x' is the file of --csv as well; name another file");
+  EXPECT_EQ(told({{"--csv", folder_ + "/x"}, {"--json", folder_ + "/b/../x"}}),
+            "--json '" + folder_ + "/b/../x' is the file of --csv as well; name another file");
 }
 
-TEST(Overwriting, EveryInputOfAJobIsSpared) {
+TEST_F(Overwriting, LinksToNothingYetAreSeenThrough) {
+  fs::create_symlink("new.csv", folder_ + "/link");
+  EXPECT_NE(told({{"--csv", folder_ + "/link"}, {"--json", folder_ + "/new.csv"}}), "");
+  EXPECT_EQ(told({{"--csv", folder_ + "/link"}, {"--json", folder_ + "/newer.csv"}}), "");
+}
+
+TEST_F(Overwriting, EveryInputOfAJobIsSpared) {
   JobArguments job;
   job.path = "path.apt";
   job.parts = {"part.stl"};
   job.fixtures = {"vise.stl"};
   job.heads = {"head.stl"};
   job.tools_file = "tools.json";
-  EXPECT_FALSE(find_overwriting(job, "corrected.apt"));
+  const auto is_refused = [&](const JobArguments& arguments, const std::string& corrected) {
+    return find_overwriting(inputs_of(arguments), outputs_of(arguments, corrected)).has_value();
+  };
+  EXPECT_FALSE(is_refused(job, "corrected.apt"));
   for (const char* file : {"path.apt", "part.stl", "vise.stl", "head.stl", "tools.json"}) {
-    EXPECT_TRUE(find_overwriting(job, file)) << file;
-    for (std::string JobArguments::*output :
-         {&JobArguments::json_file, &JobArguments::csv_file, &JobArguments::sarif_file, &JobArguments::junit_file}) {
+    EXPECT_TRUE(is_refused(job, file)) << file;
+    for (std::string JobArguments::*output : {&JobArguments::json_file, &JobArguments::csv_file,
+                                              &JobArguments::sarif_file, &JobArguments::junit_file}) {
       JobArguments writing = job;
       writing.*output = file;
-      EXPECT_TRUE(find_overwriting(writing, "")) << file;
+      EXPECT_TRUE(is_refused(writing, "")) << file;
     }
   }
+}
+
+TEST_F(Overwriting, NoFileOfAReportIsAnInputWhateverItsName) {
+  const std::string out = folder_ + "/out";
+  fs::create_directories(out);
+  fs::create_directory_symlink("out", folder_ + "/other");
+  EXPECT_EQ(told({report(out)}), "");
+  for (const std::string& name : names_of_report()) {
+    const std::string file = out + "/" + name;
+    const std::string expected = "--report '" + folder_ + "/other' would replace or remove its file " + name +
+                                 ", which is the part '" + part() + "'; name another folder";
+    fs::create_hard_link(part(), file);
+    EXPECT_EQ(told({report(folder_ + "/other")}), expected);
+    fs::remove(file);
+    fs::create_symlink("../part.stl", file);
+    EXPECT_EQ(told({report(folder_ + "/other")}), expected);
+    fs::remove(file);
+  }
+  fs::create_hard_link(part(), out + "/my part.stl");
+  EXPECT_EQ(told({report(out)}), "") << "an input under a name of its own";
+}
+
+TEST_F(Overwriting, NoFileOfAReportIsAnotherOutput) {
+  const std::string out = folder_ + "/not/made/yet";
+  for (const std::string& name : names_of_report()) {
+    const std::string file = out + "/../yet/" + name;
+    EXPECT_EQ(told({{"-o", file}, report(out)}),
+              "-o '" + file + "' is the file " + name + " of --report as well; name another file");
+    EXPECT_EQ(told({report(out), {"-o", file}}), told({{"-o", file}, report(out)}));
+  }
+  EXPECT_EQ(told({{"--csv", out}, report(out)}),
+            "--csv '" + out + "' is the folder of --report as well; name another file");
+  EXPECT_EQ(told({{"--csv", out + "/all.csv"}, report(out)}), "");
+}
+
+TEST_F(Overwriting, TheFileOfStandardOutputIsNoOther) {
+  const std::string file = folder_ + "/out.csv";
+  const int kept = ::dup(STDOUT_FILENO);
+  ASSERT_NE(std::freopen(file.c_str(), "w", stdout), nullptr);
+  const std::string message = told({{"--csv", file}}), none = told({{"--csv", folder_ + "/b/x"}});
+  std::fflush(stdout);
+  ::dup2(kept, STDOUT_FILENO);
+  ::close(kept);
+  EXPECT_EQ(message, "--csv '" + file + "' is where standard output goes; name another file");
+  EXPECT_EQ(none, "");
+}
+
+TEST(OutputTable, EveryOutputIsInTheTable) {
+  JobArguments job;
+  job.json_file = "j";
+  job.csv_file = "c";
+  job.sarif_file = "s";
+  job.junit_file = "u";
+  job.report_folder = "r";
+  std::string files;
+  for (const Output& output : outputs_of(job, "o")) files += output.option + "=" + output.file + " ";
+  EXPECT_EQ(files, "-o=o --json=j --csv=c --sarif=s --junit=u --report=r ");
+  EXPECT_TRUE(outputs_of(JobArguments{}, "").empty());
+}
+
+TEST(OutputTable, StandardOutputBelongsToOne) {
+  EXPECT_FALSE(*is_stdout_taken({{"--csv", "x"}}));
+  EXPECT_TRUE(*is_stdout_taken({{"--csv", "-"}, {"--json", "x"}}));
+  EXPECT_EQ(is_stdout_taken({{"--csv", "-"}, {"--json", "-"}}).error().code, "usage");
 }
 
 }  // namespace

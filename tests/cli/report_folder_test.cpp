@@ -1,38 +1,199 @@
 #include "cli/report_folder.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/file.h>
 #include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
-#include <set>
+#include <map>
+
+#include "lib/base/files.h"
+#include "tests/support/other_user.h"
 
 namespace gouge {
 namespace {
 
 namespace fs = std::filesystem;
+using Content = std::map<std::string, std::string>;
 
-TEST(ReportFolder, OnlyFilesOfAnOlderReportAreRemoved) {
-  const std::string folder = testing::TempDir() + "gouge_report_folder_" + std::to_string(::getpid());
-  fs::create_directories(folder + "/event_5.png");
-  const std::set<std::string> foreign = {"event_10.png", "event_.png",  "event_2.PNG",  "event_02.png", "event_0.png",
-                                         "my.png",       "result.jsonl", "event_2.png~", "moves.csv.bak"};
-  for (const std::string& name : foreign) std::ofstream(folder + "/" + name) << "mine";
-  for (const char* name : {"event_1.png", "event_2.png", "event_3.png", "before_after.png", "heat_map.png",
-                           "depth_along_path.png", "report.html", "result.json", "moves.csv"})
-    std::ofstream(folder + "/" + name) << "ours";
-  std::vector<NamedFile> written(4);
-  written[0].name = "report.html";
-  written[1].name = "result.json";
-  written[2].name = "moves.csv";
-  written[3].name = "event_1.png";
-  EXPECT_TRUE(remove_older_report(folder, written).empty());
-  std::set<std::string> expected = foreign;
-  expected.insert({"report.html", "result.json", "moves.csv", "event_1.png", "event_5.png"});
-  std::set<std::string> left;
-  for (const auto& entry : fs::directory_iterator(folder)) left.insert(entry.path().filename().string());
-  EXPECT_EQ(left, expected) << "event_5.png is a folder";
-  fs::remove_all(folder);
+class Folder : public testing::Test {
+ protected:
+  void SetUp() override {
+    root_ = testing::TempDir() + "gouge_report_folder_" + std::to_string(::getpid());
+    folder_ = root_ + "/of/today";
+    fs::create_directories(root_);
+  }
+  void TearDown() override { fs::remove_all(root_); }
+
+  /// The code of the first error, or "".
+  std::string report(const Content& files, bool is_forced = false) {
+    ReportFolder report(folder_, is_forced);
+    Outcome done = report.open();
+    if (done) done = report.stage(named(files));
+    if (done) done = report.commit();
+    message_ = done ? "" : done.error().message;
+    return done ? "" : done.error().code;
+  }
+  [[nodiscard]] static std::vector<NamedFile> named(const Content& files) {
+    std::vector<NamedFile> all;
+    for (const auto& [name, bytes] : files) all.push_back({name, bytes, ""});
+    return all;
+  }
+  void put(const std::string& name, const std::string& bytes) const {
+    fs::create_directories(folder_);
+    std::ofstream(folder_ + "/" + name) << bytes;
+  }
+  /// All that is in the folder but the manifest.
+  [[nodiscard]] Content content() const {
+    Content files;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      const std::string name = entry.path().filename().string();
+      if (name != kManifestName)
+        files[name] = entry.is_regular_file() ? *read_file(entry.path().string()) : "no file";
+    }
+    return files;
+  }
+
+  const Content small_ = {{"report.html", "a"}, {"moves.csv", "b"}, {"event_1.png", "c"}};
+  const Content large_ = {
+      {"report.html", "A"}, {"moves.csv", "b"}, {"event_1.png", "C"}, {"event_5.png", "E"}};
+  std::string root_, folder_, message_;
+};
+
+TEST_F(Folder, AReportTakesThePlaceOfAnOlderOneAndOfNothingElse) {
+  const Content foreign = {{"event_10.png", "m"}, {"event_.png", "m"},    {"event_2.PNG", "m"},
+                           {"event_0.png", "m"},  {"result.jsonl", "m"},  {"moves.csv.bak", "m"},
+                           {"my.png", "m"},       {"manifest.json~", "m"}};
+  for (const auto& [name, bytes] : foreign) put(name, bytes);
+  for (const Content& files : {small_, large_, small_}) {
+    EXPECT_EQ(report(files), "") << message_;
+    Content expected = files;
+    expected.insert(foreign.begin(), foreign.end());
+    EXPECT_EQ(content(), expected);
+    const auto manifest = read_manifest(*read_file(folder_ + "/" + kManifestName));
+    ASSERT_TRUE(manifest.has_value());
+    EXPECT_TRUE(manifest->is_complete);
+    EXPECT_EQ(manifest->files.size(), files.size());
+    for (const auto& [name, bytes] : files) EXPECT_TRUE(manifest->has(describe_bytes(name, bytes))) << name;
+  }
+}
+
+TEST_F(Folder, AForeignFileUnderANameOfAReportIsRefused) {
+  ASSERT_EQ(report(small_), "");
+  // One the report would write, one it has changed since, and one it would take for its own and remove.
+  put("event_3.png", "a photograph");
+  put("moves.csv", "edited");
+  const Content before = content();
+  EXPECT_EQ(report(large_), "report-foreign");
+  EXPECT_EQ(message_,
+            "a report would replace or remove moves.csv and event_3.png, which no report wrote or which was "
+            "changed since "
+            "(manifest.json); expected a folder without them: name another one, move them away, or let "
+            "--force replace or "
+            "remove them");
+  EXPECT_EQ(content(), before);
+  EXPECT_EQ(report(large_, true), "") << message_;
+  EXPECT_EQ(content(), large_);
+  EXPECT_EQ(report(small_), "") << "what --force wrote is a report's own";
+}
+
+TEST_F(Folder, AReportWithoutAManifestIsToldOnce) {
+  for (const auto& [name, bytes] : large_) put(name, bytes);
+  EXPECT_EQ(report(small_), "report-foreign");
+  EXPECT_EQ(message_,
+            "a report would replace or remove report.html, moves.csv, event_1.png and event_5.png, and no "
+            "manifest.json says "
+            "that a report wrote them: they are yours, or of an earlier version of gougecheck; expected a "
+            "folder without "
+            "them: name another one, move them away, or let --force replace or remove them");
+  EXPECT_EQ(content(), large_);
+  EXPECT_EQ(report(small_, true), "") << message_;
+  EXPECT_EQ(content(), small_);
+}
+
+TEST_F(Folder, AManifestOfSomethingElseIsForeign) {
+  for (const char* text : {"{\"name\":\"a web page\"}", "no JSON", "[]", ""}) {
+    put(kManifestName, text);
+    EXPECT_EQ(report(small_), "report-foreign") << text;
+    EXPECT_EQ(*read_file(folder_ + "/" + kManifestName), text);
+  }
+  put(kManifestName, std::string(100'000, '['));
+  EXPECT_EQ(report(small_), "report-foreign");
+}
+
+TEST_F(Folder, WhatIsNoPlainFileIsRefusedEvenWithForce) {
+  fs::create_directories(folder_ + "/event_5.png");
+  EXPECT_EQ(report(small_, true), "report-foreign");
+  EXPECT_EQ(
+      message_,
+      "event_5.png is no plain file, so no report can replace it; move it away, or name another folder");
+  fs::remove(folder_ + "/event_5.png");
+  std::ofstream(root_ + "/precious") << "mine";
+  fs::create_symlink("../../precious", folder_ + "/report.html");
+  EXPECT_EQ(report(small_, true), "report-foreign");
+  EXPECT_EQ(*read_file(root_ + "/precious"), "mine");
+}
+
+TEST_F(Folder, WhatIsNotCommittedLeavesNothing) {
+  {
+    ReportFolder unfinished(folder_, false);
+    ASSERT_TRUE(unfinished.open().has_value());
+    EXPECT_FALSE(fs::exists(root_ + "/of")) << "nothing is made before the work";
+    ASSERT_TRUE(unfinished.stage(named(small_)).has_value());
+    EXPECT_EQ(content(), Content());
+  }
+  EXPECT_FALSE(fs::exists(root_ + "/of"));
+  ASSERT_EQ(report(small_), "");
+  {
+    ReportFolder unfinished(folder_, false);
+    ASSERT_TRUE(unfinished.open().has_value());
+    ASSERT_TRUE(unfinished.stage(named(large_)).has_value());
+  }
+  EXPECT_EQ(content(), small_);
+}
+
+TEST_F(Folder, TwoAtOnceAreRefused) {
+  ASSERT_EQ(report(small_), "");
+  {
+    ReportFolder first(folder_, false);
+    ASSERT_TRUE(first.open().has_value());
+    EXPECT_EQ(report(large_), "report-busy");
+    EXPECT_EQ(message_,
+              "another gougecheck is about to write its report here; expected a folder for each, or one "
+              "after the other");
+  }
+  EXPECT_EQ(report(large_), "");
+}
+
+TEST_F(Folder, ALinkToTheFolderIsFollowed) {
+  fs::create_directories(root_ + "/of");
+  fs::create_directory_symlink("../elsewhere", root_ + "/of/today");
+  EXPECT_EQ(report(small_), "") << message_;
+  EXPECT_TRUE(fs::is_symlink(folder_));
+  EXPECT_TRUE(fs::is_regular_file(root_ + "/elsewhere/report.html"));
+}
+
+TEST_F(Folder, AReportOfAnotherUserIsRefused) {
+  ASSERT_EQ(report(small_), "");
+  for (const auto& entry : fs::recursive_directory_iterator(root_)) fs::permissions(entry, fs::perms::all);
+  if (::geteuid() != 0) GTEST_SKIP() << "only root can be another user";
+  EXPECT_EQ(testing_support::as_nobody([&] { return report(large_) == "file-unwritable" ? 0 : 1; }), 0);
+  EXPECT_EQ(content(), small_);
+}
+
+TEST(ReportManifest, ReadIsAsWritten) {
+  const ReportManifest manifest{{describe_bytes("a", "abc"), describe_bytes("a", "")}, false};
+  const std::string text = write_manifest(manifest);
+  const auto read = read_manifest(text);
+  ASSERT_TRUE(read.has_value());
+  EXPECT_EQ(read->files, manifest.files);
+  EXPECT_FALSE(read->is_complete);
+  EXPECT_EQ(manifest.files.front().sha256,
+            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  for (std::size_t cut = 0; cut + 2 < text.size(); ++cut)
+    EXPECT_FALSE(read_manifest(text.substr(0, cut))) << cut;
 }
 
 }  // namespace

@@ -45,6 +45,10 @@ Outcome run_gougecheck(const std::string& folder, const std::vector<std::string>
   return run(GOUGE_BINARY, folder, arguments);
 }
 
+Outcome run_script(const std::string& folder, const std::string& script) {
+  return run("/bin/sh", folder, {"-c", std::string("GOUGECHECK='") + GOUGE_BINARY + "'\n" + script});
+}
+
 Outcome run_make_samples(const std::string& folder) {
   return run(GOUGE_MAKE_SAMPLES, folder, {folder});
 }

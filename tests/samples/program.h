@@ -15,6 +15,9 @@ struct Outcome {
 /// Runs gougecheck with these arguments in `folder`, with nothing on standard input.
 [[nodiscard]] Outcome run_gougecheck(const std::string& folder, const std::vector<std::string>& arguments);
 
+/// Runs `script` with /bin/sh in `folder`; $GOUGECHECK is the program.
+[[nodiscard]] Outcome run_script(const std::string& folder, const std::string& script);
+
 /// Runs make_samples into `folder`.
 [[nodiscard]] Outcome run_make_samples(const std::string& folder);
 

@@ -1,0 +1,51 @@
+#include "cli/output_table.h"
+
+#include <algorithm>
+
+#include "postproc/report/report_model.h"
+#include "postproc/report/write_csv.h"
+#include "postproc/report/write_json.h"
+#include "postproc/report/write_junit.h"
+#include "postproc/report/write_sarif.h"
+
+namespace gouge {
+namespace {
+
+std::string corrected_toolpath(const ReportModel& model) {
+  return std::string(model.correction.output_bytes);
+}
+
+}  // namespace
+
+OutputTable outputs_of(const JobArguments& a, const std::string& corrected) {
+  return asked_for({{"-o", corrected, Output::Kind::file, corrected_toolpath},
+                    {"--json", a.json_file, Output::Kind::file, write_json},
+                    {"--csv", a.csv_file, Output::Kind::file, write_csv},
+                    {"--sarif", a.sarif_file, Output::Kind::file, write_sarif},
+                    {"--junit", a.junit_file, Output::Kind::file, write_junit},
+                    {"--report", a.report_folder, Output::Kind::report_folder, nullptr}});
+}
+
+OutputTable asked_for(const OutputTable& outputs) {
+  OutputTable wanted;
+  std::copy_if(outputs.begin(), outputs.end(), std::back_inserter(wanted),
+               [](const Output& output) { return !output.file.empty(); });
+  return wanted;
+}
+
+Result<bool> is_stdout_taken(const OutputTable& outputs) {
+  const auto taken = std::count_if(outputs.begin(), outputs.end(), [](const Output& output) {
+    return output.kind == Output::Kind::file && output.file == "-";
+  });
+  if (taken > 1) return make_error("usage", "only one output can go to standard output (-)");
+  return taken == 1;
+}
+
+std::string report_folder_of(const OutputTable& outputs) {
+  for (const Output& output : outputs) {
+    if (output.kind == Output::Kind::report_folder) return output.file;
+  }
+  return {};
+}
+
+}  // namespace gouge

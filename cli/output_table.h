@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/job_options.h"
+#include "lib/base/result.h"
+
+namespace gouge {
+
+struct ReportModel;
+
+/// One output of a command line. Whatever protects files, keeps standard output apart or writes goes by these
+/// tables alone, so an output that is in none cannot be asked for.
+struct Output {
+  enum class Kind { file, report_folder };
+
+  std::string option;  ///< "--csv"
+  std::string file;    ///< as the user named it; "-": standard output, for a file
+  Kind kind = Kind::file;
+  std::string (*write)(const ReportModel&) = nullptr;  ///< of `check` and `correct`, for a file
+};
+
+using OutputTable = std::vector<Output>;
+
+/// The outputs asked for of `check` and `correct`, where `corrected` is what -o names, or empty.
+[[nodiscard]] OutputTable outputs_of(const JobArguments& arguments, const std::string& corrected);
+
+/// Those of `outputs` that are asked for: without empty names.
+[[nodiscard]] OutputTable asked_for(const OutputTable& outputs);
+
+/// Whether one of them is "-", so that standard output belongs to it alone. Errors: usage, for more than one.
+[[nodiscard]] Result<bool> is_stdout_taken(const OutputTable& outputs);
+
+/// The folder of --report, or empty.
+[[nodiscard]] std::string report_folder_of(const OutputTable& outputs);
+
+}  // namespace gouge
