@@ -1,26 +1,11 @@
 #include "lib/base/files.h"
 
-#include <fcntl.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
-#include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <system_error>
 
 #include "lib/base/staged_file.h"
 
 namespace gouge {
-namespace {
-
-namespace fs = std::filesystem;
-
-std::string reason() {
-  return std::strerror(errno);
-}
-
-}  // namespace
 
 Outcome write_file(const std::string& path, std::string_view bytes) {
   Result<StagedFile> staged = StagedFile::make(path, bytes);
@@ -30,8 +15,8 @@ Outcome write_file(const std::string& path, std::string_view bytes) {
 
 Outcome make_folder(const std::string& path) {
   std::error_code error;
-  fs::create_directories(path, error);
-  if (error || !fs::is_directory(path)) {
+  std::filesystem::create_directories(path, error);
+  if (error || !std::filesystem::is_directory(path)) {
     return make_error("folder-unwritable",
                       "cannot make the folder: " + (error ? error.message() : "a file of that name exists"),
                       path);
