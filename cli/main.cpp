@@ -17,5 +17,6 @@ void before_all(int, char**, char**) {
 
 int main(int argc, char** argv) {
   gouge::prepare_standard_streams();
+  gouge::tidy_up_on_signals();
   return gouge::run(argc, argv, std::cout, std::cerr);
 }

@@ -1,16 +1,16 @@
 #include "lib/base/staged_file.h"
 
 #include <fcntl.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstdint>
 #include <cstring>
 #include <filesystem>
 #include <system_error>
 #include <utility>
+
+#include "lib/base/abandoned_files.h"
 
 namespace gouge {
 namespace {
@@ -91,32 +91,33 @@ StagedFile::StagedFile(StagedFile&& other) noexcept
     : path_(std::move(other.path_)),
       prefix_(std::move(other.prefix_)),
       target_(std::move(other.target_)),
-      beside_(std::exchange(other.beside_, {})),
+      beside_(std::move(other.beside_)),
       direct_(std::move(other.direct_)),
       handle_(std::exchange(other.handle_, -1)) {}
 
 StagedFile::~StagedFile() {
-  if (!beside_.empty()) ::unlink(beside_.c_str());
   if (handle_ >= 0) ::close(handle_);
 }
 
-std::string StagedFile::random_name() const {
-  std::uint64_t number = 0;
-  if (::getrandom(&number, sizeof number, 0) < 0) number = static_cast<std::uint64_t>(::getpid());
-  std::string name = folder_of(target_) + "/" + prefix_;
-  for (int i = 0; i < 12; ++i) name += "0123456789abcdefghijklmnopqrstuv"[number >> 5 * i & 31];
-  return name;
+TemporaryName StagedFile::name_beside() const {
+  return TemporaryName(random_name(folder_of(target_) + "/" + prefix_));
 }
 
 bool StagedFile::open_beside() {
+  remove_abandoned(folder_of(target_), prefix_);
   if (::access("/proc/self/fd", X_OK) == 0)
     handle_ = ::open(folder_of(target_).c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
-  if (handle_ >= 0) return true;
-  // The file system has no files without a name.
-  std::string name = random_name();
-  handle_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
-  if (handle_ < 0) return false;
-  beside_ = std::move(name);
+  if (handle_ < 0) {
+    // The file system has no files without a name.
+    TemporaryName name = name_beside();
+    handle_ = ::open(name.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+    if (handle_ < 0) {
+      name.forget();
+      return false;
+    }
+    beside_ = std::move(name);
+  }
+  keep_from_removal(handle_);
   return true;
 }
 
@@ -156,12 +157,15 @@ bool StagedFile::put_in_place() {
   if (beside_.empty()) {
     if (link_as(handle_, target_)) return true;
     if (errno != EEXIST) return false;
-    std::string name = random_name();
-    if (!link_as(handle_, name)) return false;
+    TemporaryName name = name_beside();
+    if (!link_as(handle_, name.c_str())) {
+      name.forget();
+      return false;
+    }
     beside_ = std::move(name);
   }
   if (::rename(beside_.c_str(), target_.c_str()) != 0) return false;
-  beside_.clear();
+  beside_.forget();
   return true;
 }
 

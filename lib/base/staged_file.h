@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "lib/base/result.h"
+#include "lib/base/temporary_name.h"
 
 namespace gouge {
 
@@ -21,8 +22,8 @@ namespace gouge {
 /// puts it there with one rename, so that readers see the old file or the new one. A symbolic link is
 /// followed and stays. A file that is replaced hands on its owner, group and mode; its other hard links keep
 /// the old content. What is not committed leaves nothing behind, on most file systems not even when the
-/// process is killed: until commit() the content has no name. Devices and pipes (/dev/null, a FIFO) are
-/// written directly, by commit().
+/// process is killed: until commit() the content has no name. Where a kill did leave a name, the next
+/// StagedFile in that folder removes it. Devices and pipes (/dev/null, a FIFO) are written directly, by commit().
 class StagedFile {
  public:
   /// `prefix` begins the name it has beside `path` for the moment where one is needed. Errors:
@@ -43,12 +44,12 @@ class StagedFile {
   [[nodiscard]] bool open_beside();
   [[nodiscard]] bool fill(std::string_view bytes);
   [[nodiscard]] bool put_in_place();
-  [[nodiscard]] std::string random_name() const;
+  [[nodiscard]] TemporaryName name_beside() const;
 
   std::string path_;  // as the user named it
   std::string prefix_;
   std::string target_;  // with links followed
-  std::string beside_;  // the temporary name; empty where there is none
+  TemporaryName beside_;  // empty where there is none
   std::string direct_;  // the bytes of a device or pipe
   int handle_ = -1;     // -1: a device or pipe, or moved from
 };

@@ -1,5 +1,6 @@
 #include "lib/base/staged_file.h"
 
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
@@ -9,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "lib/base/abandoned_files.h"
 #include "lib/base/files.h"
 #include "tests/support/other_user.h"
 
@@ -154,6 +156,41 @@ TEST_F(Staged, ALimitOfTheShellIsToldAndNothingIsLeft) {
   EXPECT_EQ(status, 0);
   EXPECT_EQ(*read_file(at("old")), "old");
   EXPECT_EQ(entries(), 1U);
+}
+
+TEST_F(Staged, WhatAKilledProgramLeftIsRemovedAndNothingElse) {
+  put(".gougecheck-0123456789av", "of a program that was killed");
+  put(".gougecheck-0123456789az", "not one of these names");
+  put(".gougecheck-0123456789a", "too short");
+  put("gougecheck-0123456789av", "not one either");
+  fs::create_symlink(at("gougecheck-0123456789av"), at(".gougecheck-vvvvvvvvvvvv"));
+  ASSERT_TRUE(write_file(at("new"), "new").has_value());
+  EXPECT_FALSE(fs::exists(at(".gougecheck-0123456789av")));
+  EXPECT_EQ(entries(), 5U);
+}
+
+TEST_F(Staged, WhatAnotherProcessIsAboutToPutInPlaceStays) {
+  const std::string name = at(".gougecheck-0123456789av");
+  const int handle = ::open(name.c_str(), O_CREAT | O_WRONLY | O_CLOEXEC, 0644);
+  keep_from_removal(handle);
+  ASSERT_TRUE(write_file(at("new"), "new").has_value());
+  EXPECT_TRUE(fs::exists(name));
+  ::close(handle);
+  ASSERT_TRUE(write_file(at("new"), "newer").has_value());
+  EXPECT_FALSE(fs::exists(name));
+}
+
+TEST_F(Staged, ASignalRemovesTemporaryNamesThatAreInUse) {
+  put("a", "a");
+  put("b", "b");
+  put("c", "c");
+  TemporaryName a(at("a")), b(at("b")), moved(std::move(b));
+  a.forget();
+  remove_temporary_names();
+  EXPECT_TRUE(fs::exists(at("a")));
+  EXPECT_FALSE(fs::exists(at("b")));
+  { const TemporaryName c(at("c")); }
+  EXPECT_FALSE(fs::exists(at("c")));
 }
 
 TEST_F(Staged, ALongNameIsNoTrouble) {
