@@ -1,7 +1,6 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +12,7 @@
 #include "postproc/cldata/read_toolpath.h"
 #include "postproc/cldata/write_corrected.h"
 #include "postproc/cldata/write_toolpath.h"
+#include "tests/fuzz/require.h"
 
 // One target for each reader: GOUGE_FUZZ_DIALECT names it, "" lets the content tell. What was read is sound,
 // keeps its bytes when nothing changes, takes a correction or refuses it, and can be written anew in any dialect or is
@@ -21,11 +21,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kCoarse_mm = 0.5;
+using fuzz::require;
 
-void require(bool condition) {
-  if (!condition) std::abort();
-}
+constexpr double kCoarse_mm = 0.5;
 
 ReadOptions fuzz_options() {
   ReadOptions options;

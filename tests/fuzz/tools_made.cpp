@@ -1,0 +1,30 @@
+#include "tests/fuzz/tools_made.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+
+#include "tests/fuzz/require.h"
+#include "toolmodels/compile_tool.h"
+
+namespace gouge::fuzz {
+namespace {
+
+constexpr std::size_t kMostCompiled = 4;  // compiling takes a thousand times as long as reading
+
+}  // namespace
+
+void require_sound(const ToolLibrary& library) {
+  const std::string text = write_tool_library(library);
+  const Result<ToolLibrary> back = read_tool_library("back", text);
+  require(back.has_value());
+  require(write_tool_library(*back) == text);
+  require(back->tools.size() == library.tools.size() && back->holders.size() == library.holders.size());
+  for (std::size_t i = 0; i < std::min(kMostCompiled, library.tools.size()); ++i) {
+    const Result<ToolForms> forms = make_tool_forms(library.tools[i], i % 2 == 0 ? 0 : 0.3, 0, i % 2 == 0 ? 0 : 1);
+    require(forms.has_value() || !forms.error().code.empty());
+    if (forms) require(verify_tool(forms->bare).empty() && verify_tool(forms->against_part).empty());
+  }
+}
+
+}  // namespace gouge::fuzz
