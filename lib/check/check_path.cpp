@@ -91,12 +91,23 @@ class PathChecker {
     check_moves(batch.motions, batch.kinds, tool, scene_, options_, found, spent);
     for (std::size_t k = 0; k < count; ++k) {
       tighten(batch.motions[k], batch.kinds[k], tool, found[k], spent[k]);
+      check_link(batch.moves[k], tool, found[k], spent[k]);
       verdicts[batch.moves[k]] = std::move(found[k]);
       bounds[batch.moves[k]] = spent[k];
     }
     batch.moves.clear();
     batch.motions.clear();
     batch.kinds.clear();
+  }
+
+  void check_link(std::size_t index, const ToolForms& tool, MoveVerdict& verdict, std::uint64_t& spent) const {
+    const std::optional<Motion> link = link_of(toolpath_, index);
+    if (!link || (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss)) return;
+    CheckOptions options = options_;
+    options.near_miss_mm = 0;
+    const bool is_clean = link->is_defined() &&
+                          check_move(*link, MoveKind::rapid, tool, scene_, options, &spent).state == MoveState::clean;
+    if (!is_clean) verdict = not_checked(unswept_link_reason(toolpath_, index));
   }
 
   // Where the tolerance lets the surface come far into the tool, "buried" needs a bound of the move's own.
@@ -141,6 +152,17 @@ Motion motion_of(const Toolpath& toolpath, std::size_t index, RapidMode rapid) {
   if (move.curve_kind == CurveKind::arc) return Motion(start, move.end, toolpath.arcs[move.curve]);
   if (move.curve_kind == CurveKind::spline) return Motion(start, move.end, toolpath.splines[move.curve]);
   return Motion(start, move.end, move.kind == MoveKind::rapid && rapid == RapidMode::dogleg);
+}
+
+std::optional<Motion> link_of(const Toolpath& toolpath, std::size_t index) {
+  const Move& move = toolpath.moves[index];
+  if (move.has_start || !move.is_linked || index == 0) return std::nullopt;
+  return Motion(toolpath.moves[index - 1].end, move.end);
+}
+
+std::string unswept_link_reason(const Toolpath& toolpath, std::size_t index) {
+  return "how the tool gets here from line " + std::to_string(std::size_t{toolpath.moves[index - 1].line}) +
+         " the file does not say, and straight it would gouge: a retract or a tool change is missing";
 }
 
 std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts) {

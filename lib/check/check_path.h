@@ -38,4 +38,11 @@ void count_states(CheckResult& result);
 /// for.
 [[nodiscard]] Motion motion_of(const Toolpath& toolpath, std::size_t move, RapidMode rapid);
 
+/// The straight motion to a position alone from where the tool was before it (Move::is_linked); nothing where the path
+/// has no link there. It is not what the file says; that it is clean is what the check asks of it.
+[[nodiscard]] std::optional<Motion> link_of(const Toolpath& toolpath, std::size_t index);
+
+/// Why a position alone is not checked whose link is not clean. Requires link_of(toolpath, index).
+[[nodiscard]] std::string unswept_link_reason(const Toolpath& toolpath, std::size_t index);
+
 }  // namespace gouge

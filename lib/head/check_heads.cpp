@@ -189,6 +189,22 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
   }
 }
 
+// The heads on the straight way to a position alone (check_path asks the tool).
+static void check_links(const Toolpath& toolpath, const HeadChecker& checker, const CheckOptions& options,
+                        std::vector<MoveVerdict>& verdicts) {
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const std::optional<Motion> link = link_of(toolpath, i);
+    if (!link || !is_open_to_judgement(verdicts[i])) continue;
+    MoveVerdict verdict;
+    std::vector<double> uppers_mm;
+    checker.sweep(*link, options, verdict, uppers_mm);
+    if (verdict.state == MoveState::clean) continue;
+    verdicts[i] = MoveVerdict();
+    verdicts[i].state = MoveState::not_checked;
+    verdicts[i].reason = unswept_link_reason(toolpath, i);
+  }
+}
+
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const Scene& scene,
                  const CheckOptions& options, CheckResult& result) {
   if (heads.empty()) return;
@@ -211,6 +227,7 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
                    }
                  });
   checker.mark_buried(toolpath, options, uppers_mm, result.verdicts);
+  check_links(toolpath, checker, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;
   result.events = gather_events(toolpath, result.verdicts);
   count_states(result);

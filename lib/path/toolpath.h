@@ -65,6 +65,9 @@ struct Move {
   FeedUnit feed_unit = FeedUnit::not_stated;
   /// False: the position alone, the first of the file, of a tool, of a block, or after a motion whose end is unknown.
   bool has_start = false;
+  /// Of a position alone: the tool was at the end of the move before, and the file changes neither tool nor frame between
+  /// both. How it gets here the file does not say.
+  bool is_linked = false;
 
   [[nodiscard]] Feed feed() const { return {feed_mm, feed_unit}; }
   void set_feed(const Feed& feed) {
