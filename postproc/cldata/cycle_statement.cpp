@@ -84,7 +84,7 @@ DrillCycle make(double clearance, double bottom, const Retract& retract) {
   cycle.bottom_mm = bottom;
   cycle.is_retract_known = retract.is_known;
   cycle.is_retract_stated = retract.height.has_value() || !retract.is_known;
-  cycle.retract_mm = std::max(clearance, retract.height.value_or(clearance));
+  cycle.retract_mm = retract.height.value_or(clearance);
   return cycle;
 }
 
@@ -119,6 +119,92 @@ bool contradicts_itself(DialectKind dialect, Arguments arguments) {
     if (is_height && arguments[i + 1].number && arguments[i + 2].number) return true;
   }
   return false;
+}
+
+// A word of a cycle, and how many numbers may stand after it.
+struct CycleWord {
+  std::string_view word;
+  std::size_t least, most;
+};
+
+// Words that say no more than is read of them, or how the feed, the pecks and the dwell are: nothing of where the tool
+// goes. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
+constexpr auto kCycleWords = std::to_array<CycleWord>({{"FEDTO", 1, 1},
+                                                       {"DEPTH", 1, 1},
+                                                       {"RAPTO", 1, 1},
+                                                       {"CLEAR", 1, 1},
+                                                       {"RTRCTO", 0, 1},
+                                                       {"RETURN", 0, 1},
+                                                       {"AUTO", 0, 0},
+                                                       {"STEP", 0, 3},
+                                                       {"1STPECK", 1, 1},
+                                                       {"STPECK", 1, 1},
+                                                       {"SUBPECK", 1, 1},
+                                                       {"PECK", 1, 2},
+                                                       {"INCR", 1, 2},
+                                                       {"DWELL", 0, 1},
+                                                       {"REV", 0, 1},
+                                                       {"FEDRAT", 0, 1},
+                                                       {"MMPM", 0, 1},
+                                                       {"IPM", 0, 1},
+                                                       {"MMPR", 0, 1},
+                                                       {"IPR", 0, 1},
+                                                       {"PERMIN", 0, 1},
+                                                       {"PERREV", 0, 1},
+                                                       {"TPI", 1, 1},
+                                                       {"RPM", 0, 1},
+                                                       {"DRAG", 0, 0}});
+
+// CAMWorks CLT: the numbers have places behind these words.
+constexpr auto kCltWords = std::to_array<CycleWord>({{"G98", 1, 1},
+                                                     {"G99", 1, 1},
+                                                     {"PECKING", 1, 3},
+                                                     {"MMPM", 3, 4},
+                                                     {"IPM", 3, 4},
+                                                     {"MMPR", 3, 4},
+                                                     {"IPR", 3, 4},
+                                                     {"DWELL", 1, 1}});
+
+constexpr auto kNccsWords = std::to_array<CycleWord>({{"FEDTO", 1, 2},
+                                                      {"RAPTO", 1, 1},
+                                                      {"RTRCTO", 1, 2},
+                                                      {"STEP", 1, 2},
+                                                      {"DWELL", 1, 2},
+                                                      {"IPM", 1, 2},
+                                                      {"IPR", 1, 2},
+                                                      {"MMPM", 1, 2},
+                                                      {"MMPR", 1, 2},
+                                                      {"TPI", 1, 2}});
+
+std::span<const CycleWord> cycle_words(DialectKind dialect) {
+  if (dialect == DialectKind::clt) return kCltWords;
+  if (is_nccs(dialect)) return kNccsWords;
+  return kCycleWords;
+}
+
+// How many numbers follow the word at `at`.
+std::size_t numbers_after(Arguments arguments, std::size_t at) {
+  std::size_t count = 0;
+  while (at + 1 + count < arguments.size() && arguments[at + 1 + count].number) ++count;
+  return count;
+}
+
+// Every word behind the cycle's kind is one that is known, with as many numbers as it has. A second kind may stand beside the
+// first (DRILL,DEEP); CATIA's default table writes its two numbers without words.
+bool has_only_known_words(DialectKind dialect, Arguments arguments) {
+  std::size_t at = 1;
+  if (dialect == DialectKind::catia && arguments.size() > 1 && arguments[1].number) return arguments.size() == 3;
+  const std::span<const CycleWord> words = cycle_words(dialect);
+  while (at < arguments.size()) {
+    const std::size_t count = numbers_after(arguments, at);
+    const bool is_kind = !is_nccs(dialect) && is_one_of(arguments[at].text, kStraight);
+    const auto word = std::find_if(words.begin(), words.end(), [&](const CycleWord& known) {
+      return equals_ignoring_case(arguments[at].text, known.word);
+    });
+    if (word == words.end() ? !(is_kind && count == 0) : (count < word->least || count > word->most)) return false;
+    at += 1 + count;
+  }
+  return true;
 }
 
 // FEDTO is a height (negative below the position), RAPTO, or CLEAR in its place, and RTRCTO are heights above it.
@@ -189,52 +275,10 @@ std::optional<DrillCycle> read_generic(Arguments arguments) {
 constexpr std::array<std::string_view, 10> kNccsStraight = {"DRILL", "FACE", "DEEP",  "THRU",  "TAP",
                                                             "REAM",  "BORE", "BORE7", "BORE8", "REVERS"};
 
-struct NccsWord {
-  std::string_view word;
-  std::size_t most;  // numbers
-};
-
-// A word with one to `most` numbers after it.
-constexpr std::array<NccsWord, 10> kNccsWords = {{{"FEDTO", 2},
-                                                  {"RAPTO", 1},
-                                                  {"RTRCTO", 2},
-                                                  {"STEP", 2},
-                                                  {"DWELL", 2},
-                                                  {"IPM", 2},
-                                                  {"IPR", 2},
-                                                  {"MMPM", 2},
-                                                  {"MMPR", 2},
-                                                  {"TPI", 2}}};
-
-// How many numbers follow the word at `at`.
-std::size_t numbers_after(Arguments arguments, std::size_t at) {
-  std::size_t count = 0;
-  while (at + 1 + count < arguments.size() && arguments[at + 1 + count].number) ++count;
-  return count;
-}
-
-// Every word must be one of those, once.
-bool has_only_nccs_words(Arguments arguments) {
-  std::array<bool, kNccsWords.size()> is_seen{};
-  for (std::size_t at = 1; at < arguments.size();) {
-    const auto* const word = std::find_if(kNccsWords.begin(), kNccsWords.end(), [&](const NccsWord& w) {
-      return equals_ignoring_case(arguments[at].text, w.word);
-    });
-    if (word == kNccsWords.end()) return false;
-    const std::size_t count = numbers_after(arguments, at);
-    bool& is_known = is_seen[static_cast<std::size_t>(word - kNccsWords.begin())];
-    if (count == 0 || count > word->most || is_known) return false;
-    is_known = true;
-    at += 1 + count;
-  }
-  return true;
-}
-
 // FEDTO,depth below the position, or FEDTO,diameter,angle: the depth to which a tip of that angle makes a hole of
 // that diameter. RAPTO, which stays in force where it is left out, and RTRCTO are heights above the position. In
 // DEEP and THRU RTRCTO is where each peck goes back to, and the tool ends at the clearance.
 std::optional<DrillCycle> read_nccs(Arguments arguments) {
-  if (!has_only_nccs_words(arguments)) return std::nullopt;
   std::optional<double> depth = after(arguments, "FEDTO");
   const std::optional<double> clearance = after(arguments, "RAPTO");
   if (!depth || !clearance || *depth < 0) return std::nullopt;
@@ -329,7 +373,7 @@ std::optional<DrillCycle> read_cycle(DialectKind dialect, std::span<const Argume
   for (const Argument& argument : arguments) {
     if (is_one_of(argument.text, kSideways)) return std::nullopt;
   }
-  if (contradicts_itself(dialect, arguments)) return std::nullopt;
+  if (contradicts_itself(dialect, arguments) || !has_only_known_words(dialect, arguments)) return std::nullopt;
   std::optional<DrillCycle> cycle = read_heights(dialect, arguments);
   if (!cycle) return std::nullopt;
   cycle->feed = read_cycle_feed(arguments, mm_per_unit);
@@ -339,7 +383,8 @@ std::optional<DrillCycle> read_cycle(DialectKind dialect, std::span<const Argume
     *height *= mm_per_unit;
     if (!(std::abs(*height) <= kFarthest_mm)) return std::nullopt;
   }
-  if (cycle->bottom_mm > cycle->clearance_mm) return std::nullopt;
+  // Below its clearance a retract may be meant, or be a mistake.
+  if (cycle->bottom_mm > cycle->clearance_mm || cycle->retract_mm < cycle->clearance_mm) return std::nullopt;
   return cycle;
 }
 

@@ -165,7 +165,10 @@ std::optional<RigidTransform> Interpreter::make_frame(const Vec3& origin, const 
 void Interpreter::set_frame(const RigidTransform& to_part) {
   const double change = (to_part.rotation - to_part_.rotation).cwiseAbs().maxCoeff() +
                         (to_part.shift - to_part_.shift).cwiseAbs().maxCoeff();
-  if (change > kIdentityError) break_motion();
+  if (change > kIdentityError) {
+    break_motion();
+    can_link_ = false;
+  }
   // A block and a section have one frame, which stands before their positions.
   const bool has_blocks = is_block_open_ || dialect_.kind == DialectKind::camplete;
   if (change > kIdentityError && has_blocks && block_ > 0 && block_begin_ < path_.moves.size())
@@ -279,6 +282,11 @@ void Interpreter::take_mode() {
   }
   for (const char* word : {"INCR", "INCREMENTAL"}) {
     if (has_argument(arguments_, word)) unread_frame_reason_ = because(Reasons::kUnreadFrame);
+  }
+  for (const Argument& argument : arguments_) {
+    const std::optional<LengthUnit> unit = unit_of_word(argument.text);
+    const bool is_other = unit && std::abs(mm_per(*unit) / mm_per_unit_ - 1) > 1e-9;
+    if (is_other || equals_ignoring_case(argument.text, "METRIC")) unread_frame_reason_ = because(Reasons::kUnreadFrame);
   }
 }
 

@@ -225,6 +225,7 @@ void Interpreter::take_gohome() {
   if (!arguments_.empty() && !names_axes_only()) return take_positions(PositionForm::gohome);
   is_rapid_ = false;
   break_motion();
+  can_link_ = false;
 }
 
 // It has no numbers: a position may stand here.
@@ -232,6 +233,10 @@ void Interpreter::take_rapid() {
   if (std::any_of(arguments_.begin(), arguments_.end(), [](const Argument& a) { return a.number.has_value(); })) {
     count_unknown();
     emit_unread();
+  } else if (!arguments_.empty()) {
+    // RAPID/XYPLAN, RAPID/MODIFY: in which order the axes move is the post-processor's, so the next way is not known.
+    count_unknown();
+    if (last_pose_) unknown_start_ = Reasons::kAfterUnread;
   }
   is_rapid_ = true;
   rapid_statement_ = path_.statements.size() - 1;
@@ -257,6 +262,7 @@ void Interpreter::take_multax() {
 
 void Interpreter::break_motion() {
   is_broken_ = is_broken_ || last_pose_.has_value();
+  remember_link();
   last_pose_.reset();
   last_hole_.reset();
   unknown_start_ = nullptr;
@@ -265,6 +271,22 @@ void Interpreter::break_motion() {
   last_direction_.reset();
   arc_.reset();
   last_arc_.reset();
+}
+
+// The machine does not go home between two positions only because a FROM, a CUTTER or another sequence stands there.
+void Interpreter::remember_link() {
+  if (!last_pose_) return;
+  can_link_ = unknown_start_ == nullptr && last_frame_reason_ == nullptr && !path_.moves.empty();
+}
+
+// To a position alone, unless a tool may have been changed before it: another number, or a loading of another cutter.
+void Interpreter::attach_link(Move& move) {
+  const bool can_link = std::exchange(can_link_, false);
+  const bool was_loaded = std::exchange(was_loaded_, false);
+  if (!can_link || move.has_start || move.tool == kNone || path_.moves.back().tool == kNone) return;
+  const std::size_t tool = path_.moves.back().tool;
+  const std::optional<int> before = path_.tools[tool].number, now = path_.tools[move.tool].number;
+  move.is_linked = move.tool == tool || (before && before == now && !was_loaded);
 }
 
 // ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT. Those let the control offset the path by a
@@ -380,6 +402,7 @@ void Interpreter::append(Move move, const Position& position) {
   if (move.not_checked_reason.empty()) move.not_checked_reason = cutcom_reason();
   if (records_ != nullptr) records_->of_move.push_back(make_record(move, position));
   if (is_broken_) not_swept_.add(move.line);
+  attach_link(move);
   is_broken_ = false;
   if (dialect_.is_axis_modal) modal_axis_ = position.axis_local;
   note_direction(move);

@@ -27,6 +27,14 @@ std::optional<int> whole_number(const Argument& argument) {
   return static_cast<int>(value);
 }
 
+// TOOLNO/n,d and TOOLNO/n,MILL,..,..,d of CATIA; 0 where no diameter stands there.
+double diameter_of_toolno(const std::vector<Argument>& arguments) {
+  constexpr std::size_t kOfMill = 4;
+  if (arguments.size() == 2) return arguments[1].number.value_or(0);
+  const bool is_mill = arguments.size() > kOfMill && equals_ignoring_case(arguments[1].text, "MILL");
+  return is_mill ? arguments[kOfMill].number.value_or(0) : 0;
+}
+
 }  // namespace
 
 void Interpreter::set_cutter(const CutterStatement& cutter, double flute_length_mm) {
@@ -120,6 +128,10 @@ void Interpreter::take_tool_number() {
   }
   if (!is_turning && tool_.number != *number) turning_reason_ = nullptr;
   change_number(*number);
+  if (statement_->word != Word::toolno) return;  // behind LOADTL/n stands a register
+  tool_.toolno_diameter_mm = diameter_of_toolno(arguments_) * mm_per_unit_;
+  tool_.toolno_line = statement_->line;
+  is_tool_changed_ = true;
 }
 
 void Interpreter::take_load() {
@@ -142,6 +154,7 @@ void Interpreter::take_load() {
 // says nothing about: never the one before it.
 void Interpreter::change_number(int number) {
   loading_reason_ = nullptr;
+  was_loaded_ = true;
   if (tool_.number == number) return;
   is_tool_changed_ = true;
   tool_.number = number;
@@ -202,6 +215,10 @@ void Interpreter::resolve_tool() {
   tool_.is_fresh = false;
   if (!is_tool_changed_) return;
   is_tool_changed_ = false;
+  constexpr double kSameDiameter = 0.01;  // of it: files round them
+  if (tool_.cutter && tool_.toolno_diameter_mm > 0 &&
+      std::abs(tool_.cutter->d_mm / tool_.toolno_diameter_mm - 1) > kSameDiameter)
+    loading_reason_ = reasons_.name(Reasons::kUnreadTool, "TOOLNO", tool_.toolno_line);
   const bool is_known =
       tool_.number || tool_.cutter || (dialect_.kind == DialectKind::nx_clsf && !tool_.name.empty());
   const std::size_t index = is_known ? find_or_add_tool() : kNone;

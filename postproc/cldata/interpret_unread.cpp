@@ -162,12 +162,17 @@ bool has_number(const std::vector<Argument>& arguments) {
   return std::any_of(arguments.begin(), arguments.end(), [](const Argument& a) { return a.number.has_value(); });
 }
 
-// Words of no dialect that is read here, which elsewhere choose an offset, a datum or a head: OFFSET/5.
+// Words of no dialect that is read here, which elsewhere choose an offset, a datum or a head, or turn or shift what follows:
+// OFFSET/5, ZSHIFT/5, HEADTILT/30, BAXIS/45.
 bool is_shifting_word(std::string_view word) {
-  constexpr std::array<std::string_view, 8> kShifting = {"ADJUST", "DATUM",  "FIXOFF", "HEAD",
-                                                         "OFFSET", "OFSETL", "OFSTNO", "SHIFT"};
-  return std::any_of(kShifting.begin(), kShifting.end(),
-                     [&](std::string_view shifting) { return equals_ignoring_case(word, shifting); });
+  constexpr std::array<std::string_view, 3> kWords = {"ADJUST", "FIXOFF", "HEAD"};
+  constexpr std::array<std::string_view, 8> kParts = {"AXIS", "DATUM", "OFFSET", "OFSET", "OFST", "SHIFT", "TILT", "TURN"};
+  constexpr std::size_t kLongest = 24;
+  std::string large;
+  for (const char c : word.substr(0, kLongest)) large += static_cast<char>(is_letter(c) ? c & ~0x20 : c);
+  return std::find(kWords.begin(), kWords.end(), large) != kWords.end() ||
+         std::any_of(kParts.begin(), kParts.end(),
+                     [&](std::string_view part) { return large.find(part) != std::string::npos; });
 }
 
 std::string_view without_quotes(std::string_view text) {
@@ -226,6 +231,7 @@ void Interpreter::distrust_arguments() {
   for (const char* glued : {"UNITSMM", "UNITSINCH", "UNITMM", "UNITINCH"}) {
     if (starts_with_ignoring_case(statement_->major, glued)) unread_frame_reason_ = because(Reasons::kUnreadFrame);
   }
+  if (starts_with_ignoring_case(statement_->major, "INCREM")) unread_frame_reason_ = because(Reasons::kUnreadFrame);
   if (arguments_.empty()) return;
   const bool is_load = arguments_.size() > 1 && arguments_[1].number && equals_ignoring_case(arguments_[0].text, "TOOL");
   const bool is_tool = starts_with_ignoring_case(statement_->major, "LOADTOOL") ||
@@ -233,6 +239,7 @@ void Interpreter::distrust_arguments() {
   if (is_load || is_tool) loading_reason_ = because(Reasons::kUnreadTool);
   if (is_shifting_word(statement_->major) && has_number(arguments_))
     unread_frame_reason_ = because(Reasons::kUnreadFrame);
+  if (has_argument(arguments_, "LEFT") || has_argument(arguments_, "RIGHT")) distrust(Word::cutcom);
   const bool is_unit = arguments_.size() == 1 && unit_of_word(arguments_[0].text);
   if (is_unit) unread_frame_reason_ = because(Reasons::kUnreadFrame);
 }
@@ -377,6 +384,7 @@ void Interpreter::emit_unread(const char* reason, std::size_t statement) {
     records_->of_move.push_back(make_record(move, position));
   }
   break_motion();
+  can_link_ = false;
   start_tangent_.reset();
   has_indirv_ = false;
   last_pose_ = move.end;

@@ -317,7 +317,10 @@ bool Interpreter::take_text_word() {
       take_harmless();
       return true;
     case Word::free_text:
-      if (has_end_ && starts_with_ignoring_case(statement_->major, "PARTNO")) break_motion();  // another program
+      if (has_end_ && starts_with_ignoring_case(statement_->major, "PARTNO")) {  // another program
+        break_motion();
+        can_link_ = false;
+      }
       if (equals_ignoring_case(statement_->major, "OPFEATEND")) end_clt_feature();
       // Creo 9 writes REMARK -> where older files have the comment $$->.
       if (dialect_.kind == DialectKind::creo && starts_with_ignoring_case(statement_->major, "REMARK") &&

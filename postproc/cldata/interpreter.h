@@ -109,6 +109,8 @@ class Interpreter {
     std::string name;
     double flute_length_mm = 0;
     double diameter_mm = 0;  // of Creo, whose $$-> CUTTER says nothing else
+    double toolno_diameter_mm = 0;  // behind the number of TOOLNO; 0 where none stands there
+    std::size_t toolno_line = 0;
     std::size_t line = 0;
     bool is_fresh = false;  // defined since the last motion
   };
@@ -204,6 +206,8 @@ class Interpreter {
   [[nodiscard]] bool needs_multax() const;
   [[nodiscard]] bool may_go_on_round(const Position& position) const;
   void break_motion();
+  void remember_link();
+  void attach_link(Move& move);
 
   // interpret_cycle.cpp
   void take_cycle();
@@ -313,6 +317,8 @@ class Interpreter {
   std::size_t first_assignment_line_ = 0;
 
   // motion
+  bool can_link_ = false;    // the motion broke off at the end of the last move
+  bool was_loaded_ = false;  // a tool was loaded since the last move
   std::optional<Pose> last_pose_;        // part coordinates; nothing: the next position is alone
   const char* unknown_start_ = nullptr;  // why the next motion's start is not known
   const char* last_frame_reason_ = nullptr;

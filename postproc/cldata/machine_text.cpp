@@ -147,6 +147,11 @@ bool take_path_word(Tokens tokens, MachineEffect& effect) {
   return true;
 }
 
+// What a call names: PGM and LBL of Heidenhain with theirs, else one word; more make a sentence (CALL THE OPERATOR NOW).
+bool is_name_alone(Tokens tokens) {
+  return tokens.empty() || is(tokens.front(), "PGM") || is(tokens.front(), "LBL") || tokens.size() == 1;
+}
+
 bool take_heidenhain(Tokens tokens, MachineEffect& effect) {
   const Token& first = tokens.front();
   const Token second = tokens.size() > 1 ? tokens[1] : Token{};
@@ -175,7 +180,7 @@ bool take_heidenhain(Tokens tokens, MachineEffect& effect) {
     effect.changes_tool = tokens.size() < 3 || !is(tokens[2], "S");
     return true;
   }
-  if (is(first, "CALL") && (is(second, "PGM") || is(second, "LBL"))) {
+  if ((is(first, "CALL") && is_name_alone(tokens.subspan(1))) || (is(first, "SEL") && is(second, "PGM"))) {
     effect.moves = true;
     return true;
   }
@@ -201,6 +206,13 @@ bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
   // Before other words ("ROT AND CLAMP THE PART") they begin a sentence.
   const bool is_sentence =
       second.letters.size() > 1 && !second.number && !is(second, "DATUM") && !is(second, "RPL");
+  // Okuma's CALL and MODIN, Siemens's EXTCALL, PCALL and REPEAT: a subprogram, or blocks that stand elsewhere.
+  constexpr std::array<std::string_view, 7> kCalls = {"CALL",  "EXTCALL", "ICALL", "MODIN",
+                                                      "PCALL", "REPEAT",  "REPEATB"};
+  if (is_one_of(first.letters, kCalls) && !first.is_glued && tokens.size() <= 3) {
+    effect.moves = true;
+    return true;
+  }
   if (is(first, "SUPA") && tokens.size() > 1 && !is_sentence) {
     effect.moves = true;
     return true;
@@ -296,7 +308,7 @@ constexpr auto kCodes = std::to_array<CodeRange>({
     {1530, 1530, Code::moves},
     {1540, 1549, Code::offset},
     {1870, 1870, Code::harmless},
-    {2340, 2340, Code::harmless},
+    {2340, 2340, Code::length},
     {2540, 2540, Code::shifts},
     {2550, 2550, Code::harmless},
     {5000, 5000, Code::offset},
@@ -435,6 +447,9 @@ MachineEffect read_machine_text(std::string_view text, bool may_be_name) {
                           return !may_be_name || t.is_glued || !t.number;
                         });
   if (is_whole || !may_be_name) take_addresses(tokens, is_whole, effect);
+  // The number of a tool length or an offset, whichever code it belongs to.
+  const bool has_offset = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) { return is_word_of(t, "DH"); });
+  if (is_whole && !may_be_name && has_offset) effect.changes_length = true;
   if (may_be_name) effect.is_unknown = false;
   return effect;
 }

@@ -10,10 +10,12 @@ constexpr std::size_t kToolField = 3;
 constexpr double kCompOff = 40, kCompLeft = 41, kCompRight = 42, kCompOffAtEnd = 140;
 constexpr double kIdentityError = 1e-9;
 
+// Numbers behind the nine would be those of an origin.
 bool is_identity(const std::vector<Argument>& fields) {
-  if (fields.size() < 9) return false;
-  for (std::size_t i = 0; i < 9; ++i) {
-    const double expected = i % 4 == 0 ? 1 : 0;
+  constexpr std::size_t kNumbers = 9;
+  if (fields.size() < kNumbers) return false;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const double expected = i < kNumbers && i % 4 == 0 ? 1 : 0;
     if (!fields[i].number || std::abs(*fields[i].number - expected) > kIdentityError) return false;
   }
   return true;
