@@ -94,8 +94,7 @@ double side_shift_mm(const Vec3& shift, const Vec3& axis) {
 FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind, const ToolForms& tool,
                     const MotionChecker& checker, const PoseLimits& limits,
                     const std::optional<double>& largest_side_mm) {
-  const double air = std::max({0.0, -limits.aim.part_mm, -limits.aim.fixture_mm, -limits.aim.clearance_mm});
-  const double side = largest_side_mm.value_or(kSideShiftsPerDepth * (depth_mm + air));
+  const double side = largest_side_mm.value_or(kSideShiftsPerDepth * depth_mm);
   const bool is_head_in = head_excess(pose, limits) > 0;
   FreedPose freed;
   freed.reason = is_head_in ? kHeadStays : kTooFar;

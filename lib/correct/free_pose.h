@@ -31,7 +31,7 @@ inline constexpr double kSideShiftsPerDepth = 2;
 
 /// correct_pose, held to the laws of a shift: `wanted` first, then along the axis.
 ///
-/// `largest_side_mm`: none allows kSideShiftsPerDepth times the depth, and as much again of the air that is asked for.
+/// `largest_side_mm`: none allows kSideShiftsPerDepth times the depth.
 [[nodiscard]] FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind, const ToolForms& tool,
                                   const MotionChecker& checker, const PoseLimits& limits,
                                   const std::optional<double>& largest_side_mm);

@@ -16,6 +16,12 @@ bool is_same(const Pose& a, const Pose& b) {
   return a.tip == b.tip && a.axis == b.axis;
 }
 
+// As near as the digits of a file put a position that is written again.
+bool is_near(const Pose& a, const Pose& b) {
+  constexpr double kDigits_mm = 0.006, kDigitsOfAxis = 1e-5;
+  return (a.tip - b.tip).norm() <= kDigits_mm && (a.axis - b.axis).norm() <= kDigitsOfAxis;
+}
+
 bool is_same_curve(const Toolpath& a, const Move& ma, const Toolpath& b, const Move& mb) {
   if (ma.curve_kind != mb.curve_kind) return false;
   if (ma.curve_kind == CurveKind::arc) {
@@ -84,12 +90,28 @@ class LawsCheck {
       return has_kept_state(was, after_.result->verdicts[span.first]);
     if (change == nullptr && !is_same_curve(a, old, b, own)) return false;
     for (std::size_t k = span.first; k < span.last; ++k) {
-      if (!is_no_worse_than(was, after_.result->verdicts[k], resolution_mm_)) return false;
+      const MoveVerdict& is = after_.result->verdicts[k];
+      if (!is_no_worse_than(was, is, resolution_mm_)) return false;
+      if (is.state == MoveState::gouge && old.has_start && old.curve_kind == CurveKind::none && old.kind != MoveKind::cycle &&
+          !is_programmed_or_shift(i, k, span))
+        return false;
     }
     return true;
   }
 
  private:
+  /// Piece `k` of straight move `i` is the programmed motion, or leads from its new start to the old one, or from its old end to
+  /// the new one. Elsewhere a motion that still gouges could cut what it did not cut before, less deep than its deepest place.
+  [[nodiscard]] bool is_programmed_or_shift(std::size_t i, std::size_t k, const MovesAfter& span) const {
+    const Toolpath &a = *before_.path, &b = *after_.path;
+    if (!b.moves[k].has_start) return false;
+    const bool begins_at_start = is_near(b.start_of(k), a.start_of(i)), ends_at_end = is_near(b.moves[k].end, a.moves[i].end);
+    if (begins_at_start && ends_at_end) return true;
+    const bool is_first = k == span.first, is_last = k + 1 == span.last;
+    return (is_first && !is_last && is_near(b.moves[k].end, a.start_of(i))) ||
+           (is_last && !is_first && is_near(b.start_of(k), a.moves[i].end));
+  }
+
   const CheckedPath& before_;
   const CheckedPath& after_;
   double resolution_mm_;

@@ -221,7 +221,36 @@ void PathCorrector::bridge_move(std::size_t i) {
     }
   }
   work.is_failed = true;
-  work.is_refused = has_new_end(i) && !is_no_worse(i);
+  if (!has_new_end(i) || is_free(i)) return;
+  work.inserted = programmed_again(i);
+  work.is_refused = work.inserted.empty();
+}
+
+/// A move that gouges all the same runs as it was programmed: from its new start to the old one, along the programmed motion,
+/// and from the old end to the new one. So it cuts nothing that it did not cut before, but what the shifts of its ends cut, no
+/// deeper than its ends are. Nothing where that is not so, or the motion is no straight line.
+std::vector<BridgePose> PathCorrector::programmed_again(std::size_t i) const {
+  const Move& move = path_.moves[i];
+  const bool is_dogleg = move.kind == MoveKind::rapid && options_.rapid == RapidMode::dogleg;
+  if (!move.has_start || !is_straight(move) || !move.not_checked_reason.empty() || is_dogleg) return {};
+  const MoveVerdict before = verdict_before(i);
+  const auto is_lawful = [&](const Pose& from, const Pose& to) {
+    const Motion motion(from, to);
+    return motion.is_defined() &&
+           is_no_worse_than(before, checker_.check(motion, move.kind, *tools_[move.tool], options_), options_.resolution_mm);
+  };
+  std::vector<BridgePose> again;
+  const auto visit = [&](const Pose& pose) { again.push_back({{pose, Strategy::axis, 0, 0}, pose, before.depth_mm}); };
+  const Pose &start = path_.start_of(i), new_start = start_of(i), new_end = end_of(i);
+  if (positions_[i - 1].corrected) {
+    if (!is_lawful(new_start, start)) return {};
+    visit(start);
+  }
+  if (positions_[i].corrected) {
+    if (!is_lawful(move.end, new_end)) return {};
+    visit(move.end);
+  }
+  return again;
 }
 
 // A rapid that is left out on request is nevertheless there.
@@ -232,7 +261,8 @@ MoveVerdict PathCorrector::verdict_before(std::size_t i) const {
                         options_);
 }
 
-bool PathCorrector::is_no_worse(std::size_t i) const {
+/// With its new ends it is clean, or near where it was not clean.
+bool PathCorrector::is_free(std::size_t i) const {
   const Move& move = path_.moves[i];
   if ((move.has_start && !is_straight(move)) || !move.not_checked_reason.empty()) return false;
   const Motion motion = move.has_start ? Motion(start_of(i), end_of(i),
@@ -240,7 +270,7 @@ bool PathCorrector::is_no_worse(std::size_t i) const {
                                        : Motion(end_of(i));
   if (!motion.is_defined()) return false;
   const MoveVerdict after = checker_.check(motion, move.kind, *tools_[move.tool], options_);
-  return is_no_worse_than(verdict_before(i), after, options_.resolution_mm);
+  return after.state != MoveState::gouge && is_no_worse_than(verdict_before(i), after, options_.resolution_mm);
 }
 
 /// Takes back what makes a move worse; true where something was.

@@ -50,7 +50,8 @@ class PathCorrector {
   void choose_moves();
   void bridge_move(std::size_t i);
   [[nodiscard]] BridgeTask task_of(std::size_t i) const;
-  [[nodiscard]] bool is_no_worse(std::size_t i) const;
+  [[nodiscard]] bool is_free(std::size_t i) const;
+  [[nodiscard]] std::vector<BridgePose> programmed_again(std::size_t i) const;
   [[nodiscard]] MoveVerdict verdict_before(std::size_t i) const;
   [[nodiscard]] bool take_back();
   [[nodiscard]] double depth_at(const Pose& pose, MoveKind kind, const ToolForms& tool) const;

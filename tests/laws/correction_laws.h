@@ -99,6 +99,7 @@ class LawBook {
         say(was.state == MoveState::clean ? 'a' : 'b', i, std::string(state_name(was.state)) + " became " + state_name(is.state));
       if (is.state == MoveState::gouge && was.state == MoveState::gouge && is.depth_mm > was.depth_upper_mm + 1e-9)
         say('b', i, "deeper: " + std::to_string(was.depth_mm) + " became " + std::to_string(is.depth_mm));
+      if (is.state == MoveState::gouge) cuts_nothing_new(i, k);
       if (changes_[i] == nullptr || c_.after->moves[k].tool == kNone || ++looked_at_ % one_of(*c_.scene) != 0) continue;
       const ToolForms* tool = c_.tools[c_.after->moves[k].tool];
       if (tool == nullptr || !c_.after->moves[k].not_checked_reason.empty()) continue;
@@ -108,6 +109,28 @@ class LawBook {
       if (found > allowed + 2 * c_.options.resolution_mm && was.state != MoveState::buried)
         say('b', i, "brute force finds " + std::to_string(found) + " after " + std::to_string(was.depth_mm));
     }
+  }
+
+  // (b): what still gouges runs along the programmed motion, or straight between a new and the old place of an end; anywhere
+  // else it may cut what it did not.
+  void cuts_nothing_new(std::size_t i, std::size_t k) {
+    const Move& old = c_.before->moves[i];
+    if (!old.has_start || (old.kind != MoveKind::feed && old.kind != MoveKind::rapid) || old.curve_kind != CurveKind::none) return;
+    const auto off = [](const Vec3& p, const Vec3& a, const Vec3& b) {
+      const double length2 = (b - a).squaredNorm();
+      const double u = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
+      return (a + u * (b - a) - p).norm();
+    };
+    const Motion piece = motion_of(*c_.after, k, RapidMode::straight);
+    const Vec3 start = c_.before->start_of(i).tip, end = old.end.tip;
+    const Vec3 new_start = c_.after->moves[first_[i] - 1].end.tip, new_end = c_.after->moves[first_[i + 1] - 1].end.tip;
+    double farthest = 0;
+    for (int s = 0; s <= 16; ++s) {
+      const Vec3 tip = piece.at(s / 16.0).tip;
+      farthest = std::max(farthest, std::min({off(tip, start, end), off(tip, new_start, start), off(tip, end, new_end)}));
+    }
+    if (farthest > kRounding_mm + 0.01)
+      say('b', i, "gouges still, " + std::to_string(farthest) + " mm off its programmed motion");
   }
 
   // What remains is listed, with a reason, and nothing else is.
@@ -195,9 +218,8 @@ class LawBook {
     const Vec3 way = to.tip - old.end.tip;
     const double start = depth_at(old.end, *tool);
     if (way.norm() > c_.max_shift_mm + kRounding_mm) say('e', i, "shifted by " + std::to_string(way.norm()));
-    const double air = old.kind == MoveKind::rapid ? 1 : 0.004;
     const double side = (way - way.dot(old.end.axis) * old.end.axis).norm();
-    if (side > c_.max_side_shift_mm.value_or(2 * (start + air + 0.002)) + kRounding_mm)
+    if (side > c_.max_side_shift_mm.value_or(2 * start) + kRounding_mm)
       say('e', i, "shifted sideways by " + std::to_string(side) + " for a depth of " + std::to_string(start));
     for (int k = 1; k <= 12; ++k) {
       const Pose there{old.end.tip + k / 12.0 * way, old.end.axis};

@@ -313,5 +313,24 @@ TEST(CorrectPath, OneAndTwoThreadsProposeTheSameBits) {
   EXPECT_EQ(one.uncorrected.size(), two.uncorrected.size());
 }
 
+// The start lies in a wall and is freed sideways; the end lies in a pin that no shift frees. On the straight line from
+// the shifted start to the end the ball would cut a second pin, beside the programmed motion, less deep than the first.
+TEST(CorrectPath, CutsNothingNewOnAMoveThatStaysAGouge) {
+  Case c;
+  c.tool = tools::ball(6);
+  const IndexedMesh pin = shapes::box({20, 3.05, -1}, {21, 3.6, 50});
+  c.scene.parts = {shapes::box({-30, -30, -20}, {90, 30, 0}), shapes::box({-3, -20, -1}, {3, -2, 60}),
+                   shapes::box({55, -0.5, -1}, {56, 0.5, 50}), pin};
+  c.path = paths::through({upright(0, 0, 2), upright(60, 0, 2), upright(60, 0, 100)});
+  Case beside = c;
+  beside.scene.parts = {pin};
+  ASSERT_EQ(check(beside, c.path).counts.clean, 3U);
+  const Correction correction = propose(c);
+  ASSERT_FALSE(correction.changes.empty());
+  const Toolpath after = applied(c.path, correction);
+  const CheckResult found = check(beside, after);
+  EXPECT_EQ(found.counts.clean, after.moves.size());
+}
+
 }  // namespace
 }  // namespace gouge
