@@ -33,7 +33,8 @@ bool may_meet(const std::array<Vec3, 3>& triangle, const Box3& box) {
 
 }  // namespace
 
-Cavities::Cavities(const IndexedMesh& mesh) : mesh_(mesh), shell_of_(mesh.triangles.size()) {
+Cavities::Cavities(const IndexedMesh& mesh, std::span<const std::uint32_t> file_of)
+    : mesh_(mesh), shell_of_(mesh.triangles.size()) {
   const MeshAdjacency adjacency(mesh);
   UnionFind roots(mesh.triangles.size());
   for (const MeshEdge& edge : adjacency.edges()) {
@@ -46,7 +47,11 @@ Cavities::Cavities(const IndexedMesh& mesh) : mesh_(mesh), shell_of_(mesh.triang
       shells_.emplace_back();
     }
     shell_of_[t] = shell_of_[root];
-    for (std::size_t k = 0; k < 3; ++k) shells_[shell_of_[t]].box.extend(mesh.corner(t, k));
+    Shell& shell = shells_[shell_of_[t]];
+    const std::uint32_t file = file_of.empty() ? 0 : file_of[t];
+    if (root == t) shell.file = file;
+    shell.is_of_one_file = shell.is_of_one_file && shell.file == file;
+    for (std::size_t k = 0; k < 3; ++k) shell.box.extend(mesh.corner(t, k));
   }
   for (const MeshEdge& edge : adjacency.edges()) {
     if (edge.use_count != 2) shells_[shell_of_[adjacency.uses(edge)[0].triangle]].is_manifold = false;
@@ -67,7 +72,14 @@ bool Cavities::contain(const Vec3& point) const {
     else
       others += windings[k];
   }
-  return inward.size() == 1 && is_about(others, 1) && stands_alone(inward[0], point);
+  if (inward.size() != 1) return false;
+  const Shell& cavity = shells_[inward[0]];
+  // What another file winds about is a part of its own: it neither holds this file's cavity nor leaves it empty.
+  for (std::uint32_t k = 0; k < shells_.size(); ++k) {
+    const bool is_same_file = shells_[k].is_of_one_file && shells_[k].file == cavity.file;
+    if (!is_same_file && !is_about(windings[k], 0)) return false;
+  }
+  return cavity.is_of_one_file && is_about(others, 1) && stands_alone(inward[0], point);
 }
 
 bool Cavities::stands_alone(std::uint32_t shell, const Vec3& point) const {

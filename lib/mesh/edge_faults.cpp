@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/twin_sides.h"
@@ -63,6 +64,33 @@ std::vector<SurfaceGap> gather_gaps(const IndexedMesh& mesh, const std::vector<F
   return gaps;
 }
 
+/// The lowest corner first.
+TriangleCorners turned_to_lowest(TriangleCorners t) {
+  std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+  return t;
+}
+
+void drop_repeats(WeldedMesh& welded) {
+  std::vector<TriangleCorners>& all = welded.mesh.triangles;
+  std::vector<std::uint32_t> order(all.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    return std::pair(turned_to_lowest(all[a]), a) < std::pair(turned_to_lowest(all[b]), b);
+  });
+  std::vector<bool> is_repeat(all.size(), false);
+  for (std::size_t i = 1; i < order.size(); ++i)
+    is_repeat[order[i]] = turned_to_lowest(all[order[i]]) == turned_to_lowest(all[order[i - 1]]);
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < all.size(); ++t) {
+    if (is_repeat[t]) continue;
+    all[kept] = all[t];
+    welded.file_of[kept++] = welded.file_of[t];
+  }
+  welded.repeated = all.size() - kept;
+  all.resize(kept);
+  welded.file_of.resize(kept);
+}
+
 }  // namespace
 
 double SurfaceGap::distance_mm(const Vec3& point) const {
@@ -72,8 +100,9 @@ double SurfaceGap::distance_mm(const Vec3& point) const {
   return (point - end_a - t * along).norm();
 }
 
-IndexedMesh weld_together(std::span<const IndexedMesh> meshes) {
-  IndexedMesh welded;
+WeldedMesh weld_together(std::span<const IndexedMesh> meshes) {
+  WeldedMesh result;
+  IndexedMesh& welded = result.mesh;
   for (const IndexedMesh& mesh : meshes)
     welded.vertices.insert(welded.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
   std::vector<Corner> order(welded.vertices.size());
@@ -89,12 +118,15 @@ IndexedMesh weld_together(std::span<const IndexedMesh> meshes) {
     place[order[i]] = is_same ? place[order[i - 1]] : order[i];
   }
   Corner first = 0;
-  for (const IndexedMesh& mesh : meshes) {
-    for (const TriangleCorners& t : mesh.triangles)
+  for (std::size_t file = 0; file < meshes.size(); ++file) {
+    for (const TriangleCorners& t : meshes[file].triangles) {
       welded.triangles.push_back({place[first + t[0]], place[first + t[1]], place[first + t[2]]});
-    first += static_cast<Corner>(mesh.vertices.size());
+      result.file_of.push_back(static_cast<std::uint32_t>(file));
+    }
+    first += static_cast<Corner>(meshes[file].vertices.size());
   }
-  return welded;
+  drop_repeats(result);
+  return result;
 }
 
 EdgeFaults find_edge_faults(const IndexedMesh& mesh) {
@@ -111,28 +143,6 @@ EdgeFaults find_edge_faults(const IndexedMesh& mesh) {
   }
   faults.gaps = gather_gaps(mesh, edges);
   return faults;
-}
-
-IndexedMesh pieces_without_holes(const IndexedMesh& mesh, Box3& holed_box) {
-  const MeshAdjacency adjacency(mesh);
-  UnionFind pieces(mesh.triangles.size());
-  for (const MeshEdge& edge : adjacency.edges()) {
-    for (const EdgeUse& use : adjacency.uses(edge)) pieces.join(adjacency.uses(edge)[0].triangle, use.triangle);
-  }
-  std::vector<bool> is_holed(mesh.triangles.size(), false);
-  for (const MeshEdge& edge : adjacency.edges()) {
-    if (edge.use_count % 2 != 0) is_holed[pieces.root(adjacency.uses(edge)[0].triangle)] = true;
-  }
-  IndexedMesh whole;
-  whole.vertices = mesh.vertices;
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (!is_holed[pieces.root(t)]) {
-      whole.triangles.push_back(mesh.triangles[t]);
-      continue;
-    }
-    for (std::size_t k = 0; k < 3; ++k) holed_box.extend(mesh.corner(t, k));
-  }
-  return whole;
 }
 
 }  // namespace gouge

@@ -12,9 +12,16 @@
 
 namespace gouge {
 
+/// The triangles of several files as one surface.
+struct WeldedMesh {
+  IndexedMesh mesh;                    ///< without name and file_triangle
+  std::vector<std::uint32_t> file_of;  ///< per triangle: the number of its mesh
+  std::size_t repeated = 0;            ///< triangles left out
+};
+
 /// Triangles of several meshes over one list of vertices: identical coordinates are one vertex, whatever file they
-/// come from. Neither names nor file indices are kept. Cost  O(n log n).
-[[nodiscard]] IndexedMesh weld_together(std::span<const IndexedMesh> meshes);
+/// come from. Of triangles with the same corners and the same orientation only the first is kept. Cost  O(n log n).
+[[nodiscard]] WeldedMesh weld_together(std::span<const IndexedMesh> meshes);
 
 /// An edge that is not used equally often in both directions.
 struct FaultyEdge {
@@ -42,9 +49,5 @@ struct EdgeFaults {
 
 /// Requires triangles with three distinct corners. Cost  O(n).
 [[nodiscard]] EdgeFaults find_edge_faults(const IndexedMesh& mesh);
-
-/// The pieces of surface that have no edge with an odd number of triangles, over the same vertices; the box of the
-/// others is added to `holed_box`. Pieces hang together by edges. Cost  O(n).
-[[nodiscard]] IndexedMesh pieces_without_holes(const IndexedMesh& mesh, Box3& holed_box);
 
 }  // namespace gouge

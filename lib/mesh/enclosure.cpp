@@ -6,8 +6,10 @@
 #include <numbers>
 #include <optional>
 
+#include "lib/mesh/body_pieces.h"
 #include "lib/mesh/cavity.h"
 #include "lib/mesh/free_ray.h"
+#include "lib/mesh/twin_sides.h"
 #include "lib/mesh/winding.h"
 
 namespace gouge {
@@ -51,18 +53,20 @@ std::string faults_text(const EdgeFaults& faults) {
 /// Shells that are looked at together, with what is known of their edges.
 class Shells {
  public:
-  explicit Shells(const IndexedMesh& mesh) : mesh_(mesh), faults_(find_edge_faults(mesh)) {}
+  /// `bounds_bodies`: every triangle is part of a body's boundary, so what is joined with infinity is outside of metal.
+  Shells(const IndexedMesh& mesh, bool bounds_bodies, std::span<const std::uint32_t> file_of)
+      : mesh_(mesh), file_of_(file_of), bounds_bodies_(bounds_bodies), faults_(find_edge_faults(mesh)) {}
 
   [[nodiscard]] const EdgeFaults& faults() const { return faults_; }
 
   [[nodiscard]] Side side_of(const JoinedPlaces& joined) const {
-    if (faults_.open == 0 && has_way_out(joined)) return Side::outside;
+    if (bounds_bodies_ && has_way_out(joined)) return Side::outside;
     for (const Vec3& place : joined.places) {
       if (!is_clear_of_holes(place)) continue;
       const std::optional<long> winding = filled_winding(place);
       if (!winding) continue;
       if (is_inside(*winding)) return Side::inside;
-      if (*winding == 0 && faults_.is_empty() && cavities().contain(place)) return Side::outside;
+      if (*winding == 0 && bounds_bodies_ && faults_.is_empty() && cavities().contain(place)) return Side::outside;
     }
     return Side::unknown;
   }
@@ -105,11 +109,13 @@ class Shells {
   }
 
   [[nodiscard]] const Cavities& cavities() const {
-    std::call_once(cavities_once_, [this] { cavities_.emplace(mesh_); });
+    std::call_once(cavities_once_, [this] { cavities_.emplace(mesh_, file_of_); });
     return *cavities_;
   }
 
   const IndexedMesh& mesh_;
+  std::span<const std::uint32_t> file_of_;
+  bool bounds_bodies_;
   EdgeFaults faults_;
   mutable std::once_flag cavities_once_;
   mutable std::optional<Cavities> cavities_;
@@ -120,28 +126,61 @@ class Shells {
 /// What is found out about the edges, once.
 struct Enclosure::Surface {
   std::once_flag once;
-  IndexedMesh welded;  // of several files
-  IndexedMesh closed;  // where some pieces have holes: the others
-  Box3 holed_box;      // of those that have
-  std::optional<Shells> all, whole;
+  WeldedMesh welded;  // of several files, or of one with triangles that share an edge in the same direction
+  BodyPieces pieces;
+  std::vector<std::uint32_t> file_of_sound;
+  std::optional<Shells> all, sound;
+  std::vector<std::unique_ptr<Shells>> files;  // each alone, where there are several
 
   void find(std::span<const IndexedMesh> meshes) {
-    if (meshes.size() > 1) welded = weld_together(meshes);
-    const IndexedMesh& mesh = meshes.size() == 1 ? meshes[0] : welded;
-    all.emplace(mesh);
-    if (all->faults().open == 0) return;
-    closed = pieces_without_holes(mesh, holed_box);
-    whole.emplace(closed);
+    const bool is_used_as_it_is = meshes.size() == 1 && find_twin_sides(meshes[0]);
+    if (!is_used_as_it_is) welded = weld_together(meshes);
+    const IndexedMesh& mesh = is_used_as_it_is ? meshes[0] : welded.mesh;
+    pieces = find_body_pieces(mesh);
+    const bool bounds_bodies = pieces.doubtful_box.isEmpty();
+    all.emplace(mesh, bounds_bodies, welded.file_of);
+    if (meshes.size() > 1) {
+      for (const IndexedMesh& file : meshes)
+        files.push_back(std::make_unique<Shells>(file, false, std::span<const std::uint32_t>{}));
+    }
+    if (bounds_bodies) {
+      pieces = {};  // `all` is the same
+      return;
+    }
+    for (const std::uint32_t t : pieces.origin) file_of_sound.push_back(welded.file_of.empty() ? 0 : welded.file_of[t]);
+    sound.emplace(pieces.sound, true, file_of_sound);
   }
 
   [[nodiscard]] Side side_of(const JoinedPlaces& joined) const {
-    if (!whole) return all->side_of(joined);
+    Side side = sound ? side_beyond_doubtful(joined) : Side::unknown;
+    if (side == Side::unknown) side = all->side_of(joined);
+    // A file is a part of its own: what it encloses alone is inside, whatever others cancel.
+    const auto encloses = [&](const auto& file) {
+      return file->faults().open == 0 && file->side_of(joined) == Side::inside;
+    };
+    const bool is_in_one = side == Side::unknown && std::any_of(files.begin(), files.end(), encloses);
+    return is_in_one ? Side::inside : side;
+  }
+
+  [[nodiscard]] std::string faults() const {
+    std::string text = faults_text(all->faults());
+    if (welded.repeated > 0 && !text.empty()) text += " when triangles that stand there more than once are counted once";
+    if (pieces.double_walls > 0) {
+      text += (text.empty() ? "" : " and ") +
+              counted(pieces.double_walls, "piece of surface that lies", "pieces of surface that lie") +
+              " on itself and may enclose nothing";
+    }
+    return text;
+  }
+
+ private:
+  /// Beyond the box of the pieces that may be no body's boundary the others tell.
+  [[nodiscard]] Side side_beyond_doubtful(const JoinedPlaces& joined) const {
     JoinedPlaces apart{{}, joined.directions};
     for (const Vec3& place : joined.places) {
-      if (!holed_box.contains(place)) apart.places.push_back(place);
+      if (!pieces.doubtful_box.contains(place)) apart.places.push_back(place);
     }
-    const Side side = apart.places.empty() ? Side::unknown : whole->side_of(apart);
-    return side == Side::unknown ? all->side_of(joined) : side;
+    return apart.places.empty() ? Side::unknown : sound->side_of(apart);
   }
 };
 
@@ -175,7 +214,7 @@ std::string Enclosure::why_unknown() const {
   std::string names;
   for (const IndexedMesh& mesh : meshes_) names += (names.empty() ? "" : ", ") + mesh.name;
   const std::string what = meshes_.size() == 1 ? " has " : " have together ";
-  if (!s.all->faults().is_empty()) return names + what + faults_text(s.all->faults());
+  if (const std::string faults = s.faults(); !faults.empty()) return names + what + faults;
   return "the shells of " + names +
          (meshes_.size() == 1 ? " cancel each other there: doubled, or overlapping inside out"
                               : " cancel one another there: doubled, or overlapping inside out");

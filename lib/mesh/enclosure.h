@@ -34,13 +34,14 @@ class Enclosure {
 
   /// On which side the places are.
   ///
-  /// Ensures  outside: a place is beyond the box; or no edge has an odd number of triangles and a straight line from
-  ///          a place to infinity meets none; or all edges are balanced and the places are in a cavity. Pieces with
-  ///          holes need not be looked at for places beyond the box of all such pieces.
+  /// Ensures  outside: a place is beyond the box; or all pieces bound bodies (BodyPieces) and a straight line from a place
+  ///          to infinity meets none; or all edges are balanced besides and the places are in a cavity of one file.
+  ///          Other pieces need not be looked at for places beyond the box of all of them.
   ///          inside: what the surfaces enclose, however their gaps are closed within reach of their rims: an odd
-  ///          winding number, or where all edges are balanced one other than 0.
+  ///          winding number, or where all edges are balanced one other than 0; or what a file without open edges
+  ///          encloses alone.
   ///          The same answer for the same places, from any number of threads.
-  /// Cost     O(n) for places within the box; the first of them O(n log n) for several files or broken ones.
+  /// Cost     O(n) for places within the box; the first of them O(n log n).
   [[nodiscard]] Side side_of(const JoinedPlaces& joined) const;
 
   /// Why a side is not known, with the files' names: "part.stl has 3 open edges, so ...".

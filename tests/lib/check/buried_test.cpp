@@ -120,6 +120,28 @@ TEST(Buried, NamesTheMeshAndItsFaultWhereASideIsNotKnown) {
             "whether the cutter is inside the solid cannot be told: open.stl has 6 open edges");
 }
 
+TEST(Buried, AnOpenMeshGivenTwiceIsNotCertifiedAndTheReasonSaysWhy) {
+  IndexedMesh open = block();
+  open.name = "open.stl";
+  open.triangles.resize(8);
+  open.file_triangle.resize(8);
+  const CheckResult twice = check(kInside, cutter_alone(), {{open, open}, {}});
+  EXPECT_EQ(twice.counts.not_certified, 3U);
+  EXPECT_EQ(twice.verdicts[0].reason,
+            "whether the cutter is inside the solid cannot be told: open.stl, open.stl have together 6 open edges when "
+            "triangles that stand there more than once are counted once");
+  const CheckResult flipped = check(kInside, cutter_alone(), {{open, shapes::inside_out(open)}, {}});
+  EXPECT_EQ(flipped.counts.not_certified, 3U);
+  EXPECT_EQ(flipped.verdicts[0].reason,
+            "whether the cutter is inside the solid cannot be told: open.stl, open.stl have together 1 piece of surface "
+            "that lies on itself and may enclose nothing");
+}
+
+TEST(Buried, InAPartThatIsInsideOutWithinAnother) {
+  const Scene scene{{block(), shapes::inside_out(block(60))}, {}};
+  EXPECT_EQ(check(kInside, cutter_alone(), scene).counts.buried, 3U);
+}
+
 TEST(Buried, AChainThatLeavesTheBoxIsOutsideFromItsBeginningHoweverBrokenTheMesh) {
   // An open pot, and a tool that begins down in it.
   IndexedMesh pot = block();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "lib/mesh/body_pieces.h"
 #include "lib/mesh/cavity.h"
 #include "lib/mesh/free_ray.h"
 #include "tests/support/shapes.h"
@@ -73,6 +74,83 @@ TEST(Enclosure, BodiesThatTouchOrOverlapAreInside) {
   EXPECT_EQ(side_in({shapes::cube(10), shapes::moved(shapes::cube(10), Vec3(10, 0, 0))}, Vec3(15, 5, 5)), Side::inside);
 }
 
+/// Open above, with the other diagonal of each face.
+IndexedMesh open_cube_with_other_diagonals() {
+  IndexedMesh mesh = shapes::open_cube(10);
+  for (std::size_t t = 0; t < mesh.triangles.size(); t += 2) {
+    const TriangleCorners a = mesh.triangles[t], b = mesh.triangles[t + 1];  // p q r and p r s
+    mesh.triangles[t] = {a[0], a[1], b[2]};
+    mesh.triangles[t + 1] = {a[1], a[2], b[2]};
+  }
+  return mesh;
+}
+
+TEST(Enclosure, AnOpenSurfaceThatStandsThereSeveralTimesProvesNoOutside) {
+  const IndexedMesh once = shapes::open_cube(10), other = open_cube_with_other_diagonals();
+  const Vec3 within(5, 4, 5);
+  for (const IndexedMesh& second : {once, shapes::inside_out(once), other, shapes::inside_out(other)}) {
+    EXPECT_NE(side_in({once, second}, within), Side::outside);
+    EXPECT_NE(side_in({shapes::joined(once, second)}, within), Side::outside);
+    EXPECT_NE(side_in({once, once, second}, within), Side::outside);
+    EXPECT_NE(side_in({once, second, second, other}, within), Side::outside);
+  }
+}
+
+TEST(Enclosure, ADoubleWallIsOneEvenWhereItsSheetsLieALittleApart) {
+  IndexedMesh shaken = shapes::torus(20, 6);
+  const std::size_t count = shaken.triangles.size();
+  IndexedMesh both = shaken;
+  for (std::size_t t = 20; t < count; ++t) {  // a second sheet over all but a hole's rim
+    const TriangleCorners c = shaken.triangles[t];
+    both.vertices.push_back((shaken.corner(t, 0) + shaken.corner(t, 1) + shaken.corner(t, 2)) / 3 + Vec3(1e-5, 0, 1e-5));
+    for (std::size_t k = 0; k < 3; ++k) shapes::add_triangle(both, c[(k + 1) % 3], c[k], both.vertices.size() - 1);
+  }
+  both.triangles.erase(both.triangles.begin(), both.triangles.begin() + 20);
+  ASSERT_EQ(find_edge_faults(both).open, 0U);
+  EXPECT_NE(side_in({both}, Vec3(-20, 0, 0)), Side::outside);
+}
+
+TEST(Enclosure, WhatIsClosedProvesAnOutsideHoweverOftenItStandsThere) {
+  const IndexedMesh ring = shapes::torus(20, 6);
+  const Vec3 beside(1, 2, 0);
+  ASSERT_EQ(side_in({ring}, beside), Side::outside);
+  EXPECT_EQ(side_in({ring, ring}, beside), Side::outside);
+  EXPECT_EQ(side_in({ring, shapes::inside_out(ring)}, beside), Side::outside);
+  EXPECT_EQ(side_in({shapes::joined(ring, ring)}, beside), Side::outside);
+  EXPECT_EQ(side_in({ring, ring, shapes::inside_out(ring)}, beside), Side::outside);
+  // Stacked bodies with a face in common, in one file.
+  const IndexedMesh low = shapes::cube(10);
+  const IndexedMesh stacked = shapes::joined(shapes::joined(low, shapes::moved(low, Vec3(0, 0, 10))), shapes::moved(low, Vec3(10, 0, 0)));
+  EXPECT_EQ(side_in({stacked}, Vec3(15, 5, 15)), Side::outside);
+  EXPECT_EQ(side_in({stacked}, Vec3(5, 5, 15)), Side::inside);
+}
+
+TEST(Enclosure, AFileInsideOutIsNoCavityOfAnother) {
+  const IndexedMesh block = shapes::cube(10), insert = shapes::box(Vec3::Constant(2.5), Vec3::Constant(7.5));
+  const Vec3 within(5, 5, 5);
+  EXPECT_EQ(side_in({block, shapes::inside_out(insert)}, within), Side::inside);
+  EXPECT_EQ(side_in({shapes::joined(block, shapes::inside_out(insert))}, within), Side::outside);
+  // A file's own cavity, with other files beside it and the same file twice.
+  const IndexedMesh hollow = shapes::hollow_cube(10), far = shapes::moved(block, Vec3(50, 0, 0));
+  EXPECT_EQ(side_in({far, hollow}, within), Side::outside);
+  EXPECT_EQ(side_in({hollow, hollow}, within), Side::outside);
+  // Filled by a part that is inside out: not empty.
+  EXPECT_EQ(side_in({hollow, shapes::inside_out(shapes::box(Vec3::Constant(4), Vec3::Constant(6)))}, within), Side::inside);
+}
+
+TEST(BodyPieces, ABossThatStandsThereTwiceOnAnOpenBlockIsDoubtfulLikeTheBlock) {
+  IndexedMesh scene = shapes::cube(10);
+  scene.triangles.erase(scene.triangles.begin());  // a triangle of the bottom
+  IndexedMesh boss = shapes::moved(shapes::inside_out(shapes::open_cube(10)), Vec3(0, 0, 10));
+  for (Vec3& v : boss.vertices) v.z() = 30 - v.z();  // open below, on the top of the block
+  for (const IndexedMesh& second : {boss, shapes::inside_out(boss)}) {
+    const std::vector<IndexedMesh> files = {scene, boss, second};
+    EXPECT_NE(side_in(files, Vec3(5, 5, 5)), Side::outside);
+    const BodyPieces pieces = find_body_pieces(weld_together(files).mesh);
+    EXPECT_FALSE(pieces.doubtful_box.isEmpty());
+  }
+}
+
 TEST(FreeRay, WhatRoundingCouldTurnIntoAHitIsOne) {
   const IndexedMesh cube = shapes::cube(10);
   const std::vector<Vec3> up = {Vec3::UnitZ()}, inside = {Vec3(5, 5, 5)}, above = {Vec3(5, 5, 11)};
@@ -103,7 +181,7 @@ TEST(EdgeFaults, FilesThatFitTogetherHaveNone) {
   lower.triangles.resize(6);
   upper.triangles.erase(upper.triangles.begin(), upper.triangles.begin() + 6);
   EXPECT_FALSE(find_edge_faults(lower).is_empty());
-  EXPECT_TRUE(find_edge_faults(weld_together(std::vector<IndexedMesh>{lower, upper})).is_empty());
+  EXPECT_TRUE(find_edge_faults(weld_together(std::vector<IndexedMesh>{lower, upper}).mesh).is_empty());
 }
 
 }  // namespace
