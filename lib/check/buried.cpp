@@ -15,7 +15,8 @@ namespace {
 /// The regions of one tool, for depths that moves share.
 class ToolRegions {
  public:
-  ToolRegions(const CompiledTool& tool, double usual_mm) : finder_(tool), usual_mm_(usual_mm) {}
+  ToolRegions(const CompiledTool& tool, double usual_mm, int halvings)
+      : finder_(tool), usual_mm_(usual_mm), finest_(std::min(kFinest, -halvings)) {}
 
   /// For a depth that is at least `depth_mm`; that depth itself where a body would else have no place. Stays valid.
   const FreeRegions& at(double depth_mm) {
@@ -25,9 +26,8 @@ class ToolRegions {
 
  private:
   [[nodiscard]] double rounded_up(double depth_mm) const {
-    constexpr int kFinest = -6;
     if (!(depth_mm > 0) || !(usual_mm_ > 0)) return std::max(depth_mm, 0.0);
-    const int power = std::max(kFinest, static_cast<int>(std::ceil(2 * std::log2(depth_mm / usual_mm_) - 1e-9)));
+    const int power = std::max(finest_, static_cast<int>(std::ceil(2 * std::log2(depth_mm / usual_mm_) - 1e-9)));
     return std::max(depth_mm, usual_mm_ * std::exp2(0.5 * power));
   }
   const FreeRegions& stored(double depth_mm) {
@@ -36,8 +36,11 @@ class ToolRegions {
     return *slot;
   }
 
+  static constexpr int kFinest = -6;
+
   RegionFinder finder_;
   double usual_mm_;
+  int finest_;  // a tool of which less depth is sure is asked for regions of that
   std::map<double, std::unique_ptr<FreeRegions>> stored_;
 };
 
@@ -45,7 +48,7 @@ class BuriedMarker {
  public:
   BuriedMarker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,
                const CheckOptions& options, std::vector<MoveVerdict>& verdicts)
-      : toolpath_(toolpath), tools_(tools), sides_(scene), options_(options), verdicts_(verdicts) {}
+      : toolpath_(toolpath), tools_(tools), scene_(scene), sides_(scene), options_(options), verdicts_(verdicts) {}
 
   void mark() {
     find_regions();
@@ -73,8 +76,9 @@ class BuriedMarker {
         const std::size_t tool = toolpath_.moves[i].tool;
         ToolRegions*& own = by_tool[tool];
         if (own == nullptr) {
-          own_regions_.push_back(std::make_unique<ToolRegions>(tools_[tool]->bare,
-                                                               options_.tolerance_mm + options_.resolution_mm));
+          const SureDepth sure = sure_depth(*tools_[tool], scene_, options_);
+          own_regions_.push_back(std::make_unique<ToolRegions>(
+              tools_[tool]->bare, options_.tolerance_mm + options_.resolution_mm, sure.halvings));
           own = own_regions_.back().get();
         }
         regions_[i] = &own->at(verdicts_[i].depth_upper_mm);
@@ -163,6 +167,7 @@ class BuriedMarker {
 
   const Toolpath& toolpath_;
   const std::vector<const ToolForms*>& tools_;
+  const Scene& scene_;
   SceneSides sides_;
   const CheckOptions& options_;
   std::vector<MoveVerdict>& verdicts_;

@@ -11,6 +11,8 @@
 namespace gouge {
 namespace {
 
+constexpr double kAnyGap_mm = 1e6;  // how far a depth is left open when only the verdict counts
+
 using Targets = std::vector<SearchTarget>;
 
 Targets whole_tool(const ToolForms& tool, const PreparedScene& scene) {
@@ -33,6 +35,17 @@ Targets watched_bodies(const ToolForms& tool, const PreparedScene& scene, MoveKi
 SearchQuestion question(const CheckOptions& options, double reach, double tolerance) {
   const double gap = options.gouge_gap_mm > 0 ? options.gouge_gap_mm : options.resolution_mm;
   return {reach, tolerance, options.resolution_mm, gap, options.budget_per_move};
+}
+
+// Rounded up to two digits.
+std::string thin_feature_reason(double reach_mm) {
+  std::string how_far = "by any amount";
+  if (reach_mm < kFarthest_mm) {
+    const double unit = std::pow(10.0, std::floor(std::log10(reach_mm)) - 1);
+    how_far = "by up to " + exact_text(unit < 1 ? std::ceil(reach_mm / unit) / std::round(1 / unit) : std::ceil(reach_mm / unit) * unit) + " mm";
+  }
+  return "a thin or pointed feature of the tool may reach into the solid " + how_far +
+         ", although nothing comes deeper into the tool than the tolerance; give a smaller tolerance";
 }
 
 /// What the wide sweep says of one move: an answer for each question that may be asked, null where it is not.
@@ -61,6 +74,7 @@ class MoveChecker {
     }
     if (!is_decided_ && verdict_.state != MoveState::gouge) give_up();
     if (!is_decided_ && verdict_.state == MoveState::gouge) verdict_.reason = out_of_budget();
+    if (verdict_.state == MoveState::clean && !options_.is_depth_alone) check_reach();
     if (verdict_.state == MoveState::clean && options_.near_miss_mm > 0) check_near_miss();
     return verdict_;
   }
@@ -163,6 +177,28 @@ class MoveChecker {
     verdict_.witness = witness(entered, target, place, at);
   }
 
+  // What comes no deeper than the tolerance may reach far into a solid with a blade or a point: where a tool has such,
+  // less depth must be proved (docs/algorithms/inside_outside.md, section 4).
+  void check_reach() {
+    const SureDepth sure = sure_depth(tool_, *scene_.scene, options_);
+    if (verdict_.depth_upper_mm <= sure.depth_mm) return;
+    const double share = std::exp2(-0.5 * sure.halvings);
+    SearchQuestion less = question(options_, 0, share * options_.tolerance_mm);
+    less.resolution_mm *= share;
+    less.gap_mm = kAnyGap_mm;
+    // Where no depth is sure the surface must be proved to keep clear.
+    if (!(sure.depth_mm > 0)) less = {options_.resolution_mm, 0, 0.5 * options_.resolution_mm, kAnyGap_mm, less.budget};
+    const SearchAnswer answer = sweep_and_search(motion_, whole(), less);
+    bounds_ += answer.bounds;
+    const double upper = std::max(0.0, answer.value_upper_mm - less.reach_mm);
+    if (answer.value_mm <= less.tolerance_mm && answer.is_decided) {
+      verdict_.depth_upper_mm = std::max(verdict_.depth_mm, std::min(verdict_.depth_upper_mm, upper));
+      return;
+    }
+    verdict_.state = MoveState::not_certified;
+    verdict_.reason = answer.value_mm > less.tolerance_mm ? thin_feature_reason(sure.reach_mm) : out_of_budget();
+  }
+
   void give_up() {
     verdict_.state = MoveState::not_certified;
     verdict_.reason = out_of_budget();
@@ -241,6 +277,10 @@ void check_fit_moves(std::span<const Motion> motions, std::span<const MoveKind> 
 }
 
 }  // namespace
+
+SureDepth sure_depth(const ToolForms& tool, const Scene& scene, const CheckOptions& options) {
+  return tool.sure_depth(!scene.parts.empty(), !scene.fixtures.empty(), options.tolerance_mm + options.resolution_mm);
+}
 
 PreparedScene prepare_scene(const Scene& scene, unsigned threads) {
   if (!why_unfit(scene).empty()) return {&scene, {}, {}, false};

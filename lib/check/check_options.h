@@ -15,6 +15,7 @@ struct CheckOptions {
   double shank_clearance_mm = 0;   ///< grows the shank
   double holder_clearance_mm = 0;  ///< grows the holder
   double near_miss_mm = 0;         ///< 0: not asked
+  bool is_depth_alone = false;     ///< how far thin and pointed features reach into a solid is not asked
   RapidMode rapid = RapidMode::straight;
   unsigned threads = 0;                       ///< 0: all
   std::uint64_t budget_per_move = 2'000'000;  ///< bounds computed before a move is "not certified"

@@ -119,6 +119,7 @@ class PathChecker {
     finer.tolerance_mm = std::min(finer.tolerance_mm, core / 4);
     finer.resolution_mm = std::min(finer.resolution_mm, core / 8);
     finer.near_miss_mm = 0;
+    finer.is_depth_alone = true;
     const MoveVerdict found = check_move(motion, kind, tool, scene_, finer, &spent);
     if (found.state == MoveState::clean) verdict.depth_upper_mm = std::min(verdict.depth_upper_mm, found.depth_upper_mm);
   }

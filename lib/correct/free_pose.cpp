@@ -25,6 +25,7 @@ class ShiftSides {
       : from_(from), way_(to.tip - from.tip), length_(way_.norm()), kind_(kind), tool_(tool), checker_(checker) {
     options_ = checker.options();
     options_.tolerance_mm = options_.near_miss_mm = 0;
+    options_.is_depth_alone = true;
   }
 
   const char* why_not(double t0, double t1) const {
@@ -74,6 +75,7 @@ const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const
   CheckOptions options = checker.options();
   options.tolerance_mm = start.depth_mm;
   options.near_miss_mm = 0;
+  options.is_depth_alone = true;
   options.gouge_gap_mm = resolution;
   // Whether the tool is inside is asked below, also where the surface reaches its middle.
   const MoveVerdict way = check_move(Motion(from, to), kind, tool, checker.scene(), options);

@@ -40,6 +40,7 @@ MoveVerdict MotionChecker::measure(const Pose& pose, MoveKind kind, const ToolFo
   CheckOptions exact = options_;
   exact.tolerance_mm = 0;
   exact.near_miss_mm = 0;
+  exact.is_depth_alone = true;
   return check(Motion(pose), kind, tool, exact);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lib/tool/compiled_tool.h"
+#include "lib/tool/sure_depth.h"
 
 namespace gouge {
 
@@ -13,6 +14,10 @@ struct ToolForms {
   /// Bodies that have a clearance, alone, grown: any depth in it is a gouge. No elements: none has one.
   CompiledTool with_clearance;
   CompiledTool non_cutting;  ///< shank and holder as grown above: for near misses. May be empty.
+  SureDepths part_depths, fixture_depths;  ///< of the forms against_part and against_fixture
+
+  /// find_sure_depth, the lesser one of the forms that are asked for. Computed once for each depth given.
+  [[nodiscard]] SureDepth sure_depth(bool has_parts, bool has_fixtures, double given_mm) const;
 };
 
 }  // namespace gouge

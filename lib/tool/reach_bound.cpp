@@ -1,0 +1,236 @@
+#include "lib/tool/reach_bound.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "lib/tool/evaluate.h"
+#include "lib/tool/foot_cells.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kRounding = 1e-10;       // of the tool's size
+constexpr double kRegionRounding = 2e-5;  // of the height: what RegionFinder passes over, twice
+constexpr double kNearly = 0.01;          // of the depth: how nearly the largest ball is found
+constexpr double kShrink = 0.97;          // where that takes long, a smaller one will do
+constexpr double kFine = 0.02;            // of the bound: cells no wider are not cut
+constexpr std::size_t kAxisPlaces = 128, kNeighbours = 4, kMostCells = 5'000;
+constexpr int kMostShrinks = 30, kQuickShrinks = 10, kMostJoints = 16;
+
+/// All that is nearer to `center` than `free_mm` lies deeper than the depth asked.
+struct Ball {
+  Vec2 center = Vec2::Zero();
+  double free_mm = 0;
+  bool is_joined = false;  // with an axis place that the check asks for
+};
+
+struct CellBall {
+  FootCell cell;
+  std::size_t ball = 0;  // its own, or the number of balls before it
+  bool has_ball = false;
+  bool is_covered = false;  // its own ball bounds it well enough
+};
+
+class ReachSearch {
+ public:
+  ReachSearch(const CompiledTool& form, const CompiledTool& bare, double depth_mm, double enough_mm)
+      : form_(form), bare_(bare), depth_mm_(depth_mm), enough_mm_(enough_mm),
+        size_mm_(form.r_max_mm + form.z_max_mm - form.z_min_mm) {}
+
+  double run() {
+    for (const FootCell& cell : foot_cells(form_)) cover(cell);
+    add_axis();
+    join();
+    if (std::none_of(balls_.begin(), balls_.end(), [](const Ball& b) { return b.is_joined; })) return kNoReach_mm;
+    double reach = 0;
+    for (std::size_t k = 0; k < cells_.size(); ++k) reach = std::max(reach, bound(k, reach));
+    return reach + kRounding * size_mm_;
+  }
+
+ private:
+  [[nodiscard]] double free_at(const Vec2& q) const {
+    return -evaluate(form_, std::max(0.0, q.x()), q.y()).signed_distance_mm - depth_mm_ - kRounding * size_mm_;
+  }
+
+  /// The largest ball about a place of the middle ray that touches the boundary at the ray's foot alone, or nearly.
+  [[nodiscard]] Ball own_ball(const FootCell& cell) const {
+    const double s = cell.middle();
+    const Vec2 foot = cell.at(s, 0), inward = cell.inward_at(s);
+    double t = std::min(cell.longest_ray_mm(), size_mm_);
+    if (inward.x() < 0) t = std::min(t, foot.x() / -inward.x());
+    for (int k = 0; k < kMostShrinks && t > depth_mm_; ++k) {
+      Vec2 center = foot + t * inward;
+      if (center.x() < kRounding * size_mm_) center.x() = 0;
+      const ToolAnswer at = evaluate(form_, center.x(), center.y());
+      if (-at.signed_distance_mm >= t - kNearly * depth_mm_)
+        return {center, -at.signed_distance_mm - depth_mm_ - kRounding * size_mm_};
+      const Vec2 across = at.foot - foot;
+      const double rise = across.dot(inward);
+      const double touching = rise > 0 ? across.squaredNorm() / (2 * rise) : 0;
+      t = (k < kQuickShrinks ? 1 : kShrink) * std::min(t, touching);
+    }
+    return {};
+  }
+
+  /// Where every ray of the cell enters the ball, what lies on it before is nearer than its foot, and what lies behind
+  /// is joined with the ball along the ray: it is deeper than where the ray enters.
+  [[nodiscard]] static double bound_by_own(const FootCell& cell, const Ball& ball) {
+    if (!(ball.free_mm > 0) || !cell.rays_meet(ball.center, ball.free_mm)) return kNoReach_mm;
+    return std::max(0.0, cell.farthest_mm(ball.center, 0) - ball.free_mm);
+  }
+
+  static FootCell half_of(const FootCell& cell, bool is_second) {
+    FootCell half = cell;
+    (is_second ? half.from : half.to) = cell.middle();
+    return half;
+  }
+
+  void cover(const FootCell& cell) {
+    const Ball ball = own_ball(cell);
+    const bool has_ball = ball.free_mm > 0;
+    const bool is_covered = has_ball && bound_by_own(cell, ball) <= enough_mm_;
+    const double width = cell.width_mm(0) + cell.width_mm(depth_mm_);
+    const bool is_fine = has_ball ? width < kFine * std::max(enough_mm_, depth_mm_) : width < size_mm_ / 16;
+    if (is_covered || is_fine || cells_.size() > kMostCells) {
+      add_end_of_balls(cell, has_ball);
+      cells_.push_back({cell, balls_.size(), has_ball, is_covered});
+      if (has_ball) balls_.push_back(ball);
+      return;
+    }
+    cover(half_of(cell, false));
+    cover(half_of(cell, true));
+  }
+
+  /// Between a cell that has a ball and a next one of its element that has none lies the outermost one.
+  void add_end_of_balls(const FootCell& cell, bool has_ball) {
+    if (cells_.empty() || cells_.back().has_ball == has_ball) return;
+    const FootCell& before = cells_.back().cell;
+    const bool is_next = before.origin == cell.origin && before.along == cell.along && before.to >= cell.from;
+    if (!is_next) return;
+    FootCell place = cell;
+    double with = has_ball ? cell.middle() : before.middle(), without = has_ball ? before.middle() : cell.middle();
+    Ball outermost;
+    for (int k = 0; k < kMostShrinks; ++k) {
+      place.from = place.to = 0.5 * (with + without);
+      const Ball ball = own_ball(place);
+      const bool is_wide = ball.free_mm > kFine * depth_mm_;  // a narrower one is hard to join
+      (is_wide ? with : without) = place.from;
+      if (is_wide) outermost = ball;
+    }
+    if (outermost.free_mm > 0) balls_.push_back(outermost);
+  }
+
+  void add_axis() {
+    for (std::size_t i = 0; i < kAxisPlaces; ++i) {
+      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(kAxisPlaces);
+      const Vec2 center(0, form_.z_min_mm + share * (form_.z_max_mm - form_.z_min_mm));
+      const double free = free_at(center);
+      if (free > 0) balls_.push_back({center, free});
+    }
+  }
+
+  [[nodiscard]] bool is_asked(const Ball& ball) const {
+    if (ball.center.x() > 0) return false;
+    const double excess = kRegionRounding * (bare_.z_max_mm - bare_.z_min_mm);
+    return -evaluate(bare_, 0, ball.center.y()).signed_distance_mm > depth_mm_ + excess;
+  }
+
+  /// Whether all of the straight line between two places is deeper than asked.
+  [[nodiscard]] bool are_joined(const Ball& a, const Ball& b, int joints = kMostJoints) const {
+    if (a.free_mm + b.free_mm > (a.center - b.center).norm()) return true;
+    if (joints == 0) return false;
+    Ball middle;
+    middle.center = 0.5 * (a.center + b.center);
+    middle.free_mm = free_at(middle.center);
+    return middle.free_mm > 0 && are_joined(a, middle, joints - 1) && are_joined(middle, b, joints - 1);
+  }
+
+  /// From the places on the axis along the contour, both ways, until nothing more joins.
+  void join() {
+    for (Ball& ball : balls_) ball.is_joined = is_asked(ball);
+    for (bool is_new = true; is_new;) {
+      is_new = false;
+      for (std::size_t i = 1; i < balls_.size(); ++i) is_new = take(balls_[i - 1], balls_[i]) || is_new;
+      for (std::size_t i = balls_.size(); i-- > 1;) is_new = take(balls_[i], balls_[i - 1]) || is_new;
+      for (std::size_t i = 0; i < balls_.size() && !is_new; ++i) is_new = !balls_[i].is_joined && join_any(balls_[i]);
+    }
+  }
+
+  [[nodiscard]] bool take(const Ball& from, Ball& to) const {
+    if (!from.is_joined || to.is_joined || !are_joined(from, to)) return false;
+    return to.is_joined = true;
+  }
+
+  bool join_any(Ball& ball) const {
+    for (const Ball& other : balls_) {
+      const bool is_touching = (other.center - ball.center).norm() < other.free_mm + ball.free_mm;
+      if (other.is_joined && is_touching) return ball.is_joined = true;
+    }
+    Ball axis;
+    axis.center = Vec2(0, ball.center.y());
+    axis.free_mm = free_at(axis.center);
+    return axis.free_mm > 0 && is_asked(axis) && (ball.is_joined = are_joined(axis, ball));
+  }
+
+  /// A bound for all points of a cell, not looked for below enough_mm or `known_mm`.
+  [[nodiscard]] double bound(std::size_t k, double known_mm) {
+    const CellBall& own = cells_[k];
+    if (own.is_covered && balls_[own.ball].is_joined)
+      return bound_by_own(own.cell, balls_[own.ball]);
+    std::size_t budget = kMostCells;
+    return bound_by_all(own.cell, own.ball, std::max(known_mm, enough_mm_), budget);
+  }
+
+  [[nodiscard]] double bound_by_all(const FootCell& cell, std::size_t near, double least_mm, std::size_t& budget) {
+    const double ray = longest_ray(cell);
+    double upper = kNoReach_mm;
+    const auto use = [&](const Ball& ball) {
+      if (ball.is_joined) upper = std::min(upper, std::max(0.0, cell.farthest_mm(ball.center, ray) - ball.free_mm));
+    };
+    const std::size_t first = near > kNeighbours ? near - kNeighbours : 0;
+    for (std::size_t i = first; i < std::min(balls_.size(), near + kNeighbours); ++i) use(balls_[i]);
+    for (std::size_t i = balls_.size(); i-- > 0 && upper > least_mm;) use(balls_[i]);  // the newest lie nearest
+    const double width = cell.width_mm(0) + cell.width_mm(std::min(ray, depth_mm_));
+    if (upper <= least_mm || width < kFine * upper || budget < 2) return upper;
+    budget -= 2;
+    const double one = bound_by_piece(half_of(cell, false), near, least_mm, budget);
+    return std::max(one, bound_by_piece(half_of(cell, true), near, std::max(least_mm, one), budget));
+  }
+
+  [[nodiscard]] double bound_by_piece(const FootCell& cell, std::size_t near, double least_mm, std::size_t& budget) {
+    Ball ball = own_ball(cell);
+    if (ball.free_mm > 0 && join_any(ball)) {
+      const double own = bound_by_own(cell, ball);
+      if (own <= least_mm) return own;
+      balls_.push_back(ball);
+    }
+    return bound_by_all(cell, near, least_mm, budget);
+  }
+
+  /// No point of the tool whose foot is in the cell is farther from it: if one at t were, the place at t of the middle
+  /// ray would be at least as deep as t less the way between both.
+  [[nodiscard]] double longest_ray(const FootCell& cell) const {
+    const double longest = std::min(cell.longest_ray_mm(), size_mm_);
+    for (double t = depth_mm_; t < longest; t *= 1.25) {
+      const Vec2 q = cell.at(cell.middle(), t);  // beyond the axis the mirrored tool goes on
+      if (-evaluate(form_, std::abs(q.x()), q.y()).signed_distance_mm < t - cell.width_mm(t) - kRounding * size_mm_) return t;
+    }
+    return longest;
+  }
+
+  const CompiledTool& form_;
+  const CompiledTool& bare_;
+  double depth_mm_, enough_mm_, size_mm_;
+  std::vector<CellBall> cells_;
+  std::vector<Ball> balls_;
+};
+
+}  // namespace
+
+double bound_reach(const CompiledTool& form, const CompiledTool& bare, double depth_mm, double enough_mm) {
+  if (form.elements.empty()) return 0;
+  return ReachSearch(form, bare, depth_mm, enough_mm).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,62 @@
+#include "lib/tool/sure_depth.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/tool/reach_bound.h"
+#include "lib/tool/tool_forms.h"
+
+namespace gouge {
+namespace {
+
+constexpr int kMostHalvings = 40;
+constexpr double kLeast_mm = 1e-5;  // below, rounding would decide
+
+bool is_same_form(const CompiledTool& a, const CompiledTool& b) {
+  return a.elements.size() == b.elements.size() &&
+         std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(),
+                    [](const BoundaryElement& x, const BoundaryElement& y) {
+                      return x.kind == y.kind && x.a == y.a && x.b == y.b && x.center == y.center;
+                    });
+}
+
+}  // namespace
+
+SureDepth find_sure_depth(const CompiledTool& form, const CompiledTool& bare, double given_mm) {
+  const double enough = kReachPerDepth * given_mm;
+  SureDepth sure;
+  sure.reach_mm = bound_reach(form, bare, given_mm, enough);
+  if (sure.reach_mm <= enough) {
+    sure.depth_mm = given_mm;
+    return sure;
+  }
+  for (int k = 1; k <= kMostHalvings; ++k) {
+    const double depth = given_mm * std::exp2(-0.5 * k);
+    if (depth < kLeast_mm) break;
+    if (!(bound_reach(form, bare, depth, enough) <= enough)) continue;
+    sure.depth_mm = depth;
+    sure.halvings = k;
+    break;
+  }
+  return sure;
+}
+
+SureDepth SureDepths::at(const CompiledTool& form, const CompiledTool& bare, double given_mm) const {
+  const std::scoped_lock lock(mutex_);
+  const auto known = known_.find(given_mm);
+  if (known != known_.end()) return known->second;
+  return known_[given_mm] = find_sure_depth(form, bare, given_mm);
+}
+
+SureDepth ToolForms::sure_depth(bool has_parts, bool has_fixtures, double given_mm) const {
+  SureDepth sure{given_mm, given_mm, 0};
+  if (has_parts) sure = part_depths.at(against_part, bare, given_mm);
+  if (!has_fixtures || (has_parts && is_same_form(against_part, against_fixture))) return sure;
+  const SureDepth other = fixture_depths.at(against_fixture, bare, given_mm);
+  const double reach = std::max(sure.reach_mm, other.reach_mm);
+  if (other.depth_mm < sure.depth_mm) sure = other;
+  sure.reach_mm = reach;
+  return sure;
+}
+
+}  // namespace gouge
