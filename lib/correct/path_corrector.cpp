@@ -37,6 +37,11 @@ bool is_straight(const Move& move) {
   return move.kind == MoveKind::feed || move.kind == MoveKind::rapid;
 }
 
+/// How deep the cutter may stay in the part.
+double aim_of(double tolerance_mm) {
+  return tolerance_mm > 2 * kAir_mm ? kAimShare * tolerance_mm : -kAir_mm;
+}
+
 }  // namespace
 
 std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
@@ -52,8 +57,7 @@ PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
                              const std::vector<const ToolForms*>& tools, const MotionChecker& checker,
                              const CorrectOptions& correct)
     : path_(path), result_(result), tools_(tools), checker_(checker), options_(checker.options()), correct_(correct) {
-  const double cut = options_.tolerance_mm > 2 * kAir_mm ? kAimShare * options_.tolerance_mm : -kAir_mm;
-  limits_.aim = {cut, -kAir_mm, -kAir_mm};
+  limits_.aim = {aim_of(options_.tolerance_mm), -kAir_mm, -kAir_mm};
   limits_.largest_shift_mm = correct.max_shift_mm;
   limits_.heads = checker.heads();
   positions_.resize(path_.moves.size());
@@ -126,7 +130,8 @@ void PathCorrector::correct_position(std::size_t i) {
   // A position within the tolerance is left alone, even one deeper than a correction aims for.
   const double within = kBridgeShare * options_.tolerance_mm;
   const CorrectionAim allowed{within, within, 0};
-  PoseLimits now = limits_;
+  const PoseLimits usual = limits_for(tool);
+  PoseLimits now = usual;
   now.aim = allowed;
   const bool is_head_in = head_excess(move.end, now) > 0;
   if (!is_head_in &&
@@ -143,7 +148,7 @@ void PathCorrector::correct_position(std::size_t i) {
     now.aim = {-correct_.rapid_clearance_mm, -correct_.rapid_clearance_mm, -kAir_mm};
     found = freed(now);
   }
-  if (!found.corrected) found = freed(limits_);
+  if (!found.corrected) found = freed(usual);
   work.corrected = found.corrected;
   if (!work.corrected) {
     work.failure = found.reason;
@@ -185,6 +190,15 @@ Pose PathCorrector::start_of(std::size_t i) const {
   return is_chained(i) ? end_of(i - 1) : path_.moves[i].end;
 }
 
+// A thin or pointed tool is clean only where it is less deep than the tolerance allows.
+PoseLimits PathCorrector::limits_for(const ToolForms& tool) const {
+  PoseLimits limits = limits_;
+  const SureDepth sure = sure_depth(tool, *checker_.scene().scene, options_);
+  const double share = sure.depth_mm > 0 ? sure.depth_mm / (options_.tolerance_mm + options_.resolution_mm) : 0;
+  if (share < 1) limits.aim.part_mm = aim_of(share * options_.tolerance_mm);
+  return limits;
+}
+
 BridgeTask PathCorrector::task_of(std::size_t i) const {
   const Move& move = path_.moves[i];
   BridgeTask task;
@@ -195,7 +209,7 @@ BridgeTask PathCorrector::task_of(std::size_t i) const {
   const MoveState state = result_.verdicts[i].state;
   task.options.near_miss_mm = state == MoveState::clean ? options_.near_miss_mm : 0;
   task.options.tolerance_mm = kBridgeShare * options_.tolerance_mm;
-  task.limits = limits_;
+  task.limits = limits_for(*task.tool);
   task.strategy = correct_.strategy;
   task.rapid_clearance_mm = correct_.rapid_clearance_mm;
   task.largest_side_mm = correct_.max_side_shift_mm;

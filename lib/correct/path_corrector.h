@@ -49,6 +49,7 @@ class PathCorrector {
   void correct_position(std::size_t i);
   void choose_moves();
   void bridge_move(std::size_t i);
+  [[nodiscard]] PoseLimits limits_for(const ToolForms& tool) const;
   [[nodiscard]] BridgeTask task_of(std::size_t i) const;
   [[nodiscard]] bool is_free(std::size_t i) const;
   [[nodiscard]] std::vector<BridgePose> programmed_again(std::size_t i) const;
@@ -67,7 +68,7 @@ class PathCorrector {
   const MotionChecker& checker_;
   const CheckOptions& options_;
   const CorrectOptions& correct_;
-  PoseLimits limits_;
+  PoseLimits limits_;  // see limits_for
   std::vector<PositionWork> positions_;
   std::vector<MoveWork> moves_;
 };

@@ -49,7 +49,8 @@ std::string promise_text(const ReportModel& model) {
   const LengthUnit unit = model.toolpath->unit;
   const CheckOptions& options = model.options;
   const double limit_mm = options.tolerance_mm + options.resolution_mm;
-  const std::string limit = "no gouge deeper than tolerance + resolution = " + length_text(limit_mm, unit) + " goes untold";
+  const std::string limit = "no gouge deeper than tolerance + resolution = " + length_text(limit_mm, unit) +
+                            " goes untold, and where none is told the tool reaches at most 3 times that into a solid";
   const StateCounts& n = model.result->counts;
   const std::size_t left_out = n.not_checked + n.not_certified;
   const std::size_t covered = model.result->verdicts.size() - left_out;

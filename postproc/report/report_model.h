@@ -118,7 +118,8 @@ enum class OverallVerdict { clean, gouges, not_fully_checked };
 /// 0, 1 and 4 as in docs: the exit status of `check`.
 [[nodiscard]] int exit_status(OverallVerdict verdict);
 
-/// "no gouge deeper than tolerance + resolution = 0.011 mm goes untold", in the toolpath's unit, with what it
+/// "no gouge deeper than tolerance + resolution = 0.011 mm goes untold, and where none is told the tool reaches at most
+/// 3 times that into a solid", in the toolpath's unit, with what it
 /// does not cover when something was not checked.
 [[nodiscard]] std::string promise_text(const ReportModel& model);
 

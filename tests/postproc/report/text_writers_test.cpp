@@ -44,7 +44,8 @@ TEST(FindingsText, TellsEveryFindingAndTheSummary) {
       "path.apt against part.stl, vise.stl\n"
       "gouges: 1 finding in 2 of 8 moves, the deepest 0.333 mm at line 12; the tool is buried in 1 move\n"
       "moves: 1 clean, 1 near, 2 gouge, 1 buried, 1 not certified, 2 not checked\n"
-      "promise: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm goes untold; "
+      "promise: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm goes untold, and where none is told the tool "
+      "reaches at most 3 times that into a solid; "
       "it does not cover the 3 moves not checked or not certified\n");
 }
 
