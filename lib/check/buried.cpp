@@ -5,12 +5,16 @@
 #include <map>
 #include <memory>
 
+#include "lib/base/number_text.h"
 #include "lib/check/check_path.h"
 #include "lib/check/scene_sides.h"
 #include "lib/tool/free_regions.h"
 
 namespace gouge {
 namespace {
+
+constexpr std::string_view kThinFeatureText = "a thin or pointed feature of the tool may reach into the solid ";
+const std::string kThinFeature(kThinFeatureText);
 
 /// The regions of one tool, for depths that moves share.
 class ToolRegions {
@@ -57,14 +61,14 @@ class BuriedMarker {
     chains.decide(options_.threads, [this](std::size_t item) { return places_of(item); });
     for (std::size_t i = 0; i < verdicts_.size(); ++i) {
       const MoveState state = verdicts_[i].state;
-      if (state == MoveState::clean || state == MoveState::near_miss) judge(i, chains);
+      if (state == MoveState::clean || state == MoveState::near_miss || is_thin_feature(verdicts_[i])) judge(i, chains);
     }
   }
 
  private:
   [[nodiscard]] bool is_proved(std::size_t i) const {
     const MoveState state = verdicts_[i].state;
-    return state != MoveState::not_checked && state != MoveState::not_certified;
+    return is_thin_feature(verdicts_[i]) || (state != MoveState::not_checked && state != MoveState::not_certified);
   }
 
   void find_regions() {
@@ -199,6 +203,20 @@ std::string unknown_side_reason(Body body, const std::string& why) {
 std::string thin_body_reason(Body body) {
   return std::string("the tolerance lets the surface reach the middle of the ") + body_name(body) +
          ", so the tool may be buried; give a smaller tolerance";
+}
+
+bool is_thin_feature(const MoveVerdict& verdict) {
+  return verdict.state == MoveState::not_certified && verdict.reason.starts_with(kThinFeature);
+}
+
+std::string thin_feature_reason(double reach_mm) {
+  std::string how_far = "by any amount";
+  if (std::isfinite(reach_mm)) {
+    const double unit = std::pow(10.0, std::floor(std::log10(reach_mm)) - 1);
+    how_far = "by up to " + exact_text(unit < 1 ? std::ceil(reach_mm / unit) / std::round(1 / unit) : std::ceil(reach_mm / unit) * unit) + " mm";
+  }
+  return kThinFeature + how_far +
+         ", although nothing comes deeper into the tool than the tolerance; give a smaller tolerance";
 }
 
 void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,

@@ -21,6 +21,11 @@ inline constexpr const char* kSkippedRapid = "rapid moves are skipped as asked";
 /// Why a move is not certified: the surface may reach the middle of a body.
 [[nodiscard]] std::string thin_body_reason(Body body);
 
+/// Why a move is not certified: a thin feature may be so far inside the solid (rounded up; infinite: any amount).
+[[nodiscard]] std::string thin_feature_reason(double reach_mm);
+/// Whether a verdict has that reason: its depth is known, so it may still prove to be buried.
+[[nodiscard]] bool is_thin_feature(const MoveVerdict& verdict);
+
 /// Turns moves that are clean or near although the tool is inside a solid, or may be, into buried and not certified.
 ///
 /// While nothing of the surface comes as deep into the tool as some places of it lie, those places cannot pass from

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/base/number_text.h"
+#include "lib/check/buried.h"
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/tool/evaluate.h"
@@ -35,17 +36,6 @@ Targets watched_bodies(const ToolForms& tool, const PreparedScene& scene, MoveKi
 SearchQuestion question(const CheckOptions& options, double reach, double tolerance) {
   const double gap = options.gouge_gap_mm > 0 ? options.gouge_gap_mm : options.resolution_mm;
   return {reach, tolerance, options.resolution_mm, gap, options.budget_per_move};
-}
-
-// Rounded up to two digits.
-std::string thin_feature_reason(double reach_mm) {
-  std::string how_far = "by any amount";
-  if (reach_mm < kFarthest_mm) {
-    const double unit = std::pow(10.0, std::floor(std::log10(reach_mm)) - 1);
-    how_far = "by up to " + exact_text(unit < 1 ? std::ceil(reach_mm / unit) / std::round(1 / unit) : std::ceil(reach_mm / unit) * unit) + " mm";
-  }
-  return "a thin or pointed feature of the tool may reach into the solid " + how_far +
-         ", although nothing comes deeper into the tool than the tolerance; give a smaller tolerance";
 }
 
 /// What the wide sweep says of one move: an answer for each question that may be asked, null where it is not.
