@@ -40,7 +40,7 @@ class ToolCommand : public testing::Test {
   [[nodiscard]] Told run(ToolAction action, const std::string& tool = "",
                          const std::string& output = "") const {
     std::ostringstream out, err;
-    const int status = run_tool({action, path("shop.json"), tool, output}, out, err);
+    const int status = run_tool({action, {}, path("shop.json"), tool, output}, out, err);
     return {status, out.str(), err.str()};
   }
 
