@@ -28,7 +28,7 @@ struct JobArguments {
   std::vector<std::string> tool_names;  ///< N=NAME, or NAME for moves that name no tool
   std::string tolerance = "0.01", stock_to_leave = "0", clearance, near_miss = "0", resolution = "0.001";
   std::string rapid = "straight", progress = "auto";
-  std::uint64_t threads = 0;
+  std::uint32_t threads = 0;
   std::string report_folder, json_file, csv_file, sarif_file, junit_file;
   bool is_forced = false;  ///< foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_extended_up = false;
