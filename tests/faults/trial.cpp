@@ -52,9 +52,19 @@ pid_t start(const std::string& folder, std::vector<std::string> words, std::vect
   for (const auto& [stream, name] : {std::pair(STDOUT_FILENO, ".out"), std::pair(STDERR_FILENO, ".err")})
     posix_spawn_file_actions_addopen(&actions, stream, (folder + name).c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
   posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+  // A job in the background of a shell ignores SIGINT, and so would the program.
+  posix_spawnattr_t attributes;
+  posix_spawnattr_init(&attributes);
+  sigset_t usual;
+  ::sigemptyset(&usual);
+  ::sigaddset(&usual, SIGINT);
+  ::sigaddset(&usual, SIGTERM);
+  posix_spawnattr_setsigdefault(&attributes, &usual);
+  posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF);
   pid_t child = 0;
-  const int failed = posix_spawn(&child, GOUGE_BINARY, &actions, nullptr, pointers_to(words).data(),
+  const int failed = posix_spawn(&child, GOUGE_BINARY, &actions, &attributes, pointers_to(words).data(),
                                  pointers_to(environment).data());
+  posix_spawnattr_destroy(&attributes);
   posix_spawn_file_actions_destroy(&actions);
   return failed == 0 ? child : -1;
 }
