@@ -27,6 +27,8 @@ std::optional<double> within_reach(double length_mm) {
 }
 
 Eigen::Matrix3d turn(double degrees, const Vec3& axis) {
+  // Exact; sine and cosine of a huge angle are anything, and rounded below would be no rotation.
+  degrees = std::fmod(degrees, 360);
   const double quarters = degrees / 90;
   const double whole = std::round(quarters);
   // Quarter turns are exact, so that a part set on its side keeps its coordinates.

@@ -14,5 +14,12 @@ TEST(LengthText, ALengthMayCarryItsUnit) {
     EXPECT_FALSE(parse_length_mm(text)) << text;
 }
 
+TEST(LengthText, ATurnByAHugeAngleIsARotation) {
+  const auto place = parse_place("0,0,0,45,4500000000000000000000000000000000000000000000000000000000,450");
+  ASSERT_TRUE(place.has_value());
+  EXPECT_TRUE((place->rotation * place->rotation.transpose()).isIdentity(1e-12));
+  EXPECT_NEAR(place->rotation.determinant(), 1, 1e-12);
+}
+
 }  // namespace
 }  // namespace gouge
