@@ -13,7 +13,7 @@ namespace gouge {
 /// What an input may have where the user does not say otherwise: 8 GB.
 inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 
-/// The bytes of `path`, a file or a pipe. Errors: those of InputFile (lib/base/input_file.h).
+/// The bytes of `path`, a file or a pipe. Errors: those of InputReader (lib/base/input_file.h).
 [[nodiscard]] Result<std::string> read_file(const std::string& path,
                                             std::uint64_t most_bytes = kMaxInputBytes);
 

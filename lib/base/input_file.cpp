@@ -55,7 +55,7 @@ bool is_same_state(const struct stat& a, const struct stat& b) {
   return a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec && a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
 }
 
-Result<std::string> read_all(InputFile& file) {
+Result<std::string> read_all(InputReader& file) {
   std::string bytes;
   bytes.reserve(file.expected_bytes());
   std::string chunk(std::size_t{1} << 20U, '\0');
@@ -69,21 +69,21 @@ Result<std::string> read_all(InputFile& file) {
 
 }  // namespace
 
-InputFile::InputFile(std::string path, int handle, const struct stat& before, std::uint64_t most_bytes)
+InputReader::InputReader(std::string path, int handle, const struct stat& before, std::uint64_t most_bytes)
     : path_(std::move(path)), handle_(handle), before_(before), most_bytes_(most_bytes) {}
 
-InputFile::InputFile(InputFile&& other) noexcept
+InputReader::InputReader(InputReader&& other) noexcept
     : path_(std::move(other.path_)),
       handle_(std::exchange(other.handle_, -1)),
       before_(other.before_),
       most_bytes_(other.most_bytes_),
       bytes_(other.bytes_) {}
 
-InputFile::~InputFile() {
+InputReader::~InputReader() {
   if (handle_ >= 0) ::close(handle_);
 }
 
-Result<InputFile> InputFile::open(const std::string& path, std::uint64_t most_bytes) {
+Result<InputReader> InputReader::open(const std::string& path, std::uint64_t most_bytes) {
   struct stat info {};
   // Before it is opened: that alone rewinds a tape.
   if (::stat(path.c_str(), &info) != 0) {
@@ -94,16 +94,16 @@ Result<InputFile> InputFile::open(const std::string& path, std::uint64_t most_by
   const int handle = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY);
   if (handle < 0) return unreadable(path, errno);
   if (::fstat(handle, &info) != 0) info = {};
-  InputFile file(path, handle, info, most_bytes);
+  InputReader file(path, handle, info, most_bytes);
   if (const auto unfit = find_unfit(info, path, most_bytes)) return *unfit;
   return file;
 }
 
-std::size_t InputFile::expected_bytes() const {
+std::size_t InputReader::expected_bytes() const {
   return S_ISREG(before_.st_mode) ? static_cast<std::size_t>(before_.st_size) : 0;
 }
 
-Result<std::size_t> InputFile::read(char* to, std::size_t room) {
+Result<std::size_t> InputReader::read(char* to, std::size_t room) {
   ssize_t count = 0;
   do {
     count = ::read(handle_, to, room);
@@ -121,7 +121,7 @@ Result<std::size_t> InputFile::read(char* to, std::size_t room) {
 }
 
 Result<FileView> view_file(const std::string& path, std::uint64_t most_bytes) {
-  Result<InputFile> file = InputFile::open(path, most_bytes);
+  Result<InputReader> file = InputReader::open(path, most_bytes);
   if (!file) return file.error();
   const std::size_t size = file->expected_bytes();
   if (size == 0) {
@@ -142,7 +142,7 @@ Result<FileView> view_file(const std::string& path, std::uint64_t most_bytes) {
 }
 
 Result<std::string> read_file(const std::string& path, std::uint64_t most_bytes) {
-  Result<InputFile> file = InputFile::open(path, most_bytes);
+  Result<InputReader> file = InputReader::open(path, most_bytes);
   if (!file) return file.error();
   return read_all(*file);
 }

@@ -13,16 +13,16 @@ namespace gouge {
 /// A file that is read once from its begin to its end, with a limit on how much that may be. What never ends is refused:
 /// devices before they are opened, pipes at the limit. What changes while it is read is refused too, as half of the old
 /// and half of the new is neither.
-class InputFile {
+class InputReader {
  public:
   /// A terminal is read where it is this program's standard input. Opening a pipe waits for its writer.
   /// Errors: file-not-found, file-is-folder, file-unreadable, input-is-device, input-too-large (a file of more than
   /// `most_bytes`).
-  [[nodiscard]] static Result<InputFile> open(const std::string& path, std::uint64_t most_bytes);
+  [[nodiscard]] static Result<InputReader> open(const std::string& path, std::uint64_t most_bytes);
 
-  InputFile(InputFile&& other) noexcept;
-  InputFile& operator=(InputFile&&) = delete;
-  ~InputFile();
+  InputReader(InputReader&& other) noexcept;
+  InputReader& operator=(InputReader&&) = delete;
+  ~InputReader();
 
   /// How many bytes it will be; 0 where only reading shows.
   [[nodiscard]] std::size_t expected_bytes() const;
@@ -32,7 +32,7 @@ class InputFile {
   [[nodiscard]] Result<std::size_t> read(char* to, std::size_t room);
 
  private:
-  InputFile(std::string path, int handle, const struct stat& before, std::uint64_t most_bytes);
+  InputReader(std::string path, int handle, const struct stat& before, std::uint64_t most_bytes);
 
   std::string path_;
   int handle_ = -1;

@@ -44,7 +44,7 @@ class InputFileTest : public testing::Test {
 };
 
 // What the rest of the file gives.
-std::string code_of_rest(InputFile& file) {
+std::string code_of_rest(InputReader& file) {
   char bytes[16];
   for (;;) {
     const Result<std::size_t> count = file.read(bytes, sizeof bytes);
@@ -99,27 +99,27 @@ TEST_F(InputFileTest, APipeIsReadUpToTheLimit) {
 TEST_F(InputFileTest, WhatChangesWhileItIsReadIsRefused) {
   const auto opened = [&] {
     write("0123456789012345678901234567890123456789");
-    Result<InputFile> file = InputFile::open(path(), 1000);
+    Result<InputReader> file = InputReader::open(path(), 1000);
     char bytes[16];
     EXPECT_TRUE(file && file->read(bytes, sizeof bytes));
     return std::move(*file);
   };
   {
-    InputFile file = opened();
+    InputReader file = opened();
     EXPECT_EQ(code_of_rest(file), "whole");
   }
   {
-    InputFile file = opened();
+    InputReader file = opened();
     std::ofstream(path(), std::ios::app) << "more";
     EXPECT_EQ(code_of_rest(file), "input-changed") << "grown";
   }
   {
-    InputFile file = opened();
+    InputReader file = opened();
     fs::resize_file(path(), 20);
     EXPECT_EQ(code_of_rest(file), "input-changed") << "cut short";
   }
   {
-    InputFile file = opened();
+    InputReader file = opened();
     std::fstream(path(), std::ios::in | std::ios::out) << "X";
     EXPECT_EQ(code_of_rest(file), "input-changed") << "written over";
   }
