@@ -23,7 +23,7 @@ constexpr double kGap_mm = 0.05;
 class Collector {
  public:
   Collector(const TimeSpan& span, const CompiledTool& tool, const BlockTree& tree, double aim,
-            std::vector<Contact>& contacts)
+            std::vector<ToolContact>& contacts)
       : span_(span), frame_(span.f0), tool_(tool), tree_(tree), aim_(aim), contacts_(contacts) {}
 
   void visit(std::uint32_t index) {
@@ -47,7 +47,7 @@ class Collector {
 
   void visit_leaf(const TriangleBlock& leaf) {
     for (std::size_t i = 0; i < leaf.count; ++i) {
-      best_ = Contact{};
+      best_ = ToolContact{};
       pieces_ = 0;
       refine(tree_.corners(leaf.triangle[i]));
       if (best_.excess_mm > 0) contacts_.push_back(best_);
@@ -96,8 +96,8 @@ class Collector {
   const CompiledTool& tool_;
   const BlockTree& tree_;
   double aim_;
-  std::vector<Contact>& contacts_;
-  Contact best_;
+  std::vector<ToolContact>& contacts_;
+  ToolContact best_;
   int pieces_ = 0;
 };
 
@@ -119,9 +119,9 @@ std::vector<AimedTarget> aimed_targets(const ToolForms& tool, const PreparedScen
 
 }  // namespace
 
-std::vector<Contact> find_contacts(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
+std::vector<ToolContact> find_contacts(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
                                    const CorrectionAim& aim) {
-  std::vector<Contact> contacts;
+  std::vector<ToolContact> contacts;
   const Motion alone(pose);
   const TimeSpans spans(alone);
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {

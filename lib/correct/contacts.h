@@ -7,7 +7,7 @@
 namespace gouge {
 
 /// A surface point inside the tool (or closer than allowed) at one pose. The one currency of thesis 5.3.
-struct Contact {
+struct ToolContact {
   Vec3 point = Vec3::Zero();    ///< part coordinates, mm
   Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must give way
   double excess_mm = 0;         ///< how much further than the aim allows
@@ -23,7 +23,7 @@ struct CorrectionAim {
 
 /// One contact for every triangle that reaches deeper than the aim: its deepest point, to a tenth of its
 /// excess. In tree order. Cost O(triangles inside the tool).
-[[nodiscard]] std::vector<Contact> find_contacts(const Pose& pose, const ToolForms& tool,
+[[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const ToolForms& tool,
                                                  const PreparedScene& scene, const CorrectionAim& aim);
 
 /// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only

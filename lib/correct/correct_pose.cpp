@@ -27,7 +27,7 @@ std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms&
     if (is_met) return result;
     Vec3 sum = Vec3::Zero();
     double weight = 0;
-    for (const Contact& contact : find_contacts(result.pose, tool, scene, further)) {
+    for (const ToolContact& contact : find_contacts(result.pose, tool, scene, further)) {
       sum += contact.excess_mm * contact.excess_mm * contact.normal;
       weight += contact.excess_mm;
     }

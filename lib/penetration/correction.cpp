@@ -27,8 +27,8 @@ Vec3 weighted_correction(std::span<const Contact> contacts) {
   return weight > 0 ? Vec3(sum / weight) : Vec3(Vec3::Zero());
 }
 
-Correction correct_until_free(const ContactsAt& contacts_at, const CorrectionOptions& options) {
-  Correction result;
+FreeingShift correct_until_free(const ContactsAt& contacts_at, const CorrectionOptions& options) {
+  FreeingShift result;
   for (;;) {
     const std::vector<Contact> contacts = contacts_at(result.shift);
     result.depth_left_mm = deepest(contacts);

@@ -25,7 +25,7 @@ struct CorrectionOptions {
   std::size_t iterations = 64;
 };
 
-struct Correction {
+struct FreeingShift {
   CorrectionEnd end = CorrectionEnd::limit;
   std::size_t iterations = 0;  ///< corrections applied
   Vec3 shift = Vec3::Zero();   ///< their sum
@@ -39,7 +39,7 @@ using ContactsAt = std::function<std::vector<Contact>(const Vec3& shift)>;
 /// Applies the weighted correction again and again (thesis 5.3, figure 35: 4 to 8 times is usual). The thesis
 /// does not say when to give up; a body jammed in a slot narrower than itself goes back and forth for ever,
 /// which is told as a cycle.
-[[nodiscard]] Correction correct_until_free(const ContactsAt& contacts_at,
+[[nodiscard]] FreeingShift correct_until_free(const ContactsAt& contacts_at,
                                             const CorrectionOptions& options = {});
 
 }  // namespace gouge

@@ -105,6 +105,10 @@ TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) {
   EXPECT_EQ(listed(check_stray_text(repository())), "");
 }
 
+TEST(Repository, NoTwoTypesHaveOneName) {
+  EXPECT_EQ(listed(check_type_names(repository())), "");
+}
+
 TEST(Repository, EveryMessageCodeIsDocumentedAndNoOther) {
   std::set<std::string> used, documented;
   for (const SourceFile& file : repository()) {

@@ -111,6 +111,13 @@ TEST(StrayText, NotesToSelfAndMachinePathsAreRefused) {
   EXPECT_EQ(check_stray_text({{"lib/a.h", "// framework/x, a method\n"}}), Complaints{});
 }
 
+TEST(TypeNames, OfTwoHeadersAreTwo) {
+  const std::string head = "#pragma once\nnamespace gouge {\n";
+  EXPECT_EQ(check_type_names({{"lib/a.h", head + "struct A {\n};\nstruct C;\n"}, {"lib/b.h", head + "class A final : public C {\n};\nstruct C;\n"}}),
+            (Complaints{"lib/b.h:3: defines A again, after lib/a.h"}));
+  EXPECT_EQ(check_type_names({{"lib/a.h", head + "struct A {\n"}, {"lib/b.h", "namespace gouge::detail {\nstruct A {\n"}}), Complaints{});
+}
+
 TEST(MessageCodes, AreReadFromSourcesAndFromTables) {
   EXPECT_EQ(message_codes_of("make_error(\"stl-empty\", \"is empty\"); f(\"path-\" + x); g(\"clean\");"),
             (std::set<std::string>{"stl-empty"}));

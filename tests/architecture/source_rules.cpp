@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <regex>
 #include <set>
 
 namespace gouge::architecture {
@@ -201,6 +202,27 @@ Complaints check_stray_text(const std::vector<SourceFile>& files) {
       for (const std::string& place : kPlaces) {
         if (line.find(place) != std::string::npos) complain(complaints, file, number, "names " + place);
       }
+    }
+  }
+  return complaints;
+}
+
+Complaints check_type_names(const std::vector<SourceFile>& files) {
+  static const std::regex kDefinition(R"(^(?:struct|class|enum class|enum) (\w+)[^;()]*\{.*$)");
+  static const std::regex kNamespace(R"(^namespace ([\w:]+) \{)");
+  std::map<std::string, std::string> first;
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    if (!file.path.ends_with(".h") || file.path.starts_with("tests/") || file.path.starts_with("samples/")) continue;
+    std::string space;
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(file.text)) {
+      ++number;
+      std::smatch match;
+      if (std::regex_search(line, match, kNamespace)) space = match[1].str() + "::";
+      if (!std::regex_match(line, match, kDefinition)) continue;
+      const auto [known, is_new] = first.emplace(space + match[1].str(), file.path);
+      if (!is_new) complain(complaints, file, number, "defines " + match[1].str() + " again, after " + known->second);
     }
   }
   return complaints;

@@ -29,6 +29,10 @@ using Complaints = std::vector<std::string>;
 /// Headers begin with #pragma once; no file is longer than 500 lines; the median is at most 150.
 [[nodiscard]] Complaints check_shape(const std::vector<SourceFile>& files);
 
+/// No two headers of the product define a type of the same name in namespace gouge: linked together, one would be destroyed as
+/// the other.
+[[nodiscard]] Complaints check_type_names(const std::vector<SourceFile>& files);
+
 /// No notes to self, and no paths of the machine the project was written on.
 [[nodiscard]] Complaints check_stray_text(const std::vector<SourceFile>& files);
 

@@ -42,7 +42,7 @@ TEST(Contacts, EveryContactRealisesItsExcessAndGivesWayAlongItsNormal) {
     const Pose pose{Vec3(1, -2, 11), Vec3(0.2, 0.1, 1).normalized()};
     const auto contacts = find_contacts(pose, tool, prepared, kAim);
     EXPECT_GT(contacts.size(), 5U);
-    for (const Contact& c : contacts) {
+    for (const ToolContact& c : contacts) {
       const double depth = c.excess_mm + kAim.part_mm;
       EXPECT_NEAR(contour.depth(pose, c.point), depth, 1e-9);
       EXPECT_NEAR(contour.depth({pose.tip + 0.5 * depth * c.normal, pose.axis}, c.point), 0.5 * depth, 1e-9);
@@ -75,7 +75,7 @@ TEST(Contacts, FixturesAndClearancesAreCorrectedForAsWell) {
   const ToolForms cautious = tools::forms(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
   const auto contacts = find_contacts(upright(0), cautious, prepare_scene(wall), kAim);
   ASSERT_GT(contacts.size(), 0U);
-  for (const Contact& c : contacts) EXPECT_LT(c.normal.x(), -0.99);
+  for (const ToolContact& c : contacts) EXPECT_LT(c.normal.x(), -0.99);
 }
 
 TEST(LargestExcess, IsNeverMoreThanTheTruthAndNothingOnlyWhenTheAimIsMet) {

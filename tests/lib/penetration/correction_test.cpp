@@ -44,7 +44,7 @@ TEST(Correction, OfTheCircleBetweenTwoLinesTakesSevenIterations) {
   // Lines at right angles, the circle of figure 35 as deep as its radius; free is a hundredth of it.
   CorrectionOptions options;
   options.free_mm = 0.01;
-  const Correction c =
+  const FreeingShift c =
       correct_until_free(circle_between_lines(Vec3::Zero(), 1, {in_plane(45), in_plane(135)}), options);
   EXPECT_EQ(c.end, CorrectionEnd::free);
   EXPECT_EQ(c.iterations, 7U);
@@ -56,7 +56,7 @@ TEST(Correction, TakesFourToEightIterationsBetweenLinesOfUsualAngles) {
   CorrectionOptions options;
   options.free_mm = 0.01;
   for (double half = 30; half <= 45; half += 5) {
-    const Correction c = correct_until_free(
+    const FreeingShift c = correct_until_free(
         circle_between_lines(Vec3(0.1, 0.2, 0), 1, {in_plane(90 - half), in_plane(90 + half)}), options);
     EXPECT_EQ(c.end, CorrectionEnd::free);
     EXPECT_GE(c.iterations, 4U) << half;
@@ -65,13 +65,13 @@ TEST(Correction, TakesFourToEightIterationsBetweenLinesOfUsualAngles) {
 }
 
 TEST(Correction, AgainstOneLineIsExactAtOnce) {
-  const Correction c = correct_until_free(circle_between_lines(Vec3(0, 0.3, 0), 1, {Vec3::UnitY()}));
+  const FreeingShift c = correct_until_free(circle_between_lines(Vec3(0, 0.3, 0), 1, {Vec3::UnitY()}));
   EXPECT_EQ(c.iterations, 1U);
   EXPECT_NEAR((c.shift - Vec3(0, 0.7, 0)).norm(), 0, 1e-12);
 }
 
 TEST(Correction, TellsABalance) {
-  const Correction c =
+  const FreeingShift c =
       correct_until_free(circle_between_lines(Vec3::Zero(), 1, {Vec3::UnitX(), -Vec3::UnitX()}));
   EXPECT_EQ(c.end, CorrectionEnd::balanced);
   EXPECT_EQ(c.iterations, 0U);
@@ -85,7 +85,7 @@ TEST(Correction, TellsACycle) {
     c.normal = shift.x() > 0.5 ? Vec3(-Vec3::UnitX()) : Vec3(Vec3::UnitX());
     return std::vector<Contact>{c};
   };
-  const Correction c = correct_until_free(walls);
+  const FreeingShift c = correct_until_free(walls);
   EXPECT_EQ(c.end, CorrectionEnd::cycle);
   EXPECT_LE(c.iterations, 4U);
 }
@@ -99,7 +99,7 @@ TEST(Correction, StopsWhenTheIterationsRunOut) {
   };
   CorrectionOptions options;
   options.iterations = 9;
-  const Correction c = correct_until_free(receding, options);
+  const FreeingShift c = correct_until_free(receding, options);
   EXPECT_EQ(c.end, CorrectionEnd::limit);
   EXPECT_EQ(c.iterations, 9U);
 }
@@ -117,7 +117,7 @@ TEST(Correction, FreesNonConvexBodiesInFourToEightIterations) {
     const Vec3 way = Vec3(std::cos(0.7 * i), std::sin(0.7 * i), 0.1 * i - 1).normalized();
     RigidTransform start;
     start.shift = 48.5 * way;
-    const Correction c = correct_until_free(
+    const FreeingShift c = correct_until_free(
         [&](const Vec3& shift) {
           RigidTransform pose = start;
           pose.shift += shift;
