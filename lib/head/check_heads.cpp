@@ -189,9 +189,11 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
   }
 }
 
+namespace {
+
 // The heads on the straight way to a position alone (check_path asks the tool).
-static void check_links(const Toolpath& toolpath, const HeadChecker& checker, const CheckOptions& options,
-                        std::vector<MoveVerdict>& verdicts) {
+void check_links(const Toolpath& toolpath, const HeadChecker& checker, const CheckOptions& options,
+                 std::vector<MoveVerdict>& verdicts) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const std::optional<Motion> link = link_of(toolpath, i);
     if (!link || !is_open_to_judgement(verdicts[i])) continue;
@@ -204,6 +206,8 @@ static void check_links(const Toolpath& toolpath, const HeadChecker& checker, co
     verdicts[i].reason = unswept_link_reason(toolpath, i);
   }
 }
+
+}  // namespace
 
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const Scene& scene,
                  const CheckOptions& options, CheckResult& result) {

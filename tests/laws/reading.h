@@ -9,6 +9,7 @@
 #include "cli/resolve_tools.h"
 #include "lib/check/check_path.h"
 #include "postproc/cldata/read_toolpath.h"
+#include "tests/support/shapes.h"
 #include "toolmodels/compile_tool.h"
 
 // From the text of a toolpath to its verdict, for tests whose part tells a right reading from a wrong one.
@@ -53,6 +54,13 @@ inline std::string verdict(const Toolpath& path, const IndexedMesh& part) {
     tools.push_back(make_tool_forms(assembly.value_or(ToolAssembly{}), 0, 0, 0).value());
   }
   return verdict(path, part, tools);
+}
+
+/// Of a file against a box whose top is z = 0; the code of its first error where it cannot be read.
+inline std::string outcome_at_box(const std::string& text) {
+  const ReadOutcome read = read_toolpath("a.apt", text);
+  if (!read.toolpath) return read.errors.empty() ? "no error" : read.errors.front().code;
+  return verdict(*read.toolpath, shapes::box({-50, -50, -20}, {50, 50, 0}));
 }
 
 }  // namespace gouge

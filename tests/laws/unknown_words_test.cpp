@@ -7,17 +7,9 @@
 
 #include "postproc/cldata/read_toolpath.h"
 #include "tests/laws/reading.h"
-#include "tests/support/shapes.h"
 
 namespace gouge {
 namespace {
-
-/// A box whose top is z = 0.
-std::string outcome(const std::string& text) {
-  const ReadOutcome read = read_toolpath("a.apt", text);
-  if (!read.toolpath) return read.errors.empty() ? "no error" : read.errors.front().code;
-  return verdict(*read.toolpath, shapes::box({-50, -50, -20}, {50, 50, 0}));
-}
 
 struct Wording {
   const char* name;
@@ -127,7 +119,7 @@ INSTANTIATE_TEST_SUITE_P(
     kName);
 
 TEST_P(UnknownWord, IsNotTakenForClean) {
-  EXPECT_EQ(outcome(GetParam().text), GetParam().outcome);
+  EXPECT_EQ(outcome_at_box(GetParam().text), GetParam().outcome);
 }
 
 }  // namespace
