@@ -6,6 +6,7 @@
 #include "lib/correct/free_pose.h"
 #include "lib/correct/shift_arc.h"
 #include "lib/correct/split_arc.h"
+#include "lib/geom/segment.h"
 
 namespace gouge {
 namespace {
@@ -33,12 +34,6 @@ void join_records(std::size_t move, const Vec3& shift, bool is_inserted, Correct
   const auto place = static_cast<std::size_t>(first - all.begin());
   std::erase_if(all, of_move);
   all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), joined);
-}
-
-double distance(const Vec3& point, const Vec3& a, const Vec3& b) {
-  const double length2 = (b - a).squaredNorm();
-  const double u = length2 > 0 ? std::clamp((point - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
-  return (a + u * (b - a) - point).norm();
 }
 
 class ArcKeeper {
@@ -220,7 +215,7 @@ class ArcKeeper {
       const Pose there = programmed.at(static_cast<double>(i) / kPlaces);
       double off = (stops.front().tip - there.tip).norm();
       for (std::size_t k = 1; k < stops.size(); ++k)
-        off = std::min(off, distance(there.tip, stops[k - 1].tip, stops[k].tip));
+        off = std::min(off, distance_to_segment(there.tip, stops[k - 1].tip, stops[k].tip));
       if (off <= k_.checker.options().tolerance_mm) continue;
       if (k_.checker.is_clean(Motion(there), MoveKind::feed, tool_of(move), options_)) return false;
     }

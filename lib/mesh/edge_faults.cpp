@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "lib/geom/segment.h"
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/twin_sides.h"
 #include "lib/mesh/union_find.h"
@@ -94,10 +95,7 @@ void drop_repeats(WeldedMesh& welded) {
 }  // namespace
 
 double SurfaceGap::distance_mm(const Vec3& point) const {
-  const Vec3 along = end_b - end_a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((point - end_a).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (point - end_a - t * along).norm();
+  return distance_to_segment(point, end_a, end_b);
 }
 
 WeldedMesh weld_together(std::span<const IndexedMesh> meshes) {

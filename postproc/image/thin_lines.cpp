@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/geom/segment.h"
+
 namespace gouge {
 namespace {
 
@@ -11,13 +13,6 @@ constexpr double kSame = 0.1;           // picture units: a tenth of a pixel is 
 constexpr double kCellsPerUnit = 2;     // finer than a line is wide
 constexpr std::size_t kMostPassed = 64;  // points that one segment may stand for: bounds the work for each
 constexpr std::uint8_t kNoInk = 255;
-
-double distance(const Vec2& p, const Vec2& a, const Vec2& b) {
-  const Vec2 along = b - a;
-  const double length2 = along.squaredNorm();
-  const double t = length2 > 0 ? std::clamp((p - a).dot(along) / length2, 0.0, 1.0) : 0.0;
-  return (p - a - t * along).norm();
-}
 
 }  // namespace
 
@@ -41,7 +36,7 @@ void ThinLines::add(const std::vector<Vec2>& points, std::uint8_t ink, const Dra
   for (std::size_t i = 1; i < points.size(); ++i) {
     const Vec2& p = points[i];
     const bool is_near = std::all_of(passed_.begin(), passed_.end(),
-                                     [&](const Vec2& q) { return distance(q, kept_.back(), p) <= kSame; });
+                                     [&](const Vec2& q) { return distance_to_segment(q, kept_.back(), p) <= kSame; });
     if (passed_.size() > 1 && (!is_near || passed_.size() >= kMostPassed)) {
       kept_.push_back(passed_.back());
       passed_.assign(1, kept_.back());
