@@ -78,6 +78,16 @@ bool has_argument(std::span<const Argument> arguments, std::string_view word) {
                      [&](const Argument& a) { return equals_ignoring_case(a.text, word); });
 }
 
+NumberCount count_numbers(std::span<const Argument> arguments) {
+  NumberCount numbers;
+  for (const Argument& argument : arguments) {
+    if (!argument.number) continue;
+    ++numbers.count;
+    numbers.has_negative = numbers.has_negative || *argument.number < 0;
+  }
+  return numbers;
+}
+
 bool has_damaged_argument(std::span<const Argument> arguments) {
   return std::any_of(arguments.begin(), arguments.end(), [](const Argument& argument) {
     return !argument.number && argument.text.find_first_not_of("+-.0123456789") == std::string_view::npos;

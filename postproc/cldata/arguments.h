@@ -23,6 +23,14 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
 /// True where an argument is the word `word`, in any case.
 [[nodiscard]] bool has_argument(std::span<const Argument> arguments, std::string_view word);
 
+struct NumberCount {
+  std::size_t count = 0;
+  bool has_negative = false;
+};
+
+/// How many of the arguments are numbers, and whether one of them is below 0.
+[[nodiscard]] NumberCount count_numbers(std::span<const Argument> arguments);
+
 /// True where nothing stands between two commas, or digits, signs and points are no number: what was lost there nobody
 /// knows.
 [[nodiscard]] bool has_damaged_argument(std::span<const Argument> arguments);

@@ -63,7 +63,7 @@ std::optional<std::size_t> find_unit_word(Arguments arguments) {
 
 Feed read_feed(Arguments arguments, double mm_per_unit) {
   const auto is_number = [](const Argument& a) { return a.number.has_value(); };
-  if (std::count_if(arguments.begin(), arguments.end(), is_number) != 1) return kNotUnderstood;
+  if (count_numbers(arguments).count != 1) return kNotUnderstood;
   const double number = *std::find_if(arguments.begin(), arguments.end(), is_number)->number;
   const std::optional<std::size_t> at = find_unit_word(arguments);
   if (at == arguments.size()) return kNotUnderstood;
@@ -71,9 +71,7 @@ Feed read_feed(Arguments arguments, double mm_per_unit) {
 }
 
 bool switches_inverse_time(Arguments arguments) {
-  return has_argument(arguments, "INVERS") && std::none_of(arguments.begin(), arguments.end(), [](const Argument& a) {
-           return a.number.has_value();
-         });
+  return has_argument(arguments, "INVERS") && count_numbers(arguments).count == 0;
 }
 
 bool has_feed_unit(Arguments arguments) {

@@ -15,20 +15,6 @@ namespace {
 // Whose own numbers may be as many as those of a position: the stock's box, the planes of clearance, a material.
 constexpr std::array<std::string_view, 4> kOfManyNumbers = {"BOX", "CLEARP", "CLRSRF", "MATERL"};
 
-struct Numbers {
-  std::size_t count = 0;
-  bool has_negative = false;
-};
-
-Numbers numbers_of(const std::vector<Argument>& arguments) {
-  Numbers numbers;
-  for (const Argument& argument : arguments) {
-    if (argument.number) ++numbers.count;
-    numbers.has_negative = numbers.has_negative || argument.number.value_or(0) < 0;
-  }
-  return numbers;
-}
-
 }  // namespace
 
 // A word that switches something has one or two numbers; SPINDL alone may have a negative one (the sense of rotation).
@@ -37,7 +23,7 @@ void Interpreter::take_harmless() {
   const auto is_called = [&](std::string_view word) { return equals_ignoring_case(statement_->major, word); };
   if (std::any_of(kOfManyNumbers.begin(), kOfManyNumbers.end(), is_called)) return;
   split_arguments(*statement_, arguments_);
-  const Numbers numbers = numbers_of(arguments_);
+  const NumberCount numbers = count_numbers(arguments_);
   const std::size_t most = numbers.has_negative ? (is_called("SPINDL") ? 1 : 0) : 2;
   if (numbers.count <= most) return;
   count_unknown();
@@ -46,7 +32,7 @@ void Interpreter::take_harmless() {
 
 // A feed rate with what may be its unit's number, and behind them what may be a position.
 void Interpreter::distrust_numbers_of_feed() {
-  const Numbers numbers = numbers_of(arguments_);
+  const NumberCount numbers = count_numbers(arguments_);
   const std::size_t most = numbers.has_negative ? 2 : 3;
   if (statement_->is_decoded || numbers.count <= most) return;
   count_unknown();

@@ -230,7 +230,7 @@ void Interpreter::take_gohome() {
 
 // It has no numbers: a position may stand here.
 void Interpreter::take_rapid() {
-  if (std::any_of(arguments_.begin(), arguments_.end(), [](const Argument& a) { return a.number.has_value(); })) {
+  if (count_numbers(arguments_).count > 0) {
     count_unknown();
     emit_unread();
   } else if (!arguments_.empty()) {

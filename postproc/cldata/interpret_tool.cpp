@@ -136,9 +136,7 @@ void Interpreter::take_tool_number() {
 
 void Interpreter::take_load() {
   if (arguments_.empty() || !equals_ignoring_case(arguments_.front().text, "TOOL")) {
-    const bool has_number = std::any_of(arguments_.begin(), arguments_.end(),
-                                        [](const Argument& a) { return a.number.has_value(); });
-    if (has_number) distrust(Word::load);
+    if (count_numbers(arguments_).count > 0) distrust(Word::load);
     const std::string_view what = arguments_.empty() ? std::string_view() : arguments_.front().text;
     if (has_argument(arguments_, "WIRE")) turning_reason_ = because(Reasons::kTurning);
     if (starts_with_ignoring_case("TOOL", what) || is_one_letter_off("TOOL", what))

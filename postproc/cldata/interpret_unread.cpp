@@ -14,7 +14,7 @@ namespace gouge {
 namespace {
 
 // A word with this many numbers may be a motion.
-constexpr std::ptrdiff_t kNumbersOfMotion = 3;
+constexpr std::size_t kNumbersOfMotion = 3;
 
 bool is_sign(char c) {
   return c == '+' || c == '-' || c == '.';
@@ -158,10 +158,6 @@ bool has_effect(const MachineEffect& e) {
          e.unit;
 }
 
-bool has_number(const std::vector<Argument>& arguments) {
-  return std::any_of(arguments.begin(), arguments.end(), [](const Argument& a) { return a.number.has_value(); });
-}
-
 // Words of no dialect that is read here, which elsewhere choose an offset, a datum or a head, or turn or shift what follows:
 // OFFSET/5, ZSHIFT/5, HEADTILT/30, BAXIS/45.
 bool is_shifting_word(std::string_view word) {
@@ -212,15 +208,10 @@ void Interpreter::take_unknown() {
     if (is_misread) return;
   }
   distrust_arguments();
-  std::ptrdiff_t numbers = 0;
-  bool has_negative = false;
-  for (const Argument& argument : arguments_) {
-    numbers += argument.number ? 1 : 0;
-    has_negative = has_negative || argument.number.value_or(0) < 0;
-  }
+  const NumberCount numbers = count_numbers(arguments_);
   const bool is_motion = starts_with_ignoring_case(statement_->major, "GO") ||
                          starts_with_ignoring_case(statement_->major, "MOV");
-  if (!(numbers >= kNumbersOfMotion || has_negative || (is_motion && numbers > 0))) return;
+  if (!(numbers.count >= kNumbersOfMotion || numbers.has_negative || (is_motion && numbers.count > 0))) return;
   // Before the first position it can only be a shift that matters.
   if (is_motion || !path_.moves.empty()) emit_unread();
   if (!is_motion) unread_frame_reason_ = because(Reasons::kUnreadFrame);
@@ -235,9 +226,9 @@ void Interpreter::distrust_arguments() {
   if (arguments_.empty()) return;
   const bool is_load = arguments_.size() > 1 && arguments_[1].number && equals_ignoring_case(arguments_[0].text, "TOOL");
   const bool is_tool = starts_with_ignoring_case(statement_->major, "LOADTOOL") ||
-                       (starts_with_ignoring_case(statement_->major, "TOOL") && has_number(arguments_));
+                       (starts_with_ignoring_case(statement_->major, "TOOL") && count_numbers(arguments_).count > 0);
   if (is_load || is_tool) loading_reason_ = because(Reasons::kUnreadTool);
-  if (is_shifting_word(statement_->major) && has_number(arguments_))
+  if (is_shifting_word(statement_->major) && count_numbers(arguments_).count > 0)
     unread_frame_reason_ = because(Reasons::kUnreadFrame);
   if (has_argument(arguments_, "LEFT") || has_argument(arguments_, "RIGHT")) distrust(Word::cutcom);
   const bool is_unit = arguments_.size() == 1 && unit_of_word(arguments_[0].text);
