@@ -15,9 +15,9 @@
 #include "lib/correct/correct_path.h"
 #include "lib/head/check_heads.h"
 #include "lib/overcut/measure_overcut.h"
-#include "postproc/cldata/list_written.h"
-#include "postproc/cldata/rewritable_moves.h"
-#include "postproc/cldata/write_corrected.h"
+#include "postproc/cldata/rewriting/list_written.h"
+#include "postproc/cldata/rewriting/rewritable_moves.h"
+#include "postproc/cldata/rewriting/write_corrected.h"
 
 namespace gouge {
 namespace {

@@ -12,7 +12,7 @@
 #include "lib/check/check_move.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/validate_mesh.h"
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 #include "toolmodels/compile_tool.h"
 
 namespace gouge {

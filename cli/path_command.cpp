@@ -9,7 +9,7 @@
 #include "cli/path_info_text.h"
 #include "cli/picture_file.h"
 #include "lib/base/files.h"
-#include "postproc/cldata/write_toolpath.h"
+#include "postproc/cldata/writing/write_toolpath.h"
 #include "postproc/image/path_plot.h"
 
 namespace gouge {

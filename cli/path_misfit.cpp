@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "postproc/cldata/interpreter.h"
+#include "postproc/cldata/interpreting/interpreter.h"
 
 namespace gouge {
 namespace {

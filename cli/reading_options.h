@@ -3,7 +3,7 @@
 #include <string>
 
 #include "lib/base/result.h"
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 
 namespace CLI {
 class App;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 
 namespace gouge {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/laws/promise.h"
 #include "tests/support/real_arcs.h"
 #include "tests/support/shapes.h"

@@ -12,8 +12,8 @@
 #include <sstream>
 
 #include "lib/base/files.h"
-#include "postproc/cldata/rewritable_moves.h"
-#include "postproc/cldata/write_corrected.h"
+#include "postproc/cldata/rewriting/rewritable_moves.h"
+#include "postproc/cldata/rewriting/write_corrected.h"
 #include "samples/cases.h"
 #include "samples/write_sample.h"
 #include "tests/laws/correction_scenes.h"

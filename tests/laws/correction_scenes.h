@@ -9,7 +9,7 @@
 
 #include "lib/check/scene.h"
 #include "lib/path/toolpath.h"
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 #include "tests/support/split_mix.h"

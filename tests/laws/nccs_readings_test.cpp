@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lib/check/check_path.h"
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/postproc/cldata/nccs_file.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lib/check/check_path.h"
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 

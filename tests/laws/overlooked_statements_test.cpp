@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "postproc/cldata/interpreter.h"
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/laws/reading.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"

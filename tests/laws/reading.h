@@ -8,7 +8,7 @@
 
 #include "cli/resolve_tools.h"
 #include "lib/check/check_path.h"
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/support/shapes.h"
 #include "toolmodels/compile_tool.h"
 

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <string>
 
-#include "postproc/cldata/read_toolpath.h"
+#include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/laws/reading.h"
 
 namespace gouge {

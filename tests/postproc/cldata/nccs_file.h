@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "postproc/cldata/nccs_records.h"
+#include "postproc/cldata/nccs/nccs_records.h"
 
 namespace gouge {
 

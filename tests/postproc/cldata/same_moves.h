@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lib/path/toolpath.h"
-#include "postproc/cldata/interpreter.h"
+#include "postproc/cldata/interpreting/interpreter.h"
 
 namespace gouge {
 

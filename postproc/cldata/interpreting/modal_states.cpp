@@ -1,0 +1,122 @@
+#include "postproc/cldata/interpreting/modal_states.h"
+
+#include <array>
+#include <cstddef>
+#include <initializer_list>
+#include <string_view>
+
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+namespace {
+
+// Words of a row, asked for at every statement of a file.
+class WordSet {
+ public:
+  constexpr WordSet(std::initializer_list<Word> words) {
+    for (const Word word : words) has_[static_cast<std::size_t>(word)] = true;
+  }
+  [[nodiscard]] constexpr bool has(Word word) const { return has_[static_cast<std::size_t>(word)]; }
+
+ private:
+  std::array<bool, 256> has_{};
+};
+
+// Words that begin something new: none of them is written while a cycle drills or before the end of an arc.
+constexpr WordSet kBeginsAnew = {Word::operation, Word::tool_path, Word::end_of_path, Word::from,  Word::gohome,
+                                 Word::units,     Word::mode,      Word::multax,      Word::tlaxis, Word::cutcom,
+                                 Word::rapid,     Word::csys,      Word::mcs,         Word::mcsys,  Word::msys,
+                                 Word::rotabl,    Word::trans,     Word::trntyp,      Word::unread_frame};
+constexpr WordSet kTools = {Word::cutter, Word::tldata, Word::loadtl,       Word::load,       Word::toolno,
+                            Word::turret, Word::tprint, Word::flute_length, Word::unread_tool};
+constexpr WordSet kCurves = {Word::circle, Word::movarc, Word::curve, Word::indirv,
+                             Word::tlon,   Word::nurbs,  Word::cntrl};
+constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion};
+constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
+                             Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
+constexpr WordSet kPosition = {Word::go_to, Word::godlta};
+constexpr WordSet kFeed = {Word::fedrat};
+constexpr WordSet kFeedOrBlock = {Word::fedrat, Word::tool_path};
+constexpr WordSet kOperation = {Word::operation};
+constexpr WordSet kBlock = {Word::tool_path};
+constexpr WordSet kFrame = {Word::msys};
+
+// Which files a row is about.
+enum class Files : std::uint8_t {
+  all,
+  no_feed_in_cycles,   // CAM systems whose cycles have their own feed and no FEDRAT after it
+  feed_before_a_hole,  // nobody knows who wrote them: FEDRAT may stand before the first hole
+  creo
+};
+
+struct ModalRule {
+  ModalState state;
+  ModalEffect effect;
+  const WordSet& words;
+  Files files = Files::all;
+};
+
+using enum ModalEffect;
+constexpr auto kRules = std::to_array<ModalRule>({
+    {ModalState::cycle, contradicts, kTools},
+    {ModalState::cycle, contradicts, kBeginsAnew},
+    {ModalState::cycle, contradicts, kCurves},
+    {ModalState::cycle, contradicts, kFeed, Files::no_feed_in_cycles},
+    {ModalState::cycle, contradicts, kFeed, Files::feed_before_a_hole},
+    {ModalState::described_arc, contradicts, kBeginsAnew},
+    {ModalState::described_arc, contradicts, kCurves},
+    {ModalState::described_arc, contradicts, kNoArcEnd},
+    {ModalState::start_tangent, contradicts, kBeginsAnew},
+    {ModalState::start_tangent, contradicts, kCurves},
+    {ModalState::start_tangent, contradicts, kNoArcEnd},
+    {ModalState::start_tangent, contradicts, kPosition},
+    {ModalState::rapid, ends, kFeedOrBlock},
+    {ModalState::cutter_centre, ends, kOperation, Files::creo},
+    {ModalState::motion_run, ends, kNewRun},
+    {ModalState::between_blocks, contradicts, kFrame},
+    {ModalState::between_blocks, ends, kBlock},
+});
+
+bool holds(Files files, DialectKind dialect, bool is_used) {
+  switch (files) {
+    case Files::all:
+      return true;
+    case Files::no_feed_in_cycles:
+      return dialect == DialectKind::nx_clsf || dialect == DialectKind::solidworks_cam ||
+             dialect == DialectKind::creo || dialect == DialectKind::catia || dialect == DialectKind::clt;
+    case Files::feed_before_a_hole:
+      return is_used && (dialect == DialectKind::apt || dialect == DialectKind::goto_list || is_nccs(dialect));
+    case Files::creo:
+      return dialect == DialectKind::creo;
+  }
+  return false;
+}
+
+Word creo_word(std::string_view text) {
+  if (starts_with_ignoring_case(text, "FEATNO")) return Word::operation;
+  if (starts_with_ignoring_case(text, "CSYS")) return Word::csys;
+  if (starts_with_ignoring_case(text, "CUTTER")) return Word::cutter;
+  return Word::comment;
+}
+
+}  // namespace
+
+Word acting_word(const Statement& statement, DialectKind dialect) {
+  if (statement.word != Word::comment || statement.pieces.empty()) return statement.word;
+  const std::string_view text = trim(statement.pieces.front());
+  if (dialect == DialectKind::creo && text.starts_with("->")) return creo_word(trim(text.substr(2)));
+  if (starts_with_ignoring_case(text, "*CATIA0")) return Word::mcs;
+  if (dialect == DialectKind::catia && starts_with_ignoring_case(text, "OPERATION NAME")) return Word::operation;
+  return Word::comment;
+}
+
+ModalEffect effect_on(ModalState state, Word word, DialectKind dialect, bool is_used) {
+  if (state == ModalState::start_tangent && word == Word::tlon) return ModalEffect::none;  // what it is for
+  for (const ModalRule& rule : kRules) {
+    if (rule.state != state || !holds(rule.files, dialect, is_used)) continue;
+    if (rule.words.has(word)) return rule.effect;
+  }
+  return ModalEffect::none;
+}
+
+}  // namespace gouge

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "postproc/cldata/language/statement.h"
+
+namespace gouge {
+
+/// No CAM system writes a statement of so many arguments; one that has them is refused rather than held.
+inline constexpr std::size_t kMostArguments = 100000;
+
+/// The arguments of `statement`, into `arguments` (whose memory is used again). Commas separate them; so do
+/// blanks, line ends, brackets and further slashes, as CAM systems write them. One trailing comma is allowed.
+/// Stops at kMostArguments.
+void split_arguments(const Statement& statement, std::vector<Argument>& arguments);
+
+/// The first argument that is not a number, or nothing.
+[[nodiscard]] const Argument* find_word_argument(std::span<const Argument> arguments);
+
+/// True where an argument is the word `word`, in any case.
+[[nodiscard]] bool has_argument(std::span<const Argument> arguments, std::string_view word);
+
+struct NumberCount {
+  std::size_t count = 0;
+  bool has_negative = false;
+};
+
+/// How many of the arguments are numbers, and whether one of them is below 0.
+[[nodiscard]] NumberCount count_numbers(std::span<const Argument> arguments);
+
+/// True where nothing stands between two commas, or digits, signs and points are no number: what was lost there nobody
+/// knows.
+[[nodiscard]] bool has_damaged_argument(std::span<const Argument> arguments);
+
+/// True where a word stands twice, in any case: which of both counts no reader can tell; and of
+/// more than 64 words, as no statement that is understood has them.
+[[nodiscard]] bool has_repeated_word(std::span<const Argument> arguments);
+
+}  // namespace gouge

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "postproc/cldata/language/words.h"
+
+// One statement of CL data, whatever way its file writes it: text, pairs of lines, binary records.
+
+namespace gouge {
+
+/// One argument of a statement: a number or a word. `text` is a view into the file's bytes, so that a writer
+/// knows which bytes to replace; it is empty where a comma follows a comma.
+struct Argument {
+  std::string_view text;
+  std::optional<double> number;
+};
+
+/// One logical statement. All views are into the bytes given to its reader.
+struct Statement {
+  std::size_t line = 0;        ///< physical line it begins on, counted from 1; of a binary file the record
+  std::size_t first_byte = 0;  ///< [first, last): its physical lines whole, line ends included
+  std::size_t last_byte = 0;
+  Word word = Word::unknown;
+  std::string_view major;        ///< as written, without blanks around it
+  bool is_unterminated = false;  ///< the file ends after a `$`
+  bool hides_comment = false;    ///< a comment with data, such as `$$*CATIA0`, stands between its lines
+  /// What follows the major word, one piece for each physical line, without `$` and comments. A comment has
+  /// one piece: what follows `$$` (and for Creo's `$$->`, its continuation lines).
+  std::vector<std::string_view> pieces;
+  bool is_decoded = false;        ///< `decoded` holds the arguments; `pieces` has one piece, of text or empty
+  std::vector<Argument> decoded;  ///< arguments of a file that does not write them as APT text
+  bool has_axes = false;          ///< every position has its axis, whatever MULTAX says
+  bool is_continuation = false;   ///< its positions go on the way of those of the statement before
+
+  /// As new, with the memory it has.
+  void clear() {
+    line = first_byte = last_byte = 0;
+    word = Word::unknown;
+    major = {};
+    is_unterminated = hides_comment = is_decoded = has_axes = is_continuation = false;
+    pieces.clear();
+    decoded.clear();
+  }
+};
+
+}  // namespace gouge

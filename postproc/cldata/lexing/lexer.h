@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "postproc/cldata/language/statement.h"
+
+// Bytes to logical statements. A `$` ends a line and continues the statement on the next one; `$$` begins a
+// comment, except that the text of PPRINT and its like is taken as it stands. Sequence numbers and labels before a
+// word that is known are no part of it. Bytes are not decoded.
+
+namespace gouge {
+
+class Lexer {
+ public:
+  /// `bytes` must outlive the statements.
+  explicit Lexer(std::string_view bytes, std::size_t first_byte = 0, std::size_t line = 1);
+
+  /// The next statement that is not blank, into `statement` (whose memory is used again); false at the end.
+  [[nodiscard]] bool next(Statement& statement);
+
+ private:
+  [[nodiscard]] std::string_view take_line();
+  void take_pieces(Statement& statement, std::string_view text);
+  void take_words(Statement& statement, std::string_view text);
+  [[nodiscard]] Word word_of(std::string_view major);
+
+  std::string_view bytes_;
+  std::size_t at_;
+  std::size_t line_;
+  std::string_view last_major_;  // statements repeat the word of the one before them
+  Word last_word_ = Word::unknown;
+};
+
+}  // namespace gouge

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "postproc/cldata/language/dialect.h"
+#include "postproc/cldata/language/statement.h"
+#include "postproc/cldata/lexing/lexer.h"
+#include "postproc/cldata/nccs/nccs_statements.h"
+#include "postproc/cldata/nci/nci_statements.h"
+
+// The statements of a file one after another, whatever way its dialect writes them: APT text, the pairs of
+// lines of Mastercam NCI, the records of a binary NCCS file. What reads statements need not know which.
+
+namespace gouge {
+
+class StatementReader {
+ public:
+  /// `bytes` must outlive the statements. `first_byte` is where a statement of text begins, on
+  /// line `line`; binary files are read from their start.
+  StatementReader(std::string_view bytes, DialectKind kind, std::size_t first_byte = 0, std::size_t line = 1)
+      : kind_(kind), lexer_(bytes, first_byte, line), nci_(bytes, first_byte, line), nccs_(bytes) {}
+
+  /// The next statement into `statement` (whose memory is used again); false at the end.
+  [[nodiscard]] bool next(Statement& statement) {
+    if (kind_ == DialectKind::nci) return nci_.next(statement);
+    if (kind_ == DialectKind::nccs_binary) return nccs_.next(statement);
+    return lexer_.next(statement);
+  }
+
+ private:
+  DialectKind kind_;
+  Lexer lexer_;
+  NciStatements nci_;
+  NccsStatements nccs_;
+};
+
+}  // namespace gouge

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+#include "postproc/cldata/language/statement.h"
+#include "postproc/cldata/nccs/nccs_records.h"
+
+// The records of a binary NCCS file as statements: what each says in words of APT, with the arguments its ASCII
+// twin has, so that one interpreter reads both. Lines are record numbers, counted from 1. A record that is not
+// decoded but could matter for motion becomes one that says so.
+
+namespace gouge {
+
+class NccsStatements {
+ public:
+  /// `bytes` must outlive the statements.
+  explicit NccsStatements(std::string_view bytes) : words_(bytes) {}
+
+  /// The next record; false after FINI or at the end. A record that does not fit in the file is a statement
+  /// that is unterminated.
+  [[nodiscard]] bool next(Statement& statement);
+
+ private:
+  void take_record(const NccsHeader& header, Statement& statement);
+  void take_post(const NccsHeader& header, Statement& statement);
+  void take_motion(const NccsHeader& header, Statement& statement);
+  void take_expanded(const NccsHeader& header, Statement& statement);
+  void take_circle(const NccsHeader& header, Statement& statement);
+  void take_cutter(const NccsHeader& header, Statement& statement);
+  [[nodiscard]] Argument number_at(std::size_t index) const;
+  [[nodiscard]] Argument argument_at(std::size_t index) const;
+  [[nodiscard]] std::string_view text_of(const NccsHeader& header) const;
+
+  NccsWords words_;
+  std::size_t word_ = 0;  // the record's first
+  std::size_t record_ = 0;
+  bool is_over_ = false;
+  bool is_multax_off_ = false;
+};
+
+}  // namespace gouge

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "lib/geom/vec.h"
+#include "postproc/cldata/language/statement.h"
+
+// What a motion pair of a Mastercam NCI file says, and where: the reader makes statements of it, the writer
+// puts other numbers into its fields. Evidence for each field: docs/formats/mastercam_nci.md.
+
+namespace gouge {
+
+struct NciCode {
+  static constexpr int kRapid = 0, kLinear = 1, kClockwise = 2, kCounterClockwise = 3, kDwell = 4,
+                       kFiveAxis = 11;
+  static constexpr int kCycleOff = 80, kToolFirst = 1000, kToolLast = 1002, kEnd = 1003, kCancelComp = 1004,
+                       kEntryFirst = 1005, kEntrySecond = 1006, kEntryLast = 1007, kComment = 1008,
+                       kToolPlane = 1014, kSubBegin = 1018, kSubEnd = 1019, kWcs = 1027;
+};
+
+[[nodiscard]] constexpr bool is_nci_motion(int code) {
+  return (code >= NciCode::kRapid && code <= NciCode::kCounterClockwise) || code == NciCode::kFiveAxis;
+}
+
+/// Why a motion pair is not read; told as its word, which is cut after 24 letters.
+struct NciProblems {
+  static constexpr const char* kNumbers = "NCI motion, few numbers";
+  static constexpr const char* kPlane = "NCI arc, plane or comp.";
+  static constexpr const char* kFullCircle = "NCI arc, circle flag";
+  static constexpr const char* kVector = "NCI 11, no tool axis";
+  static constexpr const char* kFlags = "NCI 11, comp. in flags";
+};
+
+enum class NciForm : std::uint8_t { linear, arc, five_axis };
+enum class NciPlane : std::uint8_t { xy, yz, xz };
+
+/// Notation: fields are counted from 0; lengths are in the file's unit.
+struct NciMotion {
+  const char* problem = nullptr;       ///< one of NciProblems: then only `compensation` says anything
+  std::optional<double> compensation;  ///< 0: no change; 40 and 140: off; nothing: not told
+  NciForm form = NciForm::linear;
+  bool is_rapid = false;
+  std::array<std::size_t, 3> tip{};  ///< fields of the end's x, y and z
+  std::optional<std::size_t> comp;   ///< field; nothing where the pair has none
+  std::size_t feed = 0, flags = 0;   ///< fields; that of the flags may be missing
+  Vec3 axis = Vec3::UnitZ();         ///< of five axes: unit
+  double axis_length = 1;            ///< of five axes: how far above the tip the second point is
+  Vec3 center = Vec3::Zero();        ///< of arcs; along their axis it is where the end is
+  NciPlane plane = NciPlane::xy;     ///< of arcs
+  bool is_clockwise = false;         ///< of arcs
+  bool is_full_circle = false;       ///< of arcs, where the pair says so
+};
+
+/// Fields of the second point of a five-axis line.
+inline constexpr std::array<std::size_t, 3> kNciSecondPoint = {3, 4, 5};
+
+/// Requires is_nci_motion(code).
+[[nodiscard]] NciMotion read_nci_motion(int code, std::span<const Argument> fields);
+
+}  // namespace gouge

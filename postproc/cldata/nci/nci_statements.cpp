@@ -1,0 +1,160 @@
+#include "postproc/cldata/nci/nci_statements.h"
+
+#include <cmath>
+#include <utility>
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kToolField = 3;
+constexpr double kCompOff = 40, kCompLeft = 41, kCompRight = 42, kCompOffAtEnd = 140;
+constexpr double kIdentityError = 1e-9;
+
+// Numbers behind the nine would be those of an origin.
+bool is_identity(const std::vector<Argument>& fields) {
+  constexpr std::size_t kNumbers = 9;
+  if (fields.size() < kNumbers) return false;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const double expected = i < kNumbers && i % 4 == 0 ? 1 : 0;
+    if (!fields[i].number || std::abs(*fields[i].number - expected) > kIdentityError) return false;
+  }
+  return true;
+}
+
+CutcomSide side_of(double compensation) {
+  const auto is = [&](double value) { return std::abs(compensation - value) < kIdentityError; };
+  if (is(kCompOff) || is(kCompOffAtEnd)) return CutcomSide::none;
+  return is(kCompLeft) ? CutcomSide::left : is(kCompRight) ? CutcomSide::right : CutcomSide::unknown;
+}
+
+Argument number(double value) {
+  return {{}, value};
+}
+
+}  // namespace
+
+const std::vector<Argument>& NciStatements::read_fields() {
+  split_nci_fields(pair_.parameters, fields_);
+  return fields_;
+}
+
+void NciStatements::add(Word word, std::string_view major) {
+  Statement& statement = queue_[queued_++];
+  statement.clear();
+  statement.line = pair_.line;
+  statement.first_byte = statement.last_byte = pair_.first_byte;
+  statement.word = word;
+  statement.major = major;
+  statement.is_decoded = true;
+  statement.pieces.push_back(pair_.parameters);
+}
+
+// A pair that may have switched compensation in a way that is not read leaves it on.
+void NciStatements::take_compensation(std::optional<double> value) {
+  if (value && std::abs(*value) < kIdentityError) return;
+  const CutcomSide side = value ? side_of(*value) : CutcomSide::unknown;
+  if (side == cutcom_) return;
+  cutcom_ = side;
+  add(Word::cutcom, "CUTCOM");
+  decoded().push_back({cutcom_word(side), std::nullopt});
+}
+
+void NciStatements::take_speed(const NciMotion& motion) {
+  if (motion.is_rapid) {
+    if (motion.form != NciForm::arc) add(Word::rapid, "RAPID");
+  } else if (*fields_[motion.feed].number > 0) {
+    add(Word::fedrat, "FEDRAT");
+    decoded().push_back(fields_[motion.feed]);
+  }
+}
+
+void NciStatements::add_circle(const NciMotion& motion) {
+  add(Word::circle, "CIRCLE");
+  std::vector<Argument>& words = decoded();
+  for (Eigen::Index i = 0; i < 3; ++i) words.push_back(number(motion.center[i]));
+  const Vec3 axis = motion.plane == NciPlane::xy   ? Vec3::UnitZ()
+                    : motion.plane == NciPlane::yz ? Vec3::UnitX()
+                                                   : Vec3::UnitY();
+  for (Eigen::Index i = 0; i < 3; ++i) words.push_back(number(axis[i]));
+  words.push_back({motion.is_clockwise ? "CLOCKWISE" : "COUNTERCLOCKWISE", std::nullopt});
+  if (motion.plane == NciPlane::xz) words.push_back({"ZXPLAN", std::nullopt});
+  if (!motion.is_full_circle) return;
+  words.push_back({"ANGLE", std::nullopt});
+  words.push_back(number(360));
+}
+
+void NciStatements::take_motion() {
+  const NciMotion motion = read_nci_motion(*pair_.code, read_fields());
+  take_compensation(motion.compensation);
+  if (motion.problem != nullptr) return add(Word::unread_motion, motion.problem);
+  take_speed(motion);
+  if (motion.form == NciForm::arc) add_circle(motion);
+  add(Word::go_to, "GOTO");
+  for (const std::size_t field : motion.tip) decoded().push_back(fields_[field]);
+  if (motion.form != NciForm::five_axis) return;
+  for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(motion.axis[i]));
+}
+
+// The tool plane turns positions in a way that no public reference tells.
+void NciStatements::take_plane() {
+  add(is_identity(read_fields()) ? Word::harmless : Word::unread_frame, "NCI 1014 (tool plane)");
+}
+
+void NciStatements::take_pair() {
+  const int code = pair_.code.value_or(-1);
+  if (is_nci_motion(code)) return take_motion();
+  switch (code) {
+    case NciCode::kDwell:
+    case NciCode::kCycleOff:
+      return add(Word::harmless, "80");
+    case NciCode::kCancelComp:
+      take_compensation(kCompOff);
+      return add(Word::harmless, "1004");
+    case NciCode::kEnd:
+      return add(Word::fini, "1003");
+    case NciCode::kEntryFirst:
+    case NciCode::kEntrySecond:
+    case NciCode::kEntryLast:
+      return add(Word::insert, "NCI manual entry");
+    case NciCode::kComment:
+      return add(Word::operation, "1008");
+    case NciCode::kToolPlane:
+      return take_plane();
+    case NciCode::kSubBegin:
+    case NciCode::kSubEnd:
+      return add(Word::unread_frame, "NCI 1018 (subprogram)");
+    case NciCode::kWcs: {
+      const bool is_same = !wcs_ || *wcs_ == pair_.parameters;
+      wcs_ = pair_.parameters;
+      return add(is_same ? Word::harmless : Word::unread_frame, "NCI 1027 (coordinate system)");
+    }
+    default:
+      break;
+  }
+  if (code >= NciCode::kToolFirst && code <= NciCode::kToolLast) {
+    const std::vector<Argument>& fields = read_fields();
+    if (fields.size() <= kToolField) return add(Word::unread_tool, "NCI 1000 to 1002");
+    add(Word::loadtl, "LOADTL");
+    decoded().push_back(fields[kToolField]);
+  } else {
+    add(code < NciCode::kToolFirst ? Word::unread_motion : Word::harmless, "NCI other code");
+  }
+}
+
+bool NciStatements::next(Statement& statement) {
+  if (given_ == queued_) {
+    given_ = queued_ = 0;
+    if (!lines_.next(pair_)) return false;
+    if (pair_.is_whole) {
+      take_pair();
+    } else {
+      add(Word::unknown, "");
+      queue_[0].is_unterminated = true;
+    }
+    queue_[queued_ - 1].last_byte = pair_.last_byte;
+  }
+  std::swap(statement, queue_[given_++]);
+  return true;
+}
+
+}  // namespace gouge

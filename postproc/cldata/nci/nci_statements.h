@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "postproc/cldata/language/cutcom.h"
+#include "postproc/cldata/language/statement.h"
+#include "postproc/cldata/nci/nci_lines.h"
+#include "postproc/cldata/nci/nci_motion.h"
+
+// The pairs of lines of a Mastercam NCI file as statements: what each says in words of APT. Lines, arcs and
+// five-axis lines are motion; drilling and tool planes become motion or frames that are not read.
+// docs/formats/mastercam_nci.md.
+
+namespace gouge {
+
+class NciStatements {
+ public:
+  /// `bytes` must outlive the statements.
+  NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line)
+      : lines_(bytes, first_byte, line) {}
+
+  /// The next statement; a pair may say several, of which all but the last span no bytes. Of a motion the
+  /// last is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.
+  [[nodiscard]] bool next(Statement& statement);
+
+ private:
+  void take_pair();
+  void take_motion();
+  void take_compensation(std::optional<double> value);
+  void take_speed(const NciMotion& motion);
+  void take_plane();
+  void add(Word word, std::string_view major);
+  void add_circle(const NciMotion& motion);
+  [[nodiscard]] std::vector<Argument>& decoded() { return queue_[queued_ - 1].decoded; }
+  /// Of the pair's parameters; good until the next call.
+  [[nodiscard]] const std::vector<Argument>& read_fields();
+
+  NciLines lines_;
+  NciPair pair_;
+  std::vector<Argument> fields_;
+  std::array<Statement, 4> queue_;  // CUTCOM, FEDRAT, CIRCLE, GOTO
+  std::size_t queued_ = 0, given_ = 0;
+  CutcomSide cutcom_ = CutcomSide::none;
+  std::optional<std::string_view> wcs_;
+};
+
+}  // namespace gouge

@@ -1,0 +1,263 @@
+#include "postproc/cldata/parsing/arc_statement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <vector>
+
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+// Coordinates of 4 decimals of an inch put start and end of one arc up to 0.007 mm off each other's circle;
+// real files stay below 0.01 mm.
+constexpr double kRadiusError_mm = 0.02;
+constexpr double kAxisLengthError = 1e-3;
+constexpr double kSamePlace_mm = 1e-9;
+constexpr double kTinyChord_mm = 2e-3;   // rounding could make of an arc this short a full circle
+constexpr double kTurnsChord_mm = 0.01;  // and of whole turns, which TIMES states, in inches of 4 decimals
+constexpr double kAngleError_rad = 0.01;
+constexpr double kLeastTangency = 0.02;  // cosine between tangent and radius that rounding can make
+constexpr double kMostTurns = 1000;
+
+ArcStatement failed(const char* problem) {
+  ArcStatement statement;
+  statement.problem = problem;
+  return statement;
+}
+
+// Centre and vector; with the radius; with what NX and CAMplete write behind it. Any other number of them is a comma
+// lost or a number twice, and what stands behind it is read as something else. Readers of records make their own lists.
+bool has_known_form(DialectKind dialect, std::span<const Argument> arguments) {
+  if (dialect == DialectKind::nci || is_nccs(dialect)) return true;
+  constexpr std::array<std::string_view, 7> kWords = {"CENTER", "AXIS", "RADIUS", "TIMES", "ANGLE", "CLOCKWISE",
+                                                      "COUNTERCLOCKWISE"};
+  std::size_t numbers = 0;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string_view text = arguments[i].text;
+    if (arguments[i].number) {
+      ++numbers;
+    } else if (std::none_of(kWords.begin(), kWords.end(),
+                            [&](std::string_view word) { return equals_ignoring_case(text, word); })) {
+      return false;
+    } else if (equals_ignoring_case(text, "TIMES") || equals_ignoring_case(text, "ANGLE")) {
+      if (++i >= arguments.size() || !arguments[i].number) return false;
+    }
+  }
+  const bool has_angle = dialect == DialectKind::camplete && numbers == 8;
+  return numbers == 6 || numbers == 7 || numbers == 11 || has_angle;
+}
+
+ArcSense sense_of(DialectKind dialect) {
+  switch (dialect) {
+    case DialectKind::nx_clsf:
+    case DialectKind::camplete:
+      return ArcSense::left_handed;
+    case DialectKind::creo:
+    case DialectKind::solidworks_cam:
+    case DialectKind::autodesk:
+    case DialectKind::mori:
+      return ArcSense::right_handed;
+    default:
+      return ArcSense::unknown;
+  }
+}
+
+std::optional<double> number_after(std::span<const Argument> arguments, std::string_view word) {
+  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+    if (equals_ignoring_case(arguments[i].text, word)) return arguments[i + 1].number;
+  }
+  return std::nullopt;
+}
+
+std::optional<Vec3> vector_after(std::span<const Argument> arguments, std::string_view word) {
+  for (std::size_t i = 0; i + 3 < arguments.size(); ++i) {
+    if (!equals_ignoring_case(arguments[i].text, word)) continue;
+    if (!arguments[i + 1].number || !arguments[i + 2].number || !arguments[i + 3].number) return std::nullopt;
+    return Vec3(*arguments[i + 1].number, *arguments[i + 2].number, *arguments[i + 3].number);
+  }
+  return std::nullopt;
+}
+
+// The numbers before the first word.
+std::vector<double> leading_numbers(std::span<const Argument> arguments) {
+  std::vector<double> numbers;
+  for (const Argument& argument : arguments) {
+    if (!argument.number) break;
+    numbers.push_back(*argument.number);
+  }
+  return numbers;
+}
+
+// CENTER,x,y,z,AXIS,i,j,k,RADIUS,r of DMG Mori, or x,y,z,i,j,k[,r] of everybody else.
+bool read_circle(std::span<const Argument> arguments, ArcStatement& statement) {
+  if (const std::optional<Vec3> center = vector_after(arguments, "CENTER")) {
+    const std::optional<Vec3> axis = vector_after(arguments, "AXIS");
+    if (!axis) return false;
+    statement.center = *center;
+    statement.axis = *axis;
+    statement.radius_mm = number_after(arguments, "RADIUS");
+    return true;
+  }
+  const std::vector<double> n = leading_numbers(arguments);
+  if (n.size() < 6) return false;
+  statement.center = Vec3(n[0], n[1], n[2]);
+  statement.axis = Vec3(n[3], n[4], n[5]);
+  if (n.size() > 6) statement.radius_mm = n[6];
+  return true;
+}
+
+// CAMWorks CLT and Mastercam NCI: the vector is a positive one of the part's and the word gives the sense.
+bool read_sense_word(std::span<const Argument> arguments, ArcStatement& statement) {
+  const bool is_right = has_argument(arguments, "COUNTERCLOCKWISE"), is_left = has_argument(arguments, "CLOCKWISE");
+  if (is_right) statement.sense = ArcSense::right_handed;
+  if (is_left) statement.sense = ArcSense::left_handed;
+  return !(is_right && is_left);
+}
+
+double positive(double angle) {
+  return angle <= 0 ? angle + 2 * kPi : angle;
+}
+
+}  // namespace
+
+ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit) {
+  ArcStatement statement;
+  if (has_repeated_word(arguments) || has_damaged_argument(arguments) || !has_known_form(dialect, arguments))
+    return failed(ArcProblems::kForm);
+  if (!read_circle(arguments, statement)) return failed(ArcProblems::kForm);
+  if (dialect == DialectKind::nci && has_argument(arguments, "ZXPLAN")) return failed(ArcProblems::kXzPlane);
+  const double length = statement.axis.norm();
+  if (!(std::abs(length - 1) <= kAxisLengthError)) return failed(ArcProblems::kForm);
+  statement.axis /= length;
+  statement.center *= mm_per_unit;
+  if (statement.radius_mm) *statement.radius_mm *= mm_per_unit;
+  statement.sense = sense_of(dialect);
+  const bool has_word = has_argument(arguments, "CLOCKWISE") || has_argument(arguments, "COUNTERCLOCKWISE");
+  if (has_word && (statement.sense != ArcSense::unknown || dialect == DialectKind::nccs)) return failed(ArcProblems::kBothSenses);
+  if (!read_sense_word(arguments, statement)) return failed(ArcProblems::kBothSenses);
+
+  std::optional<double> sweep_deg = number_after(arguments, "ANGLE");
+  if (dialect == DialectKind::camplete && arguments.size() > 7) sweep_deg = arguments[7].number;
+  if (sweep_deg && *sweep_deg < 0) return failed(ArcProblems::kForm);
+  if (sweep_deg && *sweep_deg > 0) statement.sweep_rad = *sweep_deg * kPi / 180;
+  if (has_argument(arguments, "TIMES")) {
+    const double times = number_after(arguments, "TIMES").value_or(0);
+    if (!(times >= 1 && times <= kMostTurns) || std::floor(times) < times) return failed(ArcProblems::kForm);
+    statement.turns = static_cast<int>(times);
+  }
+  return statement;
+}
+
+bool is_tlon_of_numbers(std::span<const Argument> arguments) {
+  return vector_after(arguments, "CIRCLE").has_value() && vector_after(arguments, "LINE").has_value();
+}
+
+// GOFWD,CIRCLE,x,y,z,r,ON[,2,INTOF],LINE,x,y,z,x,y,z and nothing else: PAST, TO and TANTO end elsewhere.
+std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, double mm_per_unit) {
+  const auto is_word = [&](std::size_t i, std::string_view word) {
+    return equals_ignoring_case(arguments[i].text, word);
+  };
+  const auto are_numbers = [&](std::size_t first, std::size_t count) {
+    const auto numbers = arguments.subspan(first, count);
+    return std::all_of(numbers.begin(), numbers.end(), [](const Argument& a) { return a.number.has_value(); });
+  };
+  constexpr std::size_t kShort = 14, kLong = 16;
+  const std::size_t size = arguments.size();
+  if (size != kShort && size != kLong) return std::nullopt;
+  if (!is_word(0, "GOFWD") || !is_word(1, "CIRCLE") || !are_numbers(2, 4) || !is_word(6, "ON")) return std::nullopt;
+  const bool is_second = size == kLong;
+  if (is_second && (arguments[7].number != 2 || !is_word(8, "INTOF"))) return std::nullopt;
+  if (!is_word(size - 7, "LINE") || !are_numbers(size - 6, 6)) return std::nullopt;
+  const auto vector_at = [&](std::size_t i) {
+    return Vec3(Vec3(*arguments[i].number, *arguments[i + 1].number, *arguments[i + 2].number) * mm_per_unit);
+  };
+  TlonStatement tlon;
+  tlon.center = vector_at(2);
+  tlon.radius_mm = *arguments[5].number * mm_per_unit;
+  tlon.end = vector_at(size - 3);
+  tlon.is_beyond_half = is_second;
+  return tlon;
+}
+
+ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std::optional<Vec3>& tangent) {
+  const Vec3 radial = start - tlon.center;
+  if (!(radial.norm() > kSamePlace_mm)) return failed(ArcProblems::kPoint);
+  if (!tangent || !(tangent->norm() > 0)) return failed(ArcProblems::kTangent);
+  const Vec3 direction = tangent->normalized();
+  if (std::abs(direction.dot(radial.normalized())) > kLeastTangency) return failed(ArcProblems::kTangent);
+  ArcStatement statement;
+  statement.center = tlon.center;
+  statement.axis = radial.cross(direction).normalized();
+  statement.radius_mm = tlon.radius_mm;
+  statement.sense = ArcSense::right_handed;
+  const ArcFit fit = fit_arc(statement, start, tlon.end);
+  if (!fit.problem.empty()) return statement;
+  // Within rounding of half a turn either word is right.
+  const bool is_beyond_half = fit.arc.sweep_rad > kPi;
+  if (is_beyond_half != tlon.is_beyond_half && std::abs(fit.arc.sweep_rad - kPi) > kAngleError_rad &&
+      fit.arc.sweep_rad < 2 * kPi - kAngleError_rad) {
+    return failed(ArcProblems::kHalf);
+  }
+  return statement;
+}
+
+ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end) {
+  ArcFit fit;
+  fit.problem = statement.problem;
+  if (!fit.problem.empty()) return fit;
+  fit.arc.center = statement.center;
+  fit.arc.axis = statement.axis;
+  const Vec3 from = start - statement.center, to = end - statement.center;
+  const Vec3 a = from - from.dot(statement.axis) * statement.axis;
+  const Vec3 b = to - to.dot(statement.axis) * statement.axis;
+  const double r0 = a.norm(), r1 = b.norm();
+  const double stated = statement.radius_mm.value_or(r0);
+  fit.radius_error_mm = std::max({std::abs(r0 - r1), std::abs(r0 - stated), std::abs(r1 - stated)});
+  if (!(fit.radius_error_mm <= kRadiusError_mm)) fit.problem = ArcProblems::kRadius;
+  if (!(std::min(r0, r1) > kSamePlace_mm)) fit.problem = ArcProblems::kPoint;
+  if (statement.sense == ArcSense::unknown) fit.problem = ArcProblems::kSense;
+  if (!fit.problem.empty()) return fit;
+
+  const double sign = statement.sense == ArcSense::right_handed ? 1 : -1;
+  const double chord = (b - a).norm();
+  const bool is_full = chord <= kSamePlace_mm;
+  double sweep = 2 * kPi;
+  if (!is_full) sweep = positive(sign * std::atan2(statement.axis.dot(a.cross(b)), a.dot(b)));
+  const double tiny = statement.turns > 1 ? kTurnsChord_mm : kTinyChord_mm;
+  const bool is_tiny = !is_full && chord <= std::min(tiny, 0.1 * r0);
+  if (statement.turns > 1) {
+    if (!is_full && !is_tiny) fit.problem = ArcProblems::kTimes;
+    if (sweep < kPi) sweep += 2 * kPi;
+    sweep += 2 * kPi * (statement.turns - 1);
+  } else if (statement.sweep_rad) {
+    sweep += 2 * kPi * std::round((*statement.sweep_rad - sweep) / (2 * kPi));
+    const double allowed = kAngleError_rad + 2 * kRadiusError_mm / r0;
+    if (std::abs(sweep - *statement.sweep_rad) > allowed || *statement.sweep_rad > 2 * kPi * kMostTurns) {
+      fit.problem = ArcProblems::kAngle;
+    }
+  } else if (is_tiny) {
+    fit.problem = ArcProblems::kTiny;
+  }
+  fit.arc.sweep_rad = sign * sweep;
+  return fit;
+}
+
+bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end) {
+  statement.sense = ArcSense::right_handed;
+  const bool fits_right = fit_arc(statement, start, end).problem.empty();
+  statement.sense = ArcSense::left_handed;
+  return fits_right && fit_arc(statement, start, end).problem.empty();
+}
+
+Vec3 arc_tangent(const ArcStatement& statement, const Vec3& tip) {
+  const Vec3 tangent = statement.axis.cross(tip - statement.center);
+  const double length = tangent.norm();
+  return length > 0 ? Vec3(tangent / length) : Vec3(Vec3::Zero());
+}
+
+}  // namespace gouge

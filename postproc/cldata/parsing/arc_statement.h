@@ -1,0 +1,86 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "lib/geom/vec.h"
+#include "lib/path/curve.h"
+#include "postproc/cldata/language/arguments.h"
+#include "postproc/cldata/language/dialect.h"
+
+// CIRCLE, MOVARC and CATIA's TLON as arcs between two tips. Every dialect has its own sense of rotation;
+// evidence for each in docs/formats/arcs.md.
+
+namespace gouge {
+
+enum class ArcSense : std::uint8_t { right_handed, left_handed, unknown };
+
+/// Why an arc is not checked. The texts are told to the user.
+struct ArcProblems {
+  static constexpr const char* kForm = "an arc statement that is not understood";
+  static constexpr const char* kStart = "an arc from a position that is not known";
+  static constexpr const char* kRadius = "the arc's start, end and radius do not lie on one circle";
+  static constexpr const char* kPoint = "the arc's radius is 0";
+  static constexpr const char* kTiny = "the arc is either next to nothing or a full circle: its numbers do not tell";
+  static constexpr const char* kAngle = "the angle the arc states does not lead to its end";
+  static constexpr const char* kTimes = "TIMES on an arc that does not end above its start: whether its part of a turn counts as one the file does not say";
+  static constexpr const char* kTangent = "the arc's start direction (INDIRV) does not touch its circle";
+  static constexpr const char* kHalf = "the arc's length and its ON,INTOF word contradict each other";
+  static constexpr const char* kXzPlane =
+      "an arc in the XZ plane of Mastercam NCI: sources do not settle which way round it runs";
+  static constexpr const char* kBothSenses = "the arc is said to run clockwise and counter-clockwise";
+  static constexpr const char* kSense = "nothing in the file tells which way round its arcs run";
+};
+
+/// What an arc statement says, in mm and in the frame its numbers are in.
+struct ArcStatement {
+  Vec3 center = Vec3::Zero();
+  Vec3 axis = Vec3::UnitZ();  ///< unit
+  std::optional<double> radius_mm;
+  std::optional<double> sweep_rad;  ///< stated, without sign
+  int turns = 1;                    ///< TIMES
+  ArcSense sense = ArcSense::unknown;
+  std::string_view problem;  ///< one of ArcProblems: then the rest says nothing; empty: none
+};
+
+/// CIRCLE/ or MOVARC/ in the sense of `dialect`.
+[[nodiscard]] ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit);
+
+/// CATIA: TLON,GOFWD/(CIRCLE/center,r),ON[,2,INTOF],(LINE/center,end). The circle lies in the plane of `tangent`
+/// (INDIRV) and the way from the centre to `start`; it leaves the start along `tangent`.
+struct TlonStatement {
+  Vec3 center = Vec3::Zero(), end = Vec3::Zero();
+  double radius_mm = 0;
+  bool is_beyond_half = false;  ///< ON,2,INTOF: the second crossing of the line
+};
+
+/// True where circle and line are numbers, whatever words stand beside them: no part program.
+[[nodiscard]] bool is_tlon_of_numbers(std::span<const Argument> arguments);
+
+/// Nothing for a TLON of another form.
+[[nodiscard]] std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, double mm_per_unit);
+
+[[nodiscard]] ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start,
+                                       const std::optional<Vec3>& tangent);
+
+/// The arc of a statement between two tips, or why there is none.
+struct ArcFit {
+  PathArc arc;
+  std::string_view problem;    ///< one of ArcProblems; empty: none
+  double radius_error_mm = 0;  ///< how far start, end and the stated radius disagree
+};
+
+/// Ensures  the sweep ends at `end` exactly; start = end is a full circle.
+/// Errors   problem: kForm and its like from the statement; kRadius beyond 0.02 mm, kPoint, kTiny, kAngle,
+///          kTimes, and kSense when the sense is unknown.
+[[nodiscard]] ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end);
+
+/// True where the arc fits between both tips whichever way round it runs, so that only its sense tells: a stated half
+/// turn, a whole turn of a helix, any arc that states no sweep.
+[[nodiscard]] bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end);
+
+/// Unit direction in which a right-handed arc passes `tip`.
+[[nodiscard]] Vec3 arc_tangent(const ArcStatement& statement, const Vec3& tip);
+
+}  // namespace gouge

@@ -1,0 +1,152 @@
+#include "postproc/cldata/parsing/cutter_statement.h"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+namespace {
+
+// CAM systems write tool sizes with 4 decimals or more: a radius of half of 0.3125 is written 0.1563.
+constexpr double kRadiusRounding = 1e-4;
+
+double radians(double degrees) {
+  return degrees * std::numbers::pi / 180;
+}
+
+// The corner circle touches the bottom line, which rises by alpha, and the flank, which leans out by beta;
+// both meet at radius d/2. Its centre lies r inside of each.
+void find_corner_centre(CutterStatement& cutter) {
+  const double a = radians(cutter.alpha_deg);
+  const double b = radians(cutter.beta_deg);
+  const double along_flank = cutter.r_mm * (1 - std::sin(a + b)) / std::cos(a + b);
+  cutter.e_mm = cutter.d_mm / 2 - cutter.r_mm * std::cos(b) + along_flank * std::sin(b);
+  cutter.f_mm = cutter.d_mm / 2 * std::tan(a) + cutter.r_mm * std::sin(b) + along_flank * std::cos(b);
+}
+
+bool is_zero(double x) {
+  return !(x < 0) && !(x > 0);
+}
+
+// Two zeros are no centre: a corner circle about the tip would reach below it.
+bool is_corner_elsewhere(const CutterStatement& cutter, double r_mm, double z_mm, double mm_per_unit) {
+  if (is_zero(r_mm) && is_zero(z_mm)) return false;
+  const double allowed = 2 * kRadiusRounding * mm_per_unit;
+  return std::abs(r_mm - cutter.e_mm) > allowed || std::abs(z_mm - cutter.f_mm) > allowed;
+}
+
+std::string check_numbers(std::span<const Argument> arguments) {
+  const Argument* word = find_word_argument(arguments);
+  if (word == nullptr) return {};
+  return quoted_text(word->text) + " is not a finite number";
+}
+
+// Sizes every form shares, in file units. Returns what is wrong with them.
+std::string check_sizes(double d, double r, double h, double alpha_deg, double beta_deg) {
+  if (d < 0) return "diameter " + exact_text(d) + " is negative";
+  if (r < 0) return "corner radius " + exact_text(r) + " is negative";
+  if (h < 0) return "length " + exact_text(h) + " is negative";
+  if (alpha_deg < 0 || alpha_deg >= 90)
+    return "tip angle " + exact_text(alpha_deg) + " is not within 0 to 90 degrees";
+  if (std::abs(beta_deg) >= 90)
+    return "flank angle " + exact_text(beta_deg) + " is not within -90 to 90 degrees";
+  return {};
+}
+
+std::string check_radius(double d, double r) {
+  if (r <= d / 2 + kRadiusRounding) return {};
+  return "corner radius " + exact_text(r) + " is larger than half the diameter " + exact_text(d);
+}
+
+CutterOutcome wrong(std::string error) {
+  return {std::nullopt, 0, std::move(error), {}, false};
+}
+
+}  // namespace
+
+CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit, DialectKind dialect) {
+  if (std::string error = check_numbers(arguments); !error.empty()) return wrong(std::move(error));
+  const std::size_t count = arguments.size();
+  if (count != 1 && count != 2 && count != 7) return wrong("found " + std::to_string(count) + " numbers");
+  std::array<double, 7> v{};
+  for (std::size_t i = 0; i < count; ++i) v[i] = *arguments[i].number;
+  if (std::string error = check_sizes(v[0], v[1], v[6], v[4], v[5]); !error.empty())
+    return wrong(std::move(error));
+  const bool is_plain = is_zero(v[4]) && is_zero(v[5]);
+  if (is_zero(v[0]) && is_plain)
+    return {std::nullopt, 0, {}, "CUTTER with diameter 0 defines no tool", false};
+
+  CutterStatement cutter;
+  cutter.d_mm = v[0] * mm_per_unit;
+  cutter.r_mm = v[1] * mm_per_unit;
+  cutter.e_mm = v[2] * mm_per_unit;
+  cutter.f_mm = v[3] * mm_per_unit;
+  cutter.alpha_deg = v[4];
+  cutter.beta_deg = v[5];
+  cutter.h_mm = v[6] * mm_per_unit;
+  cutter.given = static_cast<int>(count);
+  if (is_plain) {
+    if (std::string error = check_radius(v[0], v[1]); !error.empty()) return wrong(std::move(error));
+    cutter.r_mm = std::min(cutter.r_mm, cutter.d_mm / 2);
+    cutter.e_mm = cutter.d_mm / 2 - cutter.r_mm;
+    cutter.f_mm = cutter.r_mm;
+  } else if (dialect == DialectKind::autodesk) {
+    if (v[4] + v[5] >= 90) return wrong("tip angle and flank angle together reach 90 degrees");
+    find_corner_centre(cutter);
+  }
+  const double change_mm =
+      std::max(std::abs(cutter.e_mm - v[2] * mm_per_unit), std::abs(cutter.f_mm - v[3] * mm_per_unit));
+  return {cutter, 0, {}, {}, count == 7 && change_mm > 2 * kRadiusRounding * mm_per_unit};
+}
+
+CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill, double mm_per_unit) {
+  if (std::string error = check_numbers(arguments); !error.empty()) return wrong(std::move(error));
+  const std::size_t count = arguments.size();
+  if (is_drill ? count != 5 : count != 5 && count != 7 && count != 10) {
+    return wrong("found " + std::to_string(count) + " numbers");
+  }
+  std::array<double, 10> v{};
+  for (std::size_t i = 0; i < count; ++i) v[i] = *arguments[i].number;
+  if (is_drill && (v[3] <= 0 || v[3] > 180)) {
+    return wrong("point angle " + exact_text(v[3]) + " is not within 0 to 180 degrees");
+  }
+  const double taper = is_drill ? 0 : v[3];
+  const double tip = is_drill ? (180 - v[3]) / 2 : v[4];
+  if (std::string error = check_sizes(v[0], v[1], v[2], tip, taper); !error.empty())
+    return wrong(std::move(error));
+  if (tip + taper >= 90) return wrong("tip angle and taper angle together reach 90 degrees");
+  if (is_zero(v[0])) return {std::nullopt, 0, {}, "TLDATA with diameter 0 defines no tool", false};
+  if (count == 10 && !is_zero(v[7])) {
+    return {std::nullopt,
+            0,
+            {},
+            "TLDATA with an upper corner radius is not understood: define the tool in the tool library",
+            false};
+  }
+  if (is_zero(tip) && is_zero(taper)) {
+    if (std::string error = check_radius(v[0], v[1]); !error.empty()) return wrong(std::move(error));
+  }
+
+  CutterStatement cutter;
+  cutter.d_mm = v[0] * mm_per_unit;
+  cutter.r_mm = std::min(v[1] * mm_per_unit, cutter.d_mm / 2);
+  cutter.alpha_deg = tip;
+  cutter.beta_deg = taper;
+  cutter.h_mm = v[2] * mm_per_unit;
+  cutter.given = 7;
+  find_corner_centre(cutter);
+  if (count > 5 && is_corner_elsewhere(cutter, v[5] * mm_per_unit, v[6] * mm_per_unit, mm_per_unit)) {
+    return {std::nullopt,
+            0,
+            {},
+            "TLDATA whose corner circle lies at " + exact_text(v[5]) + "," + exact_text(v[6]) +
+                ", not where its other numbers have it, is not understood: define the tool in the tool library",
+            false};
+  }
+  return {cutter, is_drill ? v[4] * mm_per_unit : 0, {}, {}, false};
+}
+
+}  // namespace gouge

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <variant>
+
+#include "lib/path/toolpath.h"
+#include "postproc/cldata/language/arguments.h"
+#include "postproc/cldata/language/dialect.h"
+
+// The numbers of CUTTER/ and TLDATA/ as APT cutter parameters in mm.
+
+namespace gouge {
+
+/// A cutter; or why the numbers are wrong; or nothing, where they are not wrong but define no cutter that
+/// CUTTER/ can express (diameter 0, an upper corner radius): `note` says which.
+struct CutterOutcome {
+  std::optional<CutterStatement> cutter;
+  double flute_length_mm = 0;
+  std::string error;
+  std::string note;
+  bool is_recomputed = false;  ///< e and f differ from those the file has
+};
+
+/// CUTTER/d | d,r | d,r,e,f,alpha,beta,h. Where alpha = beta = 0, e and f follow from d and r, because CAM
+/// systems disagree about what they write there;
+/// in Autodesk ISO 4343 also where they are not, because it writes the diameter of the tip for e. A corner
+/// radius beyond d/2 by rounding only is taken as d/2.
+[[nodiscard]] CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit,
+                                        DialectKind dialect = DialectKind::apt);
+
+/// TLDATA/MILL,D,R,length,taper,tip[,x,y[,upper radius,x,y]] and TLDATA/DRILL[,MILL],D,R,length,point,flutes.
+/// `arguments` without the first word; `is_drill` tells which form.
+[[nodiscard]] CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill,
+                                               double mm_per_unit);
+
+}  // namespace gouge

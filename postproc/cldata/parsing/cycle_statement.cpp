@@ -1,0 +1,391 @@
+#include "postproc/cldata/parsing/cycle_statement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/parsing/feed_statement.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kFarthest_mm = 1e6;
+
+using Arguments = std::span<const Argument>;
+
+bool is_one_of(std::string_view text, std::span<const std::string_view> words) {
+  return std::any_of(words.begin(), words.end(),
+                     [text](std::string_view word) { return equals_ignoring_case(text, word); });
+}
+
+// Cycles whose tool goes straight down and straight up again.
+constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2", "BRKCHP", "CHIPBRK",
+                                                        "TAP",   "RTAP",  "LTAP",  "RIGID",  "REAM",
+                                                        "BORE",  "CSINK", "FACE",  "CBORE"};
+// Cycles whose tool comes up while the spindle turns back, and those that may come up at the feed.
+constexpr std::array<std::string_view, 4> kTapping = {"TAP", "RTAP", "LTAP", "RIGID"};
+constexpr std::array<std::string_view, 5> kFedOut = {"REAM", "BORE", "BORE7", "BORE8", "CBORE"};
+// Words that move the tool sideways, or turn the sense of the heights round.
+constexpr std::array<std::string_view, 6> kSideways = {"ORIENT", "NODRAG", "BACK",
+                                                       "SHIFT",  "MANUAL", "DIAMETR"};
+
+constexpr std::array<std::string_view, 6> kHeightWords = {"FEDTO", "DEPTH", "RAPTO", "CLEAR", "RTRCTO", "RETURN"};
+constexpr std::size_t kLongestWord = 24;
+
+// Words that one number follows.
+constexpr std::array<std::string_view, 11> kHeights = {"FEDTO",  "DEPTH", "RAPTO", "CLEAR",  "RTRCTO", "RETURN",
+                                                       "MMPM",   "IPM",   "MMPR",  "IPR",    "PERMIN"};
+
+std::optional<double> after(Arguments arguments, std::string_view word) {
+  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+    if (equals_ignoring_case(arguments[i].text, word)) return arguments[i + 1].number;
+  }
+  return std::nullopt;
+}
+
+std::optional<double> after_either(Arguments arguments, std::string_view first, std::string_view second) {
+  const std::optional<double> value = after(arguments, first);
+  return value ? value : after(arguments, second);
+}
+
+// A word with no number after it means a height all the same, one that is not stated: RTRCTO,AUTO of NX.
+struct Retract {
+  std::optional<double> height;
+  bool is_known = true;
+};
+
+// Both words may stand in one statement; `own` is the one whose number is read. The other one alone says that there
+// is a retract, not how high.
+Retract read_retract(Arguments arguments, std::string_view own) {
+  Retract retract;
+  if (!own.empty()) retract.height = after(arguments, own);
+  const bool is_named = has_argument(arguments, "RTRCTO") || has_argument(arguments, "RETURN");
+  retract.is_known = retract.height.has_value() || !is_named;
+  const std::optional<double> rtrcto = after(arguments, "RTRCTO"), back = after(arguments, "RETURN");
+  if (rtrcto && back && std::abs(*rtrcto - *back) > 0) retract = {std::nullopt, false};
+  return retract;
+}
+
+// RETURN,0 is the way to the retract plane, whose height Creo's statement does not have.
+Retract read_return(Arguments arguments) {
+  Retract retract = read_retract(arguments, "RETURN");
+  if (retract.height && !(std::abs(*retract.height) > 0)) retract = {std::nullopt, false};
+  return retract;
+}
+
+DrillCycle make(double clearance, double bottom, const Retract& retract) {
+  DrillCycle cycle;
+  cycle.clearance_mm = clearance;
+  cycle.bottom_mm = bottom;
+  cycle.is_retract_known = retract.is_known;
+  cycle.is_retract_stated = retract.height.has_value() || !retract.is_known;
+  cycle.retract_mm = retract.height.value_or(clearance);
+  return cycle;
+}
+
+// A height's word with a letter wrong, or its number run into it: what it said is lost.
+bool is_damaged_height(const Argument& argument) {
+  if (argument.number || argument.text.empty()) return false;
+  std::string letters;
+  for (const char c : argument.text.substr(0, kLongestWord)) {
+    if (is_letter(c)) letters += c;
+  }
+  const bool is_run_in = letters.size() != argument.text.size();
+  return std::any_of(kHeightWords.begin(), kHeightWords.end(), [&](std::string_view word) {
+    return is_one_letter_off(letters, word) || (is_run_in && equals_ignoring_case(letters, word));
+  });
+}
+
+bool has_both(Arguments arguments, std::string_view one, std::string_view other) {
+  return has_argument(arguments, one) && has_argument(arguments, other);
+}
+
+// Two depths, two clearances that differ, a height with two numbers: which one counts nobody can tell.
+bool contradicts_itself(DialectKind dialect, Arguments arguments) {
+  if (has_repeated_word(arguments) || has_both(arguments, "FEDTO", "DEPTH") || has_both(arguments, "G98", "G99") ||
+      has_argument(arguments, "OFF") || has_argument(arguments, "NOMORE")) {
+    return true;
+  }
+  if (has_damaged_argument(arguments) || std::any_of(arguments.begin(), arguments.end(), is_damaged_height)) return true;
+  // Their numbers have places, not words, or are read one by one.
+  if (dialect == DialectKind::clt || is_nccs(dialect)) return false;
+  for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
+    const bool is_height = is_one_of(arguments[i].text, kHeights);
+    if (is_height && arguments[i + 1].number && arguments[i + 2].number) return true;
+  }
+  return false;
+}
+
+// A word of a cycle, and how many numbers may stand after it.
+struct CycleWord {
+  std::string_view word;
+  std::size_t least, most;
+};
+
+// Words that say no more than is read of them, or how the feed, the pecks and the dwell are: nothing of where the tool
+// goes. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
+constexpr auto kCycleWords = std::to_array<CycleWord>({{"FEDTO", 1, 1},
+                                                       {"DEPTH", 1, 1},
+                                                       {"RAPTO", 1, 1},
+                                                       {"CLEAR", 1, 1},
+                                                       {"RTRCTO", 0, 1},
+                                                       {"RETURN", 0, 1},
+                                                       {"AUTO", 0, 0},
+                                                       {"STEP", 0, 3},
+                                                       {"1STPECK", 1, 1},
+                                                       {"STPECK", 1, 1},
+                                                       {"SUBPECK", 1, 1},
+                                                       {"PECK", 1, 2},
+                                                       {"INCR", 1, 2},
+                                                       {"DWELL", 0, 1},
+                                                       {"REV", 0, 1},
+                                                       {"FEDRAT", 0, 1},
+                                                       {"MMPM", 0, 1},
+                                                       {"IPM", 0, 1},
+                                                       {"MMPR", 0, 1},
+                                                       {"IPR", 0, 1},
+                                                       {"PERMIN", 0, 1},
+                                                       {"PERREV", 0, 1},
+                                                       {"TPI", 1, 1},
+                                                       {"RPM", 0, 1},
+                                                       {"DRAG", 0, 0}});
+
+// CAMWorks CLT: the numbers have places behind these words.
+constexpr auto kCltWords = std::to_array<CycleWord>({{"G98", 1, 1},
+                                                     {"G99", 1, 1},
+                                                     {"PECKING", 1, 3},
+                                                     {"MMPM", 3, 4},
+                                                     {"IPM", 3, 4},
+                                                     {"MMPR", 3, 4},
+                                                     {"IPR", 3, 4},
+                                                     {"DWELL", 1, 1}});
+
+constexpr auto kNccsWords = std::to_array<CycleWord>({{"FEDTO", 1, 2},
+                                                      {"RAPTO", 1, 1},
+                                                      {"RTRCTO", 1, 2},
+                                                      {"STEP", 1, 2},
+                                                      {"DWELL", 1, 2},
+                                                      {"IPM", 1, 2},
+                                                      {"IPR", 1, 2},
+                                                      {"MMPM", 1, 2},
+                                                      {"MMPR", 1, 2},
+                                                      {"TPI", 1, 2}});
+
+std::span<const CycleWord> cycle_words(DialectKind dialect) {
+  if (dialect == DialectKind::clt) return kCltWords;
+  if (is_nccs(dialect)) return kNccsWords;
+  return kCycleWords;
+}
+
+// How many numbers follow the word at `at`.
+std::size_t numbers_after(Arguments arguments, std::size_t at) {
+  std::size_t count = 0;
+  while (at + 1 + count < arguments.size() && arguments[at + 1 + count].number) ++count;
+  return count;
+}
+
+// Every word behind the cycle's kind is one that is known, with as many numbers as it has. A second kind may stand beside the
+// first (DRILL,DEEP); CATIA's default table writes its two numbers without words.
+bool has_only_known_words(DialectKind dialect, Arguments arguments) {
+  std::size_t at = 1;
+  if (dialect == DialectKind::catia && arguments.size() > 1 && arguments[1].number) return arguments.size() == 3;
+  const std::span<const CycleWord> words = cycle_words(dialect);
+  while (at < arguments.size()) {
+    const std::size_t count = numbers_after(arguments, at);
+    const bool is_kind = !is_nccs(dialect) && is_one_of(arguments[at].text, kStraight);
+    const auto word = std::find_if(words.begin(), words.end(), [&](const CycleWord& known) {
+      return equals_ignoring_case(arguments[at].text, known.word);
+    });
+    if (word == words.end() ? !(is_kind && count == 0) : (count < word->least || count > word->most)) return false;
+    at += 1 + count;
+  }
+  return true;
+}
+
+// FEDTO is a height (negative below the position), RAPTO, or CLEAR in its place, and RTRCTO are heights above it.
+std::optional<DrillCycle> read_nx(Arguments arguments) {
+  if (has_argument(arguments, "RAPTO") && has_argument(arguments, "CLEAR")) return std::nullopt;
+  const std::optional<double> bottom = after(arguments, "FEDTO");
+  const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");
+  if (!bottom || !clearance) return std::nullopt;
+  return make(*clearance, *bottom, read_retract(arguments, "RTRCTO"));
+}
+
+// FEDTO is a depth below the position; CAMplete leaves a RAPTO of 0 out, and its CLEAR is no height above it.
+std::optional<DrillCycle> read_depth_words(Arguments arguments, bool is_clearance_optional) {
+  const std::optional<double> depth = after(arguments, "FEDTO");
+  std::optional<double> clearance = after(arguments, "RAPTO");
+  if (!has_argument(arguments, "RAPTO") && is_clearance_optional) clearance = 0;
+  if (!depth || *depth < 0 || !clearance) return std::nullopt;
+  return make(*clearance, -*depth, read_retract(arguments, "RTRCTO"));
+}
+
+// DEPTH below the position, CLEAR and RETURN above it.
+std::optional<DrillCycle> read_creo(Arguments arguments) {
+  const std::optional<double> depth = after(arguments, "DEPTH"), clearance = after(arguments, "CLEAR");
+  if (!depth || *depth < 0 || !clearance) return std::nullopt;
+  return make(*clearance, -*depth, read_return(arguments));
+}
+
+// The default post table writes depth and clearance as the first two numbers; others write Creo's words.
+std::optional<DrillCycle> read_catia(Arguments arguments) {
+  if (has_argument(arguments, "DEPTH")) {
+    return arguments[1].number ? std::nullopt : read_creo(arguments);
+  }
+  for (const std::string_view height : {"FEDTO", "RAPTO", "CLEAR"}) {
+    if (has_argument(arguments, height)) return std::nullopt;  // beside the numbers, which say it already
+  }
+  if (arguments.size() < 3 || !arguments[1].number || !arguments[2].number || *arguments[1].number < 0) {
+    return std::nullopt;
+  }
+  return make(*arguments[2].number, -*arguments[1].number, read_retract(arguments, {}));
+}
+
+// DRILL,G98,depth,...,MMPM,feed,clearance,retract: with G99 the tool stays at the clearance.
+std::optional<DrillCycle> read_clt(Arguments arguments) {
+  const bool is_g98 = has_argument(arguments, "G98");
+  const std::optional<double> depth = after_either(arguments, "G98", "G99");
+  for (std::size_t i = 0; i + 3 < arguments.size(); ++i) {
+    if (!is_one_of(arguments[i].text, std::array<std::string_view, 4>{"MMPM", "IPM", "MMPR", "IPR"})) continue;
+    if (!depth || *depth < 0 || !arguments[i + 2].number || !arguments[i + 3].number) return std::nullopt;
+    const double clearance = *arguments[i + 2].number;
+    return make(clearance, -*depth, {is_g98 ? *arguments[i + 3].number : clearance});
+  }
+  return std::nullopt;
+}
+
+// A file of no known dialect: the words alone. Both senses of FEDTO mean a place below the position.
+std::optional<DrillCycle> read_generic(Arguments arguments) {
+  const std::optional<double> depth = after_either(arguments, "FEDTO", "DEPTH");
+  const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");
+  if (!depth || !clearance) return std::nullopt;
+  const std::optional<double> rapto = after(arguments, "RAPTO"), clear = after(arguments, "CLEAR");
+  if (rapto && clear && std::abs(*rapto - *clear) > 0) return std::nullopt;
+  const bool has_rtrcto = has_argument(arguments, "RTRCTO");
+  return make(*clearance, -std::abs(*depth), has_rtrcto ? read_retract(arguments, "RTRCTO") : read_return(arguments));
+}
+
+// NCCS: the cycles whose tool goes straight down and up, as its post-processor makes them. BORE9 and SHIFT move
+// sideways, MILL stays below.
+constexpr std::array<std::string_view, 10> kNccsStraight = {"DRILL", "FACE", "DEEP",  "THRU",  "TAP",
+                                                            "REAM",  "BORE", "BORE7", "BORE8", "REVERS"};
+
+// FEDTO,depth below the position, or FEDTO,diameter,angle: the depth to which a tip of that angle makes a hole of
+// that diameter. RAPTO, which stays in force where it is left out, and RTRCTO are heights above the position. In
+// DEEP and THRU RTRCTO is where each peck goes back to, and the tool ends at the clearance.
+std::optional<DrillCycle> read_nccs(Arguments arguments) {
+  std::optional<double> depth = after(arguments, "FEDTO");
+  const std::optional<double> clearance = after(arguments, "RAPTO");
+  if (!depth || !clearance || *depth < 0) return std::nullopt;
+  const auto* const word =
+      std::find_if(arguments.data(), arguments.data() + arguments.size(),
+                   [](const Argument& a) { return equals_ignoring_case(a.text, "FEDTO"); });
+  const auto at = static_cast<std::size_t>(word - arguments.data());
+  if (numbers_after(arguments, at) == 2) {
+    const double angle_deg = *arguments[at + 2].number;
+    if (!(angle_deg > 0 && angle_deg < 180)) return std::nullopt;
+    depth = *depth / 2 / std::tan(angle_deg / 2 * std::numbers::pi / 180);
+  }
+  const Retract retract = read_retract(arguments, "RTRCTO");
+  const bool is_deep = equals_ignoring_case(arguments.front().text, "DEEP");
+  const bool is_pecking = is_deep || equals_ignoring_case(arguments.front().text, "THRU");
+  if (!is_pecking || !retract.height) return make(*clearance, -*depth, retract);
+  const double highest = is_deep ? std::abs(after(arguments, "STEP").value_or(0)) : *clearance;
+  if (*retract.height > highest) return std::nullopt;
+  return make(*clearance, -*depth, {});
+}
+
+std::optional<DrillCycle> read_heights(DialectKind dialect, Arguments arguments) {
+  switch (dialect) {
+    case DialectKind::nx_clsf:
+      return read_nx(arguments);
+    case DialectKind::solidworks_cam:
+    case DialectKind::camplete:
+      return read_depth_words(arguments, dialect == DialectKind::camplete);
+    case DialectKind::creo:
+    case DialectKind::mori:
+      return read_creo(arguments);
+    case DialectKind::catia:
+      return read_catia(arguments);
+    case DialectKind::clt:
+      return read_clt(arguments);
+    case DialectKind::autodesk:
+    case DialectKind::nci:
+      return std::nullopt;
+    case DialectKind::nccs:
+    case DialectKind::nccs_binary:
+      return read_nccs(arguments);
+    default:
+      return read_generic(arguments);
+  }
+}
+
+// The words of NX with one value each: a number, or AUTO.
+constexpr std::array<std::string_view, 14> kNxValues = {"FEDTO", "RAPTO", "CLEAR", "RTRCTO", "STEP",  "DWELL", "MMPM",
+                                                        "MMPR",  "IPM",   "IPR",   "CAM",    "INCR",  "CSINK", "TPI"};
+
+bool is_height_above(std::string_view word) {
+  return equals_ignoring_case(word, "RAPTO") || equals_ignoring_case(word, "CLEAR");
+}
+
+bool is_feed_unit(std::string_view word) {
+  return is_one_of(word, std::array<std::string_view, 5>{"MMPM", "MMPR", "IPM", "IPR", "TPI"});
+}
+
+// Which of two words stands in the other's place.
+bool replaces(std::string_view word, std::string_view other) {
+  return equals_ignoring_case(word, other) || (is_height_above(word) && is_height_above(other)) ||
+         (is_feed_unit(word) && is_feed_unit(other));
+}
+
+}  // namespace
+
+std::optional<std::vector<Argument>> changed_cycle(Arguments cycle, Arguments changes) {
+  std::vector<Argument> changed(cycle.begin(), cycle.end());
+  for (std::size_t i = 0; i < changes.size(); i += 2) {
+    const std::string_view word = changes[i].text;
+    const bool has_value = i + 1 < changes.size() &&
+                           (changes[i + 1].number || equals_ignoring_case(changes[i + 1].text, "AUTO"));
+    if (!is_one_of(word, kNxValues) || !has_value) return std::nullopt;
+    for (std::size_t before = 0; before < i; before += 2) {
+      if (replaces(word, changes[before].text)) return std::nullopt;
+    }
+    const auto old = std::find_if(changed.begin(), changed.end(), [&](const Argument& a) { return replaces(word, a.text); });
+    if (old != changed.end()) {
+      const bool had_value = old + 1 != changed.end() && ((old + 1)->number || equals_ignoring_case((old + 1)->text, "AUTO"));
+      changed.erase(old, old + (had_value ? 2 : 1));
+    }
+    changed.push_back(changes[i]);
+    changed.push_back(changes[i + 1]);
+  }
+  return changed;
+}
+
+std::optional<DrillCycle> read_cycle(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit) {
+  if (arguments.empty()) return std::nullopt;
+  const std::string_view type = arguments.front().text;
+  if (is_nccs(dialect) ? !is_one_of(type, kNccsStraight) : !is_one_of(type, kStraight)) return std::nullopt;
+  for (const Argument& argument : arguments) {
+    if (is_one_of(argument.text, kSideways)) return std::nullopt;
+  }
+  if (contradicts_itself(dialect, arguments) || !has_only_known_words(dialect, arguments)) return std::nullopt;
+  std::optional<DrillCycle> cycle = read_heights(dialect, arguments);
+  if (!cycle) return std::nullopt;
+  cycle->feed = read_cycle_feed(arguments, mm_per_unit);
+  cycle->is_tapping = is_one_of(type, kTapping) || has_argument(arguments, "TAP");
+  cycle->is_fed_out = cycle->is_tapping || is_one_of(type, kFedOut);
+  for (double* height : {&cycle->clearance_mm, &cycle->bottom_mm, &cycle->retract_mm}) {
+    *height *= mm_per_unit;
+    if (!(std::abs(*height) <= kFarthest_mm)) return std::nullopt;
+  }
+  // Below its clearance a retract may be meant, or be a mistake.
+  if (cycle->bottom_mm > cycle->clearance_mm || cycle->retract_mm < cycle->clearance_mm) return std::nullopt;
+  return cycle;
+}
+
+}  // namespace gouge

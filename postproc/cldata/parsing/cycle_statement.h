@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lib/path/feed.h"
+#include "postproc/cldata/language/arguments.h"
+#include "postproc/cldata/language/dialect.h"
+
+// The canned drilling cycles: what CYCLE/ says of the way up and down at each of its positions. The words of
+// each dialect and their evidence: docs/formats/cycles.md.
+
+namespace gouge {
+
+/// Heights along the tool axis, counted from the position of a GOTO, in mm. Pecks go up and down the way the
+/// plunge sweeps, so they add nothing to what a check must look at.
+struct DrillCycle {
+  double clearance_mm = 0;  ///< down to here at rapid, from here at feed
+  double bottom_mm = 0;     ///< the deepest place, usually below 0
+  double retract_mm = 0;    ///< where the tool is afterwards
+  Feed feed;                      ///< of the plunge; not_stated: that of FEDRAT
+  bool is_fed_out = false;        ///< up again at the feed, not at rapid
+  bool is_tapping = false;        ///< the spindle turns back on the way up
+  bool is_retract_stated = true;  ///< false: taken as the clearance, because the statement says nothing of it
+  bool is_retract_known = true;   ///< false: a plane the statement names without its height, no lower than retract_mm
+};
+
+/// NX's CYCLE/ON,word,value,..: the last cycle taken up with these values in place of its own. `cycle` are the arguments
+/// of that one, `changes` what follows ON. Nothing where a word is not one with a value.
+[[nodiscard]] std::optional<std::vector<Argument>> changed_cycle(std::span<const Argument> cycle,
+                                                                 std::span<const Argument> changes);
+
+/// The cycle a CYCLE statement begins; nothing where its words are not understood: other cycles than drilling,
+/// reaming, tapping and straight boring, heights that are missing, and Autodesk ISO 4343, whose positions may be
+/// the top or the bottom of the hole.
+[[nodiscard]] std::optional<DrillCycle> read_cycle(DialectKind dialect, std::span<const Argument> arguments,
+                                                   double mm_per_unit);
+
+}  // namespace gouge

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <span>
+
+#include "lib/path/feed.h"
+#include "postproc/cldata/language/arguments.h"
+
+// What FEDRAT and CYCLE say of feeds: IPM, IPR, MMPM, MMPR, FPM, FPR, PERMIN, PERREV, INVERS.
+
+namespace gouge {
+
+/// FEDRAT/..: its one number and the unit beside it, in either order; without a unit it is per minute, in the file's
+/// unit of length. not_understood: another number of numbers, one that is not above 0, two units, INVERS.
+[[nodiscard]] Feed read_feed(std::span<const Argument> arguments, double mm_per_unit);
+
+/// True where FEDRAT only switches how the control is told its feeds (INVERS,AUTO and INVERS,OFF), and where it says
+/// no unit.
+[[nodiscard]] bool switches_inverse_time(std::span<const Argument> arguments);
+[[nodiscard]] bool has_feed_unit(std::span<const Argument> arguments);
+
+/// The feed of the plunge in CYCLE/..: the number after its unit. not_stated: it has neither; not_understood: a unit
+/// without a number, two units, TPI, or FEDRAT without a unit.
+[[nodiscard]] Feed read_cycle_feed(std::span<const Argument> arguments, double mm_per_unit);
+
+}  // namespace gouge

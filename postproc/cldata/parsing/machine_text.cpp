@@ -1,0 +1,457 @@
+#include "postproc/cldata/parsing/machine_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+namespace {
+
+// "X-50." has letters and a number, "FMAX" letters, "12" a number, "#" neither.
+struct Token {
+  std::string_view letters;
+  std::optional<double> number;
+  bool is_glued = false;  // nothing stands between letters and number
+  char other = '\0';
+};
+
+using Tokens = std::span<const Token>;
+
+template <std::size_t size>
+bool is_one_of(std::string_view word, const std::array<std::string_view, size>& words) {
+  return std::any_of(words.begin(), words.end(),
+                     [&](std::string_view w) { return equals_ignoring_case(word, w); });
+}
+
+bool is(const Token& token, std::string_view word) {
+  return equals_ignoring_case(token.letters, word);
+}
+
+bool is_word_of(const Token& token, std::string_view letters) {
+  return token.letters.size() == 1 && token.number &&
+         letters.find(static_cast<char>(token.letters[0] & ~0x20)) != std::string_view::npos;
+}
+
+// How much of `text` is a number, whose point may be a comma; 0 where it does not begin with one.
+std::size_t take_number(std::string_view text, std::optional<double>& number) {
+  std::string digits;
+  std::size_t length = 0;
+  for (; length < text.size(); ++length) {
+    const char c = text[length];
+    const bool is_comma = c == ',' && length + 1 < text.size() && is_digit(text[length + 1]);
+    const bool is_sign = length == 0 && (c == '-' || c == '+');
+    if (!is_digit(c) && c != '.' && !is_comma && !is_sign) break;
+    digits += is_comma ? '.' : c;
+  }
+  number = parse_number(digits);
+  return number ? length : 0;
+}
+
+// Blanks, and brackets with what they hold, which are comments to most controls.
+std::size_t skipped_length(std::string_view text) {
+  std::size_t at = 0;
+  while (at < text.size() && (is_blank(text[at]) || text[at] == ',' || text[at] == '(' || text[at] == ')')) {
+    at = text[at] == '(' ? std::min(text.find(')', at), text.size()) : at + 1;
+  }
+  return at;
+}
+
+Token take_token(std::string_view& text) {
+  Token token;
+  std::size_t at = 0;
+  while (at < text.size() && (is_letter(text[at]) || text[at] == '_')) ++at;
+  token.letters = text.substr(0, at);
+  const std::size_t letters = at;
+  while (at > 0 && at < text.size() && (text[at] == '=' || is_blank(text[at]))) ++at;
+  const bool belongs =
+      at == letters || letters == 1 || text.substr(letters, at - letters).find('=') != std::string_view::npos;
+  const std::size_t length = belongs ? take_number(text.substr(at), token.number) : 0;
+  if (length > 0) {
+    token.is_glued = at == letters && letters > 0;
+    at += length;
+  } else {
+    at = letters;
+    if (at == 0) token.other = text[at++];
+  }
+  text.remove_prefix(at);
+  return token;
+}
+
+std::vector<Token> tokens_of(std::string_view text) {
+  std::vector<Token> tokens;
+  for (text.remove_prefix(skipped_length(text)); !text.empty(); text.remove_prefix(skipped_length(text))) {
+    if (text.front() == ';') break;
+    if (text.front() == '"') {  // a name or a message
+      text.remove_prefix(std::min(text.find('"', 1), text.size() - 1) + 1);
+      continue;
+    }
+    tokens.push_back(take_token(text));
+  }
+  return tokens;
+}
+
+bool is_linear_axis(const Token& t) {
+  const bool is_step =
+      t.letters.size() == 2 && (t.letters[0] == 'I' || t.letters[0] == 'i') && t.number;  // Heidenhain
+  return is_word_of(is_step ? Token{t.letters.substr(1), t.number} : t, "XYZUVW");
+}
+
+bool turns_something(const Token& t) {
+  const bool is_step = t.letters.size() == 2 && (t.letters[0] == 'I' || t.letters[0] == 'i');
+  return is_word_of(is_step ? Token{t.letters.substr(1), t.number} : t, "ABC") && std::abs(*t.number) > 0;
+}
+
+bool has_place(Tokens tokens) {
+  return std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
+    return is_linear_axis(t) || is_word_of(t, "ABCIJK") || turns_something(t) ||
+           (t.number && (is(t, "PR") || is(t, "PA")));
+  });
+}
+
+void move(Tokens tokens, MachineEffect& effect) {
+  effect.moves = true;
+  effect.shifts = effect.shifts || std::any_of(tokens.begin(), tokens.end(), turns_something);
+}
+
+// Words that may stand in a block beside its addresses.
+constexpr std::array<std::string_view, 8> kBesideAddresses = {"FMAX", "F",    "MAX",   "RL",
+                                                              "RR",   "AUTO", "FAUTO", "DR"};
+
+// A block of addresses, and nothing that makes it a sentence.
+bool is_block(Tokens tokens) {
+  return std::all_of(tokens.begin(), tokens.end(), [](const Token& t) {
+    const bool is_address = !t.letters.empty() && t.letters.size() <= 2 && t.number;
+    return is_address || (t.letters.size() == 1 && !t.number) || is_one_of(t.letters, kBesideAddresses);
+  });
+}
+
+// Heidenhain: "L Z-50 FMAX", "CC X+0 Y+0", "APPR LCT X+10".
+bool take_path_word(Tokens tokens, MachineEffect& effect) {
+  constexpr std::array<std::string_view, 14> kPathWords = {"L",  "C",   "CC",  "CR", "CT", "CP",  "LP",
+                                                           "LN", "CTP", "RND", "FL", "FC", "FLT", "FCT"};
+  const Token& first = tokens.front();
+  const Tokens rest = tokens.subspan(1);
+  if ((is(first, "APPR") || is(first, "DEP")) && !rest.empty()) {
+    move(rest, effect);
+    return true;
+  }
+  if (first.number || !is_one_of(first.letters, kPathWords) || !is_block(rest)) return false;
+  if (has_place(rest)) move(rest, effect);
+  return true;
+}
+
+// What a call names: PGM and LBL of Heidenhain with theirs, else one word; more make a sentence (CALL THE OPERATOR NOW).
+bool is_name_alone(Tokens tokens) {
+  return tokens.empty() || is(tokens.front(), "PGM") || is(tokens.front(), "LBL") || tokens.size() == 1;
+}
+
+bool take_heidenhain(Tokens tokens, MachineEffect& effect) {
+  const Token& first = tokens.front();
+  const Token second = tokens.size() > 1 ? tokens[1] : Token{};
+  const auto number =
+      static_cast<int>(second.number.value_or(tokens.size() > 2 ? tokens[2].number.value_or(-1) : -1));
+  if (is(first, "CYCL")) {
+    constexpr std::array<int, 6> kShifting = {7, 8, 10, 11, 19, 26};
+    constexpr std::array<int, 4> kHarmless = {9, 13, 32, 14};
+    effect.chooses_offset = number == 247;
+    effect.shifts = std::find(kShifting.begin(), kShifting.end(), number) != kShifting.end();
+    const bool is_harmless = std::find(kHarmless.begin(), kHarmless.end(), number) != kHarmless.end();
+    effect.moves = is(second, "CALL") || (!effect.chooses_offset && !effect.shifts && !is_harmless);
+    return true;
+  }
+  if (is(first, "PLANE") && !second.letters.empty()) {
+    constexpr std::array<std::string_view, 8> kPlanes = {"SPATIAL", "PROJECTED", "EULER", "VECTOR",
+                                                         "POINTS",  "RELATIVE",  "AXIAL", "RESET"};
+    effect.shifts = is_one_of(second.letters, kPlanes);
+    return effect.shifts;
+  }
+  if (is(first, "FUNCTION")) {
+    effect.shifts = is(second, "RESET");
+    return true;
+  }
+  if (is(first, "TOOL") && is(second, "CALL")) {
+    effect.changes_tool = tokens.size() < 3 || !is(tokens[2], "S");
+    return true;
+  }
+  if ((is(first, "CALL") && is_name_alone(tokens.subspan(1))) || (is(first, "SEL") && is(second, "PGM"))) {
+    effect.moves = true;
+    return true;
+  }
+  return is(first, "BLK") || is(first, "LBL") || (is(first, "TOOL") && is(second, "DEF"));
+}
+
+bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
+  constexpr std::array<std::string_view, 22> kShifts = {
+      "TRANS",   "ATRANS", "ROT",     "AROT",    "ROTS",     "AROTS",  "CROTS",  "SCALE",
+      "ASCALE",  "MIRROR", "AMIRROR", "TRAFOOF", "TRANSMIT", "TRACYL", "TRAANG", "TOROT",
+      "TOFRAME", "PAROT",  "TOROTOF", "PAROTOF", "RTRANS",   "TRACON"};
+  constexpr std::array<std::string_view, 6> kCycles = {"CYCLE", "POCKET",   "SLOT",
+                                                       "HOLES", "LONGHOLE", "POSITION"};
+  constexpr std::array<std::string_view, 29> kHarmless = {
+      "TRAORI", "MSG",       "STOPRE",  "SOFT",    "BRISK",  "FFWON",  "FFWOF",    "ORIWKS",
+      "ORIMKS", "ORIAXES",   "ORIVECT", "COMPCAD", "COMPON", "COMPOF", "COMPCURV", "COMPSURF",
+      "UPATH",  "SPATH",     "CFC",     "CFTCP",   "CFIN",   "FGROUP", "SPOS",     "LIMS",
+      "SETMS",  "WORKPIECE", "DIAMOF",  "STOP",    "NORM"};
+  const Token& first = tokens.front();
+  const Token second = tokens.size() > 1 ? tokens[1] : Token{};
+  const std::string_view after =
+      trim(text.substr(static_cast<std::size_t>(first.letters.data() - text.data()) + first.letters.size()));
+  // Before other words ("ROT AND CLAMP THE PART") they begin a sentence.
+  const bool is_sentence =
+      second.letters.size() > 1 && !second.number && !is(second, "DATUM") && !is(second, "RPL");
+  // Okuma's CALL and MODIN, Siemens's EXTCALL, PCALL and REPEAT: a subprogram, or blocks that stand elsewhere.
+  constexpr std::array<std::string_view, 7> kCalls = {"CALL",  "EXTCALL", "ICALL", "MODIN",
+                                                      "PCALL", "REPEAT",  "REPEATB"};
+  if (is_one_of(first.letters, kCalls) && !first.is_glued && tokens.size() <= 3) {
+    effect.moves = true;
+    return true;
+  }
+  if (is(first, "SUPA") && tokens.size() > 1 && !is_sentence) {
+    effect.moves = true;
+    return true;
+  }
+  if (is(first, "MCALL")) {
+    (after.empty() ? effect.ends_cycle : effect.begins_cycle) = true;
+    return true;
+  }
+  if (is(first, "CYCLE") && first.is_glued) {
+    effect.shifts = std::abs(*first.number - 800) < 1;
+    effect.moves = !effect.shifts && !(std::abs(*first.number - 832) < 1);
+    return true;
+  }
+  if (is_one_of(first.letters, kShifts) && !first.is_glued && !is_sentence) {
+    effect.shifts = true;
+    return true;
+  }
+  if (is_one_of(first.letters, kCycles) && (first.is_glued || after.starts_with('('))) {
+    effect.moves = true;
+    return true;
+  }
+  return is_one_of(first.letters, kHarmless) &&
+         (after.empty() || after.front() == '(' || after.front() == '=');
+}
+
+enum class Code {
+  harmless,
+  length,
+  path,
+  moves,
+  shifts,
+  shifts_with_axes,
+  begins_cycle,
+  ends_cycle,
+  offset,
+  unknown
+};
+
+struct CodeRange {
+  int first, last;  // ten times the number of G
+  Code code;
+};
+
+// What a number of G does on Fanuc, Haas, LinuxCNC and Siemens controls; of two meanings the one that
+// matters.
+constexpr auto kCodes = std::to_array<CodeRange>({
+    {0, 30, Code::path},
+    {40, 40, Code::harmless},
+    {50, 63, Code::path},
+    {70, 70, Code::shifts},
+    {71, 71, Code::shifts},
+    {80, 90, Code::harmless},
+    {100, 100, Code::shifts},
+    {110, 110, Code::harmless},
+    {120, 120, Code::path},
+    {121, 121, Code::shifts},
+    {130, 130, Code::path},
+    {131, 131, Code::harmless},
+    {150, 150, Code::harmless},
+    {160, 160, Code::shifts},
+    {170, 190, Code::harmless},
+    {200, 210, Code::harmless},
+    {220, 260, Code::harmless},
+    {270, 319, Code::moves},
+    {320, 339, Code::path},
+    {400, 400, Code::harmless},
+    {401, 429, Code::shifts},
+    {430, 449, Code::length},
+    {490, 490, Code::length},
+    {500, 500, Code::shifts_with_axes},
+    {501, 501, Code::harmless},
+    {510, 529, Code::shifts},
+    {530, 531, Code::moves},
+    {540, 541, Code::offset},
+    {542, 542, Code::shifts},
+    {550, 599, Code::offset},
+    {600, 649, Code::harmless},
+    {650, 650, Code::moves},
+    {660, 661, Code::begins_cycle},
+    {670, 670, Code::ends_cycle},
+    {680, 689, Code::shifts},
+    {690, 691, Code::harmless},
+    {700, 710, Code::harmless},
+    {730, 769, Code::begins_cycle},
+    {800, 800, Code::ends_cycle},
+    {810, 899, Code::begins_cycle},
+    {900, 910, Code::harmless},
+    {920, 929, Code::shifts_with_axes},
+    {930, 990, Code::harmless},
+    {1070, 1071, Code::shifts},
+    {1120, 1120, Code::shifts},
+    {1130, 1130, Code::harmless},
+    {1530, 1530, Code::moves},
+    {1540, 1549, Code::offset},
+    {1870, 1870, Code::harmless},
+    {2340, 2340, Code::length},
+    {2540, 2540, Code::shifts},
+    {2550, 2550, Code::harmless},
+    {5000, 5000, Code::offset},
+    {5050, 5990, Code::offset},
+    {7000, 7100, Code::harmless},
+});
+
+Code code_of(double number) {
+  const auto tenfold = static_cast<int>(std::lround(std::clamp(number, -1.0, 10000.0) * 10));
+  for (const CodeRange& range : kCodes) {
+    if (tenfold >= range.first && tenfold <= range.last) return range.code;
+  }
+  return Code::unknown;
+}
+
+void take_code(double number, Tokens tokens, MachineEffect& effect) {
+  const bool has_axes = has_place(tokens);
+  const auto is_code = [&](double code) { return std::abs(number - code) < 0.05; };
+  if (is_code(20) || is_code(70) || is_code(700)) effect.unit = LengthUnit::inch;
+  if (is_code(21) || is_code(71) || is_code(710)) effect.unit = LengthUnit::mm;
+  if (is_code(91)) effect.begins_steps = true;
+  if (is_code(90)) {
+    effect.begins_steps = false;
+    effect.ends_steps = true;
+  }
+  switch (code_of(number)) {
+    case Code::harmless:
+      return;
+    case Code::path:
+      if (has_axes) move(tokens, effect);
+      return;
+    case Code::moves:
+      return move(tokens, effect);
+    case Code::shifts_with_axes:
+      // G92 with an S alone limits the spindle's speed, G50 alone ends scaling.
+      effect.shifts = effect.shifts || has_axes ||
+                      (number > 90 && std::none_of(tokens.begin(), tokens.end(),
+                                                   [](const Token& t) { return is_word_of(t, "S"); }));
+      return;
+    case Code::shifts:
+      effect.shifts = true;
+      return;
+    case Code::length:
+      effect.changes_length = true;
+      return;
+    case Code::begins_cycle:
+      effect.begins_cycle = true;
+      return;
+    case Code::ends_cycle:
+      effect.ends_cycle = true;
+      return;
+    case Code::offset:
+      effect.chooses_offset = true;
+      return;
+    case Code::unknown:
+      effect.is_unknown = true;
+  }
+}
+
+// The numbers of axes beside these are no place to go to.
+bool takes_axes(double number) {
+  constexpr std::array<double, 12> kTakers = {4, 10, 51, 51.1, 52, 65, 66, 68, 68.2, 68.3, 92, 5.1};
+  return std::any_of(kTakers.begin(), kTakers.end(),
+                     [&](double code) { return std::abs(number - code) < 0.05; });
+}
+
+void take_auxiliary(double number, MachineEffect& effect) {
+  constexpr std::array<double, 6> kCalls = {89, 97, 98, 99, 140, 198};
+  const auto is_code = [&](double code) { return std::abs(number - code) < 0.05; };
+  effect.moves = effect.moves || std::any_of(kCalls.begin(), kCalls.end(), is_code);
+  effect.shifts = effect.shifts || is_code(129);
+  effect.changes_tool = effect.changes_tool || is_code(6);
+}
+
+// "MOVE THE CLAMP": words, not addresses, and no macro.
+bool is_sentence(Tokens tokens) {
+  constexpr std::array<std::string_view, 4> kJumps = {"GOTO", "GOTOF", "GOTOB", "WHILE"};
+  if (is_one_of(tokens.front().letters, kJumps)) return false;
+  const bool has_macro = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
+    return t.other != '\0' && std::string_view("#[]=*<>{}$").find(t.other) != std::string_view::npos;
+  });
+  return !has_macro && tokens.size() > 1 && std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
+    return t.letters.size() > 1 && (!t.number || t.letters.size() > 2) &&
+           !is_one_of(t.letters, kBesideAddresses);
+  });
+}
+
+// Where nothing else stands beside it the name of a subprogram, whose arguments in brackets look like a
+// comment.
+bool is_call(Tokens tokens) {
+  const Token& first = tokens.front();
+  return tokens.size() == 1 && (first.letters.size() > 2 || (is(first, "L") && first.is_glued));
+}
+
+void take_addresses(Tokens tokens, bool is_whole, MachineEffect& effect) {
+  bool has_code = false, are_axes_taken = false;
+  for (const Token& token : tokens) {
+    if (!is_word_of(token, "G")) continue;
+    has_code = true;
+    are_axes_taken = are_axes_taken || takes_axes(*token.number);
+    take_code(*token.number, tokens, effect);
+  }
+  if (is_whole) {
+    for (const Token& token : tokens) {
+      if (is_word_of(token, "M")) take_auxiliary(*token.number, effect);
+    }
+    const bool has_axis = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
+      return is_linear_axis(t) || is_word_of(t, "ABC");
+    });
+    if (has_axis && !are_axes_taken) move(tokens, effect);
+  }
+  const bool is_odd = !is_whole || (!has_code && is_call(tokens));
+  effect.is_unknown = effect.is_unknown || (is_odd && !is_sentence(tokens));
+}
+
+}  // namespace
+
+MachineEffect read_machine_text(std::string_view text, bool may_be_name) {
+  MachineEffect effect;
+  text = trim(text);
+  while (!text.empty() &&
+         (text.front() == '/' || text.front() == '%' || text.front() == '\'' || text.front() == '"'))
+    text = trim(text.substr(1));
+  while (!text.empty() && (text.back() == '\'' || text.back() == '%' || text.back() == '"'))
+    text = trim(text.substr(0, text.size() - 1));
+  const std::vector<Token> all = tokens_of(text);
+  Tokens tokens(all);
+  const bool is_numbered = tokens.size() > 1 && (is_word_of(tokens.front(), "N") ||
+                                                 (tokens.front().letters.empty() && tokens.front().number));
+  if (is_numbered) tokens = tokens.subspan(1);
+  if (tokens.empty()) return effect;
+  if (take_path_word(tokens, effect) || take_heidenhain(tokens, effect) || take_siemens(tokens, text, effect))
+    return effect;
+  effect = {};
+  const bool is_whole = is_block(tokens) && std::all_of(tokens.begin(), tokens.end(), [&](const Token& t) {
+                          return !may_be_name || t.is_glued || !t.number;
+                        });
+  if (is_whole || !may_be_name) take_addresses(tokens, is_whole, effect);
+  // The number of a tool length or an offset, whichever code it belongs to.
+  const bool has_offset = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) { return is_word_of(t, "DH"); });
+  if (is_whole && !may_be_name && has_offset) effect.changes_length = true;
+  if (may_be_name) effect.is_unknown = false;
+  return effect;
+}
+
+}  // namespace gouge

@@ -1,0 +1,145 @@
+#include "postproc/cldata/reading/foreign_file.h"
+
+#include <array>
+#include <cstddef>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kLinesLookedAt = 300;
+constexpr std::size_t kStlHeader = 80, kStlCount = 4, kStlTriangle = 50;
+
+struct Beginning {
+  std::string_view text;
+  std::string_view sentence;
+};
+
+constexpr std::array<Beginning, 12> kBeginnings = {{
+    {"ISO-10303-21", "is a STEP file, which holds geometry and no toolpath"},
+    {"%PDF", "is a PDF document"},
+    {"PK\x03\x04", "is a ZIP archive; unpack it and check the toolpath in it"},
+    {"\x89PNG", "is a picture (PNG)"},
+    {"\xff\xd8\xff", "is a picture (JPEG)"},
+    {"\x1f\x8b", "is compressed (gzip); unpack it first"},
+    {"\xff\xfe", "is UTF-16 text; save it as ASCII or UTF-8"},
+    {"\xfe\xff", "is UTF-16 text; save it as ASCII or UTF-8"},
+    {"<?xml", "is XML, not CL data"},
+    {"<!DOCTYPE", "is HTML, not CL data"},
+    {"<html", "is HTML, not CL data"},
+    {"{", "is JSON, not CL data"},
+}};
+
+constexpr const char* kGCode =
+    "is G-code, a program for one machine's control; expected CL data (APT, CLSF, NCI): the CAM system "
+    "writes it "
+    "before its post-processor runs";
+constexpr const char* kHeidenhain =
+    "is a Heidenhain program for a machine's control; expected CL data (APT, CLSF, NCI): the CAM system "
+    "writes it "
+    "before its post-processor runs";
+constexpr const char* kColumns =
+    "holds columns of numbers without words, so what they mean is not told; expected GOTO/x,y,z,i,j,k";
+
+constexpr const char* kColumnsUnderHeading =
+    "holds columns of numbers under a heading, and what they mean is not told; expected GOTO/x,y,z,i,j,k";
+
+bool is_binary_stl(std::string_view bytes) {
+  if (bytes.size() < kStlHeader + kStlCount) return false;
+  std::size_t count = 0;
+  for (std::size_t i = kStlCount; i-- > 0;)
+    count = count * 256 + static_cast<unsigned char>(bytes[kStlHeader + i]);
+  return count > 0 && bytes.size() == kStlHeader + kStlCount + kStlTriangle * count;
+}
+
+bool is_number_character(char c) {
+  return is_digit(c) || c == '.' || c == '-' || c == '+';
+}
+
+// "N10 G1 X1.5 Y-2 F200", "%", "O1234", "G0X1Y2", "G1 X  1.5": letters each followed by a number.
+bool is_gcode_block(std::string_view line) {
+  if (line == "%") return true;
+  std::size_t words = 0;
+  for (std::size_t i = 0; i < line.size();) {
+    if (is_blank(line[i]) || line[i] == '/') {
+      ++i;
+      continue;
+    }
+    if (line[i] == '(' || line[i] == ';') return words > 0;
+    std::size_t number = i + 1;
+    while (number < line.size() && is_blank(line[number])) ++number;
+    if (!is_letter(line[i]) || number >= line.size() || !is_number_character(line[number])) return false;
+    for (i = number; i < line.size() && is_number_character(line[i]);) ++i;
+    ++words;
+  }
+  return words > 0;
+}
+
+bool is_comment(std::string_view line) {
+  return line.front() == '(' || line.front() == ';';
+}
+
+// Numbers separated by blanks, commas or semicolons, and nothing else; at least three.
+bool is_row_of_numbers(std::string_view line) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < line.size();) {
+    if (is_blank(line[i]) || line[i] == ',' || line[i] == ';') {
+      ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < line.size() && !is_blank(line[end]) && line[end] != ',' && line[end] != ';') ++end;
+    if (!parse_number(line.substr(i, end - i))) return false;
+    ++count;
+    i = end;
+  }
+  return count >= 3;
+}
+
+std::optional<std::string> describe_lines(std::string_view bytes) {
+  constexpr std::size_t kLongestHeading = 5;
+  std::size_t blocks = 0, rows = 0, others = 0, heading = 0;
+  bool is_first = true;
+  for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kLinesLookedAt; ++lines) {
+    const std::size_t end = bytes.find('\n', at);
+    const std::string_view line = trim(bytes.substr(at, end - at));
+    at = end == std::string_view::npos ? bytes.size() : end + 1;
+    if (line.empty()) continue;
+    if (is_first && starts_with_ignoring_case(line, "solid") && bytes.find("facet") != std::string_view::npos)
+      return "is an STL mesh; give it with --part and a toolpath in its place";
+    const bool is_program =
+        starts_with_ignoring_case(line, "BEGIN PGM") || line.find(" BEGIN PGM ") != std::string_view::npos;
+    if (is_first && is_program) return kHeidenhain;
+    is_first = false;
+    if (is_comment(line)) continue;
+    if (is_gcode_block(line)) {
+      ++blocks;
+    } else if (is_row_of_numbers(line)) {
+      ++rows;
+    } else {
+      // Statements of CL data are no heading of their own continuations.
+      const bool may_head = rows + blocks == 0 && heading < kLongestHeading && line.find_first_of("/$") == std::string_view::npos;
+      ++(may_head ? heading : others);
+    }
+  }
+  others += rows > 0 ? 0 : heading;
+  if (blocks > 2 && blocks > 4 * (others + rows)) return kGCode;
+  if (rows > 0 && others + blocks == 0) return heading == 0 ? kColumns : kColumnsUnderHeading;
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<std::string> describe_foreign(std::string_view bytes) {
+  if (is_binary_stl(bytes)) return "is an STL mesh; give it with --part and a toolpath in its place";
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  const std::string_view text = bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size()));
+  for (const Beginning& beginning : kBeginnings) {
+    if (starts_with_ignoring_case(text, beginning.text)) return std::string(beginning.sentence);
+  }
+  return describe_lines(bytes);
+}
+
+}  // namespace gouge

@@ -1,0 +1,265 @@
+#include "postproc/cldata/reading/read_toolpath.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string_view>
+#include <utility>
+
+#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/lexing/statement_reader.h"
+#include "postproc/cldata/reading/foreign_file.h"
+#include "postproc/cldata/reading/recognise_dialect.h"
+#include "postproc/cldata/reading/unit_guess.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kShortestPosition = std::string_view("GOTO/1,1,1").size();
+constexpr std::size_t kLongestFile = (std::size_t{1} << 32U) - 2;  // whose bytes a SmallIndex counts
+constexpr const char* kExpected = "expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI file";
+
+// Bytes that text does not have: no line end, no tab, no other blank.
+constexpr std::array<bool, 256> kIsControl = [] {
+  std::array<bool, 256> is_control{};
+  for (std::size_t byte = 0; byte < 0x20; ++byte) {
+    const char c = static_cast<char>(byte);
+    is_control[byte] = c != '\n' && !is_blank(c);
+  }
+  is_control[0x7f] = true;
+  return is_control;
+}();
+
+bool is_control(char c) {
+  return kIsControl[static_cast<unsigned char>(c)];
+}
+
+// Where the first control character is, or the end. A stretch at a time, because a loop that cannot end early
+// looks at several bytes at once.
+std::size_t find_control(std::string_view bytes) {
+  constexpr std::size_t kStretch = 4096;
+  for (std::size_t at = 0; at < bytes.size(); at += kStretch) {
+    const std::string_view stretch = bytes.substr(at, kStretch);
+    unsigned has_control = 0;
+    for (const char c : stretch) has_control |= static_cast<unsigned>(is_control(c));
+    if (has_control == 0) continue;
+    return at + static_cast<std::size_t>(std::find_if(stretch.begin(), stretch.end(), is_control) - stretch.begin());
+  }
+  return bytes.size();
+}
+
+bool is_break(char c) {
+  return c == '\f' || c == '\v' || c == '\x1a';
+}
+
+bool has_break(std::string_view stretch, char next) {
+  const auto is_odd = [](char c, char following) {
+    return static_cast<unsigned>(is_break(c)) | static_cast<unsigned>(c == '\r' && following != '\n');
+  };
+  unsigned has = is_odd(stretch.back(), next);
+  for (std::size_t i = 0; i + 1 < stretch.size(); ++i) has |= is_odd(stretch[i], stretch[i + 1]);
+  return has != 0;
+}
+
+// Where a carriage return alone, a page break or an end of file stands between two texts of one line, or the end:
+// who reads on there, and who begins another line? A stretch at a time, as above.
+std::size_t find_break(std::string_view bytes) {
+  constexpr std::size_t kStretch = 4096;
+  const auto skip_blanks = [&](std::size_t at) {
+    while (at < bytes.size() && is_blank(bytes[at])) ++at;
+    return at;
+  };
+  std::size_t text = skip_blanks(0), looked_at = 0;  // the first text of the line
+  for (std::size_t begin = 0; begin < bytes.size(); begin += kStretch) {
+    const std::size_t end = std::min(begin + kStretch, bytes.size());
+    if (!has_break(bytes.substr(begin, end - begin), end < bytes.size() ? bytes[end] : '\n')) continue;
+    for (std::size_t at = std::max(begin, looked_at); at < end; ++at) {
+      if (!is_blank(bytes[at]) || bytes[at] == ' ' || bytes[at] == '\t') continue;
+      const std::size_t line_end = bytes.substr(looked_at, at - looked_at).rfind('\n');
+      if (line_end != std::string_view::npos) text = skip_blanks(looked_at + line_end + 1);
+      const std::size_t after = skip_blanks(at);
+      if (text < at && after < bytes.size() && bytes[after] != '\n') return at;
+      at = looked_at = after - 1;
+    }
+  }
+  return bytes.size();
+}
+
+std::size_t line_of(std::string_view bytes, std::size_t at) {
+  const std::string_view before = bytes.substr(0, at);
+  return static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) + 1;
+}
+
+struct LineCount {
+  std::size_t with_text = 0;
+  std::size_t with_position = 0;  // those that look like GOTO/x,y,z
+};
+
+LineCount count_lines(std::string_view bytes) {
+  LineCount count;
+  for (std::size_t at = 0; at < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\n', at), bytes.size());
+    if (end > at) ++count.with_text;
+    if (end >= at + kShortestPosition && (bytes[at] == 'G' || bytes[at] == 'g')) ++count.with_position;
+    at = end + 1;
+  }
+  return count;
+}
+
+std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_view bytes,
+                                          const Dialect& dialect, bool is_dialect_given) {
+  if (bytes.empty()) return make_error("path-empty", std::string("the file is empty; ") + kExpected, file);
+  if (bytes.size() > kLongestFile) {
+    return make_error("path-too-long", "the file has " + std::to_string(bytes.size()) +
+                                           " bytes; expected fewer than 4 GiB: divide it by operations", file);
+  }
+  if (dialect.kind == DialectKind::apt && !is_dialect_given) {
+    if (auto sentence = describe_foreign(bytes))
+      return make_error("path-not-cl-data", std::move(*sentence), file);
+  }
+  if (dialect.kind == DialectKind::nccs_binary) return std::nullopt;
+  const std::size_t control = find_control(bytes);
+  const std::size_t amid = control == bytes.size() ? find_break(bytes) : control;
+  if (amid == bytes.size()) return std::nullopt;
+  if (amid != control) {
+    return make_error("path-line-end",
+                      "byte " + std::to_string(static_cast<unsigned char>(bytes[amid])) +
+                          (bytes[amid] == '\r' ? " (a carriage return alone)" : " (a page or file end)") +
+                          " stands within this line; expected lines that end with LF or CR LF: save the file so",
+                      file, line_of(bytes, amid));
+  }
+  return make_error("path-binary",
+                    "is not text: byte " + std::to_string(static_cast<unsigned char>(bytes[control])) +
+                        " at position " + std::to_string(control) + "; " + kExpected,
+                    file, line_of(bytes, control));
+}
+
+std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& options, Toolpath& path) {
+  const std::string unit = guess.unit == LengthUnit::inch ? "inches" : "mm";
+  const std::string taken = "the file states no unit; taken as " + unit;
+  switch (guess.source) {
+    case UnitGuess::Source::stated:
+      if (!options.unit || *options.unit == guess.unit) return std::nullopt;
+      return make_error("path-unit",
+                        "the file states " + unit +
+                            ", the command line another unit; expected --path-units "
+                            "only for files that state none",
+                        path.file);
+    case UnitGuess::Source::option:
+      path.notes.push_back(make_note("path-unit", taken + " as asked", path.file));
+      break;
+    case UnitGuess::Source::feed_word:
+      path.notes.push_back(make_note("path-unit", taken + " from the feed words (MMPM, IPM)", path.file));
+      break;
+    case UnitGuess::Source::dialect:
+      path.notes.push_back(
+          make_note("path-unit", taken + ", which CATIA writes unless it says otherwise", path.file));
+      break;
+    case UnitGuess::Source::assumed:
+      path.notes.push_back(
+          make_warning("path-unit", taken + " for want of evidence; say --path-units mm or inch", path.file));
+  }
+  return std::nullopt;
+}
+
+// Statements that may be motions and are not understood leave moves, none of which is one of the file's dialect.
+bool has_motion(const Toolpath& path) {
+  return std::any_of(path.moves.begin(), path.moves.end(), [](const Move& move) {
+    return !move.not_checked_reason.starts_with(Reasons::kUnread);
+  });
+}
+
+Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
+  std::string message = std::string("holds no position; ") + kExpected;
+  if (!path.moves.empty()) {
+    const std::size_t count = path.moves.size();
+    message = "holds no position that is understood, and " + std::to_string(count) +
+              (count == 1 ? " statement" : " statements") + " that may be motions, the first in line " +
+              std::to_string(path.moves.front().line) + "; " + kExpected;
+  }
+  if (dialect.kind == DialectKind::nccs_binary) {
+    message = "is a binary NCCS file without a position; expected motion records";
+  } else if (!path.statements.empty()) {
+    const SourceStatement& first = path.statements.front();
+    const std::string_view all = path.source;
+    message += "; the first line is " +
+               quoted_text(all.substr(first.first_byte, first.last_byte - first.first_byte));
+  }
+  return make_error("path-no-motion", std::move(message), path.file);
+}
+
+UnitGuess unit_of(std::string_view bytes, const Dialect& dialect, const ReadOptions& options) {
+  const UnitGuess guess = find_unit(bytes, dialect);
+  if (guess.source == UnitGuess::Source::stated || !options.unit) return guess;
+  return {*options.unit, UnitGuess::Source::option};
+}
+
+// Bare lists of positions name no tool at all; others not before their first tool change.
+void name_unnamed_tool(const std::string& name, Toolpath& path) {
+  std::size_t moves = 0, first_line = 0;
+  for (Move& move : path.moves) {
+    if (move.tool != kNone) continue;
+    if (moves++ == 0) first_line = move.line;
+    move.tool = path.tools.size();
+  }
+  if (moves == 0) return;
+  PathTool tool;
+  tool.name = name;
+  tool.line = first_line;
+  path.tools.push_back(std::move(tool));
+  path.notes.push_back(make_note(
+      "path-unnamed-tool", std::to_string(moves) + " moves for which the file names no tool: \"" + name + "\" as asked",
+      path.file, first_line));
+}
+
+// A file that was cut off ends within its last line, which then reads as nonsense.
+void tell_last_line(std::string_view bytes, const Dialect& dialect, Diagnostics& errors) {
+  const bool is_ended = bytes.empty() || bytes.back() == '\n' || bytes.back() == '\r';
+  if (is_ended || dialect.kind == DialectKind::nccs_binary) return;
+  const auto last = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1;
+  for (Diagnostic& error : errors) {
+    if (error.line == last) error.message += "; this is the last line, without an end: the file may be cut off";
+  }
+}
+
+}  // namespace
+
+ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const ReadOptions& options) {
+  ReadOutcome outcome;
+  const Dialect dialect = options.dialect.value_or(recognise_dialect(bytes));
+  if (auto error = find_unreadable(file_name, bytes, dialect, options.dialect.has_value())) {
+    outcome.errors.push_back(std::move(*error));
+    return outcome;
+  }
+  Toolpath path;
+  path.file = file_name;
+  path.source = std::move(bytes);
+  const UnitGuess guess = unit_of(path.source, dialect, options);
+  path.dialect = dialect.id;
+  path.unit = guess.unit;
+  path.is_unit_stated = guess.source == UnitGuess::Source::stated;
+
+  const LineCount lines = count_lines(path.source);
+  path.statements.reserve(lines.with_text);
+  path.moves.reserve(lines.with_position);
+  Interpreter interpreter(path, dialect, guess.unit, nullptr);
+  if (options.is_cutcom_centre) interpreter.set_cutter_centre();
+  StatementReader reader(path.source, dialect.kind);
+  Statement statement;
+  while (!interpreter.is_hopeless() && reader.next(statement)) interpreter.take(statement);
+  if (!interpreter.is_hopeless()) interpreter.finish();
+  outcome.errors = interpreter.take_errors();
+  tell_last_line(path.source, dialect, outcome.errors);
+  if (outcome.errors.empty() && !has_motion(path)) outcome.errors.push_back(no_motion(path, dialect));
+  if (!outcome.errors.empty()) return outcome;
+  if (auto error = note_unit(guess, options, path)) {
+    outcome.errors.push_back(std::move(*error));
+    return outcome;
+  }
+  if (!options.unnamed_tool.empty()) name_unnamed_tool(options.unnamed_tool, path);
+  outcome.toolpath = std::move(path);
+  return outcome;
+}
+
+}  // namespace gouge

@@ -1,0 +1,56 @@
+#include "postproc/cldata/reading/unit_guess.h"
+
+#include <cstddef>
+#include <vector>
+
+#include "postproc/cldata/language/arguments.h"
+#include "postproc/cldata/language/unit_words.h"
+#include "postproc/cldata/lexing/statement_reader.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kStatementsLookedAt = 20000;
+
+bool is_position(Word word) {
+  return word == Word::go_to || word == Word::from || word == Word::gohome || word == Word::tlon;
+}
+
+bool names_unit(Word word) {
+  return word == Word::units || word == Word::fedrat || word == Word::cycle;
+}
+
+UnitGuess otherwise(UnitGuess guess, const Dialect& dialect) {
+  if (guess.source == UnitGuess::Source::assumed && dialect.kind == DialectKind::catia)
+    guess.source = UnitGuess::Source::dialect;
+  return guess;
+}
+
+}  // namespace
+
+UnitGuess find_unit(std::string_view bytes, const Dialect& dialect) {
+  UnitGuess guess;
+  StatementReader reader(bytes, dialect.kind);
+  Statement statement;
+  std::vector<Argument> arguments;
+  bool has_position = false;
+  for (std::size_t i = 0; i < kStatementsLookedAt && reader.next(statement); ++i) {
+    if (is_position(statement.word)) {
+      has_position = true;
+      if (guess.source != UnitGuess::Source::assumed) return guess;
+    }
+    if (!names_unit(statement.word)) continue;
+    split_arguments(statement, arguments);
+    for (const Argument& argument : arguments) {
+      if (statement.word == Word::units) {
+        const auto unit = unit_of_word(argument.text);
+        if (unit && !has_position) return {*unit, UnitGuess::Source::stated};
+      } else if (guess.source == UnitGuess::Source::assumed) {
+        if (const auto unit = unit_of_feed_word(argument.text)) guess = {*unit, UnitGuess::Source::feed_word};
+      }
+    }
+  }
+  return otherwise(guess, dialect);
+}
+
+}  // namespace gouge

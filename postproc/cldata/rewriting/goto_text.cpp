@@ -1,0 +1,143 @@
+#include "postproc/cldata/rewriting/goto_text.h"
+
+#include <cmath>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/lexing/statement_at.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kStatementsLearned = 5000;
+constexpr int kLeastAxisDecimals = 6;
+constexpr int kUsualAxisDecimals = 9;
+constexpr int kUsualDecimals = 6;
+
+}  // namespace
+
+GotoText::GotoText(const Toolpath& path, const MotionRecords& records) : path_(path) {
+  line_end_ = line_end_of(path.source);
+  std::size_t learned = 0;
+  for (const MotionRecord& record : records.of_move) {
+    if (record.form != PositionForm::go_to || record.point != 0) continue;
+    learn(record);
+    if (++learned == kStatementsLearned) break;
+  }
+  if (learned == 0) learn_holes(records);
+  coordinates_.settle(least_coordinate_decimals(path.unit), kUsualDecimals);
+  components_.settle(kLeastAxisDecimals, kUsualAxisDecimals);
+}
+
+// A file that does nothing but drill.
+void GotoText::learn_holes(const MotionRecords& records) {
+  std::size_t learned = 0, last = kNone;
+  for (const MotionRecord& record : records.of_move) {
+    if (record.form != PositionForm::cycle || record.numbers == 0 || record.point != 0 || record.statement == last)
+      continue;
+    last = record.statement;
+    learn(record);
+    if (++learned == kStatementsLearned) break;
+  }
+}
+
+void GotoText::learn(const MotionRecord& record) {
+  const Statement statement = statement_at(path_, record.statement);
+  std::vector<Argument> arguments;
+  split_arguments(statement, arguments);
+  const std::string_view bytes = path_.source;
+  const auto offset = [&](const Argument& a) {
+    return static_cast<std::size_t>(a.text.data() - bytes.data());
+  };
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (arguments[i].text.empty()) break;  // the axis of NCI, which its file does not write in numbers
+    const std::size_t blanks = blanks_before(bytes, offset(arguments[i]));
+    const bool is_axis = i % record.numbers >= 3;
+    if (is_axis && !axis_gap_) axis_gap_ = blanks;
+    (is_axis ? components_ : coordinates_).learn(arguments[i].text, arguments[i].text.size() + blanks);
+  }
+  if (has_form_) return;
+  has_form_ = true;
+  const std::size_t first = offset(arguments[0]);
+  first_gap_ = blanks_before(bytes, first);
+  // Without a sequence number, which is of one statement.
+  const auto begin =
+      statement.is_decoded ? statement.first_byte : static_cast<std::size_t>(statement.major.data() - bytes.data());
+  prefix_ = std::string(trim(bytes.substr(begin, first - first_gap_ - begin)));
+  const std::size_t after = first + arguments[0].text.size();
+  const std::size_t second = offset(arguments[1]);
+  gap_ = blanks_before(bytes, second);
+  separator_ = bytes.substr(after, second - gap_ - std::min(after, second - gap_));
+}
+
+void GotoText::append_number(std::string& text, const NumberStyle& style, double value) const {
+  const std::string token = style.text(value);
+  const std::size_t gap = &style == &components_ ? axis_gap_.value_or(gap_) : gap_;
+  text += separator_ + style.padding(token, gap) + token;
+}
+
+bool GotoText::is_same_axis(const Vec3& a, const Vec3& b) const {
+  return (a - b).cwiseAbs().maxCoeff() <= 0.5 * std::pow(10.0, -components_.decimals());
+}
+
+std::string GotoText::replaced(std::size_t index, std::size_t numbers,
+                               const std::vector<std::optional<WrittenPosition>>& positions) const {
+  const Statement statement = statement_at(path_, index);
+  std::vector<Argument> arguments;
+  split_arguments(statement, arguments);
+  const std::string_view bytes = path_.source;
+  std::string result;
+  std::size_t copied = statement.first_byte;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::optional<WrittenPosition>& position = positions[i / numbers];
+    if (!position) continue;
+    const std::size_t k = i % numbers;
+    if (k >= 3 && !position->axis) continue;
+    const NumberStyle& style = k < 3 ? coordinates_ : components_;
+    const auto component = static_cast<Eigen::Index>(k % 3);
+    const double value = k < 3 ? position->tip[component] : (*position->axis)[component];
+    append_changed_number(result, copied, bytes, arguments[i], style, value);
+    if (k == 2 && numbers == 3 && position->axis) {
+      const auto end = static_cast<std::size_t>(arguments[i].text.data() - bytes.data()) + arguments[i].text.size();
+      result += bytes.substr(copied, end - copied);
+      for (Eigen::Index c = 0; c < 3; ++c) append_number(result, components_, (*position->axis)[c]);
+      copied = end;
+    }
+  }
+  result += bytes.substr(copied, statement.last_byte - copied);
+  return result;
+}
+
+std::string GotoText::shifted(std::size_t index, std::size_t numbers,
+                              const std::vector<Vec3>& shifts) const {
+  const Statement statement = statement_at(path_, index);
+  std::vector<Argument> arguments;
+  split_arguments(statement, arguments);
+  std::string result;
+  std::size_t copied = statement.first_byte;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (i % numbers >= 3) continue;
+    const double shift = shifts[i / numbers][static_cast<Eigen::Index>(i % numbers)];
+    append_changed_number(result, copied, path_.source, arguments[i], coordinates_, *arguments[i].number + shift);
+  }
+  result += std::string_view(path_.source).substr(copied, statement.last_byte - copied);
+  return result;
+}
+
+std::string GotoText::fresh(const WrittenPosition& position) const {
+  const std::string first = coordinates_.text(position.tip.x());
+  std::string text = prefix_ + coordinates_.padding(first, first_gap_) + first;
+  append_number(text, coordinates_, position.tip.y());
+  append_number(text, coordinates_, position.tip.z());
+  if (position.axis) {
+    for (Eigen::Index c = 0; c < 3; ++c) append_number(text, components_, (*position.axis)[c]);
+  }
+  return with_line_end(std::move(text));
+}
+
+std::string GotoText::with_line_end(std::string text) const {
+  if (text.empty() || text.back() != '\n') text += line_end_;
+  return text;
+}
+
+}  // namespace gouge

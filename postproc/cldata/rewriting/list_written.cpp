@@ -1,0 +1,126 @@
+#include "postproc/cldata/rewriting/list_written.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "postproc/cldata/language/dialect.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kLargestTable = 1'000'000;  // entries, beyond which nothing in common is looked for
+
+class Comparison {
+ public:
+  Comparison(const Toolpath& before, const Toolpath& after) : before_(before), after_(after) {}
+
+  std::vector<WrittenStatement> run(const std::vector<PathChange>& changes) {
+    std::vector<std::size_t> inserted(before_.moves.size(), 0);
+    for (const PathChange& change : changes) inserted[change.move] = change.inserted_before.size();
+    std::size_t next = 0;
+    for (std::size_t i = 0; i < before_.moves.size(); ++i) {
+      next += inserted[i];
+      if (next >= after_.moves.size()) break;
+      meet(before_.moves[i].statement, after_.moves[next++].statement);
+    }
+    between(before_.statements.size(), after_.statements.size());
+    return std::move(written_);
+  }
+
+ private:
+  static std::string_view bytes(const Toolpath& path, std::size_t statement) {
+    const SourceStatement& span = path.statements[statement];
+    return std::string_view(path.source).substr(span.first_byte, span.last_byte - span.first_byte);
+  }
+  [[nodiscard]] bool is_same(std::size_t a, std::size_t b) const { return bytes(before_, a) == bytes(after_, b); }
+
+  void add(WrittenKind kind, std::size_t statement) {
+    const Toolpath& path = kind == WrittenKind::added ? after_ : before_;
+    written_.push_back({kind, path.statements[statement].line});
+  }
+
+  /// The statements that a move is read from in both files.
+  void meet(std::size_t a, std::size_t b) {
+    if (a == kNone || b == kNone || b < next_after_) return;  // a list of positions: the statement is done with
+    if (a < next_before_) {  // one statement became several
+      between(next_before_, b);
+      add(WrittenKind::added, b);
+      next_after_ = b + 1;
+      return;
+    }
+    between(a, b);
+    if (!is_same(a, b)) add(WrittenKind::changed, a);
+    next_before_ = a + 1;
+    next_after_ = b + 1;
+  }
+
+  /// What stands before the statements `a` and `b` and after those met last.
+  void between(std::size_t a, std::size_t b) {
+    while (next_before_ < a && next_after_ < b && is_same(next_before_, next_after_)) {
+      ++next_before_;
+      ++next_after_;
+    }
+    std::size_t last_before = a, last_after = b;
+    while (next_before_ < last_before && next_after_ < last_after && is_same(last_before - 1, last_after - 1)) {
+      --last_before;
+      --last_after;
+    }
+    differ(last_before, last_after);
+    next_before_ = a;
+    next_after_ = b;
+  }
+
+  /// By the longest common subsequence of what is left.
+  void differ(std::size_t a, std::size_t b) {
+    const std::size_t n = a - next_before_, m = b - next_after_;
+    const bool is_small = n * m <= kLargestTable;
+    std::vector<std::size_t> common(is_small ? (n + 1) * (m + 1) : 0, 0);
+    const auto at = [&](std::size_t i, std::size_t k) -> std::size_t& { return common[i * (m + 1) + k]; };
+    for (std::size_t i = is_small ? n : 0; i-- > 0;) {
+      for (std::size_t k = m; k-- > 0;) {
+        at(i, k) = is_same(next_before_ + i, next_after_ + k) ? at(i + 1, k + 1) + 1 : std::max(at(i + 1, k), at(i, k + 1));
+      }
+    }
+    std::size_t i = 0, k = 0;
+    while (i < n || k < m) {
+      const bool is_both = i < n && k < m;
+      if (is_both && is_small && is_same(next_before_ + i, next_after_ + k)) {
+        ++i;
+        ++k;
+      } else if (k == m || (is_both && is_small && at(i + 1, k) >= at(i, k + 1))) {
+        add(WrittenKind::removed, next_before_ + i++);
+      } else {
+        add(WrittenKind::added, next_after_ + k++);
+      }
+    }
+  }
+
+  const Toolpath& before_;
+  const Toolpath& after_;
+  std::size_t next_before_ = 0, next_after_ = 0;  // statements not yet compared
+  std::vector<WrittenStatement> written_;
+};
+
+std::vector<WrittenStatement> of_changes(const Toolpath& path, const std::vector<PathChange>& changes) {
+  std::vector<std::size_t> lines;
+  for (const PathChange& change : changes) lines.push_back(path.moves[change.move].line);
+  std::sort(lines.begin(), lines.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  std::vector<WrittenStatement> written;
+  for (const std::size_t line : lines) written.push_back({WrittenKind::changed, line});
+  return written;
+}
+
+}  // namespace
+
+const char* written_name(WrittenKind kind) {
+  return kind == WrittenKind::changed ? "changed" : kind == WrittenKind::added ? "added" : "removed";
+}
+
+std::vector<WrittenStatement> list_written(const Toolpath& before, const std::vector<PathChange>& changes,
+                                           const Toolpath& after) {
+  if (before.dialect == dialect_of(DialectKind::nccs_binary).id) return of_changes(before, changes);
+  return Comparison(before, after).run(changes);
+}
+
+}  // namespace gouge

@@ -1,0 +1,50 @@
+#include "postproc/cldata/rewriting/rewritable_moves.h"
+
+namespace gouge {
+namespace {
+
+bool is_same_hole(const MotionRecord& a, const MotionRecord& b) {
+  return a.form == PositionForm::cycle && b.form == PositionForm::cycle && a.statement == b.statement &&
+         a.point == b.point;
+}
+
+// Of the records of one hole [first, last).
+bool is_shiftable(const Toolpath& path, const std::vector<MotionRecord>& records, std::size_t first,
+                  std::size_t last) {
+  if (records[first].numbers == 0) return false;  // a step from somewhere
+  for (std::size_t i = first; i < last; ++i) {
+    const std::string_view reason = path.moves[i].not_checked_reason;
+    if (!reason.empty() && reason != Reasons::kRetractPlane && reason != Reasons::kAfterCycle) return false;
+  }
+  if (last == records.size()) return true;
+  const bool is_step_next = records[last].form == PositionForm::godlta ||
+                            (records[last].form == PositionForm::cycle && records[last].numbers == 0);
+  const bool is_arc_next = path.moves[last].kind == MoveKind::arc && path.moves[last].has_start;
+  return !is_step_next && !is_arc_next;
+}
+
+}  // namespace
+
+RewritableMoves rewritable_moves(const Toolpath& path) {
+  const MotionRecords records = read_motion_records(path);
+  return rewritable_moves(path, records, ArcText(path, records));
+}
+
+RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read, const ArcText& arcs) {
+  const std::vector<MotionRecord>& records = read.of_move;
+  const std::vector<bool> none(records.size(), false);
+  RewritableMoves can{none, none, none};
+  const DialectKind kind = dialect_called(path.dialect).value_or(Dialect{}).kind;
+  if (kind == DialectKind::nccs_binary || kind == DialectKind::nci) return can;
+  for (std::size_t first = 0, last = 0; first < records.size(); first = last) {
+    last = first + 1;
+    while (last < records.size() && is_same_hole(records[first], records[last])) ++last;
+    if (records[first].form == PositionForm::cycle)
+      can.hole[first] = is_shiftable(path, records, first, last);
+    can.arc[first] = arcs.is_writable(first);
+    can.split[first] = can.arc[first] && records[first].form == PositionForm::go_to;
+  }
+  return can;
+}
+
+}  // namespace gouge

@@ -1,0 +1,409 @@
+#include "postproc/cldata/rewriting/write_corrected.h"
+
+#include <algorithm>
+#include <map>
+#include <string_view>
+#include <utility>
+
+#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/lexing/statement_at.h"
+#include "postproc/cldata/rewriting/arc_text.h"
+#include "postproc/cldata/rewriting/goto_text.h"
+#include "postproc/cldata/rewriting/rewritable_moves.h"
+#include "postproc/cldata/rewriting/write_corrected_nccs.h"
+#include "postproc/cldata/rewriting/write_corrected_nci.h"
+#include "postproc/cldata/rewriting/wrong_change.h"
+
+namespace gouge {
+namespace {
+
+class CorrectedWriter {
+ public:
+  CorrectedWriter(const Toolpath& path, const std::vector<PathChange>& changes)
+      : path_(path),
+        read_(read_motion_records(path)), records_(read_.of_move),
+        goto_text_(path, read_),
+        arc_text_(path, read_),
+        is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
+        changes_(path.moves.size(), nullptr) {
+    for (const PathChange& change : changes) changes_[change.move] = &change;
+    for (std::size_t i = 0; i < changes_.size(); ++i) {
+      if (is_straightened(i)) drop_curve(i);
+    }
+  }
+
+  Result<std::string> write();
+
+ private:
+  [[nodiscard]] bool is_changed(std::size_t move) const {
+    return changes_[move] != nullptr &&
+           (changes_[move]->new_end || !changes_[move]->inserted_before.empty() || is_straightened(move) ||
+            has_new_arc(move) || changes_[move]->hole_shift_mm);
+  }
+  [[nodiscard]] bool has_new_arc(std::size_t move) const {
+    return changes_[move] != nullptr && changes_[move]->new_arc;
+  }
+  [[nodiscard]] bool is_straightened(std::size_t move) const {
+    return changes_[move] != nullptr && changes_[move]->is_straightened;
+  }
+  [[nodiscard]] std::optional<Diagnostic> find_unwritable() const;
+  void drop_curve(std::size_t move);
+  [[nodiscard]] std::optional<Diagnostic> redescribe_arc(std::size_t move);
+  [[nodiscard]] std::optional<Diagnostic> describe_inserted_arcs(std::size_t move);
+  [[nodiscard]] Pose new_start(std::size_t move) const;
+  [[nodiscard]] WrittenArc in_statement(std::size_t move, const PathArc& arc, const Pose& start, const Pose& end) const;
+  [[nodiscard]] std::optional<Diagnostic> find_stuck(std::size_t first, std::size_t last) const;
+  [[nodiscard]] std::string rewritten(std::size_t first, std::size_t last);
+  [[nodiscard]] std::string shifted_holes(std::size_t first, std::size_t last) const;
+  void append_source(std::string& text, std::size_t from, std::size_t to) const;
+  [[nodiscard]] bool has_curve_left(std::size_t first, std::size_t last) const;
+  [[nodiscard]] bool has_insertion(std::size_t move) const {
+    return changes_[move] != nullptr && !changes_[move]->inserted_before.empty();
+  }
+  [[nodiscard]] Pose local_end(std::size_t move) const;
+  void begin_statement(const MotionRecord& record, bool is_new_block);
+  [[nodiscard]] bool needs_rewriting(std::size_t first, std::size_t last) const;
+  [[nodiscard]] WrittenPosition written(const MotionRecord& record, const Pose& local, bool is_axis_kept);
+  // A curve has no numbers of its own to look like; it takes after the position before it.
+  [[nodiscard]] bool is_axis_kept(const MotionRecord& record) const {
+    return record.numbers == 6 || (record.form == PositionForm::curve && is_axis_usual_ && !is_axis_modal_);
+  }
+  [[nodiscard]] std::string rapid_line(const MotionRecord& record) const;
+  [[nodiscard]] std::string_view bytes_of(std::size_t statement) const;
+  [[nodiscard]] bool begins_with(std::size_t statement, std::string_view word) const;
+  [[nodiscard]] std::string insertions(std::size_t move);
+  [[nodiscard]] std::string in_place(std::size_t first, std::size_t last);
+  [[nodiscard]] std::string one_by_one(std::size_t first, std::size_t last);
+  [[nodiscard]] std::string framed(const MotionRecord& record, const WrittenPosition& position,
+                                   std::string text) const;
+
+  const Toolpath& path_;
+  MotionRecords read_;
+  const std::vector<MotionRecord>& records_;  // of read_
+  GotoText goto_text_;
+  ArcText arc_text_;
+  bool is_axis_modal_;
+  std::vector<const PathChange*> changes_;
+  // What statements become that have no position of their own: nothing, where they describe what is straightened; or what
+  // describes the arc, with the positions before it.
+  std::map<std::size_t, std::string> replaced_;
+  std::vector<std::string> inserted_arcs_;  // what describes those of the move being written; nothing: straight
+  bool is_axis_usual_ = false;        // the last position was written with its axis
+  Vec3 axis_read_ = Vec3::UnitZ();     // the modal axis after the last position of the file read so far
+  Vec3 axis_written_ = Vec3::UnitZ();  // the same for the text written so far
+};
+
+// The end of `move` in its statement's frame, in mm.
+Pose CorrectedWriter::local_end(std::size_t move) const {
+  const Pose& end =
+      changes_[move] != nullptr && changes_[move]->new_end ? *changes_[move]->new_end : path_.moves[move].end;
+  return records_[move].frame->to_part.inverse().pose(end);
+}
+
+// CIRCLE, MOVARC or INDIRV before the position, KNOT and CNTRL after a NURBS.
+void CorrectedWriter::drop_curve(std::size_t move) {
+  const MotionRecord& record = records_[move];
+  if (record.curve_statement != kNone) replaced_[record.curve_statement];
+  if (record.form != PositionForm::curve) return;
+  for (std::size_t s = record.statement + 1; s < path_.statements.size(); ++s) {
+    const Word word = statement_at(path_, s).word;
+    if (word == Word::knot || word == Word::cntrl) replaced_[s];
+    if (word != Word::knot && word != Word::cntrl && word != Word::comment) return;
+  }
+}
+
+Pose CorrectedWriter::new_start(std::size_t move) const {
+  return (changes_[move - 1] != nullptr ? changes_[move - 1]->new_end : std::nullopt).value_or(path_.start_of(move));
+}
+
+// The vector of the statement points as it did.
+WrittenArc CorrectedWriter::in_statement(std::size_t move, const PathArc& arc, const Pose& start, const Pose& end) const {
+  const RigidTransform to_local = records_[move].frame->to_part.inverse();
+  const double sense = (arc.sweep_rad < 0) == (path_.arcs[path_.moves[move].curve].sweep_rad < 0) ? 1 : -1;
+  return {{to_local.point(arc.center), to_local.direction(sense * arc.axis), sense * arc.sweep_rad},
+          to_local.point(start.tip), to_local.point(end.tip)};
+}
+
+std::optional<Diagnostic> CorrectedWriter::describe_inserted_arcs(std::size_t move) {
+  const PathChange& change = *changes_[move];
+  Pose start = new_start(move);
+  inserted_arcs_.assign(change.inserted_before.size(), "");
+  for (std::size_t k = 0; k < change.inserted_arcs.size(); ++k) {
+    const Pose& end = change.inserted_before[k];
+    if (const std::optional<PathArc>& arc = change.inserted_arcs[k]) {
+      const Result<std::string> text = arc_text_.description(move, in_statement(move, *arc, start, end));
+      if (!text) return text.error();
+      inserted_arcs_[k] = goto_text_.with_line_end(*text);
+    }
+    start = end;
+  }
+  return std::nullopt;
+}
+
+// An arc with other numbers, and the positions on the way to its start before it.
+std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
+  const MotionRecord& record = records_[move];
+  const PathChange& change = *changes_[move];
+  const RigidTransform to_local = record.frame->to_part.inverse();
+  const Pose start = change.inserted_before.empty() ? new_start(move) : change.inserted_before.back();
+  const WrittenArc arc = in_statement(move, *change.new_arc, start, change.new_end.value_or(path_.moves[move].end));
+  if (record.form == PositionForm::curve && !goto_text_.is_same_axis(to_local.direction(start.axis), local_end(move).axis))
+    return make_error("write-arc", "a TLON keeps the tool axis of its start", path_.file, path_.moves[move].line);
+  const Result<std::string> text = arc_text_.description(move, arc);
+  if (!text) return text.error();
+  replaced_[record.curve_statement] = *text;
+  if (has_insertion(move)) {
+    const std::size_t first = arc_text_.first_statement(move);
+    if (first != record.curve_statement) replaced_[first] = std::string(bytes_of(first));
+    replaced_[first].insert(0, insertions(move));
+  }
+  if (record.form != PositionForm::curve) return std::nullopt;
+  const Result<std::string> tlon = arc_text_.tlon(move, arc);
+  if (!tlon) return tlon.error();
+  replaced_[record.statement] = *tlon;
+  return std::nullopt;
+}
+
+void CorrectedWriter::append_source(std::string& text, std::size_t from, std::size_t to) const {
+  const std::string_view source = path_.source;
+  const auto first = std::lower_bound(
+      path_.statements.begin(), path_.statements.end(), from,
+      [](const SourceStatement& statement, std::size_t byte) { return statement.first_byte < byte; });
+  auto next = replaced_.lower_bound(static_cast<std::size_t>(first - path_.statements.begin()));
+  for (; next != replaced_.end() && path_.statements[next->first].first_byte < to; ++next) {
+    const SourceStatement& span = path_.statements[next->first];
+    text += source.substr(from, span.first_byte - from);
+    text += next->second;
+    from = span.last_byte;
+  }
+  text += source.substr(from, to - from);
+}
+
+// A statement's positions share the arc that describes them: some straight and some round cannot be written.
+bool CorrectedWriter::has_curve_left(std::size_t first, std::size_t last) const {
+  bool has_straightened = false, has_round = false;
+  for (std::size_t i = first; i < last; ++i) {
+    const Move& move = path_.moves[i];
+    const bool is_straight =
+        move.curve_kind == CurveKind::none && Reasons::is_motion_known(move.not_checked_reason);
+    if (move.kind != MoveKind::arc || is_straight) continue;  // a list may begin where the tool stands
+    (is_straightened(i) ? has_straightened : has_round) = true;
+  }
+  const std::size_t after = last;
+  const bool has_new_start = changes_[last - 1] != nullptr && changes_[last - 1]->new_end &&
+                             after < path_.moves.size() && path_.moves[after].kind == MoveKind::arc &&
+                             path_.moves[after].has_start && !is_straightened(after) && !has_new_arc(after);
+  return (has_straightened && has_round) || has_new_start;
+}
+
+bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const {
+  for (std::size_t i = first; i < last; ++i) {
+    if (is_changed(i)) return true;
+  }
+  const MotionRecord& record = records_[first];
+  const bool is_step = record.form == PositionForm::godlta || (record.form == PositionForm::cycle && record.numbers == 0);
+  if (is_step) {
+    return first > 0 && changes_[first - 1] != nullptr && changes_[first - 1]->new_end.has_value();
+  }
+  if (record.form == PositionForm::unread) return false;
+  const bool relies_on_axis = is_axis_modal_ && (record.numbers == 3 || record.form == PositionForm::curve);
+  return relies_on_axis && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
+}
+
+// What to write for `local`, and the axis it leaves in force. The axis is left out where 3 numbers mean the
+// same.
+WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose& local, bool is_axis_kept) {
+  WrittenPosition position;
+  position.tip = local.tip / record.frame->mm_per_unit;
+  const Vec3& implied = is_axis_modal_ ? axis_written_ : record.implied_axis_local;
+  if (is_axis_kept || !goto_text_.is_same_axis(local.axis, implied)) position.axis = local.axis;
+  axis_written_ = local.axis;
+  return position;
+}
+
+// Under MULTAX/OFF six numbers are two positions, so a position with an axis switches it on for itself.
+std::string CorrectedWriter::framed(const MotionRecord& record, const WrittenPosition& position,
+                                    std::string text) const {
+  if (!record.is_multax_off || !position.axis || record.numbers == 6) return text;
+  return goto_text_.with_line_end("MULTAX/ON") + goto_text_.with_line_end(std::move(text)) +
+         goto_text_.with_line_end("MULTAX/OFF");
+}
+
+std::string CorrectedWriter::rapid_line(const MotionRecord& record) const {
+  const bool is_template = record.rapid_statement != kNone && begins_with(record.rapid_statement, "RAPID");
+  return goto_text_.with_line_end(is_template ? std::string(bytes_of(record.rapid_statement)) : "RAPID");
+}
+
+std::string_view CorrectedWriter::bytes_of(std::size_t statement) const {
+  const SourceStatement& span = path_.statements[statement];
+  return std::string_view(path_.source).substr(span.first_byte, span.last_byte - span.first_byte);
+}
+
+// False where a sequence number or label, which belongs to its statement alone, stands before the word.
+bool CorrectedWriter::begins_with(std::size_t statement, std::string_view word) const {
+  return starts_with_ignoring_case(trim(bytes_of(statement)), word);
+}
+
+// The positions to visit before `move`, and, as RAPID holds for one motion only, a RAPID for each further
+// one.
+std::string CorrectedWriter::insertions(std::size_t move) {
+  const MotionRecord& record = records_[move];
+  const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
+  bool is_rapid_pending = record.is_rapid;
+  std::string text;
+  if (!has_insertion(move)) return text;
+  for (std::size_t k = 0; k < changes_[move]->inserted_before.size(); ++k) {
+    const Pose& pose = changes_[move]->inserted_before[k];
+    if (!changes_[move]->inserted_arcs.empty()) text += inserted_arcs_[k];
+    if (is_rapid && !is_rapid_pending) text += rapid_line(record);
+    is_rapid_pending = false;
+    const bool is_template = record.form == PositionForm::go_to && record.points == 1 &&
+                             begins_with(record.statement, "GOTO");
+    const WrittenPosition position = written(record, record.frame->to_part.inverse().pose(pose), is_axis_kept(record));
+    text += framed(record, position,
+                   is_template ? goto_text_.with_line_end(
+                                     goto_text_.replaced(record.statement, record.numbers, {position}))
+                               : goto_text_.fresh(position));
+  }
+  if (record.is_rapid) text += rapid_line(record);
+  return text;
+}
+
+std::string CorrectedWriter::in_place(std::size_t first, std::size_t last) {
+  const MotionRecord& record = records_[first];
+  const std::string text = has_new_arc(first) ? std::string() : insertions(first);
+  std::vector<std::optional<WrittenPosition>> positions(last - first);
+  bool has_new_axis = false;
+  for (std::size_t i = first; i < last; ++i) {
+    WrittenPosition position = written(records_[i], local_end(i), record.numbers == 6);
+    has_new_axis = has_new_axis || (record.numbers == 3 && position.axis);
+    positions[i - first] = position;
+  }
+  if (has_new_axis && record.points > 1) return one_by_one(first, last);
+  return text +
+         framed(record, *positions[0], goto_text_.replaced(record.statement, record.numbers, positions));
+}
+
+std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
+  std::string text;
+  for (std::size_t i = first; i < last; ++i) {
+    text += insertions(i);
+    const WrittenPosition position = written(records_[i], local_end(i), is_axis_kept(records_[i]));
+    text += framed(records_[i], position, goto_text_.fresh(position));
+  }
+  return text;
+}
+
+// Where the text written agrees with the file read, the axis in force is the one the file says is in force.
+void CorrectedWriter::begin_statement(const MotionRecord& record, bool is_new_block) {
+  if (is_new_block || goto_text_.is_same_axis(axis_written_, axis_read_))
+    axis_written_ = record.implied_axis_local;
+}
+
+// Arcs and cycles that stay what they are, where what they go by changes.
+std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::size_t last) const {
+  const MotionRecord& record = records_[first];
+  if (has_curve_left(first, last)) {
+    return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
+                      path_.moves[first].line);
+  }
+  const bool is_curve = record.form == PositionForm::curve && !is_straightened(first) && !has_new_arc(first);
+  const bool relies_on_axis = is_axis_modal_ && record.numbers == 3 &&
+                              !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
+  const bool is_cycle = record.form == PositionForm::cycle && (record.numbers == 0 || relies_on_axis);
+  if (!is_curve && !is_cycle) return std::nullopt;
+  return make_error("write-arc",
+                    "a curve or cycle follows a position it takes its axis or its place from; keep that position",
+                    path_.file, path_.moves[first].line);
+}
+
+// The text of a statement's positions.
+std::string CorrectedWriter::rewritten(std::size_t first, std::size_t last) {
+  const MotionRecord& record = records_[first];
+  if (record.form == PositionForm::cycle) {
+    axis_written_ = axis_read_;
+    return shifted_holes(first, last);
+  }
+  if (has_new_arc(first)) {
+    if (record.form != PositionForm::curve) return in_place(first, last);
+    axis_written_ = local_end(first).axis;
+    return replaced_[record.statement];
+  }
+  bool is_split = record.form == PositionForm::godlta || record.form == PositionForm::curve;
+  for (std::size_t i = first; i < last; ++i) is_split = is_split || (record.points > 1 && has_insertion(i));
+  return is_split ? one_by_one(first, last) : in_place(first, last);
+}
+
+std::string CorrectedWriter::shifted_holes(std::size_t first, std::size_t last) const {
+  const MotionRecord& record = records_[first];
+  std::vector<Vec3> shifts(record.points, Vec3::Zero());
+  for (std::size_t i = first; i < last; ++i) {
+    if (changes_[i] == nullptr || !changes_[i]->hole_shift_mm) continue;
+    shifts[records_[i].point] =
+        record.frame->to_part.inverse().direction(*changes_[i]->hole_shift_mm) / record.frame->mm_per_unit;
+  }
+  return goto_text_.shifted(record.statement, record.numbers, shifts);
+}
+
+std::optional<Diagnostic> CorrectedWriter::find_unwritable() const {
+  const auto is_asked = [](const PathChange* c) { return c != nullptr && (c->has_arc() || c->hole_shift_mm); };
+  if (std::none_of(changes_.begin(), changes_.end(), is_asked)) return std::nullopt;
+  const RewritableMoves can = rewritable_moves(path_, read_, arc_text_);
+  for (std::size_t i = 0; i < changes_.size(); ++i) {
+    if (!is_asked(changes_[i])) continue;
+    const bool is_split = !changes_[i]->inserted_arcs.empty();
+    if (is_split ? can.split[i] : changes_[i]->new_arc ? can.arc[i] : can.hole[i]) continue;
+    return make_error("write-arc",
+                      "move " + std::to_string(i) +
+                          (changes_[i]->has_arc() ? " is no arc whose statement can be rewritten; straighten it instead"
+                                                : " does not begin a hole whose position can be rewritten; leave it"),
+                      path_.file, path_.moves[i].line);
+  }
+  return std::nullopt;
+}
+
+Result<std::string> CorrectedWriter::write() {
+  if (auto error = find_unwritable()) return std::move(*error);
+  const std::string_view source = path_.source;
+  std::string result;
+  result.reserve(source.size() + source.size() / 8);
+  std::size_t copied = 0;
+  for (std::size_t first = 0, last = 0; first < records_.size(); first = last) {
+    const MotionRecord& record = records_[first];
+    last = first + 1;
+    while (last < records_.size() && records_[last].statement == record.statement) ++last;
+    begin_statement(record, first == 0 || record.block != records_[first - 1].block);
+    axis_read_ = records_[last - 1].axis_local;
+    if (record.numbers != 0) is_axis_usual_ = record.numbers == 6;
+    if (!needs_rewriting(first, last)) {
+      if (record.numbers == 6 || goto_text_.is_same_axis(axis_written_, record.implied_axis_local))
+        axis_written_ = axis_read_;
+      continue;
+    }
+    if (auto error = find_stuck(first, last)) return std::move(*error);
+    if (changes_[first] != nullptr && !changes_[first]->inserted_arcs.empty()) {
+      if (auto error = describe_inserted_arcs(first)) return std::move(*error);
+    }
+    if (has_new_arc(first)) {
+      if (auto error = redescribe_arc(first)) return std::move(*error);
+    }
+    const SourceStatement& span = path_.statements[record.statement];
+    append_source(result, copied, span.first_byte);
+    copied = span.last_byte;
+    result += rewritten(first, last);
+  }
+  append_source(result, copied, source.size());
+  return result;
+}
+
+}  // namespace
+
+Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes) {
+  if (auto error = find_wrong_change(path, changes)) return std::move(*error);
+  if (path.dialect == dialect_of(DialectKind::nccs_binary).id) return write_corrected_nccs(path, changes);
+  if (path.dialect == dialect_of(DialectKind::nci).id) return write_corrected_nci(path, changes);
+  return CorrectedWriter(path, changes).write();
+}
+
+}  // namespace gouge

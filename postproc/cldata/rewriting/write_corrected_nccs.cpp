@@ -1,0 +1,252 @@
+#include "postproc/cldata/rewriting/write_corrected_nccs.h"
+
+#include <algorithm>
+
+#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/nccs/nccs_records.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kSameAxis = 1e-12;
+constexpr std::size_t kWord = 8;
+constexpr std::uint16_t kPoints = 5, kRapid = 5, kMultaxOn = 0, kMultaxOff = 1;
+
+class NccsCorrector {
+ public:
+  NccsCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
+      : path_(path),
+        source_(path.source),
+        read_(read_motion_records(path)),
+        records_(read_.of_move),
+        changes_(path.moves.size()) {
+    for (const PathChange& change : changes) changes_[change.move] = &change;
+  }
+
+  Result<std::string> run();
+
+ private:
+  [[nodiscard]] std::string laid_out() const;
+  [[nodiscard]] bool is_straightened(std::size_t move) const {
+    return changes_[move] != nullptr && changes_[move]->is_straightened;
+  }
+  [[nodiscard]] bool has_new_end(std::size_t move) const {
+    return changes_[move] != nullptr && changes_[move]->new_end.has_value();
+  }
+  [[nodiscard]] bool has_insertion(std::size_t move) const {
+    return changes_[move] != nullptr && !changes_[move]->inserted_before.empty();
+  }
+  [[nodiscard]] std::size_t first_word_of(std::size_t statement) const {
+    return NccsWords::word_at(path_.statements[statement].first_byte);
+  }
+  void drop_circles();
+  [[nodiscard]] std::optional<Diagnostic> find_broken_arc() const;
+  [[nodiscard]] bool needs_own_circle(std::size_t move) const;
+  [[nodiscard]] bool needs_rewriting(std::size_t first, std::size_t last) const;
+  [[nodiscard]] bool is_split(std::size_t first, std::size_t last, const NccsHeader& header) const;
+  [[nodiscard]] Pose local_end(std::size_t move) const;
+  [[nodiscard]] std::string numbers(const MotionRecord& record, const Pose& local, bool with_axis) const;
+  void copy(std::size_t first_word, std::size_t last_word);
+  /// Without the circles that go. To be called for ever later words.
+  void copy_source(std::size_t first_word, std::size_t last_word);
+  void add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence, const std::string& words);
+  void add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence);
+  void add_insertions(std::size_t move, std::uint16_t sequence);
+  void copy_point(std::size_t move, const NccsHeader& header);
+  void rewrite(std::size_t first, std::size_t last, const NccsHeader& header);
+  void split(std::size_t first, std::size_t last, const NccsHeader& header);
+
+  const Toolpath& path_;
+  NccsWords source_;
+  MotionRecords read_;
+  const std::vector<MotionRecord>& records_;  // of read_
+  std::vector<const PathChange*> changes_;
+  std::vector<std::size_t> dropped_;  // statements of circles that become straight, in order
+  std::size_t next_dropped_ = 0;      // of those, not yet come by
+  std::string words_;
+};
+
+void NccsCorrector::drop_circles() {
+  for (std::size_t i = 0; i < records_.size(); ++i) {
+    if (is_straightened(i) && records_[i].curve_statement != kNone) dropped_.push_back(records_[i].curve_statement);
+  }
+  std::sort(dropped_.begin(), dropped_.end());
+  dropped_.erase(std::unique(dropped_.begin(), dropped_.end()), dropped_.end());
+}
+
+// An arc that stays needs the place it begins at.
+std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
+  for (std::size_t i = 1; i < records_.size(); ++i) {
+    const Move& move = path_.moves[i];
+    if (move.kind != MoveKind::arc || is_straightened(i) || !move.has_start || !has_new_end(i - 1)) continue;
+    return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
+                      move.line);
+  }
+  return std::nullopt;
+}
+
+// Round, on a circle of which other arcs become straight. A list may begin with a position that is not round.
+bool NccsCorrector::needs_own_circle(std::size_t move) const {
+  const Move& m = path_.moves[move];
+  const bool is_round = m.curve_kind != CurveKind::none || !Reasons::is_motion_known(m.not_checked_reason);
+  return m.kind == MoveKind::arc && is_round && !is_straightened(move) &&
+         std::binary_search(dropped_.begin(), dropped_.end(), records_[move].curve_statement);
+}
+
+Pose NccsCorrector::local_end(std::size_t move) const {
+  return records_[move].frame->to_part.inverse().pose(has_new_end(move) ? *changes_[move]->new_end
+                                                                        : path_.moves[move].end);
+}
+
+bool NccsCorrector::needs_rewriting(std::size_t first, std::size_t last) const {
+  for (std::size_t i = first; i < last; ++i) {
+    // Left as it is, a continuation would go on along a circle put before the positions it continues.
+    if (has_new_end(i) || has_insertion(i) || is_straightened(i) || needs_own_circle(i)) return true;
+  }
+  return records_[first].form == PositionForm::godlta && first > 0 && has_new_end(first - 1);
+}
+
+std::string NccsCorrector::numbers(const MotionRecord& record, const Pose& local, bool with_axis) const {
+  std::string text;
+  for (Eigen::Index i = 0; i < 3; ++i) text += nccs_word(local.tip[i] / record.frame->mm_per_unit);
+  for (Eigen::Index i = 0; with_axis && i < 3; ++i) text += nccs_word(local.axis[i]);
+  return text;
+}
+
+void NccsCorrector::copy(std::size_t first_word, std::size_t last_word) {
+  for (std::size_t word = first_word; word < last_word; ++word) words_ += source_.bytes(word);
+}
+
+void NccsCorrector::copy_source(std::size_t first_word, std::size_t last_word) {
+  for (; next_dropped_ < dropped_.size(); ++next_dropped_) {
+    const std::size_t circle = first_word_of(dropped_[next_dropped_]);
+    if (circle >= last_word) break;
+    copy(first_word, circle);
+    first_word = circle + source_.header(circle).words;
+  }
+  copy(first_word, last_word);
+}
+
+void NccsCorrector::add(std::uint16_t klass, std::uint16_t subclass, std::uint16_t sequence, const std::string& words) {
+  words_ += nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + words.size() / kWord), klass, subclass, sequence});
+  words_ += words;
+}
+
+// Without MULTAX a position with an axis would be two positions, so it is switched on for this one.
+void NccsCorrector::add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence) {
+  const bool is_new_axis = (local.axis - record.implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
+  const bool has_axis = record.numbers == 6 || (record.numbers == 0 && !record.is_multax_off) || is_new_axis;
+  const bool is_expanded = source_.header(first_word_of(record.statement)).klass == NccsClass::kExpanded;
+  const bool is_switched = record.is_multax_off && has_axis && (record.numbers != 6 || is_expanded);
+  if (is_switched) add(NccsClass::kMode, kMultaxOn, sequence, {});
+  add(NccsClass::kMotion, kPoints, sequence, numbers(record, local, has_axis));
+  if (is_switched) add(NccsClass::kMode, kMultaxOff, sequence, {});
+}
+
+void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
+  const MotionRecord& record = records_[move];
+  if (!has_insertion(move)) return;
+  const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
+  bool is_pending = record.is_rapid;
+  for (const Pose& pose : changes_[move]->inserted_before) {
+    if (is_rapid && !is_pending) add(NccsClass::kPost, kRapid, sequence, {});
+    is_pending = false;
+    add_position(record, record.frame->to_part.inverse().pose(pose), sequence);
+  }
+  if (record.is_rapid) add(NccsClass::kPost, kRapid, sequence, {});
+}
+
+// As a record of its own.
+void NccsCorrector::copy_point(std::size_t move, const NccsHeader& header) {
+  const MotionRecord& record = records_[move];
+  const bool is_expanded = header.klass == NccsClass::kExpanded;
+  const std::size_t count = is_expanded ? kNccsExpandedWords : record.numbers;
+  const std::size_t begin = first_word_of(record.statement) + 1 + record.point * count;
+  words_ += nccs_word(NccsHeader{static_cast<std::uint16_t>(1 + count), header.klass, kPoints, header.sequence});
+  copy(begin, begin + count);
+}
+
+bool NccsCorrector::is_split(std::size_t first, std::size_t last, const NccsHeader& header) const {
+  if (records_[first].form == PositionForm::godlta || header.klass == NccsClass::kExpanded) return true;
+  for (std::size_t i = first; i < last; ++i) {
+    const bool is_new_axis = records_[i].numbers == 3 &&
+                             (local_end(i).axis - records_[i].implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
+    if (is_new_axis || has_insertion(i) || is_straightened(i) || needs_own_circle(i)) return true;
+  }
+  return false;
+}
+
+void NccsCorrector::split(std::size_t first, std::size_t last, const NccsHeader& header) {
+  for (std::size_t i = first; i < last; ++i) {
+    add_insertions(i, header.sequence);
+    if (needs_own_circle(i)) {
+      const std::size_t circle = first_word_of(records_[i].curve_statement);
+      copy(circle, circle + source_.header(circle).words);
+    }
+    const bool is_stale = header.klass == NccsClass::kExpanded && has_insertion(i);
+    if (records_[i].form == PositionForm::go_to && !has_new_end(i) && !is_stale) {
+      copy_point(i, header);
+    } else {
+      add_position(records_[i], local_end(i), header.sequence);
+    }
+  }
+}
+
+void NccsCorrector::rewrite(std::size_t first, std::size_t last, const NccsHeader& header) {
+  if (is_split(first, last, header)) return split(first, last, header);
+  const std::size_t begin = first_word_of(records_[first].statement);
+  words_ += source_.bytes(begin);
+  for (std::size_t i = first; i < last; ++i) {
+    if (has_new_end(i)) {
+      words_ += numbers(records_[i], local_end(i), records_[i].numbers == 6);
+    } else {
+      const std::size_t from = begin + 1 + records_[i].first_argument;
+      copy(from, from + records_[i].numbers);
+    }
+  }
+}
+
+// The zeros that fill the last block are read as damage unless they follow FINI.
+std::string NccsCorrector::laid_out() const {
+  std::string bytes = nccs_blocks(words_);
+  const std::size_t last_record = first_word_of(path_.statements.size() - 1);
+  if (source_.header(last_record).klass != NccsClass::kFini)
+    bytes.resize(NccsWords::offset(words_.size() / kWord - 1) + kWord);
+  return bytes;
+}
+
+Result<std::string> NccsCorrector::run() {
+  drop_circles();
+  if (auto error = find_broken_arc()) return std::move(*error);
+  std::size_t copied = 0;
+  for (std::size_t first = 0, last = 0; first < records_.size(); first = last) {
+    last = first + 1;
+    while (last < records_.size() && records_[last].statement == records_[first].statement) ++last;
+    const bool is_hole_by_step = records_[first].form == PositionForm::cycle && records_[first].numbers == 0;
+    if (is_hole_by_step && first > 0 && has_new_end(first - 1)) {
+      return make_error("write-arc", "a hole is a step from a position that changes; keep that position", path_.file,
+                        path_.moves[first].line);
+    }
+    if (!needs_rewriting(first, last)) continue;
+    const std::size_t word = first_word_of(records_[first].statement);
+    const NccsHeader header = source_.header(word);
+    copy_source(copied, word);
+    copied = word + header.words;
+    rewrite(first, last, header);
+  }
+  const std::size_t count = source_.words();
+  copy_source(copied, count);
+  if (words_.size() != count * kWord) return laid_out();
+  std::string bytes = path_.source;
+  for (std::size_t word = 0; word < count; ++word)
+    bytes.replace(NccsWords::offset(word), kWord, words_, word * kWord, kWord);
+  return bytes;
+}
+
+}  // namespace
+
+Result<std::string> write_corrected_nccs(const Toolpath& path, const std::vector<PathChange>& changes) {
+  return NccsCorrector(path, changes).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,132 @@
+#include "postproc/cldata/rewriting/write_corrected_nci.h"
+
+#include <optional>
+#include <utility>
+
+#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/rewriting/nci_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kSameAxis = 5e-7;
+
+bool is_plain(const Vec3& axis) {
+  return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameAxis;
+}
+
+class NciCorrector {
+ public:
+  NciCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
+      : path_(path),
+        read_(read_motion_records(path)),
+        text_(path, read_),
+        changes_(path.moves.size(), nullptr) {
+    for (const PathChange& change : changes) changes_[change.move] = &change;
+    for (std::size_t i = 0; i < path.moves.size() && five_axis_ == kNone; ++i) note_five_axis(i);
+  }
+
+  Result<std::string> write();
+
+ private:
+  [[nodiscard]] Pose in_file(std::size_t move, const Pose& pose) const;
+  [[nodiscard]] std::optional<Diagnostic> find_error(std::size_t move, const NciMotionPair& pair) const;
+  [[nodiscard]] std::string insertions(std::size_t move, const NciMotionPair& pair) const;
+  [[nodiscard]] std::string own_pair(std::size_t move, const NciMotionPair& pair) const;
+  [[nodiscard]] Diagnostic error(const char* code, std::size_t move, const std::string& message) const {
+    return make_error(code, "move " + std::to_string(move) + " " + message, path_.file,
+                      path_.moves[move].line);
+  }
+  // Only a five-axis line has an axis of its own.
+  void note_five_axis(std::size_t move) {
+    if (read_.of_move[move].numbers == 6) five_axis_ = move;
+  }
+
+  const Toolpath& path_;
+  MotionRecords read_;
+  NciText text_;
+  std::vector<const PathChange*> changes_;
+  std::size_t five_axis_ = kNone;  // the last move on a five-axis line, or the first one of the file
+};
+
+Pose NciCorrector::in_file(std::size_t move, const Pose& pose) const {
+  const MotionFrame& frame = *read_.of_move[move].frame;
+  Pose local = frame.to_part.inverse().pose(pose);
+  local.tip /= frame.mm_per_unit;
+  return local;
+}
+
+std::optional<Diagnostic> NciCorrector::find_error(std::size_t move, const NciMotionPair& pair) const {
+  const PathChange& change = *changes_[move];
+  const std::size_t next = move + 1;
+  const bool meets_arc = next < path_.moves.size() && path_.moves[next].kind == MoveKind::arc &&
+                         path_.moves[next].has_start &&
+                         (changes_[next] == nullptr || !changes_[next]->is_straightened);
+  if (change.new_end && meets_arc)
+    return error("write-arc", move,
+                 "ends where an arc that stays begins; expected that arc straightened as well");
+  if (pair.motion.form == NciForm::five_axis) return std::nullopt;
+  if (change.new_end && !is_plain(in_file(move, *change.new_end).axis))
+    return error("write-axis", move,
+                 "is on a line or arc of NCI that has no tool axis; expected a change that keeps +Z");
+  if (five_axis_ != kNone) return std::nullopt;
+  for (const Pose& pose : change.inserted_before) {
+    if (!is_plain(in_file(move, pose).axis))
+      return error("write-axis", move,
+                   "would follow a tilted position, and no five-axis line of the file shows how "
+                   "to write that; expected positions that keep +Z");
+  }
+  return std::nullopt;
+}
+
+std::string NciCorrector::insertions(std::size_t move, const NciMotionPair& pair) const {
+  std::string text;
+  for (const Pose& pose : changes_[move]->inserted_before) {
+    const Pose end = in_file(move, pose);
+    if (pair.motion.form != NciForm::five_axis && !is_plain(end.axis)) {
+      text += text_.inserted_like(text_.pair_of(five_axis_), pair, end);
+    } else if (pair.motion.form == NciForm::arc) {
+      text += text_.straight(pair, end.tip, true);
+    } else {
+      text += text_.inserted(pair, end);
+    }
+  }
+  return text;
+}
+
+std::string NciCorrector::own_pair(std::size_t move, const NciMotionPair& pair) const {
+  const PathChange& change = *changes_[move];
+  const Pose end = in_file(move, change.new_end.value_or(path_.moves[move].end));
+  if (pair.motion.form == NciForm::arc) return text_.straight(pair, end.tip, false);
+  if (change.new_end) return text_.moved(pair, end);
+  return path_.source.substr(pair.lines.first_byte, pair.lines.last_byte - pair.lines.first_byte);
+}
+
+Result<std::string> NciCorrector::write() {
+  std::string result;
+  result.reserve(path_.source.size() + path_.source.size() / 8);
+  std::size_t copied = 0;
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+    const PathChange* change = changes_[i];
+    const bool is_straightened =
+        change != nullptr && change->is_straightened && path_.moves[i].curve_kind != CurveKind::none;
+    if (is_straightened || (change != nullptr && (change->new_end || !change->inserted_before.empty()))) {
+      const NciMotionPair pair = text_.pair_of(i);
+      if (auto error = find_error(i, pair)) return std::move(*error);
+      result.append(path_.source, copied, pair.lines.first_byte - copied);
+      copied = pair.lines.last_byte;
+      result += insertions(i, pair) + own_pair(i, pair);
+    }
+    note_five_axis(i);
+  }
+  result.append(path_.source, copied);
+  return result;
+}
+
+}  // namespace
+
+Result<std::string> write_corrected_nci(const Toolpath& path, const std::vector<PathChange>& changes) {
+  return NciCorrector(path, changes).write();
+}
+
+}  // namespace gouge

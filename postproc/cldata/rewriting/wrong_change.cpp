@@ -1,0 +1,73 @@
+#include "postproc/cldata/rewriting/wrong_change.h"
+
+#include "postproc/cldata/interpreting/reasons.h"
+#include "postproc/cldata/language/dialect.h"
+
+namespace gouge {
+namespace {
+
+std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<PathChange>& changes) {
+  std::vector<bool> is_named(path.moves.size(), false);
+  for (const PathChange& change : changes) {
+    const std::string name = "move " + std::to_string(change.move);
+    if (change.move >= path.moves.size() || is_named[change.move]) {
+      return make_error("write-move",
+                        name + " is " +
+                            (change.move >= path.moves.size() ? "not in the path" : "named twice") +
+                            "; expected one change for a move of the path",
+                        path.file);
+    }
+    is_named[change.move] = true;
+    const Move& move = path.moves[change.move];
+    const bool changes_it = change.new_end || !change.inserted_before.empty();
+    if (change.hole_shift_mm && (changes_it || change.is_straightened || change.new_arc)) {
+      return make_error("write-move", name + " has a shifted hole and another change; expected one of both", path.file);
+    }
+    const std::size_t arcs = change.inserted_arcs.size();
+    if (arcs != 0 && (arcs != change.inserted_before.size() || move.curve_kind != CurveKind::arc)) {
+      return make_error("write-arc", name + " has " + std::to_string(arcs) + " arcs for " +
+                                         std::to_string(change.inserted_before.size()) +
+                                         " inserted positions; expected one entry each, and only of an arc", path.file);
+    }
+    if (change.new_arc && change.is_straightened) {
+      return make_error("write-arc", name + " is to be an arc and straight; expected one of both", path.file);
+    }
+    if (changes_it && Reasons::is_unread(move.not_checked_reason)) {
+      return make_error("write-move", name + " is a statement that is not understood, so it cannot be changed",
+                        path.file, move.line);
+    }
+    const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid ||
+                             (change.is_straightened && move.curve_kind != CurveKind::none) || change.new_arc;
+    if (!is_straight && changes_it) {
+      return make_error("write-arc",
+                        name + " is an arc, a curve or a cycle; only straight moves can be changed",
+                        path.file, move.line);
+    }
+    if (!move.has_start && !change.inserted_before.empty()) {
+      return make_error("write-alone", name + " has no start; positions can be inserted only into a motion",
+                        path.file, move.line);
+    }
+  }
+  return std::nullopt;
+}
+
+// What only dialects of text can say.
+std::optional<Diagnostic> find_unsaid(const Toolpath& path, const std::vector<PathChange>& changes) {
+  const bool is_text = path.dialect != dialect_of(DialectKind::nccs_binary).id &&
+                       path.dialect != dialect_of(DialectKind::nci).id;
+  for (const PathChange& change : changes) {
+    if (is_text || (!change.has_arc() && !change.hole_shift_mm)) continue;
+    return make_error("write-arc", "arcs and holes of this dialect cannot be rewritten; straighten or leave them",
+                      path.file, path.moves[change.move].line);
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Diagnostic> find_wrong_change(const Toolpath& path, const std::vector<PathChange>& changes) {
+  if (auto error = check_changes(path, changes)) return error;
+  return find_unsaid(path, changes);
+}
+
+}  // namespace gouge

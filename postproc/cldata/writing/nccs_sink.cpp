@@ -1,0 +1,135 @@
+#include "postproc/cldata/writing/nccs_sink.h"
+
+#include <cmath>
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kWord = 8;
+constexpr double kSamePlace_mm = 1e-6;
+constexpr double kSameAxis = 1e-12;
+constexpr double kLongestSweep_rad = 2.5;  // clearly less than half a turn, so that the other way is longer
+constexpr double kShortestChord_mm = 0.01;
+constexpr double kCircleKind = 5;  // the first of the five words before a circle's numbers
+constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
+
+struct PostCode {
+  static constexpr std::uint16_t kRapid = 5, kRetrct = 7, kGohome = 14, kCutcom = 1007, kFedrat = 1009,
+                                 kPprint = 1044, kLoadtl = 1055;
+};
+
+std::uint16_t minor_code(CutcomSide side) {
+  constexpr std::uint16_t kLeft = 8, kRight = 24, kOn = 71, kOff = 72;
+  switch (side) {
+    case CutcomSide::none:
+      return kOff;
+    case CutcomSide::left:
+      return kLeft;
+    case CutcomSide::right:
+      return kRight;
+    case CutcomSide::unknown:
+      break;
+  }
+  return kOn;
+}
+
+// `text` in whole words, filled with blanks.
+std::string text_words(std::string text, std::size_t words) {
+  text.resize(words * kWord, ' ');
+  return text;
+}
+
+}  // namespace
+
+NccsSink::NccsSink(LengthUnit unit, const std::string& name) : unit_(unit) {
+  std::string header = text_words(name, kNameWords) + text_words("", kProgramWord - kNameWords);
+  header += text_words("NCLCAM     2019.00", kHeaderWords - kProgramWord);
+  add(NccsClass::kHeader, 0, header);
+  add(NccsClass::kMode, 0, {});
+}
+
+void NccsSink::add(std::uint16_t klass, std::uint16_t subclass, const std::string& words) {
+  const auto count = static_cast<std::uint16_t>(1 + words.size() / kWord);
+  words_ += nccs_word(NccsHeader{count, klass, subclass, ++sequence_}) + words;
+}
+
+void NccsSink::begin_operation(const std::string& name) {
+  add(NccsClass::kPost, PostCode::kPprint, text_words(name, (name.size() + kWord - 1) / kWord));
+}
+
+// The number first: a number seen before brings its old cutter with it.
+void NccsSink::change_tool(const PathTool& tool) {
+  if (tool.number) add(NccsClass::kPost, PostCode::kLoadtl, nccs_word(static_cast<double>(*tool.number)));
+  if (!tool.cutter) return;
+  const CutterStatement& c = *tool.cutter;
+  const double factor = mm_per(unit_);
+  const bool leans = std::abs(c.beta_deg) > 0;
+  const double d_mm = leans ? 2 * (c.e_mm + c.r_mm) : c.d_mm;
+  std::string words = nccs_word(d_mm / factor) + nccs_word(c.r_mm / factor) + nccs_word(c.h_mm / factor);
+  if (leans) words += nccs_word(c.beta_deg);
+  add(NccsClass::kTool, 6, words);
+}
+
+bool NccsSink::break_motion() {
+  add(NccsClass::kPost, PostCode::kGohome, {});
+  return true;
+}
+
+bool NccsSink::set_cutcom(CutcomSide side) {
+  add(NccsClass::kPost, PostCode::kCutcom, nccs_word(NccsHeader{minor_code(side), 0, 0, 0}));
+  return true;
+}
+
+void NccsSink::retract() {
+  add(NccsClass::kPost, PostCode::kRetrct, {});
+}
+
+// As NCL writes it, without a unit; with it once one per revolution makes it needed.
+bool NccsSink::set_feed(const Feed& feed) {
+  constexpr std::uint16_t kIpm = 73, kIpr = 74, kMmpm = 315, kMmpr = 316;
+  const bool is_inch = unit_ == LengthUnit::inch;
+  const bool is_per_turn = feed.unit == FeedUnit::per_revolution;
+  has_feed_per_turn_ = has_feed_per_turn_ || is_per_turn;
+  std::string words = nccs_word(feed.mm / mm_per(unit_));
+  const std::uint16_t code = is_per_turn ? (is_inch ? kIpr : kMmpr) : (is_inch ? kIpm : kMmpm);
+  if (has_feed_per_turn_) words += nccs_word(NccsHeader{code, 0, 0, 0});
+  add(NccsClass::kPost, PostCode::kFedrat, words);
+  return true;
+}
+
+bool NccsSink::make_rapid() {
+  add(NccsClass::kPost, PostCode::kRapid, {});
+  return true;
+}
+
+void NccsSink::go_to(const Pose& end) {
+  std::string words;
+  for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(end.tip[i] / mm_per(unit_));
+  for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(end.axis[i]);
+  add(NccsClass::kMotion, 5, words);
+}
+
+// A planar arc with one tool axis, reached the short way: which sense it has the record does not say.
+bool NccsSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
+  const Vec3 radial = start.tip - arc.center;
+  const bool is_planar = std::abs(radial.dot(arc.axis)) <= kSamePlace_mm &&
+                         std::abs((end.tip - start.tip).dot(arc.axis)) <= kSamePlace_mm;
+  const bool keeps_axis = (start.axis - end.axis).cwiseAbs().maxCoeff() <= kSameAxis;
+  const bool is_short = std::abs(arc.sweep_rad) <= kLongestSweep_rad &&
+                        (end.tip - start.tip).norm() >= kShortestChord_mm;
+  if (!is_planar || !keeps_axis || !is_short) return false;
+  std::string words = nccs_word(kCircleKind) + std::string(4 * kWord, '\0');
+  for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(arc.center[i] / mm_per(unit_));
+  for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(arc.axis[i]);
+  words += nccs_word(radial.norm() / mm_per(unit_));
+  add(NccsClass::kCircle, 0, words);
+  go_to(end);
+  return true;
+}
+
+std::string NccsSink::finish() {
+  add(NccsClass::kFini, 0, {});
+  return nccs_blocks(words_);
+}
+
+}  // namespace gouge

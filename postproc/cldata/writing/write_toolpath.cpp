@@ -1,0 +1,485 @@
+#include "postproc/cldata/writing/write_toolpath.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <string_view>
+#include <utility>
+
+#include "lib/base/number_text.h"
+#include "lib/path/chords.h"
+#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/cldata/rewriting/goto_text.h"
+#include "postproc/cldata/writing/nccs_sink.h"
+#include "postproc/cldata/writing/text_sink.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kTilt = 1e-12;
+constexpr double kSamePlace_mm = 1e-3;
+constexpr double kSameAxis = 1e-4;
+constexpr double kSameFeed = 1e-4;  // relative
+
+// Motions whose end is what the file says although they are not checked: only their start or the cutter's
+// side of the contour is in doubt.
+bool is_understood(const Move& move) {
+  const std::string_view reason = move.not_checked_reason;
+  return Reasons::is_motion_known(reason) || reason == Reasons::kAfterRetract;
+}
+
+std::string feed_name(const Feed& feed) {
+  switch (feed.unit) {
+    case FeedUnit::rapid:
+      return "rapid";
+    case FeedUnit::per_minute:
+      return "at " + exact_text(feed.mm) + " mm per minute";
+    case FeedUnit::per_revolution:
+      return "at " + exact_text(feed.mm) + " mm per revolution";
+    case FeedUnit::not_stated:
+      break;
+    case FeedUnit::not_understood:
+      return "at a feed that is not understood";
+  }
+  return "at a feed that is not stated";
+}
+
+// The file or the user says of every compensated position that it is the cutter's centre.
+bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const bool is_compensated = records.of_move[i].cutcom != CutcomSide::none;
+    if (is_compensated && !path.moves[i].not_checked_reason.empty()) return false;
+  }
+  return true;
+}
+
+class PathWriter {
+ public:
+  PathWriter(const Toolpath& path, const Dialect& target)
+      : path_(path),
+        target_(target),
+        records_(read_motion_records(path)),
+        is_on_centre_(are_on_centre(path, records_)) {}
+
+  Result<WrittenToolpath> run();
+
+ private:
+  [[nodiscard]] std::optional<Diagnostic> find_obstacle() const;
+  [[nodiscard]] std::unique_ptr<MotionSink> make_sink() const;
+  void write_move(std::size_t index);
+  void write_motion(std::size_t index);
+  void write_cutcom(std::size_t index);
+  void write_rapid();
+  void write_feed(const Move& move);
+  void forget_feed();
+  void refuse_feed(const Move& move, const std::string& what);
+  void expect(const Pose& end, bool is_alone, double sweep_rad = 0);
+  [[nodiscard]] bool write_arc(std::size_t index);
+  void note(const char* code, std::size_t count, const std::string& noun, const std::string& what);
+  void note_losses();
+  [[nodiscard]] std::optional<Diagnostic> verify();
+
+  const Toolpath& path_;
+  Dialect target_;
+  MotionRecords records_;
+  bool is_on_centre_;
+  std::unique_ptr<MotionSink> sink_;
+  WrittenToolpath written_;
+  std::size_t tool_ = kNone, operation_ = kNone;
+  Feed feed_;                 // in force in what was written
+  bool is_feed_due_ = false;  // to be stated again before the next feed motion
+  std::optional<Diagnostic> feed_error_;
+  CutcomSide cutcom_ = CutcomSide::none;
+  bool is_checked_ = true;  // the move being written
+  std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, lost_cutcoms_ = 0, lost_feeds_ = 0, unstated_feeds_ = 0;
+  std::size_t lost_arcs_ = 0, splines_ = 0, cycles_ = 0;
+  struct Expected {
+    Pose end;
+    std::size_t move = 0;  // of path_
+    bool is_alone = false;
+    bool is_checked = true;
+    Feed feed;
+    double sweep_rad = 0;  // right-handed about `axis`; 0: straight
+    Vec3 axis = Vec3::UnitZ();
+  };
+  [[nodiscard]] bool is_same_tool(const Toolpath& again, const Move& found, const Move& meant) const;
+  [[nodiscard]] static bool is_same_way(const Toolpath& again, const Move& found, const Expected& expected);
+  [[nodiscard]] std::optional<Diagnostic> find_other_tool(const Toolpath& again) const;
+  [[nodiscard]] std::optional<Diagnostic> find_other_feed(const Toolpath& again) const;
+  std::vector<Expected> expected_;
+  std::size_t index_ = 0;  // of the move being written
+};
+
+std::optional<Diagnostic> PathWriter::find_obstacle() const {
+  if (target_.kind == DialectKind::nci) {
+    return make_error(
+        "convert-dialect",
+        "mastercam-nci is read only: how its tools and planes are written is not known; expected "
+        "another dialect for --to",
+        path_.file);
+  }
+  std::size_t count = 0;
+  const Move* first = nullptr;
+  for (const Move& move : path_.moves) {
+    if (is_understood(move)) continue;
+    if (count++ == 0) first = &move;
+  }
+  if (first != nullptr) {
+    return make_error(
+        "convert-not-understood",
+        std::to_string(count) + " of " + std::to_string(path_.moves.size()) + " moves are not understood (" +
+            std::string(first->not_checked_reason) +
+            "), so they cannot be written in another way; without --to the file is copied as it is",
+        path_.file, first->line);
+  }
+  const auto tapping = std::find_if(records_.of_move.begin(), records_.of_move.end(),
+                                    [](const MotionRecord& record) { return record.is_tapping; });
+  if (target_.kind != DialectKind::goto_list && tapping != records_.of_move.end()) {
+    const auto index = static_cast<std::size_t>(tapping - records_.of_move.begin());
+    return make_error("convert-cycle",
+                      "a tapping cycle cannot be written as plain moves, in which the spindle would not turn back; "
+                      "without --to the file is copied as it is",
+                      path_.file, path_.moves[index].line);
+  }
+  if (target_.kind == DialectKind::goto_list && !is_on_centre_) {
+    return make_error("convert-dialect",
+                      "goto-list cannot say that positions are compensated by CUTCOM; expected another dialect for "
+                      "--to, or --cutcom centre where they are the cutter centre",
+                      path_.file);
+  }
+  const auto retracted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
+    return move.not_checked_reason == Reasons::kAfterRetract;
+  });
+  if (target_.kind == DialectKind::goto_list && retracted != path_.moves.end()) {
+    return make_error("convert-dialect",
+                      "goto-list cannot say that the tool retracts before this move; expected another dialect for --to",
+                      path_.file, retracted->line);
+  }
+  if (target_.kind != DialectKind::clt) return std::nullopt;
+  const auto tilted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
+    return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
+  });
+  if (tilted == path_.moves.end()) return std::nullopt;
+  return make_error("convert-dialect",
+                    "camworks-clt has no tool axis, and this move's is not +Z; expected another dialect "
+                    "for --to",
+                    path_.file, tilted->line);
+}
+
+std::unique_ptr<MotionSink> PathWriter::make_sink() const {
+  std::string_view name = path_.file;
+  name.remove_prefix(std::min(name.find_last_of('/') + 1, name.size()));
+  if (target_.kind == DialectKind::nccs_binary)
+    return std::make_unique<NccsSink>(path_.unit, std::string(name.substr(0, name.find('.'))));
+  TextSinkOptions options;
+  options.kind = target_.kind;
+  options.unit = path_.unit;
+  options.name = name.substr(0, name.find('.'));
+  options.is_on_centre = is_on_centre_;
+  options.is_tilted = std::any_of(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
+    return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
+  });
+  const bool is_text = path_.dialect != dialect_of(DialectKind::nccs_binary).id;
+  if (is_text) {
+    const GotoText source(path_, records_);
+    options.decimals = source.coordinate_decimals();
+    options.axis_decimals = source.axis_decimals();
+  } else {
+    options.decimals = 7;
+    options.axis_decimals = 9;
+  }
+  return std::make_unique<TextSink>(options);
+}
+
+void PathWriter::expect(const Pose& end, bool is_alone, double sweep_rad) {
+  Expected expected;
+  expected.end = end;
+  expected.move = index_;
+  expected.is_alone = is_alone;
+  expected.is_checked = is_checked_;
+  expected.feed = path_.moves[index_].feed();
+  expected.sweep_rad = sweep_rad;
+  if (sweep_rad < 0 || sweep_rad > 0) expected.axis = path_.arcs[path_.moves[index_].curve].axis;
+  expected_.push_back(expected);
+}
+
+// Half a turn, and a whole one of a helix, fit whichever way round they are read in the dialect that states sweeps
+// and of whose writers some mean the other way: there they are written in parts.
+bool PathWriter::write_arc(std::size_t index) {
+  constexpr double kPi = std::numbers::pi, kNear_rad = 0.2;
+  const Move& move = path_.moves[index];
+  PathArc arc = path_.arcs[move.curve];
+  Pose start = path_.start_of(index);
+  const double sweep = std::abs(arc.sweep_rad);
+  const bool is_flat_circle =
+      (start.tip - move.end.tip).norm() <= 0 && (start.axis - move.end.axis).cwiseAbs().maxCoeff() <= kTilt;
+  const bool is_open = std::abs(sweep - kPi) <= kNear_rad || (std::abs(sweep - 2 * kPi) <= kNear_rad && !is_flat_circle);
+  if (target_.kind != DialectKind::autodesk || !is_open) {
+    if (!sink_->go_round(arc, start, move.end)) return false;
+    expect(move.end, false, arc.sweep_rad);
+    return true;
+  }
+  const Vec3 from = start.tip - arc.center;
+  const double radius = (from - from.dot(arc.axis) * arc.axis).norm();
+  const std::vector<Pose> ends = chords_of(path_, index, radius / 2);
+  arc.sweep_rad /= static_cast<double>(ends.size());
+  for (const Pose& end : ends) {
+    if (&end != &ends.front()) write_rapid();
+    if (!sink_->go_round(arc, start, end)) return false;
+    expect(end, false, arc.sweep_rad);
+    start = end;
+  }
+  return true;
+}
+
+void PathWriter::write_cutcom(std::size_t index) {
+  const CutcomSide side = records_.of_move[index].cutcom;
+  if (side != cutcom_ && !sink_->set_cutcom(side)) ++lost_cutcoms_;
+  cutcom_ = side;
+}
+
+// RAPID holds for one motion only.
+void PathWriter::write_rapid() {
+  if (path_.moves[index_].feed_unit == FeedUnit::rapid && !sink_->make_rapid()) ++lost_rapids_;
+}
+
+// A new block of NX has no feed; elsewhere the old one is still in force, and stated again.
+void PathWriter::forget_feed() {
+  is_feed_due_ = true;
+  if (target_.kind == DialectKind::nx_clsf) feed_ = {};
+}
+
+void PathWriter::refuse_feed(const Move& move, const std::string& what) {
+  if (feed_error_) return;
+  feed_error_ = make_error("convert-feed", what, path_.file, move.line);
+}
+
+// FEDRAT is modal: a motion without one would run at the feed of those before it.
+void PathWriter::write_feed(const Move& move) {
+  const Feed feed = move.feed();
+  const bool is_same = feed.unit == feed_.unit && !(std::abs(feed.mm - feed_.mm) > 0);
+  if (feed.is_number()) {
+    if (is_same && !is_feed_due_) return;
+    if (!sink_->set_feed(feed)) return void(++lost_feeds_);
+    feed_ = feed;
+    is_feed_due_ = false;
+    return;
+  }
+  if (target_.kind == DialectKind::goto_list) {
+    if (feed.unit == FeedUnit::not_understood) ++lost_feeds_;
+    return;
+  }
+  if (feed.unit == FeedUnit::not_understood) {
+    return refuse_feed(move,
+                       "the feed of this move is stated in words that are not understood (inverse time, two units, "
+                       "no unit after a feed per revolution), so it cannot be written in another way; expected FEDRAT "
+                       "or CYCLE with one number and MMPM, MMPR, IPM or IPR");
+  }
+  if (feed_.is_number()) {
+    return refuse_feed(move, "the file states no feed for this move, and " + std::string(target_.id) +
+                                 " would run it at that of the move before; expected a FEDRAT before it, or a cycle "
+                                 "that states its feed");
+  }
+  ++unstated_feeds_;
+}
+
+void PathWriter::write_motion(std::size_t index) {
+  const Move& move = path_.moves[index];
+  if (move.curve_kind == CurveKind::none) {
+    sink_->go_to(move.end);
+    return expect(move.end, !move.has_start);
+  }
+  if (move.curve_kind == CurveKind::arc && write_arc(index)) return;
+  ++(move.curve_kind == CurveKind::arc ? lost_arcs_ : splines_);
+  const std::vector<Pose> chords = chords_of(path_, index, kChordError_mm);
+  for (const Pose& pose : chords) {
+    if (&pose != &chords.front()) write_rapid();
+    sink_->go_to(pose);
+    expect(pose, false);
+  }
+}
+
+void PathWriter::write_move(std::size_t index) {
+  const Move& move = path_.moves[index];
+  index_ = index;
+  is_checked_ = move.not_checked_reason.empty();
+  const bool is_after_retract = move.not_checked_reason == Reasons::kAfterRetract;
+  const bool is_tool_new = move.tool != tool_ && move.tool != kNone;
+  const bool says_tools = target_.kind != DialectKind::goto_list;
+  if (!move.has_start && index > 0 && !(is_tool_new && says_tools) && !is_after_retract) {
+    sink_->break_motion() ? ++breaks_ : ++lost_breaks_;
+    forget_feed();
+  }
+  if (is_tool_new) {
+    tool_ = move.tool;
+    sink_->change_tool(path_.tools[tool_]);
+    forget_feed();
+  }
+  if (move.operation != operation_ && move.operation != kNone) {
+    operation_ = move.operation;
+    const std::string& name = path_.operations[operation_].name;
+    if (!name.empty()) sink_->begin_operation(name);
+  }
+  if (is_after_retract) sink_->retract();
+  write_cutcom(index);
+  move.feed_unit == FeedUnit::rapid ? write_rapid() : write_feed(move);
+  if (move.kind == MoveKind::cycle) ++cycles_;
+  write_motion(index);
+}
+
+// "3 arcs written ...", "1 arc written ...": `what` goes with both.
+void PathWriter::note(const char* code, std::size_t count, const std::string& noun, const std::string& what) {
+  if (count == 0) return;
+  const std::string counted = std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+  written_.notes.push_back(make_warning(code, counted + " " + what, path_.file));
+}
+
+void PathWriter::note_losses() {
+  const std::string straight = "written as straight moves within " + exact_text(kChordError_mm) + " mm: ";
+  note("convert-chords", lost_arcs_, "arc", straight + "arcs like these are not written in this dialect");
+  note("convert-chords", splines_, "spline", straight + "splines are read, and written in no dialect");
+  note("convert-cycles", cycles_, "move",
+       "of drilling cycles written as plain moves, without the pecks and dwells of their cycles");
+  note("convert-breaks", breaks_, "position", "that nothing known leads to: a GOHOME or a new block stands before");
+  note("convert-breaks", lost_breaks_, "position",
+       "that nothing known leads to: the dialect cannot say so and will read straight moves there");
+  note("convert-rapid", lost_rapids_, "rapid move", "written as feed: the dialect has no rapid moves");
+  note("convert-feed", lost_feeds_, "feed move", "whose feed is left out: the dialect has no feeds");
+  note("convert-feed", unstated_feeds_, "feed move", "without a feed, as in the input: it states none before them");
+  note("convert-cutcom", lost_cutcoms_, "CUTCOM statement", "left out: the dialect cannot say it");
+  const auto count_tools = [&](auto is_lost) {
+    return static_cast<std::size_t>(std::count_if(path_.tools.begin(), path_.tools.end(), is_lost));
+  };
+  const bool has_no_cutter = target_.kind == DialectKind::goto_list || target_.kind == DialectKind::mori;
+  const bool has_diameter_alone = target_.kind == DialectKind::creo;
+  const bool has_no_angles = target_.kind == DialectKind::nccs_binary;
+  note("convert-tools", count_tools([&](const PathTool& tool) {
+         if (!tool.cutter) return tool.stated_diameter_mm > 0 && !has_diameter_alone;
+         if (target_.kind == DialectKind::nx_clsf && !(tool.cutter->d_mm > 0)) return true;
+         return has_no_cutter || has_diameter_alone ||
+                (has_no_angles && std::abs(tool.cutter->alpha_deg) > 0);
+       }),
+       "tool", "without the whole shape, which the dialect cannot say; give it in a tool library");
+}
+
+// A tool that the result does not name or define is not checked, or told. Shapes are compared where the dialect says
+// them whole.
+bool PathWriter::is_same_tool(const Toolpath& again, const Move& found, const Move& meant) const {
+  constexpr double kSameSize_mm = 2e-3, kSameAngle_deg = 1e-3;
+  if (found.tool == kNone) return true;
+  const PathTool& tool = again.tools[found.tool];
+  if (meant.tool == kNone) return false;
+  const PathTool& wanted = path_.tools[meant.tool];
+  if (tool.number != wanted.number) return false;
+  if (!tool.cutter) return true;
+  if (!wanted.cutter) return false;
+  const CutterStatement &a = *tool.cutter, &b = *wanted.cutter;
+  const double factor = mm_per(path_.unit) / mm_per(again.unit);
+  const bool is_same_size = std::abs(a.d_mm * factor - b.d_mm) <= kSameSize_mm &&
+                            std::abs(a.r_mm * factor - b.r_mm) <= kSameSize_mm;
+  const bool is_same_shape =
+      std::abs(a.alpha_deg - b.alpha_deg) <= kSameAngle_deg && std::abs(a.beta_deg - b.beta_deg) <= kSameAngle_deg;
+  const bool is_slanted = std::abs(b.alpha_deg) > 0 || std::abs(b.beta_deg) > 0;
+  if (target_.kind == DialectKind::nccs_binary && is_slanted) return true;
+  return is_same_size && is_same_shape;
+}
+
+std::optional<Diagnostic> PathWriter::find_other_tool(const Toolpath& again) const {
+  if (target_.kind == DialectKind::goto_list) return std::nullopt;
+  for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
+    const Move& meant = path_.moves[expected_[i].move];
+    if (is_same_tool(again, again.moves[i], meant)) continue;
+    return make_error("convert-tool",
+                      std::string(target_.id) +
+                          " cannot say which tool this move has, and would give it another one: a tool without a number "
+                          "or a cutter after one that has them; expected tools with numbers and cutters",
+                      path_.file, meant.line);
+  }
+  return std::nullopt;
+}
+
+// A feed motion that becomes rapid, or one at another feed, breaks tools: nothing is written then.
+std::optional<Diagnostic> PathWriter::find_other_feed(const Toolpath& again) const {
+  if (target_.kind == DialectKind::goto_list) return std::nullopt;
+  // Binary NCCS files say their feeds, like their positions, without a unit.
+  const bool has_no_unit = target_.kind == DialectKind::nccs_binary;
+  const double factor = has_no_unit ? mm_per(path_.unit) / mm_per(again.unit) : 1;
+  for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
+    const Feed found = again.moves[i].feed();
+    const Feed& meant = expected_[i].feed;
+    const bool is_same =
+        found.unit == meant.unit && std::abs(found.mm * factor - meant.mm) <= kSameFeed * std::abs(meant.mm);
+    if (is_same) continue;
+    return make_error("convert-feed",
+                      "written in " + std::string(target_.id) + ", this move would be " + feed_name(found) +
+                          "; it is " + feed_name(meant) + ": expected another dialect for --to",
+                      path_.file, path_.moves[expected_[i].move].line);
+  }
+  return std::nullopt;
+}
+
+bool PathWriter::is_same_way(const Toolpath& again, const Move& found, const Expected& expected) {
+  const bool is_checked = found.not_checked_reason.empty();
+  if (is_checked != expected.is_checked) return false;
+  if (!is_checked) return true;
+  const bool is_round = std::abs(expected.sweep_rad) > 0;
+  if (!is_round || found.curve_kind != CurveKind::arc) return !is_round && found.curve_kind == CurveKind::none;
+  const PathArc& arc = again.arcs[found.curve];
+  return (arc.sweep_rad * arc.axis - expected.sweep_rad * expected.axis).norm() <= 0.1;
+}
+
+// What was written is read as any file would be and compared with what was meant.
+std::optional<Diagnostic> PathWriter::verify() {
+  ReadOptions options;
+  options.dialect = target_;
+  const ReadOutcome outcome = read_toolpath(path_.file, written_.bytes, options);
+  if (!outcome.toolpath) {
+    written_.notes.push_back(make_warning(
+        "convert-verify",
+        "the result cannot be read again: " + (outcome.errors.empty() ? "" : outcome.errors.front().message),
+        path_.file));
+    return std::nullopt;
+  }
+  const Toolpath& again = *outcome.toolpath;
+  if (auto error = find_other_tool(again)) return error;
+  if (auto error = find_other_feed(again)) return error;
+  if (again.unit != path_.unit) {
+    written_.notes.push_back(make_warning("convert-unit",
+                                          std::string("the result does not state its unit, ") +
+                                              unit_name(path_.unit) + "; say it with --path-units",
+                                          path_.file));
+  }
+  const double factor = mm_per(path_.unit) / mm_per(again.unit);
+  std::size_t differing = again.moves.size() == expected_.size() ? 0 : 1;
+  for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
+    const Move& move = again.moves[i];
+    const bool is_same = (move.end.tip * factor - expected_[i].end.tip).norm() <= kSamePlace_mm &&
+                         (move.end.axis - expected_[i].end.axis).norm() <= kSameAxis &&
+                         move.has_start != expected_[i].is_alone && is_same_way(again, move, expected_[i]);
+    differing += is_same ? 0 : 1;
+  }
+  const std::size_t told = std::min(lost_breaks_, differing);
+  note("convert-verify", differing - told, "move", "of the result read with another meaning");
+  return std::nullopt;
+}
+
+Result<WrittenToolpath> PathWriter::run() {
+  if (auto obstacle = find_obstacle()) return std::move(*obstacle);
+  sink_ = make_sink();
+  for (std::size_t i = 0; i < path_.moves.size() && !feed_error_; ++i) write_move(i);
+  if (feed_error_) return std::move(*feed_error_);
+  written_.bytes = sink_->finish();
+  note_losses();
+  if (auto error = verify()) return std::move(*error);
+  return std::move(written_);
+}
+
+}  // namespace
+
+Result<WrittenToolpath> write_toolpath(const Toolpath& path, const Dialect& target) {
+  return PathWriter(path, target).run();
+}
+
+}  // namespace gouge

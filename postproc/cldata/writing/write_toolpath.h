@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "lib/base/result.h"
+#include "lib/path/toolpath.h"
+#include "postproc/cldata/language/dialect.h"
+
+// Writes a neutral toolpath anew in a dialect, and says what the dialect cannot carry. Motions, tools, feeds
+// and the names of operations are written; spindle, coolant and comments are not. To change a file and keep
+// the rest of its bytes there is write_corrected.h.
+
+namespace gouge {
+
+struct WrittenToolpath {
+  std::string bytes;
+  Diagnostics notes;  ///< what is lost or changed: codes convert-...
+};
+
+/// Lengths in the unit of `path`, positions in part coordinates with the digits of the dialect, or those of
+/// the source file where it has more. Arcs and splines that the dialect cannot say become chords within
+/// kChordError_mm.
+///
+/// Ensures  The bytes, read again, hold the same motions to the last digit written; where not, a note says
+/// so. Errors   convert-not-understood: the path holds motions that are not understood, so that no dialect
+/// can hold
+///          them. convert-dialect: `target` is read only (Mastercam NCI), or has no tool axis (CLT) and the
+///          path needs one.
+/// Cost     One pass to write and one to read.
+[[nodiscard]] Result<WrittenToolpath> write_toolpath(const Toolpath& path, const Dialect& target);
+
+inline constexpr double kChordError_mm = 0.001;
+
+}  // namespace gouge
