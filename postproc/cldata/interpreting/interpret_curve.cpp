@@ -29,7 +29,7 @@ ArcStatement unreadable(const char* problem) {
 
 // CIRCLE and MOVARC describe the arc to the next position; a list of positions runs on along it.
 void Interpreter::take_arc() {
-  arc_ = read_arc(dialect_.kind, arguments_, mm_per_unit_);
+  arc_ = read_arc(dialect_, arguments_, mm_per_unit_);
   arc_statement_ = path_.statements.size() - 1;
 }
 
@@ -170,13 +170,13 @@ void Interpreter::attach_arc(const Position& position, Move& move) {
   ArcStatement arc = *arc_;
   arc.center = to_part_.point(arc.center);
   arc.axis = to_part_.direction(arc.axis);
-  if (is_nccs(dialect_.kind) && arc.problem.empty() && !is_round_in_nccs(position, arc, move)) return;
-  if (dialect_.kind == DialectKind::autodesk && arc.problem.empty()) doubt_autodesk_sense(arc, move);
+  if (dialect_.arc_rule == ArcRule::shorter_way && arc.problem.empty() && !is_round_in_nccs(position, arc, move)) return;
+  if (dialect_.arc_rule == ArcRule::by_vector_or_against && arc.problem.empty()) doubt_autodesk_sense(arc, move);
   const bool is_open = arc.problem.empty() && arc.sense == ArcSense::unknown;
   if (arc.problem.empty() && last_direction_) vote(arc, last_pose_->tip, *last_direction_);
   if (is_open && is_reached_the_short_way(position)) arc.sense = shorter_way(arc, last_pose_->tip, move.end.tip);
   // In NCL the vector has no sense, so what other arcs tell of it says nothing of this one.
-  if (arc.sense == ArcSense::unknown && arc.problem.empty() && !is_nccs(dialect_.kind)) {
+  if (arc.sense == ArcSense::unknown && arc.problem.empty() && dialect_.arc_rule != ArcRule::shorter_way) {
     make_room(open_arcs_);
     open_arcs_.push_back({path_.moves.size(), arc, cutcom_reason()});
   }
@@ -215,7 +215,7 @@ bool Interpreter::is_round_in_nccs(const Position& position, const ArcStatement&
 // Points that follow one another on a circle; and in NCL one alone, as its post-processor takes the sense from
 // the way between two points, not from the vector.
 bool Interpreter::is_reached_the_short_way(const Position& position) const {
-  return position.points > 1 || is_nccs(dialect_.kind);
+  return position.points > 1 || dialect_.arc_rule == ArcRule::shorter_way;
 }
 
 ArcSense Interpreter::shorter_way(ArcStatement arc, const Vec3& start, const Vec3& end) {
@@ -267,7 +267,7 @@ void Interpreter::note_direction(const Move& move) {
 // Arcs of a file whose dialect tells no sense: all of them have the one in which they go on smoothly.
 void Interpreter::close_arcs() {
   if (open_arcs_.empty()) return;
-  if (dialect_.kind == DialectKind::autodesk) return close_autodesk_arcs();
+  if (dialect_.arc_rule == ArcRule::by_vector_or_against) return close_autodesk_arcs();
   const bool is_right = right_votes_ >= kFewestVotes && right_votes_ >= kClearVotes * left_votes_;
   const bool is_left = left_votes_ >= kFewestVotes && left_votes_ >= kClearVotes * right_votes_;
   if (!is_right && !is_left) return;

@@ -26,7 +26,7 @@ void Interpreter::take_cycle() {
     return;
   }
   // Whether the control or the post-processor makes the moves.
-  if (is_nccs(dialect_.kind) && equals_ignoring_case(what, "AUTO")) return;
+  if (dialect_.cycle_form == CycleForm::ncl && equals_ignoring_case(what, "AUTO")) return;
   const bool is_end = equals_ignoring_case(what, "OFF") || equals_ignoring_case(what, "NOMORE");
   if (is_end && arguments_.size() == 1) return end_cycle();
   begin_cycle();
@@ -36,25 +36,25 @@ void Interpreter::take_cycle() {
 // it in the statement after it, or behind it in the same one.
 void Interpreter::begin_cycle() {
   if (has_argument(std::span(arguments_).subspan(0, 1), "ON") && arguments_.size() > 1) {
-    if (dialect_.kind == DialectKind::nx_clsf) take_changed_cycle();
+    if (dialect_.cycle_form == CycleForm::nx) take_changed_cycle();
     if (equals_ignoring_case(arguments_[1].text, "CYCLE")) arguments_.erase(arguments_.begin(), arguments_.begin() + 2);
   }
   if (arguments_.empty()) return count_unknown();
   const bool is_taken_up = equals_ignoring_case(arguments_.front().text, "ON");
   const bool describes = !is_taken_up || arguments_.size() > 1;
   const bool was_on = std::exchange(cycle_.is_on, true);
-  if (is_taken_up && !describes && was_on && dialect_.kind != DialectKind::clt) return;
+  if (is_taken_up && !describes && was_on && dialect_.cycle_form != CycleForm::clt) return;
   cycle_.line = statement_->line;
   cycle_.first_positions = kNone;
   cycle_.certain_moves = path_.moves.size();
   cycle_.is_contradicted = false;
   cycle_.reason = {};
-  if (is_taken_up && (describes || dialect_.kind == DialectKind::clt)) cycle_.drill.reset();
+  if (is_taken_up && (describes || dialect_.cycle_form == CycleForm::clt)) cycle_.drill.reset();
   if (is_taken_up) {
     if (!cycle_.drill) cycle_reason_ = describes ? because(Reasons::kCycle) : Reasons::kCycle;
     return;
   }
-  cycle_.drill = read_cycle(dialect_.kind, arguments_, mm_per_unit_);
+  cycle_.drill = read_cycle(dialect_.cycle_form, arguments_, mm_per_unit_);
   cycle_words_ = arguments_;
   if (!cycle_.drill) cycle_reason_ = because(Reasons::kCycle);
   if (cycle_.drill && !cycle_.drill->is_retract_stated) cycles_without_retract_.add(statement_->line);

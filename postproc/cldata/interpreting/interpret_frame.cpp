@@ -61,15 +61,15 @@ bool Interpreter::is_matrix_row(std::string_view text) {
 
 void Interpreter::take_comment() {
   const std::string_view text = trim(statement_->pieces.front());
-  if (dialect_.kind == DialectKind::creo && text.starts_with("->")) return take_creo_comment();
+  if (dialect_.comments == CommentForm::creo && text.starts_with("->")) return take_creo_comment();
   if (starts_with_ignoring_case(text, "*CATIA0")) {
     if (catia_row_ >= 0) fail_catia_rows();
     catia_row_ = 0;
   } else if (catia_row_ >= 0 || is_catia_nameless_) {
     take_catia_row(text);
-  } else if (dialect_.kind == DialectKind::catia && is_matrix_row(text)) {
+  } else if (dialect_.comments == CommentForm::catia && is_matrix_row(text)) {
     matrix_reason_ = reasons_.name(Reasons::kMatrixRow, "$$", statement_->line);
-  } else if (dialect_.kind == DialectKind::catia && starts_with_ignoring_case(text, "OPERATION NAME")) {
+  } else if (dialect_.comments == CommentForm::catia && starts_with_ignoring_case(text, "OPERATION NAME")) {
     const std::size_t colon = text.find(':');
     if (colon != std::string_view::npos) name_operation(name_text(text.substr(colon + 1)));
   }
@@ -170,7 +170,7 @@ void Interpreter::set_frame(const RigidTransform& to_part) {
     can_link_ = false;
   }
   // A block and a section have one frame, which stands before their positions.
-  const bool has_blocks = is_block_open_ || dialect_.kind == DialectKind::camplete;
+  const bool has_blocks = is_block_open_ || dialect_.operations_are_blocks;
   if (change > kIdentityError && has_blocks && block_ > 0 && block_begin_ < path_.moves.size())
     unread_frame_reason_ = because(Reasons::kUnreadFrame);
   setup_reason_ = nullptr;  // the file says where it is
@@ -242,7 +242,7 @@ void Interpreter::take_rotabl() {
     distrust(Word::rotabl);
     return count_unknown();
   }
-  const std::optional<TableTurn> turn = dialect_.kind == DialectKind::clt ? clt_turn(arguments_) : std::nullopt;
+  const std::optional<TableTurn> turn = dialect_.has_setups ? clt_turn(arguments_) : std::nullopt;
   if (!turn) {
     const bool is_turned = std::any_of(arguments_.begin(), arguments_.end(), [](const Argument& a) {
       return a.number ? std::abs(*a.number) > 0 : has_digit(a);
@@ -292,7 +292,7 @@ void Interpreter::take_mode() {
 
 void Interpreter::take_tlaxis() {
   if (is_tlaxis_ignored_) return;
-  if (dialect_.kind == DialectKind::clt) return take_clt_axis();
+  if (dialect_.has_setups) return take_clt_axis();
   if (arguments_.size() != 3 || find_word_argument(arguments_) != nullptr) {
     if (path_.moves.empty() && find_word_argument(arguments_) != nullptr)
       return refuse_part_program("TLAXIS");

@@ -28,8 +28,7 @@ bool is_zero(const Argument& argument) {
 void Interpreter::take_insert() {
   const std::string_view text = statement_->pieces.front();
   last_insert_ = name_text(text);
-  const bool may_be_name = dialect_.kind == DialectKind::solidworks_cam || dialect_.kind == DialectKind::nci;
-  take_machine_text(read_machine_text(text, may_be_name));
+  take_machine_text(read_machine_text(text, dialect_.inserts_are_names));
 }
 
 // PREFUN/g and AUXFUN/m are a G and an M of the control.

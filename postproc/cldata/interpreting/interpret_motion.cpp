@@ -59,11 +59,11 @@ std::size_t Interpreter::numbers_per_point() {
   const bool is_list = statement_->word == Word::go_to && !dialect_.is_axis_modal;
   if (count == 6 || (is_list && count > 6 && count % 6 == 0)) {
     if (!is_list || multax_.value_or(false)) return 6;
-    if (dialect_.kind == DialectKind::nccs_binary && multax_ == false) return 3;
+    if (dialect_.has_points_at_multax_off && multax_ == false) return 3;
     if (axes_are_unit()) return 6;
     // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect tells is it two
     // positions.
-    if (multax_.has_value() || dialect_.kind == DialectKind::creo || count > 6) return 3;
+    if (multax_.has_value() || dialect_.has_points_without_axis || count > 6) return 3;
     return 6;
   }
   if (is_list && !multax_.value_or(false) && count > 6 && count % 3 == 0) return 3;
@@ -106,14 +106,7 @@ bool Interpreter::are_axes_doubtful(std::size_t numbers) const {
 
 // Before an axis can be written. Those who write Creo and NCCS files say MULTAX where they mean it.
 bool Interpreter::needs_multax() const {
-  const bool states_it = dialect_.kind == DialectKind::creo || is_nccs(dialect_.kind);
-  return !multax_.value_or(!states_it);
-}
-
-// Autodesk's posts: an axis with every position under MULTAX, and none without it.
-bool Interpreter::writes_axes_under_multax() const {
-  return dialect_.kind == DialectKind::autodesk || dialect_.kind == DialectKind::camplete ||
-         dialect_.kind == DialectKind::mori;
+  return !multax_.value_or(!dialect_.states_multax);
 }
 
 Vec3 Interpreter::implied_axis() const {
@@ -123,7 +116,7 @@ Vec3 Interpreter::implied_axis() const {
 // A position without an axis after a tilted one: it may have that one's, or the fixed one.
 bool Interpreter::has_doubtful_axis(const Position& position) {
   if (dialect_.is_axis_modal || multax_ == false) return false;
-  const bool is_known = dialect_.has_known_plain_axis && !(multax_ == true && writes_axes_under_multax());
+  const bool is_known = dialect_.has_known_plain_axis && !(multax_ == true && dialect_.has_axes_under_multax);
   if (position.numbers == 6) {
     is_last_tilted_ = position.axis_local.cross(fixed_axis_).squaredNorm() > kTiltTold * kTiltTold;
   } else if (is_last_tilted_ && !is_known) {
@@ -140,9 +133,7 @@ void Interpreter::take_positions(PositionForm form) {
   if (are_axes_doubtful(numbers)) return emit_unread(Reasons::kSixNumbers);
   const std::size_t points = arguments_.size() / numbers;
   if (statement_->is_continuation && !arc_) arc_ = last_arc_;
-  // Along the arc in Creo's and NCCS's files; elsewhere nobody knows.
-  if (arc_ && points > 1 && dialect_.kind != DialectKind::creo && !is_nccs(dialect_.kind))
-    arc_->problem = ArcProblems::kForm;
+  if (arc_ && points > 1 && !dialect_.lists_run_along_arc) arc_->problem = ArcProblems::kForm;
   bool is_going_on = false;
   make_room(path_.moves, points);
   for (std::size_t i = 0; i < points; ++i) {
@@ -174,7 +165,7 @@ void Interpreter::take_positions(PositionForm form) {
 // along it.
 bool Interpreter::may_go_on_round(const Position& position) const {
   constexpr double kOnCircle_mm = 0.02;
-  if (dialect_.kind != DialectKind::nccs || arc_ || !last_arc_ || !last_arc_->problem.empty()) return false;
+  if (!dialect_.may_go_on_round || arc_ || !last_arc_ || !last_arc_->problem.empty()) return false;
   const Vec3 away = position.tip_local - last_arc_->center;
   const double radius = (away - away.dot(last_arc_->axis) * last_arc_->axis).norm();
   return std::abs(radius - last_arc_->radius_mm.value_or(radius)) <= kOnCircle_mm;

@@ -66,7 +66,7 @@ Eigen::Matrix3d Interpreter::clt_setup() const {
 // the frame of its positions, those of other setups are not checked, and what the words say twice must agree: the
 // setup's Z is TLAXIS.
 void Interpreter::settle_setup() {
-  if (dialect_.kind != DialectKind::clt || !is_setup_new_) return;
+  if (!dialect_.has_setups || !is_setup_new_) return;
   is_setup_new_ = false;
   const auto named = [&](const char* reason) { return reasons_.name(reason, setup_word_, setup_line_); };
   const Eigen::Matrix3d setup = clt_setup();
@@ -120,7 +120,7 @@ void Interpreter::take_clt_axis() {
 
 // Creo 9 writes it where older files have the comment $$-> CSYS, with the same twelve numbers.
 void Interpreter::take_camera() {
-  if (dialect_.kind == DialectKind::creo && is_rigid_by_rows(arguments_)) return note_creo_csys();
+  if (dialect_.has_camera_csys && is_rigid_by_rows(arguments_)) return note_creo_csys();
   count_unknown();
   unread_frame_reason_ = because(Reasons::kUnreadFrame);
 }
@@ -144,7 +144,7 @@ void Interpreter::take_ppword() {
 // GOHOME / Z: these axes go home, at rapid. Where that is no file says, so the next position stands alone, as after
 // GOHOME without words.
 bool Interpreter::names_axes_only() const {
-  return !arguments_.empty() && !is_nccs(dialect_.kind) &&
+  return !arguments_.empty() && dialect_.gohome_names_axes &&
          std::all_of(arguments_.begin(), arguments_.end(), is_axis_name);
 }
 

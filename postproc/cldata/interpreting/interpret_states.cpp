@@ -10,7 +10,7 @@ void Interpreter::apply_modal_states(Word word) {
   if (word == Word::go_to && !has_indirv_) return;  // most of a file; of all rows only INDIRV's names it
   for (const ModalState state : kModalStates) {
     if (!is_open(state)) continue;
-    switch (effect_on(state, word, dialect_.kind, is_used(state))) {
+    switch (effect_on(state, word, dialect_.feed_in_cycle, is_used(state))) {
       case ModalEffect::none:
         break;
       case ModalEffect::ends:
@@ -22,7 +22,7 @@ void Interpreter::apply_modal_states(Word word) {
     }
   }
   // What no cycle holds bounds the moves that could be holes of one whose CYCLE is missing.
-  const bool is_no_hole = effect_on(ModalState::cycle, word, dialect_.kind, true) == ModalEffect::contradicts;
+  const bool is_no_hole = effect_on(ModalState::cycle, word, dialect_.feed_in_cycle, true) == ModalEffect::contradicts;
   if (!cycle_.is_on && is_no_hole) cycle_.first_possible_hole = path_.moves.size();
 }
 

@@ -47,7 +47,7 @@ void Interpreter::set_cutter(const CutterStatement& cutter, double flute_length_
 
 void Interpreter::take_cutter() {
   cutter_reason_ = nullptr;
-  CutterOutcome outcome = make_cutter(arguments_, mm_per_unit_, dialect_.kind);
+  CutterOutcome outcome = make_cutter(arguments_, mm_per_unit_, dialect_.has_tip_diameter);
   if (outcome.is_recomputed) cutters_recomputed_.add(statement_->line);
   if (!outcome.error.empty()) {
     const Argument* word = find_word_argument(arguments_);
@@ -186,7 +186,7 @@ void Interpreter::take_tool_name(std::string_view text) {
 std::size_t Interpreter::find_or_add_tool() {
   ToolKey key;
   key.number = tool_.number;
-  if (dialect_.kind == DialectKind::nx_clsf) key.name = tool_.name;
+  if (dialect_.has_named_tools) key.name = tool_.name;
   if (tool_.cutter) {
     const CutterStatement& c = *tool_.cutter;
     key.cutter = {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
@@ -218,7 +218,7 @@ void Interpreter::resolve_tool() {
       std::abs(tool_.cutter->d_mm / tool_.toolno_diameter_mm - 1) > kSameDiameter)
     loading_reason_ = reasons_.name(Reasons::kUnreadTool, "TOOLNO", tool_.toolno_line);
   const bool is_known =
-      tool_.number || tool_.cutter || (dialect_.kind == DialectKind::nx_clsf && !tool_.name.empty());
+      tool_.number || tool_.cutter || (dialect_.has_named_tools && !tool_.name.empty());
   const std::size_t index = is_known ? find_or_add_tool() : kNone;
   if (index == tool_index_) return;
   if (tool_index_ == kNone && was_from_) {

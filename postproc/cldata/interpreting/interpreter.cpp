@@ -18,10 +18,10 @@ constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
 constexpr std::size_t kLongestMajor = 24;    // of a word that is told
 constexpr const char* kOtherWords = "(other words)";
 
-std::string cut_short_text(DialectKind kind) {
-  if (kind == DialectKind::nccs_binary)
+std::string cut_short_text(FileForm form) {
+  if (form == FileForm::nccs_records)
     return "the file ends within this record, or the record has no length: it is cut short or damaged";
-  if (kind == DialectKind::nci)
+  if (form == FileForm::nci_lines)
     return "the file ends after a code; expected the line of its parameters: the file is cut short";
   return "the file ends within a statement that a $ continues; expected its next line: the file is cut short";
 }
@@ -123,7 +123,7 @@ void Interpreter::take(const Statement& statement) {
   statement_ = &statement;
   make_room(path_.statements);
   path_.statements.push_back({statement.line, statement.first_byte, statement.last_byte});
-  if (statement.is_unterminated) return fail("path-unterminated", cut_short_text(dialect_.kind));
+  if (statement.is_unterminated) return fail("path-unterminated", cut_short_text(dialect_.form));
   if (starts_with_ignoring_case(statement.major, "IF(")) return refuse_part_program(statement.major);
   if (take_assignment()) return;
   if (catia_row_ >= 0 && needs_frame(statement.word)) fail_catia_rows();
@@ -133,7 +133,7 @@ void Interpreter::take(const Statement& statement) {
   if (std::max(arguments_.size(), statement.pieces.size()) >= kMostArguments) return fail_too_long();
   if (const std::string_view hidden = find_run_on(statement); !hidden.empty()) return fail_run_on(hidden);
   if (statement.hides_comment) return fail_run_on("$$");
-  apply_modal_states(acting_word(statement, dialect_.kind));
+  apply_modal_states(acting_word(statement, dialect_.comments));
   if (!take_motion_word() && !take_tool_word() && !take_frame_word() && !take_text_word() &&
       !take_unread_word()) {
     take_unknown();
@@ -245,8 +245,7 @@ bool Interpreter::take_tool_word() {
 bool Interpreter::take_frame_word() {
   switch (statement_->word) {
     case Word::csys:
-      // SolidWorks CAM writes positions in world coordinates; its CSYS tells the machine's setup.
-      if (dialect_.kind != DialectKind::solidworks_cam) take_csys();
+      if (!dialect_.is_in_world) take_csys();
       return true;
     case Word::camera:
       take_camera();
@@ -323,7 +322,7 @@ bool Interpreter::take_text_word() {
       }
       if (equals_ignoring_case(statement_->major, "OPFEATEND")) end_clt_feature();
       // Creo 9 writes REMARK -> where older files have the comment $$->.
-      if (dialect_.kind == DialectKind::creo && starts_with_ignoring_case(statement_->major, "REMARK") &&
+      if (dialect_.comments == CommentForm::creo && starts_with_ignoring_case(statement_->major, "REMARK") &&
           trim(statement_->pieces.front()).starts_with("->"))
         take_creo_comment();
       return true;
@@ -331,7 +330,7 @@ bool Interpreter::take_text_word() {
       take_ppword();
       return true;
     case Word::pprint:
-      if (is_nccs(dialect_.kind) && starts_with_ignoring_case(trim(statement_->pieces.front()), "INCLUD")) {
+      if (dialect_.pprint_includes_files && starts_with_ignoring_case(trim(statement_->pieces.front()), "INCLUD")) {
         emit_unread();  // the motion of another file stands here
         count_unknown();
         return true;
@@ -339,7 +338,7 @@ bool Interpreter::take_text_word() {
       if (!dialect_.names_operations) name_operation(name_text(statement_->pieces.front()));
       return true;
     case Word::operation:
-      if (dialect_.kind == DialectKind::camplete) begin_block();  // each section has its MCS
+      if (dialect_.operations_are_blocks) begin_block();
       name_operation(name_text(statement_->pieces.front()));
       return true;
     case Word::part_program:
@@ -403,7 +402,7 @@ MotionRecords read_motion_records(const Toolpath& path) {
   records.of_move.reserve(path.moves.size());
   const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});
   Interpreter interpreter(again, dialect, path.unit, &records);
-  StatementReader reader(again.source, dialect.kind);
+  StatementReader reader(again.source, dialect.form);
   Statement statement;
   while (reader.next(statement)) interpreter.take(statement);
   interpreter.finish();

@@ -196,7 +196,6 @@ class Interpreter {
   [[nodiscard]] std::optional<Vec3> read_axis(std::size_t first);
   [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
   [[nodiscard]] Vec3 implied_axis() const;
-  [[nodiscard]] bool writes_axes_under_multax() const;
   void emit(const Position& position);
   [[nodiscard]] Move make_move(const Position& position, MoveKind kind);
   void append(Move move, const Position& position);

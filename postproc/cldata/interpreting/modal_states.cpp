@@ -35,25 +35,15 @@ constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unre
 constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
                              Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
 constexpr WordSet kPosition = {Word::go_to, Word::godlta};
-constexpr WordSet kFeed = {Word::fedrat};
 constexpr WordSet kFeedOrBlock = {Word::fedrat, Word::tool_path};
 constexpr WordSet kOperation = {Word::operation};
 constexpr WordSet kBlock = {Word::tool_path};
 constexpr WordSet kFrame = {Word::msys};
 
-// Which files a row is about.
-enum class Files : std::uint8_t {
-  all,
-  no_feed_in_cycles,   // CAM systems whose cycles have their own feed and no FEDRAT after it
-  feed_before_a_hole,  // nobody knows who wrote them: FEDRAT may stand before the first hole
-  creo
-};
-
 struct ModalRule {
   ModalState state;
   ModalEffect effect;
   const WordSet& words;
-  Files files = Files::all;
 };
 
 using enum ModalEffect;
@@ -61,8 +51,6 @@ constexpr auto kRules = std::to_array<ModalRule>({
     {ModalState::cycle, contradicts, kTools},
     {ModalState::cycle, contradicts, kBeginsAnew},
     {ModalState::cycle, contradicts, kCurves},
-    {ModalState::cycle, contradicts, kFeed, Files::no_feed_in_cycles},
-    {ModalState::cycle, contradicts, kFeed, Files::feed_before_a_hole},
     {ModalState::described_arc, contradicts, kBeginsAnew},
     {ModalState::described_arc, contradicts, kCurves},
     {ModalState::described_arc, contradicts, kNoArcEnd},
@@ -71,25 +59,15 @@ constexpr auto kRules = std::to_array<ModalRule>({
     {ModalState::start_tangent, contradicts, kNoArcEnd},
     {ModalState::start_tangent, contradicts, kPosition},
     {ModalState::rapid, ends, kFeedOrBlock},
-    {ModalState::cutter_centre, ends, kOperation, Files::creo},
+    {ModalState::cutter_centre, ends, kOperation},
     {ModalState::motion_run, ends, kNewRun},
     {ModalState::between_blocks, contradicts, kFrame},
     {ModalState::between_blocks, ends, kBlock},
 });
 
-bool holds(Files files, DialectKind dialect, bool is_used) {
-  switch (files) {
-    case Files::all:
-      return true;
-    case Files::no_feed_in_cycles:
-      return dialect == DialectKind::nx_clsf || dialect == DialectKind::solidworks_cam ||
-             dialect == DialectKind::creo || dialect == DialectKind::catia || dialect == DialectKind::clt;
-    case Files::feed_before_a_hole:
-      return is_used && (dialect == DialectKind::apt || dialect == DialectKind::goto_list || is_nccs(dialect));
-    case Files::creo:
-      return dialect == DialectKind::creo;
-  }
-  return false;
+// FEDRAT behind a hole: it says that the cycle has ended where CAM systems write none in their cycles.
+bool ends_holes(FeedInCycle feeds, bool is_used) {
+  return feeds == FeedInCycle::nowhere || (feeds == FeedInCycle::before_first_hole && is_used);
 }
 
 Word creo_word(std::string_view text) {
@@ -101,20 +79,20 @@ Word creo_word(std::string_view text) {
 
 }  // namespace
 
-Word acting_word(const Statement& statement, DialectKind dialect) {
+Word acting_word(const Statement& statement, CommentForm comments) {
   if (statement.word != Word::comment || statement.pieces.empty()) return statement.word;
   const std::string_view text = trim(statement.pieces.front());
-  if (dialect == DialectKind::creo && text.starts_with("->")) return creo_word(trim(text.substr(2)));
+  if (comments == CommentForm::creo && text.starts_with("->")) return creo_word(trim(text.substr(2)));
   if (starts_with_ignoring_case(text, "*CATIA0")) return Word::mcs;
-  if (dialect == DialectKind::catia && starts_with_ignoring_case(text, "OPERATION NAME")) return Word::operation;
+  if (comments == CommentForm::catia && starts_with_ignoring_case(text, "OPERATION NAME")) return Word::operation;
   return Word::comment;
 }
 
-ModalEffect effect_on(ModalState state, Word word, DialectKind dialect, bool is_used) {
+ModalEffect effect_on(ModalState state, Word word, FeedInCycle feeds, bool is_used) {
   if (state == ModalState::start_tangent && word == Word::tlon) return ModalEffect::none;  // what it is for
+  if (state == ModalState::cycle && word == Word::fedrat && ends_holes(feeds, is_used)) return contradicts;
   for (const ModalRule& rule : kRules) {
-    if (rule.state != state || !holds(rule.files, dialect, is_used)) continue;
-    if (rule.words.has(word)) return rule.effect;
+    if (rule.state == state && rule.words.has(word)) return rule.effect;
   }
   return ModalEffect::none;
 }

@@ -33,11 +33,11 @@ inline constexpr ModalState kModalStates[] = {ModalState::cycle, ModalState::des
                                               ModalState::cutter_centre, ModalState::motion_run,
                                               ModalState::between_blocks};
 
-/// What `statement` acts as: its word, or for the comments of Creo and CATIA that are statements the word of another
-/// dialect that does the same.
-[[nodiscard]] Word acting_word(const Statement& statement, DialectKind dialect);
+/// What `statement` acts as: its word, or for comments that are statements the word of another dialect that does the
+/// same.
+[[nodiscard]] Word acting_word(const Statement& statement, CommentForm comments);
 
-/// What `word` does to `state` in files of `dialect`. `is_used`: a position has been read under the state.
-[[nodiscard]] ModalEffect effect_on(ModalState state, Word word, DialectKind dialect, bool is_used);
+/// What `word` does to `state`. `is_used`: a position has been read under the state.
+[[nodiscard]] ModalEffect effect_on(ModalState state, Word word, FeedInCycle feeds, bool is_used);
 
 }  // namespace gouge

@@ -8,21 +8,141 @@
 namespace gouge {
 namespace {
 
+using enum ArcSense;
+
+// NCCS NCL, whose binary records say the same words as its text.
+constexpr Dialect kNccs = {.kind = DialectKind::nccs,
+                           .id = "apt-nccs",
+                           .title = "NCCS NCL CL data (ASCII)",
+                           .states_multax = true,
+                           .lists_run_along_arc = true,
+                           .may_go_on_round = true,
+                           .gohome_names_axes = false,
+                           .pprint_includes_files = true,
+                           .arc_form = ArcForm::ncl,
+                           .arc_rule = ArcRule::shorter_way,
+                           .cycle_form = CycleForm::ncl};
+
+constexpr Dialect in_records(Dialect dialect) {
+  dialect.kind = DialectKind::nccs_binary;
+  dialect.id = "nccs-binary";
+  dialect.title = "NCCS NCL CL data (binary)";
+  dialect.form = FileForm::nccs_records;
+  dialect.has_points_at_multax_off = true;
+  dialect.may_go_on_round = false;
+  dialect.cutter_form = CutterForm::without_angles;
+  return dialect;
+}
+
 constexpr std::array<Dialect, 13> kDialects = {{
-    {DialectKind::nx_clsf, "nx-clsf", "Siemens NX CLSF", true, false, true, false},
-    {DialectKind::catia, "apt-catia", "CATIA V5 APT source", false, false, true, true},
-    {DialectKind::creo, "apt-creo", "PTC Creo (Pro/CLfile) NCL", false, true, true, true},
-    {DialectKind::solidworks_cam, "apt-solidworks-cam", "SolidWorks CAM / CAMWorks APT", false, true, true,
-     true},
-    {DialectKind::clt, "camworks-clt", "CAMWorks CLT", false, true, true, true},
-    {DialectKind::autodesk, "apt-autodesk", "Autodesk ISO 4343 APT", false, true, false, true},
-    {DialectKind::camplete, "apt-camplete", "CAMplete APT", false, true, true, true},
-    {DialectKind::mori, "apt-mori", "DMG Mori APT", false, false, true, true},
-    {DialectKind::nccs, "apt-nccs", "NCCS NCL CL data (ASCII)", false, false, false, true},
-    {DialectKind::nccs_binary, "nccs-binary", "NCCS NCL CL data (binary)", false, false, false, true},
-    {DialectKind::nci, "mastercam-nci", "Mastercam NCI", false, true, true, false},
-    {DialectKind::goto_list, "goto-list", "bare GOTO lines", false, false, false, false},
-    {DialectKind::apt, "apt", "APT CL data", false, false, false, false},
+    {.kind = DialectKind::nx_clsf,
+     .id = "nx-clsf",
+     .title = "Siemens NX CLSF",
+     .has_end_word = false,
+     .is_axis_modal = true,
+     .names_operations = true,
+     .has_blocks = true,
+     .has_named_tools = true,
+     .arc_sense = left_handed,
+     .cycle_form = CycleForm::nx,
+     .feed_in_cycle = FeedInCycle::nowhere,
+     .cutter_form = CutterForm::with_diameter},
+    {.kind = DialectKind::catia,
+     .id = "apt-catia",
+     .title = "CATIA V5 APT source",
+     .comments = CommentForm::catia,
+     .is_mm_unless_stated = true,
+     .names_operations = true,
+     .cycle_form = CycleForm::catia,
+     .feed_in_cycle = FeedInCycle::nowhere},
+    {.kind = DialectKind::creo,
+     .id = "apt-creo",
+     .title = "PTC Creo (Pro/CLfile) NCL",
+     .comments = CommentForm::creo,
+     .has_known_plain_axis = true,
+     .states_multax = true,
+     .has_points_without_axis = true,
+     .lists_run_along_arc = true,
+     .names_operations = true,
+     .has_camera_csys = true,
+     .arc_sense = right_handed,
+     .cycle_form = CycleForm::creo,
+     .feed_in_cycle = FeedInCycle::nowhere,
+     .cutter_form = CutterForm::diameter_alone},
+    {.kind = DialectKind::solidworks_cam,
+     .id = "apt-solidworks-cam",
+     .title = "SolidWorks CAM / CAMWorks APT",
+     .has_known_plain_axis = true,
+     .names_operations = true,
+     .is_in_world = true,
+     .inserts_are_names = true,
+     .arc_sense = right_handed,
+     .cycle_form = CycleForm::depths,
+     .feed_in_cycle = FeedInCycle::nowhere},
+    {.kind = DialectKind::clt,
+     .id = "camworks-clt",
+     .title = "CAMWorks CLT",
+     .has_known_plain_axis = true,
+     .names_operations = true,
+     .has_setups = true,
+     .has_z_alone = true,
+     .cycle_form = CycleForm::clt,
+     .feed_in_cycle = FeedInCycle::nowhere},
+    {.kind = DialectKind::autodesk,
+     .id = "apt-autodesk",
+     .title = "Autodesk ISO 4343 APT",
+     .has_known_plain_axis = true,
+     .has_axes_under_multax = true,
+     .has_tip_diameter = true,
+     .arc_sense = right_handed,
+     .arc_rule = ArcRule::by_vector_or_against,
+     .cycle_form = CycleForm::unknown,
+     .feed_in_cycle = FeedInCycle::anywhere},
+    {.kind = DialectKind::camplete,
+     .id = "apt-camplete",
+     .title = "CAMplete APT",
+     .has_known_plain_axis = true,
+     .has_axes_under_multax = true,
+     .names_operations = true,
+     .operations_are_blocks = true,
+     .arc_form = ArcForm::with_sweep,
+     .arc_sense = left_handed,
+     .cycle_form = CycleForm::depths_without_rapto,
+     .feed_in_cycle = FeedInCycle::anywhere},
+    {.kind = DialectKind::mori,
+     .id = "apt-mori",
+     .title = "DMG Mori APT",
+     .has_axes_under_multax = true,
+     .names_operations = true,
+     .arc_sense = right_handed,
+     .cycle_form = CycleForm::creo,
+     .feed_in_cycle = FeedInCycle::anywhere,
+     .cutter_form = CutterForm::none},
+    kNccs,
+    in_records(kNccs),
+    {.kind = DialectKind::nci,
+     .id = "mastercam-nci",
+     .title = "Mastercam NCI",
+     .form = FileForm::nci_lines,
+     .has_end_word = false,
+     .has_known_plain_axis = true,
+     .names_operations = true,
+     .inserts_are_names = true,
+     .arc_form = ArcForm::nci,
+     .cycle_form = CycleForm::unknown,
+     .feed_in_cycle = FeedInCycle::anywhere,
+     .is_written = false},
+    {.kind = DialectKind::goto_list,
+     .id = "goto-list",
+     .title = "bare GOTO lines",
+     .has_end_word = false,
+     .has_positions_alone = true,
+     .cutter_form = CutterForm::none},
+    {.kind = DialectKind::apt,
+     .id = "apt",
+     .title = "APT CL data",
+     .has_end_word = false,
+     .is_fallback = true},
 }};
 
 }  // namespace
@@ -45,6 +165,10 @@ std::optional<Dialect> dialect_called(std::string_view id) {
     if (is_short || equals_ignoring_case(id, dialect.id)) return dialect;
   }
   return std::nullopt;
+}
+
+FileForm form_of(std::string_view id) {
+  return dialect_called(id).value_or(Dialect{}).form;
 }
 
 std::string dialect_names() {

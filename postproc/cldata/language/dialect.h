@@ -6,8 +6,9 @@
 #include <string>
 #include <string_view>
 
-// Which CAM system's way of writing CL data a file follows, told by its content or by the user. A dialect is
-// data: a few facts the interpreter and the writers ask for. Evidence for each: docs/formats/.
+// Which CAM system's way of writing CL data a file follows, recognised by its content or stated by the user. A dialect
+// is data: one row of traits that readers and writers ask for. No code asks which dialect it is. Evidence for each
+// trait: docs/formats/.
 
 namespace gouge {
 
@@ -27,19 +28,87 @@ enum class DialectKind : std::uint8_t {
   nci
 };
 
-/// NCCS NCL, as text or in binary records: the same words.
-[[nodiscard]] constexpr bool is_nccs(DialectKind kind) {
-  return kind == DialectKind::nccs || kind == DialectKind::nccs_binary;
-}
+/// How the bytes of a file hold its statements.
+enum class FileForm : std::uint8_t { text, nccs_records, nci_lines };
+
+/// Which comments say something.
+enum class CommentForm : std::uint8_t {
+  none,
+  creo,  ///< `$$->` and `REMARK ->` are statements
+  catia  ///< `$$ OPERATION NAME`, and rows of the matrix of `$$*CATIA0`
+};
+
+enum class ArcSense : std::uint8_t { right_handed, left_handed, unknown };
+
+/// What stands in a CIRCLE or MOVARC.
+enum class ArcForm : std::uint8_t {
+  apt,         ///< centre, vector, radius, and what NX writes after them
+  with_sweep,  ///< the same, or an eighth number: the sweep in degrees
+  ncl,         ///< NCCS NCL: any list that begins so
+  nci          ///< Mastercam NCI: made by its reader
+};
+
+/// How arcs of a stated vector run.
+enum class ArcRule : std::uint8_t {
+  by_vector,
+  by_vector_or_against,  ///< some posts turn a clockwise arc's vector round, others leave it
+  shorter_way            ///< the post-processor runs the shorter way between two points, whatever the vector
+};
+
+/// What the words and numbers of a CYCLE mean.
+enum class CycleForm : std::uint8_t { any, nx, depths, depths_without_rapto, creo, catia, clt, ncl, unknown };
+
+/// Where FEDRAT may stand while a cycle drills.
+enum class FeedInCycle : std::uint8_t { anywhere, nowhere, before_first_hole };
+
+/// How much of a cutter the dialect can say.
+enum class CutterForm : std::uint8_t { whole, with_diameter, without_angles, diameter_alone, none };
 
 struct Dialect {
-  DialectKind kind = DialectKind::apt;
+  DialectKind kind = DialectKind::apt;     ///< its row in the tables of dialects, and nothing to ask for
   std::string_view id = "apt";             ///< Toolpath::dialect, and what --dialect takes
   std::string_view title = "APT CL data";  ///< for people
-  bool is_axis_modal = false;  ///< a position without axis keeps the last one; else it means +Z or TLAXIS
-  bool has_known_plain_axis = false;  ///< verified that a position without axis means +Z whatever came before
+  FileForm form = FileForm::text;
+  CommentForm comments = CommentForm::none;
+  bool has_end_word = true;        ///< ends with END or FINI, so that a file without is cut short
+  bool is_fallback = false;        ///< what a file without the marks of any dialect is taken for
+  bool is_mm_unless_stated = false;
+
+  // Positions.
+  bool is_axis_modal = false;           ///< one without axis keeps the last one; else it means +Z or TLAXIS
+  bool has_known_plain_axis = false;    ///< verified that one without axis means +Z whatever came before
+  bool states_multax = false;           ///< MULTAX stands before the first axis
+  bool has_axes_under_multax = false;   ///< every position has one under MULTAX, and none without it
+  bool has_points_at_multax_off = false;  ///< six numbers under MULTAX/OFF are two positions, whatever they look like
+  bool has_points_without_axis = false;   ///< six numbers that are no position and unit axis are two positions
+  bool lists_run_along_arc = false;       ///< all positions of a list behind a CIRCLE lie on it
+  bool may_go_on_round = false;           ///< a position alone may go on along the circle of the one before it
+
+  // Frames, operations and tools.
   bool names_operations = false;      ///< has words of its own for it, so that PPRINT is only text
-  bool has_end_word = true;           ///< ends with END or FINI, so that a file without is cut short
+  bool operations_are_blocks = false;  ///< each has its MCS
+  bool has_blocks = false;             ///< TOOL PATH to END-OF-PATH: frame, tool, axis and feed are of a block
+  bool is_in_world = false;            ///< positions are in world coordinates, whatever CSYS says
+  bool has_camera_csys = false;        ///< CAMERA states the machine's coordinate system, in which positions are
+  bool has_setups = false;             ///< ROTABL and TLAXIS say how the setup of the positions lies
+  bool gohome_names_axes = true;       ///< GOHOME/Z: an axis, not a number
+  bool pprint_includes_files = false;  ///< PPRINT INCLUD: the motion of another file stands here
+  bool inserts_are_names = false;      ///< INSERT holds names of tools, setups and stock
+  bool has_named_tools = false;        ///< the name tells tools apart
+  bool has_tip_diameter = false;       ///< the third number of CUTTER is the diameter of the tip
+
+  // Arcs and cycles.
+  ArcForm arc_form = ArcForm::apt;
+  ArcSense arc_sense = ArcSense::unknown;  ///< about the vector
+  ArcRule arc_rule = ArcRule::by_vector;
+  bool has_z_alone = false;  ///< writes no tool axis, and circles about +Z only
+  CycleForm cycle_form = CycleForm::any;
+  FeedInCycle feed_in_cycle = FeedInCycle::before_first_hole;
+
+  // Writing.
+  bool is_written = true;
+  bool has_positions_alone = false;  ///< no tool, feed, rapid, CUTCOM or break can be said
+  CutterForm cutter_form = CutterForm::whole;
 };
 
 /// All dialects, in the order they are listed for the user.
@@ -49,6 +118,9 @@ struct Dialect {
 
 /// The dialect called `id`, upper or lower case, also without a leading "apt-"; nothing for other names.
 [[nodiscard]] std::optional<Dialect> dialect_called(std::string_view id);
+
+/// How the bytes of a file of that dialect hold statements; text where there is no such dialect.
+[[nodiscard]] FileForm form_of(std::string_view id);
 
 /// "nx-clsf, apt-catia, ...": what `dialect_called` takes.
 [[nodiscard]] std::string dialect_names();

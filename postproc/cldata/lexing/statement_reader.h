@@ -18,18 +18,18 @@ class StatementReader {
  public:
   /// `bytes` must outlive the statements. `first_byte` is where a statement of text begins, on
   /// line `line`; binary files are read from their start.
-  StatementReader(std::string_view bytes, DialectKind kind, std::size_t first_byte = 0, std::size_t line = 1)
-      : kind_(kind), lexer_(bytes, first_byte, line), nci_(bytes, first_byte, line), nccs_(bytes) {}
+  StatementReader(std::string_view bytes, FileForm form, std::size_t first_byte = 0, std::size_t line = 1)
+      : form_(form), lexer_(bytes, first_byte, line), nci_(bytes, first_byte, line), nccs_(bytes) {}
 
   /// The next statement into `statement` (whose memory is used again); false at the end.
   [[nodiscard]] bool next(Statement& statement) {
-    if (kind_ == DialectKind::nci) return nci_.next(statement);
-    if (kind_ == DialectKind::nccs_binary) return nccs_.next(statement);
+    if (form_ == FileForm::nci_lines) return nci_.next(statement);
+    if (form_ == FileForm::nccs_records) return nccs_.next(statement);
     return lexer_.next(statement);
   }
 
  private:
-  DialectKind kind_;
+  FileForm form_;
   Lexer lexer_;
   NciStatements nci_;
   NccsStatements nccs_;

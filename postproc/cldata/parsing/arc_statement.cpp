@@ -32,8 +32,8 @@ ArcStatement failed(const char* problem) {
 
 // Centre and vector; with the radius; with what NX and CAMplete write behind it. Any other number of them is a comma
 // lost or a number twice, and what stands behind it is read as something else. Readers of records make their own lists.
-bool has_known_form(DialectKind dialect, std::span<const Argument> arguments) {
-  if (dialect == DialectKind::nci || is_nccs(dialect)) return true;
+bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
+  if (form == ArcForm::nci || form == ArcForm::ncl) return true;
   constexpr std::array<std::string_view, 7> kWords = {"CENTER", "AXIS", "RADIUS", "TIMES", "ANGLE", "CLOCKWISE",
                                                       "COUNTERCLOCKWISE"};
   std::size_t numbers = 0;
@@ -48,23 +48,8 @@ bool has_known_form(DialectKind dialect, std::span<const Argument> arguments) {
       if (++i >= arguments.size() || !arguments[i].number) return false;
     }
   }
-  const bool has_angle = dialect == DialectKind::camplete && numbers == 8;
+  const bool has_angle = form == ArcForm::with_sweep && numbers == 8;
   return numbers == 6 || numbers == 7 || numbers == 11 || has_angle;
-}
-
-ArcSense sense_of(DialectKind dialect) {
-  switch (dialect) {
-    case DialectKind::nx_clsf:
-    case DialectKind::camplete:
-      return ArcSense::left_handed;
-    case DialectKind::creo:
-    case DialectKind::solidworks_cam:
-    case DialectKind::autodesk:
-    case DialectKind::mori:
-      return ArcSense::right_handed;
-    default:
-      return ArcSense::unknown;
-  }
 }
 
 std::optional<double> number_after(std::span<const Argument> arguments, std::string_view word) {
@@ -125,24 +110,26 @@ double positive(double angle) {
 
 }  // namespace
 
-ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit) {
+ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit) {
   ArcStatement statement;
-  if (has_repeated_word(arguments) || has_damaged_argument(arguments) || !has_known_form(dialect, arguments))
+  if (has_repeated_word(arguments) || has_damaged_argument(arguments) || !has_known_form(dialect.arc_form, arguments))
     return failed(ArcProblems::kForm);
   if (!read_circle(arguments, statement)) return failed(ArcProblems::kForm);
-  if (dialect == DialectKind::nci && has_argument(arguments, "ZXPLAN")) return failed(ArcProblems::kXzPlane);
+  if (dialect.arc_form == ArcForm::nci && has_argument(arguments, "ZXPLAN")) return failed(ArcProblems::kXzPlane);
   const double length = statement.axis.norm();
   if (!(std::abs(length - 1) <= kAxisLengthError)) return failed(ArcProblems::kForm);
   statement.axis /= length;
   statement.center *= mm_per_unit;
   if (statement.radius_mm) *statement.radius_mm *= mm_per_unit;
-  statement.sense = sense_of(dialect);
+  statement.sense = dialect.arc_sense;
   const bool has_word = has_argument(arguments, "CLOCKWISE") || has_argument(arguments, "COUNTERCLOCKWISE");
-  if (has_word && (statement.sense != ArcSense::unknown || dialect == DialectKind::nccs)) return failed(ArcProblems::kBothSenses);
+  const bool has_sense = statement.sense != ArcSense::unknown ||
+                         (dialect.arc_form == ArcForm::ncl && dialect.form == FileForm::text);
+  if (has_word && has_sense) return failed(ArcProblems::kBothSenses);
   if (!read_sense_word(arguments, statement)) return failed(ArcProblems::kBothSenses);
 
   std::optional<double> sweep_deg = number_after(arguments, "ANGLE");
-  if (dialect == DialectKind::camplete && arguments.size() > 7) sweep_deg = arguments[7].number;
+  if (dialect.arc_form == ArcForm::with_sweep && arguments.size() > 7) sweep_deg = arguments[7].number;
   if (sweep_deg && *sweep_deg < 0) return failed(ArcProblems::kForm);
   if (sweep_deg && *sweep_deg > 0) statement.sweep_rad = *sweep_deg * kPi / 180;
   if (has_argument(arguments, "TIMES")) {

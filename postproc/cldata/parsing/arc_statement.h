@@ -14,8 +14,6 @@
 
 namespace gouge {
 
-enum class ArcSense : std::uint8_t { right_handed, left_handed, unknown };
-
 /// Why an arc is not checked. The texts are told to the user.
 struct ArcProblems {
   static constexpr const char* kForm = "an arc statement that is not understood";
@@ -45,7 +43,7 @@ struct ArcStatement {
 };
 
 /// CIRCLE/ or MOVARC/ in the sense of `dialect`.
-[[nodiscard]] ArcStatement read_arc(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit);
+[[nodiscard]] ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit);
 
 /// CATIA: TLON,GOFWD/(CIRCLE/center,r),ON[,2,INTOF],(LINE/center,end). The circle lies in the plane of `tangent`
 /// (INDIRV) and the way from the centre to `start`; it leaves the start along `tangent`.

@@ -67,7 +67,7 @@ CutterOutcome wrong(std::string error) {
 
 }  // namespace
 
-CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit, DialectKind dialect) {
+CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit, bool has_tip_diameter) {
   if (std::string error = check_numbers(arguments); !error.empty()) return wrong(std::move(error));
   const std::size_t count = arguments.size();
   if (count != 1 && count != 2 && count != 7) return wrong("found " + std::to_string(count) + " numbers");
@@ -93,7 +93,7 @@ CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_uni
     cutter.r_mm = std::min(cutter.r_mm, cutter.d_mm / 2);
     cutter.e_mm = cutter.d_mm / 2 - cutter.r_mm;
     cutter.f_mm = cutter.r_mm;
-  } else if (dialect == DialectKind::autodesk) {
+  } else if (has_tip_diameter) {
     if (v[4] + v[5] >= 90) return wrong("tip angle and flank angle together reach 90 degrees");
     find_corner_centre(cutter);
   }

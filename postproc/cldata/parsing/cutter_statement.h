@@ -6,7 +6,6 @@
 
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/language/arguments.h"
-#include "postproc/cldata/language/dialect.h"
 
 // The numbers of CUTTER/ and TLDATA/ as APT cutter parameters in mm.
 
@@ -24,10 +23,10 @@ struct CutterOutcome {
 
 /// CUTTER/d | d,r | d,r,e,f,alpha,beta,h. Where alpha = beta = 0, e and f follow from d and r, because CAM
 /// systems disagree about what they write there;
-/// in Autodesk ISO 4343 also where they are not, because it writes the diameter of the tip for e. A corner
+/// with `has_tip_diameter` (Dialect) also where they are not, because e is then the diameter of the tip. A corner
 /// radius beyond d/2 by rounding only is taken as d/2.
 [[nodiscard]] CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_unit,
-                                        DialectKind dialect = DialectKind::apt);
+                                        bool has_tip_diameter = false);
 
 /// TLDATA/MILL,D,R,length,taper,tip[,x,y[,upper radius,x,y]] and TLDATA/DRILL[,MILL],D,R,length,point,flutes.
 /// `arguments` without the first word; `is_drill` tells which form.

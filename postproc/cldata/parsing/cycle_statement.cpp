@@ -106,14 +106,14 @@ bool has_both(Arguments arguments, std::string_view one, std::string_view other)
 }
 
 // Two depths, two clearances that differ, a height with two numbers: which one counts nobody can tell.
-bool contradicts_itself(DialectKind dialect, Arguments arguments) {
+bool contradicts_itself(CycleForm form, Arguments arguments) {
   if (has_repeated_word(arguments) || has_both(arguments, "FEDTO", "DEPTH") || has_both(arguments, "G98", "G99") ||
       has_argument(arguments, "OFF") || has_argument(arguments, "NOMORE")) {
     return true;
   }
   if (has_damaged_argument(arguments) || std::any_of(arguments.begin(), arguments.end(), is_damaged_height)) return true;
   // Their numbers have places, not words, or are read one by one.
-  if (dialect == DialectKind::clt || is_nccs(dialect)) return false;
+  if (form == CycleForm::clt || form == CycleForm::ncl) return false;
   for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
     const bool is_height = is_one_of(arguments[i].text, kHeights);
     if (is_height && arguments[i + 1].number && arguments[i + 2].number) return true;
@@ -176,9 +176,9 @@ constexpr auto kNccsWords = std::to_array<CycleWord>({{"FEDTO", 1, 2},
                                                       {"MMPR", 1, 2},
                                                       {"TPI", 1, 2}});
 
-std::span<const CycleWord> cycle_words(DialectKind dialect) {
-  if (dialect == DialectKind::clt) return kCltWords;
-  if (is_nccs(dialect)) return kNccsWords;
+std::span<const CycleWord> cycle_words(CycleForm form) {
+  if (form == CycleForm::clt) return kCltWords;
+  if (form == CycleForm::ncl) return kNccsWords;
   return kCycleWords;
 }
 
@@ -191,13 +191,13 @@ std::size_t numbers_after(Arguments arguments, std::size_t at) {
 
 // Every word behind the cycle's kind is one that is known, with as many numbers as it has. A second kind may stand beside the
 // first (DRILL,DEEP); CATIA's default table writes its two numbers without words.
-bool has_only_known_words(DialectKind dialect, Arguments arguments) {
+bool has_only_known_words(CycleForm form, Arguments arguments) {
   std::size_t at = 1;
-  if (dialect == DialectKind::catia && arguments.size() > 1 && arguments[1].number) return arguments.size() == 3;
-  const std::span<const CycleWord> words = cycle_words(dialect);
+  if (form == CycleForm::catia && arguments.size() > 1 && arguments[1].number) return arguments.size() == 3;
+  const std::span<const CycleWord> words = cycle_words(form);
   while (at < arguments.size()) {
     const std::size_t count = numbers_after(arguments, at);
-    const bool is_kind = !is_nccs(dialect) && is_one_of(arguments[at].text, kStraight);
+    const bool is_kind = form != CycleForm::ncl && is_one_of(arguments[at].text, kStraight);
     const auto word = std::find_if(words.begin(), words.end(), [&](const CycleWord& known) {
       return equals_ignoring_case(arguments[at].text, known.word);
     });
@@ -300,29 +300,28 @@ std::optional<DrillCycle> read_nccs(Arguments arguments) {
   return make(*clearance, -*depth, {});
 }
 
-std::optional<DrillCycle> read_heights(DialectKind dialect, Arguments arguments) {
-  switch (dialect) {
-    case DialectKind::nx_clsf:
-      return read_nx(arguments);
-    case DialectKind::solidworks_cam:
-    case DialectKind::camplete:
-      return read_depth_words(arguments, dialect == DialectKind::camplete);
-    case DialectKind::creo:
-    case DialectKind::mori:
-      return read_creo(arguments);
-    case DialectKind::catia:
-      return read_catia(arguments);
-    case DialectKind::clt:
-      return read_clt(arguments);
-    case DialectKind::autodesk:
-    case DialectKind::nci:
-      return std::nullopt;
-    case DialectKind::nccs:
-    case DialectKind::nccs_binary:
-      return read_nccs(arguments);
-    default:
+std::optional<DrillCycle> read_heights(CycleForm form, Arguments arguments) {
+  switch (form) {
+    case CycleForm::any:
       return read_generic(arguments);
+    case CycleForm::nx:
+      return read_nx(arguments);
+    case CycleForm::depths:
+      return read_depth_words(arguments, false);
+    case CycleForm::depths_without_rapto:
+      return read_depth_words(arguments, true);
+    case CycleForm::creo:
+      return read_creo(arguments);
+    case CycleForm::catia:
+      return read_catia(arguments);
+    case CycleForm::clt:
+      return read_clt(arguments);
+    case CycleForm::ncl:
+      return read_nccs(arguments);
+    case CycleForm::unknown:
+      break;
   }
+  return std::nullopt;
 }
 
 // The words of NX with one value each: a number, or AUTO.
@@ -366,15 +365,15 @@ std::optional<std::vector<Argument>> changed_cycle(Arguments cycle, Arguments ch
   return changed;
 }
 
-std::optional<DrillCycle> read_cycle(DialectKind dialect, std::span<const Argument> arguments, double mm_per_unit) {
+std::optional<DrillCycle> read_cycle(CycleForm form, std::span<const Argument> arguments, double mm_per_unit) {
   if (arguments.empty()) return std::nullopt;
   const std::string_view type = arguments.front().text;
-  if (is_nccs(dialect) ? !is_one_of(type, kNccsStraight) : !is_one_of(type, kStraight)) return std::nullopt;
+  if (form == CycleForm::ncl ? !is_one_of(type, kNccsStraight) : !is_one_of(type, kStraight)) return std::nullopt;
   for (const Argument& argument : arguments) {
     if (is_one_of(argument.text, kSideways)) return std::nullopt;
   }
-  if (contradicts_itself(dialect, arguments) || !has_only_known_words(dialect, arguments)) return std::nullopt;
-  std::optional<DrillCycle> cycle = read_heights(dialect, arguments);
+  if (contradicts_itself(form, arguments) || !has_only_known_words(form, arguments)) return std::nullopt;
+  std::optional<DrillCycle> cycle = read_heights(form, arguments);
   if (!cycle) return std::nullopt;
   cycle->feed = read_cycle_feed(arguments, mm_per_unit);
   cycle->is_tapping = is_one_of(type, kTapping) || has_argument(arguments, "TAP");

@@ -34,7 +34,7 @@ struct DrillCycle {
 /// The cycle a CYCLE statement begins; nothing where its words are not understood: other cycles than drilling,
 /// reaming, tapping and straight boring, heights that are missing, and Autodesk ISO 4343, whose positions may be
 /// the top or the bottom of the hole.
-[[nodiscard]] std::optional<DrillCycle> read_cycle(DialectKind dialect, std::span<const Argument> arguments,
+[[nodiscard]] std::optional<DrillCycle> read_cycle(CycleForm form, std::span<const Argument> arguments,
                                                    double mm_per_unit);
 
 }  // namespace gouge

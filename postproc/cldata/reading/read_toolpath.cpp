@@ -114,11 +114,11 @@ std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_v
     return make_error("path-too-long", "the file has " + std::to_string(bytes.size()) +
                                            " bytes; expected fewer than 4 GiB: divide it by operations", file);
   }
-  if (dialect.kind == DialectKind::apt && !is_dialect_given) {
+  if (dialect.is_fallback && !is_dialect_given) {
     if (auto sentence = describe_foreign(bytes))
       return make_error("path-not-cl-data", std::move(*sentence), file);
   }
-  if (dialect.kind == DialectKind::nccs_binary) return std::nullopt;
+  if (dialect.form == FileForm::nccs_records) return std::nullopt;
   const std::size_t control = find_control(bytes);
   const std::size_t amid = control == bytes.size() ? find_break(bytes) : control;
   if (amid == bytes.size()) return std::nullopt;
@@ -178,7 +178,7 @@ Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
               (count == 1 ? " statement" : " statements") + " that may be motions, the first in line " +
               std::to_string(path.moves.front().line) + "; " + kExpected;
   }
-  if (dialect.kind == DialectKind::nccs_binary) {
+  if (dialect.form == FileForm::nccs_records) {
     message = "is a binary NCCS file without a position; expected motion records";
   } else if (!path.statements.empty()) {
     const SourceStatement& first = path.statements.front();
@@ -216,7 +216,7 @@ void name_unnamed_tool(const std::string& name, Toolpath& path) {
 // A file that was cut off ends within its last line, which then reads as nonsense.
 void tell_last_line(std::string_view bytes, const Dialect& dialect, Diagnostics& errors) {
   const bool is_ended = bytes.empty() || bytes.back() == '\n' || bytes.back() == '\r';
-  if (is_ended || dialect.kind == DialectKind::nccs_binary) return;
+  if (is_ended || dialect.form == FileForm::nccs_records) return;
   const auto last = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1;
   for (Diagnostic& error : errors) {
     if (error.line == last) error.message += "; this is the last line, without an end: the file may be cut off";
@@ -245,7 +245,7 @@ ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const
   path.moves.reserve(lines.with_position);
   Interpreter interpreter(path, dialect, guess.unit, nullptr);
   if (options.is_cutcom_centre) interpreter.set_cutter_centre();
-  StatementReader reader(path.source, dialect.kind);
+  StatementReader reader(path.source, dialect.form);
   Statement statement;
   while (!interpreter.is_hopeless() && reader.next(statement)) interpreter.take(statement);
   if (!interpreter.is_hopeless()) interpreter.finish();

@@ -21,7 +21,7 @@ bool names_unit(Word word) {
 }
 
 UnitGuess otherwise(UnitGuess guess, const Dialect& dialect) {
-  if (guess.source == UnitGuess::Source::assumed && dialect.kind == DialectKind::catia)
+  if (guess.source == UnitGuess::Source::assumed && dialect.is_mm_unless_stated)
     guess.source = UnitGuess::Source::dialect;
   return guess;
 }
@@ -30,7 +30,7 @@ UnitGuess otherwise(UnitGuess guess, const Dialect& dialect) {
 
 UnitGuess find_unit(std::string_view bytes, const Dialect& dialect) {
   UnitGuess guess;
-  StatementReader reader(bytes, dialect.kind);
+  StatementReader reader(bytes, dialect.form);
   Statement statement;
   std::vector<Argument> arguments;
   bool has_position = false;

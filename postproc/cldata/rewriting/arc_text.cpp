@@ -80,10 +80,10 @@ Statement lexed(std::string_view text) {
 ArcText::ArcText(const Toolpath& path, const MotionRecords& records)
     : path_(path),
       records_(records.of_move),
-      kind_(dialect_called(path.dialect).value_or(Dialect{}).kind),
+      dialect_(dialect_called(path.dialect).value_or(Dialect{})),
       arcs_of_statement_(path.statements.size(), SmallIndex(0)) {
   std::size_t learned = 0;
-  const bool is_text = kind_ != DialectKind::nccs_binary && kind_ != DialectKind::nci;
+  const bool is_text = dialect_.form == FileForm::text;
   for (std::size_t i = 0; is_text && i < records_.size(); ++i) {
     const MotionRecord& record = records_[i];
     if (record.curve_statement == kNone) continue;
@@ -136,7 +136,7 @@ std::optional<ArcText::Places> ArcText::places_of(const Statement& statement,
     places.radius = 6;
   }
   if (const auto angle = place_of(arguments, "ANGLE")) places.angle = *angle + 1;
-  if (kind_ == DialectKind::camplete && are_numbers(arguments, 7, 1)) places.angle = 7;
+  if (dialect_.arc_form == ArcForm::with_sweep && are_numbers(arguments, 7, 1)) places.angle = 7;
   if (places.angle && are_numbers(arguments, *places.angle, 1) && *arguments[*places.angle].number <= 0)
     places.angle.reset();  // it states none
   const bool is_whole = are_numbers(arguments, places.center, 3) && are_numbers(arguments, places.axis, 3) &&
@@ -233,7 +233,7 @@ Result<std::string> ArcText::description(std::size_t move, const WrittenArc& arc
   add_point(fields, places.axis, directions_, arc.arc.axis);
   // By as much as they change, since the file's own numbers need not agree with each other to the last digit.
   const WrittenArc old = as_read(move);
-  if (kind_ == DialectKind::clt && (arc.arc.axis - old.arc.axis).norm() > kSameAxis)
+  if (dialect_.has_z_alone && (arc.arc.axis - old.arc.axis).norm() > kSameAxis)
     return refuse(move, "the vector of a CLT arc is an axis of the part");
   if (places.radius) {
     const double stated = *arguments[*places.radius].number;
@@ -247,7 +247,7 @@ Result<std::string> ArcText::description(std::size_t move, const WrittenArc& arc
             [](const Field& a, const Field& b) { return a.argument < b.argument; });
   std::string text = replaced(statement, arguments, fields);
   const Statement written = lexed(text);
-  const ArcStatement read = read_arc(kind_, arguments_of(written), mm);
+  const ArcStatement read = read_arc(dialect_, arguments_of(written), mm);
   if (!read.problem.empty()) return refuse(move, read.problem);
   if (!reads_as(read, arc))
     return refuse(move, "its start and end do not lie on it, or its sense would change");

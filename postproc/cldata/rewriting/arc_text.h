@@ -66,7 +66,7 @@ class ArcText {
 
   const Toolpath& path_;
   const std::vector<MotionRecord>& records_;
-  DialectKind kind_;
+  Dialect dialect_;
   NumberStyle lengths_, directions_, angles_;
   std::vector<SmallIndex> arcs_of_statement_;  // how many moves a statement describes as arcs
 };

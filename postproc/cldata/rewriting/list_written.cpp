@@ -119,7 +119,7 @@ const char* written_name(WrittenKind kind) {
 
 std::vector<WrittenStatement> list_written(const Toolpath& before, const std::vector<PathChange>& changes,
                                            const Toolpath& after) {
-  if (before.dialect == dialect_of(DialectKind::nccs_binary).id) return of_changes(before, changes);
+  if (form_of(before.dialect) == FileForm::nccs_records) return of_changes(before, changes);
   return Comparison(before, after).run(changes);
 }
 

@@ -34,8 +34,7 @@ RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read
   const std::vector<MotionRecord>& records = read.of_move;
   const std::vector<bool> none(records.size(), false);
   RewritableMoves can{none, none, none};
-  const DialectKind kind = dialect_called(path.dialect).value_or(Dialect{}).kind;
-  if (kind == DialectKind::nccs_binary || kind == DialectKind::nci) return can;
+  if (form_of(path.dialect) != FileForm::text) return can;
   for (std::size_t first = 0, last = 0; first < records.size(); first = last) {
     last = first + 1;
     while (last < records.size() && is_same_hole(records[first], records[last])) ++last;

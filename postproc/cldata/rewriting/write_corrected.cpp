@@ -401,8 +401,14 @@ Result<std::string> CorrectedWriter::write() {
 
 Result<std::string> write_corrected(const Toolpath& path, const std::vector<PathChange>& changes) {
   if (auto error = find_wrong_change(path, changes)) return std::move(*error);
-  if (path.dialect == dialect_of(DialectKind::nccs_binary).id) return write_corrected_nccs(path, changes);
-  if (path.dialect == dialect_of(DialectKind::nci).id) return write_corrected_nci(path, changes);
+  switch (form_of(path.dialect)) {
+    case FileForm::nccs_records:
+      return write_corrected_nccs(path, changes);
+    case FileForm::nci_lines:
+      return write_corrected_nci(path, changes);
+    case FileForm::text:
+      break;
+  }
   return CorrectedWriter(path, changes).write();
 }
 

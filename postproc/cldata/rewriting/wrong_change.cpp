@@ -53,8 +53,7 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
 
 // What only dialects of text can say.
 std::optional<Diagnostic> find_unsaid(const Toolpath& path, const std::vector<PathChange>& changes) {
-  const bool is_text = path.dialect != dialect_of(DialectKind::nccs_binary).id &&
-                       path.dialect != dialect_of(DialectKind::nci).id;
+  const bool is_text = form_of(path.dialect) == FileForm::text;
   for (const PathChange& change : changes) {
     if (is_text || (!change.has_arc() && !change.hole_shift_mm)) continue;
     return make_error("write-arc", "arcs and holes of this dialect cannot be rewritten; straighten or leave them",

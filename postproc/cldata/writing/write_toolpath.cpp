@@ -55,6 +55,23 @@ bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
   return true;
 }
 
+// The dialect cannot say the whole shape of this cutter.
+bool loses_shape(CutterForm form, const PathTool& tool) {
+  if (!tool.cutter) return tool.stated_diameter_mm > 0 && form != CutterForm::diameter_alone;
+  switch (form) {
+    case CutterForm::whole:
+      return false;
+    case CutterForm::with_diameter:
+      return !(tool.cutter->d_mm > 0);
+    case CutterForm::without_angles:
+      return std::abs(tool.cutter->alpha_deg) > 0;
+    case CutterForm::diameter_alone:
+    case CutterForm::none:
+      break;
+  }
+  return true;
+}
+
 class PathWriter {
  public:
   PathWriter(const Toolpath& path, const Dialect& target)
@@ -113,7 +130,7 @@ class PathWriter {
 };
 
 std::optional<Diagnostic> PathWriter::find_obstacle() const {
-  if (target_.kind == DialectKind::nci) {
+  if (!target_.is_written) {
     return make_error(
         "convert-dialect",
         "mastercam-nci is read only: how its tools and planes are written is not known; expected "
@@ -136,14 +153,14 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
   }
   const auto tapping = std::find_if(records_.of_move.begin(), records_.of_move.end(),
                                     [](const MotionRecord& record) { return record.is_tapping; });
-  if (target_.kind != DialectKind::goto_list && tapping != records_.of_move.end()) {
+  if (!target_.has_positions_alone && tapping != records_.of_move.end()) {
     const auto index = static_cast<std::size_t>(tapping - records_.of_move.begin());
     return make_error("convert-cycle",
                       "a tapping cycle cannot be written as plain moves, in which the spindle would not turn back; "
                       "without --to the file is copied as it is",
                       path_.file, path_.moves[index].line);
   }
-  if (target_.kind == DialectKind::goto_list && !is_on_centre_) {
+  if (target_.has_positions_alone && !is_on_centre_) {
     return make_error("convert-dialect",
                       "goto-list cannot say that positions are compensated by CUTCOM; expected another dialect for "
                       "--to, or --cutcom centre where they are the cutter centre",
@@ -152,12 +169,12 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
   const auto retracted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
     return move.not_checked_reason == Reasons::kAfterRetract;
   });
-  if (target_.kind == DialectKind::goto_list && retracted != path_.moves.end()) {
+  if (target_.has_positions_alone && retracted != path_.moves.end()) {
     return make_error("convert-dialect",
                       "goto-list cannot say that the tool retracts before this move; expected another dialect for --to",
                       path_.file, retracted->line);
   }
-  if (target_.kind != DialectKind::clt) return std::nullopt;
+  if (!target_.has_z_alone) return std::nullopt;
   const auto tilted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
     return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
   });
@@ -171,7 +188,7 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
 std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   std::string_view name = path_.file;
   name.remove_prefix(std::min(name.find_last_of('/') + 1, name.size()));
-  if (target_.kind == DialectKind::nccs_binary)
+  if (target_.form == FileForm::nccs_records)
     return std::make_unique<NccsSink>(path_.unit, std::string(name.substr(0, name.find('.'))));
   TextSinkOptions options;
   options.kind = target_.kind;
@@ -181,7 +198,7 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   options.is_tilted = std::any_of(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
     return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
   });
-  const bool is_text = path_.dialect != dialect_of(DialectKind::nccs_binary).id;
+  const bool is_text = form_of(path_.dialect) != FileForm::nccs_records;
   if (is_text) {
     const GotoText source(path_, records_);
     options.decimals = source.coordinate_decimals();
@@ -216,7 +233,7 @@ bool PathWriter::write_arc(std::size_t index) {
   const bool is_flat_circle =
       (start.tip - move.end.tip).norm() <= 0 && (start.axis - move.end.axis).cwiseAbs().maxCoeff() <= kTilt;
   const bool is_open = std::abs(sweep - kPi) <= kNear_rad || (std::abs(sweep - 2 * kPi) <= kNear_rad && !is_flat_circle);
-  if (target_.kind != DialectKind::autodesk || !is_open) {
+  if (target_.arc_rule != ArcRule::by_vector_or_against || !is_open) {
     if (!sink_->go_round(arc, start, move.end)) return false;
     expect(move.end, false, arc.sweep_rad);
     return true;
@@ -248,7 +265,7 @@ void PathWriter::write_rapid() {
 // A new block of NX has no feed; elsewhere the old one is still in force, and stated again.
 void PathWriter::forget_feed() {
   is_feed_due_ = true;
-  if (target_.kind == DialectKind::nx_clsf) feed_ = {};
+  if (target_.has_blocks) feed_ = {};
 }
 
 void PathWriter::refuse_feed(const Move& move, const std::string& what) {
@@ -267,7 +284,7 @@ void PathWriter::write_feed(const Move& move) {
     is_feed_due_ = false;
     return;
   }
-  if (target_.kind == DialectKind::goto_list) {
+  if (target_.has_positions_alone) {
     if (feed.unit == FeedUnit::not_understood) ++lost_feeds_;
     return;
   }
@@ -307,7 +324,7 @@ void PathWriter::write_move(std::size_t index) {
   is_checked_ = move.not_checked_reason.empty();
   const bool is_after_retract = move.not_checked_reason == Reasons::kAfterRetract;
   const bool is_tool_new = move.tool != tool_ && move.tool != kNone;
-  const bool says_tools = target_.kind != DialectKind::goto_list;
+  const bool says_tools = !target_.has_positions_alone;
   if (!move.has_start && index > 0 && !(is_tool_new && says_tools) && !is_after_retract) {
     sink_->break_motion() ? ++breaks_ : ++lost_breaks_;
     forget_feed();
@@ -352,15 +369,7 @@ void PathWriter::note_losses() {
   const auto count_tools = [&](auto is_lost) {
     return static_cast<std::size_t>(std::count_if(path_.tools.begin(), path_.tools.end(), is_lost));
   };
-  const bool has_no_cutter = target_.kind == DialectKind::goto_list || target_.kind == DialectKind::mori;
-  const bool has_diameter_alone = target_.kind == DialectKind::creo;
-  const bool has_no_angles = target_.kind == DialectKind::nccs_binary;
-  note("convert-tools", count_tools([&](const PathTool& tool) {
-         if (!tool.cutter) return tool.stated_diameter_mm > 0 && !has_diameter_alone;
-         if (target_.kind == DialectKind::nx_clsf && !(tool.cutter->d_mm > 0)) return true;
-         return has_no_cutter || has_diameter_alone ||
-                (has_no_angles && std::abs(tool.cutter->alpha_deg) > 0);
-       }),
+  note("convert-tools", count_tools([&](const PathTool& tool) { return loses_shape(target_.cutter_form, tool); }),
        "tool", "without the whole shape, which the dialect cannot say; give it in a tool library");
 }
 
@@ -382,12 +391,12 @@ bool PathWriter::is_same_tool(const Toolpath& again, const Move& found, const Mo
   const bool is_same_shape =
       std::abs(a.alpha_deg - b.alpha_deg) <= kSameAngle_deg && std::abs(a.beta_deg - b.beta_deg) <= kSameAngle_deg;
   const bool is_slanted = std::abs(b.alpha_deg) > 0 || std::abs(b.beta_deg) > 0;
-  if (target_.kind == DialectKind::nccs_binary && is_slanted) return true;
+  if (target_.cutter_form == CutterForm::without_angles && is_slanted) return true;
   return is_same_size && is_same_shape;
 }
 
 std::optional<Diagnostic> PathWriter::find_other_tool(const Toolpath& again) const {
-  if (target_.kind == DialectKind::goto_list) return std::nullopt;
+  if (target_.has_positions_alone) return std::nullopt;
   for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
     const Move& meant = path_.moves[expected_[i].move];
     if (is_same_tool(again, again.moves[i], meant)) continue;
@@ -402,9 +411,9 @@ std::optional<Diagnostic> PathWriter::find_other_tool(const Toolpath& again) con
 
 // A feed motion that becomes rapid, or one at another feed, breaks tools: nothing is written then.
 std::optional<Diagnostic> PathWriter::find_other_feed(const Toolpath& again) const {
-  if (target_.kind == DialectKind::goto_list) return std::nullopt;
+  if (target_.has_positions_alone) return std::nullopt;
   // Binary NCCS files say their feeds, like their positions, without a unit.
-  const bool has_no_unit = target_.kind == DialectKind::nccs_binary;
+  const bool has_no_unit = target_.form == FileForm::nccs_records;
   const double factor = has_no_unit ? mm_per(path_.unit) / mm_per(again.unit) : 1;
   for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
     const Feed found = again.moves[i].feed();
