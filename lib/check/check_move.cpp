@@ -35,7 +35,7 @@ Targets watched_bodies(const ToolForms& tool, const PreparedScene& scene, MoveKi
 
 SearchQuestion question(const CheckOptions& options, double reach, double tolerance) {
   const double gap = options.gouge_gap_mm > 0 ? options.gouge_gap_mm : options.resolution_mm;
-  return {reach, tolerance, options.resolution_mm, gap, options.budget_per_move};
+  return {{tolerance, options.resolution_mm, gap, options.budget_per_move}, reach};
 }
 
 /// What the wide sweep says of one move: an answer for each question that may be asked, null where it is not.
@@ -177,7 +177,7 @@ class MoveChecker {
     less.resolution_mm *= share;
     less.gap_mm = kAnyGap_mm;
     // Where no depth is sure the surface must be proved to keep clear.
-    if (!(sure.depth_mm > 0)) less = {options_.resolution_mm, 0, 0.5 * options_.resolution_mm, kAnyGap_mm, less.budget};
+    if (!(sure.depth_mm > 0)) less = {{0, 0.5 * options_.resolution_mm, kAnyGap_mm, less.budget}, options_.resolution_mm};
     const SearchAnswer answer = sweep_and_search(motion_, whole(), less);
     bounds_ += answer.bounds;
     const double upper = std::max(0.0, answer.value_upper_mm - less.reach_mm);

@@ -50,7 +50,7 @@ struct Distance {
 Distance distance_from_part(const Pose& pose, const ToolForms& tool, const PreparedScene& scene) {
   const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
   const SearchAnswer answer =
-      sweep_and_search(Motion(pose), {part}, {Closeness::kFar_mm, 0, kAccuracy_mm, kAccuracy_mm, kBudget});
+      sweep_and_search(Motion(pose), {part}, {{0, kAccuracy_mm, kAccuracy_mm, kBudget}, Closeness::kFar_mm});
   const double seen =
       answer.has_witness ? Closeness::kFar_mm - answer.value_mm : std::numeric_limits<double>::infinity();
   return {std::max(0.0, seen), std::max(0.0, Closeness::kFar_mm - answer.value_upper_mm)};

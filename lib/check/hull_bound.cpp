@@ -40,16 +40,16 @@ struct HullLimit {
 
 class PieceBounder {
  public:
-  PieceBounder(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const TimeSpan& span,
+  PieceBounder(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const ToolInterval& interval,
                double reach_mm)
       : tool_(tool), reach_mm_(reach_mm) {
     double far = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      hull_[k] = span.f0.to_tool(piece[k]);
-      hull_[k + 3] = span.f1.to_tool(piece[k]);
-      far = std::max(far, (piece[k] - span.tip_middle).norm());
+      hull_[k] = interval.f0.to_tool(piece[k]);
+      hull_[k + 3] = interval.f1.to_tool(piece[k]);
+      far = std::max(far, (piece[k] - interval.tip_middle).norm());
     }
-    bulge_ = span.bulge_mm(far);
+    bulge_ = interval.bulge_mm(far);
     center_ = (hull_[0] + hull_[1] + hull_[2] + hull_[3] + hull_[4] + hull_[5]) / 6.0;
     z_lo_ = z_hi_ = hull_[0].z();
     for (const Vec3& q : hull_) {
@@ -243,9 +243,9 @@ class PieceBounder {
 
 }  // namespace
 
-PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const TimeSpan& span,
+PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece, const ToolInterval& interval,
                        double reach_mm, double enough_mm) {
-  return PieceBounder(tool, piece, span, reach_mm).run(enough_mm);
+  return PieceBounder(tool, piece, interval, reach_mm).run(enough_mm);
 }
 
 }  // namespace gouge

@@ -3,9 +3,9 @@
 #include <array>
 
 #include "lib/check/support_plane.h"
-#include "lib/check/time_spans.h"
+#include "lib/check/tool_interval.h"
 
-// Upper bounds of (reach - signed distance) over a part of the surface during a time span. In tool
+// Upper bounds of (reach - signed distance) over a part of the surface during a time interval. In tool
 // coordinates every surface point runs within `bulge` of a straight chord, so surface and motion together lie
 // in the convex hull of two placements of the surface. Proofs: docs/algorithms/certified_sweep.md.
 
@@ -13,7 +13,7 @@ namespace gouge {
 
 struct PieceBound {
   double upper_mm = 0;
-  double value_mm = 0;  ///< reached at corner `corner` of the piece at one end of the span
+  double value_mm = 0;  ///< reached at corner `corner` of the piece at one end of the interval
   std::size_t corner = 0;
   bool is_at_end = false;
   bool is_time_next = false;  ///< halving the time promises more than halving the piece
@@ -22,6 +22,6 @@ struct PieceBound {
 /// Over the triangle `piece`. With reach > 0 the bound is max(0, ...), exact only up to the reach. Work stops as
 /// soon as the bound is at most `enough_mm`.
 [[nodiscard]] PieceBound bound_piece(const CompiledTool& tool, const std::array<Vec3, 3>& piece,
-                                     const TimeSpan& span, double reach_mm, double enough_mm);
+                                     const ToolInterval& interval, double reach_mm, double enough_mm);
 
 }  // namespace gouge

@@ -54,7 +54,7 @@ Contact contact_of(const Pose& pose, const ToolForms& tool, const PreparedScene&
   const double touch = touch_mm(tool);
   const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
   const SearchAnswer answer =
-      sweep_and_search(Motion(pose), {part}, {touch, 0, kAccuracy * touch, kAccuracy * touch, kBudget});
+      sweep_and_search(Motion(pose), {part}, {{0, kAccuracy * touch, kAccuracy * touch, kBudget}, touch});
   if (answer.value_mm > 2 * touch) return Contact::gouging;
   return answer.has_witness ? Contact::touching : Contact::apart;
 }

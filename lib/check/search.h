@@ -3,12 +3,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/base/best_first_search.h"
 #include "lib/check/motion.h"
 #include "lib/check/verdict.h"
 #include "lib/hierarchy/block_tree.h"
 #include "lib/tool/compiled_tool.h"
 
-// The exact search of one move: one best-first recursion over (instant x triangle), every step with a proven
+// The exact search of one move: best first (best_first_search.h) over (instant x triangle), every step with a proven
 // upper bound, every candidate a real point of a triangle at a real instant. It looks at the triangles that the
 // wide sweep (sweep_filter.h) could not settle. Method and proofs: docs/algorithms/certified_sweep.md. Goes beyond
 // thesis 2.4.18 (points at single poses).
@@ -22,14 +23,10 @@ struct SearchTarget {
   Against against = Against::part;
 };
 
-struct SearchQuestion {
+struct SearchQuestion : SearchGoal {
   /// What is sought is the largest `reach_mm - signed distance`: 0 for the depth, a near-miss distance for
   /// the closest approach.
   double reach_mm = 0;
-  double tolerance_mm = 0;   ///< no more is asked than a proof that the value is at most this ...
-  double resolution_mm = 0;  ///< ... plus this;
-  double gap_mm = 0;         ///< above the tolerance the value itself is sought, to this gap
-  std::uint64_t budget = 0;  ///< bounds to compute before giving up
 };
 
 /// A triangle of a target's tree.

@@ -94,9 +94,7 @@ class Sweep {
 
   /// The signed distance to prove for a move, given the deepest point met on it.
   [[nodiscard]] float need(double value_mm) const {
-    const double settled = value_mm > question_.tolerance_mm ? value_mm + question_.gap_mm
-                                                             : question_.tolerance_mm + question_.resolution_mm;
-    const double distance = question_.reach_mm - settled;
+    const double distance = question_.reach_mm - question_.pruning_threshold_mm(value_mm);
     return std::nextafter(static_cast<float>(distance), std::numeric_limits<float>::max());
   }
 
@@ -288,7 +286,7 @@ class Sweep {
         look_at_quarters(block, step, frame, step.t1 > step.t0 ? edge_mm : 0, waiting_[depth + 1]);
       return refine(step, frame, depth + 1, short_of_, failures);
     }
-    for (const SweepStep& half : halves(motions_[step.move], step)) {
+    for (const SweepStep& half : halved(motions_[step.move], step)) {
       const float needed = need_;
       const SweepFrame half_frame = sweep_frame({&half, 1}, tree_->origin, rounding_mm());
       begin(depth + 1);
@@ -380,7 +378,7 @@ class Sweep {
   void measure(const SweepStep& step, std::uint32_t triangle, const Vec3& about) {
     SearchStart& swept = swept_[step.move].start;
     const Vec3 p = closest_on_triangle(about, tree_->corners(triangle)).point;
-    for (const double t : {step.t0, 0.5 * (step.t0 + step.t1), step.t1}) {
+    for (const double t : {step.t0, step.middle(), step.t1}) {
       const Pose pose = motions_[step.move].at(t);
       const Vec3 from_tip = p - pose.tip;
       const double z = from_tip.dot(pose.axis);

@@ -100,11 +100,9 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepSte
   }
 }
 
-std::array<SweepStep, 2> halves(const Motion& motion, const SweepStep& step) {
-  std::array<SweepStep, 2> parts{step, step};
-  const double middle = 0.5 * (step.t0 + step.t1);
-  parts[0].t1 = parts[1].t0 = middle;
-  parts[0].to = parts[1].from = motion.at(middle);
+std::array<SweepStep, 2> halved(const Motion& motion, const SweepStep& step) {
+  std::array<SweepStep, 2> parts = halves(step);
+  parts[0].to = parts[1].from = motion.at(step.middle());
   for (SweepStep& part : parts) {
     part.turn_rad = 0.5 * step.turn_rad;
     part.sag_mm = motion.sag_mm(part.t0, part.t1, part.stretch);

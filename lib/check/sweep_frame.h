@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/check/motion.h"
+#include "lib/check/motion_interval.h"
 #include "lib/check/sweep_kernel.h"
 
 // Motions to first order: of a part of a move, of a move, or of many moves in a row.
@@ -13,19 +14,18 @@
 namespace gouge {
 
 /// A part of a motion: the tip within `sag_mm` of the straight way at constant speed, the axis on the great circle.
-struct SweepStep {
+struct SweepStep : MotionInterval {
   Pose from, to;
   double sag_mm = 0;
   double turn_rad = 0;
-  double t0 = 0, t1 = 1;  ///< of the move
-  std::uint32_t move = 0, stretch = 0;
+  std::uint32_t move = 0;
 };
 
 /// Appends the steps of a motion: one where it is straight, more where it bends.
 void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepStep>& steps);
 
 /// The two halves of a step.
-[[nodiscard]] std::array<SweepStep, 2> halves(const Motion& motion, const SweepStep& step);
+[[nodiscard]] std::array<SweepStep, 2> halved(const Motion& motion, const SweepStep& step);
 
 /// The frame that holds for every instant of every step, and for points up to `rounding_mm` beside the ones they
 /// stand for. Requires at least one step.

@@ -5,9 +5,10 @@
 #include <cmath>
 
 #include "lib/check/hull_bound.h"
-#include "lib/check/sweep_filter.h"
 #include "lib/check/support_plane.h"
-#include "lib/check/time_spans.h"
+#include "lib/check/sweep_filter.h"
+#include "lib/check/tool_interval.h"
+#include "lib/geom/triangle.h"
 
 namespace gouge {
 namespace {
@@ -22,9 +23,9 @@ constexpr double kGap_mm = 0.05;
 
 class Collector {
  public:
-  Collector(const TimeSpan& span, const CompiledTool& tool, const BlockTree& tree, double aim,
+  Collector(const ToolInterval& interval, const CompiledTool& tool, const BlockTree& tree, double aim,
             std::vector<ToolContact>& contacts)
-      : span_(span), frame_(span.f0), tool_(tool), tree_(tree), aim_(aim), contacts_(contacts) {}
+      : interval_(interval), frame_(interval.f0), tool_(tool), tree_(tree), aim_(aim), contacts_(contacts) {}
 
   void visit(std::uint32_t index) {
     const NodeBlock& node = tree_.nodes[index];
@@ -66,32 +67,17 @@ class Collector {
     if (++pieces_ > kMostPieces) return;
     const double reach = std::max(0.0, -aim_);
     const double enough = std::max(0.0, aim_) + best_.excess_mm * (1 + kRelativeAccuracy);
-    const PieceBound bound = bound_piece(tool_, t, span_, reach, enough);
+    const PieceBound bound = bound_piece(tool_, t, interval_, reach, enough);
     if (bound.upper_mm <= enough) return;
     try_point((t[0] + t[1] + t[2]) / 3.0);
     for (const Vec3& corner : t) try_point(corner);
     const std::size_t longest = longest_edge(t);
     const bool is_close = bound.upper_mm <= std::max(0.0, aim_) + best_.excess_mm * (1 + kRelativeAccuracy);
     if (is_close || (t[(longest + 1) % 3] - t[longest]).norm() <= kSmallestPiece_mm) return;
-    std::array<Vec3, 3> half = t;
-    const Vec3 cut = 0.5 * (t[longest] + t[(longest + 1) % 3]);
-    half[longest] = cut;
-    refine(half);
-    half = t;
-    half[(longest + 1) % 3] = cut;
-    refine(half);
+    for (const std::array<Vec3, 3>& half : halves(t, longest)) refine(half);
   }
 
-  static std::size_t longest_edge(const std::array<Vec3, 3>& t) {
-    std::size_t longest = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      if ((t[(k + 1) % 3] - t[k]).squaredNorm() > (t[(longest + 1) % 3] - t[longest]).squaredNorm())
-        longest = k;
-    }
-    return longest;
-  }
-
-  const TimeSpan& span_;
+  const ToolInterval& interval_;
   const ToolFrame& frame_;
   const CompiledTool& tool_;
   const BlockTree& tree_;
@@ -123,10 +109,10 @@ std::vector<ToolContact> find_contacts(const Pose& pose, const ToolForms& tool, 
                                    const CorrectionAim& aim) {
   std::vector<ToolContact> contacts;
   const Motion alone(pose);
-  const TimeSpans spans(alone);
+  const ToolInterval interval(alone, whole_stretch(alone, 0));
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
     if (aimed.target.tree->nodes.empty()) continue;
-    Collector(spans.span(0), *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, contacts).visit(0);
+    Collector(interval, *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, contacts).visit(0);
   }
   return contacts;
 }
@@ -140,7 +126,7 @@ double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedSce
     const double reach = std::max(0.0, -aimed.aim_mm);
     const double allowed = std::max(0.0, aimed.aim_mm);
     const SearchAnswer answer =
-        sweep_and_search(alone, {aimed.target}, {reach, allowed, accuracy_mm, kGap_mm, kBudget});
+        sweep_and_search(alone, {aimed.target}, {{allowed, accuracy_mm, kGap_mm, kBudget}, reach});
     if (answer.value_mm > allowed) most = std::max(most, answer.value_mm - allowed);
     if (!answer.is_decided) most = std::max(most, accuracy_mm);
   }

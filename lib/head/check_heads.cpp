@@ -77,7 +77,8 @@ std::uint64_t HeadChecker::sweep(const Motion& motion, const CheckOptions& optio
     const HeadAnswer found =
         search_head(head_motion, head, surfaces_,
                     {options.tolerance_mm, options.resolution_mm,
-                     std::min(kMostBounds, options.budget_per_move), options.gouge_gap_mm});
+                     std::max(options.resolution_mm, options.gouge_gap_mm),
+                     std::min(kMostBounds, options.budget_per_move)});
     bounds += found.bounds;
     uppers_mm.push_back(found.depth_upper_mm);
     join(found, options, verdict);

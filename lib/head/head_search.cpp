@@ -5,101 +5,104 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/check/motion_interval.h"
+#include "lib/geom/triangle.h"
 #include "lib/penetration/nearest_foot.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kShortestSpan = 1e-10;
 constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
 constexpr double kRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
 
-struct Span {
-  double t0 = 0, t1 = 1;
-  std::uint32_t stretch = 0;
+struct HeadInterval : MotionInterval {
+  HeadInterval(const HeadMotion& motion, const MotionInterval& interval)
+      : MotionInterval(interval), to_tool0(motion.at(t0).inverse()), to_tool1(motion.at(t1).inverse()) {}
+
   RigidTransform to_tool0, to_tool1;
-  std::int32_t half = -1;  ///< first of two, once halved
 };
 
-struct Candidate {
-  double upper_mm = 0;
-  std::uint64_t serial = 0;
-  std::uint32_t span = 0, surface = 0, index = 0;  ///< node, or place of a facet
+/// A node of a surface's tree or a piece of a facet, over a time interval.
+struct Candidate : SearchCandidate {
+  std::uint32_t interval = 0, surface = 0, index = 0;  ///< node, or place of a facet
   bool is_facet = false, is_time_next = false;
   std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
 
-bool comes_later(const Candidate& a, const Candidate& b) {
-  return a.upper_mm < b.upper_mm || (!(b.upper_mm < a.upper_mm) && a.serial > b.serial);
-}
-
-class Search {
+class Search : public BestFirstSearch<Search, Candidate> {
  public:
-  Search(const HeadMotion& motion, const HeadBody& head, const std::vector<const DepthBody*>& surfaces,
-         const HeadQuestion& question)
-      : motion_(motion), head_(head), surfaces_(surfaces), question_(question) {}
+  // Each bound measures no point, each facet measures all its corners: the depth is met without a descent.
+  static constexpr bool kDescends = false;
 
-  HeadAnswer run() {
-    const Motion& motion = motion_.motion();
-    for (std::uint32_t s = 0; s < motion.stretches().size(); ++s) {
-      const TipStretch& stretch = motion.stretches()[s];
-      const std::uint32_t span = add_span(stretch.t0, motion.is_alone() ? stretch.t0 : stretch.t1, s);
+  Search(const HeadMotion& motion, const HeadBody& head, const std::vector<const DepthBody*>& surfaces,
+         const SearchGoal& goal)
+      : motion_(motion), intervals_(motion, motion.motion()), head_(head), surfaces_(surfaces), goal_(goal) {}
+
+  HeadAnswer find() {
+    for (std::uint32_t s = 0; s < intervals_.stretches(); ++s) {
       for (std::uint32_t k = 0; k < surfaces_.size(); ++k) {
-        if (!surfaces_[k]->tree.nodes.empty()) add_node(span, k, 0);
+        if (!surfaces_[k]->tree.nodes.empty()) add_node(s, k, 0);
       }
     }
-    while (!open_.empty()) {
-      std::pop_heap(open_.begin(), open_.end(), comes_later);
-      const Candidate next = open_.back();
-      if (next.upper_mm <= settled() || answer_.bounds >= question_.budget) {
-        settled_mm_ = std::max(settled_mm_, next.upper_mm);
-        break;
-      }
-      open_.pop_back();
-      expand(next);
-    }
-    answer_.depth_upper_mm = std::max(answer_.depth_mm, settled_mm_);
+    answer_.depth_upper_mm = std::max(run(), answer_.depth_mm);
     return answer_;
   }
 
+  [[nodiscard]] double threshold_mm() const { return goal_.pruning_threshold_mm(answer_.depth_mm); }
+  [[nodiscard]] bool is_exhausted() const { return answer_.bounds >= goal_.budget; }
+
+  void split(const Candidate& c) {
+    if (c.is_time_next) {
+      const std::uint32_t half = intervals_.halve(c.interval);
+      for (std::uint32_t k = 0; k < 2; ++k) {
+        if (c.is_facet) {
+          add_piece(half + k, c.surface, c.index, c.piece);
+        } else {
+          add_node(half + k, c.surface, c.index);
+        }
+      }
+    } else if (c.is_facet) {
+      for (const std::array<Vec3, 3>& half : halves(c.piece, longest_edge(c.piece)))
+        add_piece(c.interval, c.surface, c.index, half);
+    } else {
+      open_node(c);
+    }
+  }
+
  private:
-  /// Candidates whose bound is not above this need no further look.
-  [[nodiscard]] double settled() const {
-    if (answer_.depth_mm > question_.tolerance_mm)
-      return answer_.depth_mm + std::max(question_.resolution_mm, question_.gap_mm);
-    return question_.tolerance_mm + question_.resolution_mm;
+  void open_node(const Candidate& c) {
+    const DepthBody& surface = *surfaces_[c.surface];
+    const KdopNode& node = surface.tree.nodes[c.index];
+    for (std::uint32_t k = 0; k < node.children; ++k) add_node(c.interval, c.surface, node.first + k);
+    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k)
+      add_piece(c.interval, c.surface, node.first + k, surface.corners[node.first + k]);
   }
 
-  std::uint32_t add_span(double t0, double t1, std::uint32_t stretch) {
-    spans_.push_back({t0, t1, stretch, motion_.at(t0).inverse(), motion_.at(t1).inverse(), -1});
-    return static_cast<std::uint32_t>(spans_.size() - 1);
-  }
-
-  /// Upper bound of the depth over a ball of surface points and the whole span.
-  double bound(const Span& span, const Vec3& centre, double radius, double& way) {
+  /// Upper bound of the depth over a ball of surface points and the whole interval.
+  double bound(const HeadInterval& interval, const Vec3& centre, double radius, double& way) {
     ++answer_.bounds;
-    const Vec3 q0 = span.to_tool0.point(centre), q1 = span.to_tool1.point(centre);
+    const Vec3 q0 = interval.to_tool0.point(centre), q1 = interval.to_tool1.point(centre);
     way = 0;
     const double s0 = signed_distance(q0);
-    if (!(span.t1 > span.t0)) return radius - s0 + kRounding_mm;
-    way = (q1 - q0).norm() + 2 * motion_.bulge_mm(span.t0, span.t1, span.stretch, q0.norm());
+    if (!(interval.t1 > interval.t0)) return radius - s0 + kRounding_mm;
+    way = (q1 - q0).norm() + 2 * motion_.bulge_mm(interval.t0, interval.t1, interval.stretch, q0.norm());
     return radius + 0.5 * (way - s0 - signed_distance(q1)) + kRounding_mm;
   }
 
-  /// Where all of the piece, at both ends of the span and `bulge` around, lies over one flat patch of the
+  /// Where all of the piece, at both ends of the interval and `bulge` around, lies over one flat patch of the
   /// head, or over one face of it, and no higher than it is clear, what is above the plane is outside, and
   /// what is below is no deeper than that: a linear function, so its corners tell.
-  [[nodiscard]] double bound_by_face(const Span& span, const std::array<Vec3, 3>& piece) const {
+  [[nodiscard]] double bound_by_face(const HeadInterval& interval, const std::array<Vec3, 3>& piece) const {
     std::array<Vec3, 6> q;
     double far = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      q[k] = span.to_tool0.point(piece[k]);
-      q[k + 3] = span.to_tool1.point(piece[k]);
+      q[k] = interval.to_tool0.point(piece[k]);
+      q[k + 3] = interval.to_tool1.point(piece[k]);
       far = std::max(far, q[k].norm());
     }
     const Vec3 middle = (q[0] + q[1] + q[2] + q[3] + q[4] + q[5]) / 6.0;
     const std::uint32_t face = nearest_foot(head_.surface, middle)->triangle;
-    const double bulge = span.t1 > span.t0 ? motion_.bulge_mm(span.t0, span.t1, span.stretch, far) : 0;
+    const double bulge = interval.t1 > interval.t0 ? motion_.bulge_mm(interval.t0, interval.t1, interval.stretch, far) : 0;
     const double patch = deepest_below(head_.flat.patches[head_.flat.patch_of[face]], q, bulge);
     return std::min(patch, deepest_below(head_.flat.faces[face], q, bulge)) + bulge + kRounding_mm;
   }
@@ -120,55 +123,45 @@ class Search {
     return nearest_foot(head_.surface, q)->signed_mm();
   }
 
-  void offer(Candidate c) {
-    if (c.upper_mm <= settled()) {
-      settled_mm_ = std::max(settled_mm_, c.upper_mm);
-      return;
-    }
-    c.serial = serial_++;
-    open_.push_back(c);
-    std::push_heap(open_.begin(), open_.end(), comes_later);
-  }
-
-  void add_node(std::uint32_t span, std::uint32_t surface, std::uint32_t node) {
+  void add_node(std::uint32_t index, std::uint32_t surface, std::uint32_t node) {
     const float* const box = surfaces_[surface]->boxes.data() + 6 * std::size_t{node};
     const Vec3 low(static_cast<double>(box[0]), static_cast<double>(box[1]), static_cast<double>(box[2]));
     const Vec3 high(static_cast<double>(box[3]), static_cast<double>(box[4]), static_cast<double>(box[5]));
     const double radius = 0.5 * (high - low).norm();
     Candidate c;
     double way = 0;
-    c.upper_mm = bound(spans_[span], 0.5 * (low + high), radius, way);
-    c.span = span;
+    c.upper_mm = bound(intervals_[index], 0.5 * (low + high), radius, way);
+    c.interval = index;
     c.surface = surface;
     c.index = node;
-    c.is_time_next = way > 2 * radius && can_halve(span);
+    c.is_time_next = way > 2 * radius && intervals_.can_halve(index);
     offer(c);
   }
 
-  void add_piece(std::uint32_t span, std::uint32_t surface, std::uint32_t place,
+  void add_piece(std::uint32_t index, std::uint32_t surface, std::uint32_t place,
                  const std::array<Vec3, 3>& piece) {
     const Vec3 centre = (piece[0] + piece[1] + piece[2]) / 3.0;
     double radius = 0;
     for (const Vec3& corner : piece) radius = std::max(radius, (corner - centre).norm());
     Candidate c;
     double way = 0;
-    c.upper_mm = bound(spans_[span], centre, radius, way);
-    c.span = span;
+    c.upper_mm = bound(intervals_[index], centre, radius, way);
+    c.interval = index;
     c.surface = surface;
     c.index = place;
-    if (c.upper_mm > settled()) c.upper_mm = std::min(c.upper_mm, bound_by_face(spans_[span], piece));
+    if (c.upper_mm > threshold_mm()) c.upper_mm = std::min(c.upper_mm, bound_by_face(intervals_[index], piece));
     c.is_facet = true;
     c.piece = piece;
-    c.is_time_next = way > 2 * radius && can_halve(span);
-    if (c.upper_mm > settled()) try_points(c, centre);
+    c.is_time_next = way > 2 * radius && intervals_.can_halve(index);
+    if (c.upper_mm > threshold_mm()) try_points(c, centre);
     offer(c);
   }
 
   void try_points(const Candidate& c, const Vec3& centre) {
-    const Span& span = spans_[c.span];
+    const HeadInterval& interval = intervals_[c.interval];
     for (const Vec3& p : {centre, c.piece[0], c.piece[1], c.piece[2]}) {
-      for (const double t : {span.t0, span.t1}) {
-        const RigidTransform& to_tool = t > span.t0 ? span.to_tool1 : span.to_tool0;
+      for (const double t : {interval.t0, interval.t1}) {
+        const RigidTransform& to_tool = t > interval.t0 ? interval.to_tool1 : interval.to_tool0;
         const auto foot = nearest_foot(head_.surface, to_tool.point(p));
         if (!foot->is_inside || foot->distance_mm <= answer_.depth_mm) continue;
         answer_.depth_mm = foot->distance_mm;
@@ -182,71 +175,19 @@ class Search {
     }
   }
 
-  [[nodiscard]] bool can_halve(std::uint32_t span) const {
-    return spans_[span].t1 - spans_[span].t0 > kShortestSpan;
-  }
-
-  std::uint32_t halve(std::uint32_t index) {
-    if (spans_[index].half < 0) {
-      const Span span = spans_[index];
-      const double middle = 0.5 * (span.t0 + span.t1);
-      const std::uint32_t first = add_span(span.t0, middle, span.stretch);
-      add_span(middle, span.t1, span.stretch);
-      spans_[index].half = static_cast<std::int32_t>(first);
-    }
-    return static_cast<std::uint32_t>(spans_[index].half);
-  }
-
-  void expand(const Candidate& c) {
-    if (c.is_time_next) {
-      const std::uint32_t half = halve(c.span);
-      for (std::uint32_t k = 0; k < 2; ++k) {
-        if (c.is_facet) {
-          add_piece(half + k, c.surface, c.index, c.piece);
-        } else {
-          add_node(half + k, c.surface, c.index);
-        }
-      }
-      return;
-    }
-    if (c.is_facet) return halve_piece(c);
-    const DepthBody& surface = *surfaces_[c.surface];
-    const KdopNode& node = surface.tree.nodes[c.index];
-    for (std::uint32_t k = 0; k < node.children; ++k) add_node(c.span, c.surface, node.first + k);
-    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k)
-      add_piece(c.span, c.surface, node.first + k, surface.corners[node.first + k]);
-  }
-
-  void halve_piece(const Candidate& c) {
-    std::size_t longest = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
-      const double length = (c.piece[(k + 1) % 3] - c.piece[k]).squaredNorm();
-      if (length > (c.piece[(longest + 1) % 3] - c.piece[longest]).squaredNorm()) longest = k;
-    }
-    const Vec3 middle = 0.5 * (c.piece[longest] + c.piece[(longest + 1) % 3]);
-    for (const std::size_t moved : {longest, (longest + 1) % 3}) {
-      std::array<Vec3, 3> half = c.piece;
-      half[moved] = middle;
-      add_piece(c.span, c.surface, c.index, half);
-    }
-  }
-
   const HeadMotion& motion_;
+  IntervalTree<HeadInterval, HeadMotion> intervals_;
   const HeadBody& head_;
   const std::vector<const DepthBody*>& surfaces_;
-  const HeadQuestion& question_;
-  std::vector<Span> spans_;
-  std::vector<Candidate> open_;
-  std::uint64_t serial_ = 0;
-  double settled_mm_ = 0;
+  const SearchGoal& goal_;
   HeadAnswer answer_;
 };
 
 }  // namespace
 
 HeadAnswer search_head(const HeadMotion& motion, const HeadBody& head,
-                       const std::vector<const DepthBody*>& surfaces, const HeadQuestion& question) {
-  return Search(motion, head, surfaces, question).run();
+                       const std::vector<const DepthBody*>& surfaces, const SearchGoal& goal) {
+  return Search(motion, head, surfaces, goal).find();
 }
 
 }  // namespace gouge

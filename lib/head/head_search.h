@@ -3,19 +3,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/base/best_first_search.h"
 #include "lib/head/head_body.h"
 #include "lib/head/head_motion.h"
 
 namespace gouge {
 
 /// The largest depth of a surface in a head along one motion.
-struct HeadQuestion {
-  double tolerance_mm = 0;   ///< no more is asked than a proof that the depth is at most this ...
-  double resolution_mm = 0;  ///< ... plus this; above the tolerance the depth is closed to it
-  std::uint64_t budget = 0;  ///< bounds to compute before giving up
-  double gap_mm = 0;  ///< where larger than the resolution, closes the depth above the tolerance no further
-};
-
 struct HeadAnswer {
   double depth_mm = 0;        ///< realised at the witness; at least 0
   double depth_upper_mm = 0;  ///< proven: nowhere in the move is it more
@@ -28,16 +22,16 @@ struct HeadAnswer {
   std::uint64_t bounds = 0;
 };
 
-/// Best-first over (interval of time x part of the surface). In the tool's frame a point of the surface stays
+/// Best first (best_first_search.h) over (interval of time x part of the surface). In the tool's frame a point of the surface stays
 /// within `bulge` of the chord between its places at both ends of an interval; the head's signed distance is
 /// 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both ends
 /// - way) - radius.
 ///
-/// Requires resolution > 0.
+/// Requires resolution and gap > 0.
 /// Ensures  depth <= true depth <= depth_upper, at any budget.
 /// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/algorithms/certified_sweep.md.
 [[nodiscard]] HeadAnswer search_head(const HeadMotion& motion, const HeadBody& head,
                                      const std::vector<const DepthBody*>& surfaces,
-                                     const HeadQuestion& question);
+                                     const SearchGoal& goal);
 
 }  // namespace gouge

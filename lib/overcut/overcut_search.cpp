@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
+#include "lib/base/best_first_search.h"
 #include "lib/penetration/nearest_foot.h"
 
 namespace gouge {
@@ -14,45 +14,33 @@ constexpr double kInTool_mm =
 constexpr double kSeed_mm = 1e-6;  // the witness of a move is that exact
 constexpr int kPushes = 40;
 
-struct Cell {
+/// A box of space.
+struct Cell : SearchCandidate {
   Vec3 centre = Vec3::Zero(), half = Vec3::Zero();
-  double upper_mm = 0;
-  std::size_t serial = 0;
 };
 
-bool comes_later(const Cell& a, const Cell& b) {
-  return a.upper_mm < b.upper_mm || (!(b.upper_mm < a.upper_mm) && a.serial > b.serial);
-}
-
-class Search {
+class Search : public BestFirstSearch<Search, Cell> {
  public:
+  // A point that is deep is pushed on to where it is deepest nearby: no descent does that better.
+  static constexpr bool kDescends = false;
+
   Search(const SweptSolid& tool, const DepthBody& part, const OvercutOptions& options)
       : tool_(tool), part_(part), options_(options) {}
 
-  Overcut run(const Vec3& seed, double seed_t) {
+  Overcut find(const Vec3& seed, double seed_t) {
     if (tool_.distance_at(seed, seed_t) <= kSeed_mm) take(seed, seed_t);
     push(0.25 * best_.depth_mm + options_.gap_mm);
     const Box3 box = tool_.box().intersection(part_.mesh.box());
     if (box.isEmpty()) return best_;
-    offer(box.center(), 0.5 * box.sizes());
-    double given_up_mm = 0;
-    while (!open_.empty()) {
-      std::pop_heap(open_.begin(), open_.end(), comes_later);
-      const Cell cell = open_.back();
-      open_.pop_back();
-      given_up_mm = cell.upper_mm;
-      if (cell.upper_mm <= settled() || looked_ >= options_.most_cells) break;
-      split(cell);
-      given_up_mm = 0;
-    }
-    best_.depth_upper_mm = std::max({best_.depth_mm, given_up_mm, dropped_mm_});
+    add(box.center(), 0.5 * box.sizes());
+    best_.depth_upper_mm = std::max(run(), best_.depth_mm);
     return best_;
   }
 
- private:
-  [[nodiscard]] double settled() const {
+  [[nodiscard]] double threshold_mm() const {
     return best_.depth_mm + std::max(options_.gap_mm, options_.relative_gap * best_.depth_mm);
   }
+  [[nodiscard]] bool is_exhausted() const { return looked_ >= options_.most_cells; }
 
   void split(const Cell& cell) {
     int axis = 0;
@@ -60,11 +48,12 @@ class Search {
     Vec3 half = cell.half, shift = Vec3::Zero();
     half[axis] *= 0.5;
     shift[axis] = half[axis];
-    offer(cell.centre - shift, half);
-    offer(cell.centre + shift, half);
+    add(cell.centre - shift, half);
+    add(cell.centre + shift, half);
   }
 
-  void offer(const Vec3& centre, const Vec3& half) {
+ private:
+  void add(const Vec3& centre, const Vec3& half) {
     ++looked_;
     const double radius = half.norm();
     const auto foot = nearest_foot(part_, centre);
@@ -81,12 +70,11 @@ class Search {
     } else if (upper - radius > best_.depth_mm && take(centre, near.t)) {
       push(radius);
     }
-    if (upper <= settled()) {
-      dropped_mm_ = std::max(dropped_mm_, upper);
-      return;
-    }
-    open_.push_back({centre, half, upper, looked_});
-    std::push_heap(open_.begin(), open_.end(), comes_later);
+    Cell cell;
+    cell.upper_mm = upper;
+    cell.centre = centre;
+    cell.half = half;
+    offer(cell);
   }
 
   /// Keeps the point when it is deeper in the part than any so far; it must be in the tool at t.
@@ -123,16 +111,14 @@ class Search {
   const OvercutOptions& options_;
   Overcut best_;
   Vec3 deeper_ = Vec3::UnitZ();
-  std::vector<Cell> open_;
   std::size_t looked_ = 0;
-  double dropped_mm_ = 0;
 };
 
 }  // namespace
 
 Overcut find_overcut(const SweptSolid& tool, const DepthBody& part, const Vec3& seed, double seed_t,
                      const OvercutOptions& options) {
-  return Search(tool, part, options).run(seed, seed_t);
+  return Search(tool, part, options).find(seed, seed_t);
 }
 
 }  // namespace gouge

@@ -46,7 +46,7 @@ Case random_case(Scatter& scatter) {
   return c;
 }
 
-double sampled(const CompiledTool& tool, const Case& c, const TimeSpan& span) {
+double sampled(const CompiledTool& tool, const Case& c, const ToolInterval& span) {
   double most = -1e300;
   constexpr int kSteps = 6;
   for (int k = 0; k <= kSteps; ++k) {
@@ -69,9 +69,9 @@ TEST(Bounds, APieceIsNeverDeeperThanItsBound) {
   for (int i = 0; i < 60000; ++i) {
     const CompiledTool& tool = tools[static_cast<std::size_t>(i) % tools.size()].bare;
     const Case c = random_case(scatter);
-    const TimeSpans spans(c.motion);
-    const PieceBound bound = bound_piece(tool, c.piece, spans.span(0), c.reach, -1e300);
-    const double most = sampled(tool, c, spans.span(0));
+    const ToolInterval whole(c.motion, whole_stretch(c.motion, 0));
+    const PieceBound bound = bound_piece(tool, c.piece, whole, c.reach, -1e300);
+    const double most = sampled(tool, c, whole);
     ASSERT_LE(most, std::max(0.0, bound.upper_mm) + 1e-9) << "case " << i;
     ASSERT_LE(bound.value_mm, std::max(0.0, bound.upper_mm) + 1e-9) << "case " << i;
     if (most > 0.1) ++positive;
@@ -88,7 +88,7 @@ TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
   const ToolForms cone = tools::forms(tools::assembly(AptCutter{20, 2, 0, 0, 20, 15, 30}));
   const ToolForms grown = tools::forms(tools::assembly(BallCutter{10, 30}), 0.3, 0.3, 0.3);
   const Motion rest{Pose{}};
-  const TimeSpans spans(rest);
+  const ToolInterval whole(rest, whole_stretch(rest, 0));
   for (const CompiledTool* tool : {&dovetail.bare, &cone.bare, &grown.against_part}) {
     for (const BoundaryElement& e : tool->elements) {
       if (e.kind != ElementKind::arc) continue;
@@ -99,8 +99,8 @@ TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
         c.piece[0] = center + scatter.point(size);
         c.piece[1] = center + scatter.point(size);
         c.piece[2] = 3 * center - c.piece[0] - c.piece[1];
-        const PieceBound bound = bound_piece(*tool, c.piece, spans.span(0), 0, -1e300);
-        ASSERT_LE(sampled(*tool, c, spans.span(0)), bound.upper_mm + 1e-9) << "piece of size " << size;
+        const PieceBound bound = bound_piece(*tool, c.piece, whole, 0, -1e300);
+        ASSERT_LE(sampled(*tool, c, whole), bound.upper_mm + 1e-9) << "piece of size " << size;
       }
     }
   }
@@ -110,8 +110,8 @@ TEST(Bounds, AFlatOnItsFloorNeedsOneLook) {
   const ToolForms flat = tools::flat();
   const std::array<Vec3, 3> floor{Vec3(-3, -3, 0), Vec3(3, -2, 0), Vec3(0, 3, 0)};
   const Motion slide({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(0.5, 0, 0), Vec3::UnitZ()});
-  const TimeSpans spans(slide);
-  EXPECT_LE(bound_piece(flat.bare, floor, spans.span(0), 0, 0).upper_mm, 1e-12);
+  const ToolInterval whole(slide, whole_stretch(slide, 0));
+  EXPECT_LE(bound_piece(flat.bare, floor, whole, 0, 0).upper_mm, 1e-12);
 }
 
 }  // namespace

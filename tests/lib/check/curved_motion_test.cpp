@@ -6,7 +6,7 @@
 #include <random>
 
 #include "lib/check/motion.h"
-#include "lib/check/time_spans.h"
+#include "lib/check/tool_interval.h"
 
 namespace gouge {
 namespace {
@@ -97,19 +97,19 @@ TEST(CurvedMotion, AFullCircleComesBackToWhereItBegan) {
   EXPECT_TRUE(motion.at(0.25).tip.isApprox(Vec3(0, 5, 0), 1e-14));
 }
 
-// Halves the span at random a few times: bounds must hold for wide and for narrow spans.
-std::uint32_t somewhere(TimeSpans& spans, const Motion& motion, Dice& dice, double& tightest) {
+// Halves the interval at random a few times: bounds must hold for long and for short ones.
+std::uint32_t somewhere(ToolIntervals& intervals, const Motion& motion, Dice& dice, double& tightest) {
   auto index = static_cast<std::uint32_t>(dice.in(0, static_cast<double>(motion.stretches().size()) - 1e-9));
   const int depth = static_cast<int>(dice.in(0, 8));
-  for (int k = 0; k < depth; ++k) index = spans.halve(index) + (dice.in(0, 1) < 0.5 ? 0U : 1U);
+  for (int k = 0; k < depth; ++k) index = intervals.halve(index) + (dice.in(0, 1) < 0.5 ? 0U : 1U);
   if (depth < 4) tightest = 1e300;
   return index;
 }
 
 void expect_bulge_holds(const Motion& motion, Dice& dice, double& tightest) {
-  TimeSpans spans(motion);
+  ToolIntervals intervals(motion, motion);
   double ignored = 0;
-  const TimeSpan span = spans.span(somewhere(spans, motion, dice, ignored));
+  const ToolInterval span = intervals[somewhere(intervals, motion, dice, ignored)];
   const Vec3 p = motion.at(dice.in(0, 1)).tip + dice.point(60);
   const double stated = span.bulge_mm((p - span.tip_middle).norm());
   const Vec3 q0 = span.f0.to_tool(p), q1 = span.f1.to_tool(p);
@@ -117,7 +117,7 @@ void expect_bulge_holds(const Motion& motion, Dice& dice, double& tightest) {
   Vec3 last = span.f0.tip;
   for (int k = 0; k <= 40; ++k) {
     const double s = k / 40.0;
-    const ToolFrame frame = spans.frame_at(span.t0 + s * (span.t1 - span.t0), span.stretch);
+    const ToolFrame frame = tool_frame(motion, span.t0 + s * (span.t1 - span.t0), span.stretch);
     const double bulge = (frame.to_tool(p) - (q0 + s * (q1 - q0))).norm();
     ASSERT_LE(bulge, stated + 1e-9);
     if (bulge > 1e-5 && ignored < 1) tightest = std::min(tightest, stated / bulge);

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "lib/check/time_spans.h"
+#include "lib/check/tool_interval.h"
 
 namespace gouge {
 namespace {
@@ -57,16 +57,15 @@ TEST(Motion, DoglegRunsAllAxesAtOneSpeedUntilEachArrives) {
   EXPECT_EQ(motion.at(1).tip, Vec3(10, -4, 2));
 }
 
-TEST(TimeSpans, FramesAgreeWithThePose) {
+TEST(ToolInterval, FramesAgreeWithThePose) {
   std::mt19937_64 random(5);
   for (int i = 0; i < 200; ++i) {
     const Motion motion({Vec3::Random() * 20, random_axis(random)},
                         {Vec3::Random() * 20, random_axis(random)});
-    const TimeSpans spans(motion);
     for (const double t : {0.0, 0.123, 0.5, 0.9, 1.0}) {
       const Pose pose = motion.at(t);
       const Vec3 p = Vec3::Random() * 100;
-      const Vec3 q = spans.frame_at(t, 0).to_tool(p);
+      const Vec3 q = tool_frame(motion, t, 0).to_tool(p);
       const Vec3 d = p - pose.tip;
       EXPECT_NEAR(q.z(), d.dot(pose.axis), 1e-11);
       EXPECT_NEAR(q.head<2>().norm(), (d - d.dot(pose.axis) * pose.axis).norm(), 1e-11);
@@ -74,21 +73,21 @@ TEST(TimeSpans, FramesAgreeWithThePose) {
   }
 }
 
-TEST(TimeSpans, NoPathBulgesFurtherFromItsChordThanStated) {
+TEST(ToolInterval, NoPathBulgesFurtherFromItsChordThanStated) {
   std::mt19937_64 random(11);
   double tightest = 1e300;
   for (int i = 0; i < 500; ++i) {
     const Vec3 a = random_axis(random);
     const Vec3 b = (a + 0.5 * random_axis(random)).normalized();
     const Motion motion({Vec3::Random() * 5, a}, {Vec3::Random() * 5, b});
-    TimeSpans spans(motion);
-    const std::uint32_t half = spans.halve(0) + 1;
-    const TimeSpan span = spans.span(half);
+    ToolIntervals intervals(motion, motion);
+    const std::uint32_t half = intervals.halve(0) + 1;
+    const ToolInterval span = intervals[half];
     const Vec3 p = Vec3::Random() * 60;
     const double stated = span.bulge_mm((p - span.tip_middle).norm());
     const Vec3 q0 = span.f0.to_tool(p), q1 = span.f1.to_tool(p);
     for (double s = 0; s <= 1; s += 0.05) {
-      const Vec3 q = spans.frame_at(span.t0 + s * (span.t1 - span.t0), 0).to_tool(p);
+      const Vec3 q = tool_frame(motion, span.t0 + s * (span.t1 - span.t0), 0).to_tool(p);
       const double bulge = (q - (q0 + s * (q1 - q0))).norm();
       EXPECT_LE(bulge, stated + 1e-12);
       if (bulge > 1e-6) tightest = std::min(tightest, stated / bulge);

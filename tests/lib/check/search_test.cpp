@@ -175,8 +175,8 @@ TEST(Search, ABudgetTooSmallIsNeverDecided) {
   for (std::uint32_t t = 0; t < ring.triangles.size(); ++t) start.seeds.push_back({0, t});
   const Motion motion(upright(18, 0, 4.9), upright(20, 1, 4.95));
   const std::vector<SearchTarget> targets{{&tool.against_part, &tree, Against::part}};
-  const SearchAnswer small = search_move(motion, targets, {0, 0.01, 0.001, 1e-7, 3}, start);
-  const SearchAnswer large = search_move(motion, targets, {0, 0.01, 0.001, 1e-7, 2'000'000}, start);
+  const SearchAnswer small = search_move(motion, targets, {{0.01, 0.001, 1e-7, 3}, 0}, start);
+  const SearchAnswer large = search_move(motion, targets, {{0.01, 0.001, 1e-7, 2'000'000}, 0}, start);
   EXPECT_FALSE(small.is_decided);
   EXPECT_TRUE(large.is_decided);
   EXPECT_GE(small.value_upper_mm, large.value_mm);

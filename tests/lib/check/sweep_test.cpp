@@ -168,7 +168,7 @@ TEST(Sweep, ADeepFacetDoesNotSettleADeeperOneByFeetThatNobodyLookedAt) {
       deepest = std::max(deepest, -evaluate(tool.bare, p.head<2>().norm(), p.z()).signed_distance_mm);
     for (const double gap : {0.001, 0.3}) {
       const Motion still(Pose{Vec3::Zero(), Vec3::UnitZ()});
-      const SearchAnswer answer = sweep_and_search(still, targets, {0, 0.01, 0.001, gap, 1000000});
+      const SearchAnswer answer = sweep_and_search(still, targets, {{0.01, 0.001, gap, 1000000}, 0});
       EXPECT_GE(answer.value_upper_mm, deepest) << "beside facets at a radius of " << radius;
     }
   }
@@ -235,7 +235,7 @@ TEST(Sweep, AClearPassOverASurfaceNeedsNoExactSearch) {
   const std::vector<SearchTarget> targets{{&tool.against_part, &tree, Against::part}};
   std::size_t seeds = 0;
   std::uint64_t bounds = 0;
-  for (const SweptMove& swept : sweep_moves(motions, targets, {0, 0.01, 0.001, 0.001, 1000000})) {
+  for (const SweptMove& swept : sweep_moves(motions, targets, {{0.01, 0.001, 0.001, 1000000}, 0})) {
     seeds += swept.start.seeds.size();
     bounds += swept.bounds;
     EXPECT_LE(swept.start.settled_mm, 0.011);

@@ -185,7 +185,7 @@ TEST(Heads, BoundsHoldAgainstSampling) {
   for (int i = 0; i < 12; ++i) {
     const Motion motion(Pose{45 * direction(), direction()}, Pose{45 * direction(), direction()});
     const HeadMotion moving(motion);
-    const HeadAnswer told = search_head(moving, head, {&surface}, {0.01, 0.02, 20000});
+    const HeadAnswer told = search_head(moving, head, {&surface}, {0.01, 0.02, 0.02, 20000});
     double sampled = 0;
     for (std::size_t t = 0; t < part.triangles.size(); ++t) {
       for (int k = 0; k < 20; ++k) {

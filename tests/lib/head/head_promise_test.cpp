@@ -65,7 +65,7 @@ double sampled_depth(const HeadMotion& moving, const HeadBody& head, const Index
 }
 
 Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const MakeMotion& make,
-                    const HeadQuestion& question, std::uint64_t seed) {
+                    const SearchGoal& goal, std::uint64_t seed) {
   Random random(seed);
   const Result<HeadBody> head = build_head_body(head_mesh);
   EXPECT_TRUE(head.has_value()) << head_mesh.name;
@@ -77,7 +77,7 @@ Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const
     const Motion motion = make(random);
     if (!motion.is_defined()) continue;
     const HeadMotion moving(motion);
-    const HeadAnswer told = search_head(moving, *head, {&surface}, question);
+    const HeadAnswer told = search_head(moving, *head, {&surface}, goal);
     const double sampled = sampled_depth(moving, *head, part, told, random);
     const double rounding = 1e-9 + 1e-14 * motion.start().tip.norm();
     EXPECT_LE(sampled, told.depth_upper_mm + rounding) << head_mesh.name << ", motion " << i;
@@ -88,14 +88,14 @@ Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const
       EXPECT_NEAR(there, told.depth_mm, rounding);
     }
     ++tally.all;
-    tally.deep += told.depth_mm > question.tolerance_mm ? 1 : 0;
-    tally.clean += told.depth_upper_mm <= question.tolerance_mm + question.resolution_mm ? 1 : 0;
-    tally.tight += told.depth_upper_mm - told.depth_mm <= question.resolution_mm ? 1 : 0;
+    tally.deep += told.depth_mm > goal.tolerance_mm ? 1 : 0;
+    tally.clean += told.depth_upper_mm <= goal.tolerance_mm + goal.resolution_mm ? 1 : 0;
+    tally.tight += told.depth_upper_mm - told.depth_mm <= goal.resolution_mm ? 1 : 0;
   }
   return tally;
 }
 
-constexpr HeadQuestion kQuestion{0.01, 0.01, 20000};
+constexpr SearchGoal kGoal{0.01, 0.01, 0.01, 20000};
 
 TEST(HeadPromise, HoldsForFastTurnsWithLongArms) {
   // The head is 300 mm from the tip, so that a degree of turn is 5 mm of way.
@@ -108,7 +108,7 @@ TEST(HeadPromise, HoldsForFastTurnsWithLongArms) {
         const Pose from{30 * random.vector(), (z + 0.3 * random.vector()).normalized()};
         return Motion(from, {30 * random.vector(), (z + 0.3 * random.vector()).normalized()});
       },
-      kQuestion, 1);
+      kGoal, 1);
   EXPECT_GT(tally.deep, tally.all / 4);
 }
 
@@ -125,7 +125,7 @@ TEST(HeadPromise, HoldsOnArcsWhoseAxisTurns) {
         const Pose from{arc.center + r0, random.direction()};
         return Motion(from, {arc.center + r1 + 15 * random.unit() * arc.axis, random.direction()}, arc);
       },
-      kQuestion, 2);
+      kGoal, 2);
   EXPECT_GT(tally.deep, 0);
 }
 
@@ -139,7 +139,7 @@ TEST(HeadPromise, HoldsWhereFacesSlideAlongFaces) {
         const bool is_level = random.below(2) == 0;
         return Motion(from, {from.tip + Vec3(3 * step(), 3 * step(), is_level ? 0 : step()), Vec3::UnitZ()});
       },
-      kQuestion, 3);
+      kGoal, 3);
   EXPECT_GT(tally.tight + tally.clean, tally.all / 2);
 }
 
@@ -154,7 +154,7 @@ TEST(HeadPromise, HoldsForWallsInTheSlotsOfAHead) {
         return Motion(from,
                       {from.tip + 3 * random.vector(), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
       },
-      kQuestion, 4);
+      kGoal, 4);
   EXPECT_GT(tally.deep, 0);
 }
 
@@ -174,7 +174,7 @@ TEST(HeadPromise, HoldsForWhatReachesAcrossASlotIntoTheOtherWall) {
         const Pose from{tip(), Vec3::UnitZ()};
         return Motion(from, {tip(), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
       },
-      kQuestion, 9);
+      kGoal, 9);
   EXPECT_EQ(tally.deep, tally.all);
 }
 
@@ -191,7 +191,7 @@ TEST(HeadPromise, HoldsForWhatIsMetInMidSwing) {
         const Pose from{Vec3::Zero(), Eigen::AngleAxisd(-turn, about) * middle_axis};
         return Motion(from, {Vec3::Zero(), Eigen::AngleAxisd(turn, about) * middle_axis});
       },
-      kQuestion, 10);
+      kGoal, 10);
   EXPECT_GT(tally.deep, tally.all / 4);
 }
 
@@ -200,9 +200,9 @@ TEST(HeadPromise, HoldsForAThinPlateAndForCavities) {
     return Motion({25 * random.vector(), random.direction()}, {25 * random.vector(), random.direction()});
   };
   expect_bounds(shapes::box(Vec3(-30, -20, 10), Vec3(30, 20, 10.02)), shapes::bumpy_sphere(), make,
-                {1e-3, 1e-3, 8000}, 5);
-  expect_bounds(shapes::hollow_cube(30), shapes::cube(12), make, kQuestion, 6);
-  expect_bounds(shapes::needle_fan(60), shapes::hollow_cube(20), make, kQuestion, 7);
+                {1e-3, 1e-3, 1e-3, 8000}, 5);
+  expect_bounds(shapes::hollow_cube(30), shapes::cube(12), make, kGoal, 6);
+  expect_bounds(shapes::needle_fan(60), shapes::hollow_cube(20), make, kGoal, 7);
 }
 
 TEST(HeadPromise, HoldsFarFromTheOrigin) {
@@ -213,7 +213,7 @@ TEST(HeadPromise, HoldsFarFromTheOrigin) {
         return Motion({far + 30 * random.vector(), random.direction()},
                       {far + 30 * random.vector(), random.direction()});
       },
-      {1e-4, 1e-4, 20000}, 8);
+      {1e-4, 1e-4, 1e-4, 20000}, 8);
 }
 
 TEST(HeadPromise, NeverCallsAHeadWithinASolidCleanThatTouchesNothing) {

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "lib/check/motion.h"
+
+// Time intervals of a motion and their halving: what is known of an interval is the caller's.
+
+namespace gouge {
+
+/// A time interval within one stretch of a motion; what is known of one derives from it.
+struct MotionInterval {
+  double t0 = 0, t1 = 0;
+  std::uint32_t stretch = 0;
+
+  [[nodiscard]] double middle() const { return 0.5 * (t0 + t1); }
+};
+
+/// A whole stretch; of no length where the motion is a single pose.
+[[nodiscard]] inline MotionInterval whole_stretch(const Motion& motion, std::uint32_t stretch) {
+  const TipStretch& whole = motion.stretches()[stretch];
+  return {whole.t0, motion.is_alone() ? whole.t0 : whole.t1, stretch};
+}
+
+/// Both halves, the earlier one first; what else the interval has they keep.
+template <typename Interval>
+[[nodiscard]] std::array<Interval, 2> halves(const Interval& whole) {
+  std::array<Interval, 2> parts{whole, whole};
+  parts[0].t1 = parts[1].t0 = whole.middle();
+  return parts;
+}
+
+/// The stretches of a motion, then their parts, halved on demand and once each. `Interval` derives from MotionInterval
+/// and is made from what moves (`Source`) and a MotionInterval.
+template <typename Interval, typename Source>
+class IntervalTree {
+ public:
+  /// Requires motion.is_defined(). `source` must outlive it.
+  IntervalTree(const Source& source, const Motion& motion)
+      : source_(source), stretches_(static_cast<std::uint32_t>(motion.stretches().size())) {
+    for (std::uint32_t s = 0; s < stretches_; ++s) add(whole_stretch(motion, s));
+  }
+
+  /// The first so many are the stretches.
+  [[nodiscard]] std::uint32_t stretches() const { return stretches_; }
+  [[nodiscard]] const Interval& operator[](std::uint32_t index) const { return intervals_[index]; }
+  /// Whether halving can still tell instants apart.
+  [[nodiscard]] bool can_halve(std::uint32_t index) const {
+    constexpr double kShortest = 1e-12;
+    return intervals_[index].t1 - intervals_[index].t0 > kShortest;
+  }
+  /// Index of the first half; the second follows. Requires can_halve.
+  std::uint32_t halve(std::uint32_t index) {
+    if (first_half_[index] == 0) {
+      first_half_[index] = static_cast<std::uint32_t>(intervals_.size());
+      for (const MotionInterval& half : halves<MotionInterval>(intervals_[index])) add(half);
+    }
+    return first_half_[index];
+  }
+
+ private:
+  void add(const MotionInterval& interval) {
+    intervals_.emplace_back(source_, interval);
+    first_half_.push_back(0);
+  }
+
+  const Source& source_;
+  std::uint32_t stretches_;
+  std::vector<Interval> intervals_;
+  std::vector<std::uint32_t> first_half_;  // 0: not halved
+};
+
+}  // namespace gouge

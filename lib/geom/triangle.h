@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "lib/geom/vec.h"
+
+namespace gouge {
+
+/// The first of its longest edges: from corner `k` to the next.
+[[nodiscard]] inline std::size_t longest_edge(const std::array<Vec3, 3>& t) {
+  std::size_t longest = 0;
+  double length2 = (t[1] - t[0]).squaredNorm();
+  for (std::size_t k = 1; k < 3; ++k) {
+    const double other2 = (t[(k + 1) % 3] - t[k]).squaredNorm();
+    if (!(other2 > length2)) continue;
+    length2 = other2;
+    longest = k;
+  }
+  return longest;
+}
+
+/// Both halves of a triangle cut at the middle of an edge: the one at the edge's end, then the one at its start.
+[[nodiscard]] inline std::array<std::array<Vec3, 3>, 2> halves(const std::array<Vec3, 3>& t, std::size_t edge) {
+  const std::size_t next = (edge + 1) % 3;
+  const Vec3 middle = 0.5 * (t[edge] + t[next]);
+  std::array<std::array<Vec3, 3>, 2> parts{t, t};
+  parts[0][edge] = parts[1][next] = middle;
+  return parts;
+}
+
+}  // namespace gouge
