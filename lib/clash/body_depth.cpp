@@ -1,0 +1,189 @@
+#include "lib/clash/body_depth.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "lib/clash/convex_region.h"
+#include "lib/clash/distance_bound.h"
+#include "lib/clash/local_maximum.h"
+#include "lib/clash/surface_query.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
+// A cut along the outline of a facet is worth it where the facet is no smaller than this share of the piece.
+constexpr double kLeastShare = 0.125;
+// The share of the threshold by which a surface may reach over the near side of a region that is outside.
+constexpr double kGraze = 0.25;
+
+struct Region : SearchCandidate, ConvexRegion {
+  enum class Kind : std::uint8_t { node, piece, cell };
+  Kind kind = Kind::node;
+  std::uint32_t index = 0;    ///< node of the tree, or place of the facet
+  std::uint32_t nearest = 0;  ///< place of the facet nearest to the centre
+  bool is_over_face = false;  ///< and the centre lies over it, not beyond its outline
+};
+
+class Search : private BestFirstSearch<Search, Region> {
+ public:
+  Search(const ClashBody& of, const ClashBody& in, const Vec3& shift, const SearchGoal& goal)
+      : of_(of), in_(in), shift_(shift), goal_(goal) {}
+
+  BodyDepth run_all() {
+    if (of_.surface().tree.nodes.empty() || in_.surface().tree.nodes.empty()) return best_;
+    add_node(0);
+    Box3 box = of_.surface().mesh.box();
+    box = Box3(Vec3(box.min() + shift_), Vec3(box.max() + shift_)).intersection(in_.surface().mesh.box());
+    if (of_.is_solid() && !box.isEmpty()) add_cell(box);
+    best_.depth_upper_mm = std::max(best_.depth_mm, run());
+    best_.is_decided = is_decided();
+    return best_;
+  }
+
+  static constexpr bool kDescends = false;
+  [[nodiscard]] double threshold_mm() const { return goal_.pruning_threshold_mm(best_.depth_mm); }
+  [[nodiscard]] bool is_exhausted() const { return best_.bounds >= goal_.budget; }
+
+  void split(const Region& region) {
+    if (region.kind == Region::Kind::node) return split_node(region.index);
+    if (region.kind == Region::Kind::cell) {
+      for (const Box3& half : halves(region.box())) add_cell(half);
+      return;
+    }
+    for (const ConvexRegion& part : parts_of(region)) add_piece(region.index, part);
+  }
+
+ private:
+  void split_node(std::uint32_t index) {
+    const KdopTree& tree = of_.surface().tree;
+    const KdopNode& node = tree.nodes[index];
+    for (std::uint32_t k = 0; k < node.children; ++k) add_node(node.first + k);
+    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
+      ConvexRegion facet;
+      for (const Vec3& corner : of_.surface().corners[node.first + k]) facet.add(corner + shift_);
+      add_piece(node.first + k, facet);
+    }
+  }
+
+  void add_node(std::uint32_t index) {
+    const float* const b = of_.surface().boxes.data() + 6 * std::size_t{index};
+    const Vec3 low(static_cast<double>(b[0]), static_cast<double>(b[1]), static_cast<double>(b[2]));
+    const Vec3 high(static_cast<double>(b[3]), static_cast<double>(b[4]), static_cast<double>(b[5]));
+    offer_bounded(
+        region_of(Region::Kind::node, index, region_of_box(Box3(Vec3(low + shift_), Vec3(high + shift_)))));
+  }
+
+  void add_piece(std::uint32_t place, const ConvexRegion& piece) {
+    offer_bounded(region_of(Region::Kind::piece, place, piece));
+  }
+
+  void add_cell(const Box3& box) { offer_bounded(region_of(Region::Kind::cell, 0, region_of_box(box))); }
+
+  static Region region_of(Region::Kind kind, std::uint32_t index, const ConvexRegion& shape) {
+    Region region;
+    static_cast<ConvexRegion&>(region) = shape;
+    region.kind = kind;
+    region.index = index;
+    return region;
+  }
+
+  /// Offers the region with an upper bound of the depth in it, unless nothing of it counts.
+  void offer_bounded(Region region) {
+    const Vec3 centre = region.centre();
+    const double radius = region.radius_mm(centre);
+    const SurfaceFoot foot = measured(centre, region.kind);
+    region.is_over_face = is_over(foot, centre);
+    const double inside = -foot.signed_mm();
+    if (inside < -radius - kRounding_mm) return;
+    region.nearest = foot.place;
+    region.upper_mm = inside + radius + kRounding_mm;
+    if (region.upper_mm > threshold_mm()) {
+      if (region.kind == Region::Kind::cell && !may_hold_maximum(centre, radius, foot)) return;
+      region.upper_mm = std::min(region.upper_mm, bound(region, centre, radius, foot) + kRounding_mm);
+    }
+    offer(region);
+  }
+
+  [[nodiscard]] bool is_over(const SurfaceFoot& foot, const Vec3& point) const {
+    return closest_on_triangle(point, in_.surface().corners[foot.place]).feature == TriangleFeature::face;
+  }
+
+  /// The other surface as seen from a point, whose depth counts if it is in both bodies.
+  SurfaceFoot measured(const Vec3& point, Region::Kind kind) {
+    ++best_.bounds;
+    const SurfaceFoot foot = in_.closest_point(point);
+    if (kind == Region::Kind::node || !foot.is_inside || foot.distance_mm <= best_.depth_mm) return foot;
+    if (kind == Region::Kind::cell && !of_.closest_point(point - shift_).is_inside) return foot;
+    best_.depth_mm = foot.distance_mm;
+    best_.point = point;
+    best_.normal = foot.normal;
+    best_.triangle = foot.triangle;
+    return foot;
+  }
+
+  /// Whether a point of the cell in both bodies may be a local maximum of the depth.
+  [[nodiscard]] bool may_hold_maximum(const Vec3& centre, double radius, const SurfaceFoot& foot) {
+    ++best_.bounds;
+    if (of_.closest_point(centre - shift_).signed_mm() > radius + kRounding_mm) return false;
+    return in_.is_self_crossing() || in_.maxima().may_hold(centre, radius + kRounding_mm, foot);
+  }
+
+  double bound(const Region& region, const Vec3& centre, double radius, const SurfaceFoot& foot) {
+    std::array<std::uint32_t, kMostHullPoints + 1> places{foot.place};
+    std::size_t count = 1;
+    for (const Vec3& point : region.points()) {
+      const std::uint32_t place = measured(point, region.kind).place;
+      if (std::find(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count), place) ==
+          places.begin() + static_cast<std::ptrdiff_t>(count))
+        places[count++] = place;
+    }
+    const double over = greatest_distance_mm(in_.surface(), region.points(), std::span(places).first(count));
+    return foot.is_inside ? over : std::min(over, grazing_bound(region, centre, radius, foot));
+  }
+
+  /// Where the centre is outside and all of the surface in the ball about the region lies beyond the region,
+  /// but for `graze`: a line from the centre to a point inside crosses the surface that near to the region's
+  /// far side, so the point is no farther from the crossing than the line takes to descend by `graze`.
+  [[nodiscard]] double grazing_bound(const Region& region, const Vec3& centre, double radius,
+                                     const SurfaceFoot& foot) const {
+    const double graze = kGraze * threshold_mm();
+    const Vec3 down = -foot.normal;
+    double lowest = 0;
+    for (const Vec3& point : region.points()) lowest = std::max(lowest, down.dot(point - centre));
+    const double from = lowest - graze;
+    if (!(from > graze)) return radius + foot.distance_mm;
+    const auto none_allowed = [](std::uint32_t) { return false; };
+    const BallCap rest{centre, radius + kRounding_mm, -down, -from};
+    if (find_in_cap(in_.surface(), rest, none_allowed)) return radius + foot.distance_mm;
+    return graze * radius / from;
+  }
+
+  /// Cut along the outline of the nearest facet, if that leaves a fair part over it, else across the middle.
+  [[nodiscard]] std::vector<ConvexRegion> parts_of(const Region& piece) const {
+    if (piece.is_over_face) {
+      std::vector<ConvexRegion> parts = cut_along(piece, in_.surface().corners[piece.nearest]);
+      if (parts.size() > 1 && parts.front().area_mm2() >= kLeastShare * piece.area_mm2()) return parts;
+    }
+    return halves(piece);
+  }
+
+  const ClashBody& of_;
+  const ClashBody& in_;
+  Vec3 shift_;
+  SearchGoal goal_;
+  BodyDepth best_;
+
+  friend class BestFirstSearch<Search, Region>;
+};
+
+}  // namespace
+
+BodyDepth find_body_depth(const ClashBody& of, const ClashBody& in, const Vec3& shift,
+                          const SearchGoal& goal) {
+  return Search(of, in, shift, goal).run_all();
+}
+
+}  // namespace gouge

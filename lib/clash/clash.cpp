@@ -1,0 +1,145 @@
+#include "lib/clash/clash.h"
+
+#include <algorithm>
+#include <limits>
+#include <span>
+
+#include "lib/clash/body_depth.h"
+#include "lib/mesh/enclosure.h"
+#include "lib/mesh/union_find.h"
+
+namespace gouge {
+namespace {
+
+// Surfaces this near to each other count as meeting: the side of a point nearer to a surface is not looked
+// for.
+constexpr double kMeeting_mm = 1e-6;
+constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
+
+constexpr std::uint32_t kOfA = 0, kOfB = 1;
+
+/// One vertex of each connected piece of a surface.
+std::vector<Vec3> points_of_pieces(const IndexedMesh& mesh) {
+  UnionFind pieces(mesh.vertices.size());
+  std::vector<bool> is_used(mesh.vertices.size(), false);
+  for (const TriangleCorners& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      pieces.join(t[0], t[k]);
+      is_used[t[k]] = true;
+    }
+  }
+  std::vector<Vec3> points;
+  for (Corner v = 0; v < mesh.vertices.size(); ++v) {
+    if (is_used[v] && pieces.root(v) == v) points.push_back(mesh.vertices[v]);
+  }
+  return points;
+}
+
+struct PieceCounts {
+  std::size_t inside = 0, outside = 0, unknown = 0;
+  std::string why;  ///< of unknown
+};
+
+/// On which side of a surface that they do not meet the pieces of another are.
+PieceCounts sides_of(const IndexedMesh& pieces, const Vec3& shift, const IndexedMesh& surface) {
+  const Enclosure enclosure(std::span(&surface, 1));
+  PieceCounts counts;
+  for (const Vec3& point : points_of_pieces(pieces)) {
+    const Vec3 at = point + shift;
+    const Side side = enclosure.is_beyond(at) ? Side::outside : enclosure.side_of({{at}, {}});
+    ++(side == Side::inside ? counts.inside : side == Side::outside ? counts.outside : counts.unknown);
+    if (side == Side::unknown && counts.why.empty()) counts.why = enclosure.why_unknown();
+  }
+  return counts;
+}
+
+class Finder {
+ public:
+  Finder(const ClashBody& a, const ClashBody& b, const Vec3& shift_b, const ClashOptions& options)
+      : a_(a), b_(b), shift_b_(shift_b), options_(options) {}
+
+  Clash run() {
+    clash_.closest = surface_distance(a_.surface(), b_.surface(), shift_b_, kMeeting_mm);
+    if (clash_.closest.distance_mm > kMeeting_mm) {
+      decide_apart();
+    } else {
+      measure();
+      decide_by_depth();
+    }
+    return clash_;
+  }
+
+ private:
+  /// Surfaces that do not meet: each piece of one is wholly on one side of the other.
+  void decide_apart() {
+    const PieceCounts of_a = sides_of(a_.surface().mesh, -shift_b_, b_.surface().mesh);
+    const PieceCounts of_b = sides_of(b_.surface().mesh, shift_b_, a_.surface().mesh);
+    if (of_a.inside + of_b.inside > 0) {
+      if (of_b.inside == 0 && of_a.outside + of_a.unknown == 0) clash_.containment = Containment::a_in_b;
+      if (of_a.inside == 0 && of_b.outside + of_b.unknown == 0) clash_.containment = Containment::b_in_a;
+      measure();
+      clash_.state = ClashState::penetrating;
+    } else if (of_a.unknown + of_b.unknown > 0) {
+      clash_.reason = of_a.unknown > 0 ? of_a.why : of_b.why;
+      clash_.depth_upper_mm = kUnknown_mm;
+    } else {
+      clash_.state = ClashState::free;
+    }
+  }
+
+  void decide_by_depth() {
+    if (clash_.depth_mm > options_.tolerance_mm) {
+      clash_.state = ClashState::penetrating;
+    } else if (clash_.depth_upper_mm <= options_.tolerance_mm + options_.resolution_mm) {
+      clash_.state = ClashState::touching;
+    } else if (!(clash_.depth_upper_mm < kUnknown_mm)) {
+      clash_.reason =
+          "the surfaces meet, and " + open_surface() + " is not closed, so nothing says what is inside";
+    } else {
+      clash_.reason = "the surfaces lie on each other in too many places: the budget of bounds ran out";
+    }
+  }
+
+  [[nodiscard]] std::string open_surface() const { return (a_.is_solid() ? b_ : a_).surface().mesh.name; }
+
+  void measure() {
+    const bool is_bounded = a_.is_solid() && b_.is_solid();
+    if (b_.is_solid()) take(find_body_depth(a_, b_, -shift_b_, goal()), kOfA);
+    if (a_.is_solid()) take(find_body_depth(b_, a_, shift_b_, goal()), kOfB);
+    if (!is_bounded) clash_.depth_upper_mm = kUnknown_mm;
+  }
+
+  [[nodiscard]] SearchGoal goal() const {
+    return {options_.tolerance_mm, options_.resolution_mm, options_.gap_mm, options_.budget};
+  }
+
+  void take(const BodyDepth& found, std::uint32_t body) {
+    clash_.bounds += found.bounds;
+    clash_.depth_upper_mm = std::max(clash_.depth_upper_mm, found.depth_upper_mm);
+    clash_.depth_mm = std::max(clash_.depth_mm, found.depth_mm);
+    if (!(found.depth_mm > 0)) return;
+    const ClashBody& other = body == kOfA ? b_ : a_;
+    Contact contact{found.point, found.normal, found.depth_mm, body,
+                    other.surface().mesh.file_triangle[found.triangle]};
+    if (body == kOfA) {
+      contact.point += shift_b_;
+      contact.normal = -contact.normal;
+    }
+    const bool is_deeper = !clash_.deepest.empty() && contact.depth_mm > clash_.deepest.front().depth_mm;
+    clash_.deepest.insert(is_deeper ? clash_.deepest.begin() : clash_.deepest.end(), contact);
+  }
+
+  const ClashBody& a_;
+  const ClashBody& b_;
+  Vec3 shift_b_;
+  const ClashOptions& options_;
+  Clash clash_;
+};
+
+}  // namespace
+
+Clash find_clash(const ClashBody& a, const ClashBody& b, const Vec3& shift_b, const ClashOptions& options) {
+  return Finder(a, b, shift_b, options).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,65 @@
+#include "lib/clash/local_maximum.h"
+
+#include "lib/clash/surface_query.h"
+
+namespace gouge {
+namespace {
+
+// Inward normals this far along the direction lead away from a facet, and from an edge between two such
+// facets ...
+constexpr double kLeastCosine = 0.02;
+// ... and from a vertex whose facets all are within 45 degrees of it.
+constexpr double kVertexCosine = 0.7072;
+constexpr double kFlat = 1e-9;
+constexpr int kTries = 10;
+
+}  // namespace
+
+LocalMaxima::LocalMaxima(const DepthBody& surface)
+    : surface_(surface), is_reflex_(surface.mesh.vertices.size(), false) {
+  const IndexedMesh& mesh = surface.mesh;
+  const MeshAdjacency adjacency(mesh);
+  const auto is_convex = [&](std::span<const EdgeUse> uses) {
+    if (uses.size() != 2) return false;
+    const Vec3 &own = surface.sign.face(uses[0].triangle), &other = surface.sign.face(uses[1].triangle);
+    if (!(own.squaredNorm() > 0 && other.squaredNorm() > 0)) return false;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3 across = mesh.corner(uses[1].triangle, k) - mesh.corner(uses[0].triangle, 0);
+      if (own.dot(across) > kFlat * across.norm()) return false;
+    }
+    return true;
+  };
+  for (const MeshEdge& edge : adjacency.edges()) {
+    if (!is_convex(adjacency.uses(edge))) is_reflex_[edge.low] = is_reflex_[edge.high] = true;
+  }
+}
+
+bool LocalMaxima::may_hold(const Vec3& centre, double radius, const SurfaceFoot& foot) const {
+  const double reach = foot.distance_mm + 2 * radius;
+  Vec3 sum = -foot.normal;
+  for (int i = 0; i < kTries; ++i) {
+    if (!(sum.norm() > kLeastCosine)) return true;
+    const Vec3 direction = sum.normalized();
+    const auto hit = find_in_cap(surface_, {centre, reach, direction, -radius}, [&](std::uint32_t place) {
+      return leads_away(place, direction, centre, reach);
+    });
+    if (!hit) return false;
+    sum -= surface_.sign.face(surface_.tree.order[hit->place]);
+  }
+  return true;
+}
+
+bool LocalMaxima::leads_away(std::uint32_t place, const Vec3& direction, const Vec3& centre,
+                             double reach) const {
+  const std::uint32_t triangle = surface_.tree.order[place];
+  const double cosine = -surface_.sign.face(triangle).dot(direction);
+  if (cosine >= kVertexCosine) return true;
+  if (!(cosine >= kLeastCosine)) return false;
+  for (const Corner corner : surface_.mesh.triangles[triangle]) {
+    const bool is_within = (surface_.mesh.vertices[corner] - centre).squaredNorm() <= reach * reach;
+    if (is_within && is_reflex_[corner]) return false;
+  }
+  return true;
+}
+
+}  // namespace gouge

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lib/penetration/nearest_foot.h"
+
+namespace gouge {
+
+/// Where the distance from inside a solid to its surface may have a local maximum.
+class LocalMaxima {
+ public:
+  /// The surface must outlive it. Requires surface.is_solid, and that the surface does not cross itself. Cost
+  /// O(n).
+  explicit LocalMaxima(const DepthBody& surface);
+
+  /// False when it is proved that no point of the solid within `radius_mm` of `centre` is a local maximum: a
+  /// direction is found that leads away from all points of the surface that may be nearest to any of them.
+  /// `foot`: of the centre.
+  [[nodiscard]] bool may_hold(const Vec3& centre, double radius_mm, const SurfaceFoot& foot) const;
+
+ private:
+  [[nodiscard]] bool leads_away(std::uint32_t place, const Vec3& direction, const Vec3& centre,
+                                double reach_mm) const;
+
+  const DepthBody& surface_;
+  std::vector<bool> is_reflex_;  // by vertex: on an edge with material on more than half of the way around it
+};
+
+}  // namespace gouge
