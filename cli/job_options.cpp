@@ -135,7 +135,6 @@ Result<JobOptions> understand(const JobArguments& a) {
     }
     length.value = *value;
   }
-  constexpr double kFinestResolution_mm = 1e-6;
   if (options.check.resolution_mm < kFinestResolution_mm) {
     return usage("--resolution", a.resolution, "at least 0.000001 mm, what double precision can certify");
   }

@@ -11,6 +11,9 @@
 
 namespace gouge {
 
+/// The finest --resolution, which double precision can certify.
+inline constexpr double kFinestResolution_mm = 1e-6;
+
 /// The units an STL file may be in, as --stl-units takes them.
 [[nodiscard]] std::vector<std::string> unit_words();
 

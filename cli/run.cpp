@@ -9,6 +9,7 @@
 #include <span>
 
 #include "cli/check_command.h"
+#include "cli/clash_command.h"
 #include "cli/correct_command.h"
 #include "cli/exit_code.h"
 #include "cli/help_text.h"
@@ -27,6 +28,7 @@ namespace {
 struct Arguments {
   JobArguments check;
   CorrectArguments correct;
+  ClashArguments clash;
   MeshArguments mesh;
   PathArguments path;
   ToolArguments tool;
@@ -65,6 +67,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   if (!set_threads(app, arguments, err)) return kExitInternal;
   if (app.got_subcommand("check")) return run_check(arguments.check, out, err);
   if (app.got_subcommand("correct")) return run_correct(arguments.correct, out, err);
+  if (app.got_subcommand("clash")) return run_clash(arguments.clash, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
   if (app.got_subcommand("tool")) return run_tool(arguments.tool, out, err);
   return run_path(arguments.path, out, err);
@@ -88,6 +91,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     add_check_options(*app.add_subcommand("check", "Find gouges; report"), arguments.check);
     add_correct_options(*app.add_subcommand("correct", "Write a corrected toolpath and check it again"),
                         arguments.correct);
+    add_clash_options(*app.add_subcommand("clash", "Find out whether two bodies of a set-up penetrate, and how deep"),
+                      arguments.clash);
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
     add_path_options(*app.add_subcommand("path", "Tell what is in a toolpath file"), arguments.path);
     add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"),
