@@ -6,6 +6,7 @@
 
 #include "cli/resolve_tools.h"
 #include "cli/scene_reach.h"
+#include "cli/setup_notes.h"
 #include "lib/base/files.h"
 #include "lib/base/parallel.h"
 #include "lib/base/view_file.h"
@@ -31,7 +32,10 @@ class JobLoader {
     read_meshes(arguments_.fixtures, "fixture", job_.scene.fixtures, job_.fixtures, job_.options.place);
     read_heads();
     if (has_path && errors_.empty()) read_tools();
-    if (errors_.empty()) note_misplaced();
+    if (errors_.empty()) {
+      note_misplaced();
+      add_notes(find_setup_notes(job_, arguments_));
+    }
     loaded.errors = errors_;
     if (errors_.empty()) loaded.job = std::move(job_);
     return loaded;
@@ -231,6 +235,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
   if (!arguments.reading.units.empty()) model.more_options.push_back({"toolpath-units", arguments.reading.units});
   if (!arguments.holder.empty()) model.more_options.push_back({"holder", arguments.holder});
   if (arguments.is_extended_up) model.more_options.push_back({"extend-up", "yes"});
+  for (const std::string& name : arguments.allowed_overlaps) model.more_options.push_back({"allow-overlap", name});
   for (const std::string& head : arguments.heads) model.more_options.push_back({"head", head});
   for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
   model.toolpath = &path;

@@ -22,6 +22,11 @@ void add_input_options(CLI::App& command, JobArguments& a) {
       ->type_name("FILE")
       ->allow_extra_args(false);
   command
+      .add_option("--allow-overlap", a.allowed_overlaps,
+                  "Do not warn that this fixture penetrates a part, as it is meant to (repeatable)")
+      ->type_name("FIXTURE")
+      ->allow_extra_args(false);
+  command
       .add_option(
           "--head", a.heads,
           "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
@@ -109,6 +114,10 @@ Result<JobOptions> understand(const JobArguments& a) {
   const Result<ReadOptions> reading = understand(a.reading);
   if (!reading) return reading.error();
   options.reading = *reading;
+  for (const std::string& name : a.allowed_overlaps) {
+    if (std::find(a.fixtures.begin(), a.fixtures.end(), name) == a.fixtures.end())
+      return usage("--allow-overlap", name, "a file of --fixture, named as there");
+  }
   for (const std::string& name : a.tool_names) {
     if (name.find('=') != std::string::npos) continue;
     if (!options.reading.unnamed_tool.empty()) {

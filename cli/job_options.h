@@ -23,6 +23,7 @@ struct JobArguments {
   ReadingArguments reading;
   InputLimit input;
   std::vector<std::string> parts, fixtures, heads;
+  std::vector<std::string> allowed_overlaps;  ///< of `fixtures`: those that may penetrate a part
   std::string place, stl_units;
   std::string tools_file, holder;
   std::vector<std::string> tool_names;  ///< N=NAME, or NAME for moves that name no tool

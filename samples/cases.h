@@ -20,6 +20,7 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_inch();           ///< inch toolpath, inch part
 [[nodiscard]] Sample make_needles();        ///< flat end mill exactly on a plane of needle triangles
 [[nodiscard]] Sample make_big_triangles();  ///< ball on an inclined plane of two triangles 2 m wide
+[[nodiscard]] Sample make_sunk_jaw();      ///< a clean path, a vise jaw 2 mm deep in the block
 
 /// The same surface and passes with about 100,000 triangles and 10,000 moves, to measure with.
 [[nodiscard]] Sample make_freeform_large();

@@ -42,6 +42,11 @@ while read -r name check_exit correct_exit toolpath options; do
   expect "$correct_exit" "$GOUGECHECK" correct "$toolpath" $options -o "corrected_$toolpath" --report report/correct
 done <"$OUT/index.txt"
 
+# A fixture that reaches into its part: a warning of the check above, and what clash proves of it.
+cd "$OUT/sunk_jaw" || fail "cannot enter $OUT/sunk_jaw"
+expect 1 "$GOUGECHECK" clash part.stl jaw.stl --json clash.json
+expect 0 "$GOUGECHECK" clash part.stl jaw.stl --place-b 0,-2.001,0
+
 printf '\nPictures:\n'
 find "$OUT" -name '*.png' | LC_ALL=C sort
 printf '\n'

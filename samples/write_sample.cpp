@@ -34,6 +34,7 @@ std::string expected_json(const Sample& sample) {
   field("check_exit", std::to_string(sample.check_exit));
   field("correct_exit", std::to_string(sample.correct_exit));
   field("moves", std::to_string(sample.moves));
+  if (sample.overlap > 0) field("overlap", fixed_text(sample.overlap, 5));
   out += "  \"findings\": [";
   for (std::size_t i = 0; i < sample.findings.size(); ++i) {
     const ExpectedFinding& f = sample.findings[i];

@@ -29,7 +29,8 @@ const SampleCase kSamples[] = {{"freeform", samples::make_freeform},
                                {"big_triangles", samples::make_big_triangles},
                                {"arcs_nx", samples::make_arcs_nx},
                                {"arcs_creo", samples::make_arcs_creo},
-                               {"arcs_catia", samples::make_arcs_catia}};
+                               {"arcs_catia", samples::make_arcs_catia},
+                               {"sunk_jaw", samples::make_sunk_jaw}};
 
 class PromiseOnSamples : public ::testing::TestWithParam<SampleCase> {
  protected:

@@ -31,7 +31,7 @@ TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
       }
     }
   }
-  EXPECT_EQ(solids, 16U);
+  EXPECT_EQ(solids, 18U);
 }
 
 TEST(SampleSolids, ABoxHasTheVolumeOfItsSides) {

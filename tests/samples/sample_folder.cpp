@@ -12,7 +12,7 @@ const std::vector<std::string>& sample_names() {
   static const std::vector<std::string> kNames = {
       "freeform",  "pocket", "blade", "between_rib", "between_swing", "between_head",
       "thin_post", "buried", "inch",  "needles",     "big_triangles", "arcs_nx",
-      "arcs_creo", "arcs_catia"};
+      "arcs_creo", "arcs_catia", "sunk_jaw"};
   return kNames;
 }
 
