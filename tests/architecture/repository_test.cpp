@@ -98,6 +98,9 @@ TEST(Repository, CgalAndOpenCvStayInOneSourceEach) {
 TEST(Repository, NothingBelowCliPrintsEndsOrThrows) {
   EXPECT_EQ(listed(check_banned_words(repository())), "");
 }
+TEST(Repository, RandomNumbersAreTheSameEverywhere) {
+  EXPECT_EQ(listed(check_random_numbers(repository())), "");
+}
 TEST(Repository, FilesAreShortAndHeadersGuarded) {
   EXPECT_EQ(listed(check_shape(repository())), "");
 }

@@ -88,6 +88,14 @@ TEST(BannedWords, MayStandInCommentsInTextInLongerNamesAndInCli) {
             Complaints{});
 }
 
+TEST(RandomNumbers, OfAStandardLibraryAreRefused) {
+  for (const char* line : {"std::mt19937 r(1);", "std::uniform_real_distribution<double> u;", "std::shuffle(a, b, r);",
+                           "p = Vec3::Random();", "n = rand() % 6;"}) {
+    EXPECT_EQ(check_random_numbers({{"tests/t.cpp", line}}).size(), 1U) << line;
+  }
+  EXPECT_EQ(check_random_numbers({{"tests/t.cpp", "random.shuffle(a); // not std::shuffle\noperand(x);\n"}}), Complaints{});
+}
+
 TEST(Shape, LongFilesAndHeadersWithoutPragmaOnceAreRefused) {
   std::string long_text;
   for (int i = 0; i < 501; ++i) long_text += "\n";

@@ -161,6 +161,23 @@ Complaints check_banned_words(const std::vector<SourceFile>& files) {
   return complaints;
 }
 
+Complaints check_random_numbers(const std::vector<SourceFile>& files) {
+  static const std::regex kForeign(R"(_distribution\b|\bmt19937|\brandom_device\b|\bstd::shuffle\b|::Random\(|\bs?rand\()");
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    if (!is_code(file.path)) continue;
+    std::size_t number = 0;
+    for (const std::string& line : lines_of(without_comments_and_literals(file.text))) {
+      ++number;
+      std::smatch found;
+      if (std::regex_search(line, found, kForeign)) {
+        complain(complaints, file, number, "draws with " + found.str() + " instead of tests/support/scatter.h");
+      }
+    }
+  }
+  return complaints;
+}
+
 Complaints check_shape(const std::vector<SourceFile>& files) {
   Complaints complaints;
   std::vector<std::size_t> lengths;

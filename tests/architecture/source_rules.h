@@ -26,6 +26,9 @@ using Complaints = std::vector<std::string>;
 /// or libm.
 [[nodiscard]] Complaints check_banned_words(const std::vector<SourceFile>& files);
 
+/// Tests draw random numbers from tests/support/scatter.h alone: what a standard library draws is not what another does.
+[[nodiscard]] Complaints check_random_numbers(const std::vector<SourceFile>& files);
+
 /// Headers begin with #pragma once; no file is longer than 500 lines; the median is at most 150.
 [[nodiscard]] Complaints check_shape(const std::vector<SourceFile>& files);
 

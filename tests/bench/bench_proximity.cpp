@@ -5,7 +5,7 @@
 
 #include "lib/tool/evaluate.h"
 #include "lib/tool/evaluate_batch.h"
-#include "tests/support/split_mix.h"
+#include "tests/support/scatter.h"
 #include "toolmodels/compile_tool.h"
 
 // The tool's BSP against a plain loop over all elements, for tools of 4, 8, 16 and 32 elements: at points
@@ -36,12 +36,12 @@ struct Points {
   std::vector<double> r, z, distances;
 
   Points(const CompiledTool& tool, bool is_ordered) : distances(4096) {
-    test::SplitMix64 random(5);
+    test::Scatter random(5);
     for (std::size_t i = 0; i < distances.size(); ++i) {
       const double angle = 1e-3 * static_cast<double>(i);
-      r.push_back(is_ordered ? std::abs(20 * std::sin(angle)) : random.uniform(0, 1.3 * tool.r_max_mm));
+      r.push_back(is_ordered ? std::abs(20 * std::sin(angle)) : random.in(0, 1.3 * tool.r_max_mm));
       z.push_back(is_ordered ? 0.5 * tool.z_max_mm * (1 + std::cos(0.77 * angle))
-                             : random.uniform(-10, tool.z_max_mm + 10));
+                             : random.in(-10, tool.z_max_mm + 10));
     }
   }
 };

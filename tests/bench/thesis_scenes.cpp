@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "tests/support/scatter.h"
 #include "tests/support/solids.h"
 
 namespace gouge::bench {
@@ -46,15 +47,13 @@ std::vector<PoseRange> table_6a_ranges() {
 std::vector<RigidTransform> find_poses(const DepthBody& body, const PointBody& points, const PoseRange& range,
                                        std::size_t count) {
   PenetrationFinder finder(body, points);
-  std::mt19937_64 random(5);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const auto direction = [&] { return Vec3(unit(random), unit(random), unit(random)).normalized(); };
+  test::Scatter random(5);
   std::vector<RigidTransform> poses;
   while (poses.size() < count) {
     RigidTransform pose;
-    const Vec3 way = direction();
+    const Vec3 way = random.direction();
     const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), way);
-    const Eigen::AngleAxisd lean(0.15 * unit(random), direction()), spin(3.1 * unit(random), Vec3::UnitZ());
+    const Eigen::AngleAxisd lean(0.15 * random.in(-1, 1), random.direction()), spin(3.1 * random.in(-1, 1), Vec3::UnitZ());
     pose.rotation = (lean * facing * spin).toRotationMatrix();
     if (slide_in(finder, range, way, pose)) poses.push_back(pose);
   }

@@ -3,7 +3,7 @@
 #include <csignal>
 
 #include "tests/faults/campaign.h"
-#include "tests/support/split_mix.h"
+#include "tests/support/scatter.h"
 
 // check, correct and report, ended by a signal: at random instants (GOUGE_KILLS of them, GOUGE_SEED says which) and at
 // calls that change the disk (GOUGE_FAULTS of a kind, or all). No file is half; what SIGTERM and SIGINT end leaves
@@ -33,14 +33,14 @@ class Kills : public testing::TestWithParam<const char*> {
 
 TEST_P(Kills, AtAnyInstantLeaveNoHalfFile) {
   const FaultJob job = make_job(GetParam());
-  test::SplitMix64 random(static_cast<std::uint64_t>(number_asked("GOUGE_SEED", 13)));
+  test::Scatter random(static_cast<std::uint64_t>(number_asked("GOUGE_SEED", 13)));
   const long kills = number_asked("GOUGE_KILLS", job.name == "report" ? 3 : 9);
   Tally tally(job.name + " killed at any instant");
   for (long i = 0; i < kills; ++i) {
     const Signal& signal = kSignals[i % 3];
     const bool has_older = i / 3 % 2 == 1;
     job.prepare(has_older);
-    const double after_s = job.ending.seconds * random.uniform(0, 1);
+    const double after_s = job.ending.seconds * random.in(0, 1);
     Misfortune misfortune;
     misfortune.signal = signal.number;
     misfortune.after_s = after_s;

@@ -27,14 +27,14 @@ struct ArcScene {
   }
 };
 
-ArcScene random_scene(laws::Scatter& scatter) {
+ArcScene random_scene(laws::SceneScatter& scatter) {
   ArcScene s;
   const double radius = std::pow(10, scatter.in(-1, 1.5));
   const double turns = scatter.in(0, 1) < 0.3 ? 1.0 : scatter.in(0.02, 1.5);
-  s.arc.axis = scatter.in(0, 1) < 0.5 ? Vec3(0, 0, scatter.in(0, 1) < 0.5 ? 1 : -1) : Vec3(scatter.box(1).normalized());
+  s.arc.axis = scatter.in(0, 1) < 0.5 ? Vec3(0, 0, scatter.in(0, 1) < 0.5 ? 1 : -1) : Vec3(scatter.point(1).normalized());
   s.arc.sweep_rad = 2 * std::numbers::pi * turns;
   s.rise = scatter.in(0, 1) < 0.5 ? 0 : scatter.in(-4, 4);
-  s.arc.center = scatter.box(2) - radius * s.arc.axis.unitOrthogonal();
+  s.arc.center = scatter.point(2) - radius * s.arc.axis.unitOrthogonal();
   s.from = {s.arc.center + radius * s.arc.axis.unitOrthogonal(), scatter.axis(0.2)};
   s.to.axis = scatter.in(0, 1) < 0.5 ? s.from.axis : scatter.axis(0.4);
   s.to.tip = s.at(1).tip;
@@ -68,7 +68,7 @@ TEST(ArcLaws, ThePromiseHoldsOnRandomArcs) {
   const auto tools = tools::all();
   std::size_t gouges = 0, close = 0, clean = 0;
   for (std::uint64_t stream = 0; stream < 120; ++stream) {
-    laws::Scatter scatter(5000 + stream);
+    laws::SceneScatter scatter(5000 + stream);
     const ArcScene s = random_scene(scatter);
     const ToolForms& tool = tools[stream % tools.size()];
     CheckOptions options;

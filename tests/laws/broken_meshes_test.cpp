@@ -15,9 +15,9 @@
 namespace gouge {
 namespace {
 
-using laws::Scatter;
+using laws::SceneScatter;
 
-IndexedMesh random_solid(Scatter& random) {
+IndexedMesh random_solid(SceneScatter& random) {
   IndexedMesh mesh;
   switch (random.below(5)) {
     case 0:
@@ -40,14 +40,14 @@ IndexedMesh random_solid(Scatter& random) {
   return mesh;
 }
 
-void turn_some(Scatter& random, IndexedMesh& mesh) {
+void turn_some(SceneScatter& random, IndexedMesh& mesh) {
   const double share = random.in(0, 1);
   for (TriangleCorners& t : mesh.triangles) {
     if (random.in(0, 1) < share) std::swap(t[1], t[2]);
   }
 }
 
-void double_some(Scatter& random, IndexedMesh& mesh) {
+void double_some(SceneScatter& random, IndexedMesh& mesh) {
   const double share = random.below(2) == 0 ? 1 : random.in(0, 1);
   const bool is_opposite = random.below(3) > 0;
   const std::size_t count = mesh.triangles.size();
@@ -58,7 +58,7 @@ void double_some(Scatter& random, IndexedMesh& mesh) {
   }
 }
 
-void leave_some_out(Scatter& random, IndexedMesh& mesh) {
+void leave_some_out(SceneScatter& random, IndexedMesh& mesh) {
   const double share = std::pow(random.in(0, 0.5), 2);
   for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
     if (random.in(0, 1) >= share) continue;
@@ -68,16 +68,16 @@ void leave_some_out(Scatter& random, IndexedMesh& mesh) {
 }
 
 /// What a crack does: a vertex that its triangles do not share.
-void crack_some(Scatter& random, IndexedMesh& mesh) {
+void crack_some(SceneScatter& random, IndexedMesh& mesh) {
   for (std::size_t n = random.below(6) + 1; n-- > 0;) {
     Corner& c = mesh.triangles[random.below(mesh.triangles.size())][random.below(3)];
-    const Vec3 shaken = mesh.vertices[c] + random.box(1e-6);
+    const Vec3 shaken = mesh.vertices[c] + random.point(1e-6);
     mesh.vertices.push_back(shaken);
     c = static_cast<Corner>(mesh.vertices.size() - 1);
   }
 }
 
-std::vector<IndexedMesh> split(Scatter& random, const IndexedMesh& mesh) {
+std::vector<IndexedMesh> split(SceneScatter& random, const IndexedMesh& mesh) {
   std::vector<IndexedMesh> files(1 + random.below(4));
   for (IndexedMesh& file : files) file.vertices = mesh.vertices, file.name = "file";
   for (const TriangleCorners& t : mesh.triangles) shapes::add_triangle(files[random.below(files.size())], t[0], t[1], t[2]);
@@ -103,19 +103,19 @@ IndexedMesh with_other_diagonals(IndexedMesh mesh) {
 }
 
 /// Each triangle cut into three at a place in its middle, which lies off its plane by no more than `lift_mm`.
-IndexedMesh with_middles(Scatter& random, const IndexedMesh& mesh, double lift_mm) {
+IndexedMesh with_middles(SceneScatter& random, const IndexedMesh& mesh, double lift_mm) {
   IndexedMesh fine;
   fine.vertices = mesh.vertices;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const TriangleCorners c = mesh.triangles[t];
-    fine.vertices.push_back((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 + random.box(lift_mm));
+    fine.vertices.push_back((mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3 + random.point(lift_mm));
     for (std::size_t k = 0; k < 3; ++k) shapes::add_triangle(fine, c[k], c[(k + 1) % 3], fine.vertices.size() - 1);
   }
   return fine;
 }
 
 /// A hole: triangles whose middle is near a direction, or a random run of them.
-void cut_a_hole(Scatter& random, IndexedMesh& mesh) {
+void cut_a_hole(SceneScatter& random, IndexedMesh& mesh) {
   const std::size_t count = mesh.triangles.size();
   const std::size_t size = 1 + random.below(1 + count / (random.below(2) == 0 ? 12 : 3)), first = random.below(count);
   IndexedMesh holed;
@@ -128,7 +128,7 @@ void cut_a_hole(Scatter& random, IndexedMesh& mesh) {
 }
 
 /// Copies of a surface, each perhaps triangulated in another way, turned, moved by less than what a file keeps, or partial.
-std::vector<IndexedMesh> copies_of(Scatter& random, const IndexedMesh& mesh) {
+std::vector<IndexedMesh> copies_of(SceneScatter& random, const IndexedMesh& mesh) {
   std::vector<IndexedMesh> copies = {mesh};
   for (std::size_t n = 1 + random.below(3); n-- > 0;) {
     IndexedMesh copy = mesh;
@@ -145,7 +145,7 @@ std::vector<IndexedMesh> copies_of(Scatter& random, const IndexedMesh& mesh) {
       default:
         break;
     }
-    if (random.below(8) == 0) copy = shapes::moved(copy, random.box(1e-9));
+    if (random.below(8) == 0) copy = shapes::moved(copy, random.point(1e-9));
     copies.push_back(random.below(2) == 0 ? copy : shapes::inside_out(copy));
   }
   return copies;
@@ -171,12 +171,12 @@ struct Broken {
   }
 };
 
-Broken break_at_random(Scatter& random) {
+Broken break_at_random(SceneScatter& random) {
   Broken broken;
   broken.intended = {random_solid(random)};
   IndexedMesh mesh = broken.intended[0];
   if (random.below(4) == 0) {
-    const IndexedMesh other = shapes::moved(random_solid(random), random.box(40));
+    const IndexedMesh other = shapes::moved(random_solid(random), random.point(40));
     broken.intended.push_back(other);
     mesh = shapes::joined(mesh, random.below(2) == 0 ? other : shapes::inside_out(other));
   }
@@ -190,7 +190,7 @@ Broken break_at_random(Scatter& random) {
 }
 
 /// A solid with a hole whose surface stands there several times, in one file or in several, perhaps beside a closed one.
-Broken repeat_at_random(Scatter& random) {
+Broken repeat_at_random(SceneScatter& random) {
   Broken broken;
   broken.intended = {random_solid(random)};
   IndexedMesh mesh = broken.intended[0];
@@ -200,7 +200,7 @@ Broken repeat_at_random(Scatter& random) {
   broken.files = copies_of(random, mesh);
   broken.left_of_first = box_of(broken.files);
   if (random.below(3) == 0) {  // an insert or a second body, perhaps inside out
-    const IndexedMesh other = shapes::moved(random_solid(random), random.box(40));
+    const IndexedMesh other = shapes::moved(random_solid(random), random.point(40));
     broken.intended.push_back(other);
     broken.files.push_back(random.below(2) == 0 ? other : shapes::inside_out(other));
   }
@@ -214,13 +214,13 @@ Broken repeat_at_random(Scatter& random) {
 }
 
 /// Closed bodies, one of them inside another and a file of its own, inside out or not.
-Broken turn_files_at_random(Scatter& random) {
+Broken turn_files_at_random(SceneScatter& random) {
   Broken broken;
   broken.intended = {shapes::box(Vec3::Constant(-45), Vec3::Constant(45))};
   for (std::size_t n = 1 + random.below(2); n-- > 0;) {
     IndexedMesh insert = random_solid(random);
     for (Vec3& v : insert.vertices) v *= random.below(2) == 0 ? 0.6 : 0.9;
-    broken.intended.push_back(shapes::moved(insert, random.box(15)));
+    broken.intended.push_back(shapes::moved(insert, random.point(15)));
   }
   for (const IndexedMesh& body : broken.intended) {
     broken.files.push_back(random.below(2) == 0 ? body : shapes::inside_out(body));
@@ -237,15 +237,15 @@ bool is_in_any(const std::vector<IndexedMesh>& solids, const Vec3& point) {
   return std::any_of(solids.begin(), solids.end(), [&](const IndexedMesh& s) { return test::is_inside(s, point); });
 }
 
-using Damage = Broken (*)(Scatter&);
+using Damage = Broken (*)(SceneScatter&);
 
 void check_once(std::uint64_t stream, Damage damage, Tally& tally) {
-  Scatter random(stream);
+  SceneScatter random(stream);
   const Broken broken = damage(random);
   const double diameter = random.in(0.5, 5), length = diameter * random.in(1.5, 4);
   const ToolForms tool = make_tool_forms({1, "ball", BallCutter{diameter, length}, {}, {}}, 0, 0, 0).value();
-  std::vector<Pose> poses = {{random.box(45), random.axis(3)}};
-  for (std::size_t n = random.below(4); n-- > 0;) poses.push_back({poses.back().tip + random.box(8), poses.back().axis});
+  std::vector<Pose> poses = {{random.point(45), random.axis(3)}};
+  for (std::size_t n = random.below(4); n-- > 0;) poses.push_back({poses.back().tip + random.point(8), poses.back().axis});
   const Toolpath path = paths::through(poses);
   Scene scene;
   (random.below(4) == 0 ? scene.fixtures : scene.parts) = broken.files;

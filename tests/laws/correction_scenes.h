@@ -10,9 +10,9 @@
 #include "lib/check/scene.h"
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/reading/read_toolpath.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
-#include "tests/support/split_mix.h"
 #include "tests/support/tools.h"
 
 // Random programs over random solids, written as CL data and read by the program's own reader: most moves clean, some a
@@ -52,9 +52,9 @@ class CorrectionScatter {
   }
 
  private:
-  double in(double low, double high) { return random_.uniform(low, high); }
-  bool is(double share) { return in(0, 1) < share; }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_.next() % n); }
+  double in(double low, double high) { return random_.in(low, high); }
+  bool is(double share) { return random_.is(share); }
+  std::size_t below(std::size_t n) { return random_.below(n); }
   /// From 0.003 mm to 8 mm, all sizes alike.
   double some_depth() { return 0.003 * std::pow(2700, in(0, 1)); }
 
@@ -148,7 +148,7 @@ class CorrectionScatter {
     return all + "CYCLE / OFF\n" + go_to(at);
   }
 
-  test::SplitMix64 random_;
+  test::Scatter random_;
   bool is_tilted_ = false;
   Vec3 axis_ = Vec3::UnitZ();
 };

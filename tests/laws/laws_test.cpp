@@ -15,7 +15,7 @@ namespace gouge {
 namespace {
 
 using laws::RandomScene;
-using laws::Scatter;
+using laws::SceneScatter;
 
 constexpr double kRounding_mm = 1e-9;
 constexpr CheckOptions kOptions{};
@@ -63,7 +63,7 @@ template <class Law>
 void on_random_scenes(std::uint64_t stream, std::size_t count, Law&& law) {
   std::size_t gouges = 0, moves = 0;
   for (std::size_t i = 0; i < count; ++i) {
-    Scatter scatter(stream * 100000 + i);
+    SceneScatter scatter(stream * 100000 + i);
     const RandomScene random = scatter.scene(tool_of(i).bare);
     const CheckResult result = check(random.path, tool_of(i), random.scene);
     gouges += result.counts.gouge;
@@ -82,7 +82,7 @@ RandomScene moved(RandomScene random, const RigidTransform& by) {
 }
 
 /// A turn by 90 degrees about one of the axes, and a shift that is a power of two: exact in binary.
-RigidTransform quarter_turn(Scatter& scatter) {
+RigidTransform quarter_turn(SceneScatter& scatter) {
   const auto k = static_cast<Eigen::Index>(scatter.below(3));
   RigidTransform turn;
   turn.rotation.setZero();
@@ -93,7 +93,7 @@ RigidTransform quarter_turn(Scatter& scatter) {
 }
 
 TEST(Laws, AQuarterTurnOfEverythingKeepsTheVerdicts) {
-  on_random_scenes(1, 150, [](Scatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(1, 150, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
     const RandomScene turned = moved(random, quarter_turn(scatter));
     const CheckResult b = check(turned.path, tool, turned.scene);
     for (std::size_t m = 0; m < a.verdicts.size(); ++m) expect_same_truth(a.verdicts[m], b.verdicts[m], where(i, m));
@@ -101,10 +101,10 @@ TEST(Laws, AQuarterTurnOfEverythingKeepsTheVerdicts) {
 }
 
 TEST(Laws, AnyRigidMotionOfEverythingNeverTurnsGougeIntoClean) {
-  on_random_scenes(2, 150, [](Scatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(2, 150, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
     RigidTransform by;
-    by.rotation = Eigen::AngleAxisd(scatter.in(-3, 3), scatter.box(1).normalized()).toRotationMatrix();
-    by.shift = scatter.box(300);
+    by.rotation = Eigen::AngleAxisd(scatter.in(-3, 3), scatter.point(1).normalized()).toRotationMatrix();
+    by.shift = scatter.point(300);
     const RandomScene turned = moved(random, by);
     const CheckResult b = check(turned.path, tool, turned.scene);
     for (std::size_t m = 0; m < a.verdicts.size(); ++m) expect_same_truth(a.verdicts[m], b.verdicts[m], where(i, m));
@@ -112,7 +112,7 @@ TEST(Laws, AnyRigidMotionOfEverythingNeverTurnsGougeIntoClean) {
 }
 
 TEST(Laws, TheOrderOfTrianglesAndCornersChangesNothingButTriangleNumbers) {
-  on_random_scenes(3, 150, [](Scatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(3, 150, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
     RandomScene shuffled = random;
     IndexedMesh& mesh = shuffled.scene.parts[0];
     for (std::size_t t = mesh.triangles.size(); t > 1; --t) {
@@ -146,9 +146,9 @@ TEST(Laws, AToolThatContainsAnotherIsNeverLessDeep) {
       {tools::necked(), tools::forms(tools::assembly(FlatCutter{12, 10}, 12)), 0},
       {ball10, tools::forms(tools::assembly(BallCutter{10, 30}), 0.3, 0, 0), 0},
       {tools::tapered(), tools::forms(tools::assembly(TaperedCutter{4, 2, 5, 30}, 8), 0, 0.5, 1), 0}};
-  on_random_scenes(4, 140, [&](Scatter& scatter, const RandomScene& random, const ToolForms&, const CheckResult&, std::size_t i) {
+  on_random_scenes(4, 140, [&](SceneScatter& scatter, const RandomScene& random, const ToolForms&, const CheckResult&, std::size_t i) {
     const Pair& pair = pairs[i % pairs.size()];
-    Toolpath lower = paths::through({random.path.moves[0].end, {scatter.box(2), random.path.moves[0].end.axis}});
+    Toolpath lower = paths::through({random.path.moves[0].end, {scatter.point(2), random.path.moves[0].end.axis}});
     Toolpath path = lower;
     for (Move& move : lower.moves) move.end.tip -= pair.tip_below_mm * move.end.axis;
     const CheckResult a = check(path, pair.smaller, random.scene);
@@ -158,7 +158,7 @@ TEST(Laws, AToolThatContainsAnotherIsNeverLessDeep) {
 }
 
 TEST(Laws, ASmallerToleranceOrAFinerResolutionNeverTurnsGougeIntoClean) {
-  on_random_scenes(5, 100, [](Scatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult&, std::size_t i) {
+  on_random_scenes(5, 100, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult&, std::size_t i) {
     CheckOptions wide, narrow;
     wide.tolerance_mm = std::pow(10, scatter.in(-2, 0.3));
     narrow.tolerance_mm = wide.tolerance_mm * scatter.in(0, 0.9);
@@ -174,7 +174,7 @@ TEST(Laws, ASmallerToleranceOrAFinerResolutionNeverTurnsGougeIntoClean) {
 }
 
 TEST(Laws, AMoveIsAsDeepAsTheDeeperOfItsHalves) {
-  on_random_scenes(6, 120, [](Scatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& whole, std::size_t i) {
+  on_random_scenes(6, 120, [](SceneScatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& whole, std::size_t i) {
     std::vector<Pose> poses{random.path.moves[0].end};
     for (std::size_t m = 1; m < random.path.moves.size(); ++m) {
       poses.push_back(reference::pose_at(random.path.start_of(m), random.path.moves[m].end, 0.5));
@@ -192,7 +192,7 @@ TEST(Laws, AMoveIsAsDeepAsTheDeeperOfItsHalves) {
 }
 
 TEST(Laws, TheReversedPathHasTheSameGouges) {
-  on_random_scenes(7, 150, [](Scatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(7, 150, [](SceneScatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
     std::vector<Pose> back;
     for (const Move& move : random.path.moves) back.insert(back.begin(), move.end);
     const CheckResult b = check(paths::through(back), tool, random.scene);
@@ -202,7 +202,7 @@ TEST(Laws, TheReversedPathHasTheSameGouges) {
 }
 
 TEST(Laws, AMoveIsNoShallowerThanItsEnds) {
-  on_random_scenes(8, 150, [](Scatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(8, 150, [](SceneScatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
     Toolpath alone = random.path;
     for (Move& move : alone.moves) move.has_start = false;
     const CheckResult ends = check(alone, tool, random.scene);
@@ -214,7 +214,7 @@ TEST(Laws, AMoveIsNoShallowerThanItsEnds) {
 }
 
 TEST(Laws, AFixtureMoreNeverRemovesAGouge) {
-  on_random_scenes(9, 120, [](Scatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(9, 120, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
     Scene more = random.scene;
     more.fixtures.push_back(scatter.triangles(4));
     const CheckResult b = check(random.path, tool, more);
@@ -226,7 +226,7 @@ TEST(Laws, AFixtureMoreNeverRemovesAGouge) {
 }
 
 TEST(Laws, EveryMoveHasOneStateAndTheCountsAddUp) {
-  on_random_scenes(10, 150, [](Scatter&, const RandomScene& random, const ToolForms&, const CheckResult& a, std::size_t i) {
+  on_random_scenes(10, 150, [](SceneScatter&, const RandomScene& random, const ToolForms&, const CheckResult& a, std::size_t i) {
     const StateCounts& c = a.counts;
     EXPECT_EQ(a.verdicts.size(), random.path.moves.size());
     EXPECT_EQ(c.clean + c.near_miss + c.gouge + c.buried + c.not_checked + c.not_certified, a.verdicts.size()) << i;
@@ -246,7 +246,7 @@ TEST(Laws, EveryMoveHasOneStateAndTheCountsAddUp) {
 
 TEST(Laws, TheReferenceNeverFindsMoreOnRandomScenes) {
   std::size_t seen = 0, gouges = 0;
-  on_random_scenes(11, 60, [&](Scatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(11, 60, [&](SceneScatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
     const reference::Contour contour(tool.against_part);
     for (std::size_t m = 0; m < a.verdicts.size(); ++m) {
       const MoveVerdict& v = a.verdicts[m];

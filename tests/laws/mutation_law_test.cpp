@@ -51,7 +51,7 @@ double distance_from_segment(const Vec3& p, const Vec3& a, const Vec3& b) {
 // A splinter of metal within the tool in the middle of a motion, as far from the other motions as one can be
 // found. The check itself must find it: that moves are listed as checked is not enough.
 void expect_splinter_is_found(const MutationBase& base, const Toolpath& path, const Mutant& mutant,
-                              test::SplitMix64& random, Counts& counts) {
+                              test::Scatter& random, Counts& counts) {
   if (base.is_tool_given || !base.library_tools.empty()) return;
   const std::vector<PossibleMotion> motions = expand_motions(mutant.bytes, path.dialect).motions;
   Vec3 best = Vec3::Zero();
@@ -81,7 +81,7 @@ void expect_splinter_is_found(const MutationBase& base, const Toolpath& path, co
 
 void hold_for(const MutationBase& base, std::size_t first_seed, std::size_t count, Counts& counts) {
   for (std::size_t seed = first_seed; seed < first_seed + count; ++seed) {
-    test::SplitMix64 random(seed);
+    test::Scatter random(seed);
     const Mutant mutant = mutate(base.bytes, seed % mutation_kinds(), random);
     if (mutant.bytes == base.bytes) continue;
     const ReadOutcome read = read_toolpath(base.name, mutant.bytes);

@@ -64,7 +64,7 @@ class RandomJobs {
       assembly.cutter = test::random_cutter(shapes_);
       assembly.shank = test::random_segments(shapes_, 2);
       assembly.holder = test::random_segments(shapes_, 3);
-      const double stock = kind == 1 ? 0 : shapes_.uniform(0, 0.5);
+      const double stock = kind == 1 ? 0 : shapes_.in(0, 0.5);
       Result<ToolForms> forms = make_tool_forms(assembly, stock, 0, 0);
       if (!forms) continue;
       tool_ = std::move(*forms);
@@ -80,7 +80,7 @@ class RandomJobs {
     const std::size_t count = 10 + scatter_.below(12);
     job.path.file = "random.apt";
     job.path.tools.resize(1);
-    Pose at{scatter_.box(size_), scatter_.axis(1)};
+    Pose at{scatter_.point(size_), scatter_.axis(1)};
     add(job.path, at, MoveKind::feed);
     while (job.path.moves.size() < count) {
       const double way = size_ * std::pow(10, in(-3, chance(0.15) ? 0.5 : -1.3));
@@ -94,7 +94,7 @@ class RandomJobs {
       } else if (kind < 0.97) {
         add_cycle(job.path, way);
       } else {  // a place reached in a way that is not known
-        add(job.path, {scatter_.box(size_), scatter_.axis(1)}, MoveKind::feed);
+        add(job.path, {scatter_.point(size_), scatter_.axis(1)}, MoveKind::feed);
         job.path.moves.back().has_start = false;
       }
     }
@@ -114,20 +114,20 @@ class RandomJobs {
   Vec3 turned(const Vec3& axis) {
     const double kind = in(0, 1);
     if (kind < 0.4) return axis;
-    return (axis + std::pow(10, in(-3, kind < 0.9 ? -1 : 0.3)) * scatter_.box(1)).normalized();
+    return (axis + std::pow(10, in(-3, kind < 0.9 ? -1 : 0.3)) * scatter_.point(1)).normalized();
   }
 
   void add_straight(Toolpath& path, double way) {
     const Pose from = path.moves.back().end;
     const bool is_turn_alone = chance(0.15), is_home = chance(0.05);
-    const Vec3 tip = is_home ? Vec3(scatter_.box(size_)) : Vec3(from.tip + scatter_.box(way));
+    const Vec3 tip = is_home ? Vec3(scatter_.point(size_)) : Vec3(from.tip + scatter_.point(way));
     add(path, {is_turn_alone ? from.tip : tip, turned(from.axis)}, chance(0.15) ? MoveKind::rapid : MoveKind::feed);
   }
 
   void add_arc(Toolpath& path, double way) {
     const Pose from = path.moves.back().end;
     PathArc arc;
-    arc.axis = chance(0.5) ? from.axis : Vec3(scatter_.box(1).normalized());
+    arc.axis = chance(0.5) ? from.axis : Vec3(scatter_.point(1).normalized());
     const Vec3 out = Eigen::AngleAxisd(in(0, 2 * std::numbers::pi), arc.axis) * arc.axis.unitOrthogonal();
     const double radius = way * in(0.2, 3);
     arc.center = from.tip - radius * out + (chance(0.5) ? 0 : in(-way, way)) * arc.axis;
@@ -148,7 +148,7 @@ class RandomJobs {
     std::vector<double> knots;
     for (std::size_t k = scatter_.below(3); k > 0; --k) knots.push_back(in(0.1, 0.9));
     std::sort(knots.begin(), knots.end());
-    while (control.size() < knots.size() + 4) control.push_back(control.back() + scatter_.box(way));
+    while (control.size() < knots.size() + 4) control.push_back(control.back() + scatter_.point(way));
     const PathSpline spline = make_spline(control, knots);
     if (spline.pieces.empty()) return;
     add(path, {spline.pieces.back().control[3], turned(from.axis)}, MoveKind::feed);
@@ -261,9 +261,9 @@ class RandomJobs {
     const Touch place = touch(job);
     const Vec3 normal = (b - a).cross(c - a).normalized();
     const Eigen::Matrix3d turn =
-        chance(0.8) ? turn_onto(normal, -place.outward) : turn_onto(normal, Vec3(scatter_.box(1).normalized()));
+        chance(0.8) ? turn_onto(normal, -place.outward) : turn_onto(normal, Vec3(scatter_.point(1).normalized()));
     const Vec3 to = place.at - deeper() * place.outward;
-    const Vec3 inside = chance(0.1) ? Vec3(0.4 * scale * scatter_.box(1)) : Vec3::Zero();
+    const Vec3 inside = chance(0.1) ? Vec3(0.4 * scale * scatter_.point(1)) : Vec3::Zero();
     for (Vec3& vertex : mesh.vertices) vertex = turn * (vertex - at) + to + inside;
     return mesh;
   }
@@ -281,7 +281,7 @@ class RandomJobs {
   void add_triangle(IndexedMesh& mesh, const RandomJob& job) {
     const Touch place = touch(job);
     const double size = size_ * std::pow(10, in(-2, 0.5)), thin = chance(0.3) ? 1e-3 : 1.0;
-    const Vec3 normal = chance(0.85) ? place.outward : Vec3(scatter_.box(1).normalized());
+    const Vec3 normal = chance(0.85) ? place.outward : Vec3(scatter_.point(1).normalized());
     const double lean = chance(0.7) ? 0 : std::pow(10, in(-4, 0));
     const Vec3 foot = place.at - deeper() * place.outward;
     const Vec3 a = normal.unitOrthogonal(), b = normal.cross(a);
@@ -301,8 +301,8 @@ class RandomJobs {
     return shapes::moved(mesh, shift);
   }
 
-  Scatter scatter_;
-  test::SplitMix64 shapes_;
+  SceneScatter scatter_;
+  test::Scatter shapes_;
   std::optional<ToolForms> tool_;
   std::string tool_name_;
   int uses_left_ = 0;

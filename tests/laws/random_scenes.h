@@ -4,13 +4,13 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "lib/check/scene.h"
 #include "lib/tool/compiled_tool.h"
 #include "tests/support/paths.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
 // Random paths among random triangles: most near the boundary of the tool, some lying on it. The seed is printed; the
@@ -33,14 +33,9 @@ struct RandomScene {
   Scene scene;
 };
 
-class Scatter {
+class SceneScatter : public test::Scatter {
  public:
-  explicit Scatter(std::uint64_t stream) : random_(seed() * 1000003 + stream) {}
-
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  std::size_t below(std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random_); }
-  Vec3 box(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
-  Vec3 axis(double lean) { return Vec3(in(-lean, lean), in(-lean, lean), 1).normalized(); }
+  explicit SceneScatter(std::uint64_t stream) : Scatter(seed() * 1000003 + stream) {}
 
   /// Triangles about a tool that stands upright at the origin.
   IndexedMesh triangles(std::size_t count) {
@@ -50,7 +45,7 @@ class Scatter {
       const double nearest = in(0, 1) < 0.6 ? 4 : 20;
       const double angle = in(0, 2 * M_PI), far = nearest + in(0, 9), size = std::pow(10, in(-0.5, 1));
       const Vec3 at(far * std::cos(angle), far * std::sin(angle), in(-6, 110));
-      for (int c = 0; c < 3; ++c) mesh.vertices.push_back(at + box(size));
+      for (int c = 0; c < 3; ++c) mesh.vertices.push_back(at + point(size));
       const std::size_t n = mesh.vertices.size();
       shapes::add_triangle(mesh, n - 3, n - 2, n - 1);
     }
@@ -59,14 +54,14 @@ class Scatter {
 
   /// `largest_way` in mm; the axis turns by a tenth of it or less, in radians.
   std::vector<Pose> poses(std::size_t count, double largest_way) {
-    std::vector<Pose> all{{box(1), axis(0.1)}};
+    std::vector<Pose> all{{point(1), axis(0.1)}};
     while (all.size() < count) {
       const double way = largest_way * std::pow(10, in(-2, 0));
       // Some moves are pure rotations, some pure shifts.
       const double kind = in(0, 1);
       Pose next = all.back();
-      if (kind > 0.2) next.tip += box(way);
-      if (kind < 0.8) next.axis = (next.axis + 0.03 * box(way)).normalized();
+      if (kind > 0.2) next.tip += point(way);
+      if (kind < 0.8) next.axis = (next.axis + 0.03 * point(way)).normalized();
       all.push_back(next);
     }
     return all;
@@ -107,8 +102,6 @@ class Scatter {
     const std::size_t n = mesh.vertices.size();
     shapes::add_triangle(mesh, n - 3, n - 2, n - 1);
   }
-
-  std::mt19937_64 random_;
 };
 
 }  // namespace gouge::laws

@@ -35,7 +35,7 @@ std::string joined(const Lines& lines) {
   return bytes;
 }
 
-std::size_t pick(test::SplitMix64& random, std::size_t count) {
+std::size_t pick(test::Scatter& random, std::size_t count) {
   return static_cast<std::size_t>(random.next() % count);
 }
 
@@ -56,7 +56,7 @@ bool is_letter(char c) {
 enum class CharacterDamage { lose, repeat };
 
 void damage(std::string& bytes, const std::vector<std::size_t>& where, CharacterDamage how,
-            test::SplitMix64& random) {
+            test::Scatter& random) {
   if (where.empty()) return;
   const std::size_t place = where[pick(random, where.size())];
   if (how == CharacterDamage::lose)
@@ -65,7 +65,7 @@ void damage(std::string& bytes, const std::vector<std::size_t>& where, Character
     bytes.insert(place, 1, bytes[place]);
 }
 
-void damage_all(std::string& bytes, char c, CharacterDamage how, test::SplitMix64& random) {
+void damage_all(std::string& bytes, char c, CharacterDamage how, test::Scatter& random) {
   damage(bytes, places(bytes, [&](std::size_t i) { return bytes[i] == c; }), how, random);
 }
 
@@ -89,7 +89,7 @@ constexpr std::array<Opposite, 14> kOpposites{{{"UNIT", ",INCHES"},
                                                {"LOAD/TOOL", ",TOOL,7"},
                                                {"TRNTYP", ",LOCAL"}}};
 
-void contradict(Lines& lines, test::SplitMix64& random) {
+void contradict(Lines& lines, test::Scatter& random) {
   std::vector<std::pair<std::size_t, std::size_t>> found;
   for (std::size_t i = 0; i < lines.size(); ++i) {
     for (std::size_t k = 0; k < kOpposites.size(); ++k) {
@@ -102,15 +102,15 @@ void contradict(Lines& lines, test::SplitMix64& random) {
   lines[line].insert(end, kOpposites[opposite].addition);
 }
 
-using Damage = void (*)(Lines&, test::SplitMix64&);
+using Damage = void (*)(Lines&, test::Scatter&);
 
 // A damage to one statement that depends on its own text only.
 template <typename Change>
-void to_one(Lines& lines, test::SplitMix64& random, Change change) {
+void to_one(Lines& lines, test::Scatter& random, Change change) {
   change(lines[pick(random, lines.size())]);
 }
 
-void cut_short(Lines& lines, test::SplitMix64& random) {
+void cut_short(Lines& lines, test::Scatter& random) {
   to_one(lines, random, [&](std::string& s) {
     const auto where = places(s, [&](std::size_t i) { return s[i] == ',' || s[i] == '/'; });
     if (where.empty()) return;
@@ -119,34 +119,34 @@ void cut_short(Lines& lines, test::SplitMix64& random) {
   });
 }
 
-void part_it(Lines& lines, test::SplitMix64& random) {
+void part_it(Lines& lines, test::Scatter& random) {
   to_one(lines, random, [&](std::string& s) {
     if (s.size() > 2) s.insert(1 + pick(random, s.size() - 2), "\n");
   });
 }
 
-void part_after_comma(Lines& lines, test::SplitMix64& random) {
+void part_after_comma(Lines& lines, test::Scatter& random) {
   to_one(lines, random, [&](std::string& s) {
     const auto where = places(s, [&](std::size_t i) { return s[i] == ','; });
     if (!where.empty()) s.insert(where[pick(random, where.size())] + pick(random, 2), "\n");
   });
 }
 
-void lose_major_word(Lines& lines, test::SplitMix64& random) {
+void lose_major_word(Lines& lines, test::Scatter& random) {
   to_one(lines, random, [&](std::string& s) {
     const std::size_t slash = s.find('/');
     if (slash != std::string::npos) s.erase(0, slash + pick(random, 2));
   });
 }
 
-void lose_slash(Lines& lines, test::SplitMix64& random) {
+void lose_slash(Lines& lines, test::Scatter& random) {
   to_one(lines, random, [&](std::string& s) {
     const std::size_t slash = s.find('/');
     if (slash != std::string::npos) s.erase(slash, 1);
   });
 }
 
-void glue(Lines& lines, test::SplitMix64& random) {
+void glue(Lines& lines, test::Scatter& random) {
   to_one(lines, random, [&](std::string& s) {
     const std::size_t slash = s.find('/');
     if (slash == std::string::npos) return;
@@ -156,7 +156,7 @@ void glue(Lines& lines, test::SplitMix64& random) {
   });
 }
 
-void lose_physical_line(Lines& lines, test::SplitMix64& random) {
+void lose_physical_line(Lines& lines, test::Scatter& random) {
   to_one(lines, random, [&](std::string& s) {
     const auto ends = places(s, [&](std::size_t i) { return s[i] == '\n'; });
     if (ends.size() < 2) return;
@@ -167,13 +167,13 @@ void lose_physical_line(Lines& lines, test::SplitMix64& random) {
 }
 
 template <char kCharacter, CharacterDamage kHow>
-void character(Lines& lines, test::SplitMix64& random) {
+void character(Lines& lines, test::Scatter& random) {
   std::string bytes = joined(lines);
   damage_all(bytes, kCharacter, kHow, random);
   lines = {bytes};
 }
 
-void lose_line_end(Lines& lines, test::SplitMix64& random) {
+void lose_line_end(Lines& lines, test::Scatter& random) {
   std::string bytes = joined(lines);
   const auto ends = places(bytes, [&](std::size_t i) { return bytes[i] == '\n'; });
   if (ends.empty()) return;
@@ -184,7 +184,7 @@ void lose_line_end(Lines& lines, test::SplitMix64& random) {
 }
 
 template <CharacterDamage kHow>
-void letter(Lines& lines, test::SplitMix64& random) {
+void letter(Lines& lines, test::Scatter& random) {
   to_one(lines, random, [&](std::string& s) {
     damage(s, places(s, [&](std::size_t i) { return is_letter(s[i]); }), kHow, random);
   });
@@ -196,23 +196,23 @@ struct Kind {
 };
 
 constexpr std::array<Kind, 24> kKinds{{
-    {"statement lost", [](Lines& l, test::SplitMix64& r) { l[pick(r, l.size())].clear(); }},
-    {"statement twice", [](Lines& l, test::SplitMix64& r) { to_one(l, r, [](std::string& s) { s += s; }); }},
+    {"statement lost", [](Lines& l, test::Scatter& r) { l[pick(r, l.size())].clear(); }},
+    {"statement twice", [](Lines& l, test::Scatter& r) { to_one(l, r, [](std::string& s) { s += s; }); }},
     {"statement cut short", cut_short},
     {"statement parted", part_it},
     {"statement parted at a comma", part_after_comma},
     {"statement misplaced",
-     [](Lines& l, test::SplitMix64& r) {
+     [](Lines& l, test::Scatter& r) {
        const std::string s = std::exchange(l[pick(r, l.size())], "");
        l.insert(l.begin() + static_cast<std::ptrdiff_t>(pick(r, l.size())), s);
      }},
     {"statements exchanged",
-     [](Lines& l, test::SplitMix64& r) {
+     [](Lines& l, test::Scatter& r) {
        const std::size_t i = pick(r, l.size());
        if (i + 1 < l.size()) std::swap(l[i], l[i + 1]);
      }},
     {"statement copied elsewhere",
-     [](Lines& l, test::SplitMix64& r) {
+     [](Lines& l, test::Scatter& r) {
        const std::string s = l[pick(r, l.size())];
        l.insert(l.begin() + static_cast<std::ptrdiff_t>(pick(r, l.size())), s);
      }},
@@ -231,12 +231,12 @@ constexpr std::array<Kind, 24> kKinds{{
     {"blank lost", character<' ', CharacterDamage::lose>},
     {"line end lost", lose_line_end},
     {"$ put at a line's end",
-     [](Lines& l, test::SplitMix64& r) {
+     [](Lines& l, test::Scatter& r) {
        to_one(l, r,
               [](std::string& s) { s.insert(std::min(s.find_last_not_of("\r\n") + 1, s.size()), "$"); });
      }},
     {"letters exchanged",
-     [](Lines& l, test::SplitMix64& r) {
+     [](Lines& l, test::Scatter& r) {
        to_one(l, r, [&](std::string& s) {
          const auto where = places(
              s, [&](std::size_t i) { return i + 1 < s.size() && is_letter(s[i]) && is_letter(s[i + 1]); });
@@ -257,7 +257,7 @@ std::string_view mutation_name(std::size_t kind) {
   return kKinds[kind].name;
 }
 
-Mutant mutate(const std::string& bytes, std::size_t kind, test::SplitMix64& random) {
+Mutant mutate(const std::string& bytes, std::size_t kind, test::Scatter& random) {
   Lines lines = statements_of(bytes);
   Mutant mutant;
   mutant.kind = kind;

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "tests/support/split_mix.h"
+#include "tests/support/scatter.h"
 
 // Damages a toolpath the way editors, cards, transfers and posts do: a statement lost, written twice, cut
 // short, parted, misplaced or contradicted, or a character that makes the difference lost or doubled. Numbers
@@ -23,6 +23,6 @@ struct Mutant {
 
 /// One damage of the given kind at a place that `random` chooses; the bytes unchanged where there is no place
 /// for it.
-[[nodiscard]] Mutant mutate(const std::string& bytes, std::size_t kind, test::SplitMix64& random);
+[[nodiscard]] Mutant mutate(const std::string& bytes, std::size_t kind, test::Scatter& random);
 
 }  // namespace gouge::laws

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lib/tool/evaluate.h"
-#include "tests/support/split_mix.h"
+#include "tests/support/scatter.h"
 #include "toolmodels/assembly.h"
 #include "toolmodels/compile_tool.h"
 #include "toolmodels/elements.h"
@@ -67,21 +67,21 @@ struct FreeStyle {
   double smallest_step = 0.05;  ///< of the mean step
 };
 
-inline std::vector<Vec2> random_corners(SplitMix64& random, const FreeStyle& style) {
-  const double scale = style.is_on_grid ? 8 : 8 * std::pow(10.0, random.uniform(-1.5, 1));
+inline std::vector<Vec2> random_corners(Scatter& random, const FreeStyle& style) {
+  const double scale = style.is_on_grid ? 8 : 8 * std::pow(10.0, random.in(-1.5, 1));
   const auto place = [&](double value) { return style.is_on_grid ? std::round(value) : value; };
   const auto step = [&] {
-    return scale * std::pow(style.smallest_step, random.next() % 3 == 0 ? random.uniform(0, 1) : 0);
+    return scale * std::pow(style.smallest_step, random.next() % 3 == 0 ? random.in(0, 1) : 0);
   };
-  std::vector<Vec2> corners{{0, style.is_hollow ? place(scale * random.uniform(0.1, 0.6)) : 0}};
-  if (style.is_hollow) corners.emplace_back(place(scale * random.uniform(0.3, 1)), 0);
+  std::vector<Vec2> corners{{0, style.is_hollow ? place(scale * random.in(0.1, 0.6)) : 0}};
+  if (style.is_hollow) corners.emplace_back(place(scale * random.in(0.3, 1)), 0);
   for (std::uint64_t count = 2 + random.next() % 9; count > 0; --count) {
     Vec2 next = corners.back();
     const std::uint64_t kind = random.next() % 4;
     const double down = style.has_undercuts && random.next() % 4 == 0 ? -0.6 : 1;
-    if (kind != 0) next.y() += place(down * step() * random.uniform(0.2, 1.2));
-    if (kind != 1) next.x() += place(step() * random.uniform(-1, 1.2));
-    if (next.x() < 0.02 * scale) next.x() = place(scale * random.uniform(0.1, 1));
+    if (kind != 0) next.y() += place(down * step() * random.in(0.2, 1.2));
+    if (kind != 1) next.x() += place(step() * random.in(-1, 1.2));
+    if (next.x() < 0.02 * scale) next.x() = place(scale * random.in(0.1, 1));
     if (style.is_on_grid) next.x() = std::max(1.0, next.x());
     if (next != corners.back()) corners.push_back(next);
   }
@@ -90,18 +90,18 @@ inline std::vector<Vec2> random_corners(SplitMix64& random, const FreeStyle& sty
 }
 
 /// A corner rounded by an arc that touches both sides, when there is room for it.
-inline void fillet(SplitMix64& random, const Vec2& before, const Vec2& corner, const Vec2& after, Vec2& a,
+inline void fillet(Scatter& random, const Vec2& before, const Vec2& corner, const Vec2& after, Vec2& a,
                    Vec2& b, double& bulge) {
   const Vec2 in = corner - before, out = after - corner;
   const Vec2 u = in.normalized(), v = out.normalized();
   const double turn = std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
-  const double trim = random.uniform(0.05, 0.4) * std::min(in.norm(), out.norm());
+  const double trim = random.in(0.05, 0.4) * std::min(in.norm(), out.norm());
   a = corner - trim * u;
   b = corner + trim * v;
   bulge = std::tan(turn / 4);
 }
 
-inline Profile random_outline(SplitMix64& random, const FreeStyle& style) {
+inline Profile random_outline(Scatter& random, const FreeStyle& style) {
   const std::vector<Vec2> corners = random_corners(random, style);
   Profile profile;
   const auto body_at = [&](std::size_t i) {
@@ -114,7 +114,7 @@ inline Profile random_outline(SplitMix64& random, const FreeStyle& style) {
     double rounding = 0;
     const std::uint64_t kind = style.has_arcs ? random.next() % 4 : 0;
     if (kind == 1 && !is_last) fillet(random, from, corners[i + 1], corners[i + 2], a, b, rounding);
-    const double bulge = kind == 2 ? random.uniform(-0.7, 1.2) : kind == 3 ? random.uniform(-0.05, 0.05) : 0;
+    const double bulge = kind == 2 ? random.in(-0.7, 1.2) : kind == 3 ? random.in(-0.05, 0.05) : 0;
     profile.elements.push_back(bulged(from, a, bulge, body_at(i)));
     if (std::abs(rounding) > 0) profile.elements.push_back(bulged(a, b, rounding, body_at(i)));
     from = b;
@@ -122,7 +122,7 @@ inline Profile random_outline(SplitMix64& random, const FreeStyle& style) {
   return profile;
 }
 
-inline Profile random_free_profile(SplitMix64& random, const FreeStyle& style) {
+inline Profile random_free_profile(Scatter& random, const FreeStyle& style) {
   for (;;) {
     const Profile profile = random_outline(random, style);
     if (verify_profile(profile).empty() && is_clear_of_itself(profile)) return profile;
@@ -130,39 +130,39 @@ inline Profile random_free_profile(SplitMix64& random, const FreeStyle& style) {
 }
 
 /// A staircase of cylinders with steps down to a millionth of the size: nothing to round, nothing to cross.
-inline Profile random_staircase(SplitMix64& random) {
+inline Profile random_staircase(Scatter& random) {
   Profile profile;
   Vec2 at(0, 0);
   const auto go_to = [&](const Vec2& to) {
     profile.elements.push_back(make_segment(Body::cutter, at, to));
     at = to;
   };
-  go_to({random.uniform(1, 20), 0});
+  go_to({random.in(1, 20), 0});
   for (std::uint64_t count = 2 + random.next() % 6; count > 0; --count) {
-    go_to({at.x(), at.y() + 10 * std::pow(10.0, random.uniform(-6, 1))});
-    const double step = 10 * std::pow(10.0, random.uniform(-6, 0));
+    go_to({at.x(), at.y() + 10 * std::pow(10.0, random.in(-6, 1))});
+    const double step = 10 * std::pow(10.0, random.in(-6, 0));
     go_to({random.next() % 2 == 0 && step < 0.5 * at.x() ? at.x() - step : at.x() + step, at.y()});
   }
-  go_to({at.x(), at.y() + random.uniform(1, 50)});
+  go_to({at.x(), at.y() + random.in(1, 50)});
   go_to({0, at.y()});
   return profile;
 }
 
-inline std::vector<ToolSegment> random_segments(SplitMix64& random, std::uint64_t most) {
+inline std::vector<ToolSegment> random_segments(Scatter& random, std::uint64_t most) {
   std::vector<ToolSegment> list;
   for (std::uint64_t k = random.next() % (most + 1); k > 0; --k) {
-    const double lower = random.uniform(1, 40);
-    const double upper = random.next() % 2 == 0 ? lower : random.uniform(1, 40);
-    list.push_back({lower, upper, random.uniform(0.5, 40)});
+    const double lower = random.in(1, 40);
+    const double upper = random.next() % 2 == 0 ? lower : random.in(1, 40);
+    list.push_back({lower, upper, random.in(0.5, 40)});
   }
   return list;
 }
 
 // Dimensions that often make a tool; those that do not are refused by make_body_profiles.
-inline Cutter random_cutter(SplitMix64& random) {
-  const double d = random.uniform(0.5, 40), length = random.uniform(0.8 * d, 60 + d);
-  const double corner = random.uniform(0, d / 2);
-  const auto part = [&](double low, double high) { return d * random.uniform(low, high); };
+inline Cutter random_cutter(Scatter& random) {
+  const double d = random.in(0.5, 40), length = random.in(0.8 * d, 60 + d);
+  const double corner = random.in(0, d / 2);
+  const auto part = [&](double low, double high) { return d * random.in(low, high); };
   switch (random.next() % 18) {
     case 0:
       return FlatCutter{d, length};
@@ -171,13 +171,13 @@ inline Cutter random_cutter(SplitMix64& random) {
     case 2:
       return BullNoseCutter{d, corner, length};
     case 3:
-      return TaperedCutter{d, corner, random.uniform(-8, 40), length};
+      return TaperedCutter{d, corner, random.in(-8, 40), length};
     case 4:
-      return TaperedCutter{d, d / 2, random.uniform(0.1, 20), length};
+      return TaperedCutter{d, d / 2, random.in(0.1, 20), length};
     case 5:
-      return DrillCutter{d, random.uniform(60, 179), length};
+      return DrillCutter{d, random.in(60, 179), length};
     case 6:
-      return ChamferCutter{d, part(0, 0.9), random.uniform(10, 80), random.next() % 2 == 0 ? 0 : length};
+      return ChamferCutter{d, part(0, 0.9), random.in(10, 80), random.next() % 2 == 0 ? 0 : length};
     case 7:
       return LollipopCutter{d, part(0.2, 0.95), random.next() % 2 == 0 ? 0 : part(0.6, 3)};
     case 8:
@@ -186,9 +186,9 @@ inline Cutter random_cutter(SplitMix64& random) {
       return SlittingSawCutter{d, part(0.01, 0.2), random.next() % 2 == 0 ? 0 : part(0.1, 0.6),
                                part(0.02, 0.2)};
     case 10:
-      return DovetailCutter{d, part(0, 0.05), random.uniform(5, 40), part(0.1, 0.5)};
+      return DovetailCutter{d, part(0, 0.05), random.in(5, 40), part(0.1, 0.5)};
     case 11:
-      return BarrelCutter{d, part(1, 40), part(0, 0.2), random.uniform(0, 15), part(0.2, 1), part(1, 2)};
+      return BarrelCutter{d, part(1, 40), part(0, 0.2), random.in(0, 15), part(0.2, 1), part(1, 2)};
     case 12:
       return OvalCutter{d, part(0.02, 0.4), part(0.6, 20), length};
     case 13:
@@ -197,7 +197,7 @@ inline Cutter random_cutter(SplitMix64& random) {
       const bool is_hollow = random.next() % 2 == 0;
       return FaceMillCutter{d,
                             part(0, 0.05),
-                            random.uniform(5, 60),
+                            random.in(5, 60),
                             part(1.05, 1.5),
                             is_hollow ? part(0.2, 0.8) : 0,
                             is_hollow ? part(0.05, 0.3) : 0,
@@ -206,22 +206,22 @@ inline Cutter random_cutter(SplitMix64& random) {
     case 15:
       return RadiusCutter{d, part(0, 0.3), part(0.1, 0.6), random.next() % 2 == 0 ? 0 : part(2.3, 3), length};
     default:
-      return AptCutter{d, 0.4 * corner, 0, 0, random.uniform(0, 50), random.uniform(-8, 30), length};
+      return AptCutter{d, 0.4 * corner, 0, 0, random.in(0, 50), random.in(-8, 30), length};
   }
 }
 
 /// The union of bodies grown by what `most` allows each; nothing when they do not make one tool.
-inline std::optional<Profile> united(SplitMix64& random, const std::vector<const Profile*>& bodies,
+inline std::optional<Profile> united(Scatter& random, const std::vector<const Profile*>& bodies,
                                      const std::vector<double>& most) {
   std::vector<GrownBody> grown;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    grown.push_back({bodies[i], random.uniform(0, 1) * most[i]});
+    grown.push_back({bodies[i], random.in(0, 1) * most[i]});
   Result<Profile> all = unite(grown);
   if (!all) return std::nullopt;
   return std::move(all.value());
 }
 
-inline Profile random_assembly_profile(SplitMix64& random) {
+inline Profile random_assembly_profile(Scatter& random) {
   for (;;) {
     ToolAssembly tool;
     tool.cutter = random_cutter(random);
@@ -236,7 +236,7 @@ inline Profile random_assembly_profile(SplitMix64& random) {
 }
 
 // Grown undercuts may close and hollows fill; what is left is one contour all the same.
-inline Profile random_grown_profile(SplitMix64& random) {
+inline Profile random_grown_profile(Scatter& random) {
   for (;;) {
     const bool is_free = random.next() % 2 == 0;
     const Profile bare = random_free_profile(random, {true, is_free, is_free, false, 0.05});
@@ -245,7 +245,7 @@ inline Profile random_grown_profile(SplitMix64& random) {
 }
 
 inline RandomTool random_tool(std::uint64_t seed) {
-  SplitMix64 random(0x70015ull + 1000003 * seed);
+  Scatter random(0x70015ull + 1000003 * seed);
   const std::string number = " " + std::to_string(seed);
   switch (seed % 8) {
     case 0:

@@ -1,21 +1,56 @@
 #pragma once
 
-#include <random>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 #include "lib/geom/vec.h"
 
 namespace gouge::test {
 
-/// Random numbers and places for tests that hold a bound against sampling; the same for a seed on every run.
+/// Random numbers, points and directions for tests: the same for a seed on every machine and with every standard
+/// library, whose distributions differ (the generator is SplitMix64 by Steele, Lea and Flood).
 class Scatter {
  public:
-  explicit Scatter(unsigned seed) : random_(seed) {}
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  Vec3 axis(double lean) { return Vec3(in(-lean, lean), in(-lean, lean), 1).normalized(); }
-  Vec3 point(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
+  explicit Scatter(std::uint64_t seed) : state_(seed) {}
+
+  std::uint64_t next() {
+    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15ull);
+    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ull;
+    z = (z ^ (z >> 27)) * 0x94d049bb133111ebull;
+    return z ^ (z >> 31);
+  }
+  std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
+  double in(double low, double high) {
+    return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1.0p-53);
+  }
+  bool is(double share) { return in(0, 1) < share; }
+
+  /// In the cube about the origin whose half side is `size`.
+  Vec3 point(double size) {
+    const double x = in(-size, size), y = in(-size, size), z = in(-size, size);
+    return {x, y, z};
+  }
+  /// Of length 1, all directions alike.
+  Vec3 direction() {
+    for (;;) {
+      const Vec3 v = point(1);
+      if (v.squaredNorm() < 1 && v.squaredNorm() > 1e-6) return v.normalized();
+    }
+  }
+  /// Of length 1, upright but for `lean`.
+  Vec3 axis(double lean) {
+    const double x = in(-lean, lean), y = in(-lean, lean);
+    return Vec3(x, y, 1).normalized();
+  }
+
+  template <class T>
+  void shuffle(std::vector<T>& items) {
+    for (std::size_t n = items.size(); n > 1; --n) std::swap(items[n - 1], items[below(n)]);
+  }
 
  private:
-  std::mt19937_64 random_;
+  std::uint64_t state_;
 };
 
 }  // namespace gouge::test

@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "lib/tool/evaluate.h"
-#include "tests/support/split_mix.h"
+#include "tests/support/scatter.h"
 
 // Points of the half plane at which a tool's answers are most likely to be wrong.
 
@@ -33,24 +33,24 @@ inline Vec2 on_bisector(const CompiledTool& tool, Vec2 p, Vec2 q) {
 
 /// Around the tool, far away, on the axis, at every scale about the boundary and its corners, straight off
 /// the middle of an element (at a tiny step's far side too), and on bisectors.
-inline Vec2 random_tool_point(SplitMix64& random, const CompiledTool& tool) {
+inline Vec2 random_tool_point(Scatter& random, const CompiledTool& tool) {
   const double size = extent_mm(tool);
   const auto around = [&] {
-    return Vec2{random.uniform(0, 1.5 * tool.r_max_mm),
-                random.uniform(tool.z_min_mm - 0.3 * size, tool.z_max_mm + 0.3 * size)};
+    return Vec2{random.in(0, 1.5 * tool.r_max_mm),
+                random.in(tool.z_min_mm - 0.3 * size, tool.z_max_mm + 0.3 * size)};
   };
   const BoundaryElement& e = tool.elements[random.next() % tool.elements.size()];
-  const double distance = size * std::pow(10.0, random.uniform(-13, 1.5));
-  const auto offset = [&]() -> Vec2 { return distance * Vec2{random.uniform(-1, 1), random.uniform(-1, 1)}; };
+  const double distance = size * std::pow(10.0, random.in(-13, 1.5));
+  const auto offset = [&]() -> Vec2 { return distance * Vec2{random.in(-1, 1), random.in(-1, 1)}; };
   switch (random.next() % 16) {
     case 0:
-      return {0, random.uniform(tool.z_min_mm - size, tool.z_max_mm + size)};
+      return {0, random.in(tool.z_min_mm - size, tool.z_max_mm + size)};
     case 1:
-      return {random.uniform(0, 50 * size), random.uniform(-50 * size, 50 * size)};
+      return {random.in(0, 50 * size), random.in(-50 * size, 50 * size)};
     case 2:
     case 3:
     case 4: {
-      const double t = std::clamp(random.uniform(-0.5, 1.5), 0.0, 1.0);
+      const double t = std::clamp(random.in(-0.5, 1.5), 0.0, 1.0);
       return in_half_plane(e.a + t * (e.b - e.a) + offset());
     }
     case 5:

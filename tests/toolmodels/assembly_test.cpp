@@ -84,18 +84,18 @@ TEST(Assembly, MistakesNameTheFieldAndWhatIsAllowed) {
 
 // A point of the scene that is no farther from the tip than `reach` sees the tool that goes on for ever.
 TEST(Assembly, ExtendedUpIsAsIfItHadNoEnd) {
-  test::SplitMix64 random(5);
+  test::Scatter random(5);
   std::vector<ToolAssembly> tools = test::sample_tools();
   tools.push_back(held());
   for (const ToolAssembly& tool : tools) {
-    const double reach = random.uniform(10, 300), widest = 40;
+    const double reach = random.in(10, 300), widest = 40;
     const ToolAssembly longer = extended_up(tool, reach + widest),
                        longest = extended_up(tool, 20 * reach + 1000);
     EXPECT_GE(height_mm(longer), reach + widest);
     const CompiledTool one = compile_tool("", *make_profile(longer)),
                        other = compile_tool("", *make_profile(longest));
     for (int k = 0; k < 2000; ++k) {
-      const double z = random.uniform(-reach, reach), r = random.uniform(0, reach);
+      const double z = random.in(-reach, reach), r = random.in(0, reach);
       if (r * r + z * z > reach * reach) continue;
       const double a = evaluate(one, r, z).signed_distance_mm, b = evaluate(other, r, z).signed_distance_mm;
       ASSERT_NEAR(a, b, 1e-9) << tool.name << " " << r << " " << z;

@@ -12,7 +12,7 @@
 namespace gouge {
 namespace {
 
-using test::SplitMix64;
+using test::Scatter;
 
 double extent(const CompiledTool& tool) {
   return std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm});
@@ -29,23 +29,23 @@ std::vector<CompiledTool> forms_of(const ToolAssembly& tool) {
 }
 
 // Around the tool, far away, on the axis, and at every scale about the boundary and its corners.
-Vec2 random_point(SplitMix64& random, const CompiledTool& tool, std::size_t i) {
+Vec2 random_point(Scatter& random, const CompiledTool& tool, std::size_t i) {
   const double size = extent(tool);
-  if (i % 16 == 0) return {0, random.uniform(tool.z_min_mm - size, tool.z_max_mm + size)};
-  if (i % 16 == 1) return {random.uniform(0, 50 * size), random.uniform(-50 * size, 50 * size)};
+  if (i % 16 == 0) return {0, random.in(tool.z_min_mm - size, tool.z_max_mm + size)};
+  if (i % 16 == 1) return {random.in(0, 50 * size), random.in(-50 * size, 50 * size)};
   if (i % 4 == 2) {
     const BoundaryElement& e = tool.elements[random.next() % tool.elements.size()];
-    const double spread = size * std::pow(10.0, random.uniform(-12, -1));
-    const double t = std::min(1.0, std::max(0.0, random.uniform(-0.5, 1.5)));
+    const double spread = size * std::pow(10.0, random.in(-12, -1));
+    const double t = std::min(1.0, std::max(0.0, random.in(-0.5, 1.5)));
     const Vec2 p = e.a + t * (e.b - e.a);
-    return {std::abs(p.x() + random.uniform(-spread, spread)), p.y() + random.uniform(-spread, spread)};
+    return {std::abs(p.x() + random.in(-spread, spread)), p.y() + random.in(-spread, spread)};
   }
-  return {random.uniform(0, 1.5 * tool.r_max_mm),
-          random.uniform(tool.z_min_mm - 0.3 * size, tool.z_max_mm + 0.3 * size)};
+  return {random.in(0, 1.5 * tool.r_max_mm),
+          random.in(tool.z_min_mm - 0.3 * size, tool.z_max_mm + 0.3 * size)};
 }
 
 void expect_brute_force(const CompiledTool& tool, std::size_t points, std::uint64_t seed) {
-  SplitMix64 random(seed);
+  Scatter random(seed);
   double worst = 0;
   Vec2 where = Vec2::Zero();
   for (std::size_t i = 0; i < points; ++i) {
@@ -94,10 +94,10 @@ TEST_P(BspOfSample, BruteForceAgreesWithASampledBoundary) {
       for (int i = 0; i <= (e.is_arc ? 10 : 2000); ++i)
         boundary.emplace_back(coarse[k] + (e.is_arc ? i / 10.0 : i / 2000.0) * (coarse[k + 1] - coarse[k]));
   }
-  SplitMix64 random(4);
+  Scatter random(4);
   const double size = extent(compiled);
   for (int k = 0; k < 200; ++k) {
-    const Vec2 q(random.uniform(0, 1.5 * compiled.r_max_mm), random.uniform(-0.3 * size, 1.3 * size));
+    const Vec2 q(random.in(0, 1.5 * compiled.r_max_mm), random.in(-0.3 * size, 1.3 * size));
     double nearest = 1e300;
     for (const Vec2& p : boundary) nearest = std::min(nearest, (p - q).norm());
     const double found = std::abs(evaluate_brute_force(compiled, q.x(), q.y()).signed_distance_mm);
@@ -113,9 +113,9 @@ TEST_P(BspOfSample, SignAgreesWithAPolygonTest) {
   std::vector<Vec2> outline;
   for (const ProfileElement& e : profile->elements)
     for (const Vec2& p : sample(e, 2000)) outline.push_back(p);
-  SplitMix64 random(5);
+  Scatter random(5);
   for (int k = 0; k < 500; ++k) {
-    const Vec2 q(random.uniform(0, 1.2 * compiled.r_max_mm), random.uniform(-1, compiled.z_max_mm + 1));
+    const Vec2 q(random.in(0, 1.2 * compiled.r_max_mm), random.in(-1, compiled.z_max_mm + 1));
     bool is_inside = false;
     for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
       const Vec2 &a = outline[i], &b = outline[i + 1];
@@ -130,12 +130,12 @@ TEST_P(BspOfSample, SignAgreesWithAPolygonTest) {
 }
 
 TEST_P(BspOfSample, DistanceIsOneLipschitzAcrossEveryBisector) {
-  SplitMix64 random(6);
+  Scatter random(6);
   for (const CompiledTool& form : forms_of(tool())) {
     for (std::size_t i = 0; i < 100'000; ++i) {
       const Vec2 p = random_point(random, form, i);
-      const double step = extent(form) * std::pow(10.0, random.uniform(-13, 0));
-      Vec2 q = p + step * Vec2(random.uniform(-1, 1), random.uniform(-1, 1));
+      const double step = extent(form) * std::pow(10.0, random.in(-13, 0));
+      Vec2 q = p + step * Vec2(random.in(-1, 1), random.in(-1, 1));
       q.x() = std::abs(q.x());
       const double change = std::abs(evaluate(form, p.x(), p.y()).signed_distance_mm -
                                      evaluate(form, q.x(), q.y()).signed_distance_mm);
@@ -146,7 +146,7 @@ TEST_P(BspOfSample, DistanceIsOneLipschitzAcrossEveryBisector) {
 }
 
 TEST_P(BspOfSample, NormalIsTheGradientOfTheDistanceAndLeadsToTheFoot) {
-  SplitMix64 random(7);
+  Scatter random(7);
   const CompiledTool form = forms_of(tool()).front();
   const double h = 1e-6;
   int smooth = 0;
@@ -186,38 +186,38 @@ TEST(Bsp, FreeProfilesWithConcaveArcsAndUndercuts) {
   expect_brute_force(tool, 2'000'000, 8);
 }
 
-ToolAssembly random_assembly(SplitMix64& random) {
+ToolAssembly random_assembly(Scatter& random) {
   const auto segments = [&](std::uint64_t most) {
     std::vector<ToolSegment> list;
     for (std::uint64_t k = random.next() % (most + 1); k > 0; --k) {
-      const double lower = random.uniform(1, 40);
-      const double upper = random.next() % 2 == 0 ? lower : random.uniform(1, 40);
-      list.push_back({lower, upper, random.uniform(0.5, 40)});
+      const double lower = random.in(1, 40);
+      const double upper = random.next() % 2 == 0 ? lower : random.in(1, 40);
+      list.push_back({lower, upper, random.in(0.5, 40)});
     }
     return list;
   };
-  const double d = random.uniform(0.5, 40), length = random.uniform(20, 60);
-  const double corner = random.next() % 3 == 0 ? d / 2 : random.uniform(0, d / 2);
+  const double d = random.in(0.5, 40), length = random.in(20, 60);
+  const double corner = random.next() % 3 == 0 ? d / 2 : random.in(0, d / 2);
   switch (random.next() % 3) {
     case 0:
-      return test::assembly("random", TaperedCutter{d, corner, random.uniform(-8, 40), length}, segments(3),
+      return test::assembly("random", TaperedCutter{d, corner, random.in(-8, 40), length}, segments(3),
                             segments(4));
     case 1:
       return test::assembly("random", BullNoseCutter{d, corner, length}, segments(3), segments(4));
     default:
       return test::assembly(
-          "random", AptCutter{d, 0.4 * corner, 0, 0, random.uniform(0, 50), random.uniform(-8, 30), length},
+          "random", AptCutter{d, 0.4 * corner, 0, 0, random.in(0, 50), random.in(-8, 30), length},
           segments(3), segments(4));
   }
 }
 
 TEST(Bsp, RandomAssembliesGiveTheDistanceOfTheBruteForce) {
-  SplitMix64 random(9);
+  Scatter random(9);
   int built = 0;
   for (int k = 0; built < 200 && k < 1000; ++k) {
     const ToolAssembly tool = random_assembly(random);
     const Result<ToolForms> forms =
-        make_tool_forms(tool, random.uniform(0, 1), random.uniform(0, 2), random.uniform(0, 5));
+        make_tool_forms(tool, random.in(0, 1), random.in(0, 2), random.in(0, 5));
     if (!forms) continue;
     ++built;
     for (const CompiledTool* form : {&forms->bare, &forms->against_part}) {
@@ -266,11 +266,11 @@ TEST(Bsp, LinesThatMeetFarAwayDropNoElementThatIsNear) {
   const ToolAssembly flat = test::assembly("flat", FlatCutter{20.2, 39.063925}, {},
                                            {{50.13187335134046, 18.19846650671014, 51.000337830380253},
                                             {18.258618465717582, 18.258618465717582, 0.41692612182345279}});
-  SplitMix64 random(17);
+  Scatter random(17);
   for (int i = 0; i < 30; ++i) {
-    const double cutter = i == 0 ? 0 : random.uniform(0.01, 1);
-    const double shank = i == 0 ? 0.0155006333 : random.uniform(0.01, 1);
-    const double holder = i == 0 ? 0 : random.uniform(0.01, 3);
+    const double cutter = i == 0 ? 0 : random.in(0.01, 1);
+    const double shank = i == 0 ? 0.0155006333 : random.in(0.01, 1);
+    const double holder = i == 0 ? 0 : random.in(0.01, 3);
     for (const ToolAssembly* tool : {&necked, &flat})
       expect_brute_force(make_tool_forms(*tool, cutter, shank, holder)->against_part, 4000, 18);
   }

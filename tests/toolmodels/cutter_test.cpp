@@ -138,11 +138,11 @@ TEST(Cutter, WrongDimensionsNameTheFieldAndWhatIsAllowed) {
 }
 
 TEST(Cutter, NoNumbersWhateverMakeABrokenContour) {
-  test::SplitMix64 random(11);
+  test::Scatter random(11);
   const auto draw = [&] {
     const double odd[] = {0,           -1, 1e-12, 1e6, 90, -90, 45, std::numeric_limits<double>::infinity(),
                           std::nan("")};
-    return random.next() % 6 == 0 ? odd[random.next() % 9] : random.uniform(-5, 60);
+    return random.next() % 6 == 0 ? odd[random.next() % 9] : random.in(-5, 60);
   };
   int good = 0;
   for (int k = 0; k < 200000; ++k) {

@@ -18,7 +18,7 @@
 namespace gouge {
 namespace {
 
-using test::SplitMix64;
+using test::Scatter;
 
 constexpr std::uint64_t kTools = 240;
 
@@ -69,7 +69,7 @@ TEST(Proximity, DistanceLeafAndWayOutAreThoseOfTheNearestElement) {
   for (std::uint64_t seed = 0; seed < kTools; ++seed) {
     const test::RandomTool made = test::random_tool(seed);
     const CompiledTool tool = compile_tool(made.name, made.profile);
-    SplitMix64 random(seed);
+    Scatter random(seed);
     Disagreement worst;
     for (std::size_t i = 0; i < points; ++i) worst.see(tool, test::random_tool_point(random, tool));
     expect_small(worst.distance, "distance", made.name);
@@ -95,12 +95,12 @@ TEST(Proximity, DistanceIsOneLipschitzAndContinuousAcrossBisectors) {
   for (std::uint64_t seed = 0; seed < kTools; ++seed) {
     const test::RandomTool made = test::random_tool(seed);
     const CompiledTool tool = compile_tool(made.name, made.profile);
-    SplitMix64 random(seed + 5000);
+    Scatter random(seed + 5000);
     const double size = test::extent_mm(tool);
     for (int i = 0; i < 3000; ++i) {
       const Vec2 p = test::random_tool_point(random, tool);
-      const double step = size * std::pow(10.0, random.uniform(-15, 0));
-      const Vec2 q = test::in_half_plane(p + step * Vec2{random.uniform(-1, 1), random.uniform(-1, 1)});
+      const double step = size * std::pow(10.0, random.in(-15, 0));
+      const Vec2 q = test::in_half_plane(p + step * Vec2{random.in(-1, 1), random.in(-1, 1)});
       const double change = std::abs(evaluate(tool, p.x(), p.y()).signed_distance_mm -
                                      evaluate(tool, q.x(), q.y()).signed_distance_mm);
       ASSERT_LE(change, (p - q).norm() + 1e-12 * (size + p.norm())) << made.name << " at " << p.transpose();
@@ -113,7 +113,7 @@ TEST(Proximity, ManyPointsAtOnceGetTheAnswersOfOneAtATime) {
   for (std::uint64_t seed = 0; seed < kTools; ++seed) {
     const test::RandomTool made = test::random_tool(seed);
     const CompiledTool tool = compile_tool(made.name, made.profile);
-    SplitMix64 random(seed + 7000);
+    Scatter random(seed + 7000);
     std::vector<double> r, z;
     for (int i = 0; i < 1001; ++i) {
       const Vec2 q = test::random_tool_point(random, tool);
@@ -183,7 +183,7 @@ TEST(Proximity, TheReferenceAgreesWithSampledBoundaries) {
     const test::RandomTool made = test::random_tool(seed);
     const CompiledTool tool = compile_tool(made.name, made.profile);
     const SampledBoundary boundary(made.profile);
-    SplitMix64 random(seed + 9000);
+    Scatter random(seed + 9000);
     for (int i = 0; i < 60; ++i) {
       const Vec2 q = test::random_tool_point(random, tool);
       const double found = evaluate_brute_force(tool, q.x(), q.y()).signed_distance_mm;
@@ -208,12 +208,12 @@ TEST(Proximity, TheReferenceKnowsTheSideFarBesideTinySteps) {
   for (int i = 0; i < 7; ++i)
     profile.elements.push_back(make_segment(Body::cutter, corners[i], corners[i + 1]));
   const CompiledTool tool = compile_tool("ridge", profile);
-  SplitMix64 random(3);
+  Scatter random(3);
   for (int i = 0; i < 20'000; ++i) {
-    const Vec2 far{random.uniform(5.1, 3000), 10.0000005 + random.uniform(-2e-6, 2e-6)};
+    const Vec2 far{random.in(5.1, 3000), 10.0000005 + random.in(-2e-6, 2e-6)};
     ASSERT_GT(evaluate_brute_force(tool, far.x(), far.y()).signed_distance_mm, 0) << far.transpose();
     ASSERT_GT(evaluate(tool, far.x(), far.y()).signed_distance_mm, 0) << far.transpose();
-    const Vec2 inside(random.uniform(0, 4.9), far.y());
+    const Vec2 inside(random.in(0, 4.9), far.y());
     ASSERT_LT(evaluate_brute_force(tool, inside.x(), inside.y()).signed_distance_mm, 0) << inside.transpose();
   }
 }

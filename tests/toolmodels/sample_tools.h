@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "tests/support/split_mix.h"
+#include "tests/support/scatter.h"
 #include "toolmodels/assembly.h"
 
 // Named tools that between them have every kind of corner, step, arc and growth.

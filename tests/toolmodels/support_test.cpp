@@ -17,7 +17,7 @@
 namespace gouge {
 namespace {
 
-using test::SplitMix64;
+using test::Scatter;
 
 struct TangentPlane {
   Vec3 foot, normal;
@@ -34,11 +34,11 @@ Vec2 end_normal(const BoundaryElement& e, const Vec2& at) {
 
 // A random tangent plane of element i; ends of arcs and cones are drawn often, because claims break there
 // first.
-TangentPlane random_plane(SplitMix64& random, const CompiledTool& tool, std::size_t i) {
+TangentPlane random_plane(Scatter& random, const CompiledTool& tool, std::size_t i) {
   const BoundaryElement& e = tool.elements[i];
-  const double draw = random.uniform(-0.3, 1.3);
+  const double draw = random.in(-0.3, 1.3);
   const double t = std::min(1.0, std::max(0.0, draw));
-  const double angle = random.uniform(0, 2 * std::numbers::pi);
+  const double angle = random.in(0, 2 * std::numbers::pi);
   Vec2 foot = e.a + t * (e.b - e.a);
   Vec2 normal = e.normal;
   if (e.kind == ElementKind::arc) {
@@ -56,11 +56,11 @@ TangentPlane random_plane(SplitMix64& random, const CompiledTool& tool, std::siz
 
 using Hull = std::array<Vec3, 6>;
 
-Hull random_hull(SplitMix64& random, const TangentPlane& plane, double size) {
-  const double spread = size * std::pow(10.0, random.uniform(-4, 0.3));
+Hull random_hull(Scatter& random, const TangentPlane& plane, double size) {
+  const double spread = size * std::pow(10.0, random.in(-4, 0.3));
   Hull hull;
   for (Vec3& corner : hull)
-    corner = plane.foot + spread * Vec3(random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-1, 1));
+    corner = plane.foot + spread * Vec3(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
   return hull;
 }
 
@@ -78,11 +78,11 @@ bool is_claimed(const Hull& hull, const TangentPlane& plane, const SupportRange&
   return true;
 }
 
-Vec3 random_point(SplitMix64& random, const Hull& hull) {
+Vec3 random_point(Scatter& random, const Hull& hull) {
   Vec3 sum = Vec3::Zero();
   double total = 0;
   for (const Vec3& corner : hull) {
-    const double weight = std::pow(random.uniform(0, 1), 4);
+    const double weight = std::pow(random.in(0, 1), 4);
     sum += weight * corner;
     total += weight;
   }
@@ -91,7 +91,7 @@ Vec3 random_point(SplitMix64& random, const Hull& hull) {
 
 // How far the deepest of 30 points of the hull lies deeper than its plane allows; nothing when nothing is
 // claimed.
-double violation(SplitMix64& random, const CompiledTool& tool, const Hull& hull, const TangentPlane& plane,
+double violation(Scatter& random, const CompiledTool& tool, const Hull& hull, const TangentPlane& plane,
                  double r_min) {
   double worst = 0;
   for (int k = 0; k < 30; ++k) {
@@ -104,7 +104,7 @@ double violation(SplitMix64& random, const CompiledTool& tool, const Hull& hull,
 }
 
 // The number of claims tried on the tool; fails at the first one that is broken.
-std::size_t try_claims(SplitMix64& random, const CompiledTool& tool, int hulls) {
+std::size_t try_claims(Scatter& random, const CompiledTool& tool, int hulls) {
   std::size_t claims = 0;
   for (int k = 0; k < hulls; ++k) {
     const std::size_t i = random.next() % tool.elements.size();
@@ -123,7 +123,7 @@ std::size_t try_claims(SplitMix64& random, const CompiledTool& tool, int hulls) 
 }
 
 TEST(SupportRange, TangentPlanesBoundTheDepthOfWholeHulls) {
-  SplitMix64 random(7);
+  Scatter random(7);
   for (const ToolAssembly& assembly : test::sample_tools()) {
     const Result<ToolForms> forms = make_tool_forms(assembly, 0.2, 0.5, 1.5);
     ASSERT_TRUE(forms.has_value());
@@ -141,7 +141,7 @@ TEST(SupportRange, HoldsForRandomToolsOfAllKinds) {
   const int hulls = wanted != nullptr ? std::atoi(wanted) : 400;
   for (std::uint64_t seed = 0; seed < 240 && !HasFailure(); ++seed) {
     const test::RandomTool made = test::random_tool(seed);
-    SplitMix64 random(seed + 77);
+    Scatter random(seed + 77);
     const std::size_t claims = try_claims(random, compile_tool(made.name, made.profile), hulls);
     EXPECT_TRUE(claims > 0 || !is_single_valued(made.profile)) << made.name;
   }
@@ -149,7 +149,7 @@ TEST(SupportRange, HoldsForRandomToolsOfAllKinds) {
 
 // Claims of a hollow tool are those of the tool with its underside filled; they hold for the hollow one.
 TEST(SupportRange, HollowToolsClaimWhatHoldsForThemFilled) {
-  SplitMix64 random(8);
+  Scatter random(8);
   const std::vector<ToolAssembly> hollow{
       test::assembly("face mill", FaceMillCutter{40, 1, 45, 50, 24, 5, 25}, {{20, 20, 30}}, {{50, 50, 30}}),
       test::assembly("cup", FaceMillCutter{40, 0, 0, 0, 30, 12, 25}, {{45, 45, 10}, {12, 12, 30}},

@@ -225,7 +225,7 @@ TEST(ToolLibrary, PointsAndExtensionsAreReadWithCare) {
 
 // Every single damage to a good file is a clean answer, never a crash, and what reads builds.
 TEST(ToolLibrary, DamagedFilesNeverCrash) {
-  test::SplitMix64 random(31);
+  test::Scatter random(31);
   ToolLibrary sample = sample_library();
   sample.holders.clear();
   const std::string all = write_tool_library(sample);

@@ -15,7 +15,7 @@
 namespace gouge {
 namespace {
 
-using test::SplitMix64;
+using test::Scatter;
 using Strings = std::vector<std::string>;
 
 constexpr double kGrowths[3] = {0.3, 0.5, 2};
@@ -31,7 +31,7 @@ double outside_distance(const std::vector<CompiledTool>& bodies, const double (&
 }
 
 TEST(Unite, IsTheUnionOfTheGrownBodies) {
-  SplitMix64 random(3);
+  Scatter random(3);
   for (const ToolAssembly& tool : test::sample_tools()) {
     const Result<BodyProfiles> profiles = make_body_profiles(tool);
     ASSERT_TRUE(profiles.has_value());
@@ -46,8 +46,8 @@ TEST(Unite, IsTheUnionOfTheGrownBodies) {
     const CompiledTool whole = compile_tool("", profile);
     const double slack = 1e-9 * whole.z_max_mm;
     for (int k = 0; k < 20000; ++k) {
-      const Vec2 q(random.uniform(0, 1.3 * whole.r_max_mm),
-                   random.uniform(whole.z_min_mm - 5, whole.z_max_mm + 5));
+      const Vec2 q(random.in(0, 1.3 * whole.r_max_mm),
+                   random.in(whole.z_min_mm - 5, whole.z_max_mm + 5));
       const double expected = outside_distance(bodies, kGrowths, q);
       const double found = evaluate_brute_force(whole, q.x(), q.y()).signed_distance_mm;
       if (expected > 0)
@@ -115,13 +115,13 @@ TEST(Unite, ConcaveFilletShrinksByTheGrowthAndThenVanishes) {
                    make_segment(Body::shank, {10, 20}, {0, 20})};
   ASSERT_EQ(verify_profile(body), Strings{});
   const CompiledTool bare = compile_tool("", body);
-  SplitMix64 random(5);
+  Scatter random(5);
   for (const double growth : {1.0, 2.9, 3.0, 3.5}) {
     const Profile grown = unite({{&body, growth}}).value();
     EXPECT_EQ(verify_profile(grown), Strings{}) << growth;
     const CompiledTool tool = compile_tool("", grown);
     for (int k = 0; k < 5000; ++k) {
-      const Vec2 q(random.uniform(0, 16), random.uniform(-5, 25));
+      const Vec2 q(random.in(0, 16), random.in(-5, 25));
       const double expected = evaluate_brute_force(bare, q.x(), q.y()).signed_distance_mm - growth;
       if (expected < 1e-9) continue;
       EXPECT_NEAR(evaluate(tool, q.x(), q.y()).signed_distance_mm, expected, 1e-9)
@@ -167,11 +167,11 @@ TEST(Unite, GrowsProfilesOfAnyFormAsTheDistanceSays) {
   const char* count = std::getenv("GOUGE_UNITE_TOOLS");
   const std::uint64_t tools = count == nullptr ? 60 : std::strtoull(count, nullptr, 10);
   for (std::uint64_t seed = 0; seed < tools; ++seed) {
-    SplitMix64 random(seed);
+    Scatter random(seed);
     const Profile body = test::random_free_profile(
         random, {true, true, seed % 2 == 0, seed % 5 == 0, seed % 3 == 0 ? 1e-3 : 0.05});
     const double size = size_of(body);
-    const double growth = seed % 7 == 0 ? 1.0 : size * std::pow(10.0, random.uniform(-5, 0));
+    const double growth = seed % 7 == 0 ? 1.0 : size * std::pow(10.0, random.in(-5, 0));
     const Result<Profile> grown = unite({{&body, growth}});
     ASSERT_TRUE(grown.has_value()) << seed;
     ASSERT_EQ(verify_profile(*grown), Strings{}) << seed;
@@ -180,7 +180,7 @@ TEST(Unite, GrowsProfilesOfAnyFormAsTheDistanceSays) {
     whole.elements = make_elements(*grown);
     const double slack = 1e-8 * (size + growth);
     for (int k = 0; k < 2000; ++k) {
-      const Vec2 q(random.uniform(0, size + growth), random.uniform(-size - growth, size + growth));
+      const Vec2 q(random.in(0, size + growth), random.in(-size - growth, size + growth));
       const double expected = evaluate_brute_force(bare, q.x(), q.y()).signed_distance_mm - growth;
       const double found = evaluate_brute_force(whole, q.x(), q.y()).signed_distance_mm;
       ASSERT_LE(found, std::max(expected, 0.0) + slack) << seed << " at " << q.transpose();

@@ -15,7 +15,7 @@
 namespace gouge::detail {
 namespace {
 
-using test::SplitMix64;
+using test::Scatter;
 
 double distance(const DistanceForm& f, const Vec2& q) {
   return f.is_linear ? f.direction.dot(q - f.through) : f.sign * (q - f.center).norm() + f.shift;
@@ -33,25 +33,25 @@ Vec2 gradient(const BspNode& node, const Vec2& q) {
   return (node.linear + 2 * node.square * v) * Vec2(node.vx, node.vy) + 2 * node.round * x;
 }
 
-Vec2 random_vector(SplitMix64& random, double reach) {
-  return {random.uniform(-reach, reach), random.uniform(-reach, reach)};
+Vec2 random_vector(Scatter& random, double reach) {
+  return {random.in(-reach, reach), random.in(-reach, reach)};
 }
 
-DistanceForm random_form(SplitMix64& random) {
+DistanceForm random_form(Scatter& random) {
   DistanceForm form;
   form.is_linear = random.next() % 3 == 0;
   form.through = random_vector(random, 10);
   form.direction = random_vector(random, 1).normalized();
   form.center = random_vector(random, 10);
   form.sign = random.next() % 2 == 0 ? 1 : -1;
-  form.shift = random.next() % 4 == 0 ? 0 : random.uniform(-8, 8);
+  form.shift = random.next() % 4 == 0 ? 0 : random.in(-8, 8);
   return form;
 }
 
-ConvexCell random_cell(SplitMix64& random) {
+ConvexCell random_cell(Scatter& random) {
   ConvexCell cell(20);
   for (std::uint64_t k = random.next() % 6; k > 0; --k) {
-    const DirectedLine line{Vec2(random.uniform(0, 15), random.uniform(-10, 10)),
+    const DirectedLine line{Vec2(random.in(0, 15), random.in(-10, 10)),
                             random_vector(random, 1).normalized()};
     const ConvexCell part = cell.clipped(line, random.next() % 2 == 0 ? 1 : -1);
     if (part.corners().size() >= 3) cell = part;
@@ -60,16 +60,16 @@ ConvexCell random_cell(SplitMix64& random) {
 }
 
 // A point of the cell: a positive combination of its corners.
-Vec2 point_in(SplitMix64& random, const ConvexCell& cell) {
+Vec2 point_in(Scatter& random, const ConvexCell& cell) {
   Vec3 sum = Vec3::Zero();
   for (const Vec3& corner : cell.corners()) {
-    const double weight = std::pow(random.uniform(0.01, 1), 6);
+    const double weight = std::pow(random.in(0.01, 1), 6);
     sum += (corner.z() > 0 ? weight : 30 * weight * weight) * corner;
   }
   return sum.head<2>() / sum.z();
 }
 
-void expect_right_order(SplitMix64& random, const DistanceForm& f, const DistanceForm& g,
+void expect_right_order(Scatter& random, const DistanceForm& f, const DistanceForm& g,
                         const ConvexCell& cell, int depth) {
   if (cell.corners().size() < 3) return;
   const Comparison c = compare(f, g, cell);
@@ -90,7 +90,7 @@ void expect_right_order(SplitMix64& random, const DistanceForm& f, const Distanc
 }
 
 TEST(Voronoi, TheCurveOfTwoDistancesHasNoFalseBranchInItsCell) {
-  SplitMix64 random(21);
+  Scatter random(21);
   for (int k = 0; k < 40000; ++k) {
     const DistanceForm f = random_form(random), g = random_form(random);
     expect_right_order(random, f, g, random_cell(random), 0);
@@ -99,7 +99,7 @@ TEST(Voronoi, TheCurveOfTwoDistancesHasNoFalseBranchInItsCell) {
 }
 
 TEST(Voronoi, EverywhereBelowIsNeverClaimedWrongly) {
-  SplitMix64 random(22);
+  Scatter random(22);
   int claims = 0;
   for (int k = 0; k < 100000; ++k) {
     const DistanceForm f = random_form(random), g = random_form(random);
@@ -118,7 +118,7 @@ TEST(Voronoi, EverywhereBelowIsNeverClaimedWrongly) {
 // is equidistant from B, BC and CD; there the bisector of BC and CD must touch the parabola of B and CD, or
 // the regions would overlap. Derivation: docs/algorithms/tool_voronoi.md
 TEST(Voronoi, TheParabolaTouchesTheBisectorAtTheReflexCornersNormal) {
-  SplitMix64 random(23);
+  Scatter random(23);
   for (int k = 0; k < 2000; ++k) {
     const Vec2 b = random_vector(random, 10);
     const Vec2 side_normal = random_vector(random, 1).normalized();
@@ -127,7 +127,7 @@ TEST(Voronoi, TheParabolaTouchesTheBisectorAtTheReflexCornersNormal) {
     side.direction = -side_normal;
     DistanceForm other;
     other.direction = random_vector(random, 1).normalized();
-    other.through = b - random.uniform(1, 20) * other.direction;
+    other.through = b - random.in(1, 20) * other.direction;
     DistanceForm corner;
     corner.is_linear = false;
     corner.center = b;

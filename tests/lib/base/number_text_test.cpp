@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <random>
 #include <string>
+
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
@@ -27,21 +28,20 @@ TEST(ParseNumber, RefusesWhatIsNotWhollyAFiniteNumber) {
 
 // Short decimals go a way of their own, which must round as every other.
 TEST(ParseNumber, GivesTheNearestDoubleForAnyCountOfDigits) {
-  std::mt19937_64 random(11);
+  test::Scatter random(11);
   for (int i = 0; i < 200000; ++i) {
-    const std::size_t digits = 1 + random() % 20;
-    std::string text = random() % 2 == 0 ? "-" : "";
-    for (std::size_t k = 0; k < digits; ++k) text += static_cast<char>('0' + random() % 10);
-    if (random() % 8 != 0) text.insert(text.size() - random() % (digits + 1), 1, '.');
+    const std::size_t digits = 1 + random.next() % 20;
+    std::string text = random.next() % 2 == 0 ? "-" : "";
+    for (std::size_t k = 0; k < digits; ++k) text += static_cast<char>('0' + random.next() % 10);
+    if (random.next() % 8 != 0) text.insert(text.size() - random.next() % (digits + 1), 1, '.');
     EXPECT_EQ(parse_number(text), std::strtod(text.c_str(), nullptr)) << text;
   }
 }
 
 TEST(ExactText, ReadsBackAsTheSameNumber) {
-  std::mt19937_64 random(7);
-  std::uniform_real_distribution<double> any(-1e4, 1e4);
+  test::Scatter random(7);
   for (int i = 0; i < 10000; ++i) {
-    const double x = any(random);
+    const double x = random.in(-1e4, 1e4);
     EXPECT_EQ(parse_number(exact_text(x)), x);
   }
   EXPECT_EQ(exact_text(-0.0), "0");

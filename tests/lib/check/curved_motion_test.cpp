@@ -3,29 +3,17 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
 
 #include "lib/check/motion.h"
 #include "lib/check/tool_interval.h"
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-class Dice {
- public:
-  explicit Dice(unsigned seed) : random_(seed) {}
-  double in(double low, double high) { return std::uniform_real_distribution<double>(low, high)(random_); }
-  Vec3 point(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
-  Vec3 axis() {
-    std::normal_distribution<double> normal;
-    return Vec3(normal(random_), normal(random_), normal(random_)).normalized();
-  }
-
- private:
-  std::mt19937_64 random_;
-};
+using test::Scatter;
 
 struct Helix {
   PathArc arc;
@@ -33,39 +21,39 @@ struct Helix {
   double radius = 0, rise = 0;
 };
 
-Helix random_helix(Dice& dice, double lean) {
+Helix random_helix(Scatter& random, double lean) {
   Helix h;
-  h.arc.center = dice.point(30);
-  h.arc.axis = dice.axis();
-  h.arc.sweep_rad = dice.in(-3, 3) * kPi;
-  h.radius = std::pow(10, dice.in(-1, 2));
-  h.rise = dice.in(-5, 5);
+  h.arc.center = random.point(30);
+  h.arc.axis = random.direction();
+  h.arc.sweep_rad = random.in(-3, 3) * kPi;
+  h.radius = std::pow(10, random.in(-1, 2));
+  h.rise = random.in(-5, 5);
   const Vec3 e1 = h.arc.axis.unitOrthogonal();
   h.start.tip = h.arc.center + h.radius * e1;
   h.end.tip = h.arc.center + h.rise * h.arc.axis +
               h.radius * (std::cos(h.arc.sweep_rad) * e1 + std::sin(h.arc.sweep_rad) * h.arc.axis.cross(e1));
-  h.start.axis = dice.axis();
-  h.end.axis = (h.start.axis + lean * dice.axis()).normalized();
+  h.start.axis = random.direction();
+  h.end.axis = (h.start.axis + lean * random.direction()).normalized();
   return h;
 }
 
-PathSpline random_spline(Dice& dice, const Vec3& start) {
+PathSpline random_spline(Scatter& random, const Vec3& start) {
   std::vector<Vec3> control = {start};
-  for (int i = 0; i < 6; ++i) control.push_back(control.back() + dice.point(5));
+  for (int i = 0; i < 6; ++i) control.push_back(control.back() + random.point(5));
   return make_spline(control, {0.1, 0.5, 0.9});
 }
 
 TEST(CurvedMotion, EndsAreTheGivenPosesBitForBitAndTheWayIsUnbroken) {
-  Dice dice(1);
+  Scatter random(1);
   for (int i = 0; i < 100; ++i) {
-    Helix h = random_helix(dice, 0.3);
-    h.end.tip += dice.point(1e-3);  // the rounding of a file
+    Helix h = random_helix(random, 0.3);
+    h.end.tip += random.point(1e-3);  // the rounding of a file
     const Motion arc(h.start, h.end, h.arc);
     EXPECT_EQ(arc.at(0).tip, h.start.tip);
     EXPECT_EQ(arc.at(1).tip, h.end.tip);
     EXPECT_EQ(arc.at(1).axis, h.end.axis);
     EXPECT_LE((arc.at(1 - 1e-12).tip - h.end.tip).norm(), 1e-8);
-    const PathSpline spline = random_spline(dice, h.start.tip);
+    const PathSpline spline = random_spline(random, h.start.tip);
     const Motion along(h.start, {spline.pieces.back().control.back(), h.end.axis}, spline);
     EXPECT_EQ(along.at(1).tip, spline.pieces.back().control.back());
     for (std::size_t s = 0; s + 1 < along.stretches().size(); ++s) {
@@ -75,9 +63,9 @@ TEST(CurvedMotion, EndsAreTheGivenPosesBitForBitAndTheWayIsUnbroken) {
 }
 
 TEST(CurvedMotion, TheTipStaysOnItsHelixAndTurnsTheRightWay) {
-  Dice dice(2);
+  Scatter random(2);
   for (int i = 0; i < 200; ++i) {
-    const Helix h = random_helix(dice, 0.3);
+    const Helix h = random_helix(random, 0.3);
     const Motion motion(h.start, h.end, h.arc);
     const Vec3 e1 = (h.start.tip - h.arc.center).normalized();
     for (double t = 0; t <= 1; t += 0.05) {
@@ -98,19 +86,19 @@ TEST(CurvedMotion, AFullCircleComesBackToWhereItBegan) {
 }
 
 // Halves the interval at random a few times: bounds must hold for long and for short ones.
-std::uint32_t somewhere(ToolIntervals& intervals, const Motion& motion, Dice& dice, double& tightest) {
-  auto index = static_cast<std::uint32_t>(dice.in(0, static_cast<double>(motion.stretches().size()) - 1e-9));
-  const int depth = static_cast<int>(dice.in(0, 8));
-  for (int k = 0; k < depth; ++k) index = intervals.halve(index) + (dice.in(0, 1) < 0.5 ? 0U : 1U);
+std::uint32_t somewhere(ToolIntervals& intervals, const Motion& motion, Scatter& random, double& tightest) {
+  auto index = static_cast<std::uint32_t>(random.in(0, static_cast<double>(motion.stretches().size()) - 1e-9));
+  const int depth = static_cast<int>(random.in(0, 8));
+  for (int k = 0; k < depth; ++k) index = intervals.halve(index) + (random.in(0, 1) < 0.5 ? 0U : 1U);
   if (depth < 4) tightest = 1e300;
   return index;
 }
 
-void expect_bulge_holds(const Motion& motion, Dice& dice, double& tightest) {
+void expect_bulge_holds(const Motion& motion, Scatter& random, double& tightest) {
   ToolIntervals intervals(motion, motion);
   double ignored = 0;
-  const ToolInterval span = intervals[somewhere(intervals, motion, dice, ignored)];
-  const Vec3 p = motion.at(dice.in(0, 1)).tip + dice.point(60);
+  const ToolInterval span = intervals[somewhere(intervals, motion, random, ignored)];
+  const Vec3 p = motion.at(random.in(0, 1)).tip + random.point(60);
   const double stated = span.bulge_mm((p - span.tip_middle).norm());
   const Vec3 q0 = span.f0.to_tool(p), q1 = span.f1.to_tool(p);
   double way = 0;
@@ -129,14 +117,14 @@ void expect_bulge_holds(const Motion& motion, Dice& dice, double& tightest) {
 }
 
 TEST(CurvedMotion, NoPathBulgesFurtherFromItsChordThanStated) {
-  Dice dice(3);
+  Scatter random(3);
   double tightest = 1e300;
   for (int i = 0; i < 3000; ++i) {
-    Helix h = random_helix(dice, i % 3 == 0 ? 0.0 : 0.5);
-    if (i % 2 == 0) h.end.tip += dice.point(2);  // spirals, and sweeps that do not fit their end
-    expect_bulge_holds(Motion(h.start, h.end, h.arc), dice, tightest);
-    const PathSpline spline = random_spline(dice, h.start.tip);
-    expect_bulge_holds(Motion(h.start, {spline.pieces.back().control.back(), h.end.axis}, spline), dice, tightest);
+    Helix h = random_helix(random, i % 3 == 0 ? 0.0 : 0.5);
+    if (i % 2 == 0) h.end.tip += random.point(2);  // spirals, and sweeps that do not fit their end
+    expect_bulge_holds(Motion(h.start, h.end, h.arc), random, tightest);
+    const PathSpline spline = random_spline(random, h.start.tip);
+    expect_bulge_holds(Motion(h.start, {spline.pieces.back().control.back(), h.end.axis}, spline), random, tightest);
   }
   EXPECT_LT(tightest, 1.1);  // the bound is not merely huge
 }

@@ -3,23 +3,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "lib/check/tool_interval.h"
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
 
-Vec3 random_axis(std::mt19937_64& random) {
-  std::normal_distribution<double> normal;
-  return Vec3(normal(random), normal(random), normal(random)).normalized();
-}
-
 TEST(Motion, EndsAreTheGivenPosesBitForBit) {
-  std::mt19937_64 random(3);
+  test::Scatter random(3);
   for (int i = 0; i < 100; ++i) {
-    const Pose a{Vec3::Random() * 50, random_axis(random)};
-    const Pose b{Vec3::Random() * 50, random_axis(random)};
+    const Pose a{random.point(50), random.direction()};
+    const Pose b{random.point(50), random.direction()};
     const Motion motion(a, b);
     EXPECT_EQ(motion.at(0).tip, a.tip);
     EXPECT_EQ(motion.at(1).axis, b.axis);
@@ -58,13 +53,13 @@ TEST(Motion, DoglegRunsAllAxesAtOneSpeedUntilEachArrives) {
 }
 
 TEST(ToolInterval, FramesAgreeWithThePose) {
-  std::mt19937_64 random(5);
+  test::Scatter random(5);
   for (int i = 0; i < 200; ++i) {
-    const Motion motion({Vec3::Random() * 20, random_axis(random)},
-                        {Vec3::Random() * 20, random_axis(random)});
+    const Motion motion({random.point(20), random.direction()},
+                        {random.point(20), random.direction()});
     for (const double t : {0.0, 0.123, 0.5, 0.9, 1.0}) {
       const Pose pose = motion.at(t);
-      const Vec3 p = Vec3::Random() * 100;
+      const Vec3 p = random.point(100);
       const Vec3 q = tool_frame(motion, t, 0).to_tool(p);
       const Vec3 d = p - pose.tip;
       EXPECT_NEAR(q.z(), d.dot(pose.axis), 1e-11);
@@ -74,16 +69,16 @@ TEST(ToolInterval, FramesAgreeWithThePose) {
 }
 
 TEST(ToolInterval, NoPathBulgesFurtherFromItsChordThanStated) {
-  std::mt19937_64 random(11);
+  test::Scatter random(11);
   double tightest = 1e300;
   for (int i = 0; i < 500; ++i) {
-    const Vec3 a = random_axis(random);
-    const Vec3 b = (a + 0.5 * random_axis(random)).normalized();
-    const Motion motion({Vec3::Random() * 5, a}, {Vec3::Random() * 5, b});
+    const Vec3 a = random.direction();
+    const Vec3 b = (a + 0.5 * random.direction()).normalized();
+    const Motion motion({random.point(5), a}, {random.point(5), b});
     ToolIntervals intervals(motion, motion);
     const std::uint32_t half = intervals.halve(0) + 1;
     const ToolInterval span = intervals[half];
-    const Vec3 p = Vec3::Random() * 60;
+    const Vec3 p = random.point(60);
     const double stated = span.bulge_mm((p - span.tip_middle).norm());
     const Vec3 q0 = span.f0.to_tool(p), q1 = span.f1.to_tool(p);
     for (double s = 0; s <= 1; s += 0.05) {

@@ -125,17 +125,17 @@ TEST(Reach, NoCleanMoveOfAnyToolGoesFartherIntoTheSolidThanThreeTimesTheDepthAll
   std::size_t clean = 0, held_back = 0;
   for (std::size_t seed = 0; seed < tools.size(); ++seed) {
     const ToolForms& tool = tools[seed];
-    test::SplitMix64 numbers(seed + 5);
+    test::Scatter numbers(seed + 5);
     CheckOptions options;
     options.threads = 1;
     options.budget_per_move = 20'000;
-    options.tolerance_mm = tool.bare.core_depth_mm * std::pow(10.0, numbers.uniform(-2.5, -0.3));
+    options.tolerance_mm = tool.bare.core_depth_mm * std::pow(10.0, numbers.in(-2.5, -0.3));
     options.resolution_mm = 0.1 * options.tolerance_mm;
     const double allowed = options.tolerance_mm + options.resolution_mm;
     for (int k = 0; k < 6; ++k) {
-      const double tilt = k % 3 != 0 ? 0 : numbers.uniform(0, 1.5);
+      const double tilt = k % 3 != 0 ? 0 : numbers.in(0, 1.5);
       Pose end{Vec3::Zero(), Vec3(std::sin(tilt), 0, std::cos(tilt))};
-      end.tip.z() = -lowest(tool.bare, end) - allowed * numbers.uniform(0.2, k % 2 == 0 ? 2 : 10);
+      end.tip.z() = -lowest(tool.bare, end) - allowed * numbers.in(0.2, k % 2 == 0 ? 2 : 10);
       const Pose start{end.tip + Vec3(0, 0, 500), end.axis};
       const CheckResult r = check_path(through({start, end}), {&tool}, prepared, options);
       const double reach = -lowest(tool.bare, end);

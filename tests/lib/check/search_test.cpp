@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 
 #include "lib/check/brute_force.h"
 #include "lib/check/check_move.h"
 #include "lib/tool/evaluate.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 
@@ -53,8 +53,8 @@ void expect_promise(const MoveVerdict& v, const Motion& motion, const ToolForms&
 }
 
 TEST(Search, NeverBelowBruteForceOnRandomScenes) {
-  std::mt19937_64 random(77);
-  const auto in = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  test::Scatter random(77);
+  const auto in = [&](double a, double b) { return random.in(a, b); };
   const auto tools = tools::all();
   std::size_t gouges = 0, cleans = 0;
   for (int i = 0; i < 250; ++i) {
@@ -64,13 +64,12 @@ TEST(Search, NeverBelowBruteForceOnRandomScenes) {
     for (int k = 0; k < 6; ++k) {
       const double angle = in(0, 2 * M_PI), far = nearest + in(0, 8);
       const Vec3 at(far * std::cos(angle), far * std::sin(angle), in(-6, 110));
-      for (int c = 0; c < 3; ++c) mesh.vertices.push_back(at + Vec3(in(-4, 4), in(-4, 4), in(-4, 4)));
+      for (int c = 0; c < 3; ++c) mesh.vertices.push_back(at + random.point(4));
       shapes::add_triangle(mesh, mesh.vertices.size() - 3, mesh.vertices.size() - 2,
                            mesh.vertices.size() - 1);
     }
-    const Pose from{Vec3(in(-1, 1), in(-1, 1), in(-1, 1)), Vec3(in(-.1, .1), in(-.1, .1), 1).normalized()};
-    const Pose to{from.tip + Vec3(in(-2, 2), in(-2, 2), in(-2, 2)),
-                  Vec3(in(-.1, .1), in(-.1, .1), 1).normalized()};
+    const Pose from{random.point(1), random.axis(0.1)};
+    const Pose to{from.tip + random.point(2), random.axis(0.1)};
     const Motion motion(from, to);
     const Scene scene{{mesh}, {}};
     const MoveVerdict v = check(motion, tool, scene.parts);

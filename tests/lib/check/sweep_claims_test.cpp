@@ -21,24 +21,11 @@ std::uint64_t cases(std::uint64_t usual) {
   return factor != nullptr ? usual * std::strtoull(factor, nullptr, 10) : usual;
 }
 
-class Scatter {
- public:
-  explicit Scatter(std::uint64_t seed) : random_(seed) {}
-  double in(double low, double high) { return random_.uniform(low, high); }
-  bool once_in(std::uint64_t n) { return random_.next() % n == 0; }
-  double scale(double low, double high) { return std::pow(10, in(low, high)); }
-  Vec3 point(double size) { return {in(-size, size), in(-size, size), in(-size, size)}; }
-  Vec3 axis() {
-    for (;;) {
-      const Vec3 v = point(1);
-      if (v.norm() > 0.1) return v.normalized();
-    }
-  }
-  Vec3 near(const Vec3& axis, double lean) { return (axis + point(lean)).normalized(); }
+using test::Scatter;
 
- private:
-  test::SplitMix64 random_;
-};
+/// Numbers of all sizes alike, from 10^low to 10^high.
+double scale(Scatter& random, double low, double high) { return std::pow(10, random.in(low, high)); }
+Vec3 near_axis(Scatter& random, const Vec3& axis, double lean) { return (axis + random.point(lean)).normalized(); }
 
 /// Tools by number: random ones, and every form of the named ones.
 CompiledTool tool_of(std::uint64_t seed) {
@@ -64,10 +51,10 @@ Vec3 near_tool(Scatter& scatter, const CompiledTool& tool, const Vec3& axis) {
   const auto at = static_cast<std::size_t>(scatter.in(0, static_cast<double>(tool.elements.size())) * 0.999999);
   const BoundaryElement& e = tool.elements[at];
   const double size = std::max(tool.r_max_mm, tool.z_max_mm);
-  const double off = size * scatter.scale(-6, -0.3);
+  const double off = size * scale(scatter, -6, -0.3);
   Vec2 q = e.a + scatter.in(0, 1) * (e.b - e.a) + off * Vec2(scatter.in(-1, 1), scatter.in(-1, 1));
-  if (scatter.once_in(4)) q.x() = scatter.once_in(2) ? 0 : scatter.scale(-8, -1) * size;
-  return q.y() * axis + q.x() * axis.cross(scatter.axis()).normalized();
+  if (scatter.below(4) == 0) q.x() = scatter.below(2) == 0 ? 0 : scale(scatter, -8, -1) * size;
+  return q.y() * axis + q.x() * axis.cross(scatter.direction()).normalized();
 }
 
 struct Case {
@@ -81,7 +68,7 @@ Motion random_motion(Scatter& scatter, const Pose& from, const Pose& to, double 
     case 0:
       return Motion(from, to, true);
     case 1:
-      return Motion(from, to, PathArc{from.tip + scatter.point(way), scatter.axis(), scatter.in(-7, 7)});
+      return Motion(from, to, PathArc{from.tip + scatter.point(way), scatter.direction(), scatter.in(-7, 7)});
     case 2: {
       const Vec3 mid = from.tip + scatter.point(way);
       PathSpline spline;
@@ -99,35 +86,35 @@ Case random_case(std::uint64_t seed, bool is_straight_only) {
   Case made;
   made.tool = tool_of(seed);
   const double size = std::max(made.tool.r_max_mm, made.tool.z_max_mm);
-  const Vec3 origin = scatter.once_in(3) ? scatter.point(scatter.scale(3, 5)) : Vec3(Vec3::Zero());
-  const double way = size * scatter.scale(-4, 0.3);
-  const double lean = scatter.once_in(6) ? 0 : scatter.scale(-4, is_straight_only ? -0.5 : 0.7);
-  const Vec3 axis = scatter.once_in(4) ? Vec3(Vec3::UnitZ()) : scatter.axis();
+  const Vec3 origin = scatter.below(3) == 0 ? scatter.point(scale(scatter, 3, 5)) : Vec3(Vec3::Zero());
+  const double way = size * scale(scatter, -4, 0.3);
+  const double lean = scatter.below(6) == 0 ? 0 : scale(scatter, -4, is_straight_only ? -0.5 : 0.7);
+  const Vec3 axis = scatter.below(4) == 0 ? Vec3(Vec3::UnitZ()) : scatter.direction();
   const Vec3 course = scatter.point(way);
   Pose from{origin, axis};
   for (auto count = static_cast<int>(scatter.in(1, 7)); count > 0; --count) {
-    Pose to{from.tip + course + scatter.point(scatter.once_in(2) ? way : 0.05 * way), scatter.near(axis, lean)};
-    if (scatter.once_in(8)) to.tip = from.tip;
-    if (scatter.once_in(8)) to.axis = from.axis;
+    Pose to{from.tip + course + scatter.point(scatter.below(2) == 0 ? way : 0.05 * way), near_axis(scatter, axis, lean)};
+    if (scatter.below(8) == 0) to.tip = from.tip;
+    if (scatter.below(8) == 0) to.axis = from.axis;
     Motion motion = is_straight_only ? Motion(from, to) : random_motion(scatter, from, to, way);
     if (motion.is_defined()) {
       made.motions.push_back(motion);
       from = to;
     }
   }
-  if (made.motions.empty() || scatter.once_in(20)) made.motions.emplace_back(from);
-  const double facet = size * scatter.scale(-4, 0.3);
+  if (made.motions.empty() || scatter.below(20) == 0) made.motions.emplace_back(from);
+  const double facet = size * scale(scatter, -4, 0.3);
   const auto triangles = static_cast<std::size_t>(scatter.in(1, is_straight_only ? 17 : 60));
   for (std::size_t t = 0; t < triangles; ++t) {
     const double which = scatter.in(0, 0.999) * static_cast<double>(made.motions.size());
     const Motion& about = made.motions[static_cast<std::size_t>(which)];
     const Pose pose = about.at(scatter.in(-0.2, 1.2));
     const Vec3 at = pose.tip + near_tool(scatter, made.tool, pose.axis);
-    const Vec3 flat = scatter.once_in(4) ? Vec3(1, 1e-4, 1) : Vec3(1, 1, 1);
-    const double here = scatter.once_in(30) ? 0 : facet;
+    const Vec3 flat = scatter.below(4) == 0 ? Vec3(1, 1e-4, 1) : Vec3(1, 1, 1);
+    const double here = scatter.below(30) == 0 ? 0 : facet;
     const std::size_t first = made.mesh.vertices.size();
     for (int k = 0; k < 3; ++k) {
-      const double reach = k == 0 && scatter.once_in(2) ? 0 : here;
+      const double reach = k == 0 && scatter.below(2) == 0 ? 0 : here;
       made.mesh.vertices.push_back(at + scatter.point(reach).cwiseProduct(flat));
     }
     shapes::add_triangle(made.mesh, first, first + 1, first + 2);
@@ -146,15 +133,15 @@ Case aligned_case(std::uint64_t seed) {
   Case made;
   made.tool = tool_of(seed);
   const double size = std::exp2(std::ceil(std::log2(std::max(made.tool.r_max_mm, made.tool.z_max_mm))));
-  const Vec3 axis = (scatter.once_in(2) ? 1 : -1) * Vec3::Unit(static_cast<Eigen::Index>(scatter.in(0, 2.999)));
+  const Vec3 axis = (scatter.below(2) == 0 ? 1 : -1) * Vec3::Unit(static_cast<Eigen::Index>(scatter.in(0, 2.999)));
   const Vec3 side = axis.unitOrthogonal();
-  const Vec3 origin = scatter.once_in(3) ? Vec3(1024 * Vec3(even(scatter, 16), even(scatter, 16), 0)) : Vec3(0, 0, 0);
-  const double way = scatter.once_in(3) ? 0 : size * std::exp2(std::round(scatter.in(-12, 0)));
+  const Vec3 origin = scatter.below(3) == 0 ? Vec3(1024 * Vec3(even(scatter, 16), even(scatter, 16), 0)) : Vec3(0, 0, 0);
+  const double way = scatter.below(3) == 0 ? 0 : size * std::exp2(std::round(scatter.in(-12, 0)));
   Pose from{origin, axis};
   for (auto count = static_cast<int>(scatter.in(0, 5)); count > 0; --count) {
     Pose to{from.tip + even(scatter, way) * axis, axis};
-    if (scatter.once_in(4)) to.tip += even(scatter, way) * side;
-    if (scatter.once_in(6)) to.axis = side;
+    if (scatter.below(4) == 0) to.tip += even(scatter, way) * side;
+    if (scatter.below(6) == 0) to.axis = side;
     made.motions.emplace_back(from, to);
     from = to;
     from.axis = axis;
@@ -164,7 +151,7 @@ Case aligned_case(std::uint64_t seed) {
   for (auto count = static_cast<int>(scatter.in(1, 17)); count > 0; --count) {
     const Vec3 at = origin + std::abs(even(scatter, size)) * axis;
     for (int k = 0; k < 3; ++k) {
-      const double beside = k == 0 || scatter.once_in(3) ? 0 : facet;
+      const double beside = k == 0 || scatter.below(3) == 0 ? 0 : facet;
       made.mesh.vertices.push_back(at + even(scatter, facet) * axis + even(scatter, beside) * side +
                                    even(scatter, beside) * axis.cross(side));
     }
@@ -235,10 +222,10 @@ TEST(SweepClaims, NoBoundOfAPieceIsAboveThePiece) {
 
 SearchQuestion random_question(Scatter& scatter, double size) {
   SearchQuestion q;
-  q.tolerance_mm = scatter.once_in(3) ? 0 : size * scatter.scale(-5, 0);
-  q.resolution_mm = size * scatter.scale(-6, -2);
-  q.gap_mm = scatter.once_in(2) ? q.resolution_mm : size * scatter.scale(-5, -0.5);
-  q.reach_mm = scatter.once_in(2) ? 0 : size * scatter.scale(-4, -0.3);
+  q.tolerance_mm = scatter.below(3) == 0 ? 0 : size * scale(scatter, -5, 0);
+  q.resolution_mm = size * scale(scatter, -6, -2);
+  q.gap_mm = scatter.below(2) == 0 ? q.resolution_mm : size * scale(scatter, -5, -0.5);
+  q.reach_mm = scatter.below(2) == 0 ? 0 : size * scale(scatter, -4, -0.3);
   q.budget = 20000;
   return q;
 }

@@ -1,12 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
 
 #include "lib/head/check_heads.h"
 #include "lib/head/head_search.h"
 #include "lib/penetration/nearest_foot.h"
 #include "tests/support/paths.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 #include "tests/support/tools.h"
@@ -173,9 +173,7 @@ TEST(Heads, MotionKeepsRotationsAndEndsWhereTheRuleSays) {
 
 /// Random heads and parts: dense sampling never finds more than the bound, and the witness holds.
 TEST(Heads, BoundsHoldAgainstSampling) {
-  std::mt19937_64 random(3);
-  std::uniform_real_distribution<double> unit(-1, 1);
-  const auto direction = [&] { return Vec3(unit(random), unit(random), unit(random)).normalized(); };
+  test::Scatter random(3);
   const IndexedMesh part = shapes::star_prism();
   const HeadBody head = *build_head_body(shapes::torus(20, 6, 24, 12));
   DepthBodyOptions lean;
@@ -183,13 +181,13 @@ TEST(Heads, BoundsHoldAgainstSampling) {
   const DepthBody surface = build_depth_body(part, lean);
   std::size_t gouges = 0;
   for (int i = 0; i < 12; ++i) {
-    const Motion motion(Pose{45 * direction(), direction()}, Pose{45 * direction(), direction()});
+    const Motion motion(Pose{45 * random.direction(), random.direction()}, Pose{45 * random.direction(), random.direction()});
     const HeadMotion moving(motion);
     const HeadAnswer told = search_head(moving, head, {&surface}, {0.01, 0.02, 0.02, 20000});
     double sampled = 0;
     for (std::size_t t = 0; t < part.triangles.size(); ++t) {
       for (int k = 0; k < 20; ++k) {
-        const double u = 0.5 + 0.5 * unit(random), v = (1 - u) * (0.5 + 0.5 * unit(random));
+        const double u = random.in(0, 1), v = (1 - u) * (random.in(0, 1));
         const Vec3 p = part.corner(t, 0) + u * (part.corner(t, 1) - part.corner(t, 0)) +
                        v * (part.corner(t, 2) - part.corner(t, 0));
         for (int s = 0; s <= 60; ++s) {

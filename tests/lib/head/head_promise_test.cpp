@@ -3,10 +3,10 @@
 #include <cstdlib>
 #include <functional>
 #include <numbers>
-#include <random>
 
 #include "lib/head/check_heads.h"
 #include "lib/penetration/nearest_foot.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 
@@ -17,18 +17,7 @@
 namespace gouge {
 namespace {
 
-class Random {
- public:
-  explicit Random(std::uint64_t seed) : engine_(seed) {}
-  double unit() { return std::uniform_real_distribution<double>(-1, 1)(engine_); }
-  double share() { return 0.5 + 0.5 * unit(); }
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>(engine_() % n); }
-  Vec3 vector() { return {unit(), unit(), unit()}; }
-  Vec3 direction() { return vector().normalized(); }
-
- private:
-  std::mt19937_64 engine_;
-};
+using test::Scatter;
 
 int motions() {
   const char* given = std::getenv("GOUGE_HEAD_MOTIONS");
@@ -39,16 +28,16 @@ struct Tally {
   int deep = 0, clean = 0, tight = 0, all = 0;
 };
 
-using MakeMotion = std::function<Motion(Random&)>;
+using MakeMotion = std::function<Motion(Scatter&)>;
 
 /// Samples surface points, also those next to where the head was found deepest, over many instants.
 double sampled_depth(const HeadMotion& moving, const HeadBody& head, const IndexedMesh& part,
-                     const HeadAnswer& told, Random& random) {
+                     const HeadAnswer& told, Scatter& random) {
   double deepest = 0;
   for (int i = 0; i < 400; ++i) {
     const std::size_t t =
         told.has_witness && i % 2 == 0 ? told.triangle : random.below(part.triangles.size());
-    double u = random.share(), v = random.share();
+    double u = random.in(0, 1), v = random.in(0, 1);
     if (u + v > 1) {
       u = 1 - u;
       v = 1 - v;
@@ -57,7 +46,7 @@ double sampled_depth(const HeadMotion& moving, const HeadBody& head, const Index
     const Vec3& a = part.corner(t, 0);
     const Vec3 p = a + u * (part.corner(t, 1) - a) + v * (part.corner(t, 2) - a);
     for (int s = 0; s <= 64; ++s) {
-      const double at = i % 3 == 0 ? random.share() : s / 64.0;
+      const double at = i % 3 == 0 ? random.in(0, 1) : s / 64.0;
       deepest = std::max(deepest, -nearest_foot(head.surface, moving.at(at).inverse().point(p))->signed_mm());
     }
   }
@@ -66,7 +55,7 @@ double sampled_depth(const HeadMotion& moving, const HeadBody& head, const Index
 
 Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const MakeMotion& make,
                     const SearchGoal& goal, std::uint64_t seed) {
-  Random random(seed);
+  Scatter random(seed);
   const Result<HeadBody> head = build_head_body(head_mesh);
   EXPECT_TRUE(head.has_value()) << head_mesh.name;
   DepthBodyOptions lean;
@@ -103,10 +92,10 @@ TEST(HeadPromise, HoldsForFastTurnsWithLongArms) {
   const IndexedMesh part = shapes::moved(shapes::star_prism(), Vec3(0, 0, 280));
   const Tally tally = expect_bounds(
       head, part,
-      [](Random& random) {
+      [](Scatter& random) {
         const Vec3 z = Vec3::UnitZ();
-        const Pose from{30 * random.vector(), (z + 0.3 * random.vector()).normalized()};
-        return Motion(from, {30 * random.vector(), (z + 0.3 * random.vector()).normalized()});
+        const Pose from{30 * random.point(1), (z + 0.3 * random.point(1)).normalized()};
+        return Motion(from, {30 * random.point(1), (z + 0.3 * random.point(1)).normalized()});
       },
       kGoal, 1);
   EXPECT_GT(tally.deep, tally.all / 4);
@@ -115,15 +104,15 @@ TEST(HeadPromise, HoldsForFastTurnsWithLongArms) {
 TEST(HeadPromise, HoldsOnArcsWhoseAxisTurns) {
   const Tally tally = expect_bounds(
       shapes::torus(20, 6, 24, 12), shapes::star_prism(),
-      [](Random& random) {
+      [](Scatter& random) {
         PathArc arc;
         arc.axis = random.direction();
-        arc.center = 20 * random.vector();
-        arc.sweep_rad = 3 * random.unit();
+        arc.center = 20 * random.point(1);
+        arc.sweep_rad = 3 * random.in(-1, 1);
         const Vec3 r0 = 40 * arc.axis.cross(random.direction());
         const Vec3 r1 = Eigen::AngleAxisd(arc.sweep_rad, arc.axis) * r0;
         const Pose from{arc.center + r0, random.direction()};
-        return Motion(from, {arc.center + r1 + 15 * random.unit() * arc.axis, random.direction()}, arc);
+        return Motion(from, {arc.center + r1 + 15 * random.in(-1, 1) * arc.axis, random.direction()}, arc);
       },
       kGoal, 2);
   EXPECT_GT(tally.deep, 0);
@@ -133,8 +122,8 @@ TEST(HeadPromise, HoldsWhereFacesSlideAlongFaces) {
   // Steps of a millimetre and upright axes: faces lie in one plane again and again.
   const Tally tally = expect_bounds(
       shapes::box(Vec3(-10, -8, 20), Vec3(10, 8, 30)), shapes::box(Vec3(-6, -6, 0), Vec3(6, 6, 25)),
-      [](Random& random) {
-        const auto step = [&] { return std::round(6 * random.unit()); };
+      [](Scatter& random) {
+        const auto step = [&] { return std::round(6 * random.in(-1, 1)); };
         const Pose from{Vec3(3 * step(), 3 * step(), step()), Vec3::UnitZ()};
         const bool is_level = random.below(2) == 0;
         return Motion(from, {from.tip + Vec3(3 * step(), 3 * step(), is_level ? 0 : step()), Vec3::UnitZ()});
@@ -148,11 +137,11 @@ TEST(HeadPromise, HoldsForWallsInTheSlotsOfAHead) {
   const IndexedMesh block = shapes::slotted_block();
   const Tally tally = expect_bounds(
       shapes::moved(block, Vec3(0, 0, 3)), block,
-      [](Random& random) {
-        const Pose from{Vec3(8 * random.unit(), 3 * random.unit(), 6 * random.unit()), Vec3::UnitZ()};
-        const Vec3 axis = (Vec3::UnitZ() + 0.1 * random.vector()).normalized();
+      [](Scatter& random) {
+        const Pose from{Vec3(8 * random.in(-1, 1), 3 * random.in(-1, 1), 6 * random.in(-1, 1)), Vec3::UnitZ()};
+        const Vec3 axis = (Vec3::UnitZ() + 0.1 * random.point(1)).normalized();
         return Motion(from,
-                      {from.tip + 3 * random.vector(), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
+                      {from.tip + 3 * random.point(1), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
       },
       kGoal, 4);
   EXPECT_GT(tally.deep, 0);
@@ -168,9 +157,9 @@ TEST(HeadPromise, HoldsForWhatReachesAcrossASlotIntoTheOtherWall) {
   sheet.file_triangle = {0};
   const Tally tally = expect_bounds(
       shapes::slotted_block(8, 6, 20, 40), sheet,
-      [](Random& random) {
-        const auto tip = [&] { return Vec3(0.2 * random.unit(), 5 * random.unit(), 2 * random.unit()); };
-        const Vec3 axis = (Vec3::UnitZ() + 0.01 * random.vector()).normalized();
+      [](Scatter& random) {
+        const auto tip = [&] { return Vec3(0.2 * random.in(-1, 1), 5 * random.in(-1, 1), 2 * random.in(-1, 1)); };
+        const Vec3 axis = (Vec3::UnitZ() + 0.01 * random.point(1)).normalized();
         const Pose from{tip(), Vec3::UnitZ()};
         return Motion(from, {tip(), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
       },
@@ -185,9 +174,9 @@ TEST(HeadPromise, HoldsForWhatIsMetInMidSwing) {
   const Tally tally = expect_bounds(
       shapes::box(Vec3(145, 25, 195), Vec3(155, 35, 205)),
       shapes::moved(shapes::cube(3), place - Vec3(1.5, 1.5, 1.5)),
-      [&](Random& random) {
+      [&](Scatter& random) {
         const Vec3 about = middle_axis.cross(random.direction()).normalized();
-        const double turn = 0.1 + random.share();
+        const double turn = 0.1 + random.in(0, 1);
         const Pose from{Vec3::Zero(), Eigen::AngleAxisd(-turn, about) * middle_axis};
         return Motion(from, {Vec3::Zero(), Eigen::AngleAxisd(turn, about) * middle_axis});
       },
@@ -196,8 +185,8 @@ TEST(HeadPromise, HoldsForWhatIsMetInMidSwing) {
 }
 
 TEST(HeadPromise, HoldsForAThinPlateAndForCavities) {
-  const MakeMotion make = [](Random& random) {
-    return Motion({25 * random.vector(), random.direction()}, {25 * random.vector(), random.direction()});
+  const MakeMotion make = [](Scatter& random) {
+    return Motion({25 * random.point(1), random.direction()}, {25 * random.point(1), random.direction()});
   };
   expect_bounds(shapes::box(Vec3(-30, -20, 10), Vec3(30, 20, 10.02)), shapes::bumpy_sphere(), make,
                 {1e-3, 1e-3, 1e-3, 8000}, 5);
@@ -209,9 +198,9 @@ TEST(HeadPromise, HoldsFarFromTheOrigin) {
   const Vec3 far(1e5, -1e5, 1e5);
   expect_bounds(
       shapes::torus(20, 6, 24, 12), shapes::moved(shapes::star_prism(), far),
-      [&](Random& random) {
-        return Motion({far + 30 * random.vector(), random.direction()},
-                      {far + 30 * random.vector(), random.direction()});
+      [&](Scatter& random) {
+        return Motion({far + 30 * random.point(1), random.direction()},
+                      {far + 30 * random.point(1), random.direction()});
       },
       {1e-4, 1e-4, 1e-4, 20000}, 8);
 }

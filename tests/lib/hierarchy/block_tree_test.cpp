@@ -3,20 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
-#include <random>
 
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
 namespace gouge {
 namespace {
 
 IndexedMesh random_soup(std::size_t triangles, unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> place(-100, 100), edge(-3, 3);
+  test::Scatter random(seed);
   IndexedMesh mesh;
   for (std::size_t t = 0; t < triangles; ++t) {
-    const Vec3 a(place(random), place(random), place(random));
-    for (int k = 0; k < 3; ++k) mesh.vertices.push_back(a + Vec3(edge(random), edge(random), edge(random)));
+    const Vec3 a = random.point(100);
+    for (int k = 0; k < 3; ++k) mesh.vertices.push_back(a + random.point(3));
     const auto first = static_cast<Corner>(3 * t);
     mesh.triangles.push_back({first, first + 1, first + 2});
     mesh.file_triangle.push_back(static_cast<std::uint32_t>(t));

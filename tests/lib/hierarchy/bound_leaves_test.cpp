@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <random>
 #include <vector>
+
+#include "tests/support/scatter.h"
 
 namespace gouge::detail {
 namespace {
@@ -12,14 +13,13 @@ namespace {
 /// Leaves about a plane, the last one with `last_count` triangles.
 std::vector<TriangleBlock> random_leaves(std::size_t count, std::uint32_t last_count, double size,
                                          unsigned seed) {
-  std::mt19937_64 random(seed);
-  std::uniform_real_distribution<double> place(-size, size), height(-0.01 * size, 0.01 * size);
+  test::Scatter random(seed);
   std::vector<TriangleBlock> leaves(count);
   for (std::size_t l = 0; l < count; ++l) {
     leaves[l].count = l + 1 == count ? last_count : kBlockLanes;
     for (std::size_t i = 0; i < kBlockLanes; ++i) {
       for (std::size_t c = 0; c < 3; ++c) {
-        const Vec3 corner(place(random), place(random), height(random));
+        const Vec3 corner = random.point(size).cwiseProduct(Vec3(1, 1, 0.01));
         for (std::size_t k = 0; k < 3; ++k) {
           leaves[l].corner[c][k][i] = i < leaves[l].count
                                           ? static_cast<float>(corner[static_cast<Eigen::Index>(k)])

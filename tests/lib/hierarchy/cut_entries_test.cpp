@@ -3,20 +3,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <set>
 #include <vector>
+
+#include "tests/support/scatter.h"
 
 namespace gouge::detail {
 namespace {
 
 std::vector<Entry> random_entries(std::size_t count, unsigned seed, int places) {
-  std::mt19937 random(seed);
+  test::Scatter random(seed);
   std::vector<Entry> entries(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     entries[i].triangle = i;
     for (float& x : entries[i].middle)
-      x = static_cast<float>(random() % static_cast<unsigned>(places)) / 7.0F - 40.0F;
+      x = static_cast<float>(random.next() % static_cast<unsigned>(places)) / 7.0F - 40.0F;
   }
   return entries;
 }

@@ -2,21 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "lib/kdop/coulomb.h"
 #include "lib/kdop/directions.h"
 #include "lib/kdop/kdop_corners.h"
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
 
 std::vector<Vec3> cloud(std::size_t count, std::uint64_t seed) {
-  std::mt19937_64 random(seed);
-  std::normal_distribution<double> normal;
+  test::Scatter random(seed);
   std::vector<Vec3> points;
   for (std::size_t i = 0; i < count; ++i)
-    points.push_back(Vec3(3 * normal(random), normal(random), 2 * normal(random)) + Vec3(50, -20, 7));
+    points.push_back(random.in(0, 2) * random.direction().cwiseProduct(Vec3(3, 1, 2)) + Vec3(50, -20, 7));
   return points;
 }
 
@@ -84,8 +83,7 @@ TEST(KdopCorners, AreAtMostAsManyAsTheThesisCounts) {
 }
 
 TEST(KdopCorners, HoldThePointsAlongEveryDirectionFlatCloudsIncluded) {
-  std::mt19937_64 random(2);
-  std::normal_distribution<double> normal;
+  test::Scatter random(2);
   for (const std::size_t k : {6U, 14U, 26U}) {
     const DirectionSet set = *make_directions(DirectionFamily::cube, k);
     for (int flat = 0; flat < 3; ++flat) {
@@ -97,7 +95,7 @@ TEST(KdopCorners, HoldThePointsAlongEveryDirectionFlatCloudsIncluded) {
       const std::vector<Vec3> corners = kdop_corners(set, intervals_of(set, points));
       ASSERT_FALSE(corners.empty());
       for (int i = 0; i < 300; ++i) {
-        const Vec3 u = Vec3(normal(random), normal(random), normal(random)).normalized();
+        const Vec3 u = random.direction();
         const auto reach = [&](const std::vector<Vec3>& all) {
           double most = -1e300;
           for (const Vec3& p : all) most = std::max(most, u.dot(p));

@@ -1,18 +1,18 @@
 #include <gtest/gtest.h>
 
-#include <random>
-
 #include "lib/kdop/kdop_tree.h"
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
 
 std::vector<Vec3> points_of(std::size_t count) {
-  std::mt19937_64 random(4);
-  std::uniform_real_distribution<double> unit(0, 100);
+  test::Scatter random(4);
   std::vector<Vec3> points;
-  for (std::size_t i = 0; i < count; ++i)
-    points.emplace_back(unit(random), unit(random), i % 7 == 0 ? 5 : unit(random));
+  for (std::size_t i = 0; i < count; ++i) {
+    points.push_back(random.point(50) + Vec3(50, 50, 50));
+    if (i % 7 == 0) points.back().z() = 5;
+  }
   return points;
 }
 

@@ -5,9 +5,9 @@
 #include "lib/mesh/body_pieces.h"
 #include "lib/mesh/cavity.h"
 #include "lib/mesh/free_ray.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
-#include "tests/support/split_mix.h"
 #include "tests/support/crossing_parity.h"
 
 namespace gouge {
@@ -18,10 +18,10 @@ Side side_in(const std::vector<IndexedMesh>& meshes, const Vec3& point) {
 }
 
 TEST(Enclosure, AgreesWithCrossingsOnClosedSolids) {
-  test::SplitMix64 random(5);
+  test::Scatter random(5);
   for (const IndexedMesh& mesh : {shapes::torus(20, 6), shapes::star_prism(), shapes::sphere(15)}) {
     for (int i = 0; i < 200; ++i) {
-      const Vec3 p(random.uniform(-27, 27), random.uniform(-27, 27), random.uniform(-8, 14));
+      const Vec3 p(random.in(-27, 27), random.in(-27, 27), random.in(-8, 14));
       EXPECT_EQ(side_in({mesh}, p), test::is_inside(mesh, p) ? Side::inside : Side::outside) << p.transpose();
     }
   }

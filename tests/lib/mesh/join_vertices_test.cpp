@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
 namespace gouge {
@@ -11,13 +10,12 @@ namespace {
 
 /// Every triangle with corners of its own, each moved by up to `off` along each axis.
 IndexedMesh torn(const IndexedMesh& mesh, double off) {
-  std::mt19937 random(7);
-  std::uniform_real_distribution<double> shift(-off, off);
+  test::Scatter random(7);
   IndexedMesh apart;
   apart.name = mesh.name;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     for (std::size_t k = 0; k < 3; ++k)
-      apart.vertices.push_back(mesh.corner(t, k) + Vec3(shift(random), shift(random), shift(random)));
+      apart.vertices.push_back(mesh.corner(t, k) + random.point(off));
     shapes::add_triangle(apart, 3 * t, 3 * t + 1, 3 * t + 2);
   }
   return apart;

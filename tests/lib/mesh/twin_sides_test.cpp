@@ -3,11 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <string>
 #include <vector>
 
 #include "lib/mesh/mesh_findings.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 
 namespace gouge {
@@ -33,28 +33,28 @@ std::string text(const MeshFindings& found) {
 }
 
 /// Some shapes beside and over each other, their triangles in any order.
-IndexedMesh random_scene(std::mt19937& random) {
+IndexedMesh random_scene(test::Scatter& random) {
   const std::vector<IndexedMesh> shapes = {shapes::cube(),       shapes::tetrahedron(),
                                            shapes::torus(),      shapes::hollow_cube(),
                                            shapes::sphere(),     shapes::inside_out(shapes::cube(3)),
                                            shapes::needle_fan(), shapes::cubes_touching_at_edge(),
                                            shapes::open_cube(),  shapes::cubes_touching_at_vertex()};
-  IndexedMesh mesh = shapes[random() % 6];
-  for (auto k = random() % 3; k > 0; --k) {
+  IndexedMesh mesh = shapes[random.next() % 6];
+  for (auto k = random.next() % 3; k > 0; --k) {
     // Mostly the closed ones, so that both ways are gone often.
-    const IndexedMesh& more = shapes[random() % 8 == 0 ? random() % shapes.size() : random() % 6];
-    mesh = shapes::joined(mesh, shapes::moved(more, Vec3(static_cast<double>(random() % 3) * 40, 0, 0)));
+    const IndexedMesh& more = shapes[random.next() % 8 == 0 ? random.next() % shapes.size() : random.next() % 6];
+    mesh = shapes::joined(mesh, shapes::moved(more, Vec3(static_cast<double>(random.next() % 3) * 40, 0, 0)));
   }
-  std::shuffle(mesh.triangles.begin(), mesh.triangles.end(), random);
-  for (TriangleCorners& t : mesh.triangles) std::rotate(t.begin(), t.begin() + random() % 3, t.end());
+  random.shuffle(mesh.triangles);
+  for (TriangleCorners& t : mesh.triangles) std::rotate(t.begin(), t.begin() + random.next() % 3, t.end());
   return mesh;
 }
 
 /// One fault of the kinds that files have.
-void break_something(IndexedMesh& mesh, std::mt19937& random) {
-  const std::size_t t = random() % mesh.triangles.size();
+void break_something(IndexedMesh& mesh, test::Scatter& random) {
+  const std::size_t t = random.next() % mesh.triangles.size();
   const TriangleCorners corners = mesh.triangles[t];
-  switch (random() % 5) {
+  switch (random.next() % 5) {
     case 0:
       std::swap(mesh.triangles[t][0], mesh.triangles[t][1]);
       break;
@@ -68,7 +68,7 @@ void break_something(IndexedMesh& mesh, std::mt19937& random) {
       shapes::add_triangle(mesh, corners[1], corners[0], corners[2]);
       break;
     default: {  // two vertices become one
-      const Corner to = corners[0], from = mesh.triangles[random() % mesh.triangles.size()][0];
+      const Corner to = corners[0], from = mesh.triangles[random.next() % mesh.triangles.size()][0];
       for (TriangleCorners& c : mesh.triangles) std::replace(c.begin(), c.end(), from, to);
       std::erase_if(mesh.triangles,
                     [](const TriangleCorners& c) { return c[0] == c[1] || c[1] == c[2] || c[2] == c[0]; });
@@ -79,11 +79,11 @@ void break_something(IndexedMesh& mesh, std::mt19937& random) {
 }
 
 TEST(TwinSides, TheShortWayFindsWhatTheLongOneFinds) {
-  std::mt19937 random(5);
+  test::Scatter random(5);
   std::size_t short_ways = 0, long_ways = 0;
   for (int round = 0; round < 3000; ++round) {
     IndexedMesh mesh = random_scene(random);
-    for (auto k = random() % 3; k > 0 && mesh.triangles.size() > 1; --k) break_something(mesh, random);
+    for (auto k = random.next() % 3; k > 0 && mesh.triangles.size() > 1; --k) break_something(mesh, random);
     const MeshFindings found = find_mesh_findings(mesh);
     const MeshFindings all = find_mesh_findings(mesh, MeshAdjacency(mesh));
     ASSERT_EQ(text(found), text(all)) << round;

@@ -4,7 +4,8 @@
 
 #include <cmath>
 #include <numbers>
-#include <random>
+
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
@@ -36,15 +37,14 @@ const SplinePiece& piece_at(const PathSpline& spline, double u) {
   return spline.pieces.back();
 }
 
-std::vector<Vec3> random_control(std::mt19937_64& random, std::size_t count) {
-  std::uniform_real_distribution<double> in(-50, 50);
+std::vector<Vec3> random_control(test::Scatter& random, std::size_t count) {
   std::vector<Vec3> control;
-  for (std::size_t i = 0; i < count; ++i) control.emplace_back(in(random), in(random), in(random));
+  for (std::size_t i = 0; i < count; ++i) control.push_back(random.point(50));
   return control;
 }
 
 TEST(Spline, PiecesAreTheCurveOfItsDefinition) {
-  std::mt19937_64 random(4);
+  test::Scatter random(4);
   const std::vector<std::vector<double>> knots = {{},
                                                   {0.5},
                                                   {0.1, 0.2, 0.9},
@@ -65,7 +65,7 @@ TEST(Spline, PiecesAreTheCurveOfItsDefinition) {
 }
 
 TEST(Spline, BoundsOfItsDerivativesHold) {
-  std::mt19937_64 random(5);
+  test::Scatter random(5);
   const std::vector<double> inner = {0.2, 0.25, 0.7};
   for (int i = 0; i < 100; ++i) {
     for (const SplinePiece& piece : make_spline(random_control(random, 7), inner).pieces) {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <random>
 #include <vector>
 
 #include "lib/geom/rigid_transform.h"
 #include "lib/mesh/indexed_mesh.h"
+#include "tests/support/scatter.h"
 
 // Points on both sides of a surface and near it, and rigid motions, from a seed.
 
@@ -18,13 +18,13 @@ class RandomPoints {
 
   /// Up to 1.2 times the depth from a point of a random triangle: one in three from its rim or near it.
   Vec3 next() {
-    const std::size_t t = random_() % mesh_.triangles.size();
+    const std::size_t t = random_.next() % mesh_.triangles.size();
     double u = uniform(), v = uniform();
     if (u + v > 1) {
       u = 1 - u;
       v = 1 - v;
     }
-    const std::uint64_t kind = random_() % 6;
+    const std::uint64_t kind = random_.next() % 6;
     if (kind == 0) v *= 1e-3;
     if (kind == 1) u = v = 0;
     const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
@@ -40,19 +40,13 @@ class RandomPoints {
     return pose;
   }
 
-  double uniform() { return std::uniform_real_distribution<double>(0, 1)(random_); }
-
-  Vec3 direction() {
-    for (;;) {
-      const Vec3 v(2 * uniform() - 1, 2 * uniform() - 1, 2 * uniform() - 1);
-      if (v.squaredNorm() < 1 && v.squaredNorm() > 1e-6) return v.normalized();
-    }
-  }
+  double uniform() { return random_.in(0, 1); }
+  Vec3 direction() { return random_.direction(); }
 
  private:
   const IndexedMesh& mesh_;
   double depth_mm_;
-  std::mt19937_64 random_;
+  test::Scatter random_;
 };
 
 }  // namespace gouge

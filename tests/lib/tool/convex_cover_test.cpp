@@ -5,10 +5,10 @@
 
 #include <cmath>
 #include <cstdlib>
-#include <random>
 
 #include "lib/tool/evaluate.h"
 #include "tests/support/random_tools.h"
+#include "tests/support/scatter.h"
 #include "tests/support/tool_points.h"
 #include "tests/support/tools.h"
 
@@ -24,15 +24,14 @@ struct Claims {
   std::size_t feet = 0, ends = 0, outside = 0, distance = 0;
 };
 
-void expect_claims_hold(const CompiledTool& tool, std::mt19937_64& random, int points, Claims& claims) {
+void expect_claims_hold(const CompiledTool& tool, test::Scatter& random, int points, Claims& claims) {
   const ConvexCover cover = make_convex_cover(tool);
-  test::SplitMix64 places(random());
+  test::Scatter places(random.next());
   ASSERT_FALSE(cover.pieces.empty());
   EXPECT_NEAR(cover.pieces.front().z_lo_mm, tool.z_min_mm, 1e-12 * cover.size_mm);
   EXPECT_NEAR(cover.pieces.back().z_hi_mm, tool.z_max_mm, 1e-12 * cover.size_mm);
-  const auto in = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
   for (int i = 0; i < points; ++i) {
-    const Vec2 around(in(0, 1.2 * tool.r_max_mm), in(tool.z_min_mm - 5, tool.z_max_mm + 5));
+    const Vec2 around(random.in(0, 1.2 * tool.r_max_mm), random.in(tool.z_min_mm - 5, tool.z_max_mm + 5));
     const Vec2 q = i % 2 == 0 ? around : test::random_tool_point(places, tool);
     const double depth = -signed_distance(tool, q);
     double nearest = 1e300;
@@ -61,7 +60,7 @@ void expect_claims_hold(const CompiledTool& tool, std::mt19937_64& random, int p
 }
 
 TEST(ConvexCover, NeverSaysLessThanTheTool) {
-  std::mt19937_64 random(5);
+  test::Scatter random(5);
   Claims claims;
   for (const ToolForms& forms : tools::all()) {
     for (const CompiledTool* tool : {&forms.bare, &forms.against_part, &forms.with_clearance, &forms.non_cutting}) {
@@ -80,14 +79,14 @@ TEST(ConvexCover, NeverSaysLessThanAnyToolThereIs) {
   const std::uint64_t count = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 400;
   Claims claims;
   for (const ToolForms& forms : tools::shapes()) {
-    std::mt19937_64 random(6);
+    test::Scatter random(6);
     for (const CompiledTool* tool : {&forms.bare, &forms.against_part, &forms.with_clearance, &forms.non_cutting}) {
       if (!tool->elements.empty()) expect_claims_hold(*tool, random, 1000, claims);
     }
   }
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     const test::RandomTool made = test::random_tool(seed);
-    std::mt19937_64 random(seed);
+    test::Scatter random(seed);
     expect_claims_hold(compile_tool(made.name, made.profile), random, 300, claims);
   }
   EXPECT_GT(claims.feet, 10 * count);

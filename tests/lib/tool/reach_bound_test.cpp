@@ -144,8 +144,8 @@ TEST(ReachBound, IsNeverLessThanWhatIsSeenOnAGridInEveryShape) {
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     const test::RandomTool random = test::random_tool(seed);
     const CompiledTool tool = compile_tool(random.name, random.profile);
-    test::SplitMix64 numbers(seed + 77);
-    const double depth = tool.core_depth_mm * std::pow(10.0, numbers.uniform(-1.6, -0.05));
+    test::Scatter numbers(seed + 77);
+    const double depth = tool.core_depth_mm * std::pow(10.0, numbers.in(-1.6, -0.05));
     const GridReach grid(tool, depth);
     const double enough = numbers.next() % 2 == 0 ? 1.1 * depth : 3 * depth;
     const double bound = reach_at(tool, depth, enough);

@@ -9,9 +9,9 @@ namespace gouge {
 namespace {
 
 using test::corpus;
-using test::SplitMix64;
+using test::Scatter;
 
-std::string mutate(std::string bytes, SplitMix64& random) {
+std::string mutate(std::string bytes, Scatter& random) {
   static const std::vector<std::string> kPieces = {"-",    "0",  "1e9",     "1e999",  "null", "{}",
                                                    "[]",   "\"", ",",       "|",      "#",    "\n|",
                                                    "\xFF", ".",  "\\u0000", "\"mm\"", "}"};
@@ -44,7 +44,7 @@ void fuzz(const std::string& name, ImportFormat format, int runs) {
   const std::string original = corpus(name);
   ImportOptions options;
   options.unit = LengthUnit::mm;
-  SplitMix64 random(0x5eed + original.size());
+  Scatter random(0x5eed + original.size());
   options.read_beside = [&random](const std::string&) -> Result<std::string> {
     return mutate(corpus("freecad/tapered_ball.fctb"), random);
   };

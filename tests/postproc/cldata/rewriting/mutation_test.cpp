@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <string>
 
 #include "lib/path/chords.h"
@@ -9,6 +8,7 @@
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "postproc/cldata/rewriting/write_corrected.h"
 #include "tests/postproc/cldata/cl_files.h"
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
@@ -28,24 +28,24 @@ constexpr const char* kClsf =
     "4.0,5.0,6.0\n"
     "CIRCLE/1.0,2.0,3.0,0.0,0.0,1.0,4.0,0.06,0.5,1.0,2.0\nGOTO/7.0,8.0,9.0\nEND-OF-PATH\n";
 
-std::string mutated(std::string text, std::mt19937_64& random) {
-  const int edits = 1 + static_cast<int>(random() % 6);
+std::string mutated(std::string text, test::Scatter& random) {
+  const int edits = 1 + static_cast<int>(random.next() % 6);
   for (int i = 0; i < edits && !text.empty(); ++i) {
-    const std::size_t at = random() % text.size();
-    const std::size_t length = std::min<std::size_t>(1 + random() % 12, text.size() - at);
+    const std::size_t at = random.next() % text.size();
+    const std::size_t length = std::min<std::size_t>(1 + random.next() % 12, text.size() - at);
     static constexpr std::string_view kLikely = "0123456789.,-+/$ \n\rEe()=";
-    switch (random() % 5) {
+    switch (random.next() % 5) {
       case 0:
-        text[at] = static_cast<char>(random());
+        text[at] = static_cast<char>(random.next());
         break;
       case 1:
-        text[at] = kLikely[random() % kLikely.size()];
+        text[at] = kLikely[random.next() % kLikely.size()];
         break;
       case 2:
         text.erase(at, length);
         break;
       case 3:
-        text.insert(at, text.substr(random() % text.size(), length));
+        text.insert(at, text.substr(random.next() % text.size(), length));
         break;
       default:
         text.resize(at);
@@ -73,7 +73,7 @@ void expect_sound(const Toolpath& path) {
 }
 
 TEST(MutatedPath, IsReadSoundlyOrRefusedWithAnError) {
-  std::mt19937_64 random(20240607);
+  test::Scatter random(20240607);
   std::size_t read = 0;
   std::size_t refused = 0;
   for (int i = 0; i < 20000; ++i) {
@@ -94,7 +94,7 @@ TEST(MutatedPath, IsReadSoundlyOrRefusedWithAnError) {
 
 // Whatever was read can be changed and read again with the same number of moves.
 TEST(MutatedPath, CanBeCorrectedAndReadAgain) {
-  std::mt19937_64 random(99);
+  test::Scatter random(99);
   std::size_t written = 0;
   for (int i = 0; i < 4000; ++i) {
     const ReadOutcome outcome = read_toolpath("mutated", mutated(i % 2 == 0 ? kApt : kClsf, random));
@@ -147,7 +147,7 @@ std::vector<PathChange> changes_everywhere(const Toolpath& path) {
 }
 
 TEST(MutatedNci, CanBeCorrectedAndReadAgain) {
-  std::mt19937_64 random(11);
+  test::Scatter random(11);
   const std::string whole = bytes_of(corpus() / "five_axis.nci");
   ReadOptions options;
   options.dialect = dialect_called("mastercam-nci");

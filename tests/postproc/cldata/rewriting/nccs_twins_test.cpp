@@ -2,7 +2,6 @@
 // way, they still are.
 #include <array>
 #include <cstdlib>
-#include <random>
 #include <utility>
 
 #include "lib/base/number_text.h"
@@ -12,6 +11,7 @@
 #include "tests/postproc/cldata/nccs_file.h"
 #include "tests/postproc/cldata/path_of.h"
 #include "tests/postproc/cldata/same_moves.h"
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
@@ -22,7 +22,7 @@ class Twins {
   explicit Twins(std::uint64_t seed) : random_(seed) {
     multax(true);
     go_to(1);
-    const int steps = 3 + static_cast<int>(random_() % 20);
+    const int steps = 3 + static_cast<int>(random_.next() % 20);
     for (int i = 0; i < steps; ++i) step();
   }
 
@@ -32,7 +32,7 @@ class Twins {
   [[nodiscard]] const std::string& shown() const { return text_; }
 
  private:
-  std::size_t pick(std::size_t count) { return random_() % count; }
+  std::size_t pick(std::size_t count) { return random_.next() % count; }
   // Of four decimals, so that both forms hold the same numbers.
   double number() { return static_cast<double>(static_cast<int>(pick(400001)) - 200000) / 1e4; }
 
@@ -164,18 +164,18 @@ class Twins {
     }
   }
 
-  std::mt19937_64 random_;
+  test::Scatter random_;
   NccsFile file_;
   std::string text_;
   bool has_axes_ = true;
   std::array<double, 3> here_{}, axis_{0, 0, 1};
 };
 
-std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& random) {
+std::vector<PathChange> random_changes(const Toolpath& path, test::Scatter& random) {
   std::vector<PathChange> changes;
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
-    if (!move.not_checked_reason.empty() || !move.has_start || move.kind == MoveKind::cycle || random() % 3 == 0) continue;
+    if (!move.not_checked_reason.empty() || !move.has_start || move.kind == MoveKind::cycle || random.next() % 3 == 0) continue;
     PathChange change;
     change.move = i;
     if (move.curve_kind == CurveKind::arc) {
@@ -184,10 +184,10 @@ std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& ra
       change.inserted_before.pop_back();
       for (Pose& pose : change.inserted_before) pose.tip += 0.5 * pose.axis;
     } else if (move.kind != MoveKind::arc) {
-      if (random() % 2 == 0) change.inserted_before.push_back({0.5 * (path.start_of(i).tip + move.end.tip), move.end.axis});
+      if (random.next() % 2 == 0) change.inserted_before.push_back({0.5 * (path.start_of(i).tip + move.end.tip), move.end.axis});
       // A hole begins at the height the tool has.
       const bool meets_hole = i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::cycle;
-      if (!meets_hole && random() % 4 == 0) change.new_end = Pose{move.end.tip + Vec3(0.125, 0, 1), move.end.axis};
+      if (!meets_hole && random.next() % 4 == 0) change.new_end = Pose{move.end.tip + Vec3(0.125, 0, 1), move.end.axis};
     }
     if (change.new_end || change.is_straightened || !change.inserted_before.empty()) changes.push_back(change);
   }
@@ -222,7 +222,7 @@ TEST(NccsTwins, CorrectedInTheSameWayTheyAreStillTheSameMoves) {
   std::size_t written = 0, written_in_records = 0, refused = 0, straightened = 0;
   for (std::uint64_t seed = 0; seed < programs(); ++seed) {
     const Twins twins(seed);
-    std::mt19937_64 random(seed);
+    test::Scatter random(seed);
     const Toolpath binary = twins.binary(), text = twins.text();
     const std::vector<PathChange> changes = random_changes(binary, random);
     const Result<std::string> bytes = write_corrected(binary, changes);
@@ -245,28 +245,28 @@ TEST(NccsTwins, CorrectedInTheSameWayTheyAreStillTheSameMoves) {
 }
 
 // Some words of the file are others: headers, numbers, minor words, anything.
-std::string mutated(std::string bytes, std::mt19937_64& random) {
+std::string mutated(std::string bytes, test::Scatter& random) {
   const std::size_t words = NccsWords(bytes).words();
-  const int edits = 1 + static_cast<int>(random() % 4);
+  const int edits = 1 + static_cast<int>(random.next() % 4);
   for (int i = 0; i < edits; ++i) {
-    const std::size_t at = NccsWords::offset(17 + random() % (words - 17));
+    const std::size_t at = NccsWords::offset(17 + random.next() % (words - 17));
     static constexpr std::array<std::uint16_t, 10> kClasses = {1000, 1001, 2000, 3000, 5000,
                                                                5200, 5210, 6000, 9000, 14000};
-    switch (random() % 5) {
+    switch (random.next() % 5) {
       case 0:
-        bytes[at + random() % 8] = static_cast<char>(random());
+        bytes[at + random.next() % 8] = static_cast<char>(random.next());
         break;
       case 1:
-        bytes.replace(at, 8, nccs_word(NccsHeader{static_cast<std::uint16_t>(random() % 1100), 7, 7, 0}));
+        bytes.replace(at, 8, nccs_word(NccsHeader{static_cast<std::uint16_t>(random.next() % 1100), 7, 7, 0}));
         break;
       case 2:
-        bytes.replace(at, 8, nccs_word(static_cast<double>(random() % 100) / 8));
+        bytes.replace(at, 8, nccs_word(static_cast<double>(random.next() % 100) / 8));
         break;
       case 3:
         bytes.replace(
             at, 8,
-            nccs_word(NccsHeader{static_cast<std::uint16_t>(random() % 9), kClasses[random() % kClasses.size()],
-                                 static_cast<std::uint16_t>(random() % 8), 1}));
+            nccs_word(NccsHeader{static_cast<std::uint16_t>(random.next() % 9), kClasses[random.next() % kClasses.size()],
+                                 static_cast<std::uint16_t>(random.next() % 8), 1}));
         break;
       default:
         bytes.resize(at);
@@ -303,7 +303,7 @@ void expect_changed(const Toolpath& after, const Toolpath& before, const std::ve
 TEST(NccsMutated, IsReadSoundlyOrRefusedAndWhatWasReadCanBeCorrected) {
   std::size_t read = 0, refused = 0, corrected = 0;
   for (std::uint64_t seed = 0; seed < programs(); ++seed) {
-    std::mt19937_64 random(seed);
+    test::Scatter random(seed);
     const ReadOutcome outcome = read_toolpath("a.cl", mutated(Twins(seed).bytes(), random));
     ASSERT_EQ(outcome.toolpath.has_value(), outcome.errors.empty());
     refused += outcome.toolpath ? 0U : 1U;

@@ -1,11 +1,11 @@
 // Corrections written into Mastercam NCI files.
-#include <random>
 
 #include "lib/path/chords.h"
 #include "postproc/cldata/rewriting/write_corrected.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
@@ -133,7 +133,7 @@ TEST(NciWriting, NumbersWiderThanTheirColumnStayApart) {
 // A file of every kind of pair, at random; each number with as many decimals as the file has.
 class RandomNci {
  public:
-  explicit RandomNci(std::mt19937_64& random) : random_(random), decimals_(3 + pick(4)) {
+  explicit RandomNci(test::Scatter& random) : random_(random), decimals_(3 + pick(4)) {
     line_end_ = pick(2) == 0 ? "\n" : "\r\n";
     length_ = std::vector<double>{1, 25, 0.5}[pick(3)];
     add("1002", "0 100 2 7 7 7");
@@ -144,8 +144,8 @@ class RandomNci {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
-  std::size_t pick(std::size_t count) { return random_() % count; }
-  double real(double most) { return std::uniform_real_distribution<>(-most, most)(random_); }
+  std::size_t pick(std::size_t count) { return random_.next() % count; }
+  double real(double most) { return random_.in(-most, most); }
   std::string number(double value) {
     return std::to_string(value).substr(0, std::to_string(value).find('.') + 1 + decimals_);
   }
@@ -198,7 +198,7 @@ class RandomNci {
                                       (pick(2) == 0 ? "" : " " + flags() + (pick(2) == 0 ? "" : " 0")));
   }
 
-  std::mt19937_64& random_;
+  test::Scatter& random_;
   std::size_t decimals_;
   double length_ = 1;
   double x_ = 5, y_ = 0, z_ = 60;
@@ -219,28 +219,27 @@ std::string statement_of(const Toolpath& path, std::size_t move) {
 }
 
 // A random change of some moves, and what the path must then be.
-std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& random,
+std::vector<PathChange> random_changes(const Toolpath& path, test::Scatter& random,
                                        std::vector<Expected>& expected) {
-  std::uniform_real_distribution<> real(-5, 5);
   const auto shift = [&](const Pose& pose) {
-    return Pose{pose.tip + Vec3(real(random), real(random), real(random)), pose.axis};
+    return Pose{pose.tip + random.point(5), pose.axis};
   };
   std::vector<PathChange> changes;
   std::vector<bool> is_straightened(path.moves.size());
   for (std::size_t i = 0; i < path.moves.size(); ++i)
-    is_straightened[i] = path.moves[i].curve_kind == CurveKind::arc && random() % 2 == 0;
+    is_straightened[i] = path.moves[i].curve_kind == CurveKind::arc && random.next() % 2 == 0;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
     PathChange change{i, std::nullopt, {}, is_straightened[i]};
     const bool is_arc = move.kind == MoveKind::arc;
     const bool is_fixed =
         i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::arc && !is_straightened[i + 1];
-    if ((!is_arc || is_straightened[i]) && !is_fixed && random() % 3 == 0) change.new_end = shift(move.end);
+    if ((!is_arc || is_straightened[i]) && !is_fixed && random.next() % 3 == 0) change.new_end = shift(move.end);
     if (is_straightened[i]) {
       change.inserted_before = chords_of(path, i, 0.5);
       change.inserted_before.pop_back();
-    } else if (!is_arc && move.has_start && random() % 3 == 0) {
-      for (std::size_t k = 1 + random() % 3; k > 0; --k) {
+    } else if (!is_arc && move.has_start && random.next() % 3 == 0) {
+      for (std::size_t k = 1 + random.next() % 3; k > 0; --k) {
         Pose between = shift(path.start_of(i));
         between.axis = (path.start_of(i).axis + 0.3 * static_cast<double>(k) * move.end.axis).normalized();
         change.inserted_before.push_back(between);
@@ -257,7 +256,7 @@ std::vector<PathChange> random_changes(const Toolpath& path, std::mt19937_64& ra
 }
 
 TEST(NciWriting, RandomFilesAreReadBackWithTheirCorrections) {
-  std::mt19937_64 random(20261121);
+  test::Scatter random(20261121);
   ReadOptions options;
   options.is_cutcom_centre = true;
   std::size_t inserted = 0, straight = 0;
@@ -305,7 +304,7 @@ TEST(NciWriting, RandomFilesAreReadBackWithTheirCorrections) {
 
 // The compensation of each move, told by whether it is checked.
 TEST(NciWriting, InsertionsLeaveTheCompensationOfAllOtherMoves) {
-  std::mt19937_64 random(7);
+  test::Scatter random(7);
   for (int round = 0; round < 200 && !HasFailure(); ++round) {
     const RandomNci file(random);
     SCOPED_TRACE(file.text());
@@ -313,7 +312,7 @@ TEST(NciWriting, InsertionsLeaveTheCompensationOfAllOtherMoves) {
     std::vector<PathChange> changes;
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
       const Move& move = path.moves[i];
-      if (move.kind != MoveKind::arc && move.has_start && random() % 2 == 0)
+      if (move.kind != MoveKind::arc && move.has_start && random.next() % 2 == 0)
         changes.push_back({i, std::nullopt, {Pose{path.start_of(i).tip + Vec3(1, 1, 1), move.end.axis}}});
     }
     const std::string text = written(path, changes);

@@ -2,7 +2,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
-#include <random>
 #include <set>
 
 #include "lib/path/curve.h"
@@ -11,6 +10,7 @@
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/corrected.h"
 #include "tests/postproc/cldata/path_of.h"
+#include "tests/support/scatter.h"
 
 namespace gouge {
 namespace {
@@ -212,7 +212,7 @@ TEST(RewriteArc, EveryArcWithAPositionOfItsOwnCanBeSplit) {
 // A line lost, doubled or moved: what is rewritable there is rewritten as anywhere. An inch in the middle of a file of mm may be
 // too coarse for its digits.
 TEST(RewriteArc, DamagedFilesToo) {
-  std::mt19937_64 random(12);
+  test::Scatter random(12);
   std::size_t rewritten = 0, refused = 0;
   for (const std::filesystem::path& file : files_below(corpus())) {
     const std::string text = bytes_of(file);
@@ -222,7 +222,7 @@ TEST(RewriteArc, DamagedFilesToo) {
       lines.push_back(text.substr(at, std::min(text.find('\n', at), text.size() - 1) + 1 - at));
     for (int i = 0; i < 60 && !HasFailure(); ++i) {
       std::vector<std::string> damaged = lines;
-      const auto any = [&] { return damaged.begin() + static_cast<std::ptrdiff_t>(random() % damaged.size()); };
+      const auto any = [&] { return damaged.begin() + static_cast<std::ptrdiff_t>(random.next() % damaged.size()); };
       if (i % 3 == 0) damaged.erase(any());
       if (i % 3 == 1) damaged.insert(any(), *any());
       if (i % 3 == 2) std::swap(*any(), *any());
