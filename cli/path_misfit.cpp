@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 
 namespace gouge {
 namespace {

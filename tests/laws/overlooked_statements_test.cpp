@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/laws/reading.h"
 #include "tests/support/shapes.h"

@@ -40,4 +40,9 @@ inline constexpr ModalState kModalStates[] = {ModalState::cycle, ModalState::des
 /// What `word` does to `state`. `is_used`: a position has been read under the state.
 [[nodiscard]] ModalEffect effect_on(ModalState state, Word word, FeedInCycle feeds, bool is_used);
 
+struct States;
+
+/// What `word` does to all that is in force, before the statement's own handler has its turn.
+void apply_modal_states(States& s, Word word);
+
 }  // namespace gouge

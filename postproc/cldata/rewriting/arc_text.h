@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "lib/base/result.h"
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/motion_records.h"
+#include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/rewriting/number_style.h"
 
 // The statements that describe an arc (CIRCLE, MOVARC, CATIA's INDIRV and TLON) with other numbers in them,

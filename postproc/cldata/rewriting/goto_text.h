@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lib/geom/pose.h"
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/rewriting/number_style.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lib/geom/pose.h"
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/nci/nci_lines.h"
 #include "postproc/cldata/nci/nci_motion.h"
 #include "postproc/cldata/rewriting/number_style.h"

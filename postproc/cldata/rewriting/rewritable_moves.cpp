@@ -1,5 +1,8 @@
 #include "postproc/cldata/rewriting/rewritable_moves.h"
 
+#include "postproc/cldata/interpreting/reasons.h"
+#include "postproc/cldata/language/dialect.h"
+
 namespace gouge {
 namespace {
 

@@ -5,7 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/motion_records.h"
+#include "postproc/cldata/interpreting/reasons.h"
+#include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/lexing/statement_at.h"
 #include "postproc/cldata/rewriting/arc_text.h"

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/motion_records.h"
+#include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/nccs/nccs_records.h"
 
 namespace gouge {

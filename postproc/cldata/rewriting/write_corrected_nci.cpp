@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/rewriting/nci_text.h"
 
 namespace gouge {

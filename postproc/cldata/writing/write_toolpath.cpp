@@ -9,7 +9,8 @@
 
 #include "lib/base/number_text.h"
 #include "lib/path/chords.h"
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/motion_records.h"
+#include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "postproc/cldata/rewriting/goto_text.h"
 #include "postproc/cldata/writing/nccs_sink.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "lib/path/toolpath.h"
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/reasons.h"
 
 namespace gouge {
 

@@ -1,7 +1,7 @@
 // What each field of a motion pair of Mastercam NCI means.
 #include <numbers>
 
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/parsing/arc_statement.h"
 #include "tests/postproc/cldata/cl_files.h"
 #include "tests/postproc/cldata/path_of.h"

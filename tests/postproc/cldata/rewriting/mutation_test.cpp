@@ -4,7 +4,7 @@
 #include <string>
 
 #include "lib/path/chords.h"
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "postproc/cldata/rewriting/write_corrected.h"
 #include "tests/postproc/cldata/cl_files.h"

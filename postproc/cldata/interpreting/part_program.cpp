@@ -1,11 +1,11 @@
+#include "postproc/cldata/interpreting/part_program.h"
+
 #include <algorithm>
 #include <array>
 #include <string_view>
 
-#include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/text.h"
-
-// The source language of APT, which gives values to symbols: refused, because no CL data have them.
 
 namespace gouge {
 namespace {
@@ -36,39 +36,30 @@ bool is_geometry(std::string_view value) {
 
 }  // namespace
 
-void Interpreter::refuse_part_program(std::string_view what) {
-  errors_.clear();
-  errors_not_listed_ = 0;
-  fail("path-part-program",
-       "is an APT part program (" + quoted_text(what) +
-           "); expected CL data with positions in numbers: run it through an APT system and "
-           "check the CL file that gives");
-  is_hopeless_ = true;
-}
-
 // What gives a symbol geometry is written in APT. A number given to a name is what logs hold as well: only beside a
 // position is it part of a program.
-bool Interpreter::take_assignment() {
-  if (!is_assignment(statement_->major)) return false;
-  if (is_geometry(trim(statement_->major.substr(statement_->major.find('=') + 1)))) {
-    refuse_part_program(statement_->major);
+bool PartProgram::take_assignment() {
+  const std::string_view major = in_.statement().major;
+  if (!is_assignment(major)) return false;
+  if (is_geometry(trim(major.substr(major.find('=') + 1)))) {
+    in_.refuse_part_program(major);
     return true;
   }
-  if (first_assignment_line_ == 0) {
-    first_assignment_line_ = statement_->line;
-    first_assignment_ = statement_->major.substr(0, kLongestTold);
+  if (first_line_ == 0) {
+    first_line_ = in_.line();
+    first_ = major.substr(0, kLongestTold);
   }
-  count_unknown();
+  in_.count_unknown();
   return true;
 }
 
-void Interpreter::refuse_assignments() {
-  const bool has_position = std::any_of(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
+void PartProgram::refuse_assignments() {
+  if (first_line_ == 0) return;
+  const std::vector<Move>& moves = in_.path.moves;
+  const bool has_position = std::any_of(moves.begin(), moves.end(), [](const Move& move) {
     return !move.not_checked_reason.starts_with(Reasons::kUnread);
   });
-  if (first_assignment_line_ == 0 || (!has_position && errors_.empty())) return;
-  refuse_part_program(first_assignment_);
-  errors_.back().line = first_assignment_line_;
+  if (has_position || in_.has_errors()) in_.refuse_part_program(first_, first_line_);
 }
 
 }  // namespace gouge

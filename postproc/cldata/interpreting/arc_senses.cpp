@@ -1,0 +1,170 @@
+#include "postproc/cldata/interpreting/arc_senses.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/interpreting/reasons.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kShortest_mm = 1e-3;  // of a straight way whose direction tells anything
+constexpr double kSmooth = 0.999;      // cosine between a line and an arc that go on in each other
+constexpr double kSameAxis = 1e-9;     // sine of an angle
+constexpr double kSamePoint_mm = 1e-3;
+constexpr double kLeavesPlane_mm = 0.02;  // as far as start and end of an arc may differ in radius
+constexpr double kTurningAxis = 1e-4;     // sine of an angle
+constexpr std::size_t kClearVotes = 10;   // times as many as for the other sense
+constexpr std::size_t kFewestVotes = 3;
+
+ArcSense shorter_way(ArcStatement arc, const Vec3& start, const Vec3& end) {
+  arc.sense = ArcSense::right_handed;
+  const ArcFit right = fit_arc(arc, start, end);
+  arc.sense = ArcSense::left_handed;
+  const ArcFit left = fit_arc(arc, start, end);
+  const double difference = std::abs(right.arc.sweep_rad) - std::abs(left.arc.sweep_rad);
+  if (std::abs(difference) < 1) return ArcSense::unknown;
+  return difference < 0 ? ArcSense::right_handed : ArcSense::left_handed;
+}
+
+}  // namespace
+
+void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& start, std::string_view other_doubt,
+                       Move& move) {
+  const bool is_understood = arc.problem.empty();
+  const bool runs_shorter_way = in_.dialect.arc_rule == ArcRule::shorter_way;
+  if (runs_shorter_way && is_understood && !is_round(arc, position, start, move)) return;
+  if (in_.dialect.arc_rule == ArcRule::by_vector_or_against && is_understood) doubt_sense(arc, start, move);
+  const bool is_open = is_understood && arc.sense == ArcSense::unknown;
+  if (is_understood && last_direction_) vote(arc, start.tip, *last_direction_);
+  // Points that follow one another on a circle; where the shorter way is the rule, one alone as well.
+  if (is_open && (position.points > 1 || runs_shorter_way)) arc.sense = shorter_way(arc, start.tip, move.end.tip);
+  // Where the vector has no sense, what other arcs tell of it says nothing of this one.
+  if (arc.sense == ArcSense::unknown && is_understood && !runs_shorter_way) {
+    in_.make_room(open_);
+    open_.push_back({in_.moves(), arc, other_doubt});
+  }
+  fit(arc, start.tip, move);
+}
+
+// Newer posts of Autodesk turn a clockwise arc's vector round; older ones leave it, so that its stated angle tells
+// how it runs unless that is half a turn, or a whole one of a helix. Of a flat full circle both ways are the same.
+void ArcSenses::doubt_sense(ArcStatement& arc, const Pose& start, const Move& move) {
+  constexpr double kOpposite = -0.999;
+  const Vec3& end = move.end.tip;
+  if (fits_both_ways(arc, start.tip, end)) {
+    const bool is_flat_circle = (end - start.tip).norm() <= 0 && start.axis.cross(move.end.axis).norm() <= kSameAxis;
+    if (!is_flat_circle) arc.sense = ArcSense::unknown;
+    return;
+  }
+  const bool is_right = fit_arc(arc, start.tip, end).problem.empty();
+  if (is_right && arc.axis.dot(start.axis) < kOpposite) ++turned_vectors_;
+  arc.sense = ArcSense::left_handed;
+  if (!is_right && fit_arc(arc, start.tip, end).problem.empty()) ++wrong_way_arcs_;
+  arc.sense = ArcSense::right_handed;
+}
+
+// A list may begin with the position the tool is at. An arc that leaves its plane or turns the tool is one to no
+// reader for sure: NCL's own post-processor runs it straight.
+bool ArcSenses::is_round(const ArcStatement& arc, const Position& position, const Pose& start, Move& move) const {
+  const Vec3 way = move.end.tip - start.tip;
+  const bool turns = start.axis.cross(move.end.axis).norm() > kTurningAxis;
+  if (position.points > 1 && position.point == 0 && way.norm() <= kSamePoint_mm) return false;
+  if (!turns && std::abs(way.dot(arc.axis)) <= kLeavesPlane_mm) return true;
+  move.not_checked_reason = Reasons::kNccsArc;
+  return false;
+}
+
+void ArcSenses::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
+  const ArcFit fit = fit_arc(arc, start, move.end.tip);
+  if (fit.problem == ArcProblems::kRadius) {
+    radius_errors_.add(move.line);
+    worst_radius_error_mm_ = std::max(worst_radius_error_mm_, fit.radius_error_mm);
+  }
+  move.not_checked_reason = fit.problem;
+  if (!fit.problem.empty()) return;
+  move.curve_kind = CurveKind::arc;
+  move.curve = in_.path.arcs.size();
+  in_.make_room(in_.path.arcs);
+  in_.path.arcs.push_back(fit.arc);
+}
+
+// A line before or after an arc usually touches it, and so tells which way round the arc runs.
+void ArcSenses::vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction) {
+  const double cosine = arc_tangent(arc, tip).dot(direction);
+  if (std::abs(cosine) < kSmooth) return;
+  ++(cosine > 0 ? right_votes_ : left_votes_);
+  if (arc.sense == ArcSense::unknown) return;
+  const bool is_as_read = (arc.sense == ArcSense::right_handed) == (cosine > 0);
+  ++(is_as_read ? smooth_arcs_ : reversing_arcs_);
+}
+
+void ArcSenses::note_motion(const Move& move, const std::optional<Pose>& start) {
+  last_direction_.reset();
+  if (!move.has_start || move.kind == MoveKind::cycle || move.kind == MoveKind::arc) return;
+  const Vec3 way = move.end.tip - start->tip;
+  const double length = way.norm();
+  if (!(length > kShortest_mm)) return;
+  last_direction_ = way / length;
+  if (!open_.empty() && open_.back().move + 1 == in_.moves()) vote(open_.back().arc, start->tip, *last_direction_);
+}
+
+void ArcSenses::doubt(std::size_t begin, std::size_t end, std::string_view reason) {
+  for (auto open = open_.rbegin(); open != open_.rend() && open->move >= begin; ++open) {
+    if (open->move < end && open->not_checked_reason.empty()) open->not_checked_reason = reason;
+  }
+}
+
+// Arcs of a file whose dialect tells no sense: all of them have the one in which they go on smoothly.
+void ArcSenses::close() {
+  if (open_.empty()) return;
+  if (in_.dialect.arc_rule == ArcRule::by_vector_or_against) {
+    // One clockwise arc with its vector turned round, and none without, shows which posts wrote the file.
+    if (turned_vectors_ > 0 && wrong_way_arcs_ == 0) close_as(ArcSense::right_handed);
+    return;
+  }
+  const bool is_right = right_votes_ >= kFewestVotes && right_votes_ >= kClearVotes * left_votes_;
+  const bool is_left = left_votes_ >= kFewestVotes && left_votes_ >= kClearVotes * right_votes_;
+  if (!is_right && !is_left) return;
+  close_as(is_right ? ArcSense::right_handed : ArcSense::left_handed);
+  const std::size_t votes = is_right ? right_votes_ : left_votes_;
+  in_.path.notes.push_back(make_note(
+      "path-arc-sense",
+      "the dialect tells no sense for arcs; taken as " +
+          std::string(is_right ? "right-handed (counter-clockwise)" : "left-handed (clockwise)") +
+          " about their vector, as at " + std::to_string(votes) + " of " +
+          std::to_string(right_votes_ + left_votes_) + " places where a line touches an arc it goes on smoothly",
+      in_.path.file));
+}
+
+void ArcSenses::close_as(ArcSense sense) {
+  for (OpenArc& open : open_) {
+    open.arc.sense = sense;
+    Move& move = in_.path.moves[open.move];
+    if (move.not_checked_reason != ArcProblems::kSense) continue;
+    fit(open.arc, in_.path.start_of(open.move).tip, move);
+    if (move.not_checked_reason.empty()) move.not_checked_reason = open.not_checked_reason;
+  }
+}
+
+void ArcSenses::write_notes() const {
+  if (radius_errors_.count > 0) {
+    in_.path.notes.push_back(make_warning("path-arc-radius",
+                                          counted(radius_errors_.count, "arc") +
+                                              " whose start, end and radius do not lie on one circle (off by up to " +
+                                              fixed_text(worst_radius_error_mm_, 3) + " mm) not checked",
+                                          in_.path.file, radius_errors_.first_line));
+  }
+  constexpr std::size_t kFewest = 3;
+  if (reversing_arcs_ >= kFewest && reversing_arcs_ > 2 * smooth_arcs_) {
+    in_.path.notes.push_back(make_warning(
+        "path-arc-sense",
+        counted(reversing_arcs_, "arc") + " run back against the line before them, " + std::to_string(smooth_arcs_) +
+            " go on smoothly: another dialect may have written this file (--dialect)",
+        in_.path.file));
+  }
+}
+
+}  // namespace gouge

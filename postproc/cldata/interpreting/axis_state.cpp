@@ -1,0 +1,122 @@
+#include "postproc/cldata/interpreting/axis_state.h"
+
+#include <cmath>
+#include <string>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/interpreting/reasons.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kAxisLengthError = 1e-3;  // beyond it an axis is refused
+constexpr double kAxisLengthTold = 1e-5;   // 5 decimals are what axes have; below it nothing is told
+constexpr double kTiltTold = 1e-3;         // sine of the angle to +Z from which an axis counts as tilted
+
+}  // namespace
+
+void AxisState::take_multax() {
+  const bool is_off = in_.has("OFF");
+  const bool is_known = in_.arguments.empty() || (in_.arguments.size() == 1 && (is_off || in_.has("ON")));
+  doubts_.set(Doubt::multax, is_known ? nullptr : in_.because(Reasons::kMultax));
+  if (!is_known) in_.count_unknown();
+  multax_ = !is_off;
+  is_last_tilted_ = is_last_tilted_ && *multax_;
+}
+
+void AxisState::take_tlaxis() {
+  if (!in_.has_numbers_alone(3)) {
+    if (in_.path.moves.empty() && find_word_argument(in_.arguments) != nullptr) return in_.refuse_part_program("TLAXIS");
+    return in_.fail("path-count", "TLAXIS has " + std::to_string(in_.arguments.size()) + " arguments; expected i,j,k");
+  }
+  const std::optional<Vec3> axis = read(0);
+  if (!axis) return;
+  fixed_axis_ = *axis;
+  is_tlaxis_new_ = true;
+  if (in_.dialect.is_axis_modal) modal_axis_ = *axis;
+}
+
+void AxisState::note_position(const Vec3& axis_local) {
+  if (in_.dialect.is_axis_modal) modal_axis_ = axis_local;
+  is_tlaxis_new_ = false;
+}
+
+bool AxisState::are_axes_unit() const {
+  for (std::size_t i = 3; i < in_.arguments.size(); i += 6) {
+    if (std::abs(in_.vector(i).norm() - 1) > kAxisLengthError) return false;
+  }
+  return true;
+}
+
+std::size_t AxisState::numbers_per_point() {
+  const std::size_t count = in_.arguments.size();
+  if (count == 3) return 3;
+  if (in_.statement().has_axes) return 6;
+  const bool is_list = in_.statement().word == Word::go_to && !in_.dialect.is_axis_modal;
+  if (count == 6 || (is_list && count > 6 && count % 6 == 0)) {
+    if (!is_list || is_multax_on()) return 6;
+    if (in_.dialect.has_points_at_multax_off && multax_ == false) return 3;
+    if (are_axes_unit()) return 6;
+    // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect tells is it two
+    // positions.
+    return multax_.has_value() || in_.dialect.has_points_without_axis || count > 6 ? 3 : 6;
+  }
+  if (is_list && !is_multax_on() && count > 6 && count % 3 == 0) return 3;
+  in_.fail("path-count", in_.major() + " has " + std::to_string(count) + " numbers; " + kPositionForm);
+  return 0;
+}
+
+// Two positions, the second of which happens to lie at a distance of 1 from the origin, look like a position and
+// its axis. Where MULTAX/OFF says so, or a writer known to state MULTAX has not, nobody can tell.
+bool AxisState::are_axes_doubtful(std::size_t numbers) const {
+  return numbers == 6 && !in_.statement().has_axes && !in_.dialect.is_axis_modal && needs_multax();
+}
+
+// A position without an axis after a tilted one: it may have that one's, or the fixed one.
+bool AxisState::is_doubtful(const Position& position) {
+  if (in_.dialect.is_axis_modal || multax_ == false) return false;
+  const bool is_known = in_.dialect.has_known_plain_axis && !(multax_ == true && in_.dialect.has_axes_under_multax);
+  if (position.numbers == 6) {
+    is_last_tilted_ = position.axis_local.cross(fixed_axis_).squaredNorm() > kTiltTold * kTiltTold;
+  } else if (is_last_tilted_ && !is_known) {
+    plain_after_tilt_.add(in_.line());
+    return true;
+  }
+  return false;
+}
+
+std::optional<Vec3> AxisState::read(std::size_t first) {
+  const Vec3 axis = in_.vector(first);
+  const double length = axis.norm();
+  const double error = std::abs(length - 1);
+  if (!(error <= kAxisLengthError)) {
+    in_.fail("path-axis", in_.major() + ": the tool axis has length " + fixed_text(length, 6) +
+                              "; expected a unit vector i,j,k (length 1 within 0.001)");
+    return std::nullopt;
+  }
+  if (error > kAxisLengthTold) {
+    ++renormalised_;
+    if (error > std::abs(worst_length_ - 1)) worst_length_ = length;
+  }
+  return axis / length;
+}
+
+void AxisState::write_length_note() const {
+  if (renormalised_ == 0) return;
+  in_.path.notes.push_back(make_note("path-axis-length",
+                                     counted(renormalised_, "tool axis vector") + " not of length 1 (worst " +
+                                         exact_text(worst_length_) + ") made so",
+                                     in_.path.file));
+}
+
+void AxisState::write_plain_note() const {
+  if (plain_after_tilt_.count == 0) return;
+  in_.path.notes.push_back(
+      make_warning("path-plain-axis",
+                   counted(plain_after_tilt_.count, "position") +
+                       " of 3 numbers after one with a tilted axis: the file does not say which axis they have, so "
+                       "they are not checked",
+                   in_.path.file, plain_after_tilt_.first_line));
+}
+
+}  // namespace gouge

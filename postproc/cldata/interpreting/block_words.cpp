@@ -1,0 +1,155 @@
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/interpreting/word_handlers.h"
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/nccs/nccs_words.h"
+
+// Blocks, operations, the end of a program, and words that carry text.
+
+namespace gouge {
+namespace {
+
+// Behind the $$-> or REMARK -> of Creo.
+void take_creo_comment(States& s, std::string_view text) {
+  const std::string_view rest = trim(text.substr(std::min(text.find('/'), text.size() - 1) + 1));
+  if (starts_with_ignoring_case(text, "CSYS")) {
+    Statement values = s.in.statement();
+    values.pieces.front() = rest;
+    split_arguments(values, s.in.arguments);
+    note_creo_csys(s);
+  } else if (starts_with_ignoring_case(text, "FEATNO")) {
+    s.operation.name("FEATNO " + name_text(rest));
+    break_motion(s);  // between sequences the machine goes home
+  } else if (starts_with_ignoring_case(text, "CUTCOM_GEOMETRY_TYPE")) {
+    const bool is_on_centre = starts_with_ignoring_case(rest, "OUTPUT_ON_CENTER");
+    s.doubts.set(Doubt::contour,
+                 is_on_centre ? nullptr : s.in.named(Reasons::kContour, "CUTCOM_GEOMETRY_TYPE", s.in.line()));
+    if (is_on_centre) s.cutcom.begin_centre();
+  } else if (starts_with_ignoring_case(text, "CUTTER")) {
+    s.tool.take_diameter(rest, s.frame.mm_per_unit());
+  }
+}
+
+void take_catia_row(States& s, std::string_view text) {
+  const std::optional<RigidTransform> frame = s.matrix.take_row(text);
+  if (!frame) return;
+  s.doubts.clear(Doubt::matrix);
+  set_frame(s, *frame);
+}
+
+bool is_creo_statement(const States& s, std::string_view text) {
+  return s.in.dialect.comments == CommentForm::creo && text.starts_with("->");
+}
+
+}  // namespace
+
+void take_comment(States& s) {
+  const std::string_view text = trim(s.in.first_piece());
+  const bool is_catia = s.in.dialect.comments == CommentForm::catia;
+  if (is_creo_statement(s, text)) return take_creo_comment(s, trim(text.substr(2)));
+  if (starts_with_ignoring_case(text, "*CATIA0")) {
+    s.matrix.begin();
+  } else if (s.matrix.expects_row()) {
+    take_catia_row(s, text);
+  } else if (is_catia && s.matrix.is_row(text)) {
+    s.doubts.set(Doubt::matrix, s.in.named(Reasons::kMatrixRow, "$$", s.in.line()));
+  } else if (is_catia && starts_with_ignoring_case(text, "OPERATION NAME")) {
+    const std::size_t colon = text.find(':');
+    if (colon != std::string_view::npos) s.operation.name(name_text(text.substr(colon + 1)));
+  }
+}
+
+// TOOL PATH/operation,TOOL,tool: a block of its own, with its own frame, axis and tool.
+void take_tool_path(States& s) {
+  s.blocks.begin(s.in.moves());
+  const std::string_view text = s.in.first_piece();
+  const std::size_t cut = text.find(",TOOL,");
+  s.operation.name(name_text(text.substr(0, cut)));
+  s.tool.begin_block(cut == std::string_view::npos ? std::string() : name_text(text.substr(cut + 6)));
+  break_motion(s);
+  s.axes.begin_block();
+  s.frame.begin_block();
+  s.feed.begin_block();
+  s.cycle.begin_block();
+  s.blocks.open();
+  s.doubts.set(Doubt::block, s.blocks.take_frame_between() ? Reasons::kMsysOutside : nullptr);
+}
+
+void take_end_of_path(States& s) {
+  if (s.blocks.number() == 0) doubt_moves(s, 0, s.in.moves(), Reasons::kNoToolPath);
+  s.blocks.end();
+  s.doubts.set(Doubt::block, Reasons::kBetweenBlocks);
+  break_motion(s);
+}
+
+void take_operation(States& s) {
+  if (s.in.dialect.operations_are_blocks) s.blocks.begin(s.in.moves());
+  s.operation.name(name_text(s.in.first_piece()));
+}
+
+// Another program's tool or name breaks the motion.
+void take_fini(States& s) {
+  s.has_end = true;
+  s.cycle.leave_hole();
+  s.chain.lose_last_pose(Reasons::kAfterEnd);
+}
+
+void take_free_text(States& s) {
+  const std::string_view major = s.in.statement().major;
+  if (s.has_end && starts_with_ignoring_case(major, "PARTNO")) {  // another program
+    break_motion(s);
+    s.chain.forbid_link();
+  }
+  if (equals_ignoring_case(major, "OPFEATEND")) s.setup.end_feature();
+  // Creo 9 writes REMARK -> where older files have the comment $$->.
+  if (!starts_with_ignoring_case(major, "REMARK")) return;
+  const std::string_view text = trim(s.in.first_piece());
+  if (is_creo_statement(s, text)) take_creo_comment(s, trim(text.substr(2)));
+}
+
+void take_pprint(States& s) {
+  if (s.in.dialect.pprint_includes_files && starts_with_ignoring_case(trim(s.in.first_piece()), "INCLUD")) {
+    emit_unread(s);
+    return s.in.count_unknown();
+  }
+  if (!s.in.dialect.names_operations) s.operation.name(name_text(s.in.first_piece()));
+}
+
+// PPWORD/word,code: a word of the post-processor and its number in the table of words. One that is read here must keep
+// its meaning: the numbers from 3150 are those of Creo's GPOST for words of its own, others those of IBM's table.
+void take_ppword(States& s) {
+  constexpr double kFirstOfGpost = 3150, kLastOfGpost = 3199;
+  const std::vector<Argument>& arguments = s.in.arguments;
+  const bool has_form = arguments.size() == 2 && !arguments[0].number && arguments[1].number;
+  if (!has_form) return s.in.count_unknown();
+  const Word word = find_word(arguments[0].text);
+  if (word == Word::unknown || word == Word::harmless || word == Word::free_text) return;
+  const double code = *arguments[1].number;
+  if (code >= kFirstOfGpost && code <= kLastOfGpost) return;
+  const bool is_code = code >= 1 && code <= 9999;
+  if (is_code && equals_ignoring_case(nccs_major(static_cast<std::uint16_t>(code)), arguments[0].text)) return;
+  s.in.fail("path-statement", "PPWORD gives " + quoted_text(arguments[0].text) +
+                                  " another meaning; expected the words themselves: write them in place of their synonyms");
+}
+
+// CAMplete: SYN/'TLAXIS','$$*TLAXIS' makes comments of TLAXIS. Other names of words would have to be read as
+// these.
+void take_syn(States& s) {
+  for (const Argument& argument : s.in.arguments) {
+    std::string_view name = argument.text;
+    while (!name.empty() && name.front() == '\'') name.remove_prefix(1);
+    while (!name.empty() && name.back() == '\'') name.remove_suffix(1);
+    if (equals_ignoring_case(argument.text, "'TLAXIS'")) {
+      s.axes.ignore_tlaxis();
+    } else if (find_word(name) != Word::unknown) {
+      return s.in.fail("path-statement",
+                       "SYN: a synonym of " + quoted_text(argument.text) +
+                           "; expected the words themselves: write them in place of their synonyms");
+    }
+  }
+}
+
+}  // namespace gouge

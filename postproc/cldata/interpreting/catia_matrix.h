@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "postproc/cldata/interpreting/frame_state.h"
+
+namespace gouge {
+
+/// $$*CATIA0 of CATIA, which is followed by comments: a line with a name and three with the rows of a matrix,
+/// absolute = R p + t. Where the name is missing, or looks like a row, four such lines cannot be told from three. A
+/// position before the last row is an error.
+class CatiaMatrix {
+ public:
+  CatiaMatrix(StatementContext& in, FrameState& frame) : in_(in), frame_(frame) {}
+
+  void begin();
+  /// A statement that is no comment, and whether it needs to know the frame.
+  void pass_statement(bool needs_frame);
+  [[nodiscard]] bool expects_row() const { return row_ >= 0 || is_nameless_; }
+  /// The text of a comment that expects_row(). The frame after the last row; else nothing.
+  [[nodiscard]] std::optional<RigidTransform> take_row(std::string_view text);
+  /// Four numbers, which become the arguments of the statement.
+  [[nodiscard]] bool is_row(std::string_view text);
+
+ private:
+  void fail();
+  [[nodiscard]] std::optional<RigidTransform> finish();
+
+  StatementContext& in_;
+  FrameState& frame_;
+  int row_ = -1;              // lines seen since $$*CATIA0; -1: none
+  bool is_nameless_ = false;  // the first line after it looks like a row
+  std::array<double, 12> rows_{};
+};
+
+}  // namespace gouge

@@ -1,0 +1,104 @@
+#include "postproc/cldata/interpreting/clt_setup.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "postproc/cldata/interpreting/frame_state.h"
+#include "postproc/cldata/interpreting/reasons.h"
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kSameTurn = 1e-5;  // angles in radians and axes have 6 decimals
+constexpr std::array<std::string_view, 3> kTables = {"AAXIS", "BAXIS", "CAXIS"};
+
+}  // namespace
+
+std::optional<CltSetup::TableTurn> CltSetup::turn_of(std::span<const Argument> arguments) {
+  if (arguments.size() != 4 || !arguments[0].number || !equals_ignoring_case(arguments[2].text, "TABLE"))
+    return std::nullopt;
+  const auto* const axis = std::find_if(kTables.begin(), kTables.end(), [&](std::string_view word) {
+    return equals_ignoring_case(word, arguments[1].text);
+  });
+  const bool is_clockwise = equals_ignoring_case(arguments[3].text, "CLW");
+  if (axis == kTables.end() || (!is_clockwise && !equals_ignoring_case(arguments[3].text, "CCLW")))
+    return std::nullopt;
+  return TableTurn{*axis, is_clockwise ? -*arguments[0].number : *arguments[0].number};
+}
+
+// The axes of the setup in those of the model: the turns in force, one after another, each about an axis as it lies
+// after those before it.
+Eigen::Matrix3d CltSetup::axes() const {
+  Eigen::Matrix3d setup = Eigen::Matrix3d::Identity();
+  for (const TableTurn& turn : turns_) {
+    const auto axis = static_cast<Eigen::Index>(std::find(kTables.begin(), kTables.end(), turn.axis) - kTables.begin());
+    setup = setup * Eigen::AngleAxisd(turn.angle, Vec3::Unit(axis)).toRotationMatrix();
+  }
+  return setup;
+}
+
+void CltSetup::begin() {
+  is_new_ = true;
+  word_ = in_.statement().major;
+  line_ = in_.line();
+}
+
+bool CltSetup::take_turn() {
+  const std::optional<TableTurn> turn = turn_of(in_.arguments);
+  if (!turn) return false;
+  begin();
+  if (!turns_.empty() && turns_.back().axis == turn->axis) {
+    turns_.back().angle += turn->angle;
+  } else {
+    turns_.push_back(*turn);
+  }
+  if (std::abs(turns_.back().angle) <= 1e-9) turns_.pop_back();
+  return true;
+}
+
+// The real file's third feature undoes nothing, and the fourth turns as the others do.
+void CltSetup::end_feature() {
+  if (turns_.empty()) return;
+  turns_.clear();
+  begin();
+}
+
+void CltSetup::take_axis() {
+  begin();
+  axis_.reset();
+  if (!in_.has_numbers_alone(3)) return;
+  const Vec3 axis = in_.vector(0);
+  if (std::abs(axis.norm() - 1) <= kFrameError) axis_ = axis.normalized();
+}
+
+// The setup's Z is TLAXIS.
+void CltSetup::settle() {
+  if (!in_.dialect.has_setups || !is_new_) return;
+  is_new_ = false;
+  const auto doubt = [&](const char* reason) { doubts_.set(Doubt::clt_setup, in_.named(reason, word_, line_)); };
+  const Eigen::Matrix3d setup = axes();
+  doubts_.clear(Doubt::clt_setup);
+  if (!axis_) {
+    doubt(Reasons::kCltAxis);
+  } else if ((setup.col(2) - *axis_).norm() > kSameTurn) {
+    doubt(turns_.empty() ? Reasons::kCltAxis : Reasons::kSetupAxis);
+  } else if (first_ && (setup - *first_).cwiseAbs().maxCoeff() > kSameTurn) {
+    doubt(Reasons::kOtherSetup);
+  } else if (!first_) {
+    first_ = setup;
+    if (!turns_.empty()) turned_line_ = line_;
+  }
+}
+
+void CltSetup::write_note() const {
+  if (turned_line_ == 0) return;
+  in_.path.notes.push_back(make_warning("path-setup",
+                                        "positions are in the axes of a turned setup, not in those of the model: the "
+                                        "parts must be exported in that setup's coordinate system",
+                                        in_.path.file, turned_line_));
+}
+
+}  // namespace gouge

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string_view>
+#include <utility>
+
+#include "postproc/cldata/interpreting/statement_context.h"
+#include "postproc/cldata/interpreting/tally.h"
+#include "postproc/cldata/language/cutcom.h"
+
+namespace gouge {
+
+/// CUTCOM: the control offsets the path by a radius nobody here knows, unless the file or the user says that positions
+/// are the cutter's centre. One that the file never ends holds for all positions that follow.
+class CutterCompensation {
+ public:
+  explicit CutterCompensation(StatementContext& in) : in_(in) {}
+
+  void begin();
+  /// Ensures  the result is true where nothing was on that could end.
+  [[nodiscard]] bool end();
+  /// The first move since it was last switched off, which it is now.
+  [[nodiscard]] std::size_t begin_run() { return std::exchange(run_begin_, in_.moves()); }
+  /// Positions are the cutter's centre: so says the user, for the whole file; or the file, until end_centre().
+  void say_centre() { is_centre_ = is_centre_said_ = true; }
+  void begin_centre() { is_centre_ = true; }
+  void end_centre() { is_centre_ = is_centre_said_; }
+  [[nodiscard]] bool is_centre() const { return is_centre_; }
+
+  [[nodiscard]] CutcomSide side() const { return side_; }
+  /// Why the next motion is not checked; empty where CUTCOM does not keep it from being so.
+  [[nodiscard]] std::string_view reason() const;
+  void note_position();
+  void break_motion() { was_on_ = false; }
+  void write_note() const;
+
+ private:
+  /// On, and nothing says that positions are the cutter's centre.
+  [[nodiscard]] bool is_on() const { return side_ != CutcomSide::none && !is_centre_; }
+
+  StatementContext& in_;
+  CutcomSide side_ = CutcomSide::none;
+  bool is_centre_said_ = false, is_centre_ = false;
+  bool was_on_ = false;  // at the last position
+  bool was_ever_on_ = false;
+  std::size_t run_begin_ = 0;
+  Tally statements_;
+};
+
+}  // namespace gouge

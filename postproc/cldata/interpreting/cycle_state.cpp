@@ -1,0 +1,109 @@
+#include "postproc/cldata/interpreting/cycle_state.h"
+
+#include <span>
+#include <utility>
+
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+
+// In NX ON takes a cycle up with other values for some of its words; CAMWorks CLT describes it in the statement after
+// it, or behind it in the same one.
+void CycleState::begin(double mm_per_unit) {
+  std::vector<Argument>& words = in_.arguments;
+  const CycleForm form = in_.dialect.cycle_form;
+  if (has_argument(std::span(words).subspan(0, 1), "ON") && words.size() > 1) {
+    if (form == CycleForm::nx) take_changed_words();
+    if (equals_ignoring_case(words[1].text, "CYCLE")) words.erase(words.begin(), words.begin() + 2);
+  }
+  if (words.empty()) return in_.count_unknown();
+  const bool is_taken_up = equals_ignoring_case(words.front().text, "ON");
+  const bool describes = !is_taken_up || words.size() > 1;
+  const bool was_on = std::exchange(is_on_, true);
+  if (is_taken_up && !describes && was_on && form != CycleForm::clt) return;
+  line_ = in_.line();
+  first_positions_ = kNone;
+  certain_moves_ = in_.moves();
+  is_contradicted_ = false;
+  reason_ = {};
+  if (is_taken_up && (describes || form == CycleForm::clt)) drill_.reset();
+  if (is_taken_up) {
+    if (!drill_) why_ = describes ? in_.because(Reasons::kCycle) : Reasons::kCycle;
+    return;
+  }
+  drill_ = read_cycle(form, words, mm_per_unit);
+  words_ = words;
+  if (!drill_) why_ = in_.because(Reasons::kCycle);
+  if (drill_ && !drill_->is_retract_stated) without_retract_.add(in_.line());
+}
+
+// The arguments become those of the last cycle with the values that stand here; they stay as they are, and are then not
+// understood, where there is none, or words stand here that have no value.
+void CycleState::take_changed_words() {
+  if (words_.empty()) return;
+  const std::optional<std::vector<Argument>> changed =
+      changed_cycle(words_, std::span<const Argument>(in_.arguments).subspan(1));
+  if (changed) in_.arguments = *changed;
+}
+
+void CycleState::begin_unknown() {
+  is_on_ = true;
+  drill_.reset();
+  line_ = in_.line();
+  first_positions_ = kNone;
+  certain_moves_ = in_.moves();
+  is_contradicted_ = false;
+  contradicted_moves_ = 0;
+  reason_ = {};
+  first_possible_hole_ = 0;
+  why_ = in_.because(Reasons::kCycle);
+}
+
+bool CycleState::end() {
+  return std::exchange(is_on_, false);
+}
+
+void CycleState::contradict() {
+  if (!is_contradicted_) contradicted_moves_ = in_.moves();
+  is_contradicted_ = true;
+}
+
+// The end of a cycle that was lost may have stood behind any of its positions but the first.
+void CycleState::count_hole() {
+  const std::size_t statement = in_.index();
+  const bool goes_on = in_.statement().is_continuation && first_positions_ + 1 == statement;  // a list in records
+  if (first_positions_ == kNone || goes_on) first_positions_ = statement;
+  if (first_positions_ == statement) certain_moves_ = in_.moves();
+}
+
+std::optional<std::pair<std::size_t, std::size_t>> CycleState::doubt() {
+  if (!reason_.empty()) return std::nullopt;
+  reason_ = in_.named(Reasons::kCycleOpen, "CYCLE", line_);
+  never_ended_.add(line_);
+  return std::pair(certain_moves_, is_contradicted_ ? contradicted_moves_ : in_.moves());
+}
+
+void CycleState::write_notes() const {
+  Diagnostics& notes = in_.path.notes;
+  if (never_ended_.count > 0) {
+    notes.push_back(make_warning("path-cycle",
+                                 counted(never_ended_.count, "cycle") +
+                                     " never ended by CYCLE/OFF: which positions are holes and which are motions of "
+                                     "their own the file does not say, so they are not checked",
+                                 in_.path.file, never_ended_.first_line));
+  }
+  if (never_begun_.count > 0) {
+    notes.push_back(make_warning("path-cycle",
+                                 counted(never_begun_.count, "CYCLE/OFF statement") +
+                                     " without a cycle: the positions before it may be holes, so they are not checked",
+                                 in_.path.file, never_begun_.first_line));
+  }
+  if (without_retract_.count > 0) {
+    notes.push_back(make_note("path-cycle",
+                              counted(without_retract_.count, "cycle") +
+                                  " without a retract height: taken to stay at the clearance between holes",
+                              in_.path.file, without_retract_.first_line));
+  }
+}
+
+}  // namespace gouge

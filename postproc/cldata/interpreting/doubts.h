@@ -1,0 +1,63 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+namespace gouge {
+
+/// What can make every position that follows one of nobody knows where; in the order in which reasons are reported.
+enum class Doubt : std::uint8_t {
+  block,
+  matrix,
+  turning,
+  contour,
+  adjust,
+  spline,
+  unread_frame,
+  mcs,
+  csys,
+  trans,
+  origin,
+  trntyp,
+  mode,
+  multax,
+  cutter,   ///< no cutter since a statement that may have been one
+  loading,  ///< no tool change since a statement that may have been one
+  setup,
+  machine_shift,
+  machine_cycle,
+  machine_steps,
+  clt_setup,
+  count
+};
+
+/// The doubts in force: each with its reason, until the file says otherwise. One that the file never ends holds for all
+/// positions that follow.
+class Doubts {
+ public:
+  /// A reason of null ends the doubt.
+  void set(Doubt doubt, const char* reason) { reasons_[static_cast<std::size_t>(doubt)] = reason; }
+  void clear(Doubt doubt) { set(doubt, nullptr); }
+  [[nodiscard]] bool has(Doubt doubt) const { return reasons_[static_cast<std::size_t>(doubt)] != nullptr; }
+  /// The reason to report, or null.
+  [[nodiscard]] const char* reason() const {
+    const auto* const first =
+        std::find_if(reasons_.begin(), reasons_.end(), [](const char* reason) { return reason != nullptr; });
+    return first == reasons_.end() ? nullptr : *first;
+  }
+
+  /// Of a doubt with an OFF of its own: the first move since it was last switched on or off. Now it is again.
+  [[nodiscard]] std::size_t begin_run(Doubt doubt, std::size_t moves) {
+    return std::exchange(run_begins_[static_cast<std::size_t>(doubt)], moves);
+  }
+
+ private:
+  static constexpr auto kCount = static_cast<std::size_t>(Doubt::count);
+  std::array<const char*, kCount> reasons_{};
+  std::array<std::size_t, kCount> run_begins_{};
+};
+
+}  // namespace gouge

@@ -1,0 +1,213 @@
+#include "postproc/cldata/interpreting/emit.h"
+
+#include <algorithm>
+
+namespace gouge {
+namespace {
+
+// What is defined by now belongs to the motion that begins.
+void resolve_tool(States& s) {
+  const std::size_t before = s.tool.index();
+  if (!s.tool.resolve()) return;
+  if (before == kNone && s.chain.was_from()) {
+    s.in.path.moves.back().tool = s.tool.index();  // FROM says where the first tool stands
+  } else {
+    const std::optional<ArcStatement> arc = s.curve.arc();
+    break_motion(s);
+    s.curve.restore(arc);
+  }
+  s.cycle.change_tool();
+}
+
+MotionRecord make_record(States& s, const Move& move, const Position& position) {
+  MotionRecord record;
+  record.statement = move.statement;
+  record.point = position.point;
+  record.points = position.points;
+  record.first_argument = position.first_argument;
+  record.rapid_statement = s.feed.rapid_statement();
+  record.block = s.blocks.number();
+  if (move.kind == MoveKind::arc && s.curve.arc()) record.curve_statement = s.curve.statement();
+  record.numbers = static_cast<std::uint8_t>(position.numbers);
+  record.form = position.form;
+  record.is_rapid = s.feed.is_rapid();
+  record.cutcom = s.cutcom.side();
+  record.is_tapping = position.form == PositionForm::cycle && s.cycle.drill() && s.cycle.drill()->is_tapping;
+  record.is_multax_off = s.axes.needs_multax();
+  record.axis_local = position.axis_local;
+  record.implied_axis_local = s.axes.implied();
+  record.frame = s.frame.record(s.records->frames);
+  return record;
+}
+
+void record(States& s, const Move& move, const Position& position) {
+  if (s.records != nullptr) s.records->of_move.push_back(make_record(s, move, position));
+}
+
+void push(States& s, const Move& move) {
+  s.in.make_room(s.in.path.moves);
+  s.in.path.moves.push_back(move);
+}
+
+void attach_curve(States& s, const Position& position, Move& move) {
+  if (!move.has_start) {
+    move.not_checked_reason = ArcProblems::kStart;
+  } else if (s.curve.arc()) {
+    ArcStatement arc = *s.curve.arc();
+    arc.center = s.frame.to_part().point(arc.center);
+    arc.axis = s.frame.to_part().direction(arc.axis);
+    s.senses.attach(arc, position, *s.chain.last_pose(), s.cutcom.reason(), move);
+  } else {
+    s.nurbs.attach(*s.chain.last_pose(), move);
+  }
+}
+
+// Under a cycle that should have ended: a hole or a position of a motion.
+void emit_doubtful(States& s, const Position& position) {
+  doubt_cycle(s);
+  Move move = make_move(s, position, MoveKind::cycle);
+  if (s.doubts.reason() == nullptr) move.not_checked_reason = s.cycle.doubt_reason();
+  append(s, move, position);
+  s.chain.lose_start(Reasons::kAfterCycle);
+}
+
+}  // namespace
+
+void emit(States& s, const Position& position) {
+  s.setup.settle();
+  resolve_tool(s);
+  (void)s.operation.resolve();
+  const bool is_from = position.form == PositionForm::from;
+  if (s.cycle.is_doubtful() && !is_from) return emit_doubtful(s, position);
+  const bool is_cycle =
+      s.cycle.is_on() && (position.form == PositionForm::go_to || position.form == PositionForm::godlta);
+  if (is_cycle && s.cycle.drill() && s.doubts.reason() == nullptr) return emit_hole(s, position, *s.cycle.drill());
+
+  const bool is_arc = !is_cycle && (s.curve.arc() || position.form == PositionForm::curve);
+  const bool is_rapid = s.feed.is_rapid() || is_from || position.form == PositionForm::gohome;
+  Move move = make_move(s, position, is_cycle   ? MoveKind::cycle
+                                     : is_arc   ? MoveKind::arc
+                                     : is_rapid ? MoveKind::rapid
+                                                : MoveKind::feed);
+  if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = s.cycle.why();
+  if (move.not_checked_reason.empty() && is_arc) attach_curve(s, position, move);
+  append(s, move, position);
+  if (is_cycle) {
+    s.chain.lose_start(Reasons::kAfterCycle);
+    s.cycle.count_hole();
+  }
+  s.chain.note_from(is_from);
+}
+
+Move make_move(States& s, const Position& position, MoveKind kind) {
+  Move move;
+  move.kind = kind;
+  move.line = s.in.line();
+  move.statement = s.in.index();
+  move.end = s.frame.to_part().pose({position.tip_local, position.axis_local});
+  move.end.axis.normalize();
+  move.tool = s.tool.index();
+  move.operation = s.operation.index();
+  const bool is_at_rapid = kind == MoveKind::rapid || (kind == MoveKind::arc && s.feed.is_rapid());
+  move.set_feed(is_at_rapid ? Feed{0, FeedUnit::rapid} : s.feed.feed());
+  move.has_start = s.chain.is_start_certain();
+  for (const char* reason : {s.doubts.reason(), s.chain.last_doubt(), s.chain.unknown_start()}) {
+    if (reason != nullptr && move.not_checked_reason.empty()) move.not_checked_reason = reason;
+  }
+  return move;
+}
+
+void append(States& s, Move move, const Position& position) {
+  if (move.not_checked_reason.empty() && position.doubt != nullptr) move.not_checked_reason = position.doubt;
+  if (move.not_checked_reason.empty()) move.not_checked_reason = s.cutcom.reason();
+  record(s, move, position);
+  s.axes.note_position(position.axis_local);
+  s.senses.note_motion(move, s.chain.last_pose());
+  s.chain.advance(move, s.doubts.reason());
+  s.cycle.leave_hole();
+  s.cutcom.note_position();
+  s.feed.end_rapid();
+  push(s, move);
+}
+
+void emit_unread(States& s, const char* reason, std::size_t statement) {
+  resolve_tool(s);
+  const std::vector<Move>& moves = s.in.path.moves;
+  Move move;
+  move.line = s.in.path.statements[statement].line;
+  move.statement = statement;
+  if (s.chain.last_pose()) {
+    move.end = *s.chain.last_pose();
+  } else if (!moves.empty()) {
+    move.end = moves.back().end;
+  }
+  move.tool = s.tool.index();
+  move.operation = s.operation.resolve();
+  move.not_checked_reason = reason;
+  if (move.not_checked_reason == Reasons::kUnread) {
+    move.not_checked_reason = s.in.named(reason, s.in.statement().major);
+  }
+  Position position;
+  position.form = PositionForm::unread;
+  position.axis_local = s.axes.implied();
+  record(s, move, position);
+  break_motion(s);
+  s.chain.forbid_link();
+  s.curve.end_tangent();
+  s.chain.stand(move.end, Reasons::kAfterUnread);
+  s.feed.end_rapid();
+  push(s, move);
+}
+
+void break_motion(States& s) {
+  s.chain.break_off();
+  s.cycle.leave_hole();
+  s.cutcom.break_motion();
+  s.senses.break_motion();
+  s.curve.end_arcs();
+}
+
+void doubt_moves(States& s, std::size_t begin, std::size_t end, std::string_view reason) {
+  for (std::size_t i = begin; i < end; ++i) {
+    std::string_view& own = s.in.path.moves[i].not_checked_reason;
+    if (own.empty()) own = reason;
+  }
+  s.senses.doubt(begin, end, reason);
+}
+
+void switch_doubt(States& s, Doubt doubt, bool is_on, const char* reason) {
+  const std::size_t run_begin = s.doubts.begin_run(doubt, s.in.moves());
+  if (!is_on && !s.doubts.has(doubt)) doubt_run(s, run_begin);
+  s.doubts.set(doubt, is_on ? s.in.because(reason) : nullptr);
+}
+
+void doubt_run(States& s, std::size_t begin) {
+  begin = std::max(begin, s.run_begin);
+  if (begin == s.in.moves()) return;
+  doubt_moves(s, begin, s.in.moves(), s.in.because(Reasons::kStrayOff));
+  s.chain.lose_last_pose(Reasons::kAfterUnread);
+}
+
+void doubt_cycle(States& s) {
+  if (const auto moves = s.cycle.doubt()) doubt_moves(s, moves->first, moves->second, s.cycle.doubt_reason());
+}
+
+void drop_described_curve(States& s) {
+  const bool is_arc = s.curve.arc().has_value();
+  s.curve.end_arc();
+  s.curve.end_tangent();
+  emit_unread(s, is_arc ? Reasons::kNoArcEnd : Reasons::kNoTlon, s.curve.statement());
+}
+
+void end_nurbs(States& s) {
+  const std::size_t statement = s.nurbs.statement();
+  const std::optional<Position> end = s.nurbs.end();
+  if (!end) return;
+  s.curve.end_arc();
+  emit(s, *end);
+  s.in.path.moves.back().statement = statement;
+  s.in.path.moves.back().line = s.nurbs.line();
+  if (s.records != nullptr) s.records->of_move.back().statement = statement;
+}
+
+}  // namespace gouge

@@ -1,0 +1,74 @@
+#include "postproc/cldata/interpreting/frame_state.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kFarthest_mm = 1e7;  // ten kilometres: no machine is that large
+
+}  // namespace
+
+bool FrameState::state_unit(double mm_per_unit) {
+  mm_per_unit_ = mm_per_unit;
+  is_recorded_ = false;
+  return !std::exchange(is_unit_stated_, true);
+}
+
+bool FrameState::set(const RigidTransform& to_part) {
+  const double change = (to_part.rotation - to_part_.rotation).cwiseAbs().maxCoeff() +
+                        (to_part.shift - to_part_.shift).cwiseAbs().maxCoeff();
+  to_part_ = to_part;
+  is_recorded_ = false;
+  return change > kIdentityError;
+}
+
+void FrameState::begin_block() {
+  to_part_ = {};
+  is_recorded_ = false;
+}
+
+std::optional<Vec3> FrameState::read_tip(std::size_t first) {
+  const Vec3 tip = in_.vector(first) * mm_per_unit_;
+  if (tip.cwiseAbs().maxCoeff() <= kFarthest_mm) return tip;
+  in_.fail("path-range", in_.major() + ": a coordinate is beyond " + fixed_text(kFarthest_mm, 0) +
+                             " mm; expected a position within a machine");
+  return std::nullopt;
+}
+
+std::optional<RigidTransform> FrameState::make(const Vec3& origin, const Vec3& x, const Vec3& y, const char* what) {
+  const bool is_frame = std::abs(x.norm() - 1) <= kFrameError && std::abs(y.norm() - 1) <= kFrameError &&
+                        std::abs(x.dot(y)) <= kFrameError;
+  if (!is_frame) {
+    in_.fail("path-frame",
+             std::string(what) + ": the axes are not two unit vectors at right angles; expected X and Y axis");
+    return std::nullopt;
+  }
+  RigidTransform frame;
+  const Vec3 unit_x = x.normalized();
+  const Vec3 unit_z = unit_x.cross(y).normalized();
+  frame.rotation.col(0) = unit_x;
+  frame.rotation.col(1) = unit_z.cross(unit_x);
+  frame.rotation.col(2) = unit_z;
+  frame.shift = origin * mm_per_unit_;
+  return frame;
+}
+
+void FrameState::write_note() const {
+  if (csys_.count == 0) return;
+  in_.path.notes.push_back(make_note("path-csys",
+                                     counted(csys_.count, "CSYS statement") +
+                                         " not applied: Creo writes positions in the machine coordinate system",
+                                     in_.path.file, csys_.first_line));
+}
+
+const MotionFrame* FrameState::record(std::deque<MotionFrame>& frames) {
+  if (!std::exchange(is_recorded_, true)) frames.push_back({mm_per_unit_, to_part_});
+  return &frames.back();
+}
+
+}  // namespace gouge

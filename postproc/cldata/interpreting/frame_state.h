@@ -1,0 +1,49 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "lib/geom/rigid_transform.h"
+#include "postproc/cldata/interpreting/motion_records.h"
+#include "postproc/cldata/interpreting/statement_context.h"
+#include "postproc/cldata/interpreting/tally.h"
+
+namespace gouge {
+
+inline constexpr double kFrameError = 1e-3;     ///< of length or of a right angle; beyond it a frame is refused
+inline constexpr double kIdentityError = 1e-9;  ///< matrices are written with 5 decimals or more; this is rounding
+
+/// The unit of positions and the frame they are in. Both hold until the file states others.
+class FrameState {
+ public:
+  FrameState(StatementContext& in, double mm_per_unit) : in_(in), mm_per_unit_(mm_per_unit) {}
+
+  [[nodiscard]] double mm_per_unit() const { return mm_per_unit_; }
+  /// True the first time.
+  [[nodiscard]] bool state_unit(double mm_per_unit);
+  [[nodiscard]] const RigidTransform& to_part() const { return to_part_; }
+  [[nodiscard]] Pose to_local(const Pose& pose) const { return to_part_.inverse().pose(pose); }
+  /// Ensures  the result tells whether that is another frame.
+  bool set(const RigidTransform& to_part);
+  void begin_block();
+
+  /// A tip at argument `first`, in mm and in the frame; nothing after an error.
+  [[nodiscard]] std::optional<Vec3> read_tip(std::size_t first);
+  /// Numbers at `origin`, `x` and `y` as a frame; nothing after an error, which names `what`.
+  [[nodiscard]] std::optional<RigidTransform> make(const Vec3& origin, const Vec3& x, const Vec3& y, const char* what);
+  /// CSYS, which is not applied: Creo writes positions in the machine's coordinate system.
+  void note_csys() { csys_.add(in_.line()); }
+  void write_note() const;
+  /// The last of `frames`, which becomes the one in force.
+  [[nodiscard]] const MotionFrame* record(std::deque<MotionFrame>& frames);
+
+ private:
+  StatementContext& in_;
+  double mm_per_unit_;
+  bool is_unit_stated_ = false;
+  RigidTransform to_part_;
+  bool is_recorded_ = false;
+  Tally csys_;
+};
+
+}  // namespace gouge

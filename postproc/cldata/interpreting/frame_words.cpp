@@ -1,0 +1,207 @@
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+#include <string>
+
+#include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/interpreting/misreading.h"
+#include "postproc/cldata/interpreting/word_handlers.h"
+#include "postproc/cldata/language/text.h"
+#include "postproc/cldata/language/unit_words.h"
+
+// In which unit and frame positions are.
+
+namespace gouge {
+namespace {
+
+constexpr std::array<double, 12> kIdentityByRows = {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0};
+
+bool is_identity(std::span<const Argument> arguments) {
+  if (arguments.size() != kIdentityByRows.size()) return false;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    if (!arguments[i].number || std::abs(*arguments[i].number - kIdentityByRows[i]) > kIdentityError) return false;
+  }
+  return true;
+}
+
+bool is_all_zero(std::span<const Argument> arguments) {
+  return std::all_of(arguments.begin(), arguments.end(),
+                     [](const Argument& a) { return a.number && std::abs(*a.number) <= 0; });
+}
+
+// Rows of three components of an axis and one of the origin.
+bool is_rigid_by_rows(const StatementContext& in) {
+  if (!in.has_numbers_alone(12)) return false;
+  Eigen::Matrix3d rotation;
+  for (Eigen::Index row = 0; row < 3; ++row) rotation.row(row) = in.vector(static_cast<std::size_t>(4 * row)).transpose();
+  return (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= kFrameError &&
+         rotation.determinant() > 0;
+}
+
+void doubt_frame(States& s, const char* reason = Reasons::kUnreadFrame) {
+  s.doubts.set(Doubt::unread_frame, s.in.because(reason));
+}
+
+// MCSYS/ NUM,n,POINT,x,y,z,VECTOR,i,j,k,VECTOR,i,j,k: its numbers, or nothing where it has another form.
+std::optional<std::array<Vec3, 3>> read_mcsys(std::span<const Argument> arguments) {
+  constexpr std::array<std::string_view, 14> kForm = {"NUM", "", "POINT", "", "", "", "VECTOR", "", "", "", "VECTOR"};
+  if (arguments.size() != kForm.size()) return std::nullopt;
+  std::array<Vec3, 3> vectors;
+  Eigen::Index count = 0;
+  for (std::size_t i = 0; i < kForm.size(); ++i) {
+    const bool is_word = !kForm[i].empty();
+    if (is_word ? !equals_ignoring_case(arguments[i].text, kForm[i]) : !arguments[i].number) return std::nullopt;
+    if (is_word || i == 1) continue;
+    vectors[static_cast<std::size_t>(count / 3)][count % 3] = *arguments[i].number;
+    ++count;
+  }
+  return vectors;
+}
+
+}  // namespace
+
+// Under another frame the machine has turned its table or head: nothing is known of the way there. A block and a
+// section have one frame, which stands before their positions.
+void set_frame(States& s, const RigidTransform& to_part) {
+  const bool has_blocks = s.blocks.is_open() || s.in.dialect.operations_are_blocks;
+  if (s.frame.set(to_part)) {
+    break_motion(s);
+    s.chain.forbid_link();
+    if (has_blocks && s.blocks.has_positions(s.in.moves())) doubt_frame(s);
+  }
+  s.doubts.clear(Doubt::setup);  // the file says where it is
+}
+
+void take_msys(States& s) {
+  if (!s.in.has_numbers_alone(9)) {
+    return s.in.fail("path-frame", "MSYS has " + std::to_string(s.in.arguments.size()) +
+                                       " arguments; expected 9 numbers: the origin, the X axis and the Y axis");
+  }
+  const std::optional<RigidTransform> frame = s.frame.make(s.in.vector(0), s.in.vector(3), s.in.vector(6), "MSYS");
+  if (!frame) return;
+  set_frame(s, *frame);
+  s.blocks.require_frames();
+  if (!s.blocks.is_open()) return;
+  s.doubts.clear(Doubt::block);
+  s.blocks.note_frame(s.in.moves());
+}
+
+void take_csys(States& s) {
+  if (s.in.dialect.is_in_world) return;
+  s.doubts.set(Doubt::csys, is_identity(s.in.arguments) ? nullptr : s.in.because(Reasons::kCsys));
+}
+
+// Creo 9 writes it where older files have the comment $$-> CSYS, with the same twelve numbers.
+void take_camera(States& s) {
+  if (s.in.dialect.has_camera_csys && is_rigid_by_rows(s.in)) return note_creo_csys(s);
+  s.in.count_unknown();
+  doubt_frame(s);
+}
+
+void note_creo_csys(States& s) {
+  if (!is_identity(s.in.arguments)) s.frame.note_csys();
+}
+
+// CAMplete: the X, Y and Z axes, then the origin.
+void take_mcs(States& s) {
+  if (!s.in.has_numbers_alone(12)) {
+    return s.in.fail("path-frame", "MCS has " + std::to_string(s.in.arguments.size()) +
+                                       " arguments; expected 12 numbers: the X, Y and Z axes and the origin");
+  }
+  const std::optional<RigidTransform> frame = s.frame.make(s.in.vector(9), s.in.vector(0), s.in.vector(3), "MCS");
+  if (!frame) return;
+  if ((s.in.vector(6) - frame->rotation.col(2)).norm() > kFrameError)
+    return s.in.fail("path-frame",
+                     "MCS: the third axis is not the first cross the second; expected a right-handed system");
+  set_frame(s, *frame);
+  // Files whose only system is the part's own need not repeat it.
+  const double turn = (frame->rotation - RigidTransform{}.rotation).cwiseAbs().maxCoeff();
+  if (turn > kIdentityError || frame->shift.norm() > kIdentityError) s.blocks.require_frames();
+  s.blocks.note_frame(s.in.moves());
+}
+
+// An origin, an X axis and a Y axis. Its writer turns positions into no other system before it writes them, and those of
+// three numbers have their axis from nowhere else.
+void take_mcsys(States& s) {
+  const std::optional<std::array<Vec3, 3>> vectors = read_mcsys(s.in.arguments);
+  s.doubts.set(Doubt::mcs, vectors ? nullptr : s.in.because(Reasons::kMcsys));
+  if (!vectors) return;
+  const std::optional<RigidTransform> frame = s.frame.make((*vectors)[0], (*vectors)[1], (*vectors)[2], "MCSYS");
+  if (frame) set_frame(s, *frame);
+}
+
+// But for CAMWorks CLT angles may be absolute or relative, and of one of several tables, so nothing undoes them.
+void take_rotabl(States& s) {
+  const std::vector<Argument>& arguments = s.in.arguments;
+  if (std::none_of(arguments.begin(), arguments.end(), may_be_number)) {
+    distrust(s, Word::rotabl);
+    return s.in.count_unknown();
+  }
+  if (s.in.dialect.has_setups && s.setup.take_turn()) return;
+  const bool is_turned = std::any_of(arguments.begin(), arguments.end(), [](const Argument& a) {
+    return a.number ? std::abs(*a.number) > 0 : may_be_number(a);
+  });
+  if (is_turned) doubt_frame(s, Reasons::kTurned);
+}
+
+// All that is known of other systems than the part's is that these three numbers would shift them.
+void take_trntyp(States& s) {
+  const std::span<const Argument> all(s.in.arguments);
+  const bool is_world = !all.empty() && equals_ignoring_case(all.front().text, "WORLD") &&
+                        (all.size() == 1 || is_all_zero(all.subspan(1)));
+  s.doubts.set(Doubt::trntyp, is_world ? nullptr : s.in.because(Reasons::kTrntyp));
+}
+
+// TRANS and ORIGIN shift what a post-processor writes. Whether the part shifts with it no file shows. Zeros undo
+// their own word's shift, unless another word says how they are meant.
+void take_trans(States& s) {
+  if (s.in.arguments.empty()) return;
+  const bool is_origin = equals_ignoring_case(s.in.statement().major, "ORIGIN");
+  switch_doubt(s, is_origin ? Doubt::origin : Doubt::trans, !is_all_zero(s.in.arguments), Reasons::kTrans);
+}
+
+// A lathe's or a wire's program has its positions in another plane.
+void take_mode(States& s) {
+  if (s.in.has("MILL")) s.doubts.clear(Doubt::mode);
+  for (const char* word : {"TURN", "LATHE", "WIRE", "EDM"}) {
+    if (s.in.has(word)) s.doubts.set(Doubt::mode, s.in.because(Reasons::kTurning));
+  }
+  for (const char* word : {"INCR", "INCREMENTAL"}) {
+    if (s.in.has(word)) doubt_frame(s);
+  }
+  for (const Argument& argument : s.in.arguments) {
+    const std::optional<LengthUnit> unit = unit_of_word(argument.text);
+    const bool is_other = unit && std::abs(mm_per(*unit) / s.frame.mm_per_unit() - 1) > 1e-9;
+    if (is_other || equals_ignoring_case(argument.text, "METRIC")) doubt_frame(s);
+  }
+}
+
+void take_tlaxis(States& s) {
+  if (s.axes.is_tlaxis_ignored()) return;
+  s.in.dialect.has_setups ? s.setup.take_axis() : s.axes.take_tlaxis();
+}
+
+void take_units(States& s) {
+  std::optional<LengthUnit> stated;
+  for (const Argument& argument : s.in.arguments) {
+    const std::optional<LengthUnit> unit = unit_of_word(argument.text);
+    if (!unit) continue;
+    if (stated && *stated != *unit) {
+      return s.in.fail("path-statement",
+                       s.in.major() + " states two units; expected MM or INCHES: leave the right one");
+    }
+    stated = unit;
+  }
+  if (!stated) {
+    const std::string what =
+        s.in.arguments.empty() ? std::string("nothing") : quoted_text(s.in.arguments.front().text);
+    return s.in.fail("path-statement", s.in.major() + ": " + what + " is not a unit; expected MM or INCHES");
+  }
+  // The guess of the unit knows of it; before it a reader takes mm.
+  const bool is_other = *stated != LengthUnit::mm || std::abs(mm_per(*stated) - s.frame.mm_per_unit()) > 0;
+  const bool is_late = s.frame.state_unit(mm_per(*stated)) && s.in.moves() > 0;
+  if (is_late && is_other) doubt_moves(s, 0, s.in.moves(), s.in.because(Reasons::kLateUnit));
+}
+
+}  // namespace gouge

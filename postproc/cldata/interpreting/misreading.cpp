@@ -1,0 +1,250 @@
+#include "postproc/cldata/interpreting/misreading.h"
+
+#include <algorithm>
+#include <string>
+
+#include "lib/base/number_text.h"
+#include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+namespace {
+
+bool is_sign(char c) {
+  return c == '+' || c == '-' || c == '.';
+}
+
+bool begins_with_number(std::string_view text) {
+  while (!text.empty() && (is_blank(text.front()) || text.front() == '(' || text.front() == ','))
+    text.remove_prefix(1);
+  return !text.empty() && (is_digit(text.front()) ||
+                           (text.size() > 1 && is_sign(text[0]) && (is_digit(text[1]) || is_sign(text[1]))));
+}
+
+// What follows a `/` that deletes blocks, a sequence number or a label: "N10 X5", "20 FOO/1", "LAB1) -50."
+std::string_view without_label(std::string_view text) {
+  while (!text.empty() && (is_blank(text.front()) || text.front() == '/')) text.remove_prefix(1);
+  std::size_t at = !text.empty() && (text[0] == 'N' || text[0] == 'n') ? 1 : 0;
+  while (at < text.size() && is_digit(text[at])) ++at;
+  if (at > 1 && at == text.size() && !is_digit(text[0])) return {};
+  if (at < text.size() && at > 0 && is_digit(text[at - 1]) && (is_blank(text[at]) || is_letter(text[at])))
+    return trim(text.substr(at));
+  std::size_t word = 0;
+  while (word < text.size() && is_word_character(text[word])) ++word;
+  const std::string_view rest = trim(text.substr(word));
+  return word > 0 && rest.size() > 1 && rest.front() == ')' ? trim(rest.substr(1)) : text;
+}
+
+// The known word that the beginning of `text` was meant to be.
+Word intended_word(std::string_view text) {
+  constexpr std::size_t kLongest = 24;
+  std::string_view word = text.substr(0, text.find_first_of(" \t,/"));
+  if (const Word known = find_word(word); changes_motion(known)) return known;
+  if (const Word intended = find_intended_word(word); intended != Word::unknown) return intended;
+  std::string squeezed;
+  for (const char c : text.substr(0, text.find('/'))) {
+    if (!is_blank(c) && squeezed.size() < kLongest) squeezed += c;
+  }
+  return find_intended_word(squeezed);
+}
+
+// "Z: -50": the letter of an axis, then something else and a number.
+bool is_axis_alone(std::string_view text) {
+  constexpr std::string_view kAxes = "XYZxyz";
+  return text.size() > 1 && kAxes.find(text[0]) != std::string_view::npos && !is_letter(text[1]) &&
+         text[1] != '_' && text.find_first_of("0123456789") != std::string_view::npos &&
+         text.find('/') == std::string_view::npos;
+}
+
+// "DOWN-50.": a word and a negative number at it, and nothing else.
+bool is_step_alone(std::string_view text) {
+  const auto letters =
+      static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_letter) - text.begin());
+  return letters > 0 && letters < text.size() && text[letters] == '-' &&
+         parse_number(trim(text.substr(letters)));
+}
+
+// Between these a line of numbers is a position, or part of one.
+bool is_among_positions(Word word) {
+  return word == Word::go_to || word == Word::godlta || word == Word::from || word == Word::circle ||
+         word == Word::movarc || word == Word::rapid || word == Word::fedrat || word == Word::unknown ||
+         word == Word::cntrl;
+}
+
+// Words that say nothing without an argument.
+bool needs_arguments(Word word) {
+  switch (word) {
+    case Word::cycle:
+    case Word::load:
+    case Word::loadtl:
+    case Word::mode:
+    case Word::rotabl:
+    case Word::select:
+    case Word::setup:
+    case Word::tldata:
+    case Word::toolno:
+    case Word::trans:
+      return true;
+    default:
+      return false;
+  }
+}
+
+// A comma at the end goes on to something; but CAMWorks writes one after the seven numbers of a CUTTER.
+bool is_cut_short(const Statement& statement, std::size_t arguments) {
+  constexpr std::size_t kNumbersOfCutter = 7;
+  if (statement.is_decoded || !changes_motion(statement.word) || statement.pieces.empty()) return false;
+  if (arguments == 0 && needs_arguments(statement.word)) return true;
+  if (statement.word == Word::cutter && arguments == kNumbersOfCutter) return false;
+  return statement.pieces.back().ends_with(',');
+}
+
+bool moves_tool(Word word) {
+  switch (word) {
+    case Word::go_to:
+    case Word::godlta:
+    case Word::from:
+    case Word::gohome:
+    case Word::unread_motion:
+    case Word::circle:
+    case Word::movarc:
+    case Word::curve:
+    case Word::tlon:
+    case Word::nurbs:
+    case Word::cntrl:
+    case Word::knot:
+    case Word::indirv:
+    case Word::retrct:
+    case Word::repeat:
+    case Word::auxfun:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool has_effect(const MachineEffect& e) {
+  return e.moves || e.shifts || e.changes_length || e.begins_cycle || e.begins_steps || e.changes_tool ||
+         e.unit;
+}
+
+void distrust_moves(States& s, std::size_t statement) {
+  std::vector<Move>& moves = s.in.path.moves;
+  for (std::size_t i = moves.size(); i-- > 0 && moves[i].statement == statement;) {
+    if (!Reasons::is_unread(moves[i].not_checked_reason)) moves[i].not_checked_reason = Reasons::kCutShort;
+  }
+}
+
+// The beginning of a statement is missing, or the `$` that would make this part of the one before it.
+void take_rest_of_statement(States& s, bool is_position) {
+  if (s.previous_statement != kNone) distrust_moves(s, s.previous_statement);
+  distrust(s, s.previous_word);
+  emit_unread(s);
+  if (!is_position) s.doubts.set(Doubt::unread_frame, s.in.because(Reasons::kUnreadFrame));
+}
+
+// Of the curve that is being read, or was last.
+void distrust_curve(std::vector<Move>& moves) {
+  if (!moves.empty() && !Reasons::is_unread(moves.back().not_checked_reason))
+    moves.back().not_checked_reason = Reasons::kSpline;
+}
+
+}  // namespace
+
+bool may_be_number(const Argument& argument) {
+  return argument.number || argument.text.find_first_of("0123456789") != std::string_view::npos;
+}
+
+bool take_misread(States& s, std::string_view text) {
+  text = without_label(text);
+  if (begins_with_number(text)) {
+    take_rest_of_statement(s, is_among_positions(s.previous_word));
+    return true;
+  }
+  if (is_axis_alone(text) || is_step_alone(text)) {
+    emit_unread(s);
+    return true;
+  }
+  if (is_minor_word(text.substr(0, text.find_first_of(" \t,")))) {
+    take_rest_of_statement(s, false);
+    return true;
+  }
+  const std::size_t slash = text.find('/');
+  const bool is_block = slash == std::string_view::npos;
+  MachineEffect effect = read_machine_text(is_block ? text : text.substr(slash + 1), !is_block);
+  effect.is_unknown = false;
+  if (has_effect(effect)) take_machine_text(s, effect);
+  const Word word = intended_word(text);
+  distrust(s, word);
+  if (moves_tool(word) && !effect.moves) emit_unread(s);
+  if (s.in.statement().major.empty() && !has_effect(effect) && word == Word::unknown && !text.empty())
+    take_rest_of_statement(s, false);  // "/LEFT" without its word
+  return has_effect(effect) || word != Word::unknown;
+}
+
+void distrust(States& s, Word word) {
+  const auto doubt = [&](Doubt which, const char* reason) { s.doubts.set(which, s.in.because(reason)); };
+  switch (word) {
+    case Word::cutter:
+    case Word::tldata:
+    case Word::unread_tool:
+      s.tool.forget_cutter();
+      return doubt(Doubt::cutter, Reasons::kUnreadTool);
+    case Word::tool_path:
+      doubt(Doubt::loading, Reasons::kUnreadTool);
+      return doubt(Doubt::unread_frame, Reasons::kUnreadFrame);
+    case Word::load:
+    case Word::loadtl:
+    case Word::toolno:
+    case Word::turret:
+      return doubt(Doubt::loading, Reasons::kUnreadTool);
+    case Word::csys:
+    case Word::mcs:
+    case Word::mcsys:
+    case Word::msys:
+    case Word::mode:
+    case Word::prefun:
+    case Word::repeat:
+    case Word::rotabl:
+    case Word::select:
+    case Word::setup:
+    case Word::syn:
+    case Word::tlaxis:
+    case Word::trans:
+    case Word::trntyp:
+    case Word::units:
+    case Word::unread_frame:
+      return doubt(Doubt::unread_frame, Reasons::kUnreadFrame);
+    case Word::multax:
+      return doubt(Doubt::multax, Reasons::kMultax);
+    case Word::cycle:
+      return s.cycle.begin_unknown();
+    case Word::cutcom:
+      return s.cutcom.begin();
+    case Word::cntrl:
+    case Word::knot:
+      return distrust_curve(s.in.path.moves);
+    case Word::rapid:
+      return s.chain.lose_start(Reasons::kAfterUnread);
+    default:
+      return;
+  }
+}
+
+void distrust_numbers_of_feed(States& s) {
+  const NumberCount numbers = count_numbers(s.in.arguments);
+  const std::size_t most = numbers.has_negative ? 2 : 3;
+  if (s.in.statement().is_decoded || numbers.count <= most) return;
+  s.in.count_unknown();
+  emit_unread(s);
+}
+
+void distrust_cut_short(States& s) {
+  if (!is_cut_short(s.in.statement(), s.in.arguments.size())) return;
+  const Word word = s.in.statement().word;
+  distrust_moves(s, s.in.index());
+  distrust(s, word);
+  if (moves_tool(word)) s.chain.lose_start(Reasons::kAfterUnread);
+}
+
+}  // namespace gouge

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "lib/geom/rigid_transform.h"
+#include "lib/path/toolpath.h"
+#include "postproc/cldata/language/cutcom.h"
+
+// In which state (axis, frame, unit, rapid) each position of a file was read: what a writer must know to change it.
+
+namespace gouge {
+
+/// How a position is written, as far as a writer must know.
+enum class PositionForm : std::uint8_t { go_to, from, gohome, godlta, curve, cycle, unread };
+
+/// What makes a position's numbers a place: p = to_part(mm_per_unit x).
+struct MotionFrame {
+  double mm_per_unit = 1;
+  RigidTransform to_part;
+};
+
+/// The state a move was read in.
+struct MotionRecord {
+  SmallIndex statement;
+  SmallIndex point, points = 1;        ///< which of how many positions of its statement
+  SmallIndex first_argument;           ///< of this position
+  SmallIndex rapid_statement = kNone;  ///< the last RAPID before it
+  SmallIndex block;                    ///< number of the TOOL PATH block; the modal axis does not cross blocks
+  SmallIndex curve_statement = kNone;  ///< of an arc: what describes it besides its own statement
+  std::uint8_t numbers = 0;  ///< 3 or 6, of the hole for a step of a cycle; 0 where the form is godlta, curve or unread
+  PositionForm form = PositionForm::go_to;
+  bool is_rapid = false;                    ///< by a RAPID before it
+  CutcomSide cutcom = CutcomSide::none;
+  bool is_tapping = false;                  ///< a step of a cycle whose spindle turns back
+  bool is_multax_off = false;               ///< positions with an axis would be read as two, or not checked
+  Vec3 axis_local = Vec3::UnitZ();          ///< axis of this position, in the block's frame
+  Vec3 implied_axis_local = Vec3::UnitZ();  ///< what a position of 3 numbers means here
+  const MotionFrame* frame = nullptr;       ///< one of MotionRecords::frames
+};
+
+struct MotionRecords {
+  std::vector<MotionRecord> of_move;  ///< one for each of Toolpath::moves, in the same order
+  std::deque<MotionFrame> frames;     ///< a deque, because records point into it while it grows
+};
+
+/// The records of `path`'s moves, by reading its bytes once more.
+[[nodiscard]] MotionRecords read_motion_records(const Toolpath& path);
+
+}  // namespace gouge

@@ -1,0 +1,160 @@
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "postproc/cldata/interpreting/emit.h"
+#include "postproc/cldata/interpreting/misreading.h"
+#include "postproc/cldata/interpreting/word_handlers.h"
+#include "postproc/cldata/language/text.h"
+
+// Positions, and how the tool comes to them.
+
+namespace gouge {
+namespace {
+
+bool is_axis_name(const Argument& argument) {
+  constexpr std::array<std::string_view, 12> kNames = {"X",     "Y",     "Z",     "A",     "B",     "C",
+                                                       "XAXIS", "YAXIS", "ZAXIS", "AAXIS", "BAXIS", "CAXIS"};
+  return std::any_of(kNames.begin(), kNames.end(),
+                     [&](std::string_view name) { return equals_ignoring_case(argument.text, name); });
+}
+
+void take_positions(States& s, PositionForm form) {
+  if (!s.in.check_all_numbers(kPositionForm)) return;
+  const std::size_t numbers = s.axes.numbers_per_point();
+  if (numbers == 0) return;
+  if (s.axes.are_axes_doubtful(numbers)) return emit_unread(s, Reasons::kSixNumbers);
+  const std::size_t points = s.in.arguments.size() / numbers;
+  if (s.in.statement().is_continuation) s.curve.resume();
+  if (s.curve.arc() && points > 1 && !s.in.dialect.lists_run_along_arc) s.curve.spoil(ArcProblems::kForm);
+  bool is_going_on = false;
+  s.in.make_room(s.in.path.moves, points);
+  for (std::size_t i = 0; i < points; ++i) {
+    Position position;
+    position.first_argument = i * numbers;
+    position.numbers = numbers;
+    position.point = i;
+    position.points = points;
+    position.form = form;
+    const std::optional<Vec3> tip = s.frame.read_tip(position.first_argument);
+    const std::optional<Vec3> axis = numbers == 6 ? s.axes.read(position.first_argument + 3) : s.axes.implied();
+    if (!tip || !axis) return;
+    position.tip_local = *tip;
+    position.axis_local = *axis;
+    if (form == PositionForm::from) break_motion(s);
+    const bool is_doubtful = s.axes.is_doubtful(position);
+    const bool may_go_on = s.curve.may_go_on(position);
+    position.doubt = is_doubtful ? Reasons::kPlainAxis : may_go_on ? Reasons::kNccsGoesOn : nullptr;
+    is_going_on = is_going_on || may_go_on;
+    emit(s, position);
+    if (is_doubtful) s.chain.lose_start(Reasons::kPlainAxis);
+  }
+  if (!is_going_on) s.curve.end_statement();
+}
+
+// A step goes on from the position before it. Of a hole that is its own, whatever the cycle's way up and down: a cycle
+// is the post-processor's. After the last one the tool is elsewhere, and files do not tell which of both places counts.
+std::optional<Pose> start_of_step(const States& s) {
+  constexpr double kSamePlace_mm = 1e-9;
+  if (s.chain.last_doubt() != nullptr || s.cycle.is_doubtful()) return std::nullopt;
+  const std::optional<Pose>& hole = s.cycle.last_hole();
+  if (hole && s.cycle.is_on()) return hole;
+  const bool is_elsewhere = hole && (hole->tip - s.chain.last_pose()->tip).norm() > kSamePlace_mm;
+  if (s.chain.unknown_start() != nullptr || is_elsewhere) return std::nullopt;
+  return s.chain.last_pose();
+}
+
+}  // namespace
+
+void take_goto(States& s) {
+  take_positions(s, PositionForm::go_to);
+}
+
+void take_from(States& s) {
+  take_positions(s, PositionForm::from);
+}
+
+void take_godlta(States& s) {
+  constexpr const char* kExpected = "expected dx,dy,dz or one distance along the tool axis";
+  if (!s.in.check_all_numbers(kExpected)) return;
+  const std::size_t count = s.in.arguments.size();
+  if (count != 1 && count != 3) {
+    return s.in.fail("path-count", "GODLTA has " + std::to_string(count) + " numbers; " + kExpected);
+  }
+  if (!s.chain.last_pose()) {
+    return s.in.fail("path-statement",
+                     "GODLTA moves on from a position that is not known; expected a FROM or GOTO before it");
+  }
+  const std::optional<Pose> start = start_of_step(s);
+  if (!start) return emit_unread(s, Reasons::kStepFromUnread);
+  const Pose here = s.frame.to_local(*start);
+  Position position;
+  position.form = PositionForm::godlta;
+  position.axis_local = s.axes.is_new() ? s.axes.implied() : here.axis;
+  if (count == 1) {
+    position.tip_local = here.tip + position.axis_local * (*s.in.arguments[0].number * s.frame.mm_per_unit());
+  } else {
+    const std::optional<Vec3> step = s.frame.read_tip(0);
+    if (!step) return;
+    position.tip_local = here.tip + *step;
+  }
+  emit(s, position);
+  s.curve.end_arcs();
+}
+
+// GOHOME / Z: these axes go home, at rapid. Where that is no file says, so the next position stands alone, as after
+// GOHOME without words.
+void take_gohome(States& s) {
+  const std::vector<Argument>& arguments = s.in.arguments;
+  const bool names_axes =
+      s.in.dialect.gohome_names_axes && std::all_of(arguments.begin(), arguments.end(), is_axis_name);
+  if (!arguments.empty() && !names_axes) return take_positions(s, PositionForm::gohome);
+  s.feed.end_rapid();
+  break_motion(s);
+  s.chain.forbid_link();
+}
+
+// It has no numbers: a position may stand here.
+void take_rapid(States& s) {
+  if (count_numbers(s.in.arguments).count > 0) {
+    s.in.count_unknown();
+    emit_unread(s);
+  } else if (!s.in.arguments.empty()) {
+    // RAPID/XYPLAN, RAPID/MODIFY: in which order the axes move is the post-processor's, so the next way is not known.
+    s.in.count_unknown();
+    s.chain.lose_last_pose(Reasons::kAfterUnread);
+  }
+  s.feed.begin_rapid();
+}
+
+void take_fedrat(States& s) {
+  distrust_numbers_of_feed(s);
+  s.feed.take_fedrat(s.frame.mm_per_unit());
+}
+
+void take_multax(States& s) {
+  s.axes.take_multax();
+}
+
+void take_retrct(States& s) {
+  s.chain.lose_start(Reasons::kAfterRetract);
+}
+
+// ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT.
+void take_cutcom(States& s) {
+  const bool has_side = s.in.has("LEFT") || s.in.has("RIGHT"), has_off = s.in.has("OFF");
+  if (s.in.has("ADJUST")) {
+    const bool is_off = s.in.arguments.size() == 2 && equals_ignoring_case(s.in.arguments.back().text, "OFF");
+    switch_doubt(s, Doubt::adjust, !is_off, Reasons::kAdjust);
+    if (has_side) s.cutcom.begin();
+    return;
+  }
+  if (has_off && (has_side || s.in.has("ON"))) return s.cutcom.begin();
+  // Of the tool's length: along its axis, as positions are of its tip.
+  if (s.in.has("LENGTH") && !has_side) return;
+  if (!has_off) return s.cutcom.begin();
+  const std::size_t run_begin = s.cutcom.begin_run();
+  if (s.cutcom.end()) doubt_run(s, run_begin);
+}
+
+}  // namespace gouge

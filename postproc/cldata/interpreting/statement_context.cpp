@@ -1,0 +1,97 @@
+#include "postproc/cldata/interpreting/statement_context.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kErrorsListed = 20;
+constexpr std::size_t kUnknownWordsListed = 200;
+constexpr double kShareThatTells = 0.02;  // of a file, to expect the same of its rest
+constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
+constexpr const char* kOtherWords = "(other words)";
+
+bool begins_with_letter(std::string_view text) {
+  return !text.empty() && ((text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= 'a' && text[0] <= 'z'));
+}
+
+bool is_number_word(std::string_view text) {
+  return starts_with_ignoring_case(text, "nan") || starts_with_ignoring_case(text, "inf");
+}
+
+}  // namespace
+
+std::string counted(std::size_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
+void StatementContext::begin(const Statement& next) {
+  statement_ = &next;
+  make_room(path.statements);
+  path.statements.push_back({next.line, next.first_byte, next.last_byte});
+}
+
+std::size_t StatementContext::expected_count(std::size_t until_here) const {
+  const double share = static_cast<double>(statement_->last_byte) / static_cast<double>(path.source.size());
+  const double growth = share < kShareThatTells ? kFirstGrowth : std::max(kMargin / share, kLeastGrowth);
+  return static_cast<std::size_t>(std::ceil(static_cast<double>(until_here) * growth));
+}
+
+bool StatementContext::has_numbers_alone(std::size_t count) const {
+  return arguments.size() == count && find_word_argument(arguments) == nullptr;
+}
+
+Vec3 StatementContext::vector(std::size_t first) const {
+  return {*arguments[first].number, *arguments[first + 1].number, *arguments[first + 2].number};
+}
+
+bool StatementContext::check_all_numbers(std::string_view expected) {
+  const Argument* word = find_word_argument(arguments);
+  if (word == nullptr) return true;
+  if (begins_with_letter(word->text) && !is_number_word(word->text) && path.moves.empty()) {
+    refuse_part_program(major() + "/" + std::string(word->text));
+    return false;
+  }
+  const std::string what = word->text.empty() ? "an empty argument" : quoted_text(word->text);
+  fail("path-number", major() + ": " + what + " is not a finite number; " + std::string(expected) + " in numbers");
+  return false;
+}
+
+void StatementContext::count_unknown() {
+  std::string word = word_as_told(statement_->major);
+  auto& words = path.words_not_understood;
+  if (words.size() >= kUnknownWordsListed && !words.contains(word)) word = kOtherWords;
+  ++words[word];
+}
+
+void StatementContext::fail(std::string code, std::string message) {
+  if (errors_.size() >= kErrorsListed) {
+    ++errors_not_listed_;
+    return;
+  }
+  errors_.push_back(make_error(std::move(code), std::move(message), path.file, line()));
+}
+
+void StatementContext::refuse_part_program(std::string_view what, std::size_t line) {
+  errors_not_listed_ = 0;
+  errors_ = {make_error("path-part-program",
+                        "is an APT part program (" + quoted_text(what) +
+                            "); expected CL data with positions in numbers: run it through an APT system and "
+                            "check the CL file that gives",
+                        path.file, line)};
+  is_hopeless_ = true;
+}
+
+Diagnostics StatementContext::take_errors() {
+  if (errors_not_listed_ > 0) {
+    errors_.push_back(make_error("path-more-errors",
+                                 "and " + std::to_string(errors_not_listed_) + " more errors", path.file));
+  }
+  return std::exchange(errors_, {});
+}
+
+}  // namespace gouge

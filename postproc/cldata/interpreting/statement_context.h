@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/path/toolpath.h"
+#include "postproc/cldata/interpreting/named_reasons.h"
+#include "postproc/cldata/language/arguments.h"
+#include "postproc/cldata/language/dialect.h"
+#include "postproc/cldata/language/statement.h"
+
+namespace gouge {
+
+/// "1 arc", "3 arcs": how notes count.
+[[nodiscard]] std::string counted(std::size_t count, const std::string& what);
+
+/// The statement being taken, the file it stands in, and what is wrong with either: what every state of the
+/// interpreter looks at.
+class StatementContext {
+ public:
+  StatementContext(Toolpath& path_read, const Dialect& of_file) : path(path_read), dialect(of_file) {}
+
+  /// The next statement. `arguments` stay those of the one before until they are split.
+  void begin(const Statement& next);
+  [[nodiscard]] const Statement& statement() const { return *statement_; }
+  [[nodiscard]] std::string major() const { return std::string(statement_->major); }
+  [[nodiscard]] std::string_view first_piece() const { return statement_->pieces.front(); }
+  [[nodiscard]] std::size_t line() const { return statement_->line; }
+  /// Of the statement, in Toolpath::statements.
+  [[nodiscard]] std::size_t index() const { return path.statements.size() - 1; }
+  [[nodiscard]] std::size_t moves() const { return path.moves.size(); }
+
+  /// Of the arguments.
+  [[nodiscard]] bool has(std::string_view word) const { return has_argument(arguments, word); }
+  [[nodiscard]] bool has_numbers_alone(std::size_t count) const;
+  [[nodiscard]] Vec3 vector(std::size_t first) const;
+  /// True where all arguments are numbers; else an error, "`expected` in numbers", or a part program is refused.
+  [[nodiscard]] bool check_all_numbers(std::string_view expected);
+
+  /// `reason` with the word and the line of the statement, or of another one.
+  [[nodiscard]] const char* because(const char* reason) { return named(reason, statement_->major, line()); }
+  [[nodiscard]] const char* named(const char* reason, std::string_view word, std::size_t line = 0) {
+    return reasons_.name(reason, word, line);
+  }
+  void count_unknown();
+  void fail(std::string code, std::string message);
+  /// The file is no CL data: of all errors this one is left, and reading further has no use.
+  void refuse_part_program(std::string_view what) { refuse_part_program(what, line()); }
+  void refuse_part_program(std::string_view what, std::size_t line);
+  void give_up() { is_hopeless_ = true; }
+  [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
+  [[nodiscard]] bool has_errors() const { return !errors_.empty(); }
+  [[nodiscard]] Diagnostics take_errors();
+
+  /// `all` with memory for `more`, or for as many as the rest of the file holds if it goes on like this: growing
+  /// by doubling would need three times the memory while it copies.
+  template <class Things>
+  void make_room(Things& all, std::size_t more = 1) const {
+    const std::size_t needed = all.size() + more;
+    if (needed > all.capacity()) all.reserve(expected_count(needed));
+  }
+
+  Toolpath& path;
+  const Dialect dialect;
+  std::vector<Argument> arguments;  // of the statement
+
+ private:
+  [[nodiscard]] std::size_t expected_count(std::size_t until_here) const;
+
+  const Statement* statement_ = nullptr;
+  NamedReasons reasons_;
+  Diagnostics errors_;
+  std::size_t errors_not_listed_ = 0;
+  bool is_hopeless_ = false;
+};
+
+}  // namespace gouge

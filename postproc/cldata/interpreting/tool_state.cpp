@@ -1,0 +1,202 @@
+#include "postproc/cldata/interpreting/tool_state.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <utility>
+
+#include "postproc/cldata/interpreting/reasons.h"
+#include "postproc/cldata/language/text.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kCuttersTold = 20;
+constexpr std::size_t kMostTools = 10000;  // a machine has hundreds
+constexpr std::array<std::string_view, 5> kTurningTypes = {"TURN", "GROOVE", "THREAD", "WEDM", "WIRE"};
+
+// TOOLNO/n,d and TOOLNO/n,MILL,..,..,d of CATIA; 0 where no diameter stands there.
+double diameter_of_toolno(const std::vector<Argument>& arguments) {
+  constexpr std::size_t kOfMill = 4;
+  if (arguments.size() == 2) return arguments[1].number.value_or(0);
+  const bool is_mill = arguments.size() > kOfMill && equals_ignoring_case(arguments[1].text, "MILL");
+  return is_mill ? arguments[kOfMill].number.value_or(0) : 0;
+}
+
+}  // namespace
+
+void ToolState::forget_cutter() {
+  tool_.cutter.reset();
+  is_changed_ = true;
+}
+
+// A cutter, or a note why the numbers define none.
+void ToolState::set_cutter(const CutterOutcome& outcome) {
+  if (!outcome.cutter) {
+    forget_cutter();
+    if (cutters_without_tool_++ >= kCuttersTold) return;
+    in_.path.notes.push_back(make_warning("path-cutter", outcome.note, in_.path.file, in_.line()));
+    return;
+  }
+  tool_.cutter = outcome.cutter;
+  tool_.flute_length_mm = outcome.flute_length_mm;
+  tool_.line = in_.line();
+  tool_.is_fresh = true;
+  is_changed_ = true;
+}
+
+void ToolState::take_cutter(double mm_per_unit, bool is_behind_insert) {
+  doubts_.clear(Doubt::cutter);
+  const CutterOutcome outcome = make_cutter(in_.arguments, mm_per_unit, in_.dialect.has_tip_diameter);
+  if (outcome.is_recomputed) recomputed_.add(in_.line());
+  if (!outcome.error.empty()) {
+    const Argument* word = find_word_argument(in_.arguments);
+    if (word != nullptr && in_.path.moves.empty() && !word->text.empty() && word->text[0] >= 'A') {
+      return in_.refuse_part_program(in_.major() + "/" + std::string(word->text));
+    }
+    return in_.fail("path-cutter", "CUTTER: " + outcome.error + "; expected d or d,r or d,r,e,f,alpha,beta,h");
+  }
+  if (is_behind_insert) tool_.name = last_insert_;
+  set_cutter(outcome);
+}
+
+// A flat, a ball and a bull-nose cutter look the same, so it defines no tool, but a library's tool can be held against
+// it.
+void ToolState::take_diameter(std::string_view text, double mm_per_unit) {
+  Statement values;
+  values.pieces.push_back(text);
+  split_arguments(values, in_.arguments);
+  const bool is_number = in_.has_numbers_alone(1) && *in_.arguments.front().number > 0;
+  tool_.diameter_mm = is_number ? *in_.arguments.front().number * mm_per_unit : 0;
+  tool_.name = "diameter " + name_text(text);
+  tool_.line = in_.line();
+  tool_.is_fresh = true;
+  is_changed_ = true;
+}
+
+void ToolState::take_tldata(double mm_per_unit) {
+  if (in_.arguments.empty()) return in_.count_unknown();
+  doubts_.clear(Doubt::cutter);
+  const std::string_view type = in_.arguments.front().text;
+  const bool is_drill = equals_ignoring_case(type, "DRILL");
+  forget_cutter();
+  const bool is_turning = std::any_of(kTurningTypes.begin(), kTurningTypes.end(),
+                                      [&](std::string_view t) { return equals_ignoring_case(type, t); });
+  doubts_.set(Doubt::turning, is_turning ? in_.because(Reasons::kTurning) : nullptr);
+  if (is_turning) return;
+  CutterOutcome outcome;
+  outcome.note = "TLDATA/" + name_text(type) + " is not understood: define the tool in the tool library";
+  if (!is_drill && !equals_ignoring_case(type, "MILL")) return set_cutter(outcome);
+  std::span<const Argument> numbers(in_.arguments);
+  numbers = numbers.subspan(1);
+  if (is_drill && !numbers.empty() && !numbers.front().number) numbers = numbers.subspan(1);
+  outcome = make_tldata_cutter(numbers, is_drill, mm_per_unit);
+  if (outcome.error.empty()) return set_cutter(outcome);
+  in_.fail("path-cutter", "TLDATA: " + outcome.error +
+                              (is_drill ? "; expected DRILL,MILL,diameter,radius,length,point angle,flute length"
+                                        : "; expected MILL,diameter,radius,length,taper angle,tip angle"));
+}
+
+void ToolState::take_flute_length(double mm_per_unit) {
+  if (!in_.has_numbers_alone(1) || *in_.arguments.front().number < 0) return in_.count_unknown();
+  tool_.flute_length_mm = *in_.arguments.front().number * mm_per_unit;
+  is_changed_ = true;
+}
+
+void ToolState::take_diameter_of_toolno(double mm_per_unit) {
+  tool_.toolno_diameter_mm = diameter_of_toolno(in_.arguments) * mm_per_unit;
+  tool_.toolno_line = in_.line();
+  is_changed_ = true;
+}
+
+void ToolState::take_name(std::string_view text) {
+  tool_.name = name_text(text);
+  is_changed_ = true;
+}
+
+void ToolState::take_insert(std::string_view text) {
+  last_insert_ = name_text(text);
+}
+
+void ToolState::change_number(int number) {
+  doubts_.clear(Doubt::loading);
+  if (tool_.number == number) return;
+  is_changed_ = true;
+  tool_.number = number;
+  if (tool_.is_fresh) return;
+  tool_.cutter.reset();
+  tool_.name.clear();
+  tool_.flute_length_mm = 0;
+  tool_.diameter_mm = 0;
+  tool_.line = in_.line();
+  const auto known = index_of_number_.find(number);
+  if (known == index_of_number_.end()) return;
+  const PathTool& tool = in_.path.tools[known->second];
+  tool_.cutter = tool.cutter;
+  tool_.name = tool.name;
+  tool_.flute_length_mm = tool.flute_length_mm;
+  tool_.diameter_mm = tool.stated_diameter_mm;
+}
+
+void ToolState::begin_block(const std::string& name) {
+  if (name != tool_.name || name.empty()) {
+    tool_ = {};
+    tool_.name = name;
+    tool_.line = in_.line();
+  }
+  is_changed_ = true;
+  doubts_.clear(Doubt::cutter);
+  doubts_.clear(Doubt::loading);
+}
+
+std::size_t ToolState::find_or_add() {
+  Key key;
+  key.number = tool_.number;
+  if (in_.dialect.has_named_tools) key.name = tool_.name;
+  if (tool_.cutter) {
+    const CutterStatement& c = *tool_.cutter;
+    key.cutter = {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm};
+  }
+  key.diameter_mm = tool_.diameter_mm;
+  std::vector<PathTool>& tools = in_.path.tools;
+  const auto [it, is_new] = index_of_key_.try_emplace(std::move(key), tools.size());
+  if (is_new) {
+    if (tools.size() == kMostTools) {
+      in_.fail("path-tools", "more than " + std::to_string(kMostTools) +
+                                 " different tools; expected those of a machine: divide the file by operations");
+      in_.give_up();
+    }
+    tools.push_back({tool_.number, tool_.name, tool_.cutter, tool_.flute_length_mm, tool_.line, tool_.diameter_mm});
+    if (tool_.number) index_of_number_[*tool_.number] = it->second;
+  } else if (tools[it->second].flute_length_mm <= 0) {
+    tools[it->second].flute_length_mm = tool_.flute_length_mm;
+  }
+  return it->second;
+}
+
+// Number and cutter (NX: and name) make a tool; the same ones again are the same tool and no break of the
+// motion.
+bool ToolState::resolve() {
+  tool_.is_fresh = false;
+  if (!is_changed_) return false;
+  is_changed_ = false;
+  constexpr double kSameDiameter = 0.01;  // of it: files round them
+  if (tool_.cutter && tool_.toolno_diameter_mm > 0 &&
+      std::abs(tool_.cutter->d_mm / tool_.toolno_diameter_mm - 1) > kSameDiameter)
+    doubts_.set(Doubt::loading, in_.named(Reasons::kUnreadTool, "TOOLNO", tool_.toolno_line));
+  const bool is_known = tool_.number || tool_.cutter || (in_.dialect.has_named_tools && !tool_.name.empty());
+  const std::size_t index = is_known ? find_or_add() : kNone;
+  return std::exchange(index_, index) != index;
+}
+
+void ToolState::write_note() const {
+  if (recomputed_.count == 0) return;
+  in_.path.notes.push_back(
+      make_note("path-cutter-recomputed",
+                counted(recomputed_.count, "CUTTER statement") +
+                    " with e and f other than d, r, alpha and beta give: these are taken, as CAM "
+                    "systems disagree about e and f",
+                in_.path.file, recomputed_.first_line));
+}
+
+}  // namespace gouge

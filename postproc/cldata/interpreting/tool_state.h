@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "postproc/cldata/interpreting/doubts.h"
+#include "postproc/cldata/interpreting/statement_context.h"
+#include "postproc/cldata/interpreting/tally.h"
+#include "postproc/cldata/parsing/cutter_statement.h"
+
+namespace gouge {
+
+/// The tool of the positions that follow: what CUTTER, TLDATA and their like define, and the number that is loaded. It
+/// stays until the file names another one.
+class ToolState {
+ public:
+  ToolState(StatementContext& in, Doubts& doubts) : in_(in), doubts_(doubts) {}
+
+  void take_cutter(double mm_per_unit, bool is_behind_insert);
+  /// Creo's comment, which states the diameter alone.
+  void take_diameter(std::string_view text, double mm_per_unit);
+  void take_tldata(double mm_per_unit);
+  void take_flute_length(double mm_per_unit);
+  void take_diameter_of_toolno(double mm_per_unit);
+  void take_name(std::string_view text);
+  /// Text that may name the tool that is defined next.
+  void take_insert(std::string_view text);
+  /// Ensures  a tool that was not described since the last motion is the one last seen under that number, or one the
+  ///          file says nothing about: never the one before it.
+  void change_number(int number);
+  void begin_block(const std::string& name);
+  /// It may be another cutter from here on.
+  void forget_cutter();
+
+  [[nodiscard]] const std::optional<int>& number() const { return tool_.number; }
+  /// At a motion: true where the tool is another one than before. index() is then its own.
+  [[nodiscard]] bool resolve();
+  /// In Toolpath::tools; kNone: no tool named yet.
+  [[nodiscard]] std::size_t index() const { return index_; }
+  void write_note() const;
+
+ private:
+  struct Tool {
+    std::optional<int> number;
+    std::optional<CutterStatement> cutter;
+    std::string name;
+    double flute_length_mm = 0;
+    double diameter_mm = 0;         // of Creo, whose $$-> CUTTER says nothing else
+    double toolno_diameter_mm = 0;  // behind the number of TOOLNO; 0 where none stands there
+    std::size_t toolno_line = 0;
+    std::size_t line = 0;
+    bool is_fresh = false;  // defined since the last motion
+  };
+  struct Key {  // what makes two tools of the file the same
+    std::optional<int> number;
+    std::optional<std::array<double, 7>> cutter;
+    double diameter_mm = 0;
+    std::string name;
+    auto operator<=>(const Key&) const = default;
+  };
+  void set_cutter(const CutterOutcome& outcome);
+  [[nodiscard]] std::size_t find_or_add();
+
+  StatementContext& in_;
+  Doubts& doubts_;
+  Tool tool_;
+  bool is_changed_ = false;  // since the last motion
+  std::size_t index_ = kNone;
+  std::map<Key, std::size_t> index_of_key_;
+  std::map<int, std::size_t> index_of_number_;  // the last one seen under a number
+  std::string last_insert_;
+  std::size_t cutters_without_tool_ = 0;
+  Tally recomputed_;
+};
+
+}  // namespace gouge

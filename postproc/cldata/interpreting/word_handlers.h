@@ -1,0 +1,88 @@
+#pragma once
+
+#include "postproc/cldata/interpreting/states.h"
+
+// What each word does: one function for each, and one table from word to function.
+
+namespace gouge {
+
+using WordHandler = void (*)(States&);
+
+/// Takes the statement of `s.in`, whose arguments are split.
+[[nodiscard]] WordHandler handler_of(Word word);
+
+// motion_words.cpp
+void take_goto(States& s);
+void take_from(States& s);
+void take_godlta(States& s);
+void take_gohome(States& s);
+void take_rapid(States& s);
+void take_fedrat(States& s);
+void take_multax(States& s);
+void take_retrct(States& s);
+void take_cutcom(States& s);
+
+// curve_words.cpp
+void take_arc(States& s);
+void take_unread_curve(States& s);
+void take_indirv(States& s);
+void take_tlon(States& s);
+void take_nurbs(States& s);
+void take_knots(States& s);
+void take_control_point(States& s);
+
+// cycle_words.cpp
+void take_cycle(States& s);
+
+// tool_words.cpp
+void take_cutter(States& s);
+void take_tldata(States& s);
+void take_tool_number(States& s);
+void take_load(States& s);
+void take_flute_length(States& s);
+void take_turret(States& s);
+void take_tool_name(States& s);
+
+// control_words.cpp
+void take_insert(States& s);
+void take_prefun(States& s);
+void take_auxfun(States& s);
+void take_setup(States& s);
+void take_select(States& s);
+
+// frame_words.cpp
+void set_frame(States& s, const RigidTransform& to_part);
+void note_creo_csys(States& s);
+void take_csys(States& s);
+void take_camera(States& s);
+void take_mcs(States& s);
+void take_mcsys(States& s);
+void take_msys(States& s);
+void take_rotabl(States& s);
+void take_trntyp(States& s);
+void take_trans(States& s);
+void take_mode(States& s);
+void take_tlaxis(States& s);
+void take_units(States& s);
+
+// block_words.cpp
+void take_tool_path(States& s);
+void take_end_of_path(States& s);
+void take_operation(States& s);
+void take_fini(States& s);
+void take_free_text(States& s);
+void take_pprint(States& s);
+void take_ppword(States& s);
+void take_syn(States& s);
+void take_comment(States& s);
+
+// unread_words.cpp
+void take_harmless(States& s);
+void take_part_program(States& s);
+void take_unknown(States& s);
+void take_unread_motion(States& s);
+void take_repeat(States& s);
+void take_unread_frame(States& s);
+void take_unread_tool(States& s);
+
+}  // namespace gouge
