@@ -16,8 +16,8 @@
 namespace gouge {
 namespace {
 
-PictureInput pictures_of(const Job& job, const Toolpath& path, const CheckResult& result) {
-  PictureInput input;
+CheckedToolpath pictures_of(const Job& job, const Toolpath& path, const CheckResult& result) {
+  CheckedToolpath input;
   input.toolpath = &path;
   input.scene = &job.scene;
   input.tools = job.tools();
@@ -93,7 +93,7 @@ Outcome JobOutputs::write_files(const Job& job, const ReportModel& model, Progre
 
 Outcome JobOutputs::stage_report(const Job& job, const ReportModel& model, Progress& progress) {
   progress.begin("drawing the report");
-  PictureInput before;
+  CheckedToolpath before;
   if (model.has_correction)
     before = pictures_of(job, *model.correction.toolpath_before, *model.correction.result_before);
   Result<std::vector<NamedFile>> drawn =

@@ -379,11 +379,7 @@ class Sweep {
     SearchStart& swept = swept_[step.move].start;
     const Vec3 p = closest_on_triangle(about, tree_->corners(triangle)).point;
     for (const double t : {step.t0, step.middle(), step.t1}) {
-      const Pose pose = motions_[step.move].at(t);
-      const Vec3 from_tip = p - pose.tip;
-      const double z = from_tip.dot(pose.axis);
-      const double r = (from_tip - z * pose.axis).norm();
-      const double value = question_.reach_mm - evaluate(*tool_, r, z).signed_distance_mm;
+      const double value = question_.reach_mm - signed_distance_mm(*tool_, motions_[step.move].at(t), p);
       if (value <= swept.value_mm) continue;
       swept.value_mm = value;
       swept.t = t;

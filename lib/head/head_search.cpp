@@ -31,7 +31,7 @@ struct Candidate : SearchCandidate {
 
 class Search : public BestFirstSearch<Search, Candidate> {
  public:
-  // Each bound measures no point, each facet measures all its corners: the depth is met without a descent.
+  // A descent would measure other points first, and which of equally deep ones is the witness would change.
   static constexpr bool kDescends = false;
 
   Search(const HeadMotion& motion, const HeadBody& head, const std::vector<const DepthBody*>& surfaces,

@@ -8,10 +8,7 @@
 namespace gouge {
 
 double SweptTool::distance_at(const Vec3& point, double t) const {
-  const Pose pose = motion().at(t);
-  const Vec3 d = point - pose.tip;
-  const double z = d.dot(pose.axis);
-  return evaluate(tool_, (d - z * pose.axis).norm(), z).signed_distance_mm;
+  return signed_distance_mm(tool_, motion().at(t), point);
 }
 
 Vec3 SweptTool::outward_at(const Vec3& point, double t) const {

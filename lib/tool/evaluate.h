@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lib/geom/pose.h"
 #include "lib/tool/compiled_tool.h"
 
 namespace gouge {
@@ -22,6 +23,13 @@ struct ToolAnswer {
 /// Cost     depth of the BSP, no allocation.
 /// Source   Ho 1999, thesis 2.4.18.
 [[nodiscard]] ToolAnswer evaluate(const CompiledTool& tool, double r_mm, double z_mm);
+
+/// Signed distance of a point of the part, in part coordinates, to the tool at a pose.
+[[nodiscard]] inline double signed_distance_mm(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
+  const Vec3 from_tip = point - pose.tip;
+  const double z = from_tip.dot(pose.axis);
+  return evaluate(tool, (from_tip - z * pose.axis).norm(), z).signed_distance_mm;
+}
 
 /// Distance to one element, its ends included; not signed.
 [[nodiscard]] double distance_to(const BoundaryElement& element, const Vec2& q);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "postproc/image/pixel_points.h"
+
 namespace gouge {
 namespace {
 
@@ -43,7 +45,7 @@ std::vector<Candidate> candidates(const Vec3& axis) {
 // Area of gouged surface that is seen, on the surface and not on the picture, so that slanted views are not
 // put at a disadvantage.
 double gouged_area(const PictureScene& scene, const DepthField& field, const SurfaceBuffer& buffer) {
-  const std::vector<float> depth = field.depth_on_pixels(scene, buffer);
+  const std::vector<float> depth = depth_on_pixels(field, scene, buffer);
   const double pixel = buffer.view.mm_per_pixel * buffer.view.mm_per_pixel;
   double area = 0;
   for (int y = 0; y < buffer.view.height; ++y) {
@@ -57,7 +59,7 @@ double gouged_area(const PictureScene& scene, const DepthField& field, const Sur
 
 }  // namespace
 
-std::vector<Vec3> choose_directions(const PictureInput& input, const PictureScene& scene,
+std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
                                     const DepthField& field, const std::vector<PictureEvent>& events,
                                     std::size_t count) {
   const Vec3 axis = mean_axis(*input.toolpath);

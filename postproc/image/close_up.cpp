@@ -6,6 +6,7 @@
 
 #include "postproc/image/event_scale.h"
 #include "postproc/image/glass.h"
+#include "postproc/image/pixel_points.h"
 #include "postproc/image/render_png.h"
 #include "postproc/image/shade.h"
 #include "postproc/image/tool_outline.h"
@@ -54,7 +55,7 @@ View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& to
 // How much of what is seen within `near_mm` of the finding is gouged.
 double gouged_share(const PictureSet& set, const PictureEvent& event, const SurfaceBuffer& buffer,
                     double near_mm) {
-  const std::vector<float> depth = set.coarse.depth_on_pixels(set.scene, buffer);
+  const std::vector<float> depth = depth_on_pixels(set.coarse, set.scene, buffer);
   double gouged = 0;
   for (int y = 0; y < buffer.view.height; ++y) {
     for (int x = 0; x < buffer.view.width; ++x) {
@@ -130,7 +131,7 @@ void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, 
   const View view = close_view(set, event, toward, static_cast<int>(kCloseUp.width) * kSupersampling,
                                static_cast<int>(kCloseUp.height) * kSupersampling);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
-  Raster raster = shade(set.scene, buffer, set.field.depth_on_pixels(set.scene, buffer), set.scale);
+  Raster raster = shade(set.scene, buffer, depth_on_pixels(set.field, set.scene, buffer), set.scale);
   lay_glass(raster, buffer, tool_surface(forms.bare, event.pose), placed_heads(set, event));
   page.rasters.push_back({static_cast<int>(kCloseUp.x), static_cast<int>(kCloseUp.y), std::move(raster)});
   const Vec2 target = on_page(kCloseUp, view.project(event.at));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "postproc/image/path_overlay.h"
+#include "postproc/image/pixel_points.h"
 #include "postproc/image/shade.h"
 #include "postproc/report/report_text.h"
 
@@ -29,8 +30,9 @@ View view_for(const PictureSet& set, const Vec3& toward, const Area& area) {
 View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area& area, bool shows_path) {
   const View view = view_for(set, toward, area);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
-  const std::vector<float> depth = set.overcuts.is_empty() ? set.field.depth_on_pixels(set.scene, buffer)
-                                                           : set.overcuts.on_pixels(set.scene, buffer);
+  const std::vector<float> depth = set.overcuts.is_empty()
+                                       ? depth_on_pixels(set.field, set.scene, buffer)
+                                       : overcut_on_pixels(set.overcuts, set.scene, buffer);
   Raster raster = shade(set.scene, buffer, depth, set.surface_scale);
   if (shows_path && set.events.empty()) lay_path(raster, buffer, *set.input.toolpath, *set.input.result);
   page.rasters.push_back({static_cast<int>(area.x), static_cast<int>(area.y), std::move(raster)});

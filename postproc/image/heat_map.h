@@ -1,7 +1,7 @@
 #pragma once
 
+#include "lib/field/overcut_field.h"
 #include "postproc/image/choose_views.h"
-#include "postproc/image/overcut_field.h"
 #include "postproc/image/page.h"
 #include "postproc/report/report_model.h"
 
@@ -10,7 +10,7 @@ namespace gouge {
 /// Everything the pictures of one report share.
 struct PictureSet {
   const ReportModel& model;
-  const PictureInput& input;
+  const CheckedToolpath& input;
   const PictureScene& scene;
   const DepthField& field;   ///< for the pictures
   const DepthField& coarse;  ///< fewer poses: for choosing views

@@ -41,7 +41,7 @@ std::size_t gouging_head(std::span<const HeadBody> heads, const Vec3& witness_to
   return best;
 }
 
-void find_head(const PictureInput& input, const std::string& reason, PictureEvent& one) {
+void find_head(const CheckedToolpath& input, const std::string& reason, PictureEvent& one) {
   if (input.heads.empty()) return;
   if (one.has_witness && one.witness.body == Body::head) {
     one.head = gouging_head(input.heads, one.heads.inverse().point(one.at));
@@ -57,7 +57,7 @@ void find_head(const PictureInput& input, const std::string& reason, PictureEven
   }
 }
 
-PictureEvent picture_event(const PictureInput& input, const Event& event) {
+PictureEvent picture_event(const CheckedToolpath& input, const Event& event) {
   const Move& move = input.toolpath->moves[event.worst_move];
   const MoveVerdict& verdict = input.result->verdicts[event.worst_move];
   PictureEvent one;
@@ -77,7 +77,7 @@ PictureEvent picture_event(const PictureInput& input, const Event& event) {
 
 }  // namespace
 
-std::vector<PictureEvent> worst_events(const PictureInput& input, std::size_t most) {
+std::vector<PictureEvent> worst_events(const CheckedToolpath& input, std::size_t most) {
   std::vector<Event> events;
   for (const Event& event : input.result->events) {
     const bool has_tool = event.tool < input.tools.size() && input.tools[event.tool] != nullptr;

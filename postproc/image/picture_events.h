@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lib/geom/rigid_transform.h"
-#include "postproc/image/picture_input.h"
+#include "lib/field/checked_toolpath.h"
 
 namespace gouge {
 
@@ -24,6 +24,6 @@ struct PictureEvent {
 
 /// Gouges and buried tools, the deepest first (buried ones last, they have no depth), at most `most`. Of
 /// findings of one tool and body close beside each other (5 % of the parts' size) only the deepest is taken.
-[[nodiscard]] std::vector<PictureEvent> worst_events(const PictureInput& input, std::size_t most);
+[[nodiscard]] std::vector<PictureEvent> worst_events(const CheckedToolpath& input, std::size_t most);
 
 }  // namespace gouge

@@ -33,4 +33,28 @@ std::vector<float> PixelPoints::spread(const std::vector<float>& values) const {
   return out;
 }
 
+std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& scene, const SurfaceBuffer& buffer) {
+  if (field.is_empty()) return std::vector<float>(buffer.z.size(), 0.0F);
+  const PixelPoints seen = pixel_points(buffer);
+  std::vector<FieldPoint> points;
+  points.reserve(seen.points.size());
+  for (const PixelPoints::Point& p : seen.points) points.push_back({p.at, scene.faces[p.face].is_fixture});
+  return seen.spread(field.depth_at(points));
+}
+
+std::vector<float> overcut_on_pixels(const OvercutField& field, const PictureScene& scene,
+                                     const SurfaceBuffer& buffer) {
+  const PixelPoints seen = pixel_points(buffer);
+  std::vector<OvercutField::Ray> rays;
+  rays.reserve(seen.points.size());
+  for (const PixelPoints::Point& p : seen.points) {
+    const PictureScene::Face& face = scene.faces[p.face];
+    const Vec3& a = scene.vertices[face.corners[0]];
+    const Vec3 normal = (scene.vertices[face.corners[1]] - a).cross(scene.vertices[face.corners[2]] - a);
+    const double length = normal.norm();
+    rays.push_back({p.at, length > 0 ? Vec3(-normal / length) : Vec3(-Vec3::UnitZ()), face.mesh});
+  }
+  return seen.spread(field.at(rays));
+}
+
 }  // namespace gouge

@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/field/depth_field.h"
+#include "lib/field/overcut_field.h"
 #include "postproc/image/surface_buffer.h"
 
 namespace gouge {
@@ -23,5 +25,12 @@ struct PixelPoints {
 };
 
 [[nodiscard]] PixelPoints pixel_points(const SurfaceBuffer& buffer);
+
+/// The depth for every pixel of a buffer, mm; 0 where nothing is seen or gouged.
+[[nodiscard]] std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& scene,
+                                                 const SurfaceBuffer& buffer);
+/// The same of overcuts.
+[[nodiscard]] std::vector<float> overcut_on_pixels(const OvercutField& field, const PictureScene& scene,
+                                                   const SurfaceBuffer& buffer);
 
 }  // namespace gouge

@@ -28,7 +28,7 @@ struct Album {
 };
 
 // Colours of a correction cover the path before it, so that both halves can be compared.
-double worst_depth(const ReportModel& model, const PictureInput& input) {
+double worst_depth(const ReportModel& model, const CheckedToolpath& input) {
   const CheckResult* before = model.has_correction ? model.correction.result_before : nullptr;
   return std::max(input.result->worst_depth_mm, before != nullptr ? before->worst_depth_mm : 0.0);
 }
@@ -44,12 +44,12 @@ double worst_on_surface(const CheckResult& result) {
   return worst;
 }
 
-double worst_on_surface(const ReportModel& model, const PictureInput& input) {
+double worst_on_surface(const ReportModel& model, const CheckedToolpath& input) {
   const CheckResult* before = model.has_correction ? model.correction.result_before : nullptr;
   return std::max(worst_on_surface(*input.result), before != nullptr ? worst_on_surface(*before) : 0.0);
 }
 
-Outcome add_before_after(Album& album, const PictureSet& after, const PictureInput& before_input) {
+Outcome add_before_after(Album& album, const PictureSet& after, const CheckedToolpath& before_input) {
   ReportModel model = after.model;
   model.toolpath = before_input.toolpath;
   model.result = before_input.result;
@@ -71,7 +71,7 @@ Outcome add_before_after(Album& album, const PictureSet& after, const PictureInp
   return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
 }
 
-Outcome add_scene_pictures(Album& album, const PictureSet& set, const PictureInput& before) {
+Outcome add_scene_pictures(Album& album, const PictureSet& set, const CheckedToolpath& before) {
   if (Outcome done = album.add(draw_heat_map(set), "heat_map.png", heat_map_title(set)); !done) return done;
   if (set.model.has_correction && before.toolpath != nullptr && before.result != nullptr) {
     if (Outcome done = add_before_after(album, set, before); !done) return done;
@@ -91,8 +91,8 @@ Outcome add_scene_pictures(Album& album, const PictureSet& set, const PictureInp
 
 }  // namespace
 
-Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, const PictureInput& input,
-                                                    const PictureInput& before) {
+Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, const CheckedToolpath& input,
+                                                    const CheckedToolpath& before) {
   const PictureScene scene = build_picture_scene(*input.scene);
   const DepthField field(input);
   const DepthField coarse(input, kCoarsePoses);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lib/base/result.h"
-#include "postproc/image/picture_input.h"
+#include "lib/field/checked_toolpath.h"
 #include "postproc/report/named_file.h"
 #include "postproc/report/report_model.h"
 
@@ -20,7 +20,7 @@ namespace gouge {
 /// Errors   picture-not-encoded; a picture of a scene without triangles is left out, not an error.
 /// Cost     Seconds; grows with the number of triangles and of gouging moves.
 [[nodiscard]] Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model,
-                                                                  const PictureInput& input,
-                                                                  const PictureInput& before = {});
+                                                                  const CheckedToolpath& input,
+                                                                  const CheckedToolpath& before = {});
 
 }  // namespace gouge

@@ -7,7 +7,7 @@
 #include "lib/head/head_motion.h"
 #include "lib/overcut/measure_overcut.h"
 #include "lib/penetration/nearest_foot.h"
-#include "postproc/image/depth_field.h"
+#include "lib/field/depth_field.h"
 #include "postproc/image/depth_strip.h"
 #include "postproc/image/event_picture.h"
 #include "postproc/image/picture_events.h"

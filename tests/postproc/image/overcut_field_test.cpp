@@ -1,4 +1,4 @@
-#include "postproc/image/overcut_field.h"
+#include "lib/field/overcut_field.h"
 
 #include <gtest/gtest.h>
 
@@ -37,7 +37,7 @@ TEST(OvercutField, SaysHowFarBelowTheSurfaceTheToolReachedWhereDepthCannot) {
   const OvercutField field(plunge.input, depths);
   ASSERT_FALSE(field.is_empty());
   const std::vector<OvercutField::Ray> rays = rays_down(30);
-  const std::vector<float> told = field.at(rays);
+  const std::vector<float> told = field.overcut_at(rays);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const double r = std::abs(rays[i].at.x() - 20);
     const double truth = r < 3 ? 12 - 3 + std::sqrt(9 - r * r) : 0;
@@ -54,7 +54,7 @@ TEST(OvercutField, StopsHalfwayThroughAThinWall) {
   const Plunge plunge(-5, box_mesh("plate.stl", {0, 0, 26}, {40, 30, 30}));
   const DepthField depths(plunge.input);
   const OvercutField field(plunge.input, depths);
-  const std::vector<float> told = field.at({{Vec3(20, 15, 30), -Vec3::UnitZ(), 0}});
+  const std::vector<float> told = field.overcut_at({{Vec3(20, 15, 30), -Vec3::UnitZ(), 0}});
   EXPECT_NEAR(static_cast<double>(told[0]), 2, 0.15);
 }
 
@@ -63,7 +63,7 @@ TEST(OvercutField, IsNowhereMoreThanTheOvercutOfThePath) {
   const DepthField depths(plunge.input);
   const OvercutField field(plunge.input, depths);
   float most = 0;
-  for (const float mm : field.at(rays_down(30))) most = std::max(most, mm);
+  for (const float mm : field.overcut_at(rays_down(30))) most = std::max(most, mm);
   EXPECT_NEAR(static_cast<double>(most), plunge.result.worst_overcut_mm,
               0.02 * plunge.result.worst_overcut_mm);
   EXPECT_NEAR(plunge.result.worst_overcut_mm, 9, 0.1);
@@ -82,7 +82,7 @@ TEST(OvercutField, FindsTheToolBelowASurfaceItDoesNotPierce) {
   const OvercutField field(plunge.input, depths);
   const Vec3 above(8, 15, 30);
   EXPECT_EQ(depths.depth_at({{above, false}})[0], 0.0F);
-  EXPECT_NEAR(static_cast<double>(field.at({{above, -Vec3::UnitZ(), 0}})[0]), 8, 0.4);
+  EXPECT_NEAR(static_cast<double>(field.overcut_at({{above, -Vec3::UnitZ(), 0}})[0]), 8, 0.4);
 }
 
 TEST(OvercutField, IsEmptyForSurfacesThatAreNotClosed) {

@@ -4,7 +4,7 @@
 #include <limits>
 
 #include "lib/tool/evaluate.h"
-#include "postproc/image/depth_field.h"
+#include "lib/field/depth_field.h"
 #include "postproc/image/depth_strip.h"
 #include "postproc/image/event_picture.h"
 #include "postproc/image/heat_map.h"

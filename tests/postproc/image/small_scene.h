@@ -1,7 +1,7 @@
 #pragma once
 
 #include "lib/check/check_path.h"
-#include "postproc/image/picture_input.h"
+#include "lib/field/checked_toolpath.h"
 #include "postproc/report/report_model.h"
 #include "toolmodels/compile_tool.h"
 
@@ -38,7 +38,7 @@ struct SmallScene {
   Toolpath path;
   CheckResult result;
   ReportModel model;
-  PictureInput input;
+  CheckedToolpath input;
 
   SmallScene() {
     scene.parts = {box_mesh("block.stl", {0, 0, 0}, {40, 30, 10})};

@@ -1,4 +1,4 @@
-#include "postproc/image/head_field.h"
+#include "lib/field/head_field.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "lib/check/check_path.h"
 #include "lib/head/head_motion.h"
 #include "lib/penetration/nearest_foot.h"
-#include "postproc/image/field_instants.h"
+#include "lib/field/field_instants.h"
 
 namespace gouge {
 namespace {
@@ -44,10 +44,10 @@ bool is_near(const Box3& head, const RigidTransform& to_part, const Box3& scene)
   return scene.squaredExteriorDistance(centre) <= 0.25 * head.diagonal().squaredNorm();
 }
 
-/// A head where it was sampled, as a PointTree asks.
-class HeadPlace {
+/// A head where it was sampled, as PointDepths asks.
+class PlacedHead {
  public:
-  HeadPlace(const HeadBody& head, const Box3& box, const RigidTransform& to_tool, double tolerance_mm)
+  PlacedHead(const HeadBody& head, const Box3& box, const RigidTransform& to_tool, double tolerance_mm)
       : head_(head), box_(box), to_tool_(to_tool), tolerance_mm_(tolerance_mm) {}
 
   [[nodiscard]] double floor_mm() const { return tolerance_mm_; }
@@ -65,12 +65,12 @@ class HeadPlace {
         {node.radius - foot.signed_mm(), most_from(foot.point, node), most_over_patch(node), half_mm});
   }
 
-  [[nodiscard]] PointTree::LeafDepths depths(std::span<const FieldPoint> points,
+  [[nodiscard]] PointDepths::LeafDepths depths(std::span<const FieldPoint> points,
                                              std::span<const float> told_mm) {
-    PointTree::LeafDepths told{};
+    PointDepths::LeafDepths told{};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3 point = to_tool_.point(points[i].at);
-      const double enough_mm = std::max(tolerance_mm_, PointTree::kUnseen * static_cast<double>(told_mm[i]));
+      const double enough_mm = std::max(tolerance_mm_, PointDepths::kUnseen * static_cast<double>(told_mm[i]));
       if (!box_.contains(point) || most_at(point) <= enough_mm) continue;
       const SurfaceFoot foot = nearest(point);
       if (foot.is_inside && foot.distance_mm > tolerance_mm_) told[i] = static_cast<float>(foot.distance_mm);
@@ -117,7 +117,7 @@ class HeadPlace {
 
 }  // namespace
 
-HeadField::HeadField(const PictureInput& input, std::size_t most_poses)
+HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
     : heads_(input.heads), tolerance_mm_(input.options.tolerance_mm) {
   if (heads_.empty()) return;
   for (const HeadBody& head : heads_) boxes_.push_back(head.surface.mesh.box());
@@ -147,11 +147,11 @@ HeadField::HeadField(const PictureInput& input, std::size_t most_poses)
 
 void HeadField::deepen(const std::vector<FieldPoint>& points, std::vector<float>& depth_mm) const {
   if (places_.empty()) return;
-  std::vector<HeadPlace> places;
-  places.reserve(places_.size());
+  std::vector<PlacedHead> heads;
+  heads.reserve(places_.size());
   for (const Place& p : places_)
-    places.emplace_back(heads_[p.head], boxes_[p.head], p.to_tool, tolerance_mm_);
-  const std::vector<float> deep = PointTree(points).answer(places);
+    heads.emplace_back(heads_[p.head], boxes_[p.head], p.to_tool, tolerance_mm_);
+  const std::vector<float> deep = PointDepths(points).deepest(heads);
   for (std::size_t i = 0; i < deep.size(); ++i) depth_mm[i] = std::max(depth_mm[i], deep[i]);
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lib/check/motion.h"
-#include "postproc/image/picture_input.h"
+#include "lib/field/checked_toolpath.h"
 
 namespace gouge {
 
@@ -19,7 +19,7 @@ struct FieldInstants {
 /// show a move as well as can be seen; where they come to too many in all, every move gets fewer, and at last
 /// of each group of neighbouring moves only the worst is looked at.
 [[nodiscard]] std::vector<FieldInstants> pick_instants(
-    const PictureInput& input, std::size_t most,
+    const CheckedToolpath& input, std::size_t most,
     const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted);
 
 /// How far the tip goes.

@@ -1,4 +1,4 @@
-#include "postproc/image/depth_field.h"
+#include "lib/field/depth_field.h"
 
 #include <algorithm>
 #include <array>
@@ -7,19 +7,12 @@
 #include "lib/check/check_path.h"
 #include "lib/tool/evaluate.h"
 #include "lib/tool/evaluate_batch.h"
-#include "postproc/image/field_instants.h"
-#include "postproc/image/pixel_points.h"
+#include "lib/field/field_instants.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kPosesPerHeadPose = 25;
-
-double signed_distance(const CompiledTool& tool, const Pose& pose, const Vec3& p) {
-  const Vec3 d = p - pose.tip;
-  const double z = d.dot(pose.axis);
-  return evaluate(tool, (d - pose.axis * z).norm(), z).signed_distance_mm;
-}
 
 // Instants so close that what the tool leaves between two of them stays a small part of the depth.
 std::size_t instants_of(const Motion& motion, const CompiledTool& tool, double depth_mm) {
@@ -31,21 +24,21 @@ std::size_t instants_of(const Motion& motion, const CompiledTool& tool, double d
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
 }
 
-/// A tool where it was sampled, as a PointTree asks.
-class ToolPlace {
+/// A tool where it was sampled, as PointDepths asks.
+class PlacedTool {
  public:
-  ToolPlace(const DepthField::FieldPose& pose, double tolerance_mm)
+  PlacedTool(const DepthField::FieldPose& pose, double tolerance_mm)
       : pose_(pose.pose), tool_(*pose.tool), tolerance_mm_(tolerance_mm) {}
 
   [[nodiscard]] double floor_mm() const { return has_clearance() ? 0.0 : tolerance_mm_; }
 
   // The part form holds every other form inside it up to its clearances, so it decides what is far away.
   [[nodiscard]] double most_mm(const PointTree::Node& node, double) const {
-    return node.radius - std::min(signed_distance(tool_.against_part, pose_, node.centre),
-                                  signed_distance(tool_.against_fixture, pose_, node.centre));
+    return node.radius - std::min(signed_distance_mm(tool_.against_part, pose_, node.centre),
+                                  signed_distance_mm(tool_.against_fixture, pose_, node.centre));
   }
 
-  [[nodiscard]] PointTree::LeafDepths depths(std::span<const FieldPoint> points,
+  [[nodiscard]] PointDepths::LeafDepths depths(std::span<const FieldPoint> points,
                                              std::span<const float>) const {
     constexpr std::size_t kMost = PointTree::kLeafPoints;
     const std::size_t count = points.size();
@@ -61,7 +54,7 @@ class ToolPlace {
     ask(tool_.against_part, part);
     ask(tool_.against_fixture, fixture);
     if (has_clearance()) ask(tool_.with_clearance, clearance);
-    PointTree::LeafDepths told{};
+    PointDepths::LeafDepths told{};
     for (std::size_t i = 0; i < count; ++i) {
       const double depth = -(points[i].is_fixture ? fixture : part)[i];
       told[i] = static_cast<float>(std::max({depth > tolerance_mm_ ? depth : 0.0, -clearance[i], 0.0}));
@@ -79,7 +72,7 @@ class ToolPlace {
 
 }  // namespace
 
-DepthField::DepthField(const PictureInput& input, std::size_t most_poses)
+DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
     : heads_(input, most_poses / kPosesPerHeadPose + 1), tolerance_mm_(input.options.tolerance_mm) {
   const auto forms_of = [&](std::size_t move) { return input.tools[input.toolpath->moves[move].tool]; };
   const auto wanted = [&](const Motion& motion, std::size_t move) {
@@ -93,25 +86,16 @@ DepthField::DepthField(const PictureInput& input, std::size_t most_poses)
 
 std::vector<float> DepthField::tool_depth_at(const std::vector<Point>& points) const {
   if (poses_.empty()) return std::vector<float>(points.size(), 0.0F);
-  std::vector<ToolPlace> places;
-  places.reserve(poses_.size());
-  for (const FieldPose& pose : poses_) places.emplace_back(pose, tolerance_mm_);
-  return PointTree(points).answer(places);
+  std::vector<PlacedTool> tools;
+  tools.reserve(poses_.size());
+  for (const FieldPose& pose : poses_) tools.emplace_back(pose, tolerance_mm_);
+  return PointDepths(points).deepest(tools);
 }
 
 std::vector<float> DepthField::depth_at(const std::vector<Point>& points) const {
   std::vector<float> depth = tool_depth_at(points);
   heads_.deepen(points, depth);
   return depth;
-}
-
-std::vector<float> DepthField::depth_on_pixels(const PictureScene& scene, const SurfaceBuffer& buffer) const {
-  if (is_empty()) return std::vector<float>(buffer.z.size(), 0.0F);
-  const PixelPoints seen = pixel_points(buffer);
-  std::vector<Point> points;
-  points.reserve(seen.points.size());
-  for (const PixelPoints::Point& p : seen.points) points.push_back({p.at, scene.faces[p.face].is_fixture});
-  return seen.spread(depth_at(points));
 }
 
 }  // namespace gouge

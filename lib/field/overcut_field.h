@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "lib/penetration/depth_body.h"
-#include "postproc/image/depth_field.h"
-#include "postproc/image/pixel_points.h"
+#include "lib/field/depth_field.h"
 
 namespace gouge {
 
@@ -14,28 +13,27 @@ namespace gouge {
 /// to it. Where the tool is deeper in the part than it is thick this says how deep, which the tool's depth
 /// does not.
 ///
-/// Where overcut says nothing, the depth is told: on surfaces that are not closed, where only a clearance or
+/// Where overcut says nothing, the depth stands in: on surfaces that are not closed, where only a clearance or
 /// stock to leave is entered, and of heads, which are too thick for their depth to saturate. Sampled, for
-/// pictures, as depths are; it promises nothing.
+/// pictures, as depths are; it guarantees nothing.
 class OvercutField {
  public:
   /// Builds a tree over each closed body that a move with an overcut gouges. All arguments must outlive it.
-  OvercutField(const PictureInput& input, const DepthField& depths);
+  OvercutField(const CheckedToolpath& input, const DepthField& depths);
 
   /// No move has an overcut: depths are all there is to tell.
   [[nodiscard]] bool is_empty() const { return largest_mm_ <= 0; }
   /// Largest overcut of a move, mm.
   [[nodiscard]] double largest_mm() const { return largest_mm_; }
 
-  /// For every pixel of a buffer, mm; 0 where nothing is seen or gouged.
-  [[nodiscard]] std::vector<float> on_pixels(const PictureScene& scene, const SurfaceBuffer& buffer) const;
-
   struct Ray {
     Vec3 at = Vec3::Zero();        ///< on the surface
     Vec3 inward = -Vec3::UnitZ();  ///< unit
     std::size_t mesh = 0;          ///< among parts, then fixtures
   };
-  /// For each ray, mm; 0 where the tool does not reach or overcut says nothing.
+  /// For each ray the overcut alone, mm; 0 where the tool does not reach or overcut says nothing.
+  [[nodiscard]] std::vector<float> overcut_at(const std::vector<Ray>& rays) const;
+  /// For each ray the overcut, or where it says nothing the depth, mm; 0 where nothing gouges.
   [[nodiscard]] std::vector<float> at(const std::vector<Ray>& rays) const;
 
  private:
@@ -48,6 +46,7 @@ class OvercutField {
   };
   std::vector<Place> places_;
   std::vector<std::unique_ptr<DepthBody>> solids_;  ///< by mesh; none where nothing is asked
+  std::size_t parts_ = 0;                           ///< so many meshes are parts, the others fixtures
   double largest_mm_ = 0, tolerance_mm_ = 0;
   const DepthField& depths_;
 };

@@ -1,4 +1,4 @@
-#include "postproc/image/field_instants.h"
+#include "lib/field/field_instants.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@ namespace {
 
 class Picker {
  public:
-  Picker(const PictureInput& input, std::size_t most,
+  Picker(const CheckedToolpath& input, std::size_t most,
          const std::function<std::size_t(const Motion&, std::size_t)>& wanted)
       : input_(input), most_(most), wanted_(wanted) {
     const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
@@ -70,7 +70,7 @@ class Picker {
     picked_.push_back(std::move(one));
   }
 
-  const PictureInput& input_;
+  const CheckedToolpath& input_;
   std::size_t most_;
   const std::function<std::size_t(const Motion&, std::size_t)>& wanted_;
   std::vector<std::size_t> gouging_;
@@ -81,7 +81,7 @@ class Picker {
 }  // namespace
 
 std::vector<FieldInstants> pick_instants(
-    const PictureInput& input, std::size_t most,
+    const CheckedToolpath& input, std::size_t most,
     const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted) {
   return Picker(input, most, wanted).pick();
 }

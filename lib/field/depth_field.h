@@ -3,9 +3,8 @@
 #include <vector>
 
 #include "lib/geom/pose.h"
-#include "postproc/image/head_field.h"
-#include "postproc/image/picture_input.h"
-#include "postproc/image/surface_buffer.h"
+#include "lib/field/head_field.h"
+#include "lib/field/checked_toolpath.h"
 
 namespace gouge {
 
@@ -20,14 +19,10 @@ class DepthField {
 
   /// Picks the instants, about `most_poses` of them for the tool and a twenty-fifth for the heads, whose
   /// distances cost more; the worst of every gouging move as long as that many fit.
-  explicit DepthField(const PictureInput& input, std::size_t most_poses = kMostPoses);
+  explicit DepthField(const CheckedToolpath& input, std::size_t most_poses = kMostPoses);
 
   /// For each point the largest depth that counts as a gouge, in mm, else 0. Within 3 % of the sampled poses.
   [[nodiscard]] std::vector<float> depth_at(const std::vector<Point>& points) const;
-
-  /// The same for every pixel of a buffer (0 where nothing is seen).
-  [[nodiscard]] std::vector<float> depth_on_pixels(const PictureScene& scene,
-                                                   const SurfaceBuffer& buffer) const;
 
   [[nodiscard]] bool is_empty() const { return poses_.empty() && heads_.is_empty(); }
 

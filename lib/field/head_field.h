@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lib/geom/rigid_transform.h"
-#include "postproc/image/picture_input.h"
-#include "postproc/image/point_tree.h"
+#include "lib/field/checked_toolpath.h"
+#include "lib/field/point_depths.h"
 
 namespace gouge {
 
@@ -15,7 +15,7 @@ namespace gouge {
 class HeadField {
  public:
   /// Picks the instants, about `most_poses` of them. `input` and what it points at must outlive it.
-  HeadField(const PictureInput& input, std::size_t most_poses);
+  HeadField(const CheckedToolpath& input, std::size_t most_poses);
 
   [[nodiscard]] bool is_empty() const { return places_.empty(); }
 

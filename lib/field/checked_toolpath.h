@@ -11,8 +11,9 @@
 
 namespace gouge {
 
-/// What pictures are made of. Everything pointed at must outlive it; a tool without forms is left out.
-struct PictureInput {
+/// A path, what it was checked against, and the result. Everything pointed at must outlive it; a tool without forms is
+/// left out.
+struct CheckedToolpath {
   const Toolpath* toolpath = nullptr;
   const Scene* scene = nullptr;
   std::vector<const ToolForms*> tools;  ///< per tool index of the toolpath; may hold nullptr

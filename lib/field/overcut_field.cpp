@@ -1,0 +1,177 @@
+#include "lib/field/overcut_field.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "lib/base/parallel.h"
+#include "lib/field/point_tree.h"
+#include "lib/penetration/nearest_foot.h"
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+namespace {
+
+constexpr int kShrinks = 16, kSteps = 64;
+// Overcuts of moves that are not the worst of their finding are searched less, and may be told smaller than
+// they are.
+constexpr double kMoreThanTold = 2;
+// A flat facet of a curved part is taken for the part: what lies below it may be a little nearer to its
+// neighbour.
+constexpr double kNearer = 0.95;
+constexpr double kUnseen = 1.02;  // no eye could tell the difference
+
+}  // namespace
+
+OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depths)
+    : parts_(input.scene->parts.size()), tolerance_mm_(input.options.tolerance_mm), depths_(depths) {
+  const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
+  solids_.resize(parts_ + input.scene->fixtures.size());
+  const double worst = input.result->worst_overcut_mm;
+  for (const DepthField::FieldPose& pose : depths.poses()) {
+    const MoveVerdict& verdict = verdicts[pose.move];
+    const double told = verdict.overcut_mm.value_or(0);
+    if (!(told > 0) || !verdict.witness || verdict.witness->body == Body::head) continue;
+    places_.push_back({pose, std::min(worst, kMoreThanTold * told)});
+    largest_mm_ = std::max(largest_mm_, told);
+    const Witness& w = *verdict.witness;
+    const bool is_part = w.against == Against::part;
+    const std::size_t mesh = w.mesh + (is_part ? 0 : parts_);
+    if (solids_[mesh]) continue;
+    DepthBodyOptions options;
+    options.directions = *make_directions(DirectionFamily::cube, 6);
+    options.is_lean = true;
+    const std::vector<IndexedMesh>& meshes = is_part ? input.scene->parts : input.scene->fixtures;
+    solids_[mesh] = std::make_unique<DepthBody>(build_depth_body(meshes[w.mesh], options));
+  }
+}
+
+/// Rays in a tree. A pose goes down where its tool can meet them, and follows each ray from its far end back to the
+/// tool.
+class OvercutField::RayTree {
+ public:
+  RayTree(const OvercutField& field, const std::vector<Ray>& rays)
+      : field_(field), rays_(rays), tree_(starts(rays)), rooms_(rays.size(), -1), told_(rays.size(), 0.0F) {
+    for (const PointTree::Node& node : tree_.nodes()) bundles_.push_back(bundle_of(node));
+  }
+
+  std::vector<float> answer() {
+    std::vector<std::uint32_t> all(field_.places_.size());
+    std::iota(all.begin(), all.end(), 0U);
+    for_each_chunk(tree_.blocks().size(), 1, 0, [&](std::size_t first, std::size_t last) {
+      for (std::size_t b = first; b < last; ++b) visit(tree_.blocks()[b], all);
+    });
+    return told_;
+  }
+
+ private:
+  /// The directions of a node's rays: none differs from `inward` by more than `spread`.
+  struct Bundle {
+    Vec3 inward = Vec3::Zero();
+    double spread = 0;
+  };
+
+  static std::vector<Vec3> starts(const std::vector<Ray>& rays) {
+    std::vector<Vec3> at;
+    at.reserve(rays.size());
+    for (const Ray& ray : rays) at.push_back(ray.at);
+    return at;
+  }
+
+  [[nodiscard]] Bundle bundle_of(const PointTree::Node& node) const {
+    Bundle bundle;
+    for (std::size_t i = node.first; i < node.last; ++i) bundle.inward += ray(i).inward;
+    bundle.inward /= static_cast<double>(node.last - node.first);
+    for (std::size_t i = node.first; i < node.last; ++i)
+      bundle.spread = std::max(bundle.spread, (ray(i).inward - bundle.inward).norm());
+    return bundle;
+  }
+
+  [[nodiscard]] const Ray& ray(std::size_t i) const { return rays_[tree_.order()[i]]; }
+
+  /// A ray's point at depth s lies within |s - S/2| + spread S/2 + radius of the middle at S/2.
+  [[nodiscard]] bool may_meet(std::size_t at, const Place& place) const {
+    const PointTree::Node& node = tree_.nodes()[at];
+    const double half = 0.5 * place.most_mm;
+    const double reach = node.radius + half * (1 + bundles_[at].spread);
+    return signed_distance_mm(place.pose.tool->bare, place.pose.pose, node.centre + half * bundles_[at].inward) <=
+           reach;
+  }
+
+  void visit(std::size_t at, const std::vector<std::uint32_t>& places) {
+    const PointTree::Node& node = tree_.nodes()[at];
+    std::vector<std::uint32_t> near;
+    for (const std::uint32_t p : places) {
+      if (may_meet(at, field_.places_[p])) near.push_back(p);
+    }
+    if (near.empty()) return;
+    if (node.child != 0) {
+      visit(node.child, near);
+      visit(node.child + 1, near);
+      return;
+    }
+    for (std::size_t i = node.first; i < node.last; ++i) {
+      for (const std::uint32_t p : near) follow(tree_.order()[i], field_.places_[p]);
+    }
+  }
+
+  void follow(std::size_t index, const Place& place) {
+    const Ray& ray = rays_[index];
+    const DepthBody* const solid = field_.solids_[ray.mesh].get();
+    if (solid == nullptr || static_cast<double>(told_[index]) * kUnseen >= place.most_mm) return;
+    double& room = rooms_[index];
+    if (room < 0) room = field_.room_mm(*solid, ray, kMoreThanTold * field_.largest_mm_);
+    double s = std::min(room, place.most_mm);
+    const double least = std::max(field_.tolerance_mm_, kUnseen * static_cast<double>(told_[index]));
+    for (int k = 0; k < kSteps && s > least; ++k) {
+      const double out = signed_distance_mm(place.pose.tool->bare, place.pose.pose, ray.at + s * ray.inward);
+      if (out <= 1e-3 * s) {
+        told_[index] = static_cast<float>(s);
+        return;
+      }
+      s -= out;
+    }
+  }
+
+  const OvercutField& field_;
+  const std::vector<Ray>& rays_;
+  PointTree tree_;
+  std::vector<Bundle> bundles_;  ///< by node
+  std::vector<double> rooms_;    ///< by ray; negative: not asked for yet
+  std::vector<float> told_;
+};
+
+/// How far along the ray its own foot stays the nearest: the radius of the largest ball that touches the
+/// surface there from within, found by shrinking it as long as another foot lies in it.
+double OvercutField::room_mm(const DepthBody& solid, const Ray& ray, double most_mm) const {
+  double radius = most_mm;
+  for (int k = 0; k < kShrinks; ++k) {
+    const auto foot = nearest_foot(solid, ray.at + radius * ray.inward);
+    if (!foot || (foot->is_inside && foot->distance_mm >= kNearer * radius)) return radius;
+    const Vec3 to = foot->point - ray.at;
+    const double deep = to.dot(ray.inward);
+    const double next = deep > 0 ? to.squaredNorm() / (2 * deep) : 0.5 * radius;
+    radius = std::min(next, kNearer * radius);
+  }
+  return radius;
+}
+
+std::vector<float> OvercutField::overcut_at(const std::vector<Ray>& rays) const {
+  return RayTree(*this, rays).answer();
+}
+
+std::vector<float> OvercutField::at(const std::vector<Ray>& rays) const {
+  std::vector<FieldPoint> points;
+  points.reserve(rays.size());
+  for (const Ray& ray : rays) points.push_back({ray.at, ray.mesh >= parts_});
+  std::vector<float> deepest = overcut_at(rays);
+  const std::vector<float> depths = depths_.tool_depth_at(points);
+  for (std::size_t i = 0; i < deepest.size(); ++i) {
+    const bool has_overcut = solids_[rays[i].mesh] != nullptr && deepest[i] > 0;
+    if (!has_overcut) deepest[i] = depths[i];
+  }
+  depths_.heads().deepen(points, deepest);
+  return deepest;
+}
+
+}  // namespace gouge
