@@ -33,7 +33,6 @@ class PointsInside {
   static DepthBodyOptions options(double depth_mm) {
     DepthBodyOptions options;
     options.depth_mm = depth_mm;
-    options.has_cells = false;  // a few dozen poses do not earn back what they cost
     return options;
   }
 

@@ -126,7 +126,6 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
   if (options.is_lean) return body;
   body.is_clear_below = facets_clear_below(body);
   if (body.is_solid) body.depths = DepthGrid(body);
-  if (body.is_solid && options.has_cells) body.near = NearFacets(body);
   return body;
 }
 

@@ -10,7 +10,6 @@
 #include "lib/offset/vertex_offsets.h"
 #include "lib/penetration/bound_block.h"
 #include "lib/penetration/depth_grid.h"
-#include "lib/penetration/near_facets.h"
 #include "lib/penetration/surface_sign.h"
 
 // The body that stands still, as polygons: a k-DOP tree whose volumes carry depth (thesis 4.6.2), so that a
@@ -31,7 +30,6 @@ struct DepthBodyOptions {
   Coverage coverage = Coverage::complete;
   std::size_t width = 8;           ///< children of a node: 2, 4 or 8
   std::size_t leaf_triangles = 1;  ///< at most
-  bool has_cells = true;           ///< and lists of facets by cell (near_facets.h): faster queries
   bool is_lean = false;            ///< only what nearest_foot.h needs: no offset, no depth
 };
 
@@ -70,7 +68,6 @@ struct DepthBody {
   /// in it is inside.
   std::vector<std::uint8_t> is_clear_below;
   DepthGrid depths;       ///< tells what is deeper than depth_mm; empty unless is_solid
-  NearFacets near;        ///< empty unless is_solid and options.has_cells
   float slack_mm = 0;     ///< single precision may be off by this
   bool is_solid = false;  ///< closed, oriented, outward: inside means something
 };

@@ -16,7 +16,6 @@ constexpr double kRoundUp = 1 + 1e-9;
 // Of the body's slack, which is single precision's: some roundings of doubles, on which side of a border a
 // point is found.
 constexpr double kRounding = 1e-3;
-constexpr double kBlocks = 32;  // along the longest side
 
 std::size_t place_of(const std::array<int, 3>& cell, const std::array<int, 3>& counts) {
   return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(counts[1]) +
@@ -40,7 +39,6 @@ DepthGrid::DepthGrid(const DepthBody& body) {
   low_ = box.min();
   for (int i = 0; i < 3; ++i)
     counts_[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(size[i] / cell_mm_)) + 1;
-  high_ = box.max();
   cell_count_ = index({counts_[0] - 1, counts_[1] - 1, counts_[2] - 1}) + 1;
   std::vector<std::uint8_t> is_near(cell_count_, 0);
   mark_surface(body, is_near);
@@ -52,7 +50,6 @@ DepthGrid::DepthGrid(const DepthBody& body) {
     const unsigned bits = static_cast<unsigned>(answers[cell]) << (cell % 4 * 2);
     packed_[cell / 4] = static_cast<std::uint8_t>(packed_[cell / 4] | bits);
   }
-  if (body.options.has_cells) measure_clearance(body);
 }
 
 std::size_t DepthGrid::index(const Cell& c) const {
@@ -116,61 +113,6 @@ void DepthGrid::fill(const DepthBody& body, const std::vector<std::uint8_t>& is_
         }
       }
     }
-  }
-}
-
-/// Blocks whose middle is outside by more than half their diagonal.
-void DepthGrid::measure_clearance(const DepthBody& body) {
-  const Vec3 size = high_ - low_;
-  block_mm_ = std::max(cell_mm_, size.maxCoeff() / kBlocks);
-  per_block_mm_ = 1 / block_mm_;
-  for (int i = 0; i < 3; ++i)
-    block_counts_[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(size[i] / block_mm_)) + 1;
-  const double half =
-      0.5 * block_mm_ * std::numbers::sqrt3 * kRoundUp + kRounding * static_cast<double>(body.slack_mm);
-  for (int z = 0; z < block_counts_[2]; ++z) {
-    for (int y = 0; y < block_counts_[1]; ++y) {
-      for (int x = 0; x < block_counts_[0]; ++x) {
-        const auto foot = nearest_foot(body, low_ + block_mm_ * Vec3(x + 0.5, y + 0.5, z + 0.5));
-        const double clear = foot && !foot->is_inside ? foot->distance_mm - half : 0;
-        clear_.push_back(std::max(0.0F, static_cast<float>(clear * (1 - 1e-6))));
-      }
-    }
-  }
-}
-
-double DepthGrid::clear_mm(const Vec3& point) const {
-  if (clear_.empty()) return 0;
-  const Vec3 near = point.cwiseMax(low_).cwiseMin(high_);
-  Cell block{};
-  for (int i = 0; i < 3; ++i) {
-    const auto k = static_cast<std::size_t>(i);
-    block[k] = std::min(block_counts_[k] - 1, static_cast<int>((near[i] - low_[i]) * per_block_mm_));
-  }
-  const auto clear = static_cast<double>(clear_[place_of(block, block_counts_)]);
-  const double away2 = (point - near).squaredNorm();
-  if (!(away2 > 0)) return clear;
-  const double away = std::sqrt(away2);
-  return std::max(away, clear - away);
-}
-
-void DepthGrid::cells_of(const RigidTransform& pose, const double* x, const double* y, const double* z,
-                         std::size_t count, std::int32_t* cells) const {
-  const Eigen::Matrix3d turn = per_mm_ * pose.rotation;
-  const Vec3 shift = per_mm_ * (pose.shift - low_);
-  const double xx = turn(0, 0), xy = turn(0, 1), xz = turn(0, 2), x0 = shift.x();
-  const double yx = turn(1, 0), yy = turn(1, 1), yz = turn(1, 2), y0 = shift.y();
-  const double zx = turn(2, 0), zy = turn(2, 1), zz = turn(2, 2), z0 = shift.z();
-  const double nx = counts_[0], ny = counts_[1], nz = counts_[2], none = static_cast<double>(cell_count_);
-  const auto whole = [](double a) { return static_cast<double>(static_cast<std::int32_t>(a)); };
-  for (std::size_t i = 0; i < count; ++i) {
-    const double a = xx * x[i] + xy * y[i] + xz * z[i] + x0;
-    const double b = yx * x[i] + yy * y[i] + yz * z[i] + y0;
-    const double c = zx * x[i] + zy * y[i] + zz * z[i] + z0;
-    const bool is_within = (a >= 0) & (a < nx) & (b >= 0) & (b < ny) & (c >= 0) & (c < nz);
-    const double u = is_within ? a : 0, v = is_within ? b : 0, w = is_within ? c : 0;
-    const double cell = whole(u) + nx * (whole(v) + ny * whole(w));
-    cells[i] = static_cast<std::int32_t>(is_within ? cell : none);
   }
 }
 

@@ -5,7 +5,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "lib/geom/rigid_transform.h"
 #include "lib/geom/vec.h"
 
 namespace gouge {
@@ -37,9 +36,6 @@ class DepthGrid {
 
   /// The cell of a point; cell_count(), which answers outside, for points out of the body's box.
   [[nodiscard]] std::size_t cell_of(const Vec3& point) const;
-  /// The cells of `count` points moved by `pose`, coordinates apart; several at once where the processor can.
-  void cells_of(const RigidTransform& pose, const double* x, const double* y, const double* z,
-                std::size_t count, std::int32_t* cells) const;
   [[nodiscard]] std::size_t cell_count() const { return cell_count_; }
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
   [[nodiscard]] const Cell& counts() const { return counts_; }
@@ -51,24 +47,16 @@ class DepthGrid {
     return packed_.empty() ? Answer::ask : static_cast<Answer>((packed_[cell / 4] >> (cell % 4 * 2)) & 3U);
   }
 
-  /// Not above the distance of a point outside to the solid; 0 where the point may be inside, and everywhere
-  /// unless the body is to have cells.
-  [[nodiscard]] double clear_mm(const Vec3& point) const;
-
  private:
   [[nodiscard]] Vec3 centre(const Cell& cell) const;
   void mark_surface(const DepthBody& body, std::vector<std::uint8_t>& is_near) const;
   void fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near, std::vector<Answer>& answers);
-  void measure_clearance(const DepthBody& body);
 
-  Vec3 low_ = Vec3::Zero(), high_ = Vec3::Zero();
+  Vec3 low_ = Vec3::Zero();
   double cell_mm_ = 0, per_mm_ = 0;
   Cell counts_{0, 0, 0};
   std::size_t cell_count_ = 0;
-  std::vector<std::uint8_t> packed_;        ///< an answer takes two bits
-  double block_mm_ = 0, per_block_mm_ = 0;  ///< blocks of several cells, for clear_mm
-  Cell block_counts_{0, 0, 0};
-  std::vector<float> clear_;  ///< by block
+  std::vector<std::uint8_t> packed_;  ///< an answer takes two bits
 };
 
 }  // namespace gouge

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <limits>
 
-#include "lib/penetration/cell_search.h"
-
 namespace gouge {
 namespace {
 
@@ -35,21 +33,12 @@ PenetrationFinder::PenetrationFinder(const DepthBody& body, const PointBody& poi
   std::size_t levels = 0;
   for (const KdopNode& node : points.tree.nodes) levels = std::max<std::size_t>(levels, node.level + 1U);
   volume_.resize(2 * stride_ * (levels + 1));
-  const bool has_cells = body.is_solid && body.options.has_cells && !body.options.is_lean;
-  if (has_cells && options.mode == NarrowMode::exact && options.broad == BroadPhase::cells)
-    cells_ = std::make_unique<CellSearch>(body, points, options);
 }
-
-PenetrationFinder::~PenetrationFinder() = default;
 
 const PenetrationAnswer& PenetrationFinder::find(const RigidTransform& pose) {
   answer_.contacts.clear();
   answer_.counters = {};
   if (points_.tree.nodes.empty() || body_.tree.nodes.empty()) return answer_;
-  if (cells_) {
-    cells_->find(pose, answer_);
-    return answer_;
-  }
   const bool is_turned = !has_turned_ || (pose.rotation.array() != pose_.rotation.array()).any();
   pose_ = pose;
   if (is_turned) {

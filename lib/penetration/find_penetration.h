@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <vector>
 
 #include "lib/geom/rigid_transform.h"
@@ -15,18 +14,10 @@
 
 namespace gouge {
 
-/// How the points are found that may be inside.
-enum class BroadPhase {
-  cells,  ///< by the standing body's grid (cell_search.h), where it has one and the mode is exact; the
-          ///< default
-  trees,  ///< by both trees, as the thesis has it; always for bodies that are not solid and the other modes
-};
-
 struct PenetrationOptions {
   NarrowMode mode = NarrowMode::exact;
   std::uint32_t body = 0;      ///< told in the contacts
   bool is_deeper_told = true;  ///< also look for points inside beyond the depth of the volumes
-  BroadPhase broad = BroadPhase::cells;
 };
 
 struct PointContact {
@@ -42,8 +33,6 @@ struct PenetrationAnswer {
   PenetrationCounters counters;
 };
 
-class CellSearch;
-
 /// Finds the points of a moving body inside a standing one, each with its depth and its way out.
 ///
 /// Keeps its working memory, and the turned volumes as long as the rotation stays the same: then a pose costs
@@ -57,8 +46,6 @@ class CellSearch;
 class PenetrationFinder {
  public:
   PenetrationFinder(const DepthBody& body, const PointBody& points, const PenetrationOptions& options = {});
-
-  ~PenetrationFinder();
 
   /// The answer stays valid until the next call. `pose` takes the moving body's frame to part coordinates.
   const PenetrationAnswer& find(const RigidTransform& pose);
@@ -86,7 +73,6 @@ class PenetrationFinder {
   const PointBody& points_;
   PenetrationOptions options_;
   NarrowPhase narrow_;
-  std::unique_ptr<CellSearch> cells_;  ///< none: by trees
   PenetrationAnswer answer_;
   RigidTransform pose_;
   bool has_turned_ = false;

@@ -13,16 +13,6 @@ constexpr float kSingle = 4.0F / (1 << 24), kFilterSlack = 8;
 constexpr std::size_t kCacheLine = 64;
 constexpr double kRoundUp = 1 + 1e-6;
 
-double box_distance2(const float* box, const Vec3& p) {
-  double sum = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double out =
-        std::max({static_cast<double>(box[i]) - p[i], p[i] - static_cast<double>(box[i + 3]), 0.0});
-    sum += out * out;
-  }
-  return sum;
-}
-
 class Search {
  public:
   Search(const DepthBody& body, const Vec3& point, double within_mm)
@@ -120,26 +110,6 @@ SurfaceFoot signed_foot(const DepthBody& body, const Vec3& point, std::uint32_t 
 
 std::optional<SurfaceFoot> nearest_foot(const DepthBody& body, const Vec3& point, double within_mm) {
   return Search(body, point, within_mm).run();
-}
-
-bool facets_within(const DepthBody& body, const Vec3& point, double radius_mm, std::size_t most,
-                   std::vector<std::uint32_t>& places) {
-  const double radius2 = radius_mm * radius_mm;
-  const std::size_t before = places.size();
-  std::vector<std::uint32_t> open(body.tree.nodes.empty() ? 0 : 1, 0);
-  while (!open.empty()) {
-    const std::uint32_t index = open.back();
-    open.pop_back();
-    if (box_distance2(body.boxes.data() + 6 * std::size_t{index}, point) > radius2) continue;
-    const KdopNode& node = body.tree.nodes[index];
-    for (std::uint32_t k = 0; k < node.children; ++k) open.push_back(node.first + k);
-    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
-      if (closest_on_triangle(point, body.corners[node.first + k]).distance2_mm2 > radius2) continue;
-      places.push_back(node.first + k);
-      if (places.size() - before > most) return false;
-    }
-  }
-  return true;
 }
 
 }  // namespace gouge

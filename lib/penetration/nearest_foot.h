@@ -35,9 +35,4 @@ struct SurfaceFoot {
 [[nodiscard]] SurfaceFoot signed_foot(const DepthBody& body, const Vec3& point, std::uint32_t place,
                                       const TriangleFoot& foot);
 
-/// Appends the places of the facets within `radius_mm` of a point, in no special order; false, and not all of
-/// them, when there are more than `most`.
-[[nodiscard]] bool facets_within(const DepthBody& body, const Vec3& point, double radius_mm, std::size_t most,
-                                 std::vector<std::uint32_t>& places);
-
 }  // namespace gouge

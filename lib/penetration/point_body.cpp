@@ -20,15 +20,6 @@ void add_blocks(std::span<const Vec3> points, std::vector<float>& blocks) {
   }
 }
 
-std::array<double, 4> ball_about(std::span<const Vec3> points) {
-  Box3 box;
-  for (const Vec3& p : points) box.extend(p);
-  const Vec3 centre = box.center();
-  double radius2 = 0;
-  for (const Vec3& p : points) radius2 = std::max(radius2, (p - centre).squaredNorm());
-  return {centre.x(), centre.y(), centre.z(), std::sqrt(radius2)};
-}
-
 std::uint32_t blocks_in(const std::vector<float>& blocks) {
   return static_cast<std::uint32_t>(blocks.size() / 12);
 }
@@ -50,7 +41,6 @@ PointBody build_point_body(std::span<const Vec3> points, const PointBodyOptions&
     below.clear();
     for (std::uint32_t k = 0; k < node.item_count; ++k)
       below.push_back(points[body.tree.order[node.item_first + k]]);
-    body.balls.push_back(ball_about(below));
     body.corner_first.push_back(blocks_in(body.corners));
     // The intervals of fewer points than any volume of this k has corners need not be made solid at all.
     const bool may_pay = !options.is_cost_weighed || below.size() > options.directions.k();
@@ -63,11 +53,6 @@ PointBody build_point_body(std::span<const Vec3> points, const PointBodyOptions&
     if (node.children == 0) add_blocks(below, body.leaf_points);
   }
   body.corner_first.push_back(blocks_in(body.corners));
-  for (const std::uint32_t i : body.tree.order) {
-    body.xs.push_back(points[i].x());
-    body.ys.push_back(points[i].y());
-    body.zs.push_back(points[i].z());
-  }
   return body;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -32,10 +31,7 @@ struct PointBody {
   /// Points in leaf order, as the corners are; every leaf begins a block.
   std::vector<float> leaf_points;
   std::vector<std::uint32_t> leaf_first;  ///< by node, in blocks; only of leaves
-  /// By node: a ball about its points, centre and radius.
-  std::vector<std::array<double, 4>> balls;
-  std::vector<double> xs, ys, zs;  ///< the points in leaf order
-  double reach_mm = 0;             ///< largest distance of a point from the frame's origin
+  double reach_mm = 0;                    ///< largest distance of a point from the frame's origin
 };
 
 /// Requires points; cost O(n log^2 n) and about 50 microseconds for every node with a volume (k = 26).

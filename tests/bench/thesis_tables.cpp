@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/penetration/turned_axes.h"
+#include "tests/bench/penetration/cell_search.h"
 #include "tests/bench/thesis_scenes.h"
 
 // Prints tables 6.a, 6.b and 6.c of the thesis beside the values of 2001, the fit of its time formula (5.4),
@@ -28,7 +29,8 @@ struct Sample {
 };
 
 /// Every pose once to warm up, then `rounds` times; the rotation changes with every query.
-std::vector<Sample> measure(PenetrationFinder& finder, const std::vector<RigidTransform>& poses, int rounds) {
+template <class Finder>
+std::vector<Sample> measure(Finder& finder, const std::vector<RigidTransform>& poses, int rounds) {
   for (const RigidTransform& pose : poses) finder.find(pose);
   std::vector<Sample> samples;
   for (int r = 0; r < rounds; ++r) {
@@ -69,13 +71,10 @@ DepthBody standing_body(std::size_t width, IndexedMesh mesh, std::size_t leaf_tr
   return build_depth_body(std::move(mesh), options);
 }
 
-PenetrationOptions by(BroadPhase broad) {
-  PenetrationOptions options;
-  options.broad = broad;
-  return options;
-}
+enum class BroadPhase { cells, trees };
 
-void print_6a(const DepthBody& body, const PointBody& points, BroadPhase broad) {
+void print_6a(const CellBody& cells, const PointBody& points, BroadPhase broad) {
+  const DepthBody& body = cells.body;
   const double thesis_ms[3][2] = {{10, 14}, {6, 9}, {3, 4}};
   std::printf(
       "Table 6.a  by %s: %zu triangles, %zu points, k = 26, leaves of 1 triangle and at most %zu points\n",
@@ -85,8 +84,11 @@ void print_6a(const DepthBody& body, const PointBody& points, BroadPhase broad) 
               "now, us: 5%  50%  95%", "2001/now");
   std::size_t line = 0;
   for (const PoseRange& range : table_6a_ranges()) {
-    PenetrationFinder finder(body, points, by(broad));
-    const auto samples = measure(finder, find_poses(body, points, range, 200), 50);
+    const auto poses = find_poses(body, points, range, 200);
+    CellSearch by_cells(cells, points);
+    PenetrationFinder by_trees(body, points);
+    const auto samples =
+        broad == BroadPhase::cells ? measure(by_cells, poses, 50) : measure(by_trees, poses, 50);
     const auto inside = [](const Sample& s) { return s.inside; };
     const double middle = time_share(samples, 0.5);
     std::printf("%-16s %3zu-%-6zu %4.0f-%-7.0f | %3zu-%-6zu %8.2f %6.2f %6.2f  %.0f\n", range.name,
@@ -135,7 +137,7 @@ void print_6c() {
       for (const std::size_t width : {2U, 4U, 8U}) {
         const DepthBody body = standing_body(width, make_standing_body());
         const PointBody points = moving_body(width, is_weighed, body.options.directions);
-        PenetrationFinder finder(body, points, by(BroadPhase::trees));
+        PenetrationFinder finder(body, points);
         const auto samples = measure(finder, find_poses(body, points, range, 100), 5);
         const auto corners =
             share(samples, 0.5, [](const Sample& s) { return s.counters.corners_transformed; });
@@ -158,7 +160,7 @@ void print_fit(const DepthBody& body, const PointBody& points) {
   double mean = 0, count = 0, square = 0;
   std::vector<std::pair<Eigen::Vector3d, double>> rows;
   for (const PoseRange& range : table_6a_ranges()) {
-    PenetrationFinder finder(body, points, by(BroadPhase::trees));
+    PenetrationFinder finder(body, points);
     for (const Sample& s : measure(finder, find_poses(body, points, range, 200), 5)) {
       rows.emplace_back(Eigen::Vector3d(static_cast<double>(s.counters.volume_pairs),
                                         static_cast<double>(s.counters.exact_pairs), 1),
@@ -188,6 +190,7 @@ void print_fit(const DepthBody& body, const PointBody& points) {
 void print_haptic() {
   const double start = now_us();
   const DepthBody body = standing_body(8, make_standing_body(708, 708), 8);
+  const CellBody cells(body);
   std::printf(
       "\nHaptic rate: %zu triangles, 8 a leaf (built in %.1f s), %zu points\n%-16s %-9s us: 50%%  99%%  "
       "99.9%% "
@@ -195,7 +198,7 @@ void print_haptic() {
       body.mesh.triangles.size(), (now_us() - start) / 1e6, make_moving_points().size(), "", "queries");
   const PointBody points = moving_body(2, true, body.options.directions);
   for (const PoseRange& range : table_6a_ranges()) {
-    PenetrationFinder finder(body, points);
+    CellSearch finder(cells, points);
     const auto samples = measure(finder, find_poses(body, points, range, 200), 50);
     std::printf("%-16s %-9zu %8.1f %8.1f %8.1f %8.1f\n", range.name, samples.size(), time_share(samples, 0.5),
                 time_share(samples, 0.99), time_share(samples, 0.999), time_share(samples, 1));
@@ -211,8 +214,9 @@ int main(int count, char** words) {
   const DepthBody body = bench::standing_body(8, bench::make_standing_body());
   const PointBody points = bench::moving_body(2, true, body.options.directions);
   if (only.empty() || only == "6a") {
-    bench::print_6a(body, points, BroadPhase::cells);
-    bench::print_6a(body, points, BroadPhase::trees);
+    const CellBody cells(body);
+    bench::print_6a(cells, points, bench::BroadPhase::cells);
+    bench::print_6a(cells, points, bench::BroadPhase::trees);
   }
   if (only.empty() || only == "6b") bench::print_6b();
   if (only.empty() || only == "6c") bench::print_6c();

@@ -8,8 +8,9 @@
 
 #include "lib/mesh/load_mesh.h"
 #include "lib/mesh/winding.h"
-#include "lib/penetration/brute_force.h"
 #include "lib/penetration/find_penetration.h"
+#include "tests/bench/penetration/cell_search.h"
+#include "tests/lib/penetration/brute_foot.h"
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
 #include "tests/support/source_folder.h"
@@ -70,10 +71,8 @@ struct Tally {
 };
 
 /// Compares one batch of points in one setting, found by the trees or by the cells.
-void compare(const DepthBody& body, const Setting& setting, const PointBody& points, BroadPhase broad,
-             const RigidTransform& pose, const std::vector<Truth>& truths, Tally& tally) {
-  PenetrationFinder finder(body, points, {NarrowMode::exact, 0, true, broad});
-  const PenetrationAnswer& answer = finder.find(pose);
+void compare(const DepthBody& body, const Setting& setting, const PenetrationAnswer& answer, const char* how,
+             const std::vector<Truth>& truths, Tally& tally) {
   std::vector<const PointContact*> told(truths.size(), nullptr);
   for (const PointContact& c : answer.contacts) told[c.point] = &c;
   for (std::size_t i = 0; i < truths.size(); ++i) {
@@ -97,10 +96,10 @@ void compare(const DepthBody& body, const Setting& setting, const PointBody& poi
     }
     tally.wrong += is_right ? 0 : 1;
     if (!is_right && tally.wrong < 5) {
-      ADD_FAILURE() << body.mesh.name << " k " << setting.directions.k() << " width " << setting.width
-                    << (broad == BroadPhase::trees ? " by trees" : " by cells") << ": point "
-                    << truth.place.transpose() << " true " << (truth.is_inside ? "inside " : "outside ")
-                    << truth.distance_mm << ", told " << (told[i] ? told[i]->contact.depth_mm : -1.0);
+      ADD_FAILURE() << body.mesh.name << " k " << setting.directions.k() << " width " << setting.width << how
+                    << ": point " << truth.place.transpose() << " true "
+                    << (truth.is_inside ? "inside " : "outside ") << truth.distance_mm << ", told "
+                    << (told[i] ? told[i]->contact.depth_mm : -1.0);
     }
   }
 }
@@ -109,6 +108,7 @@ Tally run(const IndexedMesh& mesh, double depth_mm, std::size_t count, std::uint
   RandomPoints random(mesh, depth_mm, seed);
   const std::vector<Setting> settings = all_settings();
   std::vector<std::unique_ptr<DepthBody>> bodies(settings.size());
+  std::vector<std::unique_ptr<CellBody>> cells(settings.size());
   const double reach = mesh.box().diagonal().norm();
   const std::size_t apart = settings_apart();
   Tally tally;
@@ -129,16 +129,18 @@ Tally run(const IndexedMesh& mesh, double depth_mm, std::size_t count, std::uint
         options.depth_mm = depth_mm;
         options.width = settings[k].width;
         options.normals = settings[k].normals;
-        options.has_cells = k % kCellsEvery == 0;
         bodies[k] = std::make_unique<DepthBody>(build_depth_body(mesh, options));
+        if (k % kCellsEvery == 0) cells[k] = std::make_unique<CellBody>(*bodies[k]);
       }
       PointBodyOptions options;
       options.directions = settings[k].directions;
       options.width = settings[k].width;
       const PointBody points = build_point_body(in_frame, options);
-      compare(*bodies[k], settings[k], points, BroadPhase::trees, pose, truths, tally);
-      if (k % kCellsEvery == 0)
-        compare(*bodies[k], settings[k], points, BroadPhase::cells, pose, truths, tally);
+      compare(*bodies[k], settings[k], PenetrationFinder(*bodies[k], points).find(pose), " by trees", truths,
+              tally);
+      if (cells[k])
+        compare(*bodies[k], settings[k], CellSearch(*cells[k], points).find(pose), " by cells", truths,
+                tally);
     }
   }
   return tally;

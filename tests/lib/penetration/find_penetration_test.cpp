@@ -21,12 +21,6 @@ RigidTransform moved_by(const Vec3& shift) {
   return pose;
 }
 
-PenetrationOptions by_trees() {
-  PenetrationOptions options;
-  options.broad = BroadPhase::trees;
-  return options;
-}
-
 TEST(FindPenetration, TellsPointDepthAndTheWayOut) {
   const DepthBody body = cube_body();
   const PointBody points = build_point_body(std::vector<Vec3>{Vec3(0, 0, 0), Vec3(0, 0, 5)});
@@ -67,7 +61,7 @@ TEST(FindPenetration, TellsALumpWhollyInsideFarFromTheSurface) {
 TEST(FindPenetration, OfBodiesApartIsEmptyAndCheap) {
   const DepthBody body = cube_body();
   const PointBody points = build_point_body(shapes::sphere(5, 24, 24).vertices);
-  PenetrationFinder finder(body, points, by_trees());
+  PenetrationFinder finder(body, points);
   const PenetrationAnswer& answer = finder.find(moved_by(Vec3(60, 0, 0)));
   EXPECT_TRUE(answer.contacts.empty());
   EXPECT_EQ(answer.counters.volumes_updated, 1U);
@@ -78,7 +72,7 @@ TEST(FindPenetration, OfBodiesApartIsEmptyAndCheap) {
 TEST(FindPenetration, UpdatesOnlyWhatIsVisitedAndShiftsWhatWasTurned) {
   const DepthBody body = cube_body();
   const PointBody points = build_point_body(shapes::sphere(15, 40, 60).vertices);
-  PenetrationFinder finder(body, points, by_trees());
+  PenetrationFinder finder(body, points);
   const PenetrationCounters first = finder.find(moved_by(Vec3(10, 10, 34))).counters;
   EXPECT_LT(first.volumes_updated, points.tree.nodes.size());
   EXPECT_GT(first.corners_transformed, 0U);
@@ -91,46 +85,17 @@ TEST(FindPenetration, UpdatesOnlyWhatIsVisitedAndShiftsWhatWasTurned) {
 TEST(FindPenetration, GivesTheSameAnswerWhetherVolumesAreShiftedOrTurnedAnew) {
   const DepthBody body = cube_body();
   const PointBody points = build_point_body(shapes::star_prism().vertices);
-  PenetrationFinder kept(body, points, by_trees());
+  PenetrationFinder kept(body, points);
   RandomPoints random(body.mesh, 1, 3);
   RigidTransform pose = random.pose(10);
   for (int i = 0; i < 50; ++i) {
     pose.shift += 2 * random.direction();
-    PenetrationFinder fresh(body, points, by_trees());
+    PenetrationFinder fresh(body, points);
     const PenetrationAnswer& a = kept.find(pose);
     const PenetrationAnswer& b = fresh.find(pose);
     ASSERT_EQ(a.contacts.size(), b.contacts.size());
     for (std::size_t k = 0; k < a.contacts.size(); ++k)
       EXPECT_EQ(a.contacts[k].contact.depth_mm, b.contacts[k].contact.depth_mm);
-  }
-}
-
-TEST(FindPenetration, GivesTheSameAnswerByTreesAndByCells) {
-  const PointBody points = build_point_body(shapes::refined(shapes::star_prism(), 3).vertices);
-  for (const IndexedMesh& mesh : {shapes::slotted_block(), shapes::bumpy_sphere(), shapes::needle_fan(60)}) {
-    DepthBodyOptions options;
-    options.depth_mm = 1;
-    const DepthBody body = build_depth_body(mesh, options);
-    PenetrationFinder cells(body, points), trees(body, points, by_trees());
-    RandomPoints random(body.mesh, 1, 4);
-    std::size_t inside = 0, apart = 0;
-    for (int i = 0; i < 200; ++i) {
-      RigidTransform pose = random.pose(10);
-      pose.shift = 1.2 * random.next() - pose.rotation * Vec3(4, 4, 4);
-      if (i % 4 == 0) pose.shift += 60 * random.direction();
-      const PenetrationAnswer& a = cells.find(pose);
-      const PenetrationAnswer& b = trees.find(pose);
-      ASSERT_EQ(a.contacts.size(), b.contacts.size()) << mesh.name << " pose " << i;
-      (a.contacts.empty() ? apart : inside) += 1;
-      for (std::size_t k = 0; k < a.contacts.size(); ++k) {
-        EXPECT_EQ(a.contacts[k].point, b.contacts[k].point);
-        EXPECT_NEAR(a.contacts[k].contact.depth_mm, b.contacts[k].contact.depth_mm,
-                    1e-12 * (1 + pose.shift.norm()));
-        EXPECT_EQ(a.contacts[k].is_deeper, b.contacts[k].is_deeper);
-      }
-    }
-    EXPECT_GT(inside, 20U) << mesh.name;
-    EXPECT_GT(apart, 5U) << mesh.name;
   }
 }
 

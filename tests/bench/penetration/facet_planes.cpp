@@ -1,4 +1,4 @@
-#include "lib/penetration/facet_planes.h"
+#include "tests/bench/penetration/facet_planes.h"
 
 #include <algorithm>
 

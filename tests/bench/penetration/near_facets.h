@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lib/penetration/facet_planes.h"
+#include "tests/bench/penetration/facet_planes.h"
 
 namespace gouge {
 

@@ -1,12 +1,19 @@
-#include "lib/penetration/brute_force.h"
+#pragma once
 
 #include <cmath>
 
 #include "lib/geom/point_triangle.h"
+#include "lib/mesh/indexed_mesh.h"
 
 namespace gouge {
 
-BruteFoot brute_force_foot(const IndexedMesh& mesh, const Vec3& point) {
+struct BruteFoot {
+  Vec3 point = Vec3::Zero();
+  double distance_mm = 0;
+};
+
+/// The slow, obvious reference: the nearest point over all triangles, no tree, no volumes, no planes.
+inline BruteFoot brute_force_foot(const IndexedMesh& mesh, const Vec3& point) {
   BruteFoot best;
   double best2 = -1;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {

@@ -1,4 +1,4 @@
-#include "lib/penetration/safe_depth.h"
+#include "tests/bench/penetration/safe_depth.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "lib/penetration/safe_depth.h"
+#include "tests/bench/penetration/safe_depth.h"
 #include "tests/support/solids.h"
 
 namespace gouge {

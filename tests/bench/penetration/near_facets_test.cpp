@@ -1,11 +1,11 @@
-#include "lib/penetration/near_facets.h"
+#include "tests/bench/penetration/near_facets.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "lib/penetration/brute_force.h"
 #include "lib/penetration/depth_body.h"
+#include "tests/lib/penetration/brute_foot.h"
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
 
@@ -25,16 +25,17 @@ Tally expect_nearest(const IndexedMesh& mesh, double depth_mm, int points) {
   DepthBodyOptions options;
   options.depth_mm = depth_mm;
   const DepthBody body = build_depth_body(mesh, options);
+  const NearFacets near(body);
   RandomPoints random(body.mesh, 2 * depth_mm, 9);
   const double rounding = 1e-9 + 1e-12 * mesh.box().max().cwiseAbs().maxCoeff();
   Tally tally;
   for (int i = 0; i < points; ++i) {
     const Vec3 point = random.next();
-    const NearFacets::Known known = body.near.at(body.depths.cell_of(point));
+    const NearFacets::Known known = near.at(body.depths.cell_of(point));
     if (known.facets.empty()) continue;
     double least = std::numeric_limits<double>::infinity();
     for (const std::uint32_t facet : known.facets)
-      least = std::min(least, distance_to(body, body.near.place(facet), point));
+      least = std::min(least, distance_to(body, near.place(facet), point));
     const double truth = brute_force_foot(body.mesh, point).distance_mm;
     EXPECT_GE(least, truth - rounding);
     if (known.is_complete) {

@@ -1,4 +1,4 @@
-#include "lib/penetration/near_facets.h"
+#include "tests/bench/penetration/near_facets.h"
 
 #include <algorithm>
 #include <array>
@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "lib/base/parallel.h"
+#include "lib/geom/point_triangle.h"
 #include "lib/penetration/depth_body.h"
 #include "lib/penetration/nearest_foot.h"
 
@@ -35,6 +36,38 @@ struct NearFacetsPart {
   std::vector<Cell> cells;
   std::vector<std::uint32_t> lists;
 };
+
+double box_distance2(const float* box, const Vec3& p) {
+  double sum = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double out =
+        std::max({static_cast<double>(box[i]) - p[i], p[i] - static_cast<double>(box[i + 3]), 0.0});
+    sum += out * out;
+  }
+  return sum;
+}
+
+/// Appends the places of the facets within `radius_mm` of a point; false, and not all of them, when there are
+/// more than `most`.
+bool facets_within(const DepthBody& body, const Vec3& point, double radius_mm, std::size_t most,
+                   std::vector<std::uint32_t>& places) {
+  const double radius2 = radius_mm * radius_mm;
+  const std::size_t before = places.size();
+  std::vector<std::uint32_t> open(body.tree.nodes.empty() ? 0 : 1, 0);
+  while (!open.empty()) {
+    const std::uint32_t index = open.back();
+    open.pop_back();
+    if (box_distance2(body.boxes.data() + 6 * std::size_t{index}, point) > radius2) continue;
+    const KdopNode& node = body.tree.nodes[index];
+    for (std::uint32_t k = 0; k < node.children; ++k) open.push_back(node.first + k);
+    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
+      if (closest_on_triangle(point, body.corners[node.first + k]).distance2_mm2 > radius2) continue;
+      places.push_back(node.first + k);
+      if (places.size() - before > most) return false;
+    }
+  }
+  return true;
+}
 
 /// Lists of the cells of one brick after another: cubes of cells are halved down to cells, and each hands
 /// those facets on that may be nearest somewhere in it.

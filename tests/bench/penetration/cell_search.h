@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -9,8 +10,19 @@
 #include "lib/penetration/find_penetration.h"
 #include "lib/penetration/nearest_foot.h"
 #include "lib/penetration/point_body.h"
+#include "tests/bench/penetration/clearance.h"
+#include "tests/bench/penetration/near_facets.h"
 
 namespace gouge {
+
+/// A solid with what its cells know: several seconds to make, then the fastest queries.
+struct CellBody {
+  explicit CellBody(const DepthBody& solid) : body(solid), near(solid), clearance(solid) {}
+
+  const DepthBody& body;
+  NearFacets near;
+  Clearance clearance;
+};
 
 /// The exact mode through the standing body's cells: what most points cost is to look up their cell.
 ///
@@ -20,10 +32,10 @@ namespace gouge {
 /// shallow_penetration.md, section 4).
 class CellSearch {
  public:
-  CellSearch(const DepthBody& body, const PointBody& points, const PenetrationOptions& options);
+  CellSearch(const CellBody& cells, const PointBody& points, const PenetrationOptions& options = {});
 
-  /// Fills an empty answer.
-  void find(const RigidTransform& pose, PenetrationAnswer& answer);
+  /// The answer stays valid until the next call, as that of PenetrationFinder.
+  const PenetrationAnswer& find(const RigidTransform& pose);
 
  private:
   /// A point that may be inside.
@@ -33,15 +45,21 @@ class CellSearch {
     std::uint32_t cell;
   };
 
-  void descend(const RigidTransform& pose, PenetrationCounters& counters);
+  void measure();
+  void descend(const RigidTransform& pose);
   void look_up(const KdopNode& leaf, const RigidTransform& pose);
-  void tell(const Asked& asked, const SurfaceFoot& foot, PenetrationAnswer& answer) const;
-  [[nodiscard]] SurfaceFoot nearest(const Asked& asked, PenetrationCounters& counters) const;
+  void tell(const Asked& asked, const SurfaceFoot& foot);
+  [[nodiscard]] SurfaceFoot nearest(const Asked& asked);
 
+  const CellBody& cells_;
   const DepthBody& body_;
   const PointBody& points_;
   PenetrationOptions options_;
   double rim_mm_;  ///< nearer to an edge than this counts as beyond it: some roundings of doubles
+  /// By node: a ball about its points, centre and radius.
+  std::vector<std::array<double, 4>> balls_;
+  std::vector<double> xs_, ys_, zs_;  ///< the points in leaf order
+  PenetrationAnswer answer_;
   std::vector<std::uint32_t> stack_;
   std::vector<Asked> asked_;
   std::vector<SurfaceFoot> feet_;        ///< of asked_
