@@ -156,6 +156,46 @@ TEST_P(Quarter, OfRandomPairsHasTheDepthAndThePlaceOfBruteForce) {
   EXPECT_GT(free, pairs() / 64);
 }
 
+// Faces that lie on each other, edges along edges, corners on corners: what random places never give.
+TEST(LatticeSolids, TouchWhereTheyShareNoCubeAndPenetrateWhereTheyDo) {
+  std::size_t touching = 0, penetrating = 0, free = 0;
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    test::Scatter random(1000 + seed);
+    const test::LatticeSolid a(random), b(random);
+    constexpr int kSide = test::LatticeSolid::kSide;
+    const auto offset = [&] { return static_cast<int>(random.below(2 * kSide + 3)) - kSide - 1; };
+    const int x = offset(), y = offset(), z = offset();
+    bool is_shared = false, is_near = false;
+    for (int k = 0; k < 27 * kSide * kSide * kSide; ++k) {
+      const int i = k % kSide, j = k / kSide % kSide, m = k / (kSide * kSide) % kSide,
+                n = k / (kSide * kSide * kSide);
+      if (!b.at(i, j, m)) continue;
+      is_near = is_near || a.at(i + x + n % 3 - 1, j + y + n / 3 % 3 - 1, m + z + n / 9 - 1);
+      is_shared = is_shared || a.at(i + x, j + y, m + z);
+    }
+    // Turned, so that nothing is exact any more.
+    const Vec3 axis = random.direction();
+    const double angle = random.in(-3, 3);
+    const test::Pair pair(test::placed(a.mesh(), axis, angle, Vec3::Zero()),
+                          test::placed(shapes::moved(b.mesh(), Vec3(x, y, z)), axis, angle, Vec3::Zero()));
+    const Clash clash = find_clash(pair.a, pair.b, Vec3::Zero(), {});
+    const ClashState expected =
+        is_shared ? ClashState::penetrating : (is_near ? ClashState::touching : ClashState::free);
+    EXPECT_EQ(static_cast<int>(clash.state), static_cast<int>(expected)) << clash.reason;
+    ++(is_shared ? penetrating : is_near ? touching : free);
+    if (is_shared) {
+      EXPECT_GE(clash.depth_upper_mm, 0.5 - 1e-9) << "half a cube";
+    }
+    const Bracket truth = Reference(pair.a.surface().mesh, pair.b.surface().mesh).run();
+    EXPECT_LE(clash.depth_mm, truth.high + 1e-9);
+    EXPECT_GE(clash.depth_upper_mm, truth.low - 1e-9);
+  }
+  EXPECT_GT(touching, 20U);
+  EXPECT_GT(penetrating, 50U);
+  EXPECT_GT(free, 10U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Clash, Quarter, testing::Range(0U, 4U));
 
 }  // namespace

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 
@@ -36,28 +38,30 @@ struct Pair {
 
 /// One of seven shapes that are not convex, about 20 mm large.
 inline IndexedMesh random_solid(Scatter& random) {
-  switch (static_cast<int>(random.in(0, 7))) {
+  const std::size_t kind = random.below(7), points = 3 + random.below(5);
+  const double a = random.in(0, 1), b = random.in(0, 1), c = random.in(0, 1), d = random.in(0, 1);
+  switch (kind) {
     case 0:
-      return shapes::star_prism(3 + static_cast<std::size_t>(random.in(0, 5)), 12, random.in(3, 8),
-                                random.in(3, 14));
+      return shapes::star_prism(points, 12, 3 + 5 * a, 3 + 11 * b);
     case 1:
-      return shapes::slotted_block(random.in(0.5, 4), random.in(2, 9), random.in(6, 14), random.in(8, 20));
+      return shapes::slotted_block(0.5 + 3.5 * a, 2 + 7 * b, 6 + 8 * c, 8 + 12 * d);
     case 2:
-      return shapes::bumpy_sphere(10, random.in(0.5, 3), 8, 14);
+      return shapes::bumpy_sphere(10, 0.5 + 2.5 * a, 8, 14);
     case 3:
-      return shapes::torus(random.in(7, 10), random.in(1.5, 4), 14, 8);
+      return shapes::torus(7 + 3 * a, 1.5 + 2.5 * b, 14, 8);
     case 4:
-      return shapes::hollow_cube(random.in(8, 16));
+      return shapes::hollow_cube(8 + 8 * a);
     case 5:
-      return shapes::joined(shapes::moved(shapes::cube(random.in(3, 8)), Vec3(-10, -4, -4)),
-                            shapes::moved(shapes::tetrahedron(random.in(5, 12)), Vec3(1, -4, -4)));
+      return shapes::joined(shapes::moved(shapes::cube(3 + 5 * a), Vec3(-10, -4, -4)),
+                            shapes::moved(shapes::tetrahedron(5 + 7 * b), Vec3(1, -4, -4)));
     default:
       return shapes::refined(shapes::slotted_block(2, 5, 10, 12), 1);
   }
 }
 
 inline IndexedMesh random_place(Scatter& random, const IndexedMesh& mesh, double apart) {
-  return placed(mesh, random.axis(1), random.in(-3, 3), random.point(apart));
+  const Vec3 axis = random.direction(), shift = random.point(apart);
+  return placed(mesh, axis, random.in(-3, 3), shift);
 }
 
 /// Two of them, turned and shifted so that most overlap.
@@ -66,5 +70,51 @@ inline Pair random_pair(unsigned seed) {
   const IndexedMesh a = random_place(random, random_solid(random), 2);
   return {a, random_place(random, random_solid(random), 11)};
 }
+
+/// Unit cubes of a lattice of 4 x 4 x 4, filled or not.
+struct LatticeSolid {
+  static constexpr int kSide = 4;
+  std::array<bool, kSide * kSide * kSide> is_filled{};
+
+  explicit LatticeSolid(Scatter& random) {
+    const double share = random.in(0.2, 0.9);
+    for (bool& filled : is_filled) filled = random.is(share);
+    is_filled[0] = true;
+  }
+  [[nodiscard]] bool at(int x, int y, int z) const {
+    const bool is_within = std::min({x, y, z}) >= 0 && std::max({x, y, z}) < kSide;
+    return is_within && is_filled[static_cast<std::size_t>((z * kSide + y) * kSide + x)];
+  }
+
+  /// Its surface: cubes may touch along edges and at corners alone.
+  [[nodiscard]] IndexedMesh mesh() const {
+    IndexedMesh mesh;
+    mesh.name = "lattice";
+    constexpr int kCorners = kSide + 1;
+    std::vector<std::size_t> vertex_at(kCorners * kCorners * kCorners, ~std::size_t{0});
+    const auto vertex = [&](const Eigen::Vector3i& p) {
+      std::size_t& index = vertex_at[static_cast<std::size_t>((p.z() * kCorners + p.y()) * kCorners + p.x())];
+      if (index == ~std::size_t{0}) {
+        index = mesh.vertices.size();
+        mesh.vertices.push_back(p.cast<double>());
+      }
+      return index;
+    };
+    for (int i = 0; i < kSide * kSide * kSide; ++i) {
+      const Eigen::Vector3i cube(i % kSide, i / kSide % kSide, i / (kSide * kSide));
+      if (!at(cube.x(), cube.y(), cube.z())) continue;
+      for (int axis = 0; axis < 3; ++axis) {
+        const Eigen::Vector3i along = Eigen::Vector3i::Unit(axis), u = Eigen::Vector3i::Unit((axis + 1) % 3),
+                              v = Eigen::Vector3i::Unit((axis + 2) % 3), below = cube - along,
+                              above = cube + along;
+        if (!at(below.x(), below.y(), below.z()))
+          shapes::add_quad(mesh, vertex(cube), vertex(cube + v), vertex(cube + u + v), vertex(cube + u));
+        if (!at(above.x(), above.y(), above.z()))
+          shapes::add_quad(mesh, vertex(above), vertex(above + u), vertex(above + u + v), vertex(above + v));
+      }
+    }
+    return mesh;
+  }
+};
 
 }  // namespace gouge::test
