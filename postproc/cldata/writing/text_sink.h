@@ -1,7 +1,9 @@
 #pragma once
 
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "postproc/cldata/writing/motion_sink.h"
 #include "postproc/cldata/writing/text_format.h"
@@ -11,7 +13,7 @@
 namespace gouge {
 
 struct TextSinkOptions {
-  DialectKind kind = DialectKind::apt;
+  Dialect dialect;
   LengthUnit unit = LengthUnit::mm;
   int decimals = 0, axis_decimals = 0;  ///< no fewer than these
   bool is_tilted = false;               ///< an axis of the path is not +Z
@@ -35,17 +37,18 @@ class TextSink final : public MotionSink {
   [[nodiscard]] std::string finish() override;
 
  private:
+  using Value = std::pair<std::string_view, std::string>;
   void line(const std::string& text) { text_ += text + std::string(format_.line_end); }
+  /// The lines of `form` with `values` in place of their names in braces.
+  void fill(std::string_view form, std::initializer_list<Value> values = {});
+  [[nodiscard]] std::string on_centre() const;
   void begin_file();
-  void begin_catia_file();
-  void write_mcs();
-  void say_on_centre();
-  void begin_nx_block();
-  void write_cutter(const PathTool& tool);
-  void write_number(const PathTool& tool);
-  [[nodiscard]] std::string seven(const CutterStatement& cutter, const char* separator) const;
-  [[nodiscard]] bool write_catia_arc(const PathArc& arc, const Pose& start, const Pose& end);
-  [[nodiscard]] std::string unit_word() const { return options_.unit == LengthUnit::inch ? "INCHES" : "MM"; }
+  void begin_block_if_due();
+  void begin_block();
+  void write_tool(const PathTool& tool);
+  [[nodiscard]] std::string seven(const CutterStatement& cutter) const;
+  [[nodiscard]] bool write_tlon(const PathArc& arc, const Pose& start, const Pose& end);
+  [[nodiscard]] bool is_inch() const { return options_.unit == LengthUnit::inch; }
   [[nodiscard]] double scaled(double mm) const { return mm / mm_per(options_.unit); }
 
   TextSinkOptions options_;
@@ -54,7 +57,7 @@ class TextSink final : public MotionSink {
   std::string operation_;
   std::optional<PathTool> tool_;
   std::optional<Vec3> axis_;  // last written, where it is modal
-  bool is_block_due_ = true;  // NX: the next motion begins a block
+  bool is_block_due_ = false;  // the next motion begins one
   bool is_block_open_ = false;
   bool is_alone_ = true;  // nothing leads to the next position
   bool has_feed_per_turn_ = false;

@@ -14,21 +14,20 @@ bool is_straight(const CutterStatement& cutter) {
 
 }  // namespace
 
-std::string TextSink::seven(const CutterStatement& c, const char* separator) const {
-  const bool is_trimmed = format_.drops_zeros;
+std::string TextSink::seven(const CutterStatement& c) const {
   double e = scaled(c.e_mm), f = scaled(c.f_mm);
-  // Autodesk's post writes the tip's diameter for e, CAMplete's no e and f; both are recomputed when read.
-  if (options_.kind == DialectKind::autodesk && is_straight(c)) e = scaled(c.d_mm - 2 * c.r_mm);
-  if (options_.kind == DialectKind::camplete && is_straight(c)) e = f = 0;
+  // Some posts write the tip's diameter for e, others no e and f; both are recomputed when read.
+  if (options_.dialect.has_tip_diameter && is_straight(c)) e = scaled(c.d_mm - 2 * c.r_mm);
+  if (format_.has_no_corner && is_straight(c)) e = f = 0;
   std::string text;
   for (const double value : {scaled(c.d_mm), scaled(c.r_mm), e, f, c.alpha_deg, c.beta_deg, scaled(c.h_mm)}) {
-    if (!text.empty()) text += separator;
-    text += is_trimmed ? format_.number(value, 6) : fixed_text(value, 6);
+    if (!text.empty()) text += format_.cutter_separator;
+    text += format_.number_text(value, 6);
   }
   return text;
 }
 
-void TextSink::begin_nx_block() {
+void TextSink::begin_block() {
   if (is_block_open_) line("END-OF-PATH");
   is_block_open_ = true;
   is_block_due_ = false;
@@ -50,62 +49,28 @@ void TextSink::begin_nx_block() {
   if (tool_ && tool_->number) line("LOAD/TOOL," + std::to_string(*tool_->number));
 }
 
-void TextSink::write_cutter(const PathTool& tool) {
-  const CutterStatement& c = *tool.cutter;
-  switch (options_.kind) {
-    case DialectKind::catia:
-      return line("CUTTER/ " + seven(c, ", "));
-    case DialectKind::creo:
-      return line("$$-> CUTTER / " + fixed_text(scaled(c.d_mm), 6));
-    case DialectKind::clt:
-      return line("CUTTER/ " + seven(c, ",") + ",");
-    case DialectKind::nccs:
-    case DialectKind::solidworks_cam:
-      return line("CUTTER/" + seven(c, ","));
-    case DialectKind::mori:
-      return;
-    default:
-      return line("CUTTER/" + seven(c, ", "));
+void TextSink::write_tool(const PathTool& tool) {
+  const bool is_diameter_stated = options_.dialect.cutter_form == CutterForm::diameter_alone && tool.stated_diameter_mm > 0;
+  const double diameter_mm = tool.cutter ? tool.cutter->d_mm : is_diameter_stated ? tool.stated_diameter_mm : 0;
+  const std::string d = fixed_text(scaled(diameter_mm), 6);
+  if (!tool.name.empty()) fill(format_.tool_name, {{"name", tool.name}});
+  if (tool.cutter || is_diameter_stated)
+    fill(format_.cutter, {{"seven", tool.cutter ? seven(*tool.cutter) : ""}, {"d", d}});
+  if (tool.number) {
+    fill(format_.number, {{"number", std::to_string(*tool.number)},
+                          {"d", d},
+                          {"tprint", tool.name.empty() ? "" : "TPRINT/" + tool.name}});
   }
-}
-
-void TextSink::write_number(const PathTool& tool) {
-  const std::string number = std::to_string(*tool.number);
-  switch (options_.kind) {
-    case DialectKind::catia:
-      line("TOOLNO/" + number + ",   " + fixed_text(tool.cutter ? scaled(tool.cutter->d_mm) : 0, 6));
-      if (!tool.name.empty()) line("TPRINT/" + tool.name);
-      return line("LOADTL/" + number);
-    case DialectKind::creo:
-      return line("LOADTL / " + number);
-    case DialectKind::solidworks_cam:
-      return line("LOAD/TOOL," + number);
-    case DialectKind::mori:
-      line("TOOLNO/ " + number + ", MILL");
-      return line("LOAD/ TOOL, " + number);
-    default:
-      return line("LOADTL/" + number);
-  }
+  if (tool.flute_length_mm > 0)
+    fill(format_.flutes, {{"flutes", format_.number_text(scaled(tool.flute_length_mm), 6)}});
 }
 
 void TextSink::change_tool(const PathTool& tool) {
   tool_ = tool;
   is_alone_ = true;
-  if (options_.kind == DialectKind::goto_list) return;
-  if (options_.kind == DialectKind::nx_clsf) {
-    is_block_due_ = true;
-    return;
-  }
-  if (options_.kind == DialectKind::solidworks_cam && !tool.name.empty()) line("INSERT/" + tool.name);
-  if (tool.cutter) write_cutter(tool);
-  const bool has_diameter_alone = !tool.cutter && tool.stated_diameter_mm > 0;
-  if (has_diameter_alone && options_.kind == DialectKind::creo)
-    line("$$-> CUTTER / " + fixed_text(scaled(tool.stated_diameter_mm), 6));
-  if (tool.number) write_number(tool);
-  const bool has_flutes =
-      options_.kind == DialectKind::solidworks_cam || options_.kind == DialectKind::camplete;
-  if (has_flutes && tool.flute_length_mm > 0)
-    line("CSI_SET_FLUTE_LENGTH/" + format_.number(scaled(tool.flute_length_mm), 6));
+  if (options_.dialect.has_positions_alone) return;
+  is_block_due_ = options_.dialect.has_blocks;
+  if (!is_block_due_) write_tool(tool);
 }
 
 }  // namespace gouge

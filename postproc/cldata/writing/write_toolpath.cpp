@@ -192,7 +192,7 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   if (target_.form == FileForm::nccs_records)
     return std::make_unique<NccsSink>(path_.unit, std::string(name.substr(0, name.find('.'))));
   TextSinkOptions options;
-  options.kind = target_.kind;
+  options.dialect = target_;
   options.unit = path_.unit;
   options.name = name.substr(0, name.find('.'));
   options.is_on_centre = is_on_centre_;
