@@ -131,7 +131,7 @@ bool has_effect(const MachineEffect& e) {
 void distrust_moves(States& s, std::size_t statement) {
   std::vector<Move>& moves = s.in.path.moves;
   for (std::size_t i = moves.size(); i-- > 0 && moves[i].statement == statement;) {
-    if (!Reasons::is_unread(moves[i].not_checked_reason)) moves[i].not_checked_reason = Reasons::kCutShort;
+    if (!is_unread(moves[i].not_checked_reason)) moves[i].not_checked_reason = Reasons::kCutShort;
   }
 }
 
@@ -145,7 +145,7 @@ void take_rest_of_statement(States& s, bool is_position) {
 
 // Of the curve that is being read, or was last.
 void distrust_curve(std::vector<Move>& moves) {
-  if (!moves.empty() && !Reasons::is_unread(moves.back().not_checked_reason))
+  if (!moves.empty() && !is_unread(moves.back().not_checked_reason))
     moves.back().not_checked_reason = Reasons::kSpline;
 }
 

@@ -57,7 +57,7 @@ void PartProgram::refuse_assignments() {
   if (first_line_ == 0) return;
   const std::vector<Move>& moves = in_.path.moves;
   const bool has_position = std::any_of(moves.begin(), moves.end(), [](const Move& move) {
-    return !move.not_checked_reason.starts_with(Reasons::kUnread);
+    return kind_of(move.not_checked_reason) != ReasonKind::may_be_unread;
   });
   if (has_position || in_.has_errors()) in_.refuse_part_program(first_, first_line_);
 }

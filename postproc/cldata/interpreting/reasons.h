@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 
 namespace gouge {
@@ -81,16 +82,29 @@ struct Reasons {
   static constexpr const char* kMultax =
       "follows a MULTAX that is not understood: its numbers may be points or tool axes";
   static constexpr const char* kTrntyp = "positions are not in world coordinates (TRNTYP)";
-
-  /// True where nobody knows where the statement takes the tool.
-  [[nodiscard]] static bool is_unread(std::string_view reason) {
-    return reason.starts_with(kUnread) || reason == kSixNumbers || reason == kStepFromUnread ||
-           reason == kNoArcEnd || reason == kNoTlon || reason == kCutShort;
-  }
-  /// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
-  [[nodiscard]] static bool is_motion_known(std::string_view reason) {
-    return reason.empty() || reason == kCutcom || reason == kAfterCutcom;
-  }
 };
+
+/// What a reason says of its motion: what code asks for, so that it compares no texts.
+enum class ReasonKind : std::uint8_t {
+  none,           ///< the motion is checked
+  compensated,    ///< it is understood: only CUTCOM keeps it from being checked
+  after_retract,  ///< its start is not known, as the tool retracted before it
+  around_hole,    ///< it begins or ends at a retract height that is not known
+  not_understood,
+  unread,         ///< nobody knows where the statement takes the tool
+  may_be_unread   ///< it is a statement that is not understood and may not move the tool at all
+};
+
+/// `reason` with or without the word and the line behind it.
+[[nodiscard]] ReasonKind kind_of(std::string_view reason);
+
+/// True where nobody knows where the statement takes the tool.
+[[nodiscard]] inline bool is_unread(std::string_view reason) {
+  return kind_of(reason) >= ReasonKind::unread;
+}
+/// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
+[[nodiscard]] inline bool is_motion_known(std::string_view reason) {
+  return kind_of(reason) <= ReasonKind::compensated;
+}
 
 }  // namespace gouge

@@ -166,7 +166,7 @@ std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& o
 // Statements that may be motions and are not understood leave moves, none of which is one of the file's dialect.
 bool has_motion(const Toolpath& path) {
   return std::any_of(path.moves.begin(), path.moves.end(), [](const Move& move) {
-    return !move.not_checked_reason.starts_with(Reasons::kUnread);
+    return kind_of(move.not_checked_reason) != ReasonKind::may_be_unread;
   });
 }
 

@@ -17,7 +17,7 @@ bool is_shiftable(const Toolpath& path, const std::vector<MotionRecord>& records
   if (records[first].numbers == 0) return false;  // a step from somewhere
   for (std::size_t i = first; i < last; ++i) {
     const std::string_view reason = path.moves[i].not_checked_reason;
-    if (!reason.empty() && reason != Reasons::kRetractPlane && reason != Reasons::kAfterCycle) return false;
+    if (kind_of(reason) != ReasonKind::none && kind_of(reason) != ReasonKind::around_hole) return false;
   }
   if (last == records.size()) return true;
   const bool is_step_next = records[last].form == PositionForm::godlta ||

@@ -188,7 +188,7 @@ bool CorrectedWriter::has_curve_left(std::size_t first, std::size_t last) const 
   for (std::size_t i = first; i < last; ++i) {
     const Move& move = path_.moves[i];
     const bool is_straight =
-        move.curve_kind == CurveKind::none && Reasons::is_motion_known(move.not_checked_reason);
+        move.curve_kind == CurveKind::none && is_motion_known(move.not_checked_reason);
     if (move.kind != MoveKind::arc || is_straight) continue;  // a list may begin where the tool stands
     (is_straightened(i) ? has_straightened : has_round) = true;
   }

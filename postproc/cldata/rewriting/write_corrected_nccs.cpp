@@ -89,7 +89,7 @@ std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
 // Round, on a circle of which other arcs become straight. A list may begin with a position that is not round.
 bool NccsCorrector::needs_own_circle(std::size_t move) const {
   const Move& m = path_.moves[move];
-  const bool is_round = m.curve_kind != CurveKind::none || !Reasons::is_motion_known(m.not_checked_reason);
+  const bool is_round = m.curve_kind != CurveKind::none || !is_motion_known(m.not_checked_reason);
   return m.kind == MoveKind::arc && is_round && !is_straightened(move) &&
          std::binary_search(dropped_.begin(), dropped_.end(), records_[move].curve_statement);
 }

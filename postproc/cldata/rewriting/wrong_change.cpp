@@ -32,7 +32,7 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     if (change.new_arc && change.is_straightened) {
       return make_error("write-arc", name + " is to be an arc and straight; expected one of both", path.file);
     }
-    if (changes_it && Reasons::is_unread(move.not_checked_reason)) {
+    if (changes_it && is_unread(move.not_checked_reason)) {
       return make_error("write-move", name + " is a statement that is not understood, so it cannot be changed",
                         path.file, move.line);
     }

@@ -11,40 +11,24 @@
 #include "lib/path/chords.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/reasons.h"
-#include "postproc/cldata/reading/read_toolpath.h"
 #include "postproc/cldata/rewriting/goto_text.h"
 #include "postproc/cldata/writing/nccs_sink.h"
 #include "postproc/cldata/writing/text_sink.h"
+#include "postproc/cldata/writing/verify_written.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kTilt = 1e-12;
-constexpr double kSamePlace_mm = 1e-3;
-constexpr double kSameAxis = 1e-4;
-constexpr double kSameFeed = 1e-4;  // relative
+
+bool is_after_retract(const Move& move) {
+  return kind_of(move.not_checked_reason) == ReasonKind::after_retract;
+}
 
 // Motions whose end is what the file says although they are not checked: only their start or the cutter's
 // side of the contour is in doubt.
 bool is_understood(const Move& move) {
-  const std::string_view reason = move.not_checked_reason;
-  return Reasons::is_motion_known(reason) || reason == Reasons::kAfterRetract;
-}
-
-std::string feed_name(const Feed& feed) {
-  switch (feed.unit) {
-    case FeedUnit::rapid:
-      return "rapid";
-    case FeedUnit::per_minute:
-      return "at " + exact_text(feed.mm) + " mm per minute";
-    case FeedUnit::per_revolution:
-      return "at " + exact_text(feed.mm) + " mm per revolution";
-    case FeedUnit::not_stated:
-      break;
-    case FeedUnit::not_understood:
-      return "at a feed that is not understood";
-  }
-  return "at a feed that is not stated";
+  return is_motion_known(move.not_checked_reason) || is_after_retract(move);
 }
 
 // The file or the user says of every compensated position that it is the cutter's centre.
@@ -97,7 +81,6 @@ class PathWriter {
   [[nodiscard]] bool write_arc(std::size_t index);
   void note(const char* code, std::size_t count, const std::string& noun, const std::string& what);
   void note_losses();
-  [[nodiscard]] std::optional<Diagnostic> verify();
 
   const Toolpath& path_;
   Dialect target_;
@@ -113,20 +96,7 @@ class PathWriter {
   bool is_checked_ = true;  // the move being written
   std::size_t breaks_ = 0, lost_breaks_ = 0, lost_rapids_ = 0, lost_cutcoms_ = 0, lost_feeds_ = 0, unstated_feeds_ = 0;
   std::size_t lost_arcs_ = 0, splines_ = 0, cycles_ = 0;
-  struct Expected {
-    Pose end;
-    std::size_t move = 0;  // of path_
-    bool is_alone = false;
-    bool is_checked = true;
-    Feed feed;
-    double sweep_rad = 0;  // right-handed about `axis`; 0: straight
-    Vec3 axis = Vec3::UnitZ();
-  };
-  [[nodiscard]] bool is_same_tool(const Toolpath& again, const Move& found, const Move& meant) const;
-  [[nodiscard]] static bool is_same_way(const Toolpath& again, const Move& found, const Expected& expected);
-  [[nodiscard]] std::optional<Diagnostic> find_other_tool(const Toolpath& again) const;
-  [[nodiscard]] std::optional<Diagnostic> find_other_feed(const Toolpath& again) const;
-  std::vector<Expected> expected_;
+  std::vector<ExpectedMotion> expected_;
   std::size_t index_ = 0;  // of the move being written
 };
 
@@ -167,9 +137,7 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
                       "--to, or --cutcom centre where they are the cutter centre",
                       path_.file);
   }
-  const auto retracted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
-    return move.not_checked_reason == Reasons::kAfterRetract;
-  });
+  const auto retracted = std::find_if(path_.moves.begin(), path_.moves.end(), is_after_retract);
   if (target_.has_positions_alone && retracted != path_.moves.end()) {
     return make_error("convert-dialect",
                       "goto-list cannot say that the tool retracts before this move; expected another dialect for --to",
@@ -212,7 +180,7 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
 }
 
 void PathWriter::expect(const Pose& end, bool is_alone, double sweep_rad) {
-  Expected expected;
+  ExpectedMotion expected;
   expected.end = end;
   expected.move = index_;
   expected.is_alone = is_alone;
@@ -323,10 +291,10 @@ void PathWriter::write_move(std::size_t index) {
   const Move& move = path_.moves[index];
   index_ = index;
   is_checked_ = move.not_checked_reason.empty();
-  const bool is_after_retract = move.not_checked_reason == Reasons::kAfterRetract;
+  const bool has_retract = is_after_retract(move);
   const bool is_tool_new = move.tool != tool_ && move.tool != kNone;
   const bool says_tools = !target_.has_positions_alone;
-  if (!move.has_start && index > 0 && !(is_tool_new && says_tools) && !is_after_retract) {
+  if (!move.has_start && index > 0 && !(is_tool_new && says_tools) && !has_retract) {
     sink_->break_motion() ? ++breaks_ : ++lost_breaks_;
     forget_feed();
   }
@@ -340,7 +308,7 @@ void PathWriter::write_move(std::size_t index) {
     const std::string& name = path_.operations[operation_].name;
     if (!name.empty()) sink_->begin_operation(name);
   }
-  if (is_after_retract) sink_->retract();
+  if (has_retract) sink_->retract();
   write_cutcom(index);
   move.feed_unit == FeedUnit::rapid ? write_rapid() : write_feed(move);
   if (move.kind == MoveKind::cycle) ++cycles_;
@@ -374,107 +342,6 @@ void PathWriter::note_losses() {
        "tool", "without the whole shape, which the dialect cannot say; give it in a tool library");
 }
 
-// A tool that the result does not name or define is not checked, or told. Shapes are compared where the dialect says
-// them whole.
-bool PathWriter::is_same_tool(const Toolpath& again, const Move& found, const Move& meant) const {
-  constexpr double kSameSize_mm = 2e-3, kSameAngle_deg = 1e-3;
-  if (found.tool == kNone) return true;
-  const PathTool& tool = again.tools[found.tool];
-  if (meant.tool == kNone) return false;
-  const PathTool& wanted = path_.tools[meant.tool];
-  if (tool.number != wanted.number) return false;
-  if (!tool.cutter) return true;
-  if (!wanted.cutter) return false;
-  const CutterStatement &a = *tool.cutter, &b = *wanted.cutter;
-  const double factor = mm_per(path_.unit) / mm_per(again.unit);
-  const bool is_same_size = std::abs(a.d_mm * factor - b.d_mm) <= kSameSize_mm &&
-                            std::abs(a.r_mm * factor - b.r_mm) <= kSameSize_mm;
-  const bool is_same_shape =
-      std::abs(a.alpha_deg - b.alpha_deg) <= kSameAngle_deg && std::abs(a.beta_deg - b.beta_deg) <= kSameAngle_deg;
-  const bool is_slanted = std::abs(b.alpha_deg) > 0 || std::abs(b.beta_deg) > 0;
-  if (target_.cutter_form == CutterForm::without_angles && is_slanted) return true;
-  return is_same_size && is_same_shape;
-}
-
-std::optional<Diagnostic> PathWriter::find_other_tool(const Toolpath& again) const {
-  if (target_.has_positions_alone) return std::nullopt;
-  for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
-    const Move& meant = path_.moves[expected_[i].move];
-    if (is_same_tool(again, again.moves[i], meant)) continue;
-    return make_error("convert-tool",
-                      std::string(target_.id) +
-                          " cannot say which tool this move has, and would give it another one: a tool without a number "
-                          "or a cutter after one that has them; expected tools with numbers and cutters",
-                      path_.file, meant.line);
-  }
-  return std::nullopt;
-}
-
-// A feed motion that becomes rapid, or one at another feed, breaks tools: nothing is written then.
-std::optional<Diagnostic> PathWriter::find_other_feed(const Toolpath& again) const {
-  if (target_.has_positions_alone) return std::nullopt;
-  // Binary NCCS files say their feeds, like their positions, without a unit.
-  const bool has_no_unit = target_.form == FileForm::nccs_records;
-  const double factor = has_no_unit ? mm_per(path_.unit) / mm_per(again.unit) : 1;
-  for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
-    const Feed found = again.moves[i].feed();
-    const Feed& meant = expected_[i].feed;
-    const bool is_same =
-        found.unit == meant.unit && std::abs(found.mm * factor - meant.mm) <= kSameFeed * std::abs(meant.mm);
-    if (is_same) continue;
-    return make_error("convert-feed",
-                      "written in " + std::string(target_.id) + ", this move would be " + feed_name(found) +
-                          "; it is " + feed_name(meant) + ": expected another dialect for --to",
-                      path_.file, path_.moves[expected_[i].move].line);
-  }
-  return std::nullopt;
-}
-
-bool PathWriter::is_same_way(const Toolpath& again, const Move& found, const Expected& expected) {
-  const bool is_checked = found.not_checked_reason.empty();
-  if (is_checked != expected.is_checked) return false;
-  if (!is_checked) return true;
-  const bool is_round = std::abs(expected.sweep_rad) > 0;
-  if (!is_round || found.curve_kind != CurveKind::arc) return !is_round && found.curve_kind == CurveKind::none;
-  const PathArc& arc = again.arcs[found.curve];
-  return (arc.sweep_rad * arc.axis - expected.sweep_rad * expected.axis).norm() <= 0.1;
-}
-
-// What was written is read as any file would be and compared with what was meant.
-std::optional<Diagnostic> PathWriter::verify() {
-  ReadOptions options;
-  options.dialect = target_;
-  const ReadOutcome outcome = read_toolpath(path_.file, written_.bytes, options);
-  if (!outcome.toolpath) {
-    written_.notes.push_back(make_warning(
-        "convert-verify",
-        "the result cannot be read again: " + (outcome.errors.empty() ? "" : outcome.errors.front().message),
-        path_.file));
-    return std::nullopt;
-  }
-  const Toolpath& again = *outcome.toolpath;
-  if (auto error = find_other_tool(again)) return error;
-  if (auto error = find_other_feed(again)) return error;
-  if (again.unit != path_.unit) {
-    written_.notes.push_back(make_warning("convert-unit",
-                                          std::string("the result does not state its unit, ") +
-                                              unit_name(path_.unit) + "; say it with --path-units",
-                                          path_.file));
-  }
-  const double factor = mm_per(path_.unit) / mm_per(again.unit);
-  std::size_t differing = again.moves.size() == expected_.size() ? 0 : 1;
-  for (std::size_t i = 0; i < std::min(again.moves.size(), expected_.size()); ++i) {
-    const Move& move = again.moves[i];
-    const bool is_same = (move.end.tip * factor - expected_[i].end.tip).norm() <= kSamePlace_mm &&
-                         (move.end.axis - expected_[i].end.axis).norm() <= kSameAxis &&
-                         move.has_start != expected_[i].is_alone && is_same_way(again, move, expected_[i]);
-    differing += is_same ? 0 : 1;
-  }
-  const std::size_t told = std::min(lost_breaks_, differing);
-  note("convert-verify", differing - told, "move", "of the result read with another meaning");
-  return std::nullopt;
-}
-
 Result<WrittenToolpath> PathWriter::run() {
   if (auto obstacle = find_obstacle()) return std::move(*obstacle);
   sink_ = make_sink();
@@ -482,7 +349,7 @@ Result<WrittenToolpath> PathWriter::run() {
   if (feed_error_) return std::move(*feed_error_);
   written_.bytes = sink_->finish();
   note_losses();
-  if (auto error = verify()) return std::move(*error);
+  if (auto error = verify_written(path_, target_, expected_, lost_breaks_, written_)) return std::move(*error);
   return std::move(written_);
 }
 

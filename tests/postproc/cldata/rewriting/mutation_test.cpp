@@ -103,7 +103,7 @@ TEST(MutatedPath, CanBeCorrectedAndReadAgain) {
     std::vector<PathChange> changes;
     for (std::size_t move = 0; move < path.moves.size(); ++move) {
       if (path.moves[move].kind != MoveKind::feed && path.moves[move].kind != MoveKind::rapid) continue;
-      if (Reasons::is_unread(path.moves[move].not_checked_reason)) continue;
+      if (is_unread(path.moves[move].not_checked_reason)) continue;
       if (move + 1 < path.moves.size() && path.moves[move + 1].kind == MoveKind::arc) continue;
       Pose end = path.moves[move].end;
       end.tip.z() += 1.25;
@@ -130,9 +130,8 @@ std::vector<PathChange> changes_everywhere(const Toolpath& path) {
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
     const bool is_arc = move.kind == MoveKind::arc;
-    const bool is_unread = Reasons::is_unread(move.not_checked_reason);
     const bool meets_arc = i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::arc;
-    if (is_unread || meets_arc || (is_arc && move.curve_kind == CurveKind::none)) continue;
+    if (is_unread(move.not_checked_reason) || meets_arc || (is_arc && move.curve_kind == CurveKind::none)) continue;
     PathChange change{i, move.end, {}, is_arc};
     change.new_end->tip.z() += 1.25;
     if (is_arc) {
@@ -172,7 +171,7 @@ TEST(MutatedNci, CanBeCorrectedAndReadAgain) {
       const Pose& expected = is_changed ? *changes[next].new_end : path.moves[k].end;
       next += is_changed ? 1 : 0;
       ASSERT_LT(k + added, again.toolpath->moves.size()) << *text;
-      if (Reasons::is_unread(path.moves[k].not_checked_reason)) continue;
+      if (is_unread(path.moves[k].not_checked_reason)) continue;
       EXPECT_LT((again.toolpath->moves[k + added].end.tip - expected.tip).norm(), 2e-4) << k << *text;
       EXPECT_LT((again.toolpath->moves[k + added].end.axis - expected.axis).norm(), 1.01e-5) << k << *text;
     }

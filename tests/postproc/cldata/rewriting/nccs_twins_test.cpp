@@ -290,7 +290,7 @@ void expect_changed(const Toolpath& after, const Toolpath& before, const std::ve
     ASSERT_LT(at, after.moves.size());
     const Move& move = after.moves[at];
     const Pose& end = change != nullptr && change->new_end ? *change->new_end : before.moves[i].end;
-    const bool has_end = !Reasons::is_unread(move.not_checked_reason);  // else that of the move before
+    const bool has_end = !is_unread(move.not_checked_reason);  // else that of the move before
     const double off = (move.end.tip - end.tip).norm() + (move.end.axis - end.axis).norm();
     ASSERT_LE(has_end ? off : 0.0, 1e-9) << "move " << i;
     ASSERT_EQ(without_line(move.not_checked_reason), without_line(before.moves[i].not_checked_reason)) << "move " << i;

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "postproc/cldata/language/dialect.h"
+#include "postproc/cldata/writing/write_toolpath.h"
+
+namespace gouge {
+
+/// What one written position is meant to be read as.
+struct ExpectedMotion {
+  Pose end;
+  std::size_t move = 0;  ///< of the path that was written
+  bool is_alone = false;
+  bool is_checked = true;
+  Feed feed;
+  double sweep_rad = 0;  ///< right-handed about `axis`; 0: straight
+  Vec3 axis = Vec3::UnitZ();
+};
+
+/// Reads what was written as any file would be and compares it with what was meant. What differs is noted in `written`,
+/// but for `lost_breaks` positions, which are noted already.
+///
+/// Errors   a motion with another tool, or that is rapid or at another feed: nothing may be written then.
+[[nodiscard]] std::optional<Diagnostic> verify_written(const Toolpath& path, const Dialect& target,
+                                                       const std::vector<ExpectedMotion>& expected,
+                                                       std::size_t lost_breaks, WrittenToolpath& written);
+
+}  // namespace gouge
