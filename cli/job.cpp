@@ -4,13 +4,14 @@
 #include <array>
 #include <optional>
 
+#include "cli/misplaced.h"
 #include "cli/resolve_tools.h"
-#include "cli/scene_reach.h"
 #include "cli/setup_notes.h"
 #include "lib/base/files.h"
 #include "lib/base/parallel.h"
 #include "lib/base/view_file.h"
 #include "lib/check/check_move.h"
+#include "lib/check/scene_reach.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/validate_mesh.h"
 #include "postproc/cldata/reading/read_toolpath.h"

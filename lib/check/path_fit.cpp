@@ -8,6 +8,7 @@
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/check/usual_mistakes.h"
+#include "lib/mesh/mesh_box.h"
 #include "lib/mesh/winding.h"
 
 namespace gouge {
@@ -59,11 +60,8 @@ Contact contact_of(const Pose& pose, const ToolForms& tool, const PreparedScene&
   return answer.has_witness ? Contact::touching : Contact::apart;
 }
 
-bool is_inside(const Pose& pose, const ToolForms& tool, const Scene& scene) {
-  double winding = 0;
-  for (const IndexedMesh& mesh : scene.parts)
-    winding += winding_number(mesh, pose.tip + tool.bare.core.y() * pose.axis);
-  return std::abs(winding) > 0.5;
+bool is_core_inside(const Pose& pose, const ToolForms& tool, const Scene& scene) {
+  return is_inside(scene.parts, pose.tip + tool.bare.core.y() * pose.axis);
 }
 
 Scene scaled(const Scene& scene, double factor) {
@@ -210,17 +208,15 @@ class FitFinder {
   [[nodiscard]] bool is_size_better(const UndoneMistake& mistake) const {
     const double scale = std::cbrt(std::abs(mistake.tip.determinant())) / mistake.part_scale;
     if (std::abs(scale - 1) < 1e-9) return true;
-    Box3 cuts, parts;
+    Box3 cuts;
     for (const std::size_t move : cuts_) cuts.extend(path_.moves[move].end.tip);
-    for (const IndexedMesh& mesh : scene_.scene->parts) parts.extend(mesh.box());
-    const double ratio = cuts.diagonal().norm() / parts.diagonal().norm();
+    const double ratio = cuts.diagonal().norm() / box_of(scene_.scene->parts).diagonal().norm();
     return ratio > 0 && std::abs(std::log(ratio * scale)) < std::abs(std::log(ratio));
   }
 
   // Before a tree is built over a part of another size.
   [[nodiscard]] bool is_hopeful(const std::vector<Sample>& samples, double part_scale) const {
-    Box3 box;
-    for (const IndexedMesh& mesh : scene_.scene->parts) box.extend(mesh.box());
+    const Box3 box = box_of(scene_.scene->parts);
     const Box3 scaled_box(Vec3(part_scale * box.min()), Vec3(part_scale * box.max()));
     const auto near = std::count_if(samples.begin(), samples.end(), [&](const Sample& sample) {
       const double reach = sample.tool->bare.r_max_mm + touch_mm(*sample.tool);
@@ -252,7 +248,7 @@ class FitFinder {
     const std::size_t looks = std::min(touching.size(), kInsideLooks);
     std::size_t inside = 0;
     for (std::size_t i = 0; i < looks; ++i)
-      inside += is_inside(touching[i]->pose, *touching[i]->tool, *scene.scene) ? 1U : 0U;
+      inside += is_core_inside(touching[i]->pose, *touching[i]->tool, *scene.scene) ? 1U : 0U;
     if (static_cast<double>(inside) > kStillGouging * static_cast<double>(looks)) return std::nullopt;
     return Attempt{share, is_of_all};
   }

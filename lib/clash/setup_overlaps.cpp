@@ -1,7 +1,6 @@
 #include "lib/clash/setup_overlaps.h"
 
 #include <algorithm>
-#include <cmath>
 #include <memory>
 
 #include "lib/mesh/winding.h"
@@ -43,7 +42,7 @@ bool may_be_deeper(const Box3& a, const Box3& b, double tolerance_mm) {
 void confirm(const ClashBody& part, const ClashBody& fixture, Clash& clash) {
   const bool is_confirmed = std::all_of(clash.deepest.begin(), clash.deepest.end(), [&](const Contact& contact) {
     const ClashBody& other = contact.body == 0 ? fixture : part;
-    return std::abs(winding_number(other.surface().mesh, contact.point)) > 0.5;
+    return is_inside({&other.surface().mesh, 1}, contact.point);
   });
   if (is_confirmed || clash.containment != Containment::none) return;
   clash.state = ClashState::not_certified;

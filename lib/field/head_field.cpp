@@ -5,23 +5,16 @@
 #include <limits>
 
 #include "lib/check/check_path.h"
-#include "lib/head/head_motion.h"
-#include "lib/penetration/nearest_foot.h"
 #include "lib/field/field_instants.h"
+#include "lib/head/head_motion.h"
+#include "lib/mesh/mesh_box.h"
+#include "lib/penetration/nearest_foot.h"
 
 namespace gouge {
 namespace {
 
 // No step of a head is longer than this share of what it may touch: it would be seen as a saw's teeth.
 constexpr double kSeenStep = 0.01;
-
-Box3 box_of(const Scene& scene) {
-  Box3 box;
-  for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures}) {
-    for (const IndexedMesh& mesh : *meshes) box.extend(mesh.box());
-  }
-  return box;
-}
 
 double reach_of(std::span<const HeadBody> heads) {
   double reach = 0;
@@ -121,7 +114,7 @@ HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
     : heads_(input.heads), tolerance_mm_(input.options.tolerance_mm) {
   if (heads_.empty()) return;
   for (const HeadBody& head : heads_) boxes_.push_back(head.surface.mesh.box());
-  const Box3 scene = box_of(*input.scene);
+  const Box3 scene = box_of(input.scene->parts).merged(box_of(input.scene->fixtures));
   if (scene.isEmpty()) return;
   const double reach = reach_of(heads_);
   const double most_step = kSeenStep * scene.diagonal().norm();

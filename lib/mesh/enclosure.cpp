@@ -9,6 +9,7 @@
 #include "lib/mesh/body_pieces.h"
 #include "lib/mesh/cavity.h"
 #include "lib/mesh/free_ray.h"
+#include "lib/mesh/mesh_box.h"
 #include "lib/mesh/twin_sides.h"
 #include "lib/mesh/winding.h"
 
@@ -185,8 +186,7 @@ struct Enclosure::Surface {
 };
 
 Enclosure::Enclosure(std::span<const IndexedMesh> meshes)
-    : meshes_(meshes), surface_(std::make_unique<Surface>()) {
-  for (const IndexedMesh& mesh : meshes) box_.extend(mesh.box());
+    : meshes_(meshes), box_(box_of(meshes)), surface_(std::make_unique<Surface>()) {
   if (box_.isEmpty()) return;
   const Vec3 margin = Vec3::Constant(kMargin * (1 + box_.min().cwiseAbs().cwiseMax(box_.max().cwiseAbs()).maxCoeff()));
   beyond_ = Box3(box_.min() - margin, box_.max() + margin);

@@ -25,4 +25,10 @@ double winding_number(const IndexedMesh& mesh, const Vec3& point_part) {
   return sum / (4 * std::numbers::pi);
 }
 
+bool is_inside(std::span<const IndexedMesh> meshes, const Vec3& point_part) {
+  double winding = 0;
+  for (const IndexedMesh& mesh : meshes) winding += winding_number(mesh, point_part);
+  return std::abs(winding) > 0.5;
+}
+
 }  // namespace gouge

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <span>
+
 #include "lib/geom/vec.h"
 #include "lib/mesh/indexed_mesh.h"
 
@@ -21,6 +23,11 @@ namespace gouge {
 ///          BME-30 (1983) 125-126; as a test for inside: A. Jacobson et al., Robust inside-outside
 ///          segmentation using generalized winding numbers, ACM Trans. Graph. 32 (2013).
 [[nodiscard]] double winding_number(const IndexedMesh& mesh, const Vec3& point_part);
+
+/// Whether the surfaces together wind around the point: the sum of their winding numbers is nearer to +-1, or beyond it,
+/// than to 0. Exact for closed surfaces and a point off them, whichever way they face; a hint for others.
+/// Cost  that of winding_number.
+[[nodiscard]] bool is_inside(std::span<const IndexedMesh> meshes, const Vec3& point_part);
 
 /// Signed solid angle of triangle abc seen from `point`: positive from the side its corners run clockwise
 /// (from behind, that is from inside a closed outward mesh). In [-2 pi, 2 pi].

@@ -102,7 +102,7 @@ SurfaceFoot signed_foot(const DepthBody& body, const Vec3& point, std::uint32_t 
   const Vec3 way = point - foot.point;
   const Vec3 outward = body.sign.outward(answer.triangle, foot.feature, foot.index);
   const double side = way.dot(outward);
-  answer.is_inside = outward.squaredNorm() > 0 ? side < 0 : std::abs(winding_number(body.mesh, point)) > 0.5;
+  answer.is_inside = outward.squaredNorm() > 0 ? side < 0 : is_inside({&body.mesh, 1}, point);
   answer.normal = body.sign.face(answer.triangle);
   if (answer.distance_mm > 0) answer.normal = (answer.is_inside ? -1.0 : 1.0) / answer.distance_mm * way;
   return answer;

@@ -7,6 +7,7 @@
 #include "lib/check/check_path.h"
 #include "lib/head/check_heads.h"
 #include "lib/head/head_motion.h"
+#include "lib/mesh/mesh_box.h"
 #include "lib/mesh/winding.h"
 #include "lib/penetration/nearest_foot.h"
 
@@ -14,15 +15,14 @@ namespace gouge {
 namespace {
 
 double scene_size(const Scene& scene) {
-  Box3 box;
-  for (const IndexedMesh& mesh : scene.parts) box.extend(mesh.box());
+  const Box3 box = box_of(scene.parts);
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 bool is_in_solid(const Scene& scene, const Vec3& point) {
   for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures}) {
     for (const IndexedMesh& mesh : *meshes) {
-      if (mesh.box().contains(point) && std::abs(winding_number(mesh, point)) > 0.5) return true;
+      if (mesh.box().contains(point) && is_inside({&mesh, 1}, point)) return true;
     }
   }
   return false;

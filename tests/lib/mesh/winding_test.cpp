@@ -37,6 +37,21 @@ TEST(Winding, WholeForManyNeedlesAndManyTriangles) {
   EXPECT_NEAR(winding_number(shapes::torus(20, 5), Vec3(20, 0, 0)), 1, 1e-13);
 }
 
+TEST(Winding, AllSurfacesTogetherSayWhatIsInside) {
+  const std::vector<IndexedMesh> apart = {shapes::cube(10), shapes::moved(shapes::cube(10), Vec3(30, 0, 0))};
+  EXPECT_TRUE(is_inside(apart, Vec3(5, 5, 5)));
+  EXPECT_TRUE(is_inside(apart, Vec3(35, 5, 5)));
+  EXPECT_FALSE(is_inside(apart, Vec3(20, 5, 5)));
+  EXPECT_TRUE(is_inside({&apart[1], 1}, Vec3(35, 5, 5)));
+  EXPECT_FALSE(is_inside({&apart[0], 1}, Vec3(35, 5, 5)));
+  const std::vector<IndexedMesh> hollow = {shapes::cube(10),
+                                           shapes::inside_out(shapes::box(Vec3(2, 2, 2), Vec3(8, 8, 8)))};
+  EXPECT_TRUE(is_inside(hollow, Vec3(1, 1, 1)));
+  EXPECT_FALSE(is_inside(hollow, Vec3(5, 5, 5))) << "a cavity in a file of its own";
+  EXPECT_TRUE(is_inside({&hollow[1], 1}, Vec3(5, 5, 5))) << "inside out";
+  EXPECT_FALSE(is_inside({}, Vec3(1, 1, 1)));
+}
+
 TEST(Winding, AnOpenCubeIsNoWholeNumber) {
   const double at_centre = winding_number(shapes::open_cube(10), Vec3(5, 5, 5));
   EXPECT_NEAR(at_centre, 5.0 / 6, 1e-12);

@@ -11,10 +11,6 @@
 
 namespace gouge {
 
-/// No point of the scene is farther than this from any tip the path has, between positions too: the diagonal of
-/// the box of meshes and tips. 0 when there is nothing.
-[[nodiscard]] double reach_mm(const Toolpath& path, const Scene& scene);
-
 /// A warning where a path can hardly belong to the parts it is checked against: no part comes as near to the box of
 /// its tips as a tool could reach (`tool_mm`, the longest way from a tip to a point of a tool), or all parts together
 /// are many times smaller than what it cuts, as with a wrong unit. Where another unit than `stl_unit`, in which the STL files

@@ -1,8 +1,6 @@
-#include "cli/scene_reach.h"
+#include "cli/misplaced.h"
 
 #include <gtest/gtest.h>
-
-#include <numbers>
 
 #include "lib/check/check_path.h"
 #include "tests/support/paths.h"
@@ -11,22 +9,6 @@
 
 namespace gouge {
 namespace {
-
-TEST(SceneReach, NothingOfTheSceneIsFartherFromATip) {
-  const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{30, 0, 0}, {0, 0, 1}}});
-  const Scene scene{{shapes::cube(10)}, {}};
-  EXPECT_GE(reach_mm(path, scene), (Vec3(30, 0, 0) - Vec3(0, 10, 10)).norm());
-  EXPECT_EQ(reach_mm({}, {}), 0);
-}
-
-// A full circle ends where it begins; the tip is far from both in between.
-TEST(SceneReach, AnArcReachesBeyondItsEnds) {
-  Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{0, 0, 0}, {0, 0, 1}}});
-  path.arcs.push_back({Vec3(50, 0, 0), Vec3::UnitZ(), 2 * std::numbers::pi});
-  path.moves[1].curve_kind = CurveKind::arc;
-  const Scene scene{{shapes::cube(1)}, {}};
-  EXPECT_GE(reach_mm(path, scene), 99);
-}
 
 TEST(Misplaced, IsToldOfAPartFarAwayOrFarTooSmall) {
   const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{100, 0, 0}, {0, 0, 1}}, {{100, 80, 0}, {0, 0, 1}}});
@@ -88,19 +70,6 @@ TEST(Misplaced, IsToldOfAPartFarTooLargeWhenTheCutsAreInIt) {
             "the part is 26 times larger than the path, and 2 of 3 cuts are in it; with --stl-units mm it would be about "
             "as large as the path; check the units (--stl-units, --path-units) and --place");
   EXPECT_FALSE(find_too_large(path, scene, verdicts, LengthUnit::mm)) << "no unit would fit";
-}
-
-TEST(ExtendUp, WhatIsAboveTheToolNoLongerHides) {
-  const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{5, 0, 0}, {0, 0, 1}}});
-  Scene scene;
-  scene.parts.push_back(shapes::sheet(40, 40, 80));
-  for (Vec3& v : scene.parts[0].vertices) v -= Vec3(20, 20, 0);
-  ToolAssembly tool;
-  tool.cutter = FlatCutter{10, 30};
-  const ToolForms as_given = tools::forms(tool);
-  const ToolForms endless = tools::forms(extended_up(tool, reach_mm(path, scene) + 5));
-  EXPECT_EQ(check_path(path, {&as_given}, prepare_scene(scene), {}).counts.gouge, 0u);
-  EXPECT_EQ(check_path(path, {&endless}, prepare_scene(scene), {}).counts.gouge, 2u);
 }
 
 }  // namespace

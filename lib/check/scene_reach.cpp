@@ -1,0 +1,82 @@
+#include "lib/check/scene_reach.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "lib/mesh/mesh_box.h"
+
+namespace gouge {
+namespace {
+
+double from_axis(const PathArc& arc, const Vec3& point) {
+  const Vec3 away = point - arc.center;
+  return (away - away.dot(arc.axis) * arc.axis).norm();
+}
+
+// An arc's tip is never farther from its axis than the farther of its ends, nor higher or lower than both.
+void add_arc(Box3& box, const PathArc& arc, const Vec3& start, const Vec3& end) {
+  const double across = 2 * std::max(from_axis(arc, start), from_axis(arc, end));
+  for (const Vec3& point : {start, end}) {
+    box.extend(Vec3(point - Vec3::Constant(across)));
+    box.extend(Vec3(point + Vec3::Constant(across)));
+  }
+}
+
+Box3 box_of_tips(const Toolpath& path) {
+  Box3 box;
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    const Move& move = path.moves[i];
+    box.extend(move.end.tip);
+    if (move.curve_kind == CurveKind::arc) add_arc(box, path.arcs[move.curve], path.start_of(i).tip, move.end.tip);
+    if (move.curve_kind == CurveKind::spline)
+      for (const SplinePiece& piece : path.splines[move.curve].pieces)
+        for (const Vec3& control : piece.control) box.extend(control);
+  }
+  return box;
+}
+
+// Without rapids, which may come from far away.
+Box3 box_of_cuts(const Toolpath& path) {
+  Box3 box;
+  for (const Move& move : path.moves) {
+    if (move.kind != MoveKind::rapid) box.extend(move.end.tip);
+  }
+  return box;
+}
+
+double size_of(const Box3& box) {
+  return box.diagonal().norm();
+}
+
+}  // namespace
+
+double reach_mm(const Toolpath& path, const Scene& scene) {
+  const Box3 box = box_of_tips(path).merged(box_of(scene.parts)).merged(box_of(scene.fixtures));
+  return box.isEmpty() ? 0 : size_of(box);
+}
+
+std::optional<PartsBesidePath> compare_parts(const Toolpath& path, const Scene& scene) {
+  const Box3 parts = box_of(scene.parts), tips = box_of_tips(path), cuts = box_of_cuts(path);
+  if (parts.isEmpty() || tips.isEmpty()) return std::nullopt;
+  PartsBesidePath found;
+  found.gap_mm = std::sqrt(parts.squaredExteriorDistance(tips));
+  if (!cuts.isEmpty()) found.times_smaller = size_of(cuts) / std::max(size_of(parts), 1e-9);
+  return found;
+}
+
+std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit) {
+  constexpr double kAbout = 2.5;  // times
+  std::vector<std::pair<double, const UnitFacts*>> fitting;
+  for (const UnitFacts& unit : kUnits) {
+    const double left = times_smaller * mm_per(stl_unit) / unit.mm;
+    const double off = std::max(left, 1 / left);
+    if (off <= kAbout && unit.unit != stl_unit) fitting.emplace_back(off, &unit);
+  }
+  std::stable_sort(fitting.begin(), fitting.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<const UnitFacts*> units;
+  for (const auto& [off, unit] : fitting) units.push_back(unit);
+  return units;
+}
+
+}  // namespace gouge

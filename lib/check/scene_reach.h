@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lib/base/units.h"
+#include "lib/check/scene.h"
+#include "lib/path/toolpath.h"
+
+// Where a scene lies to a path and how large it is beside it, by boxes.
+
+namespace gouge {
+
+/// No point of the scene is farther than this from any tip the path has, between positions too: the diagonal of
+/// the box of meshes and tips. 0 when there is nothing.
+[[nodiscard]] double reach_mm(const Toolpath& path, const Scene& scene);
+
+/// All parts together beside a path.
+struct PartsBesidePath {
+  double gap_mm = 0;         ///< between the box of the parts and one that holds every tip
+  double times_smaller = 1;  ///< the parts than what is cut, rapids left out; 1 where nothing is cut
+
+  // Parts are about as large as what is milled of them.
+  static constexpr double kFarOff = 8;
+  [[nodiscard]] bool is_far_smaller() const { return times_smaller > kFarOff; }
+  [[nodiscard]] bool is_far_larger() const { return times_smaller < 1 / kFarOff; }
+};
+
+/// Nothing where there is no part or no motion.
+[[nodiscard]] std::optional<PartsBesidePath> compare_parts(const Toolpath& path, const Scene& scene);
+
+/// The units that would make parts about as large as the path which are that many times smaller when read in `stl_unit`,
+/// the best first.
+[[nodiscard]] std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit);
+
+}  // namespace gouge
