@@ -10,18 +10,12 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
+#include "postproc/cldata/parsing/machine_tokens.h"
 
 namespace gouge {
 namespace {
 
-// "X-50." has letters and a number, "FMAX" letters, "12" a number, "#" neither.
-struct Token {
-  std::string_view letters;
-  std::optional<double> number;
-  bool is_glued = false;  // nothing stands between letters and number
-  char other = '\0';
-};
-
+using Token = MachineToken;
 using Tokens = std::span<const Token>;
 
 template <std::size_t size>
@@ -37,64 +31,6 @@ bool is(const Token& token, std::string_view word) {
 bool is_word_of(const Token& token, std::string_view letters) {
   return token.letters.size() == 1 && token.number &&
          letters.find(static_cast<char>(token.letters[0] & ~0x20)) != std::string_view::npos;
-}
-
-// How much of `text` is a number, whose point may be a comma; 0 where it does not begin with one.
-std::size_t take_number(std::string_view text, std::optional<double>& number) {
-  std::string digits;
-  std::size_t length = 0;
-  for (; length < text.size(); ++length) {
-    const char c = text[length];
-    const bool is_comma = c == ',' && length + 1 < text.size() && is_digit(text[length + 1]);
-    const bool is_sign = length == 0 && (c == '-' || c == '+');
-    if (!is_digit(c) && c != '.' && !is_comma && !is_sign) break;
-    digits += is_comma ? '.' : c;
-  }
-  number = parse_number(digits);
-  return number ? length : 0;
-}
-
-// Blanks, and brackets with what they hold, which are comments to most controls.
-std::size_t skipped_length(std::string_view text) {
-  std::size_t at = 0;
-  while (at < text.size() && (is_blank(text[at]) || text[at] == ',' || text[at] == '(' || text[at] == ')')) {
-    at = text[at] == '(' ? std::min(text.find(')', at), text.size()) : at + 1;
-  }
-  return at;
-}
-
-Token take_token(std::string_view& text) {
-  Token token;
-  std::size_t at = 0;
-  while (at < text.size() && (is_letter(text[at]) || text[at] == '_')) ++at;
-  token.letters = text.substr(0, at);
-  const std::size_t letters = at;
-  while (at > 0 && at < text.size() && (text[at] == '=' || is_blank(text[at]))) ++at;
-  const bool belongs =
-      at == letters || letters == 1 || text.substr(letters, at - letters).find('=') != std::string_view::npos;
-  const std::size_t length = belongs ? take_number(text.substr(at), token.number) : 0;
-  if (length > 0) {
-    token.is_glued = at == letters && letters > 0;
-    at += length;
-  } else {
-    at = letters;
-    if (at == 0) token.other = text[at++];
-  }
-  text.remove_prefix(at);
-  return token;
-}
-
-std::vector<Token> tokens_of(std::string_view text) {
-  std::vector<Token> tokens;
-  for (text.remove_prefix(skipped_length(text)); !text.empty(); text.remove_prefix(skipped_length(text))) {
-    if (text.front() == ';') break;
-    if (text.front() == '"') {  // a name or a message
-      text.remove_prefix(std::min(text.find('"', 1), text.size() - 1) + 1);
-      continue;
-    }
-    tokens.push_back(take_token(text));
-  }
-  return tokens;
 }
 
 bool is_linear_axis(const Token& t) {
@@ -434,7 +370,7 @@ MachineEffect read_machine_text(std::string_view text, bool may_be_name) {
     text = trim(text.substr(1));
   while (!text.empty() && (text.back() == '\'' || text.back() == '%' || text.back() == '"'))
     text = trim(text.substr(0, text.size() - 1));
-  const std::vector<Token> all = tokens_of(text);
+  const std::vector<Token> all = machine_tokens(text);
   Tokens tokens(all);
   const bool is_numbered = tokens.size() > 1 && (is_word_of(tokens.front(), "N") ||
                                                  (tokens.front().letters.empty() && tokens.front().number));

@@ -11,6 +11,7 @@
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/lexing/statement_at.h"
 #include "postproc/cldata/rewriting/arc_text.h"
+#include "postproc/cldata/rewriting/change_table.h"
 #include "postproc/cldata/rewriting/goto_text.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
 #include "postproc/cldata/rewriting/write_corrected_nccs.h"
@@ -28,27 +29,15 @@ class CorrectedWriter {
         goto_text_(path, read_),
         arc_text_(path, read_),
         is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
-        changes_(path.moves.size(), nullptr) {
-    for (const PathChange& change : changes) changes_[change.move] = &change;
-    for (std::size_t i = 0; i < changes_.size(); ++i) {
-      if (is_straightened(i)) drop_curve(i);
+        changes_(path.moves.size(), changes) {
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      if (changes_.is_straightened(i)) drop_curve(i);
     }
   }
 
   Result<std::string> write();
 
  private:
-  [[nodiscard]] bool is_changed(std::size_t move) const {
-    return changes_[move] != nullptr &&
-           (changes_[move]->new_end || !changes_[move]->inserted_before.empty() || is_straightened(move) ||
-            has_new_arc(move) || changes_[move]->hole_shift_mm);
-  }
-  [[nodiscard]] bool has_new_arc(std::size_t move) const {
-    return changes_[move] != nullptr && changes_[move]->new_arc;
-  }
-  [[nodiscard]] bool is_straightened(std::size_t move) const {
-    return changes_[move] != nullptr && changes_[move]->is_straightened;
-  }
   [[nodiscard]] std::optional<Diagnostic> find_unwritable() const;
   void drop_curve(std::size_t move);
   [[nodiscard]] std::optional<Diagnostic> redescribe_arc(std::size_t move);
@@ -60,9 +49,6 @@ class CorrectedWriter {
   [[nodiscard]] std::string shifted_holes(std::size_t first, std::size_t last) const;
   void append_source(std::string& text, std::size_t from, std::size_t to) const;
   [[nodiscard]] bool has_curve_left(std::size_t first, std::size_t last) const;
-  [[nodiscard]] bool has_insertion(std::size_t move) const {
-    return changes_[move] != nullptr && !changes_[move]->inserted_before.empty();
-  }
   [[nodiscard]] Pose local_end(std::size_t move) const;
   void begin_statement(const MotionRecord& record, bool is_new_block);
   [[nodiscard]] bool needs_rewriting(std::size_t first, std::size_t last) const;
@@ -86,7 +72,7 @@ class CorrectedWriter {
   GotoText goto_text_;
   ArcText arc_text_;
   bool is_axis_modal_;
-  std::vector<const PathChange*> changes_;
+  ChangeTable changes_;
   // What statements become that have no position of their own: nothing, where they describe what is straightened; or what
   // describes the arc, with the positions before it.
   std::map<std::size_t, std::string> replaced_;
@@ -155,7 +141,7 @@ std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
   const Result<std::string> text = arc_text_.description(move, arc);
   if (!text) return text.error();
   replaced_[record.curve_statement] = *text;
-  if (has_insertion(move)) {
+  if (changes_.has_insertion(move)) {
     const std::size_t first = arc_text_.first_statement(move);
     if (first != record.curve_statement) replaced_[first] = std::string(bytes_of(first));
     replaced_[first].insert(0, insertions(move));
@@ -190,24 +176,21 @@ bool CorrectedWriter::has_curve_left(std::size_t first, std::size_t last) const 
     const bool is_straight =
         move.curve_kind == CurveKind::none && is_motion_known(move.not_checked_reason);
     if (move.kind != MoveKind::arc || is_straight) continue;  // a list may begin where the tool stands
-    (is_straightened(i) ? has_straightened : has_round) = true;
+    (changes_.is_straightened(i) ? has_straightened : has_round) = true;
   }
-  const std::size_t after = last;
-  const bool has_new_start = changes_[last - 1] != nullptr && changes_[last - 1]->new_end &&
-                             after < path_.moves.size() && path_.moves[after].kind == MoveKind::arc &&
-                             path_.moves[after].has_start && !is_straightened(after) && !has_new_arc(after);
+  const bool has_new_start = changes_.has_new_end(last - 1) &&
+                             last < path_.moves.size() && path_.moves[last].kind == MoveKind::arc &&
+                             path_.moves[last].has_start && !changes_.is_straightened(last) && !changes_.has_new_arc(last);
   return (has_straightened && has_round) || has_new_start;
 }
 
 bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const {
   for (std::size_t i = first; i < last; ++i) {
-    if (is_changed(i)) return true;
+    if (changes_.is_changed(i)) return true;
   }
   const MotionRecord& record = records_[first];
   const bool is_step = record.form == PositionForm::godlta || (record.form == PositionForm::cycle && record.numbers == 0);
-  if (is_step) {
-    return first > 0 && changes_[first - 1] != nullptr && changes_[first - 1]->new_end.has_value();
-  }
+  if (is_step) return first > 0 && changes_.has_new_end(first - 1);
   if (record.form == PositionForm::unread) return false;
   const bool relies_on_axis = is_axis_modal_ && (record.numbers == 3 || record.form == PositionForm::curve);
   return relies_on_axis && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
@@ -254,7 +237,7 @@ std::string CorrectedWriter::insertions(std::size_t move) {
   const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
   bool is_rapid_pending = record.is_rapid;
   std::string text;
-  if (!has_insertion(move)) return text;
+  if (!changes_.has_insertion(move)) return text;
   for (std::size_t k = 0; k < changes_[move]->inserted_before.size(); ++k) {
     const Pose& pose = changes_[move]->inserted_before[k];
     if (!changes_[move]->inserted_arcs.empty()) text += inserted_arcs_[k];
@@ -274,7 +257,7 @@ std::string CorrectedWriter::insertions(std::size_t move) {
 
 std::string CorrectedWriter::in_place(std::size_t first, std::size_t last) {
   const MotionRecord& record = records_[first];
-  const std::string text = has_new_arc(first) ? std::string() : insertions(first);
+  const std::string text = changes_.has_new_arc(first) ? std::string() : insertions(first);
   std::vector<std::optional<WrittenPosition>> positions(last - first);
   bool has_new_axis = false;
   for (std::size_t i = first; i < last; ++i) {
@@ -310,7 +293,7 @@ std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::si
     return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
                       path_.moves[first].line);
   }
-  const bool is_curve = record.form == PositionForm::curve && !is_straightened(first) && !has_new_arc(first);
+  const bool is_curve = record.form == PositionForm::curve && !changes_.is_straightened(first) && !changes_.has_new_arc(first);
   const bool relies_on_axis = is_axis_modal_ && record.numbers == 3 &&
                               !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
   const bool is_cycle = record.form == PositionForm::cycle && (record.numbers == 0 || relies_on_axis);
@@ -327,13 +310,13 @@ std::string CorrectedWriter::rewritten(std::size_t first, std::size_t last) {
     axis_written_ = axis_read_;
     return shifted_holes(first, last);
   }
-  if (has_new_arc(first)) {
+  if (changes_.has_new_arc(first)) {
     if (record.form != PositionForm::curve) return in_place(first, last);
     axis_written_ = local_end(first).axis;
     return replaced_[record.statement];
   }
   bool is_split = record.form == PositionForm::godlta || record.form == PositionForm::curve;
-  for (std::size_t i = first; i < last; ++i) is_split = is_split || (record.points > 1 && has_insertion(i));
+  for (std::size_t i = first; i < last; ++i) is_split = is_split || (record.points > 1 && changes_.has_insertion(i));
   return is_split ? one_by_one(first, last) : in_place(first, last);
 }
 
@@ -349,13 +332,12 @@ std::string CorrectedWriter::shifted_holes(std::size_t first, std::size_t last) 
 }
 
 std::optional<Diagnostic> CorrectedWriter::find_unwritable() const {
-  const auto is_asked = [](const PathChange* c) { return c != nullptr && (c->has_arc() || c->hole_shift_mm); };
-  if (std::none_of(changes_.begin(), changes_.end(), is_asked)) return std::nullopt;
-  const RewritableMoves can = rewritable_moves(path_, read_, arc_text_);
-  for (std::size_t i = 0; i < changes_.size(); ++i) {
-    if (!is_asked(changes_[i])) continue;
+  std::optional<RewritableMoves> can;
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+    if (!changes_.is_rewritten(i)) continue;
+    if (!can) can = rewritable_moves(path_, read_, arc_text_);
     const bool is_split = !changes_[i]->inserted_arcs.empty();
-    if (is_split ? can.split[i] : changes_[i]->new_arc ? can.arc[i] : can.hole[i]) continue;
+    if (is_split ? can->split[i] : changes_[i]->new_arc ? can->arc[i] : can->hole[i]) continue;
     return make_error("write-arc",
                       "move " + std::to_string(i) +
                           (changes_[i]->has_arc() ? " is no arc whose statement can be rewritten; straighten it instead"
@@ -387,7 +369,7 @@ Result<std::string> CorrectedWriter::write() {
     if (changes_[first] != nullptr && !changes_[first]->inserted_arcs.empty()) {
       if (auto error = describe_inserted_arcs(first)) return std::move(*error);
     }
-    if (has_new_arc(first)) {
+    if (changes_.has_new_arc(first)) {
       if (auto error = redescribe_arc(first)) return std::move(*error);
     }
     const SourceStatement& span = path_.statements[record.statement];
