@@ -118,7 +118,7 @@ class Resolver {
     } else if (tool.cutter) {
       note_not_in_library(tool);
       facts.defined_in = path_.file + ":" + std::to_string(tool.line);
-      const Result<ToolFromPath> made = by_path(tool);
+      const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
       if (!made) return at(made.error(), tool);
       for (const Diagnostic& note : made->notes) result_.notes.push_back(at(note, tool));
       assembly = made->tool;
@@ -126,13 +126,6 @@ class Resolver {
     tell(tool, assembly, facts);
     result_.assemblies.push_back(std::move(assembly));
     return std::nullopt;
-  }
-
-  [[nodiscard]] Result<ToolFromPath> by_path(const PathTool& tool) const {
-    const CutterStatement& c = *tool.cutter;
-    return make_tool_from_path(
-        tool.number, tool.name,
-        {c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm, c.given, tool.flute_length_mm}, holder_);
   }
 
   void note_not_in_library(const PathTool& tool) {
@@ -167,7 +160,7 @@ class Resolver {
     const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
     // CAMplete writes its tools of any shape without angles.
     if (c.given < kWhole || (is_plain && path_.dialect == "apt-camplete")) return;
-    const Result<ToolFromPath> made = by_path(tool);
+    const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
     const double reach = made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;
     if (reach <= kReach_mm) return;
     const std::string length = exact_text(std::round(reach / mm_per(path_.unit) * 1e4) / 1e4) + " " +

@@ -18,11 +18,11 @@ std::string mm(double value) {
 }
 
 // Highest point the corner can reach; what lies above is the side.
-double tip_height(const PathCutter& c) {
+double tip_height(const CutterStatement& c) {
   return c.d_mm / 2 * tangent(std::clamp(c.alpha_deg, 0.0, 89.0)) + 2 * c.r_mm;
 }
 
-double assumed_height(const PathCutter& c) {
+double assumed_height(const CutterStatement& c) {
   const double usual = std::max({5 * c.d_mm, 50.0, 2 * tip_height(c)});
   if (c.beta_deg >= 0 || c.beta_deg <= -89) return usual;
   return std::min(usual, 0.9 * (c.d_mm / 2) / tangent(-c.beta_deg));
@@ -49,14 +49,19 @@ void split_shank(ToolAssembly& tool, AptCutter cutter, double flute_length_mm) {
 
 }  // namespace
 
-Result<ToolFromPath> make_tool_from_path(std::optional<int> number, const std::string& name,
-                                         const PathCutter& c, const std::vector<ToolSegment>& holder) {
+Result<ToolFromPath> make_tool_from_path(const PathTool& tool, const std::vector<ToolSegment>& holder) {
   ToolFromPath made;
-  made.tool.number = number;
-  made.tool.name = name;
+  made.tool.number = tool.number;
+  made.tool.name = tool.name;
   made.tool.holder = holder;
-  AptCutter cutter{
-      c.d_mm, c.r_mm, c.e_mm, c.f_mm, c.alpha_deg, c.beta_deg, c.h_mm > 0 ? c.h_mm : c.flute_length_mm};
+  const CutterStatement& c = *tool.cutter;
+  AptCutter cutter{.d_mm = c.d_mm,
+                   .r_mm = c.r_mm,
+                   .e_mm = c.e_mm,
+                   .f_mm = c.f_mm,
+                   .alpha_deg = c.alpha_deg,
+                   .beta_deg = c.beta_deg,
+                   .h_mm = c.h_mm > 0 ? c.h_mm : tool.flute_length_mm};
   const std::string who = "tool " + label(made.tool) + ": ";
   if (!(cutter.h_mm > 0) || ends_within_tip(cutter)) {
     cutter.h_mm = assumed_height(c);
@@ -68,8 +73,8 @@ Result<ToolFromPath> make_tool_from_path(std::optional<int> number, const std::s
   if (const std::string contradiction = apt_contradiction(cutter); !contradiction.empty())
     made.notes.push_back(make_warning("cutter-contradiction", who + contradiction));
   made.tool.cutter = cutter;
-  if (c.flute_length_mm > 0 && c.flute_length_mm < cutter.h_mm)
-    split_shank(made.tool, cutter, c.flute_length_mm);
+  if (tool.flute_length_mm > 0 && tool.flute_length_mm < cutter.h_mm)
+    split_shank(made.tool, cutter, tool.flute_length_mm);
   if (const Result<BodyProfiles> bodies = make_body_profiles(made.tool); !bodies) return bodies.error();
   return made;
 }
