@@ -72,24 +72,6 @@ FacetRecord record_of(const std::array<Vec3, 3>& facet, const Vec3& normal) {
   return record;
 }
 
-/// Spanned by the edge and the sum of both normals (the rhombus diagonal), which unlike their difference also
-/// stands for coplanar neighbours. Neighbours folded back on each other share the facet's own rim.
-BisectorNormals bisectors_of(const DepthBody& body, const MeshAdjacency& adjacency, std::uint32_t triangle) {
-  BisectorNormals normals;
-  const std::array<Vec3, 3> facet = corners_of(body.mesh, triangle);
-  const Vec3& own = body.sign.face(triangle);
-  for (std::size_t k = 0; k < 3; ++k) {
-    const Vec3 along = facet[(k + 1) % 3] - facet[k];
-    Vec3 sum = own;
-    for (const EdgeUse& use : adjacency.uses(adjacency.edges()[adjacency.edges_of_triangle(triangle)[k]])) {
-      if (use.triangle != triangle) sum += body.sign.face(use.triangle);
-    }
-    const Vec3 across = sum.cross(along);
-    normals[k] = across.norm() > 1e-9 * along.norm() ? Vec3(across.normalized()) : Vec3(own.cross(along));
-  }
-  return normals;
-}
-
 }  // namespace
 
 DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
@@ -119,8 +101,6 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
   for (const std::uint32_t t : body.tree.order) {
     body.corners.push_back(corners_of(body.mesh, t));
     body.facets.push_back(record_of(body.corners.back(), body.sign.face(t)));
-    if (options.is_lean) continue;
-    body.bisectors.push_back(bisectors_of(body, adjacency, t));
   }
   fill_node_bounds(body);
   if (options.is_lean) return body;

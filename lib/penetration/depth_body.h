@@ -47,10 +47,6 @@ struct FacetRecord {
   }
 };
 
-/// Bisector planes of a facet with its neighbours, edge k from corner k to the next: a point behind the facet
-/// is nearer to the facet's plane than to the neighbour's while normal_k . (x - corner_k) >= 0 (thesis 4.8).
-using BisectorNormals = std::array<Vec3, 3>;
-
 struct DepthBody {
   IndexedMesh mesh;
   DepthBodyOptions options;
@@ -60,7 +56,6 @@ struct DepthBody {
   /// By place in tree.order.
   std::vector<FacetRecord> facets;
   std::vector<std::array<Vec3, 3>> corners;
-  std::vector<BisectorNormals> bisectors;
   /// Six numbers a node: the box of its facets without depth, lower ends first, not above the true ones.
   std::vector<float> boxes;
   std::vector<BoundBlock> blocks;  ///< the same tree for searches, down to facets; the first is the root

@@ -24,7 +24,7 @@ PenetrationFinder::PenetrationFinder(const DepthBody& body, const PointBody& poi
     : body_(body),
       points_(points),
       options_(options),
-      narrow_(body, options.mode),
+      narrow_(body),
       stride_(body.tree.stride),
       axes_(body.tree.directions),
       shifts_(stride_, 0.0F),
@@ -84,16 +84,15 @@ void PenetrationFinder::visit_leaf(std::uint32_t index, const List& candidates) 
   }
   // First no deeper than half the volume's size: that tells whether facets are small here.
   const List coarse = refine(volume, 0.5F * size_of(volume), candidates, kNoLimit);
-  const bool may_search = options_.mode == NarrowMode::exact;
   if (coarse.is_empty()) {
     tell_lump(index);
-  } else if (may_search && items_of(coarse) > kManyItems) {
+  } else if (items_of(coarse) > kManyItems) {
     search_points(index);
   } else {
-    const List near = refine(volume, -1, coarse, may_search ? kManyFacets : kNoLimit);
+    const List near = refine(volume, -1, coarse, kManyFacets);
     if (near.is_empty()) {
       tell_lump(index);
-    } else if (may_search && near.last - near.first > kManyFacets) {
+    } else if (near.last - near.first > kManyFacets) {
       search_points(index);
     } else {
       narrow_.set_leaves(std::span(stack_).subspan(near.first, near.last - near.first));
@@ -167,7 +166,7 @@ void PenetrationFinder::bound_points(std::uint32_t index, float* volume) {
 
 /// Nothing of the surface lies in the node's volume: all its points are on one side, far from the surface.
 void PenetrationFinder::tell_lump(std::uint32_t index) {
-  if (!options_.is_deeper_told || options_.mode != NarrowMode::exact) return;
+  if (!options_.is_deeper_told) return;
   const KdopNode& node = points_.tree.nodes[index];
   const auto place_of = [&](std::uint32_t k) {
     return pose_.point(points_.points[points_.tree.order[node.item_first + k]]);
@@ -181,16 +180,15 @@ void PenetrationFinder::tell_lump(std::uint32_t index) {
 
 void PenetrationFinder::test_points(std::uint32_t index) {
   const KdopNode& node = points_.tree.nodes[index];
-  const bool is_exact = options_.mode == NarrowMode::exact;
   for (std::uint32_t k = 0; k < node.item_count; ++k) {
     const std::uint32_t point = points_.tree.order[node.item_first + k];
     const Vec3 place = pose_.point(points_.points[point]);
     const DepthGrid::Answer side = body_.depths.at(place);
-    if (is_exact && side == DepthGrid::Answer::outside) continue;
+    if (side == DepthGrid::Answer::outside) continue;
     const NarrowAnswer found = narrow_.test(place, answer_.counters);
     if (found.is_inside && found.depth_mm > 0) {
       tell(point, place, found.normal, found.depth_mm, found.triangle);
-    } else if (!found.is_inside && is_exact && side != DepthGrid::Answer::shallow) {
+    } else if (!found.is_inside && side != DepthGrid::Answer::shallow) {
       tell_if_deep(point, place);
     }
   }

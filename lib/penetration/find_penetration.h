@@ -15,7 +15,6 @@
 namespace gouge {
 
 struct PenetrationOptions {
-  NarrowMode mode = NarrowMode::exact;
   std::uint32_t body = 0;      ///< told in the contacts
   bool is_deeper_told = true;  ///< also look for points inside beyond the depth of the volumes
 };
@@ -24,7 +23,7 @@ struct PointContact {
   Contact contact;
   std::uint32_t point = 0;  ///< index among the points the moving body was built from
   /// Deeper than D, the depth of the volumes. The contact's depth and normal are still those of the nearest
-  /// surface in exact mode; planes and volumes alone do not reach there.
+  /// surface.
   bool is_deeper = false;
 };
 
@@ -39,7 +38,7 @@ struct PenetrationAnswer {
 /// only their shift (thesis 6.1.4.2). One finder serves one thread; bodies may be shared.
 ///
 /// Requires both trees over the same directions; `body.is_solid` for the sides to mean something.
-/// Ensures  with complete coverage and exact mode: every point inside is told, with the depth and direction
+/// Ensures  with complete coverage: every point inside is told, with the depth and direction
 /// of its
 ///          nearest surface; no point outside is.
 /// Source   thesis 5.2.1 (broad phase), 5.2.2 (narrow phase), 5.2.3 (only what is visited is updated).

@@ -16,20 +16,14 @@ constexpr float kFilterSlack = 8;
 
 }  // namespace
 
-NarrowPhase::NarrowPhase(const DepthBody& body, NarrowMode mode)
-    : body_(body),
-      mode_(mode),
-      reach_(static_cast<float>(body.options.depth_mm) + kFilterSlack * body.slack_mm) {}
+NarrowPhase::NarrowPhase(const DepthBody& body)
+    : body_(body), reach_(static_cast<float>(body.options.depth_mm) + kFilterSlack * body.slack_mm) {}
 
 void NarrowPhase::set_leaves(std::span<const std::uint32_t> leaves) {
   places_.clear();
-  nodes_.clear();
   for (const std::uint32_t leaf : leaves) {
     const KdopNode& node = body_.tree.nodes[leaf];
-    for (std::uint32_t k = 0; k < node.item_count; ++k) {
-      places_.push_back(node.first + k);
-      nodes_.push_back(leaf);
-    }
+    for (std::uint32_t k = 0; k < node.item_count; ++k) places_.push_back(node.first + k);
   }
   const std::size_t blocks = (places_.size() + 3) / 4;
   blocks_.resize(blocks * kFloatsPerBlock);
@@ -58,7 +52,7 @@ bool NarrowPhase::filter(const Vec3& point) {
     for (std::size_t k = 0; k < lanes; ++k) {
       if (is_hit[k] == 0) continue;
       const float least = FacetRecord::least_distance(h[k], d2[k], r[k]);
-      if (mode_ == NarrowMode::exact && least > reach_) continue;
+      if (least > reach_) continue;
       hits_.push_back({static_cast<std::uint32_t>(i + k), least});
       is_behind = is_behind || h[k] <= kFilterSlack * body_.slack_mm;
     }
@@ -70,7 +64,7 @@ NarrowAnswer NarrowPhase::test(const Vec3& point, PenetrationCounters& counters)
   counters.primitive_pairs += places_.size();
   // A point within the depth below the surface is behind one of the facets its nearest point belongs to.
   if (!filter(point)) return {};
-  return mode_ == NarrowMode::exact ? nearest(point, counters) : by_planes(point, counters);
+  return nearest(point, counters);
 }
 
 NarrowAnswer NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counters) const {
@@ -117,42 +111,6 @@ NarrowAnswer NarrowPhase::judge(const Vec3& point, std::uint32_t place, const Tr
     }
   }
   return {true, foot.distance_mm, foot.normal, foot.triangle};
-}
-
-NarrowAnswer NarrowPhase::by_planes(const Vec3& point, PenetrationCounters& counters) const {
-  std::array<float, 64> projections{};
-  const DirectionSet& directions = body_.tree.directions;
-  for (std::size_t i = 0; i < directions.axes.size(); ++i)
-    projections[i] = static_cast<float>(directions.axes[i].dot(point));
-  NarrowAnswer answer;
-  for (const Hit& hit : hits_) {
-    const std::uint32_t place = places_[hit.place];
-    ++counters.exact_pairs;
-    const Vec3& normal = body_.sign.face(body_.tree.order[place]);
-    const double depth = -normal.dot(point - body_.corners[place][0]);
-    if (depth < 0 || depth > body_.options.depth_mm) continue;
-    const bool is_own = mode_ == NarrowMode::planes ? is_within_bisectors(point, place)
-                                                    : is_in_volume(nodes_[hit.place], projections.data());
-    if (!is_own) {
-      ++counters.false_positives;
-      continue;
-    }
-    if (answer.is_inside && depth >= answer.depth_mm) continue;
-    answer = {true, depth, normal, body_.tree.order[place]};
-  }
-  return answer;
-}
-
-bool NarrowPhase::is_in_volume(std::uint32_t node, const float* projections) const {
-  return does_hold(body_.tree.bounds_of(node), projections, body_.tree.stride);
-}
-
-bool NarrowPhase::is_within_bisectors(const Vec3& point, std::uint32_t place) const {
-  const BisectorNormals& normals = body_.bisectors[place];
-  for (std::size_t k = 0; k < 3; ++k) {
-    if (normals[k].dot(point - body_.corners[place][k]) < -static_cast<double>(body_.slack_mm)) return false;
-  }
-  return true;
 }
 
 }  // namespace gouge

@@ -10,13 +10,6 @@
 
 namespace gouge {
 
-/// How the narrow phase decides which facet a point belongs to.
-enum class NarrowMode {
-  exact,     ///< the nearest facet by distance; nothing is assumed of the surface; the default
-  planes,    ///< thesis 4.8: behind the facet and within its three bisector planes; depth to its plane
-  implicit,  ///< thesis 4.7: within the facet's volume and behind it; depth to its plane
-};
-
 struct NarrowAnswer {
   bool is_inside = false;  ///< and within the depth; else it is outside, or deeper
   double depth_mm = 0;     ///< to the surface
@@ -26,12 +19,12 @@ struct NarrowAnswer {
 
 /// Points of one leaf against the facets of the leaves it met (thesis 5.2.2).
 ///
-/// Exact mode finds the nearest facet among those given; with complete coverage they hold every facet within
+/// Finds the nearest facet among those given; with complete coverage they hold every facet within
 /// the depth of the point, so it is the nearest of all and the side it tells is the true one:
 /// docs/algorithms/ shallow_penetration.md, section 4. Filters in single precision, decides in double.
 class NarrowPhase {
  public:
-  NarrowPhase(const DepthBody& body, NarrowMode mode);
+  explicit NarrowPhase(const DepthBody& body);
 
   /// Takes the facets of leaf nodes of the body's tree.
   void set_leaves(std::span<const std::uint32_t> leaves);
@@ -47,14 +40,10 @@ class NarrowPhase {
   [[nodiscard]] NarrowAnswer nearest(const Vec3& point, PenetrationCounters& counters) const;
   [[nodiscard]] NarrowAnswer judge(const Vec3& point, std::uint32_t place, const TriangleFoot& nearest,
                                    PenetrationCounters& counters) const;
-  [[nodiscard]] NarrowAnswer by_planes(const Vec3& point, PenetrationCounters& counters) const;
-  [[nodiscard]] bool is_in_volume(std::uint32_t node, const float* projections) const;
-  [[nodiscard]] bool is_within_bisectors(const Vec3& point, std::uint32_t place) const;
 
   const DepthBody& body_;
-  NarrowMode mode_;
   float reach_;  ///< depth with what single precision may be off
-  std::vector<std::uint32_t> places_, nodes_;
+  std::vector<std::uint32_t> places_;
   std::vector<float> blocks_;  ///< facets, four by four: nx ny nz o cx cy cz r
   std::vector<Hit> hits_;
 };

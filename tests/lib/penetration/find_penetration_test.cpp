@@ -24,7 +24,7 @@ RigidTransform moved_by(const Vec3& shift) {
 TEST(FindPenetration, TellsPointDepthAndTheWayOut) {
   const DepthBody body = cube_body();
   const PointBody points = build_point_body(std::vector<Vec3>{Vec3(0, 0, 0), Vec3(0, 0, 5)});
-  PenetrationFinder finder(body, points, {NarrowMode::exact, 7, true});
+  PenetrationFinder finder(body, points, {7, true});
   const PenetrationAnswer& answer = finder.find(moved_by(Vec3(9, 11, 19.25)));
   ASSERT_EQ(answer.contacts.size(), 1U);
   const PointContact& c = answer.contacts[0];
