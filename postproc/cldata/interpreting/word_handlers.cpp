@@ -78,6 +78,15 @@ constexpr std::array<WordHandler, kWords> make_table() {
 
 constexpr std::array<WordHandler, kWords> kHandlers = make_table();
 
+// Each word but `unknown` has a row.
+constexpr bool is_complete() {
+  for (std::size_t word = 0; word <= static_cast<std::size_t>(Word::unread_tool); ++word) {
+    if ((kHandlers[word] == take_unknown) != (static_cast<Word>(word) == Word::unknown)) return false;
+  }
+  return true;
+}
+static_assert(is_complete());
+
 }  // namespace
 
 WordHandler handler_of(Word word) {
