@@ -8,8 +8,7 @@
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
-#include "lib/head/check_heads.h"
-#include "lib/overcut/measure_overcut.h"
+#include "lib/certify/check.h"
 
 namespace gouge {
 
@@ -41,11 +40,9 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   Progress progress(err, options->progress);
   progress.begin("checking moves");
   const PreparedScene scene = prepare_scene(job.scene, options->check.threads);
-  CheckResult result = check_path(job.toolpath, job.tools(), scene, options->check,
-                                  [&](std::size_t done, std::size_t total) { progress.show(done, total); });
+  const CheckResult result = check(job.toolpath, job.setup(scene),
+                                   [&](std::size_t done, std::size_t total) { progress.show(done, total); });
   progress.end();
-  check_heads(job.toolpath, job.heads, job.scene, options->check, result);
-  measure_overcuts(job.toolpath, job.tools(), job.scene, options->check, result, job.heads);
   ReportModel model = job.report(arguments, job.toolpath, result, scene);
   const PathFit fit = find_path_fit(job.toolpath, result.verdicts, job.tools(), scene, options->check.threads);
   if (const auto misfit = describe_misfit(job.toolpath, fit)) model.notes.push_back(*misfit);

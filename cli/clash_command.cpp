@@ -9,7 +9,7 @@
 #include "cli/exit_code.h"
 #include "cli/length_text.h"
 #include "cli/output_file.h"
-#include "lib/check/check_move.h"
+#include "lib/check/reach.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/validate_mesh.h"
 

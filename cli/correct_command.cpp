@@ -13,8 +13,6 @@
 #include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
 #include "lib/correct/correct_path.h"
-#include "lib/head/check_heads.h"
-#include "lib/overcut/measure_overcut.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
 #include "postproc/cldata/rewriting/write_corrected.h"
@@ -93,37 +91,33 @@ class CorrectRun {
 
   int run() {
     const PreparedScene scene = prepare_scene(job_.scene, job_.options.check.threads);
-    CheckResult before = check("checking moves", job_.toolpath, scene);
+    const CheckSetup setup = job_.setup(scene);
+    progress_.begin("checking moves");
+    const CheckResult before = check(job_.toolpath, setup, show());
+    progress_.end();
     const PathFit fit =
-        find_path_fit(job_.toolpath, before.verdicts, job_.tools(), scene, job_.options.check.threads);
+        find_path_fit(job_.toolpath, before.verdicts, setup.tools, scene, job_.options.check.threads);
     const std::optional<Diagnostic> misfit = describe_misfit(job_.toolpath, fit);
     if (misfit && is_beyond_correction(fit) && !arguments_.job.is_forced) return refuse(*misfit);
-    measure_overcuts(job_.toolpath, job_.tools(), job_.scene, job_.options.check, before, job_.heads);
     progress_.begin("correcting");
     CorrectOptions correct = correct_;
-    std::optional<HeadChecker> heads;
     const RewritableMoves rewritable = rewritable_moves(job_.toolpath);
     correct.rewritable = &rewritable;
-    if (!job_.heads.empty()) correct.heads = &heads.emplace(job_.heads, job_.scene);
     std::string text;
-    const auto change = [&](const std::vector<PathChange>& changes) -> Result<ChangedPath> {
-      progress_.end();
+    const auto rewrite = [&](const std::vector<PathChange>& changes) -> Result<Toolpath> {
       Result<std::string> written = write_corrected(job_.toolpath, changes);
       if (!written) return written.error();
-      Result<Toolpath> path = read_again(job_, arguments_.output, *written);
-      if (!path) return path.error();
-      CheckResult result = check("checking the corrected path", *path, scene);
       text = std::move(*written);
-      return ChangedPath{std::move(*path), std::move(result)};
+      progress_.begin("checking the corrected path");
+      return read_again(job_, arguments_.output, text);
     };
     Result<LawfulCorrection> corrected =
-        correct_lawfully(job_.toolpath, before, job_.tools(), scene, job_.options.check, correct, change, show());
+        correct_lawfully(job_.toolpath, before, setup, correct, rewrite, show());
     progress_.end();
     if (!corrected) return fail(corrected.error());
     const Correction& correction = corrected->correction;
     const Toolpath& path = corrected->after.path;
-    CheckResult& after = corrected->after.result;
-    measure_overcuts(path, job_.tools(), job_.scene, job_.options.check, after, job_.heads);
+    const CheckResult& after = corrected->after.result;
     ReportModel model = job_.report(arguments_.job, path, after, scene);
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
@@ -139,14 +133,6 @@ class CorrectRun {
  private:
   ProgressCall show() {
     return [this](std::size_t done, std::size_t total) { progress_.show(done, total); };
-  }
-
-  CheckResult check(const char* what, const Toolpath& path, const PreparedScene& scene) {
-    progress_.begin(what);
-    CheckResult result = check_path(path, job_.tools(), scene, job_.options.check, show());
-    progress_.end();
-    check_heads(path, job_.heads, job_.scene, job_.options.check, result);
-    return result;
   }
 
   // Moving thousands of positions out of a part that lies elsewhere makes nothing of use.

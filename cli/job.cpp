@@ -10,7 +10,7 @@
 #include "lib/base/files.h"
 #include "lib/base/parallel.h"
 #include "lib/base/view_file.h"
-#include "lib/check/check_move.h"
+#include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/validate_mesh.h"
@@ -221,6 +221,10 @@ std::vector<const ToolForms*> Job::tools() const {
   std::vector<const ToolForms*> all;
   for (const auto& form : forms) all.push_back(form ? &*form : nullptr);
   return all;
+}
+
+CheckSetup Job::setup(const PreparedScene& prepared) const {
+  return {tools(), heads, prepared, options.check};
 }
 
 ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,

@@ -6,10 +6,7 @@
 #include <vector>
 
 #include "cli/job_options.h"
-#include "lib/check/check_path.h"
-#include "lib/check/scene.h"
-#include "lib/head/head_body.h"
-#include "lib/path/toolpath.h"
+#include "lib/certify/check.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
@@ -34,6 +31,8 @@ struct Job {
   Job& operator=(const Job&) = delete;
 
   [[nodiscard]] std::vector<const ToolForms*> tools() const;
+  /// `prepared` is the scene of the job; both must outlive the result.
+  [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
   /// As asked for, else the toolpath's.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
   /// The report of `result`, which must outlive it, like the job. `scene` is that of the job, with its trees.

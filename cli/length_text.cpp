@@ -5,7 +5,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/units.h"
-#include "lib/check/check_move.h"
+#include "lib/check/reach.h"
 
 namespace gouge {
 namespace {

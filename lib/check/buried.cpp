@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "lib/base/number_text.h"
-#include "lib/check/check_path.h"
+#include "lib/check/depth_limit.h"
 #include "lib/check/scene_sides.h"
 #include "lib/tool/free_regions.h"
 

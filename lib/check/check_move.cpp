@@ -5,6 +5,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/check/buried.h"
+#include "lib/check/depth_limit.h"
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
 #include "lib/tool/evaluate.h"
@@ -267,15 +268,6 @@ void check_fit_moves(std::span<const Motion> motions, std::span<const MoveKind> 
 }
 
 }  // namespace
-
-SureDepth sure_depth(const ToolForms& tool, const Scene& scene, const CheckOptions& options) {
-  return tool.sure_depth(!scene.parts.empty(), !scene.fixtures.empty(), options.tolerance_mm + options.resolution_mm);
-}
-
-PreparedScene prepare_scene(const Scene& scene, unsigned threads) {
-  if (!why_unfit(scene).empty()) return {&scene, {}, {}, false};
-  return {&scene, build_block_tree(scene.parts, threads), build_block_tree(scene.fixtures, threads)};
-}
 
 MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& tool, const PreparedScene& scene,
                        const CheckOptions& options, std::uint64_t* bounds) {

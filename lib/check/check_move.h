@@ -5,29 +5,10 @@
 
 #include "lib/check/check_options.h"
 #include "lib/check/motion.h"
-#include "lib/check/scene.h"
+#include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
-#include "lib/hierarchy/block_tree.h"
 
 namespace gouge {
-
-/// Bounds are proven for coordinates up to here (docs/algorithms/certified_sweep.md). What reaches farther is not
-/// checked, and told so.
-inline constexpr double kFarthest_mm = 1e5;
-
-/// The scene with its trees.
-struct PreparedScene {
-  const Scene* scene = nullptr;
-  BlockTree parts, fixtures;
-  bool is_within_reach = true;  ///< no mesh reaches beyond kFarthest_mm
-};
-
-/// Requires that the scene outlives the result. `threads` as in for_each_chunk.
-[[nodiscard]] PreparedScene prepare_scene(const Scene& scene, unsigned threads = 0);
-
-/// How deep a surface may be in a tool without that the tool reaches farther into the solid than kReachPerDepth times
-/// tolerance + resolution.
-[[nodiscard]] SureDepth sure_depth(const ToolForms& tool, const Scene& scene, const CheckOptions& options);
 
 /// Checks one motion of one tool; everything but "buried", which needs the moves before it (check_path.h).
 ///

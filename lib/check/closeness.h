@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "lib/check/check_move.h"
+#include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
 #include "lib/path/toolpath.h"
 

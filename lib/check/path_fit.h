@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/check/check_move.h"
+#include "lib/check/prepared_scene.h"
+#include "lib/check/verdict.h"
 #include "lib/path/toolpath.h"
 
 namespace gouge {

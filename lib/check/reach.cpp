@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/check_move.h"
-
 namespace gouge {
 namespace {
 

@@ -11,6 +11,10 @@
 
 namespace gouge {
 
+/// Bounds are proven for coordinates up to here (docs/algorithms/certified_sweep.md). What reaches farther is not
+/// checked, and told so.
+inline constexpr double kFarthest_mm = 1e5;
+
 inline constexpr std::string_view kOutOfReach =
     "the motion or a mesh reaches more than 100 m from the origin: check the units";
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "lib/check/check_move.h"
+#include "lib/check/prepared_scene.h"
 
 namespace gouge {
 

@@ -19,16 +19,15 @@ constexpr const char* kUnwritable = "the file's records do not allow this change
 /// Proposes for a path whose curves become straight moves where they must.
 class Proposer {
  public:
-  Proposer(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
-           const PreparedScene& scene, const CheckOptions& options, const CorrectOptions& correct)
-      : path_(path), result_(result), tools_(tools), checker_(scene, options, correct.heads), correct_(correct) {
+  Proposer(const Toolpath& path, const CheckResult& result, const CheckSetup& setup, const CorrectOptions& correct)
+      : path_(path), result_(result), tools_(setup.tools), checker_(setup), correct_(correct) {
     if (correct.rewritable != nullptr) can_keep_arc_ = correct.rewritable->arc;
     if (correct.rewritable != nullptr) can_split_ = correct.rewritable->split;
     can_split_.resize(path.moves.size(), false);
-    straight_ = straighten(path, result, tools, scene, options, correct.heads);
+    straight_ = straighten(path, result, tools_, checker_);
     corrector_ = std::make_unique<PathCorrector>(straight_ ? straight_->path : path,
-                                                 straight_ ? straight_->result : result, tools, checker_, correct);
-    holes_ = plan_holes(path, result, tools, checker_, correct);
+                                                 straight_ ? straight_->result : result, tools_, checker_, correct);
+    holes_ = plan_holes(path, result, tools_, checker_, correct);
   }
 
   Correction propose(const ProgressCall& progress) {
@@ -133,30 +132,29 @@ std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult&
 
 }  // namespace
 
-Correction correct_path(const Toolpath& toolpath, const CheckResult& result,
-                        const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
-                        const CheckOptions& options, const CorrectOptions& correct,
-                        const ProgressCall& progress) {
-  return Proposer(toolpath, result, tools, scene, options, correct).propose(progress);
+Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
+                        const CorrectOptions& correct, const ProgressCall& progress) {
+  return Proposer(toolpath, result, setup, correct).propose(progress);
 }
 
-Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckResult& result,
-                                          const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
-                                          const CheckOptions& options, const CorrectOptions& correct,
-                                          const ChangePath& change, const ProgressCall& progress) {
-  Proposer proposer(toolpath, result, tools, scene, options, correct);
+Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
+                                          const CorrectOptions& correct, const RewritePath& rewrite,
+                                          const ProgressCall& progress) {
+  Proposer proposer(toolpath, result, setup, correct);
   for (int round = 0;; ++round) {
     Correction correction = proposer.propose(progress);
-    Result<ChangedPath> changed = change(correction.changes);
+    Result<Toolpath> changed = rewrite(correction.changes);
     if (!changed && correction.changes.empty()) return changed.error();
     std::vector<std::size_t> worse;
     std::string reason = kLeftForLaws;
     if (changed) {
-      worse = find_worse({&toolpath, &result}, correction.changes, {&changed->path, &changed->result},
-                         options.resolution_mm);
+      ChangedPath after{std::move(*changed), {}};
+      after.result = check(after.path, setup, progress);
+      worse = find_worse({&toolpath, &result}, correction.changes, {&after.path, &after.result},
+                         setup.options.resolution_mm);
       if (worse.empty()) {
-        correction.uncorrected = list_remaining(toolpath, result, correction, changed->result);
-        return LawfulCorrection{std::move(correction), std::move(*changed)};
+        correction.uncorrected = list_remaining(toolpath, result, correction, after.result);
+        return LawfulCorrection{std::move(correction), std::move(after)};
       }
       if (correction.changes.empty()) {
         return make_error("correct-law", "the file as it was written without a change reads or checks otherwise; "

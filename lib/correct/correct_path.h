@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lib/base/result.h"
-#include "lib/check/check_path.h"
+#include "lib/certify/check.h"
 #include "lib/correct/correct_pose.h"
 #include "lib/path/path_change.h"
 
@@ -20,7 +20,6 @@ struct CorrectOptions {
   double max_shift_mm = 20;
   std::optional<double> max_side_shift_mm;  ///< none: kSideShiftsPerDepth times the depth (free_pose.h)
   double rapid_clearance_mm = 1;  ///< how far a rapid that must change keeps off, where there is room; at least 0
-  const HeadChecker* heads = nullptr;  ///< bodies that move with the tool, where there are any
   const RewritableMoves* rewritable = nullptr;  ///< what can be written without making it straight; null: nothing
 };
 
@@ -51,40 +50,38 @@ struct Correction {
 
 /// The changes as they are proposed. Each motion that they touch has been checked by itself and is no worse than it was.
 ///
-/// Requires `result` from check_path with the same path, tools, scene and options, and from check_heads where there
-///          are heads.
+/// Requires `result` from check() with the same path and setup.
 /// Ensures  (1) only positions at the ends of gouging moves are moved, and only when they are themselves too deep.
 ///          (2) no position moves further than max_shift, nor further than max_side_shift across the tool axis; the tool
 ///          axis of a position is never changed.
 ///          (3) the same proposal at any number of threads.
 /// Source   thesis 5.3 (weighted, iterated); lifting, inserting and taking back are ours: docs/algorithms/correction.md.
-[[nodiscard]] Correction correct_path(const Toolpath& toolpath, const CheckResult& result,
-                                      const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
-                                      const CheckOptions& options, const CorrectOptions& correct,
-                                      const ProgressCall& progress = {});
+[[nodiscard]] Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
+                                      const CorrectOptions& correct, const ProgressCall& progress = {});
 
-/// What a list of changes makes of the path: written, read again, checked.
+/// A path and its verdict.
 struct ChangedPath {
   Toolpath path;
   CheckResult result;
 };
-using ChangePath = std::function<Result<ChangedPath>(const std::vector<PathChange>&)>;
+/// What a list of changes makes of the path: written and read again. It is checked here.
+using RewritePath = std::function<Result<Toolpath>(const std::vector<PathChange>&)>;
 
 struct LawfulCorrection {
   Correction correction;
   ChangedPath after;
 };
 
-/// The changes that keep the laws (laws.h) in what `change` makes of them: what makes a move worse there, or cannot be
-/// written, is taken back until nothing does.
+/// The changes that keep the laws (laws.h) in what `rewrite` makes of them, checked like any other path: what makes a move
+/// worse there, or cannot be written, is taken back until nothing does.
 ///
 /// Ensures  `uncorrected` lists every move that gouges or is buried in `after`, and no other.
-/// Errors   those of `change` for no changes at all; correct-law: even then a move is worse, a fault of ours.
-/// Cost     as correct_path, and a call of `change` for every time something was taken back.
+/// Errors   those of `rewrite` for no changes at all; correct-law: even then a move is worse, a fault of ours.
+/// Cost     as correct_path, and a call of `rewrite` and a check of its path for every time something was taken
+///          back.
 [[nodiscard]] Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckResult& result,
-                                                        const std::vector<const ToolForms*>& tools,
-                                                        const PreparedScene& scene, const CheckOptions& options,
-                                                        const CorrectOptions& correct, const ChangePath& change,
+                                                        const CheckSetup& setup, const CorrectOptions& correct,
+                                                        const RewritePath& rewrite,
                                                         const ProgressCall& progress = {});
 
 }  // namespace gouge

@@ -18,16 +18,16 @@ const char* strategy_name(Strategy strategy) {
 }
 
 std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms& tool,
-                                              const PreparedScene& scene, const PoseLimits& limits) {
+                                              const MotionChecker& checker, const PoseLimits& limits) {
   const CorrectionAim& aim = limits.aim;
   const CorrectionAim further{aim.part_mm - kRoom_mm, aim.fixture_mm - kRoom_mm, aim.clearance_mm - kRoom_mm};
   CorrectedPose result{pose, Strategy::weighted, 0, 0};
   for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
-    const bool is_met = largest_excess(result.pose, tool, scene, aim, kAccuracy_mm) <= 0;
+    const bool is_met = largest_excess(result.pose, tool, checker.scene(), aim, kAccuracy_mm) <= 0;
     if (is_met) return result;
     Vec3 sum = Vec3::Zero();
     double weight = 0;
-    for (const ToolContact& contact : find_contacts(result.pose, tool, scene, further)) {
+    for (const ToolContact& contact : find_contacts(result.pose, tool, checker.scene(), further)) {
       sum += contact.excess_mm * contact.excess_mm * contact.normal;
       weight += contact.excess_mm;
     }
@@ -39,17 +39,16 @@ std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms&
   return std::nullopt;
 }
 
-double head_excess(const Pose& pose, const PoseLimits& limits) {
-  if (limits.heads == nullptr) return 0;
-  return limits.heads->excess_at(pose, std::max(0.0, limits.aim.part_mm), kAccuracy_mm);
+double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits) {
+  return checker.head_excess(pose, std::max(0.0, limits.aim.part_mm), kAccuracy_mm);
 }
 
 std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool,
-                                                const PreparedScene& scene, const PoseLimits& limits) {
+                                                const MotionChecker& checker, const PoseLimits& limits) {
   CorrectedPose result{pose, Strategy::axis, 0, 0};
   for (;; ++result.iterations) {
-    const double excess = std::max(largest_excess(result.pose, tool, scene, limits.aim, kAccuracy_mm),
-                                   head_excess(result.pose, limits));
+    const double excess = std::max(largest_excess(result.pose, tool, checker.scene(), limits.aim, kAccuracy_mm),
+                                   head_excess(result.pose, checker, limits));
     if (excess <= 0) return result;
     if (!std::isfinite(excess)) return std::nullopt;
     result.shift_mm += std::max(excess, kSmallestStep_mm);
@@ -59,12 +58,12 @@ std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForm
 }
 
 std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolForms& tool,
-                                          const PreparedScene& scene, const PoseLimits& limits) {
+                                          const MotionChecker& checker, const PoseLimits& limits) {
   if (wanted == Strategy::weighted) {
-    const auto result = correct_weighted(pose, tool, scene, limits);
-    if (result && head_excess(result->pose, limits) <= 0) return result;
+    const auto result = correct_weighted(pose, tool, checker, limits);
+    if (result && head_excess(result->pose, checker, limits) <= 0) return result;
   }
-  return correct_along_axis(pose, tool, scene, limits);
+  return correct_along_axis(pose, tool, checker, limits);
 }
 
 }  // namespace gouge

@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "lib/certify/motion_checker.h"
 #include "lib/correct/contacts.h"
-#include "lib/head/check_heads.h"
 
 // Strategies that bring one pose out of the surface by moving the tip; the tool axis stays as it is.
 
@@ -17,7 +17,6 @@ struct PoseLimits {
   CorrectionAim aim;             ///< what must be met at the end
   double largest_shift_mm = 20;  ///< a tip further from where it was is no correction
   int largest_iterations = 60;
-  const HeadChecker* heads = nullptr;  ///< they must come free as well; none: there are no heads
 };
 
 struct CorrectedPose {
@@ -31,21 +30,21 @@ struct CorrectedPose {
 /// is the excess over half of the aim's room, so that the mean does not creep towards its goal for ever.
 /// Nothing when it does not settle within the limits. Source thesis 5.3, figure 35.
 [[nodiscard]] std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms& tool,
-                                                            const PreparedScene& scene,
+                                                            const MotionChecker& checker,
                                                             const PoseLimits& limits);
 
 /// How much deeper than the aim heads are at a pose; infinite when one is buried or that is not decided.
-[[nodiscard]] double head_excess(const Pose& pose, const PoseLimits& limits);
+[[nodiscard]] double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits);
 
-/// Lifts the tip along the tool axis to the first place that meets the aim: the excess is the least the tool
-/// must still move, so stepping by it never passes a place that is good. Nothing beyond the limit.
+/// Lifts the tip along the tool axis to the first place where tool and heads meet the aim: the excess is the least the
+/// tool must still move, so stepping by it never passes a place that is good. Nothing beyond the limit.
 [[nodiscard]] std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool,
-                                                              const PreparedScene& scene,
+                                                              const MotionChecker& checker,
                                                               const PoseLimits& limits);
 
 /// `wanted` first, then along the axis. Heads are freed along the axis alone.
 [[nodiscard]] std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose,
-                                                        const ToolForms& tool, const PreparedScene& scene,
+                                                        const ToolForms& tool, const MotionChecker& checker,
                                                         const PoseLimits& limits);
 
 }  // namespace gouge

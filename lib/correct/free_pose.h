@@ -3,17 +3,10 @@
 #include <optional>
 
 #include "lib/correct/correct_pose.h"
-#include "lib/correct/motion_checker.h"
 
 namespace gouge {
 
-/// Why the tool may not be shifted straight from `from` to `to`, or null: it may.
-///
-/// Requires equal axes.
-/// Ensures  Where it may, the depth is at no instant of the shift more than at its start (to twice the
-///          resolution, of a head to 2 % of it), and
-///          the tool is at no instant inside a solid without a surface inside it, as far as the meshes can tell: so no
-///          shift leads through a wall or on into the material. Proof: docs/algorithms/correction.md.
+/// check_shift in words: why the tool may not be shifted straight from `from` to `to`, or null: it may.
 [[nodiscard]] const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolForms& tool,
                                         const MotionChecker& checker);
 

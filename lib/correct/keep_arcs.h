@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lib/correct/correct_path.h"
-#include "lib/correct/motion_checker.h"
+#include "lib/certify/motion_checker.h"
 
 // Arcs that a correction has made straight become arcs again where they can.
 

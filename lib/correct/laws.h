@@ -3,7 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/check/check_path.h"
+#include "lib/check/verdict.h"
+#include "lib/path/toolpath.h"
 #include "lib/path/path_change.h"
 
 // What a correction may not do, held against the checks of the path before and after it: no move that was clean becomes

@@ -5,6 +5,8 @@
 
 #include "lib/base/parallel.h"
 #include "lib/check/buried.h"
+#include "lib/check/depth_limit.h"
+#include "lib/check/path_motion.h"
 #include "lib/correct/laws.h"
 
 namespace gouge {
@@ -59,7 +61,6 @@ PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
     : path_(path), result_(result), tools_(tools), checker_(checker), options_(checker.options()), correct_(correct) {
   limits_.aim = {aim_of(options_.tolerance_mm), -kAir_mm, -kAir_mm};
   limits_.largest_shift_mm = correct.max_shift_mm;
-  limits_.heads = checker.heads();
   positions_.resize(path_.moves.size());
   moves_.resize(path_.moves.size());
   choose_positions();
@@ -133,7 +134,7 @@ void PathCorrector::correct_position(std::size_t i) {
   const PoseLimits usual = limits_for(tool);
   PoseLimits now = usual;
   now.aim = allowed;
-  const bool is_head_in = head_excess(move.end, now) > 0;
+  const bool is_head_in = head_excess(move.end, checker_, now) > 0;
   if (!is_head_in &&
       largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) <= 0)
     return;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lib/correct/correct_path.h"
-#include "lib/correct/motion_checker.h"
+#include "lib/certify/motion_checker.h"
 
 // Drilled holes that are too deep: their positions move along the tool axis, and all heights of the cycle with them.
 

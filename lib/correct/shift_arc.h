@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "lib/correct/motion_checker.h"
+#include "lib/certify/motion_checker.h"
 
 // An arc that must change stays an arc where one can be found: the same circle elsewhere, or about a centre
 // that its new ends ask for.

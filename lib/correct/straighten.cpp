@@ -15,8 +15,8 @@ bool is_curve(const Move& move) {
 class CurveChoice {
  public:
   CurveChoice(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
-              const PreparedScene& scene, const CheckOptions& options, const HeadChecker* heads)
-      : path_(path), result_(result), tools_(tools), scene_(scene), options_(options), heads_(heads),
+              const MotionChecker& checker)
+      : path_(path), result_(result), tools_(tools), checker_(checker), options_(checker.options()),
         is_chosen_(path.moves.size(), false) {
     options_.tolerance_mm *= kSurelyStays;
     options_.near_miss_mm = 0;
@@ -52,28 +52,23 @@ class CurveChoice {
   }
   [[nodiscard]] bool may_move(std::size_t i) const {
     const Move& move = path_.moves[i];
-    const Motion motion(move.end);
-    MoveVerdict verdict = check_move(motion, move.kind, *tools_[move.tool], scene_, options_);
-    if (heads_ != nullptr) heads_->check(motion, options_, verdict);
-    return verdict.state != MoveState::clean;
+    return checker_.check(Motion(move.end), move.kind, *tools_[move.tool], options_, true).state != MoveState::clean;
   }
 
   const Toolpath& path_;
   const CheckResult& result_;
   const std::vector<const ToolForms*>& tools_;
-  const PreparedScene& scene_;
+  const MotionChecker& checker_;
   CheckOptions options_;
-  const HeadChecker* heads_;
   std::vector<bool> is_chosen_;
 };
 
 }  // namespace
 
 std::optional<StraightenedPath> straighten(const Toolpath& path, const CheckResult& result,
-                                           const std::vector<const ToolForms*>& tools,
-                                           const PreparedScene& scene, const CheckOptions& options,
-                                           const HeadChecker* heads) {
-  const std::vector<bool> is_chosen = CurveChoice(path, result, tools, scene, options, heads).run();
+                                           const std::vector<const ToolForms*>& tools, const MotionChecker& checker) {
+  const CheckOptions& options = checker.options();
+  const std::vector<bool> is_chosen = CurveChoice(path, result, tools, checker).run();
   if (std::none_of(is_chosen.begin(), is_chosen.end(), [](bool chosen) { return chosen; })) return std::nullopt;
   const double error = std::max(kChordShare * options.tolerance_mm, kLeastChordError_mm);
   StraightenedPath straight;
@@ -97,9 +92,7 @@ std::optional<StraightenedPath> straighten(const Toolpath& path, const CheckResu
       chord.end = to;
       const Motion motion(from, to);
       from = to;
-      MoveVerdict verdict = check_move(motion, chord.kind, *tools[chord.tool], scene, options);
-      if (heads != nullptr) heads->check(motion, options, verdict);
-      straight.result.verdicts.push_back(std::move(verdict));
+      straight.result.verdicts.push_back(checker.check(motion, chord.kind, *tools[chord.tool], options, true));
       straight.path.moves.push_back(std::move(chord));
       straight.origin.push_back(i);
     }

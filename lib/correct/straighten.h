@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "lib/check/check_path.h"
+#include "lib/certify/motion_checker.h"
 #include "lib/correct/correct_path.h"
 
 // Arcs and splines that must change become straight moves first: chords so close to the curve that they share
@@ -26,8 +26,7 @@ inline constexpr double kLeastChordError_mm = 2e-4;  ///< of the digits of the f
 /// Nothing where no correction of `result` has to change a curve.
 [[nodiscard]] std::optional<StraightenedPath> straighten(const Toolpath& path, const CheckResult& result,
                                                          const std::vector<const ToolForms*>& tools,
-                                                         const PreparedScene& scene, const CheckOptions& options,
-                                                         const HeadChecker* heads);
+                                                         const MotionChecker& checker);
 
 /// The changes of a straightened path as changes of the path as it was.
 [[nodiscard]] Correction restore_curves(const StraightenedPath& straightened, const Toolpath& path,

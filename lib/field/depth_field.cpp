@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "lib/check/check_path.h"
+#include "lib/check/path_motion.h"
 #include "lib/tool/evaluate.h"
 #include "lib/tool/evaluate_batch.h"
 #include "lib/field/field_instants.h"

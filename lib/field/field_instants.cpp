@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/check/check_path.h"
+#include "lib/check/path_motion.h"
 
 namespace gouge {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/check/check_path.h"
+#include "lib/check/path_motion.h"
 #include "lib/field/field_instants.h"
 #include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"

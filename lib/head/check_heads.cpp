@@ -6,6 +6,8 @@
 
 #include "lib/base/parallel.h"
 #include "lib/check/buried.h"
+#include "lib/check/check_path.h"
+#include "lib/check/path_motion.h"
 #include "lib/check/reach.h"
 #include "lib/head/head_search.h"
 
@@ -217,8 +219,7 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
   if (unfit.empty()) unfit = why_unfit(options);
   if (!unfit.empty()) {
     for (MoveVerdict& verdict : result.verdicts) refuse(unfit, verdict);
-    result.events = gather_events(toolpath, result.verdicts);
-    return count_states(result);
+    return;
   }
   const HeadChecker checker(heads, scene);
   std::vector<std::uint64_t> bounds(result.verdicts.size(), 0);
@@ -234,8 +235,6 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
   checker.mark_buried(toolpath, options, uppers_mm, result.verdicts);
   check_links(toolpath, checker, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;
-  result.events = gather_events(toolpath, result.verdicts);
-  count_states(result);
 }
 
 }  // namespace gouge

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "lib/check/check_path.h"
 #include "lib/check/scene_sides.h"
+#include "lib/check/verdict.h"
 #include "lib/head/head_body.h"
 #include "lib/head/head_search.h"
 
@@ -49,12 +49,11 @@ class HeadChecker {
 };
 
 /// Checks bodies that move with the tool, and that its profile does not hold, along every move that the tool
-/// was checked on, and joins what it finds to `result`: the deeper witness stays, a gouge of either is a
-/// gouge, and a move is clean only if both are.
+/// was checked on, and joins what it finds to the verdicts of `result`: the deeper witness stays, a gouge of either is a
+/// gouge, and a move is clean only if both are. Their share of a verdict: lib/certify has the whole.
 ///
 /// The promise is the tool's: depth <= true depth <= depth_upper over every instant; clean means that
-/// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in witness
-/// and events). Ensures  the same bits at any number of threads.
+/// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness). Ensures  the same bits at any number of threads.
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const Scene& scene,
                  const CheckOptions& options, CheckResult& result);
 

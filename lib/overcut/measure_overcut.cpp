@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "lib/base/parallel.h"
-#include "lib/check/check_path.h"
+#include "lib/check/path_motion.h"
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_head.h"
 #include "lib/overcut/swept_tool.h"

@@ -25,6 +25,6 @@ namespace gouge {
 /// Requires result.events.
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
                       const Scene& scene, const CheckOptions& options, CheckResult& result,
-                      const std::vector<HeadBody>& heads = {});
+                      const std::vector<HeadBody>& heads);
 
 }  // namespace gouge

@@ -92,6 +92,12 @@ TEST(Repository, RoomsImportOneWay) {
 TEST(Repository, IncludesKeepToTheImports) {
   EXPECT_EQ(listed(check_includes(repository(), rooms())), "");
 }
+TEST(Repository, PartsOfAVerdictAreClosedToAllWhoCouldForgetTheOthers) {
+  std::size_t closed = 0;
+  for (const Room& room : rooms()) closed += room.closed.size();
+  EXPECT_GE(closed, 5U);
+  EXPECT_EQ(listed(check_closed_headers(repository(), rooms())), "");
+}
 TEST(Repository, CgalAndOpenCvStayInOneSourceEach) {
   EXPECT_EQ(listed(check_heavy_libraries(repository())), "");
 }

@@ -7,12 +7,16 @@
 namespace gouge::architecture {
 namespace {
 
-const std::vector<Room> kRooms = {{"lib/base", {}},
-                                  {"lib/mesh", {"lib/base"}},
-                                  {"lib/check", {"lib/base", "lib/mesh"}},
-                                  {"toolmodels", {"lib/base"}},
-                                  {"postproc/report", {"lib/base", "lib/check"}},
-                                  {"cli", {"lib/base", "toolmodels", "postproc/report"}}};
+Room room(const std::string& path, const std::vector<std::string>& imports) {
+  return {path, imports, {}, {}};
+}
+
+const std::vector<Room> kRooms = {room("lib/base", {}),
+                                  room("lib/mesh", {"lib/base"}),
+                                  room("lib/check", {"lib/base", "lib/mesh"}),
+                                  room("toolmodels", {"lib/base"}),
+                                  room("postproc/report", {"lib/base", "lib/check"}),
+                                  room("cli", {"lib/base", "toolmodels", "postproc/report"})};
 
 TEST(Rooms, AreReadFromCMakeCalls) {
   const auto rooms =
@@ -27,16 +31,16 @@ TEST(Rooms, OneWayImportsAreAccepted) {
 }
 
 TEST(Rooms, UpwardSidewaysUnknownAndCircularImportsAreRefused) {
-  EXPECT_EQ(check_rooms({{"lib/base", {"toolmodels"}}, {"toolmodels", {}}}),
+  EXPECT_EQ(check_rooms({room("lib/base", {"toolmodels"}), room("toolmodels", {})}),
             (Complaints{"lib/base: imports toolmodels, which does not lie below it"}));
-  EXPECT_EQ(check_rooms({{"toolmodels", {"postproc/report"}}, {"postproc/report", {}}}),
+  EXPECT_EQ(check_rooms({room("toolmodels", {"postproc/report"}), room("postproc/report", {})}),
             (Complaints{"toolmodels: imports postproc/report, which does not lie below it"}));
-  EXPECT_EQ(check_rooms({{"cli", {"samples"}}, {"samples", {}}}),
+  EXPECT_EQ(check_rooms({room("cli", {"samples"}), room("samples", {})}),
             (Complaints{"cli: imports samples, which does not lie below it"}));
-  EXPECT_EQ(check_rooms({{"cli", {"lib/nowhere"}}}),
+  EXPECT_EQ(check_rooms({room("cli", {"lib/nowhere"})}),
             (Complaints{"cli: imports lib/nowhere, which is no room"}));
   EXPECT_EQ(
-      check_rooms({{"lib/a", {"lib/b"}}, {"lib/b", {"lib/a"}}, {"lib/c", {}}}),
+      check_rooms({room("lib/a", {"lib/b"}), room("lib/b", {"lib/a"}), room("lib/c", {})}),
       (Complaints{"lib/a: imports itself through other rooms", "lib/b: imports itself through other rooms"}));
 }
 
@@ -54,6 +58,18 @@ TEST(Includes, OfOtherRoomsAreRefusedWithTheirLine) {
       (Complaints{"lib/mesh/m.h:2: includes lib/check/verdict.h, but lib/mesh does not import lib/check"}));
   EXPECT_EQ(check_includes({{"toolmodels/t.cpp", "#include \"t.h\"\n"}}, kRooms),
             (Complaints{"toolmodels/t.cpp:1: includes t.h, which lies in no room"}));
+}
+
+TEST(ClosedHeaders, AreForTheirRoomForThoseItNamesAndForTheirTests) {
+  const std::vector<Room> rooms = {rooms_of("gouge_room(lib/a HEADERS a.h CLOSED part.h CLOSED_FOR lib/all)\n")[0],
+                                   room("lib/all", {"lib/a"}), room("lib/other", {"lib/a"}), room("cli", {"lib/a"})};
+  const std::string text = "#include \"lib/a/part.h\"\n#include \"lib/a/a.h\"\n";
+  for (const char* allowed : {"lib/a/a.cpp", "lib/all/x.h", "tests/lib/a/t.cpp", "tests/lib/all/t.cpp", "tests/bench/b.cpp"})
+    EXPECT_EQ(check_closed_headers({{allowed, text}}, rooms), Complaints{}) << allowed;
+  for (const std::string refused : {"lib/other/o.h", "cli/c.cpp", "tests/laws/l.cpp", "tests/lib/other/t.cpp", "tests/support/s.h"}) {
+    EXPECT_EQ(check_closed_headers({{refused, text}}, rooms),
+              (Complaints{refused + ":1: includes lib/a/part.h, which lib/a keeps closed"}));
+  }
 }
 
 TEST(HeavyLibraries, StayInOneSourceOfTheirRoom) {

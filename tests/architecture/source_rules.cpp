@@ -105,6 +105,26 @@ Complaints check_includes(const std::vector<SourceFile>& files, const std::vecto
   return complaints;
 }
 
+Complaints check_closed_headers(const std::vector<SourceFile>& files, const std::vector<Room>& rooms) {
+  Complaints complaints;
+  for (const SourceFile& file : files) {
+    if (!is_code(file.path) || starts_with(file.path, "tests/bench/")) continue;
+    const bool is_test = starts_with(file.path, "tests/");
+    const Room* own = room_of(is_test ? file.path.substr(6) : file.path, rooms);
+    for (const Include& include : includes_of(file.text)) {
+      const Room* target = include.is_quoted ? room_of(include.target, rooms) : nullptr;
+      if (target == nullptr || target == own) continue;
+      const std::string name = include.target.substr(target->path.size() + 1);
+      const auto has = [](const std::vector<std::string>& all, const std::string& one) {
+        return std::find(all.begin(), all.end(), one) != all.end();
+      };
+      if (!has(target->closed, name) || (own != nullptr && has(target->closed_for, own->path))) continue;
+      complain(complaints, file, include.line, "includes " + include.target + ", which " + target->path + " keeps closed");
+    }
+  }
+  return complaints;
+}
+
 Complaints check_heavy_libraries(const std::vector<SourceFile>& files) {
   struct Heavy {
     std::string prefix, room;

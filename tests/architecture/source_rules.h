@@ -19,6 +19,10 @@ using Complaints = std::vector<std::string>;
 /// Every quoted #include of a file in a room names a file of that room or of one it imports.
 [[nodiscard]] Complaints check_includes(const std::vector<SourceFile>& files, const std::vector<Room>& rooms);
 
+/// A header that its room keeps closed is included by that room, by those it names, and by their tests alone. The
+/// benchmarks, which time single parts, may.
+[[nodiscard]] Complaints check_closed_headers(const std::vector<SourceFile>& files, const std::vector<Room>& rooms);
+
 /// CGAL stays in one source of lib/validate, OpenCV in one source of postproc/image.
 [[nodiscard]] Complaints check_heavy_libraries(const std::vector<SourceFile>& files);
 

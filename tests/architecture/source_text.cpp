@@ -166,10 +166,15 @@ std::vector<Room> rooms_of(std::string_view cmake_text) {
     words >> room.path;
     std::string keyword;
     for (std::string word; words >> word;) {
-      if (word == "SOURCES" || word == "HEADERS" || word == "IMPORTS" || word == "LIBRARIES") {
+      if (word == "SOURCES" || word == "HEADERS" || word == "IMPORTS" || word == "LIBRARIES" ||
+          word == "CLOSED" || word == "CLOSED_FOR") {
         keyword = word;
       } else if (keyword == "IMPORTS") {
         room.imports.push_back(word);
+      } else if (keyword == "CLOSED") {
+        room.closed.push_back(word);
+      } else if (keyword == "CLOSED_FOR") {
+        room.closed_for.push_back(word);
       }
     }
     rooms.push_back(room);

@@ -25,6 +25,8 @@ struct Include {
 struct Room {
   std::string path;
   std::vector<std::string> imports;
+  std::vector<std::string> closed;      ///< headers that only the rooms of `closed_for` may include besides itself
+  std::vector<std::string> closed_for;
 };
 
 [[nodiscard]] std::vector<std::string> lines_of(std::string_view text);

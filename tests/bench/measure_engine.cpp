@@ -44,6 +44,7 @@ CheckResult time_path(benchmark::State& state, const Prepared& p, unsigned threa
   CheckResult result;
   for ([[maybe_unused]] auto _ : state) {
     result = check_path(p.path, {&p.c->work.tool.forms}, p.scene, options);
+    summarise(p.path, result);
     benchmark::DoNotOptimize(result);
   }
   const auto moves = static_cast<std::int64_t>(p.path.moves.size());

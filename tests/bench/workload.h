@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "lib/check/check_path.h"
+#include "lib/check/summarise.h"
 #include "tests/bench/bench_tool.h"
 #include "tests/bench/place_tool.h"
 

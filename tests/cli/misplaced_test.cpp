@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/check/check_path.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {

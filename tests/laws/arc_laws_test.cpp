@@ -4,10 +4,10 @@
 
 #include <numbers>
 
-#include "lib/check/check_path.h"
 #include "tests/laws/random_scenes.h"
 #include "tests/support/reference.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -73,7 +73,7 @@ TEST(ArcLaws, ThePromiseHoldsOnRandomArcs) {
     const ToolForms& tool = tools[stream % tools.size()];
     CheckOptions options;
     options.threads = 1;
-    const CheckResult result = check_path(s.path, {&tool}, prepare_scene(s.scene), options);
+    const CheckResult result = whole_check(s.path, &tool, s.scene, options);
     const MoveVerdict& v = result.verdicts[1];
     const reference::Contour contour(tool.against_part);
     const double found = sampled(s, contour, 96, 10);
@@ -107,10 +107,10 @@ TEST(ArcLaws, AnArcIsNotItsChord) {
   for (const double y : {10.0, -10.0, 0.0}) {
     Scene scene;
     scene.parts.push_back(shapes::box(Vec3(-0.1, y - 0.1, -9), Vec3(0.1, y + 0.1, 9)));
-    const CheckResult result = check_path(path, {&ball}, prepare_scene(scene), {});
+    const CheckResult result = whole_check(path, &ball, scene, {});
     EXPECT_EQ(result.verdicts[1].state, y > 5 ? MoveState::gouge : MoveState::clean) << y;
     path.arcs[0].sweep_rad = -std::numbers::pi;
-    const CheckResult other = check_path(path, {&ball}, prepare_scene(scene), {});
+    const CheckResult other = whole_check(path, &ball, scene, {});
     EXPECT_EQ(other.verdicts[1].state, y < -5 ? MoveState::gouge : MoveState::clean) << y;
     path.arcs[0].sweep_rad = std::numbers::pi;
   }

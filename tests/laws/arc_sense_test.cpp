@@ -13,6 +13,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/source_folder.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -34,9 +35,9 @@ TEST_P(ArcSense, OnlyTheWrongWayRoundMeetsThePost) {
   Scene scene;
   scene.parts.push_back(shapes::box(across - Vec3(0.1, 0.1, 5), across + Vec3(0.1, 0.1, 5)));
   const ToolForms tool = tools::ball(1);
-  EXPECT_EQ(check_path(path, {&tool}, prepare_scene(scene), {}).verdicts[2].state, MoveState::clean);
+  EXPECT_EQ(whole_check(path, &tool, scene, {}).verdicts[2].state, MoveState::clean);
   arc.sweep_rad -= std::copysign(2 * std::numbers::pi, arc.sweep_rad);
-  EXPECT_EQ(check_path(path, {&tool}, prepare_scene(scene), {}).verdicts[2].state, MoveState::gouge);
+  EXPECT_EQ(whole_check(path, &tool, scene, {}).verdicts[2].state, MoveState::gouge);
 }
 
 TEST(FiveDialects, OfOnePartHaveOneVerdictAndOneDepth) {
@@ -60,7 +61,7 @@ TEST(FiveDialects, OfOnePartHaveOneVerdictAndOneDepth) {
       {"number":3,"cutter":{"shape":"ball","diameter":0.236,"length":2}}]})";
     arguments.tools_file = library;
     const Job job = promise::load(arguments);
-    const CheckResult result = check_path(job.toolpath, job.tools(), prepare_scene(job.scene), job.options.check);
+    const CheckResult result = promise::check_job(job);
     if (first.verdicts.empty()) first = result;
     ASSERT_EQ(result.verdicts.size(), first.verdicts.size());
     EXPECT_EQ(result.counts.not_checked, 0U);

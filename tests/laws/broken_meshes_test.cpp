@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "lib/check/check_path.h"
 #include "tests/laws/random_scenes.h"
 #include "tests/support/crossing_parity.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -252,7 +252,7 @@ void check_once(std::uint64_t stream, Damage damage, Tally& tally) {
   CheckOptions options;
   options.threads = 1;
   if (random.below(8) == 0) options.tolerance_mm = random.in(0.1, 3);
-  const CheckResult r = check_path(path, {&tool}, prepare_scene(scene), options);
+  const CheckResult r = whole_check(path, &tool, scene, options);
   // Whether the tool's own way leads out of the solid.
   const auto leaves = [&](const Box3& box) {
     return box.isEmpty() || std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "lib/check/brute_force.h"
-#include "lib/check/check_path.h"
+#include "lib/certify/motion_checker.h"
+#include "lib/check/path_motion.h"
 #include "lib/correct/correct_path.h"
-#include "lib/head/check_heads.h"
 #include "lib/mesh/winding.h"
 #include "postproc/cldata/rewriting/list_written.h"
 
@@ -24,10 +24,7 @@ struct Corrected {
   const Toolpath* after = nullptr;
   const CheckResult* result_after = nullptr;
   const Correction* correction = nullptr;
-  const Scene* scene = nullptr;
-  const PreparedScene* prepared = nullptr;
-  std::vector<const ToolForms*> tools;
-  CheckOptions options;
+  const CheckSetup* setup = nullptr;
   std::optional<double> max_side_shift_mm;
   double max_shift_mm = 20;
 };
@@ -41,7 +38,7 @@ struct Figures {
 
 class LawBook {
  public:
-  explicit LawBook(const Corrected& c) : c_(c) {
+  explicit LawBook(const Corrected& c) : c_(c), checker_(*c.setup), options_(c.setup->options), scene_(*c.setup->scene.scene) {
     changes_.resize(c.before->moves.size(), nullptr);
     for (const PathChange& change : c.correction->changes) changes_[change.move] = &change;
     std::size_t next = 0;
@@ -100,13 +97,13 @@ class LawBook {
       if (is.state == MoveState::gouge && was.state == MoveState::gouge && is.depth_mm > was.depth_upper_mm + 1e-9)
         say('b', i, "deeper: " + std::to_string(was.depth_mm) + " became " + std::to_string(is.depth_mm));
       if (is.state == MoveState::gouge) cuts_nothing_new(i, k);
-      if (changes_[i] == nullptr || c_.after->moves[k].tool == kNone || ++looked_at_ % one_of(*c_.scene) != 0) continue;
-      const ToolForms* tool = c_.tools[c_.after->moves[k].tool];
+      if (changes_[i] == nullptr || c_.after->moves[k].tool == kNone || ++looked_at_ % one_of(scene_) != 0) continue;
+      const ToolForms* tool = c_.setup->tools[c_.after->moves[k].tool];
       if (tool == nullptr || !c_.after->moves[k].not_checked_reason.empty()) continue;
       const double found =
-          brute_force_depth(motion_of(*c_.after, k, c_.options.rapid), *tool, *c_.scene, 6, 0.2).depth_mm;
-      const double allowed = was.state == MoveState::gouge ? was.depth_upper_mm : c_.options.tolerance_mm;
-      if (found > allowed + 2 * c_.options.resolution_mm && was.state != MoveState::buried)
+          brute_force_depth(motion_of(*c_.after, k, options_.rapid), *tool, scene_, 6, 0.2).depth_mm;
+      const double allowed = was.state == MoveState::gouge ? was.depth_upper_mm : options_.tolerance_mm;
+      if (found > allowed + 2 * options_.resolution_mm && was.state != MoveState::buried)
         say('b', i, "brute force finds " + std::to_string(found) + " after " + std::to_string(was.depth_mm));
     }
   }
@@ -194,14 +191,12 @@ class LawBook {
   }
 
   double depth_at(const Pose& pose, const ToolForms& tool) const {
-    CheckOptions exact = c_.options;
-    exact.tolerance_mm = 0;
-    return check_move(Motion(pose), MoveKind::feed, tool, *c_.prepared, exact).depth_mm;
+    return checker_.measure(pose, MoveKind::feed, tool).depth_mm;
   }
 
   bool is_inside(const Pose& pose, const ToolForms& tool) const {
     const Vec3 core = pose.tip + tool.bare.core.y() * pose.axis;
-    for (const auto* meshes : {&c_.scene->parts, &c_.scene->fixtures}) {
+    for (const auto* meshes : {&scene_.parts, &scene_.fixtures}) {
       for (const IndexedMesh& mesh : *meshes) {
         if (std::abs(winding_number(mesh, core)) > 0.9) return true;
       }
@@ -213,7 +208,7 @@ class LawBook {
   void shift(std::size_t i, Figures&) {
     if (changes_[i] == nullptr || !changes_[i]->new_end) return;
     const Move& old = c_.before->moves[i];
-    const ToolForms* tool = c_.tools[old.tool];
+    const ToolForms* tool = c_.setup->tools[old.tool];
     const Pose to = c_.after->moves[first_[i + 1] - 1].end;
     const Vec3 way = to.tip - old.end.tip;
     const double start = depth_at(old.end, *tool);
@@ -224,7 +219,7 @@ class LawBook {
     for (int k = 1; k <= 12; ++k) {
       const Pose there{old.end.tip + k / 12.0 * way, old.end.axis};
       const double depth = depth_at(there, *tool);
-      if (depth > start + 2 * c_.options.resolution_mm)
+      if (depth > start + 2 * options_.resolution_mm)
         say('d', i, "on its shift it is " + std::to_string(depth) + " deep, at the start " + std::to_string(start));
       if (depth <= 0 && is_inside(there, *tool)) say('d', i, "on its shift the tool is buried");
     }
@@ -235,15 +230,15 @@ class LawBook {
     const Move& old = c_.before->moves[i];
     const bool is_changed = changes_[i] != nullptr || (i > 0 && old.has_start && changes_[i - 1] != nullptr && changes_[i - 1]->new_end);
     if (!is_changed || !old.has_start || old.kind != MoveKind::feed) return;
-    const ToolForms* tool = c_.tools[old.tool];
-    const Motion motion = motion_of(*c_.before, i, c_.options.rapid);
+    const ToolForms* tool = c_.setup->tools[old.tool];
+    const Motion motion = motion_of(*c_.before, i, options_.rapid);
     constexpr int kSamples = 16;
     for (int s = 1; s + 1 < kSamples; ++s) {
       const double t = static_cast<double>(s) / kSamples, around = 1.5 / kSamples;
       const Motion part(motion.at(std::max(0.0, t - around)), motion.at(std::min(1.0, t + around)));
-      CheckOptions strict = c_.options;
+      CheckOptions strict = options_;
       strict.tolerance_mm *= 0.5;
-      if (check_move(part, old.kind, *tool, *c_.prepared, strict).state != MoveState::clean) continue;
+      if (checker_.check(part, old.kind, *tool, strict, true).state != MoveState::clean) continue;
       if (is_inside(motion.at(t), *tool)) continue;
       ++figures.kept_samples;
       double off = 1e9;
@@ -253,7 +248,7 @@ class LawBook {
         const double u = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
         off = std::min(off, (a + u * (b - a) - p).norm());
       }
-      if (off <= c_.options.tolerance_mm + kRounding_mm) continue;
+      if (off <= options_.tolerance_mm + kRounding_mm) continue;
       ++figures.left_path_samples;
       const auto& list = c_.correction->uncorrected;
       figures.listed_samples += std::any_of(list.begin(), list.end(), [i](const Uncorrected& u) { return u.move == i; });
@@ -268,6 +263,9 @@ class LawBook {
   }
 
   const Corrected& c_;
+  MotionChecker checker_;
+  const CheckOptions& options_;
+  const Scene& scene_;
   std::size_t looked_at_ = 0;
   std::vector<const PathChange*> changes_;
   std::vector<std::size_t> first_;  // the first move of the corrected path that each move became

@@ -28,17 +28,16 @@ std::size_t number_of(const char* name, std::size_t usual) {
   return given == nullptr ? usual : std::strtoull(given, nullptr, 10);
 }
 
-Result<LawfulCorrection> correct(const CorrectionScene& made, const CheckResult& before, const PreparedScene& scene,
-                                 const CheckOptions& options, const CorrectOptions& correct) {
-  const auto change = [&](const std::vector<PathChange>& changes) -> Result<ChangedPath> {
+Result<LawfulCorrection> correct(const CorrectionScene& made, const CheckResult& before, const CheckSetup& setup,
+                                 const CorrectOptions& correct) {
+  const auto rewrite = [&](const std::vector<PathChange>& changes) -> Result<Toolpath> {
     const Result<std::string> text = write_corrected(made.path, changes);
     if (!text) return text.error();
     ReadOutcome read = read_toolpath("corrected.ncl", *text);
     if (!read.toolpath) return read.errors.front();
-    CheckResult result = check_path(*read.toolpath, {&made.tool}, scene, options);
-    return ChangedPath{std::move(*read.toolpath), std::move(result)};
+    return std::move(*read.toolpath);
   };
-  return correct_lawfully(made.path, before, {&made.tool}, scene, options, correct, change);
+  return correct_lawfully(made.path, before, setup, correct, rewrite);
 }
 
 std::string places(const Figures& figures) {
@@ -59,16 +58,18 @@ TEST(CorrectionLaws, HoldForRandomPrograms) {
     options.budget_per_move = 200'000;
     options.tolerance_mm = made.tolerance_mm;
     const PreparedScene scene = prepare_scene(made.scene, 1);
-    const CheckResult before = check_path(made.path, {&made.tool}, scene, options);
+    const std::vector<HeadBody> heads;
+    const CheckSetup setup{{&made.tool}, heads, scene, options};
+    const CheckResult before = check(made.path, setup);
     with_gouges += before.counts.gouge > 0 ? 1 : 0;
     CorrectOptions how;
     const RewritableMoves rewritable = rewritable_moves(made.path);
     how.rewritable = &rewritable;
     how.max_side_shift_mm = made.max_side_shift_mm;
-    const Result<LawfulCorrection> corrected = correct(made, before, scene, options, how);
+    const Result<LawfulCorrection> corrected = correct(made, before, setup, how);
     ASSERT_TRUE(corrected.has_value()) << n << ": " << corrected.error().message;
     const Corrected all{&made.path, &before, &corrected->after.path, &corrected->after.result, &corrected->correction,
-                        &made.scene, &scene, {&made.tool}, options, made.max_side_shift_mm, how.max_shift_mm};
+                        &setup, made.max_side_shift_mm, how.max_shift_mm};
     for (const std::string& broken : LawBook(all).broken(figures)) ADD_FAILURE() << "program " << n << " " << broken;
     if (::testing::Test::HasFailure()) {
       std::cout << made.text << "---- becomes\n" << corrected->after.path.source;
@@ -88,23 +89,21 @@ TEST(CorrectionLaws, HoldForRandomPrograms) {
 void hold_for(const JobArguments& arguments) {
   const Job job = promise::load(arguments);
   const PreparedScene scene = prepare_scene(job.scene);
-  const CheckResult before = check_path(job.toolpath, job.tools(), scene, job.options.check);
-  const auto change = [&](const std::vector<PathChange>& changes) -> Result<ChangedPath> {
+  const CheckSetup setup = job.setup(scene);
+  const CheckResult before = check(job.toolpath, setup);
+  const auto rewrite = [&](const std::vector<PathChange>& changes) -> Result<Toolpath> {
     const Result<std::string> text = write_corrected(job.toolpath, changes);
     if (!text) return text.error();
-    Result<Toolpath> again = read_again(job, "corrected.apt", *text);
-    if (!again) return again.error();
-    CheckResult result = check_path(*again, job.tools(), scene, job.options.check);
-    return ChangedPath{std::move(*again), std::move(result)};
+    return read_again(job, "corrected.apt", *text);
   };
   const RewritableMoves rewritable = rewritable_moves(job.toolpath);
   CorrectOptions how;
   how.rewritable = &rewritable;
   const Result<LawfulCorrection> corrected =
-      correct_lawfully(job.toolpath, before, job.tools(), scene, job.options.check, how, change);
+      correct_lawfully(job.toolpath, before, setup, how, rewrite);
   ASSERT_TRUE(corrected.has_value()) << corrected.error().message;
   const Corrected all{&job.toolpath, &before, &corrected->after.path, &corrected->after.result, &corrected->correction,
-                      &job.scene, &scene, job.tools(), job.options.check, std::nullopt, 20};
+                      &setup, std::nullopt, 20};
   Figures figures;
   for (const std::string& broken : LawBook(all).broken(figures)) ADD_FAILURE() << broken;
   std::cout << figures.gouges_before << " gouging moves became " << figures.gouges_after << "; " << figures.changed

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "lib/check/check_path.h"
 #include "lib/geom/rigid_transform.h"
 #include "tests/laws/random_scenes.h"
 #include "tests/support/reference.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -21,7 +21,7 @@ constexpr double kRounding_mm = 1e-9;
 constexpr CheckOptions kOptions{};
 
 CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scene, const CheckOptions& options = kOptions) {
-  return check_path(path, {&tool}, prepare_scene(scene), options);
+  return whole_check(path, &tool, scene, options);
 }
 
 const std::vector<ToolForms>& all_tools() {

@@ -4,11 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "lib/check/check_path.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/postproc/cldata/nccs_file.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -30,7 +30,7 @@ std::vector<MoveVerdict> verdicts(const Toolpath& path, const IndexedMesh& part)
   Scene scene;
   scene.parts.push_back(part);
   const ToolForms tool = tools::ball(1);
-  return check_path(path, {&tool}, prepare_scene(scene), {}).verdicts;
+  return whole_check(path, &tool, scene, {}).verdicts;
 }
 
 /// "clean", or the state of the first move that is not.

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "lib/check/check_path.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -26,7 +26,7 @@ Toolpath read(const std::string& text, bool is_centre = false) {
 std::string verdict(const Toolpath& path, const IndexedMesh& part, const ToolForms& tool) {
   Scene scene;
   scene.parts.push_back(part);
-  for (const MoveVerdict& v : check_path(path, {&tool}, prepare_scene(scene), {}).verdicts) {
+  for (const MoveVerdict& v : whole_check(path, &tool, scene, {}).verdicts) {
     if (v.state != MoveState::clean) return state_name(v.state);
   }
   return "clean";

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/job.h"
-#include "lib/check/check_path.h"
+#include "lib/certify/check.h"
 #include "tests/support/reference.h"
 
 // The promise of docs/method.md held against a checked job: every witness by own arithmetic, every depth_upper
@@ -21,6 +21,11 @@ inline Job load(const JobArguments& arguments) {
   LoadedJob loaded = load_job(arguments, *options);
   for (const Diagnostic& d : loaded.errors) ADD_FAILURE() << d.message;
   return loaded.job ? std::move(*loaded.job) : Job{};
+}
+
+inline CheckResult check_job(const Job& job) {
+  const PreparedScene scene = prepare_scene(job.scene);
+  return check(job.toolpath, job.setup(scene));
 }
 
 struct Contours {

@@ -40,8 +40,7 @@ TEST_P(PromiseOnRealPairs, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanTol
   }
   const Job job = promise::load(arguments);
   ASSERT_GT(job.toolpath.moves.size(), 10U);
-  const CheckResult result =
-      check_path(job.toolpath, job.tools(), prepare_scene(job.scene), job.options.check);
+  const CheckResult result = promise::check_job(job);
   EXPECT_GT(result.counts.clean + result.counts.gouge, 10U);
   EXPECT_EQ(result.counts.not_certified, 0U);
   promise::expect_witnesses(job, result);

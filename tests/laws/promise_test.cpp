@@ -46,7 +46,7 @@ class PromiseOnSamples : public ::testing::TestWithParam<SampleCase> {
     for (const auto& fixture : sample.fixtures) arguments.fixtures.push_back(own + fixture.file);
     job_ = promise::load(arguments);
     ASSERT_EQ(job_.toolpath.moves.size(), sample.moves);
-    result_ = check_path(job_.toolpath, job_.tools(), prepare_scene(job_.scene), job_.options.check);
+    result_ = promise::check_job(job_);
   }
 
   void TearDown() override { std::filesystem::remove_all(folder_); }

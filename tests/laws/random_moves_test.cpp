@@ -10,11 +10,10 @@
 #include <map>
 
 #include "lib/base/number_text.h"
-#include "lib/check/check_path.h"
-#include "lib/head/check_heads.h"
 #include "tests/laws/promise.h"
 #include "tests/laws/random_moves.h"
 #include "tests/support/reference_hunt.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -87,10 +86,9 @@ class Campaign {
     // What is promised holds at any budget; a small one for most lets many more moves be tried.
     const bool is_patient = ++jobs_ % 32 == 0;
     if (!is_patient) options.budget_per_move = kBounds;
-    CheckResult result = check_path(job.path, {&job.tool}, prepare_scene(job.scene, 1), options);
     std::vector<HeadBody> bodies;
     for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
-    check_heads(job.path, bodies, job.scene, options, result);
+    const CheckResult result = whole_check(job.path, &job.tool, job.scene, options, bodies);
     heads += job.heads.empty() ? 0 : result.verdicts.size();
     const promise::Contours tool(job.tool);
     const Core core(tool.part);

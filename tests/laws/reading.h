@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/resolve_tools.h"
-#include "lib/check/check_path.h"
+#include "lib/certify/check.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/support/shapes.h"
 #include "toolmodels/compile_tool.h"
@@ -32,7 +32,8 @@ inline std::vector<MoveState> check_states(const Toolpath& path, const IndexedMe
   std::vector<const ToolForms*> forms;
   for (const ToolForms& tool : tools) forms.push_back(&tool);
   std::vector<MoveState> states;
-  for (const MoveVerdict& v : check_path(path, forms, prepare_scene(scene), {}).verdicts) states.push_back(v.state);
+  const PreparedScene prepared = prepare_scene(scene);
+  for (const MoveVerdict& v : check(path, CheckSetup{forms, {}, prepared, {}}).verdicts) states.push_back(v.state);
   return states;
 }
 

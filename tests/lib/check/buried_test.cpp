@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "lib/check/check_path.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 // What the meshes do not prove is never clean.
 
@@ -26,7 +26,7 @@ CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scen
   CheckOptions options;
   options.tolerance_mm = tolerance_mm;
   options.threads = threads;
-  return check_path(path, {&tool}, prepare_scene(scene), options);
+  return whole_check(path, &tool, scene, options);
 }
 
 IndexedMesh block(double half = 100) {

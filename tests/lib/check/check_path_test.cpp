@@ -1,4 +1,3 @@
-#include "lib/check/check_path.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +10,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -20,7 +20,7 @@ using paths::upright;
 
 CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scene,
                   CheckOptions options = {}) {
-  return check_path(path, {&tool}, prepare_scene(scene), options);
+  return whole_check(path, &tool, scene, options);
 }
 
 TEST(CheckPath, EveryMoveHasOneStateAndTheCountsAddUp) {
@@ -133,9 +133,9 @@ TEST(CheckPath, StockToLeaveCountsAgainstThePartAloneNotTheFixture) {
 TEST(CheckPath, WithoutAToolNothingIsClean) {
   Toolpath path = through({upright(0, 0, 50)});
   const Scene scene{{shapes::cube()}, {}};
-  EXPECT_EQ(check_path(path, {nullptr}, prepare_scene(scene), {}).counts.not_checked, 1U);
+  EXPECT_EQ(whole_check(path, nullptr, scene, {}).counts.not_checked, 1U);
   path.moves[0].tool = kNone;
-  EXPECT_EQ(check_path(path, {nullptr}, prepare_scene(scene), {}).counts.not_checked, 1U);
+  EXPECT_EQ(whole_check(path, nullptr, scene, {}).counts.not_checked, 1U);
 }
 
 // A move knows no start of its own: what stood before it is part of the path.
@@ -152,7 +152,7 @@ TEST(CheckPath, AMoveCutOutOfItsPathIsNotCheckedNorReadFromElsewhere) {
   EXPECT_EQ(check(without_curves, tools::ball(), scene).counts.not_checked, 3U);
   for (Move& move : without_curves.moves) move.curve_kind = CurveKind::spline;
   EXPECT_EQ(check(without_curves, tools::ball(), scene).counts.not_checked, 3U);
-  EXPECT_EQ(check_path(whole, {}, prepare_scene(scene), {}).counts.not_checked, 3U);
+  EXPECT_EQ(gouge::check(whole, CheckSetup{{}, {}, prepare_scene(scene), {}}).counts.not_checked, 3U);
 }
 
 // Beyond the coordinates that the bounds are proven for, a float overflows and compares as free.
@@ -219,7 +219,7 @@ TEST(CheckPath, OptionsThatAreNoLengthsAreRefusedWithTheReason) {
   wrong[6].near_miss_mm = infinite;
   for (const CheckOptions& options : wrong) {
     const CheckResult r =
-        check_path(through({upright(0, 0, 5), upright(0, 0, -1)}), {&tool}, prepare_scene(scene), options);
+        whole_check(through({upright(0, 0, 5), upright(0, 0, -1)}), &tool, scene, options);
     EXPECT_EQ(r.counts.not_checked, 2U);
     EXPECT_EQ(r.verdicts[1].reason,
               "an option of the check is no finite length, or the resolution is not above 0");

@@ -5,11 +5,11 @@
 #include <functional>
 #include <numbers>
 
-#include "lib/check/check_path.h"
 #include "lib/check/usual_mistakes.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -37,11 +37,10 @@ Scene dome() {
 }
 
 PathFit fit_of(const Toolpath& path, const Scene& scene, const ToolForms& tool, unsigned threads = 1) {
-  const PreparedScene prepared = prepare_scene(scene, 1);
   CheckOptions options;
   options.threads = 1;
-  const CheckResult result = check_path(path, {&tool}, prepared, options);
-  return find_path_fit(path, result.verdicts, {&tool}, prepared, threads);
+  const OwnSetup own(&tool, scene, options);
+  return find_path_fit(path, check(path, own.setup).verdicts, {&tool}, own.scene, threads);
 }
 
 PathFit dome_fit(const std::vector<Pose>& poses, unsigned threads = 1) {

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "lib/check/check_path.h"
 #include "tests/support/paths.h"
 #include "tests/support/random_tools.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 // A blade or a point of a tool that is nowhere as deep as the tolerance may be anywhere in the part: no move is clean
 // for that.
@@ -28,7 +28,7 @@ CheckResult check(const std::vector<Pose>& poses, const ToolForms& tool, double 
   options.resolution_mm = resolution_mm;
   options.threads = 1;
   const Scene scene = block();
-  return check_path(through(poses), {&tool}, prepare_scene(scene), options);
+  return whole_check(through(poses), &tool, scene, options);
 }
 
 ToolForms saw(double stock = 0) {
@@ -137,7 +137,7 @@ TEST(Reach, NoCleanMoveOfAnyToolGoesFartherIntoTheSolidThanThreeTimesTheDepthAll
       Pose end{Vec3::Zero(), Vec3(std::sin(tilt), 0, std::cos(tilt))};
       end.tip.z() = -lowest(tool.bare, end) - allowed * numbers.in(0.2, k % 2 == 0 ? 2 : 10);
       const Pose start{end.tip + Vec3(0, 0, 500), end.axis};
-      const CheckResult r = check_path(through({start, end}), {&tool}, prepared, options);
+      const CheckResult r = gouge::check(through({start, end}), CheckSetup{{&tool}, {}, prepared, options});
       const double reach = -lowest(tool.bare, end);
       if (r.verdicts[1].state == MoveState::not_certified) held_back += reach > 3 * allowed ? 1 : 0;
       if (r.verdicts[1].state != MoveState::clean) continue;

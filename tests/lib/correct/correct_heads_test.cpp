@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 
 #include "lib/correct/correct_path.h"
-#include "lib/head/check_heads.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 // Corrections with bodies that move with the tool: a block beside the spindle, 100 mm above the tip, and a
 // post 130 mm high that it runs into.
@@ -33,19 +33,16 @@ std::vector<HeadBody> heads() {
 }
 
 CheckResult check(const Scene& scene, const Toolpath& path, const std::vector<HeadBody>& heads) {
-  CheckResult result = check_path(path, {&kTool}, prepare_scene(scene), {});
-  check_heads(path, heads, scene, {}, result);
-  return result;
+  return whole_check(path, &kTool, scene, {}, heads);
 }
 
 Correction propose(const Case& c, const std::vector<HeadBody>& heads) {
   const Scene scene = c.scene();
   const Toolpath path = paths::through(c.poses);
-  const HeadChecker checker(heads, scene);
   CorrectOptions correct;
   correct.max_shift_mm = c.max_shift_mm;
-  correct.heads = &checker;
-  return correct_path(path, check(scene, path, heads), {&kTool}, prepare_scene(scene), {}, correct);
+  const OwnSetup own(&kTool, scene, {}, heads);
+  return correct_path(path, gouge::check(path, own.setup), own.setup, correct);
 }
 
 std::vector<Pose> corrected_poses(const Case& c, const Correction& correction) {

@@ -8,6 +8,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -23,11 +24,11 @@ struct Case {
 };
 
 CheckResult check(const Case& c, const Toolpath& path) {
-  return check_path(path, {&c.tool}, prepare_scene(c.scene), c.options);
+  return whole_check(path, &c.tool, c.scene, c.options);
 }
 
 Correction propose(const Case& c) {
-  return correct_path(c.path, check(c, c.path), {&c.tool}, prepare_scene(c.scene), c.options, c.correct);
+  return correct_path(c.path, check(c, c.path), OwnSetup(&c.tool, c.scene, c.options).setup, c.correct);
 }
 
 double rounded(double x) { return std::round(x * 1e4) / 1e4; }

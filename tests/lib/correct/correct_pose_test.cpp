@@ -6,6 +6,7 @@
 
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -34,7 +35,7 @@ double depth_of(const Pose& pose, const ToolForms& tool, const Scene& scene) {
   CheckOptions exact;
   exact.resolution_mm = 1e-5;
   exact.tolerance_mm = 0;
-  return check_move(Motion(pose), MoveKind::feed, tool, prepare_scene(scene), exact).depth_mm;
+  return OwnSetup(&tool, scene, exact).checker().check(Motion(pose), MoveKind::feed, tool, exact).depth_mm;
 }
 
 // Thesis figure 35: a circle in a V. Each of two contacts is d deep; by symmetry the shift is d (n1 + n2) / 2,
@@ -59,7 +60,7 @@ TEST_P(BallInAVee, ConvergesAsTheFormulaSaysAndEndsWithinTheAim) {
   // The centre of the ball stands radius - depth away from both planes.
   const double center = (kRadius - GetParam().depth_mm) / std::cos(half);
   const Pose pose{Vec3(0, 0, center - kRadius), Vec3::UnitZ()};
-  const auto corrected = correct_weighted(pose, tools::ball(), prepare_scene(scene), limits());
+  const auto corrected = correct_weighted(pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits());
   ASSERT_TRUE(corrected.has_value());
   const double factor = (1 - n1.dot(n2)) / 2;
   const double excess = GetParam().depth_mm - kAim_mm + kRoom_mm;
@@ -82,7 +83,7 @@ TEST(Weighted, APlaneTakesOneOrTwoIterations) {
   const Vec3 n = Vec3(0.3, -0.2, 1).normalized();
   const Vec3 center = (5 - 0.4) * n;
   const Pose pose{center - 5 * Vec3::UnitZ(), Vec3::UnitZ()};
-  const auto corrected = correct_weighted(pose, tools::ball(), prepare_scene(scene), limits());
+  const auto corrected = correct_weighted(pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits());
   ASSERT_TRUE(corrected.has_value());
   EXPECT_LE(corrected->iterations, 3);
   // The contact is the deepest point to a tenth of its depth, so the first step may lean by a few degrees.
@@ -94,8 +95,8 @@ TEST(Weighted, ATooNarrowSlotIsGivenUpAndTheAxisTakesOver) {
   const Scene slot{{shapes::box(Vec3(-40, -40, -20), Vec3(-4.5, 40, 0)), shapes::box(Vec3(4.5, -40, -20), Vec3(40, 40, 0))}, {}};
   const Pose pose{Vec3(0, 0, -3), Vec3::UnitZ()};
   const ToolForms flat = tools::flat();
-  EXPECT_FALSE(correct_weighted(pose, flat, prepare_scene(slot), limits()).has_value());
-  const auto lifted = correct_pose(Strategy::weighted, pose, flat, prepare_scene(slot), limits());
+  EXPECT_FALSE(correct_weighted(pose, flat, OwnSetup(nullptr, slot).checker(), limits()).has_value());
+  const auto lifted = correct_pose(Strategy::weighted, pose, flat, OwnSetup(nullptr, slot).checker(), limits());
   ASSERT_TRUE(lifted.has_value());
   EXPECT_EQ(lifted->strategy, Strategy::axis);
   EXPECT_NEAR(lifted->pose.tip.z(), 0, 0.006);
@@ -109,7 +110,7 @@ TEST(AlongAxis, OnAPlaneItIsTheAnalyticLift) {
     const Vec3 center(0, 0, 5 - depth);
     const Scene scene{{plane(Vec3::UnitZ())}, {}};
     const Pose pose{center - 5 * axis, axis};
-    const auto lifted = correct_along_axis(pose, tools::ball(), prepare_scene(scene), limits());
+    const auto lifted = correct_along_axis(pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits());
     ASSERT_TRUE(lifted.has_value()) << lean_deg;
     const double exact = (depth - kAim_mm) / std::cos(lean);
     EXPECT_GE(lifted->shift_mm, exact - 2.1e-4 / std::cos(lean)) << lean_deg;
@@ -125,7 +126,7 @@ TEST(AlongAxis, AFlatCutterLeansOnItsRim) {
   const Vec3 axis(std::sin(lean), 0, std::cos(lean));
   const Pose pose{Vec3(0, 0, 5 * std::sin(lean) - 0.2), axis};
   const Scene scene{{plane(Vec3::UnitZ())}, {}};
-  const auto lifted = correct_along_axis(pose, tools::flat(), prepare_scene(scene), limits());
+  const auto lifted = correct_along_axis(pose, tools::flat(), OwnSetup(nullptr, scene).checker(), limits());
   ASSERT_TRUE(lifted.has_value());
   // Near the rim the depth of a point is less than its distance to the rim's lowest point, so the aim is met a
   // little earlier than the plane is left.
@@ -138,8 +139,8 @@ TEST(Limits, AShiftBeyondTheLargestIsNoCorrection) {
   const Scene scene{{plane(Vec3::UnitZ())}, {}};
   const Pose pose{Vec3(0, 0, -0.3), Vec3::UnitZ()};
   for (const Strategy strategy : {Strategy::weighted, Strategy::axis}) {
-    EXPECT_FALSE(correct_pose(strategy, pose, tools::ball(), prepare_scene(scene), limits(0.25)).has_value());
-    const auto corrected = correct_pose(strategy, pose, tools::ball(), prepare_scene(scene), limits(0.31));
+    EXPECT_FALSE(correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.25)).has_value());
+    const auto corrected = correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.31));
     ASSERT_TRUE(corrected.has_value());
     EXPECT_LE(corrected->shift_mm, 0.31);
   }
@@ -149,7 +150,7 @@ TEST(Limits, APoseThatMeetsTheAimStaysBitForBit) {
   const Scene scene{{plane(Vec3::UnitZ())}, {}};
   const Pose pose{Vec3(0.1, 0.2, -0.004), Vec3::UnitZ()};
   for (const Strategy strategy : {Strategy::weighted, Strategy::axis}) {
-    const auto corrected = correct_pose(strategy, pose, tools::ball(), prepare_scene(scene), limits());
+    const auto corrected = correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits());
     ASSERT_TRUE(corrected.has_value());
     EXPECT_EQ(corrected->pose.tip, pose.tip);
     EXPECT_EQ(corrected->iterations, 0);

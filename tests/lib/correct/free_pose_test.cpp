@@ -6,6 +6,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -18,8 +19,7 @@ struct Case {
   CheckOptions options;
 
   [[nodiscard]] const char* why_not(const Pose& from, const Pose& to) const {
-    const PreparedScene prepared = prepare_scene(scene);
-    return why_not_shift(from, to, MoveKind::feed, tool, MotionChecker(prepared, options, nullptr));
+    return why_not_shift(from, to, MoveKind::feed, tool, OwnSetup(&tool, scene, options).checker());
   }
 };
 
@@ -74,8 +74,8 @@ TEST(FreePose, ASidewaysWayOutBeyondTheLimitGivesWayToALift) {
   c.tool = tools::flat();
   c.scene.parts = {shapes::box(Vec3(0, -50, -20), Vec3(40, 50, 3))};  // its wall at x = 0
   const Pose pose = upright(-4.6, 0, 0);                              // 0.4 mm in the wall
-  const PreparedScene prepared = prepare_scene(c.scene);
-  const MotionChecker checker(prepared, c.options, nullptr);
+  const OwnSetup own(&c.tool, c.scene, c.options);
+  const MotionChecker checker = own.checker();
   PoseLimits limits;
   limits.aim = {0.005, -0.002, -0.002};
   const double depth = checker.measure(pose, MoveKind::feed, c.tool).depth_mm;

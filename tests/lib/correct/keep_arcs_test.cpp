@@ -10,6 +10,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -42,14 +43,13 @@ struct ArcCase {
   }
 
   [[nodiscard]] Correction correct(const CorrectOptions& asked = {}) const {
-    const PreparedScene prepared = prepare_scene(scene);
-    const CheckResult result = check_path(path, {&tool}, prepared, options);
+    const OwnSetup own(&tool, scene, options);
     RewritableMoves rewritable;
     rewritable.arc.assign(path.moves.size(), true);
     rewritable.split.assign(path.moves.size(), can_split);
     CorrectOptions correct = asked;
     correct.rewritable = &rewritable;
-    return correct_path(path, result, {&tool}, prepared, options, correct);
+    return correct_path(path, check(path, own.setup), own.setup, correct);
   }
 
   /// The motions that the arc became.
@@ -74,9 +74,9 @@ struct ArcCase {
   }
 
   void expect_clean(const Correction& correction) const {
-    const PreparedScene prepared = prepare_scene(scene);
+    const OwnSetup own(&tool, scene, options);
     for (const Motion& motion : motions(correction))
-      EXPECT_EQ(check_move(motion, MoveKind::arc, tool, prepared, options).state, MoveState::clean);
+      EXPECT_EQ(own.checker().check(motion, MoveKind::arc, tool, options).state, MoveState::clean);
   }
 };
 

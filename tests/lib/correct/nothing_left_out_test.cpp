@@ -4,11 +4,10 @@
 #include <numbers>
 
 #include "lib/correct/correct_path.h"
-#include "lib/correct/motion_checker.h"
-#include "lib/head/check_heads.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -43,11 +42,8 @@ struct Case {
     if (ceiling == Ceiling::of_fixture) scene.fixtures = {shapes::box(Vec3(-25, -50, over_tool), Vec3(25, 50, over_tool + 20))};
     if (ceiling == Ceiling::of_part_over_head)
       scene.parts.push_back(shapes::box(Vec3(0, -50, over_head), Vec3(80, 50, over_head + 20)));
-    const HeadChecker checker(heads, scene);
-    how.heads = &checker;
-    CheckResult before = check_path(path, {&kTool}, prepare_scene(scene), options);
-    check_heads(path, heads, scene, options, before);
-    return correct_path(path, before, {&kTool}, prepare_scene(scene), options, how);
+    const OwnSetup own(&kTool, scene, options, heads);
+    return correct_path(path, check(path, own.setup), own.setup, how);
   }
 };
 
@@ -105,12 +101,10 @@ TEST_P(NothingLeftOut, OfWhatALiftWouldTouch) {
 TEST(NothingLeftOut, OfASingleMotion) {
   const Scene scene{{shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 0))}, {shapes::box(Vec3(100, -10, 0), Vec3(120, 10, 50))}};
   const std::vector<HeadBody> bodies{*build_head_body(shapes::box(Vec3(30, -5, -40), Vec3(40, 5, -30)))};
-  const PreparedScene prepared = prepare_scene(scene);
-  const CheckOptions options;
-  const HeadChecker heads(bodies, scene);
-  const MotionChecker without(prepared, options, nullptr), with(prepared, options, &heads);
+  const OwnSetup own_without(&kTool, scene), own_with(&kTool, scene, {}, bodies);
+  const MotionChecker without(own_without.setup), with(own_with.setup);
   const auto state = [&](const MotionChecker& checker, const Pose& a, const Pose& b) {
-    return checker.check(Motion(a, b), MoveKind::feed, kTool, options).state;
+    return checker.check(Motion(a, b), MoveKind::feed, kTool, checker.options()).state;
   };
   EXPECT_EQ(state(without, upright(0, 0, 1), upright(50, 0, 1)), MoveState::clean);
   EXPECT_EQ(state(without, upright(0, 0, 1), upright(150, 0, 1)), MoveState::gouge);         // the fixture

@@ -5,6 +5,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -30,11 +31,11 @@ struct Hole {
     rewritable.hole = {false, true, false, false, false};
   }
 
-  [[nodiscard]] CheckResult check() const { return check_path(path, {&tool}, prepare_scene(scene), options); }
+  [[nodiscard]] CheckResult check() const { return whole_check(path, &tool, scene, options); }
   [[nodiscard]] Correction correct() const {
     CorrectOptions how;
     how.rewritable = &rewritable;
-    return correct_path(path, check(), {&tool}, prepare_scene(scene), options, how);
+    return correct_path(path, check(), OwnSetup(&tool, scene, options).setup, how);
   }
 };
 

@@ -10,6 +10,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -39,18 +40,16 @@ struct FloorCase {
   }
 
   [[nodiscard]] Correction correct(bool can_rewrite = true) const {
-    const PreparedScene prepared = prepare_scene(scene);
-    const CheckResult result = check_path(path, {&tool}, prepared, options);
+    const OwnSetup own(&tool, scene, options);
     RewritableMoves rewritable;
     rewritable.arc.assign(path.moves.size(), can_rewrite);
     CorrectOptions correct;
     correct.rewritable = &rewritable;
-    return correct_path(path, result, {&tool}, prepared, options, correct);
+    return correct_path(path, check(path, own.setup), own.setup, correct);
   }
 
   [[nodiscard]] std::optional<PathArc> shifted(const Vec3& start_by, const Vec3& end_by) const {
-    const PreparedScene prepared = prepare_scene(scene);
-    const MotionChecker checker(prepared, options, nullptr);
+    const OwnSetup own(&tool, scene, options);
     ArcTask task{path.arcs[0],
                  path.moves[1].end,
                  path.moves[2].end,
@@ -60,7 +59,7 @@ struct FloorCase {
                  &tool};
     task.new_start.tip += start_by;
     task.new_end.tip += end_by;
-    return shift_arc(task, checker);
+    return shift_arc(task, own.checker());
   }
 };
 
@@ -86,8 +85,8 @@ TEST(ShiftArc, OneCircleALittleTooDeepStaysOneCircle) {
   EXPECT_GT(change->new_end->tip.z(), -c.options.tolerance_mm);
   EXPECT_EQ(change->new_end->tip, change_of(correction, 1)->new_end->tip) << "a full circle still";
   const Motion motion(*change->new_end, *change->new_end, *change->new_arc);
-  const PreparedScene prepared = prepare_scene(c.scene);
-  EXPECT_EQ(check_move(motion, MoveKind::arc, c.tool, prepared, c.options).state, MoveState::clean);
+  const OwnSetup own(&c.tool, c.scene, c.options);
+  EXPECT_EQ(own.checker().check(motion, MoveKind::arc, c.tool, c.options).state, MoveState::clean);
   EXPECT_EQ(std::count_if(correction.records.begin(), correction.records.end(),
                           [](const ChangeRecord& record) { return record.move == 2; }),
             1);

@@ -10,6 +10,7 @@
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -34,10 +35,10 @@ struct ArcCase {
   }
 
   [[nodiscard]] CheckResult check(const Toolpath& checked) const {
-    return check_path(checked, {&tool}, prepare_scene(scene), options);
+    return whole_check(checked, &tool, scene, options);
   }
   [[nodiscard]] Correction correct() const {
-    return correct_path(path, check(path), {&tool}, prepare_scene(scene), options, {});
+    return correct_path(path, check(path), OwnSetup(&tool, scene, options).setup, {});
   }
 };
 

@@ -10,6 +10,7 @@
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -27,11 +28,9 @@ CheckResult check(const std::vector<Pose>& poses, const std::vector<IndexedMesh>
   scene.parts = {part};
   CheckOptions options;
   options.threads = threads;
-  CheckResult result = check_path(path, {&tool}, prepare_scene(scene), options);
   std::vector<HeadBody> bodies;
   for (const IndexedMesh& head : heads) bodies.push_back(*build_head_body(head));
-  check_heads(path, bodies, scene, options, result);
-  return result;
+  return whole_check(path, &tool, scene, options, bodies);
 }
 
 const IndexedMesh kPost = shapes::box(Vec3(89, -1, 0), Vec3(91, 1, 130));
@@ -52,14 +51,14 @@ TEST(Heads, MakeNothingCleanInASceneOrOnAPathThatCannotBeChecked) {
   const std::vector<HeadBody> heads = {*build_head_body(side_box())};
   const Toolpath path = paths::through({paths::upright(0, -80, 0), paths::upright(0, 80, 0)});
   const Scene scene{{kPost}, {}};
-  const CheckResult clean = check_path(path, {&tool}, prepare_scene(scene), {});
+  const CheckResult clean = whole_check(path, &tool, scene, {});
   ASSERT_EQ(clean.counts.clean, 2U);
   for (const double far : {1.1e5, 1e300, std::numeric_limits<double>::quiet_NaN()}) {
     Scene far_scene = scene;
     far_scene.parts[0].vertices[0].x() = far;
     CheckResult result = clean;
     check_heads(path, heads, far_scene, {}, result);
-    EXPECT_EQ(result.counts.not_checked, 2U) << far;
+    for (const MoveVerdict& verdict : result.verdicts) EXPECT_EQ(verdict.state, MoveState::not_checked) << far;
 
     Toolpath far_path = path;
     far_path.moves[1].end.tip.y() = far;
@@ -72,7 +71,7 @@ TEST(Heads, MakeNothingCleanInASceneOrOnAPathThatCannotBeChecked) {
   options.tolerance_mm = std::numeric_limits<double>::quiet_NaN();
   CheckResult result = clean;
   check_heads(path, heads, scene, options, result);
-  EXPECT_EQ(result.counts.not_checked, 2U);
+  for (const MoveVerdict& verdict : result.verdicts) EXPECT_EQ(verdict.state, MoveState::not_checked);
 }
 
 TEST(Heads, AreFoundBetweenTwoCleanPositionsWhereTheToolAloneIsClean) {

@@ -1,14 +1,12 @@
 #include <gtest/gtest.h>
 
-#include "lib/check/check_path.h"
-#include "lib/head/check_heads.h"
-#include "lib/overcut/measure_overcut.h"
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_tool.h"
 #include "lib/penetration/nearest_foot.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -19,9 +17,7 @@ CheckResult check(const std::vector<Pose>& poses, const ToolForms& tool, const I
   scene.parts = {part};
   CheckOptions options;
   options.threads = 1;
-  CheckResult result = check_path(path, {&tool}, prepare_scene(scene), options);
-  measure_overcuts(path, {&tool}, scene, options, result);
-  return result;
+  return whole_check(path, &tool, scene, options);
 }
 
 const IndexedMesh kBlock = shapes::box(Vec3(-50, -50, -60), Vec3(50, 50, 0));
@@ -116,12 +112,10 @@ TEST(Overcut, OfAHeadIsHowFarTheHeadReachedBelowTheSurface) {
   scene.parts = {kBlock};
   const std::vector<HeadBody> heads = {*build_head_body(shapes::box(Vec3(-63, -3, -20), Vec3(-57, 3, 60)))};
   CheckOptions options;
-  CheckResult result = check_path(path, {&tool}, prepare_scene(scene), options);
-  EXPECT_EQ(result.counts.clean, 2U);
-  check_heads(path, heads, scene, options, result);
+  EXPECT_EQ(whole_check(path, &tool, scene, options).counts.clean, 2U);
+  const CheckResult result = whole_check(path, &tool, scene, options, heads);
   ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
   EXPECT_NEAR(result.verdicts[1].depth_mm, 3, 2e-3);
-  measure_overcuts(path, {&tool}, scene, options, result, heads);
   ASSERT_TRUE(result.verdicts[1].overcut_mm.has_value());
   EXPECT_NEAR(*result.verdicts[1].overcut_mm, 15, 0.01);
   EXPECT_NEAR(result.worst_overcut_mm, 15, 0.01);

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/head/check_heads.h"
 #include "lib/head/head_motion.h"
-#include "lib/overcut/measure_overcut.h"
 #include "lib/penetration/nearest_foot.h"
 #include "lib/field/depth_field.h"
 #include "postproc/image/depth_strip.h"
@@ -44,9 +42,7 @@ struct HeadScene : SmallScene {
   }
 
   void check_all() {
-    check();
-    check_heads(path, heads, scene, model.options, result);
-    measure_overcuts(path, {&tool}, scene, model.options, result, heads);
+    check(heads);
     input.heads = heads;
   }
 };

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "lib/overcut/measure_overcut.h"
 #include "postproc/image/heat_map.h"
 #include "tests/postproc/image/small_scene.h"
 
@@ -20,7 +19,6 @@ struct Plunge : SmallScene {
     path.moves[1].has_start = true;
     path.moves[1].end.tip = Vec3(20, 15, z);
     check();
-    measure_overcuts(path, {&tool}, scene, model.options, result);
     input.result = &result;
   }
 };
@@ -76,7 +74,6 @@ TEST(OvercutField, FindsTheToolBelowASurfaceItDoesNotPierce) {
   plunge.path.moves[0].end = {Vec3(-20, 15, 25), Vec3(-1, 0, 0)};
   plunge.path.moves[1].end = {Vec3(14, 15, 25), Vec3(-1, 0, 0)};
   plunge.check();
-  measure_overcuts(plunge.path, {&plunge.tool}, plunge.scene, plunge.model.options, plunge.result);
   plunge.input.result = &plunge.result;
   const DepthField depths(plunge.input);
   const OvercutField field(plunge.input, depths);

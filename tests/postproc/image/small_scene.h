@@ -1,9 +1,9 @@
 #pragma once
 
-#include "lib/check/check_path.h"
 #include "lib/field/checked_toolpath.h"
 #include "postproc/report/report_model.h"
 #include "toolmodels/compile_tool.h"
+#include "tests/support/whole_check.h"
 
 // A block of 40 x 30 x 10 mm, a ball cutter with a holder and a path that cuts a groove 0.4 mm deep into its
 // top on its way: checked for real.
@@ -60,8 +60,8 @@ struct SmallScene {
   SmallScene(const SmallScene&) = delete;
   SmallScene& operator=(const SmallScene&) = delete;
 
-  void check() {
-    result = check_path(path, {&tool}, prepare_scene(scene), model.options);
+  void check(const std::vector<HeadBody>& heads = {}) {
+    result = whole_check(path, &tool, scene, model.options, heads);
     model.toolpath = &path;
     model.result = &result;
     model.parts = {MeshFacts{"block.stl", 12, 8, 0, true, ""}};

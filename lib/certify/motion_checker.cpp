@@ -1,6 +1,8 @@
-#include "lib/correct/motion_checker.h"
+#include "lib/certify/motion_checker.h"
 
 #include "lib/check/buried.h"
+#include "lib/check/check_move.h"
+#include "lib/head/check_heads.h"
 
 namespace gouge {
 namespace {
@@ -9,14 +11,18 @@ constexpr double kAnyGap_mm = 1e6;  // how far the depth of a gouge is left open
 
 }  // namespace
 
-MotionChecker::MotionChecker(const PreparedScene& scene, const CheckOptions& options, const HeadChecker* heads)
-    : scene_(scene), options_(options), heads_(heads), sides_(*scene.scene) {}
+MotionChecker::MotionChecker(const CheckSetup& setup)
+    : scene_(setup.scene), options_(setup.options), sides_(*setup.scene.scene) {
+  if (!setup.heads.empty()) heads_ = std::make_unique<HeadChecker>(setup.heads, *scene_.scene);
+}
+
+MotionChecker::~MotionChecker() = default;
 
 MoveVerdict MotionChecker::check(const Motion& motion, MoveKind kind, const ToolForms& tool,
                                  const CheckOptions& options, bool is_start_outside) const {
   MoveVerdict verdict = check_move(motion, kind, tool, scene_, options);
   if (verdict.state == MoveState::not_checked) return verdict;
-  if (heads_ != nullptr) heads_->check(motion, options, verdict);
+  if (heads_) heads_->check(motion, options, verdict);
   if (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss) return verdict;
   if (verdict.depth_upper_mm >= tool.bare.core_depth_mm) {
     verdict.state = MoveState::not_certified;
@@ -42,6 +48,10 @@ MoveVerdict MotionChecker::measure(const Pose& pose, MoveKind kind, const ToolFo
   exact.near_miss_mm = 0;
   exact.is_depth_alone = true;
   return check(Motion(pose), kind, tool, exact);
+}
+
+double MotionChecker::head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const {
+  return heads_ ? heads_->excess_at(pose, allowed_mm, accuracy_mm) : 0;
 }
 
 Side MotionChecker::side_of(const Pose& pose, const ToolForms& tool) const {

@@ -1,10 +1,14 @@
 #pragma once
 
-#include "lib/check/check_move.h"
+#include <memory>
+
+#include "lib/certify/check.h"
+#include "lib/check/motion.h"
 #include "lib/check/scene_sides.h"
-#include "lib/head/check_heads.h"
 
 namespace gouge {
+
+class HeadChecker;
 
 /// All that a single motion is checked for, in one place: cutter, shank and holder against parts and fixtures, the
 /// bodies that move with the tool, and whether tool or head lies inside a solid. No step of a correction asks for less.
@@ -13,8 +17,9 @@ namespace gouge {
 /// mesh), a motion that meets no surface passes here, and the check of the whole written path decides.
 class MotionChecker {
  public:
-  /// What is given must outlive it. `heads` may be null: there are none.
-  MotionChecker(const PreparedScene& scene, const CheckOptions& options, const HeadChecker* heads);
+  /// What `setup` refers to must outlive it.
+  explicit MotionChecker(const CheckSetup& setup);
+  ~MotionChecker();
 
   /// Requires motion.is_defined(). `is_start_outside`: the caller knows it, which saves asking.
   [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolForms& tool, const CheckOptions& options,
@@ -25,17 +30,21 @@ class MotionChecker {
   /// As deep as it is, not only whether that is too deep: tolerance 0.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolForms& tool) const;
 
+  /// How much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are none.
+  [[nodiscard]] double head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const;
+
   /// Where the middle of the cutter is.
   [[nodiscard]] Side side_of(const Pose& pose, const ToolForms& tool) const;
 
   [[nodiscard]] const PreparedScene& scene() const { return scene_; }
   [[nodiscard]] const CheckOptions& options() const { return options_; }  ///< as the path is checked
-  [[nodiscard]] const HeadChecker* heads() const { return heads_; }
 
  private:
+  friend class ShiftCheck;
+
   const PreparedScene& scene_;
   const CheckOptions& options_;
-  const HeadChecker* heads_;
+  std::unique_ptr<const HeadChecker> heads_;  // null: there are no heads
   SceneSides sides_;
 };
 

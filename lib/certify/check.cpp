@@ -1,0 +1,19 @@
+#include "lib/certify/check.h"
+
+#include "lib/check/check_path.h"
+#include "lib/check/summarise.h"
+#include "lib/head/check_heads.h"
+#include "lib/overcut/measure_overcut.h"
+
+namespace gouge {
+
+CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
+  const Scene& scene = *setup.scene.scene;
+  CheckResult result = check_path(path, setup.tools, setup.scene, setup.options, progress);
+  check_heads(path, setup.heads, scene, setup.options, result);
+  summarise(path, result);  // the overcut asks for the worst move of each event
+  measure_overcuts(path, setup.tools, scene, setup.options, result, setup.heads);
+  return result;
+}
+
+}  // namespace gouge

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/check/check_options.h"
+#include "lib/check/prepared_scene.h"
+#include "lib/check/verdict.h"
+#include "lib/head/head_body.h"
+#include "lib/path/toolpath.h"
+
+// The one entry to a verdict: what it takes is asked for together, so that no caller can leave a part of it out. The
+// parts themselves (lib/check, lib/head, lib/overcut) are closed to all other rooms; tests/architecture sees to it.
+
+namespace gouge {
+
+/// All that a path is checked with but the path itself. What is referred to must outlive it.
+struct CheckSetup {
+  std::vector<const ToolForms*> tools;  ///< one per Toolpath::tools; null or missing: that tool has no definition
+  const std::vector<HeadBody>& heads;   ///< bodies that move with the tool; may be empty
+  const PreparedScene& scene;           ///< parts and fixtures
+  const CheckOptions& options;
+};
+
+/// Checks every move of a path: tools and heads, against parts and fixtures, from outside and from inside, and how far
+/// below the surface the gouges reach.
+///
+/// Ensures  (1) the whole of CheckResult: one verdict a move, in order, with the overcut of a gouge; events and counts.
+///          (2) a move is clean only if every body of the tool and every head is proved outside of all solids during it
+///          and no deeper than tolerance + resolution, and buried only if one is proved inside. A move that is refused,
+///          left out or beyond the budget is not checked or not certified, with the reason.
+///          (3) the same result, bit for bit, at any number of threads.
+/// Cost     that of check_path, check_heads and measure_overcuts.
+[[nodiscard]] CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress = {});
+
+}  // namespace gouge

@@ -1,0 +1,92 @@
+#include "lib/certify/check_shift.h"
+
+#include <algorithm>
+
+#include "lib/check/check_move.h"
+#include "lib/head/check_heads.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kHeadShare = 0.02;       // of the depth at the start: how exactly that of a head on the way is known
+constexpr double kLeastStretch_mm = 1e-4;  // of a shift, below which "not buried" is given up
+
+bool is_open(const MoveVerdict& verdict) {
+  return verdict.state == MoveState::not_certified || verdict.state == MoveState::not_checked;
+}
+
+}  // namespace
+
+class ShiftCheck {
+ public:
+  ShiftCheck(const Pose& from, const Pose& to, MoveKind kind, const ToolForms& tool, const MotionChecker& checker)
+      : from_(from), to_(to), length_((to.tip - from.tip).norm()), kind_(kind), tool_(tool), checker_(checker),
+        options_(checker.options()) {
+    options_.near_miss_mm = 0;
+    options_.is_depth_alone = true;
+  }
+
+  ShiftHazard run() {
+    const double resolution = options_.resolution_mm;
+    const MoveVerdict start = checker_.measure(from_, kind_, tool_);
+    if (is_open(start)) return ShiftHazard::undecided;
+    if (start.state == MoveState::buried) return ShiftHazard::into_solid;
+    // Whether the tool is inside is asked below, also where the surface reaches its middle.
+    CheckOptions options = options_;
+    options.tolerance_mm = start.depth_mm;
+    options.gouge_gap_mm = resolution;
+    const MoveVerdict way = check_move(Motion(from_, to_), kind_, tool_, checker_.scene_, options);
+    if (is_open(way)) return ShiftHazard::undecided;
+    if (way.depth_upper_mm > start.depth_mm + 2 * resolution) return ShiftHazard::deeper;
+    if (const ShiftHazard hazard = of_heads(start.depth_mm); hazard != ShiftHazard::none) return hazard;
+    if (way.depth_upper_mm < tool_.bare.core_depth_mm) return of_side(to_);
+    options_.tolerance_mm = 0;
+    return of_sides(0, 1);
+  }
+
+ private:
+  // The search that heads take does not close the depth of a long way to the resolution.
+  [[nodiscard]] ShiftHazard of_heads(double depth_mm) const {
+    if (!checker_.heads_) return ShiftHazard::none;
+    CheckOptions options = checker_.options();
+    options.near_miss_mm = 0;
+    options.tolerance_mm = depth_mm + std::max(options.resolution_mm, kHeadShare * depth_mm);
+    MoveVerdict way;
+    checker_.heads_->check(Motion(from_, to_), options, way);
+    if (way.state == MoveState::clean) return ShiftHazard::none;
+    return way.state == MoveState::gouge    ? ShiftHazard::deeper
+           : way.state == MoveState::buried ? ShiftHazard::into_solid
+                                            : ShiftHazard::undecided;
+  }
+
+  [[nodiscard]] ShiftHazard of_side(const Pose& pose) const {
+    return checker_.side_of(pose, tool_) == Side::inside ? ShiftHazard::into_solid : ShiftHazard::none;
+  }
+
+  /// "Never buried" along a shift: stretch by stretch, either a surface stays inside the tool, which is then not buried
+  /// but a gouge, or none reaches the middle of the cutter, which then stays on one side.
+  [[nodiscard]] ShiftHazard of_sides(double t0, double t1) const {
+    const double half = 0.5 * (t1 - t0) * length_, t = 0.5 * (t0 + t1);
+    const Pose middle{from_.tip + t * (to_.tip - from_.tip), from_.axis};
+    const MoveVerdict there = check_move(Motion(middle), kind_, tool_, checker_.scene_, options_);
+    if (there.depth_mm > half) return ShiftHazard::none;
+    if (there.depth_upper_mm + half < tool_.bare.core_depth_mm) return of_side(middle);
+    if (half < kLeastStretch_mm) return ShiftHazard::undecided;
+    const ShiftHazard first = of_sides(t0, t);
+    return first != ShiftHazard::none ? first : of_sides(t, t1);
+  }
+
+  const Pose& from_;
+  const Pose& to_;
+  double length_;
+  MoveKind kind_;
+  const ToolForms& tool_;
+  const MotionChecker& checker_;
+  CheckOptions options_;
+};
+
+ShiftHazard check_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolForms& tool, const MotionChecker& checker) {
+  return ShiftCheck(from, to, kind, tool, checker).run();
+}
+
+}  // namespace gouge

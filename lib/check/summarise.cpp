@@ -1,0 +1,97 @@
+#include "lib/check/summarise.h"
+
+#include <algorithm>
+
+#include "lib/check/buried.h"
+
+namespace gouge {
+namespace {
+
+bool is_told(const MoveVerdict& v) {
+  return v.state != MoveState::clean && v.state != MoveState::not_checked;
+}
+
+bool belongs(const Event& event, const Move& last, const Move& move, const MoveVerdict& v) {
+  if (event.state != v.state || last.tool != move.tool || last.operation != move.operation) return false;
+  return !v.witness || v.state == MoveState::buried || (event.body == v.witness->body && event.against == v.witness->against);
+}
+
+bool is_worse(const MoveVerdict& a, const MoveVerdict& b) {
+  if (a.clearance_mm && b.clearance_mm) return *a.clearance_mm < *b.clearance_mm;
+  return a.depth_mm > b.depth_mm;
+}
+
+std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts) {
+  std::vector<Event> events;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    const MoveVerdict& v = verdicts[i];
+    if (!is_told(v)) continue;
+    const Move& move = toolpath.moves[i];
+    const bool is_next = !events.empty() && events.back().last_move + 1 == i &&
+                         (v.state != MoveState::buried || v.reason == verdicts[i - 1].reason);
+    if (is_next && belongs(events.back(), toolpath.moves[i - 1], move, v)) {
+      Event& event = events.back();
+      event.last_move = i;
+      ++event.moves;
+      if (is_worse(v, verdicts[event.worst_move])) event.worst_move = i;
+      continue;
+    }
+    Event event;
+    event.state = v.state;
+    event.first_move = event.last_move = event.worst_move = i;
+    event.moves = 1;
+    event.tool = move.tool;
+    if (v.witness) {
+      event.body = v.witness->body;
+      event.against = v.witness->against;
+    }
+    if (v.state == MoveState::buried) event.body = buried_body(v.reason);
+    events.push_back(event);
+  }
+  return events;
+}
+
+void count_states(CheckResult& result) {
+  result.counts = {};
+  result.worst_depth_mm = result.largest_gap_mm = 0;
+  result.worst_move = static_cast<std::size_t>(-1);
+  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+    const MoveVerdict& v = result.verdicts[i];
+    switch (v.state) {
+      case MoveState::clean:
+        ++result.counts.clean;
+        break;
+      case MoveState::near_miss:
+        ++result.counts.near_miss;
+        break;
+      case MoveState::gouge:
+        ++result.counts.gouge;
+        break;
+      case MoveState::buried:
+        ++result.counts.buried;
+        break;
+      case MoveState::not_checked:
+        ++result.counts.not_checked;
+        break;
+      case MoveState::not_certified:
+        ++result.counts.not_certified;
+        break;
+    }
+    if (v.state == MoveState::not_checked && v.reason == kSkippedRapid) ++result.counts.skipped;
+    if (v.state != MoveState::gouge) continue;
+    result.largest_gap_mm = std::max(result.largest_gap_mm, v.depth_upper_mm - v.depth_mm);
+    if (v.depth_mm > result.worst_depth_mm) {
+      result.worst_depth_mm = v.depth_mm;
+      result.worst_move = i;
+    }
+  }
+}
+
+}  // namespace
+
+void summarise(const Toolpath& toolpath, CheckResult& result) {
+  result.events = gather_events(toolpath, result.verdicts);
+  count_states(result);
+}
+
+}  // namespace gouge
