@@ -3,7 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <ostream>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "cli/clash_report.h"
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/length_text.h"
 #include "cli/output_file.h"
 #include "lib/check/reach.h"

@@ -6,7 +6,7 @@
 #include <ostream>
 #include <utility>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/job.h"
 #include "cli/length_text.h"
 #include "cli/outputs.h"

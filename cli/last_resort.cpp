@@ -9,7 +9,7 @@
 #include <string_view>
 #include <typeinfo>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/temporary_name.h"
 
 namespace gouge {

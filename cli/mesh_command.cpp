@@ -5,7 +5,7 @@
 #include <ostream>
 #include <utility>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/length_text.h"
 #include "cli/mesh_info_text.h"
 #include "cli/output_file.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <ostream>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/standard_output.h"
 
 namespace gouge {

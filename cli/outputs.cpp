@@ -2,7 +2,7 @@
 
 #include <ostream>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/overwriting.h"
 #include "cli/picture_file.h"

@@ -4,7 +4,7 @@
 #include <ostream>
 #include <utility>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/path_info_text.h"
 #include "cli/picture_file.h"

@@ -11,7 +11,7 @@
 #include "cli/check_command.h"
 #include "cli/clash_command.h"
 #include "cli/correct_command.h"
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/help_text.h"
 #include "cli/mesh_command.h"
 #include "cli/parse_errors.h"

@@ -5,7 +5,7 @@
 namespace gouge {
 
 /// The whole command line: parses, runs the one command asked for, and answers with its exit status
-/// (cli/exit_code.h). Nothing is printed but to `out` (results) and `err` (errors, progress).
+/// (lib/base/exit_code.h). Nothing is printed but to `out` (results) and `err` (errors, progress).
 [[nodiscard]] int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err);
 
 }  // namespace gouge

@@ -5,7 +5,7 @@
 #include <ostream>
 #include <vector>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/picture_file.h"
 #include "cli/tool_text.h"

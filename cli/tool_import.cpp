@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <ostream>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/overwriting.h"
 #include "cli/tool_text.h"

@@ -1,6 +1,5 @@
 #include "lib/certify/motion_checker.h"
 
-#include "lib/check/buried.h"
 #include "lib/check/check_move.h"
 #include "lib/head/check_heads.h"
 
@@ -26,10 +25,10 @@ MoveVerdict MotionChecker::check(const Motion& motion, MoveKind kind, const Tool
   if (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss) return verdict;
   if (verdict.depth_upper_mm >= tool.bare.core_depth_mm) {
     verdict.state = MoveState::not_certified;
-    verdict.reason = thin_body_reason(Body::cutter);
+    verdict.reason = {Reason::Kind::body_too_thin, Body::cutter};
   } else if (!is_start_outside && side_of(motion.start(), tool) == Side::inside) {
     verdict.state = MoveState::buried;
-    verdict.reason = buried_reason(Body::cutter);
+    verdict.reason = {Reason::Kind::buried, Body::cutter};
   }
   return verdict;
 }

@@ -4,17 +4,14 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <optional>
 
-#include "lib/base/number_text.h"
 #include "lib/check/depth_limit.h"
 #include "lib/check/scene_sides.h"
 #include "lib/tool/free_regions.h"
 
 namespace gouge {
 namespace {
-
-constexpr std::string_view kThinFeatureText = "a thin or pointed feature of the tool may reach into the solid ";
-const std::string kThinFeature(kThinFeatureText);
 
 /// The regions of one tool, for depths that moves share.
 class ToolRegions {
@@ -136,8 +133,7 @@ class BuriedMarker {
   void judge(std::size_t i, FreeChains& chains) {
     const FreeRegions& found = *regions_[i];
     MoveVerdict& verdict = verdicts_[i];
-    const MoveVerdict* unknown = nullptr;
-    MoveVerdict open;
+    std::optional<Reason> unknown;
     for (std::size_t k = 0; k < found.regions.size(); ++k) {
       const FreeRegion& region = found.regions[k];
       const SideAnswer& answer = chains.answer(first_[i] + k);
@@ -146,16 +142,16 @@ class BuriedMarker {
       // Where the tolerance lets the surface come far into the tool it is neither buried nor clean.
       if (answer.side == Side::inside && 2 * verdict.depth_upper_mm <= region.depth_mm) {
         verdict.state = MoveState::buried;
-        verdict.reason = buried_reason(body);
+        verdict.reason = {Reason::Kind::buried, body};
         return;
       }
-      if (unknown != nullptr) continue;
-      open.reason = answer.side == Side::inside ? thin_body_reason(body) : unknown_side_reason(body, answer.why);
-      unknown = &open;
+      if (unknown) continue;
+      unknown = answer.side == Side::inside ? Reason{Reason::Kind::body_too_thin, body}
+                                            : Reason{Reason::Kind::side_unknown, body, 0, answer.why};
     }
-    if (unknown == nullptr && found.covers_all() && !found.regions.empty()) return;
+    if (!unknown && found.covers_all() && !found.regions.empty()) return;
     verdict.state = MoveState::not_certified;
-    verdict.reason = unknown != nullptr ? unknown->reason : thin_body_reason(found.uncovered());
+    verdict.reason = unknown.value_or(Reason{Reason::Kind::body_too_thin, found.uncovered()});
     verdict.clearance_mm.reset();
   }
 
@@ -182,41 +178,8 @@ class BuriedMarker {
 
 }  // namespace
 
-std::string buried_reason(Body body) {
-  // The cutter's is as old as the report.
-  if (body == Body::cutter) return "the tool is inside the solid; no surface is inside the tool";
-  const std::string name = body_name(body);
-  return "the " + name + " is inside the solid; no surface is inside the " + name;
-}
-
-Body buried_body(const std::string& reason) {
-  for (const Body body : {Body::shank, Body::holder, Body::head}) {
-    if (reason == buried_reason(body)) return body;
-  }
-  return Body::cutter;
-}
-
-std::string unknown_side_reason(Body body, const std::string& why) {
-  return std::string("whether the ") + body_name(body) + " is inside the solid cannot be told: " + why;
-}
-
-std::string thin_body_reason(Body body) {
-  return std::string("the tolerance lets the surface reach the middle of the ") + body_name(body) +
-         ", so the tool may be buried; give a smaller tolerance";
-}
-
 bool is_thin_feature(const MoveVerdict& verdict) {
-  return verdict.state == MoveState::not_certified && verdict.reason.starts_with(kThinFeature);
-}
-
-std::string thin_feature_reason(double reach_mm) {
-  std::string how_far = "by any amount";
-  if (std::isfinite(reach_mm)) {
-    const double unit = std::pow(10.0, std::floor(std::log10(reach_mm)) - 1);
-    how_far = "by up to " + exact_text(unit < 1 ? std::ceil(reach_mm / unit) / std::round(1 / unit) : std::ceil(reach_mm / unit) * unit) + " mm";
-  }
-  return kThinFeature + how_far +
-         ", although nothing comes deeper into the tool than the tolerance; give a smaller tolerance";
+  return verdict.state == MoveState::not_certified && verdict.reason.is(Reason::Kind::thin_feature);
 }
 
 void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "lib/check/check_options.h"
@@ -10,20 +9,7 @@
 
 namespace gouge {
 
-inline constexpr const char* kSkippedRapid = "rapid moves are skipped as asked";
-
-/// Why a move is buried: "the holder is inside the solid; no surface is inside the holder".
-[[nodiscard]] std::string buried_reason(Body body);
-/// The body that such a reason names; the cutter where it names none of the tool's.
-[[nodiscard]] Body buried_body(const std::string& reason);
-/// Why a move is not certified: which body, and what of the meshes.
-[[nodiscard]] std::string unknown_side_reason(Body body, const std::string& why);
-/// Why a move is not certified: the surface may reach the middle of a body.
-[[nodiscard]] std::string thin_body_reason(Body body);
-
-/// Why a move is not certified: a thin feature may be so far inside the solid (rounded up; infinite: any amount).
-[[nodiscard]] std::string thin_feature_reason(double reach_mm);
-/// Whether a verdict has that reason: its depth is known, so it may still prove to be buried.
+/// Whether a thin feature is why a move is not certified: its depth is known, so it may still prove to be buried.
 [[nodiscard]] bool is_thin_feature(const MoveVerdict& verdict);
 
 /// Turns moves that are clean or near although the tool is inside a solid, or may be, into buried and not certified.

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "lib/base/number_text.h"
-#include "lib/check/buried.h"
 #include "lib/check/depth_limit.h"
 #include "lib/check/reach.h"
 #include "lib/check/sweep_filter.h"
@@ -160,9 +158,7 @@ class MoveChecker {
     const ToolAnswer at = evaluate(*target.tool, place.r, place.z);
     const SearchTarget all = whole()[entered.at.target];
     const double depth = -evaluate(*all.tool, place.r, place.z).signed_distance_mm;
-    verdict_.reason = std::string("the clearance of the ") +
-                      body_name(target.tool->elements[at.element].body) + " is entered by " +
-                      exact_text(entered.value_mm) + " mm";
+    verdict_.reason = {Reason::Kind::clearance_entered, target.tool->elements[at.element].body, entered.value_mm};
     if (!(depth > 0) || verdict_.depth_upper_mm - depth > options_.resolution_mm) return;
     verdict_.depth_mm = depth;
     verdict_.witness = witness(entered, target, place, at);
@@ -187,7 +183,7 @@ class MoveChecker {
       return;
     }
     verdict_.state = MoveState::not_certified;
-    verdict_.reason = answer.value_mm > less.tolerance_mm ? thin_feature_reason(sure.reach_mm) : out_of_budget();
+    verdict_.reason = answer.value_mm > less.tolerance_mm ? Reason{Reason::Kind::thin_feature, Body::cutter, sure.reach_mm} : out_of_budget();
   }
 
   void give_up() {
@@ -195,9 +191,8 @@ class MoveChecker {
     verdict_.reason = out_of_budget();
   }
 
-  [[nodiscard]] std::string out_of_budget() const {
-    return "the budget of " + std::to_string(options_.budget_per_move) +
-           " bounds ran out before the depth was known to the resolution";
+  [[nodiscard]] Reason out_of_budget() const {
+    return {Reason::Kind::out_of_budget, Body::cutter, static_cast<double>(options_.budget_per_move)};
   }
 
   void check_near_miss() {
@@ -227,18 +222,11 @@ class MoveChecker {
   std::uint64_t bounds_ = 0;
 };
 
-MoveVerdict refused(std::string_view reason) {
-  MoveVerdict verdict;
-  verdict.state = MoveState::not_checked;
-  verdict.reason = reason;
-  return verdict;
-}
-
-// Why the motion cannot be checked in this scene with these options; empty where it can.
-std::string_view why_not(const Motion& motion, const PreparedScene& scene, const CheckOptions& options) {
-  if (!scene.is_within_reach) return kOutOfReach;
-  const std::string_view unfit = why_unfit(options);
-  return unfit.empty() ? why_unfit(motion) : unfit;
+// Why the motion cannot be checked in this scene with these options; none where it can.
+Reason::Kind why_not(const Motion& motion, const PreparedScene& scene, const CheckOptions& options) {
+  if (!scene.is_within_reach) return Reason::Kind::out_of_reach;
+  const Reason::Kind unfit = why_unfit(options);
+  return unfit == Reason::Kind::none ? why_unfit(motion) : unfit;
 }
 
 // A motion that is refused would spoil the bounds it shares with its neighbours, so those are swept without
@@ -250,8 +238,8 @@ void check_fit_moves(std::span<const Motion> motions, std::span<const MoveKind> 
   std::vector<Motion> near_motions;
   std::vector<MoveKind> near_kinds;
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    if (const std::string_view reason = why_not(motions[m], scene, options); !reason.empty()) {
-      verdicts[m] = refused(reason);
+    if (const Reason::Kind reason = why_not(motions[m], scene, options); reason != Reason::Kind::none) {
+      verdicts[m] = not_checked({reason});
       continue;
     }
     near.push_back(m);
@@ -281,9 +269,9 @@ MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& too
 void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
                  const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
                  std::span<std::uint64_t> bounds) {
-  const bool are_fit = scene.is_within_reach && why_unfit(options).empty() &&
+  const bool are_fit = scene.is_within_reach && why_unfit(options) == Reason::Kind::none &&
                        std::all_of(motions.begin(), motions.end(),
-                                   [](const Motion& motion) { return why_unfit(motion).empty(); });
+                                   [](const Motion& motion) { return why_unfit(motion) == Reason::Kind::none; });
   if (!are_fit) return check_fit_moves(motions, kinds, tool, scene, options, verdicts, bounds);
   std::vector<SweptMove> clearance, near_feed, near_rapid;
   const std::vector<SweptMove> depth =

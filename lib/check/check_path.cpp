@@ -16,13 +16,6 @@ namespace {
 // Moves that share bounds. Fixed, so that the answer does not depend on the number of threads.
 constexpr std::size_t kMovesPerChunk = 256;
 
-MoveVerdict not_checked(std::string reason) {
-  MoveVerdict verdict;
-  verdict.state = MoveState::not_checked;
-  verdict.reason = std::move(reason);
-  return verdict;
-}
-
 class PathChecker {
  public:
   PathChecker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
@@ -40,18 +33,15 @@ class PathChecker {
       const Move& move = toolpath_.moves[i];
       if (!batch.moves.empty() && toolpath_.moves[batch.moves.back()].tool != move.tool)
         check(batch, verdicts, bounds);
-      const std::string reason = why_not(i);
-      if (!reason.empty()) {
-        verdicts[i] = not_checked(reason);
+      if (Reason reason = why_not(i); !reason.is(Reason::Kind::none)) {
+        verdicts[i] = not_checked(std::move(reason));
         continue;
       }
       Motion motion = motion_of(toolpath_, i, options_.rapid);
-      if (const std::string_view unfit = why_unfit(motion); !unfit.empty()) {
-        verdicts[i] = not_checked(std::string(unfit));
-        continue;
-      }
-      if (!motion.is_defined()) {
-        verdicts[i] = not_checked("the axis turns by 180 degrees: its way is not defined");
+      Reason::Kind unfit = why_unfit(motion);
+      if (unfit == Reason::Kind::none && !motion.is_defined()) unfit = Reason::Kind::axis_reversed;
+      if (unfit != Reason::Kind::none) {
+        verdicts[i] = not_checked({unfit});
         continue;
       }
       batch.moves.push_back(i);
@@ -69,14 +59,15 @@ class PathChecker {
     std::vector<MoveKind> kinds;
   };
 
-  [[nodiscard]] std::string why_not(std::size_t index) const {
+  [[nodiscard]] Reason why_not(std::size_t index) const {
+    using enum Reason::Kind;
     const Move& move = toolpath_.moves[index];
-    if (!move.not_checked_reason.empty()) return std::string(move.not_checked_reason);
-    if (move.tool == kNone) return "no tool is defined before this move";
-    if (move.tool >= tools_.size() || tools_[move.tool] == nullptr) return "the tool has no definition";
-    if (index == 0 && move.has_start) return "the path does not hold the position this move starts at";
-    if (!has_its_curve(move)) return "the path does not hold the curve of this move";
-    return move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip ? kSkippedRapid : "";
+    if (!move.not_checked_reason.empty()) return {of_path, Body::cutter, 0, std::string(move.not_checked_reason)};
+    if (move.tool == kNone) return {no_tool};
+    if (move.tool >= tools_.size() || tools_[move.tool] == nullptr) return {tool_undefined};
+    if (index == 0 && move.has_start) return {no_start};
+    if (!has_its_curve(move)) return {no_curve};
+    return {move.kind == MoveKind::rapid && options_.rapid == RapidMode::skip ? rapid_skipped : none};
   }
 
   [[nodiscard]] bool has_its_curve(const Move& move) const {
@@ -109,7 +100,7 @@ class PathChecker {
     options.near_miss_mm = 0;
     const bool is_clean = link->is_defined() &&
                           check_move(*link, MoveKind::rapid, tool, scene_, options, &spent).state == MoveState::clean;
-    if (!is_clean) verdict = not_checked(unswept_link_reason(toolpath_, index));
+    if (!is_clean) verdict = not_checked(link_reason(toolpath_, index));
   }
 
   // Where the tolerance lets the surface come far into the tool, "buried" needs a bound of the move's own.
@@ -134,9 +125,8 @@ class PathChecker {
 
 }  // namespace
 
-std::string unswept_link_reason(const Toolpath& toolpath, std::size_t index) {
-  return "how the tool gets here from line " + std::to_string(std::size_t{toolpath.moves[index - 1].line}) +
-         " the file does not say, and straight it would gouge: a retract or a tool change is missing";
+Reason link_reason(const Toolpath& toolpath, std::size_t index) {
+  return {Reason::Kind::link_gouges, Body::cutter, static_cast<double>(std::size_t{toolpath.moves[index - 1].line})};
 }
 
 CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
@@ -156,7 +146,7 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolFor
     done += last - first;
     progress(done, total);
   });
-  if (scene.is_within_reach && why_unfit(options).empty())
+  if (scene.is_within_reach && why_unfit(options) == Reason::Kind::none)
     mark_buried(toolpath, tools, *scene.scene, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;
   return result;

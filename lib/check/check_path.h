@@ -1,6 +1,5 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "lib/check/check_options.h"
@@ -25,6 +24,6 @@ namespace gouge {
                                      const ProgressCall& progress = {});
 
 /// Why a position alone is not checked whose link is not clean. Requires link_of(toolpath, index).
-[[nodiscard]] std::string unswept_link_reason(const Toolpath& toolpath, std::size_t index);
+[[nodiscard]] Reason link_reason(const Toolpath& toolpath, std::size_t index);
 
 }  // namespace gouge

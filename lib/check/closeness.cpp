@@ -17,7 +17,7 @@ constexpr std::uint64_t kBudget = 20'000;
 
 bool is_cut(const Move& move, const std::vector<const ToolForms*>& tools) {
   return move.kind != MoveKind::rapid && move.not_checked_reason.empty() && move.tool < tools.size() &&
-         tools[move.tool] != nullptr && why_unfit(Motion(move.end)).empty();
+         tools[move.tool] != nullptr && why_unfit(Motion(move.end)) == Reason::Kind::none;
 }
 
 std::uint64_t mixed(std::uint64_t k) {

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <string_view>
-
 #include "lib/check/check_options.h"
 #include "lib/check/motion.h"
+#include "lib/check/reason.h"
 #include "lib/check/scene.h"
 
 // What the bounds are not proven for is refused with its reason, whoever asks: numbers that come out all the
@@ -15,18 +14,15 @@ namespace gouge {
 /// checked, and told so.
 inline constexpr double kFarthest_mm = 1e5;
 
-inline constexpr std::string_view kOutOfReach =
-    "the motion or a mesh reaches more than 100 m from the origin: check the units";
-
 /// A point of the motion or of its curve beyond kFarthest_mm or that is no number, or an axis that is no unit
-/// vector. Empty where the motion can be checked.
-[[nodiscard]] std::string_view why_unfit(const Motion& motion);
+/// vector. None where the motion can be checked.
+[[nodiscard]] Reason::Kind why_unfit(const Motion& motion);
 
-/// A vertex beyond kFarthest_mm or that is no number. Empty where there is none.
-[[nodiscard]] std::string_view why_unfit(const Scene& scene);
+/// A vertex beyond kFarthest_mm or that is no number. None where there is none.
+[[nodiscard]] Reason::Kind why_unfit(const Scene& scene);
 
-/// A length that is not finite, or a resolution that is not above 0. Empty where there is none.
-[[nodiscard]] std::string_view why_unfit(const CheckOptions& options);
+/// A length that is not finite, or a resolution that is not above 0. None where there is none.
+[[nodiscard]] Reason::Kind why_unfit(const CheckOptions& options);
 
 /// Whether the point is one that bounds are proven for.
 [[nodiscard]] bool is_within_reach(const Vec3& point);

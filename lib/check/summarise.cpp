@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "lib/check/buried.h"
-
 namespace gouge {
 namespace {
 
@@ -28,7 +26,7 @@ std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<Mov
     if (!is_told(v)) continue;
     const Move& move = toolpath.moves[i];
     const bool is_next = !events.empty() && events.back().last_move + 1 == i &&
-                         (v.state != MoveState::buried || v.reason == verdicts[i - 1].reason);
+                         (v.state != MoveState::buried || v.reason.is_same(verdicts[i - 1].reason));
     if (is_next && belongs(events.back(), toolpath.moves[i - 1], move, v)) {
       Event& event = events.back();
       event.last_move = i;
@@ -45,7 +43,7 @@ std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<Mov
       event.body = v.witness->body;
       event.against = v.witness->against;
     }
-    if (v.state == MoveState::buried) event.body = buried_body(v.reason);
+    if (v.state == MoveState::buried) event.body = v.reason.body;
     events.push_back(event);
   }
   return events;
@@ -77,7 +75,7 @@ void count_states(CheckResult& result) {
         ++result.counts.not_certified;
         break;
     }
-    if (v.state == MoveState::not_checked && v.reason == kSkippedRapid) ++result.counts.skipped;
+    if (v.state == MoveState::not_checked && v.reason.is(Reason::Kind::rapid_skipped)) ++result.counts.skipped;
     if (v.state != MoveState::gouge) continue;
     result.largest_gap_mm = std::max(result.largest_gap_mm, v.depth_upper_mm - v.depth_mm);
     if (v.depth_mm > result.worst_depth_mm) {

@@ -3,9 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
+#include <utility>
 #include <vector>
 
+#include "lib/check/reason.h"
 #include "lib/geom/vec.h"
 #include "lib/tool/compiled_tool.h"
 
@@ -39,8 +40,16 @@ struct MoveVerdict {
   std::optional<double> clearance_mm;  ///< near: realised distance at the witness
   std::optional<double> overcut_mm;    ///< gouge of a closed solid: the tool reached as far below its surface, or farther
   double overcut_upper_mm = 0;         ///< where there is an overcut: the tool reached no farther
-  std::string reason;                  ///< for not_checked and not_certified
+  Reason reason;  ///< where not checked, not certified or buried; of a gouge and a near miss what else is to be said
 };
+
+/// A move that is not checked.
+[[nodiscard]] inline MoveVerdict not_checked(Reason reason) {
+  MoveVerdict verdict;
+  verdict.state = MoveState::not_checked;
+  verdict.reason = std::move(reason);
+  return verdict;
+}
 
 /// Neighbouring moves of one state, tool, body and counterpart, told as one finding.
 struct Event {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <functional>
 
-#include "lib/check/buried.h"
 #include "lib/correct/plan_holes.h"
 
 namespace gouge {
@@ -130,7 +129,7 @@ bool is_no_worse_than(const MoveVerdict& before, const MoveVerdict& after, doubl
   if (after.state == MoveState::near_miss) return before.state != MoveState::clean;
   // A rapid left out on request is still left out.
   if (after.state == MoveState::not_checked)
-    return before.state == after.state && before.reason == kSkippedRapid && after.reason == kSkippedRapid;
+    return before.state == after.state && before.reason.is(Reason::Kind::rapid_skipped) && after.reason.is(Reason::Kind::rapid_skipped);
   if (after.state != MoveState::gouge || before.state != MoveState::gouge) return false;
   return after.depth_mm <= before.depth_upper_mm && after.depth_upper_mm <= before.depth_mm + 2 * resolution_mm;
 }

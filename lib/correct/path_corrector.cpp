@@ -4,7 +4,6 @@
 #include <mutex>
 
 #include "lib/base/parallel.h"
-#include "lib/check/buried.h"
 #include "lib/check/depth_limit.h"
 #include "lib/check/path_motion.h"
 #include "lib/correct/laws.h"
@@ -47,7 +46,7 @@ double aim_of(double tolerance_mm) {
 }  // namespace
 
 std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
-  if (verdict.state == MoveState::buried) return verdict.reason == kHeadIsBuried ? kHeadBuried : kToolBuried;
+  if (verdict.state == MoveState::buried) return verdict.reason.body == Body::head ? kHeadBuried : kToolBuried;
   if (verdict.state == MoveState::not_certified) return kUncertain;
   if (move.kind == MoveKind::cycle) return kCycleStep;
   if (!is_straight(move)) return kRound;
@@ -271,7 +270,7 @@ std::vector<BridgePose> PathCorrector::programmed_again(std::size_t i) const {
 // A rapid that is left out on request is nevertheless there.
 MoveVerdict PathCorrector::verdict_before(std::size_t i) const {
   const MoveVerdict& verdict = result_.verdicts[i];
-  if (verdict.state != MoveState::not_checked || verdict.reason != kSkippedRapid) return verdict;
+  if (verdict.state != MoveState::not_checked || !verdict.reason.is(Reason::Kind::rapid_skipped)) return verdict;
   return checker_.check(motion_of(path_, i, RapidMode::straight), path_.moves[i].kind, *tools_[path_.moves[i].tool],
                         options_);
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "lib/base/parallel.h"
-#include "lib/check/buried.h"
 #include "lib/check/check_path.h"
 #include "lib/check/path_motion.h"
 #include "lib/check/reach.h"
@@ -16,21 +16,17 @@ namespace {
 
 constexpr std::size_t kMovesPerChunk = 8;
 constexpr std::uint64_t kMostBounds = 100'000;
-constexpr const char* kThin =
-    "the tolerance is as large as the head is thick: it may be buried; give a smaller tolerance";
-constexpr const char* kBudget =
-    "the head comes too close to the surface for too long: the budget of bounds ran out";
 
-void decide(MoveState state, const std::string& reason, MoveVerdict& verdict) {
+void decide(MoveState state, Reason reason, MoveVerdict& verdict) {
   verdict.state = state;
-  verdict.reason = reason;
+  verdict.reason = std::move(reason);
   verdict.clearance_mm.reset();
 }
 
 void decide_side(const SideAnswer& answer, MoveVerdict& verdict) {
-  if (answer.side == Side::inside) decide(MoveState::buried, kHeadIsBuried, verdict);
+  if (answer.side == Side::inside) decide(MoveState::buried, {Reason::Kind::buried, Body::head}, verdict);
   if (answer.side == Side::unknown)
-    decide(MoveState::not_certified, unknown_side_reason(Body::head, answer.why), verdict);
+    decide(MoveState::not_certified, {Reason::Kind::side_unknown, Body::head, 0, answer.why}, verdict);
 }
 
 bool is_open_to_judgement(const MoveVerdict& verdict) {
@@ -38,11 +34,8 @@ bool is_open_to_judgement(const MoveVerdict& verdict) {
 }
 
 // What was found of the tool stays where it gouges; nothing is clean.
-void refuse(std::string_view reason, MoveVerdict& verdict) {
-  if (verdict.state == MoveState::gouge || verdict.state == MoveState::not_checked) return;
-  verdict = {};
-  verdict.state = MoveState::not_checked;
-  verdict.reason = reason;
+void refuse(Reason::Kind reason, MoveVerdict& verdict) {
+  if (verdict.state != MoveState::gouge && verdict.state != MoveState::not_checked) verdict = not_checked({reason});
 }
 
 }  // namespace
@@ -69,7 +62,7 @@ std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& optio
 std::uint64_t HeadChecker::sweep(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict,
                                  std::vector<double>& uppers_mm) const {
   uppers_mm.clear();
-  if (const std::string_view unfit = why_unfit(motion); !unfit.empty()) {
+  if (const Reason::Kind unfit = why_unfit(motion); unfit != Reason::Kind::none) {
     refuse(unfit, verdict);
     return 0;
   }
@@ -107,10 +100,10 @@ void HeadChecker::join(const HeadAnswer& found, const CheckOptions& options, Mov
   if (is_gouge) {
     verdict.state = MoveState::gouge;
     verdict.clearance_mm.reset();
-    verdict.reason.clear();
+    verdict.reason = {};
   } else if (is_open && verdict.state != MoveState::gouge && verdict.state != MoveState::buried) {
     verdict.state = MoveState::not_certified;
-    verdict.reason = kBudget;
+    verdict.reason = {Reason::Kind::head_out_of_budget};
   }
 }
 
@@ -136,7 +129,7 @@ void HeadChecker::look_inside(const Pose& pose, const std::vector<double>& upper
   for (std::size_t h = 0; h < heads_.size() && verdict.state != MoveState::buried; ++h) {
     for (std::size_t k = 0; k < heads_[h].cores.size() && verdict.state != MoveState::buried; ++k) {
       if (heads_[h].core_depths_mm[k] <= uppers_mm[h]) {
-        decide(MoveState::not_certified, kThin, verdict);
+        decide(MoveState::not_certified, {Reason::Kind::head_too_thin}, verdict);
       } else {
         decide_side(sides_.side_of({{at.point(heads_[h].cores[k])}, {pose.axis}}), verdict);
       }
@@ -184,7 +177,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
     if (uppers_mm[i].empty() || !is_open_to_judgement(verdicts[i])) continue;
     for (std::size_t c = 0; c < cores.size() && verdicts[i].state != MoveState::buried; ++c) {
       if (!is_free(i, c)) {
-        decide(MoveState::not_certified, kThin, verdicts[i]);
+        decide(MoveState::not_certified, {Reason::Kind::head_too_thin}, verdicts[i]);
       } else {
         decide_side(chains.answer(i * cores.size() + c), verdicts[i]);
       }
@@ -204,9 +197,7 @@ void check_links(const Toolpath& toolpath, const HeadChecker& checker, const Che
     std::vector<double> uppers_mm;
     checker.sweep(*link, options, verdict, uppers_mm);
     if (verdict.state == MoveState::clean) continue;
-    verdicts[i] = MoveVerdict();
-    verdicts[i].state = MoveState::not_checked;
-    verdicts[i].reason = unswept_link_reason(toolpath, i);
+    verdicts[i] = not_checked(link_reason(toolpath, i));
   }
 }
 
@@ -215,9 +206,9 @@ void check_links(const Toolpath& toolpath, const HeadChecker& checker, const Che
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const Scene& scene,
                  const CheckOptions& options, CheckResult& result) {
   if (heads.empty()) return;
-  std::string_view unfit = why_unfit(scene);
-  if (unfit.empty()) unfit = why_unfit(options);
-  if (!unfit.empty()) {
+  Reason::Kind unfit = why_unfit(scene);
+  if (unfit == Reason::Kind::none) unfit = why_unfit(options);
+  if (unfit != Reason::Kind::none) {
     for (MoveVerdict& verdict : result.verdicts) refuse(unfit, verdict);
     return;
   }

@@ -9,9 +9,6 @@
 
 namespace gouge {
 
-/// The reason of a verdict that says buried for a head's sake.
-inline constexpr const char* kHeadIsBuried = "the head is inside the solid; no surface is inside the head";
-
 /// Heads against the meshes of a scene, which must both outlive it. Cost of making one: a tree over each
 /// mesh.
 class HeadChecker {

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "lib/check/path_motion.h"
-#include "lib/head/check_heads.h"
+#include "lib/head/head_motion.h"
 #include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"
 #include "lib/mesh/winding.h"
@@ -41,11 +41,11 @@ std::size_t gouging_head(std::span<const HeadBody> heads, const Vec3& witness_to
   return best;
 }
 
-void find_head(const CheckedToolpath& input, const std::string& reason, PictureEvent& one) {
+void find_head(const CheckedToolpath& input, const Reason& reason, PictureEvent& one) {
   if (input.heads.empty()) return;
   if (one.has_witness && one.witness.body == Body::head) {
     one.head = gouging_head(input.heads, one.heads.inverse().point(one.at));
-  } else if (!one.has_witness && reason == kHeadIsBuried) {
+  } else if (!one.has_witness && reason.is(Reason::Kind::buried) && reason.body == Body::head) {
     for (std::size_t h = 0; h < input.heads.size() && !one.head; ++h) {
       for (const Vec3& core : input.heads[h].cores) {
         const Vec3 at = one.heads.point(core);

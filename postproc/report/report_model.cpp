@@ -33,16 +33,16 @@ const char* verdict_name(OverallVerdict verdict) {
   return "not-fully-checked";
 }
 
-int exit_status(OverallVerdict verdict) {
+ExitCode exit_status(OverallVerdict verdict) {
   switch (verdict) {
     case OverallVerdict::clean:
-      return 0;
+      return kExitClean;
     case OverallVerdict::gouges:
-      return 1;
+      return kExitGouges;
     case OverallVerdict::not_fully_checked:
       break;
   }
-  return 4;
+  return kExitNotChecked;
 }
 
 std::string promise_text(const ReportModel& model) {
@@ -110,8 +110,9 @@ std::vector<ReasonGroup> group_reasons(const CheckResult& result) {
   for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const MoveVerdict& verdict = result.verdicts[i];
     if (verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified) continue;
-    const auto [entry, is_new] = known.try_emplace({verdict.state, verdict.reason}, groups.size());
-    if (is_new) groups.push_back({verdict.state, verdict.reason, 0, i});
+    const std::string reason = reason_text(verdict.reason);
+    const auto [entry, is_new] = known.try_emplace({verdict.state, reason}, groups.size());
+    if (is_new) groups.push_back({verdict.state, reason, 0, i});
     ++groups[entry->second].moves;
   }
   return groups;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "lib/base/diagnostic.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/units.h"
 #include "lib/check/check_options.h"
 #include "lib/check/closeness.h"
@@ -115,8 +116,8 @@ enum class OverallVerdict { clean, gouges, not_fully_checked };
 [[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
 /// clean, gouges, not-fully-checked
 [[nodiscard]] const char* verdict_name(OverallVerdict verdict);
-/// 0, 1 and 4 as in docs: the exit status of `check`.
-[[nodiscard]] int exit_status(OverallVerdict verdict);
+/// The exit status of `check` and `correct`.
+[[nodiscard]] ExitCode exit_status(OverallVerdict verdict);
 
 /// "no gouge deeper than tolerance + resolution = 0.011 mm goes untold, and where none is told the tool reaches at most
 /// 3 times that into a solid", in the toolpath's unit, with what it

@@ -108,7 +108,7 @@ std::string row_of(const ReportModel& model, std::size_t index) {
   row.foreign(has_witness ? mesh_name(model, *verdict.witness) : std::string());
   row.text(has_witness ? std::to_string(verdict.witness->triangle) : std::string());
   row.foreign(operation_name(*model.toolpath, move.operation));
-  row.foreign(verdict.reason);
+  row.foreign(reason_text(verdict.reason));
   if (verdict.clearance_mm)
     row.number(*verdict.clearance_mm / mm_per(unit));
   else

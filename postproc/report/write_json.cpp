@@ -29,7 +29,7 @@ class JsonReport {
     out["format_version"] = 1;
     out["program"] = {{"name", kProgramName}, {"version", kProgramVersion}};
     out["verdict"] = verdict_name(verdict);
-    out["exit_status"] = exit_status(verdict);
+    out["exit_status"] = static_cast<int>(exit_status(verdict));
     out["promise"] = promise_text(model_);
     out["unit"] = unit_name(unit_);
     out["inputs"] = inputs();
@@ -207,7 +207,7 @@ class JsonReport {
                      {"overcut_upper", verdict.overcut_mm ? length(verdict.overcut_upper_mm) : Json(nullptr)},
                      {"clearance", verdict.clearance_mm ? length(*verdict.clearance_mm) : Json(nullptr)},
                      {"witness", verdict.witness ? witness(*verdict.witness) : Json(nullptr)},
-                     {"reason", text(verdict.reason)}});
+                     {"reason", text(reason_text(verdict.reason))}});
     }
     return all;
   }

@@ -92,7 +92,7 @@ std::string failure(const ReportModel& model, const Case& one) {
 std::string skipped(const ReportModel& model, const Case& one) {
   return "   <skipped message=\"" +
          xml_escaped(std::to_string(one.open) + " of " + count_text(one.moves, "move") +
-                     " not checked or not certified: " + model.result->verdicts[one.first_open].reason) +
+                     " not checked or not certified: " + reason_text(model.result->verdicts[one.first_open].reason)) +
          "\"/>\n";
 }
 

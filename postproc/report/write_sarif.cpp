@@ -74,7 +74,7 @@ class SarifReport {
     Json run;
     run["tool"] = {{"driver", {{"name", kProgramName}, {"version", kProgramVersion}, {"rules", rules}}}};
     run["invocations"] = Json::array({{{"executionSuccessful", true},
-                                       {"exitCode", exit_status(overall_verdict(*model_.result))},
+                                       {"exitCode", static_cast<int>(exit_status(overall_verdict(*model_.result)))},
                                        {"toolExecutionNotifications", notifications()}}});
     run["artifacts"] = Json::array({{{"location", {{"uri", uri_of(model_.toolpath->file)}}}}});
     run["columnKind"] = "utf16CodeUnits";

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "lib/mesh/write_stl.h"
 #include "tests/support/solids.h"

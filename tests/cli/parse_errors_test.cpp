@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "cli/run.h"
 
 namespace gouge {

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <sstream>
 
-#include "cli/exit_code.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 
 namespace gouge {

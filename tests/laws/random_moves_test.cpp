@@ -122,7 +122,7 @@ class Campaign {
       fail(job, i, "clean, yet only proved to " + std::to_string(v.depth_upper_mm));
     if (v.state == MoveState::gouge && !(v.depth_mm > options.tolerance_mm))
       fail(job, i, "a gouge within the tolerance of " + std::to_string(options.tolerance_mm) + ": " + exact_text(v.depth_mm) + " to " +
-                       std::to_string(v.depth_upper_mm) + " " + v.reason);
+                       std::to_string(v.depth_upper_mm) + " " + reason_text(v.reason));
     if (v.state == MoveState::gouge && v.depth_upper_mm - v.depth_mm > options.resolution_mm) {
       ++tally.wide;
       if (job.heads.empty() && options.budget_per_move > kBounds)

@@ -78,7 +78,7 @@ TEST(Buried, InASolidWhoseTrianglesAreDoubledInBothOrientationsNothingIsCertifie
   doubled.name = "doubled.stl";
   const CheckResult r = check(kInside, cutter_alone(), {{doubled}, {}});
   EXPECT_EQ(r.counts.not_certified, 3U);
-  EXPECT_EQ(r.verdicts[0].reason,
+  EXPECT_EQ(reason_text(r.verdicts[0].reason),
             "whether the cutter is inside the solid cannot be told: the shells of doubled.stl cancel each other there: "
             "doubled, or overlapping inside out");
 }
@@ -116,7 +116,7 @@ TEST(Buried, NamesTheMeshAndItsFaultWhereASideIsNotKnown) {
   open.file_triangle.resize(8);
   const CheckResult r = check(kInside, cutter_alone(), {{open}, {}});
   EXPECT_EQ(r.counts.not_certified, 3U);
-  EXPECT_EQ(r.verdicts[0].reason,
+  EXPECT_EQ(reason_text(r.verdicts[0].reason),
             "whether the cutter is inside the solid cannot be told: open.stl has 6 open edges");
 }
 
@@ -127,12 +127,12 @@ TEST(Buried, AnOpenMeshGivenTwiceIsNotCertifiedAndTheReasonSaysWhy) {
   open.file_triangle.resize(8);
   const CheckResult twice = check(kInside, cutter_alone(), {{open, open}, {}});
   EXPECT_EQ(twice.counts.not_certified, 3U);
-  EXPECT_EQ(twice.verdicts[0].reason,
+  EXPECT_EQ(reason_text(twice.verdicts[0].reason),
             "whether the cutter is inside the solid cannot be told: open.stl, open.stl have together 6 open edges when "
             "triangles that stand there more than once are counted once");
   const CheckResult flipped = check(kInside, cutter_alone(), {{open, shapes::inside_out(open)}, {}});
   EXPECT_EQ(flipped.counts.not_certified, 3U);
-  EXPECT_EQ(flipped.verdicts[0].reason,
+  EXPECT_EQ(reason_text(flipped.verdicts[0].reason),
             "whether the cutter is inside the solid cannot be told: open.stl, open.stl have together 1 piece of surface "
             "that lies on itself and may enclose nothing");
 }
@@ -178,8 +178,8 @@ TEST(Buried, AHolderInsideTheSolidBehindANeckThinnerThanTheToleranceIsReported) 
   // The cutter is below the block, the shank passes through its lower face, the holder is within it.
   const Scene scene{{shapes::box(Vec3(-100, -100, 30), Vec3(100, 100, 300))}, {}};
   const CheckResult r = check(through({upright(0, 0, 0), upright(5, 0, 0)}), forms, scene, 0.5);
-  ASSERT_EQ(r.counts.buried, 2U) << r.verdicts[0].reason;
-  EXPECT_EQ(r.verdicts[0].reason, "the holder is inside the solid; no surface is inside the holder");
+  ASSERT_EQ(r.counts.buried, 2U) << reason_text(r.verdicts[0].reason);
+  EXPECT_EQ(reason_text(r.verdicts[0].reason), "the holder is inside the solid; no surface is inside the holder");
   ASSERT_EQ(r.events.size(), 1U);
   EXPECT_EQ(r.events[0].body, Body::holder);
 }
@@ -189,7 +189,7 @@ TEST(Buried, ACutterThatStandsPartlyOutsideIsNotBuriedAndNotCleanWhereTheToleran
   const Scene scene{{shapes::box(Vec3(-100, -100, -100), Vec3(100, 100, 0))}, {}};
   const CheckResult r = check(through({upright(0, 0, -8)}), tool, scene, 3.5);
   ASSERT_EQ(r.counts.not_certified, 1U) << state_name(r.verdicts[0].state);
-  EXPECT_EQ(r.verdicts[0].reason, thin_body_reason(Body::cutter));
+  EXPECT_EQ(reason_text(r.verdicts[0].reason), reason_text({Reason::Kind::body_too_thin, Body::cutter}));
 }
 
 TEST(Buried, AHollowCutterIsAskedForItsRing) {
@@ -209,7 +209,7 @@ TEST(Buried, ThreadsDoNotChangeAVerdict) {
   const CheckResult one = check(path, cutter_alone(), scene, 0.01, 1), two = check(path, cutter_alone(), scene, 0.01, 2);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(one.verdicts[i].state, two.verdicts[i].state);
-    EXPECT_EQ(one.verdicts[i].reason, two.verdicts[i].reason);
+    EXPECT_EQ(reason_text(one.verdicts[i].reason), reason_text(two.verdicts[i].reason));
   }
 }
 

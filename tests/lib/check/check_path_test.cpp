@@ -64,7 +64,7 @@ TEST(CheckPath, AToleranceAsLargeAsTheCutterNeverMakesAPlungeClean) {
   EXPECT_EQ(r.verdicts[0].state, MoveState::clean);
   EXPECT_EQ(r.verdicts[1].state, MoveState::not_certified);
   EXPECT_EQ(
-      r.verdicts[1].reason,
+      reason_text(r.verdicts[1].reason),
       "the tolerance lets the surface reach the middle of the cutter, so the tool may be buried; give a "
       "smaller tolerance");
   EXPECT_EQ(r.verdicts[2].state, MoveState::buried);
@@ -190,12 +190,12 @@ TEST(CheckPath, WhatIsNoNumberOrNoUnitVectorIsRefusedWithTheReason) {
     const ToolForms tool = tools::ball();
     const auto closeness = measure_closeness(path, {&tool}, prepare_scene(scene), r.verdicts, 1);
     EXPECT_TRUE(closeness && closeness->cuts == 1 && closeness->nearest_mm);
-    return r.verdicts[1].reason;
+    return reason_text(r.verdicts[1].reason);
   };
   for (const bool has_start : {true, false}) {
     for (const double far : {nan, infinite, -infinite, 1e300, -1.1e5}) {
       for (const Vec3& tip : {Vec3(far, 0, 5), Vec3(0, far, 5), Vec3(0, 0, far)})
-        EXPECT_EQ(reason_of({tip, Vec3::UnitZ()}, has_start), kOutOfReach) << far;
+        EXPECT_EQ(reason_of({tip, Vec3::UnitZ()}, has_start), reason_text({Reason::Kind::out_of_reach})) << far;
       EXPECT_EQ(reason_of({Vec3(0, 0, 5), Vec3(0, far, 1)}, has_start), "the tool axis is no unit vector")
           << far;
     }
@@ -221,7 +221,7 @@ TEST(CheckPath, OptionsThatAreNoLengthsAreRefusedWithTheReason) {
     const CheckResult r =
         whole_check(through({upright(0, 0, 5), upright(0, 0, -1)}), &tool, scene, options);
     EXPECT_EQ(r.counts.not_checked, 2U);
-    EXPECT_EQ(r.verdicts[1].reason,
+    EXPECT_EQ(reason_text(r.verdicts[1].reason),
               "an option of the check is no finite length, or the resolution is not above 0");
   }
 }

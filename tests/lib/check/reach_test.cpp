@@ -53,8 +53,8 @@ TEST(Reach, ASawThatSlotsThePartIsNotCleanBecauseItIsThin) {
   const std::vector<Pose> poses{upright(100, 0, -20), upright(15, 0, -20)};
   const CheckResult r = check(poses, saw(), 0.26);
   EXPECT_EQ(r.verdicts[1].state, MoveState::not_certified);
-  EXPECT_NE(r.verdicts[1].reason.find("a thin or pointed feature of the tool may reach into the solid by up to 24"), std::string::npos)
-      << r.verdicts[1].reason;
+  EXPECT_NE(reason_text(r.verdicts[1].reason).find("a thin or pointed feature of the tool may reach into the solid by up to 24"), std::string::npos)
+      << reason_text(r.verdicts[1].reason);
   EXPECT_EQ(check(poses, saw(), 0.01, 0.3).counts.clean, 1U) << "a coarse resolution lets as much through";
   EXPECT_EQ(check(poses, saw(), 0.2).verdicts[1].state, MoveState::gouge);
   EXPECT_EQ(check({upright(100, 0, -20), upright(35, 0, -20)}, saw(), 0.26).counts.clean, 2U) << "beside the part";

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "lib/check/check_path.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
+#include "tests/support/whole_check.h"
 
 namespace gouge {
 namespace {
@@ -59,8 +59,8 @@ TEST(ExtendUp, WhatIsAboveTheToolNoLongerHides) {
   tool.cutter = FlatCutter{10, 30};
   const ToolForms as_given = tools::forms(tool);
   const ToolForms endless = tools::forms(extended_up(tool, reach_mm(path, scene) + 5));
-  EXPECT_EQ(check_path(path, {&as_given}, prepare_scene(scene), {}).counts.gouge, 0u);
-  EXPECT_EQ(check_path(path, {&endless}, prepare_scene(scene), {}).counts.gouge, 2u);
+  EXPECT_EQ(whole_check(path, &as_given, scene).counts.gouge, 0u);
+  EXPECT_EQ(whole_check(path, &endless, scene).counts.gouge, 2u);
 }
 
 }  // namespace

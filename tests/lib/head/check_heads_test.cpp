@@ -92,7 +92,7 @@ TEST(Heads, AreFoundBetweenTwoCleanPositionsWhereTheToolAloneIsClean) {
 TEST(Heads, ThatPassAtADistanceAreClean) {
   const std::vector<Pose> poses = {paths::upright(0, -80, 30.5), paths::upright(0, 80, 30.5)};
   const CheckResult result = check(poses, {side_box()}, kPost);
-  EXPECT_EQ(result.counts.clean, 2U) << result.verdicts[1].reason;
+  EXPECT_EQ(result.counts.clean, 2U) << reason_text(result.verdicts[1].reason);
   EXPECT_LE(result.verdicts[1].depth_upper_mm, 0.011);
 }
 
@@ -134,7 +134,7 @@ TEST(Heads, InsideASolidThatDoesNotTellAreNotCertifiedUnlessTheirPathLeadsOut) {
   pot.file_triangle.resize(10);
   const CheckResult rising =
       check({paths::upright(0, 0, 0), paths::upright(0, 5, 0), paths::upright(0, 5, 150)}, {side_box()}, pot);
-  EXPECT_EQ(rising.counts.clean, 3U) << rising.verdicts[0].reason;
+  EXPECT_EQ(rising.counts.clean, 3U) << reason_text(rising.verdicts[0].reason);
 }
 
 TEST(Heads, HaveACoreInEveryPiece) {

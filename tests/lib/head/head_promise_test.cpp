@@ -226,7 +226,7 @@ TEST(HeadPromise, NeverCallsAHeadWithinASolidCleanThatTouchesNothing) {
       EXPECT_EQ(verdict.state, MoveState::buried) << x;
     }
     if (is_free) {
-      EXPECT_EQ(verdict.state, MoveState::clean) << x << " " << verdict.reason;
+      EXPECT_EQ(verdict.state, MoveState::clean) << x << " " << reason_text(verdict.reason);
     }
   }
 }

@@ -1,0 +1,85 @@
+#include "lib/check/reason.h"
+
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+struct Text {
+  Reason::Kind kind;
+  std::string_view text;
+};
+
+// {body}, {detail}; {count} and {mm}: the amount as a whole number and as a length; {reach}: as thin_feature has it;
+// {whole}: the body, or the whole tool for its cutter.
+constexpr std::array kTexts{
+    Text{Reason::Kind::of_path, "{detail}"},
+    Text{Reason::Kind::rapid_skipped, "rapid moves are skipped as asked"},
+    Text{Reason::Kind::no_tool, "no tool is defined before this move"},
+    Text{Reason::Kind::tool_undefined, "the tool has no definition"},
+    Text{Reason::Kind::no_start, "the path does not hold the position this move starts at"},
+    Text{Reason::Kind::no_curve, "the path does not hold the curve of this move"},
+    Text{Reason::Kind::axis_reversed, "the axis turns by 180 degrees: its way is not defined"},
+    Text{Reason::Kind::link_gouges,
+         "how the tool gets here from line {count} the file does not say, and straight it would gouge: a retract or a tool "
+         "change is missing"},
+    Text{Reason::Kind::out_of_reach, "the motion or a mesh reaches more than 100 m from the origin: check the units"},
+    Text{Reason::Kind::axis_not_unit, "the tool axis is no unit vector"},
+    Text{Reason::Kind::options_invalid, "an option of the check is no finite length, or the resolution is not above 0"},
+    Text{Reason::Kind::buried, "the {whole} is inside the solid; no surface is inside the {whole}"},
+    Text{Reason::Kind::side_unknown, "whether the {body} is inside the solid cannot be told: {detail}"},
+    Text{Reason::Kind::body_too_thin,
+         "the tolerance lets the surface reach the middle of the {body}, so the tool may be buried; give a smaller tolerance"},
+    Text{Reason::Kind::head_too_thin,
+         "the tolerance is as large as the head is thick: it may be buried; give a smaller tolerance"},
+    Text{Reason::Kind::thin_feature,
+         "a thin or pointed feature of the tool may reach into the solid by {reach}, although nothing comes deeper into the "
+         "tool than the tolerance; give a smaller tolerance"},
+    Text{Reason::Kind::out_of_budget,
+         "the budget of {count} bounds ran out before the depth was known to the resolution"},
+    Text{Reason::Kind::head_out_of_budget,
+         "the head comes too close to the surface for too long: the budget of bounds ran out"},
+    Text{Reason::Kind::clearance_entered, "the clearance of the {body} is entered by {mm} mm"},
+};
+
+// Two digits, rounded up.
+std::string reach_text(double reach_mm) {
+  if (!std::isfinite(reach_mm)) return "any amount";
+  const double unit = std::pow(10.0, std::floor(std::log10(reach_mm)) - 1);
+  const double steps = std::ceil(reach_mm / unit);
+  return "up to " + exact_text(unit < 1 ? steps / std::round(1 / unit) : steps * unit) + " mm";
+}
+
+std::string value_of(std::string_view name, const Reason& reason) {
+  if (name == "detail") return reason.detail;
+  if (name == "count") return std::to_string(static_cast<std::uint64_t>(reason.amount));
+  if (name == "mm") return exact_text(reason.amount);
+  if (name == "reach") return reach_text(reason.amount);
+  // The cutter's is as old as the report.
+  return name == "whole" && reason.body == Body::cutter ? "tool" : body_name(reason.body);
+}
+
+std::string filled(std::string_view text, const Reason& reason) {
+  std::string out;
+  for (std::size_t open = text.find('{'); open != std::string_view::npos; open = text.find('{')) {
+    const std::size_t close = text.find('}', open);
+    out += std::string(text.substr(0, open)) + value_of(text.substr(open + 1, close - open - 1), reason);
+    text.remove_prefix(close + 1);
+  }
+  return out + std::string(text);
+}
+
+}  // namespace
+
+std::string reason_text(const Reason& reason) {
+  for (const Text& one : kTexts) {
+    if (one.kind == reason.kind) return filled(one.text, reason);
+  }
+  return {};
+}
+
+}  // namespace gouge
