@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/check/path_motion.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/laws/promise.h"
 #include "tests/support/real_arcs.h"

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/check/path_motion.h"
 #include "tests/laws/reading.h"
 #include "tests/support/real_arcs.h"
 #include "tests/support/shapes.h"

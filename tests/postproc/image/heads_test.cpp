@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "lib/check/path_motion.h"
 #include "lib/head/head_motion.h"
 #include "lib/penetration/nearest_foot.h"
 #include "lib/field/depth_field.h"
