@@ -1,9 +1,12 @@
 #include "lib/overcut/swept_solid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
+
+#include "lib/check/motion_interval.h"
 
 namespace gouge {
 namespace {
@@ -11,9 +14,9 @@ namespace {
 // A tool that runs along the point keeps its distance for long: no number of instants would settle that.
 constexpr int kMostInstants = 300;
 
-struct Piece {
-  double t0 = 0, t1 = 1, d0 = 0, d1 = 0;
-  std::uint32_t stretch = 0;
+/// A time interval with the distances at its ends.
+struct Piece : MotionInterval {
+  double d0 = 0, d1 = 0;
 };
 
 }  // namespace
@@ -33,8 +36,8 @@ SweptSolid::Nearest SweptSolid::nearest(const Vec3& point, double accuracy_mm, d
   int instants = 0;
   std::vector<Piece> open;
   for (std::uint32_t s = 0; s < motion_.stretches().size(); ++s) {
-    const TipStretch& stretch = motion_.stretches()[s];
-    open.push_back({stretch.t0, stretch.t1, offer(stretch.t0), offer(stretch.t1), s});
+    const MotionInterval whole = whole_stretch(motion_, s);
+    open.push_back({whole, offer(whole.t0), offer(whole.t1)});
   }
   while (!open.empty()) {
     const Piece piece = open.back();
@@ -48,10 +51,9 @@ SweptSolid::Nearest SweptSolid::nearest(const Vec3& point, double accuracy_mm, d
       lower = std::min(lower, least);
       continue;
     }
-    const double middle = 0.5 * (piece.t0 + piece.t1);
-    const double distance = offer(middle);
-    open.push_back({piece.t0, middle, piece.d0, distance, piece.stretch});
-    open.push_back({middle, piece.t1, distance, piece.d1, piece.stretch});
+    std::array<Piece, 2> parts = halves(piece);
+    parts[0].d1 = parts[1].d0 = offer(piece.middle());
+    for (const Piece& part : parts) open.push_back(part);
   }
   best.lower_mm = std::min(lower, best.distance_mm);
   return best;
