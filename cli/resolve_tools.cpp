@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/from_path.h"
 #include "toolmodels/silhouette.h"
@@ -158,8 +159,8 @@ class Resolver {
     constexpr int kWhole = 7;
     const CutterStatement& c = *tool.cutter;
     const bool is_plain = !(std::abs(c.alpha_deg) > 0) && !(std::abs(c.beta_deg) > 0);
-    // CAMplete writes its tools of any shape without angles.
-    if (c.given < kWhole || (is_plain && path_.dialect == "apt-camplete")) return;
+    const bool has_angles = dialect_called(path_.dialect).value_or(Dialect{}).has_tool_angles;
+    if (c.given < kWhole || (is_plain && !has_angles)) return;
     const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
     const double reach = made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;
     if (reach <= kReach_mm) return;

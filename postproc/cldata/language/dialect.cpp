@@ -105,6 +105,7 @@ constexpr std::array<Dialect, 13> kDialects = {{
      .has_axes_under_multax = true,
      .names_operations = true,
      .operations_are_blocks = true,
+     .has_tool_angles = false,
      .arc_form = ArcForm::with_sweep,
      .arc_sense = left_handed,
      .cycle_form = CycleForm::depths_without_rapto,

@@ -95,6 +95,7 @@ struct Dialect {
   bool pprint_includes_files = false;  ///< PPRINT INCLUD: the motion of another file stands here
   bool inserts_are_names = false;      ///< INSERT holds names of tools, setups and stock
   bool has_named_tools = false;        ///< the name tells tools apart
+  bool has_tool_angles = true;         ///< a CUTTER without angles is straight; else it may be of any shape
   bool has_tip_diameter = false;       ///< the third number of CUTTER is the diameter of the tip
 
   // Arcs and cycles.
