@@ -50,7 +50,7 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   if (arguments.is_verbose) {
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";
   }
-  const bool is_written = outputs.write(job, model, progress, out, err);
+  const bool is_written = outputs.write(job, scene, model, progress, out, err);
   if (arguments.is_verbose) print_peak_memory(err);
   if (!is_written) return kExitInternal;
   return exit_status(overall_verdict(result));

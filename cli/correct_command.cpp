@@ -124,7 +124,7 @@ class CorrectRun {
     model.correction.output_bytes = text;
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
-    const bool is_written = outputs_.write(job_, model, progress_, out_, err_);
+    const bool is_written = outputs_.write(job_, scene, model, progress_, out_, err_);
     if (arguments_.job.is_verbose) print_peak_memory(err_);
     if (!is_written) return kExitInternal;
     return exit_status(overall_verdict(after));

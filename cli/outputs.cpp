@@ -16,10 +16,11 @@
 namespace gouge {
 namespace {
 
-CheckedToolpath pictures_of(const Job& job, const Toolpath& path, const CheckResult& result) {
+CheckedToolpath pictures_of(const Job& job, const PreparedScene& scene, const Toolpath& path, const CheckResult& result) {
   CheckedToolpath input;
   input.toolpath = &path;
   input.scene = &job.scene;
+  input.prepared = &scene;
   input.tools = job.tools();
   input.result = &result;
   input.options = job.options.check;
@@ -65,9 +66,9 @@ std::optional<int> JobOutputs::refuse(std::ostream& err) {
   return opened.error().code == "report-foreign" ? kExitUsage : kExitInternal;
 }
 
-bool JobOutputs::write(const Job& job, const ReportModel& model, Progress& progress, std::ostream& out,
+bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress, std::ostream& out,
                        std::ostream& err) {
-  const Outcome written = write_files(job, model, progress, out);
+  const Outcome written = write_files(job, scene, model, progress, out);
   progress.end();
   if (!written) print(err, {written.error()});
   if (written && report_ && !arguments_.is_quiet) print(err, missing_letters(model));
@@ -75,11 +76,11 @@ bool JobOutputs::write(const Job& job, const ReportModel& model, Progress& progr
   return written.has_value();
 }
 
-Outcome JobOutputs::write_files(const Job& job, const ReportModel& model, Progress& progress,
+Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
                                 std::ostream& out) {
   PendingOutputs pending;
   if (report_) {
-    if (Outcome staged = stage_report(job, model, progress); !staged) return staged;
+    if (Outcome staged = stage_report(job, scene, model, progress); !staged) return staged;
   }
   for (const Output& output : outputs_) {
     if (output.write == nullptr) continue;
@@ -91,13 +92,13 @@ Outcome JobOutputs::write_files(const Job& job, const ReportModel& model, Progre
   return pending.commit(out);
 }
 
-Outcome JobOutputs::stage_report(const Job& job, const ReportModel& model, Progress& progress) {
+Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress) {
   progress.begin("drawing the report");
   CheckedToolpath before;
   if (model.has_correction)
-    before = pictures_of(job, *model.correction.toolpath_before, *model.correction.result_before);
+    before = pictures_of(job, scene, *model.correction.toolpath_before, *model.correction.result_before);
   Result<std::vector<NamedFile>> drawn =
-      draw_report_pictures(model, pictures_of(job, *model.toolpath, *model.result), before);
+      draw_report_pictures(model, pictures_of(job, scene, *model.toolpath, *model.result), before);
   if (!drawn) return drawn.error();
   std::vector<NamedFile> files = std::move(*drawn);
   files.push_back({"report.html", write_html(model, files), ""});

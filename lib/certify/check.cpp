@@ -8,11 +8,10 @@
 namespace gouge {
 
 CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
-  const Scene& scene = *setup.scene.scene;
   CheckResult result = check_path(path, setup.tools, setup.scene, setup.options, progress);
-  check_heads(path, setup.heads, scene, setup.options, result);
+  check_heads(path, setup.heads, setup.scene, setup.options, result);
   summarise(path, result);  // the overcut asks for the worst move of each event
-  measure_overcuts(path, setup.tools, scene, setup.options, result, setup.heads);
+  measure_overcuts(path, setup.tools, setup.scene, setup.options, result, setup.heads);
   return result;
 }
 

@@ -11,8 +11,8 @@ constexpr double kAnyGap_mm = 1e6;  // how far the depth of a gouge is left open
 }  // namespace
 
 MotionChecker::MotionChecker(const CheckSetup& setup)
-    : scene_(setup.scene), options_(setup.options), sides_(*setup.scene.scene) {
-  if (!setup.heads.empty()) heads_ = std::make_unique<HeadChecker>(setup.heads, *scene_.scene);
+    : scene_(setup.scene), options_(setup.options) {
+  if (!setup.heads.empty() && scene_.is_within_reach) heads_ = std::make_unique<HeadChecker>(setup.heads, scene_);
 }
 
 MotionChecker::~MotionChecker() = default;
@@ -55,7 +55,7 @@ double MotionChecker::head_excess(const Pose& pose, double allowed_mm, double ac
 
 Side MotionChecker::side_of(const Pose& pose, const ToolForms& tool) const {
   const Vec3 core = pose.tip + tool.bare.core.y() * pose.axis;
-  return sides_.side_of({{core}, {pose.axis}}).side;
+  return scene_.sides().side_of({{core}, {pose.axis}}).side;
 }
 
 }  // namespace gouge

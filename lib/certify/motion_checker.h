@@ -45,7 +45,6 @@ class MotionChecker {
   const PreparedScene& scene_;
   const CheckOptions& options_;
   std::unique_ptr<const HeadChecker> heads_;  // null: there are no heads
-  SceneSides sides_;
 };
 
 }  // namespace gouge

@@ -47,13 +47,13 @@ class ToolRegions {
 
 class BuriedMarker {
  public:
-  BuriedMarker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,
+  BuriedMarker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
                const CheckOptions& options, std::vector<MoveVerdict>& verdicts)
-      : toolpath_(toolpath), tools_(tools), scene_(scene), sides_(scene), options_(options), verdicts_(verdicts) {}
+      : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options), verdicts_(verdicts) {}
 
   void mark() {
     find_regions();
-    FreeChains chains(sides_, first_.back());
+    FreeChains chains(scene_.sides(), first_.back());
     for (std::size_t i = 0; i < verdicts_.size(); ++i) join(i, chains);
     chains.decide(options_.threads, [this](std::size_t item) { return places_of(item); });
     for (std::size_t i = 0; i < verdicts_.size(); ++i) {
@@ -77,7 +77,7 @@ class BuriedMarker {
         const std::size_t tool = toolpath_.moves[i].tool;
         ToolRegions*& own = by_tool[tool];
         if (own == nullptr) {
-          const SureDepth sure = sure_depth(*tools_[tool], scene_, options_);
+          const SureDepth sure = sure_depth(*tools_[tool], *scene_.scene, options_);
           own_regions_.push_back(std::make_unique<ToolRegions>(
               tools_[tool]->bare, options_.tolerance_mm + options_.resolution_mm, sure.halvings));
           own = own_regions_.back().get();
@@ -167,8 +167,7 @@ class BuriedMarker {
 
   const Toolpath& toolpath_;
   const std::vector<const ToolForms*>& tools_;
-  const Scene& scene_;
-  SceneSides sides_;
+  const PreparedScene& scene_;
   const CheckOptions& options_;
   std::vector<MoveVerdict>& verdicts_;
   std::vector<std::unique_ptr<ToolRegions>> own_regions_;
@@ -182,7 +181,7 @@ bool is_thin_feature(const MoveVerdict& verdict) {
   return verdict.state == MoveState::not_certified && verdict.reason.is(Reason::Kind::thin_feature);
 }
 
-void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,
+void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
                  const CheckOptions& options, std::vector<MoveVerdict>& verdicts) {
   BuriedMarker(toolpath, tools, scene, options, verdicts).mark();
 }

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lib/check/check_options.h"
-#include "lib/check/scene.h"
+#include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
 #include "lib/path/toolpath.h"
 
@@ -21,7 +21,7 @@ namespace gouge {
 /// proved outside. Proof: docs/algorithms/inside_outside.md.
 ///
 /// Cost     O(moves), and for each chain that never leaves the surfaces' box O(triangles).
-void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const Scene& scene,
+void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
                  const CheckOptions& options, std::vector<MoveVerdict>& verdicts);
 
 }  // namespace gouge

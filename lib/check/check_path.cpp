@@ -147,7 +147,7 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolFor
     progress(done, total);
   });
   if (scene.is_within_reach && why_unfit(options) == Reason::Kind::none)
-    mark_buried(toolpath, tools, *scene.scene, options, result.verdicts);
+    mark_buried(toolpath, tools, scene, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;
   return result;
 }

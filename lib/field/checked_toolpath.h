@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "lib/check/check_options.h"
-#include "lib/check/scene.h"
+#include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
 #include "lib/head/head_body.h"
 #include "lib/path/toolpath.h"
@@ -16,6 +16,7 @@ namespace gouge {
 struct CheckedToolpath {
   const Toolpath* toolpath = nullptr;
   const Scene* scene = nullptr;
+  const PreparedScene* prepared = nullptr;  ///< the same scene with its indices
   std::vector<const ToolForms*> tools;  ///< per tool index of the toolpath; may hold nullptr
   const CheckResult* result = nullptr;
   CheckOptions options;

@@ -35,14 +35,8 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
     places_.push_back({pose, std::min(worst, kMoreThanTold * told)});
     largest_mm_ = std::max(largest_mm_, told);
     const Witness& w = *verdict.witness;
-    const bool is_part = w.against == Against::part;
-    const std::size_t mesh = w.mesh + (is_part ? 0 : parts_);
-    if (solids_[mesh]) continue;
-    DepthBodyOptions options;
-    options.directions = *make_directions(DirectionFamily::cube, 6);
-    options.is_lean = true;
-    const std::vector<IndexedMesh>& meshes = is_part ? input.scene->parts : input.scene->fixtures;
-    solids_[mesh] = std::make_unique<DepthBody>(build_depth_body(meshes[w.mesh], options));
+    const std::size_t mesh = w.mesh + (w.against == Against::part ? 0 : parts_);
+    solids_[mesh] = &input.prepared->surface(w.against, w.mesh);
   }
 }
 
@@ -117,7 +111,7 @@ class OvercutField::RayTree {
 
   void follow(std::size_t index, const Place& place) {
     const Ray& ray = rays_[index];
-    const DepthBody* const solid = field_.solids_[ray.mesh].get();
+    const DepthBody* const solid = field_.solids_[ray.mesh];
     if (solid == nullptr || static_cast<double>(told_[index]) * kUnseen >= place.most_mm) return;
     double& room = rooms_[index];
     if (room < 0) room = field_.room_mm(*solid, ray, kMoreThanTold * field_.largest_mm_);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "lib/penetration/depth_body.h"
@@ -18,7 +17,7 @@ namespace gouge {
 /// pictures, as depths are; it guarantees nothing.
 class OvercutField {
  public:
-  /// Builds a tree over each closed body that a move with an overcut gouges. All arguments must outlive it.
+  /// All arguments, and what they point at, must outlive it.
   OvercutField(const CheckedToolpath& input, const DepthField& depths);
 
   /// No move has an overcut: depths are all there is to tell.
@@ -45,8 +44,8 @@ class OvercutField {
     double most_mm = 0;  ///< how far below the surface the tool reaches at most
   };
   std::vector<Place> places_;
-  std::vector<std::unique_ptr<DepthBody>> solids_;  ///< by mesh; none where nothing is asked
-  std::size_t parts_ = 0;                           ///< so many meshes are parts, the others fixtures
+  std::vector<const DepthBody*> solids_;  ///< by mesh; null where nothing is asked
+  std::size_t parts_ = 0;                 ///< so many meshes are parts, the others fixtures
   double largest_mm_ = 0, tolerance_mm_ = 0;
   const DepthField& depths_;
 };

@@ -40,15 +40,11 @@ void refuse(Reason::Kind reason, MoveVerdict& verdict) {
 
 }  // namespace
 
-HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const Scene& scene)
-    : heads_(heads), sides_(scene), parts_(scene.parts.size()) {
-  DepthBodyOptions lean;
-  lean.directions = *make_directions(DirectionFamily::cube, 6);
-  lean.is_lean = true;
-  for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures}) {
-    for (const IndexedMesh& mesh : *meshes) bodies_.push_back(build_depth_body(mesh, lean));
-  }
-  for (const DepthBody& body : bodies_) surfaces_.push_back(&body);
+HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene)
+    : heads_(heads), sides_(scene.sides()), parts_(scene.scene->parts.size()) {
+  for (std::size_t k = 0; k < parts_; ++k) surfaces_.push_back(&scene.surface(Against::part, k));
+  for (std::size_t k = 0; k < scene.scene->fixtures.size(); ++k)
+    surfaces_.push_back(&scene.surface(Against::fixture, k));
 }
 
 std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& options,
@@ -203,11 +199,10 @@ void check_links(const Toolpath& toolpath, const HeadChecker& checker, const Che
 
 }  // namespace
 
-void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const Scene& scene,
+void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
                  const CheckOptions& options, CheckResult& result) {
   if (heads.empty()) return;
-  Reason::Kind unfit = why_unfit(scene);
-  if (unfit == Reason::Kind::none) unfit = why_unfit(options);
+  const Reason::Kind unfit = scene.is_within_reach ? why_unfit(options) : Reason::Kind::out_of_reach;
   if (unfit != Reason::Kind::none) {
     for (MoveVerdict& verdict : result.verdicts) refuse(unfit, verdict);
     return;

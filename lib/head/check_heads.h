@@ -2,18 +2,18 @@
 
 #include <vector>
 
-#include "lib/check/scene_sides.h"
+#include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
 #include "lib/head/head_body.h"
 #include "lib/head/head_search.h"
 
 namespace gouge {
 
-/// Heads against the meshes of a scene, which must both outlive it. Cost of making one: a tree over each
-/// mesh.
+/// Heads against the meshes of a scene, which must both outlive it. Asks for the surface of every mesh.
 class HeadChecker {
  public:
-  HeadChecker(const std::vector<HeadBody>& heads, const Scene& scene);
+  /// Requires scene.is_within_reach.
+  HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene);
 
   /// Joins what the heads do during a motion to the tool's verdict on it; returns the bounds it took. The
   /// deeper witness stays, a gouge of either is a gouge, and the motion is clean only if both are.
@@ -39,9 +39,8 @@ class HeadChecker {
   void look_inside(const Pose& pose, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const;
 
   const std::vector<HeadBody>& heads_;
-  SceneSides sides_;
+  const SceneSides& sides_;
   std::size_t parts_;
-  std::vector<DepthBody> bodies_;
   std::vector<const DepthBody*> surfaces_;
 };
 
@@ -51,7 +50,7 @@ class HeadChecker {
 ///
 /// The promise is the tool's: depth <= true depth <= depth_upper over every instant; clean means that
 /// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness). Ensures  the same bits at any number of threads.
-void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const Scene& scene,
+void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
                  const CheckOptions& options, CheckResult& result);
 
 }  // namespace gouge

@@ -44,10 +44,7 @@ Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
         "mesh-too-far",
         "reaches more than 100 m from the origin; expected a head within that; check --stl-units", mesh.name);
   }
-  DepthBodyOptions options;
-  options.directions = *make_directions(DirectionFamily::cube, 6);
-  options.is_lean = true;
-  HeadBody head{build_depth_body(mesh, options), {}, {}, find_flat_patches(mesh)};
+  HeadBody head{build_distance_body(mesh), {}, {}, find_flat_patches(mesh)};
   if (!head.surface.is_solid) {
     return make_error(
         "mesh-head-open",

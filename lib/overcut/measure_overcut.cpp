@@ -1,7 +1,6 @@
 #include "lib/overcut/measure_overcut.h"
 
 #include <algorithm>
-#include <memory>
 
 #include "lib/base/parallel.h"
 #include "lib/check/path_motion.h"
@@ -11,35 +10,6 @@
 
 namespace gouge {
 namespace {
-
-/// The solids that gouges name, by kind and number.
-class Solids {
- public:
-  Solids(const Scene& scene, const std::vector<MoveVerdict>& verdicts)
-      : parts_(scene.parts.size()), fixtures_(scene.fixtures.size()) {
-    for (const MoveVerdict& v : verdicts) {
-      if (v.state != MoveState::gouge || !v.witness) continue;
-      std::unique_ptr<DepthBody>& body = slot(*v.witness);
-      if (body) continue;
-      const std::vector<IndexedMesh>& meshes =
-          v.witness->against == Against::part ? scene.parts : scene.fixtures;
-      DepthBodyOptions options;
-      options.directions = *make_directions(DirectionFamily::cube, 6);
-      options.is_lean = true;
-      body = std::make_unique<DepthBody>(build_depth_body(meshes[v.witness->mesh], options));
-    }
-  }
-
-  [[nodiscard]] const DepthBody* of(const Witness& w) const {
-    return (w.against == Against::part ? parts_ : fixtures_)[w.mesh].get();
-  }
-
- private:
-  std::unique_ptr<DepthBody>& slot(const Witness& w) {
-    return (w.against == Against::part ? parts_ : fixtures_)[w.mesh];
-  }
-  std::vector<std::unique_ptr<DepthBody>> parts_, fixtures_;
-};
 
 // The whole search costs a millisecond a move and more, the check itself a small part of that; the worst move
 // of a finding is worth it, the others get what a short search finds.
@@ -54,28 +24,29 @@ std::vector<bool> worst_moves(const CheckResult& result) {
 }  // namespace
 
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
-                      const Scene& scene, const CheckOptions& options, CheckResult& result,
+                      const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
                       const std::vector<HeadBody>& heads) {
   std::vector<std::size_t> gouges;
   for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const MoveVerdict& v = result.verdicts[i];
-    if (v.state == MoveState::gouge && v.witness) gouges.push_back(i);
+    if (v.state != MoveState::gouge || !v.witness) continue;
+    gouges.push_back(i);
+    static_cast<void>(scene.surface(v.witness->against, v.witness->mesh));  // made by all threads, not within one
   }
-  const Solids solids(scene, result.verdicts);
   const std::vector<bool> is_worst = worst_moves(result);
   for_each_chunk(gouges.size(), 4, options.threads, [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) {
       MoveVerdict& verdict = result.verdicts[gouges[k]];
       const Move& move = toolpath.moves[gouges[k]];
-      const DepthBody* solid = solids.of(*verdict.witness);
-      if (solid == nullptr || !solid->is_solid || tools[move.tool] == nullptr) continue;
+      const DepthBody& solid = scene.surface(verdict.witness->against, verdict.witness->mesh);
+      if (!solid.is_solid || tools[move.tool] == nullptr) continue;
       const Motion motion = motion_of(toolpath, gouges[k], options.rapid);
       // Where the tool's boundary comes to lie once the witness is followed through the tool.
       const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
       OvercutOptions search;
       if (!is_worst[gouges[k]]) search.most_cells = kCellsOfOthers;
       const auto join = [&](const SweptSolid& moving) {
-        const Overcut found = find_overcut(moving, *solid, seed, verdict.witness->t, search);
+        const Overcut found = find_overcut(moving, solid, seed, verdict.witness->t, search);
         verdict.overcut_mm = std::max(verdict.overcut_mm.value_or(0), found.depth_mm);
         verdict.overcut_upper_mm = std::max(verdict.overcut_upper_mm, found.depth_upper_mm);
       };

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lib/check/check_options.h"
-#include "lib/check/scene.h"
+#include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
 #include "lib/head/head_body.h"
 #include "lib/path/toolpath.h"
@@ -24,7 +24,7 @@ namespace gouge {
 ///          of one for every other.
 /// Requires result.events.
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
-                      const Scene& scene, const CheckOptions& options, CheckResult& result,
+                      const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
                       const std::vector<HeadBody>& heads);
 
 }  // namespace gouge

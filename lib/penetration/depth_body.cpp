@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "lib/mesh/mesh_findings.h"
 #include "lib/penetration/below_facets.h"
@@ -107,6 +108,13 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
   body.is_clear_below = facets_clear_below(body);
   if (body.is_solid) body.depths = DepthGrid(body);
   return body;
+}
+
+DepthBody build_distance_body(IndexedMesh mesh) {
+  DepthBodyOptions options;
+  options.directions = *make_directions(DirectionFamily::cube, 6);
+  options.is_lean = true;
+  return build_depth_body(std::move(mesh), options);
 }
 
 }  // namespace gouge

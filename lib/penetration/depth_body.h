@@ -71,4 +71,7 @@ struct DepthBody {
 /// Cost  O(n log^2 n); about 1.5 microseconds a triangle.
 [[nodiscard]] DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options);
 
+/// What distances alone need (is_lean): one of boxes along the coordinate axes.
+[[nodiscard]] DepthBody build_distance_body(IndexedMesh mesh);
+
 }  // namespace gouge

@@ -57,20 +57,20 @@ TEST(Heads, MakeNothingCleanInASceneOrOnAPathThatCannotBeChecked) {
     Scene far_scene = scene;
     far_scene.parts[0].vertices[0].x() = far;
     CheckResult result = clean;
-    check_heads(path, heads, far_scene, {}, result);
+    check_heads(path, heads, prepare_scene(far_scene), {}, result);
     for (const MoveVerdict& verdict : result.verdicts) EXPECT_EQ(verdict.state, MoveState::not_checked) << far;
 
     Toolpath far_path = path;
     far_path.moves[1].end.tip.y() = far;
     result = clean;
-    check_heads(far_path, heads, scene, {}, result);
+    check_heads(far_path, heads, prepare_scene(scene), {}, result);
     EXPECT_EQ(result.verdicts[0].state, MoveState::clean);
     EXPECT_EQ(result.verdicts[1].state, MoveState::not_checked) << far;
   }
   CheckOptions options;
   options.tolerance_mm = std::numeric_limits<double>::quiet_NaN();
   CheckResult result = clean;
-  check_heads(path, heads, scene, options, result);
+  check_heads(path, heads, prepare_scene(scene), options, result);
   for (const MoveVerdict& verdict : result.verdicts) EXPECT_EQ(verdict.state, MoveState::not_checked);
 }
 

@@ -214,7 +214,8 @@ TEST(HeadPromise, NeverCallsAHeadWithinASolidCleanThatTouchesNothing) {
   Scene scene;
   scene.parts = {part};
   const std::vector<HeadBody> heads = {*build_head_body(shapes::box(Vec3(-3, -3, 0), Vec3(3, 3, 6)))};
-  const HeadChecker checker(heads, scene);
+  const PreparedScene prepared = prepare_scene(scene);
+  const HeadChecker checker(heads, prepared);
   for (double x = -130; x <= 130; x += 7) {
     const Vec3 tip(x, 1, 2);
     MoveVerdict verdict;

@@ -38,6 +38,7 @@ struct SmallScene {
   Toolpath path;
   CheckResult result;
   ReportModel model;
+  std::optional<PreparedScene> prepared;
   CheckedToolpath input;
 
   SmallScene() {
@@ -66,7 +67,8 @@ struct SmallScene {
     model.result = &result;
     model.parts = {MeshFacts{"block.stl", 12, 8, 0, true, ""}};
     model.tools = {ToolFacts{"ball D6", "tools.json", "ball D6"}};
-    input = {&path, &scene, {&tool}, &result, model.options, {}};
+    prepared.emplace(scene);
+    input = {&path, &scene, &*prepared, {&tool}, &result, model.options, {}};
   }
 };
 
