@@ -156,7 +156,7 @@ Result<JobOptions> understand(const JobArguments& a) {
   }
   if (!a.place.empty()) {
     const auto place = parse_place(a.place);
-    if (!place) return usage("--place", a.place, "x,y,z or x,y,z,rx,ry,rz");
+    if (!place) return usage("--place", a.place, "x,y,z or x,y,z,rx,ry,rz: lengths of at most 100 m, then degrees");
     options.place = *place;
   }
   options.check.rapid = a.rapid == "skip"     ? RapidMode::skip

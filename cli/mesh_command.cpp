@@ -94,7 +94,7 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   const std::optional<double> weld_mm = arguments.weld.empty() ? 0.0 : parse_length_mm(arguments.weld);
   if (!weld_mm || (!arguments.weld.empty() && !(*weld_mm > 0)))
     return tell(err, make_error("usage", "--weld '" + arguments.weld + "': expected a length above 0 in mm, or with a "
-                                         "unit (0.0005in)"),
+                                         "unit (0.0005in), and at most 100 m"),
                 kExitUsage);
   if (arguments.repair_file == "-")
     return tell(err, make_error("usage", "--repair '-': expected a file; a mesh does not go to standard output"),

@@ -14,6 +14,26 @@ TEST(LengthText, ALengthMayCarryItsUnit) {
     EXPECT_FALSE(parse_length_mm(text)) << text;
 }
 
+TEST(LengthText, NothingReachesFartherThanACheck) {
+  EXPECT_EQ(parse_length_mm("100000"), 100000);
+  EXPECT_EQ(parse_length_mm("-1e5mm"), -100000);
+  EXPECT_EQ(parse_place("1e5,0,-1e5")->shift, Vec3(1e5, 0, -1e5));
+  CheckOptions options;
+  EXPECT_FALSE(parse_clearance("shank=100000", options));
+  EXPECT_EQ(options.shank_clearance_mm, 100000);
+  for (const std::string text : {"100001", "3938in", "1e300", "-1e6", "inf", "nan", "1e400"}) {
+    EXPECT_FALSE(parse_length_mm(text)) << text;
+    EXPECT_FALSE(parse_place("0," + text + ",0")) << text;
+    EXPECT_TRUE(parse_clearance("holder=" + text, options)) << text;
+  }
+  EXPECT_EQ(options.holder_clearance_mm, CheckOptions{}.holder_clearance_mm);
+}
+
+TEST(LengthText, AnAngleIsANumber) {
+  for (const std::string text : {"inf", "nan", "1e400", "", "45deg"})
+    EXPECT_FALSE(parse_place("0,0,0,0,0," + text)) << text;
+}
+
 TEST(LengthText, ATurnByAHugeAngleIsARotation) {
   const auto place = parse_place("0,0,0,45,4500000000000000000000000000000000000000000000000000000000,450");
   ASSERT_TRUE(place.has_value());
