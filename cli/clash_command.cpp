@@ -71,7 +71,7 @@ void print_notes(std::ostream& err, const Diagnostics& notes, const ClashArgumen
 DepthBody index_of(LoadedMesh& loaded) {
   DepthBodyOptions options;
   options.directions = *make_directions(DirectionFamily::cube, 6);
-  options.is_lean = true;
+  options.is_distance_only = true;
   return build_depth_body(std::move(loaded.mesh), options);
 }
 
@@ -91,7 +91,7 @@ int status_of(ClashState state) {
 
 void add_clash_options(CLI::App& command, ClashArguments& arguments) {
   command.add_option("A", arguments.a, "STL file that stays where it is")->type_name("FILE")->required();
-  command.add_option("B", arguments.b, "STL file of the other body, which would give way")
+  command.add_option("B", arguments.b, "STL file of the other body, which would move away")
       ->type_name("FILE")
       ->required();
   command

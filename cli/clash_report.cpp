@@ -101,7 +101,7 @@ std::string clash_text(const ClashReport& r) {
     text += "deepest of " + printable(is_of_a ? r.a : r.b) + " in " + printable(is_of_a ? r.b : r.a) + ": " +
             depth_text(contact.depth_mm, r.unit) + " at " + point_text(contact.point, r.unit) +
             ", triangle " + std::to_string(contact.triangle + 1) + "; " + printable(r.b) +
-            " gives way along " + direction_text(contact.normal) + "\n";
+            " moves away along " + direction_text(contact.normal) + "\n";
   }
   return r.shift ? text + shift_line(r) : text;
 }

@@ -84,7 +84,7 @@ class JobLoader {
       return errors_.push_back(make_error(
           "mesh-head-crosses",
           "crosses itself, so what is inside the head is not defined; expected a plain solid; 'gougecheck mesh "
-          "FILE' tells where",
+          "FILE' reports where",
           piece.name));
     }
     job_.heads.push_back(std::move(*head));
@@ -170,20 +170,20 @@ class JobLoader {
     add_notes(resolved->notes);
     job_.tool_facts = std::move(resolved->facts);
     for (const auto& assembly : resolved->assemblies) {
-      job_.forms.emplace_back();
+      job_.variants.emplace_back();
       if (!assembly) continue;
       const CheckOptions& c = job_.options.check;
-      Result<ToolForms> forms =
-          make_tool_forms(arguments_.is_extended_up ? without_end(*assembly) : *assembly, c.stock_to_leave_mm,
+      Result<ToolVariants> variants =
+          make_tool_variants(arguments_.is_extended_up ? without_end(*assembly) : *assembly, c.stock_to_leave_mm,
                           c.shank_clearance_mm, c.holder_clearance_mm);
-      if (!forms) return errors_.push_back(forms.error());
-      job_.forms.back() = std::move(*forms);
+      if (!variants) return errors_.push_back(variants.error());
+      job_.variants.back() = std::move(*variants);
     }
   }
 
   void note_misplaced() {
     double tool_mm = 0;
-    for (const auto& form : job_.forms) {
+    for (const auto& form : job_.variants) {
       if (form) tool_mm = std::max(tool_mm, form->bare.r_max_mm + form->bare.z_max_mm);
     }
     if (const auto warning = find_misplaced(job_.toolpath, job_.scene, tool_mm, stl_unit())) add_notes({*warning});
@@ -217,9 +217,9 @@ class JobLoader {
 
 }  // namespace
 
-std::vector<const ToolForms*> Job::tools() const {
-  std::vector<const ToolForms*> all;
-  for (const auto& form : forms) all.push_back(form ? &*form : nullptr);
+std::vector<const ToolVariants*> Job::tools() const {
+  std::vector<const ToolVariants*> all;
+  for (const auto& form : variants) all.push_back(form ? &*form : nullptr);
   return all;
 }
 

@@ -11,13 +11,13 @@
 
 namespace gouge {
 
-/// Everything a check needs, read and understood. Tools point into `forms`: move a Job, do not copy it.
+/// Everything a check needs, read and understood. Tools point into `variants`: move a Job, do not copy it.
 struct Job {
   JobOptions options;
   Toolpath toolpath;
   Scene scene;
   std::vector<HeadBody> heads;  ///< in the tool's frame
-  std::vector<std::optional<ToolForms>> forms;  ///< one per Toolpath::tools; empty where it has no definition
+  std::vector<std::optional<ToolVariants>> variants;  ///< one per Toolpath::tools; empty where it has no definition
   std::vector<InputFile> inputs;
   std::vector<MeshFacts> parts, fixtures, head_facts;
   std::vector<ToolFacts> tool_facts;
@@ -30,7 +30,7 @@ struct Job {
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
-  [[nodiscard]] std::vector<const ToolForms*> tools() const;
+  [[nodiscard]] std::vector<const ToolVariants*> tools() const;
   /// `prepared` is the scene of the job; both must outlive the result.
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
   /// As asked for, else the toolpath's.
@@ -45,7 +45,7 @@ struct LoadedJob {
   Diagnostics errors;
 };
 
-/// Reads toolpath, meshes and tools. All errors of one kind of input are told, not the first alone.
+/// Reads toolpath, meshes and tools. All errors of one kind of input are reported, not the first alone.
 [[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options);
 
 /// Whether the command line is at fault rather than a file: --tool or --holder names what the library lacks.

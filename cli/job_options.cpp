@@ -10,7 +10,7 @@ namespace gouge {
 namespace {
 
 void add_input_options(CLI::App& command, JobArguments& a) {
-  command.add_option("PATH", a.path, "Toolpath: CL data of any dialect; its content tells which")
+  command.add_option("PATH", a.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
       ->required();
   add_reading_options(command, a.reading);
@@ -64,10 +64,10 @@ void add_check_options(CLI::App& command, JobArguments& a) {
       ->capture_default_str();
   command.add_option("--clearance", a.clearance, "Keep bodies away from everything: shank=0.5,holder=1")
       ->type_name("BODY=LENGTH");
-  command.add_option("--near-miss", a.near_miss, "Tell moves that come closer than this (0: do not)")
+  command.add_option("--near-miss", a.near_miss, "Report moves that come closer than this (0: do not)")
       ->type_name("LENGTH")
       ->capture_default_str();
-  command.add_option("--resolution", a.resolution, "Certified gap: the largest depth that may go untold")
+  command.add_option("--resolution", a.resolution, "Certified gap: the largest depth that may be missed")
       ->type_name("LENGTH")
       ->capture_default_str();
   command.add_option("--rapid", a.rapid, "How rapid moves run")

@@ -15,7 +15,7 @@
 namespace gouge {
 namespace {
 
-void tell(std::string_view text) {
+void report(std::string_view text) {
   // Nobody is left to hear that this failed.
   [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text.data(), text.size());
 }
@@ -24,11 +24,11 @@ void tell(std::string_view text) {
 [[noreturn]] void end_orderly() noexcept {
   const std::type_info* thrown = abi::__cxa_current_exception_type();
   if (thrown != nullptr && (*thrown == typeid(std::bad_alloc) || *thrown == typeid(std::bad_array_new_length))) {
-    tell("gougecheck: error: out of memory; nothing more was written [out-of-memory]\n");
+    report("gougecheck: error: out of memory; nothing more was written [out-of-memory]\n");
   } else {
-    tell("gougecheck: error: internal failure: ");
-    tell(thrown == nullptr ? "terminated" : thrown->name());
-    tell(" [internal]\n");
+    report("gougecheck: error: internal failure: ");
+    report(thrown == nullptr ? "terminated" : thrown->name());
+    report(" [internal]\n");
   }
   remove_temporary_names();
   ::_exit(kExitInternal);

@@ -16,7 +16,7 @@
 namespace gouge {
 namespace {
 
-int tell(std::ostream& err, const Diagnostic& diagnostic, int status) {
+int report(std::ostream& err, const Diagnostic& diagnostic, int status) {
   err << to_text(diagnostic) << "\n";
   return status;
 }
@@ -37,11 +37,11 @@ std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mes
   options.fills_holes = arguments.fills_holes;
   options.unit = info.unit;
   Result<MeshRepair> repaired = repair_mesh(mesh, info.judged, options);
-  if (!repaired) return tell(err, repaired.error(), kExitGouges);
+  if (!repaired) return report(err, repaired.error(), kExitGouges);
   info.repair = std::move(*repaired);
   if (!info.repair->is_better()) return std::nullopt;
   const Outcome written = outputs.add(arguments.repair_file, info.repair->stl_bytes);
-  if (!written) return tell(err, written.error(), kExitInternal);
+  if (!written) return report(err, written.error(), kExitInternal);
   info.written_file = arguments.repair_file;
   return std::nullopt;
 }
@@ -51,7 +51,7 @@ bool deliver(const MeshArguments& arguments, const MeshInfo& info, PendingOutput
              std::ostream& err) {
   Outcome written = arguments.json_file.empty() ? Done{} : outputs.add(arguments.json_file, mesh_info_json(info));
   if (written) written = outputs.commit(out);
-  if (!written) tell(err, written.error(), kExitInternal);
+  if (!written) report(err, written.error(), kExitInternal);
   if (written && arguments.json_file != "-") out << mesh_info_text(info);
   return written.has_value();
 }
@@ -81,7 +81,7 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
       ->type_name("FILE");
   add_input_limit(command, arguments.input);
   command.footer(
-      "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair mended.stl --fill-holes\n"
+      "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair repaired.stl --fill-holes\n"
       "  gougecheck mesh part.stl --weld 0.002 --repair welded.stl\n\n"
       "A repair moves no vertex but those --weld joins (what is written has single precision, as binary STL has) and resolves no "
       "self-intersection. Exit status: 0 the mesh (where one was written: that one) is sound, 1 it has "
@@ -93,15 +93,15 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   info.unit = unit_called(arguments.stl_units).value_or(LengthUnit::mm);
   const std::optional<double> weld_mm = arguments.weld.empty() ? 0.0 : parse_length_mm(arguments.weld);
   if (!weld_mm || (!arguments.weld.empty() && !(*weld_mm > 0)))
-    return tell(err, make_error("usage", "--weld '" + arguments.weld + "': expected a length above 0 in mm, or with a "
+    return report(err, make_error("usage", "--weld '" + arguments.weld + "': expected a length above 0 in mm, or with a "
                                          "unit (0.0005in), and at most 100 m"),
                 kExitUsage);
   if (arguments.repair_file == "-")
-    return tell(err, make_error("usage", "--repair '-': expected a file; a mesh does not go to standard output"),
+    return report(err, make_error("usage", "--repair '-': expected a file; a mesh does not go to standard output"),
                 kExitUsage);
   if (const auto status = refuse_outputs({{"the mesh", arguments.file}}, outputs_of(arguments), err)) return *status;
   Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.most_bytes);
-  if (!loaded) return tell(err, loaded.error(), kExitInput);
+  if (!loaded) return report(err, loaded.error(), kExitInput);
   info.file = arguments.file;
   info.format = loaded->format;
   info.notes = loaded->notes;
@@ -109,7 +109,7 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   IndexedMesh mesh = std::move(loaded->mesh);
   if (*weld_mm > 0) {
     Result<JoinedMesh> joined = join_near_vertices(mesh, *weld_mm);
-    if (!joined) return tell(err, joined.error(), kExitUsage);
+    if (!joined) return report(err, joined.error(), kExitUsage);
     info.weld = MeshWeld{*weld_mm, joined->vertices_joined, joined->largest_shift_mm, joined->triangles_collapsed,
                          validate_mesh(joined->mesh, joined->findings)};
     mesh = std::move(joined->mesh);

@@ -15,7 +15,7 @@ Json point_json(const Vec3& v_mm, LengthUnit unit) {
 Json spot_json(const MeshSpot& spot, LengthUnit unit) {
   Json json = {{"count", spot.count}};
   if (spot.count > 0) {
-    json["first_at"] = point_json(spot.place_mm, unit);
+    json["first_at"] = point_json(spot.position_mm, unit);
     json["first_triangle"] = spot.file_triangle + 1;
   }
   return json;
@@ -24,7 +24,7 @@ Json spot_json(const MeshSpot& spot, LengthUnit unit) {
 Json crossings_json(const SelfIntersections& found, LengthUnit unit) {
   Json json = {{"pairs", found.pairs}};
   if (found.pairs > 0) {
-    json["first_at"] = point_json(found.place_mm, unit);
+    json["first_at"] = point_json(found.position_mm, unit);
     json["first_triangles"] = {found.first_triangle + 1, found.second_triangle + 1};
   }
   return json;

@@ -40,13 +40,13 @@ class Lengths {
 
   [[nodiscard]] std::string spot(const MeshSpot& spot) const {
     if (spot.count == 0) return "none";
-    return std::to_string(spot.count) + (spot.count == 1 ? ", at " : ", first at ") + place_text(spot, unit_);
+    return std::to_string(spot.count) + (spot.count == 1 ? ", at " : ", first at ") + position_text(spot, unit_);
   }
 
   [[nodiscard]] std::string crossings(const SelfIntersections& found) const {
     if (found.pairs == 0) return "none";
     return counted(found.pairs, "pair") + (found.pairs == 1 ? ", at (" : ", first at (") +
-           vector(found.place_mm, ", ") + ") " + unit_name(unit_) + ", triangles " +
+           vector(found.position_mm, ", ") + ") " + unit_name(unit_) + ", triangles " +
            std::to_string(found.first_triangle + 1) + " and " + std::to_string(found.second_triangle + 1);
   }
 

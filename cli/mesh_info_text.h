@@ -18,10 +18,10 @@ struct MeshWeld {
   MeshValidation judged;  ///< of the joined mesh
 };
 
-/// What `gougecheck mesh` has to tell.
+/// What `gougecheck mesh` reports.
 struct MeshInfo {
   std::string file;
-  LengthUnit unit = LengthUnit::mm;  ///< of the file, and of every length told
+  LengthUnit unit = LengthUnit::mm;  ///< of the file, and of every length shown
   StlFormat format = StlFormat::binary;
   Diagnostics notes;  ///< of reading and structure
   MeshValidation judged;                    ///< of the file as it is

@@ -12,7 +12,7 @@
 namespace gouge {
 
 /// A warning where a path can hardly belong to the parts it is checked against: no part comes as near to the box of
-/// its tips as a tool could reach (`tool_mm`, the longest way from a tip to a point of a tool), or all parts together
+/// its tips as a tool could reach (`tool_mm`, the longest distance from a tip to a point of a tool), or all parts together
 /// are many times smaller than what it cuts, as with a wrong unit. Where another unit than `stl_unit`, in which the STL files
 /// were read, would make the sizes agree, the message names it. Nothing where there is no part or no motion.
 [[nodiscard]] std::optional<Diagnostic> find_misplaced(const Toolpath& path, const Scene& scene, double tool_mm,

@@ -40,7 +40,7 @@ class PendingOutputs {
 [[nodiscard]] Diagnostics find_unwritable(const OutputTable& outputs);
 
 /// What of a command's outputs is known to be wrong before its work: two for standard output, one that is an
-/// input or another output, one that cannot be written. Prints it, and answers with the exit status; none
+/// input or another output, one that cannot be written. Prints it, and returns the exit status; none
 /// where all is well.
 [[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs,
                                                 const OutputTable& outputs, std::ostream& err);

@@ -110,9 +110,9 @@ Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, con
 void JobOutputs::print_findings(const ReportModel& model, bool is_written, std::ostream& out) const {
   const Result<bool> taken = is_stdout_taken(outputs_);
   if (arguments_.is_quiet || !taken || *taken) return;
-  ReportModel told = model;
-  if (!is_written) told.correction.output_file.clear();
-  out << findings_text(told);
+  ReportModel reported = model;
+  if (!is_written) reported.correction.output_file.clear();
+  out << findings_text(reported);
   if (is_written && report_) out << "report: " << printable(report_folder_of(outputs_)) << "/report.html\n";
 }
 

@@ -34,7 +34,7 @@ std::vector<Target> targets_of(const Output& output) {
 }
 
 // Where a name leads, also where nothing stands yet.
-fs::path place_of(const std::string& name) {
+fs::path path_of(const std::string& name) {
   const Result<std::string> target = follow_links(name);
   std::error_code ignored;
   return fs::weakly_canonical(fs::absolute(target ? *target : name, ignored), ignored);
@@ -42,7 +42,7 @@ fs::path place_of(const std::string& name) {
 
 bool is_same_file(const std::string& a, const std::string& b) {
   std::error_code ignored;
-  return fs::equivalent(a, b, ignored) || place_of(a) == place_of(b);
+  return fs::equivalent(a, b, ignored) || path_of(a) == path_of(b);
 }
 
 bool is_standard_output(const std::string& file) {

@@ -20,7 +20,7 @@ int refuse(const Diagnostics& errors, std::ostream& err, int status = kExitInput
   return status;
 }
 
-void tell(const Diagnostics& notes, std::ostream& err) {
+void report(const Diagnostics& notes, std::ostream& err) {
   for (const Diagnostic& note : notes) err << to_text(note) << "\n";
 }
 
@@ -31,7 +31,7 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
   Outcome written = Done{};
   if (!arguments.json_file.empty()) written = write_output(arguments.json_file, path_info_json(path, info), out);
   if (arguments.json_file != "-") out << path_info_text(path, info, title);
-  tell(path.notes, err);
+  report(path.notes, err);
   return written ? kExitClean : refuse({written.error()}, err, kExitInternal);
 }
 
@@ -39,15 +39,15 @@ int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostre
   Result<WrittenToolpath> written = WrittenToolpath{path.source, {}};
   if (!arguments.to.empty()) written = write_toolpath(path, *dialect_called(arguments.to));
   if (!written) return refuse({written.error()}, err);
-  tell(path.notes, err);
-  tell(written->notes, err);
+  report(path.notes, err);
+  report(written->notes, err);
   const Outcome outcome = write_output(arguments.output, written->bytes, out);
   return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
 }
 
 int run_plot(const PathArguments& arguments, const Toolpath& path, bool is_svg, std::ostream& err) {
-  tell(path.notes, err);
-  if (!is_svg) tell(find_missing_letters(path), err);
+  report(path.notes, err);
+  if (!is_svg) report(find_missing_letters(path), err);
   const Result<std::string> picture = plot_path(path, is_svg);
   if (!picture) return refuse({picture.error()}, err, kExitInternal);
   const Outcome outcome = write_file(arguments.output, *picture);
@@ -59,7 +59,7 @@ constexpr const char* kStatus = "Exit status: 0 done, 2 wrong command line, 3 in
 
 CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* name, const char* what) {
   CLI::App* added = command.add_subcommand(name, what);
-  added->add_option("PATH", arguments.path, "Toolpath: CL data of any dialect; its content tells which")
+  added->add_option("PATH", arguments.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
       ->required();
   add_reading_options(*added, arguments.reading);
@@ -74,7 +74,7 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
   command.footer("Example:\n  gougecheck path info finish.apt\n\nDialects: " + dialect_names());
   CLI::App& info =
       add_command(command, arguments, "info",
-                  "Tell dialect, unit, tools, operations, moves, box, orientations and what is not "
+                  "Show dialect, unit, tools, operations, moves, box, orientations and what is not "
                   "understood");
   info.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")
       ->type_name("FILE");
@@ -83,7 +83,7 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
   info.callback([&] { arguments.is_info = true; });
 
   CLI::App& convert = add_command(command, arguments, "convert",
-                                  "Write the toolpath in another dialect, and tell what is lost");
+                                  "Write the toolpath in another dialect, and report what is lost");
   convert.add_option("-o,--output", arguments.output, "The file to write; - for standard output")
       ->type_name("FILE")
       ->required();

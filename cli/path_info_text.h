@@ -4,7 +4,7 @@
 
 #include "lib/path/path_info.h"
 
-// What `path info` tells, as text for people and as JSON. Lengths in the file's unit.
+// What `path info` shows, as text for people and as JSON. Lengths in the file's unit.
 
 namespace gouge {
 

@@ -7,7 +7,7 @@
 
 namespace gouge {
 
-/// What to tell of a path that plainly does not fit its part, as a warning; nothing where it fits.
+/// What to report about a path that plainly does not fit its part, as a warning; nothing where it fits.
 [[nodiscard]] std::optional<Diagnostic> describe_misfit(const Toolpath& path, const PathFit& fit);
 
 /// True where correcting would be of no use: the whole path is wrong, not some of its positions.

@@ -7,7 +7,7 @@ namespace gouge {
 void add_reading_options(CLI::App& command, ReadingArguments& arguments) {
   command
       .add_option("--dialect", arguments.dialect,
-                  "Read the toolpath as this dialect (default: its content tells): " + dialect_names())
+                  "Read the toolpath as this dialect (default: recognized by its content): " + dialect_names())
       ->type_name("DIALECT");
   command.add_option("--path-units", arguments.units, "Unit of a toolpath that states none")
       ->check(CLI::IsMember({"mm", "inch"}));

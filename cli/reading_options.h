@@ -11,7 +11,7 @@ class App;
 
 namespace gouge {
 
-/// What a command line says about how its toolpath is to be read, as typed. Empty: the file tells.
+/// What a command line says about how its toolpath is to be read, as typed. Empty: as the file says.
 struct ReadingArguments {
   std::string dialect, units, cutcom;
 };

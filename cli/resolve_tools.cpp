@@ -124,7 +124,7 @@ class Resolver {
       for (const Diagnostic& note : made->notes) result_.notes.push_back(at(note, tool));
       assembly = made->tool;
     }
-    tell(tool, assembly, facts);
+    report(tool, assembly, facts);
     result_.assemblies.push_back(std::move(assembly));
     return std::nullopt;
   }
@@ -138,18 +138,18 @@ class Resolver {
         path_.file, tool.line));
   }
 
-  // The library wins, but a smaller tool than the file's would hide gouges, so it is told.
+  // The library wins, but a smaller tool than the file's would hide gouges, so it is reported.
   void compare(const PathTool& tool, const ToolAssembly& known) {
     constexpr double kSame_mm = 1e-3;
     const auto [diameter, corner] = nominal_size(known.cutter);
     if (tool.stated_diameter_mm > 0 && std::abs(diameter - tool.stated_diameter_mm) > kSame_mm) {
-      return tell_difference(tool, size_text(tool.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit));
+      return report_difference(tool, size_text(tool.stated_diameter_mm, path_.unit), size_text(diameter, path_.unit));
     }
     if (!tool.cutter || tool.cutter->given == 0) return;
     const double given_corner = tool.cutter->given > 1 ? tool.cutter->r_mm : corner;
     if (std::abs(diameter - tool.cutter->d_mm) <= kSame_mm && std::abs(corner - given_corner) <= kSame_mm)
       return compare_outlines(tool, known);
-    tell_difference(tool, size_text(tool.cutter->d_mm, given_corner, path_.unit),
+    report_difference(tool, size_text(tool.cutter->d_mm, given_corner, path_.unit),
                     size_text(diameter, corner, path_.unit));
   }
 
@@ -171,13 +171,13 @@ class Resolver {
     result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
   }
 
-  void tell_difference(const PathTool& tool, const std::string& given, const std::string& known) {
+  void report_difference(const PathTool& tool, const std::string& given, const std::string& known) {
     const std::string message = name_of(tool) + " is " + given + " by the toolpath but " + known +
                                 " by the library, which is what is checked";
     result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
   }
 
-  void tell(const PathTool& tool, const std::optional<ToolAssembly>& assembly, ToolFacts& facts) {
+  void report(const PathTool& tool, const std::optional<ToolAssembly>& assembly, ToolFacts& facts) {
     if (!assembly) {
       const std::string message =
           name_of(tool) +

@@ -73,7 +73,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   return run_path(arguments.path, out, err);
 }
 
-// What people read may end early (`| head -1`); data that could not be delivered is a failure its command has told.
+// What people read may end early (`| head -1`); data that could not be delivered is a failure its command has reported.
 int after_printing(int status, std::ostream& out, std::ostream& err) {
   out.flush();
   if (out || status == kExitInternal || is_reader_gone()) return status;
@@ -94,7 +94,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     add_clash_options(*app.add_subcommand("clash", "Find out whether two bodies of a set-up penetrate, and how deep"),
                       arguments.clash);
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
-    add_path_options(*app.add_subcommand("path", "Tell what is in a toolpath file"), arguments.path);
+    add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), arguments.path);
     add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"),
                      arguments.tool);
     const std::span words(argv, static_cast<std::size_t>(argc));

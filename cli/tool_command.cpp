@@ -79,7 +79,7 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments) {
   CLI::App* list = command.add_subcommand("list", "List the tools of a library");
   add_library_option(*list, arguments, ToolAction::list);
   list->footer(std::string("Example:\n  gougecheck tool list --tools shop.json\n") + kExitText);
-  CLI::App* show = command.add_subcommand("show", "Tell every dimension of a tool, and the contour it makes");
+  CLI::App* show = command.add_subcommand("show", "Show every dimension of a tool, and the contour it makes");
   add_library_option(*show, arguments, ToolAction::show);
   add_tool_option(*show, arguments);
   show->footer(std::string("Example:\n  gougecheck tool show --tools shop.json --tool 3\n") + kExitText);

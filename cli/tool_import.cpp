@@ -56,7 +56,7 @@ std::optional<ImportFormat> format_called(const std::string& name) {
   return std::nullopt;
 }
 
-void tell_notes(const ImportedTools& made, std::ostream& out, std::ostream& err) {
+void report_notes(const ImportedTools& made, std::ostream& out, std::ostream& err) {
   bool is_first = true;
   for (const Diagnostic& note : made.notes) {
     if (note.severity != Severity::note) {
@@ -121,7 +121,7 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
       import_tools(arguments.file, *bytes, format_called(arguments.format), options);
   if (!made) return refuse(made.error(), err);
   if (const auto error = find_overwriting(inputs, outputs)) return refuse(*error, err);
-  std::ostream& told = output == "-" ? err : out;
+  std::ostream& reported = output == "-" ? err : out;
   const bool is_empty = made->library.tools.empty() && made->library.holders.empty();
   if (!is_empty) {
     const Outcome written = write_output(output, write_tool_library(made->library), out);
@@ -129,9 +129,9 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
       refuse(written.error(), err);
       return kExitInternal;
     }
-    told << tool_list_text(made->library);
+    reported << tool_list_text(made->library);
   }
-  tell_notes(*made, told, err);
+  report_notes(*made, reported, err);
   return has_error(made->notes) ? kExitInput : kExitClean;
 }
 

@@ -37,7 +37,7 @@ double total(const std::vector<ToolSegment>& segments) {
 
 std::string segments_text(const ToolAssembly& tool, LengthUnit unit) {
   std::string text;
-  for (const PlacedSegment& placed : place_segments(tool)) {
+  for (const PositionedSegment& placed : position_segments(tool)) {
     const ToolSegment& s = placed.segment;
     text += "  " + padded(placed.name, 9) + " z " +
             in_unit(placed.z_mm, unit) + " to " + in_unit(placed.z_mm + s.length_mm, unit) + ", diameter " +

@@ -2,7 +2,7 @@
 
 #include "samples/sample.h"
 
-// The samples, one function each. docs/testing.md tells what each is for.
+// The samples, one function each. docs/testing.md says what each is for.
 
 namespace gouge::samples {
 

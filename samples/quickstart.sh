@@ -53,4 +53,4 @@ printf '\n'
 if [ "$bad" -ne 0 ]; then
   fail "$bad commands ended otherwise than expected"
 fi
-echo "Every sample ended as expected. Exit 1 of check means that gouges were found, as docs/exit_codes.md tells."
+echo "Every sample ended as expected. Exit 1 of check means that gouges were found, as docs/exit_codes.md says."

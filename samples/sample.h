@@ -16,7 +16,7 @@ struct NamedSolid {
   Solid solid;
 };
 
-/// What must be told about the move whose statement begins on `line`. Lengths in the toolpath's unit.
+/// What must be reported about the move whose statement begins on `line`. Lengths in the toolpath's unit.
 struct ExpectedFinding {
   std::size_t line = 0;
   std::string state = "gouge";  ///< gouge or buried

@@ -43,11 +43,11 @@ class CurveCutter {
     std::vector<std::pair<double, std::size_t>> cuts;
     for (std::size_t v = 0; v < made_.vertices.size(); ++v)
       if (v != first && v != last && passes(curve, made_.vertices[v], 4 * slack_))
-        cuts.emplace_back(way_along(curve, made_.vertices[v]), v);
+        cuts.emplace_back(length_along(curve, made_.vertices[v]), v);
     std::sort(cuts.begin(), cuts.end());
-    cuts.emplace_back(whole_way(curve), last);
+    cuts.emplace_back(curve_length(curve), last);
     std::size_t from = first;
-    for (const auto& [way, to] : cuts) {
+    for (const auto& [contour, to] : cuts) {
       if (to != from) add(curve, from, to);
       from = to;
     }
@@ -108,9 +108,9 @@ class Walker {
     enter(*start);
     while (!path_.empty() && !is_at_top()) step();
     if (path_.empty()) return std::nullopt;
-    std::vector<ProfileElement> way;
-    for (const Step& s : path_) way.push_back(pieces_[s.piece].curve);
-    return way;
+    std::vector<ProfileElement> contour;
+    for (const Step& s : path_) contour.push_back(pieces_[s.piece].curve);
+    return contour;
   }
 
  private:
@@ -177,7 +177,7 @@ Arrangement arrange(const std::vector<ProfileElement>& curves, double slack_mm) 
   return CurveCutter(curves, slack_mm).run();
 }
 
-std::optional<std::vector<ProfileElement>> outer_way(const Arrangement& arrangement) {
+std::optional<std::vector<ProfileElement>> outer_contour(const Arrangement& arrangement) {
   return Walker(arrangement).walk();
 }
 

@@ -24,8 +24,8 @@ struct Arrangement {
 
 [[nodiscard]] Arrangement arrange(const std::vector<ProfileElement>& curves, double slack_mm);
 
-/// The way along pieces from the lowest of their ends on the axis to the highest, turning right where there
-/// is a choice: the outer boundary of the solid on its left. Nothing when there is no such way.
-[[nodiscard]] std::optional<std::vector<ProfileElement>> outer_way(const Arrangement& arrangement);
+/// The contour along pieces from the lowest of their ends on the axis to the highest, turning right where there
+/// is a choice: the outer boundary of the solid on its left. Nothing when there is no such contour.
+[[nodiscard]] std::optional<std::vector<ProfileElement>> outer_contour(const Arrangement& arrangement);
 
 }  // namespace gouge::detail

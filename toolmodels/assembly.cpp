@@ -13,9 +13,9 @@ using detail::mm;
 constexpr double kSame_mm = 1e-9;  // lengths closer than this are the same
 
 Diagnostic within(const ToolAssembly& tool, const std::string& field, const Diagnostic& error) {
-  Diagnostic told = error;
-  told.message = "tool " + label(tool) + ": " + (field.empty() ? "" : field + ": ") + error.message;
-  return told;
+  Diagnostic reported = error;
+  reported.message = "tool " + label(tool) + ": " + (field.empty() ? "" : field + ": ") + error.message;
+  return reported;
 }
 
 Outcome check_segment(const ToolSegment& s) {
@@ -28,10 +28,10 @@ void add_step(Profile& profile, Body body, const Vec2& from, const Vec2& to) {
   if (from != to) profile.elements.push_back(make_segment(body, from, to));
 }
 
-Profile stack(Body body, const std::vector<PlacedSegment>& segments) {
+Profile stack(Body body, const std::vector<PositionedSegment>& segments) {
   Profile profile;
   Vec2 at = Vec2::Zero();
-  for (const PlacedSegment& s : segments) {
+  for (const PositionedSegment& s : segments) {
     if (s.body != body) continue;
     if (profile.elements.empty()) at = Vec2(0, s.z_mm);
     const Vec2 lower(s.segment.lower_diameter_mm / 2, s.z_mm);
@@ -111,7 +111,7 @@ class Placer {
     add(Body::holder, "holder", tool.holder, 1e300);
   }
 
-  std::vector<PlacedSegment> take() { return std::move(placed_); }
+  std::vector<PositionedSegment> take() { return std::move(placed_); }
 
  private:
   void add(Body body, const std::string& name, const std::vector<ToolSegment>& segments, double end_mm) {
@@ -129,7 +129,7 @@ class Placer {
   }
 
   double z_;
-  std::vector<PlacedSegment> placed_;
+  std::vector<PositionedSegment> placed_;
 };
 
 }  // namespace
@@ -140,7 +140,7 @@ std::string label(const ToolAssembly& tool) {
   return number + (number.empty() ? "" : " ") + "\"" + tool.name + "\"";
 }
 
-std::vector<PlacedSegment> place_segments(const ToolAssembly& tool) {
+std::vector<PositionedSegment> position_segments(const ToolAssembly& tool) {
   return Placer(tool).take();
 }
 
@@ -149,7 +149,7 @@ double stickout_mm(const ToolAssembly& tool) {
 }
 
 double height_mm(const ToolAssembly& tool) {
-  const std::vector<PlacedSegment> placed = place_segments(tool);
+  const std::vector<PositionedSegment> placed = position_segments(tool);
   return placed.empty() ? length_mm(tool.cutter) : placed.back().z_mm + placed.back().segment.length_mm;
 }
 
@@ -160,7 +160,7 @@ Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool) {
   if (Outcome good = check_extensions(tool); !good) return good.error();
   if (Outcome good = check_segments(tool, tool.holder, "holder"); !good) return good.error();
   if (Outcome good = check_stickout(tool); !good) return good.error();
-  const std::vector<PlacedSegment> placed = place_segments(tool);
+  const std::vector<PositionedSegment> placed = position_segments(tool);
   BodyProfiles bodies;
   bodies[0] = std::move(*cutter);
   bodies[1] = stack(Body::shank, placed);
@@ -180,7 +180,7 @@ ToolAssembly extended_up(const ToolAssembly& tool, double top_mm) {
   ToolAssembly longer = tool;
   const double height = height_mm(tool);
   if (height >= top_mm) return longer;
-  const std::vector<PlacedSegment> placed = place_segments(tool);
+  const std::vector<PositionedSegment> placed = position_segments(tool);
   double width = 0;
   if (!placed.empty()) {
     width = placed.back().segment.upper_diameter_mm;

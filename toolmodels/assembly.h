@@ -36,10 +36,10 @@ struct ToolAssembly {
   /// How far the tool stands out of its lowest extension or holder: what of the shank is above is inside and
   /// left out. 0: they stand on the shank's end.
   double stickout_mm = 0;
-  double gauge_length_mm = 0;  ///< tip to gauge line; told, not checked. 0: not given
+  double gauge_length_mm = 0;  ///< tip to gauge line; reported, not checked. 0: not given
 };
 
-/// Per body its own closed contour at its place; index by Body. No elements: the tool has no such body.
+/// Per body its own closed contour at its position; index by Body. No elements: the tool has no such body.
 using BodyProfiles = std::array<Profile, 3>;
 
 /// Errors   those of make_cutter_profile; for a segment tool-dimension-not-positive,
@@ -52,8 +52,8 @@ using BodyProfiles = std::array<Profile, 3>;
 /// Ensures  verify_profile is empty.  Errors as make_body_profiles, and those of unite.
 [[nodiscard]] Result<Profile> make_profile(const ToolAssembly& tool);
 
-/// A segment at its place, cut where the tool goes into what holds it.
-struct PlacedSegment {
+/// A segment at its position, cut where the tool goes into what holds it.
+struct PositionedSegment {
   Body body = Body::shank;
   std::string name;  ///< "shank 2", "arbor 1", "holder 3"
   ToolSegment segment;
@@ -61,9 +61,9 @@ struct PlacedSegment {
 };
 
 /// Every segment above the cutter, from the tip side up. Requires a tool that make_body_profiles accepts.
-[[nodiscard]] std::vector<PlacedSegment> place_segments(const ToolAssembly& tool);
+[[nodiscard]] std::vector<PositionedSegment> position_segments(const ToolAssembly& tool);
 
-/// Tip to the lowest extension or holder; to the top when there is neither. Requires as place_segments.
+/// Tip to the lowest extension or holder; to the top when there is neither. Requires as position_segments.
 [[nodiscard]] double stickout_mm(const ToolAssembly& tool);
 /// Tip to top.
 [[nodiscard]] double height_mm(const ToolAssembly& tool);

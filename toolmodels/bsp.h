@@ -15,7 +15,7 @@ namespace gouge {
 /// Source    Ho 1999, thesis 2.4.18; construction own, docs/algorithms/tool_voronoi.md
 [[nodiscard]] std::vector<BspNode> build_bsp(const std::vector<BoundaryElement>& elements);
 
-/// Largest number of nodes on a way from the root to a leaf.
+/// Largest number of nodes on a path from the root to a leaf.
 [[nodiscard]] std::size_t bsp_depth(const std::vector<BspNode>& nodes);
 
 }  // namespace gouge

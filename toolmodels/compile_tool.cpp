@@ -97,36 +97,36 @@ CompiledTool compile_tool(const std::string& name, const Profile& profile) {
   return tool;
 }
 
-Result<ToolForms> make_tool_forms(const ToolAssembly& tool, double stock_to_leave_mm,
+Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm,
                                   double shank_clearance_mm, double holder_clearance_mm) {
   const Result<BodyProfiles> bodies = make_body_profiles(tool);
   if (!bodies) return bodies.error();
   const auto& [cutter, shank, holder] = *bodies;
   const Profile none;
   std::optional<Diagnostic> error;
-  const auto compiled = [&](const std::vector<GrownBody>& grown) {
-    const Result<Profile> united = unite(grown);
+  const auto compiled = [&](const std::vector<OffsetBody>& offset) {
+    const Result<Profile> united = unite(offset);
     if (united) return compile_tool(label(tool), *united);
     error = united.error();
     return CompiledTool{};
   };
-  const GrownBody grown_shank{&shank, shank_clearance_mm};
-  const GrownBody grown_holder{&holder, holder_clearance_mm};
+  const OffsetBody offset_shank{&shank, shank_clearance_mm};
+  const OffsetBody offset_holder{&holder, holder_clearance_mm};
   const bool has_growth = shank_clearance_mm > 0 || holder_clearance_mm > 0;
-  ToolForms forms;
-  forms.bare = compiled({{&cutter, 0}, {&shank, 0}, {&holder, 0}});
-  forms.against_fixture = has_growth ? compiled({{&cutter, 0}, grown_shank, grown_holder}) : forms.bare;
-  forms.against_part = stock_to_leave_mm > 0
-                           ? compiled({{&cutter, stock_to_leave_mm}, grown_shank, grown_holder})
-                           : forms.against_fixture;
-  forms.with_clearance = compiled({{shank_clearance_mm > 0 ? &shank : &none, shank_clearance_mm},
+  ToolVariants variants;
+  variants.bare = compiled({{&cutter, 0}, {&shank, 0}, {&holder, 0}});
+  variants.against_fixture = has_growth ? compiled({{&cutter, 0}, offset_shank, offset_holder}) : variants.bare;
+  variants.against_part = stock_to_leave_mm > 0
+                           ? compiled({{&cutter, stock_to_leave_mm}, offset_shank, offset_holder})
+                           : variants.against_fixture;
+  variants.with_clearance = compiled({{shank_clearance_mm > 0 ? &shank : &none, shank_clearance_mm},
                                    {holder_clearance_mm > 0 ? &holder : &none, holder_clearance_mm}});
-  forms.non_cutting = compiled({grown_shank, grown_holder});
+  variants.non_cutting = compiled({offset_shank, offset_holder});
   if (error) {
     error->message = "tool " + label(tool) + ": " + error->message;
     return *error;
   }
-  return forms;
+  return variants;
 }
 
 }  // namespace gouge

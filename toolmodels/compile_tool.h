@@ -5,7 +5,7 @@
 
 #include "lib/base/result.h"
 #include "lib/tool/compiled_tool.h"
-#include "lib/tool/tool_forms.h"
+#include "lib/tool/tool_variants.h"
 #include "toolmodels/assembly.h"
 #include "toolmodels/profile.h"
 
@@ -20,11 +20,11 @@ namespace gouge {
 /// Source    Ho 1999, thesis 2.4.18, appendix C; docs/algorithms/tool_voronoi.md
 [[nodiscard]] CompiledTool compile_tool(const std::string& name, const Profile& profile);
 
-/// All forms a check needs. Growth is rounded: the body's solid of revolution plus a ball.
+/// All variants a check needs. Growth is rounded: the body's solid of revolution plus a ball.
 ///
 /// Requires  the three lengths are finite and >= 0.
 /// Errors    those of make_body_profiles, and of unite.
-[[nodiscard]] Result<ToolForms> make_tool_forms(const ToolAssembly& tool, double stock_to_leave_mm,
+[[nodiscard]] Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm,
                                                 double shank_clearance_mm, double holder_clearance_mm);
 
 /// Broken invariants of a compiled tool: indices in range, every element owned by some leaf, unit normals,

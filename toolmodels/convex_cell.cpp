@@ -6,7 +6,7 @@
 namespace gouge::detail {
 namespace {
 
-constexpr double kSlack = 1e-13;           // of the size; two of these keep answers within 1e-12
+constexpr double kSlack = 1e-13;           // of the size; two of these keep results within 1e-12
 constexpr double kDirectionSlack = 1e-14;  // of a unit direction
 
 double value(const DirectedLine& line, const Vec3& c) {
@@ -63,7 +63,7 @@ ConvexCell ConvexCell::clipped(const DirectedLine& line, int sign) const {
   return part;
 }
 
-// Corners where nearly parallel lines meet lie so far away that what is told at them, with their slack, says
+// Corners where nearly parallel lines meet lie so far away that what is measured at them, with their slack, says
 // nothing of the points near the tool. So the cut's own point, where the tool is, becomes a corner wherever
 // it lies amid the new edge. It is also the only point of an edge between two opposite directions.
 void ConvexCell::add_corner_amid(const DirectedLine& line) {

@@ -37,7 +37,7 @@ struct TaperedCutter {
 /// falling for a hollow bottom; the side leans outward by beta from the axis, or inward; d is the diameter at
 /// which these two lines meet, the corner arc of radius r touches both; e and f place its centre. They follow
 /// from d, r, alpha and beta, and writers disagree about them, so the geometry is built without them;
-/// `apt_contradiction` tells when they differ.
+/// `apt_contradiction` shows when they differ.
 struct AptCutter {
   double d_mm = 0, r_mm = 0, e_mm = 0, f_mm = 0;
   double alpha_deg = 0, beta_deg = 0;
@@ -78,7 +78,7 @@ struct DovetailCutter {
 };
 
 /// The flank is an arc of `profile_radius_mm`; at the height `axial_distance_mm` it is `diameter_mm` wide and
-/// leans outward by `taper_angle_deg` (0: that is its widest place). A corner arc touches it and the tip
+/// leans outward by `taper_angle_deg` (0: that is its widest point). A corner arc touches it and the tip
 /// plane.
 struct BarrelCutter {
   double diameter_mm = 0, profile_radius_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0;
@@ -111,7 +111,7 @@ struct RadiusCutter {
 
 /// A point of a free profile and how the contour comes to it from the one before.
 struct ProfilePoint {
-  enum class Way { straight, convex, concave } way = Way::straight;
+  enum class SegmentShape { straight, convex, concave } shape = SegmentShape::straight;
   double r_mm = 0, z_mm = 0;
   double radius_mm = 0;  ///< of an arc, which is the shorter one between the points
 };

@@ -84,8 +84,8 @@ double trim(double radius_mm, double between_deg) {
 
 Outcome check_face_corner(const FaceMillCutter& t) {
   const double recess = t.recess_diameter_mm / 2, edge = edge_top(t).y() / cosine(t.taper_angle_deg);
-  const double room_above = t.taper_angle_deg > 0 ? edge : t.length_mm;
-  const double room = std::min(t.diameter_mm / 2 - recess, room_above);
+  const double space_above = t.taper_angle_deg > 0 ? edge : t.length_mm;
+  const double room = std::min(t.diameter_mm / 2 - recess, space_above);
   const double taken = trim(t.corner_radius_mm, 90 + t.taper_angle_deg);
   if (!(taken > room * (1 + kRelativeSlack))) return Done{};
   return make_error("tool-corner-radius-too-large",

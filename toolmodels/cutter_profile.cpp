@@ -8,7 +8,7 @@
 namespace gouge::detail {
 namespace {
 
-using Way = ProfilePoint::Way;
+using SegmentShape = ProfilePoint::SegmentShape;
 
 std::string point(std::size_t index) {
   return "point " + std::to_string(index + 1);
@@ -25,7 +25,7 @@ Outcome check_point(const ProfileCutter& t, std::size_t i) {
     return make_error("tool-dimension-too-large",
                       point(i) + " is farther than 100000 mm away; check the unit of the file");
   if (p.r_mm < 0) return broken(point(i) + ": r is " + mm(p.r_mm) + "; a radius is 0 or more");
-  if (p.way == Way::straight) return Done{};
+  if (p.shape == SegmentShape::straight) return Done{};
   if (i == 0)
     return broken(point(i) +
                   " has an arc, but nothing comes before it; arcs lead to a point from the one before");
@@ -62,10 +62,10 @@ Result<Profile> make_shape(const ProfileCutter& t) {
     const Vec2 to(p.r_mm, p.z_mm);
     // An arc over half a circle, to within rounding, has its centre in the middle.
     const double radius = std::max(p.radius_mm, 0.5 * (to - at).norm());
-    if (p.way == Way::straight)
+    if (p.shape == SegmentShape::straight)
       contour.line_to(to);
     else
-      contour.arc_to(to, center_of(at, to, radius, p.way == Way::concave), radius, p.way == Way::concave);
+      contour.arc_to(to, center_of(at, to, radius, p.shape == SegmentShape::concave), radius, p.shape == SegmentShape::concave);
     at = to;
   }
   Result<Profile> made = contour.close("points in order from the tip up, the tool on their left");

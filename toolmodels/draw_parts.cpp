@@ -155,11 +155,11 @@ void draw_exit_arrows(Drawing& drawing, const CompiledTool& tool, const ProfileV
   const double step = spacing / view.scale;
   for (double z = view.low.y() + 0.5 * step; z < view.high.y(); z += step)
     for (double r = 0.5 * step; r < view.high.x(); r += step) {
-      const ToolAnswer answer = evaluate(tool, r, z);
-      const double depth = -answer.signed_distance_mm * view.scale;
+      const ToolDistance result = evaluate(tool, r, z);
+      const double depth = -result.signed_distance_mm * view.scale;
       if (depth < 9) continue;
       const Vec2 from = view.at(Vec2(r, z));
-      const Vec2 along(answer.normal.x(), -answer.normal.y());
+      const Vec2 along(result.normal.x(), -result.normal.y());
       draw_arrow(drawing, from, from + std::min(0.62 * spacing, depth) * along, kArrow, 1.2);
     }
 }

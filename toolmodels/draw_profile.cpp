@@ -157,7 +157,7 @@ class Sheet {
     const bool is_at_top = widest.x() <= top.x() * (1 + 1e-9);
     const Vec2 at = view.at(is_at_top ? Vec2(top.x(), below) : widest);
     labels.push_back({at.y(), at, diameters(2 * widest.x(), 2 * widest.x())});
-    for (const PlacedSegment& placed : place_segments(tool_)) {
+    for (const PositionedSegment& placed : position_segments(tool_)) {
       const ToolSegment& s = placed.segment;
       const Vec2 middle =
           view.at(Vec2(0.25 * (s.lower_diameter_mm + s.upper_diameter_mm), placed.z_mm + 0.5 * s.length_mm));
@@ -226,7 +226,7 @@ class Sheet {
     detail::draw_line(drawing_, above, to + Vec2(0, 8), kFaint, 1, {4, 4});
     detail::draw_arrow(drawing_, to - Vec2(60, 0), to, kInk, 1);
     detail::draw_line(drawing_, from, to - Vec2(60, 0), kInk, 1);
-    // The title gives the nominal diameter, which in a tapered tool is not that of the widest place.
+    // The title gives the nominal diameter, which in a tapered tool is not that of the widest point.
     const bool is_nominal = std::abs(nominal_size(tool_.cutter).diameter_mm - 2 * widest.x()) < 1e-3;
     detail::draw_text(drawing_, {0.5 * (from.x() + to.x()), y - 6},
                       (is_nominal ? "D/2 = " : "widest D/2 = ") + length(widest.x()), 15, TextAnchor::middle,

@@ -12,7 +12,7 @@ namespace gouge {
 
 /// A sheet about one tool: on the left the assembly with its bodies in colour, its Voronoi regions and
 /// dimensions; on the right the tip, enlarged, with the regions inside and outside and the correction
-/// directions as arrows (the way out for a point at each place). After thesis figures 21 and 22.
+/// directions as arrows (the way out for a point at each grid point). After thesis figures 21 and 22.
 ///
 /// Ensures  the same tool gives the same drawing; dimensions are written in `unit`.
 /// Errors   those of make_body_profiles.

@@ -33,8 +33,8 @@ BoundaryElement boundary(const ProfileElement& e) {
   return element;
 }
 
-// How much more the contour bends to the left behind a point where it turns back than before it, seen in the
-// direction both ways share: above 0 they enclose a crack, below 0 a blade.
+// How much more the contour bends to the left behind a point where it turns back than before it, seen in the direction both
+// share: above 0 they enclose a crack, below 0 a blade.
 double opening(const ProfileElement& e, const ProfileElement& next) {
   const auto bend = [](const ProfileElement& p) {
     return p.is_arc ? (p.is_concave ? -1 : 1) / p.radius_mm : 0.0;
@@ -43,7 +43,7 @@ double opening(const ProfileElement& e, const ProfileElement& next) {
 }
 
 struct Joint {
-  Vec2 at, before, after;  // place, and directions of travel
+  Vec2 at, before, after;  // position, and directions of travel
   Body body = Body::cutter;
   double smooth_turn = kStraightTurn;
   double opening = 0;
@@ -92,7 +92,7 @@ double length_of(const BoundaryElement& e) {
 
 // Where two elements that join smoothly have one normal: on an arc beside a segment where the circle has the
 // segment's normal, between two arcs on the line of their centres.
-Vec2 place_of_joint(const BoundaryElement& e, const BoundaryElement& next) {
+Vec2 joint_position(const BoundaryElement& e, const BoundaryElement& next) {
   const BoundaryElement& arc = e.kind == ElementKind::arc ? e : next;
   const BoundaryElement& other = e.kind == ElementKind::arc ? next : e;
   Vec2 direction = other.normal;
@@ -107,7 +107,7 @@ void put_smooth_joints_right(std::vector<BoundaryElement>& elements) {
     BoundaryElement &e = elements[i], &next = elements[i + 1];
     const bool is_smooth = e.kind != ElementKind::vertex && next.kind != ElementKind::vertex;
     if (!is_smooth || (e.kind == ElementKind::segment && next.kind == ElementKind::segment)) continue;
-    const Vec2 place = place_of_joint(e, next);
+    const Vec2 place = joint_position(e, next);
     const double shift = (place - e.b).norm();
     if (place.x() < 0 || shift > kLargestShift * std::min(length_of(e), length_of(next))) continue;
     e.b = next.a = place;

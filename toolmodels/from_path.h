@@ -16,7 +16,7 @@ struct ToolFromPath {
 
 /// A tool assembly from a toolpath's own words, which `tool.cutter` must hold. CL data knows no holder: `holder` (may be
 /// empty) is put on top, and what lies above the flutes is shank. A height that is missing is the flute length; without
-/// one, or when it ends within the tip, it is replaced by max(5 d, 50 mm) and told: APT's default of 5 would leave most of
+/// one, or when it ends within the tip, it is replaced by max(5 d, 50 mm) and reported: APT's default of 5 would leave most of
 /// the tool out of the check.
 ///
 /// Errors   those of make_cutter_profile, naming the tool.

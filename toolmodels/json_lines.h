@@ -35,7 +35,7 @@ class JsonLines {
   std::map<std::pair<std::size_t, std::string>, std::size_t> values_;  // by parent and key
 };
 
-/// Requires a text that a JSON parser accepted; on any other the answer is incomplete but safe.
+/// Requires a text that a JSON parser accepted; on any other the result is incomplete but safe.
 [[nodiscard]] JsonLines find_json_lines(std::string_view text);
 
 [[nodiscard]] std::size_t line_of_byte(std::string_view text, std::size_t byte);

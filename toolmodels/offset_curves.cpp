@@ -107,7 +107,7 @@ std::vector<ProfileElement> offset_curves(const Profile& profile, double growth)
   return curves;
 }
 
-double way_along(const ProfileElement& curve, const Vec2& point) {
+double length_along(const ProfileElement& curve, const Vec2& point) {
   if (!curve.is_arc) return (point - curve.a).dot(start_direction(curve));
   const Vec2 u = curve.a - curve.center;
   const Vec2 v = point - curve.center;
@@ -118,7 +118,7 @@ double way_along(const ProfileElement& curve, const Vec2& point) {
   return angle > sweep + (2 * std::numbers::pi - sweep) / 2 ? angle - 2 * std::numbers::pi : angle;
 }
 
-double whole_way(const ProfileElement& curve) {
+double curve_length(const ProfileElement& curve) {
   return curve.is_arc ? sweep_rad(curve) : (curve.b - curve.a).norm();
 }
 
@@ -126,8 +126,8 @@ bool passes(const ProfileElement& curve, const Vec2& point, double slack) {
   if ((point - curve.a).norm() <= slack || (point - curve.b).norm() <= slack) return true;
   const double off = curve.is_arc ? std::abs((point - curve.center).norm() - curve.radius_mm)
                                   : std::abs(cross(start_direction(curve), point - curve.a));
-  const double way = way_along(curve, point);
-  return off <= slack && way > 0 && way < whole_way(curve);
+  const double length = length_along(curve, point);
+  return off <= slack && length > 0 && length < curve_length(curve);
 }
 
 std::vector<Vec2> meeting_points(const ProfileElement& c, const ProfileElement& d, double slack) {

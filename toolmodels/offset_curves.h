@@ -8,9 +8,9 @@
 
 namespace gouge::detail {
 
-/// The directed pieces of lines and circles of which the boundary of the grown body can consist: each element
+/// The directed pieces of lines and circles of which the boundary of the offset body can consist: each element
 /// moved out by `growth_mm`, and an arc about every convex corner. Parts of them lie deeper than `growth_mm`
-/// in the grown body, or on the far side of the axis; growth 0 gives the elements as they are.
+/// in the offset body, or on the far side of the axis; growth 0 gives the elements as they are.
 /// Requires  verify_profile(profile).empty(), growth_mm >= 0.
 [[nodiscard]] std::vector<ProfileElement> offset_curves(const Profile& profile, double growth_mm);
 
@@ -24,8 +24,8 @@ namespace gouge::detail {
 
 /// How far along a curve a point lies: mm on a segment, radians on an arc, 0 at the start. Negative before
 /// it.
-[[nodiscard]] double way_along(const ProfileElement& curve, const Vec2& point);
-[[nodiscard]] double whole_way(const ProfileElement& curve);
+[[nodiscard]] double length_along(const ProfileElement& curve, const Vec2& point);
+[[nodiscard]] double curve_length(const ProfileElement& curve);
 
 /// Whether the curve passes the point within `slack_mm`, ends included.
 [[nodiscard]] bool passes(const ProfileElement& curve, const Vec2& point, double slack_mm);

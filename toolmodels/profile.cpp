@@ -160,7 +160,7 @@ bool is_single_valued(const Profile& profile) {
   const double slack = kRelativeSlack;
   return std::all_of(profile.elements.begin(), profile.elements.end(), [&](const ProfileElement& e) {
     // The height never falls along the contour. Directions on an arc of half a circle at most are all between
-    // those at its ends, once the middle one tells which way round.
+    // those at its ends, once the middle one shows which way round.
     return start_direction(e).y() >= -slack && end_direction(e).y() >= -slack &&
            sweep_rad(e) <= std::numbers::pi + slack &&
            (!e.is_arc || direction_at(e, sample(e, 2)[1]).y() >= -slack);

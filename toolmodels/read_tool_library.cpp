@@ -20,7 +20,7 @@ const char* type_word(const Json& value) {
   return value.is_null() ? "null" : "true or false";
 }
 
-// One value of the file and where it stands. The first error sticks; after it every answer is empty, so the
+// One value of the file and where it stands. The first error sticks; after it every result is empty, so the
 // readers below need not ask after each step.
 class Reader {
  public:
@@ -268,9 +268,9 @@ class Reader {
       const std::string arc = text(list[i], "arc", here, which);
       if (!arc.empty()) point.radius_mm = length(list[i], "radius", here, which);
       if (arc == "convex")
-        point.way = ProfilePoint::Way::convex;
+        point.shape = ProfilePoint::SegmentShape::convex;
       else if (arc == "concave")
-        point.way = ProfilePoint::Way::concave;
+        point.shape = ProfilePoint::SegmentShape::concave;
       else if (!arc.empty())
         fail("library-field", which + ": arc is \"" + arc + "\"; expected \"convex\" or \"concave\"",
              here + "/arc");
@@ -326,8 +326,8 @@ class Reader {
                                                 "; what is between is not in the file and not checked",
                                             library_.file, lines_.at(pointer + "/gauge_length")));
     if (const auto* apt = std::get_if<AptCutter>(&tool.cutter))
-      if (const std::string told = apt_contradiction(*apt); !told.empty())
-        library_.notes.push_back(make_warning("cutter-contradiction", who + ": " + told, library_.file,
+      if (const std::string reported = apt_contradiction(*apt); !reported.empty())
+        library_.notes.push_back(make_warning("cutter-contradiction", who + ": " + reported, library_.file,
                                               lines_.at(pointer + "/cutter")));
     library_.tools.push_back(std::move(tool));
   }

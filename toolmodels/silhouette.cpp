@@ -17,7 +17,7 @@ std::vector<Vec2> outline(const Profile& profile) {
   return points;
 }
 
-// The widest place of the piece from `a` to `b` within `low` to `high`; negative where none of it is there.
+// The widest point of the piece from `a` to `b` within `low` to `high`; negative where none of it is there.
 double widest_within(const Vec2& a, const Vec2& b, double low, double high) {
   const Vec2& bottom = a.y() < b.y() ? a : b;
   const Vec2& top = a.y() < b.y() ? b : a;

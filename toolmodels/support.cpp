@@ -10,7 +10,7 @@ namespace {
 constexpr double kEndless = 1e300;
 constexpr double kSlack = 1e-12;            // of the size
 constexpr double kHorizontal = 1e-9;        // |n.r| below this: the plane is horizontal
-constexpr double kNearlyHorizontal = 1e-6;  // below this a foot may be answered with a horizontal plane
+constexpr double kNearlyHorizontal = 1e-6;  // below this a foot may be bounded by a horizontal plane
 
 double cross(const Vec2& u, const Vec2& v) {
   return u.x() * v.y() - u.y() * v.x();

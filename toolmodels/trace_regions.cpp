@@ -110,7 +110,7 @@ class Tracer {
     return std::max(0.0, length);
   }
 
-  // Once another element is nearer it stays so along the ray, so halving finds the place.
+  // Once another element is nearer it stays so along the ray, so halving finds the point.
   double length_in_region(const Ray& ray, double limit) const {
     const auto is_nearest = [&](double t) {
       const Vec2 q = ray.from + t * ray.direction;

@@ -43,17 +43,17 @@ Profile merge_neighbours(const std::vector<ProfileElement>& elements, double sla
   return merged;
 }
 
-// Deeper than rounding in one of the grown bodies.
+// Deeper than rounding in one of the offset bodies.
 bool is_covered(const Vec2& q, const std::vector<Solid>& solids, double slack) {
   return std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) {
     return evaluate_brute_force(solid.tool, q.x(), q.y()).signed_distance_mm < solid.growth_mm - slack;
   });
 }
 
-std::optional<Profile> try_unite(const std::vector<GrownBody>& bodies, double size, double nudge) {
+std::optional<Profile> try_unite(const std::vector<OffsetBody>& bodies, double size, double nudge) {
   std::vector<ProfileElement> curves;
   std::vector<Solid> solids;
-  for (const GrownBody& body : bodies) {
+  for (const OffsetBody& body : bodies) {
     if (body.profile->elements.empty()) continue;
     const double growth = body.growth_mm > 0 ? body.growth_mm + nudge : 0;
     const std::vector<ProfileElement> more = detail::offset_curves(*body.profile, growth);
@@ -65,16 +65,16 @@ std::optional<Profile> try_unite(const std::vector<GrownBody>& bodies, double si
   std::erase_if(arrangement.pieces, [&](const detail::CurvePiece& piece) {
     return is_covered(detail::middle(piece.curve), solids, 10 * kSlack * size);
   });
-  const auto way = detail::outer_way(arrangement);
-  if (!way) return std::nullopt;
-  return merge_neighbours(*way, kSameCurve * size);
+  const auto contour = detail::outer_contour(arrangement);
+  if (!contour) return std::nullopt;
+  return merge_neighbours(*contour, kSameCurve * size);
 }
 
 }  // namespace
 
-Result<Profile> unite(const std::vector<GrownBody>& bodies) {
+Result<Profile> unite(const std::vector<OffsetBody>& bodies) {
   double size = 0;
-  for (const GrownBody& body : bodies)
+  for (const OffsetBody& body : bodies)
     if (!body.profile->elements.empty()) size = std::max(size, size_of(*body.profile) + body.growth_mm);
   if (!(size > 0)) return Profile{};
   for (int attempt = 0; attempt < 4; ++attempt)

@@ -5,11 +5,11 @@
 #include "lib/base/result.h"
 #include "toolmodels/profile.h"
 
-// The union of bodies, each grown by its own clearance (the solid of revolution plus a ball), as one contour.
+// The union of bodies, each offset by its own clearance (the solid of revolution plus a ball), as one contour.
 
 namespace gouge {
 
-struct GrownBody {
+struct OffsetBody {
   const Profile* profile = nullptr;  ///< closed; no elements: leaves the union unchanged
   double growth_mm = 0;              ///< >= 0
 };
@@ -26,6 +26,6 @@ struct GrownBody {
 /// Errors    tool-not-closed: the bodies do not make one contour from the tip to the top of the axis.
 /// Cost      quadratic in the number of elements, times a look at all elements for each piece.
 /// Source    own, docs/algorithms/tool_voronoi.md
-[[nodiscard]] Result<Profile> unite(const std::vector<GrownBody>& bodies);
+[[nodiscard]] Result<Profile> unite(const std::vector<OffsetBody>& bodies);
 
 }  // namespace gouge

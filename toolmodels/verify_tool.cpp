@@ -19,7 +19,7 @@ void verify_elements(const CompiledTool& tool, std::vector<std::string>& broken)
       broken.push_back(named(i) + " is reflex and claims support");
     if (i > 0 && tool.elements[i - 1].b != e.a) broken.push_back(named(i) + " does not join the one before");
     if (i > 0 && e.kind == ElementKind::vertex && tool.elements[i - 1].kind == ElementKind::vertex)
-      broken.push_back(named(i) + " is a second vertex in one place");
+      broken.push_back(named(i) + " is a second vertex at one point");
   }
 }
 

@@ -28,14 +28,14 @@ class LibraryWriter {
     ordered_json result = ordered_json::array();
     for (const ProfilePoint& p : profile.points) {
       result.push_back({{"r", length(p.r_mm)}, {"z", length(p.z_mm)}});
-      if (p.way == ProfilePoint::Way::straight) continue;
-      result.back()["arc"] = p.way == ProfilePoint::Way::convex ? "convex" : "concave";
+      if (p.shape == ProfilePoint::SegmentShape::straight) continue;
+      result.back()["arc"] = p.shape == ProfilePoint::SegmentShape::convex ? "convex" : "concave";
       result.back()["radius"] = length(p.radius_mm);
     }
     return result;
   }
 
-  // The text must read back as the very same millimetres, which one division does not promise.
+  // The text must read back as the very same millimetres, which one division does not guarantee.
   [[nodiscard]] double length(double value_mm) const {
     const double value = value_mm / factor_;
     for (const double near : {value, std::nextafter(value, 1e300), std::nextafter(value, -1e300)})

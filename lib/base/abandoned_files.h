@@ -14,7 +14,7 @@ inline constexpr int kRandomLetters = 12;
 void keep_from_removal(int handle);
 
 /// Removes from `folder` the files named by random_name(prefix) that belong to this user and that no process keeps
-/// from removal: those of a program that was killed. What cannot be told or removed stays.
+/// from removal: those of a program that was killed. What cannot be identified or removed stays.
 /// Cost     O(entries of the folder).
 void remove_abandoned(const std::string& folder, const std::string& prefix);
 

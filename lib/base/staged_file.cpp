@@ -45,7 +45,7 @@ bool synchronise(int handle) {
   return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS;
 }
 
-Outcome write_in_place(const std::string& path, std::string_view bytes) {
+Outcome write_at_position(const std::string& path, std::string_view bytes) {
   const int handle = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (handle < 0) return unwritable(path, reason());
   const bool is_written = write_all(handle, bytes);
@@ -170,7 +170,7 @@ bool StagedFile::put_in_place() {
 }
 
 Outcome StagedFile::commit() {
-  if (handle_ < 0) return write_in_place(path_, direct_);
+  if (handle_ < 0) return write_at_position(path_, direct_);
   const bool is_there = put_in_place();
   const std::string why = reason();
   ::close(std::exchange(handle_, -1));

@@ -9,13 +9,13 @@
 #include "lib/path/toolpath.h"
 
 // The one entry to a verdict: what it takes is asked for together, so that no caller can leave a part of it out. The
-// parts themselves (lib/check, lib/head, lib/overcut) are closed to all other rooms; tests/architecture sees to it.
+// parts themselves (lib/check, lib/head, lib/overcut) are closed to all other modules; tests/architecture sees to it.
 
 namespace gouge {
 
 /// All that a path is checked with but the path itself. What is referred to must outlive it.
 struct CheckSetup {
-  std::vector<const ToolForms*> tools;  ///< one per Toolpath::tools; null or missing: that tool has no definition
+  std::vector<const ToolVariants*> tools;  ///< one per Toolpath::tools; null or missing: that tool has no definition
   const std::vector<HeadBody>& heads;   ///< bodies that move with the tool; may be empty
   const PreparedScene& scene;           ///< parts and fixtures
   const CheckOptions& options;

@@ -19,7 +19,7 @@ bool is_open(const MoveVerdict& verdict) {
 
 class ShiftCheck {
  public:
-  ShiftCheck(const Pose& from, const Pose& to, MoveKind kind, const ToolForms& tool, const MotionChecker& checker)
+  ShiftCheck(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool, const MotionChecker& checker)
       : from_(from), to_(to), length_((to.tip - from.tip).norm()), kind_(kind), tool_(tool), checker_(checker),
         options_(checker.options()) {
     options_.near_miss_mm = 0;
@@ -45,7 +45,7 @@ class ShiftCheck {
   }
 
  private:
-  // The search that heads take does not close the depth of a long way to the resolution.
+  // The search that heads take does not close the depth of a long motion to the resolution.
   [[nodiscard]] ShiftHazard of_heads(double depth_mm) const {
     if (!checker_.heads_) return ShiftHazard::none;
     CheckOptions options = checker_.options();
@@ -80,12 +80,12 @@ class ShiftCheck {
   const Pose& to_;
   double length_;
   MoveKind kind_;
-  const ToolForms& tool_;
+  const ToolVariants& tool_;
   const MotionChecker& checker_;
   CheckOptions options_;
 };
 
-ShiftHazard check_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolForms& tool, const MotionChecker& checker) {
+ShiftHazard check_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool, const MotionChecker& checker) {
   return ShiftCheck(from, to, kind, tool, checker).run();
 }
 

@@ -17,7 +17,7 @@ MotionChecker::MotionChecker(const CheckSetup& setup)
 
 MotionChecker::~MotionChecker() = default;
 
-MoveVerdict MotionChecker::check(const Motion& motion, MoveKind kind, const ToolForms& tool,
+MoveVerdict MotionChecker::check(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                  const CheckOptions& options, bool is_start_outside) const {
   MoveVerdict verdict = check_move(motion, kind, tool, scene_, options);
   if (verdict.state == MoveState::not_checked) return verdict;
@@ -33,7 +33,7 @@ MoveVerdict MotionChecker::check(const Motion& motion, MoveKind kind, const Tool
   return verdict;
 }
 
-bool MotionChecker::is_clean(const Motion& motion, MoveKind kind, const ToolForms& tool, const CheckOptions& options,
+bool MotionChecker::is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool, const CheckOptions& options,
                              bool is_start_outside) const {
   if (!motion.is_defined()) return false;
   CheckOptions quick = options;
@@ -41,7 +41,7 @@ bool MotionChecker::is_clean(const Motion& motion, MoveKind kind, const ToolForm
   return check(motion, kind, tool, quick, is_start_outside).state == MoveState::clean;
 }
 
-MoveVerdict MotionChecker::measure(const Pose& pose, MoveKind kind, const ToolForms& tool) const {
+MoveVerdict MotionChecker::measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const {
   CheckOptions exact = options_;
   exact.tolerance_mm = 0;
   exact.near_miss_mm = 0;
@@ -53,7 +53,7 @@ double MotionChecker::head_excess(const Pose& pose, double allowed_mm, double ac
   return heads_ ? heads_->excess_at(pose, allowed_mm, accuracy_mm) : 0;
 }
 
-Side MotionChecker::side_of(const Pose& pose, const ToolForms& tool) const {
+Side MotionChecker::side_of(const Pose& pose, const ToolVariants& tool) const {
   const Vec3 core = pose.tip + tool.bare.core.y() * pose.axis;
   return scene_.sides().side_of({{core}, {pose.axis}}).side;
 }

@@ -10,7 +10,7 @@ namespace gouge {
 
 class HeadChecker;
 
-/// All that a single motion is checked for, in one place: cutter, shank and holder against parts and fixtures, the
+/// All that a single motion is checked for, at once: cutter, shank and holder against parts and fixtures, the
 /// bodies that move with the tool, and whether tool or head lies inside a solid. No step of a correction asks for less.
 ///
 /// It looks at one motion, not at the path that leads to it: where only that path can tell inside from outside (an open
@@ -22,19 +22,19 @@ class MotionChecker {
   ~MotionChecker();
 
   /// Requires motion.is_defined(). `is_start_outside`: the caller knows it, which saves asking.
-  [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolForms& tool, const CheckOptions& options,
+  [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolVariants& tool, const CheckOptions& options,
                                   bool is_start_outside = false) const;
-  [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolForms& tool, const CheckOptions& options,
+  [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool, const CheckOptions& options,
                               bool is_start_outside = false) const;
 
   /// As deep as it is, not only whether that is too deep: tolerance 0.
-  [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolForms& tool) const;
+  [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
 
   /// How much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are none.
   [[nodiscard]] double head_excess(const Pose& pose, double allowed_mm, double accuracy_mm) const;
 
   /// Where the middle of the cutter is.
-  [[nodiscard]] Side side_of(const Pose& pose, const ToolForms& tool) const;
+  [[nodiscard]] Side side_of(const Pose& pose, const ToolVariants& tool) const;
 
   [[nodiscard]] const PreparedScene& scene() const { return scene_; }
   [[nodiscard]] const CheckOptions& options() const { return options_; }  ///< as the path is checked

@@ -52,7 +52,7 @@ double triangle_depth(const CompiledTool& tool, const Pose& pose, const std::arr
   return best;
 }
 
-BruteForceDepth brute_force_depth(const Motion& motion, const ToolForms& tool, const Scene& scene,
+BruteForceDepth brute_force_depth(const Motion& motion, const ToolVariants& tool, const Scene& scene,
                                   std::size_t steps, double accuracy_mm) {
   BruteForceDepth result;
   for (std::size_t k = 0; k <= steps; ++k) {

@@ -7,7 +7,7 @@
 #include "lib/check/scene.h"
 
 // The slow, obvious reference: every triangle, many instants, no tree, no planes, only that the signed
-// distance changes by no more than the way one goes.
+// distance changes by no more than the distance moved.
 
 namespace gouge {
 
@@ -21,7 +21,7 @@ struct BruteForceDepth {
 };
 
 /// Largest depth of the move at `steps` + 1 evenly spread instants, against parts and fixtures.
-[[nodiscard]] BruteForceDepth brute_force_depth(const Motion& motion, const ToolForms& tool,
+[[nodiscard]] BruteForceDepth brute_force_depth(const Motion& motion, const ToolVariants& tool,
                                                 const Scene& scene, std::size_t steps, double accuracy_mm);
 
 }  // namespace gouge

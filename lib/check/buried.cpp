@@ -19,7 +19,7 @@ class ToolRegions {
   ToolRegions(const CompiledTool& tool, double usual_mm, int halvings)
       : finder_(tool), usual_mm_(usual_mm), finest_(std::min(kFinest, -halvings)) {}
 
-  /// For a depth that is at least `depth_mm`; that depth itself where a body would else have no place. Stays valid.
+  /// For a depth that is at least `depth_mm`; that depth itself where a body would else have no point. Stays valid.
   const FreeRegions& at(double depth_mm) {
     const FreeRegions& rounded = stored(rounded_up(depth_mm));
     return rounded.covers_all() || depth_mm > usual_mm_ ? rounded : stored(depth_mm);
@@ -47,7 +47,7 @@ class ToolRegions {
 
 class BuriedMarker {
  public:
-  BuriedMarker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
+  BuriedMarker(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
                const CheckOptions& options, std::vector<MoveVerdict>& verdicts)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options), verdicts_(verdicts) {}
 
@@ -55,7 +55,7 @@ class BuriedMarker {
     find_regions();
     FreeChains chains(scene_.sides(), first_.back());
     for (std::size_t i = 0; i < verdicts_.size(); ++i) join(i, chains);
-    chains.decide(options_.threads, [this](std::size_t item) { return places_of(item); });
+    chains.decide(options_.threads, [this](std::size_t item) { return points_of(item); });
     for (std::size_t i = 0; i < verdicts_.size(); ++i) {
       const MoveState state = verdicts_[i].state;
       if (state == MoveState::clean || state == MoveState::near_miss || is_thin_feature(verdicts_[i])) judge(i, chains);
@@ -94,11 +94,11 @@ class BuriedMarker {
     const std::vector<FreeRegion>& own = regions_[i]->regions;
     const Move& move = toolpath_.moves[i];
     for (std::size_t k = 0; k < own.size(); ++k) {
-      for (const Vec3& place : places_at(move.end, own[k])) chains.add(first_[i] + k, place);
+      for (const Vec3& point : points_at(move.end, own[k])) chains.add(first_[i] + k, point);
     }
     if (!move.has_start || i == 0) return;
     for (std::size_t k = 0; k < own.size(); ++k) {
-      for (const Vec3& place : places_at(toolpath_.start_of(i), own[k])) chains.add(first_[i] + k, place);
+      for (const Vec3& point : points_at(toolpath_.start_of(i), own[k])) chains.add(first_[i] + k, point);
     }
     if (regions_[i - 1] == nullptr || toolpath_.moves[i - 1].tool != move.tool) return;
     const std::vector<FreeRegion>& before = regions_[i - 1]->regions;
@@ -109,8 +109,8 @@ class BuriedMarker {
     }
   }
 
-  /// Places of a region at a pose: the deepest, and both ends of a stretch or four of a ring.
-  static std::vector<Vec3> places_at(const Pose& pose, const FreeRegion& region) {
+  /// Points of a region at a pose: the deepest, and both ends of a stretch or four of a ring.
+  static std::vector<Vec3> points_at(const Pose& pose, const FreeRegion& region) {
     const Vec3 middle = pose.tip + region.deepest.y() * pose.axis;
     if (region.ring == FreeRegion::kNoRing) {
       constexpr double kWithin = 0.999;
@@ -123,11 +123,11 @@ class BuriedMarker {
     return {middle + r * e1, middle - r * e1, middle + r * e2, middle - r * e2};
   }
 
-  [[nodiscard]] JoinedPlaces places_of(std::size_t item) const {
+  [[nodiscard]] ConnectedPoints points_of(std::size_t item) const {
     const auto after = std::upper_bound(first_.begin(), first_.end(), item);
     const auto i = static_cast<std::size_t>(after - first_.begin()) - 1;
     const Pose& pose = toolpath_.moves[i].end;
-    return {places_at(pose, regions_[i]->regions[item - first_[i]]), {pose.axis}};
+    return {points_at(pose, regions_[i]->regions[item - first_[i]]), {pose.axis}};
   }
 
   void judge(std::size_t i, FreeChains& chains) {
@@ -136,18 +136,18 @@ class BuriedMarker {
     std::optional<Reason> unknown;
     for (std::size_t k = 0; k < found.regions.size(); ++k) {
       const FreeRegion& region = found.regions[k];
-      const SideAnswer& answer = chains.answer(first_[i] + k);
-      if (answer.side == Side::outside) continue;
+      const SideResult& outcome = chains.result(first_[i] + k);
+      if (outcome.side == Side::outside) continue;
       const Body body = body_of(i, region);
       // Where the tolerance lets the surface come far into the tool it is neither buried nor clean.
-      if (answer.side == Side::inside && 2 * verdict.depth_upper_mm <= region.depth_mm) {
+      if (outcome.side == Side::inside && 2 * verdict.depth_upper_mm <= region.depth_mm) {
         verdict.state = MoveState::buried;
         verdict.reason = {Reason::Kind::buried, body};
         return;
       }
       if (unknown) continue;
-      unknown = answer.side == Side::inside ? Reason{Reason::Kind::body_too_thin, body}
-                                            : Reason{Reason::Kind::side_unknown, body, 0, answer.why};
+      unknown = outcome.side == Side::inside ? Reason{Reason::Kind::body_too_thin, body}
+                                            : Reason{Reason::Kind::side_unknown, body, 0, outcome.why};
     }
     if (!unknown && found.covers_all() && !found.regions.empty()) return;
     verdict.state = MoveState::not_certified;
@@ -166,7 +166,7 @@ class BuriedMarker {
   }
 
   const Toolpath& toolpath_;
-  const std::vector<const ToolForms*>& tools_;
+  const std::vector<const ToolVariants*>& tools_;
   const PreparedScene& scene_;
   const CheckOptions& options_;
   std::vector<MoveVerdict>& verdicts_;
@@ -181,7 +181,7 @@ bool is_thin_feature(const MoveVerdict& verdict) {
   return verdict.state == MoveState::not_certified && verdict.reason.is(Reason::Kind::thin_feature);
 }
 
-void mark_buried(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
+void mark_buried(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
                  const CheckOptions& options, std::vector<MoveVerdict>& verdicts) {
   BuriedMarker(toolpath, tools, scene, options, verdicts).mark();
 }

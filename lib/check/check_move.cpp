@@ -15,29 +15,29 @@ constexpr double kAnyGap_mm = 1e6;  // how far a depth is left open when only th
 
 using Targets = std::vector<SearchTarget>;
 
-Targets whole_tool(const ToolForms& tool, const PreparedScene& scene) {
+Targets whole_tool(const ToolVariants& tool, const PreparedScene& scene) {
   return {{&tool.against_part, &scene.parts, Against::part},
           {&tool.against_fixture, &scene.fixtures, Against::fixture}};
 }
 
-Targets grown_bodies(const ToolForms& tool, const PreparedScene& scene) {
+Targets clearance_bodies(const ToolVariants& tool, const PreparedScene& scene) {
   return {{&tool.with_clearance, &scene.parts, Against::part},
           {&tool.with_clearance, &scene.fixtures, Against::fixture}};
 }
 
 // A cutter on a feed move is meant to touch the part; everything else is watched.
-Targets watched_bodies(const ToolForms& tool, const PreparedScene& scene, MoveKind kind) {
+Targets watched_bodies(const ToolVariants& tool, const PreparedScene& scene, MoveKind kind) {
   const bool is_cutting = kind != MoveKind::rapid;
   return {{is_cutting ? &tool.non_cutting : &tool.against_part, &scene.parts, Against::part},
           {&tool.against_fixture, &scene.fixtures, Against::fixture}};
 }
 
-SearchQuestion question(const CheckOptions& options, double reach, double tolerance) {
+SearchQuery query(const CheckOptions& options, double reach, double tolerance) {
   const double gap = options.gouge_gap_mm > 0 ? options.gouge_gap_mm : options.resolution_mm;
   return {{tolerance, options.resolution_mm, gap, options.budget_per_move}, reach};
 }
 
-/// What the wide sweep says of one move: an answer for each question that may be asked, null where it is not.
+/// What the wide sweep says of one move: a result for each query that may be asked, null where it is not.
 struct Swept {
   const SweptMove* depth = nullptr;
   const SweptMove* clearance = nullptr;
@@ -46,12 +46,12 @@ struct Swept {
 
 class MoveChecker {
  public:
-  MoveChecker(const Motion& motion, MoveKind kind, const ToolForms& tool, const PreparedScene& scene,
+  MoveChecker(const Motion& motion, MoveKind kind, const ToolVariants& tool, const PreparedScene& scene,
               const CheckOptions& options, const Swept& swept)
       : motion_(motion), kind_(kind), tool_(tool), scene_(scene), options_(options), swept_(swept) {}
 
   MoveVerdict run() {
-    const SearchAnswer depth = finish(whole(), 0, options_.tolerance_mm, *swept_.depth);
+    const SearchResult depth = finish(whole(), 0, options_.tolerance_mm, *swept_.depth);
     set_depth(depth, whole());
     // By the witness, as anyone would compute it: the search may differ from it in the last digits.
     const bool is_deep = verdict_.depth_mm > options_.tolerance_mm;
@@ -73,95 +73,95 @@ class MoveChecker {
  private:
   [[nodiscard]] Targets whole() const { return whole_tool(tool_, scene_); }
 
-  SearchAnswer finish(const Targets& targets, double reach, double tolerance, const SweptMove& swept) {
-    const SearchAnswer answer = search_move(motion_, targets, question(options_, reach, tolerance), swept.start);
-    bounds_ += answer.bounds + swept.bounds;
-    is_decided_ = is_decided_ && answer.is_decided;
-    return answer;
+  SearchResult finish(const Targets& targets, double reach, double tolerance, const SweptMove& swept) {
+    const SearchResult outcome = search_move(motion_, targets, query(options_, reach, tolerance), swept.start);
+    bounds_ += outcome.bounds + swept.bounds;
+    is_decided_ = is_decided_ && outcome.is_decided;
+    return outcome;
   }
 
-  SearchAnswer ask(const Targets& targets, double reach, double tolerance) {
-    const SearchAnswer answer = sweep_and_search(motion_, targets, question(options_, reach, tolerance));
-    bounds_ += answer.bounds;
-    is_decided_ = is_decided_ && answer.is_decided;
-    return answer;
+  SearchResult ask(const Targets& targets, double reach, double tolerance) {
+    const SearchResult outcome = sweep_and_search(motion_, targets, query(options_, reach, tolerance));
+    bounds_ += outcome.bounds;
+    is_decided_ = is_decided_ && outcome.is_decided;
+    return outcome;
   }
 
-  void set_depth(const SearchAnswer& answer, const Targets& targets) {
+  void set_depth(const SearchResult& outcome, const Targets& targets) {
     verdict_.depth_mm = 0;
-    verdict_.depth_upper_mm = answer.value_upper_mm;
+    verdict_.depth_upper_mm = outcome.value_upper_mm;
     verdict_.witness.reset();
-    if (!answer.has_witness) return;
-    const SearchTarget& target = targets[answer.at.target];
-    const Place place = place_of(answer);
-    const ToolAnswer at = evaluate(*target.tool, place.r, place.z);
+    if (!outcome.has_witness) return;
+    const SearchTarget& target = targets[outcome.at.target];
+    const ToolPoint position = locate(outcome);
+    const ToolDistance at = evaluate(*target.tool, position.r, position.z);
     if (!(at.signed_distance_mm < 0)) return;
     verdict_.depth_mm = -at.signed_distance_mm;
     verdict_.depth_upper_mm = std::max(verdict_.depth_upper_mm, verdict_.depth_mm);
-    verdict_.witness = witness(answer, target, place, at);
+    verdict_.witness = witness(outcome, target, position, at);
   }
 
   /// A surface point as the pose sees it.
-  struct Place {
+  struct ToolPoint {
     Pose pose;
     Vec3 out;  ///< from the tool axis to the point, unit
     double r = 0, z = 0;
   };
 
   // By the pose as anyone would compute it from the file, so that the evidence can be checked by hand.
-  [[nodiscard]] Place place_of(const SearchAnswer& answer) const {
-    Place place;
-    place.pose = motion_.at(answer.t);
-    const Vec3 from_tip = answer.point - place.pose.tip;
-    place.z = from_tip.dot(place.pose.axis);
-    const Vec3 across = from_tip - place.z * place.pose.axis;
-    place.r = across.norm();
-    place.out = place.r > 0 ? Vec3(across / place.r) : place.pose.axis.unitOrthogonal();
-    return place;
+  [[nodiscard]] ToolPoint locate(const SearchResult& outcome) const {
+    ToolPoint position;
+    position.pose = motion_.at(outcome.t);
+    const Vec3 from_tip = outcome.point - position.pose.tip;
+    position.z = from_tip.dot(position.pose.axis);
+    const Vec3 across = from_tip - position.z * position.pose.axis;
+    position.r = across.norm();
+    position.out = position.r > 0 ? Vec3(across / position.r) : position.pose.axis.unitOrthogonal();
+    return position;
   }
 
-  static Witness witness(const SearchAnswer& answer, const SearchTarget& target, const Place& place,
-                         const ToolAnswer& at) {
+  static Witness witness(const SearchResult& outcome, const SearchTarget& target, const ToolPoint& position,
+                         const ToolDistance& at) {
     Witness result;
-    result.t = answer.t;
-    result.point = answer.point;
-    result.normal = -(at.normal.x() * place.out + at.normal.y() * place.pose.axis).normalized();
+    result.t = outcome.t;
+    result.point = outcome.point;
+    result.normal = -(at.normal.x() * position.out + at.normal.y() * position.pose.axis).normalized();
     result.body = target.tool->elements[at.element].body;
     result.against = target.against;
-    result.mesh = static_cast<std::uint32_t>(target.tree->mesh_of(answer.at.triangle));
-    result.triangle = target.tree->file_triangle(answer.at.triangle);
+    result.mesh = static_cast<std::uint32_t>(target.tree->mesh_of(outcome.at.triangle));
+    result.triangle = target.tree->file_triangle(outcome.at.triangle);
     return result;
   }
 
   // Any depth in a body with a clearance is a gouge, so the whole depth is then wanted to the resolution.
-  void check_clearances(const SearchAnswer& depth) {
-    const Targets grown = grown_bodies(tool_, scene_);
-    const SearchAnswer entered = finish(grown, 0, 0, *swept_.clearance);
+  void check_clearances(const SearchResult& depth) {
+    const Targets offset_targets = clearance_bodies(tool_, scene_);
+    const SearchResult entered = finish(offset_targets, 0, 0, *swept_.clearance);
     if (!entered.has_witness) return;
-    const Place place = place_of(entered);
-    if (!(evaluate(*grown[entered.at.target].tool, place.r, place.z).signed_distance_mm < 0)) {
+    const ToolPoint position = locate(entered);
+    if (!(evaluate(*offset_targets[entered.at.target].tool, position.r, position.z).signed_distance_mm < 0)) {
       // It touches, and no point is in the clearance but for rounding.
       if (entered.value_upper_mm > options_.resolution_mm) is_decided_ = false;
       return;
     }
     const bool is_closed = depth.value_upper_mm - depth.value_mm <= options_.resolution_mm;
-    const SearchAnswer closed = is_closed ? depth : ask(whole(), 0, 0);
+    const SearchResult closed = is_closed ? depth : ask(whole(), 0, 0);
     set_depth(closed, whole());
     verdict_.state = MoveState::gouge;
-    show_clearance(entered, grown[entered.at.target]);
+    show_clearance(entered, offset_targets[entered.at.target]);
   }
 
   // The body that must keep its clearance is better evidence than a cutter's lawful contact, as long as it
   // realises the depth.
-  void show_clearance(const SearchAnswer& entered, const SearchTarget& target) {
-    const Place place = place_of(entered);
-    const ToolAnswer at = evaluate(*target.tool, place.r, place.z);
+  void show_clearance(const SearchResult& entered, const SearchTarget& target) {
+    const ToolPoint position = locate(entered);
+    const ToolDistance at = evaluate(*target.tool, position.r, position.z);
     const SearchTarget all = whole()[entered.at.target];
-    const double depth = -evaluate(*all.tool, place.r, place.z).signed_distance_mm;
+    const double depth = -evaluate(*all.tool, position.r, position.z).signed_distance_mm;
     verdict_.reason = {Reason::Kind::clearance_entered, target.tool->elements[at.element].body, entered.value_mm};
     if (!(depth > 0) || verdict_.depth_upper_mm - depth > options_.resolution_mm) return;
     verdict_.depth_mm = depth;
-    verdict_.witness = witness(entered, target, place, at);
+    verdict_.witness = witness(entered, target, position, at);
   }
 
   // What comes no deeper than the tolerance may reach far into a solid with a blade or a point: where a tool has such,
@@ -170,20 +170,20 @@ class MoveChecker {
     const SureDepth sure = sure_depth(tool_, *scene_.scene, options_);
     if (verdict_.depth_upper_mm <= sure.depth_mm) return;
     const double share = std::exp2(-0.5 * sure.halvings);
-    SearchQuestion less = question(options_, 0, share * options_.tolerance_mm);
+    SearchQuery less = query(options_, 0, share * options_.tolerance_mm);
     less.resolution_mm *= share;
     less.gap_mm = kAnyGap_mm;
     // Where no depth is sure the surface must be proved to keep clear.
     if (!(sure.depth_mm > 0)) less = {{0, 0.5 * options_.resolution_mm, kAnyGap_mm, less.budget}, options_.resolution_mm};
-    const SearchAnswer answer = sweep_and_search(motion_, whole(), less);
-    bounds_ += answer.bounds;
-    const double upper = std::max(0.0, answer.value_upper_mm - less.reach_mm);
-    if (answer.value_mm <= less.tolerance_mm && answer.is_decided) {
+    const SearchResult outcome = sweep_and_search(motion_, whole(), less);
+    bounds_ += outcome.bounds;
+    const double upper = std::max(0.0, outcome.value_upper_mm - less.reach_mm);
+    if (outcome.value_mm <= less.tolerance_mm && outcome.is_decided) {
       verdict_.depth_upper_mm = std::max(verdict_.depth_mm, std::min(verdict_.depth_upper_mm, upper));
       return;
     }
     verdict_.state = MoveState::not_certified;
-    verdict_.reason = answer.value_mm > less.tolerance_mm ? Reason{Reason::Kind::thin_feature, Body::cutter, sure.reach_mm} : out_of_budget();
+    verdict_.reason = outcome.value_mm > less.tolerance_mm ? Reason{Reason::Kind::thin_feature, Body::cutter, sure.reach_mm} : out_of_budget();
   }
 
   void give_up() {
@@ -197,23 +197,23 @@ class MoveChecker {
 
   void check_near_miss() {
     const Targets watched = watched_bodies(tool_, scene_, kind_);
-    const SearchAnswer answer = finish(watched, options_.near_miss_mm, 0, *swept_.near_miss);
-    if (!answer.has_witness) {
+    const SearchResult outcome = finish(watched, options_.near_miss_mm, 0, *swept_.near_miss);
+    if (!outcome.has_witness) {
       if (!is_decided_) give_up();
       return;
     }
     verdict_.state = MoveState::near_miss;
     if (!is_decided_) verdict_.reason = out_of_budget();
-    verdict_.clearance_mm = std::max(0.0, options_.near_miss_mm - answer.value_mm);
+    verdict_.clearance_mm = std::max(0.0, options_.near_miss_mm - outcome.value_mm);
     if (verdict_.witness) return;
-    const Place place = place_of(answer);
-    const SearchTarget& target = watched[answer.at.target];
-    verdict_.witness = witness(answer, target, place, evaluate(*target.tool, place.r, place.z));
+    const ToolPoint position = locate(outcome);
+    const SearchTarget& target = watched[outcome.at.target];
+    verdict_.witness = witness(outcome, target, position, evaluate(*target.tool, position.r, position.z));
   }
 
   const Motion& motion_;
   MoveKind kind_;
-  const ToolForms& tool_;
+  const ToolVariants& tool_;
   const PreparedScene& scene_;
   const CheckOptions& options_;
   Swept swept_;
@@ -231,7 +231,7 @@ Reason::Kind why_not(const Motion& motion, const PreparedScene& scene, const Che
 
 // A motion that is refused would spoil the bounds it shares with its neighbours, so those are swept without
 // it.
-void check_fit_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
+void check_fit_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolVariants& tool,
                      const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
                      std::span<std::uint64_t> bounds) {
   std::vector<std::size_t> near;
@@ -257,7 +257,7 @@ void check_fit_moves(std::span<const Motion> motions, std::span<const MoveKind> 
 
 }  // namespace
 
-MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& tool, const PreparedScene& scene,
+MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolVariants& tool, const PreparedScene& scene,
                        const CheckOptions& options, std::uint64_t* bounds) {
   MoveVerdict verdict;
   std::uint64_t spent = 0;
@@ -266,7 +266,7 @@ MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolForms& too
   return verdict;
 }
 
-void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolForms& tool,
+void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kinds, const ToolVariants& tool,
                  const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
                  std::span<std::uint64_t> bounds) {
   const bool are_fit = scene.is_within_reach && why_unfit(options) == Reason::Kind::none &&
@@ -275,11 +275,11 @@ void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kind
   if (!are_fit) return check_fit_moves(motions, kinds, tool, scene, options, verdicts, bounds);
   std::vector<SweptMove> clearance, near_feed, near_rapid;
   const std::vector<SweptMove> depth =
-      sweep_moves(motions, whole_tool(tool, scene), question(options, 0, options.tolerance_mm));
+      sweep_moves(motions, whole_tool(tool, scene), query(options, 0, options.tolerance_mm));
   if (!tool.with_clearance.elements.empty())
-    clearance = sweep_moves(motions, grown_bodies(tool, scene), question(options, 0, 0));
+    clearance = sweep_moves(motions, clearance_bodies(tool, scene), query(options, 0, 0));
   if (options.near_miss_mm > 0) {
-    const SearchQuestion near = question(options, options.near_miss_mm, 0);
+    const SearchQuery near = query(options, options.near_miss_mm, 0);
     near_feed = sweep_moves(motions, watched_bodies(tool, scene, MoveKind::feed), near);
     near_rapid = sweep_moves(motions, watched_bodies(tool, scene, MoveKind::rapid), near);
   }

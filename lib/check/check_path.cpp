@@ -13,12 +13,12 @@
 namespace gouge {
 namespace {
 
-// Moves that share bounds. Fixed, so that the answer does not depend on the number of threads.
+// Moves that share bounds. Fixed, so that the result does not depend on the number of threads.
 constexpr std::size_t kMovesPerChunk = 256;
 
 class PathChecker {
  public:
-  PathChecker(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+  PathChecker(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
               const PreparedScene& scene, const CheckOptions& options)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options) {}
 
@@ -80,7 +80,7 @@ class PathChecker {
     const std::size_t count = batch.moves.size();
     std::vector<MoveVerdict> found(count);
     std::vector<std::uint64_t> spent(count, 0);
-    const ToolForms& tool = *tools_[toolpath_.moves[batch.moves.front()].tool];
+    const ToolVariants& tool = *tools_[toolpath_.moves[batch.moves.front()].tool];
     check_moves(batch.motions, batch.kinds, tool, scene_, options_, found, spent);
     for (std::size_t k = 0; k < count; ++k) {
       tighten(batch.motions[k], batch.kinds[k], tool, found[k], spent[k]);
@@ -93,7 +93,7 @@ class PathChecker {
     batch.kinds.clear();
   }
 
-  void check_link(std::size_t index, const ToolForms& tool, MoveVerdict& verdict, std::uint64_t& spent) const {
+  void check_link(std::size_t index, const ToolVariants& tool, MoveVerdict& verdict, std::uint64_t& spent) const {
     const std::optional<Motion> link = link_of(toolpath_, index);
     if (!link || (verdict.state != MoveState::clean && verdict.state != MoveState::near_miss)) return;
     CheckOptions options = options_;
@@ -104,7 +104,7 @@ class PathChecker {
   }
 
   // Where the tolerance lets the surface come far into the tool, "buried" needs a bound of the move's own.
-  void tighten(const Motion& motion, MoveKind kind, const ToolForms& tool, MoveVerdict& verdict,
+  void tighten(const Motion& motion, MoveKind kind, const ToolVariants& tool, MoveVerdict& verdict,
                std::uint64_t& spent) const {
     const double core = tool.bare.core_depth_mm;
     if (verdict.state != MoveState::clean || !(core > 0) || 2 * verdict.depth_upper_mm < core) return;
@@ -118,7 +118,7 @@ class PathChecker {
   }
 
   const Toolpath& toolpath_;
-  const std::vector<const ToolForms*>& tools_;
+  const std::vector<const ToolVariants*>& tools_;
   const PreparedScene& scene_;
   const CheckOptions& options_;
 };
@@ -129,7 +129,7 @@ Reason link_reason(const Toolpath& toolpath, std::size_t index) {
   return {Reason::Kind::link_gouges, Body::cutter, static_cast<double>(std::size_t{toolpath.moves[index - 1].line})};
 }
 
-CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                        const PreparedScene& scene, const CheckOptions& options,
                        const ProgressCall& progress) {
   CheckResult result;
@@ -137,12 +137,12 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolFor
   result.verdicts.resize(total);
   const PathChecker checker(toolpath, tools, scene, options);
   std::vector<std::uint64_t> bounds(total, 0);
-  std::mutex told;
+  std::mutex reported;
   std::size_t done = 0;
   for_each_chunk(total, kMovesPerChunk, options.threads, [&](std::size_t first, std::size_t last) {
     checker.check(first, last, result.verdicts, bounds);
     if (!progress) return;
-    const std::scoped_lock lock(told);
+    const std::scoped_lock lock(reported);
     done += last - first;
     progress(done, total);
   });

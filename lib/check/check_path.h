@@ -19,7 +19,7 @@ namespace gouge {
 ///          (3) a move is clean only if every body of the tool is proved outside of all solids during it, and
 ///              buried only if one is proved inside; else it is not certified (buried.h).
 /// Source   design of docs/method.md; docs/algorithms/certified_sweep.md.
-[[nodiscard]] CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+[[nodiscard]] CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                      const PreparedScene& scene, const CheckOptions& options,
                                      const ProgressCall& progress = {});
 

@@ -15,7 +15,7 @@ constexpr std::size_t kPositionsPerChunk = 16;
 constexpr double kAccuracy_mm = 0.01;
 constexpr std::uint64_t kBudget = 20'000;
 
-bool is_cut(const Move& move, const std::vector<const ToolForms*>& tools) {
+bool is_cut(const Move& move, const std::vector<const ToolVariants*>& tools) {
   return move.kind != MoveKind::rapid && move.not_checked_reason.empty() && move.tool < tools.size() &&
          tools[move.tool] != nullptr && why_unfit(Motion(move.end)) == Reason::Kind::none;
 }
@@ -26,9 +26,9 @@ std::uint64_t mixed(std::uint64_t k) {
   return k ^ (k >> 31U);
 }
 
-// Of `count` cuts one out of each of equal shares, by hash: paths repeat a pattern over and over, and equal steps would
-// meet the same place of it every time.
-std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+// Of `count` cuts one out of each of equal shares, by hash: paths repeat a pattern over and over, and equal steps would meet the same point of
+// it every time.
+std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                 std::size_t count) {
   const std::size_t wanted = std::min(count, kMostPositions);
   std::vector<std::size_t> chosen;
@@ -47,17 +47,17 @@ struct Distance {
   double least_mm = 0;  ///< proved
 };
 
-Distance distance_from_part(const Pose& pose, const ToolForms& tool, const PreparedScene& scene) {
+Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
-  const SearchAnswer answer =
+  const SearchResult result =
       sweep_and_search(Motion(pose), {part}, {{0, kAccuracy_mm, kAccuracy_mm, kBudget}, Closeness::kFar_mm});
   const double seen =
-      answer.has_witness ? Closeness::kFar_mm - answer.value_mm : std::numeric_limits<double>::infinity();
-  return {std::max(0.0, seen), std::max(0.0, Closeness::kFar_mm - answer.value_upper_mm)};
+      result.has_witness ? Closeness::kFar_mm - result.value_mm : std::numeric_limits<double>::infinity();
+  return {std::max(0.0, seen), std::max(0.0, Closeness::kFar_mm - result.value_upper_mm)};
 }
 
-// What the check has seen of cuts already: a surface point of a part in the tool, or as near as it tells.
-double seen_by_check_mm(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+// What the check has seen of cuts already: a surface point of a part in the tool, or as near as it was seen.
+double seen_by_check_mm(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                         const std::vector<MoveVerdict>& verdicts) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < toolpath.moves.size() && i < verdicts.size(); ++i) {
@@ -76,7 +76,7 @@ std::optional<double> if_near(double distance) {
 
 }  // namespace
 
-std::optional<Closeness> measure_closeness(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+std::optional<Closeness> measure_closeness(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                            const PreparedScene& scene, const std::vector<MoveVerdict>& verdicts,
                                            unsigned threads) {
   Closeness closeness;

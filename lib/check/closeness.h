@@ -10,8 +10,8 @@
 
 namespace gouge {
 
-/// How near a tool is seen to come to the parts while it cuts. What belongs to a part cuts along it, so this tells at a
-/// glance whether part and path lie in one place. Both distances are bounds from above: the tool is seen as near, and
+/// How near a tool is seen to come to the parts while it cuts. What belongs to a part cuts along it, so this shows at a
+/// glance whether part and path coincide. Both distances are bounds from above: the tool is seen as near, and
 /// may come nearer where nobody looked.
 struct Closeness {
   static constexpr double kFar_mm = 20;  ///< what is farther away is not measured
@@ -25,11 +25,11 @@ struct Closeness {
   double apart_mm = 0;  ///< proved: at none of the positions looked at is the tool nearer; nothing of the others
 };
 
-/// Shape    as check_path, `verdicts` its answer on the same path. Nothing where there is no part or no cut.
+/// Shape    as check_path, `verdicts` its result on the same path. Nothing where there is no part or no cut.
 /// Ensures  the same result at any number of threads; distances to a hundredth of a millimetre.
 /// Cost     a search at 400 positions at most.
 [[nodiscard]] std::optional<Closeness> measure_closeness(const Toolpath& toolpath,
-                                                         const std::vector<const ToolForms*>& tools,
+                                                         const std::vector<const ToolVariants*>& tools,
                                                          const PreparedScene& scene,
                                                          const std::vector<MoveVerdict>& verdicts, unsigned threads);
 

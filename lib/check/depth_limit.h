@@ -7,7 +7,7 @@ namespace gouge {
 
 /// How deep a surface may be in a tool without that the tool reaches farther into the solid than kReachPerDepth times
 /// tolerance + resolution.
-[[nodiscard]] inline SureDepth sure_depth(const ToolForms& tool, const Scene& scene, const CheckOptions& options) {
+[[nodiscard]] inline SureDepth sure_depth(const ToolVariants& tool, const Scene& scene, const CheckOptions& options) {
   return tool.sure_depth(!scene.parts.empty(), !scene.fixtures.empty(), options.tolerance_mm + options.resolution_mm);
 }
 

@@ -62,7 +62,7 @@ class PieceBounder {
   PieceBound run(double enough_mm) {
     PieceBound bound;
     const ToolSample middle = sample_tool(tool_, center_);
-    bound.upper_mm = std::min(reach_mm_ - middle.answer.signed_distance_mm + radius_ + bulge_,
+    bound.upper_mm = std::min(reach_mm_ - middle.nearest.signed_distance_mm + radius_ + bulge_,
                               end_limit(tool_, z_lo_ - bulge_, z_hi_ + bulge_, reach_mm_));
     if (bound.upper_mm <= enough_mm) return bound;
     HullLimit limits[2 + kRounds];
@@ -157,7 +157,7 @@ class PieceBounder {
     return best;
   }
 
-  /// A point of an edge of the hull: corner i to corner j, `share` of the way.
+  /// A point of an edge of the hull: corner i to corner j, at `share` of it.
   struct Meeting {
     std::size_t i = 0, j = 0;
     double share = 0;
@@ -170,18 +170,18 @@ class PieceBounder {
     for (std::size_t i = 0; i < kCorners; ++i) {
       const Eigen::Vector2d a = hull_[i].head<2>();
       for (std::size_t j = i; j < kCorners; ++j) {
-        const Eigen::Vector2d way = hull_[j].head<2>() - a;
-        const double length2 = way.squaredNorm();
-        const double share = length2 > 0 ? std::clamp(-a.dot(way) / length2, 0.0, 1.0) : 0.0;
-        const double height = -(a + share * way).squaredNorm();
+        const Eigen::Vector2d side = hull_[j].head<2>() - a;
+        const double length2 = side.squaredNorm();
+        const double share = length2 > 0 ? std::clamp(-a.dot(side) / length2, 0.0, 1.0) : 0.0;
+        const double height = -(a + share * side).squaredNorm();
         if (height > best.height_mm && share < 1) best = {i, share > 0 ? j : i, share, height};
       }
     }
     return best;
   }
 
-  // Where all limits so far together leave the most: at a corner, or where two of them meet on an edge. The
-  // tool's answer there is the next limit; this is the cutting-plane method of convex programming, on the
+  // Where all limits so far together leave the most: at a corner, or where two of them meet on an edge. The tool's distance
+  // there is the next limit; this is the cutting-plane method of convex programming, on the
   // edges alone.
   static Meeting highest(const HullLimit* limits, std::size_t count) {
     Meeting top;
@@ -208,7 +208,7 @@ class PieceBounder {
   }
 
   void measure(PieceBound& bound, std::size_t corner, const ToolSample& sample) const {
-    const double value = reach_mm_ - sample.answer.signed_distance_mm;
+    const double value = reach_mm_ - sample.nearest.signed_distance_mm;
     if (value <= bound.value_mm) return;
     bound.value_mm = value;
     bound.corner = corner % 3;

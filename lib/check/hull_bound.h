@@ -16,7 +16,7 @@ struct PieceBound {
   double value_mm = 0;  ///< reached at corner `corner` of the piece at one end of the interval
   std::size_t corner = 0;
   bool is_at_end = false;
-  bool is_time_next = false;  ///< halving the time promises more than halving the piece
+  bool is_time_next = false;  ///< halving the time lowers the bound more than halving the piece
 };
 
 /// Over the triangle `piece`. With reach > 0 the bound is max(0, ...), exact only up to the reach. Work stops as

@@ -9,25 +9,25 @@ namespace {
 // Opposite axes within this angle have no great circle a controller and we would agree on.
 constexpr double kOppositeAngle_rad = 1e-6;
 
-std::vector<TipStretch> dogleg(const Vec3& from, const Vec3& to) {
-  const Vec3 way = to - from;
-  const double longest = way.cwiseAbs().maxCoeff();
+std::vector<MotionSegment> dogleg(const Vec3& from, const Vec3& to) {
+  const Vec3 displacement = to - from;
+  const double longest = displacement.cwiseAbs().maxCoeff();
   std::vector<double> breaks{0.0, 1.0};
   if (longest > 0) {
-    for (int k = 0; k < 3; ++k) breaks.push_back(std::abs(way[k]) / longest);
+    for (int k = 0; k < 3; ++k) breaks.push_back(std::abs(displacement[k]) / longest);
   }
   std::sort(breaks.begin(), breaks.end());
   const auto at = [&](double t) {
     Vec3 tip = from;
-    for (int k = 0; k < 3; ++k) tip[k] += std::copysign(std::min(std::abs(way[k]), t * longest), way[k]);
+    for (int k = 0; k < 3; ++k) tip[k] += std::copysign(std::min(std::abs(displacement[k]), t * longest), displacement[k]);
     return t < 1 ? tip : to;
   };
-  std::vector<TipStretch> stretches;
+  std::vector<MotionSegment> segments;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
     if (breaks[i] < breaks[i + 1])
-      stretches.push_back({breaks[i], breaks[i + 1], at(breaks[i]), at(breaks[i + 1])});
+      segments.push_back({breaks[i], breaks[i + 1], at(breaks[i]), at(breaks[i + 1])});
   }
-  return stretches;
+  return segments;
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ Motion::Motion(const Pose& start, const Pose& end, bool is_dogleg) : start_(star
   rotation_axis_.normalize();
   is_defined_ = angle_ < M_PI - kOppositeAngle_rad;
   if (is_dogleg) {
-    stretches_ = dogleg(start.tip, end.tip);
+    segments_ = dogleg(start.tip, end.tip);
   } else {
     whole_ = {0, 1, start.tip, end.tip};
   }
@@ -80,29 +80,29 @@ Motion::Motion(const Pose& start, const Pose& end, const PathSpline& spline) : M
   pieces_ = spline.pieces;
   pieces_.front().control.front() = start.tip;
   pieces_.back().control.back() = end.tip;
-  stretches_.clear();
+  segments_.clear();
   for (const SplinePiece& piece : pieces_)
-    stretches_.push_back({piece.u0, piece.u1, piece.control.front(), piece.control.back()});
+    segments_.push_back({piece.u0, piece.u1, piece.control.front(), piece.control.back()});
 }
 
 Motion::Motion(const Pose& alone) : Motion(alone, alone) {
   is_alone_ = true;
 }
 
-Vec3 Motion::tip_at(double t, std::uint32_t stretch) const {
-  const TipStretch& way = stretches()[stretch];
-  if (t >= way.t1) return way.tip1;
-  if (t <= way.t0) return way.tip0;
+Vec3 Motion::tip_at(double t, std::uint32_t segment) const {
+  const MotionSegment& displacement = segments()[segment];
+  if (t >= displacement.t1) return displacement.tip1;
+  if (t <= displacement.t0) return displacement.tip0;
   if (curve_ == CurveKind::arc) return turn_.at(t);
-  if (curve_ == CurveKind::spline) return pieces_[stretch].at(t);
-  return way.tip0 + (t - way.t0) / (way.t1 - way.t0) * (way.tip1 - way.tip0);
+  if (curve_ == CurveKind::spline) return pieces_[segment].at(t);
+  return displacement.tip0 + (t - displacement.t0) / (displacement.t1 - displacement.t0) * (displacement.tip1 - displacement.tip0);
 }
 
-double Motion::way_mm(double t0, double t1, std::uint32_t stretch) const {
-  const TipStretch& way = stretches()[stretch];
+double Motion::path_length_mm(double t0, double t1, std::uint32_t segment) const {
+  const MotionSegment& displacement = segments()[segment];
   switch (curve_) {
     case CurveKind::none:
-      return (way.tip1 - way.tip0).norm() * (t1 - t0) / (way.t1 - way.t0);
+      return (displacement.tip1 - displacement.tip0).norm() * (t1 - t0) / (displacement.t1 - displacement.t0);
     case CurveKind::arc: {
       const double around = std::abs(turn_.sweep) * turn_.largest_radius();
       return (t1 - t0) *
@@ -111,10 +111,10 @@ double Motion::way_mm(double t0, double t1, std::uint32_t stretch) const {
     case CurveKind::spline:
       break;
   }
-  return (t1 - t0) * pieces_[stretch].largest_speed();
+  return (t1 - t0) * pieces_[segment].largest_speed();
 }
 
-double Motion::sag_mm(double t0, double t1, std::uint32_t stretch) const {
+double Motion::sag_mm(double t0, double t1, std::uint32_t segment) const {
   const double h = t1 - t0;
   switch (curve_) {
     case CurveKind::none:
@@ -127,7 +127,7 @@ double Motion::sag_mm(double t0, double t1, std::uint32_t stretch) const {
     case CurveKind::spline:
       break;
   }
-  return pieces_[stretch].largest_second_derivative() * h * h / 8;
+  return pieces_[segment].largest_second_derivative() * h * h / 8;
 }
 
 bool Motion::is_within(double limit_mm) const {
@@ -142,12 +142,12 @@ bool Motion::is_within(double limit_mm) const {
 Pose Motion::at(double t) const {
   if (t <= 0) return start_;
   if (t >= 1) return end_;
-  const std::span<const TipStretch> ways = stretches();
-  const auto stretch = std::lower_bound(ways.begin(), ways.end() - 1, t,
-                                        [](const TipStretch& s, double instant) { return s.t1 < instant; });
+  const std::span<const MotionSegment> ways = segments();
+  const auto segment = std::lower_bound(ways.begin(), ways.end() - 1, t,
+                                        [](const MotionSegment& s, double instant) { return s.t1 < instant; });
   const double turned = angle_ * t;
   return {
-      tip_at(t, static_cast<std::uint32_t>(stretch - ways.begin())),
+      tip_at(t, static_cast<std::uint32_t>(segment - ways.begin())),
       (std::cos(turned) * start_.axis + std::sin(turned) * rotation_axis_.cross(start_.axis)).normalized()};
 }
 

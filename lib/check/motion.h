@@ -14,9 +14,9 @@
 
 namespace gouge {
 
-/// One stretch of a motion over [t0, t1] of the move: tip from `tip0` to `tip1`, linear unless the motion
+/// One segment of a motion over [t0, t1] of the move: tip from `tip0` to `tip1`, linear unless the motion
 /// is curved.
-struct TipStretch {
+struct MotionSegment {
   double t0 = 0, t1 = 1;
   Vec3 tip0 = Vec3::Zero(), tip1 = Vec3::Zero();
 };
@@ -25,28 +25,28 @@ class Motion {
  public:
   /// Requires unit axes. Opposite axes leave the great circle open: `is_defined()` is false.
   Motion(const Pose& start, const Pose& end, bool is_dogleg = false);
-  /// Along an arc or helix: one stretch, evenly in t.
+  /// Along an arc or helix: one segment, evenly in t.
   Motion(const Pose& start, const Pose& end, const PathArc& arc);
-  /// Along a spline whose parameter is t: one stretch for each piece. Requires at least one piece.
+  /// Along a spline whose parameter is t: one segment for each piece. Requires at least one piece.
   Motion(const Pose& start, const Pose& end, const PathSpline& spline);
   explicit Motion(const Pose& alone);
 
   [[nodiscard]] bool is_defined() const { return is_defined_; }
   [[nodiscard]] bool is_alone() const { return is_alone_; }
-  /// True when the tip runs straight in every stretch.
+  /// True when the tip runs straight in every segment.
   [[nodiscard]] bool is_straight() const { return curve_ == CurveKind::none; }
   /// Pose at t in [0, 1]; t = 0 and 1 give the end poses bit for bit.
   [[nodiscard]] Pose at(double t) const;
-  [[nodiscard]] std::span<const TipStretch> stretches() const {
-    return stretches_.empty() ? std::span(&whole_, 1) : std::span(stretches_);
+  [[nodiscard]] std::span<const MotionSegment> segments() const {
+    return segments_.empty() ? std::span(&whole_, 1) : std::span(segments_);
   }
-  /// Tip at t within the stretch; exact also on arcs and splines.
-  [[nodiscard]] Vec3 tip_at(double t, std::uint32_t stretch) const;
-  /// The tip's way over [t0, t1] of a stretch is no longer than this; straight ways are exactly this long.
-  [[nodiscard]] double way_mm(double t0, double t1, std::uint32_t stretch) const;
+  /// Tip at t within the segment; exact also on arcs and splines.
+  [[nodiscard]] Vec3 tip_at(double t, std::uint32_t segment) const;
+  /// The tip's path over [t0, t1] of a segment is no longer than this; straight paths are exactly this long.
+  [[nodiscard]] double path_length_mm(double t0, double t1, std::uint32_t segment) const;
   /// How far the tip may at any instant of [t0, t1] be from where it would be on the straight chord at constant
-  /// speed. 0 for straight ways. Proof: docs/algorithms/certified_sweep.md, section 3.
-  [[nodiscard]] double sag_mm(double t0, double t1, std::uint32_t stretch) const;
+  /// speed. 0 for straight paths. Proof: docs/algorithms/certified_sweep.md, section 3.
+  [[nodiscard]] double sag_mm(double t0, double t1, std::uint32_t segment) const;
   /// Rotation of the axis over the whole move, radians.
   [[nodiscard]] double angle_rad() const { return angle_; }
   [[nodiscard]] const Vec3& rotation_axis() const { return rotation_axis_; }
@@ -67,11 +67,11 @@ class Motion {
   };
 
   Pose start_, end_;
-  TipStretch whole_;
-  std::vector<TipStretch> stretches_;  // where there is more than one
+  MotionSegment whole_;
+  std::vector<MotionSegment> segments_;  // where there is more than one
   CurveKind curve_ = CurveKind::none;
   Turn turn_;                        // of an arc
-  std::vector<SplinePiece> pieces_;  // of a spline: one for each stretch
+  std::vector<SplinePiece> pieces_;  // of a spline: one for each segment
   Vec3 rotation_axis_ = Vec3::UnitX();
   double angle_ = 0;
   bool is_defined_ = true;

@@ -10,18 +10,18 @@
 
 namespace gouge {
 
-/// A time interval within one stretch of a motion; what is known of one derives from it.
+/// A time interval within one segment of a motion; what is known of one derives from it.
 struct MotionInterval {
   double t0 = 0, t1 = 0;
-  std::uint32_t stretch = 0;
+  std::uint32_t segment = 0;
 
   [[nodiscard]] double middle() const { return 0.5 * (t0 + t1); }
 };
 
-/// A whole stretch; of no length where the motion is a single pose.
-[[nodiscard]] inline MotionInterval whole_stretch(const Motion& motion, std::uint32_t stretch) {
-  const TipStretch& whole = motion.stretches()[stretch];
-  return {whole.t0, motion.is_alone() ? whole.t0 : whole.t1, stretch};
+/// A whole segment; of no length where the motion is a single pose.
+[[nodiscard]] inline MotionInterval whole_segment(const Motion& motion, std::uint32_t segment) {
+  const MotionSegment& whole = motion.segments()[segment];
+  return {whole.t0, motion.is_alone() ? whole.t0 : whole.t1, segment};
 }
 
 /// Both halves, the earlier one first; what else the interval has they keep.
@@ -32,21 +32,21 @@ template <typename Interval>
   return parts;
 }
 
-/// The stretches of a motion, then their parts, halved on demand and once each. `Interval` derives from MotionInterval
+/// The segments of a motion, then their parts, halved on demand and once each. `Interval` derives from MotionInterval
 /// and is made from what moves (`Source`) and a MotionInterval.
 template <typename Interval, typename Source>
 class IntervalTree {
  public:
   /// Requires motion.is_defined(). `source` must outlive it.
   IntervalTree(const Source& source, const Motion& motion)
-      : source_(source), stretches_(static_cast<std::uint32_t>(motion.stretches().size())) {
-    for (std::uint32_t s = 0; s < stretches_; ++s) add(whole_stretch(motion, s));
+      : source_(source), segments_(static_cast<std::uint32_t>(motion.segments().size())) {
+    for (std::uint32_t s = 0; s < segments_; ++s) add(whole_segment(motion, s));
   }
 
-  /// The first so many are the stretches.
-  [[nodiscard]] std::uint32_t stretches() const { return stretches_; }
+  /// The first so many are the segments.
+  [[nodiscard]] std::uint32_t segments() const { return segments_; }
   [[nodiscard]] const Interval& operator[](std::uint32_t index) const { return intervals_[index]; }
-  /// Whether halving can still tell instants apart.
+  /// Whether halving can still distinguish instants.
   [[nodiscard]] bool can_halve(std::uint32_t index) const {
     constexpr double kShortest = 1e-12;
     return intervals_[index].t1 - intervals_[index].t0 > kShortest;
@@ -67,7 +67,7 @@ class IntervalTree {
   }
 
   const Source& source_;
-  std::uint32_t stretches_;
+  std::uint32_t segments_;
   std::vector<Interval> intervals_;
   std::vector<std::uint32_t> first_half_;  // 0: not halved
 };

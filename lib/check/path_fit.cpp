@@ -33,7 +33,7 @@ constexpr std::size_t kInsideLooks = 16;
 
 struct Sample {
   Pose pose;
-  const ToolForms* tool = nullptr;
+  const ToolVariants* tool = nullptr;
   bool is_gouging = false;
 };
 
@@ -51,16 +51,16 @@ double corner_radius_mm(const CompiledTool& tool) {
   return corner == tool.elements.end() ? 0 : corner->radius_mm;
 }
 
-Contact contact_of(const Pose& pose, const ToolForms& tool, const PreparedScene& scene) {
+Contact contact_of(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const double touch = touch_mm(tool);
   const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
-  const SearchAnswer answer =
+  const SearchResult result =
       sweep_and_search(Motion(pose), {part}, {{0, kAccuracy * touch, kAccuracy * touch, kBudget}, touch});
-  if (answer.value_mm > 2 * touch) return Contact::gouging;
-  return answer.has_witness ? Contact::touching : Contact::apart;
+  if (result.value_mm > 2 * touch) return Contact::gouging;
+  return result.has_witness ? Contact::touching : Contact::apart;
 }
 
-bool is_core_inside(const Pose& pose, const ToolForms& tool, const Scene& scene) {
+bool is_core_inside(const Pose& pose, const ToolVariants& tool, const Scene& scene) {
   return is_inside(scene.parts, pose.tip + tool.bare.core.y() * pose.axis);
 }
 
@@ -76,7 +76,7 @@ Scene scaled(const Scene& scene, double factor) {
 class FitFinder {
  public:
   FitFinder(const Toolpath& path, const std::vector<MoveVerdict>& verdicts,
-            const std::vector<const ToolForms*>& tools, const PreparedScene& scene, unsigned threads)
+            const std::vector<const ToolVariants*>& tools, const PreparedScene& scene, unsigned threads)
       : path_(path), verdicts_(verdicts), tools_(tools), scene_(scene), threads_(threads) {}
 
   PathFit run() {
@@ -108,7 +108,7 @@ class FitFinder {
                           tools_[move.tool] != nullptr && verdict.state != MoveState::not_checked &&
                           verdict.state != MoveState::not_certified;
       if (!is_cut) continue;
-      const ToolForms& tool = *tools_[move.tool];
+      const ToolVariants& tool = *tools_[move.tool];
       const double depth = is_in_part(verdict) ? verdict.depth_mm : 0;
       const bool is_buried = verdict.state == MoveState::buried;
       const bool is_deep = is_buried || depth >= kDeep * tool.bare.core_depth_mm;
@@ -255,7 +255,7 @@ class FitFinder {
 
   const Toolpath& path_;
   const std::vector<MoveVerdict>& verdicts_;
-  const std::vector<const ToolForms*>& tools_;
+  const std::vector<const ToolVariants*>& tools_;
   const PreparedScene& scene_;
   unsigned threads_;
   PathFit fit_;
@@ -267,12 +267,12 @@ class FitFinder {
 
 }  // namespace
 
-double touch_mm(const ToolForms& tool) {
+double touch_mm(const ToolVariants& tool) {
   return std::clamp(0.05 * tool.bare.core_depth_mm, 0.02, 0.5);
 }
 
 PathFit find_path_fit(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts,
-                      const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
+                      const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
                       unsigned threads) {
   return FitFinder(toolpath, verdicts, tools, scene, threads).run();
 }

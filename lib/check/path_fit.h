@@ -21,7 +21,7 @@ struct PathFit {
     bool is_of_all = true;  ///< false: of the positions that it changes
   };
   enum class Kind {
-    fits,      ///< as far as can be told
+    fits,      ///< as far as can be determined
     too_deep,  ///< most cutting positions are nine tenths of the cutter's radius deep in the part or more, or
                ///< the tool is inside
     mistaken,  ///< a fifth of the positions or more that a mistake concerns are deeper than a touch; undone,
@@ -38,8 +38,8 @@ struct PathFit {
 
 /// A tool touches the part where its surface is within this of the part's: a twentieth of the cutter's
 /// radius, 0.02 mm to 0.5 mm. It allows for tessellation and for what is left to finish, not for a wrong
-/// place.
-[[nodiscard]] double touch_mm(const ToolForms& tool);
+/// position.
+[[nodiscard]] double touch_mm(const ToolVariants& tool);
 
 /// Shape    as check_path, with the verdicts it gave.
 /// Ensures  (1) fits, where fewer than 10 positions cut, however deep: a position is too little to judge by.
@@ -53,9 +53,9 @@ struct PathFit {
 /// Cost     32 searches where little gouges; else some 27 mistakes, tried at 16 to 128 positions, spread by
 /// the golden ratio so
 ///          that they do not fall into step with passes: 0.1 s to 0.3 s, whatever the path's length, and
-///          twice the trees of the part where its size is in question.
+///          twice the trees of the part where its size is in doubt.
 [[nodiscard]] PathFit find_path_fit(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts,
-                                    const std::vector<const ToolForms*>& tools, const PreparedScene& scene,
+                                    const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
                                     unsigned threads);
 
 }  // namespace gouge

@@ -20,7 +20,7 @@ class PreparedScene {
   PreparedScene& operator=(PreparedScene&&) noexcept;
   ~PreparedScene();
 
-  /// Distances from a mesh, on both sides where it is a solid: with nearest_foot, no depths. Requires
+  /// Distances from a mesh, on both sides where it is a solid: with closest_point, no depths. Requires
   /// is_within_reach. Cost of the first call for a mesh: its tree.
   [[nodiscard]] const DepthBody& surface(Against kind, std::size_t mesh) const;
 

@@ -11,7 +11,7 @@
 namespace gouge {
 
 /// Bounds are proven for coordinates up to here (docs/algorithms/certified_sweep.md). What reaches farther is not
-/// checked, and told so.
+/// checked, and reported as such.
 inline constexpr double kFarthest_mm = 1e5;
 
 /// A point of the motion or of its curve beyond kFarthest_mm or that is no number, or an axis that is no unit

@@ -23,7 +23,7 @@ constexpr std::array kTexts{
     Text{Reason::Kind::tool_undefined, "the tool has no definition"},
     Text{Reason::Kind::no_start, "the path does not hold the position this move starts at"},
     Text{Reason::Kind::no_curve, "the path does not hold the curve of this move"},
-    Text{Reason::Kind::axis_reversed, "the axis turns by 180 degrees: its way is not defined"},
+    Text{Reason::Kind::axis_reversed, "the axis turns by 180 degrees: its path is not defined"},
     Text{Reason::Kind::link_gouges,
          "how the tool gets here from line {count} the file does not say, and straight it would gouge: a retract or a tool "
          "change is missing"},
@@ -31,7 +31,7 @@ constexpr std::array kTexts{
     Text{Reason::Kind::axis_not_unit, "the tool axis is no unit vector"},
     Text{Reason::Kind::options_invalid, "an option of the check is no finite length, or the resolution is not above 0"},
     Text{Reason::Kind::buried, "the {whole} is inside the solid; no surface is inside the {whole}"},
-    Text{Reason::Kind::side_unknown, "whether the {body} is inside the solid cannot be told: {detail}"},
+    Text{Reason::Kind::side_unknown, "whether the {body} is inside the solid cannot be determined: {detail}"},
     Text{Reason::Kind::body_too_thin,
          "the tolerance lets the surface reach the middle of the {body}, so the tool may be buried; give a smaller tolerance"},
     Text{Reason::Kind::head_too_thin,

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lib/mesh/indexed_mesh.h"
-#include "lib/tool/tool_forms.h"
+#include "lib/tool/tool_variants.h"
 
 namespace gouge {
 

@@ -13,9 +13,9 @@
 
 namespace gouge {
 
-struct SideAnswer {
+struct SideResult {
   Side side = Side::unknown;
-  std::string why;  ///< of unknown: which mesh does not tell, and for which fault
+  std::string why;  ///< of unknown: which mesh does not decide it, and for which fault
 };
 
 /// Parts together, and fixtures together.
@@ -29,13 +29,13 @@ class SceneSides {
   static constexpr std::uint8_t kBeyondAll = 3;
 
   /// Outside only when outside of both kinds, inside when inside of one. `beyond`: what is known already.
-  [[nodiscard]] SideAnswer side_of(const JoinedPlaces& joined, std::uint8_t beyond = 0) const;
+  [[nodiscard]] SideResult side_of(const ConnectedPoints& joined, std::uint8_t beyond = 0) const;
 
  private:
   Enclosure parts_, fixtures_;
 };
 
-/// Places that moves keep free of all surfaces, numbered from 0, joined where one leads to the next: what holds of one
+/// Points that moves keep free of all surfaces, numbered from 0, joined where one leads to the next: what holds of one
 /// holds of all that are joined with it, before it on the path as well as after.
 class FreeChains {
  public:
@@ -47,23 +47,23 @@ class FreeChains {
   /// `point` is one that `item` keeps free.
   void add(std::size_t item, const Vec3& point) { beyond_[item] |= sides_.beyond(point); }
 
-  /// Asks for each chain that was not seen beyond everything; `places_of` gives places of an item.
-  /// What `is_asked` leaves out belongs to no chain and gets no answer; nothing: all are asked.
-  /// Ensures the same answers at any number of threads.
-  void decide(unsigned threads, const std::function<JoinedPlaces(std::size_t)>& places_of,
+  /// Asks for each chain that was not seen beyond everything; `points_of` gives points of an item.
+  /// What `is_asked` leaves out belongs to no chain and gets no result; nothing: all are asked.
+  /// Ensures the same results at any number of threads.
+  void decide(unsigned threads, const std::function<ConnectedPoints(std::size_t)>& points_of,
               const std::function<bool(std::size_t)>& is_asked = {});
 
   /// Requires decide().
-  [[nodiscard]] const SideAnswer& answer(std::size_t item) {
-    return answers_[answer_of_[joins_.root(static_cast<std::uint32_t>(item))]];
+  [[nodiscard]] const SideResult& result(std::size_t item) {
+    return results_[result_of_[joins_.root(static_cast<std::uint32_t>(item))]];
   }
 
  private:
   const SceneSides& sides_;
   UnionFind joins_;
   std::vector<std::uint8_t> beyond_;
-  std::vector<std::uint32_t> answer_of_;  // by root
-  std::vector<SideAnswer> answers_;
+  std::vector<std::uint32_t> result_of_;  // by root
+  std::vector<SideResult> results_;
 };
 
 }  // namespace gouge

@@ -25,23 +25,23 @@ class Search : public BestFirstSearch<Search, Candidate> {
  public:
   static constexpr bool kDescends = true;
 
-  Search(const Motion& motion, const std::vector<SearchTarget>& targets, const SearchQuestion& question)
-      : motion_(motion), intervals_(motion, motion), targets_(targets), question_(question) {}
+  Search(const Motion& motion, const std::vector<SearchTarget>& targets, const SearchQuery& query)
+      : motion_(motion), intervals_(motion, motion), targets_(targets), query_(query) {}
 
-  SearchAnswer find(const SearchStart& start) {
+  SearchResult find(const SearchStart& start) {
     if (start.value_mm > 0) take(start.value_mm, start.t, start.point, start.at);
-    prune(start.settled_mm);
+    prune(start.certified_mm);
     for (const SearchSeed& seed : start.seeds) {
       const std::array<Vec3, 3> corners = targets_[seed.target].tree->corners(seed.triangle);
-      for (std::uint32_t s = 0; s < intervals_.stretches(); ++s) add_piece(s, seed, corners);
+      for (std::uint32_t s = 0; s < intervals_.segments(); ++s) add_piece(s, seed, corners);
     }
-    answer_.value_upper_mm = std::max(run(), answer_.value_mm);
-    answer_.is_decided = is_decided();
-    return answer_;
+    result_.value_upper_mm = std::max(run(), result_.value_mm);
+    result_.is_decided = is_decided();
+    return result_;
   }
 
-  [[nodiscard]] double threshold_mm() const { return question_.pruning_threshold_mm(answer_.value_mm); }
-  [[nodiscard]] bool is_exhausted() const { return answer_.bounds > question_.budget; }
+  [[nodiscard]] double threshold_mm() const { return query_.pruning_threshold_mm(result_.value_mm); }
+  [[nodiscard]] bool is_exhausted() const { return result_.bounds > query_.budget; }
 
   void split(const Candidate& c) {
     if (c.is_time_next) {
@@ -56,11 +56,11 @@ class Search : public BestFirstSearch<Search, Candidate> {
 
  private:
   void add_piece(std::uint32_t index, const SearchSeed& seed, const std::array<Vec3, 3>& piece) {
-    ++answer_.bounds;
+    ++result_.bounds;
     const ToolInterval& interval = intervals_[index];
     const PieceBound bound =
-        bound_piece(*targets_[seed.target].tool, piece, interval, question_.reach_mm, threshold_mm());
-    if (bound.value_mm > answer_.value_mm)
+        bound_piece(*targets_[seed.target].tool, piece, interval, query_.reach_mm, threshold_mm());
+    if (bound.value_mm > result_.value_mm)
       take(bound.value_mm, bound.is_at_end ? interval.t1 : interval.t0, piece[bound.corner], seed);
     Candidate c;
     c.upper_mm = bound.upper_mm + kRounding_mm;
@@ -77,40 +77,40 @@ class Search : public BestFirstSearch<Search, Candidate> {
     const ToolInterval& interval = intervals_[c.interval];
     const double t = interval.middle();
     const Vec3 p = (c.piece[0] + c.piece[1] + c.piece[2]) / 3.0;
-    const ToolFrame frame = tool_frame(motion_, t, interval.stretch);
+    const ToolFrame frame = tool_frame(motion_, t, interval.segment);
     const ToolSample sample = sample_tool(*targets_[c.seed.target].tool, frame.to_tool(p));
-    const double value = question_.reach_mm - sample.answer.signed_distance_mm;
-    if (value > answer_.value_mm) take(value, t, p, c.seed);
+    const double value = query_.reach_mm - sample.nearest.signed_distance_mm;
+    if (value > result_.value_mm) take(value, t, p, c.seed);
   }
 
   void take(double value, double t, const Vec3& point, const SearchSeed& at) {
-    answer_.value_mm = value;
-    answer_.has_witness = true;
-    answer_.t = t;
-    answer_.point = point;
-    answer_.at = at;
+    result_.value_mm = value;
+    result_.has_witness = true;
+    result_.t = t;
+    result_.point = point;
+    result_.at = at;
   }
 
   const Motion& motion_;
   ToolIntervals intervals_;
   const std::vector<SearchTarget>& targets_;
-  const SearchQuestion& question_;
-  SearchAnswer answer_;
+  const SearchQuery& query_;
+  SearchResult result_;
 };
 
 }  // namespace
 
-SearchAnswer search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
-                         const SearchQuestion& question, const SearchStart& start) {
-  if (!start.seeds.empty()) return Search(motion, targets, question).find(start);
-  SearchAnswer answer;
-  answer.value_mm = std::max(0.0, start.value_mm);
-  answer.has_witness = start.value_mm > 0;
-  answer.value_upper_mm = std::max(answer.value_mm, start.settled_mm);
-  answer.t = start.t;
-  answer.point = start.point;
-  answer.at = start.at;
-  return answer;
+SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
+                         const SearchQuery& query, const SearchStart& start) {
+  if (!start.seeds.empty()) return Search(motion, targets, query).find(start);
+  SearchResult result;
+  result.value_mm = std::max(0.0, start.value_mm);
+  result.has_witness = start.value_mm > 0;
+  result.value_upper_mm = std::max(result.value_mm, start.certified_mm);
+  result.t = start.t;
+  result.point = start.point;
+  result.at = start.at;
+  return result;
 }
 
 }  // namespace gouge

@@ -11,19 +11,19 @@
 
 // The exact search of one move: best first (best_first_search.h) over (instant x triangle), every step with a proven
 // upper bound, every candidate a real point of a triangle at a real instant. It looks at the triangles that the
-// wide sweep (sweep_filter.h) could not settle. Method and proofs: docs/algorithms/certified_sweep.md. Goes beyond
+// wide sweep (sweep_filter.h) could not decide. Method and proofs: docs/algorithms/certified_sweep.md. Goes beyond
 // thesis 2.4.18 (points at single poses).
 
 namespace gouge {
 
-/// A tool form against a surface.
+/// A tool variant against a surface.
 struct SearchTarget {
   const CompiledTool* tool = nullptr;
   const BlockTree* tree = nullptr;
   Against against = Against::part;
 };
 
-struct SearchQuestion : SearchGoal {
+struct SearchQuery : SearchGoal {
   /// What is sought is the largest `reach_mm - signed distance`: 0 for the depth, a near-miss distance for
   /// the closest approach.
   double reach_mm = 0;
@@ -36,15 +36,15 @@ struct SearchSeed {
 
 /// Where a search starts: what is known of the move before.
 struct SearchStart {
-  std::vector<SearchSeed> seeds;  ///< the triangles to look at; all others are settled
-  double settled_mm = 0;          ///< proven for the others: the value is no larger
+  std::vector<SearchSeed> seeds;  ///< the triangles to look at; all others are pruned
+  double certified_mm = 0;          ///< proven for the others: the value is no larger
   double value_mm = 0;            ///< met at a real point and instant; 0: none
   double t = 0;
   Vec3 point = Vec3::Zero();
   SearchSeed at;                  ///< where the value was met
 };
 
-struct SearchAnswer {
+struct SearchResult {
   double value_mm = 0;        ///< largest value met at a real point and instant, at least 0
   double value_upper_mm = 0;  ///< proven: nowhere in the move is it larger
   bool has_witness = false;   ///< value > 0
@@ -60,7 +60,7 @@ struct SearchAnswer {
 /// value + gap when the
 ///          value is above the tolerance.
 /// Cost     a few hundred bounds for a clean move near the surface, no allocation that outlives the call.
-[[nodiscard]] SearchAnswer search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
-                                       const SearchQuestion& question, const SearchStart& start);
+[[nodiscard]] SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
+                                       const SearchQuery& query, const SearchStart& start);
 
 }  // namespace gouge

@@ -5,7 +5,7 @@
 namespace gouge {
 namespace {
 
-bool is_told(const MoveVerdict& v) {
+bool is_reported(const MoveVerdict& v) {
   return v.state != MoveState::clean && v.state != MoveState::not_checked;
 }
 
@@ -23,7 +23,7 @@ std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<Mov
   std::vector<Event> events;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const MoveVerdict& v = verdicts[i];
-    if (!is_told(v)) continue;
+    if (!is_reported(v)) continue;
     const Move& move = toolpath.moves[i];
     const bool is_next = !events.empty() && events.back().last_move + 1 == i &&
                          (v.state != MoveState::buried || v.reason.is_same(verdicts[i - 1].reason));

@@ -23,12 +23,12 @@ ToolSample sample_tool(const CompiledTool& tool, const Vec3& q_tool) {
 
 SupportPlane support_plane(const CompiledTool& tool, const ToolSample& sample) {
   const Vec3 out = radial(sample.q, radius(sample.q));
-  const ToolAnswer& answer = sample.answer;
+  const ToolDistance& nearest = sample.nearest;
   SupportPlane plane;
-  plane.normal = answer.normal.x() * out + answer.normal.y() * Vec3::UnitZ();
-  plane.foot = answer.foot.x() * out + answer.foot.y() * Vec3::UnitZ();
+  plane.normal = nearest.normal.x() * out + nearest.normal.y() * Vec3::UnitZ();
+  plane.foot = nearest.foot.x() * out + nearest.foot.y() * Vec3::UnitZ();
   plane.offset_mm = plane.normal.dot(plane.foot);
-  plane.range = tool.elements[answer.element].support;
+  plane.range = tool.elements[nearest.element].support;
   return plane;
 }
 

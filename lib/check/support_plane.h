@@ -9,10 +9,10 @@
 
 namespace gouge {
 
-/// A point in tool coordinates with the tool's answer for it.
+/// A point in tool coordinates with the tool's distance for it.
 struct ToolSample {
   Vec3 q = Vec3::Zero();
-  ToolAnswer answer;
+  ToolDistance nearest;
 };
 
 [[nodiscard]] ToolSample sample_tool(const CompiledTool& tool, const Vec3& q_tool);

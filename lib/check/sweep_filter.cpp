@@ -16,7 +16,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one level up
-// A node is opened for a whole group only if it is this much larger than half the way of the group: space first.
+// A node is opened for a whole group only if it is this much larger than half the path length of the group: space first.
 // Smaller ones are left to the parts of the group: time first.
 constexpr float kSpaceFirst = 12.0F;
 // How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
@@ -32,8 +32,8 @@ constexpr float kSmallSwing_mm = 0.01F;
 
 /// What is known of one move so far.
 struct MoveWork {
-  float least_settled = std::numeric_limits<float>::max();
-  std::vector<SearchSeed> open;  ///< what no bound has settled
+  float least_pruned = std::numeric_limits<float>::max();
+  std::vector<SearchSeed> open;  ///< what no bound has pruned
 };
 
 /// What a group leaves to its parts.
@@ -45,9 +45,9 @@ struct Remainder {
 
 class Sweep {
  public:
-  Sweep(std::span<const Motion> motions, const std::vector<SearchTarget>& targets, const SearchQuestion& question,
+  Sweep(std::span<const Motion> motions, const std::vector<SearchTarget>& targets, const SearchQuery& query,
         const SweepKernel& kernel)
-      : motions_(motions), targets_(targets), question_(question), kernel_(kernel), work_(motions.size()),
+      : motions_(motions), targets_(targets), query_(query), kernel_(kernel), work_(motions.size()),
         swept_(motions.size()) {}
 
   std::vector<SweptMove> run() {
@@ -69,7 +69,7 @@ class Sweep {
   }
 
  private:
-  // Most are never asked for: what a group settles needs no frames of its parts.
+  // Most are never asked for: what a group prunes needs no frames of its parts.
   void forget_frames() {
     frames_.clear();
     for (std::size_t size = 1;; size *= kGroup) {
@@ -94,7 +94,7 @@ class Sweep {
 
   /// The signed distance to prove for a move, given the deepest point met on it.
   [[nodiscard]] float need(double value_mm) const {
-    const double distance = question_.reach_mm - question_.pruning_threshold_mm(value_mm);
+    const double distance = query_.reach_mm - query_.pruning_threshold_mm(value_mm);
     return std::nextafter(static_cast<float>(distance), std::numeric_limits<float>::max());
   }
 
@@ -107,11 +107,11 @@ class Sweep {
     rest.gathered.clear();
     least_ = least;
     need_ = need(0);
-    smallest_ = kSpaceFirst * (0.5F * frame.way_mm + frame.rest_mm);
+    smallest_ = kSpaceFirst * (0.5F * frame.displacement_mm + frame.rest_mm);
     for (const TriangleBlock* block : work.blocks) gather(*block, frame, rest);
     for (const std::uint32_t node : work.nodes) visit_node_for_group(node, frame, rest);
     const float now = least_;
-    // What was looked at for the whole group is told of its first move.
+    // What was looked at for the whole group counts for its first move.
     swept_[steps_[index * steps_below(level)].move].bounds += std::exchange(bounds_, 0);
     const std::size_t first = index * kGroup;
     const std::size_t last = std::min(first + kGroup, frames_[level - 1].size());
@@ -129,24 +129,24 @@ class Sweep {
     const std::size_t size = steps_below(level);
     const std::size_t last = std::min(steps_.size(), (index + 1) * size);
     for (std::size_t s = index * size; s < last; ++s) {
-      float& known = work_[steps_[s].move].least_settled;
+      float& known = work_[steps_[s].move].least_pruned;
       known = std::min(known, least);
     }
   }
 
   void visit_node_for_group(std::uint32_t index, const SweepFrame& frame, Remainder& rest) {
     const NodeBlock& node = tree_->nodes[index];
-    KernelAnswer answer;
-    kernel_.nodes(node, frame, piece_, need_, answer);
+    KernelResult result;
+    kernel_.nodes(node, frame, piece_, need_, result);
     ++bounds_;
-    least_ = std::min(least_, answer.least_settled);
+    least_ = std::min(least_, result.least_pruned);
     float widest = 0;
-    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+    for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       widest = std::max(widest, node.radius_mm[static_cast<std::size_t>(std::countr_zero(open))]);
     }
-    if (answer.open == 0) return;
+    if (result.open == 0) return;
     if (widest <= smallest_) return rest.nodes.push_back(index);
-    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+    for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       const std::uint32_t child = node.child[static_cast<std::size_t>(std::countr_zero(open))];
       if (node.has_leaves) {
         gather(tree_->leaves[child], frame, rest);
@@ -157,11 +157,11 @@ class Sweep {
   }
 
   void gather(const TriangleBlock& leaf, const SweepFrame& frame, Remainder& rest) {
-    KernelAnswer answer;
-    kernel_.triangles(leaf, frame, piece_, need_, answer);
+    KernelResult result;
+    kernel_.triangles(leaf, frame, piece_, need_, result);
     ++bounds_;
-    least_ = std::min(least_, answer.least_settled);
-    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+    least_ = std::min(least_, result.least_pruned);
+    for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       if (rest.gathered.empty() || rest.gathered.back().count == kBlockLanes) {
         rest.gathered.emplace_back();
         rest.blocks.push_back(&rest.gathered.back());
@@ -187,7 +187,7 @@ class Sweep {
     frame_ = &frame_of(0, index);
     least_ = least;
     const std::uint32_t m = step_->move;
-    if (m > 0 && swept_[m].start.value_mm <= 0 && swept_[m - 1].start.value_mm > question_.tolerance_mm &&
+    if (m > 0 && swept_[m].start.value_mm <= 0 && swept_[m - 1].start.value_mm > query_.tolerance_mm &&
         swept_[m - 1].start.at.target == target_) {
       measure(*step_, swept_[m - 1].start.at.triangle, swept_[m - 1].start.point);
     }
@@ -197,24 +197,24 @@ class Sweep {
     for (const std::uint32_t node : work.nodes) visit_node(node);
     parts_ = 0;
     refine(*step_, *frame_, 0, short_of_, 0);
-    work_[m].least_settled = std::min(work_[m].least_settled, least_);
+    work_[m].least_pruned = std::min(work_[m].least_pruned, least_);
     swept_[m].bounds += std::exchange(bounds_, 0);
   }
 
   void visit_node(std::uint32_t index) {
     const NodeBlock& node = tree_->nodes[index];
-    KernelAnswer answer;
+    KernelResult result;
     float asked = need_;
-    kernel_.nodes(node, *frame_, piece_, asked, answer);
+    kernel_.nodes(node, *frame_, piece_, asked, result);
     ++bounds_;
-    least_ = std::min(least_, answer.least_settled);
-    // The deepest first: what it shows settles most of the others.
+    least_ = std::min(least_, result.least_pruned);
+    // The deepest first: what it shows prunes most of the others.
     std::array<std::uint8_t, kBlockLanes> order;
     std::size_t count = 0;
-    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+    for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::uint8_t>(std::countr_zero(open));
       std::size_t at = count++;
-      for (; at > 0 && answer.distance[lane] < answer.distance[order[at - 1]]; --at) order[at] = order[at - 1];
+      for (; at > 0 && result.distance[lane] < result.distance[order[at - 1]]; --at) order[at] = order[at - 1];
       order[at] = lane;
     }
     for (std::size_t k = 0; k < count; ++k) {
@@ -222,11 +222,11 @@ class Sweep {
       if (need_ < asked) {
         // A bound below what was asked for is not proven: how far its feet may be was not looked at.
         asked = need_;
-        kernel_.nodes(node, *frame_, piece_, asked, answer);
+        kernel_.nodes(node, *frame_, piece_, asked, result);
         ++bounds_;
       }
-      if (answer.bound[lane] >= asked) {
-        least_ = std::min(least_, answer.bound[lane]);
+      if (result.bound[lane] >= asked) {
+        least_ = std::min(least_, result.bound[lane]);
       } else if (node.has_leaves) {
         visit_triangles(tree_->leaves[node.child[lane]]);
       } else {
@@ -238,43 +238,43 @@ class Sweep {
   void visit_triangles(const TriangleBlock& block) { look(block, *step_, *frame_, waiting_[0]); }
 
   /// Triangles during a part of a move; those left open join `waiting`.
-  void look(const TriangleBlock& block, const SweepStep& step, const SweepFrame& frame,
+  void look(const TriangleBlock& block, const SweepInterval& step, const SweepFrame& frame,
             std::vector<TriangleBlock>& waiting) {
-    KernelAnswer answer;
+    KernelResult result;
     bool is_measured = false;
     for (;;) {
-      kernel_.triangles(block, frame, piece_, need_, answer);
+      kernel_.triangles(block, frame, piece_, need_, result);
       ++bounds_;
-      if (answer.open == 0 || std::exchange(is_measured, true)) break;
+      if (result.open == 0 || std::exchange(is_measured, true)) break;
       const float asked = need_;
-      measure_deepest(block, answer, step, frame);
+      measure_deepest(block, result, step, frame);
       // A deeper point leaves less to be proven.
       if (need_ >= asked) break;
     }
-    least_ = std::min(least_, answer.least_settled);
-    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+    least_ = std::min(least_, result.least_pruned);
+    for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
-      short_of_ = std::max(short_of_, need_ - answer.bound[lane]);
+      short_of_ = std::max(short_of_, need_ - result.bound[lane]);
       wait(waiting, block, lane);
     }
   }
 
-  void measure_deepest(const TriangleBlock& block, const KernelAnswer& answer, const SweepStep& step,
+  void measure_deepest(const TriangleBlock& block, const KernelResult& result, const SweepInterval& step,
                        const SweepFrame& frame) {
-    auto deepest = static_cast<std::size_t>(std::countr_zero(answer.open));
-    for (std::uint32_t open = answer.open; open != 0; open &= open - 1) {
+    auto deepest = static_cast<std::size_t>(std::countr_zero(result.open));
+    for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
-      if (answer.distance[lane] < answer.distance[deepest]) deepest = lane;
+      if (result.distance[lane] < result.distance[deepest]) deepest = lane;
     }
-    // A deeper point makes less to be settled, even if this one alone would not do.
-    if (!(answer.distance[deepest] < need_ + kWorthMeasuring * static_cast<float>(question_.gap_mm))) return;
-    const Vec3 from_tip(answer.point[0][deepest], answer.point[1][deepest], answer.point[2][deepest]);
+    // A deeper point leaves less to be pruned, even if this one alone would not do.
+    if (!(result.distance[deepest] < need_ + kWorthMeasuring * static_cast<float>(query_.gap_mm))) return;
+    const Vec3 from_tip(result.point[0][deepest], result.point[1][deepest], result.point[2][deepest]);
     measure(step, block.triangle[deepest], from_tip + Vec3(frame.tip[0], frame.tip[1], frame.tip[2]) + tree_->origin);
   }
 
   // Where a triangle is looked at from its nearest point, what makes the bound slack is time: what the nearest
   // point moves, and how far the triangle's corners swing about it. Smaller triangles swing less.
-  void refine(const SweepStep& step, const SweepFrame& frame, std::size_t depth, float short_of, int failures) {
+  void refine(const SweepInterval& step, const SweepFrame& frame, std::size_t depth, float short_of, int failures) {
     if (waiting_[depth].empty()) return;
     if (depth == kCuts || waiting_[depth].size() > kMostBlocks || parts_ >= kMostParts) return give_up(waiting_[depth]);
     parts_ += static_cast<std::uint32_t>(waiting_[depth].size());
@@ -286,7 +286,7 @@ class Sweep {
         look_at_quarters(block, step, frame, step.t1 > step.t0 ? edge_mm : 0, waiting_[depth + 1]);
       return refine(step, frame, depth + 1, short_of_, failures);
     }
-    for (const SweepStep& half : halved(motions_[step.move], step)) {
+    for (const SweepInterval& half : halved(motions_[step.move], step)) {
       const float needed = need_;
       const SweepFrame half_frame = sweep_frame({&half, 1}, tree_->origin, rounding_mm());
       begin(depth + 1);
@@ -330,7 +330,7 @@ class Sweep {
   }
 
   /// Cuts triangles with an edge longer than `edge_mm` in four; the others wait on.
-  void look_at_quarters(const TriangleBlock& block, const SweepStep& step, const SweepFrame& frame, float edge_mm,
+  void look_at_quarters(const TriangleBlock& block, const SweepInterval& step, const SweepFrame& frame, float edge_mm,
                         std::vector<TriangleBlock>& waiting) {
     TriangleBlock quarters;
     quarters.count = 0;
@@ -375,11 +375,11 @@ class Sweep {
   }
 
   /// The value at the point of the triangle nearest to `about`, at three instants of the step.
-  void measure(const SweepStep& step, std::uint32_t triangle, const Vec3& about) {
+  void measure(const SweepInterval& step, std::uint32_t triangle, const Vec3& about) {
     SearchStart& swept = swept_[step.move].start;
     const Vec3 p = closest_on_triangle(about, tree_->corners(triangle)).point;
     for (const double t : {step.t0, step.middle(), step.t1}) {
-      const double value = question_.reach_mm - signed_distance_mm(*tool_, motions_[step.move].at(t), p);
+      const double value = query_.reach_mm - signed_distance_mm(*tool_, motions_[step.move].at(t), p);
       if (value <= swept.value_mm) continue;
       swept.value_mm = value;
       swept.t = t;
@@ -397,14 +397,14 @@ class Sweep {
     open.erase(std::unique(open.begin(), open.end(), [key](const auto& a, const auto& b) { return key(a) == key(b); }),
                open.end());
     swept_[m].start.seeds = std::move(open);
-    swept_[m].start.settled_mm = question_.reach_mm - static_cast<double>(work_[m].least_settled);
+    swept_[m].start.certified_mm = query_.reach_mm - static_cast<double>(work_[m].least_pruned);
   }
 
   std::span<const Motion> motions_;
   const std::vector<SearchTarget>& targets_;
-  const SearchQuestion& question_;
+  const SearchQuery& query_;
   const SweepKernel& kernel_;
-  std::vector<SweepStep> steps_;
+  std::vector<SweepInterval> steps_;
   std::vector<MoveWork> work_;
   std::vector<SweptMove> swept_;
 
@@ -418,7 +418,7 @@ class Sweep {
 
   // Of the group or step at hand.
   std::array<std::vector<TriangleBlock>, kCuts + 1> waiting_;
-  const SweepStep* step_ = nullptr;
+  const SweepInterval* step_ = nullptr;
   const SweepFrame* frame_ = nullptr;
   float need_ = 0, least_ = 0, smallest_ = 0;
   float short_of_ = 0;  ///< how much the worst of the waiting triangles lacks
@@ -429,16 +429,16 @@ class Sweep {
 }  // namespace
 
 std::vector<SweptMove> sweep_moves(std::span<const Motion> motions, const std::vector<SearchTarget>& targets,
-                                   const SearchQuestion& question, const SweepKernel& kernel) {
-  return Sweep(motions, targets, question, kernel).run();
+                                   const SearchQuery& query, const SweepKernel& kernel) {
+  return Sweep(motions, targets, query, kernel).run();
 }
 
-SearchAnswer sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
-                              const SearchQuestion& question) {
-  const SweptMove swept = sweep_moves({&motion, 1}, targets, question).front();
-  SearchAnswer answer = search_move(motion, targets, question, swept.start);
-  answer.bounds += swept.bounds;
-  return answer;
+SearchResult sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
+                              const SearchQuery& query) {
+  const SweptMove swept = sweep_moves({&motion, 1}, targets, query).front();
+  SearchResult result = search_move(motion, targets, query, swept.start);
+  result.bounds += swept.bounds;
+  return result;
 }
 
 }  // namespace gouge

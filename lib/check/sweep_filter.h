@@ -14,23 +14,23 @@
 
 namespace gouge {
 
-/// What the wide sweep leaves of one question about one move.
+/// What the wide sweep leaves of one query about one move.
 struct SweptMove {
   SearchStart start;
   std::uint64_t bounds = 0;  ///< blocks looked at; those looked at for a group count for its first move
 };
 
-/// Every motion against every target, for one question (search.h).
+/// Every motion against every target, for one query (search.h).
 /// Requires motions that are defined. Tools without elements and empty trees are passed over.
-/// Ensures  each answer depends on `motions` alone, not on the processor or on who else runs.
+/// Ensures  each result depends on `motions` alone, not on the processor or on who else runs.
 /// Cost     a microsecond or two for a motion along a surface, a tenth of that for one far from it.
 [[nodiscard]] std::vector<SweptMove> sweep_moves(std::span<const Motion> motions,
                                                  const std::vector<SearchTarget>& targets,
-                                                 const SearchQuestion& question,
+                                                 const SearchQuery& query,
                                                  const SweepKernel& kernel = fastest_sweep_kernel());
 
 /// One motion, swept and searched to the end.
-[[nodiscard]] SearchAnswer sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
-                                            const SearchQuestion& question);
+[[nodiscard]] SearchResult sweep_and_search(const Motion& motion, const std::vector<SearchTarget>& targets,
+                                            const SearchQuery& query);
 
 }  // namespace gouge

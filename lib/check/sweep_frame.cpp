@@ -10,10 +10,10 @@ namespace {
 // What single precision does to a length, with all that is computed from it in the kernel.
 constexpr double kSingle = 2e-6;
 
-// Ways are cut until the chord is this close and no step is longer or turns more than this, or to this many steps.
+// Paths are cut until the chord is this close and no step is longer or turns more than this, or to this many steps.
 constexpr double kSmallSag_mm = 0.002;
 constexpr double kSmallTurn_rad = 0.1;
-constexpr double kShortWay_mm = 4;
+constexpr double kShortPath_mm = 4;
 constexpr int kMostSteps = 64;
 
 /// Of two unit vectors a chord apart, and a little more: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and <= c pi / 2.
@@ -36,32 +36,32 @@ Vec3 kept(const std::array<float, 3>& v) {
 /// Where the ends of the steps stand on the line from the first pose to the last: -1/2 to 1/2.
 class Line {
  public:
-  explicit Line(std::span<const SweepStep> steps)
+  explicit Line(std::span<const SweepInterval> steps)
       : count_(static_cast<double>(steps.size())),
         middle_(0.5 * (steps.front().from.tip + steps.back().to.tip)),
-        way_(steps.back().to.tip - steps.front().from.tip) {
+        displacement_(steps.back().to.tip - steps.front().from.tip) {
     double spread2 = 0;
-    for (const SweepStep& step : steps) spread2 = std::max(spread2, (step.to.tip - middle_).squaredNorm());
-    is_by_way_ = way_.squaredNorm() > 1e-6 * spread2 && steps.size() > 1;
-    if (is_by_way_) per_way2_ = 1 / way_.squaredNorm();
+    for (const SweepInterval& step : steps) spread2 = std::max(spread2, (step.to.tip - middle_).squaredNorm());
+    is_by_path_ = displacement_.squaredNorm() > 1e-6 * spread2 && steps.size() > 1;
+    if (is_by_path_) per_length2_ = 1 / displacement_.squaredNorm();
   }
-  [[nodiscard]] const Vec3& way() const { return way_; }
+  [[nodiscard]] const Vec3& displacement() const { return displacement_; }
   [[nodiscard]] const Vec3& middle() const { return middle_; }
   /// `index`: 0 for the start of the first step, k for the end of step k - 1.
   [[nodiscard]] double at(const Pose& pose, double index) const {
-    if (!is_by_way_) return index / count_ - 0.5;
-    return std::clamp((pose.tip - middle_).dot(way_) * per_way2_, -0.5, 0.5);
+    if (!is_by_path_) return index / count_ - 0.5;
+    return std::clamp((pose.tip - middle_).dot(displacement_) * per_length2_, -0.5, 0.5);
   }
 
  private:
   double count_;
-  Vec3 middle_, way_;
-  double per_way2_ = 0;
-  bool is_by_way_ = false;
+  Vec3 middle_, displacement_;
+  double per_length2_ = 0;
+  bool is_by_path_ = false;
 };
 
 template <typename Visit>
-void each_pose(std::span<const SweepStep> steps, const Visit& visit) {
+void each_pose(std::span<const SweepInterval> steps, const Visit& visit) {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const bool goes_on =
         i > 0 && steps[i].from.tip == steps[i - 1].to.tip && steps[i].from.axis == steps[i - 1].to.axis;
@@ -72,24 +72,24 @@ void each_pose(std::span<const SweepStep> steps, const Visit& visit) {
 
 }  // namespace
 
-void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepStep>& steps) {
-  for (std::uint32_t s = 0; s < motion.stretches().size(); ++s) {
-    const TipStretch& stretch = motion.stretches()[s];
-    const double length = motion.is_alone() ? 0 : stretch.t1 - stretch.t0;
+void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInterval>& steps) {
+  for (std::uint32_t s = 0; s < motion.segments().size(); ++s) {
+    const MotionSegment& segment = motion.segments()[s];
+    const double length = motion.is_alone() ? 0 : segment.t1 - segment.t0;
     const double turn = motion.angle_rad() * length;
     int parts = 1;
     while (parts < kMostSteps &&
-           (turn / parts > kSmallTurn_rad || motion.way_mm(stretch.t0, stretch.t0 + length / parts, s) > kShortWay_mm ||
-            motion.sag_mm(stretch.t0, stretch.t0 + length / parts, s) > kSmallSag_mm)) {
+           (turn / parts > kSmallTurn_rad || motion.path_length_mm(segment.t0, segment.t0 + length / parts, s) > kShortPath_mm ||
+            motion.sag_mm(segment.t0, segment.t0 + length / parts, s) > kSmallSag_mm)) {
       parts *= 2;
     }
-    Pose from = motion.at(stretch.t0);
+    Pose from = motion.at(segment.t0);
     for (int k = 0; k < parts; ++k) {
-      SweepStep step;
+      SweepInterval step;
       step.move = move;
-      step.stretch = s;
-      step.t0 = stretch.t0 + length * k / parts;
-      step.t1 = k + 1 == parts ? stretch.t0 + length : stretch.t0 + length * (k + 1) / parts;
+      step.segment = s;
+      step.t0 = segment.t0 + length * k / parts;
+      step.t1 = k + 1 == parts ? segment.t0 + length : segment.t0 + length * (k + 1) / parts;
       step.from = from;
       step.to = motion.is_alone() ? from : motion.at(step.t1);
       step.sag_mm = motion.sag_mm(step.t0, step.t1, s);
@@ -100,17 +100,17 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepSte
   }
 }
 
-std::array<SweepStep, 2> halved(const Motion& motion, const SweepStep& step) {
-  std::array<SweepStep, 2> parts = halves(step);
+std::array<SweepInterval, 2> halved(const Motion& motion, const SweepInterval& step) {
+  std::array<SweepInterval, 2> parts = halves(step);
   parts[0].to = parts[1].from = motion.at(step.middle());
-  for (SweepStep& part : parts) {
+  for (SweepInterval& part : parts) {
     part.turn_rad = 0.5 * step.turn_rad;
-    part.sag_mm = motion.sag_mm(part.t0, part.t1, part.stretch);
+    part.sag_mm = motion.sag_mm(part.t0, part.t1, part.segment);
   }
   return parts;
 }
 
-SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin, double rounding_mm) {
+SweepFrame sweep_frame(std::span<const SweepInterval> steps, const Vec3& origin, double rounding_mm) {
   SweepFrame frame;
   const Line line(steps);
   const Vec3 sum = steps.front().from.axis + steps.back().to.axis;
@@ -123,7 +123,7 @@ SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin, dou
   if (steps.size() > 1) {
     Vec3 low = Vec3::Zero(), high = Vec3::Zero();
     each_pose(steps, [&](const Pose& pose, double index) {
-      const Vec3 beside = pose.tip - middle - line.at(pose, index) * line.way();
+      const Vec3 beside = pose.tip - middle - line.at(pose, index) * line.displacement();
       low = low.cwiseMin(beside);
       high = high.cwiseMax(beside);
     });
@@ -135,16 +135,16 @@ SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin, dou
   double beside2 = 0, far2 = 0, twisted2 = 0, chord2 = 0;
   each_pose(steps, [&](const Pose& pose, double index) {
     const double s = line.at(pose, index);
-    const Vec3 way = pose.tip - origin - tip;
-    beside2 = std::max(beside2, (way - s * line.way()).squaredNorm());
-    far2 = std::max(far2, way.squaredNorm());
+    const Vec3 displacement = pose.tip - origin - tip;
+    beside2 = std::max(beside2, (displacement - s * line.displacement()).squaredNorm());
+    far2 = std::max(far2, displacement.squaredNorm());
     twisted2 = std::max(twisted2, (axis.cross(pose.axis) - s * turn).squaredNorm());
     chord2 = std::max(chord2, (axis - pose.axis).squaredNorm());
   });
   double beside = std::sqrt(beside2), far = std::sqrt(far2), twisted = std::sqrt(twisted2);
   const double widest = angle_over(std::sqrt(chord2));
   double sag = 0, bend = 0;
-  for (const SweepStep& step : steps) {
+  for (const SweepInterval& step : steps) {
     sag = std::max(sag, step.sag_mm);
     bend = std::max(bend, step.turn_rad * step.turn_rad / 8);
   }
@@ -152,11 +152,11 @@ SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin, dou
   far += sag;
   twisted += bend + widest * widest * widest / 6;
 
-  frame.way = single(line.way());
+  frame.displacement = single(line.displacement());
   frame.turn = single(turn);
-  frame.way_mm = rounded_up(line.way().norm());
+  frame.displacement_mm = rounded_up(line.displacement().norm());
   frame.half_turn = rounded_up(0.5 * turn.norm());
-  const double scale = kSingle * (line.way().norm() + far) + rounding_mm;
+  const double scale = kSingle * (line.displacement().norm() + far) + rounding_mm;
   frame.beside_mm = rounded_up(beside + scale);
   frame.rest_mm = rounded_up(beside + widest * far * (1 + 0.5 * widest) + scale);
   frame.rest_per_mm = rounded_up(twisted + 0.5 * widest * widest + kSingle * (1 + turn.norm()));

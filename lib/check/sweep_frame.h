@@ -13,8 +13,8 @@
 
 namespace gouge {
 
-/// A part of a motion: the tip within `sag_mm` of the straight way at constant speed, the axis on the great circle.
-struct SweepStep : MotionInterval {
+/// A part of a motion: the tip within `sag_mm` of the straight path at constant speed, the axis on the great circle.
+struct SweepInterval : MotionInterval {
   Pose from, to;
   double sag_mm = 0;
   double turn_rad = 0;
@@ -22,13 +22,13 @@ struct SweepStep : MotionInterval {
 };
 
 /// Appends the steps of a motion: one where it is straight, more where it bends.
-void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepStep>& steps);
+void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInterval>& steps);
 
 /// The two halves of a step.
-[[nodiscard]] std::array<SweepStep, 2> halved(const Motion& motion, const SweepStep& step);
+[[nodiscard]] std::array<SweepInterval, 2> halved(const Motion& motion, const SweepInterval& step);
 
 /// The frame that holds for every instant of every step, and for points up to `rounding_mm` beside the ones they
 /// stand for. Requires at least one step.
-[[nodiscard]] SweepFrame sweep_frame(std::span<const SweepStep> steps, const Vec3& origin, double rounding_mm);
+[[nodiscard]] SweepFrame sweep_frame(std::span<const SweepInterval> steps, const Vec3& origin, double rounding_mm);
 
 }  // namespace gouge

@@ -28,8 +28,8 @@ constexpr double kOnAxis = 1e-9;  // as a share of the piece's size
 
 /// The direction of a chain's line, upright where it leans by rounding only.
 Vec2 along(const std::vector<Vec2>& chain, std::size_t line) {
-  const Vec2 way = (chain[line + 1] - chain[line]).normalized();
-  return std::abs(way.x()) < kOnAxis ? Vec2(0, way.y() < 0 ? -1 : 1) : way;
+  const Vec2 displacement = (chain[line + 1] - chain[line]).normalized();
+  return std::abs(displacement.x()) < kOnAxis ? Vec2(0, displacement.y() < 0 ? -1 : 1) : displacement;
 }
 
 void set_core(const CoverPiece& piece, double size, KernelPiece& k) {
@@ -60,15 +60,15 @@ KernelPiece kernel_piece(const CoverPiece& piece) {
   double size = std::max(std::abs(piece.z_lo_mm), std::abs(piece.z_hi_mm)) + piece.radius_mm;
   k.count = static_cast<std::uint32_t>(piece.chain.size() - 1);
   for (std::size_t i = 0; i + 1 < piece.chain.size(); ++i) {
-    const Vec2 way = along(piece.chain, i);
+    const Vec2 displacement = along(piece.chain, i);
     const Vec2& base = i == 0 ? piece.chain[1] : piece.chain[i];
     const Vec2 at = piece.chain.size() == 2 ? Vec2(0.5 * (piece.chain[0] + piece.chain[1])) : base;
-    k.lines[i] = {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(way.x()),
-                  static_cast<float>(way.y()), 0, 0};
+    k.lines[i] = {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(displacement.x()),
+                  static_cast<float>(displacement.y()), 0, 0};
     size = std::max(size, at.norm());
     if (i == 0) continue;
     const Vec2 before = along(piece.chain, i - 1);
-    const Vec2 in = Vec2(-before.y() - way.y(), before.x() + way.x()) / (1 + before.dot(way));
+    const Vec2 in = Vec2(-before.y() - displacement.y(), before.x() + displacement.x()) / (1 + before.dot(displacement));
     k.lines[i].in_r = static_cast<float>(in.x());
     k.lines[i].in_z = static_cast<float>(in.y());
   }

@@ -16,14 +16,14 @@ namespace gouge {
 struct CoverPiece;
 
 /// A motion to first order, in the frame of a tree (mm, part coordinates minus its origin): the surface point p
-/// stands at u - s (way + turn x u) + e in tool coordinates, u = p - tip, for an s in [-1/2, 1/2] and an e with
+/// stands at u - s (displacement + turn x u) + e in tool coordinates, u = p - tip, for an s in [-1/2, 1/2] and an e with
 /// |e| <= rest + rest_per_mm |u|. The tool axis at s = 0 is `axis`.
 struct SweepFrame {
-  std::array<float, 3> tip{}, axis{}, way{}, turn{};
-  float way_mm = 0;     ///< at least |way|
+  std::array<float, 3> tip{}, axis{}, displacement{}, turn{};
+  float displacement_mm = 0;     ///< at least |displacement|
   float half_turn = 0;  ///< at least |turn| / 2
   float rest_mm = 0, rest_per_mm = 0;
-  float beside_mm = 0;  ///< how far the tip may be from its place on the straight way
+  float beside_mm = 0;  ///< how far the tip may be from its position on the straight path
 };
 
 /// A piece of the tool's cover, in single precision.
@@ -50,20 +50,20 @@ struct KernelPiece {
 
 [[nodiscard]] KernelPiece kernel_piece(const CoverPiece& piece);
 
-struct alignas(64) KernelAnswer {
+struct alignas(64) KernelResult {
   Lanes bound;                 ///< where >= need, proven: signed distance >= bound, everywhere in the lane
   Lanes distance;              ///< of the point looked at last
   std::array<Lanes, 3> point;  ///< that point minus the frame's tip, mm; triangles only
-  std::uint32_t open = 0;      ///< bit i: lane i is not settled: bound < need
-  float least_settled = 0;     ///< smallest bound among the settled lanes; infinite if there are none
+  std::uint32_t open = 0;      ///< bit i: lane i is not pruned: bound < need
+  float least_pruned = 0;     ///< smallest bound among the pruned lanes; infinite if there are none
 };
 
 /// Sixteen nodes, or triangles, against one piece during one motion. `need` is the signed distance to prove:
 /// minus the depth that is allowed, or plus the distance that must be kept.
 struct SweepKernel {
   const char* name;
-  void (*nodes)(const NodeBlock&, const SweepFrame&, const KernelPiece&, float need, KernelAnswer&);
-  void (*triangles)(const TriangleBlock&, const SweepFrame&, const KernelPiece&, float need, KernelAnswer&);
+  void (*nodes)(const NodeBlock&, const SweepFrame&, const KernelPiece&, float need, KernelResult&);
+  void (*triangles)(const TriangleBlock&, const SweepFrame&, const KernelPiece&, float need, KernelResult&);
 };
 
 /// All that this processor can run, the fastest last.

@@ -9,15 +9,15 @@
 namespace gouge::GOUGE_KERNEL {
 namespace {
 
-GOUGE_INLINE void finish(const V& bound, float need, std::uint32_t count, KernelAnswer& answer) {
-  store(bound, answer.bound);
+GOUGE_INLINE void finish(const V& bound, float need, std::uint32_t count, KernelResult& result) {
+  store(bound, result.bound);
   const M is_open = bound < need;
-  answer.open = or_of(is_open & kLaneBit) & ((1U << count) - 1U);
-  answer.least_settled = least_of(is_open ? all(3e38F) : bound);
+  result.open = or_of(is_open & kLaneBit) & ((1U << count) - 1U);
+  result.least_pruned = least_of(is_open ? broadcast(3e38F) : bound);
 }
 
 void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& piece, float need,
-           KernelAnswer& answer) {
+           KernelResult& result) {
   const Frame f = spread(frame);
   V3 center, normal;
   V thickness, disc, ball;
@@ -34,32 +34,32 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
   // The plane that touches the tool at the point of the disc nearest to the core says most.
   const V3 to_core = minus(near_core(piece, u, f.axis), u);
   const V3 lateral = minus(to_core, times(normal, dot(normal, to_core)));
-  const V length = root(dot(lateral, lateral));
-  const V3 nearest = plus(u, times(lateral, disc / larger(length, larger(disc, all(1e-30F)))));
+  const V length = sqrt(dot(lateral, lateral));
+  const V3 nearest = plus(u, times(lateral, disc / max(length, max(disc, broadcast(1e-30F)))));
   Touch at;
   touch(piece, nearest, f.axis, at);
   const V3 lean = cross(at.gradient, normal);
-  const V extent = size(dot(at.gradient, normal)) * thickness + root(dot(lean, lean)) * disc;
-  const V3 speed = plus(f.way, cross(f.turn, u));
-  const V far = at.r + size(at.z) + ball + disc;
+  const V extent = abs(dot(at.gradient, normal)) * thickness + sqrt(dot(lean, lean)) * disc;
+  const V3 speed = plus(f.displacement, cross(f.turn, u));
+  const V far = at.r + abs(at.z) + ball + disc;
   const V rest = frame.half_turn * ball + frame.rest_mm + frame.rest_per_mm * far + piece.rounding_mm;
   V by_plane = at.distance + dot(at.gradient, minus(u, nearest)) - extent -
-               0.5F * size(dot(at.gradient, speed)) - rest;
-  by_plane = larger(by_plane, least_along(piece, at.gradient, dot(at.gradient, u) - extent, frame, f) -
+               0.5F * abs(dot(at.gradient, speed)) - rest;
+  by_plane = max(by_plane, least_along(piece, at.gradient, dot(at.gradient, u) - extent, frame, f) -
                                   frame.rest_per_mm * far);
   const V z = dot(f.axis, u);
   V height = ball;
   // A cylinder has no lower face but the range of heights; elsewhere the chain has it.
   if (piece.count == 1) {
     const V3 tilt = cross(f.axis, normal);
-    height = smaller(size(dot(f.axis, normal)) * thickness + root(dot(tilt, tilt)) * disc, ball);
+    height = min(abs(dot(f.axis, normal)) * thickness + sqrt(dot(tilt, tilt)) * disc, ball);
   }
-  height += 0.5F * size(dot(f.axis, speed)) + rest;
-  const V reach = ball + disc + 0.5F * frame.way_mm + frame.half_turn * far + rest;
+  height += 0.5F * abs(dot(f.axis, speed)) + rest;
+  const V reach = ball + disc + 0.5F * frame.displacement_mm + frame.half_turn * far + rest;
   const Range range{z - height, z + height, at.r_lo - reach};
-  const V bound = settle(piece, has_foot(piece, need, range), by_plane, range);
-  store(at.distance, answer.distance);
-  finish(bound, need, block.count, answer);
+  const V bound = combine(piece, has_closest_point(piece, need, range), by_plane, range);
+  store(at.distance, result.distance);
+  finish(bound, need, block.count, result);
 }
 
 GOUGE_INLINE void nearer(const V3& p, const V3& candidate, V& best2, V3& best) {
@@ -67,7 +67,7 @@ GOUGE_INLINE void nearer(const V3& p, const V3& candidate, V& best2, V3& best) {
   const V d2 = dot(d, d);
   const M is_nearer = d2 < best2;
   best2 = is_nearer ? d2 : best2;
-  best = chosen(is_nearer, candidate, best);
+  best = select(is_nearer, candidate, best);
 }
 
 struct Triangle {
@@ -75,12 +75,12 @@ struct Triangle {
   V ab_scale, bc_scale, ca_scale, normal_scale;
 };
 
-GOUGE_INLINE V3 on_edge(const V3& p, const V3& from, const V3& way, const V& scale) {
-  const V t = smaller(larger(dot(minus(p, from), way) * scale, V{}), all(1.0F));
-  return plus(from, times(way, t));
+GOUGE_INLINE V3 on_edge(const V3& p, const V3& from, const V3& displacement, const V& scale) {
+  const V t = min(max(dot(minus(p, from), displacement) * scale, V{}), broadcast(1.0F));
+  return plus(from, times(displacement, t));
 }
 
-GOUGE_INLINE V inverse(const V& x) { return 1.0F / larger(x, all(1e-30F)); }
+GOUGE_INLINE V inverse(const V& x) { return 1.0F / max(x, broadcast(1e-30F)); }
 
 GOUGE_INLINE V3 closest(const V3& p, const Triangle& t) {
   V3 best = on_edge(p, t.a, t.ab, t.ab_scale);
@@ -92,7 +92,7 @@ GOUGE_INLINE V3 closest(const V3& p, const Triangle& t) {
   const M is_over = (dot(cross(t.ab, pa), t.normal) >= 0) & (dot(cross(t.bc, minus(p, t.b)), t.normal) >= 0) &
                     (dot(cross(t.ca, minus(p, t.c)), t.normal) >= 0) & (t.normal_scale < 1e29F);
   const V3 foot = minus(p, times(t.normal, dot(pa, t.normal) * t.normal_scale));
-  return chosen(is_over, foot, best);
+  return select(is_over, foot, best);
 }
 
 GOUGE_INLINE void corner(const TriangleBlock& block, std::size_t c, const V3& tip, V3& out) {
@@ -124,7 +124,7 @@ struct Plane {
 
 GOUGE_INLINE void lay_plane(const V& distance, const V3& point, const V3& g, const Triangle& t, const Frame& f,
                             Plane& out) {
-  const V still = dot(g, f.way);
+  const V still = dot(g, f.displacement);
   const V3 lever = cross(g, f.turn);
   const V offset = distance - dot(g, point);
   const V3* corners[3] = {&t.a, &t.b, &t.c};
@@ -138,13 +138,13 @@ GOUGE_INLINE void lay_plane(const V& distance, const V3& point, const V3& g, con
 
 GOUGE_INLINE V least(const Plane& p) {
   V low = p.value[0];
-  for (int k = 1; k < 6; ++k) low = smaller(low, p.value[k]);
+  for (int k = 1; k < 6; ++k) low = min(low, p.value[k]);
   return low;
 }
 
 GOUGE_INLINE V least_blended(const Plane& p, const Plane& q, const V& share) {
-  V low = all(3e38F);
-  for (int k = 0; k < 6; ++k) low = smaller(low, share * p.value[k] + (1.0F - share) * q.value[k]);
+  V low = broadcast(3e38F);
+  for (int k = 0; k < 6; ++k) low = min(low, share * p.value[k] + (1.0F - share) * q.value[k]);
   return low;
 }
 
@@ -161,7 +161,7 @@ GOUGE_INLINE V least_blended(const Plane& p, const Plane& q) {
     low_q = is_q ? q.value[k] : low_q;
   }
   const V slope = (q_at_p - low_p) + (p_at_q - low_q);
-  const V share = smaller(larger((q_at_p - low_q) / larger(slope, all(1e-30F)), V{}), all(1.0F));
+  const V share = min(max((q_at_p - low_q) / max(slope, broadcast(1e-30F)), V{}), broadcast(1.0F));
   return least_blended(p, q, share);
 }
 
@@ -174,25 +174,25 @@ struct Crossing {
 
 GOUGE_INLINE void lowest_crossing(const Plane& p, const Plane& q, const Triangle& t, Crossing& out) {
   const V3* corners[3] = {&t.a, &t.b, &t.c};
-  V lowest = all(3e38F);
+  V lowest = broadcast(3e38F);
   for (int end = 0; end < 2; ++end) {
     for (int c = 0; c < 3; ++c) {
       const int d = (c + 1) % 3;
       const V pc = p.value[2 * c + end], qc = q.value[2 * c + end];
       const V pd = p.value[2 * d + end], qd = q.value[2 * d + end];
-      const V at_corner = larger(pc, qc);
+      const V at_corner = max(pc, qc);
       const M is_corner = at_corner < lowest;
       lowest = is_corner ? at_corner : lowest;
-      out.share = is_corner ? (pc < qc ? V{} : all(1.0F)) : out.share;
-      out.point = chosen(is_corner, *corners[c], out.point);
+      out.share = is_corner ? (pc < qc ? V{} : broadcast(1.0F)) : out.share;
+      out.point = select(is_corner, *corners[c], out.point);
       const V over_c = pc - qc, over_d = pd - qd;
       const V along = over_c / (over_c - over_d);
       const V on_edge = pc + along * (pd - pc);
       const M is_edge = (over_c * over_d < 0) & (on_edge < lowest);
       lowest = is_edge ? on_edge : lowest;
       const V share = (qd - qc) / ((pc - pd) + (qd - qc));
-      out.share = is_edge ? smaller(larger(share, V{}), all(1.0F)) : out.share;
-      out.point = chosen(is_edge, plus(*corners[c], times(minus(*corners[d], *corners[c]), along)), out.point);
+      out.share = is_edge ? min(max(share, V{}), broadcast(1.0F)) : out.share;
+      out.point = select(is_edge, plus(*corners[c], times(minus(*corners[d], *corners[c]), along)), out.point);
     }
   }
 }
@@ -200,67 +200,67 @@ GOUGE_INLINE void lowest_crossing(const Plane& p, const Plane& q, const Triangle
 // A triangle that meets the tool with its inside is bounded best by its own plane, on the side of the core's lower end.
 GOUGE_INLINE V3 away_from_core(const KernelPiece& piece, const Triangle& t, const V3& axis) {
   const float z = piece.count > 1 ? piece.lines[1].z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm);
-  const V3 unit = times(t.normal, root(t.normal_scale));
-  const M is_away = dot(unit, minus(t.a, times(axis, all(z)))) >= 0;
-  return chosen(is_away, unit, {-unit.x, -unit.y, -unit.z});
+  const V3 unit = times(t.normal, sqrt(t.normal_scale));
+  const M is_away = dot(unit, minus(t.a, times(axis, broadcast(z)))) >= 0;
+  return select(is_away, unit, {-unit.x, -unit.y, -unit.z});
 }
 
 /// The point of the core that is farthest in a direction; inside a sharp corner, the deepest point of the plane through
 /// a corner of the triangle. The core's lower end where it goes on in that direction.
 GOUGE_INLINE V3 first_look(const KernelPiece& piece, const Triangle& t, const V3& g, const V3& axis) {
-  const V z0 = all(piece.count > 1 ? piece.lines[1].z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm));
+  const V z0 = broadcast(piece.count > 1 ? piece.lines[1].z : 0.5F * (piece.z_lo_mm + piece.z_hi_mm));
   const V gz = dot(g, axis);
   const V3 across = minus(g, times(axis, gz));
-  const V gr = root(dot(across, across));
-  V reach = all(-3e38F), r = V{}, z = z0, in_r = V{}, in_z = V{};
+  const V gr = sqrt(dot(across, across));
+  V reach = broadcast(-3e38F), r = V{}, z = z0, in_r = V{}, in_z = V{};
   for (std::uint32_t k = 1; k < piece.count; ++k) {
     const KernelPiece::Line& line = piece.lines[k];
     const V here = gr * line.r + gz * line.z;
     const M is_farther = here > reach;
     reach = is_farther ? here : reach;
-    r = is_farther ? all(line.r) : r;
-    z = is_farther ? all(line.z) : z;
-    in_r = is_farther ? all(line.in_r) : in_r;
-    in_z = is_farther ? all(line.in_z) : in_z;
+    r = is_farther ? broadcast(line.r) : r;
+    z = is_farther ? broadcast(line.z) : z;
+    in_r = is_farther ? broadcast(line.in_r) : in_r;
+    in_z = is_farther ? broadcast(line.in_z) : in_z;
   }
   if (piece.is_sharp) {
     // Equally far from both lines of the corner.
     const V along = gr * in_r + gz * in_z;
     const V height = dot(g, t.a) - (gr * r + gz * z);
-    const V way = along < -0.1F ? height / along : V{};
-    r = larger(r + way * in_r, V{});
-    z = z + way * in_z;
+    const V displacement = along < -0.1F ? height / along : V{};
+    r = max(r + displacement * in_r, V{});
+    z = z + displacement * in_z;
   }
   const KernelPiece::Line& last = piece.lines[piece.count - 1];
   const KernelPiece::Line& first = piece.lines[0];
   const M is_endless = (gr * last.dr + gz * last.dz > 0) | (gr * first.dr + gz * first.dz < 0) |
                        (t.normal_scale >= 1e29F);
   const V3 at_ring = plus(times(axis, z), times(across, r * inverse(gr)));
-  return chosen(is_endless, times(axis, z0), at_ring);
+  return select(is_endless, times(axis, z0), at_ring);
 }
 
 GOUGE_INLINE V least_of_corners(const V3& g, const Triangle& t) {
-  return smaller(dot(g, t.a), smaller(dot(g, t.b), dot(g, t.c)));
+  return min(dot(g, t.a), min(dot(g, t.b), dot(g, t.c)));
 }
 
 /// The range of a triangle during the motion, `rest` beyond what is linear.
 GOUGE_INLINE Range range_of(const Triangle& t, const SweepFrame& frame, const Frame& f, const V& far, const V& rest) {
-  Range range{all(3e38F), all(-3e38F), V{}};
-  const V still = dot(f.axis, f.way);
+  Range range{broadcast(3e38F), broadcast(-3e38F), V{}};
+  const V still = dot(f.axis, f.displacement);
   const V3 lever = cross(f.axis, f.turn);
   const V3* corners[3] = {&t.a, &t.b, &t.c};
   for (const V3* corner : corners) {
     const V here = dot(f.axis, *corner);
-    const V swing = 0.5F * size(still + dot(lever, *corner));
-    range.z_lo = smaller(range.z_lo, here - swing);
-    range.z_hi = larger(range.z_hi, here + swing);
+    const V swing = 0.5F * abs(still + dot(lever, *corner));
+    range.z_lo = min(range.z_lo, here - swing);
+    range.z_hi = max(range.z_hi, here + swing);
   }
   range.z_lo -= rest;
   range.z_hi += rest;
   // From a corner no point of the triangle is farther than the longest edge.
-  const V edge2 = larger(dot(t.ab, t.ab), larger(dot(t.bc, t.bc), dot(t.ca, t.ca)));
+  const V edge2 = max(dot(t.ab, t.ab), max(dot(t.bc, t.bc), dot(t.ca, t.ca)));
   const V3 across = minus(t.a, times(f.axis, dot(f.axis, t.a)));
-  range.r_lo = root(dot(across, across)) - root(edge2) * 1.000001F - 0.5F * frame.way_mm - frame.half_turn * far - rest;
+  range.r_lo = sqrt(dot(across, across)) - sqrt(edge2) * 1.000001F - 0.5F * frame.displacement_mm - frame.half_turn * far - rest;
   return range;
 }
 
@@ -270,7 +270,7 @@ struct Deepest {
   V3 point;
 };
 
-/// Inside a sharp corner two lines are near. Each is a bound, and the deepest point is where they are equal: tells
+/// Inside a sharp corner two lines are near. Each is a bound, and the deepest point is where they are equal: shows
 /// what both together prove, notes how deep `point` is, and moves it there.
 GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const Plane& plane, const Triangle& t,
                               const Frame& f, V3& point, Deepest& deepest) {
@@ -278,109 +278,109 @@ GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const P
   touch_next(piece, point, f.axis, at, also);
   Plane also_plane;
   lay_plane(also.distance, point, also.gradient, t, f, also_plane);
-  const V3 speed = plus(f.way, cross(f.turn, point));
+  const V3 speed = plus(f.displacement, cross(f.turn, point));
   const V swing = 0.5F * dot(at.gradient, speed), also_swing = 0.5F * dot(also.gradient, speed);
-  const V at_ends = smaller(larger(at.distance - swing, also.distance - also_swing),
-                            larger(at.distance + swing, also.distance + also_swing));
+  const V at_ends = min(max(at.distance - swing, also.distance - also_swing),
+                            max(at.distance + swing, also.distance + also_swing));
   const M is_deeper = at_ends < deepest.distance;
   deepest.distance = is_deeper ? at_ends : deepest.distance;
-  deepest.point = chosen(is_deeper, point, deepest.point);
+  deepest.point = select(is_deeper, point, deepest.point);
   Crossing ridge{point, V{}};
   lowest_crossing(plane, also_plane, t, ridge);
   point = ridge.point;
-  return larger(least_blended(plane, also_plane, ridge.share), least(also_plane));
+  return max(least_blended(plane, also_plane, ridge.share), least(also_plane));
 }
 
 /// Of a triangle, in a direction.
 GOUGE_INLINE V3 lowest_corner(const V3& g, const Triangle& t) {
   const V a = dot(g, t.a), b = dot(g, t.b), c = dot(g, t.c);
-  return chosen((a <= b) & (a <= c), t.a, chosen(b <= c, t.b, t.c));
+  return select((a <= b) & (a <= c), t.a, select(b <= c, t.b, t.c));
 }
 
-/// Under the flat face of a core that is a disc: the point of the rim above the way down the triangle.
+/// Under the flat face of a core that is a disc: the point of the rim on the line down the triangle.
 GOUGE_INLINE V3 rim_ahead(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
                           const V3& axis) {
-  const V3 way = minus(lowest_corner(at.gradient, t), point);
+  const V3 displacement = minus(lowest_corner(at.gradient, t), point);
   const V3 from = minus(point, times(axis, at.z));
-  const V3 along = minus(way, times(axis, dot(axis, way)));
-  const V a = larger(dot(along, along), all(1e-20F)), b = dot(from, along);
-  const V inside = larger(piece.core_r_mm * piece.core_r_mm - at.r * at.r, V{});
-  const V share = smaller((root(b * b + a * inside) - b) / a, all(1.0F));
-  return plus(plus(from, times(along, share)), times(axis, all(piece.lines[1].z)));
+  const V3 along = minus(displacement, times(axis, dot(axis, displacement)));
+  const V a = max(dot(along, along), broadcast(1e-20F)), b = dot(from, along);
+  const V inside = max(piece.core_r_mm * piece.core_r_mm - at.r * at.r, V{});
+  const V share = min((sqrt(b * b + a * inside) - b) / a, broadcast(1.0F));
+  return plus(plus(from, times(along, share)), times(axis, broadcast(piece.lines[1].z)));
 }
 
 /// Where the last round looked, the gradient there, and how it came there.
 struct Look {
-  V3 point, gradient, way;
+  V3 point, gradient, displacement;
 };
 
 // From the piece's core straight to the triangle again; inside the core, deeper. These steps shrink by a constant
-// factor; two of them tell where they lead.
+// factor; two of them show where they lead.
 GOUGE_INLINE V3 step_to_core(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
                              Look& last) {
-  const V3 next = closest(minus(point, times(at.gradient, size(at.distance + piece.radius_mm))), t);
-  const V3 way = minus(next, point);
-  const V rate = smaller(dot(way, last.way) * inverse(dot(last.way, last.way)), all(0.98F));
+  const V3 next = closest(minus(point, times(at.gradient, abs(at.distance + piece.radius_mm))), t);
+  const V3 displacement = minus(next, point);
+  const V rate = min(dot(displacement, last.displacement) * inverse(dot(last.displacement, last.displacement)), broadcast(0.98F));
   const M leads = rate > 0.2F;
-  last.way = {leads ? V{} : way.x, leads ? V{} : way.y, leads ? V{} : way.z};
-  return chosen(leads, closest(plus(next, times(way, rate / (1.0F - rate))), t), next);
+  last.displacement = {leads ? V{} : displacement.x, leads ? V{} : displacement.y, leads ? V{} : displacement.z};
+  return select(leads, closest(plus(next, times(displacement, rate / (1.0F - rate))), t), next);
 }
 
 constexpr float kFarthest = 16;  // a step is drawn out no more than so many times
 
-// For a large tool lying almost flat on its triangle the factor is close to 1. Under its flat face the way leads to
-// the rim; beyond, the slopes along the last step tell where it should have ended.
+// For a large tool lying almost flat on its triangle the factor is close to 1. Under its flat face the descent leads to the
+// rim; beyond, the slopes along the last step show where it should have ended.
 GOUGE_INLINE V3 step_round_rim(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
                                const V3& axis, Look& last) {
   const M is_under = (at.r < piece.core_r_mm) & (at.z < piece.lines[1].z);
-  const V3 straight = minus(point, times(at.gradient, size(at.distance + piece.radius_mm)));
-  const V3 core = chosen(is_under, rim_ahead(piece, at, t, point, axis), straight);
-  const V3 way = minus(point, last.point);
-  const V slope = dot(at.gradient, way), rise = slope - dot(last.gradient, way);
-  const V back = larger(smaller(slope / larger(rise, all(1e-30F)), all(1.0F)), all(-kFarthest));
-  const M leads = (rise > 1e-6F * dot(way, way)) & ~is_under;
+  const V3 straight = minus(point, times(at.gradient, abs(at.distance + piece.radius_mm)));
+  const V3 core = select(is_under, rim_ahead(piece, at, t, point, axis), straight);
+  const V3 displacement = minus(point, last.point);
+  const V slope = dot(at.gradient, displacement), rise = slope - dot(last.gradient, displacement);
+  const V back = max(min(slope / max(rise, broadcast(1e-30F)), broadcast(1.0F)), broadcast(-kFarthest));
+  const M leads = (rise > 1e-6F * dot(displacement, displacement)) & ~is_under;
   last.point = point;
   last.gradient = at.gradient;
-  return closest(chosen(leads, minus(point, times(way, back)), core), t);
+  return closest(select(leads, minus(point, times(displacement, back)), core), t);
 }
 
 constexpr int kRounds = 6;
 constexpr float kWorthwhile = 0.25F;
 
 void triangles(const TriangleBlock& block, const SweepFrame& frame, const KernelPiece& piece, float need,
-               KernelAnswer& answer) {
+               KernelResult& result) {
   const Frame f = spread(frame);
   Triangle t;
   prepare(block, f.tip, t);
-  const V far = root(larger(dot(t.a, t.a), larger(dot(t.b, t.b), dot(t.c, t.c)))) * 1.000001F;
+  const V far = sqrt(max(dot(t.a, t.a), max(dot(t.b, t.b), dot(t.c, t.c)))) * 1.000001F;
   const V rest = frame.rest_mm + frame.rest_per_mm * far + piece.rounding_mm;
   const V rest_along = frame.rest_per_mm * far;
   const Range range = range_of(t, frame, f, far, rest);
-  const M on_side = has_foot(piece, need, range);
+  const M on_side = has_closest_point(piece, need, range);
   const V3 normal = away_from_core(piece, t, f.axis);
   const V along = least_along(piece, normal, least_of_corners(normal, t), frame, f) - rest_along;
-  V bound = settle(piece, on_side, t.normal_scale < 1e29F ? along : all(-3e38F), range);
+  V bound = combine(piece, on_side, t.normal_scale < 1e29F ? along : broadcast(-3e38F), range);
   if (!any_of(bound < need)) {
-    store(bound, answer.distance);
-    answer.point = {};
-    return finish(bound, need, block.count, answer);
+    store(bound, result.distance);
+    result.point = {};
+    return finish(bound, need, block.count, result);
   }
   V3 point = closest(first_look(piece, t, normal, f.axis), t);
   Look last{point, {}, {}};
   Plane last_plane, plane;
   Touch at;
-  Deepest deepest{all(3e38F), point};
+  Deepest deepest{broadcast(3e38F), point};
   for (int round = 0;; ++round) {
     touch(piece, point, f.axis, at);
     lay_plane(at.distance, point, at.gradient, t, f, plane);
     V by_plane = least(plane);
-    if (round > 0) by_plane = larger(by_plane, least_blended(last_plane, plane));
+    if (round > 0) by_plane = max(by_plane, least_blended(last_plane, plane));
     last_plane = plane;
     V3 on_ridge = point;
-    if (piece.is_sharp) by_plane = larger(by_plane, meet_in_corner(piece, at, plane, t, f, on_ridge, deepest));
+    if (piece.is_sharp) by_plane = max(by_plane, meet_in_corner(piece, at, plane, t, f, on_ridge, deepest));
     const V along_g = least_along(piece, at.gradient, least_of_corners(at.gradient, t), frame, f) - rest_along;
-    const V better = larger(bound, settle(piece, on_side, larger(along_g, by_plane - rest), range));
-    // Lanes that the last rounds brought no nearer to the goal are left to smaller triangles and shorter spans.
+    const V better = max(bound, combine(piece, on_side, max(along_g, by_plane - rest), range));
+    // Lanes that the last rounds brought no nearer to the goal are left to smaller triangles and shorter intervals.
     M is_open = better < need;
     if (round > (piece.is_disc ? 2 : 1)) is_open = is_open & (better - bound > kWorthwhile * (need - better));
     bound = better;
@@ -388,13 +388,13 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
     if (!any_of(is_open) || round + 1 == kRounds) break;
     const V3 next = piece.is_disc ? step_round_rim(piece, at, t, point, f.axis, last)
                                   : step_to_core(piece, at, t, point, last);
-    point = piece.is_sharp ? chosen(at.distance < 0, on_ridge, next) : next;
+    point = piece.is_sharp ? select(at.distance < 0, on_ridge, next) : next;
   }
-  store(deepest.distance, answer.distance);
-  store(deepest.point.x, answer.point[0]);
-  store(deepest.point.y, answer.point[1]);
-  store(deepest.point.z, answer.point[2]);
-  finish(bound, need, block.count, answer);
+  store(deepest.distance, result.distance);
+  store(deepest.point.x, result.point[0]);
+  store(deepest.point.y, result.point[1]);
+  store(deepest.point.z, result.point[2]);
+  finish(bound, need, block.count, result);
 }
 
 #undef GOUGE_INLINE

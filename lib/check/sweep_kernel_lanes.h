@@ -24,10 +24,10 @@ struct V3 {
 
 GOUGE_INLINE void load(const Lanes& from, V& to) { __builtin_memcpy(&to, &from, sizeof(V)); }
 GOUGE_INLINE void store(const V& from, Lanes& to) { __builtin_memcpy(&to, &from, sizeof(V)); }
-GOUGE_INLINE V all(float x) { return x - V{}; }
-GOUGE_INLINE V larger(const V& a, const V& b) { return a > b ? a : b; }
-GOUGE_INLINE V smaller(const V& a, const V& b) { return a < b ? a : b; }
-GOUGE_INLINE V size(const V& a) { return a < 0 ? -a : a; }
+GOUGE_INLINE V broadcast(float x) { return x - V{}; }
+GOUGE_INLINE V max(const V& a, const V& b) { return a > b ? a : b; }
+GOUGE_INLINE V min(const V& a, const V& b) { return a < b ? a : b; }
+GOUGE_INLINE V abs(const V& a) { return a < 0 ? -a : a; }
 GOUGE_INLINE unsigned or_of(const M& a) {
   M8 half[2];
   M4 quarter[2];
@@ -52,7 +52,7 @@ GOUGE_INLINE float least_of(const V& a) {
   for (int i = 1; i < 4; ++i) least = quarter[0][i] < least ? quarter[0][i] : least;
   return least;
 }
-GOUGE_INLINE V root(const V& a) {
+GOUGE_INLINE V sqrt(const V& a) {
   V result;
   for (int i = 0; i < 16; ++i) result[i] = __builtin_sqrtf(a[i]);
   return result;
@@ -64,8 +64,8 @@ GOUGE_INLINE V3 cross(const V3& a, const V3& b) {
 GOUGE_INLINE V3 minus(const V3& a, const V3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 GOUGE_INLINE V3 plus(const V3& a, const V3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
 GOUGE_INLINE V3 times(const V3& a, const V& s) { return {a.x * s, a.y * s, a.z * s}; }
-GOUGE_INLINE V3 all(const std::array<float, 3>& a) { return {all(a[0]), all(a[1]), all(a[2])}; }
-GOUGE_INLINE V3 chosen(const M& which, const V3& a, const V3& b) {
+GOUGE_INLINE V3 broadcast(const std::array<float, 3>& a) { return {broadcast(a[0]), broadcast(a[1]), broadcast(a[2])}; }
+GOUGE_INLINE V3 select(const M& which, const V3& a, const V3& b) {
   return {which ? a.x : b.x, which ? a.y : b.y, which ? a.z : b.z};
 }
 

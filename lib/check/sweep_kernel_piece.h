@@ -8,13 +8,13 @@ namespace {
 
 /// The frame, a copy in every lane.
 struct Frame {
-  V3 tip, axis, way, turn;
+  V3 tip, axis, displacement, turn;
   V3 ends[2];  ///< the tool axis at s = 1/2 and at s = -1/2
 };
 
 GOUGE_INLINE Frame spread(const SweepFrame& f) {
-  Frame frame{all(f.tip), all(f.axis), all(f.way), all(f.turn), {}};
-  const V3 tilt = times(cross(frame.turn, frame.axis), all(0.5F));
+  Frame frame{broadcast(f.tip), broadcast(f.axis), broadcast(f.displacement), broadcast(f.turn), {}};
+  const V3 tilt = times(cross(frame.turn, frame.axis), broadcast(0.5F));
   frame.ends[0] = plus(frame.axis, tilt);
   frame.ends[1] = minus(frame.axis, tilt);
   return frame;
@@ -31,13 +31,13 @@ struct Touch {
 GOUGE_INLINE void touch_pin(const KernelPiece& piece, const V3& u, const V3& axis, Touch& out) {
   out.z = dot(axis, u);
   const M is_beside = out.z >= piece.lines[1].z;
-  const V3 nearly = minus(u, times(axis, is_beside ? out.z : all(piece.lines[1].z)));
+  const V3 nearly = minus(u, times(axis, is_beside ? out.z : broadcast(piece.lines[1].z)));
   const V3 across = minus(nearly, times(axis, is_beside ? dot(axis, nearly) : V{}));
-  const V length = root(dot(across, across));
+  const V length = sqrt(dot(across, across));
   out.distance = length - piece.radius_mm;
   out.r = length;
   out.r_lo = is_beside ? length : V{};
-  out.gradient = times(across, 1.0F / larger(length, all(1e-20F)));
+  out.gradient = times(across, 1.0F / max(length, broadcast(1e-20F)));
 }
 
 GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, Touch& out) {
@@ -46,9 +46,9 @@ GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, T
   // Close to the axis what is left is rounding and may point along it, which would tilt the gradient: taken off twice.
   const V3 nearly = minus(u, times(axis, z));
   const V3 across = minus(nearly, times(axis, dot(axis, nearly)));
-  const V r = root(dot(across, across));
-  V distance = all(-3e38F);
-  V gr = V{}, gz = V{}, length = all(1.0F);
+  const V r = sqrt(dot(across, across));
+  V distance = broadcast(-3e38F);
+  V gr = V{}, gz = V{}, length = broadcast(1.0F);
   M is_at_corner = M{};
   for (std::uint32_t k = 0; k < piece.count; ++k) {
     const KernelPiece::Line& line = piece.lines[k];
@@ -59,7 +59,7 @@ GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, T
       // Before a corner's line and past the one that ends there: nearest to the corner itself.
       const KernelPiece::Line& last = piece.lines[k - 1];
       const M here = (pr * last.dr + pz * last.dz > 0) & (pr * line.dr + pz * line.dz < 0);
-      const V away = root(pr * pr + pz * pz);
+      const V away = sqrt(pr * pr + pz * pz);
       distance = here ? away : distance;
       gr = here ? pr : gr;
       gz = here ? pz : gz;
@@ -68,15 +68,15 @@ GOUGE_INLINE void touch(const KernelPiece& piece, const V3& u, const V3& axis, T
     }
     const M next = (side > distance) & ~is_at_corner;
     distance = next ? side : distance;
-    gr = next ? all(line.dz) : gr;
-    gz = next ? all(-line.dr) : gz;
+    gr = next ? broadcast(line.dz) : gr;
+    gz = next ? broadcast(-line.dr) : gz;
   }
   out.distance = distance - piece.radius_mm;
   out.r = out.r_lo = r;
   out.z = z;
   // One division for both: that of the direction's length and that by r.
-  const V off_axis = larger(r, all(1e-20F));
-  const V scale = 1.0F / (larger(length, all(1e-15F)) * off_axis);
+  const V off_axis = max(r, broadcast(1e-20F));
+  const V scale = 1.0F / (max(length, broadcast(1e-15F)) * off_axis);
   out.gradient = plus(times(across, gr * scale), times(axis, gz * (scale * off_axis)));
 }
 
@@ -87,86 +87,86 @@ struct Range {
 
 /// The two largest of the distances from the lines of a piece, where it is sharp.
 GOUGE_INLINE void touch_next(const KernelPiece& piece, const V3& u, const V3& axis, const Touch& first, Touch& out) {
-  V largest = all(-3e38F), distance = all(-3e38F);
+  V largest = broadcast(-3e38F), distance = broadcast(-3e38F);
   V gr = V{}, gz = V{}, next_gr = V{}, next_gz = V{};
   for (std::uint32_t k = 0; k < piece.count; ++k) {
     const KernelPiece::Line& line = piece.lines[k];
     const V side = (first.r - line.r) * line.dz - (first.z - line.z) * line.dr;
     const M is_largest = side > largest;
     const M is_next = is_largest | (side > distance);
-    next_gr = is_largest ? gr : is_next ? all(line.dz) : next_gr;
-    next_gz = is_largest ? gz : is_next ? all(-line.dr) : next_gz;
+    next_gr = is_largest ? gr : is_next ? broadcast(line.dz) : next_gr;
+    next_gz = is_largest ? gz : is_next ? broadcast(-line.dr) : next_gz;
     distance = is_largest ? largest : is_next ? side : distance;
     largest = is_largest ? side : largest;
-    gr = is_largest ? all(line.dz) : gr;
-    gz = is_largest ? all(-line.dr) : gz;
+    gr = is_largest ? broadcast(line.dz) : gr;
+    gz = is_largest ? broadcast(-line.dr) : gz;
   }
   out.distance = distance - piece.radius_mm;
   const V3 nearly = minus(u, times(axis, first.z));
   const V3 across = minus(nearly, times(axis, dot(axis, nearly)));
-  out.gradient = plus(times(across, next_gr / larger(first.r, all(1e-30F))), times(axis, next_gz));
+  out.gradient = plus(times(across, next_gr / max(first.r, broadcast(1e-30F))), times(axis, next_gz));
 }
 
 /// Whether the nearest boundary of the tool is one of the piece's lines, wherever in the range a point is.
-GOUGE_INLINE M has_foot(const KernelPiece& piece, float need, const Range& range) {
+GOUGE_INLINE M has_closest_point(const KernelPiece& piece, float need, const Range& range) {
   const float depth = need < 0 ? -need : 0.0F;
   return ((range.z_lo - depth > piece.foot_lo_mm) | (range.r_lo >= piece.r_closed_mm)) &
          (range.z_hi + depth < piece.foot_hi_mm);
 }
 
-GOUGE_INLINE V settle(const KernelPiece& piece, const M& has_foot, const V& by_plane, const Range& range) {
-  const V never = all(-3e38F);
-  V bound = (has_foot | (by_plane >= 0)) ? by_plane : never;
+GOUGE_INLINE V combine(const KernelPiece& piece, const M& has_closest_point, const V& by_plane, const Range& range) {
+  const V never = broadcast(-3e38F);
+  V bound = (has_closest_point | (by_plane >= 0)) ? by_plane : never;
   const V below = piece.z_lo_mm - range.z_hi;
   const V above = range.z_lo - piece.z_hi_mm;
   const M is_below = (below >= 0) | (range.r_lo >= piece.r_below_mm);
   const M is_above = (above >= 0) | (range.r_lo >= piece.r_above_mm);
-  bound = larger(bound, is_below ? below : never);
-  return larger(bound, is_above ? above : never);
+  bound = max(bound, is_below ? below : never);
+  return max(bound, is_above ? above : never);
 }
 
 /// A lower bound of the signed distance of points by a direction that does not turn with the tool: that of the point
 /// farthest back along it, `farthest_back`, and how far the core reaches at both ends of the motion.
 GOUGE_INLINE V least_along(const KernelPiece& piece, const V3& g, const V& farthest_back, const SweepFrame& frame,
                            const Frame& f) {
-  if (!piece.is_steady) return all(-3e38F);
+  if (!piece.is_steady) return broadcast(-3e38F);
   const KernelPiece::Line& first = piece.lines[0];
   const KernelPiece::Line& last = piece.lines[piece.count - 1];
   // Between the ends the core reaches less far than at one of them, but a line that leans to the axis may come up.
   const float unsure = 4 * frame.rest_per_mm, slack = 2 * frame.half_turn + unsure;
   const float slack_up = (last.dr < 0 ? -last.dr * slack : 0.0F) + unsure;
   const float slack_down = (first.dr > 0 ? first.dr * slack : 0.0F) + unsure;
-  const V still = 0.5F * dot(g, f.way);
-  V bound = all(3e38F);
-  // A gradient on the axis of a cone is shorter than a direction, and inside the core that promises too much.
+  const V still = 0.5F * dot(g, f.displacement);
+  V bound = broadcast(3e38F);
+  // A gradient on the axis of a cone is shorter than a direction, and inside the core that claims too much.
   M is_endless = dot(g, g) < 0.99999F;
   for (int end = 0; end < 2; ++end) {
     const V gz = dot(g, f.ends[end]);
     V gr = V{};
     if (!piece.is_pin) {
       const V3 across = cross(g, f.ends[end]);
-      gr = root(dot(across, across));
+      gr = sqrt(dot(across, across));
     }
-    V reach = piece.is_level_below ? gz * first.z : all(-3e38F);
-    if (piece.is_level_above) reach = larger(reach, gz * last.z);
+    V reach = piece.is_level_below ? gz * first.z : broadcast(-3e38F);
+    if (piece.is_level_above) reach = max(reach, gz * last.z);
     for (std::uint32_t k = 1; k < piece.count; ++k) {
-      reach = larger(reach, gr * piece.lines[k].r + gz * piece.lines[k].z);
+      reach = max(reach, gr * piece.lines[k].r + gz * piece.lines[k].z);
     }
     if (!piece.is_level_above) is_endless = is_endless | (gr * last.dr + gz * last.dz > -slack_up);
     if (!piece.is_level_below) is_endless = is_endless | (gr * first.dr + gz * first.dz < slack_down);
-    bound = smaller(bound, farthest_back - (end == 0 ? still : -still) - reach);
+    bound = min(bound, farthest_back - (end == 0 ? still : -still) - reach);
   }
   const float rest = frame.beside_mm + frame.rest_per_mm * piece.core_mm + piece.rounding_mm + piece.radius_mm;
-  return is_endless ? all(-3e38F) : bound - rest;
+  return is_endless ? broadcast(-3e38F) : bound - rest;
 }
 
 /// About the point of the core nearest to u: any point will do.
 GOUGE_INLINE V3 near_core(const KernelPiece& piece, const V3& u, const V3& axis) {
   const V z = dot(axis, u);
-  const V3 on_axis = times(axis, piece.count > 1 ? larger(z, all(piece.lines[1].z)) : z);
+  const V3 on_axis = times(axis, piece.count > 1 ? max(z, broadcast(piece.lines[1].z)) : z);
   if (!(piece.core_r_mm > 0)) return on_axis;
   const V3 across = minus(u, times(axis, z));
-  const V share = piece.core_r_mm / larger(root(dot(across, across)), all(piece.core_r_mm));
+  const V share = piece.core_r_mm / max(sqrt(dot(across, across)), broadcast(piece.core_r_mm));
   return plus(on_axis, times(across, share));
 }
 

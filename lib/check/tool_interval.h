@@ -15,8 +15,8 @@ struct ToolFrame {
   [[nodiscard]] Vec3 to_tool(const Vec3& p_part) const { return rows * (p_part - tip); }
 };
 
-/// At t within the stretch. Requires motion.is_defined().
-[[nodiscard]] ToolFrame tool_frame(const Motion& motion, double t, std::uint32_t stretch);
+/// At t within the segment. Requires motion.is_defined().
+[[nodiscard]] ToolFrame tool_frame(const Motion& motion, double t, std::uint32_t segment);
 
 /// A time interval of a tool's motion.
 struct ToolInterval : MotionInterval {
@@ -24,15 +24,15 @@ struct ToolInterval : MotionInterval {
 
   ToolFrame f0, f1;
   Vec3 tip_middle;
-  double tip_way_mm;  ///< the tip's way over the interval is no longer (a straight one is just as long)
+  double tip_path_mm;  ///< the tip's path over the interval is no longer (a straight one is just as long)
   double sag_mm;      ///< how far the tip may be from where it would be on the straight chord
   double turn_rad;    ///< rotation over the interval
 
   /// How far the path of a point, `distance_mm` or less from the tip at mid interval, may bulge from the straight
-  /// chord between its places at the two ends, in tool coordinates. Proof:
+  /// chord between its positions at the two ends, in tool coordinates. Proof:
   /// docs/algorithms/certified_sweep.md.
   [[nodiscard]] double bulge_mm(double distance_mm) const {
-    return (2 * turn_rad * tip_way_mm + turn_rad * turn_rad * (distance_mm + 0.5 * tip_way_mm)) / 8 + sag_mm;
+    return (2 * turn_rad * tip_path_mm + turn_rad * turn_rad * (distance_mm + 0.5 * tip_path_mm)) / 8 + sag_mm;
   }
 };
 

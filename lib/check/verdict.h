@@ -25,7 +25,7 @@ enum class Against : std::uint8_t { part, fixture };
 struct Witness {
   double t = 0;                 ///< instant of the move, in [0, 1]
   Vec3 point = Vec3::Zero();    ///< on the triangle, mm, part coordinates
-  Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must give way by the depth
+  Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must move away by the depth
   Body body = Body::cutter;     ///< body of the boundary element nearest to the point
   Against against = Against::part;
   std::uint32_t mesh = 0;      ///< index into the scene's meshes of that kind
@@ -51,12 +51,12 @@ struct MoveVerdict {
   return verdict;
 }
 
-/// Neighbouring moves of one state, tool, body and counterpart, told as one finding.
+/// Neighbouring moves of one state, tool, body and counterpart, reported as one finding.
 struct Event {
   MoveState state = MoveState::gouge;
   std::size_t first_move = 0, last_move = 0;  ///< inclusive
   std::size_t worst_move = 0;
-  std::size_t moves = 0;  ///< how many moves of the span are in this state
+  std::size_t moves = 0;  ///< how many moves of the interval are in this state
   std::size_t tool = 0;   ///< index into Toolpath::tools
   Body body = Body::cutter;
   Against against = Against::part;
@@ -76,7 +76,7 @@ struct CheckResult {
   std::size_t worst_move = static_cast<std::size_t>(-1);
   double worst_overcut_mm = 0;    ///< largest overcut of a gouge; 0 where none was measured
   double largest_gap_mm = 0;      ///< largest depth_upper - depth over gouging moves
-  std::uint64_t evaluations = 0;  ///< tool evaluations spent; the same on every run
+  std::uint64_t evaluations = 0;  ///< bounds computed; the same on every run
 };
 
 }  // namespace gouge

@@ -22,8 +22,8 @@ constexpr double kGraze = 0.25;
 struct Region : SearchCandidate, ConvexRegion {
   enum class Kind : std::uint8_t { node, piece, cell };
   Kind kind = Kind::node;
-  std::uint32_t index = 0;    ///< node of the tree, or place of the facet
-  std::uint32_t nearest = 0;  ///< place of the facet nearest to the centre
+  std::uint32_t index = 0;    ///< node of the tree, or slot of the facet
+  std::uint32_t nearest = 0;  ///< slot of the facet nearest to the centre
   bool is_over_face = false;  ///< and the centre lies over it, not beyond its outline
 };
 
@@ -76,8 +76,8 @@ class Search : private BestFirstSearch<Search, Region> {
         region_of(Region::Kind::node, index, region_of_box(Box3(Vec3(low + shift_), Vec3(high + shift_)))));
   }
 
-  void add_piece(std::uint32_t place, const ConvexRegion& piece) {
-    offer_bounded(region_of(Region::Kind::piece, place, piece));
+  void add_piece(std::uint32_t slot, const ConvexRegion& piece) {
+    offer_bounded(region_of(Region::Kind::piece, slot, piece));
   }
 
   void add_cell(const Box3& box) { offer_bounded(region_of(Region::Kind::cell, 0, region_of_box(box))); }
@@ -94,11 +94,11 @@ class Search : private BestFirstSearch<Search, Region> {
   void offer_bounded(Region region) {
     const Vec3 centre = region.centre();
     const double radius = region.radius_mm(centre);
-    const SurfaceFoot foot = measured(centre, region.kind);
+    const ClosestPoint foot = measured(centre, region.kind);
     region.is_over_face = is_over(foot, centre);
     const double inside = -foot.signed_mm();
     if (inside < -radius - kRounding_mm) return;
-    region.nearest = foot.place;
+    region.nearest = foot.slot;
     region.upper_mm = inside + radius + kRounding_mm;
     if (region.upper_mm > threshold_mm()) {
       if (region.kind == Region::Kind::cell && !may_hold_maximum(centre, radius, foot)) return;
@@ -107,14 +107,14 @@ class Search : private BestFirstSearch<Search, Region> {
     offer(region);
   }
 
-  [[nodiscard]] bool is_over(const SurfaceFoot& foot, const Vec3& point) const {
-    return closest_on_triangle(point, in_.surface().corners[foot.place]).feature == TriangleFeature::face;
+  [[nodiscard]] bool is_over(const ClosestPoint& foot, const Vec3& point) const {
+    return closest_on_triangle(point, in_.surface().corners[foot.slot]).feature == TriangleFeature::face;
   }
 
   /// The other surface as seen from a point, whose depth counts if it is in both bodies.
-  SurfaceFoot measured(const Vec3& point, Region::Kind kind) {
+  ClosestPoint measured(const Vec3& point, Region::Kind kind) {
     ++best_.bounds;
-    const SurfaceFoot foot = in_.closest_point(point);
+    const ClosestPoint foot = in_.closest_point(point);
     if (kind == Region::Kind::node || !foot.is_inside || foot.distance_mm <= best_.depth_mm) return foot;
     if (kind == Region::Kind::cell && !of_.closest_point(point - shift_).is_inside) return foot;
     best_.depth_mm = foot.distance_mm;
@@ -125,22 +125,22 @@ class Search : private BestFirstSearch<Search, Region> {
   }
 
   /// Whether a point of the cell in both bodies may be a local maximum of the depth.
-  [[nodiscard]] bool may_hold_maximum(const Vec3& centre, double radius, const SurfaceFoot& foot) {
+  [[nodiscard]] bool may_hold_maximum(const Vec3& centre, double radius, const ClosestPoint& foot) {
     ++best_.bounds;
     if (of_.closest_point(centre - shift_).signed_mm() > radius + kRounding_mm) return false;
     return in_.is_self_crossing() || in_.maxima().may_hold(centre, radius + kRounding_mm, foot);
   }
 
-  double bound(const Region& region, const Vec3& centre, double radius, const SurfaceFoot& foot) {
-    std::array<std::uint32_t, kMostHullPoints + 1> places{foot.place};
+  double bound(const Region& region, const Vec3& centre, double radius, const ClosestPoint& foot) {
+    std::array<std::uint32_t, kMostHullPoints + 1> slots{foot.slot};
     std::size_t count = 1;
     for (const Vec3& point : region.points()) {
-      const std::uint32_t place = measured(point, region.kind).place;
-      if (std::find(places.begin(), places.begin() + static_cast<std::ptrdiff_t>(count), place) ==
-          places.begin() + static_cast<std::ptrdiff_t>(count))
-        places[count++] = place;
+      const std::uint32_t slot = measured(point, region.kind).slot;
+      if (std::find(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(count), slot) ==
+          slots.begin() + static_cast<std::ptrdiff_t>(count))
+        slots[count++] = slot;
     }
-    const double over = greatest_distance_mm(in_.surface(), region.points(), std::span(places).first(count));
+    const double over = greatest_distance_mm(in_.surface(), region.points(), std::span(slots).first(count));
     return foot.is_inside ? over : std::min(over, grazing_bound(region, centre, radius, foot));
   }
 
@@ -148,7 +148,7 @@ class Search : private BestFirstSearch<Search, Region> {
   /// but for `graze`: a line from the centre to a point inside crosses the surface that near to the region's
   /// far side, so the point is no farther from the crossing than the line takes to descend by `graze`.
   [[nodiscard]] double grazing_bound(const Region& region, const Vec3& centre, double radius,
-                                     const SurfaceFoot& foot) const {
+                                     const ClosestPoint& foot) const {
     const double graze = kGraze * threshold_mm();
     const Vec3 down = -foot.normal;
     double lowest = 0;

@@ -96,7 +96,7 @@ class Finder {
       clash_.reason =
           "the surfaces meet, and " + open_surface() + " is not closed, so nothing says what is inside";
     } else {
-      clash_.reason = "the surfaces lie on each other in too many places: the budget of bounds ran out";
+      clash_.reason = "the surfaces lie on each other at too many points: the budget of bounds ran out";
     }
   }
 

@@ -35,7 +35,7 @@ struct Clash {
   /// depth_upper. The upper bound is infinite where a body is not closed.
   double depth_mm = 0, depth_upper_mm = 0;
   /// The deepest point of B in A (body 1) and of A in B (body 0), the deeper first, each with the direction
-  /// in which B gives way; as far as there are such points.
+  /// in which B moves away; as far as there are such points.
   std::vector<Contact> deepest;
   std::string reason;  ///< of not_certified
   std::uint64_t bounds = 0;

@@ -4,8 +4,8 @@
 
 namespace gouge {
 
-SurfaceFoot ClashBody::closest_point(const Vec3& point) const {
-  SurfaceFoot foot = *nearest_foot(surface_, point);
+ClosestPoint ClashBody::closest_point(const Vec3& point) const {
+  ClosestPoint foot = *gouge::closest_point(surface_, point);
   if (!is_self_crossing_ || !is_solid()) return foot;
   const bool is_in = is_inside({&surface_.mesh, 1}, point);
   if (is_in != foot.is_inside) foot.normal = -foot.normal;

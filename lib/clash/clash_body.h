@@ -4,7 +4,7 @@
 
 #include "lib/clash/local_maximum.h"
 #include "lib/penetration/depth_body.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 
@@ -13,7 +13,7 @@ namespace gouge {
 class ClashBody {
  public:
   /// `is_self_crossing`: triangles of the surface cross or overlap one another (lib/validate finds out). The
-  /// nearest facet does not tell the side then; the winding number does, at O(n) a point. The surface must
+  /// nearest facet does not show the side then; the winding number does, at O(n) a point. The surface must
   /// outlive the body.
   explicit ClashBody(const DepthBody& surface, bool is_self_crossing = false)
       : surface_(surface), is_self_crossing_(is_self_crossing) {}
@@ -29,7 +29,7 @@ class ClashBody {
   }
 
   /// The nearest point of the surface, with the side. Requires triangles.
-  [[nodiscard]] SurfaceFoot closest_point(const Vec3& point) const;
+  [[nodiscard]] ClosestPoint closest_point(const Vec3& point) const;
 
  private:
   const DepthBody& surface_;

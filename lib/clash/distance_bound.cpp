@@ -39,13 +39,13 @@ double best_weight(const Distances& a, const Distances& b, std::size_t count) {
 }  // namespace
 
 double greatest_distance_mm(const DepthBody& surface, std::span<const Vec3> points,
-                            std::span<const std::uint32_t> places) {
+                            std::span<const std::uint32_t> slots) {
   std::array<Distances, kMostHullPoints + 1> rows{};
-  const std::size_t facets = std::min(places.size(), rows.size());
+  const std::size_t facets = std::min(slots.size(), rows.size());
   std::size_t best = 0;
   for (std::size_t k = 0; k < facets; ++k) {
     for (std::size_t v = 0; v < points.size(); ++v)
-      rows[k][v] = std::sqrt(closest_on_triangle(points[v], surface.corners[places[k]]).distance2_mm2);
+      rows[k][v] = std::sqrt(closest_on_triangle(points[v], surface.corners[slots[k]]).distance2_mm2);
     if (largest(rows[k], points.size()) < largest(rows[best], points.size())) best = k;
   }
   Distances now = rows[best];

@@ -12,10 +12,10 @@ namespace gouge {
 /// the points; so is that of any weighted mean of such distances, and the distance to the surface is no
 /// larger than that mean.
 ///
-/// `places`: the facets to use, at least one; those nearest to the points are the best choice.
+/// `slots`: the facets to use, at least one; those nearest to the points are the best choice.
 /// Ensures  exact (up to rounding) where the hull lies over one facet, or between two that oppose each other.
 inline constexpr std::size_t kMostHullPoints = 8;
 [[nodiscard]] double greatest_distance_mm(const DepthBody& surface, std::span<const Vec3> points,
-                                          std::span<const std::uint32_t> places);
+                                          std::span<const std::uint32_t> slots);
 
 }  // namespace gouge

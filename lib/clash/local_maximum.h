@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 
@@ -17,10 +17,10 @@ class LocalMaxima {
   /// False when it is proved that no point of the solid within `radius_mm` of `centre` is a local maximum: a
   /// direction is found that leads away from all points of the surface that may be nearest to any of them.
   /// `foot`: of the centre.
-  [[nodiscard]] bool may_hold(const Vec3& centre, double radius_mm, const SurfaceFoot& foot) const;
+  [[nodiscard]] bool may_hold(const Vec3& centre, double radius_mm, const ClosestPoint& foot) const;
 
  private:
-  [[nodiscard]] bool leads_away(std::uint32_t place, const Vec3& direction, const Vec3& centre,
+  [[nodiscard]] bool leads_away(std::uint32_t slot, const Vec3& direction, const Vec3& centre,
                                 double reach_mm) const;
 
   const DepthBody& surface_;

@@ -21,7 +21,7 @@ class Bodies {
     if (!indexes_[i]) {
       DepthBodyOptions options;
       options.directions = *make_directions(DirectionFamily::cube, 6);
-      options.is_lean = true;
+      options.is_distance_only = true;
       indexes_[i] = std::make_unique<DepthBody>(build_depth_body(meshes_[i], options));
     }
     return ClashBody(*indexes_[i]);

@@ -17,7 +17,7 @@ struct SetupOverlap {
 
 /// Every fixture against every part, all in the same coordinates, in that order. `is_left_out`: by fixture.
 ///
-/// A side that the nearest facet of a point tells is confirmed by the winding number before a fixture is said to
+/// A side that the nearest facet of a point shows is confirmed by the winding number before a fixture is said to
 /// penetrate, since these meshes may cross themselves; where the two contradict each other it is not certified.
 /// Cost  nothing for bodies whose bounding boxes have no more than the tolerance in common; else an index over each
 ///       mesh, once, and a search (body_depth.h).

@@ -15,11 +15,11 @@ struct BallCap {
 };
 
 struct CapHit {
-  std::uint32_t place = 0;    ///< of the facet, in body.tree.order
+  std::uint32_t slot = 0;    ///< of the facet, in body.tree.order
   Vec3 point = Vec3::Zero();  ///< of it, in the cap, the nearest to the cap's centre
 };
 
-/// A facet that reaches into the cap and for which `is_allowed(place)` is false; nothing when there is none.
+/// A facet that reaches into the cap and for which `is_allowed(slot)` is false; nothing when there is none.
 /// Ensures  no facet that reaches into the cap by more than rounding is missed; always the same one.
 template <typename IsAllowed>
 [[nodiscard]] std::optional<CapHit> find_in_cap(const DepthBody& body, const BallCap& cap,
@@ -45,9 +45,9 @@ std::optional<CapHit> find_in_cap(const DepthBody& body, const BallCap& cap, con
     const KdopNode& node = body.tree.nodes[index];
     for (std::uint32_t k = 0; k < node.children; ++k) open.push_back(node.first + k);
     for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
-      const std::uint32_t place = node.first + k;
-      const std::optional<Vec3> point = detail::nearest_in_cap(body.corners[place], cap);
-      if (point && !is_allowed(place)) return CapHit{place, *point};
+      const std::uint32_t slot = node.first + k;
+      const std::optional<Vec3> point = detail::nearest_in_cap(body.corners[slot], cap);
+      if (point && !is_allowed(slot)) return CapHit{slot, *point};
     }
   }
   return std::nullopt;

@@ -12,7 +12,7 @@ namespace {
 constexpr double kFirstLift_mm = 0.25;
 constexpr double kLiftGrowth = 1.4;
 constexpr double kGap_mm = 0.02;      // how well the worst instant of a gouging motion is found
-constexpr double kStraight_mm = 1e-3;  // how far off its neighbours' straight way a position may be left out
+constexpr double kStraight_mm = 1e-3;  // how far off its neighbours' straight path a position may be left out
 constexpr double kStraightAxis = 1e-5;
 
 Pose lifted(const Pose& pose, double lift) {
@@ -33,7 +33,7 @@ std::optional<BridgeNodes> Bridger::halve(const BridgeNode& u, const BridgeNode&
   if (verdict.state != MoveState::gouge) return std::nullopt;
   const double t = verdict.witness ? verdict.witness->t : 0;
   if (level == 0 || ++count_ > kMostPositions || t <= 0 || t >= 1) return std::nullopt;
-  if (auto way = corner(u, v, verdict.depth_mm)) return way;
+  if (auto waypoints = corner(u, v, verdict.depth_mm)) return waypoints;
   BridgeNode node;
   node.stop.before = motion.at(t);
   node.stop.depth_before_mm = verdict.depth_mm;
@@ -84,20 +84,20 @@ std::optional<BridgeNodes> Bridger::over(const BridgeNode& from, const BridgeNod
   return std::nullopt;
 }
 
-void Bridger::leave_out_needless(const Pose& from, const Pose& to, BridgeNodes& way) const {
+void Bridger::leave_out_needless(const Pose& from, const Pose& to, BridgeNodes& waypoints) const {
   BridgeNodes kept;
   std::vector<Pose> left_out;  // since the last one kept
-  for (std::size_t k = 0; k < way.size(); ++k) {
+  for (std::size_t k = 0; k < waypoints.size(); ++k) {
     const Pose& last = kept.empty() ? from : kept.back().pose();
-    const Pose& next = k + 1 < way.size() ? way[k + 1].pose() : to;
-    left_out.push_back(way[k].pose());
+    const Pose& next = k + 1 < waypoints.size() ? waypoints[k + 1].pose() : to;
+    left_out.push_back(waypoints[k].pose());
     const bool is_straight = std::all_of(left_out.begin(), left_out.end(),
-                                         [&](const Pose& pose) { return is_on_the_way(last, next, pose); });
+                                         [&](const Pose& pose) { return is_between(last, next, pose); });
     if (is_straight && is_clean(last, next)) continue;
-    kept.push_back(way[k]);
+    kept.push_back(waypoints[k]);
     left_out.clear();
   }
-  way = std::move(kept);
+  waypoints = std::move(kept);
 }
 
 bool Bridger::is_clean(const Pose& from, const Pose& to, double clearance_mm) const {
@@ -107,7 +107,7 @@ bool Bridger::is_clean(const Pose& from, const Pose& to, double clearance_mm) co
 }
 
 // Where a dogleg runs straight is not asked: all its positions stay.
-bool Bridger::is_on_the_way(const Pose& from, const Pose& to, const Pose& pose) const {
+bool Bridger::is_between(const Pose& from, const Pose& to, const Pose& pose) const {
   if (task_.kind == MoveKind::rapid && task_.options.rapid == RapidMode::dogleg) return false;
   const Motion motion(from, to);
   const Vec3 along = to.tip - from.tip;
@@ -132,21 +132,21 @@ std::optional<BridgeNodes> Bridger::find(const BridgeNode& u, const BridgeNode& 
   if (is_rapid || task_.programmed == nullptr) {
     if (is_clean(u.pose(), v.pose())) return BridgeNodes{};
     if (is_rapid && task_.rapid_clearance_mm > 0) {
-      if (auto way = over(u, v, task_.rapid_clearance_mm)) return way;
+      if (auto waypoints = over(u, v, task_.rapid_clearance_mm)) return waypoints;
     }
   }
-  auto way = is_rapid ? std::nullopt : find_feed(u, v);
-  if (is_rapid) way = halve(u, v, kLevels);
-  if (!way) return over(u, v, 0);
-  leave_out_needless(u.pose(), v.pose(), *way);
-  return way;
+  auto waypoints = is_rapid ? std::nullopt : find_feed(u, v);
+  if (is_rapid) waypoints = halve(u, v, kLevels);
+  if (!waypoints) return over(u, v, 0);
+  leave_out_needless(u.pose(), v.pose(), *waypoints);
+  return waypoints;
 }
 
 std::optional<BridgeNodes> Bridger::find_feed(const BridgeNode& u, const BridgeNode& v) {
   if (task_.programmed != nullptr) {
     const bool is_near = std::max(offset_mm(u).norm(), offset_mm(v).norm()) <= task_.keeps_to_mm;
     if (is_near && is_clean(u.pose(), v.pose())) return BridgeNodes{};
-    if (auto way = keep_to_programmed(u, v)) return way;
+    if (auto waypoints = keep_to_programmed(u, v)) return waypoints;
   }
   count_ = 0;
   return halve(u, v, kLevels);
@@ -154,10 +154,10 @@ std::optional<BridgeNodes> Bridger::find_feed(const BridgeNode& u, const BridgeN
 
 std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to, const BridgeTask& task) {
   Bridger bridger(task);
-  const auto way = bridger.find({bridge_stop(from, from, 0, 0), 0}, {bridge_stop(to, to, 0, 0), 1});
-  if (!way) return std::nullopt;
+  const auto waypoints = bridger.find({bridge_stop(from, from, 0, 0), 0}, {bridge_stop(to, to, 0, 0), 1});
+  if (!waypoints) return std::nullopt;
   std::vector<BridgePose> poses;
-  for (const BridgeNode& node : *way) poses.push_back(node.stop);
+  for (const BridgeNode& node : *waypoints) poses.push_back(node.stop);
   return poses;
 }
 

@@ -14,12 +14,12 @@ struct BridgePose {
   double depth_before_mm = 0;
 };
 
-/// What a motion is checked with while a way is sought.
+/// What a motion is checked with while a path is sought.
 struct BridgeTask {
   MoveKind kind = MoveKind::feed;
-  const ToolForms* tool = nullptr;
+  const ToolVariants* tool = nullptr;
   const MotionChecker* checker = nullptr;
-  CheckOptions options;  ///< stricter than those of the checker, so that rounding has room
+  CheckOptions options;  ///< stricter than those of the checker, so that rounding has a margin
   PoseLimits limits;
   Strategy strategy = Strategy::weighted;
   double rapid_clearance_mm = 0;  ///< what the crossing of a rapid keeps from everything, where there is room
@@ -29,12 +29,12 @@ struct BridgeTask {
   double keeps_to_mm = 0;
 };
 
-/// Positions to visit between `from` and `to` so that every motion on the way is clean; empty when the motion
-/// already is, nothing when no way was found.
+/// Positions to visit between `from` and `to` so that every motion between them is clean; empty when the motion
+/// already is, nothing when no path was found.
 ///
-/// A feed stays on the programmed motion in all time intervals in which that is clean and from which a way leads on. In a
+/// A feed stays on the programmed motion in all time intervals in which that is clean and from which a path leads on. In a
 /// gap between them, and in other motions, the worst instant is corrected and both halves are bridged in turn; where that does not end, the tool retracts along its axis, crosses and comes down again.
-/// A rapid retracts first of all. Positions on the straight way between their neighbours are left out where it is clean
+/// A rapid retracts first of all. Positions on the straight path between their neighbours are left out where it is clean
 /// without them. Every shift obeys free_pose.
 [[nodiscard]] std::optional<std::vector<BridgePose>> bridge(const Pose& from, const Pose& to,
                                                             const BridgeTask& task);

@@ -16,9 +16,9 @@ namespace {
 // Contacts steer a correction, they prove nothing; a tenth of their excess is close enough.
 constexpr double kRelativeAccuracy = 0.1;
 constexpr double kSmallestPiece_mm = 0.02;
-// Pieces looked at of one triangle: in hollow or undercut tools the bounds do not settle over a wide face.
+// Pieces looked at of one triangle: in hollow or undercut tools the bounds do not decide over a wide face.
 constexpr int kMostPieces = 1000;
-// How far below the truth the excess may be told while it is above 0.
+// How far below the truth the excess may be reported while it is above 0.
 constexpr double kGap_mm = 0.05;
 
 class Collector {
@@ -43,7 +43,7 @@ class Collector {
 
  private:
   [[nodiscard]] double excess(const ToolSample& sample) const {
-    return -sample.answer.signed_distance_mm - aim_;
+    return -sample.nearest.signed_distance_mm - aim_;
   }
 
   void visit_leaf(const TriangleBlock& leaf) {
@@ -92,7 +92,7 @@ struct AimedTarget {
   double aim_mm = 0;
 };
 
-std::vector<AimedTarget> aimed_targets(const ToolForms& tool, const PreparedScene& scene,
+std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedScene& scene,
                                        const CorrectionAim& aim) {
   std::vector<AimedTarget> all{{{&tool.against_part, &scene.parts, Against::part}, aim.part_mm},
                                {{&tool.against_fixture, &scene.fixtures, Against::fixture}, aim.fixture_mm}};
@@ -105,11 +105,11 @@ std::vector<AimedTarget> aimed_targets(const ToolForms& tool, const PreparedScen
 
 }  // namespace
 
-std::vector<ToolContact> find_contacts(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
+std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
                                    const CorrectionAim& aim) {
   std::vector<ToolContact> contacts;
   const Motion alone(pose);
-  const ToolInterval interval(alone, whole_stretch(alone, 0));
+  const ToolInterval interval(alone, whole_segment(alone, 0));
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
     if (aimed.target.tree->nodes.empty()) continue;
     Collector(interval, *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, contacts).visit(0);
@@ -117,7 +117,7 @@ std::vector<ToolContact> find_contacts(const Pose& pose, const ToolForms& tool, 
   return contacts;
 }
 
-double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
+double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
                       const CorrectionAim& aim, double accuracy_mm) {
   constexpr std::uint64_t kBudget = 1'000'000;
   double most = 0;
@@ -125,10 +125,10 @@ double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedSce
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
     const double reach = std::max(0.0, -aimed.aim_mm);
     const double allowed = std::max(0.0, aimed.aim_mm);
-    const SearchAnswer answer =
+    const SearchResult result =
         sweep_and_search(alone, {aimed.target}, {{allowed, accuracy_mm, kGap_mm, kBudget}, reach});
-    if (answer.value_mm > allowed) most = std::max(most, answer.value_mm - allowed);
-    if (!answer.is_decided) most = std::max(most, accuracy_mm);
+    if (result.value_mm > allowed) most = std::max(most, result.value_mm - allowed);
+    if (!result.is_decided) most = std::max(most, accuracy_mm);
   }
   return most;
 }

@@ -9,12 +9,12 @@ namespace gouge {
 /// A surface point inside the tool (or closer than allowed) at one pose. The one currency of thesis 5.3.
 struct ToolContact {
   Vec3 point = Vec3::Zero();    ///< part coordinates, mm
-  Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must give way
+  Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must move away
   double excess_mm = 0;         ///< how much further than the aim allows
 };
 
 /// How deep surface points may lie in the tool after a correction. Below the check's tolerance, so that
-/// rounding in the written file and the motion between positions have room; negative asks for that much air.
+/// rounding in the written file and the motion between positions have a margin; negative asks for that much air.
 struct CorrectionAim {
   double part_mm = 0;       ///< of the part, in the whole tool
   double fixture_mm = 0;    ///< of a fixture, in the whole tool
@@ -23,12 +23,12 @@ struct CorrectionAim {
 
 /// One contact for every triangle that reaches deeper than the aim: its deepest point, to a tenth of its
 /// excess. In tree order. Cost O(triangles inside the tool).
-[[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const ToolForms& tool,
+[[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool,
                                                  const PreparedScene& scene, const CorrectionAim& aim);
 
 /// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only
 /// when the aim is proven to be met to `accuracy_mm`.
-[[nodiscard]] double largest_excess(const Pose& pose, const ToolForms& tool, const PreparedScene& scene,
+[[nodiscard]] double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
                                     const CorrectionAim& aim, double accuracy_mm);
 
 }  // namespace gouge

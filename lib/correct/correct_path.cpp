@@ -80,7 +80,7 @@ class Proposer {
 
   const Toolpath& path_;
   const CheckResult& result_;
-  const std::vector<const ToolForms*>& tools_;
+  const std::vector<const ToolVariants*>& tools_;
   MotionChecker checker_;
   const CorrectOptions& correct_;
   std::vector<HolePlan> holes_;

@@ -9,7 +9,7 @@ namespace {
 constexpr double kAccuracy_mm = 2e-4;
 constexpr double kSmallestStep_mm =
     1e-3;                          // keeps the lift from creeping where the surface runs along the axis
-constexpr double kRoom_mm = 2e-3;  // how much further than asked the weighted shift reaches
+constexpr double kMargin_mm = 2e-3;  // how much further than asked the weighted shift reaches
 
 }  // namespace
 
@@ -17,10 +17,10 @@ const char* strategy_name(Strategy strategy) {
   return strategy == Strategy::weighted ? "weighted" : "axis";
 }
 
-std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms& tool,
+std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool,
                                               const MotionChecker& checker, const PoseLimits& limits) {
   const CorrectionAim& aim = limits.aim;
-  const CorrectionAim further{aim.part_mm - kRoom_mm, aim.fixture_mm - kRoom_mm, aim.clearance_mm - kRoom_mm};
+  const CorrectionAim further{aim.part_mm - kMargin_mm, aim.fixture_mm - kMargin_mm, aim.clearance_mm - kMargin_mm};
   CorrectedPose result{pose, Strategy::weighted, 0, 0};
   for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
     const bool is_met = largest_excess(result.pose, tool, checker.scene(), aim, kAccuracy_mm) <= 0;
@@ -43,7 +43,7 @@ double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLim
   return checker.head_excess(pose, std::max(0.0, limits.aim.part_mm), kAccuracy_mm);
 }
 
-std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool,
+std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolVariants& tool,
                                                 const MotionChecker& checker, const PoseLimits& limits) {
   CorrectedPose result{pose, Strategy::axis, 0, 0};
   for (;; ++result.iterations) {
@@ -57,7 +57,7 @@ std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForm
   }
 }
 
-std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolForms& tool,
+std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolVariants& tool,
                                           const MotionChecker& checker, const PoseLimits& limits) {
   if (wanted == Strategy::weighted) {
     const auto result = correct_weighted(pose, tool, checker, limits);

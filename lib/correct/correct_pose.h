@@ -27,9 +27,9 @@ struct CorrectedPose {
 };
 
 /// The thesis's correction: shift by sum(d_i^2 n_i) / sum(d_i) over all contacts, again and again (5.3). d_i
-/// is the excess over half of the aim's room, so that the mean does not creep towards its goal for ever.
-/// Nothing when it does not settle within the limits. Source thesis 5.3, figure 35.
-[[nodiscard]] std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolForms& tool,
+/// is the excess over half of the aim's margin, so that the mean does not creep towards its goal for ever.
+/// Nothing when it does not converge within the limits. Source thesis 5.3, figure 35.
+[[nodiscard]] std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool,
                                                             const MotionChecker& checker,
                                                             const PoseLimits& limits);
 
@@ -37,14 +37,14 @@ struct CorrectedPose {
 [[nodiscard]] double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits);
 
 /// Lifts the tip along the tool axis to the first place where tool and heads meet the aim: the excess is the least the
-/// tool must still move, so stepping by it never passes a place that is good. Nothing beyond the limit.
-[[nodiscard]] std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolForms& tool,
+/// tool must still move, so stepping by it never passes a position that is good. Nothing beyond the limit.
+[[nodiscard]] std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolVariants& tool,
                                                               const MotionChecker& checker,
                                                               const PoseLimits& limits);
 
 /// `wanted` first, then along the axis. Heads are freed along the axis alone.
 [[nodiscard]] std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose,
-                                                        const ToolForms& tool, const MotionChecker& checker,
+                                                        const ToolVariants& tool, const MotionChecker& checker,
                                                         const PoseLimits& limits);
 
 }  // namespace gouge

@@ -17,7 +17,7 @@ constexpr const char* kHeadStays =
 
 }  // namespace
 
-const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolForms& tool,
+const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool,
                           const MotionChecker& checker) {
   switch (check_shift(from, to, kind, tool, checker)) {
     case ShiftHazard::none:
@@ -36,7 +36,7 @@ double side_shift_mm(const Vec3& shift, const Vec3& axis) {
   return (shift - shift.dot(axis) * axis).norm();
 }
 
-FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind, const ToolForms& tool,
+FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind, const ToolVariants& tool,
                     const MotionChecker& checker, const PoseLimits& limits,
                     const std::optional<double>& largest_side_mm) {
   const double side = largest_side_mm.value_or(kSideShiftsPerDepth * depth_mm);

@@ -7,7 +7,7 @@
 namespace gouge {
 
 /// check_shift in words: why the tool may not be shifted straight from `from` to `to`, or null: it may.
-[[nodiscard]] const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolForms& tool,
+[[nodiscard]] const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool,
                                         const MotionChecker& checker);
 
 /// A pose freed by a shift that may be made, or the reason there is none.
@@ -25,7 +25,7 @@ inline constexpr double kSideShiftsPerDepth = 2;
 /// correct_pose, held to the laws of a shift: `wanted` first, then along the axis.
 ///
 /// `largest_side_mm`: none allows kSideShiftsPerDepth times the depth.
-[[nodiscard]] FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind, const ToolForms& tool,
+[[nodiscard]] FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind, const ToolVariants& tool,
                                   const MotionChecker& checker, const PoseLimits& limits,
                                   const std::optional<double>& largest_side_mm);
 

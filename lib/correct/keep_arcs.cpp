@@ -12,7 +12,7 @@ namespace gouge {
 namespace {
 
 constexpr double kAimShare = 0.5, kCleanShare = 0.8;  // of the tolerance
-constexpr double kSamePlace_mm = 1e-9;
+constexpr double kSamePoint_mm = 1e-9;
 constexpr int kPlaces = 16;
 constexpr int kGrowths = 3;
 
@@ -31,9 +31,9 @@ void join_records(std::size_t move, const Vec3& shift, bool is_inserted, Correct
   }
   joined.is_inserted = is_inserted;
   joined.shift_mm = shift;
-  const auto place = static_cast<std::size_t>(first - all.begin());
+  const auto slot = static_cast<std::size_t>(first - all.begin());
   std::erase_if(all, of_move);
-  all.insert(all.begin() + static_cast<std::ptrdiff_t>(place), joined);
+  all.insert(all.begin() + static_cast<std::ptrdiff_t>(slot), joined);
 }
 
 class ArcKeeper {
@@ -61,7 +61,7 @@ class ArcKeeper {
     const PathChange* change = change_of_[move];
     return change != nullptr && change->new_end ? *change->new_end : k_.path.moves[move].end;
   }
-  [[nodiscard]] const ToolForms& tool_of(std::size_t move) const { return *k_.tools[k_.path.moves[move].tool]; }
+  [[nodiscard]] const ToolVariants& tool_of(std::size_t move) const { return *k_.tools[k_.path.moves[move].tool]; }
   [[nodiscard]] ArcTask task_of(std::size_t i) const {
     const Move& move = k_.path.moves[i];
     return {k_.path.arcs[move.curve], k_.path.start_of(i), move.end, end_of(i - 1), end_of(i), move.kind, &tool_of(i)};
@@ -109,7 +109,7 @@ class ArcKeeper {
     const double sign = first.dot(out_first) + last.dot(out_last) < 0 ? -1 : 1;
     const double tolerance = k_.checker.options().tolerance_mm;
     const double radial = deepest(task) - kAimShare * tolerance;
-    if (std::abs(rise) > kSamePlace_mm && try_ends(change, task, rise * axis, rise * axis)) return true;
+    if (std::abs(rise) > kSamePoint_mm && try_ends(change, task, rise * axis, rise * axis)) return true;
     for (int g = 0; g < kGrowths; ++g) {
       const double growth = sign * (radial + 0.1 * g * tolerance);
       const Vec3 s = rise * axis + growth * out_first, e = rise * axis + growth * out_last;

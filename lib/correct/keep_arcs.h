@@ -12,7 +12,7 @@ namespace gouge {
 /// What the search for arcs goes by. All must outlive the call; vectors have one entry a move.
 struct ArcKeeping {
   const Toolpath& path;
-  const std::vector<const ToolForms*>& tools;
+  const std::vector<const ToolVariants*>& tools;
   const MotionChecker& checker;
   const CorrectOptions& correct;
   const std::vector<bool>& can_rewrite;  ///< only these are looked at

@@ -7,9 +7,9 @@
 namespace gouge {
 namespace {
 
-// How far from the end of a clean interval a way may leave it, tried in turn.
+// How far from the end of a clean interval a path may leave it, tried in turn.
 constexpr std::array kBack_mm{0.02, 0.1, 0.5, 2.0, 8.0};
-constexpr std::array kBackShares{1.0 / 16, 1.0 / 4, 1.0 / 2};  // of both intervals, for ways over corrected positions
+constexpr std::array kBackShares{1.0 / 16, 1.0 / 4, 1.0 / 2};  // of both intervals, for paths over corrected positions
 constexpr double kShortest_mm = 0.01;  // of an interval that is worth a position
 
 }  // namespace
@@ -17,11 +17,11 @@ constexpr double kShortest_mm = 0.01;  // of an interval that is worth a positio
 std::optional<BridgeNodes> Bridger::keep_to_programmed(const BridgeNode& u, const BridgeNode& v) {
   clean_ = clean_programmed();
   while (!clean_.empty()) {
-    BridgeNodes way;
-    const std::optional<std::size_t> failed = chain(u, v, way);
+    BridgeNodes waypoints;
+    const std::optional<std::size_t> failed = chain(u, v, waypoints);
     if (!failed) {
-      leave_out_holds(u, v, way);
-      return way;
+      leave_out_holds(u, v, waypoints);
+      return waypoints;
     }
     drop_interval(*failed);
   }
@@ -42,9 +42,9 @@ std::vector<TimeInterval> Bridger::clean_programmed() const {
   return clean;
 }
 
-/// The way over all clean intervals: along each of them, and across the gaps between. The gap that cannot be crossed, if any;
+/// The path over all clean intervals: along each of them, and across the gaps between. The gap that cannot be crossed, if any;
 /// gap k ends at interval k.
-std::optional<std::size_t> Bridger::chain(const BridgeNode& u, const BridgeNode& v, BridgeNodes& way) {
+std::optional<std::size_t> Bridger::chain(const BridgeNode& u, const BridgeNode& v, BridgeNodes& waypoints) {
   Shore left{u, {u.t, u.t}, true};
   for (std::size_t k = 0; k <= clean_.size(); ++k) {
     Shore right{v, {v.t, v.t}, true};
@@ -52,36 +52,36 @@ std::optional<std::size_t> Bridger::chain(const BridgeNode& u, const BridgeNode&
     const auto across = cross(left, right);
     if (!across) return k;
     if (!left.is_fixed) {
-      way.push_back(hold(left.room.first));
-      if (left.room.last > left.room.first) way.push_back(hold(left.room.last));
+      waypoints.push_back(hold(left.room.first));
+      if (left.room.last > left.room.first) waypoints.push_back(hold(left.room.last));
     }
-    way.insert(way.end(), across->begin(), across->end());
+    waypoints.insert(waypoints.end(), across->begin(), across->end());
     left = right;
   }
   return std::nullopt;
 }
 
-/// A way from one clean interval to the next, which shortens both to what the way leaves of them.
+/// A path from one clean interval to the next, which shortens both to what the path leaves of them.
 std::optional<BridgeNodes> Bridger::cross(Shore& left, Shore& right) {
   double tried_left = left.room.last, tried_right = right.room.first;
-  std::optional<BridgeNodes> way;
+  std::optional<BridgeNodes> waypoints;
   const auto try_at = [&](double left_t, double right_t, Search search) {
-    way = cross_here(left, right, left_t, right_t, search);
-    if (!way) return false;
+    waypoints = cross_here(left, right, left_t, right_t, search);
+    if (!waypoints) return false;
     left.room.last = left_t;
     right.room.first = right_t;
     return true;
   };
-  if (try_at(tried_left, tried_right, Search::thorough)) return way;
+  if (try_at(tried_left, tried_right, Search::thorough)) return waypoints;
   const double length = (task_.programmed->at(1).tip - task_.programmed->at(0).tip).norm();
   for (const double back_mm : kBack_mm) {
     const double back = length > back_mm ? back_mm / length : 1;
     const double left_t = std::max(left.room.first, left.room.last - back);
     const double right_t = std::min(right.room.last, right.room.first + back);
     const bool is_left_new = left_t < tried_left, is_right_new = right_t > tried_right;
-    if (is_left_new && try_at(left_t, right.room.first, Search::simple)) return way;
-    if (is_right_new && try_at(left.room.last, right_t, Search::simple)) return way;
-    if (is_left_new && is_right_new && try_at(left_t, right_t, Search::simple)) return way;
+    if (is_left_new && try_at(left_t, right.room.first, Search::simple)) return waypoints;
+    if (is_right_new && try_at(left.room.last, right_t, Search::simple)) return waypoints;
+    if (is_left_new && is_right_new && try_at(left_t, right_t, Search::simple)) return waypoints;
     tried_left = left_t;
     tried_right = right_t;
   }
@@ -89,7 +89,7 @@ std::optional<BridgeNodes> Bridger::cross(Shore& left, Shore& right) {
   for (const double share : kBackShares) {
     const double left_t = left.room.last - share * (left.room.last - left.room.first);
     const double right_t = right.room.first + share * (right.room.last - right.room.first);
-    if (try_at(left_t, right_t, Search::thorough)) return way;
+    if (try_at(left_t, right_t, Search::thorough)) return waypoints;
   }
   return std::nullopt;
 }
@@ -100,9 +100,9 @@ std::optional<BridgeNodes> Bridger::cross_here(const Shore& left, const Shore& r
   const BridgeNode to = right.is_fixed ? right.node : hold(right_t);
   if (is_clean(from.pose(), to.pose())) return BridgeNodes{};
   count_ = 0;
-  auto way = search == Search::thorough ? halve(from, to, kLevels) : corner(from, to, 0);
-  if (!way) way = over(from, to, 0);
-  return way;
+  auto waypoints = search == Search::thorough ? halve(from, to, kLevels) : corner(from, to, 0);
+  if (!waypoints) waypoints = over(from, to, 0);
+  return waypoints;
 }
 
 /// The shorter one of the intervals at both sides of a gap that nothing crosses.
@@ -113,20 +113,20 @@ void Bridger::drop_interval(std::size_t gap) {
   clean_.erase(clean_.begin() + static_cast<std::ptrdiff_t>(is_left ? gap - 1 : gap));
 }
 
-/// Leaves out positions on the programmed motion without which the way is clean and as near to it.
-void Bridger::leave_out_holds(const BridgeNode& u, const BridgeNode& v, BridgeNodes& way) const {
+/// Leaves out positions on the programmed motion without which the path is clean and as near to it.
+void Bridger::leave_out_holds(const BridgeNode& u, const BridgeNode& v, BridgeNodes& waypoints) const {
   BridgeNodes kept;
-  for (std::size_t k = 0; k < way.size(); ++k) {
+  for (std::size_t k = 0; k < waypoints.size(); ++k) {
     const BridgeNode& last = kept.empty() ? u : kept.back();
-    const BridgeNode& next = k + 1 < way.size() ? way[k + 1] : v;
-    const bool is_needless = is_on_programmed(way[k]) && stays_near(last, next) && is_clean(last.pose(), next.pose());
-    if (!is_needless) kept.push_back(way[k]);
+    const BridgeNode& next = k + 1 < waypoints.size() ? waypoints[k + 1] : v;
+    const bool is_needless = is_on_programmed(waypoints[k]) && stays_near(last, next) && is_clean(last.pose(), next.pose());
+    if (!is_needless) kept.push_back(waypoints[k]);
   }
-  way = std::move(kept);
+  waypoints = std::move(kept);
 }
 
-/// Whether the straight way keeps to the programmed motion wherever that is clean. It leaves the motion by a mean of what its
-/// ends are off, so the ends of the clean intervals answer for all instants.
+/// Whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a mean of what its
+/// ends are off, so the ends of the clean intervals stand for all instants.
 bool Bridger::stays_near(const BridgeNode& from, const BridgeNode& to) const {
   const Vec3 off_from = offset_mm(from), off_to = offset_mm(to);
   const double span = to.t - from.t;

@@ -58,7 +58,7 @@ bool turns_as_asked(const PathChange& change, const Toolpath& after, const Moves
   return true;
 }
 
-/// The same motion is as deep as it was; only the path that leads to it may tell more or less of its inside.
+/// The same motion is as deep as it was; only the path that leads to it may show more or less of its inside.
 bool has_kept_state(const MoveVerdict& before, const MoveVerdict& after) {
   return before.state == after.state || after.state == MoveState::clean ||
          (before.state == MoveState::not_certified && after.state != MoveState::buried);
@@ -100,7 +100,7 @@ class LawsCheck {
 
  private:
   /// Piece `k` of straight move `i` is the programmed motion, or leads from its new start to the old one, or from its old end to
-  /// the new one. Elsewhere a motion that still gouges could cut what it did not cut before, less deep than its deepest place.
+  /// the new one. Elsewhere a motion that still gouges could cut what it did not cut before, less deep than its deepest point.
   [[nodiscard]] bool is_programmed_or_shift(std::size_t i, std::size_t k, const MovesAfter& span) const {
     const Toolpath &a = *before_.path, &b = *after_.path;
     if (!b.moves[k].has_start) return false;

@@ -22,9 +22,9 @@ constexpr double kBridgeShare = 0.8;
 
 constexpr const char* kToolBuried = "the tool is buried: there is no way out to follow";
 constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
-constexpr const char* kNoWayBetween = "no clean way between its positions within the largest shift";
+constexpr const char* kNoWayBetween = "no clean path between its positions within the largest shift";
 constexpr const char* kHeadBetween =
-    "the head is in the way between its positions: no clean way within the largest shift; it takes another "
+    "the head is in the way between its positions: no clean path within the largest shift; it takes another "
     "tilt or a "
     "longer tool";
 constexpr const char* kWorse = "a change here would make a neighbouring move worse";
@@ -55,7 +55,7 @@ std::string usual_reason(const Move& move, const MoveVerdict& verdict) {
 }
 
 PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
-                             const std::vector<const ToolForms*>& tools, const MotionChecker& checker,
+                             const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
                              const CorrectOptions& correct)
     : path_(path), result_(result), tools_(tools), checker_(checker), options_(checker.options()), correct_(correct) {
   limits_.aim = {aim_of(options_.tolerance_mm), -kAir_mm, -kAir_mm};
@@ -125,7 +125,7 @@ void PathCorrector::correct_position(std::size_t i) {
   work.is_worked = true;
   const Move& move = path_.moves[i];
   if (move.tool == kNone || tools_[move.tool] == nullptr) return;
-  const ToolForms& tool = *tools_[move.tool];
+  const ToolVariants& tool = *tools_[move.tool];
   work.depth_before_mm = depth_at(move.end, move.kind, tool);
   // A position within the tolerance is left alone, even one deeper than a correction aims for.
   const double within = kBridgeShare * options_.tolerance_mm;
@@ -159,7 +159,7 @@ void PathCorrector::correct_position(std::size_t i) {
   if (i + 1 < moves_.size()) moves_[i + 1].is_dirty = true;
 }
 
-double PathCorrector::depth_at(const Pose& pose, MoveKind kind, const ToolForms& tool) const {
+double PathCorrector::depth_at(const Pose& pose, MoveKind kind, const ToolVariants& tool) const {
   return checker_.measure(pose, kind, tool).depth_mm;
 }
 
@@ -191,7 +191,7 @@ Pose PathCorrector::start_of(std::size_t i) const {
 }
 
 // A thin or pointed tool is clean only where it is less deep than the tolerance allows.
-PoseLimits PathCorrector::limits_for(const ToolForms& tool) const {
+PoseLimits PathCorrector::limits_for(const ToolVariants& tool) const {
   PoseLimits limits = limits_;
   const SureDepth sure = sure_depth(tool, *checker_.scene().scene, options_);
   const double share = sure.depth_mm > 0 ? sure.depth_mm / (options_.tolerance_mm + options_.resolution_mm) : 0;
@@ -229,8 +229,8 @@ void PathCorrector::bridge_move(std::size_t i) {
     const bool is_dogleg = move.kind == MoveKind::rapid && options_.rapid == RapidMode::dogleg;
     const Motion programmed(path_.start_of(i), move.end, is_dogleg);
     if (move.kind == MoveKind::feed && programmed.is_defined()) task.programmed = &programmed;
-    if (auto way = bridge(start_of(i), end_of(i), task)) {
-      work.inserted = std::move(*way);
+    if (auto waypoints = bridge(start_of(i), end_of(i), task)) {
+      work.inserted = std::move(*waypoints);
       return;
     }
   }
@@ -304,13 +304,13 @@ bool PathCorrector::take_back() {
 
 void PathCorrector::work(const std::vector<std::size_t>& wanted, const ProgressCall& progress,
                          const std::function<void(std::size_t)>& what) {
-  std::mutex told;
+  std::mutex reported;
   std::size_t done = 0;
   for_each_chunk(wanted.size(), kPositionsPerChunk, options_.threads,
                  [&](std::size_t first, std::size_t last) {
                    for (std::size_t k = first; k < last; ++k) what(wanted[k]);
                    if (!progress) return;
-                   const std::scoped_lock lock(told);
+                   const std::scoped_lock lock(reported);
                    done += last - first;
                    progress(done, wanted.size());
                  });

@@ -16,7 +16,7 @@ namespace gouge {
 class PathCorrector {
  public:
   /// All must outlive it. `tools` as in check_path.
-  PathCorrector(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
+  PathCorrector(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,
                 const MotionChecker& checker, const CorrectOptions& correct);
 
   /// Keeps this move, both its positions and what lies between, as it is from now on.
@@ -49,13 +49,13 @@ class PathCorrector {
   void correct_position(std::size_t i);
   void choose_moves();
   void bridge_move(std::size_t i);
-  [[nodiscard]] PoseLimits limits_for(const ToolForms& tool) const;
+  [[nodiscard]] PoseLimits limits_for(const ToolVariants& tool) const;
   [[nodiscard]] BridgeTask task_of(std::size_t i) const;
   [[nodiscard]] bool is_free(std::size_t i) const;
   [[nodiscard]] std::vector<BridgePose> programmed_again(std::size_t i) const;
   [[nodiscard]] MoveVerdict verdict_before(std::size_t i) const;
   [[nodiscard]] bool take_back();
-  [[nodiscard]] double depth_at(const Pose& pose, MoveKind kind, const ToolForms& tool) const;
+  [[nodiscard]] double depth_at(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
   void work(const std::vector<std::size_t>& wanted, const ProgressCall& progress,
             const std::function<void(std::size_t)>& what);
   [[nodiscard]] Correction gather() const;
@@ -64,7 +64,7 @@ class PathCorrector {
 
   const Toolpath& path_;
   const CheckResult& result_;
-  const std::vector<const ToolForms*>& tools_;
+  const std::vector<const ToolVariants*>& tools_;
   const MotionChecker& checker_;
   const CheckOptions& options_;
   const CorrectOptions& correct_;

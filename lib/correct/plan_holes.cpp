@@ -14,7 +14,7 @@ constexpr int kSteps = 40;
 
 class HolePlanner {
  public:
-  HolePlanner(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
+  HolePlanner(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,
               const MotionChecker& checker, const CorrectOptions& correct)
       : path_(path), result_(result), tools_(tools), checker_(checker), correct_(correct) {}
 
@@ -49,7 +49,7 @@ class HolePlanner {
     const Pose &start = path_.start_of(i), &end = path_.moves[i].end;
     return Motion({start.tip + by, start.axis}, {end.tip + by, end.axis});
   }
-  [[nodiscard]] const ToolForms& tool_of(std::size_t i) const { return *tools_[path_.moves[i].tool]; }
+  [[nodiscard]] const ToolVariants& tool_of(std::size_t i) const { return *tools_[path_.moves[i].tool]; }
   [[nodiscard]] CheckOptions within(double share) const {
     CheckOptions options = checker_.options();
     options.near_miss_mm = 0;
@@ -85,7 +85,7 @@ class HolePlanner {
 
   const Toolpath& path_;
   const CheckResult& result_;
-  const std::vector<const ToolForms*>& tools_;
+  const std::vector<const ToolVariants*>& tools_;
   const MotionChecker& checker_;
   const CorrectOptions& correct_;
 };
@@ -101,7 +101,7 @@ std::size_t end_of_hole(const Toolpath& path, std::size_t first) {
 }
 
 std::vector<HolePlan> plan_holes(const Toolpath& path, const CheckResult& result,
-                                 const std::vector<const ToolForms*>& tools, const MotionChecker& checker,
+                                 const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
                                  const CorrectOptions& correct) {
   std::vector<HolePlan> plans;
   if (correct.rewritable == nullptr || correct.rewritable->hole.empty()) return plans;
@@ -109,7 +109,7 @@ std::vector<HolePlan> plan_holes(const Toolpath& path, const CheckResult& result
   const HolePlanner planner(path, result, tools, checker, correct);
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
     if (!can_shift[i] || !path.moves[i].has_start) continue;
-    // Of several positions in one statement it is not told which moves are of which.
+    // Of several positions in one statement it is not stated which moves are of which.
     const std::size_t last = end_of_hole(path, i);
     const bool is_alone = path.moves[i - 1].statement != path.moves[i].statement &&
                           std::count(can_shift.begin() + static_cast<std::ptrdiff_t>(i),

@@ -20,10 +20,10 @@ struct HolePlan {
 [[nodiscard]] std::size_t end_of_hole(const Toolpath& path, std::size_t first);
 
 /// Plans for the holes of which a step gouges and which the file can write elsewhere. Each is the least lift for which the steps
-/// that gouge, shifted with it, are clean, and keeps the law of a shift. How the way to it and from it runs then, the written
-/// file tells.
+/// that gouge, shifted with it, are clean, and keeps the law of a shift. How the path to it and from it runs then, the written
+/// file shows.
 [[nodiscard]] std::vector<HolePlan> plan_holes(const Toolpath& path, const CheckResult& result,
-                                               const std::vector<const ToolForms*>& tools, const MotionChecker& checker,
+                                               const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
                                                const CorrectOptions& correct);
 
 }  // namespace gouge

@@ -15,21 +15,21 @@ constexpr double kHeightShare = 0.2;
 constexpr double kTooDeepShare = 0.5;
 constexpr double kMostOfIt = 0.9;
 constexpr double kSweepChange_rad = 0.2;
-constexpr double kSamePlace_mm = 1e-9, kSameAxis = 1e-12;
+constexpr double kSamePoint_mm = 1e-9, kSameAxis = 1e-12;
 constexpr double kLeastRadius_mm = 1e-3;
 constexpr int kPlaces = 16;
 constexpr double kNearby = 0.2;  // of the motion
 constexpr int kNarrowings = 40;
 
-Vec3 across(const Vec3& way, const Vec3& axis) {
-  return way - way.dot(axis) * axis;
+Vec3 across(const Vec3& displacement, const Vec3& axis) {
+  return displacement - displacement.dot(axis) * axis;
 }
 
 class ArcShift {
  public:
   ArcShift(const ArcTask& task, const MotionChecker& checker)
       : task_(task), checker_(checker), options_(checker.options()) {
-    is_full_ = (task.start.tip - task.end.tip).norm() <= kSamePlace_mm;
+    is_full_ = (task.start.tip - task.end.tip).norm() <= kSamePoint_mm;
     options_.tolerance_mm *= kAimShare;
     options_.near_miss_mm = 0;
   }
@@ -42,15 +42,15 @@ class ArcShift {
     if (is_full_ != ends_meet) return std::nullopt;
     const Vec3 shift = 0.5 * (task_.new_start.tip - task_.start.tip + task_.new_end.tip - task_.end.tip);
     const Vec3 along = shift.dot(task_.arc.axis) * task_.arc.axis;
-    for (const Vec3& way : {shift, along}) {
-      const std::optional<PathArc> arc = about(task_.arc.center + way);
+    for (const Vec3& displacement : {shift, along}) {
+      const std::optional<PathArc> arc = about(task_.arc.center + displacement);
       if (arc && is_good(*arc)) return arc;
     }
     return std::nullopt;
   }
 
  private:
-  // The arc about the place nearest to `center` that is equally far from both ends.
+  // The arc about the point nearest to `center` that is equally far from both ends.
   [[nodiscard]] std::optional<PathArc> about(Vec3 center) const {
     const Vec3& axis = task_.arc.axis;
     const Vec3 &s = task_.new_start.tip, &e = task_.new_end.tip;
@@ -93,7 +93,7 @@ class ArcShift {
       const double shift = (to.tip - from.tip).norm();
       too_deep += depth > kTooDeepShare * tolerance ? 1 : 0;
       is_forced = is_forced && shift <= tolerance + kSideShiftsPerDepth * depth;
-      // Between two clean places so near to each other the arc, which is checked whole, says enough.
+      // Between two clean positions so near to each other the arc, which is checked whole, says enough.
       if (depth <= kAimShare * tolerance && shift <= tolerance) continue;
       if (why_not_shift(from, {to.tip, from.axis}, task_.kind, *task_.tool, checker_) != nullptr)
         return false;
@@ -101,7 +101,7 @@ class ArcShift {
     return is_forced || too_deep >= kMostOfIt * (kPlaces + 1);
   }
 
-  // The place of the new arc nearest to `from`, sought about the same instant: the distance has one least value there.
+  // The point of the new arc nearest to `from`, sought about the same instant: the distance has one least value there.
   static Pose nearest(const Motion& motion, double t, const Pose& from) {
     double low = std::max(0.0, t - kNearby), high = std::min(1.0, t + kNearby);
     for (int i = 0; i < kNarrowings; ++i) {

@@ -8,11 +8,11 @@ namespace gouge {
 namespace {
 
 constexpr double kAimShare = 0.8;  // of the tolerance
-constexpr double kSamePlace_mm = 1e-9, kSameAxis = 1e-12;
+constexpr double kSamePoint_mm = 1e-9, kSameAxis = 1e-12;
 constexpr int kPlaces = 32;
 constexpr int kHalvings = 10;
-constexpr double kLeastStretch_mm = 0.05;       // shorter ones are not worth a statement, and digits blur them
-constexpr double kShares[] = {0, 1.0 / 16, 0.25};  // of a stretch, given up for the way to what is corrected
+constexpr double kLeastSection_mm = 0.05;       // shorter ones are not worth a statement, and digits blur them
+constexpr double kShares[] = {0, 1.0 / 16, 0.25};  // of a stretch, given up for the path to what is corrected
 
 class ArcSplit {
  public:
@@ -21,16 +21,16 @@ class ArcSplit {
         whole_(task.start, task.end, task.arc) {
     options_.tolerance_mm *= kAimShare;
     options_.near_miss_mm = 0;
-    keeps_start_ = (task.start.tip - task.new_start.tip).norm() <= kSamePlace_mm;
-    keeps_end_ = (task.end.tip - task.new_end.tip).norm() <= kSamePlace_mm;
+    keeps_start_ = (task.start.tip - task.new_start.tip).norm() <= kSamePoint_mm;
+    keeps_end_ = (task.end.tip - task.new_end.tip).norm() <= kSamePoint_mm;
   }
 
   std::optional<std::vector<ArcPiece>> run() {
     for (const Pose* pose : {&task_.end, &task_.new_start, &task_.new_end}) {
       if ((pose->axis - task_.start.axis).norm() > kSameAxis) return std::nullopt;
     }
-    find_stretches();
-    if (stretches_.empty()) return std::nullopt;
+    find_segments();
+    if (sections_.empty()) return std::nullopt;
     for (const double share : kShares) {
       pieces_.clear();
       if (build(share) && pieces_.size() <= chords_.size() + 1) return std::move(pieces_);
@@ -39,7 +39,7 @@ class ArcSplit {
   }
 
  private:
-  struct Stretch {
+  struct Section {
     double from = 0, to = 1;  // instants of the arc
   };
 
@@ -66,7 +66,7 @@ class ArcSplit {
     return clean;
   }
 
-  void find_stretches() {
+  void find_segments() {
     std::vector<bool> is_free(kPlaces + 1);
     for (int i = 0; i <= kPlaces; ++i) {
       const bool is_kept = (i > 0 || keeps_start_) && (i < kPlaces || keeps_end_);
@@ -74,30 +74,30 @@ class ArcSplit {
     }
     for (std::size_t first = 0, last = 0; first < is_free.size(); first = last + 1) {
       for (last = first; last < is_free.size() && is_free[last];) ++last;
-      if (last > first + 1) add_stretch(first, last - 1);
+      if (last > first + 1) add_section(first, last - 1);
     }
   }
 
-  void add_stretch(std::size_t first, std::size_t last) {
+  void add_section(std::size_t first, std::size_t last) {
     double from = static_cast<double>(first) / kPlaces, to = static_cast<double>(last) / kPlaces;
     if (!is_clean(from, to)) return;
     const double step = 1.0 / kPlaces;
     if (last < kPlaces) to = last_clean(to, to + step, [&](double t) { return is_clean(from, t); });
     if (first > 0) from = last_clean(from, from - step, [&](double t) { return is_clean(t, to); });
-    if (length_mm(from, to) >= kLeastStretch_mm) stretches_.push_back({from, to});
+    if (length_mm(from, to) >= kLeastSection_mm) sections_.push_back({from, to});
   }
 
   bool build(double share) {
     Pose at = task_.new_start;
     double t = 0;
-    for (Stretch stretch : stretches_) {
-      const double less = share * (stretch.to - stretch.from);
-      if (stretch.from > 0) stretch.from += less;
-      if (stretch.to < 1) stretch.to -= less;
-      if (stretch.from > 0 && !lead(at, t, whole_.at(stretch.from), stretch.from)) return false;
-      at = stretch.to < 1 ? whole_.at(stretch.to) : task_.new_end;
-      t = stretch.to;
-      pieces_.push_back({at, part(stretch.from, stretch.to)});
+    for (Section section : sections_) {
+      const double less = share * (section.to - section.from);
+      if (section.from > 0) section.from += less;
+      if (section.to < 1) section.to -= less;
+      if (section.from > 0 && !lead(at, t, whole_.at(section.from), section.from)) return false;
+      at = section.to < 1 ? whole_.at(section.to) : task_.new_end;
+      t = section.to;
+      pieces_.push_back({at, part(section.from, section.to)});
     }
     return t >= 1 || lead(at, t, task_.new_end, 1);
   }
@@ -129,11 +129,11 @@ class ArcSplit {
 
   // Straight to the stop `last`, past those from `next` on, as near to them as the chords to the arc.
   [[nodiscard]] bool may_skip(const Pose& at, const std::vector<Pose>& stops, std::size_t next, std::size_t last) const {
-    const Vec3 way = stops[last].tip - at.tip;
+    const Vec3 displacement = stops[last].tip - at.tip;
     for (std::size_t k = next; k < last; ++k) {
       const Vec3 to = stops[k].tip - at.tip;
-      const double u = std::clamp(to.dot(way) / way.squaredNorm(), 0.0, 1.0);
-      if ((to - u * way).norm() > checker_.options().tolerance_mm) return false;
+      const double u = std::clamp(to.dot(displacement) / displacement.squaredNorm(), 0.0, 1.0);
+      if ((to - u * displacement).norm() > checker_.options().tolerance_mm) return false;
     }
     return is_clean(Motion(at, stops[last]));
   }
@@ -141,7 +141,7 @@ class ArcSplit {
   // Of the arc, by the angle about its centre.
   [[nodiscard]] double instant_of(const Pose& pose) const {
     const Vec3& axis = task_.arc.axis;
-    const auto across = [&](const Vec3& way) { return Vec3(way - way.dot(axis) * axis); };
+    const auto across = [&](const Vec3& displacement) { return Vec3(displacement - displacement.dot(axis) * axis); };
     const Vec3 from = across(task_.start.tip - task_.arc.center), to = across(pose.tip - task_.arc.center);
     const double sign = task_.arc.sweep_rad < 0 ? -1 : 1;
     double angle = sign * std::atan2(axis.dot(from.cross(to)), from.dot(to));
@@ -155,7 +155,7 @@ class ArcSplit {
   CheckOptions options_;
   Motion whole_;
   bool keeps_start_ = false, keeps_end_ = false;
-  std::vector<Stretch> stretches_;
+  std::vector<Section> sections_;
   std::vector<ArcPiece> pieces_;
 };
 

@@ -14,7 +14,7 @@ bool is_curve(const Move& move) {
 /// Which curves a correction may have to change.
 class CurveChoice {
  public:
-  CurveChoice(const Toolpath& path, const CheckResult& result, const std::vector<const ToolForms*>& tools,
+  CurveChoice(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,
               const MotionChecker& checker)
       : path_(path), result_(result), tools_(tools), checker_(checker), options_(checker.options()),
         is_chosen_(path.moves.size(), false) {
@@ -57,7 +57,7 @@ class CurveChoice {
 
   const Toolpath& path_;
   const CheckResult& result_;
-  const std::vector<const ToolForms*>& tools_;
+  const std::vector<const ToolVariants*>& tools_;
   const MotionChecker& checker_;
   CheckOptions options_;
   std::vector<bool> is_chosen_;
@@ -66,7 +66,7 @@ class CurveChoice {
 }  // namespace
 
 std::optional<StraightenedPath> straighten(const Toolpath& path, const CheckResult& result,
-                                           const std::vector<const ToolForms*>& tools, const MotionChecker& checker) {
+                                           const std::vector<const ToolVariants*>& tools, const MotionChecker& checker) {
   const CheckOptions& options = checker.options();
   const std::vector<bool> is_chosen = CurveChoice(path, result, tools, checker).run();
   if (std::none_of(is_chosen.begin(), is_chosen.end(), [](bool chosen) { return chosen; })) return std::nullopt;
@@ -171,8 +171,8 @@ Correction restore_curves(const StraightenedPath& straightened, const Toolpath& 
   }
   for (Uncorrected& left : correction.uncorrected) {
     left.move = straightened.origin[left.move];
-    const bool is_told = !restored.uncorrected.empty() && restored.uncorrected.back().move == left.move;
-    if (is_told) continue;
+    const bool is_reported = !restored.uncorrected.empty() && restored.uncorrected.back().move == left.move;
+    if (is_reported) continue;
     if (result.verdicts[left.move].state == MoveState::gouge)
       left.depth_mm = result.verdicts[left.move].depth_mm;
     restored.uncorrected.push_back(left);

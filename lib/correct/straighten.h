@@ -25,7 +25,7 @@ inline constexpr double kLeastChordError_mm = 2e-4;  ///< of the digits of the f
 
 /// Nothing where no correction of `result` has to change a curve.
 [[nodiscard]] std::optional<StraightenedPath> straighten(const Toolpath& path, const CheckResult& result,
-                                                         const std::vector<const ToolForms*>& tools,
+                                                         const std::vector<const ToolVariants*>& tools,
                                                          const MotionChecker& checker);
 
 /// The changes of a straightened path as changes of the path as it was.

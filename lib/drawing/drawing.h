@@ -6,7 +6,7 @@
 
 #include "lib/geom/vec.h"
 
-// A picture as plain data: lines, filled shapes and text in picture units (x right, y DOWN). Rooms that know
+// A picture as plain data: lines, filled shapes and text in picture units (x right, y DOWN). Modules that know
 // what to show make one; postproc/image turns it into PNG (OpenCV) or SVG.
 
 namespace gouge {

@@ -19,7 +19,7 @@ std::size_t instants_of(const Motion& motion, const CompiledTool& tool, double d
   // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
   const double travel =
-      way_mm(motion) + std::abs(motion.angle_rad()) * 0.5 * (tool.z_max_mm - tool.z_min_mm);
+      path_length_mm(motion) + std::abs(motion.angle_rad()) * 0.5 * (tool.z_max_mm - tool.z_min_mm);
   const double step = std::max(std::sqrt(8 * reach * 0.01 * std::max(depth_mm, 1e-3)), 0.02 * reach);
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
 }
@@ -54,19 +54,19 @@ class PlacedTool {
     ask(tool_.against_part, part);
     ask(tool_.against_fixture, fixture);
     if (has_clearance()) ask(tool_.with_clearance, clearance);
-    PointDepths::LeafDepths told{};
+    PointDepths::LeafDepths reported{};
     for (std::size_t i = 0; i < count; ++i) {
       const double depth = -(points[i].is_fixture ? fixture : part)[i];
-      told[i] = static_cast<float>(std::max({depth > tolerance_mm_ ? depth : 0.0, -clearance[i], 0.0}));
+      reported[i] = static_cast<float>(std::max({depth > tolerance_mm_ ? depth : 0.0, -clearance[i], 0.0}));
     }
-    return told;
+    return reported;
   }
 
  private:
   [[nodiscard]] bool has_clearance() const { return !tool_.with_clearance.elements.empty(); }
 
   const Pose& pose_;
-  const ToolForms& tool_;
+  const ToolVariants& tool_;
   double tolerance_mm_;
 };
 
@@ -74,13 +74,13 @@ class PlacedTool {
 
 DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
     : heads_(input, most_poses / kPosesPerHeadPose + 1), tolerance_mm_(input.options.tolerance_mm) {
-  const auto forms_of = [&](std::size_t move) { return input.tools[input.toolpath->moves[move].tool]; };
+  const auto variants_of = [&](std::size_t move) { return input.tools[input.toolpath->moves[move].tool]; };
   const auto wanted = [&](const Motion& motion, std::size_t move) {
-    return instants_of(motion, forms_of(move)->against_part, input.result->verdicts[move].depth_mm);
+    return instants_of(motion, variants_of(move)->against_part, input.result->verdicts[move].depth_mm);
   };
   for (const FieldInstants& one : pick_instants(input, most_poses, wanted)) {
     const Motion motion = motion_of(*input.toolpath, one.move, input.options.rapid);
-    for (const double t : one.t) poses_.push_back({motion.at(t), forms_of(one.move), one.move});
+    for (const double t : one.t) poses_.push_back({motion.at(t), variants_of(one.move), one.move});
   }
 }
 

@@ -10,7 +10,7 @@ namespace gouge {
 
 /// How deep the gouging moves of a path reach into the surface, at any point of it: the tool and the heads.
 /// The depth is sampled at many instants of each gouging move, the worst one among them; it is for pictures
-/// and promises nothing.
+/// and guarantees nothing.
 class DepthField {
  public:
   using Point = FieldPoint;
@@ -28,7 +28,7 @@ class DepthField {
 
   struct FieldPose {
     Pose pose;
-    const ToolForms* tool = nullptr;
+    const ToolVariants* tool = nullptr;
     std::size_t move = 0;
   };
   /// Of the tool.

@@ -16,8 +16,8 @@ class Picker {
     const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
       const std::size_t tool = input.toolpath->moves[i].tool;
-      const bool has_forms = tool < input.tools.size() && input.tools[tool] != nullptr;
-      if (verdicts[i].state == MoveState::gouge && has_forms) gouging_.push_back(i);
+      const bool has_variants = tool < input.tools.size() && input.tools[tool] != nullptr;
+      if (verdicts[i].state == MoveState::gouge && has_variants) gouging_.push_back(i);
     }
   }
 
@@ -86,11 +86,11 @@ std::vector<FieldInstants> pick_instants(
   return Picker(input, most, wanted).pick();
 }
 
-double way_mm(const Motion& motion) {
-  double way = 0;
-  for (std::uint32_t s = 0; s < motion.stretches().size(); ++s)
-    way += motion.way_mm(motion.stretches()[s].t0, motion.stretches()[s].t1, s);
-  return way;
+double path_length_mm(const Motion& motion) {
+  double length = 0;
+  for (std::uint32_t s = 0; s < motion.segments().size(); ++s)
+    length += motion.path_length_mm(motion.segments()[s].t0, motion.segments()[s].t1, s);
+  return length;
 }
 
 }  // namespace gouge

@@ -15,7 +15,7 @@ struct FieldInstants {
   std::vector<double> t;  ///< that of the witness first
 };
 
-/// The instants that show how deep a path gouges, about `most` of them. `wanted` tells how many steps would
+/// The instants that show how deep a path gouges, about `most` of them. `wanted` shows how many steps would
 /// show a move as well as can be seen; where they come to too many in all, every move gets fewer, and at last
 /// of each group of neighbouring moves only the worst is looked at.
 [[nodiscard]] std::vector<FieldInstants> pick_instants(
@@ -23,6 +23,6 @@ struct FieldInstants {
     const std::function<std::size_t(const Motion& motion, std::size_t move)>& wanted);
 
 /// How far the tip goes.
-[[nodiscard]] double way_mm(const Motion& motion);
+[[nodiscard]] double path_length_mm(const Motion& motion);
 
 }  // namespace gouge

@@ -8,7 +8,7 @@
 #include "lib/field/field_instants.h"
 #include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
@@ -26,7 +26,7 @@ double reach_of(std::span<const HeadBody> heads) {
 
 // Instants so close that what a swing leaves between two of them stays a small part of the depth.
 std::size_t instants_of(const Motion& motion, double reach_mm, double depth_mm, double most_step_mm) {
-  const double travel = HeadMotion(motion).turn_rad() * reach_mm + way_mm(motion);
+  const double travel = HeadMotion(motion).turn_rad() * reach_mm + path_length_mm(motion);
   const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, 1e-3)),
                                  0.1 * most_step_mm, std::max(most_step_mm, 1e-6));
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
@@ -53,32 +53,32 @@ class PlacedHead {
     if (node.radius >= half_mm) return half_mm;
     const double remembered_mm = most_over_patch(node);
     if (remembered_mm <= enough_mm) return remembered_mm;
-    const SurfaceFoot foot = nearest(centre);
+    const ClosestPoint foot = nearest(centre);
     return std::min(
         {node.radius - foot.signed_mm(), most_from(foot.point, node), most_over_patch(node), half_mm});
   }
 
   [[nodiscard]] PointDepths::LeafDepths depths(std::span<const FieldPoint> points,
-                                             std::span<const float> told_mm) {
-    PointDepths::LeafDepths told{};
+                                             std::span<const float> reported_mm) {
+    PointDepths::LeafDepths reported{};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3 point = to_tool_.point(points[i].at);
-      const double enough_mm = std::max(tolerance_mm_, PointDepths::kUnseen * static_cast<double>(told_mm[i]));
+      const double enough_mm = std::max(tolerance_mm_, PointDepths::kUnseen * static_cast<double>(reported_mm[i]));
       if (!box_.contains(point) || most_at(point) <= enough_mm) continue;
-      const SurfaceFoot foot = nearest(point);
-      if (foot.is_inside && foot.distance_mm > tolerance_mm_) told[i] = static_cast<float>(foot.distance_mm);
+      const ClosestPoint foot = nearest(point);
+      if (foot.is_inside && foot.distance_mm > tolerance_mm_) reported[i] = static_cast<float>(foot.distance_mm);
     }
-    return told;
+    return reported;
   }
 
  private:
-  [[nodiscard]] SurfaceFoot nearest(const Vec3& point) {
-    const SurfaceFoot foot = *nearest_foot(head_.surface, point);
+  [[nodiscard]] ClosestPoint nearest(const Vec3& point) {
+    const ClosestPoint foot = *closest_point(head_.surface, point);
     patch_ = &head_.flat.patches[head_.flat.patch_of[foot.triangle]];
     return foot;
   }
 
-  // A point inside is not deeper than it is far from any place of the surface. From that of a node's middle:
+  // A point inside is not deeper than it is far from any point of the surface. From that of a node's middle:
   [[nodiscard]] double most_from(const Vec3& foot, const PointTree::Node& node) const {
     double far2 = 0;
     for (int k = 0; k < 8; ++k) far2 = std::max(far2, (corner(node, k) - foot).squaredNorm());
@@ -132,17 +132,17 @@ HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
     for (const double t : one.t) {
       const RigidTransform to_part = moving.at(t);
       for (std::size_t h = 0; h < heads_.size(); ++h) {
-        if (is_near(boxes_[h], to_part, scene)) places_.push_back({h, to_part.inverse()});
+        if (is_near(boxes_[h], to_part, scene)) swept_.push_back({h, to_part.inverse()});
       }
     }
   }
 }
 
 void HeadField::deepen(const std::vector<FieldPoint>& points, std::vector<float>& depth_mm) const {
-  if (places_.empty()) return;
+  if (swept_.empty()) return;
   std::vector<PlacedHead> heads;
-  heads.reserve(places_.size());
-  for (const Place& p : places_)
+  heads.reserve(swept_.size());
+  for (const SweptPose& p : swept_)
     heads.emplace_back(heads_[p.head], boxes_[p.head], p.to_tool, tolerance_mm_);
   const std::vector<float> deep = PointDepths(points).deepest(heads);
   for (std::size_t i = 0; i < deep.size(); ++i) depth_mm[i] = std::max(depth_mm[i], deep[i]);

@@ -17,23 +17,23 @@ class HeadField {
   /// Picks the instants, about `most_poses` of them. `input` and what it points at must outlive it.
   HeadField(const CheckedToolpath& input, std::size_t most_poses);
 
-  [[nodiscard]] bool is_empty() const { return places_.empty(); }
+  [[nodiscard]] bool is_empty() const { return swept_.empty(); }
 
-  /// Raises the depth of each point to that in the heads where it counts as a gouge; mm, within 3 % of the
-  /// sampled places.
+  /// Raises the depth of each point to that in the heads where it counts as a gouge; mm, within 3 % of the sampled
+  /// poses.
   void deepen(const std::vector<FieldPoint>& points, std::vector<float>& depth_mm) const;
 
   /// A head at an instant.
-  struct Place {
+  struct SweptPose {
     std::size_t head = 0;
     RigidTransform to_tool;  ///< from the part
   };
-  [[nodiscard]] const std::vector<Place>& places() const { return places_; }
+  [[nodiscard]] const std::vector<SweptPose>& all_swept() const { return swept_; }
 
  private:
   std::span<const HeadBody> heads_;
   std::vector<Box3> boxes_;  ///< of the heads
-  std::vector<Place> places_;
+  std::vector<SweptPose> swept_;
   double tolerance_mm_ = 0;
 };
 

@@ -6,16 +6,16 @@
 
 #include "lib/base/parallel.h"
 #include "lib/field/point_tree.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
 namespace {
 
 constexpr int kShrinks = 16, kSteps = 64;
-// Overcuts of moves that are not the worst of their finding are searched less, and may be told smaller than
+// Overcuts of moves that are not the worst of their finding are searched less, and may be reported smaller than
 // they are.
-constexpr double kMoreThanTold = 2;
+constexpr double kMoreThanReported = 2;
 // A flat facet of a curved part is taken for the part: what lies below it may be a little nearer to its
 // neighbour.
 constexpr double kNearer = 0.95;
@@ -30,10 +30,10 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
   const double worst = input.result->worst_overcut_mm;
   for (const DepthField::FieldPose& pose : depths.poses()) {
     const MoveVerdict& verdict = verdicts[pose.move];
-    const double told = verdict.overcut_mm.value_or(0);
-    if (!(told > 0) || !verdict.witness || verdict.witness->body == Body::head) continue;
-    places_.push_back({pose, std::min(worst, kMoreThanTold * told)});
-    largest_mm_ = std::max(largest_mm_, told);
+    const double reported = verdict.overcut_mm.value_or(0);
+    if (!(reported > 0) || !verdict.witness || verdict.witness->body == Body::head) continue;
+    swept_.push_back({pose, std::min(worst, kMoreThanReported * reported)});
+    largest_mm_ = std::max(largest_mm_, reported);
     const Witness& w = *verdict.witness;
     const std::size_t mesh = w.mesh + (w.against == Against::part ? 0 : parts_);
     solids_[mesh] = &input.prepared->surface(w.against, w.mesh);
@@ -45,17 +45,17 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
 class OvercutField::RayTree {
  public:
   RayTree(const OvercutField& field, const std::vector<Ray>& rays)
-      : field_(field), rays_(rays), tree_(starts(rays)), rooms_(rays.size(), -1), told_(rays.size(), 0.0F) {
+      : field_(field), rays_(rays), tree_(starts(rays)), margins_(rays.size(), -1), reported_(rays.size(), 0.0F) {
     for (const PointTree::Node& node : tree_.nodes()) bundles_.push_back(bundle_of(node));
   }
 
-  std::vector<float> answer() {
-    std::vector<std::uint32_t> all(field_.places_.size());
+  std::vector<float> result() {
+    std::vector<std::uint32_t> all(field_.swept_.size());
     std::iota(all.begin(), all.end(), 0U);
     for_each_chunk(tree_.blocks().size(), 1, 0, [&](std::size_t first, std::size_t last) {
       for (std::size_t b = first; b < last; ++b) visit(tree_.blocks()[b], all);
     });
-    return told_;
+    return reported_;
   }
 
  private:
@@ -84,19 +84,19 @@ class OvercutField::RayTree {
   [[nodiscard]] const Ray& ray(std::size_t i) const { return rays_[tree_.order()[i]]; }
 
   /// A ray's point at depth s lies within |s - S/2| + spread S/2 + radius of the middle at S/2.
-  [[nodiscard]] bool may_meet(std::size_t at, const Place& place) const {
+  [[nodiscard]] bool may_meet(std::size_t at, const SweptPose& swept) const {
     const PointTree::Node& node = tree_.nodes()[at];
-    const double half = 0.5 * place.most_mm;
+    const double half = 0.5 * swept.most_mm;
     const double reach = node.radius + half * (1 + bundles_[at].spread);
-    return signed_distance_mm(place.pose.tool->bare, place.pose.pose, node.centre + half * bundles_[at].inward) <=
+    return signed_distance_mm(swept.pose.tool->bare, swept.pose.pose, node.centre + half * bundles_[at].inward) <=
            reach;
   }
 
-  void visit(std::size_t at, const std::vector<std::uint32_t>& places) {
+  void visit(std::size_t at, const std::vector<std::uint32_t>& all_swept) {
     const PointTree::Node& node = tree_.nodes()[at];
     std::vector<std::uint32_t> near;
-    for (const std::uint32_t p : places) {
-      if (may_meet(at, field_.places_[p])) near.push_back(p);
+    for (const std::uint32_t p : all_swept) {
+      if (may_meet(at, field_.swept_[p])) near.push_back(p);
     }
     if (near.empty()) return;
     if (node.child != 0) {
@@ -105,22 +105,22 @@ class OvercutField::RayTree {
       return;
     }
     for (std::size_t i = node.first; i < node.last; ++i) {
-      for (const std::uint32_t p : near) follow(tree_.order()[i], field_.places_[p]);
+      for (const std::uint32_t p : near) follow(tree_.order()[i], field_.swept_[p]);
     }
   }
 
-  void follow(std::size_t index, const Place& place) {
+  void follow(std::size_t index, const SweptPose& swept) {
     const Ray& ray = rays_[index];
     const DepthBody* const solid = field_.solids_[ray.mesh];
-    if (solid == nullptr || static_cast<double>(told_[index]) * kUnseen >= place.most_mm) return;
-    double& room = rooms_[index];
-    if (room < 0) room = field_.room_mm(*solid, ray, kMoreThanTold * field_.largest_mm_);
-    double s = std::min(room, place.most_mm);
-    const double least = std::max(field_.tolerance_mm_, kUnseen * static_cast<double>(told_[index]));
+    if (solid == nullptr || static_cast<double>(reported_[index]) * kUnseen >= swept.most_mm) return;
+    double& margin = margins_[index];
+    if (margin < 0) margin = field_.margin_mm(*solid, ray, kMoreThanReported * field_.largest_mm_);
+    double s = std::min(margin, swept.most_mm);
+    const double least = std::max(field_.tolerance_mm_, kUnseen * static_cast<double>(reported_[index]));
     for (int k = 0; k < kSteps && s > least; ++k) {
-      const double out = signed_distance_mm(place.pose.tool->bare, place.pose.pose, ray.at + s * ray.inward);
+      const double out = signed_distance_mm(swept.pose.tool->bare, swept.pose.pose, ray.at + s * ray.inward);
       if (out <= 1e-3 * s) {
-        told_[index] = static_cast<float>(s);
+        reported_[index] = static_cast<float>(s);
         return;
       }
       s -= out;
@@ -131,16 +131,16 @@ class OvercutField::RayTree {
   const std::vector<Ray>& rays_;
   PointTree tree_;
   std::vector<Bundle> bundles_;  ///< by node
-  std::vector<double> rooms_;    ///< by ray; negative: not asked for yet
-  std::vector<float> told_;
+  std::vector<double> margins_;    ///< by ray; negative: not asked for yet
+  std::vector<float> reported_;
 };
 
 /// How far along the ray its own foot stays the nearest: the radius of the largest ball that touches the
 /// surface there from within, found by shrinking it as long as another foot lies in it.
-double OvercutField::room_mm(const DepthBody& solid, const Ray& ray, double most_mm) const {
+double OvercutField::margin_mm(const DepthBody& solid, const Ray& ray, double most_mm) const {
   double radius = most_mm;
   for (int k = 0; k < kShrinks; ++k) {
-    const auto foot = nearest_foot(solid, ray.at + radius * ray.inward);
+    const auto foot = closest_point(solid, ray.at + radius * ray.inward);
     if (!foot || (foot->is_inside && foot->distance_mm >= kNearer * radius)) return radius;
     const Vec3 to = foot->point - ray.at;
     const double deep = to.dot(ray.inward);
@@ -151,7 +151,7 @@ double OvercutField::room_mm(const DepthBody& solid, const Ray& ray, double most
 }
 
 std::vector<float> OvercutField::overcut_at(const std::vector<Ray>& rays) const {
-  return RayTree(*this, rays).answer();
+  return RayTree(*this, rays).result();
 }
 
 std::vector<float> OvercutField::at(const std::vector<Ray>& rays) const {

@@ -8,7 +8,7 @@
 namespace gouge {
 
 /// How far below the part's surface the gouging moves of a path reach, at any point of it: the largest s for
-/// which the point p - s n, n being the normal at p, is in the tool and p is the nearest place of the surface
+/// which the point p - s n, n being the normal at p, is in the tool and p is the closest point of the surface
 /// to it. Where the tool is deeper in the part than it is thick this says how deep, which the tool's depth
 /// does not.
 ///
@@ -20,7 +20,7 @@ class OvercutField {
   /// All arguments, and what they point at, must outlive it.
   OvercutField(const CheckedToolpath& input, const DepthField& depths);
 
-  /// No move has an overcut: depths are all there is to tell.
+  /// No move has an overcut: depths are all there is to show.
   [[nodiscard]] bool is_empty() const { return largest_mm_ <= 0; }
   /// Largest overcut of a move, mm.
   [[nodiscard]] double largest_mm() const { return largest_mm_; }
@@ -37,13 +37,13 @@ class OvercutField {
 
  private:
   class RayTree;
-  [[nodiscard]] double room_mm(const DepthBody& solid, const Ray& ray, double most_mm) const;
+  [[nodiscard]] double margin_mm(const DepthBody& solid, const Ray& ray, double most_mm) const;
 
-  struct Place {
+  struct SweptPose {
     DepthField::FieldPose pose;
     double most_mm = 0;  ///< how far below the surface the tool reaches at most
   };
-  std::vector<Place> places_;
+  std::vector<SweptPose> swept_;
   std::vector<const DepthBody*> solids_;  ///< by mesh; null where nothing is asked
   std::size_t parts_ = 0;                 ///< so many meshes are parts, the others fixtures
   double largest_mm_ = 0, tolerance_mm_ = 0;

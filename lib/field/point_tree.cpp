@@ -30,8 +30,8 @@ void PointTree::fill(const std::vector<Vec3>& points, std::size_t at, std::size_
   int axis = 0;
   box.sizes().maxCoeff(&axis);
   const std::size_t middle = first + (last - first) / 2;
-  const auto place = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(place(first), place(middle), place(last), [&](std::size_t a, std::size_t b) {
+  const auto swept = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
+  std::nth_element(swept(first), swept(middle), swept(last), [&](std::size_t a, std::size_t b) {
     const double xa = points[a][axis], xb = points[b][axis];
     return xa < xb || (!(xb < xa) && a < b);
   });

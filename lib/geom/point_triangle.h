@@ -10,7 +10,7 @@ namespace gouge {
 /// Where on a triangle a closest point lies.
 enum class TriangleFeature { face, edge, corner };
 
-struct TriangleFoot {
+struct TrianglePoint {
   Vec3 point = Vec3::Zero();
   double distance2_mm2 = 0;
   TriangleFeature feature = TriangleFeature::face;
@@ -21,24 +21,24 @@ struct TriangleFoot {
 
 namespace detail {
 
-inline TriangleFoot foot_at(const Vec3& p, const Vec3& foot, TriangleFeature feature, std::size_t index) {
+inline TrianglePoint triangle_point(const Vec3& p, const Vec3& foot, TriangleFeature feature, std::size_t index) {
   return {foot, (p - foot).squaredNorm(), feature, index, 0};
 }
 
-/// On the edge from corner `k` to the next; its ends are told as corners.
-inline TriangleFoot foot_on_edge(const Vec3& p, const std::array<Vec3, 3>& t, std::size_t k) {
+/// On the edge from corner `k` to the next; its ends count as corners.
+inline TrianglePoint closest_on_edge(const Vec3& p, const std::array<Vec3, 3>& t, std::size_t k) {
   const std::size_t next = (k + 1) % 3;
   const Vec3 along = t[next] - t[k];
-  const double length2 = along.squaredNorm(), way = along.dot(p - t[k]);
-  if (!(way > 0)) return foot_at(p, t[k], TriangleFeature::corner, k);
-  if (way >= length2) return foot_at(p, t[next], TriangleFeature::corner, next);
-  return foot_at(p, t[k] + (way / length2) * along, TriangleFeature::edge, k);
+  const double length2 = along.squaredNorm(), projection = along.dot(p - t[k]);
+  if (!(projection > 0)) return triangle_point(p, t[k], TriangleFeature::corner, k);
+  if (projection >= length2) return triangle_point(p, t[next], TriangleFeature::corner, next);
+  return triangle_point(p, t[k] + (projection / length2) * along, TriangleFeature::edge, k);
 }
 
-inline TriangleFoot foot_on_rim(const Vec3& p, const std::array<Vec3, 3>& t) {
-  TriangleFoot best = foot_on_edge(p, t, 0);
+inline TrianglePoint closest_on_rim(const Vec3& p, const std::array<Vec3, 3>& t) {
+  TrianglePoint best = closest_on_edge(p, t, 0);
   for (std::size_t k = 1; k < 3; ++k) {
-    const TriangleFoot other = foot_on_edge(p, t, k);
+    const TrianglePoint other = closest_on_edge(p, t, k);
     if (other.distance2_mm2 < best.distance2_mm2) best = other;
   }
   return best;
@@ -53,25 +53,25 @@ inline TriangleFoot foot_on_rim(const Vec3& p, const std::array<Vec3, 3>& t) {
 /// Cost        Constant, no allocation.
 /// Source      C. Ericson, Real-Time Collision Detection (2005), 5.1.5: regions of the triangle by dot
 /// products.
-[[nodiscard]] inline TriangleFoot closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& t) {
-  using detail::foot_at;
+[[nodiscard]] inline TrianglePoint closest_on_triangle(const Vec3& p, const std::array<Vec3, 3>& t) {
+  using detail::triangle_point;
   const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
   const double d1 = ab.dot(ap), d2 = ac.dot(ap);
-  if (d1 <= 0 && d2 <= 0) return foot_at(p, t[0], TriangleFeature::corner, 0);
+  if (d1 <= 0 && d2 <= 0) return triangle_point(p, t[0], TriangleFeature::corner, 0);
   const Vec3 bp = p - t[1];
   const double d3 = ab.dot(bp), d4 = ac.dot(bp);
-  if (d3 >= 0 && d4 <= d3) return foot_at(p, t[1], TriangleFeature::corner, 1);
+  if (d3 >= 0 && d4 <= d3) return triangle_point(p, t[1], TriangleFeature::corner, 1);
   const Vec3 cp = p - t[2];
   const double d5 = ab.dot(cp), d6 = ac.dot(cp);
-  if (d6 >= 0 && d5 <= d6) return foot_at(p, t[2], TriangleFeature::corner, 2);
+  if (d6 >= 0 && d5 <= d6) return triangle_point(p, t[2], TriangleFeature::corner, 2);
   const double vc = d1 * d4 - d3 * d2, vb = d5 * d2 - d1 * d6, va = d3 * d6 - d5 * d4;
   if (va > 0 && vb > 0 && vc > 0) {
     const double scale = 1 / (va + vb + vc);
-    TriangleFoot foot = foot_at(p, t[0] + (vb * scale) * ab + (vc * scale) * ac, TriangleFeature::face, 0);
+    TrianglePoint foot = triangle_point(p, t[0] + (vb * scale) * ab + (vc * scale) * ac, TriangleFeature::face, 0);
     foot.least_weight = scale * std::min({va, vb, vc});
     return foot;
   }
-  return detail::foot_on_rim(p, t);
+  return detail::closest_on_rim(p, t);
 }
 
 }  // namespace gouge

@@ -23,10 +23,10 @@ void decide(MoveState state, Reason reason, MoveVerdict& verdict) {
   verdict.clearance_mm.reset();
 }
 
-void decide_side(const SideAnswer& answer, MoveVerdict& verdict) {
-  if (answer.side == Side::inside) decide(MoveState::buried, {Reason::Kind::buried, Body::head}, verdict);
-  if (answer.side == Side::unknown)
-    decide(MoveState::not_certified, {Reason::Kind::side_unknown, Body::head, 0, answer.why}, verdict);
+void decide_side(const SideResult& outcome, MoveVerdict& verdict) {
+  if (outcome.side == Side::inside) decide(MoveState::buried, {Reason::Kind::buried, Body::head}, verdict);
+  if (outcome.side == Side::unknown)
+    decide(MoveState::not_certified, {Reason::Kind::side_unknown, Body::head, 0, outcome.why}, verdict);
 }
 
 bool is_open_to_judgement(const MoveVerdict& verdict) {
@@ -65,7 +65,7 @@ std::uint64_t HeadChecker::sweep(const Motion& motion, const CheckOptions& optio
   const HeadMotion head_motion(motion);
   std::uint64_t bounds = 0;
   for (const HeadBody& head : heads_) {
-    const HeadAnswer found =
+    const HeadResult found =
         search_head(head_motion, head, surfaces_,
                     {options.tolerance_mm, options.resolution_mm,
                      std::max(options.resolution_mm, options.gouge_gap_mm),
@@ -87,7 +87,7 @@ double HeadChecker::excess_at(const Pose& pose, double allowed_mm, double accura
   return verdict.state == MoveState::clean ? 0 : std::numeric_limits<double>::infinity();
 }
 
-void HeadChecker::join(const HeadAnswer& found, const CheckOptions& options, MoveVerdict& verdict) const {
+void HeadChecker::join(const HeadResult& found, const CheckOptions& options, MoveVerdict& verdict) const {
   verdict.depth_upper_mm = std::max(verdict.depth_upper_mm, found.depth_upper_mm);
   const bool is_gouge = found.depth_mm > options.tolerance_mm;
   const bool is_open = found.depth_upper_mm > options.tolerance_mm + options.resolution_mm;
@@ -103,7 +103,7 @@ void HeadChecker::join(const HeadAnswer& found, const CheckOptions& options, Mov
   }
 }
 
-void HeadChecker::take(const HeadAnswer& found, MoveVerdict& verdict) const {
+void HeadChecker::take(const HeadResult& found, MoveVerdict& verdict) const {
   const bool is_part = found.surface < parts_;
   const std::size_t mesh = is_part ? found.surface : found.surface - parts_;
   verdict.depth_mm = found.depth_mm;
@@ -166,7 +166,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
       options.threads,
       [&](std::size_t item) {
         const Pose& pose = toolpath.moves[item / cores.size()].end;
-        return JoinedPlaces{{core_at(pose, item % cores.size())}, {pose.axis}};
+        return ConnectedPoints{{core_at(pose, item % cores.size())}, {pose.axis}};
       },
       is_asked);
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
@@ -175,7 +175,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
       if (!is_free(i, c)) {
         decide(MoveState::not_certified, {Reason::Kind::head_too_thin}, verdicts[i]);
       } else {
-        decide_side(chains.answer(i * cores.size() + c), verdicts[i]);
+        decide_side(chains.result(i * cores.size() + c), verdicts[i]);
       }
     }
   }
@@ -183,7 +183,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
 
 namespace {
 
-// The heads on the straight way to a position alone (check_path asks the tool).
+// The heads on the straight path to a position alone (check_path asks the tool).
 void check_links(const Toolpath& toolpath, const HeadChecker& checker, const CheckOptions& options,
                  std::vector<MoveVerdict>& verdicts) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) {

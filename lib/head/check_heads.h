@@ -34,8 +34,8 @@ class HeadChecker {
   [[nodiscard]] double excess_at(const Pose& pose, double allowed_mm, double accuracy_mm) const;
 
  private:
-  void join(const HeadAnswer& found, const CheckOptions& options, MoveVerdict& verdict) const;
-  void take(const HeadAnswer& found, MoveVerdict& verdict) const;
+  void join(const HeadResult& found, const CheckOptions& options, MoveVerdict& verdict) const;
+  void take(const HeadResult& found, MoveVerdict& verdict) const;
   void look_inside(const Pose& pose, const std::vector<double>& uppers_mm, MoveVerdict& verdict) const;
 
   const std::vector<HeadBody>& heads_;
@@ -48,7 +48,7 @@ class HeadChecker {
 /// was checked on, and joins what it finds to the verdicts of `result`: the deeper witness stays, a gouge of either is a
 /// gouge, and a move is clean only if both are. Their share of a verdict: lib/certify has the whole.
 ///
-/// The promise is the tool's: depth <= true depth <= depth_upper over every instant; clean means that
+/// The guarantee is the tool's: depth <= true depth <= depth_upper over every instant; clean means that
 /// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness). Ensures  the same bits at any number of threads.
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
                  const CheckOptions& options, CheckResult& result);

@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "lib/check/reach.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
@@ -49,7 +49,7 @@ Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
     return make_error(
         "mesh-head-open",
         "is not a closed solid facing outward; expected one, since what is inside the head must be "
-        "known; 'gougecheck mesh FILE --repair OUT.stl' tells what is wrong",
+        "known; 'gougecheck mesh FILE --repair OUT.stl' reports what is wrong",
         mesh.name);
   }
   measure_clear_above(head.surface, head.flat);
@@ -64,7 +64,7 @@ Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
     const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
     for (double depth = 0.5 * size; depth > 1e-4 * size; depth *= 0.5) {
       const Vec3 core = centre - depth * head.surface.sign.face(static_cast<std::uint32_t>(t));
-      const auto foot = nearest_foot(head.surface, core);
+      const auto foot = closest_point(head.surface, core);
       if (!foot || !foot->is_inside || piece[foot->triangle] != piece[t]) continue;
       if (foot->distance_mm <= head.core_depths_mm[piece[t]]) continue;
       head.core_depths_mm[piece[t]] = foot->distance_mm;
@@ -79,16 +79,16 @@ std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh) {
   const std::vector<std::uint32_t> piece = pieces_of(mesh);
   std::vector<IndexedMesh> all(piece.empty() ? 0 : *std::max_element(piece.begin(), piece.end()) + 1);
   constexpr Corner kNew = std::numeric_limits<Corner>::max();
-  std::vector<Corner> place(mesh.vertices.size(), kNew);
+  std::vector<Corner> slot(mesh.vertices.size(), kNew);
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     IndexedMesh& own = all[piece[t]];
     TriangleCorners corners = mesh.triangles[t];
     for (Corner& c : corners) {
-      if (place[c] == kNew) {
-        place[c] = static_cast<Corner>(own.vertices.size());
+      if (slot[c] == kNew) {
+        slot[c] = static_cast<Corner>(own.vertices.size());
         own.vertices.push_back(mesh.vertices[c]);
       }
-      c = place[c];
+      c = slot[c];
     }
     own.triangles.push_back(corners);
     own.file_triangle.push_back(mesh.file_triangle[t]);

@@ -19,12 +19,12 @@ struct HeadBody {
   FlatPatches flat;
 };
 
-/// Requires what build_mesh ensures, and a surface that does not cross itself: the nearest facet tells the
+/// Requires what build_mesh ensures, and a surface that does not cross itself: the nearest facet decides the
 /// side. Errors   mesh-head-open: the surface is not closed, so what is inside it is not defined.
 [[nodiscard]] Result<HeadBody> build_head_body(const IndexedMesh& mesh);
 
 /// The pieces of a surface, each a mesh of its own: bodies that overlap, as exported assemblies do, would
-/// tell wrong sides as one. A surface with cavities stays whole, since they belong to the piece around them.
+/// show wrong sides as one. A surface with cavities stays whole, since they belong to the piece around them.
 [[nodiscard]] std::vector<IndexedMesh> head_pieces(const IndexedMesh& mesh);
 
 }  // namespace gouge

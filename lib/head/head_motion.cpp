@@ -34,10 +34,10 @@ RigidTransform HeadMotion::at(double t) const {
 // The second derivative of the point's path is at most (rate)^2 distance + 2 rate speed, both rates added up;
 // a chord over a unit of time leaves such a path by an eighth of that. What the tip itself leaves its chord
 // comes on top.
-double HeadMotion::bulge_mm(double t0, double t1, std::uint32_t stretch, double distance_mm) const {
-  const double way = motion_.way_mm(t0, t1, stretch);
+double HeadMotion::bulge_mm(double t0, double t1, std::uint32_t segment, double distance_mm) const {
+  const double path_length = motion_.path_length_mm(t0, t1, segment);
   const double turn = (std::abs(motion_.angle_rad()) + std::abs(twist_rad_)) * (t1 - t0);
-  return (turn * turn * (distance_mm + way) + 2 * turn * way) / 8 + motion_.sag_mm(t0, t1, stretch);
+  return (turn * turn * (distance_mm + path_length) + 2 * turn * path_length) / 8 + motion_.sag_mm(t0, t1, segment);
 }
 
 }  // namespace gouge

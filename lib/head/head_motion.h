@@ -23,8 +23,8 @@ class HeadMotion {
   [[nodiscard]] RigidTransform at(double t) const;
 
   /// How far, in the tool's frame, the path of a point of the part over [t0, t1] may leave the straight chord
-  /// between its places at the ends; the point is at most `distance_mm` from the tip at t0.
-  [[nodiscard]] double bulge_mm(double t0, double t1, std::uint32_t stretch, double distance_mm) const;
+  /// between its positions at the ends; the point is at most `distance_mm` from the tip at t0.
+  [[nodiscard]] double bulge_mm(double t0, double t1, std::uint32_t segment, double distance_mm) const;
 
   /// How far it turns over the whole move, about the tool axis and with it.
   [[nodiscard]] double turn_rad() const { return std::abs(motion_.angle_rad()) + std::abs(twist_rad_); }

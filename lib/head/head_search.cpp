@@ -7,7 +7,7 @@
 
 #include "lib/check/motion_interval.h"
 #include "lib/geom/triangle.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
@@ -24,7 +24,7 @@ struct HeadInterval : MotionInterval {
 
 /// A node of a surface's tree or a piece of a facet, over a time interval.
 struct Candidate : SearchCandidate {
-  std::uint32_t interval = 0, surface = 0, index = 0;  ///< node, or place of a facet
+  std::uint32_t interval = 0, surface = 0, index = 0;  ///< node, or slot of a facet
   bool is_facet = false, is_time_next = false;
   std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 };
@@ -38,18 +38,18 @@ class Search : public BestFirstSearch<Search, Candidate> {
          const SearchGoal& goal)
       : motion_(motion), intervals_(motion, motion.motion()), head_(head), surfaces_(surfaces), goal_(goal) {}
 
-  HeadAnswer find() {
-    for (std::uint32_t s = 0; s < intervals_.stretches(); ++s) {
+  HeadResult find() {
+    for (std::uint32_t s = 0; s < intervals_.segments(); ++s) {
       for (std::uint32_t k = 0; k < surfaces_.size(); ++k) {
         if (!surfaces_[k]->tree.nodes.empty()) add_node(s, k, 0);
       }
     }
-    answer_.depth_upper_mm = std::max(run(), answer_.depth_mm);
-    return answer_;
+    result_.depth_upper_mm = std::max(run(), result_.depth_mm);
+    return result_;
   }
 
-  [[nodiscard]] double threshold_mm() const { return goal_.pruning_threshold_mm(answer_.depth_mm); }
-  [[nodiscard]] bool is_exhausted() const { return answer_.bounds >= goal_.budget; }
+  [[nodiscard]] double threshold_mm() const { return goal_.pruning_threshold_mm(result_.depth_mm); }
+  [[nodiscard]] bool is_exhausted() const { return result_.bounds >= goal_.budget; }
 
   void split(const Candidate& c) {
     if (c.is_time_next) {
@@ -79,19 +79,19 @@ class Search : public BestFirstSearch<Search, Candidate> {
   }
 
   /// Upper bound of the depth over a ball of surface points and the whole interval.
-  double bound(const HeadInterval& interval, const Vec3& centre, double radius, double& way) {
-    ++answer_.bounds;
+  double bound(const HeadInterval& interval, const Vec3& centre, double radius, double& path_length) {
+    ++result_.bounds;
     const Vec3 q0 = interval.to_tool0.point(centre), q1 = interval.to_tool1.point(centre);
-    way = 0;
+    path_length = 0;
     const double s0 = signed_distance(q0);
     if (!(interval.t1 > interval.t0)) return radius - s0 + kRounding_mm;
-    way = (q1 - q0).norm() + 2 * motion_.bulge_mm(interval.t0, interval.t1, interval.stretch, q0.norm());
-    return radius + 0.5 * (way - s0 - signed_distance(q1)) + kRounding_mm;
+    path_length = (q1 - q0).norm() + 2 * motion_.bulge_mm(interval.t0, interval.t1, interval.segment, q0.norm());
+    return radius + 0.5 * (path_length - s0 - signed_distance(q1)) + kRounding_mm;
   }
 
   /// Where all of the piece, at both ends of the interval and `bulge` around, lies over one flat patch of the
   /// head, or over one face of it, and no higher than it is clear, what is above the plane is outside, and
-  /// what is below is no deeper than that: a linear function, so its corners tell.
+  /// what is below is no deeper than that: a linear function, so its corners suffice.
   [[nodiscard]] double bound_by_face(const HeadInterval& interval, const std::array<Vec3, 3>& piece) const {
     std::array<Vec3, 6> q;
     double far = 0;
@@ -101,8 +101,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
       far = std::max(far, q[k].norm());
     }
     const Vec3 middle = (q[0] + q[1] + q[2] + q[3] + q[4] + q[5]) / 6.0;
-    const std::uint32_t face = nearest_foot(head_.surface, middle)->triangle;
-    const double bulge = interval.t1 > interval.t0 ? motion_.bulge_mm(interval.t0, interval.t1, interval.stretch, far) : 0;
+    const std::uint32_t face = closest_point(head_.surface, middle)->triangle;
+    const double bulge = interval.t1 > interval.t0 ? motion_.bulge_mm(interval.t0, interval.t1, interval.segment, far) : 0;
     const double patch = deepest_below(head_.flat.patches[head_.flat.patch_of[face]], q, bulge);
     return std::min(patch, deepest_below(head_.flat.faces[face], q, bulge)) + bulge + kRounding_mm;
   }
@@ -120,7 +120,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
   }
 
   [[nodiscard]] double signed_distance(const Vec3& q) const {
-    return nearest_foot(head_.surface, q)->signed_mm();
+    return closest_point(head_.surface, q)->signed_mm();
   }
 
   void add_node(std::uint32_t index, std::uint32_t surface, std::uint32_t node) {
@@ -129,12 +129,12 @@ class Search : public BestFirstSearch<Search, Candidate> {
     const Vec3 high(static_cast<double>(box[3]), static_cast<double>(box[4]), static_cast<double>(box[5]));
     const double radius = 0.5 * (high - low).norm();
     Candidate c;
-    double way = 0;
-    c.upper_mm = bound(intervals_[index], 0.5 * (low + high), radius, way);
+    double path_length = 0;
+    c.upper_mm = bound(intervals_[index], 0.5 * (low + high), radius, path_length);
     c.interval = index;
     c.surface = surface;
     c.index = node;
-    c.is_time_next = way > 2 * radius && intervals_.can_halve(index);
+    c.is_time_next = path_length > 2 * radius && intervals_.can_halve(index);
     offer(c);
   }
 
@@ -144,15 +144,15 @@ class Search : public BestFirstSearch<Search, Candidate> {
     double radius = 0;
     for (const Vec3& corner : piece) radius = std::max(radius, (corner - centre).norm());
     Candidate c;
-    double way = 0;
-    c.upper_mm = bound(intervals_[index], centre, radius, way);
+    double path_length = 0;
+    c.upper_mm = bound(intervals_[index], centre, radius, path_length);
     c.interval = index;
     c.surface = surface;
     c.index = place;
     if (c.upper_mm > threshold_mm()) c.upper_mm = std::min(c.upper_mm, bound_by_face(intervals_[index], piece));
     c.is_facet = true;
     c.piece = piece;
-    c.is_time_next = way > 2 * radius && intervals_.can_halve(index);
+    c.is_time_next = path_length > 2 * radius && intervals_.can_halve(index);
     if (c.upper_mm > threshold_mm()) try_points(c, centre);
     offer(c);
   }
@@ -162,15 +162,15 @@ class Search : public BestFirstSearch<Search, Candidate> {
     for (const Vec3& p : {centre, c.piece[0], c.piece[1], c.piece[2]}) {
       for (const double t : {interval.t0, interval.t1}) {
         const RigidTransform& to_tool = t > interval.t0 ? interval.to_tool1 : interval.to_tool0;
-        const auto foot = nearest_foot(head_.surface, to_tool.point(p));
-        if (!foot->is_inside || foot->distance_mm <= answer_.depth_mm) continue;
-        answer_.depth_mm = foot->distance_mm;
-        answer_.has_witness = true;
-        answer_.t = t;
-        answer_.point = p;
-        answer_.normal = -to_tool.inverse().direction(foot->normal);
-        answer_.surface = c.surface;
-        answer_.triangle = surfaces_[c.surface]->tree.order[c.index];
+        const auto foot = closest_point(head_.surface, to_tool.point(p));
+        if (!foot->is_inside || foot->distance_mm <= result_.depth_mm) continue;
+        result_.depth_mm = foot->distance_mm;
+        result_.has_witness = true;
+        result_.t = t;
+        result_.point = p;
+        result_.normal = -to_tool.inverse().direction(foot->normal);
+        result_.surface = c.surface;
+        result_.triangle = surfaces_[c.surface]->tree.order[c.index];
       }
     }
   }
@@ -180,12 +180,12 @@ class Search : public BestFirstSearch<Search, Candidate> {
   const HeadBody& head_;
   const std::vector<const DepthBody*>& surfaces_;
   const SearchGoal& goal_;
-  HeadAnswer answer_;
+  HeadResult result_;
 };
 
 }  // namespace
 
-HeadAnswer search_head(const HeadMotion& motion, const HeadBody& head,
+HeadResult search_head(const HeadMotion& motion, const HeadBody& head,
                        const std::vector<const DepthBody*>& surfaces, const SearchGoal& goal) {
   return Search(motion, head, surfaces, goal).find();
 }

@@ -10,27 +10,27 @@
 namespace gouge {
 
 /// The largest depth of a surface in a head along one motion.
-struct HeadAnswer {
+struct HeadResult {
   double depth_mm = 0;        ///< realised at the witness; at least 0
   double depth_upper_mm = 0;  ///< proven: nowhere in the move is it more
   bool has_witness = false;   ///< depth > 0
   double t = 0;
   Vec3 point = Vec3::Zero();    ///< of the surface, part coordinates
-  Vec3 normal = Vec3::UnitZ();  ///< in which the head must give way by the depth
+  Vec3 normal = Vec3::UnitZ();  ///< in which the head must move away by the depth
   std::size_t surface = 0;      ///< which of those asked
   std::uint32_t triangle = 0;   ///< index into that mesh's triangles
   std::uint64_t bounds = 0;
 };
 
 /// Best first (best_first_search.h) over (interval of time x part of the surface). In the tool's frame a point of the surface stays
-/// within `bulge` of the chord between its places at both ends of an interval; the head's signed distance is
-/// 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both ends
-/// - way) - radius.
+/// within `bulge` of the chord between its positions at both ends of an interval; the head's signed distance is
+/// 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both ends - path
+/// length) - radius.
 ///
 /// Requires resolution and gap > 0.
 /// Ensures  depth <= true depth <= depth_upper, at any budget.
 /// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/algorithms/certified_sweep.md.
-[[nodiscard]] HeadAnswer search_head(const HeadMotion& motion, const HeadBody& head,
+[[nodiscard]] HeadResult search_head(const HeadMotion& motion, const HeadBody& head,
                                      const std::vector<const DepthBody*>& surfaces,
                                      const SearchGoal& goal);
 

@@ -40,7 +40,7 @@ class Verifier {
   }
 
  private:
-  struct Place {
+  struct NodeRange {
     std::uint32_t node = 0;
     std::size_t lane = 0;
   };
@@ -68,12 +68,12 @@ class Verifier {
         const Vec3 rounded(leaf.corner[c][0][i], leaf.corner[c][1][i], leaf.corner[c][2][i]);
         if ((rounded - x).norm() > tree_.rounding_mm)
           broken_.push_back("a corner of triangle " + std::to_string(leaf.triangle[i]) + " is rounded too far");
-        for (const Place& a : above_) check(a, x, leaf.triangle[i]);
+        for (const NodeRange& a : above_) check(a, x, leaf.triangle[i]);
       }
     }
   }
 
-  void check(const Place& a, const Vec3& x, std::uint32_t triangle) {
+  void check(const NodeRange& a, const Vec3& x, std::uint32_t triangle) {
     const NodeBlock& node = tree_.nodes[a.node];
     const Vec3 d = x - Vec3(node.center[0][a.lane], node.center[1][a.lane], node.center[2][a.lane]);
     const Vec3 normal(node.normal[0][a.lane], node.normal[1][a.lane], node.normal[2][a.lane]);
@@ -87,7 +87,7 @@ class Verifier {
 
   const BlockTree& tree_;
   std::vector<std::uint32_t> seen_;
-  std::vector<Place> above_;
+  std::vector<NodeRange> above_;
   std::vector<std::string> broken_;
 };
 

@@ -17,7 +17,7 @@ namespace gouge::detail {
 
 /// Writes the bounds of everything in `leaves` into lane `lane` of a node: an oriented disc about `direction`
 /// (any length; when zero, the z axis) and a ball.
-/// `rounding_mm` is how far a corner may be from its stored place; it and the rounding of the arithmetic here
+/// `rounding_mm` is how far a corner may be from its stored position; it and the rounding of the arithmetic here
 /// are within what is written.
 void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, double rounding_mm,
                   NodeBlock& node, std::size_t lane);

@@ -37,7 +37,7 @@ std::size_t nodes_below(std::size_t count) {
 }
 
 /// A node over the entries [first, last).
-struct Place {
+struct NodeRange {
   std::uint32_t node = 0;
   std::size_t first = 0, last = 0;
 };
@@ -166,7 +166,7 @@ class Builder {
 
   /// Names the children of a node and calls `visit(lane, child)` for each.
   template <typename Visit>
-  void each_child(const Place& at, const Visit& visit) {
+  void each_child(const NodeRange& at, const Visit& visit) {
     const Cut all = children_of(at.first, at.last);
     NodeBlock& node = tree_.nodes[at.node];
     node.has_leaves = all.capacity == kBlockLanes;
@@ -176,20 +176,20 @@ class Builder {
       const std::size_t first = at.first + i * all.capacity;
       const std::size_t last = std::min(at.last, first + all.capacity);
       node.child[i] = node.has_leaves ? static_cast<std::uint32_t>(first / kBlockLanes) : next;
-      visit(i, Place{node.child[i], first, last});
+      visit(i, NodeRange{node.child[i], first, last});
       if (!node.has_leaves) next += static_cast<std::uint32_t>(nodes_below(last - first));
     }
   }
 
   // The nodes of a subtree stand together, the parent first, so that where they go is known before any is
   // made.
-  void plan(const Place& at) {
+  void plan(const NodeRange& at) {
     if (at.last - at.first <= kSubtree) {
       subtrees_.push_back({at, kNoParent, 0});
       return;
     }
     upper_.push_back(at.node);
-    each_child(at, [&](std::size_t lane, const Place& child) {
+    each_child(at, [&](std::size_t lane, const NodeRange& child) {
       if (child.last - child.first <= kSubtree) {
         subtrees_.push_back({child, at.node, lane});
       } else {
@@ -202,13 +202,13 @@ class Builder {
   static constexpr std::uint32_t kNoParent = ~0U;
 
   struct Subtree {
-    Place place;
+    NodeRange range;
     std::uint32_t parent = kNoParent;
     std::size_t lane = 0;
   };
 
   void make_subtree(const Subtree& subtree) {
-    const Place& at = subtree.place;
+    const NodeRange& at = subtree.range;
     std::vector<Entry> scratch(at.last - at.first);
     sort_into_leaves(children_of(at.first, at.last), scratch);
     for (std::size_t i = at.first; i < at.last; i += kBlockLanes) fill(i, std::min(at.last, i + kBlockLanes));
@@ -242,8 +242,8 @@ class Builder {
     areas_[index] = detail::area_sum(leaf);
   }
 
-  void make_node(const Place& at) {
-    each_child(at, [&](std::size_t lane, const Place& child) {
+  void make_node(const NodeRange& at) {
+    each_child(at, [&](std::size_t lane, const NodeRange& child) {
       if (!tree_.nodes[at.node].has_leaves) make_node(child);
       bound({at.node, lane, child.first, child.last});
     });

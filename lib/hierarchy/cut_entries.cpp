@@ -9,7 +9,7 @@ namespace gouge::detail {
 namespace {
 
 constexpr std::size_t kMostBins = 1024;
-// So many entries tell the widest axis well enough.
+// So many entries find the widest axis well enough.
 constexpr std::size_t kSample = 512;
 
 /// Equal parts of a box along one axis, the outer ones without an end.
@@ -27,10 +27,10 @@ class Bins {
   [[nodiscard]] bool is_too_thin() const { return !(scale_ < 1e20F); }
 
   /// Never falls as a middle grows; bin k is where this is from k to k + 1.
-  [[nodiscard]] float place_of(const Entry& entry) const { return (entry.middle[axis_] - low_) * scale_; }
+  [[nodiscard]] float bin_position(const Entry& entry) const { return (entry.middle[axis_] - low_) * scale_; }
   [[nodiscard]] std::size_t of(const Entry& entry) const {
-    const float place = place_of(entry);
-    const float from_zero = place > 0 ? place : 0;
+    const float position = bin_position(entry);
+    const float from_zero = position > 0 ? position : 0;
     return static_cast<std::uint32_t>(static_cast<std::int32_t>(from_zero < last_ ? from_zero : last_));
   }
 
@@ -60,7 +60,7 @@ CutBin bin_of_rank(std::span<const Entry> entries, const Bins bins, std::size_t 
 using Whole = std::uint32_t __attribute__((vector_size(16)));
 static_assert(sizeof(Whole) == sizeof(Entry));
 
-/// Writes an entry to both places where it may belong, so that the processor has nothing to guess.
+/// Writes an entry to both slots where it may belong, so that the processor has nothing to guess.
 [[gnu::always_inline]] inline void copy_to_both(const Entry& entry, Entry& one, Entry& other) {
   Whole whole;
   std::memcpy(&whole, &entry, sizeof whole);
@@ -76,14 +76,14 @@ void part_at(std::span<Entry> entries, std::span<Entry> scratch, const Bins bins
   Entry* low = entries.data();
   Entry* rest = scratch.data();
   for (const Entry& e : entries) {
-    const std::ptrdiff_t is_low = bins.place_of(e) < begin ? 1 : 0;
+    const std::ptrdiff_t is_low = bins.bin_position(e) < begin ? 1 : 0;
     copy_to_both(e, *low, *rest);
     low += is_low;
     rest += 1 - is_low;
   }
   Entry* high = scratch.data();
   for (const Entry* e = high; e != rest; ++e) {
-    const std::ptrdiff_t is_within = bins.place_of(*e) < end ? 1 : 0;
+    const std::ptrdiff_t is_within = bins.bin_position(*e) < end ? 1 : 0;
     copy_to_both(*e, *low, *high);
     low += is_within;
     high += 1 - is_within;

@@ -7,7 +7,7 @@ namespace gouge {
 namespace {
 
 constexpr int kMaxSteps = 20000;
-constexpr double kSettled = 1e-13;
+constexpr double kConverged = 1e-13;
 constexpr double kSmallestStep = 1e-12;
 
 /// Half of a Fibonacci spiral: no two ends coincide, none opposes another.
@@ -61,11 +61,11 @@ std::vector<Vec3> spread_axes(std::size_t count) {
       step *= 0.5;
       continue;
     }
-    const bool is_settled = energy - next_energy < kSettled * energy;
+    const bool has_converged = energy - next_energy < kConverged * energy;
     axes = std::move(next);
     energy = next_energy;
     step *= 1.2;
-    if (is_settled) break;
+    if (has_converged) break;
   }
   return axes;
 }

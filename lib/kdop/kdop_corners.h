@@ -18,8 +18,8 @@ struct Interval {
 
 /// Corner points of the polytope {x : low_i <= axis_i . x <= high_i}.
 ///
-/// Shape    As many as the polytope has, corners nearer to each other than 1e-9 of its size told once.
-/// Ensures  the polytope lies in the hull of the corners grown by 1e-8 of its size (tests put the enclosed
+/// Shape    As many as the polytope has, corners nearer to each other than 1e-9 of its size listed once.
+/// Ensures  the polytope lies in the hull of the corners offset by 1e-8 of its size (tests put the enclosed
 /// points
 ///          to it in random directions).
 /// Requires intervals that some point fulfils.

@@ -16,10 +16,10 @@
 namespace gouge {
 
 struct KdopNode {
-  std::uint32_t first = 0;     ///< leaf: first place in `order`; inner: first child, the others follow it
+  std::uint32_t first = 0;     ///< leaf: first slot in `order`; inner: first child, the others follow it
   std::uint16_t children = 0;  ///< 0: a leaf
   std::uint16_t level = 0;     ///< the root is 0
-  std::uint32_t item_first = 0, item_count = 0;  ///< places in `order` below this node
+  std::uint32_t item_first = 0, item_count = 0;  ///< slots in `order` below this node
 };
 
 struct KdopTreeOptions {

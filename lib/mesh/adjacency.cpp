@@ -7,7 +7,7 @@
 namespace gouge {
 namespace {
 
-// Turns counts (stored one place later) into the first index of each bucket.
+// Turns counts (stored one slot later) into the first index of each bucket.
 void counts_to_firsts(std::vector<std::uint32_t>& counts) {
   std::partial_sum(counts.begin(), counts.end(), counts.begin());
 }

@@ -6,7 +6,7 @@
 #include "lib/base/result.h"
 #include "lib/mesh/triangle_soup.h"
 
-// The ASCII half of read_stl; callers outside this room use read_stl.h.
+// The ASCII half of read_stl; callers outside this module use read_stl.h.
 
 namespace gouge::detail {
 
@@ -14,7 +14,7 @@ namespace gouge::detail {
 /// begins a later line or follows) or `facet`.
 [[nodiscard]] bool looks_like_ascii_stl(std::string_view bytes);
 
-/// Errors and tolerance as told at parse_stl.
+/// Errors and tolerance as described at parse_stl.
 [[nodiscard]] Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& name);
 
 /// Counts a stored normal that points to the other side of its triangle, the one at `index`. Normals that are

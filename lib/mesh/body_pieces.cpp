@@ -9,7 +9,7 @@
 
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/double_walls.h"
-#include "lib/mesh/twin_sides.h"
+#include "lib/mesh/opposite_half_edges.h"
 #include "lib/mesh/union_find.h"
 
 namespace gouge {
@@ -54,7 +54,7 @@ class Pairer {
       for (std::size_t i = 0; i < leaves.size(); i += 2) join(leaves[i], leaves[i + 1]);
   }
 
-  /// By angle; at one place that which ends material before that which begins some.
+  /// By angle; at one position that which ends material before that which begins some.
   void sort_around(const MeshEdge& edge, std::vector<Leaf>& leaves) const {
     const Vec3 low = mesh_.vertices[edge.low], along = (mesh_.vertices[edge.high] - low).normalized();
     const auto away = [&](const Leaf& leaf) {
@@ -155,10 +155,10 @@ SurfacePieces find_pieces(const IndexedMesh& mesh) {
   const std::size_t count = mesh.triangles.size();
   SurfacePieces pieces{{}, std::vector<bool>(count, false), std::vector<bool>(count, false)};
   UnionFind joins(count);
-  if (const auto twins = find_twin_sides(mesh)) {
-    for (std::uint32_t side = 0; side < twins->size(); ++side) joins.join(side / 3, (*twins)[side] / 3);
+  if (const auto opposites = find_opposite_half_edges(mesh)) {
+    for (std::uint32_t side = 0; side < opposites->size(); ++side) joins.join(side / 3, (*opposites)[side] / 3);
     pieces.piece_of = roots_of(joins, count);
-    if (!is_manifold(mesh, *twins)) mark_pinched(mesh, *twins, pieces);
+    if (!is_manifold(mesh, *opposites)) mark_pinched(mesh, *opposites, pieces);
     return pieces;
   }
   Pairer pairer(mesh);

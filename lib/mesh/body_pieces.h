@@ -10,9 +10,9 @@
 
 namespace gouge {
 
-/// The sides of triangles joined two and two into pieces of surface. Side 3 t + k runs from corner k of triangle t to
+/// The sides of triangles joined two and two into pieces of surface. Half-edge 3 t + k runs from corner k of triangle t to
 /// the next. At an edge with two sides they are mates; at one with more the two that have material between them, as
-/// their orientation tells, where it does not, neighbours in angle. At an edge with an odd number none has a mate.
+/// their orientation shows, where it does not, neighbours in angle. At an edge with an odd number none has a mate.
 struct SurfacePieces {
   std::vector<std::uint32_t> piece_of;  ///< per triangle: the lowest triangle of its piece
   std::vector<bool> is_open;            ///< per triangle that names a piece: it has an edge with an odd number of sides

@@ -99,7 +99,7 @@ class Finder {
   }
 
  private:
-  /// Halves the triangles by place, those on the border in both halves, until pairs are few.
+  /// Halves the triangles by position, those on the border in both halves, until pairs are few.
   void look_at(std::vector<std::uint32_t> some) {
     std::erase_if(some, [this](std::uint32_t t) { return is_double_[pieces_.piece_of[t]]; });
     std::vector<std::uint32_t> low, high;

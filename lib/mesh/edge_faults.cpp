@@ -9,7 +9,7 @@
 
 #include "lib/geom/segment.h"
 #include "lib/mesh/adjacency.h"
-#include "lib/mesh/twin_sides.h"
+#include "lib/mesh/opposite_half_edges.h"
 #include "lib/mesh/union_find.h"
 
 namespace gouge {
@@ -26,12 +26,12 @@ int surplus_of(const MeshAdjacency& adjacency, const MeshEdge& edge) {
   return surplus;
 }
 
-/// The corner of the rim farthest from a place.
-Vec3 farthest(const IndexedMesh& mesh, const SurfaceGap& gap, const Vec3& place) {
-  Vec3 best = place;
+/// The corner of the rim farthest from a point.
+Vec3 farthest(const IndexedMesh& mesh, const SurfaceGap& gap, const Vec3& slot) {
+  Vec3 best = slot;
   for (const FaultyEdge& edge : gap.edges) {
     for (const Corner c : {edge.from, edge.to}) {
-      if ((mesh.vertices[c] - place).squaredNorm() > (best - place).squaredNorm()) best = mesh.vertices[c];
+      if ((mesh.vertices[c] - slot).squaredNorm() > (best - slot).squaredNorm()) best = mesh.vertices[c];
     }
   }
   return best;
@@ -109,16 +109,16 @@ WeldedMesh weld_together(std::span<const IndexedMesh> meshes) {
     const auto ka = key_of(welded.vertices[a]), kb = key_of(welded.vertices[b]);
     return ka != kb ? ka < kb : a < b;
   });
-  std::vector<Corner> place(order.size());
+  std::vector<Corner> slot(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
     const bool is_same =
         i > 0 && key_of(welded.vertices[order[i]]) == key_of(welded.vertices[order[i - 1]]);
-    place[order[i]] = is_same ? place[order[i - 1]] : order[i];
+    slot[order[i]] = is_same ? slot[order[i - 1]] : order[i];
   }
   Corner first = 0;
   for (std::size_t file = 0; file < meshes.size(); ++file) {
     for (const TriangleCorners& t : meshes[file].triangles) {
-      welded.triangles.push_back({place[first + t[0]], place[first + t[1]], place[first + t[2]]});
+      welded.triangles.push_back({slot[first + t[0]], slot[first + t[1]], slot[first + t[2]]});
       result.file_of.push_back(static_cast<std::uint32_t>(file));
     }
     first += static_cast<Corner>(meshes[file].vertices.size());
@@ -129,7 +129,7 @@ WeldedMesh weld_together(std::span<const IndexedMesh> meshes) {
 
 EdgeFaults find_edge_faults(const IndexedMesh& mesh) {
   EdgeFaults faults;
-  if (find_twin_sides(mesh)) return faults;
+  if (find_opposite_half_edges(mesh)) return faults;
   const MeshAdjacency adjacency(mesh);
   std::vector<FaultyEdge> edges;
   for (const MeshEdge& edge : adjacency.edges()) {

@@ -10,13 +10,13 @@
 #include "lib/mesh/cavity.h"
 #include "lib/mesh/free_ray.h"
 #include "lib/mesh/mesh_box.h"
-#include "lib/mesh/twin_sides.h"
+#include "lib/mesh/opposite_half_edges.h"
 #include "lib/mesh/winding.h"
 
 namespace gouge {
 namespace {
 
-// Rounding of a placed vertex and of a point of the tool, relative to their coordinates.
+// Rounding of a transformed vertex and of a point of the tool, relative to their coordinates.
 constexpr double kMargin = 1e-9;
 // What is missing at a hole lies within this many widths of its rim's middle line: a half sphere over a round hole.
 constexpr double kReach = 1;
@@ -60,22 +60,22 @@ class Shells {
 
   [[nodiscard]] const EdgeFaults& faults() const { return faults_; }
 
-  [[nodiscard]] Side side_of(const JoinedPlaces& joined) const {
+  [[nodiscard]] Side side_of(const ConnectedPoints& joined) const {
     if (bounds_bodies_ && has_way_out(joined)) return Side::outside;
-    for (const Vec3& place : joined.places) {
-      if (!is_clear_of_holes(place)) continue;
-      const std::optional<long> winding = filled_winding(place);
+    for (const Vec3& candidate : joined.points) {
+      if (!is_clear_of_holes(candidate)) continue;
+      const std::optional<long> winding = filled_winding(candidate);
       if (!winding) continue;
       if (is_inside(*winding)) return Side::inside;
-      if (*winding == 0 && bounds_bodies_ && faults_.is_empty() && cavities().contain(place)) return Side::outside;
+      if (*winding == 0 && bounds_bodies_ && faults_.is_empty() && cavities().contain(candidate)) return Side::outside;
     }
     return Side::unknown;
   }
 
  private:
-  [[nodiscard]] bool has_way_out(const JoinedPlaces& joined) const {
+  [[nodiscard]] bool has_way_out(const ConnectedPoints& joined) const {
     static const std::vector<Vec3> kFixed = fixed_directions();
-    return has_free_ray(mesh_, joined.places, joined.directions) || has_free_ray(mesh_, joined.places, kFixed);
+    return has_free_ray(mesh_, joined.points, joined.directions) || has_free_ray(mesh_, joined.points, kFixed);
   }
 
   /// However the holes are closed, within what their width makes likely: the point is on the same side. Where there
@@ -134,7 +134,7 @@ struct Enclosure::Surface {
   std::vector<std::unique_ptr<Shells>> files;  // each alone, where there are several
 
   void find(std::span<const IndexedMesh> meshes) {
-    const bool is_used_as_it_is = meshes.size() == 1 && find_twin_sides(meshes[0]);
+    const bool is_used_as_it_is = meshes.size() == 1 && find_opposite_half_edges(meshes[0]);
     if (!is_used_as_it_is) welded = weld_together(meshes);
     const IndexedMesh& mesh = is_used_as_it_is ? meshes[0] : welded.mesh;
     pieces = find_body_pieces(mesh);
@@ -152,7 +152,7 @@ struct Enclosure::Surface {
     sound.emplace(pieces.sound, true, file_of_sound);
   }
 
-  [[nodiscard]] Side side_of(const JoinedPlaces& joined) const {
+  [[nodiscard]] Side side_of(const ConnectedPoints& joined) const {
     Side side = sound ? side_beyond_doubtful(joined) : Side::unknown;
     if (side == Side::unknown) side = all->side_of(joined);
     // A file is a part of its own: what it encloses alone is inside, whatever others cancel.
@@ -175,13 +175,13 @@ struct Enclosure::Surface {
   }
 
  private:
-  /// Beyond the box of the pieces that may be no body's boundary the others tell.
-  [[nodiscard]] Side side_beyond_doubtful(const JoinedPlaces& joined) const {
-    JoinedPlaces apart{{}, joined.directions};
-    for (const Vec3& place : joined.places) {
-      if (!pieces.doubtful_box.contains(place)) apart.places.push_back(place);
+  /// Beyond the box of the pieces that may be no body's boundary the others decide.
+  [[nodiscard]] Side side_beyond_doubtful(const ConnectedPoints& joined) const {
+    ConnectedPoints apart{{}, joined.directions};
+    for (const Vec3& candidate : joined.points) {
+      if (!pieces.doubtful_box.contains(candidate)) apart.points.push_back(candidate);
     }
-    return apart.places.empty() ? Side::unknown : sound->side_of(apart);
+    return apart.points.empty() ? Side::unknown : sound->side_of(apart);
   }
 };
 
@@ -203,9 +203,9 @@ const Enclosure::Surface& Enclosure::surface() const {
   return *surface_;
 }
 
-Side Enclosure::side_of(const JoinedPlaces& joined) const {
+Side Enclosure::side_of(const ConnectedPoints& joined) const {
   const auto is_out = [this](const Vec3& p) { return is_beyond(p); };
-  if (std::any_of(joined.places.begin(), joined.places.end(), is_out)) return Side::outside;
+  if (std::any_of(joined.points.begin(), joined.points.end(), is_out)) return Side::outside;
   return surface().side_of(joined);
 }
 

@@ -8,16 +8,16 @@
 #include "lib/mesh/edge_faults.h"
 #include "lib/mesh/indexed_mesh.h"
 
-// Inside and outside of all surfaces of a kind together, answered only where it is proved
+// Inside and outside of all surfaces of a kind together, decided only where it is proved
 // (docs/algorithms/inside_outside.md).
 
 namespace gouge {
 
 enum class Side { outside, inside, unknown };
 
-/// Places that the caller knows to lie on one side: no surface separates them.
-struct JoinedPlaces {
-  std::vector<Vec3> places;      ///< mm, part coordinates; at least one, off the surface; the surest first
+/// Points that the caller knows to lie on one side: no surface separates them.
+struct ConnectedPoints {
+  std::vector<Vec3> points;      ///< mm, part coordinates; at least one, off the surface; the surest first
   std::vector<Vec3> directions;  ///< in which a way out is looked for, besides those along the coordinate axes
 };
 
@@ -32,17 +32,17 @@ class Enclosure {
   /// Beyond the box of all surfaces together: outside, however broken they are. O(1).
   [[nodiscard]] bool is_beyond(const Vec3& point) const;
 
-  /// On which side the places are.
+  /// On which side the points are.
   ///
-  /// Ensures  outside: a place is beyond the box; or all pieces bound bodies (BodyPieces) and a straight line from a place
-  ///          to infinity meets none; or all edges are balanced besides and the places are in a cavity of one file.
-  ///          Other pieces need not be looked at for places beyond the box of all of them.
+  /// Ensures  outside: a point is beyond the box; or all pieces bound bodies (BodyPieces) and a straight line from a point
+  ///          to infinity meets none; or all edges are balanced besides and the points are in a cavity of one file.
+  ///          Other pieces need not be looked at for points beyond the box of all of them.
   ///          inside: what the surfaces enclose, however their gaps are closed within reach of their rims: an odd
   ///          winding number, or where all edges are balanced one other than 0; or what a file without open edges
   ///          encloses alone.
-  ///          The same answer for the same places, from any number of threads.
-  /// Cost     O(n) for places within the box; the first of them O(n log n).
-  [[nodiscard]] Side side_of(const JoinedPlaces& joined) const;
+  ///          The same result for the same points, from any number of threads.
+  /// Cost     O(n) for points within the box; the first of them O(n log n).
+  [[nodiscard]] Side side_of(const ConnectedPoints& joined) const;
 
   /// Why a side is not known, with the files' names: "part.stl has 3 open edges, so ...".
   [[nodiscard]] std::string why_unknown() const;

@@ -70,18 +70,18 @@ class Stayers {
 Result<JoinedMesh> join_near_vertices(const IndexedMesh& mesh, double reach_mm) {
   JoinedMesh joined;
   Stayers stayers(mesh.vertices, reach_mm);
-  std::vector<Corner> place(mesh.vertices.size());
-  for (Corner v = 0; v < place.size(); ++v) {
-    place[v] = stayers.nearest_or_add(v);
-    if (place[v] == v) continue;
+  std::vector<Corner> slot(mesh.vertices.size());
+  for (Corner v = 0; v < slot.size(); ++v) {
+    slot[v] = stayers.nearest_or_add(v);
+    if (slot[v] == v) continue;
     ++joined.vertices_joined;
-    joined.largest_shift_mm = std::max(joined.largest_shift_mm, (mesh.vertices[place[v]] - mesh.vertices[v]).norm());
+    joined.largest_shift_mm = std::max(joined.largest_shift_mm, (mesh.vertices[slot[v]] - mesh.vertices[v]).norm());
   }
   TriangleSoup soup;
   soup.name = mesh.name;
   soup.triangles.reserve(mesh.triangles.size());
   for (const TriangleCorners& t : mesh.triangles)
-    soup.triangles.push_back({mesh.vertices[place[t[0]]], mesh.vertices[place[t[1]]], mesh.vertices[place[t[2]]]});
+    soup.triangles.push_back({mesh.vertices[slot[t[0]]], mesh.vertices[slot[t[1]]], mesh.vertices[slot[t[2]]]});
   Result<BuiltMesh> built = build_mesh(soup);
   if (!built) {
     return make_error("mesh-weld",

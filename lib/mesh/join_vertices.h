@@ -11,9 +11,9 @@ namespace gouge {
 struct JoinedMesh {
   IndexedMesh mesh;
   MeshFindings findings;           ///< of `mesh`; its degenerate triangles are those that collapsed
-  std::size_t vertices_joined = 0; ///< vertices that went to the place of another
+  std::size_t vertices_joined = 0; ///< vertices that went to the position of another
   double largest_shift_mm = 0;     ///< the farthest any of them went
-  std::size_t triangles_collapsed = 0;  ///< left with two corners in one place, and left out
+  std::size_t triangles_collapsed = 0;  ///< left with two corners at one point, and left out
 };
 
 /// Joins vertices no farther apart than `reach_mm`: each goes to the nearest of the vertices before it that stay where

@@ -34,8 +34,8 @@ Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name, const 
   loaded.mesh = std::move(welded->built.mesh);
   loaded.format = welded->format;
   loaded.notes = std::move(welded->notes);
-  for (Diagnostic& told : describe(loaded.findings, name, placement.unit))
-    loaded.notes.push_back(std::move(told));
+  for (Diagnostic& reported : describe(loaded.findings, name, placement.unit))
+    loaded.notes.push_back(std::move(reported));
   return loaded;
 }
 

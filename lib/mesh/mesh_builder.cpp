@@ -114,7 +114,7 @@ class Ahead {
   std::array<Entry, kAhead> entries_{};
 };
 
-// Zero in exact arithmetic too for nearly all single-precision files; a sliver that rounds to zero is told
+// Zero in exact arithmetic too for nearly all single-precision files; a sliver that rounds to zero is reported
 // with them and kept all the same.
 bool is_collinear(const std::array<Vec3, 3>& t) {
   return (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm() <= 0;
@@ -142,7 +142,7 @@ Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& plac
   Ahead ahead(soup.triangles, table);
   const double scale = mm_per(placement.unit);
   const auto centre = [&](const std::array<Vec3, 3>& t) {
-    return placement.place.point((t[0] + t[1] + t[2]) * (scale / 3));
+    return placement.transform.point((t[0] + t[1] + t[2]) * (scale / 3));
   };
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     const auto& [triangle, hashes] = ahead.at(i);
@@ -169,7 +169,7 @@ Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& plac
                           " has two identical corners; expected a surface",
                       soup.name);
   }
-  for (Vec3& vertex : mesh.vertices) vertex = placement.place.point(vertex * scale);
+  for (Vec3& vertex : mesh.vertices) vertex = placement.transform.point(vertex * scale);
   if (soup.opposite_normals > 0) {
     built.opposite_normals = {soup.opposite_normals, centre(soup.triangles[soup.first_opposite_normal]),
                               soup.first_opposite_normal};

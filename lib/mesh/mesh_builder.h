@@ -15,7 +15,7 @@ namespace gouge {
 /// How a body's file coordinates become part coordinates: scaled to mm first, then placed.
 struct MeshPlacement {
   LengthUnit unit = LengthUnit::mm;
-  RigidTransform place;
+  RigidTransform transform;
 };
 
 struct BuiltMesh {

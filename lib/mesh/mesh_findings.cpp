@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "lib/mesh/mesh_pieces.h"
-#include "lib/mesh/twin_sides.h"
+#include "lib/mesh/opposite_half_edges.h"
 
 namespace gouge {
 namespace {
@@ -116,15 +116,15 @@ class Finder {
 };
 
 // Where each edge has two triangles and each vertex one fan, all there is to find is about whole pieces.
-MeshFindings find_closed_findings(const IndexedMesh& mesh, const TwinSides& twins) {
+MeshFindings find_closed_findings(const IndexedMesh& mesh, const OppositeHalfEdges& opposites) {
   MeshFindings found;
   found.vertices = mesh.vertices.size();
-  found.edges = twins.size() / 2;
+  found.edges = opposites.size() / 2;
   found.triangles = mesh.triangles.size();
   found.box_mm = mesh.box();
   UnionFind pieces(mesh.triangles.size());
-  for (std::uint32_t side = 0; side < twins.size(); ++side) {
-    if (twins[side] < side) pieces.join(twins[side] / 3, side / 3);
+  for (std::uint32_t side = 0; side < opposites.size(); ++side) {
+    if (opposites[side] < side) pieces.join(opposites[side] / 3, side / 3);
   }
   detail::find_pieces(mesh, pieces, {}, found);
   return found;
@@ -142,8 +142,8 @@ MeshFindings find_mesh_findings(const IndexedMesh& mesh, const MeshAdjacency& ad
 }
 
 MeshFindings find_mesh_findings(const IndexedMesh& mesh) {
-  if (const auto twins = find_twin_sides(mesh); twins && is_manifold(mesh, *twins)) {
-    return find_closed_findings(mesh, *twins);
+  if (const auto opposites = find_opposite_half_edges(mesh); opposites && is_manifold(mesh, *opposites)) {
+    return find_closed_findings(mesh, *opposites);
   }
   return find_mesh_findings(mesh, MeshAdjacency(mesh));
 }

@@ -50,7 +50,7 @@ struct MeshFindings {
   /// The surface separates inside from outside: winding numbers are whole.
   [[nodiscard]] bool is_watertight() const { return unbalanced_edges.count == 0; }
   /// Inside is where the triangles say it is: a buried tool is reported. Triangles written twice leave no inside, or
-  /// one that the nearest of them does not tell.
+  /// one that the nearest of them does not show.
   [[nodiscard]] bool is_solid() const {
     return is_watertight() && inside_out_components.count == 0 && duplicate_triangles.count == 0;
   }
@@ -81,6 +81,6 @@ struct MeshFindings {
                                    LengthUnit unit = LengthUnit::mm);
 
 /// "(1.000, 2.000, 3.000) mm, triangle 17": where a spot is, triangles counted from 1.
-[[nodiscard]] std::string place_text(const MeshSpot& spot, LengthUnit unit);
+[[nodiscard]] std::string position_text(const MeshSpot& spot, LengthUnit unit);
 
 }  // namespace gouge

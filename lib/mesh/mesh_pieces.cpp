@@ -7,7 +7,7 @@
 namespace gouge::detail {
 namespace {
 
-// Telling a cavity from an inside-out body costs one pass over the mesh; files with more inward pieces than
+// Distinguishing a cavity from an inside-out body costs one pass over the mesh; files with more inward pieces than
 // this are broken anyway.
 constexpr std::size_t kMostInwardPieces = 64;
 

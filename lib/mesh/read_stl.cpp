@@ -28,27 +28,27 @@ bool is_text(std::string_view bytes) {
 
 // Anything wrong with the size of a binary file: the error, or a note about tolerated bytes.
 Outcome check_size(std::string_view bytes, TriangleSoup& soup) {
-  const std::size_t promised = TriangleList::word_at(bytes, 80);
+  const std::size_t stated = TriangleList::word_at(bytes, 80);
   const std::size_t body = bytes.size() - kHeaderSize;
-  if (promised == 0 && body < kTriangleSize) {
+  if (stated == 0 && body < kTriangleSize) {
     return make_error("stl-no-triangles", "the binary STL holds no triangle; expected at least one",
                       soup.name);
   }
-  if (body / kTriangleSize < promised) {
+  if (body / kTriangleSize < stated) {
     return make_error("stl-truncated",
-                      "the header promises " + count_text(promised, "triangle") + " (" +
-                          std::to_string(kHeaderSize + kTriangleSize * promised) +
+                      "the header states " + count_text(stated, "triangle") + " (" +
+                          std::to_string(kHeaderSize + kTriangleSize * stated) +
                           " bytes) but the file holds " + std::to_string(body / kTriangleSize) + " whole (" +
                           std::to_string(bytes.size()) +
                           " bytes); it is cut off or not an STL, export or copy it again",
                       soup.name);
   }
-  const std::string_view extra = bytes.substr(kHeaderSize + kTriangleSize * promised);
+  const std::string_view extra = bytes.substr(kHeaderSize + kTriangleSize * stated);
   if (extra.empty()) return Done{};
   const bool is_padding = std::all_of(extra.begin(), extra.end(), [](char c) { return c == '\0'; });
   if (extra.size() >= kTriangleSize && !is_padding) {
     return make_error("stl-trailing-data",
-                      "the header promises " + count_text(promised, "triangle") + " but " +
+                      "the header states " + count_text(stated, "triangle") + " but " +
                           count_text(extra.size(), "byte") +
                           " follow them; expected the file to end there, export it again",
                       soup.name);

@@ -11,7 +11,7 @@ namespace gouge {
 ///
 /// Units    mm, part coordinates.
 /// Ensures  (1) For a surface whose every edge is used equally often in both directions (what
-///          MeshFindings::is_watertight tells) and a point off the surface it is a whole number up to about
+///          MeshFindings::is_watertight says) and a point off the surface it is a whole number up to about
 ///          1e-15 (sqrt(n) + size / distance to the surface): 1 inside an outward closed solid, 0 outside,
 ///          0 in a cavity, -1 inside an inside-out one.
 ///          (2) For other surfaces it is a fraction that changes continuously; only a hint.

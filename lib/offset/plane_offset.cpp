@@ -46,8 +46,8 @@ PlaneOffset offset_of_planes(std::span<const Vec3> normals) {
   for (const Vec3& n : planes) miss = std::max(miss, std::abs(n.dot(result.move) - 1));
   const double length = result.move.norm();
   if (length > kLongestOffset || !(length > 0.5)) {
-    const Vec3 way = length > 0 ? Vec3(result.move / length) : planes[0].unitOrthogonal();
-    return {kLongestOffset * way, PlaneCase::knife};
+    const Vec3 direction = length > 0 ? Vec3(result.move / length) : planes[0].unitOrthogonal();
+    return {kLongestOffset * direction, PlaneCase::knife};
   }
   result.planes = miss > kMeets ? PlaneCase::many_planes
                   : rank == 2   ? PlaneCase::two_planes

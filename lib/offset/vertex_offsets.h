@@ -21,7 +21,7 @@ enum class NormalMethod {
 
 struct VertexOffset {
   Vec3 move = Vec3::Zero();            ///< zero at a vertex without a face
-  PlaneCase planes = PlaneCase::none;  ///< what the faces' planes determine; also told for the other methods
+  PlaneCase planes = PlaneCase::none;  ///< what the faces' planes determine; also reported for the other methods
 };
 
 /// One for each vertex.

@@ -23,7 +23,7 @@ std::vector<bool> worst_moves(const CheckResult& result) {
 
 }  // namespace
 
-void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                       const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
                       const std::vector<HeadBody>& heads) {
   std::vector<std::size_t> gouges;

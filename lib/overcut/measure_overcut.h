@@ -7,7 +7,7 @@
 #include "lib/check/verdict.h"
 #include "lib/head/head_body.h"
 #include "lib/path/toolpath.h"
-#include "lib/tool/tool_forms.h"
+#include "lib/tool/tool_variants.h"
 
 namespace gouge {
 
@@ -23,7 +23,7 @@ namespace gouge {
 /// Cost     a tree over each body that is gouged, then about a millisecond for the worst move of each event and a tenth
 ///          of one for every other.
 /// Requires result.events.
-void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolForms*>& tools,
+void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                       const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
                       const std::vector<HeadBody>& heads);
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lib/base/best_first_search.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
@@ -56,7 +56,7 @@ class Search : public BestFirstSearch<Search, Cell> {
   void add(const Vec3& centre, const Vec3& half) {
     ++looked_;
     const double radius = half.norm();
-    const auto foot = nearest_foot(part_, centre);
+    const auto foot = closest_point(part_, centre);
     const double upper = (foot ? -foot->signed_mm() : 0) + radius;
     if (upper <= best_.depth_mm) return;
     const SweptSolid::Nearest near = tool_.nearest(centre, 0.25 * radius, radius);
@@ -79,7 +79,7 @@ class Search : public BestFirstSearch<Search, Cell> {
 
   /// Keeps the point when it is deeper in the part than any so far; it must be in the tool at t.
   bool take(const Vec3& point, double t) {
-    const auto foot = nearest_foot(part_, point);
+    const auto foot = closest_point(part_, point);
     if (!foot || !foot->is_inside || foot->distance_mm <= best_.depth_mm) return false;
     best_ = {foot->distance_mm, foot->distance_mm, point, t};
     deeper_ = -foot->normal;

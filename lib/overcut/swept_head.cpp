@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 
@@ -12,12 +12,12 @@ SweptHead::SweptHead(const Motion& motion, const HeadBody& head)
 }
 
 double SweptHead::distance_at(const Vec3& point, double t) const {
-  return nearest_foot(head_.surface, moving_.at(t).inverse().point(point))->signed_mm();
+  return closest_point(head_.surface, moving_.at(t).inverse().point(point))->signed_mm();
 }
 
 Vec3 SweptHead::outward_at(const Vec3& point, double t) const {
   const RigidTransform pose = moving_.at(t);
-  return pose.direction(nearest_foot(head_.surface, pose.inverse().point(point))->normal);
+  return pose.direction(closest_point(head_.surface, pose.inverse().point(point))->normal);
 }
 
 }  // namespace gouge

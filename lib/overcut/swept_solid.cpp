@@ -11,18 +11,18 @@
 namespace gouge {
 namespace {
 
-// A tool that runs along the point keeps its distance for long: no number of instants would settle that.
+// A tool that runs along the point keeps its distance for long: no number of instants would decide that.
 constexpr int kMostInstants = 300;
 
 /// A time interval with the distances at its ends.
-struct Piece : MotionInterval {
+struct Interval : MotionInterval {
   double d0 = 0, d1 = 0;
 };
 
 }  // namespace
 
-/// Lipschitz in the point's place, so halving the time brackets the smallest distance: between two instants
-/// it is not below the mean of both less half of the way the point runs in tool coordinates.
+/// Lipschitz in the point's position, so halving the time brackets the smallest distance: between two instants
+/// it is not below the mean of both less half of the distance the point runs in tool coordinates.
 SweptSolid::Nearest SweptSolid::nearest(const Vec3& point, double accuracy_mm, double enough_mm) const {
   Nearest best{distance_at(point, 0), 0, 0};
   const auto offer = [&](double t) {
@@ -34,26 +34,26 @@ SweptSolid::Nearest SweptSolid::nearest(const Vec3& point, double accuracy_mm, d
   if (motion_.is_alone()) return best;
   double lower = std::numeric_limits<double>::infinity();
   int instants = 0;
-  std::vector<Piece> open;
-  for (std::uint32_t s = 0; s < motion_.stretches().size(); ++s) {
-    const MotionInterval whole = whole_stretch(motion_, s);
+  std::vector<Interval> open;
+  for (std::uint32_t s = 0; s < motion_.segments().size(); ++s) {
+    const MotionInterval whole = whole_segment(motion_, s);
     open.push_back({whole, offer(whole.t0), offer(whole.t1)});
   }
   while (!open.empty()) {
-    const Piece piece = open.back();
+    const Interval interval = open.back();
     open.pop_back();
-    const double way = motion_.way_mm(piece.t0, piece.t1, piece.stretch);
-    const double turn = turn_rad() * (piece.t1 - piece.t0);
-    const double run = way + turn * ((point - motion_.tip_at(piece.t0, piece.stretch)).norm() + way);
-    const double least = 0.5 * (piece.d0 + piece.d1 - run);
-    const bool is_settled = least >= best.distance_mm - accuracy_mm || least > enough_mm;
-    if (is_settled || ++instants > kMostInstants || piece.t1 - piece.t0 < 1e-9) {
+    const double path_length = motion_.path_length_mm(interval.t0, interval.t1, interval.segment);
+    const double turn = turn_rad() * (interval.t1 - interval.t0);
+    const double run = path_length + turn * ((point - motion_.tip_at(interval.t0, interval.segment)).norm() + path_length);
+    const double least = 0.5 * (interval.d0 + interval.d1 - run);
+    const bool is_pruned = least >= best.distance_mm - accuracy_mm || least > enough_mm;
+    if (is_pruned || ++instants > kMostInstants || interval.t1 - interval.t0 < 1e-9) {
       lower = std::min(lower, least);
       continue;
     }
-    std::array<Piece, 2> parts = halves(piece);
-    parts[0].d1 = parts[1].d0 = offer(piece.middle());
-    for (const Piece& part : parts) open.push_back(part);
+    std::array<Interval, 2> parts = halves(interval);
+    parts[0].d1 = parts[1].d0 = offer(interval.middle());
+    for (const Interval& part : parts) open.push_back(part);
   }
   best.lower_mm = std::min(lower, best.distance_mm);
   return best;
@@ -62,11 +62,11 @@ SweptSolid::Nearest SweptSolid::nearest(const Vec3& point, double accuracy_mm, d
 Box3 SweptSolid::box() const {
   const double reach = reach_mm();
   Box3 box;
-  for (std::uint32_t s = 0; s < motion_.stretches().size(); ++s) {
-    const TipStretch& stretch = motion_.stretches()[s];
-    const double wide = reach + motion_.way_mm(stretch.t0, stretch.t1, s);
-    box.extend(Vec3(motion_.tip_at(stretch.t0, s) - Vec3::Constant(wide)));
-    box.extend(Vec3(motion_.tip_at(stretch.t0, s) + Vec3::Constant(wide)));
+  for (std::uint32_t s = 0; s < motion_.segments().size(); ++s) {
+    const MotionSegment& segment = motion_.segments()[s];
+    const double wide = reach + motion_.path_length_mm(segment.t0, segment.t1, s);
+    box.extend(Vec3(motion_.tip_at(segment.t0, s) - Vec3::Constant(wide)));
+    box.extend(Vec3(motion_.tip_at(segment.t0, s) + Vec3::Constant(wide)));
   }
   box.extend(Vec3(motion_.at(0).tip - Vec3::Constant(reach)));
   box.extend(Vec3(motion_.at(0).tip + Vec3::Constant(reach)));

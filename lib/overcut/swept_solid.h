@@ -30,7 +30,7 @@ class SweptSolid {
   /// few hundred instants bring it. Instants that cannot be at most `enough_mm` are not looked at.
   [[nodiscard]] Nearest nearest(const Vec3& point_part, double accuracy_mm, double enough_mm) const;
 
-  /// Holds every place the solid takes.
+  /// Holds every point the solid takes.
   [[nodiscard]] Box3 box() const;
 
  protected:

@@ -6,7 +6,7 @@
 
 #include "lib/geom/vec.h"
 
-// The ways a tip may take between two positions besides the straight one. mm, part coordinates. Moves name
+// The curves a tip may follow between two positions besides the straight one. mm, part coordinates. Moves name
 // theirs by index (Toolpath::arcs, Toolpath::splines), because most moves have none.
 
 namespace gouge {
@@ -28,9 +28,9 @@ struct SplinePiece {
   std::array<Vec3, 4> control{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
 
   [[nodiscard]] Vec3 at(double u) const;
-  /// No second derivative over the piece is longer: that of a cubic is linear, so its ends tell.
+  /// No second derivative over the piece is longer: that of a cubic is linear, so its ends suffice.
   [[nodiscard]] double largest_second_derivative() const;
-  /// Longer than the way of the tip over any share `du` of the piece, per `du`.
+  /// Longer than the path of the tip over any share `du` of the piece, per `du`.
   [[nodiscard]] double largest_speed() const;
 };
 
@@ -49,10 +49,10 @@ struct PathSpline {
 /// Source   Boehm, Inserting new knots into B-spline curves, CAD 12 (1980).
 [[nodiscard]] PathSpline make_spline(const std::vector<Vec3>& control, const std::vector<double>& inner_knots);
 
-/// Length of the way of an arc between two tips, helix and spiral included.
+/// Length of an arc between two tips, helix and spiral included.
 [[nodiscard]] double arc_length_mm(const PathArc& arc, const Vec3& start, const Vec3& end);
 
-/// Length of the way of a spline, to about a thousandth of it.
+/// Length of a spline, to about a thousandth of it.
 [[nodiscard]] double spline_length_mm(const PathSpline& spline);
 
 }  // namespace gouge

@@ -21,7 +21,7 @@ struct PathChange {
   bool is_straightened = false;
   /// The arc stays an arc, about another axis line, to the move's (new) end. It begins at the last of
   /// `inserted_before`, which are reached on straight lines, or else where the move before it ends after its
-  /// own change. Both ends lie on the circle to 0.01 mm; those of a full circle are the same place, digit for
+  /// own change. Both ends lie on the circle to 0.01 mm; those of a full circle are the same position, digit for
   /// digit. The sign of the sweep with the axis says which way round it runs, as in Toolpath::arcs.
   std::optional<PathArc> new_arc = std::nullopt;
   /// The drilled hole whose first move this is goes elsewhere: its programmed position and with it all

@@ -94,7 +94,7 @@ struct Toolpath {
   std::vector<Move> moves;
   std::vector<PathArc> arcs;        ///< of moves whose curve_kind is arc
   std::vector<PathSpline> splines;  ///< of moves whose curve_kind is spline
-  std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; told to the user
+  std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; reported to the user
   Diagnostics notes;     ///< warnings and notes of reading; errors make reading fail instead
 
   /// Where a move starts: whoever takes moves out of a path changes where those behind them start.

@@ -39,9 +39,9 @@ bool is_any_left(const std::array<Vec3, 3>& triangle, const std::array<HalfSpace
 
 class Prism {
  public:
-  Prism(const DepthBody& body, std::uint32_t place) : body_(body), place_(place) {
-    const std::array<Vec3, 3>& facet = body.corners[place];
-    const Vec3& up = body.sign.face(body.tree.order[place]);
+  Prism(const DepthBody& body, std::uint32_t slot) : body_(body), slot_(slot) {
+    const std::array<Vec3, 3>& facet = body.corners[slot];
+    const Vec3& up = body.sign.face(body.tree.order[slot]);
     const double depth = body.options.depth_mm;
     for (std::size_t k = 0; k < 3; ++k) {
       box_.extend(facet[k]);
@@ -58,7 +58,7 @@ class Prism {
   }
 
   [[nodiscard]] bool is_clear() const {
-    return body_.sign.face(body_.tree.order[place_]).squaredNorm() > 0 && is_clear_at(0);
+    return body_.sign.face(body_.tree.order[slot_]).squaredNorm() > 0 && is_clear_at(0);
   }
 
  private:
@@ -74,13 +74,13 @@ class Prism {
     }
     for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
       const std::uint32_t other = node.first + k;
-      if (other != place_ && is_any_left(body_.corners[other], spaces_)) return false;
+      if (other != slot_ && is_any_left(body_.corners[other], spaces_)) return false;
     }
     return true;
   }
 
   const DepthBody& body_;
-  std::uint32_t place_;
+  std::uint32_t slot_;
   Box3 box_;
   std::array<HalfSpace, 5> spaces_;
 };
@@ -90,8 +90,8 @@ class Prism {
 std::vector<std::uint8_t> facets_clear_below(const DepthBody& body) {
   std::vector<std::uint8_t> is_clear(body.corners.size(), 0);
   for_each_chunk(is_clear.size(), kChunk, 0, [&](std::size_t first, std::size_t last) {
-    for (std::size_t place = first; place < last; ++place)
-      is_clear[place] = Prism(body, static_cast<std::uint32_t>(place)).is_clear() ? 1 : 0;
+    for (std::size_t slot = first; slot < last; ++slot)
+      is_clear[slot] = Prism(body, static_cast<std::uint32_t>(slot)).is_clear() ? 1 : 0;
   });
   return is_clear;
 }

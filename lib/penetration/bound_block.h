@@ -17,7 +17,7 @@ struct alignas(64) BoundBlock {
   static constexpr std::size_t kLanes = 8;
   float low[3][kLanes], high[3][kLanes];
   float normal[3][kLanes], offset[kLanes], centre[3][kLanes], radius[kLanes], half[kLanes];
-  std::uint32_t below[kLanes];  ///< the block of the lane's facets; with kIsFacet, the only one, by place
+  std::uint32_t below[kLanes];  ///< the block of the lane's facets; with kIsFacet, the only one, by slot
   static constexpr std::uint32_t kIsFacet = 1U << 31;
 };
 static_assert(sizeof(BoundBlock) == 512);

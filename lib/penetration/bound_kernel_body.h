@@ -15,10 +15,10 @@ using V = float __attribute__((vector_size(32)));
 GOUGE_INLINE void load(const float* from, V& to) {
   __builtin_memcpy(&to, from, sizeof(V));
 }
-GOUGE_INLINE void larger(V& a, const V& b) {
+GOUGE_INLINE void max(V& a, const V& b) {
   a = a > b ? a : b;
 }
-GOUGE_INLINE void root(V& a) {
+GOUGE_INLINE void sqrt(V& a) {
   for (int i = 0; i < 8; ++i) a[i] = __builtin_sqrtf(a[i]);
 }
 
@@ -32,8 +32,8 @@ void least_mm(const BoundBlock& block, const float* point, float slack_mm, float
     load(block.normal[i], normal);
     load(block.centre[i], centre);
     V out = low - point[i];
-    larger(out, point[i] - high);
-    larger(out, none);
+    max(out, point[i] - high);
+    max(out, none);
     box2 += out * out;
     const V to = point[i] - centre;
     away2 += to * to;
@@ -46,19 +46,19 @@ void least_mm(const BoundBlock& block, const float* point, float slack_mm, float
   load(block.radius, radius);
   over -= offset;
   over = (over < none ? -over : over) - half;
-  larger(over, none);
+  max(over, none);
   // Seen along the normal the facets lie within the radius of the centre. What lies across is taken a
   // millionth short: the difference of squares in single precision.
   V beyond = away2 * (1 - 1e-6F) - away * away;
-  larger(beyond, none);
-  root(beyond);
+  max(beyond, none);
+  sqrt(beyond);
   beyond -= radius;
-  larger(beyond, none);
+  max(beyond, none);
   V result = over * over + beyond * beyond;
-  larger(result, box2);
-  root(result);
+  max(result, box2);
+  sqrt(result);
   result -= slack_mm;
-  larger(result, none);
+  max(result, none);
   __builtin_memcpy(least, &result, sizeof(V));
 }
 

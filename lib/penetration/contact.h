@@ -6,7 +6,7 @@
 
 namespace gouge {
 
-/// One place where two solids run into each other: the currency of both cores.
+/// One point where two solids run into each other: the currency of both cores.
 struct Contact {
   Vec3 point = Vec3::Zero();    ///< of the one body, inside the other; mm, part coordinates
   Vec3 normal = Vec3::UnitZ();  ///< unit; the shortest way out of the other body

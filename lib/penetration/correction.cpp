@@ -5,7 +5,7 @@
 namespace gouge {
 namespace {
 
-// A correction this much smaller than the depth it should cure, or a place this near to an earlier one, leads
+// A correction this much smaller than the depth it should cure, or a position this near to an earlier one, leads
 // nowhere.
 constexpr double kNoProgress = 1e-6;
 
@@ -37,7 +37,7 @@ FreeingShift correct_until_free(const ContactsAt& contacts_at, const CorrectionO
       return result;
     }
     const double small = kNoProgress * result.depth_left_mm;
-    const auto was_here = [&](const Vec3& place) { return (place - result.shift).norm() <= small; };
+    const auto was_here = [&](const Vec3& position) { return (position - result.shift).norm() <= small; };
     if (result.iterations > 1 && std::any_of(result.trail.begin(), result.trail.end() - 1, was_here)) {
       result.end = CorrectionEnd::cycle;
       return result;

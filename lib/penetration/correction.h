@@ -38,7 +38,7 @@ using ContactsAt = std::function<std::vector<Contact>(const Vec3& shift)>;
 
 /// Applies the weighted correction again and again (thesis 5.3, figure 35: 4 to 8 times is usual). The thesis
 /// does not say when to give up; a body jammed in a slot narrower than itself goes back and forth for ever,
-/// which is told as a cycle.
+/// which is reported as a cycle.
 [[nodiscard]] FreeingShift correct_until_free(const ContactsAt& contacts_at,
                                             const CorrectionOptions& options = {});
 

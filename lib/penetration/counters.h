@@ -14,7 +14,7 @@ struct PenetrationCounters {
   std::uint64_t volumes_shifted = 0;      ///< of the updated volumes, those whose intervals were only shifted
   std::uint64_t points_transformed = 0;
   std::uint64_t false_positives = 0;  ///< points within a facet's reach that are not inside
-  std::uint64_t inside_tests = 0;     ///< searches that told whether something far from the surface is inside
+  std::uint64_t inside_tests = 0;     ///< searches that decided whether something far from the surface is inside
   std::uint32_t static_level = 0, moving_level = 0;  ///< deepest levels of both trees reached
 };
 

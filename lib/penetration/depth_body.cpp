@@ -36,7 +36,7 @@ class FacetBounds {
   void operator()(std::uint32_t triangle, float* intervals) {
     const DepthBodyOptions& options = body_.options;
     const std::array<Vec3, 3> facet = corners_of(body_.mesh, triangle);
-    if (options.is_lean) return write_intervals(options.directions, facet, slack_, intervals);
+    if (options.is_distance_only) return write_intervals(options.directions, facet, slack_, intervals);
     std::array<Vec3, 6> both;
     for (std::size_t k = 0; k < 3; ++k) {
       both[k] = facet[k];
@@ -81,7 +81,7 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
   DepthBody body;
   body.options = options;
   body.is_solid = is_solid;
-  if (!options.is_lean) body.offsets = offset_vertices(mesh, adjacency, options.normals);
+  if (!options.is_distance_only) body.offsets = offset_vertices(mesh, adjacency, options.normals);
   body.sign = SurfaceSign(mesh, adjacency);
   body.mesh = std::move(mesh);
   const double reach = largest_coordinate(body.mesh) + (1 + kLongestOffset) * options.depth_mm;
@@ -94,7 +94,7 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
   }
   const std::vector<Vec3> normals = face_normals(body.mesh);
   const std::optional<InnerReach> inner =
-      options.is_lean ? std::nullopt
+      options.is_distance_only ? std::nullopt
                       : std::optional<InnerReach>(std::in_place, body.mesh, adjacency, normals);
   FacetBounds bounds(body, inner, kSingle * reach);
   body.tree = build_kdop_tree(options.directions, centres, {options.width, options.leaf_triangles},
@@ -104,7 +104,7 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
     body.facets.push_back(record_of(body.corners.back(), body.sign.face(t)));
   }
   fill_node_bounds(body);
-  if (options.is_lean) return body;
+  if (options.is_distance_only) return body;
   body.is_clear_below = facets_clear_below(body);
   if (body.is_solid) body.depths = DepthGrid(body);
   return body;
@@ -113,7 +113,7 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
 DepthBody build_distance_body(IndexedMesh mesh) {
   DepthBodyOptions options;
   options.directions = *make_directions(DirectionFamily::cube, 6);
-  options.is_lean = true;
+  options.is_distance_only = true;
   return build_depth_body(std::move(mesh), options);
 }
 

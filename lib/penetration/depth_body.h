@@ -25,12 +25,12 @@ enum class Coverage {
 
 struct DepthBodyOptions {
   DirectionSet directions = *make_directions(DirectionFamily::cube, 26);
-  double depth_mm = 1;  ///< D: how deep the volumes reach; deeper is told as "deeper than D"
+  double depth_mm = 1;  ///< D: how deep the volumes reach; deeper is reported as "deeper than D"
   NormalMethod normals = NormalMethod::planes;
   Coverage coverage = Coverage::complete;
   std::size_t width = 8;           ///< children of a node: 2, 4 or 8
   std::size_t leaf_triangles = 1;  ///< at most
-  bool is_lean = false;            ///< only what nearest_foot.h needs: no offset, no depth
+  bool is_distance_only = false;            ///< only what closest_point.h needs: no offset, no depth
 };
 
 /// A facet as the narrow phase filters it, single precision: plane n . x = o, disc of radius r about c.
@@ -53,16 +53,16 @@ struct DepthBody {
   std::vector<VertexOffset> offsets;
   SurfaceSign sign;
   KdopTree tree;  ///< items are triangles of `mesh`
-  /// By place in tree.order.
+  /// By slot in tree.order.
   std::vector<FacetRecord> facets;
   std::vector<std::array<Vec3, 3>> corners;
   /// Six numbers a node: the box of its facets without depth, lower ends first, not above the true ones.
   std::vector<float> boxes;
   std::vector<BoundBlock> blocks;  ///< the same tree for searches, down to facets; the first is the root
-  /// By place: nothing else of the surface crosses the prism of height depth_mm below the facet, so a point
+  /// By slot: nothing else of the surface crosses the prism of height depth_mm below the facet, so a point
   /// in it is inside.
   std::vector<std::uint8_t> is_clear_below;
-  DepthGrid depths;       ///< tells what is deeper than depth_mm; empty unless is_solid
+  DepthGrid depths;       ///< knows what is deeper than depth_mm; empty unless is_solid
   float slack_mm = 0;     ///< single precision may be off by this
   bool is_solid = false;  ///< closed, oriented, outward: inside means something
 };
@@ -71,7 +71,7 @@ struct DepthBody {
 /// Cost  O(n log^2 n); about 1.5 microseconds a triangle.
 [[nodiscard]] DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options);
 
-/// What distances alone need (is_lean): one of boxes along the coordinate axes.
+/// What distances alone need (is_distance_only): one of boxes along the coordinate axes.
 [[nodiscard]] DepthBody build_distance_body(IndexedMesh mesh);
 
 }  // namespace gouge

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lib/penetration/depth_body.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
@@ -17,7 +17,7 @@ constexpr double kRoundUp = 1 + 1e-9;
 // point is found.
 constexpr double kRounding = 1e-3;
 
-std::size_t place_of(const std::array<int, 3>& cell, const std::array<int, 3>& counts) {
+std::size_t index_of(const std::array<int, 3>& cell, const std::array<int, 3>& counts) {
   return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(counts[1]) +
           static_cast<std::size_t>(cell[1])) *
              static_cast<std::size_t>(counts[0]) +
@@ -43,17 +43,17 @@ DepthGrid::DepthGrid(const DepthBody& body) {
   std::vector<std::uint8_t> is_near(cell_count_, 0);
   mark_surface(body, is_near);
   const bool is_fine = cell_mm_ * std::numbers::sqrt3 <= body.options.depth_mm;
-  std::vector<Answer> answers(cell_count_, is_fine ? Answer::shallow : Answer::ask);
-  fill(body, is_near, answers);
+  std::vector<Cover> results(cell_count_, is_fine ? Cover::shallow : Cover::ask);
+  fill(body, is_near, results);
   packed_.assign(cell_count_ / 4 + 1, 0);
   for (std::size_t cell = 0; cell < cell_count_; ++cell) {
-    const unsigned bits = static_cast<unsigned>(answers[cell]) << (cell % 4 * 2);
+    const unsigned bits = static_cast<unsigned>(results[cell]) << (cell % 4 * 2);
     packed_[cell / 4] = static_cast<std::uint8_t>(packed_[cell / 4] | bits);
   }
 }
 
 std::size_t DepthGrid::index(const Cell& c) const {
-  return place_of(c, counts_);
+  return index_of(c, counts_);
 }
 
 Vec3 DepthGrid::centre(const Cell& c) const {
@@ -86,21 +86,21 @@ void DepthGrid::mark_surface(const DepthBody& body, std::vector<std::uint8_t>& i
 }
 
 void DepthGrid::fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near,
-                     std::vector<Answer>& answers) {
+                     std::vector<Cover>& results) {
   std::vector<std::uint8_t> is_done = is_near;
   std::vector<std::array<int, 3>> open;
   for (int z = 0; z < counts_[2]; ++z) {
     for (int y = 0; y < counts_[1]; ++y) {
       for (int x = 0; x < counts_[0]; ++x) {
         if (is_done[index({x, y, z})] != 0) continue;
-        const auto foot = nearest_foot(body, centre({x, y, z}));
-        const Answer answer = foot && foot->is_inside ? Answer::inside : Answer::outside;
+        const auto foot = closest_point(body, centre({x, y, z}));
+        const Cover result = foot && foot->is_inside ? Cover::inside : Cover::outside;
         is_done[index({x, y, z})] = 1;
         open.assign(1, {x, y, z});
         while (!open.empty()) {
           const std::array<int, 3> at = open.back();
           open.pop_back();
-          answers[index(at)] = answer;
+          results[index(at)] = result;
           for (std::size_t axis = 0; axis < 3; ++axis) {
             for (const int step : {-1, 1}) {
               std::array<int, 3> next = at;

@@ -11,7 +11,7 @@ namespace gouge {
 
 struct DepthBody;
 
-/// Cells over a solid that tell most points' side at once, and where nothing can be deeper than the depth of
+/// Cells over a solid that give most points' side at once, and where nothing can be deeper than the depth of
 /// its volumes.
 ///
 /// A cell whose centre lies within half its diagonal of the surface has no point farther from the surface
@@ -19,7 +19,7 @@ struct DepthBody;
 /// surface and is all inside or all outside, and so are cells that share a face with it.
 class DepthGrid {
  public:
-  enum class Answer : std::uint8_t {
+  enum class Cover : std::uint8_t {
     outside,  ///< certainly
     inside,   ///< certainly, at any depth
     shallow,  ///< either; if inside, not deeper than the depth
@@ -32,9 +32,9 @@ class DepthGrid {
   /// Requires a solid. At most about 4 million cells. Cost O(triangles and cells).
   explicit DepthGrid(const DepthBody& body);
 
-  [[nodiscard]] Answer at(const Vec3& point) const { return answer(cell_of(point)); }
+  [[nodiscard]] Cover at(const Vec3& point) const { return result(cell_of(point)); }
 
-  /// The cell of a point; cell_count(), which answers outside, for points out of the body's box.
+  /// The cell of a point; cell_count(), which is outside, for points out of the body's box.
   [[nodiscard]] std::size_t cell_of(const Vec3& point) const;
   [[nodiscard]] std::size_t cell_count() const { return cell_count_; }
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
@@ -43,20 +43,20 @@ class DepthGrid {
   [[nodiscard]] Vec3 corner(const Cell& cell) const {
     return low_ + cell_mm_ * Vec3(cell[0], cell[1], cell[2]);
   }
-  [[nodiscard]] Answer answer(std::size_t cell) const {
-    return packed_.empty() ? Answer::ask : static_cast<Answer>((packed_[cell / 4] >> (cell % 4 * 2)) & 3U);
+  [[nodiscard]] Cover result(std::size_t cell) const {
+    return packed_.empty() ? Cover::ask : static_cast<Cover>((packed_[cell / 4] >> (cell % 4 * 2)) & 3U);
   }
 
  private:
   [[nodiscard]] Vec3 centre(const Cell& cell) const;
   void mark_surface(const DepthBody& body, std::vector<std::uint8_t>& is_near) const;
-  void fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near, std::vector<Answer>& answers);
+  void fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near, std::vector<Cover>& results);
 
   Vec3 low_ = Vec3::Zero();
   double cell_mm_ = 0, per_mm_ = 0;
   Cell counts_{0, 0, 0};
   std::size_t cell_count_ = 0;
-  std::vector<std::uint8_t> packed_;  ///< an answer takes two bits
+  std::vector<std::uint8_t> packed_;  ///< an entry takes two bits
 };
 
 }  // namespace gouge

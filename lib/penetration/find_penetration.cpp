@@ -35,10 +35,10 @@ PenetrationFinder::PenetrationFinder(const DepthBody& body, const PointBody& poi
   volume_.resize(2 * stride_ * (levels + 1));
 }
 
-const PenetrationAnswer& PenetrationFinder::find(const RigidTransform& pose) {
-  answer_.contacts.clear();
-  answer_.counters = {};
-  if (points_.tree.nodes.empty() || body_.tree.nodes.empty()) return answer_;
+const PenetrationResult& PenetrationFinder::find(const RigidTransform& pose) {
+  result_.contacts.clear();
+  result_.counters = {};
+  if (points_.tree.nodes.empty() || body_.tree.nodes.empty()) return result_;
   const bool is_turned = !has_turned_ || (pose.rotation.array() != pose_.rotation.array()).any();
   pose_ = pose;
   if (is_turned) {
@@ -51,14 +51,14 @@ const PenetrationAnswer& PenetrationFinder::find(const RigidTransform& pose) {
   slack_ = kSingle * static_cast<float>(points_.reach_mm + pose.shift.cwiseAbs().maxCoeff());
   stack_.assign(1, 0);
   visit(0, {0, 1});
-  std::sort(answer_.contacts.begin(), answer_.contacts.end(),
+  std::sort(result_.contacts.begin(), result_.contacts.end(),
             [](const PointContact& a, const PointContact& b) { return a.point < b.point; });
-  return answer_;
+  return result_;
 }
 
 void PenetrationFinder::visit(std::uint32_t index, const List& candidates) {
   const KdopNode& node = points_.tree.nodes[index];
-  answer_.counters.moving_level = std::max<std::uint32_t>(answer_.counters.moving_level, node.level);
+  result_.counters.moving_level = std::max<std::uint32_t>(result_.counters.moving_level, node.level);
   if (node.children == 0) return visit_leaf(index, candidates);
   List near = candidates;
   const bool has_volume = points_.corner_count[index] > 0;
@@ -68,7 +68,7 @@ void PenetrationFinder::visit(std::uint32_t index, const List& candidates) {
     near = refine(volume, size_of(volume), candidates, kNoLimit);
   }
   if (near.is_empty()) {
-    tell_lump(index);
+    report_lump(index);
   } else {
     for (std::uint32_t child = node.first; child < node.first + node.children; ++child) visit(child, near);
   }
@@ -82,16 +82,16 @@ void PenetrationFinder::visit_leaf(std::uint32_t index, const List& candidates) 
   } else {
     bound_points(index, volume);
   }
-  // First no deeper than half the volume's size: that tells whether facets are small here.
+  // First no deeper than half the volume's size: that shows whether facets are small here.
   const List coarse = refine(volume, 0.5F * size_of(volume), candidates, kNoLimit);
   if (coarse.is_empty()) {
-    tell_lump(index);
+    report_lump(index);
   } else if (items_of(coarse) > kManyItems) {
     search_points(index);
   } else {
     const List near = refine(volume, -1, coarse, kManyFacets);
     if (near.is_empty()) {
-      tell_lump(index);
+      report_lump(index);
     } else if (near.last - near.first > kManyFacets) {
       search_points(index);
     } else {
@@ -118,11 +118,11 @@ PenetrationFinder::List PenetrationFinder::refine(const float* volume, float siz
   while (!pending_.empty() && stack_.size() - first <= most) {
     const std::uint32_t index = pending_.back();
     pending_.pop_back();
-    ++answer_.counters.volume_pairs;
+    ++result_.counters.volume_pairs;
     const float* const bounds = body_.tree.bounds_of(index);
     if (!do_overlap(volume, bounds, stride_)) continue;
     const KdopNode& node = body_.tree.nodes[index];
-    answer_.counters.static_level = std::max<std::uint32_t>(answer_.counters.static_level, node.level);
+    result_.counters.static_level = std::max<std::uint32_t>(result_.counters.static_level, node.level);
     if (node.children == 0 || size_of(bounds) < size) {
       stack_.push_back(index);
       continue;
@@ -135,15 +135,15 @@ PenetrationFinder::List PenetrationFinder::refine(const float* volume, float siz
 
 void PenetrationFinder::update_volume(std::uint32_t index, float* volume) {
   float* const turned = turned_.data() + 2 * stride_ * index;
-  ++answer_.counters.volumes_updated;
+  ++result_.counters.volumes_updated;
   if (turn_of_[index] == turn_) {
-    ++answer_.counters.volumes_shifted;
+    ++result_.counters.volumes_shifted;
   } else {
     const std::uint32_t first = points_.corner_first[index];
     axes_.bound(points_.corners.data() + kFloatsPerBlock * first, points_.corner_first[index + 1] - first,
                 turned);
     turn_of_[index] = turn_;
-    answer_.counters.corners_transformed += points_.corner_count[index];
+    result_.counters.corners_transformed += points_.corner_count[index];
   }
   const Float4 slack = all4(slack_);
   for (std::size_t i = 0; i < stride_; i += 4) {
@@ -161,74 +161,74 @@ void PenetrationFinder::bound_points(std::uint32_t index, float* volume) {
     volume[low_slot(i)] += shifts_[i] - slack_;
     volume[high_slot(i)] += shifts_[i] + slack_;
   }
-  answer_.counters.points_transformed += points_.tree.nodes[index].item_count;
+  result_.counters.points_transformed += points_.tree.nodes[index].item_count;
 }
 
 /// Nothing of the surface lies in the node's volume: all its points are on one side, far from the surface.
-void PenetrationFinder::tell_lump(std::uint32_t index) {
-  if (!options_.is_deeper_told) return;
+void PenetrationFinder::report_lump(std::uint32_t index) {
+  if (!options_.is_deeper_reported) return;
   const KdopNode& node = points_.tree.nodes[index];
-  const auto place_of = [&](std::uint32_t k) {
+  const auto position_of = [&](std::uint32_t k) {
     return pose_.point(points_.points[points_.tree.order[node.item_first + k]]);
   };
-  const Vec3 first = place_of(0);
-  const DepthGrid::Answer side = body_.depths.at(first);
-  if (side == DepthGrid::Answer::outside || side == DepthGrid::Answer::shallow) return;
+  const Vec3 first = position_of(0);
+  const DepthGrid::Cover side = body_.depths.at(first);
+  if (side == DepthGrid::Cover::outside || side == DepthGrid::Cover::shallow) return;
   for (std::uint32_t k = 0; k < node.item_count; ++k)
-    tell_if_deep(points_.tree.order[node.item_first + k], place_of(k));
+    report_if_deep(points_.tree.order[node.item_first + k], position_of(k));
 }
 
 void PenetrationFinder::test_points(std::uint32_t index) {
   const KdopNode& node = points_.tree.nodes[index];
   for (std::uint32_t k = 0; k < node.item_count; ++k) {
     const std::uint32_t point = points_.tree.order[node.item_first + k];
-    const Vec3 place = pose_.point(points_.points[point]);
-    const DepthGrid::Answer side = body_.depths.at(place);
-    if (side == DepthGrid::Answer::outside) continue;
-    const NarrowAnswer found = narrow_.test(place, answer_.counters);
+    const Vec3 position = pose_.point(points_.points[point]);
+    const DepthGrid::Cover side = body_.depths.at(position);
+    if (side == DepthGrid::Cover::outside) continue;
+    const NarrowResult found = narrow_.test(position, result_.counters);
     if (found.is_inside && found.depth_mm > 0) {
-      tell(point, place, found.normal, found.depth_mm, found.triangle);
-    } else if (!found.is_inside && side != DepthGrid::Answer::shallow) {
-      tell_if_deep(point, place);
+      report(point, position, found.normal, found.depth_mm, found.triangle);
+    } else if (!found.is_inside && side != DepthGrid::Cover::shallow) {
+      report_if_deep(point, position);
     }
   }
 }
 
 /// Where facets are small against the depth, a search of the standing tree for each point is cheaper than all
-/// facets within reach. The last foot bounds the next: distances change by no more than the way from point to
+/// facets within reach. The last foot bounds the next: distances change by no more than the distance from point to
 /// point.
 void PenetrationFinder::search_points(std::uint32_t index) {
   const KdopNode& node = points_.tree.nodes[index];
   double last_mm = std::numeric_limits<double>::infinity();
-  Vec3 last_place = Vec3::Zero();
+  Vec3 last_position = Vec3::Zero();
   for (std::uint32_t k = 0; k < node.item_count; ++k) {
     const std::uint32_t point = points_.tree.order[node.item_first + k];
-    const Vec3 place = pose_.point(points_.points[point]);
-    if (body_.depths.at(place) == DepthGrid::Answer::outside) continue;
-    ++answer_.counters.exact_pairs;
-    const double within = (last_mm + (place - last_place).norm()) * (1 + 1e-9) + 1e-9;
-    const auto foot = nearest_foot(body_, place, within);
+    const Vec3 position = pose_.point(points_.points[point]);
+    if (body_.depths.at(position) == DepthGrid::Cover::outside) continue;
+    ++result_.counters.exact_pairs;
+    const double within = (last_mm + (position - last_position).norm()) * (1 + 1e-9) + 1e-9;
+    const auto foot = closest_point(body_, position, within);
     if (!foot) continue;
     last_mm = foot->distance_mm;
-    last_place = place;
-    const bool is_told = options_.is_deeper_told || foot->distance_mm <= body_.options.depth_mm;
-    if (foot->is_inside && foot->distance_mm > 0 && is_told)
-      tell(point, place, foot->normal, foot->distance_mm, foot->triangle);
+    last_position = position;
+    const bool is_reported = options_.is_deeper_reported || foot->distance_mm <= body_.options.depth_mm;
+    if (foot->is_inside && foot->distance_mm > 0 && is_reported)
+      report(point, position, foot->normal, foot->distance_mm, foot->triangle);
   }
 }
 
-void PenetrationFinder::tell(std::uint32_t point, const Vec3& place, const Vec3& normal, double depth_mm,
+void PenetrationFinder::report(std::uint32_t point, const Vec3& position, const Vec3& normal, double depth_mm,
                              std::uint32_t triangle) {
-  answer_.contacts.push_back({{place, normal, depth_mm, options_.body, body_.mesh.file_triangle[triangle]},
+  result_.contacts.push_back({{position, normal, depth_mm, options_.body, body_.mesh.file_triangle[triangle]},
                               point,
                               depth_mm > body_.options.depth_mm});
 }
 
-void PenetrationFinder::tell_if_deep(std::uint32_t point, const Vec3& place) {
-  if (!options_.is_deeper_told) return;
-  ++answer_.counters.inside_tests;
-  const auto foot = nearest_foot(body_, place);
-  if (foot && foot->is_inside) tell(point, place, foot->normal, foot->distance_mm, foot->triangle);
+void PenetrationFinder::report_if_deep(std::uint32_t point, const Vec3& position) {
+  if (!options_.is_deeper_reported) return;
+  ++result_.counters.inside_tests;
+  const auto foot = closest_point(body_, position);
+  if (foot && foot->is_inside) report(point, position, foot->normal, foot->distance_mm, foot->triangle);
 }
 
 }  // namespace gouge

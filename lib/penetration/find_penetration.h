@@ -15,8 +15,8 @@
 namespace gouge {
 
 struct PenetrationOptions {
-  std::uint32_t body = 0;      ///< told in the contacts
-  bool is_deeper_told = true;  ///< also look for points inside beyond the depth of the volumes
+  std::uint32_t body = 0;      ///< reported in the contacts
+  bool is_deeper_reported = true;  ///< also look for points inside beyond the depth of the volumes
 };
 
 struct PointContact {
@@ -27,7 +27,7 @@ struct PointContact {
   bool is_deeper = false;
 };
 
-struct PenetrationAnswer {
+struct PenetrationResult {
   std::vector<PointContact> contacts;  ///< ordered by point
   PenetrationCounters counters;
 };
@@ -38,7 +38,7 @@ struct PenetrationAnswer {
 /// only their shift (thesis 6.1.4.2). One finder serves one thread; bodies may be shared.
 ///
 /// Requires both trees over the same directions; `body.is_solid` for the sides to mean something.
-/// Ensures  with complete coverage: every point inside is told, with the depth and direction
+/// Ensures  with complete coverage: every point inside is reported, with the depth and direction
 /// of its
 ///          nearest surface; no point outside is.
 /// Source   thesis 5.2.1 (broad phase), 5.2.2 (narrow phase), 5.2.3 (only what is visited is updated).
@@ -46,12 +46,12 @@ class PenetrationFinder {
  public:
   PenetrationFinder(const DepthBody& body, const PointBody& points, const PenetrationOptions& options = {});
 
-  /// The answer stays valid until the next call. `pose` takes the moving body's frame to part coordinates.
-  const PenetrationAnswer& find(const RigidTransform& pose);
+  /// The result stays valid until the next call. `pose` takes the moving body's frame to part coordinates.
+  const PenetrationResult& find(const RigidTransform& pose);
 
  private:
   struct List {
-    std::size_t first = 0, last = 0;  ///< places in stack_
+    std::size_t first = 0, last = 0;  ///< slots in stack_
     [[nodiscard]] bool is_empty() const { return first == last; }
   };
 
@@ -60,19 +60,19 @@ class PenetrationFinder {
   List refine(const float* volume, float size, const List& candidates, std::size_t most);
   void update_volume(std::uint32_t node, float* volume);
   void bound_points(std::uint32_t node, float* volume);
-  void tell_lump(std::uint32_t node);
+  void report_lump(std::uint32_t node);
   void test_points(std::uint32_t node);
   [[nodiscard]] std::size_t items_of(const List& list) const;
   void search_points(std::uint32_t node);
-  void tell(std::uint32_t point, const Vec3& place, const Vec3& normal, double depth_mm,
+  void report(std::uint32_t point, const Vec3& position, const Vec3& normal, double depth_mm,
             std::uint32_t triangle);
-  void tell_if_deep(std::uint32_t point, const Vec3& place);
+  void report_if_deep(std::uint32_t point, const Vec3& position);
 
   const DepthBody& body_;
   const PointBody& points_;
   PenetrationOptions options_;
   NarrowPhase narrow_;
-  PenetrationAnswer answer_;
+  PenetrationResult result_;
   RigidTransform pose_;
   bool has_turned_ = false;
   std::size_t stride_ = 0;

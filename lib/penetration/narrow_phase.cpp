@@ -20,16 +20,16 @@ NarrowPhase::NarrowPhase(const DepthBody& body)
     : body_(body), reach_(static_cast<float>(body.options.depth_mm) + kFilterSlack * body.slack_mm) {}
 
 void NarrowPhase::set_leaves(std::span<const std::uint32_t> leaves) {
-  places_.clear();
+  slots_.clear();
   for (const std::uint32_t leaf : leaves) {
     const KdopNode& node = body_.tree.nodes[leaf];
-    for (std::uint32_t k = 0; k < node.item_count; ++k) places_.push_back(node.first + k);
+    for (std::uint32_t k = 0; k < node.item_count; ++k) slots_.push_back(node.first + k);
   }
-  const std::size_t blocks = (places_.size() + 3) / 4;
+  const std::size_t blocks = (slots_.size() + 3) / 4;
   blocks_.resize(blocks * kFloatsPerBlock);
   for (std::size_t i = 0; i < 4 * blocks; ++i) {
     float* const to = blocks_.data() + i / 4 * kFloatsPerBlock + i % 4;
-    const FacetRecord& f = body_.facets[places_[std::min(i, places_.size() - 1)]];
+    const FacetRecord& f = body_.facets[slots_[std::min(i, slots_.size() - 1)]];
     const std::array<float, 8> numbers = {f.n[0], f.n[1], f.n[2], f.o, f.c[0], f.c[1], f.c[2], f.r};
     for (std::size_t k = 0; k < numbers.size(); ++k) to[4 * k] = numbers[k];
   }
@@ -41,14 +41,14 @@ bool NarrowPhase::filter(const Vec3& point) {
                z = all4(static_cast<float>(point.z()));
   const Float4 reach = all4(reach_);
   bool is_behind = false;
-  for (std::size_t i = 0; i < places_.size(); i += 4) {
+  for (std::size_t i = 0; i < slots_.size(); i += 4) {
     const float* const f = blocks_.data() + i / 4 * kFloatsPerBlock;
     const Float4 h = load4(f) * x + load4(f + 4) * y + load4(f + 8) * z - load4(f + 12);
     const Float4 dx = x - load4(f + 16), dy = y - load4(f + 20), dz = z - load4(f + 24), r = load4(f + 28);
     const Float4 d2 = dx * dx + dy * dy + dz * dz, far = r + reach;
     const Int4 is_hit = (h <= reach) & (-h <= reach) & (d2 <= far * far);
     if (!any4(is_hit)) continue;
-    const std::size_t lanes = std::min<std::size_t>(4, places_.size() - i);
+    const std::size_t lanes = std::min<std::size_t>(4, slots_.size() - i);
     for (std::size_t k = 0; k < lanes; ++k) {
       if (is_hit[k] == 0) continue;
       const float least = FacetRecord::least_distance(h[k], d2[k], r[k]);
@@ -60,51 +60,51 @@ bool NarrowPhase::filter(const Vec3& point) {
   return is_behind;
 }
 
-NarrowAnswer NarrowPhase::test(const Vec3& point, PenetrationCounters& counters) {
-  counters.primitive_pairs += places_.size();
+NarrowResult NarrowPhase::test(const Vec3& point, PenetrationCounters& counters) {
+  counters.primitive_pairs += slots_.size();
   // A point within the depth below the surface is behind one of the facets its nearest point belongs to.
   if (!filter(point)) return {};
   return nearest(point, counters);
 }
 
-NarrowAnswer NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counters) const {
+NarrowResult NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counters) const {
   const float slack = kFilterSlack * body_.slack_mm;
   const Hit* first = hits_.data();
   for (const Hit& hit : hits_) {
     if (hit.least < first->least) first = &hit;
   }
-  std::uint32_t place = places_[first->place];
-  TriangleFoot best = closest_on_triangle(point, body_.corners[place]);
+  std::uint32_t slot = slots_[first->slot];
+  TrianglePoint best = closest_on_triangle(point, body_.corners[slot]);
   ++counters.exact_pairs;
   float within = static_cast<float>(std::sqrt(best.distance2_mm2)) + slack;
   for (const Hit& hit : hits_) {
     if (hit.least > within || &hit == first) continue;
     ++counters.exact_pairs;
-    const std::uint32_t other = places_[hit.place];
-    const TriangleFoot foot = closest_on_triangle(point, body_.corners[other]);
+    const std::uint32_t other = slots_[hit.slot];
+    const TrianglePoint foot = closest_on_triangle(point, body_.corners[other]);
     if (foot.distance2_mm2 > best.distance2_mm2) continue;
     const bool is_tie = !(foot.distance2_mm2 < best.distance2_mm2);
-    if (is_tie && body_.tree.order[other] > body_.tree.order[place]) continue;
+    if (is_tie && body_.tree.order[other] > body_.tree.order[slot]) continue;
     best = foot;
-    place = other;
+    slot = other;
     within = static_cast<float>(std::sqrt(best.distance2_mm2)) + slack;
   }
-  return judge(point, place, best, counters);
+  return judge(point, slot, best, counters);
 }
 
-/// The nearest facet that was given is the nearest of all if the point is inside. Whether it is, the face
-/// tells when nothing else lies between; edges and vertices ask the whole surface.
-NarrowAnswer NarrowPhase::judge(const Vec3& point, std::uint32_t place, const TriangleFoot& nearest,
+/// The nearest facet that was given is the nearest of all if the point is inside. Whether it is, the face decides when
+/// nothing else lies between; edges and vertices ask the whole surface.
+NarrowResult NarrowPhase::judge(const Vec3& point, std::uint32_t slot, const TrianglePoint& nearest,
                                 PenetrationCounters& counters) const {
-  SurfaceFoot foot = signed_foot(body_, point, place, nearest);
+  ClosestPoint foot = signed_closest_point(body_, point, slot, nearest);
   if (!foot.is_inside || foot.distance_mm > body_.options.depth_mm) {
     ++counters.false_positives;
     return {};
   }
-  const bool is_sure = nearest.least_weight > kFaceRim && body_.is_clear_below[place] != 0;
+  const bool is_sure = nearest.least_weight > kFaceRim && body_.is_clear_below[slot] != 0;
   if (!is_sure) {
     ++counters.inside_tests;
-    if (const auto other = nearest_foot(body_, point, foot.distance_mm)) foot = *other;
+    if (const auto other = closest_point(body_, point, foot.distance_mm)) foot = *other;
     if (!foot.is_inside) {
       ++counters.false_positives;
       return {};

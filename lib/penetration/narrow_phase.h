@@ -6,11 +6,11 @@
 
 #include "lib/penetration/counters.h"
 #include "lib/penetration/depth_body.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 
-struct NarrowAnswer {
+struct NarrowResult {
   bool is_inside = false;  ///< and within the depth; else it is outside, or deeper
   double depth_mm = 0;     ///< to the surface
   Vec3 normal = Vec3::UnitZ();
@@ -20,7 +20,7 @@ struct NarrowAnswer {
 /// Points of one leaf against the facets of the leaves it met (thesis 5.2.2).
 ///
 /// Finds the nearest facet among those given; with complete coverage they hold every facet within
-/// the depth of the point, so it is the nearest of all and the side it tells is the true one:
+/// the depth of the point, so it is the nearest of all and the side it gives is the true one:
 /// docs/algorithms/ shallow_penetration.md, section 4. Filters in single precision, decides in double.
 class NarrowPhase {
  public:
@@ -28,22 +28,22 @@ class NarrowPhase {
 
   /// Takes the facets of leaf nodes of the body's tree.
   void set_leaves(std::span<const std::uint32_t> leaves);
-  [[nodiscard]] NarrowAnswer test(const Vec3& point_part, PenetrationCounters& counters);
+  [[nodiscard]] NarrowResult test(const Vec3& point_part, PenetrationCounters& counters);
 
  private:
   struct Hit {
-    std::uint32_t place;
+    std::uint32_t slot;
     float least;  ///< the facet is not nearer than this: it lies in its plane and in its disc's ball
   };
 
   bool filter(const Vec3& point);
-  [[nodiscard]] NarrowAnswer nearest(const Vec3& point, PenetrationCounters& counters) const;
-  [[nodiscard]] NarrowAnswer judge(const Vec3& point, std::uint32_t place, const TriangleFoot& nearest,
+  [[nodiscard]] NarrowResult nearest(const Vec3& point, PenetrationCounters& counters) const;
+  [[nodiscard]] NarrowResult judge(const Vec3& point, std::uint32_t slot, const TrianglePoint& nearest,
                                    PenetrationCounters& counters) const;
 
   const DepthBody& body_;
   float reach_;  ///< depth with what single precision may be off
-  std::vector<std::uint32_t> places_;
+  std::vector<std::uint32_t> slots_;
   std::vector<float> blocks_;  ///< facets, four by four: nx ny nz o cx cy cz r
   std::vector<Hit> hits_;
 };

@@ -8,8 +8,8 @@ namespace gouge {
 
 /// Points of a surface, none of whose points is farther than `spacing_mm` from one of them.
 ///
-/// The depth below another surface changes by no more than the way one goes. So what a moving body's points
-/// tell holds for all of its surface up to the spacing: nothing deeper than the largest told depth plus the
+/// The depth below another surface changes by no more than the distance moved. So what a moving body's points
+/// show holds for all of its surface up to the spacing: nothing deeper than the largest reported depth plus the
 /// spacing is inside, and nothing that reaches deeper than the spacing is missed, be it between vertices, on
 /// an edge or amid a face that a spike pierces.
 ///

@@ -10,7 +10,7 @@
 
 namespace gouge {
 
-/// On which side of a closed surface a point is, told by the surface's nearest point: by the normal of its
+/// On which side of a closed surface a point is, decided by the surface's closest point: by the normal of its
 /// face, by the mean of both faces at an edge, by the angle-weighted mean at a vertex.
 ///
 /// Source  J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal,

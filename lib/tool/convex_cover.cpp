@@ -109,12 +109,12 @@ class CoverMaker {
 
   static Vec2 inner(const BoundaryElement& e, const Vec2& end, double by) {
     if (e.kind == ElementKind::arc && !e.is_reflex) return e.center;
-    const Vec2 way = (e.b - e.a).normalized();
-    return end - by * Vec2(way.y(), -way.x());
+    const Vec2 direction = (e.b - e.a).normalized();
+    return end - by * Vec2(direction.y(), -direction.x());
   }
 
   // A concave arc counts as its chord, which lies outside it.
-  static Vec2 way_at(const BoundaryElement& e, const Vec2& point) {
+  static Vec2 length_at(const BoundaryElement& e, const Vec2& point) {
     return e.kind == ElementKind::arc && e.is_reflex ? Vec2((e.b - e.a).normalized()) : direction_at(e, point);
   }
 
@@ -127,7 +127,7 @@ class CoverMaker {
     const double rounding = run.arc_radius_mm;
     const double far = 4 * cover_.size_mm;
     const auto push = [&piece](const Vec2& p) { piece.chain.push_back(p); };
-    push(inner(first, first.a, rounding) - far * way_at(first, first.a));
+    push(inner(first, first.a, rounding) - far * length_at(first, first.a));
     for (std::size_t k = 0; k < run.elements.size(); ++k) {
       const BoundaryElement& e = *run.elements[k];
       const bool is_arc = e.kind == ElementKind::arc && !e.is_reflex;
@@ -135,7 +135,7 @@ class CoverMaker {
       if (is_arc || k == 0 || run.elements[k - 1]->kind == ElementKind::arc) continue;
       if (cross(direction_at(*run.elements[k - 1], e.a), direction_at(e, e.a)) > 0) push(inner(e, e.a, rounding));
     }
-    push(inner(last, last.b, rounding) + far * way_at(last, last.b));
+    push(inner(last, last.b, rounding) + far * length_at(last, last.b));
     straighten(piece.chain);
     piece.radius_mm = rounding + kStandOff_mm;
     double outside = 0;
@@ -242,9 +242,9 @@ ConvexCover make_convex_cover(const CompiledTool& tool) {
 double cover_distance(const CoverPiece& piece, const Vec2& q) {
   double inside = -kEndless, outside2 = kEndless;
   for (std::size_t k = 0; k + 1 < piece.chain.size(); ++k) {
-    const Vec2 way = piece.chain[k + 1] - piece.chain[k];
-    const double length = way.norm();
-    const Vec2 along = way / length;
+    const Vec2 direction = piece.chain[k + 1] - piece.chain[k];
+    const double length = direction.norm();
+    const Vec2 along = direction / length;
     const Vec2 from = q - piece.chain[k];
     inside = std::max(inside, from.x() * along.y() - from.y() * along.x());
     const double t = std::clamp(from.dot(along), 0.0, length);

@@ -6,7 +6,7 @@
 
 #include "lib/tool/compiled_tool.h"
 
-// The tool as a stack of convex solids of revolution, for bounds that must be cheap: each answers for the heights
+// The tool as a stack of convex solids of revolution, for bounds that must be cheap: each holds for the heights
 // of its slab, and its signed distance is convex, so that one subgradient bounds a whole triangle and a whole span
 // of time. What a cover says is never less than the truth; where it says more (undercuts, hollow ends, heights
 // next to a step) the exact search decides. Proofs: docs/algorithms/wide_sweep.md.

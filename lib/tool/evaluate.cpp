@@ -12,12 +12,12 @@ double node_value(const BspNode& node, double r, double z) {
   return v * (node.linear + node.square * v) + node.round * (x * x + y * y);
 }
 
-ToolAnswer from_segment(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
+ToolDistance from_segment(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
   const double distance = e.normal.dot(q - e.a);
   return {distance, index, q - distance * e.normal, e.normal};
 }
 
-ToolAnswer from_vertex(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
+ToolDistance from_vertex(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
   const Vec2 away = q - e.a;
   const double distance = std::sqrt(away.squaredNorm());
   const double sign = e.is_reflex ? -1.0 : 1.0;
@@ -32,7 +32,7 @@ double cross(const Vec2& u, const Vec2& v) {
 // From the centre to the foot, unit. Within rounding of the centre the BSP cannot tell the sectors of
 // neighbouring elements apart; a point just outside its arc's own sector gets the nearer end, so that the
 // foot is always a point of the tool and the normal one of its normals.
-Vec2 direction_to_foot(const BoundaryElement& e, const Vec2& away, double distance) {
+Vec2 direction_to_closest(const BoundaryElement& e, const Vec2& away, double distance) {
   const Vec2 to_a = e.a - e.center;
   const Vec2 to_b = e.b - e.center;
   const double turn = e.is_reflex ? -1.0 : 1.0;
@@ -40,33 +40,33 @@ Vec2 direction_to_foot(const BoundaryElement& e, const Vec2& away, double distan
   return (away.dot(to_a) > away.dot(to_b) ? to_a : to_b).normalized();
 }
 
-ToolAnswer from_arc(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
+ToolDistance from_arc(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
   const Vec2 away = q - e.center;
   const double distance = std::sqrt(away.squaredNorm());
   const double sign = e.is_reflex ? -1.0 : 1.0;
-  const Vec2 direction = distance > 0 ? direction_to_foot(e, away, distance) : e.normal;
+  const Vec2 direction = distance > 0 ? direction_to_closest(e, away, distance) : e.normal;
   return {sign * (distance - e.radius_mm), index, e.center + e.radius_mm * direction, sign * direction};
 }
 
-ToolAnswer answer(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
+ToolDistance result(const BoundaryElement& e, std::uint32_t index, const Vec2& q) {
   if (e.kind == ElementKind::segment) return from_segment(e, index, q);
   return e.kind == ElementKind::vertex ? from_vertex(e, index, q) : from_arc(e, index, q);
 }
 
 }  // namespace
 
-ToolAnswer evaluate(const CompiledTool& tool, double r_mm, double z_mm) {
+ToolDistance evaluate(const CompiledTool& tool, double r_mm, double z_mm) {
   std::int32_t at = tool.nodes.empty() ? ~std::int32_t{0} : 0;
   while (at >= 0) {
     const BspNode& node = tool.nodes[static_cast<std::size_t>(at)];
     at = node_value(node, r_mm, z_mm) < 0 ? node.negative : node.positive;
   }
   const auto element = static_cast<std::uint32_t>(~at);
-  return answer(tool.elements[element], element, Vec2(r_mm, z_mm));
+  return result(tool.elements[element], element, Vec2(r_mm, z_mm));
 }
 
-ToolAnswer evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm, double z_mm) {
-  return answer(tool.elements[element], element, Vec2(r_mm, z_mm));
+ToolDistance evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm, double z_mm) {
+  return result(tool.elements[element], element, Vec2(r_mm, z_mm));
 }
 
 }  // namespace gouge

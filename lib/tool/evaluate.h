@@ -6,7 +6,7 @@
 namespace gouge {
 
 /// What the tool says about one point of its half plane.
-struct ToolAnswer {
+struct ToolDistance {
   double signed_distance_mm = 0;  ///< to the boundary; negative inside
   std::uint32_t element = 0;      ///< nearest boundary element
   Vec2 foot = Vec2::Zero();       ///< nearest boundary point (r, z)
@@ -22,7 +22,7 @@ struct ToolAnswer {
 /// Degenerate  On the boundary the element's own outward normal; on the axis a unit vector of the half plane.
 /// Cost     depth of the BSP, no allocation.
 /// Source   Ho 1999, thesis 2.4.18.
-[[nodiscard]] ToolAnswer evaluate(const CompiledTool& tool, double r_mm, double z_mm);
+[[nodiscard]] ToolDistance evaluate(const CompiledTool& tool, double r_mm, double z_mm);
 
 /// Signed distance of a point of the part, in part coordinates, to the tool at a pose.
 [[nodiscard]] inline double signed_distance_mm(const CompiledTool& tool, const Pose& pose, const Vec3& point) {
@@ -35,13 +35,13 @@ struct ToolAnswer {
 [[nodiscard]] double distance_to(const BoundaryElement& element, const Vec2& q);
 
 /// The same by looking at every element: the reference that tests hold the BSP against. The distance is the
-/// smallest distance_to; the side is told by how often a ray along r crosses the contour, whatever the
+/// smallest distance_to; the side follows from how often a ray along r crosses the contour, whatever the
 /// element. Where elements tie, a vertex is named before others, else the first.
 /// Requires a contour that is closed at the heights of the point.
-[[nodiscard]] ToolAnswer evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_mm);
+[[nodiscard]] ToolDistance evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_mm);
 
-/// Distance answer of one element alone for a point whose nearest element it is.
-[[nodiscard]] ToolAnswer evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm,
+/// Distance of one element alone for a point whose nearest element it is.
+[[nodiscard]] ToolDistance evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm,
                                           double z_mm);
 
 }  // namespace gouge

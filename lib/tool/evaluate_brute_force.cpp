@@ -14,7 +14,7 @@ double turn_of(const BoundaryElement& arc) {
   return arc.is_reflex ? -1.0 : 1.0;
 }
 
-bool has_foot_within(const BoundaryElement& e, const Vec2& q) {
+bool has_point_within(const BoundaryElement& e, const Vec2& q) {
   if (e.kind == ElementKind::vertex) return true;
   if (e.kind == ElementKind::segment) {
     const Vec2 along = e.b - e.a;
@@ -74,13 +74,13 @@ bool is_inside(const CompiledTool& tool, const Vec2& q) {
 }  // namespace
 
 double distance_to(const BoundaryElement& element, const Vec2& q) {
-  if (!has_foot_within(element, q)) return std::sqrt((q - nearer_end(element, q)).squaredNorm());
+  if (!has_point_within(element, q)) return std::sqrt((q - nearer_end(element, q)).squaredNorm());
   if (element.kind == ElementKind::segment) return std::abs(element.normal.dot(q - element.a));
   if (element.kind == ElementKind::vertex) return std::sqrt((q - element.a).squaredNorm());
   return std::abs(std::sqrt((q - element.center).squaredNorm()) - element.radius_mm);
 }
 
-ToolAnswer evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_mm) {
+ToolDistance evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_mm) {
   const Vec2 q(r_mm, z_mm);
   double distance = std::numeric_limits<double>::infinity();
   std::uint32_t nearest = 0;
@@ -92,13 +92,13 @@ ToolAnswer evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_
   }
   const BoundaryElement& e = tool.elements[nearest];
   const double sign = is_inside(tool, q) ? -1 : 1;
-  ToolAnswer answer = evaluate_element(tool, nearest, r_mm, z_mm);
-  if (!has_foot_within(e, q)) {  // the end of a smooth joint
-    answer.foot = nearer_end(e, q);
-    if (distance > 0) answer.normal = sign / distance * (q - answer.foot);
+  ToolDistance result = evaluate_element(tool, nearest, r_mm, z_mm);
+  if (!has_point_within(e, q)) {  // the end of a smooth joint
+    result.foot = nearer_end(e, q);
+    if (distance > 0) result.normal = sign / distance * (q - result.foot);
   }
-  answer.signed_distance_mm = sign * distance;
-  return answer;
+  result.signed_distance_mm = sign * distance;
+  return result;
 }
 
 }  // namespace gouge

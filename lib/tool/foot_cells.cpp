@@ -96,11 +96,11 @@ double FootCell::width_mm(double t) const {
 }
 
 double FootCell::farthest_mm(const Vec2& place, double t) const {
-  // Along a ray the distance is convex; about the centre it grows with the angle from the place.
+  // Along a ray the distance is convex; about the centre it grows with the angle from the point.
   double farthest = 0;
   const double length = std::min(t, longest_ray_mm());
   for (const double s : {from, to}) {
-    for (const double way : {0.0, length}) farthest = std::max(farthest, (at(s, way) - place).norm());
+    for (const double height : {0.0, length}) farthest = std::max(farthest, (at(s, height) - place).norm());
   }
   if (is_straight()) return farthest;
   const double opposite = angle_of(origin - place);
@@ -113,7 +113,7 @@ bool FootCell::rays_meet(const Vec2& place, double within_mm) const {
   const double half = 0.5 * (to - from);
   if (is_straight()) return half < within_mm;
   const double distance = (place - origin).norm();
-  // Away from a centre, a ray at too wide an angle only leads farther from the place.
+  // Away from a centre, a ray at too wide an angle only leads farther from the point.
   if (half >= kLargestTurn_rad || (side > 0 && distance * std::cos(half) < radius_mm)) return false;
   return distance * std::sin(half) < within_mm;
 }

@@ -24,9 +24,9 @@ struct FootCell {
   [[nodiscard]] double longest_ray_mm() const;
   /// How far apart two rays of the cell are at most, t from their feet; of the middle ray and any other half of it.
   [[nodiscard]] double width_mm(double t) const;
-  /// The distance from `place` to the farthest point of the cell at most t from its foot.
+  /// The distance from `point` to the farthest point of the cell at most t from its foot.
   [[nodiscard]] double farthest_mm(const Vec2& place, double t) const;
-  /// Whether every ray passes within `within_mm` of `place`, a point of the middle ray.
+  /// Whether every ray passes within `within_mm` of `point`, a point of the middle ray.
   [[nodiscard]] bool rays_meet(const Vec2& place, double within_mm) const;
 };
 

@@ -11,9 +11,9 @@ namespace {
 constexpr double kLeast = 1e-5;  // regions that are less deep than this share of the height beyond are passed over
 constexpr int kRows = 200, kColumns = 64, kSamples = 256;
 
-/// Nothing between two places of depths a and b is less deep than this: depth changes no faster than the way.
-double least_between(double a, double b, double way) {
-  return 0.5 * (a + b - way);
+/// Nothing between two points of depths a and b is less deep than this: depth changes no faster than the distance.
+double least_between(double a, double b, double distance) {
+  return 0.5 * (a + b - distance);
 }
 
 }  // namespace
@@ -46,7 +46,7 @@ RegionFinder::RegionFinder(const CompiledTool& tool)
     for (int i = 0; i <= kSamples; ++i)
       body_depth_mm_[k] = std::max(body_depth_mm_[k], depth_at(0, low + (high - low) * i / kSamples));
     for (const Ring& ring : rings_) {
-      if (ring.place.y() >= low && ring.place.y() <= high)
+      if (ring.point.y() >= low && ring.point.y() <= high)
         body_depth_mm_[k] = std::max(body_depth_mm_[k], ring.depth_mm);
     }
   }
@@ -56,19 +56,19 @@ double RegionFinder::depth_at(double r, double z) const {
   return -evaluate(tool_, std::abs(r), z).signed_distance_mm;
 }
 
-// Local maxima of the depth off the axis: hollow cutters and undercut rings have them. Looked for upward from the
-// places of a grid that are no less deep than their neighbours.
+// Local maxima of the depth off the axis: hollow cutters and undercut rings have them. Looked for upward from the points of a
+// grid that are no less deep than their neighbours.
 void RegionFinder::find_rings() {
   if (tool_.elements.empty()) return;
   const double height = tool_.z_max_mm - tool_.z_min_mm;
   const double near = 1e-3 * (height + tool_.r_max_mm);
   std::vector<double> depth(static_cast<std::size_t>(kRows * kColumns));
   const auto at = [&](int i, int j) -> double& { return depth[static_cast<std::size_t>(i * kColumns + j)]; };
-  const auto place = [&](int i, int j) {
+  const auto point = [&](int i, int j) {
     return Vec2(tool_.r_max_mm * j / kColumns, tool_.z_min_mm + height * (i + 0.5) / kRows);
   };
   for (int i = 0; i < kRows; ++i) {
-    for (int j = 0; j < kColumns; ++j) at(i, j) = depth_at(place(i, j).x(), place(i, j).y());
+    for (int j = 0; j < kColumns; ++j) at(i, j) = depth_at(point(i, j).x(), point(i, j).y());
   }
   const auto is_top = [&](int i, int j) {
     const auto beside = [&](int k, int l) { return k < 0 || k >= kRows || l >= kColumns ? 0.0 : at(k, l); };
@@ -78,10 +78,10 @@ void RegionFinder::find_rings() {
   for (int i = 0; i < kRows; ++i) {
     for (int j = 1; j < kColumns; ++j) {
       if (!is_top(i, j)) continue;
-      Ring ring = climb(place(i, j));
-      if (ring.place.x() <= near) continue;
+      Ring ring = climb(point(i, j));
+      if (ring.point.x() <= near) continue;
       const bool is_known = std::any_of(rings_.begin(), rings_.end(), [&](const Ring& known) {
-        return (known.place - ring.place).norm() <= std::max(near, 0.5 * std::min(known.depth_mm, ring.depth_mm));
+        return (known.point - ring.point).norm() <= std::max(near, 0.5 * std::min(known.depth_mm, ring.depth_mm));
       });
       if (is_known) continue;
       join_with_axis(ring);
@@ -90,27 +90,27 @@ void RegionFinder::find_rings() {
   }
 }
 
-/// Up the depth from a place, by steps that are halved when none of them leads up.
-RegionFinder::Ring RegionFinder::climb(Vec2 place) const {
-  double depth = depth_at(place.x(), place.y());
+/// Up the depth from a point, by steps that are halved when none of them leads up.
+RegionFinder::Ring RegionFinder::climb(Vec2 point) const {
+  double depth = depth_at(point.x(), point.y());
   const double size = tool_.r_max_mm + tool_.z_max_mm - tool_.z_min_mm;
   for (double step = 0.5 * depth; step > 1e-5 * size;) {
-    Vec2 best = place;
+    Vec2 best = point;
     double best_depth = depth;
     for (int k = 0; k < 8; ++k) {
       const double angle = 0.785398163397448 * k;
-      Vec2 next = place + step * Vec2(std::cos(angle), std::sin(angle));
+      Vec2 next = point + step * Vec2(std::cos(angle), std::sin(angle));
       next.x() = std::max(0.0, next.x());
       const double there = depth_at(next.x(), next.y());
       if (there > best_depth + 1e-3 * step) best = next, best_depth = there;
     }
     if (best_depth > depth)
-      place = best, depth = best_depth;
+      point = best, depth = best_depth;
     else
       step *= 0.5;
   }
   Ring ring;
-  ring.place = place;
+  ring.point = point;
   ring.depth_mm = depth;
   return ring;
 }
@@ -118,15 +118,15 @@ RegionFinder::Ring RegionFinder::climb(Vec2 place) const {
 void RegionFinder::join_with_axis(Ring& ring) const {
   constexpr int kHeights = 96, kParts = 48;
   for (int i = 0; i <= kHeights; ++i) {
-    const double z = i == kHeights ? ring.place.y()
+    const double z = i == kHeights ? ring.point.y()
                                    : tool_.z_min_mm + (tool_.z_max_mm - tool_.z_min_mm) * (i + 0.5) / kHeights;
     const Vec2 joint(0, z);
-    const double way = (joint - ring.place).norm() / kParts;
+    const double distance = (joint - ring.point).norm() / kParts;
     double before = ring.depth_mm, least = ring.depth_mm;
     for (int k = 1; k <= kParts && least > ring.joint_depth_mm; ++k) {
-      const Vec2 q = ring.place + (joint - ring.place) * (static_cast<double>(k) / kParts);
+      const Vec2 q = ring.point + (joint - ring.point) * (static_cast<double>(k) / kParts);
       const double depth = depth_at(q.x(), q.y());
-      least = std::min(least, least_between(before, depth, way));
+      least = std::min(least, least_between(before, depth, distance));
       before = depth;
     }
     if (least <= ring.joint_depth_mm) continue;
@@ -142,7 +142,7 @@ FreeRegions RegionFinder::at(double depth_mm) const {
   for (std::size_t k = 0; k < has_body_.size(); ++k) found.is_covered[k] = body_depth_mm_[k] > depth_mm + least_mm_;
   const double height = tool_.z_max_mm - tool_.z_min_mm;
   bool is_open = false;
-  // Around a place on the axis everything within its excess is free, or within its lack is not.
+  // Around a point on the axis everything within its excess is free, or within its lack is not.
   for (double z = tool_.z_min_mm; z <= tool_.z_max_mm && height > 0;) {
     const double depth = depth_at(0, z), excess = depth - depth_mm;
     const bool is_free = excess > least_mm_;
@@ -153,12 +153,12 @@ FreeRegions RegionFinder::at(double depth_mm) const {
       if (depth > region.depth_mm) region.deepest = Vec2(0, z), region.depth_mm = depth;
     }
     is_open = is_free;
-    z += std::max(least_mm_, 0.95 * std::abs(excess));  // within the excess of a free place
+    z += std::max(least_mm_, 0.95 * std::abs(excess));  // within the excess of a free point
   }
   for (std::size_t k = 0; k < rings_.size(); ++k) {
     const Ring& ring = rings_[k];
     if (!(ring.depth_mm > depth_mm) || ring.joint_depth_mm > depth_mm) continue;
-    found.regions.push_back({ring.place.y(), ring.place.y(), ring.place, ring.depth_mm, k});
+    found.regions.push_back({ring.point.y(), ring.point.y(), ring.point, ring.depth_mm, k});
   }
   return found;
 }

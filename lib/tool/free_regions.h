@@ -6,16 +6,16 @@
 
 #include "lib/tool/compiled_tool.h"
 
-// Which places within a tool no surface can separate as long as none comes deeper into the tool than a given depth.
+// Which points within a tool no surface can separate as long as none comes deeper into the tool than a given depth.
 // Proof: docs/algorithms/inside_outside.md.
 
 namespace gouge {
 
-/// A connected part of what lies deeper in the tool than some depth: a stretch of the axis with the places around it,
+/// A connected part of what lies deeper in the tool than some depth: a stretch of the axis with the points around it,
 /// or a ring about the axis.
 struct FreeRegion {
   double z_lo_mm = 0, z_hi_mm = 0;  ///< of the axis; equal for a ring
-  Vec2 deepest = Vec2::Zero();      ///< (r, z) of its deepest place
+  Vec2 deepest = Vec2::Zero();      ///< (r, z) of its deepest point
   double depth_mm = 0;              ///< there
   std::size_t ring = kNoRing;       ///< which ring of the tool it is
   static constexpr std::size_t kNoRing = static_cast<std::size_t>(-1);
@@ -30,7 +30,7 @@ struct FreeRegions {
   double depth_mm = 0;  ///< regions of what lies deeper than this
   std::vector<FreeRegion> regions;
   std::array<bool, 3> has_body{};    ///< by Body: the tool has a cutter, shank, holder
-  std::array<bool, 3> is_covered{};  ///< by Body: some place of it lies deeper, so a region speaks for it
+  std::array<bool, 3> is_covered{};  ///< by Body: some point of it lies deeper, so a region speaks for it
   [[nodiscard]] bool covers_all() const;
   /// The first body that none speaks for. Requires that there is one.
   [[nodiscard]] Body uncovered() const;
@@ -49,13 +49,13 @@ class RegionFinder {
 
  private:
   struct Ring {
-    Vec2 place = Vec2::Zero();
+    Vec2 point = Vec2::Zero();
     double depth_mm = 0;
-    double joint_z_mm = 0;      ///< of the place on the axis it is best joined with
+    double joint_z_mm = 0;      ///< of the point on the axis it is best joined with
     double joint_depth_mm = 0;  ///< nothing on the straight line to there is less deep; not positive: not joined
   };
   void find_rings();
-  [[nodiscard]] Ring climb(Vec2 place) const;
+  [[nodiscard]] Ring climb(Vec2 point) const;
   void join_with_axis(Ring& ring) const;
   [[nodiscard]] double depth_at(double r, double z) const;
 
@@ -63,7 +63,7 @@ class RegionFinder {
   double least_mm_;
   std::vector<Ring> rings_;
   std::array<bool, 3> has_body_{};
-  std::array<double, 3> body_depth_mm_{};  // the deepest place at its heights
+  std::array<double, 3> body_depth_mm_{};  // the deepest point at its heights
 };
 
 }  // namespace gouge

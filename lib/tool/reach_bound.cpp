@@ -15,14 +15,14 @@ constexpr double kRegionRounding = 2e-5;  // of the height: what RegionFinder pa
 constexpr double kNearly = 0.01;          // of the depth: how nearly the largest ball is found
 constexpr double kShrink = 0.97;          // where that takes long, a smaller one will do
 constexpr double kFine = 0.02;            // of the bound: cells no wider are not cut
-constexpr std::size_t kAxisPlaces = 128, kNeighbours = 4, kMostCells = 5'000;
+constexpr std::size_t kAxisPoints = 128, kNeighbours = 4, kMostCells = 5'000;
 constexpr int kMostShrinks = 30, kQuickShrinks = 10, kMostJoints = 16;
 
 /// All that is nearer to `center` than `free_mm` lies deeper than the depth asked.
 struct Ball {
   Vec2 center = Vec2::Zero();
   double free_mm = 0;
-  bool is_joined = false;  // with an axis place that the check asks for
+  bool is_joined = false;  // with an axis point that the check asks for
 };
 
 struct CellBall {
@@ -53,7 +53,7 @@ class ReachSearch {
     return -evaluate(form_, std::max(0.0, q.x()), q.y()).signed_distance_mm - depth_mm_ - kRounding * size_mm_;
   }
 
-  /// The largest ball about a place of the middle ray that touches the boundary at the ray's foot alone, or nearly.
+  /// The largest ball about a point of the middle ray that touches the boundary at the ray's foot alone, or nearly.
   [[nodiscard]] Ball own_ball(const FootCell& cell) const {
     const double s = cell.middle();
     const Vec2 foot = cell.at(s, 0), inward = cell.inward_at(s);
@@ -62,7 +62,7 @@ class ReachSearch {
     for (int k = 0; k < kMostShrinks && t > depth_mm_; ++k) {
       Vec2 center = foot + t * inward;
       if (center.x() < kRounding * size_mm_) center.x() = 0;
-      const ToolAnswer at = evaluate(form_, center.x(), center.y());
+      const ToolDistance at = evaluate(form_, center.x(), center.y());
       if (-at.signed_distance_mm >= t - kNearly * depth_mm_)
         return {center, -at.signed_distance_mm - depth_mm_ - kRounding * size_mm_};
       const Vec2 across = at.foot - foot;
@@ -108,22 +108,22 @@ class ReachSearch {
     const FootCell& before = cells_.back().cell;
     const bool is_next = before.origin == cell.origin && before.along == cell.along && before.to >= cell.from;
     if (!is_next) return;
-    FootCell place = cell;
+    FootCell point = cell;
     double with = has_ball ? cell.middle() : before.middle(), without = has_ball ? before.middle() : cell.middle();
     Ball outermost;
     for (int k = 0; k < kMostShrinks; ++k) {
-      place.from = place.to = 0.5 * (with + without);
-      const Ball ball = own_ball(place);
+      point.from = point.to = 0.5 * (with + without);
+      const Ball ball = own_ball(point);
       const bool is_wide = ball.free_mm > kFine * depth_mm_;  // a narrower one is hard to join
-      (is_wide ? with : without) = place.from;
+      (is_wide ? with : without) = point.from;
       if (is_wide) outermost = ball;
     }
     if (outermost.free_mm > 0) balls_.push_back(outermost);
   }
 
   void add_axis() {
-    for (std::size_t i = 0; i < kAxisPlaces; ++i) {
-      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(kAxisPlaces);
+    for (std::size_t i = 0; i < kAxisPoints; ++i) {
+      const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(kAxisPoints);
       const Vec2 center(0, form_.z_min_mm + share * (form_.z_max_mm - form_.z_min_mm));
       const double free = free_at(center);
       if (free > 0) balls_.push_back({center, free});
@@ -136,7 +136,7 @@ class ReachSearch {
     return -evaluate(bare_, 0, ball.center.y()).signed_distance_mm > depth_mm_ + excess;
   }
 
-  /// Whether all of the straight line between two places is deeper than asked.
+  /// Whether all of the straight line between two points is deeper than asked.
   [[nodiscard]] bool are_joined(const Ball& a, const Ball& b, int joints = kMostJoints) const {
     if (a.free_mm + b.free_mm > (a.center - b.center).norm()) return true;
     if (joints == 0) return false;
@@ -146,7 +146,7 @@ class ReachSearch {
     return middle.free_mm > 0 && are_joined(a, middle, joints - 1) && are_joined(middle, b, joints - 1);
   }
 
-  /// From the places on the axis along the contour, both ways, until nothing more joins.
+  /// From the points on the axis along the contour, both ways, until nothing more joins.
   void join() {
     for (Ball& ball : balls_) ball.is_joined = is_asked(ball);
     for (bool is_new = true; is_new;) {
@@ -208,8 +208,8 @@ class ReachSearch {
     return bound_by_all(cell, near, least_mm, budget);
   }
 
-  /// No point of the tool whose foot is in the cell is farther from it: if one at t were, the place at t of the middle
-  /// ray would be at least as deep as t less the way between both.
+  /// No point of the tool whose foot is in the cell is farther from it: if one at t were, the point at t of the middle
+  /// ray would be at least as deep as t less the distance between both.
   [[nodiscard]] double longest_ray(const FootCell& cell) const {
     const double longest = std::min(cell.longest_ray_mm(), size_mm_);
     for (double t = depth_mm_; t < longest; t *= 1.25) {

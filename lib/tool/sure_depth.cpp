@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "lib/tool/reach_bound.h"
-#include "lib/tool/tool_forms.h"
+#include "lib/tool/tool_variants.h"
 
 namespace gouge {
 namespace {
@@ -48,7 +48,7 @@ SureDepth SureDepths::at(const CompiledTool& form, const CompiledTool& bare, dou
   return known_[given_mm] = find_sure_depth(form, bare, given_mm);
 }
 
-SureDepth ToolForms::sure_depth(bool has_parts, bool has_fixtures, double given_mm) const {
+SureDepth ToolVariants::sure_depth(bool has_parts, bool has_fixtures, double given_mm) const {
   SureDepth sure{given_mm, given_mm, 0};
   if (has_parts) sure = part_depths.at(against_part, bare, given_mm);
   if (!has_fixtures || (has_parts && is_same_form(against_part, against_fixture))) return sure;

@@ -23,7 +23,7 @@ struct SureDepth {
 /// kReachPerDepth times the given depth. Cost: bound_reach, once for a usual tool.
 [[nodiscard]] SureDepth find_sure_depth(const CompiledTool& form, const CompiledTool& bare, double given_mm);
 
-/// Answers of find_sure_depth for one tool, each computed once; may be asked from any thread. A copy starts empty.
+/// Results of find_sure_depth for one tool, each computed once; may be asked from any thread. A copy starts empty.
 class SureDepths {
  public:
   SureDepths() = default;

@@ -122,7 +122,7 @@ class TrianglePairs {
   // A point two crossing triangles share: where a side of one passes through the other, to rounding; for
   // triangles in one plane a corner inside the other or where sides cross is near enough: the middle of their
   // common box.
-  [[nodiscard]] Vec3 meeting_place(std::uint32_t t, std::uint32_t u) const {
+  [[nodiscard]] Vec3 meeting_point(std::uint32_t t, std::uint32_t u) const {
     for (const auto& [one, other] : {std::pair(t, u), std::pair(u, t)}) {
       const TriangleCorners corners = shared_first(one, other);
       const std::size_t shared = shared_count(t, u);
@@ -272,8 +272,8 @@ void flip_faces_without_area(SurfaceMesh& surface) {
   }
 }
 
-// By flipping and collapsing edges: the surface stays where it is. Returns how many are gone. CGAL knows more ways
-// than flips alone, but gives up halfway on some surfaces.
+// By flipping and collapsing edges: the surface stays where it is. Returns how many are gone. CGAL knows more methods than
+// flips alone, but gives up halfway on some surfaces.
 std::size_t remove_faces_without_area(SurfaceMesh& surface) {
   const std::size_t count = count_faces_without_area(surface);
   if (count == 0) return 0;
@@ -336,7 +336,7 @@ bool has_facing(const SurfaceMesh& piece) {
   }
 }
 
-// Pieces whose facing cannot be told (folded flat, they bound nothing) stay as they are and keep none of the others
+// Pieces whose facing cannot be determined (folded flat, they bound nothing) stay as they are and keep none of the others
 // from being turned.
 void orient_outward(SurfaceMesh& surface, RepairSteps& steps) {
   SurfaceMesh attempt = surface;
@@ -382,14 +382,14 @@ Result<SelfIntersections> find_self_intersections(const IndexedMesh& mesh) {
     if (found.pairs > 0) {
       found.first_triangle = mesh.file_triangle[first.first];
       found.second_triangle = mesh.file_triangle[first.second];
-      found.place_mm = pairs.meeting_place(first.first, first.second);
+      found.position_mm = pairs.meeting_point(first.first, first.second);
     }
     return found;
   });
 }
 
 Result<VolumeFacts> find_volume_facts(const IndexedMesh& mesh) {
-  return guarded<VolumeFacts>("tell what they bound", [&]() -> Result<VolumeFacts> {
+  return guarded<VolumeFacts>("find what they bound", [&]() -> Result<VolumeFacts> {
     std::vector<Point> points;
     std::vector<Polygon> polygons;
     to_soup(mesh, points, polygons);

@@ -35,7 +35,7 @@ struct MeshRepair {
   IndexedMesh mesh;       ///< read back from stl_bytes
   RepairSteps steps;
   MeshValidation before;
-  MeshValidation after;  ///< of `mesh`, so what is told holds for the file and not only for the memory
+  MeshValidation after;  ///< of `mesh`, so what is reported holds for the file and not only for the memory
 
   /// Fewer defects than before: only then is it worth a file.
   [[nodiscard]] bool is_better() const { return after.trouble.empty() && after.defects() < before.defects(); }

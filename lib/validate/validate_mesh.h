@@ -17,18 +17,18 @@ struct SelfIntersections {
   std::size_t pairs = 0;
   std::size_t first_triangle = 0;  ///< of the first pair: indices in the file from 0, the lower one first
   std::size_t second_triangle = 0;
-  Vec3 place_mm = Vec3::Zero();  ///< a point where the first pair meets; part coordinates
+  Vec3 position_mm = Vec3::Zero();  ///< a point where the first pair meets; part coordinates
 };
 
 struct MeshValidation {
   MeshFindings findings;
   SelfIntersections self_intersections;
   /// Every piece faces the right way for its nesting: outer shells outward, cavities inward, and so on.
-  /// Nothing when the question has no meaning: open, not manifold or crossing itself.
+  /// Nothing when the query has no meaning: open, not manifold or crossing itself.
   std::optional<bool> bounds_volume;
   /// Signed volume by CGAL, mm3; nothing as above.
   std::optional<double> volume_mm3;
-  /// What kept the exact part from being answered; empty when it was.
+  /// What kept the exact part from being decided; empty when it was.
   std::string trouble;
 
   /// Closed, manifold, consistently oriented outward, free of self-intersections and duplicates.
@@ -43,7 +43,7 @@ struct MeshValidation {
 ///          Triangles of no area and repeated triangles are counted as such and take no part in
 ///          intersections.
 /// Cost     O(n log n) for the surfaces of parts; 65,000 triangles take about a second.
-/// Errors   None: what CGAL cannot do is told in `trouble`, and the mesh is not sound then.
+/// Errors   None: what CGAL cannot do is reported in `trouble`, and the mesh is not sound then.
 [[nodiscard]] MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings);
 
 }  // namespace gouge

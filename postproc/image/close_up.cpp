@@ -42,7 +42,7 @@ View tool_view(const PictureSet& set, const PictureEvent& event, const Vec3& tow
   View view = make_view(toward, event.pose.axis, width, height);
   view.mm_per_pixel = height_mm / height;
   // A little of the tool above the finding, most of the part around it.
-  const double lift = std::min(0.18 * height_mm, 0.5 * forms_of(set, event).bare.z_max_mm);
+  const double lift = std::min(0.18 * height_mm, 0.5 * variants_of(set, event).bare.z_max_mm);
   view.centre = event.at + view.up * lift;
   return view;
 }
@@ -126,13 +126,13 @@ PictureScene placed_heads(const PictureSet& set, const PictureEvent& event) {
 }  // namespace
 
 void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words) {
-  const ToolForms& forms = forms_of(set, event);
+  const ToolVariants& variants = variants_of(set, event);
   const Vec3 toward = best_direction(set, event);
   const View view = close_view(set, event, toward, static_cast<int>(kCloseUp.width) * kSupersampling,
                                static_cast<int>(kCloseUp.height) * kSupersampling);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
   Raster raster = shade(set.scene, buffer, depth_on_pixels(set.field, set.scene, buffer), set.scale);
-  lay_glass(raster, buffer, tool_surface(forms.bare, event.pose), placed_heads(set, event));
+  lay_glass(raster, buffer, tool_surface(variants.bare, event.pose), placed_heads(set, event));
   page.rasters.push_back({static_cast<int>(kCloseUp.x), static_cast<int>(kCloseUp.y), std::move(raster)});
   const Vec2 target = on_page(kCloseUp, view.project(event.at));
   // A head's finding may be far from the tool, which must be seen as well.

@@ -6,7 +6,7 @@
 
 namespace gouge {
 
-/// The left of a finding's page: part, tool and heads at its worst instant, `words` pointing at the place,
+/// The left of a finding's page: part, tool and heads at its worst instant, `words` pointing at the point,
 /// with triad, scale and colours.
 void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words);
 

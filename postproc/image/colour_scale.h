@@ -28,7 +28,7 @@ struct ColourScale {
   bool is_root = false;
   /// Place on the scale from 0 (depth 0) to 1 (high_mm).
   [[nodiscard]] double place(double depth_mm) const;
-  /// The depth at a place.
+  /// The depth at a point.
   [[nodiscard]] double depth_at(double place) const;
   [[nodiscard]] Colour at(double depth_mm) const;
 };

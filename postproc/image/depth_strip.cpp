@@ -70,7 +70,7 @@ class Strip {
 
   // Stretches of one state as one box, so that no seams show between columns.
   template <class Flag>
-  void draw_stretches(Page& page, const Flag& has_flag, const Colour& fill) const {
+  void draw_sections(Page& page, const Flag& has_flag, const Colour& fill) const {
     for (std::size_t i = 0; i < columns_.size();) {
       std::size_t j = i;
       while (j < columns_.size() && has_flag(columns_[j])) ++j;
@@ -84,11 +84,11 @@ class Strip {
   }
 
   void draw_states(Page& page) const {
-    draw_stretches(
+    draw_sections(
         page, [](const Column& c) { return c.is_not_checked; }, kNotCheckedFill);
-    draw_stretches(
+    draw_sections(
         page, [](const Column& c) { return c.is_not_certified; }, kNotCertifiedFill);
-    draw_stretches(
+    draw_sections(
         page, [](const Column& c) { return c.is_buried; }, kBuriedFill);
   }
 

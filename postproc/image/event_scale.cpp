@@ -22,7 +22,7 @@ double body_radius(const CompiledTool& tool, Body body) {
 
 }  // namespace
 
-const ToolForms& forms_of(const PictureSet& set, const PictureEvent& event) {
+const ToolVariants& variants_of(const PictureSet& set, const PictureEvent& event) {
   return *set.input.tools[event.event.tool];
 }
 
@@ -30,7 +30,7 @@ double tool_size_mm(const PictureSet& set, const PictureEvent& event) {
   const Vec3 d = event.at - event.pose.tip;
   const double from_axis = (d - event.pose.axis * d.dot(event.pose.axis)).norm();
   return std::max(
-      {body_radius(forms_of(set, event).bare, event.event.body), from_axis, 1.3 * event.depth_mm});
+      {body_radius(variants_of(set, event).bare, event.event.body), from_axis, 1.3 * event.depth_mm});
 }
 
 double part_size_mm(const PictureSet& set) {

@@ -7,7 +7,7 @@
 namespace gouge {
 
 /// The tool of a finding.
-[[nodiscard]] const ToolForms& forms_of(const PictureSet& set, const PictureEvent& event);
+[[nodiscard]] const ToolVariants& variants_of(const PictureSet& set, const PictureEvent& event);
 
 /// Of a gouge of the tool: the radius of the body that gouges, or more when it is reached deep inside.
 [[nodiscard]] double tool_size_mm(const PictureSet& set, const PictureEvent& event);

@@ -35,7 +35,7 @@ void add_depth_arrow(Page& page, const SectionPanel& panel, const SectionPlane& 
   page.disc(from, 3.2, kAlarm);
   const double width = text_width(words, 18, true) + 20;
   const Vec2 middle = 0.5 * (from + to);
-  // A head gives way in any direction, also across.
+  // A head moves away in any direction, also across.
   const double gap = event.head ? 26 + 0.5 * std::abs(to.x() - from.x()) : 26;
   const bool is_right = middle.x() + gap + 4 + width < panel.area.right() - 8;
   const Area box{is_right ? middle.x() + gap : middle.x() - gap - width, middle.y() - 15, width, 30};
@@ -61,9 +61,9 @@ bool has_inside(const PictureSet& set) {
 
 // The section with the heads in it.
 Section cut(const PictureSet& set, const PictureEvent& event, double size_mm) {
-  std::optional<Vec3> way;
-  if (event.head && event.has_witness) way = event.witness.normal;
-  Section section = make_section(*set.input.scene, event.pose, event.at, size_mm, way);
+  std::optional<Vec3> way_out;
+  if (event.head && event.has_witness) way_out = event.witness.normal;
+  Section section = make_section(*set.input.scene, event.pose, event.at, size_mm, way_out);
   section.heads = cut_heads(set.input.heads, event.heads, section.plane);
   return section;
 }
@@ -85,7 +85,7 @@ SectionPanel head_panel(const PictureSet& set, const PictureEvent& event, const 
   for (const std::vector<SectionLine>& head : section.heads) take(head);
   if (!event.has_witness) {
     take(section.lines);
-    const CompiledTool& bare = forms_of(set, event).bare;
+    const CompiledTool& bare = variants_of(set, event).bare;
     take({{Vec2(-bare.r_max_mm, bare.z_min_mm), Vec2(bare.r_max_mm, bare.z_max_mm)}});
   }
   return {area, Vec2(at + extent.middle()), extent.mm_per_unit(area.width, area.height)};
@@ -98,7 +98,7 @@ SectionPanel buried_tool_panel(const CompiledTool& bare, const Area& area) {
 }
 
 void add_buried_section(Page& page, const PictureSet& set, const PictureEvent& event) {
-  const CompiledTool& bare = forms_of(set, event).bare;
+  const CompiledTool& bare = variants_of(set, event).bare;
   const Area area{kWhole.x, kWhole.y, kWhole.width, kDetail.bottom() - kWhole.y};
   const Section section = cut(set, event, tool_size_mm(set, event));
   page.text({area.x, area.y - 10},
@@ -135,9 +135,9 @@ void frame_detail(Page& page, const SectionPanel& whole, const SectionPanel& det
 
 void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words) {
   if (!event.has_witness) return add_buried_section(page, set, event);
-  const ToolForms& forms = forms_of(set, event);
+  const ToolVariants& variants = variants_of(set, event);
   const CompiledTool& checked =
-      event.event.against == Against::part ? forms.against_part : forms.against_fixture;
+      event.event.against == Against::part ? variants.against_part : variants.against_fixture;
   const Section section = cut(set, event, tool_size_mm(set, event));
   const SectionPlane& plane = section.plane;
   const LengthUnit unit = set.model.toolpath->unit;
@@ -155,10 +155,10 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
   const std::string title = whole_title(set, plane);
   page.text({kWhole.x, kWhole.y - 10}, title, fitting_size(title, 15, kWhole.width, true), kInk,
             TextAnchor::left, true);
-  draw_section(page, whole, section, has_inside(set), forms.bare, checked);
+  draw_section(page, whole, section, has_inside(set), variants.bare, checked);
   frame_detail(page, whole, detail);
-  page.text({kDetail.x, kDetail.y - 10}, "The framed place enlarged", 15, kInk, TextAnchor::left, true);
-  draw_section(page, detail, section, has_inside(set), forms.bare, checked);
+  page.text({kDetail.x, kDetail.y - 10}, "The framed region enlarged", 15, kInk, TextAnchor::left, true);
+  draw_section(page, detail, section, has_inside(set), variants.bare, checked);
   add_depth_arrow(page, detail, plane, event, words);
   add_panel_scale(page, detail, unit);
   page.frame(kDetail, kSoftInk, 1);

@@ -25,7 +25,7 @@ constexpr double kBoxAdvance = 0.6, kBoxSide = 0.05, kBoxHeight = 0.73,
 
 // A character without a glyph that takes no room shows nothing: marks that choose a variant of the one
 // before.
-bool takes_no_room(std::string_view text, std::size_t at, const CodePoint& c) {
+bool takes_no_width(std::string_view text, std::size_t at, const CodePoint& c) {
   return display_width(text.substr(at, c.bytes)) == 0;
 }
 
@@ -131,7 +131,7 @@ class Font::Files {
         if (face == before) x += kerning(face, glyph_before, glyph);
         place(face, glyph, x);
         x += advance(face, glyph);
-      } else if (!takes_no_room(text, at, c)) {
+      } else if (!takes_no_width(text, at, c)) {
         place(face, glyph, x);
         x += kBoxAdvance;
       }
@@ -224,7 +224,7 @@ Diagnostics find_missing_letters(const std::vector<std::string>& texts, const Fo
     for (std::size_t at = 0; at < text.size();) {
       const CodePoint c = decode_utf8(text, at).value_or(CodePoint{});
       const bool is_new =
-          !font.has_letter(c.value) && !takes_no_room(text, at, c) && missing.insert(c.value).second;
+          !font.has_letter(c.value) && !takes_no_width(text, at, c) && missing.insert(c.value).second;
       if (is_new && missing.size() <= kShown) shown += text.substr(at, c.bytes);
       at += c.bytes;
     }

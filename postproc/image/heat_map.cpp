@@ -101,15 +101,15 @@ void add_path_key(Page& page, const PictureSet& set, double x, double y) {
     }
     y += 12;
   };
-  entry(kCheckedWay, {"way of the tip", "while it cuts:", "checked"});
-  if (n.not_checked + n.not_certified > 0) entry(kUncheckedWay, {"not checked", "or not certified"});
+  entry(kCheckedPath, {"path of the tip", "while it cuts:", "checked"});
+  if (n.not_checked + n.not_certified > 0) entry(kUncheckedPath, {"not checked", "or not certified"});
   if (!set.model.closeness) return;
   const Closeness& c = *set.model.closeness;
   const LengthUnit unit = set.model.toolpath->unit;
   y += 18;
   for (const std::string& words :
        {std::string("Distance from the part"), "at " + std::to_string(c.positions) + " cutting positions:",
-        "nearest seen: " + closeness_words(c.nearest_mm, unit), "half of them " + closeness_words(c.median_mm, unit)}) {
+        "closest approach: " + closeness_words(c.nearest_mm, unit), "half of them " + closeness_words(c.median_mm, unit)}) {
     page.text({x, y}, words, fitting_size(words, 14, kPageWidth - 16 - x), kSoftInk);
     y += 19;
   }

@@ -31,7 +31,7 @@ class Overlay {
     for (int y = 0; y < raster.height; ++y) {
       for (int x = 0; x < raster.width; ++x) {
         const std::uint8_t mark = marks_[buffer_.index(x, y)];
-        if (mark != kNothing) blend_pixel(raster, x, y, mark == kChecked ? kCheckedWay : kUncheckedWay, kOpacity);
+        if (mark != kNothing) blend_pixel(raster, x, y, mark == kChecked ? kCheckedPath : kUncheckedPath, kOpacity);
       }
     }
   }

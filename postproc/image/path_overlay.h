@@ -8,8 +8,8 @@
 
 namespace gouge {
 
-inline constexpr Colour kCheckedWay{24, 96, 186, 1};
-inline constexpr Colour kUncheckedWay{206, 118, 8, 1};
+inline constexpr Colour kCheckedPath{24, 96, 186, 1};
+inline constexpr Colour kUncheckedPath{206, 118, 8, 1};
 
 /// Draws where the tip goes while it cuts over a shaded surface, as far as the surface does not hide it: moves that were
 /// checked in one colour, those that were not in the other. Where moves lie side by side the surface they cover is

@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// The way of the tool's tip seen from above, from the front and askew, each kind of move in its colour, with
+/// The path of the tool's tip seen from above, from the front and askew, each kind of move in its colour, with
 /// the tool axis at some positions. Arcs are drawn round; what nothing leads to is not joined. What cannot be seen of
 /// a dense path is left out (thin_lines.h), so that a million moves make a few megabytes.
 [[nodiscard]] Drawing draw_path(const Toolpath& path);

@@ -9,7 +9,7 @@
 #include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"
 #include "lib/mesh/winding.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
@@ -33,7 +33,7 @@ std::size_t gouging_head(std::span<const HeadBody> heads, const Vec3& witness_to
   std::size_t best = 0;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t h = 0; h < heads.size(); ++h) {
-    const double distance = nearest_foot(heads[h].surface, witness_tool)->signed_mm();
+    const double distance = closest_point(heads[h].surface, witness_tool)->signed_mm();
     if (distance >= least) continue;
     least = distance;
     best = h;
@@ -94,11 +94,11 @@ std::vector<PictureEvent> worst_events(const CheckedToolpath& input, std::size_t
   for (const Event& event : events) {
     PictureEvent one = picture_event(input, event);
     one.depth_mm = std::max(0.0, depth_of(event));
-    const bool is_told = std::any_of(out.begin(), out.end(), [&](const PictureEvent& other) {
+    const bool is_reported = std::any_of(out.begin(), out.end(), [&](const PictureEvent& other) {
       return other.event.state == event.state && other.event.tool == event.tool &&
              other.event.body == event.body && (other.at - one.at).norm() < apart_mm;
     });
-    if (is_told || out.size() >= most) continue;
+    if (is_reported || out.size() >= most) continue;
     one.number = static_cast<int>(out.size()) + 1;
     out.push_back(one);
   }

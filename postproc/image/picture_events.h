@@ -16,7 +16,7 @@ struct PictureEvent {
   RigidTransform heads;             ///< from the tool's frame: where the heads are then
   std::optional<std::size_t> head;  ///< the head that gouges or is buried; none where the tool does
   Vec3 at =
-      Vec3::Zero();  ///< witness; of what is buried a place inside: the middle of the cutter, a head's core
+      Vec3::Zero();  ///< witness; of what is buried a point inside: the middle of the cutter, a head's core
   bool has_witness = false;  ///< what is buried has none
   Witness witness;
   double depth_mm = 0;

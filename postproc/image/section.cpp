@@ -7,7 +7,7 @@
 namespace gouge {
 namespace {
 
-// Beyond this sine of its angle to the plane through the axis a way would end off the outline in it.
+// Beyond this sine of its angle to the plane through the axis a direction would end off the outline in it.
 constexpr double kInPlane = 0.05;
 
 void cut_mesh(const IndexedMesh& mesh, const RigidTransform& to_part, const SectionPlane& plane,
@@ -47,12 +47,12 @@ std::vector<Vec3> around(const Vec3& axis) {
 
 // The planes that a section may be cut in, through the point and along the axis.
 std::vector<SectionPlane> planes(const Pose& pose, const Vec3& point_part, double size_mm,
-                                 const std::optional<Vec3>& way) {
+                                 const std::optional<Vec3>& way_out) {
   const Vec3 d = point_part - pose.tip;
   const Vec3 across = d - pose.axis * d.dot(pose.axis);
   const bool is_on_axis = across.norm() < 1e-6 * size_mm;
   const Vec3 u = is_on_axis ? pose.axis : Vec3(across.normalized());
-  const Vec3 aside = way ? Vec3(*way - pose.axis * way->dot(pose.axis)) : Vec3(Vec3::Zero());
+  const Vec3 aside = way_out ? Vec3(*way_out - pose.axis * way_out->dot(pose.axis)) : Vec3(Vec3::Zero());
   if (aside.norm() > kInPlane && (is_on_axis || std::abs(aside.dot(pose.axis.cross(u))) > kInPlane)) {
     const Vec3 along = (aside.dot(across) < 0 ? -1.0 : 1.0) * aside.normalized();
     const double beside = d.dot(pose.axis.cross(along));
@@ -102,10 +102,10 @@ std::vector<std::vector<SectionLine>> cut_heads(std::span<const HeadBody> heads,
 }
 
 Section make_section(const Scene& scene, const Pose& pose, const Vec3& point_part, double size_mm,
-                     const std::optional<Vec3>& way) {
+                     const std::optional<Vec3>& way_out) {
   Section best;
   double most = -1;
-  for (const SectionPlane& plane : planes(pose, point_part, size_mm, way)) {
+  for (const SectionPlane& plane : planes(pose, point_part, size_mm, way_out)) {
     for (const double side : {0.0, 1e-4, -1e-4}) {
       Section one{plane, {}, {}};
       one.plane.offset_mm += side * size_mm;

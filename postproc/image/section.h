@@ -45,10 +45,10 @@ struct Section {
 /// The section through the tool's axis and a surface point, which lies on the side of positive u. A point on
 /// the axis leaves the plane open: then the one that shows most of the scene within `size_mm` of the point.
 ///
-/// Where `way` is given the section shows it, for a tool's way out lies in that plane but a head's may not:
-/// then the plane runs through the point and along the axis and the way, beside the axis. Heads are not cut.
+/// Where `way_out` is given the section shows it, for a tool's way out lies in that plane but a head's may not:
+/// then the plane runs through the point and along the axis and the direction, beside the axis. Heads are not cut.
 [[nodiscard]] Section make_section(const Scene& scene, const Pose& pose, const Vec3& point_part,
-                                   double size_mm, const std::optional<Vec3>& way = std::nullopt);
+                                   double size_mm, const std::optional<Vec3>& way_out = std::nullopt);
 
 /// The piece of a line inside a box, if any.
 [[nodiscard]] std::optional<std::array<Vec2, 2>> clipped(const Vec2& a, const Vec2& b, const Area& box);

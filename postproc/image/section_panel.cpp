@@ -18,7 +18,7 @@ void clipped_line(Page& page, const Area& box, const Vec2& a, const Vec2& b, con
   if (const auto seen = clipped(a, b, box)) page.line((*seen)[0], (*seen)[1], colour, width, dashes);
 }
 
-// Per raster row the places where an outline crosses it; an odd number tells nothing and is
+// Per raster row the points where an outline crosses it; an odd number means nothing and is
 // dropped.
 std::vector<std::vector<double>> crossings(const SectionPanel& panel, const std::vector<SectionLine>& lines,
                                            int rows) {
@@ -152,7 +152,7 @@ void draw_outline(Page& page, const SectionPanel& panel, double beside_mm, const
   }
 }
 
-bool is_grown(const CompiledTool& bare, const CompiledTool& checked) {
+bool is_offset(const CompiledTool& bare, const CompiledTool& checked) {
   return std::abs(bare.r_max_mm - checked.r_max_mm) > 1e-9 ||
          std::abs(bare.z_min_mm - checked.z_min_mm) > 1e-9 || bare.elements.size() != checked.elements.size();
 }
@@ -174,7 +174,7 @@ void draw_section(Page& page, const SectionPanel& panel, const Section& section,
   }
   const double beside = section.plane.beside_mm;
   draw_outline(page, panel, beside, bare, false);
-  if (!checked.elements.empty() && is_grown(bare, checked)) draw_outline(page, panel, beside, checked, true);
+  if (!checked.elements.empty() && is_offset(bare, checked)) draw_outline(page, panel, beside, checked, true);
   clipped_line(page, panel.area, panel.place({0, bare.z_min_mm - 1e3}), panel.place({0, bare.z_max_mm + 1e3}),
                kSoftInk, 1, {14, 4, 3, 4});
 }

@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// The surface of a buffer in a soft light, untouched places in grey and gouged ones in the colour of their
+/// The surface of a buffer in a soft light, untouched surface in grey and gouged ones in the colour of their
 /// depth (0: untouched), with sharp edges drawn faintly. `depth_mm` has one value a pixel or is empty.
 [[nodiscard]] Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer,
                            const std::vector<float>& depth_mm, const ColourScale& scale);

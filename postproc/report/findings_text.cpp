@@ -16,7 +16,7 @@ std::string line(const std::string& text) {
   return printable(text) + "\n";
 }
 
-std::string place(const ReportModel& model, std::size_t move) {
+std::string line_prefix(const ReportModel& model, std::size_t move) {
   return model.toolpath->file + ":" + std::to_string(model.toolpath->moves[move].line) + ": ";
 }
 
@@ -51,7 +51,7 @@ std::string headline(const ReportModel& model) {
     text += ", the deepest " + depth_text(result.worst_depth_mm, model.toolpath->unit) + " at line " +
             std::to_string(model.toolpath->moves[result.worst_move].line);
   }
-  // On shallow gouges both measures agree; where the tool is deeper in than it is thick, only overcut tells.
+  // On shallow gouges both measures agree; where the tool is deeper in than it is thick, only overcut shows it.
   if (result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm)
     text += ", overcut " + overcut_range_text(model);
   if (n.buried > 0) text += "; the tool is buried in " + count_text(n.buried, "move");
@@ -114,13 +114,13 @@ std::string correction_lines(const ReportModel& model) {
 std::string summary_text(const ReportModel& model) {
   std::string text = line(model.toolpath->file + bodies(model));
   text += line(headline(model));
-  for (const std::string& but : reservations(model)) text += line("but: " + but);
+  for (const std::string& reservation : reservations(model)) text += line("note: " + reservation);
   text += line("moves: " + counts_line(model.result->counts));
   const std::string overcut = overcut_gaps_text(model);
   if (!overcut.empty()) text += line("overcut: " + overcut);
-  if (model.closeness) text += line("part: " + closeness_text(model));
+  if (model.closeness) text += line("closest approach to the part: " + closeness_text(model));
   if (model.has_correction) text += correction_lines(model);
-  return text + line("promise: " + promise_text(model));
+  return text + line("guarantee: " + guarantee_text(model));
 }
 
 std::string findings_text(const ReportModel& model) {
@@ -130,10 +130,10 @@ std::string findings_text(const ReportModel& model) {
         event.state != MoveState::near_miss) {
       continue;
     }
-    text += line(place(model, event.worst_move) + event_text(model, event) + span_text(event));
+    text += line(line_prefix(model, event.worst_move) + event_text(model, event) + span_text(event));
   }
   for (const ReasonGroup& group : group_reasons(*model.result)) {
-    text += line(place(model, group.first_move) + group_text(group));
+    text += line(line_prefix(model, group.first_move) + group_text(group));
   }
   if (model.has_correction) {
     for (const UncorrectedRecord& left : model.correction.uncorrected) {

@@ -45,12 +45,12 @@ ExitCode exit_status(OverallVerdict verdict) {
   return kExitNotChecked;
 }
 
-std::string promise_text(const ReportModel& model) {
+std::string guarantee_text(const ReportModel& model) {
   const LengthUnit unit = model.toolpath->unit;
   const CheckOptions& options = model.options;
   const double limit_mm = options.tolerance_mm + options.resolution_mm;
   const std::string limit = "no gouge deeper than tolerance + resolution = " + length_text(limit_mm, unit) +
-                            " goes untold, and where none is told the tool reaches at most 3 times that into a solid";
+                            " is missed, and where none is reported the tool reaches at most 3 times that into a solid";
   const StateCounts& n = model.result->counts;
   const std::size_t left_out = n.not_checked + n.not_certified;
   const std::size_t covered = model.result->verdicts.size() - left_out;
@@ -86,21 +86,21 @@ std::string closeness_words(const std::optional<double>& distance_mm, LengthUnit
   // Rounded up: it is as near as that.
   const int decimals = facts_of(unit).decimals - 1;
   const double steps = std::pow(10, decimals);
-  const double told = std::ceil(*distance_mm / mm_per(unit) * steps - 1e-6) / steps;
-  return "within " + fixed_text(told, decimals) + " " + unit_name(unit);
+  const double reported = std::ceil(*distance_mm / mm_per(unit) * steps - 1e-6) / steps;
+  return "within " + fixed_text(reported, decimals) + " " + unit_name(unit);
 }
 
 std::string positions_looked_at(const Closeness& closeness) {
   const std::string positions = count_text(closeness.positions, "cutting position");
   if (closeness.positions == closeness.cuts) return positions;
-  return positions + " looked at (of " + std::to_string(closeness.cuts) + ")";
+  return positions + " examined (of " + std::to_string(closeness.cuts) + ")";
 }
 
 std::string closeness_text(const ReportModel& model) {
   if (!model.closeness) return {};
   const Closeness& c = *model.closeness;
   const LengthUnit unit = model.toolpath->unit;
-  return "seen nearest, the tool is " + closeness_words(c.nearest_mm, unit) + "; half of the " +
+  return closeness_words(c.nearest_mm, unit) + "; half of the " +
          positions_looked_at(c) + " are " + closeness_words(c.median_mm, unit);
 }
 

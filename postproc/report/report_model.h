@@ -24,12 +24,12 @@ namespace gouge {
 inline constexpr const char* kProgramName = "gougecheck";
 inline constexpr const char* kProgramVersion = "0.1.0";
 
-/// A file that was read, so that a reader of the report can tell which one it was.
+/// A file that was read, so that a reader of the report can see which one it was.
 struct InputFile {
   std::string role;  ///< "toolpath", "part", "fixture", "head", "tools"
   std::string name;  ///< as the user named it
   std::uint64_t bytes = 0;
-  std::string checksum;  ///< "fnv1a64:" and 16 hexadecimal digits; tells versions apart, no protection
+  std::string checksum;  ///< "fnv1a64:" and 16 hexadecimal digits; distinguishes versions, no protection
 };
 [[nodiscard]] InputFile describe_input(std::string role, std::string name, std::string_view bytes);
 
@@ -119,10 +119,10 @@ enum class OverallVerdict { clean, gouges, not_fully_checked };
 /// The exit status of `check` and `correct`.
 [[nodiscard]] ExitCode exit_status(OverallVerdict verdict);
 
-/// "no gouge deeper than tolerance + resolution = 0.011 mm goes untold, and where none is told the tool reaches at most
+/// "no gouge deeper than tolerance + resolution = 0.011 mm is missed, and where none is reported the tool reaches at most
 /// 3 times that into a solid", in the toolpath's unit, with what it
 /// does not cover when something was not checked.
-[[nodiscard]] std::string promise_text(const ReportModel& model);
+[[nodiscard]] std::string guarantee_text(const ReportModel& model);
 
 /// Code of the warning that path and parts may not belong together.
 inline constexpr const char* kSceneMisplaced = "scene-misplaced";

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kLeastTold_mm = 1e-6;
+constexpr double kLeastReported_mm = 1e-6;
 
 // Power of ten of the first digit, found by comparing so that no rounding of a logarithm enters.
 int first_digit(double value) {
@@ -37,8 +37,8 @@ std::string depth_text(double length_mm, LengthUnit unit) {
   if (!std::isfinite(value)) return "any depth";
   const int usual = unit == LengthUnit::inch ? 4 : 3;
   // Below a millionth of a millimetre it is rounding, whose digits would only look like a finding.
-  const bool is_told = length_mm >= kLeastTold_mm;
-  const int decimals = is_told ? std::clamp(1 - first_digit(value), usual, 12) : usual;
+  const bool is_reported = length_mm >= kLeastReported_mm;
+  const int decimals = is_reported ? std::clamp(1 - first_digit(value), usual, 12) : usual;
   return people_text(value, decimals, Zeros::kept) + " " + unit_name(unit);
 }
 

@@ -34,15 +34,15 @@ namespace gouge {
 [[nodiscard]] std::string tool_label(const Toolpath& toolpath, std::size_t tool);
 /// For programs: the number, else the name, else nothing.
 [[nodiscard]] std::string tool_key(const Toolpath& toolpath, std::size_t tool);
-/// Name of the mesh a witness lies on; empty when the model does not tell.
+/// Name of the mesh a witness lies on; empty when the model does not say.
 [[nodiscard]] std::string mesh_name(const ReportModel& model, const Witness& witness);
 [[nodiscard]] std::string operation_name(const Toolpath& toolpath, std::size_t operation);
 
-/// One finding without its place: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".
+/// One finding without its location: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".
 [[nodiscard]] std::string event_text(const ReportModel& model, const Event& event);
 /// " (7 moves, 118-124)", or nothing when the event is one move.
 [[nodiscard]] std::string span_text(const Event& event);
-/// One of group_reasons without its place: "not checked: <reason> (3 moves, the first is move 7)".
+/// One of group_reasons without its location: "not checked: <reason> (3 moves, the first is move 7)".
 [[nodiscard]] std::string group_text(const ReasonGroup& group);
 
 /// For XML and HTML text and attributes. Bytes that are not UTF-8 become U+FFFD, control characters blanks.

@@ -47,7 +47,7 @@ class HtmlReport {
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
            "</h1>\n" + against() + banner() + numbers() + overview() + changes() + findings() +
-           open_questions() + close_ups() + inputs() + tools() + options() + notes() + "<footer>" +
+           open_queries() + close_ups() + inputs() + tools() + options() + notes() + "<footer>" +
            kProgramName + " " + kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
   }
 
@@ -74,20 +74,20 @@ class HtmlReport {
     const std::size_t first = summary.find('\n') + 1;
     std::string headline = summary.substr(first, summary.find('\n', first) - first);
     headline.erase(0, headline.find(": ") + 2);
-    const std::string promise = promise_text(model_);
+    const std::string guarantee = guarantee_text(model_);
     return std::string("<div class=\"banner ") + verdict_name(verdict) + "\"><strong>" + word +
            "</strong><div>" + xml_escaped(headline) + "</div></div>\n" + beside_the_verdict() +
-           "<p class=\"promise\">The promise of this check: " + xml_escaped(promise) + ".</p>\n";
+           "<p class=\"promise\">The guarantee of this check: " + xml_escaped(guarantee) + ".</p>\n";
   }
 
   [[nodiscard]] std::string beside_the_verdict() const {
     std::string out;
-    for (const std::string& but : reservations(model_)) out += "<p class=\"but\">But " + xml_escaped(but) + ".</p>\n";
+    for (const std::string& reservation : reservations(model_)) out += "<p class=\"but\">Note: " + xml_escaped(reservation) + ".</p>\n";
     const std::string overcut = overcut_gaps_text(model_);
     if (!overcut.empty()) out += "<p class=\"soft\">Overcut: " + xml_escaped(overcut) + ".</p>\n";
     const std::string closeness = closeness_text(model_);
     if (closeness.empty()) return out;
-    return out + "<p class=\"soft\">Distance from the part: " + xml_escaped(closeness) + ".</p>\n";
+    return out + "<p class=\"soft\">Closest approach to the part: " + xml_escaped(closeness) + ".</p>\n";
   }
 
   [[nodiscard]] std::string numbers() const {
@@ -173,7 +173,7 @@ class HtmlReport {
     if (events.empty()) return {};
     std::string out =
         "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, in "
-        "the order of the path. Line, depth and place are those of its deepest move.</p>\n<div "
+        "the order of the path. Line, depth and position are those of its deepest move.</p>\n<div "
         "class=\"wide\"><table><thead>"
         "<tr><th>State</th><th class=\"n\">Line</th><th class=\"n\">Depth</th><th>Body</th><th>Against"
         "</th><th>At, in ";
@@ -199,7 +199,7 @@ class HtmlReport {
                      [](const Event* a, const Event* b) { return a->first_move < b->first_move; });
   }
 
-  [[nodiscard]] std::string open_questions() const {
+  [[nodiscard]] std::string open_queries() const {
     const std::vector<ReasonGroup> groups = group_reasons(*model_.result);
     const auto& words = model_.toolpath->words_not_understood;
     if (groups.empty() && words.empty()) return {};

@@ -8,7 +8,7 @@
 
 namespace gouge {
 
-/// The report as one HTML page that needs nothing beside it: verdict, promise, pictures (embedded), findings,
+/// The report as one HTML page that needs nothing beside it: verdict, guarantee, pictures (embedded), findings,
 /// the changes of a correction, what was not checked, inputs with checksums, options. Prints well on A4.
 /// Long tables show their worst rows and say how many more there are; the CSV and JSON have them all.
 /// `pictures` are PNG files named as by draw_report_pictures; event_N.png is linked from the findings.

@@ -30,7 +30,7 @@ class JsonReport {
     out["program"] = {{"name", kProgramName}, {"version", kProgramVersion}};
     out["verdict"] = verdict_name(verdict);
     out["exit_status"] = static_cast<int>(exit_status(verdict));
-    out["promise"] = promise_text(model_);
+    out["promise"] = guarantee_text(model_);
     out["unit"] = unit_name(unit_);
     out["inputs"] = inputs();
     out["options"] = options();

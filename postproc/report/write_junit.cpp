@@ -103,7 +103,7 @@ std::string seconds_text(double seconds) {
 // Build servers show it, but it fails no test.
 std::string beside_the_verdict(const ReportModel& model) {
   std::string text;
-  for (const std::string& but : reservations(model)) text += "but: " + xml_escaped(but) + "\n";
+  for (const std::string& reservation : reservations(model)) text += "note: " + xml_escaped(reservation) + "\n";
   for (const Diagnostic& note : model.notes) {
     if (note.severity == Severity::warning) text += xml_escaped(to_text(note)) + "\n";
   }

@@ -51,12 +51,12 @@ const std::vector<SourceFile>& repository() {
   return kFiles;
 }
 
-std::vector<Room> rooms() {
-  std::vector<Room> all;
+std::vector<Module> modules() {
+  std::vector<Module> all;
   for (const SourceFile& file : repository()) {
     if (file.path.rfind("tests/", 0) == 0 || file.path == "CMakeLists.txt") continue;
     if (fs::path(file.path).filename() != "CMakeLists.txt") continue;
-    for (Room& room : rooms_of(file.text)) all.push_back(std::move(room));
+    for (Module& room : modules_of(file.text)) all.push_back(std::move(room));
   }
   return all;
 }
@@ -67,13 +67,13 @@ std::string listed(const Complaints& complaints) {
   return out;
 }
 
-TEST(Repository, HasSourcesAndRooms) {
+TEST(Repository, HasSourcesAndModules) {
   EXPECT_GT(repository().size(), 100U);
-  EXPECT_GT(rooms().size(), 10U);
+  EXPECT_GT(modules().size(), 10U);
 }
 
-TEST(Repository, EverySourceBelowCliLiesInARoom) {
-  const std::vector<Room> all = rooms();
+TEST(Repository, EverySourceBelowCliLiesInAModule) {
+  const std::vector<Module> all = modules();
   for (const SourceFile& file : repository()) {
     const std::string folder = fs::path(file.path).parent_path().generic_string();
     const std::string top = file.path.substr(0, file.path.find('/'));
@@ -81,22 +81,22 @@ TEST(Repository, EverySourceBelowCliLiesInARoom) {
     if ((top != "lib" && top != "toolmodels" && top != "postproc") ||
         (extension != ".h" && extension != ".cpp"))
       continue;
-    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Room& room) { return room.path == folder; }))
+    EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Module& room) { return room.path == folder; }))
         << file.path;
   }
 }
 
-TEST(Repository, RoomsImportOneWay) {
-  EXPECT_EQ(listed(check_rooms(rooms())), "");
+TEST(Repository, ModulesImportOneWay) {
+  EXPECT_EQ(listed(check_modules(modules())), "");
 }
 TEST(Repository, IncludesKeepToTheImports) {
-  EXPECT_EQ(listed(check_includes(repository(), rooms())), "");
+  EXPECT_EQ(listed(check_includes(repository(), modules())), "");
 }
 TEST(Repository, PartsOfAVerdictAreClosedToAllWhoCouldForgetTheOthers) {
   std::size_t closed = 0;
-  for (const Room& room : rooms()) closed += room.closed.size();
+  for (const Module& room : modules()) closed += room.closed.size();
   EXPECT_GE(closed, 5U);
-  EXPECT_EQ(listed(check_closed_headers(repository(), rooms())), "");
+  EXPECT_EQ(listed(check_closed_headers(repository(), modules())), "");
 }
 TEST(Repository, CgalAndOpenCvStayInOneSourceEach) {
   EXPECT_EQ(listed(check_heavy_libraries(repository())), "");

@@ -7,72 +7,72 @@
 namespace gouge::architecture {
 namespace {
 
-Room room(const std::string& path, const std::vector<std::string>& imports) {
+Module room(const std::string& path, const std::vector<std::string>& imports) {
   return {path, imports, {}, {}};
 }
 
-const std::vector<Room> kRooms = {room("lib/base", {}),
+const std::vector<Module> kModules = {room("lib/base", {}),
                                   room("lib/mesh", {"lib/base"}),
                                   room("lib/check", {"lib/base", "lib/mesh"}),
                                   room("toolmodels", {"lib/base"}),
                                   room("postproc/report", {"lib/base", "lib/check"}),
                                   room("cli", {"lib/base", "toolmodels", "postproc/report"})};
 
-TEST(Rooms, AreReadFromCMakeCalls) {
-  const auto rooms =
-      rooms_of("gouge_room(lib/mesh\n  SOURCES a.cpp\n  IMPORTS lib/base lib/geom\n  LIBRARIES X::y)\n");
-  ASSERT_EQ(rooms.size(), 1U);
-  EXPECT_EQ(rooms[0].path, "lib/mesh");
-  EXPECT_EQ(rooms[0].imports, (std::vector<std::string>{"lib/base", "lib/geom"}));
+TEST(Modules, AreReadFromCMakeCalls) {
+  const auto modules =
+      modules_of("gouge_module(lib/mesh\n  SOURCES a.cpp\n  IMPORTS lib/base lib/geom\n  LIBRARIES X::y)\n");
+  ASSERT_EQ(modules.size(), 1U);
+  EXPECT_EQ(modules[0].path, "lib/mesh");
+  EXPECT_EQ(modules[0].imports, (std::vector<std::string>{"lib/base", "lib/geom"}));
 }
 
-TEST(Rooms, OneWayImportsAreAccepted) {
-  EXPECT_EQ(check_rooms(kRooms), Complaints{});
+TEST(Modules, OneWayImportsAreAccepted) {
+  EXPECT_EQ(check_modules(kModules), Complaints{});
 }
 
-TEST(Rooms, UpwardSidewaysUnknownAndCircularImportsAreRefused) {
-  EXPECT_EQ(check_rooms({room("lib/base", {"toolmodels"}), room("toolmodels", {})}),
+TEST(Modules, UpwardSidewaysUnknownAndCircularImportsAreRefused) {
+  EXPECT_EQ(check_modules({room("lib/base", {"toolmodels"}), room("toolmodels", {})}),
             (Complaints{"lib/base: imports toolmodels, which does not lie below it"}));
-  EXPECT_EQ(check_rooms({room("toolmodels", {"postproc/report"}), room("postproc/report", {})}),
+  EXPECT_EQ(check_modules({room("toolmodels", {"postproc/report"}), room("postproc/report", {})}),
             (Complaints{"toolmodels: imports postproc/report, which does not lie below it"}));
-  EXPECT_EQ(check_rooms({room("cli", {"samples"}), room("samples", {})}),
+  EXPECT_EQ(check_modules({room("cli", {"samples"}), room("samples", {})}),
             (Complaints{"cli: imports samples, which does not lie below it"}));
-  EXPECT_EQ(check_rooms({room("cli", {"lib/nowhere"})}),
-            (Complaints{"cli: imports lib/nowhere, which is no room"}));
+  EXPECT_EQ(check_modules({room("cli", {"lib/nowhere"})}),
+            (Complaints{"cli: imports lib/nowhere, which is no module"}));
   EXPECT_EQ(
-      check_rooms({room("lib/a", {"lib/b"}), room("lib/b", {"lib/a"}), room("lib/c", {})}),
+      check_modules({room("lib/a", {"lib/b"}), room("lib/b", {"lib/a"}), room("lib/c", {})}),
       (Complaints{"lib/a: imports itself through other rooms", "lib/b: imports itself through other rooms"}));
 }
 
-TEST(Includes, OfImportedRoomsAndOfTheOwnRoomAreAccepted) {
+TEST(Includes, OfImportedModulesAndOfTheOwnModuleAreAccepted) {
   EXPECT_EQ(check_includes({{"lib/check/a.cpp",
                              "#include \"lib/check/a.h\"\n#include <vector>\n"
                              "#include \"lib/mesh/m.h\"\n"}},
-                           kRooms),
+                           kModules),
             Complaints{});
 }
 
-TEST(Includes, OfOtherRoomsAreRefusedWithTheirLine) {
+TEST(Includes, OfOtherModulesAreRefusedWithTheirLine) {
   EXPECT_EQ(
-      check_includes({{"lib/mesh/m.h", "#pragma once\n#  include \"lib/check/verdict.h\"\n"}}, kRooms),
+      check_includes({{"lib/mesh/m.h", "#pragma once\n#  include \"lib/check/verdict.h\"\n"}}, kModules),
       (Complaints{"lib/mesh/m.h:2: includes lib/check/verdict.h, but lib/mesh does not import lib/check"}));
-  EXPECT_EQ(check_includes({{"toolmodels/t.cpp", "#include \"t.h\"\n"}}, kRooms),
-            (Complaints{"toolmodels/t.cpp:1: includes t.h, which lies in no room"}));
+  EXPECT_EQ(check_includes({{"toolmodels/t.cpp", "#include \"t.h\"\n"}}, kModules),
+            (Complaints{"toolmodels/t.cpp:1: includes t.h, which lies in no module"}));
 }
 
 TEST(ClosedHeaders, AreForTheirRoomForThoseItNamesAndForTheirTests) {
-  const std::vector<Room> rooms = {rooms_of("gouge_room(lib/a HEADERS a.h CLOSED part.h CLOSED_FOR lib/all)\n")[0],
+  const std::vector<Module> modules = {modules_of("gouge_module(lib/a HEADERS a.h CLOSED part.h CLOSED_FOR lib/all)\n")[0],
                                    room("lib/all", {"lib/a"}), room("lib/other", {"lib/a"}), room("cli", {"lib/a"})};
   const std::string text = "#include \"lib/a/part.h\"\n#include \"lib/a/a.h\"\n";
   for (const char* allowed : {"lib/a/a.cpp", "lib/all/x.h", "tests/lib/a/t.cpp", "tests/lib/all/t.cpp", "tests/bench/b.cpp"})
-    EXPECT_EQ(check_closed_headers({{allowed, text}}, rooms), Complaints{}) << allowed;
+    EXPECT_EQ(check_closed_headers({{allowed, text}}, modules), Complaints{}) << allowed;
   for (const std::string refused : {"lib/other/o.h", "cli/c.cpp", "tests/laws/l.cpp", "tests/lib/other/t.cpp", "tests/support/s.h"}) {
-    EXPECT_EQ(check_closed_headers({{refused, text}}, rooms),
+    EXPECT_EQ(check_closed_headers({{refused, text}}, modules),
               (Complaints{refused + ":1: includes lib/a/part.h, which lib/a keeps closed"}));
   }
 }
 
-TEST(HeavyLibraries, StayInOneSourceOfTheirRoom) {
+TEST(HeavyLibraries, StayInOneSourceOfTheirModule) {
   EXPECT_EQ(check_heavy_libraries({{"lib/validate/v.cpp", "#include <CGAL/Surface_mesh.h>\n"},
                                    {"postproc/image/c.cpp", "#include <opencv2/core.hpp>\n"}}),
             Complaints{});

@@ -24,10 +24,10 @@ bool is_below_cli(const std::string& path) {
   return starts_with(path, "lib/") || starts_with(path, "toolmodels/") || starts_with(path, "postproc/");
 }
 
-/// The room a path lies in, or null.
-const Room* room_of(const std::string& path, const std::vector<Room>& rooms) {
-  const Room* found = nullptr;
-  for (const Room& room : rooms) {
+/// The module a path lies in, or null.
+const Module* module_of(const std::string& path, const std::vector<Module>& modules) {
+  const Module* found = nullptr;
+  for (const Module& room : modules) {
     if (starts_with(path, room.path + "/") && (found == nullptr || room.path.size() > found->path.size())) {
       found = &room;
     }
@@ -46,9 +46,9 @@ bool may_import(const std::string& from, const std::string& to) {
   return above == below && above != "lib" && above != "samples";
 }
 
-void check_circles(const std::vector<Room>& rooms, Complaints& complaints) {
+void check_circles(const std::vector<Module>& modules, Complaints& complaints) {
   std::map<std::string, std::set<std::string>> open;
-  for (const Room& room : rooms) open[room.path] = {room.imports.begin(), room.imports.end()};
+  for (const Module& room : modules) open[room.path] = {room.imports.begin(), room.imports.end()};
   for (bool removed = true; removed;) {
     removed = false;
     for (auto it = open.begin(); it != open.end();) {
@@ -68,34 +68,34 @@ void complain(Complaints& complaints, const SourceFile& file, std::size_t line, 
 
 }  // namespace
 
-Complaints check_rooms(const std::vector<Room>& rooms) {
+Complaints check_modules(const std::vector<Module>& modules) {
   Complaints complaints;
   std::set<std::string> names;
-  for (const Room& room : rooms) names.insert(room.path);
-  for (const Room& room : rooms) {
+  for (const Module& room : modules) names.insert(room.path);
+  for (const Module& room : modules) {
     for (const std::string& import : room.imports) {
       if (names.count(import) == 0) {
-        complaints.push_back(room.path + ": imports " + import + ", which is no room");
+        complaints.push_back(room.path + ": imports " + import + ", which is no module");
       } else if (!may_import(room.path, import)) {
         complaints.push_back(room.path + ": imports " + import + ", which does not lie below it");
       }
     }
   }
-  check_circles(rooms, complaints);
+  check_circles(modules, complaints);
   return complaints;
 }
 
-Complaints check_includes(const std::vector<SourceFile>& files, const std::vector<Room>& rooms) {
+Complaints check_includes(const std::vector<SourceFile>& files, const std::vector<Module>& modules) {
   Complaints complaints;
   for (const SourceFile& file : files) {
-    const Room* own = room_of(file.path, rooms);
+    const Module* own = module_of(file.path, modules);
     if (!is_code(file.path) || own == nullptr) continue;
     for (const Include& include : includes_of(file.text)) {
       if (!include.is_quoted) continue;
-      const Room* target = room_of(include.target, rooms);
+      const Module* target = module_of(include.target, modules);
       if (target == own) continue;
       if (target == nullptr) {
-        complain(complaints, file, include.line, "includes " + include.target + ", which lies in no room");
+        complain(complaints, file, include.line, "includes " + include.target + ", which lies in no module");
       } else if (std::find(own->imports.begin(), own->imports.end(), target->path) == own->imports.end()) {
         complain(complaints, file, include.line,
                  "includes " + include.target + ", but " + own->path + " does not import " + target->path);
@@ -105,14 +105,14 @@ Complaints check_includes(const std::vector<SourceFile>& files, const std::vecto
   return complaints;
 }
 
-Complaints check_closed_headers(const std::vector<SourceFile>& files, const std::vector<Room>& rooms) {
+Complaints check_closed_headers(const std::vector<SourceFile>& files, const std::vector<Module>& modules) {
   Complaints complaints;
   for (const SourceFile& file : files) {
     if (!is_code(file.path) || starts_with(file.path, "tests/bench/")) continue;
     const bool is_test = starts_with(file.path, "tests/");
-    const Room* own = room_of(is_test ? file.path.substr(6) : file.path, rooms);
+    const Module* own = module_of(is_test ? file.path.substr(6) : file.path, modules);
     for (const Include& include : includes_of(file.text)) {
-      const Room* target = include.is_quoted ? room_of(include.target, rooms) : nullptr;
+      const Module* target = include.is_quoted ? module_of(include.target, modules) : nullptr;
       if (target == nullptr || target == own) continue;
       const std::string name = include.target.substr(target->path.size() + 1);
       const auto has = [](const std::vector<std::string>& all, const std::string& one) {

@@ -6,22 +6,22 @@
 #include "tests/architecture/source_text.h"
 
 // The rules of the house as functions: files in, complaints out ("path:line: what is wrong"); no complaints,
-// no violation. docs/layout.md tells the rules in prose.
+// no violation. docs/layout.md states the rules in prose.
 
 namespace gouge::architecture {
 
 using Complaints = std::vector<std::string>;
 
 /// Rooms import one way: no circles; lib imports only lib; toolmodels and postproc do not know each other;
-/// nobody imports cli or samples; every import is a room.
-[[nodiscard]] Complaints check_rooms(const std::vector<Room>& rooms);
+/// nobody imports cli or samples; every import is a module.
+[[nodiscard]] Complaints check_modules(const std::vector<Module>& modules);
 
-/// Every quoted #include of a file in a room names a file of that room or of one it imports.
-[[nodiscard]] Complaints check_includes(const std::vector<SourceFile>& files, const std::vector<Room>& rooms);
+/// Every quoted #include of a file in a module names a file of that module or of one it imports.
+[[nodiscard]] Complaints check_includes(const std::vector<SourceFile>& files, const std::vector<Module>& modules);
 
-/// A header that its room keeps closed is included by that room, by those it names, and by their tests alone. The
+/// A header that its module keeps closed is included by that module, by those it names, and by their tests alone. The
 /// benchmarks, which time single parts, may.
-[[nodiscard]] Complaints check_closed_headers(const std::vector<SourceFile>& files, const std::vector<Room>& rooms);
+[[nodiscard]] Complaints check_closed_headers(const std::vector<SourceFile>& files, const std::vector<Module>& modules);
 
 /// CGAL stays in one source of lib/validate, OpenCV in one source of postproc/image.
 [[nodiscard]] Complaints check_heavy_libraries(const std::vector<SourceFile>& files);

@@ -156,13 +156,13 @@ std::vector<std::string> quoted_paths_of(std::string_view markdown) {
   return paths;
 }
 
-std::vector<Room> rooms_of(std::string_view cmake_text) {
-  std::vector<Room> rooms;
-  const std::string_view call = "gouge_room(";
+std::vector<Module> modules_of(std::string_view cmake_text) {
+  std::vector<Module> modules;
+  const std::string_view call = "gouge_module(";
   for (std::size_t i = cmake_text.find(call); i != std::string_view::npos; i = cmake_text.find(call, i + 1)) {
     const std::size_t end = std::min(cmake_text.find(')', i), cmake_text.size());
     std::istringstream words{std::string(cmake_text.substr(i + call.size(), end - i - call.size()))};
-    Room room;
+    Module room;
     words >> room.path;
     std::string keyword;
     for (std::string word; words >> word;) {
@@ -177,9 +177,9 @@ std::vector<Room> rooms_of(std::string_view cmake_text) {
         room.closed_for.push_back(word);
       }
     }
-    rooms.push_back(room);
+    modules.push_back(room);
   }
-  return rooms;
+  return modules;
 }
 
 }  // namespace gouge::architecture

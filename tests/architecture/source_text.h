@@ -21,11 +21,11 @@ struct Include {
   bool is_quoted = false;
 };
 
-/// One gouge_room(...) call.
-struct Room {
+/// One gouge_module(...) call.
+struct Module {
   std::string path;
   std::vector<std::string> imports;
-  std::vector<std::string> closed;      ///< headers that only the rooms of `closed_for` may include besides itself
+  std::vector<std::string> closed;      ///< headers that only the modules of `closed_for` may include besides itself
   std::vector<std::string> closed_for;
 };
 
@@ -52,6 +52,6 @@ struct Room {
 /// Words in back quotes that have the form of a path below one of the repository's folders.
 [[nodiscard]] std::vector<std::string> quoted_paths_of(std::string_view markdown);
 
-[[nodiscard]] std::vector<Room> rooms_of(std::string_view cmake_text);
+[[nodiscard]] std::vector<Module> modules_of(std::string_view cmake_text);
 
 }  // namespace gouge::architecture

@@ -40,7 +40,7 @@ void time_path(const std::string& label, const Toolpath& path, const Workload& w
   CheckResult result;
   for (int k = 0; k < repeat; ++k) {
     const auto start = std::chrono::steady_clock::now();
-    result = check_path(path, {&work.tool.forms}, scene, options);
+    result = check_path(path, {&work.tool.variants}, scene, options);
     summarise(path, result);
     times.push_back(seconds_since(start));
   }

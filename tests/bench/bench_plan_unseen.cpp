@@ -41,9 +41,9 @@ CurvePoint curve(double u) {
   c.forward = Vec2(-std::sin(turn), std::cos(turn));
   c.lead_deg = 11 + 7 * std::sin(3 * turn + 0.2 * r);
   c.tilt_deg = 10 * std::sin(2 * turn + 1) * std::cos(0.15 * r);
-  const auto stretch = static_cast<std::size_t>(u / 2000);
-  const double in_stretch = u - 2000 * static_cast<double>(stretch);
-  if (in_stretch > 1750 && in_stretch < 1950) c.lift_mm = kLifts_mm[stretch % kLifts_mm.size()];
+  const auto segment = static_cast<std::size_t>(u / 2000);
+  const double in_stretch = u - 2000 * static_cast<double>(segment);
+  if (in_stretch > 1750 && in_stretch < 1950) c.lift_mm = kLifts_mm[segment % kLifts_mm.size()];
   const auto dive = static_cast<std::size_t>(u / 800);
   c.dip_mm = c.lift_mm > 0 ? 0
                            : kDips_mm[dive % kDips_mm.size()] *

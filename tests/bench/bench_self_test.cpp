@@ -19,7 +19,7 @@ std::vector<PartPlan> plans() {
 TEST(BenchTools, AreTheSameSolidInBothDescriptions) {
   for (const PartPlan& plan : plans()) {
     for (const BenchTool& tool : plan.tools) {
-      const CompiledTool& compiled = tool.forms.bare;
+      const CompiledTool& compiled = tool.variants.bare;
       for (double z = -3; z < compiled.z_max_mm - 20; z += 0.37) {
         for (double r = 0; r < 1.5 * compiled.r_max_mm; r += 0.29) {
           const Vec3 p(r, 0, z);
@@ -80,7 +80,7 @@ TEST(BenchTruth, IsTheDepthOfTheSlowReference) {
       const PlacedPose& p = work.positions[gouging[k * gouging.size() / 6]];
       const double accuracy = 5e-3, closest = std::min(p.lower_mm, p.holder_mm);
       const double depth =
-          brute_force_depth(Motion(p.pose), work.tool.forms, work.scene, 0, accuracy).depth_mm;
+          brute_force_depth(Motion(p.pose), work.tool.variants, work.scene, 0, accuracy).depth_mm;
       EXPECT_LE(depth, -closest + 1e-5) << "pose " << k;
       EXPECT_GE(depth, -closest - accuracy) << "pose " << k;
     }

@@ -9,7 +9,7 @@
 #include <vector>
 
 // Reads what the measuring programs wrote (Google Benchmark's JSON) and prints the table of ratios, then the
-// times and wrong answers behind them.   bench_table FILE.json...
+// times and wrong results behind them.   bench_table FILE.json...
 
 namespace {
 

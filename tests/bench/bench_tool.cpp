@@ -19,7 +19,7 @@ BenchTool make(const std::string& name, const Cutter& cutter, double shank_mm, c
   tool.assembly.cutter = cutter;
   if (shank_mm > 0) tool.assembly.shank = {{shank_mm, shank_mm, holder.z0_mm - kFlutes_mm}};
   tool.assembly.holder = {{holder.diameter_mm, holder.diameter_mm, holder.z1_mm - holder.z0_mm}};
-  tool.forms = make_tool_forms(tool.assembly, 0, 0, 0).value();
+  tool.variants = make_tool_variants(tool.assembly, 0, 0, 0).value();
   tool.lower = lower;
   const double r = holder.diameter_mm / 2;
   tool.holder.contour = {{0, holder.z0_mm}, {r, holder.z0_mm}, {r, holder.z1_mm}, {0, holder.z1_mm}};

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lib/tool/tool_forms.h"
+#include "lib/tool/tool_variants.h"
 #include "tests/bench/convex_piece.h"
 #include "toolmodels/assembly.h"
 
@@ -15,7 +15,7 @@ namespace gouge::bench {
 struct BenchTool {
   std::string name;  ///< "ball", "bull" or "taper"
   ToolAssembly assembly;
-  ToolForms forms;
+  ToolVariants variants;
   ConvexPiece lower;  ///< cutter and shank
   ConvexPiece holder;
 };

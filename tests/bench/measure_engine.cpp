@@ -16,7 +16,7 @@ namespace {
 constexpr double kFloorReach_mm = 0.01;  // a triangle this near must be looked at, whatever the method
 constexpr std::size_t kJudged = 400;     // moves whose verdict is held against 65 instants
 
-/// How many verdicts the truth contradicts: a gouge not told, one told that is not there, a bound too low.
+/// How many verdicts the truth contradicts: a gouge not reported, one reported that is not there, a bound too low.
 void judge(benchmark::State& state, const CheckResult& result, const std::vector<SampledMove>& sample) {
   constexpr double kSlack_mm = 1e-5;
   Wrongs wrongs;
@@ -27,7 +27,7 @@ void judge(benchmark::State& state, const CheckResult& result, const std::vector
     const bool is_bounded = v.state == MoveState::clean || v.state == MoveState::gouge;
     if (is_bounded && v.depth_upper_mm < -s.closest_mm - kSlack_mm) ++broken_bounds;
   }
-  wrongs.tell(state);
+  wrongs.report(state);
   state.counters["broken_bounds"] = static_cast<double>(broken_bounds);
 }
 
@@ -43,7 +43,7 @@ CheckResult time_path(benchmark::State& state, const Prepared& p, unsigned threa
   options.threads = threads;
   CheckResult result;
   for ([[maybe_unused]] auto _ : state) {
-    result = check_path(p.path, {&p.c->work.tool.forms}, p.scene, options);
+    result = check_path(p.path, {&p.c->work.tool.variants}, p.scene, options);
     summarise(p.path, result);
     benchmark::DoNotOptimize(result);
   }
@@ -114,7 +114,7 @@ std::function<void(benchmark::State&)> prepare_floor(const std::shared_ptr<const
   const auto sample = sample_poses(*c, scaled(2000));
   const auto corners = std::make_shared<std::vector<std::vector<Vec3>>>(corners_to_see(*c, sample));
   return [=](benchmark::State& state) {
-    const CompiledTool& tool = c->work.tool.forms.against_part;
+    const CompiledTool& tool = c->work.tool.variants.against_part;
     std::size_t seen = 0;
     for ([[maybe_unused]] auto _ : state) {
       for (std::size_t i = 0; i < sample.size(); ++i) {

@@ -157,7 +157,7 @@ void Wrongs::count_depth(double closest_mm, double depth_mm) {
       std::max(largest_depth_error_mm_, std::abs(std::max(0.0, -closest_mm) - depth_mm));
 }
 
-void Wrongs::tell(benchmark::State& state) const {
+void Wrongs::report(benchmark::State& state) const {
   state.counters["asked"] = static_cast<double>(asked_);
   state.counters["missed"] = static_cast<double>(missed_);
   state.counters["invented"] = static_cast<double>(invented_);
@@ -175,8 +175,8 @@ Eigen::Matrix3d rotation_of(const Vec3& axis) {
 }
 
 IndexedMesh tessellate_tool(const BenchTool& tool, double chord_mm) {
-  const std::vector<Vec2> contour = contour_of(tool.forms.bare, chord_mm);
-  const double step = 2 * std::acos(1 - chord_mm / tool.forms.bare.r_max_mm);
+  const std::vector<Vec2> contour = contour_of(tool.variants.bare, chord_mm);
+  const double step = 2 * std::acos(1 - chord_mm / tool.variants.bare.r_max_mm);
   const auto sides = static_cast<Corner>(std::ceil(2 * std::numbers::pi / step));
   IndexedMesh mesh;
   mesh.name = tool.name;
@@ -225,34 +225,34 @@ void register_measurements(std::vector<Measurement> measurements) {
 
 void time_poses(benchmark::State& state, const PeerCase& c, const std::vector<SampledPose>& sample,
                 const std::function<double(const Pose&)>& depth, bool is_yes_or_no) {
-  std::vector<double> answers(sample.size());
+  std::vector<double> results(sample.size());
   for ([[maybe_unused]] auto _ : state) {
     for (std::size_t i = 0; i < sample.size(); ++i) {
-      answers[i] = depth(c.work.positions[sample[i].position].pose);
+      results[i] = depth(c.work.positions[sample[i].position].pose);
     }
   }
   Wrongs wrongs;
   for (std::size_t i = 0; i < sample.size(); ++i) {
     if (is_yes_or_no) {
-      wrongs.count(sample[i].closest_mm, answers[i] > 0);
+      wrongs.count(sample[i].closest_mm, results[i] > 0);
     } else {
-      wrongs.count_depth(sample[i].closest_mm, answers[i]);
+      wrongs.count_depth(sample[i].closest_mm, results[i]);
     }
   }
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(sample.size()));
-  wrongs.tell(state);
+  wrongs.report(state);
 }
 
 void time_moves(benchmark::State& state, const std::vector<SampledMove>& sample,
                 const std::function<bool(const Motion&)>& is_hit) {
-  std::vector<char> answers(sample.size());
+  std::vector<char> results(sample.size());
   for ([[maybe_unused]] auto _ : state) {
-    for (std::size_t i = 0; i < sample.size(); ++i) answers[i] = is_hit(sample[i].motion) ? 1 : 0;
+    for (std::size_t i = 0; i < sample.size(); ++i) results[i] = is_hit(sample[i].motion) ? 1 : 0;
   }
   Wrongs wrongs;
-  for (std::size_t i = 0; i < sample.size(); ++i) wrongs.count(sample[i].closest_mm, answers[i] != 0);
+  for (std::size_t i = 0; i < sample.size(); ++i) wrongs.count(sample[i].closest_mm, results[i] != 0);
   state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(sample.size()));
-  wrongs.tell(state);
+  wrongs.report(state);
 }
 
 int run_measurements(int count, char** words) {

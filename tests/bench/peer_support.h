@@ -48,7 +48,7 @@ class Wrongs {
   /// `closest_mm` is the truth, `is_hit` the answer.
   void count(double closest_mm, bool is_hit);
   void count_depth(double closest_mm, double depth_mm);
-  void tell(benchmark::State& state) const;
+  void report(benchmark::State& state) const;
 
  private:
   std::size_t asked_ = 0, missed_ = 0, invented_ = 0;

@@ -13,7 +13,7 @@ namespace gouge::bench {
 
 inline constexpr double kClearance_mm = 0.005;
 inline constexpr double kTruthAccuracy_mm = 1e-6;
-inline constexpr double kFar_mm = 5;  ///< distances are not told beyond this
+inline constexpr double kFar_mm = 5;  ///< distances are not reported beyond this
 
 /// A position with the truth about it: signed distances of the mesh from the two pieces of the tool.
 struct PlacedPose {

@@ -116,9 +116,9 @@ double uncovered_mm(const BenchTool& tool, const SphereCover& cover) {
   spheres.insert(spheres.end(), cover.holder.begin(), cover.holder.end());
   double worst = -std::numeric_limits<double>::infinity();
   const Pose upright;
-  for (double z = 0; z <= tool.forms.bare.z_max_mm; z += z < 3 ? 0.1 : 0.3) {
+  for (double z = 0; z <= tool.variants.bare.z_max_mm; z += z < 3 ? 0.1 : 0.3) {
     for (int i = 0; i <= kRadii * (z < 3 ? 4 : 1); ++i) {
-      const double r = tool.forms.bare.r_max_mm * i / (kRadii * (z < 3 ? 4 : 1));
+      const double r = tool.variants.bare.r_max_mm * i / (kRadii * (z < 3 ? 4 : 1));
       for (int k = 0; k < kTurns; ++k) {
         const double turn = 2 * std::numbers::pi * k / kTurns;
         const Vec3 p(r * std::cos(turn), r * std::sin(turn), z);

@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kApart_mm = 2;  // without overlap, still within each other's volumes
 
-/// Slides the body in along `way` until at least `range.least` points are inside; says whether it is not too
+/// Slides the body in along `axis` until at least `range.least` points are inside; says whether it is not too
 /// many.
-bool slide_in(PenetrationFinder& finder, const PoseRange& range, const Vec3& way, RigidTransform& pose) {
+bool slide_in(PenetrationFinder& finder, const PoseRange& range, const Vec3& axis, RigidTransform& pose) {
   double out_mm = 90, in_mm = 20;
   const auto inside_at = [&](double distance_mm) {
-    pose.shift = distance_mm * way;
+    pose.shift = distance_mm * axis;
     return finder.find(pose).contacts.size();
   };
   const std::size_t wanted = std::max<std::size_t>(range.least, 1);
@@ -51,11 +51,11 @@ std::vector<RigidTransform> find_poses(const DepthBody& body, const PointBody& p
   std::vector<RigidTransform> poses;
   while (poses.size() < count) {
     RigidTransform pose;
-    const Vec3 way = random.direction();
-    const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), way);
+    const Vec3 axis = random.direction();
+    const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis);
     const Eigen::AngleAxisd lean(0.15 * random.in(-1, 1), random.direction()), spin(3.1 * random.in(-1, 1), Vec3::UnitZ());
     pose.rotation = (lean * facing * spin).toRotationMatrix();
-    if (slide_in(finder, range, way, pose)) poses.push_back(pose);
+    if (slide_in(finder, range, axis, pose)) poses.push_back(pose);
   }
   return poses;
 }

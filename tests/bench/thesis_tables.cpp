@@ -36,8 +36,8 @@ std::vector<Sample> measure(Finder& finder, const std::vector<RigidTransform>& p
   for (int r = 0; r < rounds; ++r) {
     for (const RigidTransform& pose : poses) {
       const double start = now_us();
-      const PenetrationAnswer& answer = finder.find(pose);
-      samples.push_back({now_us() - start, answer.counters, answer.contacts.size()});
+      const PenetrationResult& result = finder.find(pose);
+      samples.push_back({now_us() - start, result.counters, result.contacts.size()});
     }
   }
   return samples;
@@ -153,7 +153,7 @@ void print_6c() {
 }
 
 /// Least squares of T = Nb tb + Nn tn + t0 over all scenes (thesis 5.4), Nn being the pairs whose distance is
-/// computed. The correction's part grows with them and cannot be told from tn.
+/// computed. The correction's part grows with them and cannot be distinguished from tn.
 void print_fit(const DepthBody& body, const PointBody& points) {
   Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();

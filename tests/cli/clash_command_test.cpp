@@ -66,7 +66,7 @@ TEST_F(ClashCommand, OfBodiesThatPenetrateSaysHowDeepWhereAndWhichShiftFreesThem
       << outcome.out;
   EXPECT_NE(outcome.out.find("\ndepth: 2.000 mm, proved to be at most 2.00"), std::string::npos)
       << outcome.out;
-  EXPECT_NE(outcome.out.find(" gives way along (0, -1, 0)\n"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find(" moves away along (0, -1, 0)\n"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("\nshift: " + arguments_.b + " by (0, -2.001, 0), 2.001 mm, is proved free"),
             std::string::npos)
       << outcome.out;

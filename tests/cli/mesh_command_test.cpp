@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Told {
+struct Reported {
   int status = 0;
   std::string out;
   std::string err;
@@ -38,7 +38,7 @@ class MeshCommand : public testing::Test {
     return path("part.stl");
   }
 
-  static Told run(const MeshArguments& arguments) {
+  static Reported run(const MeshArguments& arguments) {
     std::ostringstream out;
     std::ostringstream err;
     const int status = run_mesh(arguments, out, err);
@@ -49,48 +49,48 @@ class MeshCommand : public testing::Test {
   std::string folder_;
 };
 
-TEST_F(MeshCommand, ASoundPartIsToldInFull) {
+TEST_F(MeshCommand, ASoundPartIsReportedInFull) {
   MeshArguments arguments;
   arguments.file = write(shapes::torus(20, 5));
-  const Told told = run(arguments);
-  EXPECT_EQ(told.status, kExitClean);
-  EXPECT_EQ(told.err, "");
-  EXPECT_NE(told.out.find("  triangles                 576 (864 edges, 288 vertices)\n"), std::string::npos)
-      << told.out;
-  EXPECT_NE(told.out.find("  pieces                    1, 1 through hole\n"), std::string::npos) << told.out;
-  EXPECT_NE(told.out.find("verdict: sound: closed, manifold, facing outward, free of self-intersections\n"
+  const Reported reported = run(arguments);
+  EXPECT_EQ(reported.status, kExitClean);
+  EXPECT_EQ(reported.err, "");
+  EXPECT_NE(reported.out.find("  triangles                 576 (864 edges, 288 vertices)\n"), std::string::npos)
+      << reported.out;
+  EXPECT_NE(reported.out.find("  pieces                    1, 1 through hole\n"), std::string::npos) << reported.out;
+  EXPECT_NE(reported.out.find("verdict: sound: closed, manifold, facing outward, free of self-intersections\n"
                           "for a check: depths are found, and a tool wholly inside the part is reported\n"),
             std::string::npos)
-      << told.out;
+      << reported.out;
 }
 
 TEST_F(MeshCommand, AnOpenPartHasDefectsWithTheirPlaceInItsOwnUnit) {
   MeshArguments arguments;
   arguments.file = write(shapes::open_cube(25.4), LengthUnit::inch);
   arguments.stl_units = "inch";
-  const Told told = run(arguments);
-  EXPECT_EQ(told.status, kExitGouges);
-  EXPECT_NE(told.out.find("  open edges                4, first at ("), std::string::npos) << told.out;
-  EXPECT_NE(told.out.find("1.0000 x 1.0000 x 1.0000 in"), std::string::npos) << told.out;
-  EXPECT_NE(told.out.find(
+  const Reported reported = run(arguments);
+  EXPECT_EQ(reported.status, kExitGouges);
+  EXPECT_NE(reported.out.find("  open edges                4, first at ("), std::string::npos) << reported.out;
+  EXPECT_NE(reported.out.find("1.0000 x 1.0000 x 1.0000 in"), std::string::npos) << reported.out;
+  EXPECT_NE(reported.out.find(
                 "verdict: 4 defects\nfor a check: depths are found on every triangle; a tool that may be wholly "
                 "inside the part is never clean, but may be reported as not certified only\n"),
             std::string::npos)
-      << told.out;
+      << reported.out;
 }
 
 TEST_F(MeshCommand, RepairFillsHolesOnlyWhenAskedAndWritesOnlyWhatIsBetter) {
   MeshArguments arguments;
   arguments.file = write(shapes::open_cube());
   arguments.repair_file = path("out.stl");
-  const Told kept = run(arguments);
+  const Reported kept = run(arguments);
   EXPECT_EQ(kept.status, kExitGouges);
   EXPECT_FALSE(fs::exists(path("out.stl")));
   EXPECT_NE(kept.out.find("not written: the repair leaves no fewer defects than there were\n"),
             std::string::npos);
 
   arguments.fills_holes = true;
-  const Told filled = run(arguments);
+  const Reported filled = run(arguments);
   EXPECT_EQ(filled.status, kExitClean);
   EXPECT_NE(filled.out.find("  holes filled              1 (2 triangles added), 0 left\n"),
             std::string::npos);
@@ -99,7 +99,7 @@ TEST_F(MeshCommand, RepairFillsHolesOnlyWhenAskedAndWritesOnlyWhatIsBetter) {
   EXPECT_EQ(run(arguments).status, kExitClean);
 }
 
-TEST_F(MeshCommand, NearVerticesAreJoinedWhenAskedAndToldSo) {
+TEST_F(MeshCommand, NearVerticesAreJoinedWhenAskedAndReportedSo) {
   IndexedMesh cube = shapes::cube(10);
   cube.vertices.push_back(cube.vertices[cube.triangles[0][0]] + Vec3(0, 0, 0.003));
   cube.triangles[0][0] = static_cast<Corner>(cube.vertices.size() - 1);
@@ -107,16 +107,16 @@ TEST_F(MeshCommand, NearVerticesAreJoinedWhenAskedAndToldSo) {
   arguments.file = write(cube);
   arguments.weld = "0.01";
   arguments.json_file = path("out.json");
-  const Told told = run(arguments);
-  EXPECT_EQ(told.status, kExitGouges) << "the file is as it was";
-  EXPECT_NE(told.out.find("weld: vertices no more than 0.01 mm apart become one\n"
+  const Reported reported = run(arguments);
+  EXPECT_EQ(reported.status, kExitGouges) << "the file is as it was";
+  EXPECT_NE(reported.out.find("weld: vertices no more than 0.01 mm apart become one\n"
                           "  vertices joined           1, moved by up to 0.003"),
             std::string::npos)
-      << told.out;
-  EXPECT_NE(told.out.find("welded: sound: closed, manifold, facing outward, free of self-intersections\n"
+      << reported.out;
+  EXPECT_NE(reported.out.find("welded: sound: closed, manifold, facing outward, free of self-intersections\n"
                           "not written: give --repair OUT.stl to write the welded mesh\n"),
             std::string::npos)
-      << told.out;
+      << reported.out;
   const nlohmann::json json = nlohmann::json::parse(*read_file(path("out.json")));
   EXPECT_EQ(json["weld"]["vertices_joined"], 1);
   EXPECT_NEAR(json["weld"]["largest_displacement"].get<double>(), 0.003, 1e-6);
@@ -138,9 +138,9 @@ TEST_F(MeshCommand, AWeldThatMakesNoSenseIsRefused) {
     EXPECT_EQ(run(arguments).status, kExitUsage) << weld;
   }
   arguments.weld = "50";
-  const Told told = run(arguments);
-  EXPECT_EQ(told.status, kExitUsage);
-  EXPECT_NE(told.err.find("every triangle collapses when vertices within 50 mm are joined"), std::string::npos);
+  const Reported reported = run(arguments);
+  EXPECT_EQ(reported.status, kExitUsage);
+  EXPECT_NE(reported.err.find("every triangle collapses when vertices within 50 mm are joined"), std::string::npos);
 }
 
 TEST_F(MeshCommand, AnyUnitOfAnStlFile) {
@@ -150,9 +150,9 @@ TEST_F(MeshCommand, AnyUnitOfAnStlFile) {
                                    {LengthUnit::m, "0.010000 x 0.010000 x 0.010000 m"}}) {
     arguments.file = write(shapes::cube(10), unit);
     arguments.stl_units = std::string(facts_of(unit).option);
-    const Told told = run(arguments);
-    EXPECT_EQ(told.status, kExitClean) << told.err;
-    EXPECT_NE(told.out.find(size), std::string::npos) << told.out;
+    const Reported reported = run(arguments);
+    EXPECT_EQ(reported.status, kExitClean) << reported.err;
+    EXPECT_NE(reported.out.find(size), std::string::npos) << reported.out;
   }
 }
 
@@ -160,9 +160,9 @@ TEST_F(MeshCommand, JsonOnStandardOutputIsAlone) {
   MeshArguments arguments;
   arguments.file = write(shapes::cubes_crossing(10));
   arguments.json_file = "-";
-  const Told told = run(arguments);
-  EXPECT_EQ(told.status, kExitGouges);
-  const nlohmann::json json = nlohmann::json::parse(told.out);
+  const Reported reported = run(arguments);
+  EXPECT_EQ(reported.status, kExitGouges);
+  const nlohmann::json json = nlohmann::json::parse(reported.out);
   EXPECT_EQ(json["mesh"]["sound"], false);
   EXPECT_EQ(json["mesh"]["triangles"], 24);
   EXPECT_GT(json["mesh"]["defects"]["self_intersections"]["pairs"], 0);
@@ -172,14 +172,14 @@ TEST_F(MeshCommand, JsonOnStandardOutputIsAlone) {
 TEST_F(MeshCommand, WhatCannotBeReadOrWrittenIsOneClearError) {
   MeshArguments arguments;
   arguments.file = path("missing.stl");
-  const Told missing = run(arguments);
+  const Reported missing = run(arguments);
   EXPECT_EQ(missing.status, kExitInput);
   EXPECT_EQ(missing.err, path("missing.stl") + ": error: no such file [file-not-found]\n");
   EXPECT_EQ(missing.out, "");
 
   arguments.file = write(shapes::inside_out(shapes::cube()));
   arguments.repair_file = "/no/such/folder/out.stl";
-  const Told unwritable = run(arguments);
+  const Reported unwritable = run(arguments);
   EXPECT_EQ(unwritable.status, kExitInternal);
   EXPECT_NE(unwritable.err.find("[file-unwritable]"), std::string::npos);
 }

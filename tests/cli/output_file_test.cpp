@@ -25,7 +25,7 @@ class OutputFile : public testing::Test {
   }
   void TearDown() override { fs::remove_all(folder_); }
 
-  [[nodiscard]] std::string told(const std::string& file) const {
+  [[nodiscard]] std::string reported(const std::string& file) const {
     const Diagnostics errors = find_unwritable({{"--csv", file}});
     return errors.empty() ? std::string() : errors.front().message;
   }
@@ -37,19 +37,19 @@ TEST_F(OutputFile, WhatCannotBeWrittenIsFoundBefore) {
   const auto sentence = [](const std::string& why) {
     return "cannot write the file: " + why + "; nothing was written";
   };
-  EXPECT_EQ(told(folder_ + "/nix/all.csv"),
+  EXPECT_EQ(reported(folder_ + "/nix/all.csv"),
             sentence("the folder " + folder_ + "/nix does not exist; make it first"));
-  EXPECT_EQ(told(folder_ + "/there"), sentence("it is a folder"));
-  EXPECT_EQ(told(folder_ + "/old.csv/all.csv"), sentence(folder_ + "/old.csv is a file; expected a folder"));
-  EXPECT_EQ(told(folder_ + "/nix/"), sentence("it is the name of a folder; expected a file"));
+  EXPECT_EQ(reported(folder_ + "/there"), sentence("it is a folder"));
+  EXPECT_EQ(reported(folder_ + "/old.csv/all.csv"), sentence(folder_ + "/old.csv is a file; expected a folder"));
+  EXPECT_EQ(reported(folder_ + "/nix/"), sentence("it is the name of a folder; expected a file"));
   fs::create_symlink("circle", folder_ + "/circle");
-  EXPECT_EQ(told(folder_ + "/circle"), sentence("its symbolic links go in a circle"));
+  EXPECT_EQ(reported(folder_ + "/circle"), sentence("its symbolic links go in a circle"));
   fs::create_symlink("nix/all.csv", folder_ + "/link");
-  EXPECT_EQ(told(folder_ + "/link"),
+  EXPECT_EQ(reported(folder_ + "/link"),
             sentence("the folder " + folder_ + "/nix does not exist; make it first"));
   ::chmod((folder_ + "/there").c_str(), 0555);
   EXPECT_EQ(testing_support::as_nobody([&] {
-              return told(folder_ + "/there/all.csv") ==
+              return reported(folder_ + "/there/all.csv") ==
                              sentence("the folder " + folder_ + "/there: Permission denied")
                          ? 0
                          : 1;
@@ -61,24 +61,24 @@ TEST_F(OutputFile, AFileOfAnotherUserOrWriteProtectedIsRefusedBefore) {
   ::chmod(folder_.c_str(), 0777);
   ::chmod((folder_ + "/old.csv").c_str(), 0444);
   if (::geteuid() != 0) {
-    EXPECT_NE(told(folder_ + "/old.csv").find("it is write-protected"), std::string::npos);
+    EXPECT_NE(reported(folder_ + "/old.csv").find("it is write-protected"), std::string::npos);
     return;
   }
-  const auto is_told = [&](const char* why) {
+  const auto is_reported = [&](const char* why) {
     return testing_support::as_nobody(
-        [&] { return told(folder_ + "/old.csv").find(why) == std::string::npos ? 1 : 0; });
+        [&] { return reported(folder_ + "/old.csv").find(why) == std::string::npos ? 1 : 0; });
   };
-  EXPECT_EQ(is_told("it is write-protected"), 0);
+  EXPECT_EQ(is_reported("it is write-protected"), 0);
   ::chmod((folder_ + "/old.csv").c_str(), 0666);
-  EXPECT_EQ(is_told("it belongs to another user"), 0);
+  EXPECT_EQ(is_reported("it belongs to another user"), 0);
   ASSERT_EQ(::chown((folder_ + "/old.csv").c_str(), testing_support::kNobody, 4), 0);
-  EXPECT_EQ(is_told("its group is not one of yours"), 0);
+  EXPECT_EQ(is_reported("its group is not one of yours"), 0);
 }
 
 TEST_F(OutputFile, WhatCanBeWrittenIsLeftAsItIs) {
   for (const std::string& file : {folder_ + "/old.csv", folder_ + "/new.csv", folder_ + "/there/new.csv",
                                   std::string("new.csv"), std::string("-"), std::string("/dev/null")})
-    EXPECT_EQ(told(file), "") << file;
+    EXPECT_EQ(reported(file), "") << file;
   JobArguments job;
   job.report_folder = folder_ + "/report/of/today";
   EXPECT_TRUE(find_unwritable(outputs_of(job, "")).empty());

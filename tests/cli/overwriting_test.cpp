@@ -25,7 +25,7 @@ class Overwriting : public testing::Test {
 
   [[nodiscard]] std::string path() const { return folder_ + "/a.apt"; }
   [[nodiscard]] std::string part() const { return folder_ + "/part.stl"; }
-  [[nodiscard]] std::string told(const OutputTable& outputs) const {
+  [[nodiscard]] std::string reported(const OutputTable& outputs) const {
     const auto error = find_overwriting({{"the toolpath", path()}, {"the part", part()}}, outputs);
     return error ? error->message : std::string();
   }
@@ -38,17 +38,17 @@ class Overwriting : public testing::Test {
 
 TEST_F(Overwriting, OutputsAreNeitherInputsNorOneAnother) {
   const std::string same = folder_ + "/./b/../part.stl";
-  EXPECT_EQ(told({{"--csv", folder_ + "/new.csv"}, {"--json", "-"}, {"--sarif", ""}, {"--junit", "-"}}), "");
-  EXPECT_EQ(told({{"--csv", path()}}), "--csv '" + path() + "' is the toolpath itself; name another file");
-  EXPECT_EQ(told({{"--json", same}}), "--json '" + same + "' is the part itself; name another file");
-  EXPECT_EQ(told({{"--csv", folder_ + "/x"}, {"--json", folder_ + "/b/../x"}}),
+  EXPECT_EQ(reported({{"--csv", folder_ + "/new.csv"}, {"--json", "-"}, {"--sarif", ""}, {"--junit", "-"}}), "");
+  EXPECT_EQ(reported({{"--csv", path()}}), "--csv '" + path() + "' is the toolpath itself; name another file");
+  EXPECT_EQ(reported({{"--json", same}}), "--json '" + same + "' is the part itself; name another file");
+  EXPECT_EQ(reported({{"--csv", folder_ + "/x"}, {"--json", folder_ + "/b/../x"}}),
             "--json '" + folder_ + "/b/../x' is the file of --csv as well; name another file");
 }
 
 TEST_F(Overwriting, LinksToNothingYetAreSeenThrough) {
   fs::create_symlink("new.csv", folder_ + "/link");
-  EXPECT_NE(told({{"--csv", folder_ + "/link"}, {"--json", folder_ + "/new.csv"}}), "");
-  EXPECT_EQ(told({{"--csv", folder_ + "/link"}, {"--json", folder_ + "/newer.csv"}}), "");
+  EXPECT_NE(reported({{"--csv", folder_ + "/link"}, {"--json", folder_ + "/new.csv"}}), "");
+  EXPECT_EQ(reported({{"--csv", folder_ + "/link"}, {"--json", folder_ + "/newer.csv"}}), "");
 }
 
 TEST_F(Overwriting, EveryInputOfAJobIsSpared) {
@@ -77,40 +77,40 @@ TEST_F(Overwriting, NoFileOfAReportIsAnInputWhateverItsName) {
   const std::string out = folder_ + "/out";
   fs::create_directories(out);
   fs::create_directory_symlink("out", folder_ + "/other");
-  EXPECT_EQ(told({report(out)}), "");
+  EXPECT_EQ(reported({report(out)}), "");
   for (const std::string& name : names_of_report()) {
     const std::string file = out + "/" + name;
     const std::string expected = "--report '" + folder_ + "/other' would replace or remove its file " + name +
                                  ", which is the part '" + part() + "'; name another folder";
     fs::create_hard_link(part(), file);
-    EXPECT_EQ(told({report(folder_ + "/other")}), expected);
+    EXPECT_EQ(reported({report(folder_ + "/other")}), expected);
     fs::remove(file);
     fs::create_symlink("../part.stl", file);
-    EXPECT_EQ(told({report(folder_ + "/other")}), expected);
+    EXPECT_EQ(reported({report(folder_ + "/other")}), expected);
     fs::remove(file);
   }
   fs::create_hard_link(part(), out + "/my part.stl");
-  EXPECT_EQ(told({report(out)}), "") << "an input under a name of its own";
+  EXPECT_EQ(reported({report(out)}), "") << "an input under a name of its own";
 }
 
 TEST_F(Overwriting, NoFileOfAReportIsAnotherOutput) {
   const std::string out = folder_ + "/not/made/yet";
   for (const std::string& name : names_of_report()) {
     const std::string file = out + "/../yet/" + name;
-    EXPECT_EQ(told({{"-o", file}, report(out)}),
+    EXPECT_EQ(reported({{"-o", file}, report(out)}),
               "-o '" + file + "' is the file " + name + " of --report as well; name another file");
-    EXPECT_EQ(told({report(out), {"-o", file}}), told({{"-o", file}, report(out)}));
+    EXPECT_EQ(reported({report(out), {"-o", file}}), reported({{"-o", file}, report(out)}));
   }
-  EXPECT_EQ(told({{"--csv", out}, report(out)}),
+  EXPECT_EQ(reported({{"--csv", out}, report(out)}),
             "--csv '" + out + "' is the folder of --report as well; name another file");
-  EXPECT_EQ(told({{"--csv", out + "/all.csv"}, report(out)}), "");
+  EXPECT_EQ(reported({{"--csv", out + "/all.csv"}, report(out)}), "");
 }
 
 TEST_F(Overwriting, TheFileOfStandardOutputIsNoOther) {
   const std::string file = folder_ + "/out.csv";
   const int kept = ::dup(STDOUT_FILENO);
   ASSERT_NE(std::freopen(file.c_str(), "w", stdout), nullptr);
-  const std::string message = told({{"--csv", file}}), none = told({{"--csv", folder_ + "/b/x"}});
+  const std::string message = reported({{"--csv", file}}), none = reported({{"--csv", folder_ + "/b/x"}});
   std::fflush(stdout);
   ::dup2(kept, STDOUT_FILENO);
   ::close(kept);

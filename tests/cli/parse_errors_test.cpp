@@ -48,7 +48,7 @@ TEST(ParseErrors, AnUnknownCommandIsNamedWithTheCommandsThereAre) {
             "'inof' is no command of gougecheck path; expected info, convert or plot; did you mean info?");
 }
 
-TEST(ParseErrors, AValueThatCannotBeIsToldWithWhatCan) {
+TEST(ParseErrors, AValueThatCannotBeIsReportedWithWhatCan) {
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--rapid", "slow"}),
             "--rapid 'slow': expected straight, dogleg or skip");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--threads", "-1"}),
@@ -60,7 +60,7 @@ TEST(ParseErrors, AValueThatCannotBeIsToldWithWhatCan) {
                   .starts_with("--to 'fanuc': expected one of nx-clsf, "));
 }
 
-TEST(ParseErrors, WhatIsMissingTwiceOrTooMuchIsTold) {
+TEST(ParseErrors, WhatIsMissingTwiceOrTooMuchIsReported) {
   EXPECT_EQ(said({"check"}), "gougecheck check needs PATH and --part; see gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt"}), "gougecheck check needs --part; see gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--tolerance"}),
@@ -115,7 +115,7 @@ TEST(ParseErrors, AnEmptyValueIsRefusedWhereverAValueIsTaken) {
   EXPECT_GT(count, 150U);
 }
 
-TEST(ParseErrors, AnEmptyValueIsToldWithWhatIsExpected) {
+TEST(ParseErrors, AnEmptyValueIsReportedWithWhatIsExpected) {
   const std::string end = "; is a variable of your script unset?";
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--csv", ""}), "--csv '': expected a file" + end);
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--part", ""}), "--part '': expected a file" + end);

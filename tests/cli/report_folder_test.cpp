@@ -99,7 +99,7 @@ TEST_F(Folder, AForeignFileUnderANameOfAReportIsRefused) {
   EXPECT_EQ(report(small_), "") << "what --force wrote is a report's own";
 }
 
-TEST_F(Folder, AReportWithoutAManifestIsToldOnce) {
+TEST_F(Folder, AReportWithoutAManifestIsReportedOnce) {
   for (const auto& [name, bytes] : large_) put(name, bytes);
   EXPECT_EQ(report(small_), "report-foreign");
   EXPECT_EQ(message_,

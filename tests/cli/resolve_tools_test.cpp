@@ -24,7 +24,7 @@ Toolpath path_in(LengthUnit unit) {
   return path;
 }
 
-TEST(ResolveTools, TellsTheHolderRoundedAndInThePathsUnit) {
+TEST(ResolveTools, ReportsTheHolderRoundedAndInThePathsUnit) {
   const ToolLibrary library = library_with_holder();
   const auto described = [&](LengthUnit unit) {
     const Result<ResolvedTools> resolved = resolve_tools(path_in(unit), &library, {}, "");
@@ -35,10 +35,10 @@ TEST(ResolveTools, TellsTheHolderRoundedAndInThePathsUnit) {
   EXPECT_EQ(described(LengthUnit::mm), "flat, holder to D44.45 mm");
 }
 
-TEST(ResolveTools, TellsADifferenceRoundedAndInThePathsUnit) {
+TEST(ResolveTools, ReportsADifferenceRoundedAndInThePathsUnit) {
   ToolLibrary library = library_with_holder();
   library.tools.front().cutter = FlatCutter{0.75 * 25.4, 38.1};
-  const auto told = [&](LengthUnit unit) {
+  const auto reported = [&](LengthUnit unit) {
     Toolpath path = path_in(unit);
     path.tools.front().cutter.emplace();
     path.tools.front().cutter->d_mm = 0.75;
@@ -47,13 +47,13 @@ TEST(ResolveTools, TellsADifferenceRoundedAndInThePathsUnit) {
     EXPECT_TRUE(resolved.has_value());
     return resolved->notes.at(0).message;
   };
-  EXPECT_EQ(told(LengthUnit::mm),
+  EXPECT_EQ(reported(LengthUnit::mm),
             "T2 is D 0.75 R 0 mm by the toolpath but D 19.05 R 0 mm by the library, which is what is checked");
-  EXPECT_EQ(told(LengthUnit::inch),
+  EXPECT_EQ(reported(LengthUnit::inch),
             "T2 is D 0.029528 R 0 in by the toolpath but D 0.75 R 0 in by the library, which is what is checked");
 }
 
-/// The differences told of the tools of `text`, for a library whose T1 is a flat cutter of 10 mm.
+/// The differences reported of the tools of `text`, for a library whose T1 is a flat cutter of 10 mm.
 std::vector<std::string> differences(const std::string& text) {
   ToolLibrary library;
   ToolAssembly tool;
@@ -62,15 +62,15 @@ std::vector<std::string> differences(const std::string& text) {
   library.tools.push_back(tool);
   const ReadOutcome read = read_toolpath("test.ncl", text);
   EXPECT_TRUE(read.toolpath.has_value());
-  std::vector<std::string> told;
-  if (!read.toolpath) return told;
+  std::vector<std::string> reported;
+  if (!read.toolpath) return reported;
   const Result<ResolvedTools> resolved = resolve_tools(*read.toolpath, &library, {}, "");
   EXPECT_TRUE(resolved.has_value());
-  if (!resolved) return told;
+  if (!resolved) return reported;
   for (const Diagnostic& note : resolved->notes) {
-    if (note.code == "tool-differs") told.push_back(to_text(note));
+    if (note.code == "tool-differs") reported.push_back(to_text(note));
   }
-  return told;
+  return reported;
 }
 
 TEST(ResolveTools, TheDiameterThatCreoStatesIsComparedWithTheLibrary) {
@@ -88,14 +88,14 @@ TEST(ResolveTools, TheDiameterThatCreoStatesIsComparedWithTheLibrary) {
                         "$$-> FEATNO / 3\nLOADTL / 1\n" + motion + "FINI\n").size(), 0U);
 }
 
-TEST(ResolveTools, AToolOfTheSameSizeThatReachesFartherOutIsTold) {
-  const auto told = [](const std::string& cutter, const std::string& head = "") {
+TEST(ResolveTools, AToolOfTheSameSizeThatReachesFartherOutIsReported) {
+  const auto reported = [](const std::string& cutter, const std::string& head = "") {
     return differences(head + "UNITS/MM\nCUTTER/" + cutter + "\nLOADTL/1\nGOTO/0,0,5\nFINI\n");
   };
   for (const char* same : {"10", "10,0", "10,0,5,0,0,0,28", "10,0,5,0,0,0,60", "10,0,0,0,0,0,30"})
-    EXPECT_EQ(told(same).size(), 0U) << same;
-  EXPECT_EQ(told("10,0,5,0,30,0,28").size(), 0U) << "a cone within the flat cutter";
-  EXPECT_EQ(told("10,0,5,0,0,20,28"),
+    EXPECT_EQ(reported(same).size(), 0U) << same;
+  EXPECT_EQ(reported("10,0,5,0,30,0,28").size(), 0U) << "a cone within the flat cutter";
+  EXPECT_EQ(reported("10,0,5,0,0,20,28"),
             (std::vector<std::string>{"test.ncl:2: warning: T1 reaches up to 10.1912 mm farther from its axis by the "
                                       "toolpath than by the library, which is what is checked [tool-differs]"}));
 }
@@ -122,15 +122,15 @@ TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
   EXPECT_FALSE(resolve_tools(path, &library, {"x=2"}, "").has_value());
 }
 
-TEST(ResolveTools, AnUnknownHolderIsToldWithTheHoldersThereAre) {
+TEST(ResolveTools, AnUnknownHolderIsReportedWithTheHoldersThereAre) {
   ToolLibrary library = library_with_holder();
-  const auto told = [&] { return resolve_tools(path_in(LengthUnit::mm), &library, {}, "ER16").error().message; };
+  const auto reported = [&] { return resolve_tools(path_in(LengthUnit::mm), &library, {}, "ER16").error().message; };
   const std::string start =
       "--holder 'ER16': the library has neither a holder nor a tool with a holder of that name; it has ";
-  EXPECT_EQ(told(), start + "none");
+  EXPECT_EQ(reported(), start + "none");
   library.holders = {{"ER32", {{40, 40, 50}}}};
   library.tools.front().name = "flat D12.7";
-  EXPECT_EQ(told(), start + "ER32, flat D12.7");
+  EXPECT_EQ(reported(), start + "ER32, flat D12.7");
 }
 
 }  // namespace

@@ -21,7 +21,7 @@ constexpr const char* kLibrary = R"({"units":"mm","tools":[
 {"number":12,"cutter":{"shape":"tapered","diameter":4,"corner_radius":1,"taper_angle":5,"length":20}}],
 "holders":[{"name":"ER16","segments":[{"lower_diameter":28,"upper_diameter":28,"length":33}]}]})";
 
-struct Told {
+struct Reported {
   int status = 0;
   std::string out, err;
 };
@@ -37,7 +37,7 @@ class ToolCommand : public testing::Test {
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
 
-  [[nodiscard]] Told run(ToolAction action, const std::string& tool = "",
+  [[nodiscard]] Reported run(ToolAction action, const std::string& tool = "",
                          const std::string& output = "") const {
     std::ostringstream out, err;
     const int status = run_tool({action, {}, path("shop.json"), tool, output}, out, err);
@@ -49,10 +49,10 @@ class ToolCommand : public testing::Test {
 };
 
 TEST_F(ToolCommand, ListIsATableOfTheLibrary) {
-  const Told told = run(ToolAction::list);
-  EXPECT_EQ(told.status, kExitClean);
-  EXPECT_EQ(told.err, "");
-  EXPECT_EQ(told.out,
+  const Reported reported = run(ToolAction::list);
+  EXPECT_EQ(reported.status, kExitClean);
+  EXPECT_EQ(reported.err, "");
+  EXPECT_EQ(reported.out,
             "tool  name      cutter                       flutes  assembly  holder\n"
             "T1    ball D10  ball D 10                    30      90        D 40\n"
             "T12   -         tapered D 4 R 1 taper 5 deg  20      20        none\n"
@@ -60,10 +60,10 @@ TEST_F(ToolCommand, ListIsATableOfTheLibrary) {
             "holder \"ER16\": D 28, length 33\n");
 }
 
-TEST_F(ToolCommand, ShowTellsBodiesAndContour) {
-  const Told told = run(ToolAction::show, "1");
-  EXPECT_EQ(told.status, kExitClean);
-  EXPECT_EQ(told.out,
+TEST_F(ToolCommand, ShowShowsBodiesAndContour) {
+  const Reported reported = run(ToolAction::show, "1");
+  EXPECT_EQ(reported.status, kExitClean);
+  EXPECT_EQ(reported.out,
             "T1 \"ball D10\", lengths in mm\n"
             "  cutter    z 0 to 30, ball D 10\n"
             "  shank 1   z 30 to 50, diameter 10\n"
@@ -77,21 +77,21 @@ TEST_F(ToolCommand, ShowTellsBodiesAndContour) {
             "    holder  line    (5, 50) to (16, 50)\n"
             "    holder  line    (16, 50) to (20, 90)\n"
             "    holder  line    (20, 90) to (0, 90)\n" +
-                told.out.substr(told.out.find("  compiled")));
+                reported.out.substr(reported.out.find("  compiled")));
 }
 
 TEST_F(ToolCommand, AToolIsFoundByNumberByTAndNumberAndByName) {
   const std::string by_number = run(ToolAction::show, "1").out;
   EXPECT_EQ(run(ToolAction::show, "T1").out, by_number);
   EXPECT_EQ(run(ToolAction::show, "ball D10").out, by_number);
-  EXPECT_NE(run(ToolAction::show).out, by_number) << "without --tool every tool is told";
+  EXPECT_NE(run(ToolAction::show).out, by_number) << "without --tool every tool is reported";
 }
 
 TEST_F(ToolCommand, AToolThatIsNotThereIsAWrongCommandLine) {
-  const Told told = run(ToolAction::show, "3");
-  EXPECT_EQ(told.status, kExitUsage);
-  EXPECT_EQ(told.out, "");
-  EXPECT_EQ(told.err, "gougecheck: error: --tool '3': " + path("shop.json") +
+  const Reported reported = run(ToolAction::show, "3");
+  EXPECT_EQ(reported.status, kExitUsage);
+  EXPECT_EQ(reported.out, "");
+  EXPECT_EQ(reported.err, "gougecheck: error: --tool '3': " + path("shop.json") +
                           " has no tool of that number or name; see gougecheck tool list [usage]\n");
 }
 
@@ -105,9 +105,9 @@ TEST_F(ToolCommand, DrawWritesPngAndSvg) {
 }
 
 TEST_F(ToolCommand, DrawNeedsAPictureFile) {
-  const Told told = run(ToolAction::draw, "1", path("t.pdf"));
-  EXPECT_EQ(told.status, kExitUsage);
-  EXPECT_EQ(told.err, "gougecheck: error: -o '" + path("t.pdf") +
+  const Reported reported = run(ToolAction::draw, "1", path("t.pdf"));
+  EXPECT_EQ(reported.status, kExitUsage);
+  EXPECT_EQ(reported.err, "gougecheck: error: -o '" + path("t.pdf") +
                           "': the picture must be a .png or an .svg file [usage]\n");
   EXPECT_FALSE(fs::exists(path("t.pdf")));
   EXPECT_EQ(run(ToolAction::draw, "1", path("none/t.png")).status, kExitInternal);
@@ -115,10 +115,10 @@ TEST_F(ToolCommand, DrawNeedsAPictureFile) {
 
 TEST_F(ToolCommand, ABadLibraryIsInvalidInput) {
   EXPECT_TRUE(write_file(path("shop.json"), "{").has_value());
-  const Told told = run(ToolAction::list);
-  EXPECT_EQ(told.status, kExitInput);
-  EXPECT_EQ(told.out, "");
-  EXPECT_NE(told.err.find("shop.json:1: error: this is not JSON"), std::string::npos) << told.err;
+  const Reported reported = run(ToolAction::list);
+  EXPECT_EQ(reported.status, kExitInput);
+  EXPECT_EQ(reported.out, "");
+  EXPECT_NE(reported.err.find("shop.json:1: error: this is not JSON"), std::string::npos) << reported.err;
   fs::remove(path("shop.json"));
   EXPECT_EQ(run(ToolAction::list).status, kExitInput);
 }

@@ -46,7 +46,7 @@ class ToolImport : public testing::Test {
   std::string folder_;
 };
 
-TEST_F(ToolImport, TellsWhatWasUnderstoodAndWhatWasAssumed) {
+TEST_F(ToolImport, ReportsWhatWasUnderstoodAndWhatWasAssumed) {
   EXPECT_EQ(run("freecad/bull_6.fctb"), kExitClean);
   EXPECT_EQ(err, "");
   EXPECT_EQ(out,

@@ -231,7 +231,7 @@ int ftruncate(int handle, off_t size) {
   return fails(place) ? -1 : static_cast<int>(::syscall(SYS_ftruncate, handle, size));
 }
 
-// The handle is gone all the same, as with a disk that tells its failure last.
+// The handle is gone all the same, as with a disk that reports its failure last.
 int close(int handle) {
   const bool is_failing = fails(close_);
   const int reason = errno;

@@ -96,10 +96,10 @@ void run_words(const std::vector<std::string>& words) {
   std::ostringstream out, err;
   const int status = run(static_cast<int>(argv.size()) - 1, argv.data(), out, err);
   require(status >= 0 && status <= 5);
-  const std::string told = err.str();
-  require((status != 2 && status != 3 && status != 5) || !told.empty());
+  const std::string reported = err.str();
+  require((status != 2 && status != 3 && status != 5) || !reported.empty());
   if (times_named(words, "--progress") > 0) return;
-  require(std::none_of(told.begin(), told.end(), [](char c) {
+  require(std::none_of(reported.begin(), reported.end(), [](char c) {
     const auto byte = static_cast<unsigned char>(c);
     return (byte < 0x20 && c != '\n') || byte == 0x7f;
   }));

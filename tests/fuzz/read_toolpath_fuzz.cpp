@@ -14,7 +14,7 @@
 #include "postproc/cldata/writing/write_toolpath.h"
 #include "tests/fuzz/require.h"
 
-// One target for each reader: GOUGE_FUZZ_DIALECT names it, "" lets the content tell. What was read is sound,
+// One target for each reader: GOUGE_FUZZ_DIALECT names it, "" lets the content decide. What was read is sound,
 // keeps its bytes when nothing changes, takes a correction or refuses it, and can be written anew in any dialect or is
 // refused with an error.
 

@@ -1,4 +1,4 @@
-// The promise on arcs and helices: random ones among random triangles, against poses turned by a quaternion and
+// The guarantee on arcs and helices: random ones among random triangles, against poses turned by a quaternion and
 // the contour alone.
 #include <gtest/gtest.h>
 
@@ -64,13 +64,13 @@ double sampled(const ArcScene& s, const reference::Contour& tool, int instants, 
   return deepest;
 }
 
-TEST(ArcLaws, ThePromiseHoldsOnRandomArcs) {
+TEST(ArcLaws, TheGuaranteeHoldsOnRandomArcs) {
   const auto tools = tools::all();
   std::size_t gouges = 0, close = 0, clean = 0;
   for (std::uint64_t stream = 0; stream < 120; ++stream) {
     laws::SceneScatter scatter(5000 + stream);
     const ArcScene s = random_scene(scatter);
-    const ToolForms& tool = tools[stream % tools.size()];
+    const ToolVariants& tool = tools[stream % tools.size()];
     CheckOptions options;
     options.threads = 1;
     const CheckResult result = whole_check(s.path, &tool, s.scene, options);
@@ -99,7 +99,7 @@ TEST(ArcLaws, ThePromiseHoldsOnRandomArcs) {
 
 // A thin post beside the chord, on the arc, and the reverse: chords in place of arcs would say the opposite of both.
 TEST(ArcLaws, AnArcIsNotItsChord) {
-  const ToolForms ball = tools::ball(4);
+  const ToolVariants ball = tools::ball(4);
   Toolpath path = paths::through({paths::upright(10, 0, 0), paths::upright(-10, 0, 0)});
   path.moves[1].curve_kind = CurveKind::arc;
   path.moves[1].kind = MoveKind::arc;

@@ -9,7 +9,7 @@
 
 #include "lib/check/path_motion.h"
 #include "postproc/cldata/reading/read_toolpath.h"
-#include "tests/laws/promise.h"
+#include "tests/laws/guarantee.h"
 #include "tests/support/real_arcs.h"
 #include "tests/support/shapes.h"
 #include "tests/support/source_folder.h"
@@ -35,7 +35,7 @@ TEST_P(ArcSense, OnlyTheWrongWayRoundMeetsThePost) {
   const Vec3 across = 2 * (arc.center - arc.axis.dot(arc.center - middle) * arc.axis) - middle;
   Scene scene;
   scene.parts.push_back(shapes::box(across - Vec3(0.1, 0.1, 5), across + Vec3(0.1, 0.1, 5)));
-  const ToolForms tool = tools::ball(1);
+  const ToolVariants tool = tools::ball(1);
   EXPECT_EQ(whole_check(path, &tool, scene, {}).verdicts[2].state, MoveState::clean);
   arc.sweep_rad -= std::copysign(2 * std::numbers::pi, arc.sweep_rad);
   EXPECT_EQ(whole_check(path, &tool, scene, {}).verdicts[2].state, MoveState::gouge);
@@ -61,8 +61,8 @@ TEST(FiveDialects, OfOnePartHaveOneVerdictAndOneDepth) {
       {"number":2,"cutter":{"shape":"flat","diameter":0.75,"length":2}},
       {"number":3,"cutter":{"shape":"ball","diameter":0.236,"length":2}}]})";
     arguments.tools_file = library;
-    const Job job = promise::load(arguments);
-    const CheckResult result = promise::check_job(job);
+    const Job job = guarantee::load(arguments);
+    const CheckResult result = guarantee::check_job(job);
     if (first.verdicts.empty()) first = result;
     ASSERT_EQ(result.verdicts.size(), first.verdicts.size());
     EXPECT_EQ(result.counts.not_checked, 0U);

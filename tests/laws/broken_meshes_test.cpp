@@ -243,7 +243,7 @@ void check_once(std::uint64_t stream, Damage damage, Tally& tally) {
   SceneScatter random(stream);
   const Broken broken = damage(random);
   const double diameter = random.in(0.5, 5), length = diameter * random.in(1.5, 4);
-  const ToolForms tool = make_tool_forms({1, "ball", BallCutter{diameter, length}, {}, {}}, 0, 0, 0).value();
+  const ToolVariants tool = make_tool_variants({1, "ball", BallCutter{diameter, length}, {}, {}}, 0, 0, 0).value();
   std::vector<Pose> poses = {{random.point(45), random.axis(3)}};
   for (std::size_t n = random.below(4); n-- > 0;) poses.push_back({poses.back().tip + random.point(8), poses.back().axis});
   const Toolpath path = paths::through(poses);

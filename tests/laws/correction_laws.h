@@ -98,7 +98,7 @@ class LawBook {
         say('b', i, "deeper: " + std::to_string(was.depth_mm) + " became " + std::to_string(is.depth_mm));
       if (is.state == MoveState::gouge) cuts_nothing_new(i, k);
       if (changes_[i] == nullptr || c_.after->moves[k].tool == kNone || ++looked_at_ % one_of(scene_) != 0) continue;
-      const ToolForms* tool = c_.setup->tools[c_.after->moves[k].tool];
+      const ToolVariants* tool = c_.setup->tools[c_.after->moves[k].tool];
       if (tool == nullptr || !c_.after->moves[k].not_checked_reason.empty()) continue;
       const double found =
           brute_force_depth(motion_of(*c_.after, k, options_.rapid), *tool, scene_, 6, 0.2).depth_mm;
@@ -190,11 +190,11 @@ class LawBook {
     if (i != before.size() || skipped != changed) broken_.push_back("(c) records differ that are not listed as written");
   }
 
-  double depth_at(const Pose& pose, const ToolForms& tool) const {
+  double depth_at(const Pose& pose, const ToolVariants& tool) const {
     return checker_.measure(pose, MoveKind::feed, tool).depth_mm;
   }
 
-  bool is_inside(const Pose& pose, const ToolForms& tool) const {
+  bool is_inside(const Pose& pose, const ToolVariants& tool) const {
     const Vec3 core = pose.tip + tool.bare.core.y() * pose.axis;
     for (const auto* meshes : {&scene_.parts, &scene_.fixtures}) {
       for (const IndexedMesh& mesh : *meshes) {
@@ -208,16 +208,16 @@ class LawBook {
   void shift(std::size_t i, Figures&) {
     if (changes_[i] == nullptr || !changes_[i]->new_end) return;
     const Move& old = c_.before->moves[i];
-    const ToolForms* tool = c_.setup->tools[old.tool];
+    const ToolVariants* tool = c_.setup->tools[old.tool];
     const Pose to = c_.after->moves[first_[i + 1] - 1].end;
-    const Vec3 way = to.tip - old.end.tip;
+    const Vec3 displacement = to.tip - old.end.tip;
     const double start = depth_at(old.end, *tool);
-    if (way.norm() > c_.max_shift_mm + kRounding_mm) say('e', i, "shifted by " + std::to_string(way.norm()));
-    const double side = (way - way.dot(old.end.axis) * old.end.axis).norm();
+    if (displacement.norm() > c_.max_shift_mm + kRounding_mm) say('e', i, "shifted by " + std::to_string(displacement.norm()));
+    const double side = (displacement - displacement.dot(old.end.axis) * old.end.axis).norm();
     if (side > c_.max_side_shift_mm.value_or(2 * start) + kRounding_mm)
       say('e', i, "shifted sideways by " + std::to_string(side) + " for a depth of " + std::to_string(start));
     for (int k = 1; k <= 12; ++k) {
-      const Pose there{old.end.tip + k / 12.0 * way, old.end.axis};
+      const Pose there{old.end.tip + k / 12.0 * displacement, old.end.axis};
       const double depth = depth_at(there, *tool);
       if (depth > start + 2 * options_.resolution_mm)
         say('d', i, "on its shift it is " + std::to_string(depth) + " deep, at the start " + std::to_string(start));
@@ -230,7 +230,7 @@ class LawBook {
     const Move& old = c_.before->moves[i];
     const bool is_changed = changes_[i] != nullptr || (i > 0 && old.has_start && changes_[i - 1] != nullptr && changes_[i - 1]->new_end);
     if (!is_changed || !old.has_start || old.kind != MoveKind::feed) return;
-    const ToolForms* tool = c_.setup->tools[old.tool];
+    const ToolVariants* tool = c_.setup->tools[old.tool];
     const Motion motion = motion_of(*c_.before, i, options_.rapid);
     constexpr int kSamples = 16;
     for (int s = 1; s + 1 < kSamples; ++s) {

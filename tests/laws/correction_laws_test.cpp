@@ -17,7 +17,7 @@
 #include "samples/cases.h"
 #include "samples/write_sample.h"
 #include "tests/laws/correction_scenes.h"
-#include "tests/laws/promise.h"
+#include "tests/laws/guarantee.h"
 #include "tests/support/source_folder.h"
 
 namespace gouge::laws {
@@ -87,7 +87,7 @@ TEST(CorrectionLaws, HoldForRandomPrograms) {
 
 /// Corrects this toolpath as the program does and holds the laws against what was written.
 void hold_for(const JobArguments& arguments) {
-  const Job job = promise::load(arguments);
+  const Job job = guarantee::load(arguments);
   const PreparedScene scene = prepare_scene(job.scene);
   const CheckSetup setup = job.setup(scene);
   const CheckResult before = check(job.toolpath, setup);

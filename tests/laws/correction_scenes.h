@@ -24,7 +24,7 @@ struct CorrectionScene {
   std::string text;
   Toolpath path;
   Scene scene;
-  ToolForms tool = tools::ball();
+  ToolVariants tool = tools::ball();
   double tolerance_mm = 0.01;
   std::optional<double> max_side_shift_mm;
 };
@@ -35,10 +35,10 @@ class CorrectionScatter {
 
   CorrectionScene scene() {
     CorrectionScene made;
-    static const std::vector<ToolForms> kTools = [] {
-      std::vector<ToolForms> all = tools::all();
-      for (ToolForms& tool : tools::shapes()) all.push_back(std::move(tool));
-      all.push_back(tools::forms(tools::assembly(BallCutter{10, 30}), 0.2, 0.3, 0.5));
+    static const std::vector<ToolVariants> kTools = [] {
+      std::vector<ToolVariants> all = tools::all();
+      for (ToolVariants& tool : tools::shapes()) all.push_back(std::move(tool));
+      all.push_back(tools::variants(tools::assembly(BallCutter{10, 30}), 0.2, 0.3, 0.5));
       return all;
     }();
     made.tool = kTools[is(0.85) ? below(4) : below(kTools.size())];

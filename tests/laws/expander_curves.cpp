@@ -9,7 +9,7 @@ namespace gouge::laws {
 namespace {
 
 constexpr double kRadiusOff_mm = 0.02;
-constexpr double kSamePlace_mm = 1e-6;
+constexpr double kSamePoint_mm = 1e-6;
 constexpr double kNearlySame_mm = 0.002;
 constexpr double kTurn = 2 * std::numbers::pi;
 
@@ -52,16 +52,16 @@ std::optional<CurvePoints> arc_points(const StatedArc& arc, const Vec3& start, c
       normal = -normal;
     }
     if (gap < kNearlySame_mm || angle > 0.99 * std::numbers::pi) {
-      doubt = "nothing tells which way the arc runs";
+      doubt = "nothing says which way the arc runs";
       return std::nullopt;
     }
     return turned_points(arc.center, normal, angle, start, end);
   }
-  if (gap < kSamePlace_mm)
+  if (gap < kSamePoint_mm)
     angle = kTurn;
   else if (angle <= 0)
     angle += kTurn;
-  if (gap >= kSamePlace_mm && gap < kNearlySame_mm && !arc.sweep_deg) {
+  if (gap >= kSamePoint_mm && gap < kNearlySame_mm && !arc.sweep_deg) {
     doubt = "the arc ends next to its start";
     return std::nullopt;
   }

@@ -94,7 +94,7 @@ void StatementExpander::move_to(const Pose& to) {
   for (const std::string* why : {&now_.tool_doubt, &now_.cutter_doubt, &now_.multax_doubt}) {
     if (!why->empty()) return doubt(*why);
   }
-  if (now_.diameter_mm && *now_.diameter_mm < 0) return doubt("a tool whose cutter nothing tells");
+  if (now_.diameter_mm && *now_.diameter_mm < 0) return doubt("a tool whose cutter nothing defines");
   const bool is_on_arc = now_.arc.has_value();
   if (now_.cycle) {
     if (is_on_arc || !now_.cycle->contradicted.empty())

@@ -73,7 +73,7 @@ class NciExpander {
     const double compensation = v[0] >= 40 ? v[0] : v[1] >= 40 ? v[1] : 0;
     const bool is_yz = std::abs(plane - 1) < 0.5;
     if (plane < 0 || plane > 1 || (v[0] < 40 && v[1] < 40 && std::abs(v[0] * v[1]) > 0))
-      return doubt("a plane that is not told");
+      return doubt("a plane that is not stated");
     if (!compensate(compensation)) return;
     const auto place = [&](double a, double b, double across) {
       return is_yz ? Vec3(across, a, b) : Vec3(a, b, across);

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-// Which words of a toolpath tell the mutation law's reader what moves, and which leave the cutter where it
+// Which words of a toolpath show the mutation law's reader what moves, and which leave the cutter where it
 // is.
 
 namespace gouge::laws {

@@ -20,20 +20,20 @@ using laws::SceneScatter;
 constexpr double kRounding_mm = 1e-9;
 constexpr CheckOptions kOptions{};
 
-CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scene, const CheckOptions& options = kOptions) {
+CheckResult check(const Toolpath& path, const ToolVariants& tool, const Scene& scene, const CheckOptions& options = kOptions) {
   return whole_check(path, &tool, scene, options);
 }
 
-const std::vector<ToolForms>& all_tools() {
-  static const std::vector<ToolForms> kTools = [] {
-    std::vector<ToolForms> both = tools::all();
-    for (const ToolForms& more : tools::shapes()) both.push_back(more);
+const std::vector<ToolVariants>& all_tools() {
+  static const std::vector<ToolVariants> kTools = [] {
+    std::vector<ToolVariants> both = tools::all();
+    for (const ToolVariants& more : tools::shapes()) both.push_back(more);
     return both;
   }();
   return kTools;
 }
 
-const ToolForms& tool_of(std::size_t i) { return all_tools()[i % all_tools().size()]; }
+const ToolVariants& tool_of(std::size_t i) { return all_tools()[i % all_tools().size()]; }
 
 bool is_surely_a_gouge(const MoveVerdict& v, const CheckOptions& options = kOptions) {
   return v.depth_mm > options.tolerance_mm + options.resolution_mm;
@@ -93,7 +93,7 @@ RigidTransform quarter_turn(SceneScatter& scatter) {
 }
 
 TEST(Laws, AQuarterTurnOfEverythingKeepsTheVerdicts) {
-  on_random_scenes(1, 150, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(1, 150, [](SceneScatter& scatter, const RandomScene& random, const ToolVariants& tool, const CheckResult& a, std::size_t i) {
     const RandomScene turned = moved(random, quarter_turn(scatter));
     const CheckResult b = check(turned.path, tool, turned.scene);
     for (std::size_t m = 0; m < a.verdicts.size(); ++m) expect_same_truth(a.verdicts[m], b.verdicts[m], where(i, m));
@@ -101,7 +101,7 @@ TEST(Laws, AQuarterTurnOfEverythingKeepsTheVerdicts) {
 }
 
 TEST(Laws, AnyRigidMotionOfEverythingNeverTurnsGougeIntoClean) {
-  on_random_scenes(2, 150, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(2, 150, [](SceneScatter& scatter, const RandomScene& random, const ToolVariants& tool, const CheckResult& a, std::size_t i) {
     RigidTransform by;
     by.rotation = Eigen::AngleAxisd(scatter.in(-3, 3), scatter.point(1).normalized()).toRotationMatrix();
     by.shift = scatter.point(300);
@@ -112,7 +112,7 @@ TEST(Laws, AnyRigidMotionOfEverythingNeverTurnsGougeIntoClean) {
 }
 
 TEST(Laws, TheOrderOfTrianglesAndCornersChangesNothingButTriangleNumbers) {
-  on_random_scenes(3, 150, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(3, 150, [](SceneScatter& scatter, const RandomScene& random, const ToolVariants& tool, const CheckResult& a, std::size_t i) {
     RandomScene shuffled = random;
     IndexedMesh& mesh = shuffled.scene.parts[0];
     for (std::size_t t = mesh.triangles.size(); t > 1; --t) {
@@ -134,19 +134,19 @@ TEST(Laws, TheOrderOfTrianglesAndCornersChangesNothingButTriangleNumbers) {
 TEST(Laws, AToolThatContainsAnotherIsNeverLessDeep) {
   // Each pair with how far the tip of the larger one lies below that of the smaller.
   struct Pair {
-    ToolForms smaller, larger;
+    ToolVariants smaller, larger;
     double tip_below_mm;
   };
-  const ToolForms ball10 = tools::ball(10);
+  const ToolVariants ball10 = tools::ball(10);
   const std::vector<Pair> pairs = {
-      {ball10, tools::forms(tools::assembly(BallCutter{12, 31}, 12)), 1},  // about the same centre
+      {ball10, tools::variants(tools::assembly(BallCutter{12, 31}, 12)), 1},  // about the same centre
       {ball10, tools::flat(10), 0},
       {tools::bull(16, 2), tools::flat(16), 0},
       {tools::bull(16, 4), tools::bull(16, 2), 0},
-      {tools::necked(), tools::forms(tools::assembly(FlatCutter{12, 10}, 12)), 0},
-      {ball10, tools::forms(tools::assembly(BallCutter{10, 30}), 0.3, 0, 0), 0},
-      {tools::tapered(), tools::forms(tools::assembly(TaperedCutter{4, 2, 5, 30}, 8), 0, 0.5, 1), 0}};
-  on_random_scenes(4, 140, [&](SceneScatter& scatter, const RandomScene& random, const ToolForms&, const CheckResult&, std::size_t i) {
+      {tools::necked(), tools::variants(tools::assembly(FlatCutter{12, 10}, 12)), 0},
+      {ball10, tools::variants(tools::assembly(BallCutter{10, 30}), 0.3, 0, 0), 0},
+      {tools::tapered(), tools::variants(tools::assembly(TaperedCutter{4, 2, 5, 30}, 8), 0, 0.5, 1), 0}};
+  on_random_scenes(4, 140, [&](SceneScatter& scatter, const RandomScene& random, const ToolVariants&, const CheckResult&, std::size_t i) {
     const Pair& pair = pairs[i % pairs.size()];
     Toolpath lower = paths::through({random.path.moves[0].end, {scatter.point(2), random.path.moves[0].end.axis}});
     Toolpath path = lower;
@@ -158,7 +158,7 @@ TEST(Laws, AToolThatContainsAnotherIsNeverLessDeep) {
 }
 
 TEST(Laws, ASmallerToleranceOrAFinerResolutionNeverTurnsGougeIntoClean) {
-  on_random_scenes(5, 100, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult&, std::size_t i) {
+  on_random_scenes(5, 100, [](SceneScatter& scatter, const RandomScene& random, const ToolVariants& tool, const CheckResult&, std::size_t i) {
     CheckOptions wide, narrow;
     wide.tolerance_mm = std::pow(10, scatter.in(-2, 0.3));
     narrow.tolerance_mm = wide.tolerance_mm * scatter.in(0, 0.9);
@@ -174,7 +174,7 @@ TEST(Laws, ASmallerToleranceOrAFinerResolutionNeverTurnsGougeIntoClean) {
 }
 
 TEST(Laws, AMoveIsAsDeepAsTheDeeperOfItsHalves) {
-  on_random_scenes(6, 120, [](SceneScatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& whole, std::size_t i) {
+  on_random_scenes(6, 120, [](SceneScatter&, const RandomScene& random, const ToolVariants& tool, const CheckResult& whole, std::size_t i) {
     std::vector<Pose> poses{random.path.moves[0].end};
     for (std::size_t m = 1; m < random.path.moves.size(); ++m) {
       poses.push_back(reference::pose_at(random.path.start_of(m), random.path.moves[m].end, 0.5));
@@ -192,7 +192,7 @@ TEST(Laws, AMoveIsAsDeepAsTheDeeperOfItsHalves) {
 }
 
 TEST(Laws, TheReversedPathHasTheSameGouges) {
-  on_random_scenes(7, 150, [](SceneScatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(7, 150, [](SceneScatter&, const RandomScene& random, const ToolVariants& tool, const CheckResult& a, std::size_t i) {
     std::vector<Pose> back;
     for (const Move& move : random.path.moves) back.insert(back.begin(), move.end);
     const CheckResult b = check(paths::through(back), tool, random.scene);
@@ -202,7 +202,7 @@ TEST(Laws, TheReversedPathHasTheSameGouges) {
 }
 
 TEST(Laws, AMoveIsNoShallowerThanItsEnds) {
-  on_random_scenes(8, 150, [](SceneScatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(8, 150, [](SceneScatter&, const RandomScene& random, const ToolVariants& tool, const CheckResult& a, std::size_t i) {
     Toolpath alone = random.path;
     for (Move& move : alone.moves) move.has_start = false;
     const CheckResult ends = check(alone, tool, random.scene);
@@ -214,7 +214,7 @@ TEST(Laws, AMoveIsNoShallowerThanItsEnds) {
 }
 
 TEST(Laws, AFixtureMoreNeverRemovesAGouge) {
-  on_random_scenes(9, 120, [](SceneScatter& scatter, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(9, 120, [](SceneScatter& scatter, const RandomScene& random, const ToolVariants& tool, const CheckResult& a, std::size_t i) {
     Scene more = random.scene;
     more.fixtures.push_back(scatter.triangles(4));
     const CheckResult b = check(random.path, tool, more);
@@ -226,13 +226,13 @@ TEST(Laws, AFixtureMoreNeverRemovesAGouge) {
 }
 
 TEST(Laws, EveryMoveHasOneStateAndTheCountsAddUp) {
-  on_random_scenes(10, 150, [](SceneScatter&, const RandomScene& random, const ToolForms&, const CheckResult& a, std::size_t i) {
+  on_random_scenes(10, 150, [](SceneScatter&, const RandomScene& random, const ToolVariants&, const CheckResult& a, std::size_t i) {
     const StateCounts& c = a.counts;
     EXPECT_EQ(a.verdicts.size(), random.path.moves.size());
     EXPECT_EQ(c.clean + c.near_miss + c.gouge + c.buried + c.not_checked + c.not_certified, a.verdicts.size()) << i;
-    std::size_t told = 0;
-    for (const Event& event : a.events) told += event.moves;
-    EXPECT_EQ(told, a.verdicts.size() - c.clean - c.not_checked) << i;
+    std::size_t reported = 0;
+    for (const Event& event : a.events) reported += event.moves;
+    EXPECT_EQ(reported, a.verdicts.size() - c.clean - c.not_checked) << i;
     double worst = 0;
     for (const MoveVerdict& v : a.verdicts) {
       const bool is_gouge = v.state == MoveState::gouge;
@@ -246,7 +246,7 @@ TEST(Laws, EveryMoveHasOneStateAndTheCountsAddUp) {
 
 TEST(Laws, TheReferenceNeverFindsMoreOnRandomScenes) {
   std::size_t seen = 0, gouges = 0;
-  on_random_scenes(11, 60, [&](SceneScatter&, const RandomScene& random, const ToolForms& tool, const CheckResult& a, std::size_t i) {
+  on_random_scenes(11, 60, [&](SceneScatter&, const RandomScene& random, const ToolVariants& tool, const CheckResult& a, std::size_t i) {
     const reference::Contour contour(tool.against_part);
     for (std::size_t m = 0; m < a.verdicts.size(); ++m) {
       const MoveVerdict& v = a.verdicts[m];

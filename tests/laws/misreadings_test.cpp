@@ -268,7 +268,7 @@ INSTANTIATE_TEST_SUITE_P(
                    "not-checked"}),
     kName);
 
-TEST(ByteOrderMark, IsNoPartOfWhatTellsTheDialect) {
+TEST(ByteOrderMark, IsNoPartOfWhatShowsTheDialect) {
   const std::string mark = "\xef\xbb\xbf";
   for (const std::string text : {"REMARK x NCLCAM\n", "GOTO/0,0,5\n", "$$*CATIA0\n", "TOOL PATH/A,TOOL,B\n"})
     EXPECT_EQ(recognise_dialect(mark + text).id, recognise_dialect(text).id) << text;

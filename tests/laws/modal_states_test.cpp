@@ -36,11 +36,11 @@ class ModalStates : public ::testing::TestWithParam<ModalCase> {};
 
 TEST_P(ModalStates, LeaveUncheckedWhatHasMoreThanOneReading) {
   const Toolpath path = read_as(GetParam().text, "");
-  std::string told;
+  std::string reported;
   for (const Move& move : path.moves) {
-    if (!move.not_checked_reason.empty()) told += std::to_string(move.line) + ": " + std::string(move.not_checked_reason) + "\n";
+    if (!move.not_checked_reason.empty()) reported += std::to_string(move.line) + ": " + std::string(move.not_checked_reason) + "\n";
   }
-  EXPECT_EQ(unchecked_lines(path), GetParam().unchecked) << told;
+  EXPECT_EQ(unchecked_lines(path), GetParam().unchecked) << reported;
 }
 
 std::string name_of(const ::testing::TestParamInfo<ModalCase>& info) {

@@ -58,7 +58,7 @@ std::optional<MutationBase> mutation_base(const std::string& name, const std::st
   return base;
 }
 
-std::vector<std::string> stretches(const std::string& bytes, std::size_t statements, std::size_t count) {
+std::vector<std::string> segments(const std::string& bytes, std::size_t statements, std::size_t count) {
   const std::vector<LooseStatement> all = loose_statements(bytes);
   std::vector<std::size_t> line_begins{0};
   for (std::size_t i = 0; i < bytes.size(); ++i) {

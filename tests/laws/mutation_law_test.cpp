@@ -108,7 +108,7 @@ std::string test_name(const ::testing::TestParamInfo<std::filesystem::path>& tes
   return name;
 }
 
-void tell(const std::string& name, const Counts& counts) {
+void report(const std::string& name, const Counts& counts) {
   std::cout << name << ": " << counts.refused << " refused, " << counts.not_checked << " not checked, "
             << counts.clean << " clean, " << counts.obstacles << " of them checked against a splinter\n";
 }
@@ -129,7 +129,7 @@ TEST_P(MutationLaw, IsCleanOnlyWhereEveryReadingWasChecked) {
   ASSERT_TRUE(base);
   Counts counts;
   hold_for(*base, 0, mutants_of_each_file(300), counts);
-  tell(base->name, counts);
+  report(base->name, counts);
   EXPECT_GT(counts.refused + counts.not_checked, 0u);
   EXPECT_GT(counts.clean, 0u);
 }
@@ -142,7 +142,7 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(MutationLawOfRealFiles);
 TEST_P(MutationLawOfRealFiles, IsCleanOnlyWhereEveryReadingWasChecked) {
   Counts counts;
   std::size_t used = 0, unused = 0;
-  for (const std::string& bytes : stretches(bytes_of(GetParam()), kStretch, kStretches)) {
+  for (const std::string& bytes : segments(bytes_of(GetParam()), kStretch, kStretches)) {
     const auto base = mutation_base(GetParam().filename().string(), bytes);
     if (base) {
       const ReadOutcome read = read_toolpath(base->name, bytes);
@@ -157,7 +157,7 @@ TEST_P(MutationLawOfRealFiles, IsCleanOnlyWhereEveryReadingWasChecked) {
     }
     ++unused;
   }
-  tell(GetParam().filename().string(), counts);
+  report(GetParam().filename().string(), counts);
   if (used == 0) GTEST_SKIP() << "none of " << unused << " stretches is wholly checked as it is";
 }
 

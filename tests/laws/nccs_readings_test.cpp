@@ -1,4 +1,4 @@
-// Records of binary NCCS files read in the right way and in the wrong one: the part tells the two apart.
+// Records of binary NCCS files read in the right way and in the wrong one: the part distinguishes the two.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -29,7 +29,7 @@ Toolpath read(const std::string& bytes, const std::string& dialect = "") {
 std::vector<MoveVerdict> verdicts(const Toolpath& path, const IndexedMesh& part) {
   Scene scene;
   scene.parts.push_back(part);
-  const ToolForms tool = tools::ball(1);
+  const ToolVariants tool = tools::ball(1);
   return whole_check(path, &tool, scene, {}).verdicts;
 }
 

@@ -1,4 +1,4 @@
-// Fields of Mastercam NCI read in the right way and in the wrong one: the part tells the two apart.
+// Fields of Mastercam NCI read in the right way and in the wrong one: the part distinguishes the two.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -23,7 +23,7 @@ Toolpath read(const std::string& text, bool is_centre = false) {
 }
 
 /// "clean", or the state of the first move that is not.
-std::string verdict(const Toolpath& path, const IndexedMesh& part, const ToolForms& tool) {
+std::string verdict(const Toolpath& path, const IndexedMesh& part, const ToolVariants& tool) {
   Scene scene;
   scene.parts.push_back(part);
   for (const MoveVerdict& v : whole_check(path, &tool, scene, {}).verdicts) {
@@ -56,7 +56,7 @@ TEST(NciReading, ArcsOfCode2AreClockwiseAboutXInTheYzPlane) {
   }
 }
 
-// Which way an arc of the XZ plane runs no source tells: either way a post may stand in it.
+// Which way an arc of the XZ plane runs no source says: either way a post may stand in it.
 TEST(NciReading, ArcsOfTheXzPlaneAreNotChecked) {
   const std::string start = "0\n0 20. 0. 0. -2. 0\n";
   const IndexedMesh far = post({500, 500, 0}, 5);
@@ -74,11 +74,11 @@ TEST(NciReading, AFullCircleGoesRound) {
 }
 
 // Along y with the wall to the left: the numbers are the wall's, and the control shifts the cutter away from
-// it, or into a second wall, by a radius the file does not tell.
+// it, or into a second wall, by a radius the file does not state.
 TEST(NciReading, CompensatedPositionsAreNotTheCutterCentre) {
   const std::string start = "0\n0 0. 0. 5. -2. 0\n1\n0 0. 0. 0. 300. 0\n", way = " 0. 60. 0. -1. 0\n";
   const IndexedMesh wall = shapes::box({-12, 20, -5}, {-7, 50, 20});  // 2 mm beside a cutter of 10
-  const ToolForms tool = tools::flat(10);
+  const ToolVariants tool = tools::flat(10);
   EXPECT_EQ(verdict(read(start + "1\n0" + way), wall, tool), "clean");
   for (const char* side : {"41", "42"}) {
     const std::string text = start + "1\n" + side + way;
@@ -96,7 +96,7 @@ TEST(NciReading, FiveAxesHaveASecondPointNotAVector) {
   const std::string text =
       "11\n60. 0. 30. 42. 0. 54. 300. 0 0 0. 0. 1.\n11\n60. 9. 30. 42. 9. 54. 300. 0 0 0. 0. 1.\n";
   const IndexedMesh wall = shapes::box({66, -20, 10}, {110, 30, 120});
-  const ToolForms tool = tools::ball(8);
+  const ToolVariants tool = tools::ball(8);
   const Toolpath path = read(text);
   EXPECT_EQ(verdict(path, wall, tool), "clean");
   const Vec3 as_vector = Vec3(42, 0, 54).normalized(), downwards(0.6, 0, -0.8), as_normal(0, 0, 1);

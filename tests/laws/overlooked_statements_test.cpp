@@ -309,7 +309,7 @@ TEST_P(Overlook, IsNeverTakenForClean) {
   EXPECT_EQ(outcome(GetParam().text), GetParam().outcome);
 }
 
-TEST(WorkOffset, IsTold) {
+TEST(WorkOffset, IsReported) {
   const ReadOutcome read = read_toolpath("a.apt", around("INSERT/G54\n"));
   ASSERT_TRUE(read.toolpath);
   const Diagnostics& notes = read.toolpath->notes;

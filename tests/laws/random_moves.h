@@ -15,12 +15,12 @@
 #include "tests/support/solids.h"
 
 // Random moves of every kind with tools of every shape among closed and open meshes, most of them touching the tool
-// somewhere on its way. Header only.
+// somewhere during it. Header only.
 
 namespace gouge::laws {
 
 struct RandomJob {
-  ToolForms tool;
+  ToolVariants tool;
   std::string tool_name;
   Toolpath path;
   Scene scene;
@@ -54,9 +54,9 @@ class RandomJobs {
     const std::uint64_t kind = shapes_.next() % 3;
     if (kind == 0) {  // any profile at all
       const test::RandomTool random = test::random_tool(shapes_.next() % 1'000'000);
-      ToolForms forms;
-      forms.bare = forms.against_part = forms.against_fixture = compile_tool("random", random.profile);
-      tool_ = std::move(forms);
+      ToolVariants variants;
+      variants.bare = variants.against_part = variants.against_fixture = compile_tool("random", random.profile);
+      tool_ = std::move(variants);
       tool_name_ = random.name;
     }
     while (!tool_) {
@@ -65,9 +65,9 @@ class RandomJobs {
       assembly.shank = test::random_segments(shapes_, 2);
       assembly.holder = test::random_segments(shapes_, 3);
       const double stock = kind == 1 ? 0 : shapes_.in(0, 0.5);
-      Result<ToolForms> forms = make_tool_forms(assembly, stock, 0, 0);
-      if (!forms) continue;
-      tool_ = std::move(*forms);
+      Result<ToolVariants> variants = make_tool_variants(assembly, stock, 0, 0);
+      if (!variants) continue;
+      tool_ = std::move(*variants);
       tool_name_ = "cutter " + std::to_string(assembly.cutter.index());
     }
     size_ = std::max(tool_->bare.r_max_mm, 0.1);
@@ -83,16 +83,16 @@ class RandomJobs {
     Pose at{scatter_.point(size_), scatter_.axis(1)};
     add(job.path, at, MoveKind::feed);
     while (job.path.moves.size() < count) {
-      const double way = size_ * std::pow(10, in(-3, chance(0.15) ? 0.5 : -1.3));
+      const double distance = size_ * std::pow(10, in(-3, chance(0.15) ? 0.5 : -1.3));
       const double kind = in(0, 1);
       if (kind < 0.5) {
-        add_straight(job.path, way);
+        add_straight(job.path, distance);
       } else if (kind < 0.7) {
-        add_arc(job.path, way);
+        add_arc(job.path, distance);
       } else if (kind < 0.85) {
-        add_spline(job.path, way);
+        add_spline(job.path, distance);
       } else if (kind < 0.97) {
-        add_cycle(job.path, way);
+        add_cycle(job.path, distance);
       } else {  // a place reached in a way that is not known
         add(job.path, {scatter_.point(size_), scatter_.axis(1)}, MoveKind::feed);
         job.path.moves.back().has_start = false;
@@ -117,22 +117,22 @@ class RandomJobs {
     return (axis + std::pow(10, in(-3, kind < 0.9 ? -1 : 0.3)) * scatter_.point(1)).normalized();
   }
 
-  void add_straight(Toolpath& path, double way) {
+  void add_straight(Toolpath& path, double distance) {
     const Pose from = path.moves.back().end;
     const bool is_turn_alone = chance(0.15), is_home = chance(0.05);
-    const Vec3 tip = is_home ? Vec3(scatter_.point(size_)) : Vec3(from.tip + scatter_.point(way));
+    const Vec3 tip = is_home ? Vec3(scatter_.point(size_)) : Vec3(from.tip + scatter_.point(distance));
     add(path, {is_turn_alone ? from.tip : tip, turned(from.axis)}, chance(0.15) ? MoveKind::rapid : MoveKind::feed);
   }
 
-  void add_arc(Toolpath& path, double way) {
+  void add_arc(Toolpath& path, double distance) {
     const Pose from = path.moves.back().end;
     PathArc arc;
     arc.axis = chance(0.5) ? from.axis : Vec3(scatter_.point(1).normalized());
     const Vec3 out = Eigen::AngleAxisd(in(0, 2 * std::numbers::pi), arc.axis) * arc.axis.unitOrthogonal();
-    const double radius = way * in(0.2, 3);
-    arc.center = from.tip - radius * out + (chance(0.5) ? 0 : in(-way, way)) * arc.axis;
+    const double radius = distance * in(0.2, 3);
+    arc.center = from.tip - radius * out + (chance(0.5) ? 0 : in(-distance, distance)) * arc.axis;
     arc.sweep_rad = 2 * std::numbers::pi * (chance(0.3) ? (chance(0.5) ? 1.0 : -1.0) : in(-1.4, 1.4));
-    const double rise = chance(0.5) ? 0 : in(-way, way);
+    const double rise = chance(0.5) ? 0 : in(-distance, distance);
     const double grown = chance(0.7) ? 1 : 1 + in(-0.1, 0.1);
     const Vec3 h = (from.tip - arc.center).dot(arc.axis) * arc.axis;
     const Vec3 r = Eigen::AngleAxisd(arc.sweep_rad, arc.axis) * Vec3(from.tip - arc.center - h);
@@ -142,13 +142,13 @@ class RandomJobs {
     path.arcs.push_back(arc);
   }
 
-  void add_spline(Toolpath& path, double way) {
+  void add_spline(Toolpath& path, double distance) {
     const Pose from = path.moves.back().end;
     std::vector<Vec3> control{from.tip};
     std::vector<double> knots;
     for (std::size_t k = scatter_.below(3); k > 0; --k) knots.push_back(in(0.1, 0.9));
     std::sort(knots.begin(), knots.end());
-    while (control.size() < knots.size() + 4) control.push_back(control.back() + scatter_.point(way));
+    while (control.size() < knots.size() + 4) control.push_back(control.back() + scatter_.point(distance));
     const PathSpline spline = make_spline(control, knots);
     if (spline.pieces.empty()) return;
     add(path, {spline.pieces.back().control[3], turned(from.axis)}, MoveKind::feed);
@@ -158,11 +158,11 @@ class RandomJobs {
   }
 
   /// Over the hole, down along the axis in one go or in pecks, and out again.
-  void add_cycle(Toolpath& path, double way) {
+  void add_cycle(Toolpath& path, double distance) {
     Pose at = path.moves.back().end;
-    at.tip += way * at.axis.unitOrthogonal();
+    at.tip += distance * at.axis.unitOrthogonal();
     add(path, at, MoveKind::cycle);
-    const double depth = way * in(0.2, 2);
+    const double depth = distance * in(0.2, 2);
     const std::size_t pecks = 1 + scatter_.below(3);
     for (std::size_t k = 1; k <= pecks; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(pecks);
@@ -303,7 +303,7 @@ class RandomJobs {
 
   SceneScatter scatter_;
   test::Scatter shapes_;
-  std::optional<ToolForms> tool_;
+  std::optional<ToolVariants> tool_;
   std::string tool_name_;
   int uses_left_ = 0;
   double size_ = 1, height_ = 1;

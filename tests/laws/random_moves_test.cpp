@@ -1,4 +1,4 @@
-// The promise of docs/method.md on random moves of every kind, with tools of every shape and heads, among closed and
+// The guarantee of docs/method.md on random moves of every kind, with tools of every shape and heads, among closed and
 // open meshes. GOUGE_RANDOM_MOVES sets how many moves, GOUGE_SEED which; GOUGE_STREAM looks at one stream of a failure
 // again. docs/testing.md has the longest run.
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 #include <map>
 
 #include "lib/base/number_text.h"
-#include "tests/laws/promise.h"
+#include "tests/laws/guarantee.h"
 #include "tests/laws/random_moves.h"
 #include "tests/support/reference_hunt.h"
 #include "tests/support/whole_check.h"
@@ -83,14 +83,14 @@ class Campaign {
     options.threads = 1;
     options.tolerance_mm = std::array{0.01, 0.0, 0.1}[done_ % 3];
     options.resolution_mm = done_ % 2 == 0 ? 0.001 : 0.01;
-    // What is promised holds at any budget; a small one for most lets many more moves be tried.
+    // What is guaranteed holds at any budget; a small one for most lets many more moves be tried.
     const bool is_patient = ++jobs_ % 32 == 0;
     if (!is_patient) options.budget_per_move = kBounds;
     std::vector<HeadBody> bodies;
     for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
     const CheckResult result = whole_check(job.path, &job.tool, job.scene, options, bodies);
     heads += job.heads.empty() ? 0 : result.verdicts.size();
-    const promise::Contours tool(job.tool);
+    const guarantee::Contours tool(job.tool);
     const Core core(tool.part);
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
       const std::size_t failures = failures_;
@@ -107,7 +107,7 @@ class Campaign {
   }
 
   void judge(const laws::RandomJob& job, const CheckOptions& options, const MoveVerdict& v, std::size_t i,
-             const promise::Contours& tool, const Core& core) {
+             const guarantee::Contours& tool, const Core& core) {
     Tally& tally = by_kind[kind_of(job.path, job.path.moves[i])];
     ++tally.moves;
     tally.clean += v.state == MoveState::clean ? 1 : 0;
@@ -150,9 +150,9 @@ class Campaign {
   }
 
   void judge_witness(const laws::RandomJob& job, const MoveVerdict& v, std::size_t i,
-                     const reference::Movement& movement, const promise::Contours& tool) {
+                     const reference::Movement& movement, const guarantee::Contours& tool) {
     if (v.witness->body != Body::head) {
-      for (const std::string& doubt : promise::doubts(*v.witness, v.depth_mm, movement, tool, job.scene)) {
+      for (const std::string& doubt : guarantee::doubts(*v.witness, v.depth_mm, movement, tool, job.scene)) {
         // Giving way by the depth frees a point, but on a concave boundary by no plain sum.
         if (doubt.rfind("deep after", 0) != 0) fail(job, i, doubt);
       }
@@ -168,7 +168,7 @@ class Campaign {
   }
 
   void hunt(const laws::RandomJob& job, const MoveVerdict& v, std::size_t i, const reference::Movement& movement,
-            const promise::Contours& tool, Tally& tally) {
+            const guarantee::Contours& tool, Tally& tally) {
     const bool is_gouge = v.state == MoveState::gouge;
     const double mark = is_gouge ? v.depth_mm - 0.005 : v.depth_upper_mm;
     reference::Found found;

@@ -52,16 +52,16 @@ class SceneScatter : public test::Scatter {
     return mesh;
   }
 
-  /// `largest_way` in mm; the axis turns by a tenth of it or less, in radians.
-  std::vector<Pose> poses(std::size_t count, double largest_way) {
+  /// `largest_move` in mm; the axis turns by a tenth of it or less, in radians.
+  std::vector<Pose> poses(std::size_t count, double largest_move) {
     std::vector<Pose> all{{point(1), axis(0.1)}};
     while (all.size() < count) {
-      const double way = largest_way * std::pow(10, in(-2, 0));
+      const double distance = largest_move * std::pow(10, in(-2, 0));
       // Some moves are pure rotations, some pure shifts.
       const double kind = in(0, 1);
       Pose next = all.back();
-      if (kind > 0.2) next.tip += point(way);
-      if (kind < 0.8) next.axis = (next.axis + 0.03 * point(way)).normalized();
+      if (kind > 0.2) next.tip += point(distance);
+      if (kind < 0.8) next.axis = (next.axis + 0.03 * point(distance)).normalized();
       all.push_back(next);
     }
     return all;

@@ -12,7 +12,7 @@
 #include "tests/support/shapes.h"
 #include "toolmodels/compile_tool.h"
 
-// From the text of a toolpath to its verdict, for tests whose part tells a right reading from a wrong one.
+// From the text of a toolpath to its verdict, for tests whose part distinguishes a right reading from a wrong one.
 
 namespace gouge {
 
@@ -26,19 +26,19 @@ inline Toolpath read_as(const std::string& text, const std::string& dialect) {
 
 /// The state of every move.
 inline std::vector<MoveState> check_states(const Toolpath& path, const IndexedMesh& part,
-                                           const std::vector<ToolForms>& tools) {
+                                           const std::vector<ToolVariants>& tools) {
   Scene scene;
   scene.parts.push_back(part);
-  std::vector<const ToolForms*> forms;
-  for (const ToolForms& tool : tools) forms.push_back(&tool);
+  std::vector<const ToolVariants*> variants;
+  for (const ToolVariants& tool : tools) variants.push_back(&tool);
   std::vector<MoveState> states;
   const PreparedScene prepared = prepare_scene(scene);
-  for (const MoveVerdict& v : check(path, CheckSetup{forms, {}, prepared, {}}).verdicts) states.push_back(v.state);
+  for (const MoveVerdict& v : check(path, CheckSetup{variants, {}, prepared, {}}).verdicts) states.push_back(v.state);
   return states;
 }
 
 /// What is wrong with the path: "clean", or the state of its first move that is not.
-inline std::string verdict(const Toolpath& path, const IndexedMesh& part, const std::vector<ToolForms>& tools) {
+inline std::string verdict(const Toolpath& path, const IndexedMesh& part, const std::vector<ToolVariants>& tools) {
   for (const MoveState state : check_states(path, part, tools)) {
     if (state != MoveState::clean) return state_name(state);
   }
@@ -49,10 +49,10 @@ inline std::string verdict(const Toolpath& path, const IndexedMesh& part, const 
 inline std::string verdict(const Toolpath& path, const IndexedMesh& part) {
   const Result<ResolvedTools> resolved = resolve_tools(path, nullptr, {}, "");
   EXPECT_TRUE(resolved.has_value());
-  std::vector<ToolForms> tools;
+  std::vector<ToolVariants> tools;
   for (const std::optional<ToolAssembly>& assembly : resolved->assemblies) {
     EXPECT_TRUE(assembly.has_value());
-    tools.push_back(make_tool_forms(assembly.value_or(ToolAssembly{}), 0, 0, 0).value());
+    tools.push_back(make_tool_variants(assembly.value_or(ToolAssembly{}), 0, 0, 0).value());
   }
   return verdict(path, part, tools);
 }

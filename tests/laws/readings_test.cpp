@@ -36,7 +36,7 @@ INSTANTIATE_TEST_SUITE_P(
                       ForcedArc{"Catia", "nx-clsf", "clean"}),
     [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(ForcedSense, MeetsThePostUnlessTheStatementItselfTellsTheWay) {
+TEST_P(ForcedSense, MeetsThePostUnlessTheStatementItselfShowsTheWay) {
   const auto* arc = std::find_if(std::begin(real_arcs::kArcs), std::end(real_arcs::kArcs),
                                  [](const auto& a) { return a.name == std::string(GetParam().name); });
   ASSERT_NE(arc, std::end(real_arcs::kArcs));
@@ -51,7 +51,7 @@ TEST_P(ForcedSense, MeetsThePostUnlessTheStatementItselfTellsTheWay) {
   const PathArc& circle = right.arcs.at(0);
   const Vec3 across = 2 * (circle.center - circle.axis.dot(circle.center - middle) * circle.axis) - middle;
   const IndexedMesh post = shapes::box(across - Vec3(0.1, 0.1, 5), across + Vec3(0.1, 0.1, 5));
-  const std::vector<ToolForms> tool = {tools::ball(1)};
+  const std::vector<ToolVariants> tool = {tools::ball(1)};
   EXPECT_EQ(verdict(right, post, tool), "clean");
   EXPECT_EQ(verdict(with_tool(GetParam().dialect), post, tool), GetParam().verdict);
 }
@@ -140,7 +140,7 @@ TEST(Frame, OfSolidWorksIsNotApplied) {
   const IndexedMesh part = shapes::box({-40, 0, -100}, {77.9, 60, 20});
   Toolpath path = read_as(text, "");
   EXPECT_EQ(verdict(path, part), "clean");
-  EXPECT_EQ(verdict(read_as(text, "apt"), part), "not-checked") << "nothing tells whether to apply it";
+  EXPECT_EQ(verdict(read_as(text, "apt"), part), "not-checked") << "nothing says whether to apply it";
   const RigidTransform csys{(Eigen::Matrix3d() << 0, 0, 1, 0, 1, 0, -1, 0, 0).finished(), Vec3::Zero()};
   for (Move& move : path.moves) move.end = csys.pose(move.end);
   EXPECT_NE(verdict(path, part), "clean");
@@ -149,7 +149,7 @@ TEST(Frame, OfSolidWorksIsNotApplied) {
 struct CutterReading {
   const char* name;
   const char* text;  // a tool and where it stands
-  ToolForms wrong;   // what the same numbers are where some of them are not understood
+  ToolVariants wrong;   // what the same numbers are where some of them are not understood
   IndexedMesh part;
 };
 

@@ -1,4 +1,4 @@
-// Words that no reader here knows inside statements that are known, and ways between positions that no statement tells: the
+// Words that no reader here knows inside statements that are known, and ways between positions that no statement defines: the
 // part would be cut if they meant what other post-processors mean by them, so none is clean.
 #include <gtest/gtest.h>
 

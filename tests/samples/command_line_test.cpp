@@ -8,7 +8,7 @@
 #include "tests/samples/program.h"
 #include "tests/samples/sample_folder.h"
 
-// Exit statuses and streams, as docs/exit_codes.md promises them.
+// Exit statuses and streams, as docs/exit_codes.md guarantees them.
 
 namespace gouge::testing_samples {
 namespace {
@@ -118,17 +118,17 @@ TEST(CommandLine, QuietPrintsNothingButKeepsTheStatus) {
   EXPECT_EQ(ran.out, "");
 }
 
-TEST(CommandLine, VerboseTellsThePeakMemoryToPeopleOnly) {
+TEST(CommandLine, VerboseShowsThePeakMemoryToPeopleOnly) {
   const SampleFolder sample = open_sample("needles");
   const std::string path = sample.toolpath();
-  const Outcome told = run_gougecheck(sample.path, sample.arguments("check", path, {"-v", "--json", "-"}));
-  const std::size_t at = told.err.find("memory: ");
-  ASSERT_NE(at, std::string::npos) << told.err;
-  EXPECT_GT(std::stoul(told.err.substr(at + 8)), 2U);
-  EXPECT_NE(told.err.find(" MB at the peak\n"), std::string::npos) << told.err;
-  EXPECT_EQ(told.out.find("at the peak"), std::string::npos);
+  const Outcome reported = run_gougecheck(sample.path, sample.arguments("check", path, {"-v", "--json", "-"}));
+  const std::size_t at = reported.err.find("memory: ");
+  ASSERT_NE(at, std::string::npos) << reported.err;
+  EXPECT_GT(std::stoul(reported.err.substr(at + 8)), 2U);
+  EXPECT_NE(reported.err.find(" MB at the peak\n"), std::string::npos) << reported.err;
+  EXPECT_EQ(reported.out.find("at the peak"), std::string::npos);
   const Outcome plain = run_gougecheck(sample.path, sample.arguments("check", path, {"--json", "-"}));
-  EXPECT_EQ(plain.out, told.out);
+  EXPECT_EQ(plain.out, reported.out);
   EXPECT_EQ(plain.err.find("memory: "), std::string::npos) << plain.err;
 }
 
@@ -157,7 +157,7 @@ TEST(CommandLine, WithoutAnyToolDefinedNothingIsWrittenAndTheStatusIs3) {
   EXPECT_FALSE(std::filesystem::exists(sample.path + "/all.csv"));
 }
 
-TEST(CommandLine, AToolThatDiffersFromTheLibraryIsTold) {
+TEST(CommandLine, AToolThatDiffersFromTheLibraryIsReported) {
   const SampleFolder sample = open_sample("needles");
   write_text(sample.path + "/d99.apt", "UNITS/MM\nCUTTER/99\nLOADTL/1\nGOTO/0,0,50\n");
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "d99.apt", {}));

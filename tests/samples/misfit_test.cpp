@@ -8,7 +8,7 @@
 #include "tests/samples/sample_folder.h"
 #include "tests/support/source_folder.h"
 
-// A path that plainly does not fit its part: refused by `correct`, told by `check`, explained where it can
+// A path that plainly does not fit its part: refused by `correct`, reported by `check`, explained where it can
 // be.
 
 namespace gouge::testing_samples {
@@ -89,7 +89,7 @@ TEST(Misfit, ARealFiveAxisPathWithOneSignWrong) {
   EXPECT_TRUE(std::filesystem::exists(folder + "/out.apt"));
 }
 
-TEST(Misfit, NoRealPairIsToldNotToFit) {
+TEST(Misfit, NoRealPairIsReportedNotToFit) {
   const std::string data = source_folder() + "/../shared/data/";
   if (!std::filesystem::exists(data))
     GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-// Runs the real program and tells what a user sees.
+// Runs the real program and reports what a user sees.
 
 namespace gouge::testing_samples {
 

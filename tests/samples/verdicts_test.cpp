@@ -63,16 +63,16 @@ TEST_P(Verdicts, OneFindingOnStandardOutputNamesEachGougingStretch) {
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath()));
   const std::string start = sample.toolpath() + ":";
   std::istringstream lines(ran.out);
-  std::size_t told = 0;
+  std::size_t reported = 0;
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind(start, 0) != 0) continue;
-    ++told;
+    ++reported;
     EXPECT_TRUE(line.find(": gouge: ") != std::string::npos || line.find(": buried") != std::string::npos)
         << line;
   }
   const std::size_t findings = sample.expected.at("findings").size();
-  EXPECT_LE(told, findings);
-  EXPECT_EQ(told == 0, findings == 0);
+  EXPECT_LE(reported, findings);
+  EXPECT_EQ(reported == 0, findings == 0);
 }
 
 TEST_P(Verdicts, AreTheSameBytesAtOneAndTwoThreads) {

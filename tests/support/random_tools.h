@@ -17,7 +17,7 @@
 #include "toolmodels/unite.h"
 
 // Random valid tools, the same for a seed on every run: assemblies of every shape of cutter, with and without
-// growth, and profiles drawn freely, with convex and concave arcs, fillets, undercuts, necks, hollow bottoms,
+// offset, and profiles drawn freely, with convex and concave arcs, fillets, undercuts, necks, hollow bottoms,
 // steps a millionth of the tool's size, and corners on a grid, where distances tie exactly.
 
 namespace gouge::test {
@@ -210,13 +210,13 @@ inline Cutter random_cutter(Scatter& random) {
   }
 }
 
-/// The union of bodies grown by what `most` allows each; nothing when they do not make one tool.
+/// The union of bodies offset by what `most` allows each; nothing when they do not make one tool.
 inline std::optional<Profile> united(Scatter& random, const std::vector<const Profile*>& bodies,
                                      const std::vector<double>& most) {
-  std::vector<GrownBody> grown;
+  std::vector<OffsetBody> offset;
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    grown.push_back({bodies[i], random.in(0, 1) * most[i]});
-  Result<Profile> all = unite(grown);
+    offset.push_back({bodies[i], random.in(0, 1) * most[i]});
+  Result<Profile> all = unite(offset);
   if (!all) return std::nullopt;
   return std::move(all.value());
 }
@@ -235,8 +235,8 @@ inline Profile random_assembly_profile(Scatter& random) {
   }
 }
 
-// Grown undercuts may close and hollows fill; what is left is one contour all the same.
-inline Profile random_grown_profile(Scatter& random) {
+// Offset undercuts may close and hollows fill; what is left is one contour all the same.
+inline Profile random_offset_profile(Scatter& random) {
   for (;;) {
     const bool is_free = random.next() % 2 == 0;
     const Profile bare = random_free_profile(random, {true, is_free, is_free, false, 0.05});
@@ -252,7 +252,7 @@ inline RandomTool random_tool(std::uint64_t seed) {
     case 1:
       return {"assembly" + number, random_assembly_profile(random)};
     case 2:
-      return {"free, grown" + number, random_grown_profile(random)};
+      return {"free, grown" + number, random_offset_profile(random)};
     case 3:
       return {"free" + number, random_free_profile(random, {})};
     case 4:

@@ -43,7 +43,7 @@ struct Movement {
     return pose;
   }
 
-  /// At least the length of the tip's way.
+  /// At least the length of the tip's path.
   [[nodiscard]] double length() const {
     if (arc != nullptr) {
       const Vec3 a = from.tip - arc->center, b = to.tip - arc->center;
@@ -185,7 +185,7 @@ class Contour {
   struct Side {
     Vec2 a, b, c;
     double radius = 0;
-    double way = 0;  ///< arcs: +1 on the far side of the centre from the axis, -1 on the near one
+    double travel = 0;  ///< arcs: +1 on the far side of the centre from the axis, -1 on the near one
   };
 
   void add_sides(const Piece& p) {
@@ -205,7 +205,7 @@ class Contour {
   static double radius_at(const Side& s, double z) {
     if (!(s.radius > 0)) return s.a.x() + (z - s.a.y()) / (s.b.y() - s.a.y()) * (s.b.x() - s.a.x());
     const double h = z - s.c.y();
-    return s.c.x() + s.way * std::sqrt(std::max(0.0, s.radius * s.radius - h * h));
+    return s.c.x() + s.travel * std::sqrt(std::max(0.0, s.radius * s.radius - h * h));
   }
 
   std::vector<Side> sides_;
@@ -234,7 +234,7 @@ struct Found {
 struct Effort {
   int steps = 64;              ///< instants, evenly spread, both ends included
   double accuracy_mm = 0.003;  ///< what is known to be shallower than the mark plus this is not looked into
-  int looks = 700;             ///< points an instant may cost, the deepest promise first
+  int looks = 700;             ///< points an instant may cost, the largest bound first
 };
 
 /// The deepest point that can be found in a move; a lower bound of the truth.
@@ -283,10 +283,10 @@ class Search {
     double u = 0, v = 0;  ///< point = a + u (b - a) + v (c - a)
   };
   struct Cut {
-    double promise = 0;
+    double bound = 0;
     std::size_t piece = 0;
     std::array<Vec2, 3> uv;
-    bool operator<(const Cut& other) const { return promise < other.promise; }
+    bool operator<(const Cut& other) const { return bound < other.bound; }
   };
 
   [[nodiscard]] Box3 swept_box() const {
@@ -312,7 +312,7 @@ class Search {
   }
 
   // How far a point can move against the tool between two instants `share` of the move apart.
-  [[nodiscard]] double way(const Vec3& p, double share) const {
+  [[nodiscard]] double travel(const Vec3& p, double share) const {
     const bool is_straight = movement_.arc == nullptr && movement_.spline == nullptr;
     const double far = std::max((p - from_.tip).norm(), (p - to_.tip).norm()) + (is_straight ? 0 : length_);
     return share * (length_ + turn_ * far);
@@ -325,7 +325,7 @@ class Search {
     std::vector<std::size_t> left;
     for (const std::size_t i : candidates) {
       const Piece& p = pieces_[i];
-      if (tool_.depth(pose, p.middle) + p.radius + way(p.middle, share) > mark_ - 0.002) left.push_back(i);
+      if (tool_.depth(pose, p.middle) + p.radius + travel(p.middle, share) > mark_ - 0.002) left.push_back(i);
     }
     if (left.empty()) return;
     if (first == last) return look(first, left);
@@ -351,20 +351,20 @@ class Search {
     const Pose pose = movement_.at(t);
     Place& best = best_of_[static_cast<std::size_t>(step)];
     std::priority_queue<Cut> open;
-    for (const std::size_t i : candidates) promise(pose, t, i, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}, best, open);
+    for (const std::size_t i : candidates) bound(pose, t, i, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}, best, open);
     for (int looks = 0; looks < effort_.looks && !open.empty(); ++looks) {
       const Cut cut = open.top();
       open.pop();
-      if (cut.promise <= std::max(mark_, best.depth) + effort_.accuracy_mm) return;
+      if (cut.bound <= std::max(mark_, best.depth) + effort_.accuracy_mm) return;
       const Vec2 ab = 0.5 * (cut.uv[0] + cut.uv[1]), bc = 0.5 * (cut.uv[1] + cut.uv[2]), ca = 0.5 * (cut.uv[2] + cut.uv[0]);
-      promise(pose, t, cut.piece, {ab, bc, ca}, best, open);
-      promise(pose, t, cut.piece, {cut.uv[0], ab, ca}, best, open);
-      promise(pose, t, cut.piece, {ab, cut.uv[1], bc}, best, open);
-      promise(pose, t, cut.piece, {ca, bc, cut.uv[2]}, best, open);
+      bound(pose, t, cut.piece, {ab, bc, ca}, best, open);
+      bound(pose, t, cut.piece, {cut.uv[0], ab, ca}, best, open);
+      bound(pose, t, cut.piece, {ab, cut.uv[1], bc}, best, open);
+      bound(pose, t, cut.piece, {ca, bc, cut.uv[2]}, best, open);
     }
   }
 
-  void promise(const Pose& pose, double t, std::size_t piece, const std::array<Vec2, 3>& uv, Place& best,
+  void bound(const Pose& pose, double t, std::size_t piece, const std::array<Vec2, 3>& uv, Place& best,
                std::priority_queue<Cut>& open) const {
     const Vec2 middle = (uv[0] + uv[1] + uv[2]) / 3.0;
     const double here = try_place(pose, t, piece, middle, best);

@@ -111,14 +111,14 @@ class Hunt {
     int looks = 0;
     for (; looks < looks_ && !open_.empty(); ++looks) {
       const Cell cell = open_.top();
-      if (cell.promise <= std::max(mark_mm, best().depth) + kAccuracy_mm) break;
+      if (cell.bound <= std::max(mark_mm, best().depth) + kAccuracy_mm) break;
       open_.pop();
       split(cell, mark_mm);
     }
     Found found;
-    const bool is_settled = open_.empty() && best().depth < mark_mm - kClimbable_mm;
+    const bool is_decided = open_.empty() && best().depth < mark_mm - kClimbable_mm;
     for (const Place& place : places_) {
-      if (!(place.depth > -1e299) || is_settled) continue;
+      if (!(place.depth > -1e299) || is_decided) continue;
       const Place top = climb(place);
       if (top.depth > found.depth_mm) found = {top.depth, top.t, point(top)};
     }
@@ -135,12 +135,12 @@ class Hunt {
     double u = 0, v = 0;  ///< point = a + u (b - a) + v (c - a)
   };
   struct Cell {
-    double promise = 0;
+    double bound = 0;
     double t0 = 0, t1 = 1;
     std::uint32_t triangle = 0;
     std::array<Vec2, 3> uv;
-    double radius = 0, way = 0;
-    bool operator<(const Cell& other) const { return promise < other.promise; }
+    double radius = 0, travel = 0;
+    bool operator<(const Cell& other) const { return bound < other.bound; }
   };
 
   [[nodiscard]] const Place& best() const { return places_[0]; }
@@ -160,11 +160,11 @@ class Hunt {
     const auto frame = solid_.frame(t);
     const Vec3 tip = solid_.movement().at(t).tip;
     // Half of the span before t and half behind; the tip stays within half a length of where it is at t.
-    cell.way = 0.5 * (cell.t1 - cell.t0) * (length_ + turn_ * ((middle - tip).norm() + 0.5 * (cell.t1 - cell.t0) * length_));
+    cell.travel = 0.5 * (cell.t1 - cell.t0) * (length_ + turn_ * ((middle - tip).norm() + 0.5 * (cell.t1 - cell.t0) * length_));
     const double depth = solid_.depth(frame, middle);
     keep({depth, t, cell.triangle, uv.x(), uv.y()});
-    cell.promise = depth + cell.radius + cell.way;
-    if (cell.promise > mark_mm) open_.push(cell);
+    cell.bound = depth + cell.radius + cell.travel;
+    if (cell.bound > mark_mm) open_.push(cell);
   }
 
   // The three best places of different triangles.
@@ -182,7 +182,7 @@ class Hunt {
   }
 
   void split(const Cell& cell, double mark_mm) {
-    if (cell.way > cell.radius) {
+    if (cell.travel > cell.radius) {
       const double middle = 0.5 * (cell.t0 + cell.t1);
       Cell half = cell;
       half.t1 = middle;
@@ -227,12 +227,12 @@ class Hunt {
     for (int round = 0; round < 200 && step_mm > kShortest_mm; ++round) {
       const Place from = best;
       for (int k = 0; k < 18; ++k) {
-        Vec3 way = k < 6 ? Vec3((k % 2 == 0 ? 1 : -1) * Vec3::Unit(k / 2)) : Vec3(random(), random(), random());
-        way = step_mm * way.cwiseProduct(per_mm);
+        Vec3 travel = k < 6 ? Vec3((k % 2 == 0 ? 1 : -1) * Vec3::Unit(k / 2)) : Vec3(random(), random(), random());
+        travel = step_mm * travel.cwiseProduct(per_mm);
         Place next = from;
-        next.t = std::clamp(from.t + way.x(), 0.0, 1.0);
-        next.u = std::clamp(from.u + way.y(), 0.0, 1.0);
-        next.v = std::clamp(from.v + way.z(), 0.0, 1.0 - next.u);
+        next.t = std::clamp(from.t + travel.x(), 0.0, 1.0);
+        next.u = std::clamp(from.u + travel.y(), 0.0, 1.0);
+        next.v = std::clamp(from.v + travel.z(), 0.0, 1.0 - next.u);
         next.depth = solid_.depth(solid_.frame(next.t), point(next));
         if (next.depth > best.depth) best = next;
       }

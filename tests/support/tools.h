@@ -20,40 +20,40 @@ inline ToolAssembly assembly(const Cutter& cutter, double shank_diameter = 10) {
   return tool;
 }
 
-inline ToolForms forms(const ToolAssembly& tool, double stock = 0, double shank = 0, double holder = 0) {
-  return make_tool_forms(tool, stock, shank, holder).value();
+inline ToolVariants variants(const ToolAssembly& tool, double stock = 0, double shank = 0, double holder = 0) {
+  return make_tool_variants(tool, stock, shank, holder).value();
 }
 
-inline ToolForms flat(double diameter = 10) {
-  return forms(assembly(FlatCutter{diameter, 30}, diameter));
+inline ToolVariants flat(double diameter = 10) {
+  return variants(assembly(FlatCutter{diameter, 30}, diameter));
 }
-inline ToolForms ball(double diameter = 10) {
-  return forms(assembly(BallCutter{diameter, 30}, diameter));
+inline ToolVariants ball(double diameter = 10) {
+  return variants(assembly(BallCutter{diameter, 30}, diameter));
 }
-inline ToolForms bull(double diameter = 16, double corner = 2) {
-  return forms(assembly(BullNoseCutter{diameter, corner, 30}, diameter));
+inline ToolVariants bull(double diameter = 16, double corner = 2) {
+  return variants(assembly(BullNoseCutter{diameter, corner, 30}, diameter));
 }
-inline ToolForms tapered() {
-  return forms(assembly(TaperedCutter{4, 2, 5, 30}, 8));
+inline ToolVariants tapered() {
+  return variants(assembly(TaperedCutter{4, 2, 5, 30}, 8));
 }
 /// Narrower above the cutter, so that the contour has a shoulder facing up and reflex corners.
-inline ToolForms necked() {
-  return forms(assembly(FlatCutter{12, 10}, 6));
+inline ToolVariants necked() {
+  return variants(assembly(FlatCutter{12, 10}, 6));
 }
 
 /// Undercut, hollow below, concave, pointed, round all over: the shapes beyond end mills.
-inline std::vector<ToolForms> shapes() {
-  std::vector<ToolForms> made;
+inline std::vector<ToolVariants> shapes() {
+  std::vector<ToolVariants> made;
   for (const Cutter& cutter : std::vector<Cutter>{
            DrillCutter{10, 118, 30}, ChamferCutter{12, 0, 45, 10}, LollipopCutter{12, 6, 0}, TSlotCutter{25, 1, 1, 8},
            SlittingSawCutter{40, 3, 16, 4}, DovetailCutter{20, 0.5, 30, 8}, BarrelCutter{12, 40, 1, 5, 12, 24},
            OvalCutter{10, 2, 60, 24}, LensCutter{16, 40, 1, 12}, FaceMillCutter{40, 1, 45, 50, 24, 5, 25},
            RadiusCutter{6, 1, 4, 16, 12}, AptCutter{24, 2, 0, 0, -15, 5, 15}})
-    made.push_back(forms(assembly(cutter, 6)));
+    made.push_back(variants(assembly(cutter, 6)));
   return made;
 }
 
-inline std::vector<ToolForms> all() {
+inline std::vector<ToolVariants> all() {
   return {flat(), ball(), bull(), tapered(), necked()};
 }
 

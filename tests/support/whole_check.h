@@ -16,7 +16,7 @@ struct OwnSetup {
   PreparedScene scene;
   CheckSetup setup;
 
-  explicit OwnSetup(const ToolForms* tool, const Scene& of, const CheckOptions& with = {}, std::vector<HeadBody> bodies = {})
+  explicit OwnSetup(const ToolVariants* tool, const Scene& of, const CheckOptions& with = {}, std::vector<HeadBody> bodies = {})
       : heads(std::move(bodies)), options(with), scene(prepare_scene(of, with.threads)),
         setup{{tool}, heads, scene, options} {}
   [[nodiscard]] MotionChecker checker() const { return MotionChecker(setup); }
@@ -25,7 +25,7 @@ struct OwnSetup {
   OwnSetup& operator=(const OwnSetup&) = delete;
 };
 
-inline CheckResult whole_check(const Toolpath& path, const ToolForms* tool, const Scene& scene,
+inline CheckResult whole_check(const Toolpath& path, const ToolVariants* tool, const Scene& scene,
                                const CheckOptions& options = {}, const std::vector<HeadBody>& heads = {}) {
   return check(path, OwnSetup(tool, scene, options, heads).setup);
 }

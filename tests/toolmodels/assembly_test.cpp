@@ -25,7 +25,7 @@ std::string error_of(const ToolAssembly& tool) {
 }
 
 TEST(Assembly, BodiesStandOnOneAnother) {
-  const std::vector<PlacedSegment> placed = place_segments(held());
+  const std::vector<PositionedSegment> placed = position_segments(held());
   ASSERT_EQ(placed.size(), 6u);
   EXPECT_EQ(placed[1].name, "shank 2");
   EXPECT_EQ(placed[2].name, "arbor 1");
@@ -43,13 +43,13 @@ TEST(Assembly, BodiesStandOnOneAnother) {
 TEST(Assembly, StickoutPutsTheRestOfTheShankIntoTheHolder) {
   ToolAssembly tool = held();
   tool.stickout_mm = 60;
-  const std::vector<PlacedSegment> placed = place_segments(tool);
+  const std::vector<PositionedSegment> placed = position_segments(tool);
   EXPECT_EQ(placed[1].segment.length_mm, 20);
   EXPECT_EQ(placed[1].segment.upper_diameter_mm, 14) << "half of the cone from 12 to 16";
   EXPECT_EQ(placed[2].z_mm, 60);
   EXPECT_EQ(height_mm(tool), 130);
   tool.stickout_mm = 40;
-  EXPECT_EQ(place_segments(tool).size(), 5u) << "the second segment is wholly inside";
+  EXPECT_EQ(position_segments(tool).size(), 5u) << "the second segment is wholly inside";
   tool.extensions.clear();
   tool.holder.clear();
   EXPECT_EQ(height_mm(tool), 80) << "nothing holds it, so nothing is left out";

@@ -18,12 +18,12 @@ double extent(const CompiledTool& tool) {
   return std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm});
 }
 
-std::vector<CompiledTool> forms_of(const ToolAssembly& tool) {
+std::vector<CompiledTool> variants_of(const ToolAssembly& tool) {
   std::vector<CompiledTool> all;
-  const Result<ToolForms> forms = make_tool_forms(tool, 0.3, 0.5, 2);
-  EXPECT_TRUE(forms.has_value());
-  for (const CompiledTool* form : {&forms->bare, &forms->against_part, &forms->against_fixture,
-                                   &forms->with_clearance, &forms->non_cutting})
+  const Result<ToolVariants> variants = make_tool_variants(tool, 0.3, 0.5, 2);
+  EXPECT_TRUE(variants.has_value());
+  for (const CompiledTool* form : {&variants->bare, &variants->against_part, &variants->against_fixture,
+                                   &variants->with_clearance, &variants->non_cutting})
     if (!form->elements.empty()) all.push_back(*form);
   return all;
 }
@@ -72,15 +72,15 @@ TEST(Bsp, EverySampleToolIsTested) {
 }
 
 TEST_P(BspOfSample, GivesTheDistanceOfTheBruteForceOnAMillionPoints) {
-  expect_brute_force(forms_of(tool()).front(), 1'000'000, 1);
+  expect_brute_force(variants_of(tool()).front(), 1'000'000, 1);
 }
 
-TEST_P(BspOfSample, GivesTheDistanceOfTheBruteForceForGrownFormsToo) {
-  for (const CompiledTool& form : forms_of(tool())) expect_brute_force(form, 200'000, 2);
+TEST_P(BspOfSample, GivesTheDistanceOfTheBruteForceForOffsetVariantToo) {
+  for (const CompiledTool& form : variants_of(tool())) expect_brute_force(form, 200'000, 2);
 }
 
 TEST_P(BspOfSample, ToolIsSound) {
-  for (const CompiledTool& form : forms_of(tool())) EXPECT_EQ(verify_tool(form), std::vector<std::string>{});
+  for (const CompiledTool& form : variants_of(tool())) EXPECT_EQ(verify_tool(form), std::vector<std::string>{});
 }
 
 // Nearest of a dense set of boundary points: independent of every formula of the elements.
@@ -131,7 +131,7 @@ TEST_P(BspOfSample, SignAgreesWithAPolygonTest) {
 
 TEST_P(BspOfSample, DistanceIsOneLipschitzAcrossEveryBisector) {
   Scatter random(6);
-  for (const CompiledTool& form : forms_of(tool())) {
+  for (const CompiledTool& form : variants_of(tool())) {
     for (std::size_t i = 0; i < 100'000; ++i) {
       const Vec2 p = random_point(random, form, i);
       const double step = extent(form) * std::pow(10.0, random.in(-13, 0));
@@ -147,16 +147,16 @@ TEST_P(BspOfSample, DistanceIsOneLipschitzAcrossEveryBisector) {
 
 TEST_P(BspOfSample, NormalIsTheGradientOfTheDistanceAndLeadsToTheFoot) {
   Scatter random(7);
-  const CompiledTool form = forms_of(tool()).front();
+  const CompiledTool form = variants_of(tool()).front();
   const double h = 1e-6;
   int smooth = 0;
   for (std::size_t i = 0; i < 20'000; ++i) {
     const Vec2 q = random_point(random, form, i) + Vec2(2 * h, 0);
-    const ToolAnswer a = evaluate(form, q.x(), q.y());
+    const ToolDistance a = evaluate(form, q.x(), q.y());
     EXPECT_NEAR(a.normal.norm(), 1, 1e-12);
     EXPECT_LE((q - a.signed_distance_mm * a.normal - a.foot).norm(), 1e-12 * (extent(form) + q.norm()));
     const auto at = [&](double dr, double dz) { return evaluate(form, q.x() + dr, q.y() + dz); };
-    const ToolAnswer east = at(h, 0), west = at(-h, 0), north = at(0, h), south = at(0, -h);
+    const ToolDistance east = at(h, 0), west = at(-h, 0), north = at(0, h), south = at(0, -h);
     const bool is_one_region = east.element == a.element && west.element == a.element &&
                                north.element == a.element && south.element == a.element;
     if (!is_one_region || std::abs(a.signed_distance_mm) < 1e-2 || q.norm() > 3 * extent(form)) continue;
@@ -216,11 +216,11 @@ TEST(Bsp, RandomAssembliesGiveTheDistanceOfTheBruteForce) {
   int built = 0;
   for (int k = 0; built < 200 && k < 1000; ++k) {
     const ToolAssembly tool = random_assembly(random);
-    const Result<ToolForms> forms =
-        make_tool_forms(tool, random.in(0, 1), random.in(0, 2), random.in(0, 5));
-    if (!forms) continue;
+    const Result<ToolVariants> variants =
+        make_tool_variants(tool, random.in(0, 1), random.in(0, 2), random.in(0, 5));
+    if (!variants) continue;
     ++built;
-    for (const CompiledTool* form : {&forms->bare, &forms->against_part}) {
+    for (const CompiledTool* form : {&variants->bare, &variants->against_part}) {
       EXPECT_EQ(verify_tool(*form), std::vector<std::string>{}) << k;
       expect_brute_force(*form, 20'000, static_cast<std::uint64_t>(k));
     }
@@ -249,7 +249,7 @@ TEST(Bsp, ACrackBetweenAnArcAndAFaceIsReflex) {
 
 TEST(Bsp, IsShallow) {
   for (const ToolAssembly& tool : test::sample_tools()) {
-    const CompiledTool form = forms_of(tool).front();
+    const CompiledTool form = variants_of(tool).front();
     EXPECT_LE(bsp_depth(form.nodes), 14u) << tool.name;
     EXPECT_LE(form.nodes.size(), 8 * form.elements.size()) << tool.name;
   }
@@ -272,7 +272,7 @@ TEST(Bsp, LinesThatMeetFarAwayDropNoElementThatIsNear) {
     const double shank = i == 0 ? 0.0155006333 : random.in(0.01, 1);
     const double holder = i == 0 ? 0 : random.in(0.01, 3);
     for (const ToolAssembly* tool : {&necked, &flat})
-      expect_brute_force(make_tool_forms(*tool, cutter, shank, holder)->against_part, 4000, 18);
+      expect_brute_force(make_tool_variants(*tool, cutter, shank, holder)->against_part, 4000, 18);
   }
 }
 

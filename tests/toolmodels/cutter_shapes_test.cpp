@@ -238,29 +238,29 @@ TEST(Shapes, RadiusMillIsConcave) {
 }
 
 TEST(Shapes, FreeProfileIsBuiltFromPointsAndArcs) {
-  using Way = ProfilePoint::Way;
-  const ProfileCutter cutter{{{Way::straight, 0, 0, 0},
-                              {Way::straight, 3, 0, 0},
-                              {Way::convex, 5, 2, 2},
-                              {Way::concave, 5, 8, 4},
-                              {Way::straight, 5, 12, 0}}};
+  using SegmentShape = ProfilePoint::SegmentShape;
+  const ProfileCutter cutter{{{SegmentShape::straight, 0, 0, 0},
+                              {SegmentShape::straight, 3, 0, 0},
+                              {SegmentShape::convex, 5, 2, 2},
+                              {SegmentShape::concave, 5, 8, 4},
+                              {SegmentShape::straight, 5, 12, 0}}};
   const Profile profile = profile_of(cutter);
   ASSERT_EQ(profile.elements.size(), 5u);
   EXPECT_NEAR((profile.elements[1].center - Vec2(3, 2)).norm(), 0, 1e-12);
   EXPECT_NEAR((profile.elements[2].center - Vec2(5 + std::sqrt(7), 5)).norm(), 0, 1e-12);
   EXPECT_EQ(length_mm(cutter), 12);
   EXPECT_EQ(error_of(ProfileCutter{}), "the profile has 0 points; it needs at least 2 [tool-profile-broken]");
-  EXPECT_EQ(error_of(ProfileCutter{{{Way::straight, 0, 0, 0}, {Way::convex, 8, 0, 3}}}),
+  EXPECT_EQ(error_of(ProfileCutter{{{SegmentShape::straight, 0, 0, 0}, {SegmentShape::convex, 8, 0, 3}}}),
             "point 2: radius 3 mm is too small to reach from the point before; at least 4 mm is needed "
             "[tool-profile-broken]");
-  EXPECT_EQ(error_of(ProfileCutter{{{Way::straight, 0, 0, 0}, {Way::straight, -1, 5, 0}}}),
+  EXPECT_EQ(error_of(ProfileCutter{{{SegmentShape::straight, 0, 0, 0}, {SegmentShape::straight, -1, 5, 0}}}),
             "point 2: r is -1 mm; a radius is 0 or more [tool-profile-broken]");
   EXPECT_EQ(error_of(ProfileCutter{
-                {{Way::straight, 0, 10, 0}, {Way::straight, 5, 10, 0}, {Way::straight, 5, 0, 0}}}),
+                {{SegmentShape::straight, 0, 10, 0}, {SegmentShape::straight, 5, 10, 0}, {SegmentShape::straight, 5, 0, 0}}}),
             "these numbers make no closed profile: the contour does not end above its start (points in order "
             "from the tip "
             "up, the tool on their left) [tool-profile-broken]");
-  EXPECT_EQ(error_of(ProfileCutter{{{Way::convex, 3, 0, 2}, {Way::straight, 5, 10, 0}}}),
+  EXPECT_EQ(error_of(ProfileCutter{{{SegmentShape::convex, 3, 0, 2}, {SegmentShape::straight, 5, 10, 0}}}),
             "point 1 has an arc, but nothing comes before it; arcs lead to a point from the one before "
             "[tool-profile-broken]");
 }

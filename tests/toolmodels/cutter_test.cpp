@@ -95,7 +95,7 @@ TEST(Cutter, AptCornerTouchesBottomLineAndSide) {
   EXPECT_NEAR((bottom.a + t * u).x(), 10, 1e-12);
 }
 
-TEST(Cutter, AptContradictionIsTold) {
+TEST(Cutter, AptContradictionIsReported) {
   EXPECT_EQ(apt_contradiction({16, 0, 8, 0, 0, 0, 93}), "");
   EXPECT_EQ(apt_contradiction({16, 2, 0, 0, 0, 0, 93}), "");
   EXPECT_EQ(apt_contradiction({12, 2, 8, 2, 0, 0, 93}), "") << "e as the diameter of the flat tip";

@@ -119,7 +119,7 @@ TEST(DrawProfile, TheWidestRadiusIsNamedSoWhereItIsNotTheNominalOne) {
   EXPECT_FALSE(has_radius(test::assembly("t", TaperedCutter{2, 1, 5, 20}), "D/2 = "));
 }
 
-TEST(DrawProfile, StickOutAndGaugeLengthAreTold) {
+TEST(DrawProfile, StickOutAndGaugeLengthAreReported) {
   ToolAssembly tool = test::assembly("t", FlatCutter{10, 20}, {{10, 10, 60}}, {{32, 32, 40}});
   tool.stickout_mm = 50;
   tool.gauge_length_mm = 85;

@@ -35,7 +35,7 @@ TEST(FromPath, ShortToolsAreAssumedFiftyMillimetresLong) {
   EXPECT_EQ(top_of(made->tool), 50);
 }
 
-TEST(FromPath, AHeightWithinTheTipIsReplacedAndTold) {
+TEST(FromPath, AHeightWithinTheTipIsReplacedAndReported) {
   // CUTTER/.5,.25,0,0,0,0,.25 in inches, as a real file has it.
   const Result<ToolFromPath> made =
       tool_of(std::nullopt, "ball", {.d_mm = 12.7, .r_mm = 6.35, .h_mm = 6.35, .given = 7}, {});
@@ -72,7 +72,7 @@ TEST(FromPath, TheHolderStandsOnTop) {
   EXPECT_EQ(make_profile(made->tool)->elements.back().body, Body::holder);
 }
 
-TEST(FromPath, ContradictingNumbersAreTold) {
+TEST(FromPath, ContradictingNumbersAreReported) {
   const CutterStatement cutter{.d_mm = 12, .r_mm = 2, .e_mm = 7, .f_mm = 2, .h_mm = 60, .given = 7};
   const Result<ToolFromPath> made = tool_of(1, "", cutter, {});
   ASSERT_TRUE(made.has_value());

@@ -45,8 +45,8 @@ struct Disagreement {
   Worst normal;    // off unit length
 
   void see(const CompiledTool& tool, const Vec2& q) {
-    const ToolAnswer fast = evaluate(tool, q.x(), q.y());
-    const ToolAnswer slow = evaluate_brute_force(tool, q.x(), q.y());
+    const ToolDistance fast = evaluate(tool, q.x(), q.y());
+    const ToolDistance slow = evaluate_brute_force(tool, q.x(), q.y());
     const double scale = test::extent_mm(tool) + q.norm();
     const BoundaryElement& named = tool.elements[fast.element];
     distance.see(std::abs(fast.signed_distance_mm - slow.signed_distance_mm), scale, q);
@@ -109,7 +109,7 @@ TEST(Proximity, DistanceIsOneLipschitzAndContinuousAcrossBisectors) {
 }
 
 // Both ways for tools of every size, whichever of them signed_distances takes; and one point at a time.
-TEST(Proximity, ManyPointsAtOnceGetTheAnswersOfOneAtATime) {
+TEST(Proximity, ManyPointsAtOnceGetTheResultsOfOneAtATime) {
   for (std::uint64_t seed = 0; seed < kTools; ++seed) {
     const test::RandomTool made = test::random_tool(seed);
     const CompiledTool tool = compile_tool(made.name, made.profile);

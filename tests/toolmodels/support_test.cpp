@@ -125,9 +125,9 @@ std::size_t try_claims(Scatter& random, const CompiledTool& tool, int hulls) {
 TEST(SupportRange, TangentPlanesBoundTheDepthOfWholeHulls) {
   Scatter random(7);
   for (const ToolAssembly& assembly : test::sample_tools()) {
-    const Result<ToolForms> forms = make_tool_forms(assembly, 0.2, 0.5, 1.5);
-    ASSERT_TRUE(forms.has_value());
-    for (const CompiledTool* tool : {&forms->bare, &forms->against_part, &forms->non_cutting}) {
+    const Result<ToolVariants> variants = make_tool_variants(assembly, 0.2, 0.5, 1.5);
+    ASSERT_TRUE(variants.has_value());
+    for (const CompiledTool* tool : {&variants->bare, &variants->against_part, &variants->non_cutting}) {
       if (tool->elements.empty()) continue;
       const std::size_t claims = try_claims(random, *tool, 6000);
       EXPECT_GT(claims, 300u) << tool->name << ": hardly anything is claimed, so nothing is tested";
@@ -157,9 +157,9 @@ TEST(SupportRange, HollowToolsClaimWhatHoldsForThemFilled) {
       test::assembly("dish", AptCutter{24, 2, 0, 0, -15, 5, 15}, {{10, 10, 30}}, {{32, 32, 20}}),
       test::assembly("edge", AptCutter{24, 0, 0, 0, -25, -5, 15}, {{30, 20, 30}})};
   for (const ToolAssembly& assembly : hollow) {
-    const Result<ToolForms> forms = make_tool_forms(assembly, 0.2, 0.5, 1.5);
-    ASSERT_TRUE(forms.has_value());
-    for (const CompiledTool* tool : {&forms->bare, &forms->against_part}) {
+    const Result<ToolVariants> variants = make_tool_variants(assembly, 0.2, 0.5, 1.5);
+    ASSERT_TRUE(variants.has_value());
+    for (const CompiledTool* tool : {&variants->bare, &variants->against_part}) {
       const std::size_t claims = try_claims(random, *tool, 30000);
       EXPECT_GT(claims, 300u) << tool->name << ": hardly anything is claimed, so nothing is tested";
     }
@@ -167,8 +167,8 @@ TEST(SupportRange, HollowToolsClaimWhatHoldsForThemFilled) {
 }
 
 TEST(SupportRange, ConvexToolClaimsEverything) {
-  const Result<ToolForms> forms = make_tool_forms(test::assembly("", BullNoseCutter{16, 2, 25}), 0, 0, 0);
-  for (const BoundaryElement& e : forms->bare.elements) {
+  const Result<ToolVariants> variants = make_tool_variants(test::assembly("", BullNoseCutter{16, 2, 25}), 0, 0, 0);
+  for (const BoundaryElement& e : variants->bare.elements) {
     EXPECT_LE(e.support.z_lo_mm, -1e299);
     EXPECT_GE(e.support.z_hi_mm, 1e299);
     EXPECT_EQ(e.support.r_min_mm, 0);
@@ -177,9 +177,9 @@ TEST(SupportRange, ConvexToolClaimsEverything) {
 
 TEST(SupportRange, HolderFaceClaimsOnlyOutsideTheShank) {
   const ToolAssembly tool = test::assembly("", FlatCutter{10, 30}, {{10, 10, 20}}, {{32, 32, 40}});
-  const Result<ToolForms> forms = make_tool_forms(tool, 0, 0, 0);
+  const Result<ToolVariants> variants = make_tool_variants(tool, 0, 0, 0);
   bool is_seen = false;
-  for (const BoundaryElement& e : forms->bare.elements) {
+  for (const BoundaryElement& e : variants->bare.elements) {
     const bool is_face = e.kind == ElementKind::segment && e.body == Body::holder && e.normal.y() < -0.5;
     if (!is_face) continue;
     is_seen = true;
@@ -191,8 +191,8 @@ TEST(SupportRange, HolderFaceClaimsOnlyOutsideTheShank) {
 
 TEST(SupportRange, ReflexCornersAndUndercutsClaimNothing) {
   const ToolAssembly stepped = test::assembly("", FlatCutter{10, 30}, {{6, 6, 20}}, {{32, 32, 40}});
-  const Result<ToolForms> forms = make_tool_forms(stepped, 0, 0, 0);
-  for (const BoundaryElement& e : forms->bare.elements)
+  const Result<ToolVariants> variants = make_tool_variants(stepped, 0, 0, 0);
+  for (const BoundaryElement& e : variants->bare.elements)
     if (e.is_reflex) {
       EXPECT_GT(e.support.z_lo_mm, e.support.z_hi_mm);
     }

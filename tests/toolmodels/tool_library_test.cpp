@@ -88,7 +88,7 @@ TEST(ToolLibrary, HoldersHaveNamesOrBelongToTools) {
   EXPECT_EQ(library->holder_called("c"), nullptr);
 }
 
-TEST(ToolLibrary, UnknownKeysAreToldWithTheirLine) {
+TEST(ToolLibrary, UnknownKeysAreReportedWithTheirLine) {
   const Result<ToolLibrary> library = read_tool_library(
       "lib.json", with_cutter("{\"shape\":\"flat\",\"diameter\":6,\"length\":20,\n\"corner_radius\":1}"));
   ASSERT_TRUE(library.has_value());
@@ -171,9 +171,9 @@ TEST(ToolLibrary, TheSampleLibraryShowsEveryShapeAndSurvivesARoundTrip) {
   std::set<std::string> shapes;
   for (const ToolAssembly& tool : library.tools) {
     shapes.insert(shape_name(tool.cutter));
-    const Result<ToolForms> forms = make_tool_forms(tool, 0.2, 0.5, 1);
-    ASSERT_TRUE(forms.has_value()) << tool.name << ": " << forms.error().message;
-    EXPECT_EQ(verify_tool(forms->against_part), std::vector<std::string>{}) << tool.name;
+    const Result<ToolVariants> variants = make_tool_variants(tool, 0.2, 0.5, 1);
+    ASSERT_TRUE(variants.has_value()) << tool.name << ": " << variants.error().message;
+    EXPECT_EQ(verify_tool(variants->against_part), std::vector<std::string>{}) << tool.name;
   }
   EXPECT_EQ(shapes.size(), every_shape().size());
   const std::string text = write_tool_library(library);

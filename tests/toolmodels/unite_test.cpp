@@ -30,13 +30,13 @@ double outside_distance(const std::vector<CompiledTool>& bodies, const double (&
   return nearest;
 }
 
-TEST(Unite, IsTheUnionOfTheGrownBodies) {
+TEST(Unite, IsTheUnionOfTheOffsetBodies) {
   Scatter random(3);
   for (const ToolAssembly& tool : test::sample_tools()) {
     const Result<BodyProfiles> profiles = make_body_profiles(tool);
     ASSERT_TRUE(profiles.has_value());
     std::vector<CompiledTool> bodies;
-    std::vector<GrownBody> grown;
+    std::vector<OffsetBody> grown;
     for (std::size_t i = 0; i < 3; ++i) {
       bodies.push_back(compile_tool("", (*profiles)[i]));
       grown.push_back({&(*profiles)[i], kGrowths[i]});
@@ -80,7 +80,7 @@ TEST(Unite, SegmentsInOneLineAreOneElement) {
   EXPECT_EQ(split->elements.size(), whole->elements.size());
 }
 
-TEST(Unite, GrownCylinderIsRoundedAtBothEnds) {
+TEST(Unite, OffsetCylinderIsRoundedAtBothEnds) {
   Profile cylinder;
   cylinder.elements = {make_segment(Body::holder, {0, 10}, {8, 10}),
                        make_segment(Body::holder, {8, 10}, {8, 20}),
@@ -96,12 +96,12 @@ TEST(Unite, GrownCylinderIsRoundedAtBothEnds) {
   EXPECT_EQ(grown.elements[3].b, Vec2(8, 21.5));
 }
 
-TEST(Unite, AHolderGrownOverTheCutterTakesItsPlace) {
+TEST(Unite, AHolderOffsetOverTheCutterTakesItsPlace) {
   const ToolAssembly tool = test::assembly("", FlatCutter{10, 5}, {}, {{30, 30, 20}});
-  const Result<ToolForms> forms = make_tool_forms(tool, 0, 0, 6);
-  EXPECT_EQ(forms->against_part.z_min_mm, -1);
-  for (const BoundaryElement& e : forms->against_part.elements) EXPECT_EQ(e.body, Body::holder);
-  EXPECT_EQ(forms->bare.z_min_mm, 0);
+  const Result<ToolVariants> variants = make_tool_variants(tool, 0, 0, 6);
+  EXPECT_EQ(variants->against_part.z_min_mm, -1);
+  for (const BoundaryElement& e : variants->against_part.elements) EXPECT_EQ(e.body, Body::holder);
+  EXPECT_EQ(variants->bare.z_min_mm, 0);
 }
 
 TEST(Unite, ConcaveFilletShrinksByTheGrowthAndThenVanishes) {
@@ -130,7 +130,7 @@ TEST(Unite, ConcaveFilletShrinksByTheGrowthAndThenVanishes) {
   }
 }
 
-// Cells of a grid that a point can reach from outside the grown bodies without coming nearer than `margin`.
+// Cells of a grid that a point can reach from outside the offset bodies without coming nearer than `margin`.
 class Outside {
  public:
   Outside(const CompiledTool& body, double growth, double margin) : low_(0, body.z_min_mm - growth - 1) {
@@ -199,27 +199,27 @@ TEST(Unite, GrowsProfilesOfAnyFormAsTheDistanceSays) {
   }
 }
 
-TEST(ToolForms, OnlyBodiesWithAClearanceAreInTheFormOfTheirOwn) {
+TEST(ToolVariants, OnlyBodiesWithAClearanceAreInTheFormOfTheirOwn) {
   const ToolAssembly tool = test::assembly("", FlatCutter{10, 30}, {{12, 12, 20}}, {{32, 32, 40}});
-  const Result<ToolForms> none = make_tool_forms(tool, 0.5, 0, 0);
+  const Result<ToolVariants> none = make_tool_variants(tool, 0.5, 0, 0);
   EXPECT_TRUE(none->with_clearance.elements.empty());
   EXPECT_EQ(none->against_part.z_min_mm, -0.5);
   EXPECT_EQ(none->against_fixture.z_min_mm, 0) << "stock to leave is against the part alone";
-  const Result<ToolForms> holder = make_tool_forms(tool, 0, 0, 2);
+  const Result<ToolVariants> holder = make_tool_variants(tool, 0, 0, 2);
   EXPECT_EQ(holder->with_clearance.z_min_mm, 48);
   EXPECT_EQ(holder->with_clearance.r_max_mm, 18);
   EXPECT_EQ(holder->non_cutting.z_min_mm, 30) << "the shank stays as it is";
-  const Result<ToolForms> bare = make_tool_forms(test::assembly("", FlatCutter{10, 30}), 0, 1, 1);
+  const Result<ToolVariants> bare = make_tool_variants(test::assembly("", FlatCutter{10, 30}), 0, 1, 1);
   EXPECT_TRUE(bare->with_clearance.elements.empty()) << "there is nothing to grow";
   EXPECT_TRUE(bare->non_cutting.elements.empty());
 }
 
-TEST(ToolForms, TheCoreIsTheDeepestPointOfTheCutterOnTheAxis) {
-  const Result<ToolForms> forms =
-      make_tool_forms(test::assembly("", FlatCutter{10, 30}, {{20, 20, 40}}), 0, 0, 0);
-  EXPECT_EQ(forms->bare.core.x(), 0);
-  EXPECT_LE(forms->bare.core.y(), 30);
-  EXPECT_GE(forms->bare.core_depth_mm, 5);
+TEST(ToolVariants, TheCoreIsTheDeepestPointOfTheCutterOnTheAxis) {
+  const Result<ToolVariants> variants =
+      make_tool_variants(test::assembly("", FlatCutter{10, 30}, {{20, 20, 40}}), 0, 0, 0);
+  EXPECT_EQ(variants->bare.core.x(), 0);
+  EXPECT_LE(variants->bare.core.y(), 30);
+  EXPECT_GE(variants->bare.core_depth_mm, 5);
 }
 
 }  // namespace

@@ -165,7 +165,7 @@ TEST(Voronoi, TheParabolaTouchesTheBisectorAtTheReflexCornersNormal) {
 // other.
 void expect_tangency(double upper_diameter) {
   const ToolAssembly tool = test::assembly("step", FlatCutter{24, 4}, {{12, upper_diameter, 40}});
-  const CompiledTool compiled = make_tool_forms(tool, 0, 0, 0)->bare;
+  const CompiledTool compiled = make_tool_variants(tool, 0, 0, 0)->bare;
   const Vec2 corner(6, 4);
   const Vec2 side = (Vec2(upper_diameter / 2, 44) - corner).normalized();
   const Vec2 inward(-side.y(), side.x());
@@ -227,7 +227,7 @@ TEST(Voronoi, RandomToolsHaveBisectorsOfEveryKindBesideConcaveArcsToo) {
 
 TEST(Voronoi, NeighboursShareTheLineBetweenTheirDomains) {
   for (const ToolAssembly& tool : test::sample_tools()) {
-    const Result<ToolForms> forms = make_tool_forms(tool, 0, 0, 1);
+    const Result<ToolVariants> forms = make_tool_variants(tool, 0, 0, 1);
     const std::vector<BoundaryElement>& elements = forms->against_part.elements;
     const Domains domains = make_domains(elements);
     ASSERT_EQ(domains.lines.size(), elements.size() - 1);

@@ -21,7 +21,7 @@ enum class CatalogueShape {
   chamfer,       ///< diameter is the largest; a cone from tip_diameter up to it, then straight
   drill,         ///< a point of point_angle
   face,          ///< an edge leaning outward by taper_angle up to the largest diameter, or none
-  full,          ///< threads and edges that are taken as a full cylinder, which is told
+  full,          ///< threads and edges that are taken as a full cylinder, which is reported
   slot,
   saw,
   dovetail,  ///< diameter is that of the bottom

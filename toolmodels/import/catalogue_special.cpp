@@ -8,7 +8,7 @@ namespace gouge {
 namespace {
 
 using enum Dimension;
-using Way = ProfilePoint::Way;
+using SegmentShape = ProfilePoint::SegmentShape;
 
 constexpr double kAgree_mm = 5e-3;  // files round to a few decimals
 
@@ -130,11 +130,11 @@ class SpecialMaker {
     guess(d_.text(taper_angle) + " is taken as the included angle of the cone above the pilot");
     const double point = pilot / std::tan(radians(at(point_angle) / 2));
     const double cone = at(tip_length) + (r - pilot) / std::tan(radians(at(taper_angle) / 2));
-    return Cutter(ProfileCutter{{{Way::straight, 0, 0, 0},
-                                 {Way::straight, pilot, point, 0},
-                                 {Way::straight, pilot, at(tip_length), 0},
-                                 {Way::straight, r, cone, 0},
-                                 {Way::straight, r, std::max(at(flute_length), cone), 0}}});
+    return Cutter(ProfileCutter{{{SegmentShape::straight, 0, 0, 0},
+                                 {SegmentShape::straight, pilot, point, 0},
+                                 {SegmentShape::straight, pilot, at(tip_length), 0},
+                                 {SegmentShape::straight, r, cone, 0},
+                                 {SegmentShape::straight, r, std::max(at(flute_length), cone), 0}}});
   }
 
   Result<Cutter> barrel() {
@@ -211,12 +211,12 @@ class SpecialMaker {
                     "; built up to there");
     guess("the flank is taken to touch tip and upper end as a straight one leaning " + d_.text(taper_angle) +
           " would");
-    ProfileCutter made{{{Way::straight, 0, 0, 0}}};
-    if (c1.x() > 0) made.points.push_back({Way::straight, c1.x(), 0, 0});
-    if (r1 > 0) made.points.push_back({Way::convex, t1.x(), t1.y(), r1});
-    made.points.push_back({Way::convex, t2.x(), t2.y(), big});
-    if (r2 > 0) made.points.push_back({Way::convex, at(diameter) / 2, c2.y(), r2});
-    made.points.push_back({Way::straight, at(diameter) / 2, top, 0});
+    ProfileCutter made{{{SegmentShape::straight, 0, 0, 0}}};
+    if (c1.x() > 0) made.points.push_back({SegmentShape::straight, c1.x(), 0, 0});
+    if (r1 > 0) made.points.push_back({SegmentShape::convex, t1.x(), t1.y(), r1});
+    made.points.push_back({SegmentShape::convex, t2.x(), t2.y(), big});
+    if (r2 > 0) made.points.push_back({SegmentShape::convex, at(diameter) / 2, c2.y(), r2});
+    made.points.push_back({SegmentShape::straight, at(diameter) / 2, top, 0});
     return Cutter(made);
   }
 

@@ -59,7 +59,7 @@ double diameter_at(const ToolSegment& s, double height_mm) {
   return s.lower_diameter_mm + (s.upper_diameter_mm - s.lower_diameter_mm) * (height_mm / s.length_mm);
 }
 
-// An entering angle is the taper angle told from the other side.
+// An entering angle is the taper angle measured from the other side.
 Dimensions with_taper(Dimensions d) {
   const double entering = d.value_or(entering_angle, 0);
   if (entering > 0 && entering < 90 && !(d.value_or(taper_angle, 0) > 0))

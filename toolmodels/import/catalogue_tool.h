@@ -11,7 +11,7 @@
 #include "toolmodels/import/catalogue_cutter.h"
 #include "toolmodels/import/import_tools.h"
 
-// A tool as a catalogue or a CAM library tells it, and the assembly it makes:
+// A tool as a catalogue or a CAM library describes it, and the assembly it makes:
 //
 //   holder segments          from body_length up
 //   shank                    shank_diameter, from the shaft segments (or the shoulder) to body_length

@@ -20,39 +20,39 @@ std::optional<int> tool_number(long long number) {
   return static_cast<int>(number);
 }
 
-void Collector::tell(const std::string& who, const Diagnostic& diagnostic, std::size_t line) {
-  Diagnostic told = diagnostic;
-  if (!told.message.starts_with(who + ": ")) told.message = who + ": " + told.message;
-  if (told.file.empty()) {
-    told.file = file();
-    told.line = line;
+void Collector::report(const std::string& who, const Diagnostic& diagnostic, std::size_t line) {
+  Diagnostic reported = diagnostic;
+  if (!reported.message.starts_with(who + ": ")) reported.message = who + ": " + reported.message;
+  if (reported.file.empty()) {
+    reported.file = file();
+    reported.line = line;
   }
-  made_.notes.push_back(std::move(told));
+  made_.notes.push_back(std::move(reported));
 }
 
 void Collector::leave_out(const std::string& who, const std::string& shape, std::size_t line) {
-  tell(who, make_warning("import-shape", "not imported: shape " + shape), line);
+  report(who, make_warning("import-shape", "not imported: shape " + shape), line);
 }
 
-void Collector::settle_number(ToolAssembly& tool, std::size_t line) {
+void Collector::assign_number(ToolAssembly& tool, std::size_t line) {
   if (!tool.number || made_.library.with_number(*tool.number) == nullptr) return;
   const std::string who = tool_label(tool.number, tool.name);
   const int number = *tool.number;
   tool.number.reset();
   if (tool.name.empty()) tool.name = "tool at position " + std::to_string(made_.library.tools.size() + 1);
-  tell(who,
+  report(who,
        make_warning("import-number", "number " + std::to_string(number) +
                                          " is already taken; this tool is imported without number, as \"" +
                                          tool.name + "\""),
        line);
 }
 
-void Collector::tell_of(const CatalogueTool& tool, const std::string& who, Diagnostic diagnostic) {
+void Collector::report_of(const CatalogueTool& tool, const std::string& who, Diagnostic diagnostic) {
   if (!tool.file.empty()) {
     diagnostic.file = tool.file;
     diagnostic.line = tool.line;
   }
-  tell(who, diagnostic, tool.line);
+  report(who, diagnostic, tool.line);
 }
 
 void Collector::add(CatalogueTool tool) {
@@ -62,10 +62,10 @@ void Collector::add(CatalogueTool tool) {
   Diagnostics notes;
   Result<ToolAssembly> made = make_catalogue_tool(tool, options_, notes);
   if (!made && made.error().code == "import-shape")
-    return tell_of(tool, who, make_warning("import-shape", "not imported: shape " + made.error().message));
-  for (const Diagnostic& note : notes) tell_of(tool, who, note);
-  if (!made) return tell_of(tool, who, made.error());
-  settle_number(*made, tool.line);
+    return report_of(tool, who, make_warning("import-shape", "not imported: shape " + made.error().message));
+  for (const Diagnostic& note : notes) report_of(tool, who, note);
+  if (!made) return report_of(tool, who, made.error());
+  assign_number(*made, tool.line);
   is_all_inch_ = is_all_inch_ && tool.unit == LengthUnit::inch;
   made_.library.tools.push_back(std::move(*made));
 }
@@ -74,7 +74,7 @@ void Collector::add_holder(NamedHolder holder, LengthUnit unit, std::size_t line
   const std::string who = "holder \"" + holder.name + "\"";
   const ToolAssembly probe{std::nullopt, holder.name, FlatCutter{1, 1}, {}, holder.segments};
   if (const Result<BodyProfiles> bodies = make_body_profiles(probe); !bodies)
-    return tell(who, bodies.error(), line);
+    return report(who, bodies.error(), line);
   is_all_inch_ = is_all_inch_ && unit == LengthUnit::inch;
   made_.library.holders.push_back(std::move(holder));
 }

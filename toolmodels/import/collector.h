@@ -19,7 +19,7 @@ class Collector {
   /// `who` was left out because its shape cannot be expressed.
   void leave_out(const std::string& who, const std::string& shape, std::size_t line);
   /// A diagnostic about `who`, with file and line filled in.
-  void tell(const std::string& who, const Diagnostic& diagnostic, std::size_t line);
+  void report(const std::string& who, const Diagnostic& diagnostic, std::size_t line);
 
   [[nodiscard]] const ImportOptions& options() const { return options_; }
   [[nodiscard]] const std::string& file() const { return made_.library.file; }
@@ -28,8 +28,8 @@ class Collector {
   [[nodiscard]] ImportedTools finish();
 
  private:
-  void tell_of(const CatalogueTool& tool, const std::string& who, Diagnostic diagnostic);
-  void settle_number(ToolAssembly& tool, std::size_t line);
+  void report_of(const CatalogueTool& tool, const std::string& who, Diagnostic diagnostic);
+  void assign_number(ToolAssembly& tool, std::size_t line);
 
   const ImportOptions& options_;
   ImportedTools made_;

@@ -29,7 +29,7 @@ enum class Dimension {
   lower_radius,    ///< corner at the tip of a circle segment
   upper_radius,    ///< at the top of the flutes
   profile_radius,  ///< PRFRAD: of the flank or bottom arc
-  axial_distance,  ///< tip to the widest place of a barrel
+  axial_distance,  ///< tip to the widest point of a barrel
   cap_diameter,
   cap_height,
   entering_angle,  ///< KAPR: edge against the tip plane, degrees; 90 less the taper angle

@@ -89,12 +89,12 @@ class BitImporter {
     if (type.empty()) type = stem(detail::text_of(json_.root, "shape"));
     const std::optional<CatalogueShape> shape = shape_of(plain_word(type));
     if (!shape)
-      return tell(make_warning("import-shape", "not imported: shape " + (type.empty() ? "not named" : type)));
+      return report(make_warning("import-shape", "not imported: shape " + (type.empty() ? "not named" : type)));
     tool_.shape = *shape;
     const auto parameters = json_.root.find("parameter");
     if (parameters == json_.root.end() || !parameters->is_object())
-      return tell(make_error("import-field", "has no \"parameter\"; it needs them"));
-    if (const Outcome good = read_parameters(*parameters); !good) return tell(good.error());
+      return report(make_error("import-field", "has no \"parameter\"; it needs them"));
+    if (const Outcome good = read_parameters(*parameters); !good) return report(good.error());
     tool_.unit = has_inch_ && !has_mm_ ? LengthUnit::inch : LengthUnit::mm;
     collector_.add(std::move(tool_));
   }
@@ -106,7 +106,7 @@ class BitImporter {
       if (is_not_contour(key)) continue;
       const std::optional<Parameter> parameter = parameter_of(key);
       if (!parameter && key != "FlatRadius" && key != "NeckHeight") {
-        tell(make_note("import-left-out", "has a parameter \"" + clean_text(key) +
+        report(make_note("import-left-out", "has a parameter \"" + clean_text(key) +
                                               "\" that has no meaning for this shape here and was left out"));
         continue;
       }
@@ -126,15 +126,15 @@ class BitImporter {
     if (neck_height)
       d.set(Dimension::shoulder_length, d.value_or(Dimension::flute_length, 0) + *neck_height,
             "CuttingEdgeHeight + NeckHeight");
-    if (tool_.shape == CatalogueShape::dovetail) tell_dovetail_angle(d);
+    if (tool_.shape == CatalogueShape::dovetail) report_dovetail_angle(d);
     return Done{};
   }
 
   // Half of an included angle and the rest to a right angle are the same for 60 degrees alone. A dovetail's
   // tip diameter is labelled as a height, and used for neither.
-  void tell_dovetail_angle(Dimensions& d) {
+  void report_dovetail_angle(Dimensions& d) {
     if (!d[Dimension::taper_angle]) return;
-    tell(make_warning("import-guess",
+    report(make_warning("import-guess",
                       d.text(Dimension::taper_angle) +
                           " is taken between side and axis; if the angle of your dovetail is counted from "
                           "its bottom, correct taper_angle"));
@@ -151,18 +151,18 @@ class BitImporter {
     if (quantity.unit == QuantityUnit::mm) has_mm_ = true;
     if (quantity.unit == QuantityUnit::inch) has_inch_ = true;
     if (quantity.has_decimal_comma)
-      tell(make_note("import-guess", key + " has a comma; read as a decimal comma, " +
+      report(make_note("import-guess", key + " has a comma; read as a decimal comma, " +
                                          (angle ? degrees_text(quantity.value) : mm_text(quantity.value))));
     if (quantity.unit == QuantityUnit::none && !angle) {
       has_mm_ = true;
-      tell(make_note("import-guess", key + " has no unit; taken as " + mm_text(quantity.value)));
+      report(make_note("import-guess", key + " has no unit; taken as " + mm_text(quantity.value)));
     }
   }
 
-  void tell(Diagnostic diagnostic) {
+  void report(Diagnostic diagnostic) {
     diagnostic.message = who_ + ": " + diagnostic.message;
     diagnostic.file = file_;
-    collector_.tell(who_, diagnostic, 0);
+    collector_.report(who_, diagnostic, 0);
   }
 
   Collector& collector_;
@@ -188,7 +188,7 @@ bool stays_below(const std::string& path) {
 void read_listed(Collector& collector, const Json& entry, const std::string& who, std::size_t line) {
   const std::string path = entry.is_object() ? detail::text_of(entry, "path") : std::string();
   if (!stays_below(path))
-    return collector.tell(
+    return collector.report(
         who,
         make_error("import-field",
                    "path is \"" + path + "\"; expected the name of a file beside the library"),
@@ -197,14 +197,14 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
   if (const auto found = entry.find("nr"); found != entry.end() && found->is_number_integer())
     number = tool_number(found->get<std::int64_t>());
   if (!collector.options().read_beside)
-    return collector.tell(who, make_error("import-field", path + " cannot be read from here"), line);
+    return collector.report(who, make_error("import-field", path + " cannot be read from here"), line);
   const Result<std::string> bytes = collector.options().read_beside(path);
-  if (!bytes) return collector.tell(who, bytes.error(), line);
+  if (!bytes) return collector.report(who, bytes.error(), line);
   const Result<detail::JsonFile> bit =
       detail::parse_json(path, *bytes, detail::imported_kind("a FreeCAD tool bit"));
-  if (!bit) return collector.tell(who, bit.error(), line);
+  if (!bit) return collector.report(who, bit.error(), line);
   if (!is_bit(bit->root))
-    return collector.tell(who, make_error("import-format", "this is no FreeCAD tool bit", path), line);
+    return collector.report(who, make_error("import-format", "this is no FreeCAD tool bit", path), line);
   BitImporter(collector, *bit, path).read(number);
 }
 

@@ -70,7 +70,7 @@ class FusionImporter {
 
   void entry(const Json& entry, const std::string& pointer, std::size_t position) {
     if (!entry.is_object())
-      return collector_.tell("entry " + std::to_string(position),
+      return collector_.report("entry " + std::to_string(position),
                              make_error("import-field", "is no object; expected a tool or a holder"),
                              lines_.at(pointer));
     CatalogueTool tool;
@@ -85,7 +85,7 @@ class FusionImporter {
     const std::optional<CatalogueShape> shape = shape_of(plain_word(type));
     if (!shape) return collector_.leave_out(who_, type.empty() ? "not named" : type, line_);
     tool.shape = *shape;
-    if (const Outcome good = read_tool(entry, tool); !good) return collector_.tell(who_, good.error(), line_);
+    if (const Outcome good = read_tool(entry, tool); !good) return collector_.report(who_, good.error(), line_);
     collector_.add(std::move(tool));
   }
 
@@ -101,11 +101,11 @@ class FusionImporter {
     who_ = "holder \"" + tool.name + "\"";
     line_ = tool.line;
     const Result<LengthUnit> unit = unit_of(entry, std::nullopt);
-    if (!unit) return collector_.tell(who_, unit.error(), line_);
+    if (!unit) return collector_.report(who_, unit.error(), line_);
     const Result<std::vector<ToolSegment>> segments = read_segments(entry, "holder", *unit);
-    if (!segments) return collector_.tell(who_, segments.error(), line_);
+    if (!segments) return collector_.report(who_, segments.error(), line_);
     if (segments->empty())
-      return collector_.tell(who_, make_error("import-field", "has no segments; it needs at least one"),
+      return collector_.report(who_, make_error("import-field", "has no segments; it needs at least one"),
                              line_);
     check_gauge_length(entry, *segments, *unit);
     collector_.add_holder({tool.name, *segments}, *unit, line_);
@@ -165,7 +165,7 @@ class FusionImporter {
       std::optional<Dimension> dimension = catalogue_dimension(key);
       if (!dimension) {
         if (!is_not_contour(key))
-          tell(make_note("import-left-out",
+          report(make_note("import-left-out",
                          "geometry has a key \"" + clean_text(key) +
                              "\" that has no meaning for this shape here and was left out"));
         continue;
@@ -228,11 +228,11 @@ class FusionImporter {
     for (const ToolSegment& s : segments) total_mm += s.length_mm;
     const std::string gauge = "gaugeLength " + mm_text(gauge_mm);
     if (gauge_mm > total_mm + kAgree_mm)
-      tell(make_warning("import-contradiction",
+      report(make_warning("import-contradiction",
                         gauge + " is more than the holder's segments together, " + mm_text(total_mm) +
                             "; the part of the holder above them is not in the file"));
     else if (gauge_mm > 0 && gauge_mm < total_mm - kAgree_mm)
-      tell(make_note("import-guess", "the holder's segments reach " + mm_text(total_mm - gauge_mm) +
+      report(make_note("import-guess", "the holder's segments reach " + mm_text(total_mm - gauge_mm) +
                                          " above the gauge line; they are kept"));
     return gauge_mm;
   }
@@ -243,13 +243,13 @@ class FusionImporter {
     if (found == geometry.end() || !found->is_number() || !(gauge_mm > 0) || !(body_mm > 0)) return;
     const double assembly_mm = found->get<double>() * mm_per(tool.unit);
     if (!(assembly_mm > 0) || std::abs(assembly_mm - body_mm - gauge_mm) <= kAgree_mm) return;
-    tell(make_warning("import-contradiction", "assemblyGaugeLength " + mm_text(assembly_mm) + " is not " +
+    report(make_warning("import-contradiction", "assemblyGaugeLength " + mm_text(assembly_mm) + " is not " +
                                                   tool.dimensions.text(Dimension::body_length) +
                                                   " and gaugeLength " + mm_text(gauge_mm) +
                                                   " together; built from these two"));
   }
 
-  void tell(const Diagnostic& diagnostic) { collector_.tell(who_, diagnostic, line_); }
+  void report(const Diagnostic& diagnostic) { collector_.report(who_, diagnostic, line_); }
 
   Collector& collector_;
   const detail::JsonLines& lines_;

@@ -125,10 +125,10 @@ class DatabaseReader {
     const Fields fields = split_bars(data_);
     const std::size_t line = std::exchange(data_line_, 0);
     if (class_.empty() || format_.empty())
-      return collector_.tell(
+      return collector_.report(
           "row", make_error("import-field", "a DATA row stands outside of a #CLASS with a FORMAT"), line);
     if (fields.size() > format_.size())
-      return collector_.tell("row \"" + fields.front() + "\"",
+      return collector_.report("row \"" + fields.front() + "\"",
                              make_error("import-field", "has " + std::to_string(fields.size()) +
                                                             " values, but its FORMAT names " +
                                                             std::to_string(format_.size()) + " fields"),
@@ -176,10 +176,10 @@ class RowImporter {
     const std::optional<CatalogueShape> shape = shape_of(row_.tool_class);
     if (!shape) return collector_.leave_out(who_, row_.tool_class, row_.line);
     tool_.shape = *shape;
-    if (const Outcome good = read_dimensions(); !good) return collector_.tell(who_, good.error(), row_.line);
-    if (const Outcome good = read_lengths(); !good) return collector_.tell(who_, good.error(), row_.line);
+    if (const Outcome good = read_dimensions(); !good) return collector_.report(who_, good.error(), row_.line);
+    if (const Outcome good = read_lengths(); !good) return collector_.report(who_, good.error(), row_.line);
     if (!text("HLDREF").empty() && text("HLDREF") != "0")
-      collector_.tell(
+      collector_.report(
           who_,
           make_warning("import-left-out", "its holder \"" + text("HLDREF") +
                                               "\" stands in another file (holder_database.dat) and was "
@@ -243,7 +243,7 @@ class RowImporter {
           has_shank ? "HEI + TSLEN" : "HEI");
     if (has_shank) {
       add_shank(shank_diameter, shank_length, std::min(taper_length, shank_length));
-      collector_.tell(who_,
+      collector_.report(who_,
                       make_note("import-guess", "the shank of TSDIA " + mm_text(shank_diameter) +
                                                     " and TSLEN " + mm_text(shank_length) +
                                                     " is taken to stand on HEI " + mm_text(height)),
@@ -294,7 +294,7 @@ Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
   const Result<LengthUnit> unit = unit_of(file, options);
   if (!unit) return unit.error();
   if (!options.unit)
-    collector.tell("the library",
+    collector.report("the library",
                    make_note("import-guess", std::string("lengths are taken in ") +
                                                  (*unit == LengthUnit::mm ? "mm" : "inches") +
                                                  ", after the folder the file is in"),

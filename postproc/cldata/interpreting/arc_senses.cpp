@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kShortest_mm = 1e-3;  // of a straight way whose direction tells anything
+constexpr double kShortest_mm = 1e-3;  // of a straight path whose direction means anything
 constexpr double kSmooth = 0.999;      // cosine between a line and an arc that go on in each other
 constexpr double kSameAxis = 1e-9;     // sine of an angle
 constexpr double kSamePoint_mm = 1e-3;
@@ -19,7 +19,7 @@ constexpr double kTurningAxis = 1e-4;     // sine of an angle
 constexpr std::size_t kClearVotes = 10;   // times as many as for the other sense
 constexpr std::size_t kFewestVotes = 3;
 
-ArcSense shorter_way(ArcStatement arc, const Vec3& start, const Vec3& end) {
+ArcSense shorter_path(ArcStatement arc, const Vec3& start, const Vec3& end) {
   arc.sense = ArcSense::right_handed;
   const ArcFit right = fit_arc(arc, start, end);
   arc.sense = ArcSense::left_handed;
@@ -34,14 +34,14 @@ ArcSense shorter_way(ArcStatement arc, const Vec3& start, const Vec3& end) {
 void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& start, std::string_view other_doubt,
                        Move& move) {
   const bool is_understood = arc.problem.empty();
-  const bool runs_shorter_way = in_.dialect.arc_rule == ArcRule::shorter_way;
+  const bool runs_shorter_way = in_.dialect.arc_rule == ArcRule::shorter_path;
   if (runs_shorter_way && is_understood && !is_round(arc, position, start, move)) return;
   if (in_.dialect.arc_rule == ArcRule::by_vector_or_against && is_understood) doubt_sense(arc, start, move);
   const bool is_open = is_understood && arc.sense == ArcSense::unknown;
   if (is_understood && last_direction_) vote(arc, start.tip, *last_direction_);
   // Points that follow one another on a circle; where the shorter way is the rule, one alone as well.
-  if (is_open && (position.points > 1 || runs_shorter_way)) arc.sense = shorter_way(arc, start.tip, move.end.tip);
-  // Where the vector has no sense, what other arcs tell of it says nothing of this one.
+  if (is_open && (position.points > 1 || runs_shorter_way)) arc.sense = shorter_path(arc, start.tip, move.end.tip);
+  // Where the vector has no sense, what other arcs show of it says nothing of this one.
   if (arc.sense == ArcSense::unknown && is_understood && !runs_shorter_way) {
     in_.make_room(open_);
     open_.push_back({in_.moves(), arc, other_doubt});
@@ -49,7 +49,7 @@ void ArcSenses::attach(ArcStatement arc, const Position& position, const Pose& s
   fit(arc, start.tip, move);
 }
 
-// Newer posts of Autodesk turn a clockwise arc's vector round; older ones leave it, so that its stated angle tells
+// Newer posts of Autodesk turn a clockwise arc's vector round; older ones leave it, so that its stated angle shows
 // how it runs unless that is half a turn, or a whole one of a helix. Of a flat full circle both ways are the same.
 void ArcSenses::doubt_sense(ArcStatement& arc, const Pose& start, const Move& move) {
   constexpr double kOpposite = -0.999;
@@ -62,7 +62,7 @@ void ArcSenses::doubt_sense(ArcStatement& arc, const Pose& start, const Move& mo
   const bool is_right = fit_arc(arc, start.tip, end).problem.empty();
   if (is_right && arc.axis.dot(start.axis) < kOpposite) ++turned_vectors_;
   arc.sense = ArcSense::left_handed;
-  if (!is_right && fit_arc(arc, start.tip, end).problem.empty()) ++wrong_way_arcs_;
+  if (!is_right && fit_arc(arc, start.tip, end).problem.empty()) ++reversed_arcs_;
   arc.sense = ArcSense::right_handed;
 }
 
@@ -91,7 +91,7 @@ void ArcSenses::fit(const ArcStatement& arc, const Vec3& start, Move& move) {
   in_.path.arcs.push_back(fit.arc);
 }
 
-// A line before or after an arc usually touches it, and so tells which way round the arc runs.
+// A line before or after an arc usually touches it, and so shows which way round the arc runs.
 void ArcSenses::vote(const ArcStatement& arc, const Vec3& tip, const Vec3& direction) {
   const double cosine = arc_tangent(arc, tip).dot(direction);
   if (std::abs(cosine) < kSmooth) return;
@@ -117,12 +117,12 @@ void ArcSenses::doubt(std::size_t begin, std::size_t end, std::string_view reaso
   }
 }
 
-// Arcs of a file whose dialect tells no sense: all of them have the one in which they go on smoothly.
+// Arcs of a file whose dialect states no sense: all of them have the one in which they go on smoothly.
 void ArcSenses::close() {
   if (open_.empty()) return;
   if (in_.dialect.arc_rule == ArcRule::by_vector_or_against) {
     // One clockwise arc with its vector turned round, and none without, shows which posts wrote the file.
-    if (turned_vectors_ > 0 && wrong_way_arcs_ == 0) close_as(ArcSense::right_handed);
+    if (turned_vectors_ > 0 && reversed_arcs_ == 0) close_as(ArcSense::right_handed);
     return;
   }
   const bool is_right = right_votes_ >= kFewestVotes && right_votes_ >= kClearVotes * left_votes_;
@@ -132,10 +132,10 @@ void ArcSenses::close() {
   const std::size_t votes = is_right ? right_votes_ : left_votes_;
   in_.path.notes.push_back(make_note(
       "path-arc-sense",
-      "the dialect tells no sense for arcs; taken as " +
+      "the dialect states no sense for arcs; taken as " +
           std::string(is_right ? "right-handed (counter-clockwise)" : "left-handed (clockwise)") +
           " about their vector, as at " + std::to_string(votes) + " of " +
-          std::to_string(right_votes_ + left_votes_) + " places where a line touches an arc it goes on smoothly",
+          std::to_string(right_votes_ + left_votes_) + " points where a line touches an arc it goes on smoothly",
       in_.path.file));
 }
 

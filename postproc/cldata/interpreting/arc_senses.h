@@ -13,7 +13,7 @@
 namespace gouge {
 
 /// Which way round arcs run. Where neither the dialect nor the statement says it, the lines that arcs touch do, once the
-/// whole file is read; arcs whose sense nothing tells are not checked.
+/// whole file is read; arcs whose sense nothing shows are not checked.
 class ArcSenses {
  public:
   explicit ArcSenses(StatementContext& in) : in_(in) {}
@@ -43,11 +43,11 @@ class ArcSenses {
   void close_as(ArcSense sense);
 
   StatementContext& in_;
-  std::vector<OpenArc> open_;            // whose sense the rest of the file must tell
+  std::vector<OpenArc> open_;            // whose sense the rest of the file must show
   std::optional<Vec3> last_direction_;   // of the last move where it was straight, part coordinates
-  std::size_t right_votes_ = 0, left_votes_ = 0;         // lines that touch arcs, by the sense they tell
+  std::size_t right_votes_ = 0, left_votes_ = 0;         // lines that touch arcs, by the sense they show
   std::size_t smooth_arcs_ = 0, reversing_arcs_ = 0;     // the same, by whether it is the sense they are read in
-  std::size_t turned_vectors_ = 0, wrong_way_arcs_ = 0;  // clockwise arcs right-handed, and left-handed
+  std::size_t turned_vectors_ = 0, reversed_arcs_ = 0;  // clockwise arcs right-handed, and left-handed
   Tally radius_errors_;
   double worst_radius_error_mm_ = 0;
 };

@@ -10,8 +10,8 @@ namespace gouge {
 namespace {
 
 constexpr double kAxisLengthError = 1e-3;  // beyond it an axis is refused
-constexpr double kAxisLengthTold = 1e-5;   // 5 decimals are what axes have; below it nothing is told
-constexpr double kTiltTold = 1e-3;         // sine of the angle to +Z from which an axis counts as tilted
+constexpr double kAxisLengthReported = 1e-5;   // 5 decimals are what axes have; below it nothing is reported
+constexpr double kTiltReported = 1e-3;         // sine of the angle to +Z from which an axis counts as tilted
 
 }  // namespace
 
@@ -57,7 +57,7 @@ std::size_t AxisState::numbers_per_point() {
     if (!is_list || is_multax_on()) return 6;
     if (in_.dialect.has_points_at_multax_off && multax_ == false) return 3;
     if (are_axes_unit()) return 6;
-    // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect tells is it two
+    // Two positions and a wrong axis look alike; only where MULTAX/OFF or the dialect says is it two
     // positions.
     return multax_.has_value() || in_.dialect.has_points_without_axis || count > 6 ? 3 : 6;
   }
@@ -77,7 +77,7 @@ bool AxisState::is_doubtful(const Position& position) {
   if (in_.dialect.is_axis_modal || multax_ == false) return false;
   const bool is_known = in_.dialect.has_known_plain_axis && !(multax_ == true && in_.dialect.has_axes_under_multax);
   if (position.numbers == 6) {
-    is_last_tilted_ = position.axis_local.cross(fixed_axis_).squaredNorm() > kTiltTold * kTiltTold;
+    is_last_tilted_ = position.axis_local.cross(fixed_axis_).squaredNorm() > kTiltReported * kTiltReported;
   } else if (is_last_tilted_ && !is_known) {
     plain_after_tilt_.add(in_.line());
     return true;
@@ -94,7 +94,7 @@ std::optional<Vec3> AxisState::read(std::size_t first) {
                               "; expected a unit vector i,j,k (length 1 within 0.001)");
     return std::nullopt;
   }
-  if (error > kAxisLengthTold) {
+  if (error > kAxisLengthReported) {
     ++renormalised_;
     if (error > std::abs(worst_length_ - 1)) worst_length_ = length;
   }

@@ -75,7 +75,7 @@ void CltSetup::take_axis() {
 }
 
 // The setup's Z is TLAXIS.
-void CltSetup::settle() {
+void CltSetup::choose_decimals() {
   if (!in_.dialect.has_setups || !is_new_) return;
   is_new_ = false;
   const auto doubt = [&](const char* reason) { doubts_.set(Doubt::clt_setup, in_.named(reason, word_, line_)); };

@@ -24,7 +24,7 @@ class CltSetup {
   /// A feature states its turns itself: what another one has left in force ends with it.
   void end_feature();
   /// At a position: several statements before it make the setup.
-  void settle();
+  void choose_decimals();
   void write_note() const;
 
  private:

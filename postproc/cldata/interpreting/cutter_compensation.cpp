@@ -16,7 +16,7 @@ bool CutterCompensation::end() {
   return std::exchange(side_, CutcomSide::none) == CutcomSide::none && !is_centre_;
 }
 
-// The way of the program's positions is known all the same.
+// The path of the program's positions is known all the same.
 std::string_view CutterCompensation::reason() const {
   if (is_on()) return Reasons::kCutcom;
   return was_on_ ? Reasons::kAfterCutcom : "";

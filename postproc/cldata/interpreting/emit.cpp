@@ -74,7 +74,7 @@ void emit_doubtful(States& s, const Position& position) {
 }  // namespace
 
 void emit(States& s, const Position& position) {
-  s.setup.settle();
+  s.setup.choose_decimals();
   resolve_tool(s);
   (void)s.operation.resolve();
   const bool is_from = position.form == PositionForm::from;

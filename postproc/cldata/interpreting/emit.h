@@ -13,7 +13,7 @@ namespace gouge {
 
 /// The moves to `position`: one, or those of a hole.
 void emit(States& s, const Position& position);
-/// A motion nobody knows the end of stands where the last one ended, so that it is told as a move not checked. It is
+/// A motion nobody knows the end of stands where the last one ended, so that it is reported as a move not checked. It is
 /// that of `statement`, or of the one being taken.
 void emit_unread(States& s, const char* reason, std::size_t statement);
 inline void emit_unread(States& s, const char* reason = Reasons::kUnread) {

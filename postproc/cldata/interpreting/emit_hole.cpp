@@ -3,7 +3,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kSamePlace_mm = 1e-9;
+constexpr double kSamePoint_mm = 1e-9;
 constexpr double kSameAxis = 1e-9;  // sine of an angle
 
 Position step_to(const Position& position, const Vec3& tip_local) {
@@ -27,9 +27,9 @@ void emit_step(States& s, const Position& position, const Vec3& tip_local, bool 
   const Position step = step_to(position, tip_local);
   Move move = make_move(s, step, MoveKind::cycle);
   const std::optional<Pose>& last = s.chain.last_pose();
-  const bool is_same_place = move.has_start && (last->tip - move.end.tip).norm() <= kSamePlace_mm &&
+  const bool is_same_point = move.has_start && (last->tip - move.end.tip).norm() <= kSamePoint_mm &&
                              last->axis.cross(move.end.axis).norm() <= kSameAxis;
-  if (is_same_place) return;
+  if (is_same_point) return;
   if (is_rapid) move.set_feed({0, FeedUnit::rapid});
   const Feed& plunge = s.cycle.drill()->feed;
   if (!is_rapid && plunge.unit != FeedUnit::not_stated) move.set_feed(plunge);
@@ -38,7 +38,7 @@ void emit_step(States& s, const Position& position, const Vec3& tip_local, bool 
 
 }  // namespace
 
-// To a place above the next position before going down to it: at the height the tool has, or first up to the
+// To a height above the next position before going down to it: at the height the tool has, or first up to the
 // clearance where that is higher. A tool that must turn goes there straight, turning.
 void emit_hole(States& s, const Position& position, const DrillCycle& cycle) {
   const Vec3& axis = position.axis_local;

@@ -61,7 +61,7 @@ std::optional<std::array<Vec3, 3>> read_mcsys(std::span<const Argument> argument
 
 }  // namespace
 
-// Under another frame the machine has turned its table or head: nothing is known of the way there. A block and a
+// Under another frame the machine has turned its table or head: nothing is known of the path there. A block and a
 // section have one frame, which stands before their positions.
 void set_frame(States& s, const RigidTransform& to_part) {
   const bool has_blocks = s.blocks.is_open() || s.in.dialect.operations_are_blocks;

@@ -14,7 +14,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kLongestMajor = 24;  // of a word that is told
+constexpr std::size_t kLongestMajor = 24;  // of a word that is shown
 
 std::string cut_short_text(FileForm form) {
   if (form == FileForm::nccs_records)
@@ -136,7 +136,7 @@ void Interpreter::take(const Statement& statement) {
   s.previous_statement = s.in.index();
 }
 
-// What the file never ended is settled, then what is reported once is.
+// What the file never ended is decided, then what is reported once is.
 void Interpreter::finish() {
   States& s = states_;
   s.program.refuse_assignments();

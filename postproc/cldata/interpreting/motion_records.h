@@ -15,7 +15,7 @@ namespace gouge {
 /// How a position is written, as far as a writer must know.
 enum class PositionForm : std::uint8_t { go_to, from, gohome, godlta, curve, cycle, unread };
 
-/// What makes a position's numbers a place: p = to_part(mm_per_unit x).
+/// What makes a position's numbers a point: p = to_part(mm_per_unit x).
 struct MotionFrame {
   double mm_per_unit = 1;
   RigidTransform to_part;

@@ -52,14 +52,14 @@ void take_positions(States& s, PositionForm form) {
   if (!is_going_on) s.curve.end_statement();
 }
 
-// A step goes on from the position before it. Of a hole that is its own, whatever the cycle's way up and down: a cycle
-// is the post-processor's. After the last one the tool is elsewhere, and files do not tell which of both places counts.
+// A step goes on from the position before it. Of a hole that is its own, whatever the cycle's path up and down: a cycle
+// is the post-processor's. After the last one the tool is elsewhere, and files do not show which of both positions counts.
 std::optional<Pose> start_of_step(const States& s) {
-  constexpr double kSamePlace_mm = 1e-9;
+  constexpr double kSamePoint_mm = 1e-9;
   if (s.chain.last_doubt() != nullptr || s.cycle.is_doubtful()) return std::nullopt;
   const std::optional<Pose>& hole = s.cycle.last_hole();
   if (hole && s.cycle.is_on()) return hole;
-  const bool is_elsewhere = hole && (hole->tip - s.chain.last_pose()->tip).norm() > kSamePlace_mm;
+  const bool is_elsewhere = hole && (hole->tip - s.chain.last_pose()->tip).norm() > kSamePoint_mm;
   if (s.chain.unknown_start() != nullptr || is_elsewhere) return std::nullopt;
   return s.chain.last_pose();
 }
@@ -120,7 +120,7 @@ void take_rapid(States& s) {
     s.in.count_unknown();
     emit_unread(s);
   } else if (!s.in.arguments.empty()) {
-    // RAPID/XYPLAN, RAPID/MODIFY: in which order the axes move is the post-processor's, so the next way is not known.
+    // RAPID/XYPLAN, RAPID/MODIFY: in which order the axes move is the post-processor's, so the next path is not known.
     s.in.count_unknown();
     s.chain.lose_last_pose(Reasons::kAfterUnread);
   }

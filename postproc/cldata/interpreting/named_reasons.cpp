@@ -18,7 +18,7 @@ const char* kept(std::string text) {
 
 }  // namespace
 
-std::string word_as_told(std::string_view major) {
+std::string word_as_reported(std::string_view major) {
   if (major.empty()) return "(no word)";
   const char c = major.front();
   if ((c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.') return "(line of numbers)";
@@ -31,7 +31,7 @@ std::string word_as_told(std::string_view major) {
 }
 
 const char* NamedReasons::name(std::string_view reason, std::string_view major, std::size_t line) {
-  std::string word = word_as_told(major);
+  std::string word = word_as_reported(major);
   std::string text = std::string(reason) + ": " + word;
   if (line == 0) return kept(std::move(text));
   std::size_t& lines = lines_named_[{std::string(reason), std::move(word)}];

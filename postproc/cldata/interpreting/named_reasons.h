@@ -10,9 +10,9 @@
 
 namespace gouge {
 
-/// The word a statement begins with, as it is told to the user: in capitals, cut to 24 letters; "(no word)" and
+/// The word a statement begins with, as it is reported to the user: in capitals, cut to 24 letters; "(no word)" and
 /// "(line of numbers)" where it has none.
-[[nodiscard]] std::string word_as_told(std::string_view major);
+[[nodiscard]] std::string word_as_reported(std::string_view major);
 
 class NamedReasons {
  public:

@@ -11,7 +11,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kLongestSymbol = 12;  // six to eight letters and a subscript
-constexpr std::size_t kLongestTold = 48;
+constexpr std::size_t kLongestReported = 48;
 
 // "PL1=PLANE", "TP(1) =POINT", "D=.5": a symbol of the APT source language is being given a value.
 bool is_assignment(std::string_view major) {
@@ -47,7 +47,7 @@ bool PartProgram::take_assignment() {
   }
   if (first_line_ == 0) {
     first_line_ = in_.line();
-    first_ = major.substr(0, kLongestTold);
+    first_ = major.substr(0, kLongestReported);
   }
   in_.count_unknown();
   return true;

@@ -5,7 +5,7 @@
 
 namespace gouge {
 
-/// Why moves are not checked. The texts are told to the user, some with the word and the line behind them
+/// Why moves are not checked. The texts are shown to the user, some with the word and the line behind them
 /// (NamedReasons).
 struct Reasons {
   static constexpr const char* kCurve = "a curve that is not understood";

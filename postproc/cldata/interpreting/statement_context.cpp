@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kErrorsListed = 20;
 constexpr std::size_t kUnknownWordsListed = 200;
-constexpr double kShareThatTells = 0.02;  // of a file, to expect the same of its rest
+constexpr double kShareThatDecides = 0.02;  // of a file, to expect the same of its rest
 constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
 constexpr const char* kOtherWords = "(other words)";
 
@@ -37,7 +37,7 @@ void StatementContext::begin(const Statement& next) {
 
 std::size_t StatementContext::expected_count(std::size_t until_here) const {
   const double share = static_cast<double>(statement_->last_byte) / static_cast<double>(path.source.size());
-  const double growth = share < kShareThatTells ? kFirstGrowth : std::max(kMargin / share, kLeastGrowth);
+  const double growth = share < kShareThatDecides ? kFirstGrowth : std::max(kMargin / share, kLeastGrowth);
   return static_cast<std::size_t>(std::ceil(static_cast<double>(until_here) * growth));
 }
 
@@ -62,7 +62,7 @@ bool StatementContext::check_all_numbers(std::string_view expected) {
 }
 
 void StatementContext::count_unknown() {
-  std::string word = word_as_told(statement_->major);
+  std::string word = word_as_reported(statement_->major);
   auto& words = path.words_not_understood;
   if (words.size() >= kUnknownWordsListed && !words.contains(word)) word = kOtherWords;
   ++words[word];

@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kCuttersTold = 20;
+constexpr std::size_t kCuttersReported = 20;
 constexpr std::size_t kMostTools = 10000;  // a machine has hundreds
 constexpr std::array<std::string_view, 5> kTurningTypes = {"TURN", "GROOVE", "THREAD", "WEDM", "WIRE"};
 
@@ -34,7 +34,7 @@ void ToolState::forget_cutter() {
 void ToolState::set_cutter(const CutterOutcome& outcome) {
   if (!outcome.cutter) {
     forget_cutter();
-    if (cutters_without_tool_++ >= kCuttersTold) return;
+    if (cutters_without_tool_++ >= kCuttersReported) return;
     in_.path.notes.push_back(make_warning("path-cutter", outcome.note, in_.path.file, in_.line()));
     return;
   }

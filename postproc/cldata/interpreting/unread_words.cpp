@@ -10,7 +10,7 @@
 #include "postproc/cldata/language/unit_words.h"
 
 // Words that are not understood, or are known to matter in a way that is not read: counted, and where they could have
-// moved the tool, told as moves that are not checked.
+// moved the tool, reported as moves that are not checked.
 
 namespace gouge {
 namespace {

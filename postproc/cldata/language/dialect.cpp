@@ -20,7 +20,7 @@ constexpr Dialect kNccs = {.kind = DialectKind::nccs,
                            .gohome_names_axes = false,
                            .pprint_includes_files = true,
                            .arc_form = ArcForm::ncl,
-                           .arc_rule = ArcRule::shorter_way,
+                           .arc_rule = ArcRule::shorter_path,
                            .cycle_form = CycleForm::ncl};
 
 constexpr Dialect in_records(Dialect dialect) {

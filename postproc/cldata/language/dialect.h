@@ -52,7 +52,7 @@ enum class ArcForm : std::uint8_t {
 enum class ArcRule : std::uint8_t {
   by_vector,
   by_vector_or_against,  ///< some posts turn a clockwise arc's vector round, others leave it
-  shorter_way            ///< the post-processor runs the shorter way between two points, whatever the vector
+  shorter_path            ///< the post-processor takes the shorter arc between two points, whatever the vector
 };
 
 /// What the words and numbers of a CYCLE mean.

@@ -33,7 +33,7 @@ struct Statement {
   bool is_decoded = false;        ///< `decoded` holds the arguments; `pieces` has one piece, of text or empty
   std::vector<Argument> decoded;  ///< arguments of a file that does not write them as APT text
   bool has_axes = false;          ///< every position has its axis, whatever MULTAX says
-  bool is_continuation = false;   ///< its positions go on the way of those of the statement before
+  bool is_continuation = false;   ///< its positions continue the path of those of the statement before
 
   /// As new, with the memory it has.
   void clear() {

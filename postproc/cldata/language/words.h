@@ -4,13 +4,13 @@
 #include <string_view>
 
 // The major words of CL data that change what a motion means, and those known to change nothing about where
-// the cutter is. Every other word is `unknown`: kept in the file, counted and told.
+// the cutter is. Every other word is `unknown`: kept in the file, counted and reported.
 
 namespace gouge {
 
 enum class Word : std::uint8_t {
   comment,       // $$ ...
-  unknown,       // counted and told
+  unknown,       // counted and reported
   harmless,      // known to leave positions alone
   free_text,     // PARTNO, REMARK, LETTER: text, not arguments
   pprint,        // text that names operations in some dialects
@@ -76,7 +76,7 @@ enum class Word : std::uint8_t {
 [[nodiscard]] bool changes_motion(Word word);
 
 /// Of a statement whose word is not known: the known word that its beginning was meant to be, as far as that
-/// can be told; else `unknown`. Either something stands at the word without a slash ("GOTO(0", "GODLTA-50.",
+/// can be determined; else `unknown`. Either something stands at the word without a slash ("GOTO(0", "GODLTA-50.",
 /// "CUTTER=5"), or one character is missing, wrong or too many ("GODLT", "CUTTTER"), or two are in each
 /// other's place. Only words that change motion are found.
 [[nodiscard]] Word find_intended_word(std::string_view major);

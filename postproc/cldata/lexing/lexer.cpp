@@ -17,7 +17,7 @@ std::size_t length_of(std::string_view text, bool (*belongs)(char)) {
   return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), belongs) - text.begin());
 }
 
-// `text` without its comment and without the `$` that continues it, after which APT reads nothing of the line; tells
+// `text` without its comment and without the `$` that continues it, after which APT reads nothing of the line; shows
 // whether there was one. In a comment with data, `$$->`, only a `$` at its end continues it.
 bool strip_line(std::string_view& text, bool is_comment) {
   const std::size_t dollar = text.find('$');

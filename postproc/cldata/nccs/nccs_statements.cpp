@@ -109,7 +109,7 @@ void NccsStatements::take_motion(const NccsHeader& header, Statement& statement)
   for (std::size_t i = 1; i < header.words; ++i) statement.decoded.push_back(number_at(i));
 }
 
-// Each point is its place, its axis and five more vectors, of which none says where the tool is.
+// Each point is its position, its axis and five more vectors, of which none says where the tool is.
 void NccsStatements::take_expanded(const NccsHeader& header, Statement& statement) {
   statement.word = Word::unread_motion;
   statement.major = "expanded motion";

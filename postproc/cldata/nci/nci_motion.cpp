@@ -44,7 +44,7 @@ NciMotion read_linear(std::span<const Argument> fields) {
   return motion;
 }
 
-// One reader has compensation before the plane, another one after it; their values tell which is which.
+// One reader has compensation before the plane, another one after it; their values show which is which.
 bool read_plane(std::span<const Argument> fields, NciMotion& motion) {
   const std::array<double, 2> value = {*fields[0].number, *fields[1].number};
   double plane = 0;

@@ -26,7 +26,7 @@ struct NciCode {
   return (code >= NciCode::kRapid && code <= NciCode::kCounterClockwise) || code == NciCode::kFiveAxis;
 }
 
-/// Why a motion pair is not read; told as its word, which is cut after 24 letters.
+/// Why a motion pair is not read; reported as its word, which is cut after 24 letters.
 struct NciProblems {
   static constexpr const char* kNumbers = "NCI motion, few numbers";
   static constexpr const char* kPlane = "NCI arc, plane or comp.";
@@ -41,7 +41,7 @@ enum class NciPlane : std::uint8_t { xy, yz, xz };
 /// Notation: fields are counted from 0; lengths are in the file's unit.
 struct NciMotion {
   const char* problem = nullptr;       ///< one of NciProblems: then only `compensation` says anything
-  std::optional<double> compensation;  ///< 0: no change; 40 and 140: off; nothing: not told
+  std::optional<double> compensation;  ///< 0: no change; 40 and 140: off; nothing: not stated
   NciForm form = NciForm::linear;
   bool is_rapid = false;
   std::array<std::size_t, 3> tip{};  ///< fields of the end's x, y and z

@@ -95,7 +95,7 @@ void NciStatements::take_motion() {
   for (Eigen::Index i = 0; i < 3; ++i) decoded().push_back(number(motion.axis[i]));
 }
 
-// The tool plane turns positions in a way that no public reference tells.
+// The tool plane turns positions in a way that no public reference describes.
 void NciStatements::take_plane() {
   add(is_identity(read_fields()) ? Word::harmless : Word::unread_frame, "NCI 1014 (tool plane)");
 }

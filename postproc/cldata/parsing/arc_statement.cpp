@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 // real files stay below 0.01 mm.
 constexpr double kRadiusError_mm = 0.02;
 constexpr double kAxisLengthError = 1e-3;
-constexpr double kSamePlace_mm = 1e-9;
+constexpr double kSamePoint_mm = 1e-9;
 constexpr double kTinyChord_mm = 2e-3;   // rounding could make of an arc this short a full circle
 constexpr double kTurnsChord_mm = 0.01;  // and of whole turns, which TIMES states, in inches of 4 decimals
 constexpr double kAngleError_rad = 0.01;
@@ -173,7 +173,7 @@ std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, doub
 
 ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std::optional<Vec3>& tangent) {
   const Vec3 radial = start - tlon.center;
-  if (!(radial.norm() > kSamePlace_mm)) return failed(ArcProblems::kPoint);
+  if (!(radial.norm() > kSamePoint_mm)) return failed(ArcProblems::kPoint);
   if (!tangent || !(tangent->norm() > 0)) return failed(ArcProblems::kTangent);
   const Vec3 direction = tangent->normalized();
   if (std::abs(direction.dot(radial.normalized())) > kLeastTangency) return failed(ArcProblems::kTangent);
@@ -206,13 +206,13 @@ ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end
   const double stated = statement.radius_mm.value_or(r0);
   fit.radius_error_mm = std::max({std::abs(r0 - r1), std::abs(r0 - stated), std::abs(r1 - stated)});
   if (!(fit.radius_error_mm <= kRadiusError_mm)) fit.problem = ArcProblems::kRadius;
-  if (!(std::min(r0, r1) > kSamePlace_mm)) fit.problem = ArcProblems::kPoint;
+  if (!(std::min(r0, r1) > kSamePoint_mm)) fit.problem = ArcProblems::kPoint;
   if (statement.sense == ArcSense::unknown) fit.problem = ArcProblems::kSense;
   if (!fit.problem.empty()) return fit;
 
   const double sign = statement.sense == ArcSense::right_handed ? 1 : -1;
   const double chord = (b - a).norm();
-  const bool is_full = chord <= kSamePlace_mm;
+  const bool is_full = chord <= kSamePoint_mm;
   double sweep = 2 * kPi;
   if (!is_full) sweep = positive(sign * std::atan2(statement.axis.dot(a.cross(b)), a.dot(b)));
   const double tiny = statement.turns > 1 ? kTurnsChord_mm : kTinyChord_mm;

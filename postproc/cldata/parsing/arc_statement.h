@@ -14,21 +14,21 @@
 
 namespace gouge {
 
-/// Why an arc is not checked. The texts are told to the user.
+/// Why an arc is not checked. The texts are shown to the user.
 struct ArcProblems {
   static constexpr const char* kForm = "an arc statement that is not understood";
   static constexpr const char* kStart = "an arc from a position that is not known";
   static constexpr const char* kRadius = "the arc's start, end and radius do not lie on one circle";
   static constexpr const char* kPoint = "the arc's radius is 0";
-  static constexpr const char* kTiny = "the arc is either next to nothing or a full circle: its numbers do not tell";
+  static constexpr const char* kTiny = "the arc is either next to nothing or a full circle: its numbers do not decide";
   static constexpr const char* kAngle = "the angle the arc states does not lead to its end";
   static constexpr const char* kTimes = "TIMES on an arc that does not end above its start: whether its part of a turn counts as one the file does not say";
   static constexpr const char* kTangent = "the arc's start direction (INDIRV) does not touch its circle";
   static constexpr const char* kHalf = "the arc's length and its ON,INTOF word contradict each other";
   static constexpr const char* kXzPlane =
-      "an arc in the XZ plane of Mastercam NCI: sources do not settle which way round it runs";
+      "an arc in the XZ plane of Mastercam NCI: sources do not say which way round it runs";
   static constexpr const char* kBothSenses = "the arc is said to run clockwise and counter-clockwise";
-  static constexpr const char* kSense = "nothing in the file tells which way round its arcs run";
+  static constexpr const char* kSense = "nothing in the file states which way round its arcs run";
 };
 
 /// What an arc statement says, in mm and in the frame its numbers are in.
@@ -46,7 +46,7 @@ struct ArcStatement {
 [[nodiscard]] ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit);
 
 /// CATIA: TLON,GOFWD/(CIRCLE/center,r),ON[,2,INTOF],(LINE/center,end). The circle lies in the plane of `tangent`
-/// (INDIRV) and the way from the centre to `start`; it leaves the start along `tangent`.
+/// (INDIRV) and the direction from the centre to `start`; it leaves the start along `tangent`.
 struct TlonStatement {
   Vec3 center = Vec3::Zero(), end = Vec3::Zero();
   double radius_mm = 0;
@@ -74,7 +74,7 @@ struct ArcFit {
 ///          kTimes, and kSense when the sense is unknown.
 [[nodiscard]] ArcFit fit_arc(const ArcStatement& statement, const Vec3& start, const Vec3& end);
 
-/// True where the arc fits between both tips whichever way round it runs, so that only its sense tells: a stated half
+/// True where the arc fits between both tips whichever way round it runs, so that only its sense decides: a stated half
 /// turn, a whole turn of a helix, any arc that states no sweep.
 [[nodiscard]] bool fits_both_ways(ArcStatement statement, const Vec3& start, const Vec3& end);
 

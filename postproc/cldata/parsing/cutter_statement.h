@@ -29,7 +29,7 @@ struct CutterOutcome {
                                         bool has_tip_diameter = false);
 
 /// TLDATA/MILL,D,R,length,taper,tip[,x,y[,upper radius,x,y]] and TLDATA/DRILL[,MILL],D,R,length,point,flutes.
-/// `arguments` without the first word; `is_drill` tells which form.
+/// `arguments` without the first word; `is_drill` shows which form.
 [[nodiscard]] CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill,
                                                double mm_per_unit);
 

@@ -71,7 +71,7 @@ Retract read_retract(Arguments arguments, std::string_view own) {
   return retract;
 }
 
-// RETURN,0 is the way to the retract plane, whose height Creo's statement does not have.
+// RETURN,0 is the path to the retract plane, whose height Creo's statement does not have.
 Retract read_return(Arguments arguments) {
   Retract retract = read_retract(arguments, "RETURN");
   if (retract.height && !(std::abs(*retract.height) > 0)) retract = {std::nullopt, false};
@@ -112,7 +112,7 @@ bool contradicts_itself(CycleForm form, Arguments arguments) {
     return true;
   }
   if (has_damaged_argument(arguments) || std::any_of(arguments.begin(), arguments.end(), is_damaged_height)) return true;
-  // Their numbers have places, not words, or are read one by one.
+  // Their numbers have positions, not words, or are read one by one.
   if (form == CycleForm::clt || form == CycleForm::ncl) return false;
   for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
     const bool is_height = is_one_of(arguments[i].text, kHeights);
@@ -155,7 +155,7 @@ constexpr auto kCycleWords = std::to_array<CycleWord>({{"FEDTO", 1, 1},
                                                        {"RPM", 0, 1},
                                                        {"DRAG", 0, 0}});
 
-// CAMWorks CLT: the numbers have places behind these words.
+// CAMWorks CLT: the numbers have positions behind these words.
 constexpr auto kCltWords = std::to_array<CycleWord>({{"G98", 1, 1},
                                                      {"G99", 1, 1},
                                                      {"PECKING", 1, 3},
@@ -259,7 +259,7 @@ std::optional<DrillCycle> read_clt(Arguments arguments) {
   return std::nullopt;
 }
 
-// A file of no known dialect: the words alone. Both senses of FEDTO mean a place below the position.
+// A file of no known dialect: the words alone. Both senses of FEDTO mean a position below the position.
 std::optional<DrillCycle> read_generic(Arguments arguments) {
   const std::optional<double> depth = after_either(arguments, "FEDTO", "DEPTH");
   const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");

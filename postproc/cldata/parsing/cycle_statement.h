@@ -8,20 +8,20 @@
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 
-// The canned drilling cycles: what CYCLE/ says of the way up and down at each of its positions. The words of
+// The canned drilling cycles: what CYCLE/ says of the path up and down at each of its positions. The words of
 // each dialect and their evidence: docs/formats/cycles.md.
 
 namespace gouge {
 
-/// Heights along the tool axis, counted from the position of a GOTO, in mm. Pecks go up and down the way the
+/// Heights along the tool axis, counted from the position of a GOTO, in mm. Pecks go up and down the path the
 /// plunge sweeps, so they add nothing to what a check must look at.
 struct DrillCycle {
   double clearance_mm = 0;  ///< down to here at rapid, from here at feed
-  double bottom_mm = 0;     ///< the deepest place, usually below 0
+  double bottom_mm = 0;     ///< the deepest point, usually below 0
   double retract_mm = 0;    ///< where the tool is afterwards
   Feed feed;                      ///< of the plunge; not_stated: that of FEDRAT
   bool is_fed_out = false;        ///< up again at the feed, not at rapid
-  bool is_tapping = false;        ///< the spindle turns back on the way up
+  bool is_tapping = false;        ///< the spindle turns back on the path up
   bool is_retract_stated = true;  ///< false: taken as the clearance, because the statement says nothing of it
   bool is_retract_known = true;   ///< false: a plane the statement names without its height, no lower than retract_mm
 };

@@ -44,7 +44,7 @@ bool turns_something(const Token& t) {
   return is_word_of(is_step ? Token{t.letters.substr(1), t.number} : t, "ABC") && std::abs(*t.number) > 0;
 }
 
-bool has_place(Tokens tokens) {
+bool has_position(Tokens tokens) {
   return std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
     return is_linear_axis(t) || is_word_of(t, "ABCIJK") || turns_something(t) ||
            (t.number && (is(t, "PR") || is(t, "PA")));
@@ -79,7 +79,7 @@ bool take_path_word(Tokens tokens, MachineEffect& effect) {
     return true;
   }
   if (first.number || !is_one_of(first.letters, kPathWords) || !is_block(rest)) return false;
-  if (has_place(rest)) move(rest, effect);
+  if (has_position(rest)) move(rest, effect);
   return true;
 }
 
@@ -261,7 +261,7 @@ Code code_of(double number) {
 }
 
 void take_code(double number, Tokens tokens, MachineEffect& effect) {
-  const bool has_axes = has_place(tokens);
+  const bool has_axes = has_position(tokens);
   const auto is_code = [&](double code) { return std::abs(number - code) < 0.05; };
   if (is_code(20) || is_code(70) || is_code(700)) effect.unit = LengthUnit::inch;
   if (is_code(21) || is_code(71) || is_code(710)) effect.unit = LengthUnit::mm;
@@ -304,7 +304,7 @@ void take_code(double number, Tokens tokens, MachineEffect& effect) {
   }
 }
 
-// The numbers of axes beside these are no place to go to.
+// The numbers of axes beside these are no position to go to.
 bool takes_axes(double number) {
   constexpr std::array<double, 12> kTakers = {4, 10, 51, 51.1, 52, 65, 66, 68, 68.2, 68.3, 92, 5.1};
   return std::any_of(kTakers.begin(), kTakers.end(),

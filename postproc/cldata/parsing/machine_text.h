@@ -6,14 +6,14 @@
 #include "lib/base/units.h"
 
 // What text for a machine's control does that a CL file carries as it stands (INSERT, PREFUN, manual
-// entries): G-code, Heidenhain and Siemens words, macros. Nothing of it is run; it is only told apart by what
+// entries): G-code, Heidenhain and Siemens words, macros. Nothing of it is run; it is only distinguished by what
 // it may do to the motion that follows.
 
 namespace gouge {
 
 /// All that a text may do. Several may hold; none holds of text that neither moves nor changes anything.
 struct MachineEffect {
-  bool moves = false;              ///< to a place nobody knows
+  bool moves = false;              ///< to an unknown position
   bool shifts = false;             ///< shifts, turns, scales, mirrors or compensates what follows
   bool begins_cycle = false;       ///< every position that follows runs a cycle (G81, MCALL CYCLE81)
   bool ends_cycle = false;         ///< G80, MCALL alone

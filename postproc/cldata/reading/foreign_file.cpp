@@ -41,10 +41,10 @@ constexpr const char* kHeidenhain =
     "writes it "
     "before its post-processor runs";
 constexpr const char* kColumns =
-    "holds columns of numbers without words, so what they mean is not told; expected GOTO/x,y,z,i,j,k";
+    "holds columns of numbers without words, so what they mean is not stated; expected GOTO/x,y,z,i,j,k";
 
 constexpr const char* kColumnsUnderHeading =
-    "holds columns of numbers under a heading, and what they mean is not told; expected GOTO/x,y,z,i,j,k";
+    "holds columns of numbers under a heading, and what they mean is not stated; expected GOTO/x,y,z,i,j,k";
 
 bool is_binary_stl(std::string_view bytes) {
   if (bytes.size() < kStlHeader + kStlCount) return false;

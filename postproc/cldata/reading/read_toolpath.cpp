@@ -40,11 +40,11 @@ bool is_control(char c) {
 std::size_t find_control(std::string_view bytes) {
   constexpr std::size_t kStretch = 4096;
   for (std::size_t at = 0; at < bytes.size(); at += kStretch) {
-    const std::string_view stretch = bytes.substr(at, kStretch);
+    const std::string_view section = bytes.substr(at, kStretch);
     unsigned has_control = 0;
-    for (const char c : stretch) has_control |= static_cast<unsigned>(is_control(c));
+    for (const char c : section) has_control |= static_cast<unsigned>(is_control(c));
     if (has_control == 0) continue;
-    return at + static_cast<std::size_t>(std::find_if(stretch.begin(), stretch.end(), is_control) - stretch.begin());
+    return at + static_cast<std::size_t>(std::find_if(section.begin(), section.end(), is_control) - section.begin());
   }
   return bytes.size();
 }
@@ -53,12 +53,12 @@ bool is_break(char c) {
   return c == '\f' || c == '\v' || c == '\x1a';
 }
 
-bool has_break(std::string_view stretch, char next) {
+bool has_break(std::string_view section, char next) {
   const auto is_odd = [](char c, char following) {
     return static_cast<unsigned>(is_break(c)) | static_cast<unsigned>(c == '\r' && following != '\n');
   };
-  unsigned has = is_odd(stretch.back(), next);
-  for (std::size_t i = 0; i + 1 < stretch.size(); ++i) has |= is_odd(stretch[i], stretch[i + 1]);
+  unsigned has = is_odd(section.back(), next);
+  for (std::size_t i = 0; i + 1 < section.size(); ++i) has |= is_odd(section[i], section[i + 1]);
   return has != 0;
 }
 
@@ -214,7 +214,7 @@ void name_unnamed_tool(const std::string& name, Toolpath& path) {
 }
 
 // A file that was cut off ends within its last line, which then reads as nonsense.
-void tell_last_line(std::string_view bytes, const Dialect& dialect, Diagnostics& errors) {
+void report_last_line(std::string_view bytes, const Dialect& dialect, Diagnostics& errors) {
   const bool is_ended = bytes.empty() || bytes.back() == '\n' || bytes.back() == '\r';
   if (is_ended || dialect.form == FileForm::nccs_records) return;
   const auto last = static_cast<std::size_t>(std::count(bytes.begin(), bytes.end(), '\n')) + 1;
@@ -250,7 +250,7 @@ ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const
   while (!interpreter.is_hopeless() && reader.next(statement)) interpreter.take(statement);
   if (!interpreter.is_hopeless()) interpreter.finish();
   outcome.errors = interpreter.take_errors();
-  tell_last_line(path.source, dialect, outcome.errors);
+  report_last_line(path.source, dialect, outcome.errors);
   if (outcome.errors.empty() && !has_motion(path)) outcome.errors.push_back(no_motion(path, dialect));
   if (!outcome.errors.empty()) return outcome;
   if (auto error = note_unit(guess, options, path)) {

@@ -8,12 +8,12 @@
 #include "postproc/cldata/language/dialect.h"
 
 // Reads cutter-location files: APT CL data in the forms CAM systems write it, Siemens NX CLSF, binary NCCS,
-// Mastercam NCI. The dialect is told by the content, never by the file's name, or by the user. docs/formats/
+// Mastercam NCI. The dialect is recognized by the content, never by the file's name, or by the user. docs/formats/
 // says what is understood of each.
 
 namespace gouge {
 
-/// What the user says about a file; nothing: its content tells.
+/// What the user says about a file; nothing: recognized by its content.
 struct ReadOptions {
   std::optional<Dialect> dialect;
   std::optional<LengthUnit> unit;  ///< of a file that states none

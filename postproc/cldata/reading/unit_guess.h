@@ -5,7 +5,7 @@
 #include "lib/base/units.h"
 #include "postproc/cldata/language/dialect.h"
 
-// The unit of a file's numbers, and what tells it.
+// The unit of a file's numbers, and where it comes from.
 
 namespace gouge {
 
@@ -17,7 +17,7 @@ struct UnitGuess {
     option,     ///< by the user
     feed_word,  ///< suggested by a word of FEDRAT or CYCLE (MMPM, IPM)
     dialect,    ///< the dialect's writer gives no unit and means mm
-    assumed     ///< nothing tells
+    assumed     ///< nothing says
   } source = Source::assumed;
 };
 

@@ -25,7 +25,7 @@ constexpr double kSameAngle_rad = 1e-3;
 constexpr double kSameAxis = 1e-9;
 constexpr double kHalfTurn_rad = 0.01;  // within this of half a turn either word is right
 
-std::optional<std::size_t> place_of(const std::vector<Argument>& arguments, std::string_view word) {
+std::optional<std::size_t> index_of(const std::vector<Argument>& arguments, std::string_view word) {
   const auto found = std::find_if(arguments.begin(), arguments.end(),
                                   [&](const Argument& a) { return equals_ignoring_case(a.text, word); });
   if (found == arguments.end()) return std::nullopt;
@@ -96,9 +96,9 @@ ArcText::ArcText(const Toolpath& path, const MotionRecords& records)
     if (record.form == PositionForm::curve) learn(statement_at(path_, record.statement));
     ++learned;
   }
-  lengths_.settle(least_coordinate_decimals(path.unit), kUsualDecimals);
-  directions_.settle(kLeastDirectionDecimals, kUsualDirectionDecimals);
-  angles_.settle(kLeastAngleDecimals, kUsualAngleDecimals);
+  lengths_.choose_decimals(least_coordinate_decimals(path.unit), kUsualDecimals);
+  directions_.choose_decimals(kLeastDirectionDecimals, kUsualDirectionDecimals);
+  angles_.choose_decimals(kLeastAngleDecimals, kUsualAngleDecimals);
 }
 
 void ArcText::learn(const Statement& statement) {
@@ -112,39 +112,39 @@ void ArcText::learn(const Statement& statement) {
   };
   if (statement.word == Word::indirv) return learn_from(directions_, 0, 3);
   if (statement.word == Word::tlon) {
-    if (const auto circle = place_of(arguments, "CIRCLE")) learn_from(lengths_, *circle + 1, 4);
+    if (const auto circle = index_of(arguments, "CIRCLE")) learn_from(lengths_, *circle + 1, 4);
     return;
   }
-  const std::optional<Places> places = places_of(statement, arguments);
-  if (!places) return;
-  learn_from(lengths_, places->center, 3);
-  learn_from(directions_, places->axis, 3);
-  if (places->radius) learn_from(lengths_, *places->radius, 1);
-  if (places->angle) learn_from(angles_, *places->angle, 1);
+  const std::optional<ArgumentIndices> indices = indices_of(statement, arguments);
+  if (!indices) return;
+  learn_from(lengths_, indices->center, 3);
+  learn_from(directions_, indices->axis, 3);
+  if (indices->radius) learn_from(lengths_, *indices->radius, 1);
+  if (indices->angle) learn_from(angles_, *indices->angle, 1);
 }
 
 // As read_arc reads them; that it does is asked of every statement written.
-std::optional<ArcText::Places> ArcText::places_of(const Statement& statement,
+std::optional<ArcText::ArgumentIndices> ArcText::indices_of(const Statement& statement,
                                                   const std::vector<Argument>& arguments) const {
   if (statement.word != Word::circle && statement.word != Word::movarc) return std::nullopt;
-  Places places;
-  if (const auto center = place_of(arguments, "CENTER")) {
-    const auto axis = place_of(arguments, "AXIS");
+  ArgumentIndices indices;
+  if (const auto center = index_of(arguments, "CENTER")) {
+    const auto axis = index_of(arguments, "AXIS");
     if (!axis) return std::nullopt;
-    places.center = *center + 1;
-    places.axis = *axis + 1;
-    if (const auto radius = place_of(arguments, "RADIUS")) places.radius = *radius + 1;
+    indices.center = *center + 1;
+    indices.axis = *axis + 1;
+    if (const auto radius = index_of(arguments, "RADIUS")) indices.radius = *radius + 1;
   } else if (are_numbers(arguments, 6, 1)) {
-    places.radius = 6;
+    indices.radius = 6;
   }
-  if (const auto angle = place_of(arguments, "ANGLE")) places.angle = *angle + 1;
-  if (dialect_.arc_form == ArcForm::with_sweep && are_numbers(arguments, 7, 1)) places.angle = 7;
-  if (places.angle && are_numbers(arguments, *places.angle, 1) && *arguments[*places.angle].number <= 0)
-    places.angle.reset();  // it states none
-  const bool is_whole = are_numbers(arguments, places.center, 3) && are_numbers(arguments, places.axis, 3) &&
-                        (!places.radius || are_numbers(arguments, *places.radius, 1)) &&
-                        (!places.angle || are_numbers(arguments, *places.angle, 1));
-  return is_whole ? std::optional(places) : std::nullopt;
+  if (const auto angle = index_of(arguments, "ANGLE")) indices.angle = *angle + 1;
+  if (dialect_.arc_form == ArcForm::with_sweep && are_numbers(arguments, 7, 1)) indices.angle = 7;
+  if (indices.angle && are_numbers(arguments, *indices.angle, 1) && *arguments[*indices.angle].number <= 0)
+    indices.angle.reset();  // it states none
+  const bool is_whole = are_numbers(arguments, indices.center, 3) && are_numbers(arguments, indices.axis, 3) &&
+                        (!indices.radius || are_numbers(arguments, *indices.radius, 1)) &&
+                        (!indices.angle || are_numbers(arguments, *indices.angle, 1));
+  return is_whole ? std::optional(indices) : std::nullopt;
 }
 
 // Between the statements of one arc: nothing that would mean something else once a position is put before
@@ -179,7 +179,7 @@ bool ArcText::is_writable(std::size_t move) const {
   const std::vector<Argument> arguments = arguments_of(statement);
   if (record.form == PositionForm::curve) return statement.word == Word::indirv;
   if (record.form != PositionForm::go_to || has_argument(arguments, "TIMES")) return false;
-  return places_of(statement, arguments).has_value();
+  return indices_of(statement, arguments).has_value();
 }
 
 void ArcText::add_point(std::vector<Field>& fields, std::size_t first, const NumberStyle& style,
@@ -230,20 +230,20 @@ Result<std::string> ArcText::description(std::size_t move, const WrittenArc& arc
     add_point(fields, 0, directions_, start_direction(arc));
     return replaced(statement, arguments, fields);
   }
-  const Places places = places_of(statement, arguments).value_or(Places{});
-  add_point(fields, places.center, lengths_, arc.arc.center / mm);
-  add_point(fields, places.axis, directions_, arc.arc.axis);
+  const ArgumentIndices indices = indices_of(statement, arguments).value_or(ArgumentIndices{});
+  add_point(fields, indices.center, lengths_, arc.arc.center / mm);
+  add_point(fields, indices.axis, directions_, arc.arc.axis);
   // By as much as they change, since the file's own numbers need not agree with each other to the last digit.
   const WrittenArc old = as_read(move);
   if (dialect_.has_z_alone && (arc.arc.axis - old.arc.axis).norm() > kSameAxis)
     return refuse(move, "the vector of a CLT arc is an axis of the part");
-  if (places.radius) {
-    const double stated = *arguments[*places.radius].number;
-    fields.push_back({*places.radius, &lengths_, stated + (radius_of(arc) - radius_of(old)) / mm});
+  if (indices.radius) {
+    const double stated = *arguments[*indices.radius].number;
+    fields.push_back({*indices.radius, &lengths_, stated + (radius_of(arc) - radius_of(old)) / mm});
   }
-  if (places.angle) {
+  if (indices.angle) {
     const double more = std::abs(arc.arc.sweep_rad) - std::abs(old.arc.sweep_rad);
-    fields.push_back({*places.angle, &angles_, *arguments[*places.angle].number + more * 180 / kPi});
+    fields.push_back({*indices.angle, &angles_, *arguments[*indices.angle].number + more * 180 / kPi});
   }
   std::sort(fields.begin(), fields.end(),
             [](const Field& a, const Field& b) { return a.argument < b.argument; });
@@ -260,7 +260,7 @@ Result<std::string> ArcText::tlon(std::size_t move, const WrittenArc& arc) const
   const double mm = records_[move].frame->mm_per_unit;
   const Statement statement = statement_at(path_, records_[move].statement);
   const std::vector<Argument> arguments = arguments_of(statement);
-  const auto circle = place_of(arguments, "CIRCLE"), line = place_of(arguments, "LINE");
+  const auto circle = index_of(arguments, "CIRCLE"), line = index_of(arguments, "LINE");
   if (!circle || !line || !are_numbers(arguments, *circle + 1, 4) || !are_numbers(arguments, *line + 1, 6))
     return refuse(move, "a TLON of another form");
   std::vector<Field> fields;

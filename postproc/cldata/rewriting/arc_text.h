@@ -50,13 +50,13 @@ class ArcText {
     const NumberStyle* style = nullptr;
     double value = 0;
   };
-  struct Places {  // indices of arguments; of MOVARC, CIRCLE
+  struct ArgumentIndices {  // indices of arguments; of MOVARC, CIRCLE
     std::size_t center = 0, axis = 3;
     std::optional<std::size_t> radius, angle;
   };
 
   void learn(const Statement& statement);
-  [[nodiscard]] std::optional<Places> places_of(const Statement& statement,
+  [[nodiscard]] std::optional<ArgumentIndices> indices_of(const Statement& statement,
                                                 const std::vector<Argument>& arguments) const;
   void add_point(std::vector<Field>& fields, std::size_t first, const NumberStyle& style,
                  const Vec3& point) const;

@@ -25,8 +25,8 @@ GotoText::GotoText(const Toolpath& path, const MotionRecords& records) : path_(p
     if (++learned == kStatementsLearned) break;
   }
   if (learned == 0) learn_holes(records);
-  coordinates_.settle(least_coordinate_decimals(path.unit), kUsualDecimals);
-  components_.settle(kLeastAxisDecimals, kUsualAxisDecimals);
+  coordinates_.choose_decimals(least_coordinate_decimals(path.unit), kUsualDecimals);
+  components_.choose_decimals(kLeastAxisDecimals, kUsualAxisDecimals);
 }
 
 // A file that does nothing but drill.

@@ -39,10 +39,10 @@ NciText::NciText(const Toolpath& path, const MotionRecords& records) : path_(pat
     ++learned;
   }
   NumberStyle as_it_is = second_points_;
-  as_it_is.settle(0, kUsualDecimals);
+  as_it_is.choose_decimals(0, kUsualDecimals);
   least_axis_error_ = std::sqrt(0.75) * std::pow(10.0, -as_it_is.decimals());
-  tips_.settle(least_coordinate_decimals(path.unit), kUsualDecimals);
-  second_points_.settle(least_coordinate_decimals(path.unit), kUsualDecimals);
+  tips_.choose_decimals(least_coordinate_decimals(path.unit), kUsualDecimals);
+  second_points_.choose_decimals(least_coordinate_decimals(path.unit), kUsualDecimals);
 }
 
 NciMotionPair NciText::pair_of(std::size_t move) const {
@@ -82,7 +82,7 @@ void NciText::put_second_point(const NciMotionPair& pair, const Vec3& tip, const
       read[i] = is_same ? before : parse_number(token).value_or(before);
     }
     if (((read - tip).normalized() - axis).norm() <= allowed || style.decimals() >= kMostDecimals) return;
-    style.settle(style.decimals() + 1, style.decimals() + 1);
+    style.choose_decimals(style.decimals() + 1, style.decimals() + 1);
   }
 }
 

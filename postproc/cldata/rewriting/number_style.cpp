@@ -25,7 +25,7 @@ void NumberStyle::learn(std::string_view token, std::size_t field) {
   keeps_negative_zero_ = keeps_negative_zero_ || token.starts_with("-0.");
 }
 
-void NumberStyle::settle(int least_decimals, int usual_decimals) {
+void NumberStyle::choose_decimals(int least_decimals, int usual_decimals) {
   if (count_ == 0) {
     decimals_ = fewest_decimals_ = usual_decimals;
     is_aligned_ = false;

@@ -12,14 +12,14 @@
 
 namespace gouge {
 
-/// The style of one kind of number (coordinates, or axis components). Feed it tokens, then `settle`.
+/// The style of one kind of number (coordinates, or axis components). Feed it tokens, then `choose_decimals`.
 class NumberStyle {
  public:
   /// `field` is how many characters the number takes with the blanks before it.
   void learn(std::string_view token, std::size_t field);
   /// To be called once: no fewer than `least_decimals` are written; `usual_decimals` where nothing was
   /// learned.
-  void settle(int least_decimals, int usual_decimals);
+  void choose_decimals(int least_decimals, int usual_decimals);
 
   /// `value` as the file would write it.
   [[nodiscard]] std::string text(double value) const;

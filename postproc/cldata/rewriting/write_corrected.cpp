@@ -129,7 +129,7 @@ std::optional<Diagnostic> CorrectedWriter::describe_inserted_arcs(std::size_t mo
   return std::nullopt;
 }
 
-// An arc with other numbers, and the positions on the way to its start before it.
+// An arc with other numbers, and the positions that lead to its start before it.
 std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
   const MotionRecord& record = records_[move];
   const PathChange& change = *changes_[move];
@@ -299,7 +299,7 @@ std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::si
   const bool is_cycle = record.form == PositionForm::cycle && (record.numbers == 0 || relies_on_axis);
   if (!is_curve && !is_cycle) return std::nullopt;
   return make_error("write-arc",
-                    "a curve or cycle follows a position it takes its axis or its place from; keep that position",
+                    "a curve or cycle follows a position it takes its axis or its position from; keep that position",
                     path_.file, path_.moves[first].line);
 }
 

@@ -21,7 +21,7 @@ namespace gouge {
 ///              change, in the file's own way of writing arcs, and positions inserted before it stand before
 ///              all of these; those that inserted_arcs reaches on an arc have its statement with other numbers before
 ///              them. (6) Of a hole that is shifted the numbers of its position change and nothing else; its
-///              moves, and the way to the next hole, follow from there. rewritable_moves.h says where (5) and (6) can be had.
+///              moves, and the path to the next hole, follow from there. rewritable_moves.h says where (5) and (6) can be had.
 /// Errors   write-move (no such move, one named twice, or changes that exclude each other), write-arc (what is not in
 ///          RewritableMoves; an arc that its ends do not lie on, or whose dialect would say it in other
 ///          words; an arc or spline whose statement's other positions are not straightened with it; one that

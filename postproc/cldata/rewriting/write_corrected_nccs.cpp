@@ -75,7 +75,7 @@ void NccsCorrector::drop_circles() {
   dropped_.erase(std::unique(dropped_.begin(), dropped_.end()), dropped_.end());
 }
 
-// An arc that stays needs the place it begins at.
+// An arc that stays needs the position it begins at.
 std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
   for (std::size_t i = 1; i < records_.size(); ++i) {
     const Move& move = path_.moves[i];

@@ -10,7 +10,7 @@
 namespace gouge {
 
 /// write_corrected for a Mastercam NCI file. Requires changes that write_corrected has checked.
-/// Ensures  What write_corrected.h promises. An inserted position whose axis is not +Z, before a pair that
+/// Ensures  What write_corrected.h guarantees. An inserted position whose axis is not +Z, before a pair that
 ///          cannot say an axis, looks like the last five-axis line before it, or else the first one of the
 ///          file.
 /// Errors   write-arc (an arc that stays begins at a position that moves), write-axis (an axis other than +Z

@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kSamePlace_mm = 1e-3;
+constexpr double kSamePoint_mm = 1e-3;
 constexpr double kSameAxis = 1e-4;
 constexpr double kSameFeed = 1e-4;  // relative
 
@@ -44,7 +44,7 @@ struct Verification {
   [[nodiscard]] std::optional<Diagnostic> find_other_feed() const;
 };
 
-// A tool that the result does not name or define is not checked, or told. Shapes are compared where the dialect says
+// A tool that the result does not name or define is not checked, or reported. Shapes are compared where the dialect says
 // them whole.
 bool Verification::is_same_tool(const Move& found, const Move& meant) const {
   constexpr double kSameSize_mm = 2e-3, kSameAngle_deg = 1e-3;
@@ -100,7 +100,7 @@ std::optional<Diagnostic> Verification::find_other_feed() const {
 }
 
 bool Verification::is_same_motion(const Move& found, const ExpectedMotion& meant) const {
-  if ((found.end.tip * factor() - meant.end.tip).norm() > kSamePlace_mm) return false;
+  if ((found.end.tip * factor() - meant.end.tip).norm() > kSamePoint_mm) return false;
   if ((found.end.axis - meant.end.axis).norm() > kSameAxis || found.has_start == meant.is_alone) return false;
   const bool is_checked = found.not_checked_reason.empty();
   if (is_checked != meant.is_checked) return false;

@@ -6,13 +6,13 @@
 #include <limits>
 #include <span>
 
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kBits = 64, kBlock = 32;
-constexpr std::size_t kAhead = 4;  // points whose facets are on their way from memory
+constexpr std::size_t kAhead = 4;  // points whose facets are being fetched from memory
 
 constexpr double kRoundUp = 1 + 1e-9, kRoundDown = 1 - 1e-9;
 
@@ -69,18 +69,18 @@ CellSearch::CellSearch(const CellBody& cells, const PointBody& points, const Pen
   }
 }
 
-const PenetrationAnswer& CellSearch::find(const RigidTransform& pose) {
-  answer_.contacts.clear();
-  answer_.counters = {};
+const PenetrationResult& CellSearch::find(const RigidTransform& pose) {
+  result_.contacts.clear();
+  result_.counters = {};
   asked_.clear();
-  if (points_.tree.nodes.empty()) return answer_;
+  if (points_.tree.nodes.empty()) return result_;
   descend(pose);
   measure();
-  return answer_;
+  return result_;
 }
 
 void CellSearch::measure() {
-  // Measured in the order of the moving tree, where neighbours follow each other; told in the order of the
+  // Measured in the order of the moving tree, where neighbours follow each other; reported in the order of the
   // points, without a sort.
   feet_.clear();
   for (std::size_t i = 0; i < asked_.size(); ++i) {
@@ -94,14 +94,14 @@ void CellSearch::measure() {
   for (std::size_t word = 0; word < is_asked_.size(); ++word) {
     for (std::uint64_t bits = is_asked_[word]; bits != 0; bits &= bits - 1) {
       const std::uint32_t i = asked_of_[word * kBits + static_cast<std::size_t>(std::countr_zero(bits))];
-      tell(asked_[i], feet_[i]);
+      report(asked_[i], feet_[i]);
     }
     is_asked_[word] = 0;
   }
 }
 
 void CellSearch::descend(const RigidTransform& pose) {
-  PenetrationCounters& counters = answer_.counters;
+  PenetrationCounters& counters = result_.counters;
   stack_.assign(1, 0);
   while (!stack_.empty()) {
     const std::uint32_t index = stack_.back();
@@ -130,7 +130,7 @@ void CellSearch::look_up(const KdopNode& leaf, const RigidTransform& pose) {
     cells_of(body_.depths, pose, x, y, z, count, cells.data());
     for (std::size_t k = 0; k < count; ++k) {
       const auto cell = static_cast<std::uint32_t>(cells[k]);
-      if (body_.depths.answer(cell) == DepthGrid::Answer::outside) continue;
+      if (body_.depths.result(cell) == DepthGrid::Cover::outside) continue;
       cells_.near.prefetch(cell);
       asked_.push_back({pose.point(Vec3(x[k], y[k], z[k])), points_.tree.order[first + k], cell});
     }
@@ -139,18 +139,18 @@ void CellSearch::look_up(const KdopNode& leaf, const RigidTransform& pose) {
 
 /// Over the facet the height is the distance, and its sign the side; only what is not over the facet it is
 /// nearest to needs more.
-SurfaceFoot CellSearch::nearest(const Asked& asked) {
-  PenetrationCounters& counters = answer_.counters;
+ClosestPoint CellSearch::nearest(const Asked& asked) {
+  PenetrationCounters& counters = result_.counters;
   const NearFacets& near = cells_.near;
   const NearFacets::Known known = near.at(asked.cell);
   if (known.facets.empty()) {
     ++counters.inside_tests;
-    return *nearest_foot(body_, asked.place);
+    return *closest_point(body_, asked.place);
   }
   counters.primitive_pairs += known.facets.size();
   double best2 = std::numeric_limits<double>::infinity(), over_mm = 0;
   std::uint32_t best = 0;
-  TriangleFoot foot;
+  TrianglePoint foot;
   bool is_over = false;
   for (const std::uint32_t facet : known.facets) {
     const FacetPlanes::Heights height = near.planes(facet).at(asked.place);
@@ -164,7 +164,7 @@ SurfaceFoot CellSearch::nearest(const Asked& asked) {
       over_mm = height.over_mm;
     } else {
       ++counters.exact_pairs;
-      const TriangleFoot other = closest_on_triangle(asked.place, body_.corners[near.place(facet)]);
+      const TrianglePoint other = closest_on_triangle(asked.place, body_.corners[near.place(facet)]);
       if (!(other.distance2_mm2 < best2)) continue;
       best2 = other.distance2_mm2;
       foot = other;
@@ -174,24 +174,24 @@ SurfaceFoot CellSearch::nearest(const Asked& asked) {
   }
   if (!known.is_complete) {
     ++counters.inside_tests;
-    return *nearest_foot(body_, asked.place, std::sqrt(best2) * kRoundUp + rim_mm_);
+    return *closest_point(body_, asked.place, std::sqrt(best2) * kRoundUp + rim_mm_);
   }
   const std::uint32_t place = near.place(best);
-  if (!is_over) return signed_foot(body_, asked.place, place, foot);
+  if (!is_over) return signed_closest_point(body_, asked.place, place, foot);
   const Vec3 normal = near.planes(best).normal();
   return {asked.place - over_mm * normal, normal, std::abs(over_mm), over_mm < 0,
           body_.tree.order[place],        place};
 }
 
-void CellSearch::tell(const Asked& asked, const SurfaceFoot& foot) {
+void CellSearch::report(const Asked& asked, const ClosestPoint& foot) {
   const double depth = foot.distance_mm;
   if (!foot.is_inside || !(depth > 0)) {
-    ++answer_.counters.false_positives;
+    ++result_.counters.false_positives;
     return;
   }
   const bool is_deeper = depth > body_.options.depth_mm;
-  if (is_deeper && !options_.is_deeper_told) return;
-  answer_.contacts.push_back(
+  if (is_deeper && !options_.is_deeper_reported) return;
+  result_.contacts.push_back(
       {{asked.place, foot.normal, depth, options_.body, body_.mesh.file_triangle[foot.triangle]},
        asked.point,
        is_deeper});

@@ -8,7 +8,7 @@
 #include "lib/geom/rigid_transform.h"
 #include "lib/penetration/depth_body.h"
 #include "lib/penetration/find_penetration.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 #include "lib/penetration/point_body.h"
 #include "tests/bench/penetration/clearance.h"
 #include "tests/bench/penetration/near_facets.h"
@@ -28,14 +28,14 @@ struct CellBody {
 ///
 /// Descends the moving tree only, by balls: a ball farther from the solid than its radius is done. The
 /// points of the leaves left over ask the grid; those that may be inside measure the few facets of their
-/// cell, or search the standing tree from the one nearest to it. Answers as the trees do (docs/algorithms/
+/// cell, or search the standing tree from the one nearest to it. Returns what the trees do (docs/algorithms/
 /// shallow_penetration.md, section 4).
 class CellSearch {
  public:
   CellSearch(const CellBody& cells, const PointBody& points, const PenetrationOptions& options = {});
 
-  /// The answer stays valid until the next call, as that of PenetrationFinder.
-  const PenetrationAnswer& find(const RigidTransform& pose);
+  /// The result stays valid until the next call, as that of PenetrationFinder.
+  const PenetrationResult& find(const RigidTransform& pose);
 
  private:
   /// A point that may be inside.
@@ -48,8 +48,8 @@ class CellSearch {
   void measure();
   void descend(const RigidTransform& pose);
   void look_up(const KdopNode& leaf, const RigidTransform& pose);
-  void tell(const Asked& asked, const SurfaceFoot& foot);
-  [[nodiscard]] SurfaceFoot nearest(const Asked& asked);
+  void report(const Asked& asked, const ClosestPoint& foot);
+  [[nodiscard]] ClosestPoint nearest(const Asked& asked);
 
   const CellBody& cells_;
   const DepthBody& body_;
@@ -59,11 +59,11 @@ class CellSearch {
   /// By node: a ball about its points, centre and radius.
   std::vector<std::array<double, 4>> balls_;
   std::vector<double> xs_, ys_, zs_;  ///< the points in leaf order
-  PenetrationAnswer answer_;
+  PenetrationResult result_;
   std::vector<std::uint32_t> stack_;
   std::vector<Asked> asked_;
-  std::vector<SurfaceFoot> feet_;        ///< of asked_
-  std::vector<std::uint32_t> asked_of_;  ///< by point: place in asked_, if its bit is set
+  std::vector<ClosestPoint> feet_;        ///< of asked_
+  std::vector<std::uint32_t> asked_of_;  ///< by point: slot in asked_, if its bit is set
   std::vector<std::uint64_t> is_asked_;  ///< a bit for each point
 };
 

@@ -23,8 +23,8 @@ TEST(CellSearch, FindsWhatTheTreesFind) {
       RigidTransform pose = random.pose(10);
       pose.shift = 1.2 * random.next() - pose.rotation * Vec3(4, 4, 4);
       if (i % 4 == 0) pose.shift += 60 * random.direction();
-      const PenetrationAnswer& a = cells.find(pose);
-      const PenetrationAnswer& b = trees.find(pose);
+      const PenetrationResult& a = cells.find(pose);
+      const PenetrationResult& b = trees.find(pose);
       ASSERT_EQ(a.contacts.size(), b.contacts.size()) << mesh.name << " pose " << i;
       (a.contacts.empty() ? apart : inside) += 1;
       for (std::size_t k = 0; k < a.contacts.size(); ++k) {

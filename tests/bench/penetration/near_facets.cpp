@@ -10,7 +10,7 @@
 #include "lib/base/parallel.h"
 #include "lib/geom/point_triangle.h"
 #include "lib/penetration/depth_body.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
@@ -31,7 +31,7 @@ struct Distant {
 /// The lists of some bricks.
 struct NearFacetsPart {
   struct Cell {
-    std::uint32_t index, list;  ///< list: place in lists
+    std::uint32_t index, list;  ///< list: slot in lists
   };
   std::vector<Cell> cells;
   std::vector<std::uint32_t> lists;
@@ -47,7 +47,7 @@ double box_distance2(const float* box, const Vec3& p) {
   return sum;
 }
 
-/// Appends the places of the facets within `radius_mm` of a point; false, and not all of them, when there are
+/// Appends the slots of the facets within `radius_mm` of a point; false, and not all of them, when there are
 /// more than `most`.
 bool facets_within(const DepthBody& body, const Vec3& point, double radius_mm, std::size_t most,
                    std::vector<std::uint32_t>& places) {
@@ -96,12 +96,12 @@ class BrickFacets {
     for (std::size_t i = 0; i < 3; ++i) {
       if (low[i] >= grid_.counts()[i]) return;
     }
-    if (cells == 1 && grid_.answer(grid_.index(low)) == DepthGrid::Answer::outside) return;
+    if (cells == 1 && grid_.result(grid_.index(low)) == DepthGrid::Cover::outside) return;
     const double half_mm = 0.5 * cells * grid_.cell_mm();
     const Vec3 centre = grid_.corner(low) + Vec3::Constant(half_mm);
-    std::optional<SurfaceFoot> foot;
+    std::optional<ClosestPoint> foot;
     if (among == nullptr) {
-      foot = nearest_foot(body_, centre, within_mm_ + diagonal(half_mm));
+      foot = closest_point(body_, centre, within_mm_ + diagonal(half_mm));
       if (!foot) return;
       gathered_.clear();
       const double reach = foot->distance_mm + 2 * diagonal(half_mm) + rounding_mm_;
@@ -153,7 +153,7 @@ class BrickFacets {
     part_->cells.push_back({static_cast<std::uint32_t>(grid_.index(cell)), part_->cells.back().list});
   }
 
-  /// How much nearer than `nearest` facet `d` can become on a way of `h` from the centre. Distances to a
+  /// How much nearer than `nearest` facet `d` can become on a path of length `h` from the centre. Distances to a
   /// convex set are convex, and their slope turns by no more than one over the distance.
   static double gain_within(double h, const Distant& d, const Distant& nearest) {
     const double plain = 2 * h;
@@ -161,7 +161,7 @@ class BrickFacets {
     return std::min(plain, h * (d.way - nearest.way).norm() + h * h / (2 * (nearest.mm - h)));
   }
 
-  /// Of `among` those that may be nearest in the cube; tells the distance of the one nearest to its centre.
+  /// Of `among` those that may be nearest in the cube; returns the distance of the one nearest to its centre.
   double prune(const Vec3& centre, double half_mm, const Places& among, Places& here, std::size_t level) {
     std::vector<Distant>& distances = distances_[level];
     distances.clear();

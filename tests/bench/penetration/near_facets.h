@@ -20,9 +20,9 @@ class NearFacets {
  public:
   struct Known {
     std::span<const std::uint32_t>
-        facets;  ///< for planes() and place(), those nearest to the cell's centre first
+        facets;  ///< for planes() and slot(), those nearest to the cell's centre first
     bool is_complete =
-        false;  ///< else the facets are too many, and only the one nearest to the centre is told
+        false;  ///< else the facets are too many, and only the one nearest to the centre is reported
   };
 
   static constexpr std::uint32_t kIsComplete = 1U << 31;
@@ -62,7 +62,7 @@ class NearFacets {
  private:
   void number_facets(const DepthBody& body);
 
-  std::vector<std::uint32_t> first_;   ///< by cell, place in lists_
+  std::vector<std::uint32_t> first_;   ///< by cell, slot in lists_
   std::vector<std::uint32_t> lists_;   ///< count, with kIsComplete, then the facets
   std::vector<FacetPlanes> planes_;    ///< of the facets that stand in a list
   std::vector<std::uint32_t> places_;  ///< of the same, in the body's tree

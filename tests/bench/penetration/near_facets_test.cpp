@@ -36,7 +36,7 @@ Tally expect_nearest(const IndexedMesh& mesh, double depth_mm, int points) {
     double least = std::numeric_limits<double>::infinity();
     for (const std::uint32_t facet : known.facets)
       least = std::min(least, distance_to(body, near.place(facet), point));
-    const double truth = brute_force_foot(body.mesh, point).distance_mm;
+    const double truth = brute_force_closest_point(body.mesh, point).distance_mm;
     EXPECT_GE(least, truth - rounding);
     if (known.is_complete) {
       EXPECT_LE(least, truth + rounding) << mesh.name << " " << point.transpose();
@@ -62,12 +62,12 @@ TEST(NearFacets, HoldItFarFromTheOriginToo) {
   EXPECT_GT(expect_nearest(mesh, 1.5, 1000).complete, 400U);
 }
 
-TEST(NearFacets, TellOnlyOneWhereFacetsAreSmallAgainstTheCells) {
+TEST(NearFacets, ReportOnlyOneWhereFacetsAreSmallAgainstTheCells) {
   const Tally tally = expect_nearest(shapes::needle_fan(400), 2, 1500);
   EXPECT_GT(tally.seeds, 100U);
 }
 
-TEST(FacetPlanes, TellTheHeightOverAFacetAndBoundTheDistanceBesideIt) {
+TEST(FacetPlanes, ReportTheHeightOverAFacetAndBoundTheDistanceBesideIt) {
   const IndexedMesh mesh = shapes::star_prism();
   RandomPoints random(mesh, 5, 6);
   std::size_t over = 0, beside = 0;

@@ -10,7 +10,7 @@ namespace {
 
 using Corners = std::array<Vec3, 3>;
 
-// A piece this small against its distance settles the bound to about a tenth; halving stops there.
+// A piece this small against its distance fixes the bound to about a tenth; halving stops there.
 constexpr double kSmallPiece = 0.05;
 constexpr int kDeepestHalving = 12;
 constexpr double kOpposed = 1e-6;  // right angles are not

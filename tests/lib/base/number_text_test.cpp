@@ -26,7 +26,7 @@ TEST(ParseNumber, RefusesWhatIsNotWhollyAFiniteNumber) {
   }
 }
 
-// Short decimals go a way of their own, which must round as every other.
+// Short decimals take a path of their own, which must round as every other.
 TEST(ParseNumber, GivesTheNearestDoubleForAnyCountOfDigits) {
   test::Scatter random(11);
   for (int i = 0; i < 200000; ++i) {

@@ -141,7 +141,7 @@ TEST_F(Staged, WhatIsWriteProtectedOrOfAnotherUserIsNotReplaced) {
   EXPECT_EQ(entries(), 2U);
 }
 
-TEST_F(Staged, ALimitOfTheShellIsToldAndNothingIsLeft) {
+TEST_F(Staged, ALimitOfTheShellIsReportedAndNothingIsLeft) {
   put("old", "old");
   const pid_t child = ::fork();
   if (child == 0) {

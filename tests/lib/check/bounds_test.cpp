@@ -46,11 +46,11 @@ Case random_case(Scatter& scatter) {
   return c;
 }
 
-double sampled(const CompiledTool& tool, const Case& c, const ToolInterval& span) {
+double sampled(const CompiledTool& tool, const Case& c, const ToolInterval& interval) {
   double most = -1e300;
   constexpr int kSteps = 6;
   for (int k = 0; k <= kSteps; ++k) {
-    const double t = span.t0 + (span.t1 - span.t0) * k / kSteps;
+    const double t = interval.t0 + (interval.t1 - interval.t0) * k / kSteps;
     for (int i = 0; i <= kSteps; ++i) {
       for (int j = 0; i + j <= kSteps; ++j) {
         const double u = static_cast<double>(i) / kSteps, v = static_cast<double>(j) / kSteps;
@@ -69,7 +69,7 @@ TEST(Bounds, APieceIsNeverDeeperThanItsBound) {
   for (int i = 0; i < 60000; ++i) {
     const CompiledTool& tool = tools[static_cast<std::size_t>(i) % tools.size()].bare;
     const Case c = random_case(scatter);
-    const ToolInterval whole(c.motion, whole_stretch(c.motion, 0));
+    const ToolInterval whole(c.motion, whole_segment(c.motion, 0));
     const PieceBound bound = bound_piece(tool, c.piece, whole, c.reach, -1e300);
     const double most = sampled(tool, c, whole);
     ASSERT_LE(most, std::max(0.0, bound.upper_mm) + 1e-9) << "case " << i;
@@ -84,11 +84,11 @@ TEST(Bounds, APieceIsNeverDeeperThanItsBound) {
 // There the plane at the foot is any of the arc's planes, and rounding must not make it a foreign one.
 TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
   Scatter scatter(22);
-  const ToolForms dovetail = tools::forms(tools::assembly(TaperedCutter{20, 0.5, -30, 8}, 8));
-  const ToolForms cone = tools::forms(tools::assembly(AptCutter{20, 2, 0, 0, 20, 15, 30}));
-  const ToolForms grown = tools::forms(tools::assembly(BallCutter{10, 30}), 0.3, 0.3, 0.3);
+  const ToolVariants dovetail = tools::variants(tools::assembly(TaperedCutter{20, 0.5, -30, 8}, 8));
+  const ToolVariants cone = tools::variants(tools::assembly(AptCutter{20, 2, 0, 0, 20, 15, 30}));
+  const ToolVariants grown = tools::variants(tools::assembly(BallCutter{10, 30}), 0.3, 0.3, 0.3);
   const Motion rest{Pose{}};
-  const ToolInterval whole(rest, whole_stretch(rest, 0));
+  const ToolInterval whole(rest, whole_segment(rest, 0));
   for (const CompiledTool* tool : {&dovetail.bare, &cone.bare, &grown.against_part}) {
     for (const BoundaryElement& e : tool->elements) {
       if (e.kind != ElementKind::arc) continue;
@@ -107,10 +107,10 @@ TEST(Bounds, APieceAboutTheCentreOfAnArcIsNeverDeeperThanItsBound) {
 }
 
 TEST(Bounds, AFlatOnItsFloorNeedsOneLook) {
-  const ToolForms flat = tools::flat();
+  const ToolVariants flat = tools::flat();
   const std::array<Vec3, 3> floor{Vec3(-3, -3, 0), Vec3(3, -2, 0), Vec3(0, 3, 0)};
   const Motion slide({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(0.5, 0, 0), Vec3::UnitZ()});
-  const ToolInterval whole(slide, whole_stretch(slide, 0));
+  const ToolInterval whole(slide, whole_segment(slide, 0));
   EXPECT_LE(bound_piece(flat.bare, floor, whole, 0, 0).upper_mm, 1e-12);
 }
 

@@ -17,11 +17,11 @@ using paths::upright;
 
 const Toolpath kInside = through({upright(0, 0, -20), upright(10, 0, -20), upright(20, 5, -10)});
 
-ToolForms cutter_alone(double diameter = 10, double length = 30) {
-  return make_tool_forms({1, "ball", BallCutter{diameter, length}, {}, {}}, 0, 0, 0).value();
+ToolVariants cutter_alone(double diameter = 10, double length = 30) {
+  return make_tool_variants({1, "ball", BallCutter{diameter, length}, {}, {}}, 0, 0, 0).value();
 }
 
-CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scene, double tolerance_mm = 0.01,
+CheckResult check(const Toolpath& path, const ToolVariants& tool, const Scene& scene, double tolerance_mm = 0.01,
                   unsigned threads = 1) {
   CheckOptions options;
   options.tolerance_mm = tolerance_mm;
@@ -79,7 +79,7 @@ TEST(Buried, InASolidWhoseTrianglesAreDoubledInBothOrientationsNothingIsCertifie
   const CheckResult r = check(kInside, cutter_alone(), {{doubled}, {}});
   EXPECT_EQ(r.counts.not_certified, 3U);
   EXPECT_EQ(reason_text(r.verdicts[0].reason),
-            "whether the cutter is inside the solid cannot be told: the shells of doubled.stl cancel each other there: "
+            "whether the cutter is inside the solid cannot be determined: the shells of doubled.stl cancel each other there: "
             "doubled, or overlapping inside out");
 }
 
@@ -117,7 +117,7 @@ TEST(Buried, NamesTheMeshAndItsFaultWhereASideIsNotKnown) {
   const CheckResult r = check(kInside, cutter_alone(), {{open}, {}});
   EXPECT_EQ(r.counts.not_certified, 3U);
   EXPECT_EQ(reason_text(r.verdicts[0].reason),
-            "whether the cutter is inside the solid cannot be told: open.stl has 6 open edges");
+            "whether the cutter is inside the solid cannot be determined: open.stl has 6 open edges");
 }
 
 TEST(Buried, AnOpenMeshGivenTwiceIsNotCertifiedAndTheReasonSaysWhy) {
@@ -128,12 +128,12 @@ TEST(Buried, AnOpenMeshGivenTwiceIsNotCertifiedAndTheReasonSaysWhy) {
   const CheckResult twice = check(kInside, cutter_alone(), {{open, open}, {}});
   EXPECT_EQ(twice.counts.not_certified, 3U);
   EXPECT_EQ(reason_text(twice.verdicts[0].reason),
-            "whether the cutter is inside the solid cannot be told: open.stl, open.stl have together 6 open edges when "
+            "whether the cutter is inside the solid cannot be determined: open.stl, open.stl have together 6 open edges when "
             "triangles that stand there more than once are counted once");
   const CheckResult flipped = check(kInside, cutter_alone(), {{open, shapes::inside_out(open)}, {}});
   EXPECT_EQ(flipped.counts.not_certified, 3U);
   EXPECT_EQ(reason_text(flipped.verdicts[0].reason),
-            "whether the cutter is inside the solid cannot be told: open.stl, open.stl have together 1 piece of surface "
+            "whether the cutter is inside the solid cannot be determined: open.stl, open.stl have together 1 piece of surface "
             "that lies on itself and may enclose nothing");
 }
 
@@ -147,7 +147,7 @@ TEST(Buried, AChainThatLeavesTheBoxIsOutsideFromItsBeginningHoweverBrokenTheMesh
   IndexedMesh pot = block();
   pot.triangles.resize(10);
   pot.file_triangle.resize(10);
-  const ToolForms tool = cutter_alone();
+  const ToolVariants tool = cutter_alone();
   const CheckResult rising = check(through({upright(0, 0, 0), upright(5, 0, 0), upright(5, 0, 120)}), tool, {{pot}, {}});
   EXPECT_EQ(rising.counts.clean, 3U);
   const CheckResult staying = check(through({upright(0, 0, 0), upright(5, 0, 0), upright(5, 0, 20)}), tool, {{pot}, {}});
@@ -174,10 +174,10 @@ TEST(Buried, AHolderInsideTheSolidBehindANeckThinnerThanTheToleranceIsReported) 
   tool.cutter = BallCutter{10, 20};
   tool.shank = {{0.6, 0.6, 20}};
   tool.holder = {{30, 30, 40}};
-  const ToolForms forms = tools::forms(tool);
+  const ToolVariants variants = tools::variants(tool);
   // The cutter is below the block, the shank passes through its lower face, the holder is within it.
   const Scene scene{{shapes::box(Vec3(-100, -100, 30), Vec3(100, 100, 300))}, {}};
-  const CheckResult r = check(through({upright(0, 0, 0), upright(5, 0, 0)}), forms, scene, 0.5);
+  const CheckResult r = check(through({upright(0, 0, 0), upright(5, 0, 0)}), variants, scene, 0.5);
   ASSERT_EQ(r.counts.buried, 2U) << reason_text(r.verdicts[0].reason);
   EXPECT_EQ(reason_text(r.verdicts[0].reason), "the holder is inside the solid; no surface is inside the holder");
   ASSERT_EQ(r.events.size(), 1U);
@@ -185,7 +185,7 @@ TEST(Buried, AHolderInsideTheSolidBehindANeckThinnerThanTheToleranceIsReported) 
 }
 
 TEST(Buried, ACutterThatStandsPartlyOutsideIsNotBuriedAndNotCleanWhereTheToleranceSwallowsIt) {
-  const ToolForms tool = make_tool_forms({1, "flat", FlatCutter{6, 10}, {}, {}}, 0, 0, 0).value();
+  const ToolVariants tool = make_tool_variants({1, "flat", FlatCutter{6, 10}, {}, {}}, 0, 0, 0).value();
   const Scene scene{{shapes::box(Vec3(-100, -100, -100), Vec3(100, 100, 0))}, {}};
   const CheckResult r = check(through({upright(0, 0, -8)}), tool, scene, 3.5);
   ASSERT_EQ(r.counts.not_certified, 1U) << state_name(r.verdicts[0].state);
@@ -193,7 +193,7 @@ TEST(Buried, ACutterThatStandsPartlyOutsideIsNotBuriedAndNotCleanWhereTheToleran
 }
 
 TEST(Buried, AHollowCutterIsAskedForItsRing) {
-  for (const ToolForms& tool : tools::shapes()) {
+  for (const ToolVariants& tool : tools::shapes()) {
     const Scene scene{{block(500)}, {}};
     EXPECT_EQ(check(through({upright(0, 0, 0)}), tool, scene).counts.buried, 1U) << tool.bare.name;
     EXPECT_EQ(check(through({upright(0, 0, 500 - tool.bare.z_min_mm + 1)}), tool, scene).counts.clean, 1U) << tool.bare.name;

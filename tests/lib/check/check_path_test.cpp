@@ -18,7 +18,7 @@ namespace {
 using paths::through;
 using paths::upright;
 
-CheckResult check(const Toolpath& path, const ToolForms& tool, const Scene& scene,
+CheckResult check(const Toolpath& path, const ToolVariants& tool, const Scene& scene,
                   CheckOptions options = {}) {
   return whole_check(path, &tool, scene, options);
 }
@@ -56,7 +56,7 @@ TEST(CheckPath, ABuriedToolIsSeenInAnInsideOutSolidAndInAFixture) {
 
 TEST(CheckPath, AToleranceAsLargeAsTheCutterNeverMakesAPlungeClean) {
   const Scene scene{{shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 0))}, {}};
-  const ToolForms needle = make_tool_forms({1, "needle", BallCutter{0.1, 50}, {}, {}}, 0, 0, 0).value();
+  const ToolVariants needle = make_tool_variants({1, "needle", BallCutter{0.1, 50}, {}, {}}, 0, 0, 0).value();
   const Toolpath path = through({upright(0, 0, 5), upright(0, 0, -60), upright(3, 0, -60)});
   CheckOptions options;
   options.tolerance_mm = 0.06;
@@ -70,7 +70,7 @@ TEST(CheckPath, AToleranceAsLargeAsTheCutterNeverMakesAPlungeClean) {
   EXPECT_EQ(r.verdicts[2].state, MoveState::buried);
 }
 
-TEST(CheckPath, AnOpenMeshTellsABuriedToolOrSaysThatItCannot) {
+TEST(CheckPath, AnOpenMeshShowsABuriedToolOrSaysThatItCannot) {
   IndexedMesh open = shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500));
   open.triangles.pop_back();
   open.file_triangle.pop_back();
@@ -121,7 +121,7 @@ TEST(CheckPath, FixturesAreCheckedAndNamed) {
 
 TEST(CheckPath, StockToLeaveCountsAgainstThePartAloneNotTheFixture) {
   const IndexedMesh block = shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0));
-  const ToolForms grown = tools::forms(tools::assembly(FlatCutter{10, 30}), 0.3, 0, 0);
+  const ToolVariants grown = tools::variants(tools::assembly(FlatCutter{10, 30}), 0.3, 0, 0);
   const Toolpath path = through({upright(0, 0, 0.1)});
   const CheckResult part = check(path, grown, {{block}, {}});
   ASSERT_EQ(part.counts.gouge, 1U);
@@ -187,7 +187,7 @@ TEST(CheckPath, WhatIsNoNumberOrNoUnitVectorIsRefusedWithTheReason) {
     const CheckResult r = check(path, tools::ball(), scene);
     EXPECT_EQ(r.verdicts[0].state, MoveState::clean);
     EXPECT_EQ(r.verdicts[1].state, MoveState::not_checked);
-    const ToolForms tool = tools::ball();
+    const ToolVariants tool = tools::ball();
     const auto closeness = measure_closeness(path, {&tool}, prepare_scene(scene), r.verdicts, 1);
     EXPECT_TRUE(closeness && closeness->cuts == 1 && closeness->nearest_mm);
     return reason_text(r.verdicts[1].reason);
@@ -208,7 +208,7 @@ TEST(CheckPath, OptionsThatAreNoLengthsAreRefusedWithTheReason) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinite = std::numeric_limits<double>::infinity();
-  const ToolForms tool = tools::ball();
+  const ToolVariants tool = tools::ball();
   std::vector<CheckOptions> wrong(7);
   wrong[0].tolerance_mm = nan;  // compared with it, every depth is small enough
   wrong[1].tolerance_mm = infinite;

@@ -11,7 +11,7 @@ namespace {
 
 using paths::upright;
 
-std::optional<Closeness> closeness(const Toolpath& path, const ToolForms& tool = tools::flat(),
+std::optional<Closeness> closeness(const Toolpath& path, const ToolVariants& tool = tools::flat(),
                                    unsigned threads = 1, const std::vector<MoveVerdict>& verdicts = {}) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
   return measure_closeness(path, {&tool}, prepare_scene(scene), verdicts, threads);
@@ -35,7 +35,7 @@ TEST(Closeness, TouchingAndDeeperIsNothing) {
 }
 
 TEST(Closeness, CountsFromTheStockToLeave) {
-  const ToolForms grown = tools::forms(tools::assembly(FlatCutter{10, 30}), 0.5, 0, 0);
+  const ToolVariants grown = tools::variants(tools::assembly(FlatCutter{10, 30}), 0.5, 0, 0);
   EXPECT_NEAR(*closeness(paths::through({upright(0, 0, 0.75)}), grown)->nearest_mm, 0.25, 0.011);
 }
 
@@ -80,7 +80,7 @@ TEST(Closeness, WhatTheCheckHasSeenCounts) {
 
 TEST(Closeness, SaysNothingWithoutCutsOrParts) {
   EXPECT_FALSE(closeness(paths::through({upright(0, 0, 1)}, MoveKind::rapid)).has_value());
-  const ToolForms tool = tools::flat();
+  const ToolVariants tool = tools::flat();
   const Toolpath path = paths::through({upright(0, 0, 1)});
   EXPECT_FALSE(measure_closeness(path, {nullptr}, prepare_scene(Scene{}), {}, 1).has_value());
   EXPECT_FALSE(measure_closeness(path, {&tool}, prepare_scene(Scene{}), {}, 1).has_value());

@@ -56,8 +56,8 @@ TEST(CurvedMotion, EndsAreTheGivenPosesBitForBitAndTheWayIsUnbroken) {
     const PathSpline spline = random_spline(random, h.start.tip);
     const Motion along(h.start, {spline.pieces.back().control.back(), h.end.axis}, spline);
     EXPECT_EQ(along.at(1).tip, spline.pieces.back().control.back());
-    for (std::size_t s = 0; s + 1 < along.stretches().size(); ++s) {
-      EXPECT_LE((along.stretches()[s].tip1 - along.stretches()[s + 1].tip0).norm(), 1e-12);
+    for (std::size_t s = 0; s + 1 < along.segments().size(); ++s) {
+      EXPECT_LE((along.segments()[s].tip1 - along.segments()[s + 1].tip0).norm(), 1e-12);
     }
   }
 }
@@ -87,7 +87,7 @@ TEST(CurvedMotion, AFullCircleComesBackToWhereItBegan) {
 
 // Halves the interval at random a few times: bounds must hold for long and for short ones.
 std::uint32_t somewhere(ToolIntervals& intervals, const Motion& motion, Scatter& random, double& tightest) {
-  auto index = static_cast<std::uint32_t>(random.in(0, static_cast<double>(motion.stretches().size()) - 1e-9));
+  auto index = static_cast<std::uint32_t>(random.in(0, static_cast<double>(motion.segments().size()) - 1e-9));
   const int depth = static_cast<int>(random.in(0, 8));
   for (int k = 0; k < depth; ++k) index = intervals.halve(index) + (random.in(0, 1) < 0.5 ? 0U : 1U);
   if (depth < 4) tightest = 1e300;
@@ -97,23 +97,23 @@ std::uint32_t somewhere(ToolIntervals& intervals, const Motion& motion, Scatter&
 void expect_bulge_holds(const Motion& motion, Scatter& random, double& tightest) {
   ToolIntervals intervals(motion, motion);
   double ignored = 0;
-  const ToolInterval span = intervals[somewhere(intervals, motion, random, ignored)];
+  const ToolInterval interval = intervals[somewhere(intervals, motion, random, ignored)];
   const Vec3 p = motion.at(random.in(0, 1)).tip + random.point(60);
-  const double stated = span.bulge_mm((p - span.tip_middle).norm());
-  const Vec3 q0 = span.f0.to_tool(p), q1 = span.f1.to_tool(p);
-  double way = 0;
-  Vec3 last = span.f0.tip;
+  const double stated = interval.bulge_mm((p - interval.tip_middle).norm());
+  const Vec3 q0 = interval.f0.to_tool(p), q1 = interval.f1.to_tool(p);
+  double length = 0;
+  Vec3 last = interval.f0.tip;
   for (int k = 0; k <= 40; ++k) {
     const double s = k / 40.0;
-    const ToolFrame frame = tool_frame(motion, span.t0 + s * (span.t1 - span.t0), span.stretch);
+    const ToolFrame frame = tool_frame(motion, interval.t0 + s * (interval.t1 - interval.t0), interval.segment);
     const double bulge = (frame.to_tool(p) - (q0 + s * (q1 - q0))).norm();
     ASSERT_LE(bulge, stated + 1e-9);
     if (bulge > 1e-5 && ignored < 1) tightest = std::min(tightest, stated / bulge);
-    way += (frame.tip - last).norm();
+    length += (frame.tip - last).norm();
     last = frame.tip;
-    ASSERT_LE((frame.tip - span.tip_middle).norm(), 0.5 * span.tip_way_mm + 1e-9);
+    ASSERT_LE((frame.tip - interval.tip_middle).norm(), 0.5 * interval.tip_path_mm + 1e-9);
   }
-  ASSERT_LE(way, span.tip_way_mm * (1 + 1e-12) + 1e-9);
+  ASSERT_LE(length, interval.tip_path_mm * (1 + 1e-12) + 1e-9);
 }
 
 TEST(CurvedMotion, NoPathBulgesFurtherFromItsChordThanStated) {

@@ -45,7 +45,7 @@ TEST(Motion, AxesThatDifferByRoundingDoNotTurnWildly) {
 
 TEST(Motion, DoglegRunsAllAxesAtOneSpeedUntilEachArrives) {
   const Motion motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3(10, -4, 2), Vec3::UnitZ()}, true);
-  ASSERT_EQ(motion.stretches().size(), 3U);
+  ASSERT_EQ(motion.segments().size(), 3U);
   EXPECT_TRUE(motion.at(0.2).tip.isApprox(Vec3(2, -2, 2), 1e-14));
   EXPECT_TRUE(motion.at(0.4).tip.isApprox(Vec3(4, -4, 2), 1e-14));
   EXPECT_TRUE(motion.at(0.7).tip.isApprox(Vec3(7, -4, 2), 1e-14));
@@ -77,12 +77,12 @@ TEST(ToolInterval, NoPathBulgesFurtherFromItsChordThanStated) {
     const Motion motion({random.point(5), a}, {random.point(5), b});
     ToolIntervals intervals(motion, motion);
     const std::uint32_t half = intervals.halve(0) + 1;
-    const ToolInterval span = intervals[half];
+    const ToolInterval interval = intervals[half];
     const Vec3 p = random.point(60);
-    const double stated = span.bulge_mm((p - span.tip_middle).norm());
-    const Vec3 q0 = span.f0.to_tool(p), q1 = span.f1.to_tool(p);
+    const double stated = interval.bulge_mm((p - interval.tip_middle).norm());
+    const Vec3 q0 = interval.f0.to_tool(p), q1 = interval.f1.to_tool(p);
     for (double s = 0; s <= 1; s += 0.05) {
-      const Vec3 q = tool_frame(motion, span.t0 + s * (span.t1 - span.t0), 0).to_tool(p);
+      const Vec3 q = tool_frame(motion, interval.t0 + s * (interval.t1 - interval.t0), 0).to_tool(p);
       const double bulge = (q - (q0 + s * (q1 - q0))).norm();
       EXPECT_LE(bulge, stated + 1e-12);
       if (bulge > 1e-6) tightest = std::min(tightest, stated / bulge);

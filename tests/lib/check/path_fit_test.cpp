@@ -36,7 +36,7 @@ Scene dome() {
   return {{shapes::moved(shapes::sphere(kDome_mm, 64, 128), kCenter)}, {}};
 }
 
-PathFit fit_of(const Toolpath& path, const Scene& scene, const ToolForms& tool, unsigned threads = 1) {
+PathFit fit_of(const Toolpath& path, const Scene& scene, const ToolVariants& tool, unsigned threads = 1) {
   CheckOptions options;
   options.threads = 1;
   const OwnSetup own(&tool, scene, options);

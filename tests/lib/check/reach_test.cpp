@@ -22,7 +22,7 @@ Scene block() {
   return {{shapes::box(Vec3(-100, -50, -40), Vec3(0, 50, 0))}, {}};
 }
 
-CheckResult check(const std::vector<Pose>& poses, const ToolForms& tool, double tolerance_mm, double resolution_mm = 0.001) {
+CheckResult check(const std::vector<Pose>& poses, const ToolVariants& tool, double tolerance_mm, double resolution_mm = 0.001) {
   CheckOptions options;
   options.tolerance_mm = tolerance_mm;
   options.resolution_mm = resolution_mm;
@@ -31,22 +31,22 @@ CheckResult check(const std::vector<Pose>& poses, const ToolForms& tool, double 
   return whole_check(through(poses), &tool, scene, options);
 }
 
-ToolForms saw(double stock = 0) {
-  return make_tool_forms({1, "saw", SlittingSawCutter{63, 0.5, 0, 0}, {{16, 16, 40}}, {}}, stock, 0, 0).value();
+ToolVariants saw(double stock = 0) {
+  return make_tool_variants({1, "saw", SlittingSawCutter{63, 0.5, 0, 0}, {{16, 16, 40}}, {}}, stock, 0, 0).value();
 }
 
-ToolForms point(double half_deg) {
-  return tools::forms({1, "point", ChamferCutter{1, 0, half_deg, 0}, {}, {}});
+ToolVariants point(double half_deg) {
+  return tools::variants({1, "point", ChamferCutter{1, 0, half_deg, 0}, {}, {}});
 }
 
-ToolForms needle() {
+ToolVariants needle() {
   Profile profile;
   const std::vector<Vec2> corners{{0, 0}, {0.1, 0}, {0.1, 6}, {3, 6}, {3, 20}, {0, 20}};
   for (std::size_t i = 0; i + 1 < corners.size(); ++i)
     profile.elements.push_back(make_segment(Body::cutter, corners[i], corners[i + 1]));
-  ToolForms forms;
-  forms.bare = forms.against_part = forms.against_fixture = compile_tool("needle", profile);
-  return forms;
+  ToolVariants variants;
+  variants.bare = variants.against_part = variants.against_fixture = compile_tool("needle", profile);
+  return variants;
 }
 
 TEST(Reach, ASawThatSlotsThePartIsNotCleanBecauseItIsThin) {
@@ -70,7 +70,7 @@ TEST(Reach, ANeedleThatPloughsThePartIsNotClean) {
 }
 
 TEST(Reach, APointedTipIsCleanNoDeeperThanThreeTimesTheDepthAllowed) {
-  const ToolForms tool = point(2);
+  const ToolVariants tool = point(2);
   const auto state_at = [&](double z, double tolerance) {
     return check({upright(-50, 0, z + 10), upright(-50, 0, z), upright(-40, 0, z)}, tool, tolerance).verdicts[2].state;
   };
@@ -93,7 +93,7 @@ TEST(Reach, OfUsualCornersChangesNoVerdict) {
 }
 
 TEST(Reach, StockToLeaveThickensABladeAgainstThePartAlone) {
-  const ToolForms grown = saw(1);
+  const ToolVariants grown = saw(1);
   EXPECT_EQ(check({upright(100, 0, -20), upright(32.3, 0, -20)}, grown, 0.26).verdicts[1].state, MoveState::clean);
   EXPECT_EQ(check({upright(100, 0, -20), upright(15, 0, -20)}, grown, 0.26).verdicts[1].state, MoveState::gouge);
 }
@@ -115,16 +115,16 @@ double lowest(const CompiledTool& tool, const Pose& pose) {
 TEST(Reach, NoCleanMoveOfAnyToolGoesFartherIntoTheSolidThanThreeTimesTheDepthAllowed) {
   const Scene scene{{shapes::box(Vec3(-1e4, -1e4, -1e4), Vec3(1e4, 1e4, 0))}, {}};
   const PreparedScene prepared = prepare_scene(scene);
-  std::vector<ToolForms> tools{point(2), point(5), point(12), point(16), point(40), needle(), saw(), tools::ball()};
+  std::vector<ToolVariants> tools{point(2), point(5), point(12), point(16), point(40), needle(), saw(), tools::ball()};
   for (std::uint64_t seed = 0; seed < 32; ++seed) {
     const test::RandomTool random = test::random_tool(seed);
-    ToolForms tool;
+    ToolVariants tool;
     tool.bare = tool.against_part = tool.against_fixture = compile_tool(random.name, random.profile);
     tools.push_back(tool);
   }
   std::size_t clean = 0, held_back = 0;
   for (std::size_t seed = 0; seed < tools.size(); ++seed) {
-    const ToolForms& tool = tools[seed];
+    const ToolVariants& tool = tools[seed];
     test::Scatter numbers(seed + 5);
     CheckOptions options;
     options.threads = 1;

@@ -57,8 +57,8 @@ TEST(ExtendUp, WhatIsAboveTheToolNoLongerHides) {
   for (Vec3& v : scene.parts[0].vertices) v -= Vec3(20, 20, 0);
   ToolAssembly tool;
   tool.cutter = FlatCutter{10, 30};
-  const ToolForms as_given = tools::forms(tool);
-  const ToolForms endless = tools::forms(extended_up(tool, reach_mm(path, scene) + 5));
+  const ToolVariants as_given = tools::variants(tool);
+  const ToolVariants endless = tools::variants(extended_up(tool, reach_mm(path, scene) + 5));
   EXPECT_EQ(whole_check(path, &as_given, scene).counts.gouge, 0u);
   EXPECT_EQ(whole_check(path, &endless, scene).counts.gouge, 2u);
 }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr CheckOptions kOptions{};
 
-MoveVerdict check(const Motion& motion, const ToolForms& tool, const std::vector<IndexedMesh>& parts,
+MoveVerdict check(const Motion& motion, const ToolVariants& tool, const std::vector<IndexedMesh>& parts,
                   std::uint64_t* bounds = nullptr, const CheckOptions& options = kOptions) {
   const Scene scene{parts, {}};
   const PreparedScene prepared = prepare_scene(scene);
@@ -35,7 +35,7 @@ double depth_of(const Witness& w, const Motion& motion, const CompiledTool& tool
   return -evaluate_brute_force(tool, (d - z * pose.axis).norm(), z).signed_distance_mm;
 }
 
-void expect_promise(const MoveVerdict& v, const Motion& motion, const ToolForms& tool,
+void expect_guarantee(const MoveVerdict& v, const Motion& motion, const ToolVariants& tool,
                     const CheckOptions& options) {
   EXPECT_LE(v.depth_mm, v.depth_upper_mm);
   if (v.state == MoveState::gouge) {
@@ -58,7 +58,7 @@ TEST(Search, NeverBelowBruteForceOnRandomScenes) {
   const auto tools = tools::all();
   std::size_t gouges = 0, cleans = 0;
   for (int i = 0; i < 250; ++i) {
-    const ToolForms& tool = tools[static_cast<std::size_t>(i) % tools.size()];
+    const ToolVariants& tool = tools[static_cast<std::size_t>(i) % tools.size()];
     IndexedMesh mesh;
     const double nearest = in(0, 1) < 0.5 ? 3 : 19;
     for (int k = 0; k < 6; ++k) {
@@ -73,7 +73,7 @@ TEST(Search, NeverBelowBruteForceOnRandomScenes) {
     const Motion motion(from, to);
     const Scene scene{{mesh}, {}};
     const MoveVerdict v = check(motion, tool, scene.parts);
-    expect_promise(v, motion, tool, kOptions);
+    expect_guarantee(v, motion, tool, kOptions);
     const BruteForceDepth brute = brute_force_depth(motion, tool, scene, 40, 0.01);
     EXPECT_LE(brute.depth_mm, v.depth_upper_mm + 1e-9) << "scene " << i;
     EXPECT_NE(v.state, MoveState::not_certified);
@@ -86,13 +86,13 @@ TEST(Search, NeverBelowBruteForceOnRandomScenes) {
 TEST(Search, LargeTrianglesWithAllVerticesFarAwayAreMet) {
   const IndexedMesh block = shapes::box(Vec3(-500, -500, -100), Vec3(500, 500, 0));
   const Motion motion(upright(-1, 0.3, -0.2), upright(1, 0.3, -0.2));
-  for (const ToolForms& tool : tools::all()) {
+  for (const ToolVariants& tool : tools::all()) {
     std::uint64_t bounds = 0;
     const MoveVerdict v = check(motion, tool, {block}, &bounds);
     EXPECT_EQ(v.state, MoveState::gouge);
     EXPECT_NEAR(v.depth_mm, 0.2, 0.001);
     EXPECT_GT(v.witness->normal.z(), 0.99);
-    expect_promise(v, motion, tool, kOptions);
+    expect_guarantee(v, motion, tool, kOptions);
     EXPECT_LT(bounds, 2000U);
   }
 }
@@ -100,22 +100,22 @@ TEST(Search, LargeTrianglesWithAllVerticesFarAwayAreMet) {
 TEST(Search, AThinWallBetweenTwoClearPositionsIsMet) {
   const IndexedMesh wall = shapes::box(Vec3(-0.02, -50, 0), Vec3(0.02, 50, 8));
   const Motion motion(upright(-20, 0, 5), upright(20, 0, 5));
-  for (const ToolForms& tool : tools::all()) {
+  for (const ToolVariants& tool : tools::all()) {
     EXPECT_EQ(check(Motion(motion.start()), tool, {wall}).state, MoveState::clean);
     EXPECT_EQ(check(Motion(motion.end()), tool, {wall}).state, MoveState::clean);
     const MoveVerdict v = check(motion, tool, {wall});
     EXPECT_EQ(v.state, MoveState::gouge);
-    expect_promise(v, motion, tool, kOptions);
+    expect_guarantee(v, motion, tool, kOptions);
   }
 }
 
 TEST(Search, APostThinnerThanAnyStepIsMet) {
   const IndexedMesh post = shapes::box(Vec3(-0.02, 1.98, 0), Vec3(0.02, 2.02, 8));
   const Motion motion(upright(-60, 0, 5), upright(60, 0, 5));
-  const ToolForms tool = tools::ball();
+  const ToolVariants tool = tools::ball();
   const MoveVerdict v = check(motion, tool, {post});
   EXPECT_EQ(v.state, MoveState::gouge);
-  expect_promise(v, motion, tool, kOptions);
+  expect_guarantee(v, motion, tool, kOptions);
   const Motion beside(upright(-60, 10, 5), upright(60, 10, 5));
   EXPECT_EQ(check(beside, tool, {post}).state, MoveState::clean);
 }
@@ -123,7 +123,7 @@ TEST(Search, APostThinnerThanAnyStepIsMet) {
 TEST(Search, ARotationAboutARestingTipSwingsTheHolderIntoAPost) {
   // The post stands where the holder passes half way; both ends are clear.
   const IndexedMesh post = shapes::box(Vec3(-0.5, -0.5, 60), Vec3(0.5, 0.5, 140));
-  const ToolForms tool = tools::ball(6);
+  const ToolVariants tool = tools::ball(6);
   const auto leaning = [](double degrees) {
     const double a = degrees * M_PI / 180;
     return Pose{Vec3(0, -40, 0), Vec3(std::sin(a), 0.35, std::cos(a)).normalized()};
@@ -134,7 +134,7 @@ TEST(Search, ARotationAboutARestingTipSwingsTheHolderIntoAPost) {
   const MoveVerdict v = check(motion, tool, {post});
   EXPECT_EQ(v.state, MoveState::gouge);
   EXPECT_EQ(v.witness->body, Body::holder);
-  expect_promise(v, motion, tool, kOptions);
+  expect_guarantee(v, motion, tool, kOptions);
 }
 
 TEST(Search, AFlatSlidingExactlyOnAPlaneIsCleanAndFast) {
@@ -163,19 +163,19 @@ TEST(Search, AFanOfNeedlesIsAsGoodAsAPlane) {
   const Motion deeper(upright(-2, 0, top - 0.05), upright(2, 1, top - 0.05));
   const MoveVerdict v = check(deeper, tools::flat(), {fan});
   EXPECT_EQ(v.state, MoveState::gouge);
-  expect_promise(v, deeper, tools::flat(), kOptions);
+  expect_guarantee(v, deeper, tools::flat(), kOptions);
 }
 
 TEST(Search, ABudgetTooSmallIsNeverDecided) {
   const IndexedMesh ring = shapes::torus(20, 5, 60, 40);
   const BlockTree tree = build_block_tree({&ring, 1}, 1);
-  const ToolForms tool = tools::ball();
+  const ToolVariants tool = tools::ball();
   SearchStart start;
   for (std::uint32_t t = 0; t < ring.triangles.size(); ++t) start.seeds.push_back({0, t});
   const Motion motion(upright(18, 0, 4.9), upright(20, 1, 4.95));
   const std::vector<SearchTarget> targets{{&tool.against_part, &tree, Against::part}};
-  const SearchAnswer small = search_move(motion, targets, {{0.01, 0.001, 1e-7, 3}, 0}, start);
-  const SearchAnswer large = search_move(motion, targets, {{0.01, 0.001, 1e-7, 2'000'000}, 0}, start);
+  const SearchResult small = search_move(motion, targets, {{0.01, 0.001, 1e-7, 3}, 0}, start);
+  const SearchResult large = search_move(motion, targets, {{0.01, 0.001, 1e-7, 2'000'000}, 0}, start);
   EXPECT_FALSE(small.is_decided);
   EXPECT_TRUE(large.is_decided);
   EXPECT_GE(small.value_upper_mm, large.value_mm);
@@ -184,7 +184,7 @@ TEST(Search, ABudgetTooSmallIsNeverDecided) {
 TEST(Search, ClearancesGrowRoundedAndAnyEntryIsAGouge) {
   CheckOptions options;
   options.holder_clearance_mm = 1;
-  const ToolForms tool = tools::forms(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
+  const ToolVariants tool = tools::variants(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
   // The holder's lower corner is at (16, 50). A corner of a box 0.6 mm away from it along the diagonal is
   // within the clearance, one 1.1 mm away is not, although a grown cylinder with sharp corners would reach
   // it.
@@ -201,7 +201,7 @@ TEST(Search, ClearancesGrowRoundedAndAnyEntryIsAGouge) {
   EXPECT_EQ(grazing.witness->body, Body::holder);
 }
 
-TEST(Search, NearMissTellsTheClosestApproachOfTheHolder) {
+TEST(Search, NearMissShowsTheClosestApproachOfTheHolder) {
   CheckOptions options;
   options.near_miss_mm = 2;
   const IndexedMesh wall = shapes::box(Vec3(17.5, -5, 0), Vec3(40, 5, 80));

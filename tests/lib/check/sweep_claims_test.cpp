@@ -29,21 +29,21 @@ Vec3 near_axis(Scatter& random, const Vec3& axis, double lean) { return (axis + 
 
 /// Tools by number: random ones, and every form of the named ones.
 CompiledTool tool_of(std::uint64_t seed) {
-  static const std::vector<ToolForms> named = [] {
-    std::vector<ToolForms> all = tools::all();
-    const std::vector<ToolForms> shapes = tools::shapes();
+  static const std::vector<ToolVariants> named = [] {
+    std::vector<ToolVariants> all = tools::all();
+    const std::vector<ToolVariants> shapes = tools::shapes();
     all.insert(all.end(), shapes.begin(), shapes.end());
-    all.push_back(tools::forms(tools::assembly(TaperedCutter{4, 2, 5, 30}, 8), 0.2, 0.5, 2));
-    all.push_back(tools::forms(tools::assembly(BarrelCutter{12, 10000, 1, 0.02, 12, 24}, 12)));
-    all.push_back(tools::forms(tools::assembly(FlatCutter{0.01, 0.05}, 0.01)));
-    all.push_back(tools::forms(tools::assembly(DrillCutter{2000, 118, 3000}, 2000)));
+    all.push_back(tools::variants(tools::assembly(TaperedCutter{4, 2, 5, 30}, 8), 0.2, 0.5, 2));
+    all.push_back(tools::variants(tools::assembly(BarrelCutter{12, 10000, 1, 0.02, 12, 24}, 12)));
+    all.push_back(tools::variants(tools::assembly(FlatCutter{0.01, 0.05}, 0.01)));
+    all.push_back(tools::variants(tools::assembly(DrillCutter{2000, 118, 3000}, 2000)));
     return all;
   }();
   if (seed % 2 == 0) return compile_tool("", test::random_tool(seed / 2 % 4000).profile);
-  const ToolForms& forms = named[seed / 2 % named.size()];
-  const CompiledTool* of[] = {&forms.bare, &forms.against_part, &forms.with_clearance, &forms.non_cutting};
+  const ToolVariants& variants = named[seed / 2 % named.size()];
+  const CompiledTool* of[] = {&variants.bare, &variants.against_part, &variants.with_clearance, &variants.non_cutting};
   const CompiledTool& chosen = *of[seed / 2 / named.size() % 4];
-  return chosen.elements.empty() ? forms.bare : chosen;
+  return chosen.elements.empty() ? variants.bare : chosen;
 }
 
 /// A point of the tool's own coordinates worth looking at: near its surface, on its axis, around it.
@@ -63,17 +63,17 @@ struct Case {
   IndexedMesh mesh;
 };
 
-Motion random_motion(Scatter& scatter, const Pose& from, const Pose& to, double way) {
+Motion random_motion(Scatter& scatter, const Pose& from, const Pose& to, double displacement) {
   switch (static_cast<int>(scatter.in(0, 6))) {
     case 0:
       return Motion(from, to, true);
     case 1:
-      return Motion(from, to, PathArc{from.tip + scatter.point(way), scatter.direction(), scatter.in(-7, 7)});
+      return Motion(from, to, PathArc{from.tip + scatter.point(displacement), scatter.direction(), scatter.in(-7, 7)});
     case 2: {
-      const Vec3 mid = from.tip + scatter.point(way);
+      const Vec3 mid = from.tip + scatter.point(displacement);
       PathSpline spline;
-      spline.pieces.push_back({0, 0.3, {from.tip, from.tip + scatter.point(way), mid + scatter.point(way), mid}});
-      spline.pieces.push_back({0.3, 1, {mid, mid + scatter.point(way), to.tip + scatter.point(way), to.tip}});
+      spline.pieces.push_back({0, 0.3, {from.tip, from.tip + scatter.point(displacement), mid + scatter.point(displacement), mid}});
+      spline.pieces.push_back({0.3, 1, {mid, mid + scatter.point(displacement), to.tip + scatter.point(displacement), to.tip}});
       return Motion(from, to, spline);
     }
     default:
@@ -87,16 +87,16 @@ Case random_case(std::uint64_t seed, bool is_straight_only) {
   made.tool = tool_of(seed);
   const double size = std::max(made.tool.r_max_mm, made.tool.z_max_mm);
   const Vec3 origin = scatter.below(3) == 0 ? scatter.point(scale(scatter, 3, 5)) : Vec3(Vec3::Zero());
-  const double way = size * scale(scatter, -4, 0.3);
+  const double displacement = size * scale(scatter, -4, 0.3);
   const double lean = scatter.below(6) == 0 ? 0 : scale(scatter, -4, is_straight_only ? -0.5 : 0.7);
   const Vec3 axis = scatter.below(4) == 0 ? Vec3(Vec3::UnitZ()) : scatter.direction();
-  const Vec3 course = scatter.point(way);
+  const Vec3 course = scatter.point(displacement);
   Pose from{origin, axis};
   for (auto count = static_cast<int>(scatter.in(1, 7)); count > 0; --count) {
-    Pose to{from.tip + course + scatter.point(scatter.below(2) == 0 ? way : 0.05 * way), near_axis(scatter, axis, lean)};
+    Pose to{from.tip + course + scatter.point(scatter.below(2) == 0 ? displacement : 0.05 * displacement), near_axis(scatter, axis, lean)};
     if (scatter.below(8) == 0) to.tip = from.tip;
     if (scatter.below(8) == 0) to.axis = from.axis;
-    Motion motion = is_straight_only ? Motion(from, to) : random_motion(scatter, from, to, way);
+    Motion motion = is_straight_only ? Motion(from, to) : random_motion(scatter, from, to, displacement);
     if (motion.is_defined()) {
       made.motions.push_back(motion);
       from = to;
@@ -136,11 +136,11 @@ Case aligned_case(std::uint64_t seed) {
   const Vec3 axis = (scatter.below(2) == 0 ? 1 : -1) * Vec3::Unit(static_cast<Eigen::Index>(scatter.in(0, 2.999)));
   const Vec3 side = axis.unitOrthogonal();
   const Vec3 origin = scatter.below(3) == 0 ? Vec3(1024 * Vec3(even(scatter, 16), even(scatter, 16), 0)) : Vec3(0, 0, 0);
-  const double way = scatter.below(3) == 0 ? 0 : size * std::exp2(std::round(scatter.in(-12, 0)));
+  const double displacement = scatter.below(3) == 0 ? 0 : size * std::exp2(std::round(scatter.in(-12, 0)));
   Pose from{origin, axis};
   for (auto count = static_cast<int>(scatter.in(0, 5)); count > 0; --count) {
-    Pose to{from.tip + even(scatter, way) * axis, axis};
-    if (scatter.below(4) == 0) to.tip += even(scatter, way) * side;
+    Pose to{from.tip + even(scatter, displacement) * axis, axis};
+    if (scatter.below(4) == 0) to.tip += even(scatter, displacement) * side;
     if (scatter.below(6) == 0) to.axis = side;
     made.motions.emplace_back(from, to);
     from = to;
@@ -187,14 +187,14 @@ TEST(SweepClaims, NoBoundOfAPieceIsAboveThePiece) {
     const Case c = case_of(seed, true);
     Scatter scatter(seed);
     const BlockTree tree = build_block_tree({&c.mesh, 1}, 1);
-    std::vector<SweepStep> steps;
+    std::vector<SweepInterval> steps;
     for (std::uint32_t m = 0; m < c.motions.size(); ++m) append_steps(c.motions[m], m, steps);
     const SweepFrame frame = sweep_frame(steps, tree.origin, tree.rounding_mm);
     for (const CoverPiece& piece : make_convex_cover(c.tool).pieces) {
       // Feet and ends are claims about the tool; here the distance of the piece itself is asked for.
       KernelPiece k = kernel_piece(piece);
       k.foot_lo_mm = -3e38F, k.foot_hi_mm = 3e38F, k.r_below_mm = k.r_above_mm = 3e38F;
-      KernelAnswer node, triangle;
+      KernelResult node, triangle;
       fastest_sweep_kernel().nodes(tree.nodes[0], frame, k, 3e38F, node);
       fastest_sweep_kernel().triangles(tree.leaves[0], frame, k, static_cast<float>(scatter.in(-20, 3)), triangle);
       double all = 1e300;
@@ -220,8 +220,8 @@ TEST(SweepClaims, NoBoundOfAPieceIsAboveThePiece) {
   EXPECT_GT(tight, count / 2);
 }
 
-SearchQuestion random_question(Scatter& scatter, double size) {
-  SearchQuestion q;
+SearchQuery random_query(Scatter& scatter, double size) {
+  SearchQuery q;
   q.tolerance_mm = scatter.below(3) == 0 ? 0 : size * scale(scatter, -5, 0);
   q.resolution_mm = size * scale(scatter, -6, -2);
   q.gap_mm = scatter.below(2) == 0 ? q.resolution_mm : size * scale(scatter, -5, -0.5);
@@ -231,7 +231,7 @@ SearchQuestion random_question(Scatter& scatter, double size) {
 }
 
 TEST(SweepClaims, WhatIsNotLeftOpenIsSettled) {
-  std::size_t settled = 0, deep = 0;
+  std::size_t pruning_threshold = 0, deep = 0;
   const std::uint64_t count = cases(300);
   for (std::uint64_t seed = 0; seed < count; ++seed) {
     const Case c = case_of(seed, false);
@@ -239,30 +239,30 @@ TEST(SweepClaims, WhatIsNotLeftOpenIsSettled) {
     const BlockTree tree = build_block_tree({&c.mesh, 1}, 1);
     const CompiledTool other = tool_of(seed + 2);
     const std::vector<SearchTarget> targets{{&c.tool, &tree, Against::part}, {&other, &tree, Against::fixture}};
-    const SearchQuestion question = random_question(scatter, std::max(c.tool.r_max_mm, c.tool.z_max_mm));
-    const std::vector<SweptMove> swept = sweep_moves(c.motions, targets, question);
+    const SearchQuery query = random_query(scatter, std::max(c.tool.r_max_mm, c.tool.z_max_mm));
+    const std::vector<SweptMove> swept = sweep_moves(c.motions, targets, query);
     for (std::size_t m = 0; m < c.motions.size(); ++m) {
       const SearchStart& start = swept[m].start;
       std::set<std::pair<std::uint32_t, std::uint32_t>> open;
       for (const SearchSeed& seed_at : start.seeds) open.insert({seed_at.target, seed_at.triangle});
-      if (start.value_mm > question.tolerance_mm) ++deep;
-      const double allowed = start.value_mm > question.tolerance_mm ? start.value_mm + question.gap_mm
-                                                                    : question.tolerance_mm + question.resolution_mm;
-      EXPECT_LE(start.settled_mm, allowed) << "case " << seed;
+      if (start.value_mm > query.tolerance_mm) ++deep;
+      const double allowed = start.value_mm > query.tolerance_mm ? start.value_mm + query.gap_mm
+                                                                    : query.tolerance_mm + query.resolution_mm;
+      EXPECT_LE(start.certified_mm, allowed) << "case " << seed;
       for (std::uint32_t target = 0; target < 2; ++target) {
         for (std::uint32_t t = 0; t < c.mesh.triangles.size(); ++t) {
           if (open.count({target, t}) != 0) continue;
-          ++settled;
+          ++pruning_threshold;
           sample(scatter, c.motions[m], tree.corners(t), [&](const Vec2& q) {
-            const double value = question.reach_mm - evaluate(*targets[target].tool, q.x(), q.y()).signed_distance_mm;
-            EXPECT_LE(value, start.settled_mm) << "case " << seed << ", move " << m << ", triangle " << t;
+            const double value = query.reach_mm - evaluate(*targets[target].tool, q.x(), q.y()).signed_distance_mm;
+            EXPECT_LE(value, start.certified_mm) << "case " << seed << ", move " << m << ", triangle " << t;
           });
         }
       }
     }
     if (HasFailure() && std::getenv("GOUGE_SWEEP_CASES") == nullptr) return;
   }
-  EXPECT_GT(settled, count);
+  EXPECT_GT(pruning_threshold, count);
   EXPECT_GT(deep, count / 10);
 }
 

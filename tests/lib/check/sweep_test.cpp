@@ -17,15 +17,15 @@ namespace {
 
 using test::Scatter;
 
-/// One to nine moves in a row, from a resting pose to long ways with large turns.
+/// One to nine moves in a row, from a resting pose to long paths with large turns.
 std::vector<Motion> random_motions(Scatter& scatter, const Vec3& origin) {
-  const double way = std::pow(10, scatter.in(-2, 1));
+  const double displacement = std::pow(10, scatter.in(-2, 1));
   const double lean = std::pow(10, scatter.in(-3, -0.3));
   const auto count = static_cast<std::size_t>(scatter.in(1, 10));
   std::vector<Motion> motions;
   Pose from{origin + scatter.point(1), scatter.axis(lean)};
   for (std::size_t k = 0; k < count; ++k) {
-    const Pose to{from.tip + scatter.point(way), scatter.axis(lean)};
+    const Pose to{from.tip + scatter.point(displacement), scatter.axis(lean)};
     motions.emplace_back(from, to);
     from = to;
   }
@@ -75,7 +75,7 @@ Bounds proven(const CompiledTool& tool, const BlockTree& tree, const SweepFrame&
   least.node.fill(3e38F);
   least.triangle.fill(3e38F);
   for (const CoverPiece& piece : make_convex_cover(tool).pieces) {
-    KernelAnswer node, triangle;
+    KernelResult node, triangle;
     fastest_sweep_kernel().nodes(tree.nodes[0], frame, kernel_piece(piece), need, node);
     fastest_sweep_kernel().triangles(tree.leaves[0], frame, kernel_piece(piece), need, triangle);
     for (std::size_t i = 0; i < kBlockLanes; ++i) {
@@ -96,7 +96,7 @@ TEST(Sweep, NoBoundIsAboveWhatSamplingFinds) {
     const std::vector<Motion> motions = random_motions(scatter, origin);
     const IndexedMesh mesh = random_triangles(scatter, origin, 1 + static_cast<std::size_t>(i) % 16);
     const BlockTree tree = build_block_tree({&mesh, 1}, 1);
-    std::vector<SweepStep> steps;
+    std::vector<SweepInterval> steps;
     for (std::uint32_t m = 0; m < motions.size(); ++m) append_steps(motions[m], m, steps);
     const SweepFrame frame = sweep_frame(steps, tree.origin, tree.rounding_mm);
     const float need = static_cast<float>(scatter.in(-12, 5));
@@ -126,11 +126,11 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBytes) {
     const std::vector<Motion> motions = random_motions(scatter, Vec3::Zero());
     const IndexedMesh mesh = random_triangles(scatter, Vec3::Zero(), 16);
     const BlockTree tree = build_block_tree({&mesh, 1}, 1);
-    std::vector<SweepStep> steps;
+    std::vector<SweepInterval> steps;
     append_steps(motions.front(), 0, steps);
     const SweepFrame frame = sweep_frame(steps, tree.origin, tree.rounding_mm);
     for (const CoverPiece& piece : make_convex_cover(tool).pieces) {
-      KernelAnswer plain, other;
+      KernelResult plain, other;
       for (std::size_t k = 1; k < sweep_kernels().size(); ++k) {
         sweep_kernels()[0]->triangles(tree.leaves[0], frame, kernel_piece(piece), -0.01F, plain);
         sweep_kernels()[k]->triangles(tree.leaves[0], frame, kernel_piece(piece), -0.01F, other);
@@ -147,12 +147,12 @@ TEST(Sweep, EveryInstructionSetGivesTheSameBytes) {
 }
 
 // Inside a step of the tool a facet may be deeper than the cone above the step says; that the facet next to it is
-// deep as well, and was met first, must not settle it.
+// deep as well, and was met first, must not prune it.
 TEST(Sweep, ADeepFacetDoesNotSettleADeeperOneByFeetThatNobodyLookedAt) {
   ToolAssembly made = tools::assembly(FlatCutter{10, 10}, 10);
   made.shank = {{10, 50, 10}};
   made.holder = {{50, 50, 60}};
-  const ToolForms tool = tools::forms(made);
+  const ToolVariants tool = tools::variants(made);
   for (const double radius : {17.0, 16.5, 16.0, 15.0}) {
     IndexedMesh mesh;
     const auto add = [&](const Vec3& at) {
@@ -168,8 +168,8 @@ TEST(Sweep, ADeepFacetDoesNotSettleADeeperOneByFeetThatNobodyLookedAt) {
       deepest = std::max(deepest, -evaluate(tool.bare, p.head<2>().norm(), p.z()).signed_distance_mm);
     for (const double gap : {0.001, 0.3}) {
       const Motion still(Pose{Vec3::Zero(), Vec3::UnitZ()});
-      const SearchAnswer answer = sweep_and_search(still, targets, {{0.01, 0.001, gap, 1000000}, 0});
-      EXPECT_GE(answer.value_upper_mm, deepest) << "beside facets at a radius of " << radius;
+      const SearchResult result = sweep_and_search(still, targets, {{0.01, 0.001, gap, 1000000}, 0});
+      EXPECT_GE(result.value_upper_mm, deepest) << "beside facets at a radius of " << radius;
     }
   }
 }
@@ -178,20 +178,20 @@ TEST(Sweep, ADeepFacetDoesNotSettleADeeperOneByFeetThatNobodyLookedAt) {
 TEST(Sweep, PointsOnTheAxisOfAPointedToolHaveAnHonestBound) {
   Scatter scatter(33);
   ToolAssembly made = tools::assembly(DrillCutter{60, 118, 90}, 60);
-  const ToolForms tool = tools::forms(made);
+  const ToolVariants tool = tools::variants(made);
   for (int i = 0; i < 2000; ++i) {
     const Vec3 axis = scatter.point(1).normalized();
     const Vec3 side = axis.unitOrthogonal();
     const double below = scatter.in(1, 80), half = below * scatter.in(0.3, 1);
     IndexedMesh mesh;
-    for (const Vec3& way : {Vec3(axis), Vec3(side)}) {
-      for (const double end : {-half, half}) mesh.vertices.push_back(end * way);
+    for (const Vec3& displacement : {Vec3(axis), Vec3(side)}) {
+      for (const double end : {-half, half}) mesh.vertices.push_back(end * displacement);
     }
     shapes::add_triangle(mesh, 0, 2, 1);
     shapes::add_triangle(mesh, 0, 1, 3);
     const BlockTree tree = build_block_tree({&mesh, 1}, 1);
     const std::vector<Motion> still{Motion(Pose{below * axis, axis})};
-    std::vector<SweepStep> steps;
+    std::vector<SweepInterval> steps;
     append_steps(still[0], 0, steps);
     const Bounds least = proven(tool.bare, tree, sweep_frame(steps, tree.origin, tree.rounding_mm), 0);
     for (std::uint32_t t = 0; t < 2; ++t) {
@@ -204,13 +204,13 @@ TEST(Sweep, PointsOnTheAxisOfAPointedToolHaveAnHonestBound) {
 
 // The gradient of a cone on its own axis points along the axis and is shorter than 1: not a direction to reach along.
 TEST(Sweep, APointOnTheAxisInsideACutterThatWidensIsAsDeepAsTheCone) {
-  const ToolForms tool = tools::forms(tools::assembly(TaperedCutter{4, 0.5, 30, 16}, 20));
+  const ToolVariants tool = tools::variants(tools::assembly(TaperedCutter{4, 0.5, 30, 16}, 20));
   IndexedMesh mesh;
   mesh.vertices = {{0, 0, 8}, {0.5, 0, 7.5}, {0, 0.5, 7.5}};
   shapes::add_triangle(mesh, 0, 1, 2);
   const BlockTree tree = build_block_tree({&mesh, 1}, 1);
   const std::vector<Motion> still{Motion(Pose{Vec3::Zero(), Vec3::UnitZ()})};
-  std::vector<SweepStep> steps;
+  std::vector<SweepInterval> steps;
   append_steps(still[0], 0, steps);
   const SweepFrame frame = sweep_frame(steps, tree.origin, tree.rounding_mm);
   const double sampled = sampled_distance(tool.bare, still, tree.corners(0));
@@ -224,7 +224,7 @@ TEST(Sweep, APointOnTheAxisInsideACutterThatWidensIsAsDeepAsTheCone) {
 // What makes it fast: of a thousand positions over a surface hardly one triangle needs the exact search.
 TEST(Sweep, AClearPassOverASurfaceNeedsNoExactSearch) {
   const IndexedMesh ball = shapes::sphere(50, 96);
-  const ToolForms tool = tools::ball();
+  const ToolVariants tool = tools::ball();
   const BlockTree tree = build_block_tree({&ball, 1}, 1);
   std::vector<Motion> motions;
   const auto over = [](double angle) {
@@ -238,7 +238,7 @@ TEST(Sweep, AClearPassOverASurfaceNeedsNoExactSearch) {
   for (const SweptMove& swept : sweep_moves(motions, targets, {{0.01, 0.001, 0.001, 1000000}, 0})) {
     seeds += swept.start.seeds.size();
     bounds += swept.bounds;
-    EXPECT_LE(swept.start.settled_mm, 0.011);
+    EXPECT_LE(swept.start.certified_mm, 0.011);
     EXPECT_EQ(swept.start.value_mm, 0);
   }
   EXPECT_LE(seeds, 25U);

@@ -128,7 +128,7 @@ TEST(Clash, ABudgetThatRunsOutLeavesTheBoundsAndCertifiesNothing) {
 }
 
 // Two boxes that overlap in one file: the nearest facet of a point in both may be one that says outside.
-TEST(Clash, OfABodyThatCrossesItselfTheWindingNumberTellsTheSide) {
+TEST(Clash, OfABodyThatCrossesItselfTheWindingNumberShowsTheSide) {
   const IndexedMesh pair = shapes::joined(shapes::box(Vec3(0, 0, 0), Vec3(10, 10, 10)),
                                           shapes::box(Vec3(6, -1, -1), Vec3(16, 11, 11)));
   const IndexedMesh pin = shapes::box(Vec3(6.4, 4.9, 4.9), Vec3(6.6, 5.1, 30));

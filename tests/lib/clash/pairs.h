@@ -16,7 +16,7 @@ namespace gouge::test {
 inline DepthBody index_of(const IndexedMesh& mesh) {
   DepthBodyOptions options;
   options.directions = *make_directions(DirectionFamily::cube, 6);
-  options.is_lean = true;
+  options.is_distance_only = true;
   return build_depth_body(mesh, options);
 }
 

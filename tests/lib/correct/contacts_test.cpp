@@ -37,7 +37,7 @@ TEST(Contacts, APlaneUnderABallIsOneContactWithThePlanesNormal) {
 TEST(Contacts, EveryContactRealisesItsExcessAndGivesWayAlongItsNormal) {
   const Scene scene{{shapes::sphere(12, 24, 48)}, {}};
   const PreparedScene prepared = prepare_scene(scene);
-  for (const ToolForms& tool : tools::all()) {
+  for (const ToolVariants& tool : tools::all()) {
     const reference::Contour contour(tool.against_part);
     const Pose pose{Vec3(1, -2, 11), Vec3(0.2, 0.1, 1).normalized()};
     const auto contacts = find_contacts(pose, tool, prepared, kAim);
@@ -72,7 +72,7 @@ TEST(Contacts, FixturesAndClearancesAreCorrectedForAsWell) {
   // The holder (16 mm, from z = 50) passes a wall at 16.4 mm; asked for are 1 mm.
   const Scene wall{{shapes::box(Vec3(16.4, -9, 55), Vec3(40, 9, 80))}, {}};
   EXPECT_TRUE(find_contacts(upright(0), tools::ball(), prepare_scene(wall), kAim).empty());
-  const ToolForms cautious = tools::forms(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
+  const ToolVariants cautious = tools::variants(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
   const auto contacts = find_contacts(upright(0), cautious, prepare_scene(wall), kAim);
   ASSERT_GT(contacts.size(), 0U);
   for (const ToolContact& c : contacts) EXPECT_LT(c.normal.x(), -0.99);

@@ -26,7 +26,7 @@ struct Case {
   }
 };
 
-const ToolForms kTool = tools::ball(10);
+const ToolVariants kTool = tools::ball(10);
 
 std::vector<HeadBody> heads() {
   return {*build_head_body(shapes::box(Vec3(60, -20, 100), Vec3(120, 20, 160)))};
@@ -98,7 +98,7 @@ TEST(CorrectHeads, SaysWhatItTakesWhereNoLiftServes) {
   }
 }
 
-TEST(CorrectHeads, TellsABuriedHead) {
+TEST(CorrectHeads, ReportsABuriedHead) {
   Case c{{upright(0, -80, 0), upright(0, -79, 0)}};
   c.part = shapes::box(Vec3(30, -200, 60), Vec3(300, 200, 300));
   const Correction correction = propose(c, heads());

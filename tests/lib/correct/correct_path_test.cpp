@@ -17,7 +17,7 @@ using paths::upright;
 
 struct Case {
   Toolpath path;
-  ToolForms tool = tools::ball();
+  ToolVariants tool = tools::ball();
   Scene scene;
   CheckOptions options;
   CorrectOptions correct;
@@ -221,7 +221,7 @@ TEST(CorrectPath, AToleranceOf0GetsCleanToo) {
 TEST(CorrectPath, AnEnteredClearanceGetsCleanToo) {
   // The holder (16 mm, from z = 50) must stay 1 mm from a wall at x = 17.2; one position is too near.
   Case c;
-  c.tool = tools::forms(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
+  c.tool = tools::variants(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
   c.options.holder_clearance_mm = 1;
   c.scene.parts = {shapes::box(Vec3(-30, -60, -20), Vec3(12, 60, 0)), shapes::box(Vec3(17.2, -60, 0), Vec3(40, 60, 85))};
   std::vector<Pose> poses;

@@ -12,7 +12,7 @@ namespace gouge {
 namespace {
 
 constexpr double kAim_mm = 0.005;
-constexpr double kRoom_mm = 0.002;  // how much further than the aim the weighted shift reaches
+constexpr double kMargin_mm = 0.002;  // how much further than the aim the weighted shift reaches
 
 PoseLimits limits(double largest_shift = 20) {
   PoseLimits all;
@@ -31,7 +31,7 @@ IndexedMesh plane(const Vec3& normal) {
   return mesh;
 }
 
-double depth_of(const Pose& pose, const ToolForms& tool, const Scene& scene) {
+double depth_of(const Pose& pose, const ToolVariants& tool, const Scene& scene) {
   CheckOptions exact;
   exact.resolution_mm = 1e-5;
   exact.tolerance_mm = 0;
@@ -63,15 +63,15 @@ TEST_P(BallInAVee, ConvergesAsTheFormulaSaysAndEndsWithinTheAim) {
   const auto corrected = correct_weighted(pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits());
   ASSERT_TRUE(corrected.has_value());
   const double factor = (1 - n1.dot(n2)) / 2;
-  const double excess = GetParam().depth_mm - kAim_mm + kRoom_mm;
-  const double expected = std::ceil(std::log(excess / kRoom_mm) / -std::log(factor));
-  // Contacts are told a tenth too shallow at most, which costs an iteration or two.
+  const double excess = GetParam().depth_mm - kAim_mm + kMargin_mm;
+  const double expected = std::ceil(std::log(excess / kMargin_mm) / -std::log(factor));
+  // Contacts are reported a tenth too shallow at most, which costs an iteration or two.
   EXPECT_GE(corrected->iterations, expected - 1);
   EXPECT_LE(corrected->iterations, std::ceil(expected * 1.15) + 1);
   EXPECT_LE(depth_of(corrected->pose, tools::ball(), scene), kAim_mm + 2e-4);
   const double least = (GetParam().depth_mm - kAim_mm) / std::cos(half);
   EXPECT_GE(corrected->shift_mm, least - 5e-4);
-  EXPECT_LE(corrected->shift_mm, least + kRoom_mm / std::cos(half) + 1e-6);
+  EXPECT_LE(corrected->shift_mm, least + kMargin_mm / std::cos(half) + 1e-6);
   EXPECT_NEAR((corrected->pose.tip - pose.tip).norm(), corrected->shift_mm, 1e-12);
   EXPECT_NEAR(corrected->pose.tip.y(), 0, 0.01);
   EXPECT_EQ(corrected->pose.axis, pose.axis);
@@ -87,14 +87,14 @@ TEST(Weighted, APlaneTakesOneOrTwoIterations) {
   ASSERT_TRUE(corrected.has_value());
   EXPECT_LE(corrected->iterations, 3);
   // The contact is the deepest point to a tenth of its depth, so the first step may lean by a few degrees.
-  EXPECT_NEAR(corrected->shift_mm, 0.4 - kAim_mm, 2 * kRoom_mm);
+  EXPECT_NEAR(corrected->shift_mm, 0.4 - kAim_mm, 2 * kMargin_mm);
   EXPECT_GT((corrected->pose.tip - pose.tip).normalized().dot(n), 0.995);
 }
 
 TEST(Weighted, ATooNarrowSlotIsGivenUpAndTheAxisTakesOver) {
   const Scene slot{{shapes::box(Vec3(-40, -40, -20), Vec3(-4.5, 40, 0)), shapes::box(Vec3(4.5, -40, -20), Vec3(40, 40, 0))}, {}};
   const Pose pose{Vec3(0, 0, -3), Vec3::UnitZ()};
-  const ToolForms flat = tools::flat();
+  const ToolVariants flat = tools::flat();
   EXPECT_FALSE(correct_weighted(pose, flat, OwnSetup(nullptr, slot).checker(), limits()).has_value());
   const auto lifted = correct_pose(Strategy::weighted, pose, flat, OwnSetup(nullptr, slot).checker(), limits());
   ASSERT_TRUE(lifted.has_value());

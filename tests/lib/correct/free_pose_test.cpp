@@ -14,7 +14,7 @@ namespace {
 using paths::upright;
 
 struct Case {
-  ToolForms tool = tools::ball();
+  ToolVariants tool = tools::ball();
   Scene scene;
   CheckOptions options;
 
@@ -52,7 +52,7 @@ TEST(Shift, ThroughAWallIsNotThoughBothItsEndsAreAsDeep) {
 // The surface leaves the tool because all of it is in the solid then: no depth any more, and buried.
 TEST(Shift, OnIntoTheSolidIsNotThoughTheDepthFallsToNothing) {
   Case c = over_a_block();
-  c.tool = tools::forms([] {
+  c.tool = tools::variants([] {
     ToolAssembly tool;
     tool.cutter = BallCutter{10, 12};
     return tool;

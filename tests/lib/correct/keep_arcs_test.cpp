@@ -21,7 +21,7 @@ constexpr double kPi = std::numbers::pi;
 
 /// An arc of radius 10 about the origin at height 0, from (10, 0) on, that feeds lead to and from.
 struct ArcCase {
-  ToolForms tool = tools::flat();
+  ToolVariants tool = tools::flat();
   Scene scene;
   CheckOptions options;
   Toolpath path;

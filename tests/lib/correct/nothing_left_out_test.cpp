@@ -16,7 +16,7 @@ using paths::upright;
 
 enum class Ceiling { none, of_fixture, of_part_over_head };
 
-const ToolForms kTool = tools::ball(10);  // 120 mm high
+const ToolVariants kTool = tools::ball(10);  // 120 mm high
 
 /// A floor that the tool is a little too deep in, and a ceiling that a lift would touch: with the holder, or the head alone.
 struct Case {

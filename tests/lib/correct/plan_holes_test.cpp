@@ -14,7 +14,7 @@ using paths::upright;
 
 /// A hole of three steps at (0, 0), its bottom at `bottom`, in a part whose top is z = 0.
 struct Hole {
-  ToolForms tool = tools::forms(tools::assembly(DrillCutter{10, 118, 30}));
+  ToolVariants tool = tools::variants(tools::assembly(DrillCutter{10, 118, 30}));
   Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
   CheckOptions options;
   RewritableMoves rewritable;

@@ -21,7 +21,7 @@ constexpr double kTurn = 2 * std::numbers::pi;
 
 // A circle of radius 10 on a floor at height 0.
 struct FloorCase {
-  ToolForms tool = tools::flat();
+  ToolVariants tool = tools::flat();
   Scene scene;
   CheckOptions options;
   Toolpath path;

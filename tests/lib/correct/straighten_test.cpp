@@ -19,7 +19,7 @@ using paths::through;
 using paths::upright;
 
 struct ArcCase {
-  ToolForms tool = tools::ball();
+  ToolVariants tool = tools::ball();
   Scene scene;
   Toolpath path;
   CheckOptions options;

@@ -4,7 +4,7 @@
 
 #include "lib/head/check_heads.h"
 #include "lib/head/head_search.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 #include "tests/support/paths.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
@@ -22,7 +22,7 @@ IndexedMesh side_box() {
 
 CheckResult check(const std::vector<Pose>& poses, const std::vector<IndexedMesh>& heads,
                   const IndexedMesh& part, unsigned threads = 1) {
-  const ToolForms tool = tools::ball(10);
+  const ToolVariants tool = tools::ball(10);
   const Toolpath path = paths::through(poses);
   Scene scene;
   scene.parts = {part};
@@ -47,7 +47,7 @@ TEST(Heads, ThatAreTooFarAwayOrNoNumbersAreRefused) {
 }
 
 TEST(Heads, MakeNothingCleanInASceneOrOnAPathThatCannotBeChecked) {
-  const ToolForms tool = tools::ball(10);
+  const ToolVariants tool = tools::ball(10);
   const std::vector<HeadBody> heads = {*build_head_body(side_box())};
   const Toolpath path = paths::through({paths::upright(0, -80, 0), paths::upright(0, 80, 0)});
   const Scene scene{{kPost}, {}};
@@ -96,7 +96,7 @@ TEST(Heads, ThatPassAtADistanceAreClean) {
   EXPECT_LE(result.verdicts[1].depth_upper_mm, 0.011);
 }
 
-TEST(Heads, ThatGrazeByALittleAreToldWithThatDepth) {
+TEST(Heads, ThatGrazeByALittleAreReportedWithThatDepth) {
   const std::vector<Pose> poses = {paths::upright(0, -80, 29.8), paths::upright(0, 80, 29.8)};
   const CheckResult result = check(poses, {side_box()}, kPost);
   ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
@@ -143,7 +143,7 @@ TEST(Heads, HaveACoreInEveryPiece) {
   ASSERT_EQ(head.cores.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_GT(head.core_depths_mm[k], 0.5);
-    EXPECT_TRUE(nearest_foot(head.surface, head.cores[k])->is_inside);
+    EXPECT_TRUE(closest_point(head.surface, head.cores[k])->is_inside);
   }
 }
 
@@ -176,13 +176,13 @@ TEST(Heads, BoundsHoldAgainstSampling) {
   const IndexedMesh part = shapes::star_prism();
   const HeadBody head = *build_head_body(shapes::torus(20, 6, 24, 12));
   DepthBodyOptions lean;
-  lean.is_lean = true;
+  lean.is_distance_only = true;
   const DepthBody surface = build_depth_body(part, lean);
   std::size_t gouges = 0;
   for (int i = 0; i < 12; ++i) {
     const Motion motion(Pose{45 * random.direction(), random.direction()}, Pose{45 * random.direction(), random.direction()});
     const HeadMotion moving(motion);
-    const HeadAnswer told = search_head(moving, head, {&surface}, {0.01, 0.02, 0.02, 20000});
+    const HeadResult reported = search_head(moving, head, {&surface}, {0.01, 0.02, 0.02, 20000});
     double sampled = 0;
     for (std::size_t t = 0; t < part.triangles.size(); ++t) {
       for (int k = 0; k < 20; ++k) {
@@ -191,23 +191,23 @@ TEST(Heads, BoundsHoldAgainstSampling) {
                        v * (part.corner(t, 2) - part.corner(t, 0));
         for (int s = 0; s <= 60; ++s) {
           sampled = std::max(
-              sampled, -nearest_foot(head.surface, moving.at(s / 60.0).inverse().point(p))->signed_mm());
+              sampled, -closest_point(head.surface, moving.at(s / 60.0).inverse().point(p))->signed_mm());
         }
       }
     }
-    EXPECT_LE(sampled, told.depth_upper_mm + 1e-9);
-    if (!told.has_witness) continue;
+    EXPECT_LE(sampled, reported.depth_upper_mm + 1e-9);
+    if (!reported.has_witness) continue;
     ++gouges;
-    EXPECT_NEAR(-nearest_foot(head.surface, moving.at(told.t).inverse().point(told.point))->signed_mm(),
-                told.depth_mm, 1e-9);
+    EXPECT_NEAR(-closest_point(head.surface, moving.at(reported.t).inverse().point(reported.point))->signed_mm(),
+                reported.depth_mm, 1e-9);
     // Given way by the depth, the witness is on the head's boundary.
-    const Vec3 freed = moving.at(told.t).inverse().point(told.point - told.depth_mm * told.normal);
-    EXPECT_NEAR(nearest_foot(head.surface, freed)->distance_mm, 0, 1e-9);
+    const Vec3 freed = moving.at(reported.t).inverse().point(reported.point - reported.depth_mm * reported.normal);
+    EXPECT_NEAR(closest_point(head.surface, freed)->distance_mm, 0, 1e-9);
   }
   EXPECT_GT(gouges, 3U);
 }
 
-TEST(Heads, GiveTheSameAnswerAtAnyNumberOfThreads) {
+TEST(Heads, GiveTheSameResultAtAnyNumberOfThreads) {
   std::vector<Pose> poses;
   for (int i = 0; i < 40; ++i)
     poses.push_back({Vec3(2.0 * i - 40, -30 + i, 0), Vec3(0.02 * i - 0.4, 0.1, 1).normalized()});

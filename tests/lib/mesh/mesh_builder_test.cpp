@@ -70,8 +70,8 @@ TEST(MeshBuilder, DuplicatedTrianglesStay) {
 TEST(MeshBuilder, ScalesToMillimetresBeforePlacing) {
   MeshPlacement placement;
   placement.unit = LengthUnit::inch;
-  placement.place.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  placement.place.shift = Vec3(100, 0, 0);
+  placement.transform.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  placement.transform.shift = Vec3(100, 0, 0);
   const auto built = build_mesh(soup_of({{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}}), placement);
   ASSERT_TRUE(built.has_value());
   EXPECT_EQ(built->mesh.vertices,

@@ -42,10 +42,10 @@ TEST(MeshFindings, AnOpenCubeCannotTellBuried) {
   EXPECT_FALSE(found.is_solid());
   EXPECT_EQ(found.boundary_edges.count, 4U);
   EXPECT_EQ(found.inside_out_components.count, 0U);
-  const Diagnostics told = describe(found, "part.stl");
-  ASSERT_EQ(told.size(), 1U);
+  const Diagnostics reported = describe(found, "part.stl");
+  ASSERT_EQ(reported.size(), 1U);
   EXPECT_EQ(
-      to_text(told[0]),
+      to_text(reported[0]),
       "part.stl: warning: 4 open edges (one triangle only), the first at (5.000, 0.000, 10.000) mm, triangle "
       "4; "
       "the surface is checked, but a move that only this body could prove to be outside or inside is not certified: "
@@ -62,7 +62,7 @@ TEST(MeshFindings, OneTurnedTriangleHasThreeMisorientedEdges) {
   EXPECT_EQ(describe(found, "").at(0).code, "mesh-misoriented");
 }
 
-TEST(MeshFindings, InsideOutIsToldFromACavity) {
+TEST(MeshFindings, InsideOutIsDistinguishedFromACavity) {
   const MeshFindings inverted = find_mesh_findings(shapes::inside_out(shapes::cube(10)));
   EXPECT_EQ(inverted.inside_out_components.count, 1U);
   EXPECT_NEAR(inverted.signed_volume_mm3, -1000, 1e-9);
@@ -88,10 +88,10 @@ TEST(MeshFindings, OneOfTwoBodiesInsideOutIsFound) {
 TEST(MeshFindings, CubesTouchingAtAnEdgeAreASolidButNotManifold) {
   const MeshFindings found = find_mesh_findings(shapes::cubes_touching_at_edge(10));
   EXPECT_EQ(found.non_manifold_edges.count, 1U);
-  EXPECT_EQ(found.non_manifold_edges.place_mm, Vec3(10, 10, 5));
+  EXPECT_EQ(found.non_manifold_edges.position_mm, Vec3(10, 10, 5));
   EXPECT_TRUE(found.is_solid());
-  const Diagnostics told = describe(found, "part.stl", LengthUnit::inch);
-  EXPECT_EQ(to_text(told.at(0)),
+  const Diagnostics reported = describe(found, "part.stl", LengthUnit::inch);
+  EXPECT_EQ(to_text(reported.at(0)),
             "part.stl: note: 1 edge with more than two triangles at (0.3937, 0.3937, 0.1969) in, triangle 5; "
             "the check "
             "is not affected [mesh-non-manifold-edges]");
@@ -100,7 +100,7 @@ TEST(MeshFindings, CubesTouchingAtAnEdgeAreASolidButNotManifold) {
 TEST(MeshFindings, CubesTouchingAtAVertexHaveANonManifoldVertex) {
   const MeshFindings found = find_mesh_findings(shapes::cubes_touching_at_vertex(10));
   EXPECT_EQ(found.non_manifold_vertices.count, 1U);
-  EXPECT_EQ(found.non_manifold_vertices.place_mm, Vec3(10, 10, 10));
+  EXPECT_EQ(found.non_manifold_vertices.position_mm, Vec3(10, 10, 10));
   EXPECT_EQ(found.non_manifold_edges.count, 0U);
   EXPECT_EQ(found.components, 2U);
 }
@@ -125,7 +125,7 @@ TEST(MeshFindings, ALoneTriangleAndItsTurnedCopyAreDuplicatesWithVolumeZero) {
   EXPECT_TRUE(found.is_watertight());
 }
 
-TEST(MeshFindings, WhatTheBuilderCountedIsTold) {
+TEST(MeshFindings, WhatTheBuilderCountedIsReported) {
   std::string text = shapes::ascii_stl(shapes::cube());
   text.insert(text.find("endsolid"),
               "facet normal 0 0 0 outer loop vertex 0 0 0 vertex 0 0 0 vertex 10 0 0 endloop endfacet\n");

@@ -58,7 +58,7 @@ TEST(ReadStl, ZeroPaddingIsNoGeometryButOtherBytesMightBe) {
   EXPECT_TRUE(parse_stl(padded, "part.stl").has_value());
   EXPECT_EQ(
       error_of(one + std::string(50, 'x')),
-      "part.stl: error: the header promises 1 triangle but 50 bytes follow them; expected the file to end "
+      "part.stl: error: the header states 1 triangle but 50 bytes follow them; expected the file to end "
       "there, export it again [stl-trailing-data]");
 }
 
@@ -66,7 +66,7 @@ TEST(ReadStl, TruncatedBinarySaysHowManyOfHowMany) {
   const std::string two = shapes::binary_stl("x", 2, {kTriangle, kTriangle});
   EXPECT_EQ(
       error_of(std::string_view(two).substr(0, two.size() - 1)),
-      "part.stl: error: the header promises 2 triangles (184 bytes) but the file holds 1 whole (183 bytes); "
+      "part.stl: error: the header states 2 triangles (184 bytes) but the file holds 1 whole (183 bytes); "
       "it is cut off or not an STL, export or copy it again [stl-truncated]");
   EXPECT_EQ(
       error_of(std::string("\x01\x02\x03", 3)),
@@ -75,17 +75,17 @@ TEST(ReadStl, TruncatedBinarySaysHowManyOfHowMany) {
 }
 
 TEST(ReadStl, AnotherKindOfFileIsCalledByItsName) {
-  const auto told = [](const std::string& bytes) { return error_of(bytes); };
-  EXPECT_EQ(told("ISO-10303-21;\nHEADER;\n"),
+  const auto reported = [](const std::string& bytes) { return error_of(bytes); };
+  EXPECT_EQ(reported("ISO-10303-21;\nHEADER;\n"),
             "part.stl: error: the file is STEP, exact geometry without triangles; save the part as STL in the CAD "
             "system [stl-not-stl]");
   for (const char* path : {"UNITS/MM\nGOTO/0,0,0\n", "$$ by hand\n  GOTO / 1,2,3", "TOOL PATH/A,TOOL,B\n"})
-    EXPECT_EQ(told(path), "part.stl: error: the file is a toolpath (CL data); expected an STL file [stl-not-stl]");
-  EXPECT_EQ(told(std::string("PK\x03\x04\0\0", 6) + std::string(200, '\0')),
+    EXPECT_EQ(reported(path), "part.stl: error: the file is a toolpath (CL data); expected an STL file [stl-not-stl]");
+  EXPECT_EQ(reported(std::string("PK\x03\x04\0\0", 6) + std::string(200, '\0')),
             "part.stl: error: the file is a ZIP archive (3MF is one too); unpack it, or save the part as STL "
             "[stl-not-stl]");
-  EXPECT_EQ(told("# cube\nv 0 0 0\n"), "part.stl: error: the file is an OBJ mesh; save it as STL [stl-not-stl]");
-  EXPECT_EQ(told("once upon a time"),
+  EXPECT_EQ(reported("# cube\nv 0 0 0\n"), "part.stl: error: the file is an OBJ mesh; save it as STL [stl-not-stl]");
+  EXPECT_EQ(reported("once upon a time"),
             "part.stl: error: the file is text but not ASCII STL; expected it to begin with 'solid' [stl-not-stl]");
 }
 
@@ -119,7 +119,7 @@ TEST(ReadStl, BinaryCoordinateThatIsNoNumberNamesTheTriangle) {
   EXPECT_EQ(parse_stl(bytes, "").error().code, "stl-bad-number");
 }
 
-TEST(ReadStl, TextThatIsNoStlIsToldSo) {
+TEST(ReadStl, TextThatIsNoStlIsReportedSo) {
   EXPECT_EQ(
       error_of("BLADE 1\n1,2,3\n"),
       "part.stl: error: the file is text but not ASCII STL; expected it to begin with 'solid' [stl-not-stl]");
@@ -181,7 +181,7 @@ TEST(ReadStl, OldMacLineEndsCountAsLines) {
       "part.stl:5: error: facet 1: expected a finite number as y of a vertex, found 'oops' [stl-bad-number]");
 }
 
-TEST(ReadStl, AsciiBadNumbersAreToldWithTheirLine) {
+TEST(ReadStl, AsciiBadNumbersAreReportedWithTheirLine) {
   const std::string good = shapes::ascii_stl(shapes::tetrahedron());
   for (const std::string bad : {"nan", "inf", "1.2.3", "1e400", "1,5", "-nan(ind)"}) {
     EXPECT_EQ(error_of(replaced(good, "vertex 0 10 0", "vertex 0 10 " + bad)),
@@ -196,7 +196,7 @@ TEST(ReadStl, ANormalThatIsNoNumberIsIgnored) {
   EXPECT_TRUE(parse_stl(text, "part.stl").has_value());
 }
 
-TEST(ReadStl, AsciiOutOfPlaceIsToldWithTheLine) {
+TEST(ReadStl, AsciiOutOfPlaceIsReportedWithTheLine) {
   const std::string good = shapes::ascii_stl(shapes::tetrahedron());
   EXPECT_EQ(error_of(replaced(good, "      vertex 10 0 0\n", "")),
             "part.stl:6: error: facet 1 has 2 vertices; expected 3: found 'endloop' where 'vertex' should be "

@@ -2,7 +2,7 @@
 
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_tool.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 #include "tests/support/paths.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-CheckResult check(const std::vector<Pose>& poses, const ToolForms& tool, const IndexedMesh& part) {
+CheckResult check(const std::vector<Pose>& poses, const ToolVariants& tool, const IndexedMesh& part) {
   const Toolpath path = paths::through(poses);
   Scene scene;
   scene.parts = {part};
@@ -23,7 +23,7 @@ CheckResult check(const std::vector<Pose>& poses, const ToolForms& tool, const I
 const IndexedMesh kBlock = shapes::box(Vec3(-50, -50, -60), Vec3(50, 50, 0));
 
 TEST(Overcut, OfAPlunge20mmDeepIs20mmWhereDepthSaturatesAtTheRadius) {
-  for (const ToolForms& tool : {tools::flat(10), tools::ball(10)}) {
+  for (const ToolVariants& tool : {tools::flat(10), tools::ball(10)}) {
     const CheckResult result = check({paths::upright(0, 0, 10), paths::upright(0, 0, -20)}, tool, kBlock);
     ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
     EXPECT_NEAR(result.verdicts[1].depth_mm, 5, 1e-3);
@@ -60,7 +60,7 @@ TEST(Overcut, OfARibCutThroughIsHalfItsThickness) {
 TEST(Overcut, OfEveryMoveOfALongFindingIsFound) {
   // A wide tool 2 mm below the top of a wall and 4 mm over its side: little of the tool's box is in the part,
   // and only the worst move is searched whole.
-  const ToolForms tool = tools::flat(46);
+  const ToolVariants tool = tools::flat(46);
   std::vector<Pose> poses;
   for (int k = 0; k <= 60; ++k) poses.push_back(paths::upright(-69 - 0.001 * k, -30 + k, -2));
   const CheckResult result = check(poses, tool, kBlock);
@@ -73,7 +73,7 @@ TEST(Overcut, OfEveryMoveOfALongFindingIsFound) {
 // Moves that are not the worst of their finding are searched less: theirs may be a lower bound by far, and what bounds
 // it from above must hold all the same.
 TEST(Overcut, ABriefSearchIsBoundedFromAboveAllTheSame) {
-  const ToolForms tool = tools::bull(16, 2);
+  const ToolVariants tool = tools::bull(16, 2);
   const IndexedMesh mesh = shapes::torus(40, 12, 48, 24);
   std::vector<Pose> poses;
   for (int k = 0; k <= 24; ++k) {
@@ -83,7 +83,7 @@ TEST(Overcut, ABriefSearchIsBoundedFromAboveAllTheSame) {
   }
   const CheckResult result = check(poses, tool, mesh);
   DepthBodyOptions options;
-  options.is_lean = true;
+  options.is_distance_only = true;
   const DepthBody part = build_depth_body(mesh, options);
   OvercutOptions fine;
   fine.most_cells = 20000;
@@ -106,7 +106,7 @@ TEST(Overcut, ABriefSearchIsBoundedFromAboveAllTheSame) {
 
 TEST(Overcut, OfAHeadIsHowFarTheHeadReachedBelowTheSurface) {
   // A bar 6 mm wide beside the tool, its end 15 mm deep in the block: depth says 3.
-  const ToolForms tool = tools::ball(10);
+  const ToolVariants tool = tools::ball(10);
   const Toolpath path = paths::through({paths::upright(80, 0, 30), paths::upright(80, 0, 5)});
   Scene scene;
   scene.parts = {kBlock};
@@ -121,7 +121,7 @@ TEST(Overcut, OfAHeadIsHowFarTheHeadReachedBelowTheSurface) {
   EXPECT_NEAR(result.worst_overcut_mm, 15, 0.01);
 }
 
-TEST(Overcut, IsNotToldForAnOpenSurface) {
+TEST(Overcut, IsNotReportedForAnOpenSurface) {
   const IndexedMesh sheet = shapes::moved(shapes::sheet(100, 100, 0), Vec3(-50, -50, 0));
   const CheckResult result =
       check({paths::upright(0, 0, 10), paths::upright(0, 0, -2)}, tools::ball(10), sheet);
@@ -130,22 +130,22 @@ TEST(Overcut, IsNotToldForAnOpenSurface) {
 }
 
 TEST(Overcut, IsBracketedByASampledReference) {
-  const ToolForms tool = tools::bull(16, 2);
+  const ToolVariants tool = tools::bull(16, 2);
   DepthBodyOptions options;
-  options.is_lean = true;
+  options.is_distance_only = true;
   const DepthBody part = build_depth_body(shapes::torus(40, 12, 48, 24), options);
   const Motion motion(Pose{Vec3(20, -30, 4), Vec3(0, 0.3, 1).normalized()},
                       Pose{Vec3(45, 5, 2), Vec3(0.4, 0, 1).normalized()});
   const SweptTool swept(motion, tool.bare);
   OvercutOptions fine;
   fine.most_cells = 20000;
-  const Overcut told = find_overcut(swept, part, Vec3(0, 0, 0), 0, fine);
+  const Overcut reported = find_overcut(swept, part, Vec3(0, 0, 0), 0, fine);
   double sampled = 0;
   for (double x = -55; x < 55; x += 2) {
     for (double y = -55; y < 55; y += 2) {
       for (double z = -12; z < 12; z += 2) {
         const Vec3 p(x, y, z);
-        const auto foot = nearest_foot(part, p);
+        const auto foot = closest_point(part, p);
         if (!foot->is_inside || foot->distance_mm <= sampled) continue;
         for (int k = 0; k <= 100; ++k) {
           if (swept.distance_at(p, 0.01 * k) <= 0) sampled = foot->distance_mm;
@@ -154,10 +154,10 @@ TEST(Overcut, IsBracketedByASampledReference) {
     }
   }
   EXPECT_GT(sampled, 1);
-  EXPECT_GE(told.depth_mm, sampled - 1e-9);
-  EXPECT_LE(told.depth_mm, told.depth_upper_mm + 1e-12);
-  EXPECT_LE(swept.distance_at(told.point, told.t), 1e-8);
-  EXPECT_NEAR(-nearest_foot(part, told.point)->signed_mm(), told.depth_mm, 1e-9);
+  EXPECT_GE(reported.depth_mm, sampled - 1e-9);
+  EXPECT_LE(reported.depth_mm, reported.depth_upper_mm + 1e-12);
+  EXPECT_LE(swept.distance_at(reported.point, reported.t), 1e-8);
+  EXPECT_NEAR(-closest_point(part, reported.point)->signed_mm(), reported.depth_mm, 1e-9);
 }
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t kLanes = BoundBlock::kLanes;
 
-DepthBody lean_body(const IndexedMesh& mesh) {
+DepthBody distance_body(const IndexedMesh& mesh) {
   DepthBodyOptions options;
-  options.is_lean = true;
+  options.is_distance_only = true;
   return build_depth_body(mesh, options);
 }
 
@@ -34,7 +34,7 @@ double truth(const DepthBody& body, std::uint32_t below, const Vec3& point) {
 }
 
 TEST(BoundBlock, GivesTheSameBytesWithEveryInstructionSet) {
-  const DepthBody body = lean_body(shapes::bumpy_sphere());
+  const DepthBody body = distance_body(shapes::bumpy_sphere());
   RandomPoints random(body.mesh, 5, 1);
   for (int i = 0; i < 2000; ++i) {
     const Eigen::Vector3f p = random.next().cast<float>();
@@ -52,7 +52,7 @@ TEST(BoundBlock, IsNeverAboveTheDistanceAndOftenNearIt) {
   for (const double shift : {0.0, 1e5}) {
     IndexedMesh mesh = shapes::needle_fan(60);
     for (Vec3& v : mesh.vertices) v += Vec3(shift, -shift, shift);
-    const DepthBody body = lean_body(mesh);
+    const DepthBody body = distance_body(mesh);
     RandomPoints random(body.mesh, 5, 2);
     std::size_t lanes = 0, near = 0;
     for (int i = 0; i < 400; ++i) {
@@ -79,7 +79,7 @@ TEST(BoundBlock, HoldsEveryFacetOnceWhateverTheLeafAndTheWidth) {
   for (const std::size_t width : {2U, 4U, 8U}) {
     for (const std::size_t leaf : {1U, 3U, 8U, 40U}) {
       DepthBodyOptions options;
-      options.is_lean = true;
+      options.is_distance_only = true;
       options.width = width;
       options.leaf_triangles = leaf;
       const DepthBody body = build_depth_body(shapes::bumpy_sphere(), options);

@@ -71,26 +71,26 @@ struct Tally {
 };
 
 /// Compares one batch of points in one setting, found by the trees or by the cells.
-void compare(const DepthBody& body, const Setting& setting, const PenetrationAnswer& answer, const char* how,
+void compare(const DepthBody& body, const Setting& setting, const PenetrationResult& result, const char* how,
              const std::vector<Truth>& truths, Tally& tally) {
-  std::vector<const PointContact*> told(truths.size(), nullptr);
-  for (const PointContact& c : answer.contacts) told[c.point] = &c;
+  std::vector<const PointContact*> reported(truths.size(), nullptr);
+  for (const PointContact& c : result.contacts) reported[c.point] = &c;
   for (std::size_t i = 0; i < truths.size(); ++i) {
     const Truth& truth = truths[i];
     ++tally.points;
     if (truth.distance_mm < 1e-9) continue;  // on the surface: either side is right
-    bool is_right = (told[i] != nullptr) == truth.is_inside;
-    if (is_right && told[i] != nullptr) {
+    bool is_right = (reported[i] != nullptr) == truth.is_inside;
+    if (is_right && reported[i] != nullptr) {
       ++tally.inside;
-      const Contact& c = told[i]->contact;
+      const Contact& c = reported[i]->contact;
       is_right = std::abs(c.depth_mm - truth.distance_mm) <= 1e-9 * (1 + truth.distance_mm);
       // Where two feet are equally near, either direction is right.
       const double reached = (truth.place + c.depth_mm * c.normal - truth.foot).norm();
       is_right =
           is_right && (reached < 1e-6 ||
-                       brute_force_foot(body.mesh, truth.place + c.depth_mm * c.normal).distance_mm < 1e-9);
+                       brute_force_closest_point(body.mesh, truth.place + c.depth_mm * c.normal).distance_mm < 1e-9);
       const bool is_deeper = truth.distance_mm > body.options.depth_mm;
-      is_right = is_right && (told[i]->is_deeper == is_deeper ||
+      is_right = is_right && (reported[i]->is_deeper == is_deeper ||
                               std::abs(truth.distance_mm - body.options.depth_mm) < 1e-9);
       tally.deeper += is_deeper ? 1 : 0;
     }
@@ -99,7 +99,7 @@ void compare(const DepthBody& body, const Setting& setting, const PenetrationAns
       ADD_FAILURE() << body.mesh.name << " k " << setting.directions.k() << " width " << setting.width << how
                     << ": point " << truth.place.transpose() << " true "
                     << (truth.is_inside ? "inside " : "outside ") << truth.distance_mm << ", told "
-                    << (told[i] ? told[i]->contact.depth_mm : -1.0);
+                    << (reported[i] ? reported[i]->contact.depth_mm : -1.0);
     }
   }
 }
@@ -119,7 +119,7 @@ Tally run(const IndexedMesh& mesh, double depth_mm, std::size_t count, std::uint
     for (std::size_t i = 0; i < kBatch; ++i) {
       in_frame.push_back(pose.inverse().point(random.next()));
       const Vec3 place = pose.point(in_frame.back());
-      const BruteFoot foot = brute_force_foot(mesh, place);
+      const BruteClosestPoint foot = brute_force_closest_point(mesh, place);
       truths.push_back({place, foot.point, foot.distance_mm, std::abs(winding_number(mesh, place)) > 0.5});
     }
     for (std::size_t k = batch % apart; k < settings.size(); k += apart) {

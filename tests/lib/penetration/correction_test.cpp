@@ -70,14 +70,14 @@ TEST(Correction, AgainstOneLineIsExactAtOnce) {
   EXPECT_NEAR((c.shift - Vec3(0, 0.7, 0)).norm(), 0, 1e-12);
 }
 
-TEST(Correction, TellsABalance) {
+TEST(Correction, ReportsABalance) {
   const FreeingShift c =
       correct_until_free(circle_between_lines(Vec3::Zero(), 1, {Vec3::UnitX(), -Vec3::UnitX()}));
   EXPECT_EQ(c.end, CorrectionEnd::balanced);
   EXPECT_EQ(c.iterations, 0U);
 }
 
-TEST(Correction, TellsACycle) {
+TEST(Correction, ReportsACycle) {
   // Two walls that push by more than there is room between them: to and fro.
   const ContactsAt walls = [](const Vec3& shift) {
     Contact c;
@@ -114,9 +114,9 @@ TEST(Correction, FreesNonConvexBodiesInFourToEightIterations) {
   limits.free_mm = 0.02;
   std::size_t fewest = 99, most = 0;
   for (int i = 0; i < 20; ++i) {
-    const Vec3 way = Vec3(std::cos(0.7 * i), std::sin(0.7 * i), 0.1 * i - 1).normalized();
+    const Vec3 axis = Vec3(std::cos(0.7 * i), std::sin(0.7 * i), 0.1 * i - 1).normalized();
     RigidTransform start;
-    start.shift = 48.5 * way;
+    start.shift = 48.5 * axis;
     const FreeingShift c = correct_until_free(
         [&](const Vec3& shift) {
           RigidTransform pose = start;

@@ -2,7 +2,7 @@
 
 #include "lib/kdop/kdop_corners.h"
 #include "lib/penetration/find_penetration.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
 
@@ -21,13 +21,13 @@ RigidTransform moved_by(const Vec3& shift) {
   return pose;
 }
 
-TEST(FindPenetration, TellsPointDepthAndTheWayOut) {
+TEST(FindPenetration, ReportsPointDepthAndTheWayOut) {
   const DepthBody body = cube_body();
   const PointBody points = build_point_body(std::vector<Vec3>{Vec3(0, 0, 0), Vec3(0, 0, 5)});
   PenetrationFinder finder(body, points, {7, true});
-  const PenetrationAnswer& answer = finder.find(moved_by(Vec3(9, 11, 19.25)));
-  ASSERT_EQ(answer.contacts.size(), 1U);
-  const PointContact& c = answer.contacts[0];
+  const PenetrationResult& result = finder.find(moved_by(Vec3(9, 11, 19.25)));
+  ASSERT_EQ(result.contacts.size(), 1U);
+  const PointContact& c = result.contacts[0];
   EXPECT_EQ(c.point, 0U);
   EXPECT_EQ(c.contact.body, 7U);
   EXPECT_NEAR(c.contact.depth_mm, 0.75, 1e-12);
@@ -42,31 +42,31 @@ TEST(FindPenetration, SaysDeeperThanDAndNeverNothing) {
   for (const double depth : {1.9, 2.1, 5.0, 9.9}) {
     const PointBody points = build_point_body(std::vector<Vec3>{Vec3::Zero()});
     PenetrationFinder finder(body, points);
-    const PenetrationAnswer& answer = finder.find(moved_by(Vec3(10, 10, 20 - depth)));
-    ASSERT_EQ(answer.contacts.size(), 1U) << depth;
-    EXPECT_EQ(answer.contacts[0].is_deeper, depth > 2) << depth;
-    EXPECT_NEAR(answer.contacts[0].contact.depth_mm, depth, 1e-9);
+    const PenetrationResult& result = finder.find(moved_by(Vec3(10, 10, 20 - depth)));
+    ASSERT_EQ(result.contacts.size(), 1U) << depth;
+    EXPECT_EQ(result.contacts[0].is_deeper, depth > 2) << depth;
+    EXPECT_NEAR(result.contacts[0].contact.depth_mm, depth, 1e-9);
   }
 }
 
-TEST(FindPenetration, TellsALumpWhollyInsideFarFromTheSurface) {
+TEST(FindPenetration, ReportsALumpWhollyInsideFarFromTheSurface) {
   const DepthBody body = cube_body(1);
   const PointBody points = build_point_body(shapes::sphere(2).vertices);
   PenetrationFinder finder(body, points);
-  const PenetrationAnswer& answer = finder.find(moved_by(Vec3(10, 10, 10)));
-  EXPECT_EQ(answer.contacts.size(), points.points.size());
-  EXPECT_TRUE(answer.contacts.front().is_deeper);
+  const PenetrationResult& result = finder.find(moved_by(Vec3(10, 10, 10)));
+  EXPECT_EQ(result.contacts.size(), points.points.size());
+  EXPECT_TRUE(result.contacts.front().is_deeper);
 }
 
 TEST(FindPenetration, OfBodiesApartIsEmptyAndCheap) {
   const DepthBody body = cube_body();
   const PointBody points = build_point_body(shapes::sphere(5, 24, 24).vertices);
   PenetrationFinder finder(body, points);
-  const PenetrationAnswer& answer = finder.find(moved_by(Vec3(60, 0, 0)));
-  EXPECT_TRUE(answer.contacts.empty());
-  EXPECT_EQ(answer.counters.volumes_updated, 1U);
-  EXPECT_EQ(answer.counters.volume_pairs, 1U);
-  EXPECT_EQ(answer.counters.points_transformed, 0U);
+  const PenetrationResult& result = finder.find(moved_by(Vec3(60, 0, 0)));
+  EXPECT_TRUE(result.contacts.empty());
+  EXPECT_EQ(result.counters.volumes_updated, 1U);
+  EXPECT_EQ(result.counters.volume_pairs, 1U);
+  EXPECT_EQ(result.counters.points_transformed, 0U);
 }
 
 TEST(FindPenetration, UpdatesOnlyWhatIsVisitedAndShiftsWhatWasTurned) {
@@ -82,7 +82,7 @@ TEST(FindPenetration, UpdatesOnlyWhatIsVisitedAndShiftsWhatWasTurned) {
   EXPECT_GT(second.volumes_shifted, 0U);
 }
 
-TEST(FindPenetration, GivesTheSameAnswerWhetherVolumesAreShiftedOrTurnedAnew) {
+TEST(FindPenetration, GivesTheSameResultWhetherVolumesAreShiftedOrTurnedAnew) {
   const DepthBody body = cube_body();
   const PointBody points = build_point_body(shapes::star_prism().vertices);
   PenetrationFinder kept(body, points);
@@ -91,8 +91,8 @@ TEST(FindPenetration, GivesTheSameAnswerWhetherVolumesAreShiftedOrTurnedAnew) {
   for (int i = 0; i < 50; ++i) {
     pose.shift += 2 * random.direction();
     PenetrationFinder fresh(body, points);
-    const PenetrationAnswer& a = kept.find(pose);
-    const PenetrationAnswer& b = fresh.find(pose);
+    const PenetrationResult& a = kept.find(pose);
+    const PenetrationResult& b = fresh.find(pose);
     ASSERT_EQ(a.contacts.size(), b.contacts.size());
     for (std::size_t k = 0; k < a.contacts.size(); ++k)
       EXPECT_EQ(a.contacts[k].contact.depth_mm, b.contacts[k].contact.depth_mm);

@@ -29,8 +29,8 @@ class RandomPoints {
     if (kind == 1) u = v = 0;
     const Vec3 &a = mesh_.corner(t, 0), &b = mesh_.corner(t, 1), &c = mesh_.corner(t, 2);
     const Vec3 at = a + u * (b - a) + v * (c - a);
-    const Vec3 way = kind < 4 ? direction() : Vec3((b - a).cross(c - a).normalized());
-    return at + (1.2 * depth_mm_ * (2 * uniform() - 1)) * way;
+    const Vec3 axis = kind < 4 ? direction() : Vec3((b - a).cross(c - a).normalized());
+    return at + (1.2 * depth_mm_ * (2 * uniform() - 1)) * axis;
   }
 
   RigidTransform pose(double reach_mm) {

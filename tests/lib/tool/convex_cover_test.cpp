@@ -62,8 +62,8 @@ void expect_claims_hold(const CompiledTool& tool, test::Scatter& random, int poi
 TEST(ConvexCover, NeverSaysLessThanTheTool) {
   test::Scatter random(5);
   Claims claims;
-  for (const ToolForms& forms : tools::all()) {
-    for (const CompiledTool* tool : {&forms.bare, &forms.against_part, &forms.with_clearance, &forms.non_cutting}) {
+  for (const ToolVariants& variants : tools::all()) {
+    for (const CompiledTool* tool : {&variants.bare, &variants.against_part, &variants.with_clearance, &variants.non_cutting}) {
       if (!tool->elements.empty()) expect_claims_hold(*tool, random, 4000, claims);
     }
   }
@@ -78,9 +78,9 @@ TEST(ConvexCover, NeverSaysLessThanAnyToolThereIs) {
   const char* wanted = std::getenv("GOUGE_COVER_TOOLS");
   const std::uint64_t count = wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : 400;
   Claims claims;
-  for (const ToolForms& forms : tools::shapes()) {
+  for (const ToolVariants& variants : tools::shapes()) {
     test::Scatter random(6);
-    for (const CompiledTool* tool : {&forms.bare, &forms.against_part, &forms.with_clearance, &forms.non_cutting}) {
+    for (const CompiledTool* tool : {&variants.bare, &variants.against_part, &variants.with_clearance, &variants.non_cutting}) {
       if (!tool->elements.empty()) expect_claims_hold(*tool, random, 1000, claims);
     }
   }
@@ -98,24 +98,24 @@ TEST(ConvexCover, NeverSaysLessThanAnyToolThereIs) {
 // Arcs of 150 degrees and more are halved: their centre comes twice.
 TEST(ConvexCover, EveryLineOfAChainHasADirectionAndTurnsLeft) {
   std::vector<CompiledTool> all;
-  for (const ToolForms& forms : tools::shapes()) all.push_back(forms.bare);
+  for (const ToolVariants& variants : tools::shapes()) all.push_back(variants.bare);
   for (std::uint64_t seed = 0; seed < 400; ++seed) all.push_back(compile_tool("", test::random_tool(seed).profile));
   for (const CompiledTool& tool : all) {
     for (const CoverPiece& piece : make_convex_cover(tool).pieces) {
       Vec2 last = Vec2::Zero();
       for (std::size_t k = 0; k + 1 < piece.chain.size(); ++k) {
-        const Vec2 way = (piece.chain[k + 1] - piece.chain[k]).normalized();
-        ASSERT_NEAR(way.norm(), 1, 1e-9) << tool.name;
-        ASSERT_GE(way.y(), -1e-7) << tool.name;
-        ASSERT_GE(last.x() * way.y() - last.y() * way.x(), -1e-8) << tool.name;
-        last = way;
+        const Vec2 axis = (piece.chain[k + 1] - piece.chain[k]).normalized();
+        ASSERT_NEAR(axis.norm(), 1, 1e-9) << tool.name;
+        ASSERT_GE(axis.y(), -1e-7) << tool.name;
+        ASSERT_GE(last.x() * axis.y() - last.y() * axis.x(), -1e-8) << tool.name;
+        last = axis;
       }
     }
   }
 }
 
 TEST(ConvexCover, TheCutterOfABallIsExact) {
-  const ToolForms ball = tools::ball();
+  const ToolVariants ball = tools::ball();
   const CoverPiece piece = make_convex_cover(ball.bare).pieces.front();
   for (const double angle : {0.1, 0.7, 1.4}) {
     for (const double off : {-1.0, 0.3}) {

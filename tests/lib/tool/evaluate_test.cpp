@@ -68,7 +68,7 @@ TEST(Evaluate, BodiesHaveNames) {
 }
 
 TEST(Evaluate, InsideIsNegativeAndTheNormalLeadsOut) {
-  const ToolAnswer a = evaluate_brute_force(stepped(), 4, 5);
+  const ToolDistance a = evaluate_brute_force(stepped(), 4, 5);
   EXPECT_EQ(a.signed_distance_mm, -1);
   EXPECT_EQ(a.element, 2u);
   EXPECT_EQ(a.foot, Vec2(5, 5));
@@ -76,14 +76,14 @@ TEST(Evaluate, InsideIsNegativeAndTheNormalLeadsOut) {
 }
 
 TEST(Evaluate, OutsideOfAConvexCornerTheCornerIsNearest) {
-  const ToolAnswer a = evaluate_brute_force(stepped(), 8, -4);
+  const ToolDistance a = evaluate_brute_force(stepped(), 8, -4);
   EXPECT_EQ(a.signed_distance_mm, 5);
   EXPECT_EQ(a.element, 1u);
   EXPECT_TRUE(a.normal.isApprox(Vec2(0.6, -0.8)));
 }
 
 TEST(Evaluate, InsideOfAReflexCornerTheCornerIsNearest) {
-  const ToolAnswer a = evaluate_brute_force(stepped(), 4.4, 10.8);
+  const ToolDistance a = evaluate_brute_force(stepped(), 4.4, 10.8);
   EXPECT_NEAR(a.signed_distance_mm, -1, 1e-15);
   EXPECT_EQ(a.element, 3u);
   EXPECT_TRUE(a.normal.isApprox(Vec2(0.6, -0.8)));
@@ -96,13 +96,13 @@ TEST(Evaluate, InTheNotchTheNearerWallAnswers) {
 }
 
 TEST(Evaluate, OnAVertexTheNormalIsTheMeanDirection) {
-  const ToolAnswer a = evaluate_element(stepped(), 1, 5, 0);
+  const ToolDistance a = evaluate_element(stepped(), 1, 5, 0);
   EXPECT_EQ(a.signed_distance_mm, 0);
   EXPECT_TRUE(a.normal.isApprox(Vec2(1, -1).normalized()));
 }
 
-TEST(Evaluate, AtTheCentreOfAnArcTheAnswerIsStillAUnitVector) {
-  const ToolAnswer a = evaluate(half_sphere(), 0, 5);
+TEST(Evaluate, AtTheCentreOfAnArcTheResultIsStillAUnitVector) {
+  const ToolDistance a = evaluate(half_sphere(), 0, 5);
   EXPECT_EQ(a.signed_distance_mm, -5);
   EXPECT_NEAR(a.normal.norm(), 1, 1e-15);
   EXPECT_NEAR((a.foot - Vec2(0, 5)).norm(), 5, 1e-15);
@@ -148,7 +148,7 @@ TEST(Evaluate, CurvesAreMeasuredFromTheirOrigin) {
 TEST(Evaluate, AFootOnAnArcIsAPointOfTheArcEvenBesideItsCentre) {
   const CompiledTool tool = half_sphere();
   for (const double step : {1e-15, 1e-12, 1e-9}) {
-    const ToolAnswer above = evaluate(tool, 0.5 * step, 5 + step);  // the arc ends at z = 5
+    const ToolDistance above = evaluate(tool, 0.5 * step, 5 + step);  // the arc ends at z = 5
     EXPECT_NEAR(above.signed_distance_mm, -5, 2 * step);
     EXPECT_EQ(above.foot, Vec2(5, 5));
     EXPECT_EQ(above.normal, Vec2(1, 0));

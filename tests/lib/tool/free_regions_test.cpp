@@ -25,7 +25,7 @@ TEST(FreeRegions, ANeckThinnerThanTwiceTheDepthSeparates) {
   tool.cutter = BallCutter{10, 20};
   tool.shank = {{0.6, 0.6, 20}};
   tool.holder = {{30, 30, 40}};
-  const CompiledTool compiled = tools::forms(tool).bare;
+  const CompiledTool compiled = tools::variants(tool).bare;
   const RegionFinder finder(compiled);
   EXPECT_EQ(finder.at(0.29).regions.size(), 1U);
   const FreeRegions parted = finder.at(0.31);
@@ -37,7 +37,7 @@ TEST(FreeRegions, ANeckThinnerThanTwiceTheDepthSeparates) {
 }
 
 TEST(FreeRegions, TheRingOfAHollowCutterIsJoinedWithItsAxis) {
-  const CompiledTool tool = tools::forms(tools::assembly(FaceMillCutter{40, 1, 45, 50, 24, 5, 25}, 6)).bare;
+  const CompiledTool tool = tools::variants(tools::assembly(FaceMillCutter{40, 1, 45, 50, 24, 5, 25}, 6)).bare;
   const RegionFinder finder(tool);
   const auto has_ring = [](const FreeRegions& found) {
     return std::any_of(found.regions.begin(), found.regions.end(),
@@ -48,7 +48,7 @@ TEST(FreeRegions, TheRingOfAHollowCutterIsJoinedWithItsAxis) {
 }
 
 TEST(FreeRegions, HoldTheirPlacesDeeperThanAskedInEveryShape) {
-  for (const ToolForms& tool : tools::shapes()) {
+  for (const ToolVariants& tool : tools::shapes()) {
     const RegionFinder finder(tool.bare);
     for (const double depth : {0.0, 0.01, 0.5, 2.0}) {
       const FreeRegions found = finder.at(depth);

@@ -25,7 +25,7 @@ double reach_at(const CompiledTool& tool, double depth, double enough) {
 }
 
 /// The reach by looking: places of a grid, those deeper than asked by all but half a step that are joined with the axis
-/// by neighbours (so no fewer than truly are), and the farthest place of the tool from them.
+/// by neighbours (so no fewer than truly are), and the farthest point of the tool from them.
 class GridReach {
  public:
   static constexpr int kRows = 420, kColumns = 260;
@@ -47,8 +47,8 @@ class GridReach {
     };
     for (int i = 0; i <= kRows; i += 2) {
       for (int j = 0; j <= kColumns; j += 2) {
-        const double d = depth_at(place(i, j));
-        if (d > 0 && is_deep_[index(i, j)] == 0) look(place(i, j));
+        const double d = depth_at(point(i, j));
+        if (d > 0 && is_deep_[index(i, j)] == 0) look(point(i, j));
       }
     }
     for (const BoundaryElement& e : tool_.elements) look(e.a), look(e.b);
@@ -57,7 +57,7 @@ class GridReach {
 
  private:
   static std::size_t index(int i, int j) { return static_cast<std::size_t>(i * (kColumns + 1) + j); }
-  [[nodiscard]] Vec2 place(int i, int j) const { return {dr_ * j, tool_.z_min_mm + dz_ * i}; }
+  [[nodiscard]] Vec2 point(int i, int j) const { return {dr_ * j, tool_.z_min_mm + dz_ * i}; }
   [[nodiscard]] double depth_at(const Vec2& q) const { return -evaluate(tool_, q.x(), q.y()).signed_distance_mm; }
 
   void flood() {
@@ -65,7 +65,7 @@ class GridReach {
     is_deep_.assign(is_free.size(), 0);
     std::vector<std::pair<int, int>> open;
     for (int i = 0; i <= kRows; ++i) {
-      for (int j = 0; j <= kColumns; ++j) is_free[index(i, j)] = depth_at(place(i, j)) > depth_ - 0.5 * step() ? 1 : 0;
+      for (int j = 0; j <= kColumns; ++j) is_free[index(i, j)] = depth_at(point(i, j)) > depth_ - 0.5 * step() ? 1 : 0;
       if (is_free[index(i, 0)] != 0) open.emplace_back(i, 0), is_deep_[index(i, 0)] = 1;
     }
     while (!open.empty()) {
@@ -80,7 +80,7 @@ class GridReach {
           open.emplace_back(k, l);
         }
       }
-      if (is_rim) rim_.push_back(place(i, j));
+      if (is_rim) rim_.push_back(point(i, j));
     }
   }
 
@@ -102,7 +102,7 @@ TEST(ReachBound, OfACylinderIsItsCorner) {
 
 TEST(ReachBound, OfAPointIsTheDepthOverTheSineOfHalfItsAngle) {
   for (const double half_deg : {2.0, 5.0, 10.0, 15.0, 30.0, 60.0}) {
-    const CompiledTool tool = tools::forms(tools::assembly(ChamferCutter{1, 0, half_deg, 0}, 1)).bare;
+    const CompiledTool tool = tools::variants(tools::assembly(ChamferCutter{1, 0, half_deg, 0}, 1)).bare;
     const double depth = 0.011, truth = depth / std::sin(half_deg * std::numbers::pi / 180);
     const double bound = reach_at(tool, depth, 1.02 * depth);
     EXPECT_GE(bound, truth - 1e-9) << half_deg;
@@ -111,7 +111,7 @@ TEST(ReachBound, OfAPointIsTheDepthOverTheSineOfHalfItsAngle) {
 }
 
 TEST(ReachBound, OfASawIsAllOfItsBladeOnceTheBladeIsThinnerThanTwiceTheDepth) {
-  const CompiledTool tool = tools::forms(tools::assembly(SlittingSawCutter{63, 0.5, 16, 4}, 6)).bare;
+  const CompiledTool tool = tools::variants(tools::assembly(SlittingSawCutter{63, 0.5, 16, 4}, 6)).bare;
   EXPECT_LT(reach_at(tool, 0.2, 0.6), 0.6);
   EXPECT_GT(reach_at(tool, 0.26, 0.78), 23.0);
   EXPECT_LT(reach_at(tool, 0.26, 0.78), 24.2);
@@ -123,13 +123,13 @@ TEST(ReachBound, IsEndlessWhereNoPlaceOfTheAxisIsThatDeep) {
 }
 
 TEST(ReachBound, OfUsualCuttersIsLessThanThreeTimesTheDepth) {
-  std::vector<ToolForms> usual = tools::all();
-  for (const ToolForms& tool : tools::shapes()) usual.push_back(tool);
+  std::vector<ToolVariants> usual = tools::all();
+  for (const ToolVariants& tool : tools::shapes()) usual.push_back(tool);
   for (const double angle : {30.0, 60.0})
-    usual.push_back(tools::forms(tools::assembly(ChamferCutter{12, 0, angle, 14}, 6)));
+    usual.push_back(tools::variants(tools::assembly(ChamferCutter{12, 0, angle, 14}, 6)));
   for (const double angle : {30.0, 45.0})  // from the axis: corners of 60 and 45 degrees
-    usual.push_back(tools::forms(tools::assembly(DovetailCutter{20, 0, angle, 6}, 6)));
-  for (const ToolForms& tool : usual) {
+    usual.push_back(tools::variants(tools::assembly(DovetailCutter{20, 0, angle, 6}, 6)));
+  for (const ToolVariants& tool : usual) {
     for (const double depth : {0.001, 0.011, 0.06}) {
       const SureDepth sure = find_sure_depth(tool.bare, tool.bare, depth);
       EXPECT_EQ(sure.halvings, 0) << "cutter of " << tool.bare.elements[1].a.transpose() << ", " << tool.bare.elements[3].a.transpose() << " at " << depth << ": " << sure.reach_mm;
@@ -162,7 +162,7 @@ TEST(ReachBound, IsNeverLessThanWhatIsSeenOnAGridInEveryShape) {
 }
 
 TEST(SureDepth, OfAPointIsTheDepthThatItsAngleLeaves) {
-  const CompiledTool tool = tools::forms(tools::assembly(ChamferCutter{1, 0, 2, 0}, 1)).bare;
+  const CompiledTool tool = tools::variants(tools::assembly(ChamferCutter{1, 0, 2, 0}, 1)).bare;
   const SureDepth sure = find_sure_depth(tool, tool, 0.011);
   const double largest = kReachPerDepth * 0.011 * std::sin(2 * std::numbers::pi / 180);
   EXPECT_LE(sure.depth_mm, largest);
@@ -170,9 +170,9 @@ TEST(SureDepth, OfAPointIsTheDepthThatItsAngleLeaves) {
   EXPECT_NEAR(sure.reach_mm, 0.011 / std::sin(2 * std::numbers::pi / 180), 0.01);
 }
 
-TEST(SureDepth, OfAGrownToolIsThatOfItsGrownForm) {
+TEST(SureDepth, OfAnOffsetToolIsThatOfItsOffsetVariant) {
   const ToolAssembly saw = tools::assembly(SlittingSawCutter{63, 0.5, 16, 4}, 6);
-  const ToolForms grown = tools::forms(saw, 1);
+  const ToolVariants grown = tools::variants(saw, 1);
   EXPECT_EQ(find_sure_depth(grown.against_part, grown.bare, 0.26).halvings, 0);
   EXPECT_GT(find_sure_depth(grown.against_fixture, grown.bare, 0.26).halvings, 0);
 }

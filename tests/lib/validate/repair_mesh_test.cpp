@@ -124,7 +124,7 @@ TEST(RepairMesh, SliversAndFlatPiecesDoNotStopIt) {
   EXPECT_GT(better, tried / 5);
 }
 
-TEST(RepairMesh, WhatIsToldHoldsForTheBytes) {
+TEST(RepairMesh, WhatIsReportedHoldsForTheBytes) {
   RepairOptions inch;
   inch.unit = LengthUnit::inch;
   const MeshRepair repair = repaired(shapes::inside_out(shapes::cube(25.4)), inch);

@@ -52,7 +52,7 @@ TEST(ValidateMesh, CrossingCubesAreFoundWithAPlaceOnBothSurfaces) {
   EXPECT_GT(judged.self_intersections.pairs, 0U);
   EXPECT_LT(judged.self_intersections.first_triangle, 12U);
   EXPECT_GE(judged.self_intersections.second_triangle, 12U);
-  const Vec3 place = judged.self_intersections.place_mm;
+  const Vec3 place = judged.self_intersections.position_mm;
   const auto is_on_cube = [&](double low, double high) {
     const Vec3 to_faces = (place.array() - low).abs().min((place.array() - high).abs());
     return to_faces.minCoeff() < 1e-9 && place.minCoeff() > low - 1e-9 && place.maxCoeff() < high + 1e-9;
@@ -82,8 +82,8 @@ TEST(ValidateMesh, ATriangleThroughItsNeighbourAtACornerIsASelfIntersection) {
   shapes::add_triangle(mesh, 0, 3, 4);
   const MeshValidation judged = judge(mesh);
   EXPECT_EQ(judged.self_intersections.pairs, 1U);
-  EXPECT_TRUE(judged.self_intersections.place_mm.isApprox(Vec3(4, 4, 0)))
-      << judged.self_intersections.place_mm.transpose();
+  EXPECT_TRUE(judged.self_intersections.position_mm.isApprox(Vec3(4, 4, 0)))
+      << judged.self_intersections.position_mm.transpose();
   mesh.triangles[1] = {0, 5, 6};
   EXPECT_EQ(judge(mesh).self_intersections.pairs, 0U);
 }

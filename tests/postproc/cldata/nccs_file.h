@@ -64,7 +64,7 @@ class NccsFile {
     return numbers(3000, 0, values);
   }
 
-  /// `sixes`: place and axis of each point; the other vectors are told apart from them.
+  /// `sixes`: position and axis of each point; the other vectors are distinguished from them.
   NccsFile& expanded(const std::vector<double>& sixes, std::uint16_t subclass = 5) {
     std::vector<double> values;
     for (std::size_t at = 0; at < sixes.size(); at += 6) {

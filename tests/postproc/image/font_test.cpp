@@ -26,7 +26,7 @@ TEST(Font, HasTheLettersOfEurope) {
   EXPECT_TRUE(find_missing_letters({"Torusfräser Ø12", "Фреза", "Φ12"}).empty());
 }
 
-TEST(Font, PicturesTellLettersApart) {
+TEST(Font, PicturesShowLettersApart) {
   EXPECT_NE(picture_of("Torusfräser"), picture_of("Torusfraser"));
   EXPECT_NE(picture_of("Фреза"), picture_of("Дрель"));
   EXPECT_EQ(picture_of("Фреза"), picture_of("Фреза"));

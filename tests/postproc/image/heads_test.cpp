@@ -5,7 +5,7 @@
 
 #include "lib/check/path_motion.h"
 #include "lib/head/head_motion.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 #include "lib/field/depth_field.h"
 #include "postproc/image/depth_strip.h"
 #include "postproc/image/event_picture.h"
@@ -142,9 +142,9 @@ TEST(Heads, EndTheArrowOfTheirDepthOnTheirOutline) {
                                : std::array<Vec3, 2>{Vec3(14, -9, 4.4), Vec3(34, 9, 30)}});
       const Eigen::Matrix3d turn = head_rotation(axis.normalized());
       // An edge of the block in the head's lower or outer face, a little off its middle.
-      const Vec3 place = is_side ? Vec3(-14 + 0.3, 2, 3) : Vec3(20, 2, 4.4 + 0.3);
+      const Vec3 swept = is_side ? Vec3(-14 + 0.3, 2, 3) : Vec3(20, 2, 4.4 + 0.3);
       const Vec3 edge = is_side ? Vec3(40, 15, 10) : Vec3(0, 15, 10);
-      small.go({edge - turn * place}, axis.normalized());
+      small.go({edge - turn * swept}, axis.normalized());
       bool is_found = false;
       for (const PictureEvent& event : worst_events(small.input, 6)) {
         if (event.event.body != Body::head) continue;
@@ -168,7 +168,7 @@ TEST(Heads, AreKnownByNameOfThePieceThatGouges) {
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].head, std::optional<std::size_t>(1));
   EXPECT_NEAR(
-      nearest_foot(small.heads[1].surface, events[0].heads.inverse().point(events[0].at))->signed_mm(),
+      closest_point(small.heads[1].surface, events[0].heads.inverse().point(events[0].at))->signed_mm(),
       -events[0].depth_mm, 1e-9);
 }
 
@@ -197,13 +197,13 @@ TEST(HeadField, IsTheDepthInTheHeadsAtEveryPoint) {
   const DepthField field(small.input);
   const std::vector<float> depth = field.depth_at(points);
   const auto deepest = [&](double so_far, const HeadBody& head, const Vec3& q) {
-    return std::max(so_far, -nearest_foot(head.surface, q)->signed_mm());
+    return std::max(so_far, -closest_point(head.surface, q)->signed_mm());
   };
   std::size_t gouged = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {
     double sampled = 0, dense = 0;
-    for (const HeadField::Place& place : field.heads().places())
-      sampled = deepest(sampled, small.heads[place.head], place.to_tool.point(points[i].at));
+    for (const HeadField::SweptPose& swept : field.heads().all_swept())
+      sampled = deepest(sampled, small.heads[swept.head], swept.to_tool.point(points[i].at));
     for (std::size_t m = 1; m < small.path.moves.size(); ++m) {
       const Motion motion = motion_of(small.path, m, RapidMode::straight);
       for (int k = 0; k <= 150; ++k) {
@@ -211,12 +211,12 @@ TEST(HeadField, IsTheDepthInTheHeadsAtEveryPoint) {
         for (const HeadBody& head : small.heads) dense = deepest(dense, head, q);
       }
     }
-    const auto told = static_cast<double>(depth[i]);
-    if (told > 0) ++gouged;
-    EXPECT_LE(told, sampled + 1e-6) << points[i].at.transpose();
-    EXPECT_GE(told * 1.03 + 0.0101, sampled) << points[i].at.transpose();
-    EXPECT_LE(told, dense + 0.02) << points[i].at.transpose();
-    EXPECT_GE(told + 0.2, dense) << "half a step: " << points[i].at.transpose();
+    const auto reported = static_cast<double>(depth[i]);
+    if (reported > 0) ++gouged;
+    EXPECT_LE(reported, sampled + 1e-6) << points[i].at.transpose();
+    EXPECT_GE(reported * 1.03 + 0.0101, sampled) << points[i].at.transpose();
+    EXPECT_LE(reported, dense + 0.02) << points[i].at.transpose();
+    EXPECT_GE(reported + 0.2, dense) << "half a step: " << points[i].at.transpose();
   }
   EXPECT_GT(gouged, 200U);
   EXPECT_LT(gouged, points.size());

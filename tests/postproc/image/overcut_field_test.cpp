@@ -35,12 +35,12 @@ TEST(OvercutField, SaysHowFarBelowTheSurfaceTheToolReachedWhereDepthCannot) {
   const OvercutField field(plunge.input, depths);
   ASSERT_FALSE(field.is_empty());
   const std::vector<OvercutField::Ray> rays = rays_down(30);
-  const std::vector<float> told = field.overcut_at(rays);
+  const std::vector<float> reported = field.overcut_at(rays);
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const double r = std::abs(rays[i].at.x() - 20);
     const double truth = r < 3 ? 12 - 3 + std::sqrt(9 - r * r) : 0;
     if (std::abs(r - 3) > 0.06) {
-      EXPECT_NEAR(static_cast<double>(told[i]), truth, 0.15) << r;
+      EXPECT_NEAR(static_cast<double>(reported[i]), truth, 0.15) << r;
     }
   }
   // Depth saturates at the radius.
@@ -52,8 +52,8 @@ TEST(OvercutField, StopsHalfwayThroughAThinWall) {
   const Plunge plunge(-5, box_mesh("plate.stl", {0, 0, 26}, {40, 30, 30}));
   const DepthField depths(plunge.input);
   const OvercutField field(plunge.input, depths);
-  const std::vector<float> told = field.overcut_at({{Vec3(20, 15, 30), -Vec3::UnitZ(), 0}});
-  EXPECT_NEAR(static_cast<double>(told[0]), 2, 0.15);
+  const std::vector<float> reported = field.overcut_at({{Vec3(20, 15, 30), -Vec3::UnitZ(), 0}});
+  EXPECT_NEAR(static_cast<double>(reported[0]), 2, 0.15);
 }
 
 TEST(OvercutField, IsNowhereMoreThanTheOvercutOfThePath) {

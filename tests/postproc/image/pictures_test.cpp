@@ -60,9 +60,9 @@ TEST(DepthField, IsTheDeepestOfTheMovesAtEveryPoint) {
       }
     }
     if (depth[i] > 0) ++gouged;
-    const double told = static_cast<double>(depth[i]);
-    EXPECT_LE(told, dense + 1e-3) << points[i].at.transpose();
-    EXPECT_GE(told + 0.011, dense) << points[i].at.transpose();
+    const double reported = static_cast<double>(depth[i]);
+    EXPECT_LE(reported, dense + 1e-3) << points[i].at.transpose();
+    EXPECT_GE(reported + 0.011, dense) << points[i].at.transpose();
   }
   EXPECT_GT(gouged, 100U);
   EXPECT_LT(gouged, points.size());
@@ -108,7 +108,7 @@ TEST(PictureEvents, AreNumberedFromTheDeepestAndKeepApart) {
   EXPECT_NEAR(depth_at_pose(small.tool.against_part, events[0].pose, events[0].at), events[0].depth_mm, 1e-6);
 }
 
-TEST(ReportPictures, AreTheOnesPromisedAndTheSameOnEveryRun) {
+TEST(ReportPictures, AreTheOnesGuaranteedAndTheSameOnEveryRun) {
   const SmallScene small;
   const Result<std::vector<NamedFile>> first = draw_report_pictures(small.model, small.input);
   const Result<std::vector<NamedFile>> second = draw_report_pictures(small.model, small.input);
@@ -188,7 +188,7 @@ TEST(Pictures, CutNoNumberShort) {
   }
 }
 
-TEST(Pictures, TellBuriedMovesBeforeAndAfter) {
+TEST(Pictures, ReportBuriedMovesBeforeAndAfter) {
   SmallScene small;
   const SmallPages clean(small);
   EXPECT_EQ(count_with(draw_before_after(clean.set, clean.set), "buried"), 0U);

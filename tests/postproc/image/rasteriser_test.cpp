@@ -121,7 +121,7 @@ TEST(Section, StillShowsAPartWhoseFaceItRunsAlong) {
 }
 
 TEST(ToolOutline, ReachesFromTheTipToTheTopAndClosesTheSurface) {
-  const ToolForms tool = ball_with_holder();
+  const ToolVariants tool = ball_with_holder();
   const std::vector<OutlineRun> runs = tool_outline(tool.bare);
   ASSERT_EQ(runs.size(), 3U);
   EXPECT_LT(runs.front().points.front().norm(), 1e-9);

@@ -18,7 +18,7 @@ Drawing small_drawing() {
   return d;
 }
 
-TEST(RenderPng, StartsWithTheSignatureAndTellsItsSize) {
+TEST(RenderPng, StartsWithTheSignatureAndShowsItsSize) {
   const Result<std::string> png = render_png(small_drawing());
   ASSERT_TRUE(png);
   ASSERT_GT(png->size(), 24U);

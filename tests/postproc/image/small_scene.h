@@ -23,18 +23,18 @@ inline IndexedMesh box_mesh(const std::string& name, const Vec3& low, const Vec3
   return mesh;
 }
 
-inline ToolForms ball_with_holder() {
+inline ToolVariants ball_with_holder() {
   ToolAssembly tool;
   tool.name = "ball D6";
   tool.cutter = BallCutter{6, 15};
   tool.shank = {{6, 6, 10}};
   tool.holder = {{20, 20, 20}};
-  return *make_tool_forms(tool, 0, 0, 0);
+  return *make_tool_variants(tool, 0, 0, 0);
 }
 
 struct SmallScene {
   Scene scene;
-  ToolForms tool = ball_with_holder();
+  ToolVariants tool = ball_with_holder();
   Toolpath path;
   CheckResult result;
   ReportModel model;

@@ -12,12 +12,12 @@ std::size_t count_of(const std::string& text, const std::string& what) {
   return count;
 }
 
-TEST(WriteHtml, TellsVerdictPromiseFindingsAndWhatWasNotChecked) {
+TEST(WriteHtml, ReportsVerdictGuaranteeFindingsAndWhatWasNotChecked) {
   const SmallReport report;
   const std::string html = write_html(report.model, {});
   EXPECT_NE(html.find("<div class=\"banner gouges\"><strong>Gouges</strong>"), std::string::npos);
   EXPECT_NE(
-      html.find("in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm goes untold"),
+      html.find("in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm is missed"),
       std::string::npos);
   EXPECT_NE(html.find("0.333 mm"), std::string::npos);
   EXPECT_NE(html.find("arcs, as yet, are not read"), std::string::npos);

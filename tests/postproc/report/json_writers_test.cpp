@@ -98,7 +98,7 @@ TEST(WriteJson, ObeysItsSchema) {
   EXPECT_EQ(schema_errors(json::parse(write_json(report.model))), std::vector<std::string>{});
 }
 
-TEST(WriteJson, TellsTheFilesOfHeads) {
+TEST(WriteJson, ReportsTheFilesOfHeads) {
   SmallReport report;
   EXPECT_EQ(json::parse(write_json(report.model))["heads"], json::array());
   report.model.inputs.push_back(describe_input("head", "head.stl", "solid"));
@@ -162,15 +162,15 @@ TEST(WriteSarif, HasAResultForEveryFindingAndReason) {
             "gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)");
 }
 
-TEST(WriteSarif, TellsWarningsOfTheInput) {
+TEST(WriteSarif, ReportsWarningsOfTheInput) {
   SmallReport report;
   report.model.notes.push_back(make_note("tool-no-holder", "T1 has no holder", "path.apt", 3));
   const json invocation = json::parse(write_sarif(report.model))["runs"][0]["invocations"][0];
-  const json& told = invocation["toolExecutionNotifications"];
-  ASSERT_EQ(told.size(), 1U) << "notes are no warnings";
-  EXPECT_EQ(told[0]["level"], "warning");
-  EXPECT_EQ(told[0]["descriptor"]["id"], "apt-word");
-  EXPECT_EQ(told[0]["message"]["text"], "path.apt:4: warning: word not understood [apt-word]");
+  const json& reported = invocation["toolExecutionNotifications"];
+  ASSERT_EQ(reported.size(), 1U) << "notes are no warnings";
+  EXPECT_EQ(reported[0]["level"], "warning");
+  EXPECT_EQ(reported[0]["descriptor"]["id"], "apt-word");
+  EXPECT_EQ(reported[0]["message"]["text"], "path.apt:4: warning: word not understood [apt-word]");
 }
 
 TEST(WriteSarif, FingerprintsHoldWhenLinesMoveAndDifferBetweenFindings) {

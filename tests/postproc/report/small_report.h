@@ -50,7 +50,7 @@ struct SmallReport {
     model.toolpath = &path;
     model.result = &result;
     model.inputs = {describe_input("toolpath", "path.apt", path.source)};
-    model.parts = {MeshFacts{"part.stl", 12, 8, 0, true, "closed: a buried tool is told"}};
+    model.parts = {MeshFacts{"part.stl", 12, 8, 0, true, "closed: a buried tool is reported"}};
     model.fixtures = {MeshFacts{"vise.stl", 12, 8, 0, false, ""}};
     model.tools = {ToolFacts{"ball D10", "tools.json", "ball D10"}, ToolFacts{"long, \"thin\"", "", ""}};
     model.notes = {make_warning("apt-word", "word not understood", "path.apt", 4)};

@@ -32,7 +32,7 @@ TEST(FindingsText, CountsTheRecordsWrittenAndThoseChangedButNotFreed) {
   EXPECT_NE(text.find(":15: not freed: 0.100 mm, move 5: no way out"), std::string::npos) << text;
 }
 
-TEST(FindingsText, TellsEveryFindingAndTheSummary) {
+TEST(FindingsText, ReportsEveryFindingAndTheSummary) {
   const SmallReport report;
   EXPECT_EQ(
       findings_text(report.model),
@@ -44,7 +44,7 @@ TEST(FindingsText, TellsEveryFindingAndTheSummary) {
       "path.apt against part.stl, vise.stl\n"
       "gouges: 1 finding in 2 of 8 moves, the deepest 0.333 mm at line 12; the tool is buried in 1 move\n"
       "moves: 1 clean, 1 near, 2 gouge, 1 buried, 1 not certified, 2 not checked\n"
-      "promise: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm goes untold, and where none is told the tool "
+      "guarantee: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm is missed, and where none is reported the tool "
       "reaches at most 3 times that into a solid; "
       "it does not cover the 3 moves not checked or not certified\n");
 }
@@ -70,8 +70,8 @@ TEST(FindingsText, SaysBesideTheVerdictWhatItDoesNotCover) {
   report.model.notes.push_back(make_warning(kSceneMisplaced, "the part is far away", "path.apt"));
   for (ToolFacts& tool : report.model.tools) tool.has_holder = false;
   const std::vector<std::string> lines = lines_of(summary_text(report.model));
-  EXPECT_EQ(lines[2], "but: the part is far away");
-  EXPECT_EQ(lines[3], "but: ball D10, long, \"thin\" have no holder, so none is checked");
+  EXPECT_EQ(lines[2], "note: the part is far away");
+  EXPECT_EQ(lines[3], "note: ball D10, long, \"thin\" have no holder, so none is checked");
   report.model.tools.assign(7, ToolFacts{"T1", "tools.json", "", false});
   EXPECT_EQ(reservations(report.model)[1], "T1, T1, T1, T1, T1 and 2 more have no holder, so none is checked");
 }
@@ -84,7 +84,7 @@ TEST(FindingsText, SaysWhichDepthsAreKnownLessCloselyThanAsked) {
   EXPECT_EQ(lines_of(findings_text(report.model))[0],
             "path.apt:12: gouge: 0.333 mm (at most 0.354 mm) cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)");
   EXPECT_EQ(lines_of(summary_text(report.model))[2],
-            "but: the depth of 1 of 2 gouging moves is certified to 0.0206 mm only, not to the resolution of 0.001 mm: "
+            "note: the depth of 1 of 2 gouging moves is certified to 0.0206 mm only, not to the resolution of 0.001 mm: "
             "move 2, line 12, is at least 0.333 mm and at most 0.354 mm deep");
   report.model.options.resolution_mm = 0.03;
   EXPECT_EQ(depth_gaps_text(report.model), "");
@@ -115,25 +115,25 @@ TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
   SmallReport report;
   const auto text = [&](std::optional<double> nearest, std::optional<double> median) {
     report.model.closeness = Closeness{2425, 400, nearest, median, 0};
-    EXPECT_NE(summary_text(report.model).find("\npart: " + closeness_text(report.model) + "\n"), std::string::npos);
+    EXPECT_NE(summary_text(report.model).find("\nclosest approach to the part: " + closeness_text(report.model) + "\n"), std::string::npos);
     return closeness_text(report.model);
   };
   EXPECT_EQ(text(0.0, 0.0042),
-            "seen nearest, the tool is touching; half of the 400 cutting positions looked at (of 2425) are touching");
+            "touching; half of the 400 cutting positions examined (of 2425) are touching");
   EXPECT_EQ(text(0.834, 4.2),
-            "seen nearest, the tool is within 0.84 mm; half of the 400 cutting positions looked at (of 2425) are within "
+            "within 0.84 mm; half of the 400 cutting positions examined (of 2425) are within "
             "4.20 mm");
   EXPECT_EQ(text({}, {}),
-            "seen nearest, the tool is not within 20 mm; half of the 400 cutting positions looked at (of 2425) are not "
+            "not within 20 mm; half of the 400 cutting positions examined (of 2425) are not "
             "within 20 mm");
   report.model.closeness = Closeness{37, 37, 1.0, 2.0, 1.0};
   EXPECT_EQ(closeness_text(report.model),
-            "seen nearest, the tool is within 1.00 mm; half of the 37 cutting positions are within 2.00 mm");
+            "within 1.00 mm; half of the 37 cutting positions are within 2.00 mm");
   report.model.closeness.reset();
   EXPECT_EQ(closeness_text(report.model), "");
 }
 
-TEST(FindingsText, TellsTheCurvesThatBecameStraight) {
+TEST(FindingsText, ReportsTheCurvesThatBecameStraight) {
   SmallReport report;
   report.add_correction();
   EXPECT_EQ(findings_text(report.model).find("became"), std::string::npos);
@@ -143,7 +143,7 @@ TEST(FindingsText, TellsTheCurvesThatBecameStraight) {
             std::string::npos);
 }
 
-TEST(FindingsText, TellsTheCorrection) {
+TEST(FindingsText, ReportsTheCorrection) {
   SmallReport report;
   report.add_correction();
   const std::string text = findings_text(report.model);
@@ -168,7 +168,7 @@ TEST(FindingsText, IsInInchesForAnInchPath) {
   report.path.unit = LengthUnit::inch;
   const std::string text = findings_text(report.model);
   EXPECT_NE(text.find("gouge: 0.0131 in cutter T1 at (0.4843, 0.1772, 0.2638), move 2"), std::string::npos);
-  EXPECT_NE(text.find("= 0.0004331 in goes untold"), std::string::npos);
+  EXPECT_NE(text.find("= 0.0004331 in is missed"), std::string::npos);
 }
 
 TEST(OverallVerdict, NeverCallsAnOpenQuestionClean) {
@@ -226,7 +226,7 @@ TEST(WriteCsv, LeavesOtherTextAndNumbersAsTheyAre) {
     EXPECT_EQ(operation_cell(name), name);
 }
 
-TEST(WriteJunit, TellsTheSecondsSpent) {
+TEST(WriteJunit, ReportsTheSecondsSpent) {
   SmallReport report;
   EXPECT_NE(write_junit(report.model).find("skipped=\"1\" time=\"0.000\""), std::string::npos);
   report.model.seconds = 2;

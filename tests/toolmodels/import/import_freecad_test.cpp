@@ -125,13 +125,13 @@ TEST(ImportFreecad, FlutesLongerThanTheToolAreAnError) {
       "longer than the tool [import-field]\n");
 }
 
-TEST(ImportFreecad, ShapesThatCannotBeImportedAreTold) {
+TEST(ImportFreecad, ShapesThatCannotBeImportedAreReported) {
   for (const char* type : {"ThreadMill", "Radius", "Fillet", "Custom"})
     EXPECT_EQ(notes_of(import_bit(type, R"("Diameter":"6 mm")"), "import-shape"),
               "b.fctb: warning: tool \"x\": not imported: shape " + std::string(type) + " [import-shape]\n");
 }
 
-TEST(ImportFreecad, ADovetailHasANeckAndAnAngleThatIsTold) {
+TEST(ImportFreecad, ADovetailHasANeckAndAnAngleThatIsReported) {
   const ImportedTools made = import_bit(
       "Dovetail",
       R"("Diameter":"20 mm","CuttingEdgeAngle":"60 deg","CuttingEdgeHeight":"8 mm",)"

@@ -88,7 +88,7 @@ TEST(ImportFusion, ATaperedMillIsBuiltFromDiameterRadiusAndHalfAngle) {
       << all_notes(made);
 }
 
-TEST(ImportFusion, AShoulderDiameterThatAnotherAngleWouldGiveIsTold) {
+TEST(ImportFusion, AShoulderDiameterThatAnotherAngleWouldGiveIsReported) {
   const ImportedTools made = import_one(
       "tapered mill", R"("DC":6,"LCF":20,"OAL":60,"LB":40,"SFDM":10,"TA":10,"shoulder-diameter":9.4995)");
   EXPECT_EQ(
@@ -138,7 +138,7 @@ TEST(ImportFusion, ADrillHasItsPoint) {
   EXPECT_NEAR(profile.elements.at(0).b.y(), 1.546873, 1e-6);  // 4.25 tan 20
 }
 
-TEST(ImportFusion, WhatCannotBeImportedIsTold) {
+TEST(ImportFusion, WhatCannotBeImportedIsReported) {
   const ImportedTools made = import_corpus();
   EXPECT_EQ(notes_of(made, "import-shape"), "");
   EXPECT_EQ(notes_of(made, "import-field"),
@@ -275,7 +275,7 @@ TEST(ImportFusion, ATaperedCircleSegmentTouchesTipAndUpperEnd) {
         << i;
 }
 
-TEST(ImportFusion, ThreadsAreTakenAsFullAndTold) {
+TEST(ImportFusion, ThreadsAreTakenAsFullAndReported) {
   for (const char* shape : {"thread mill", "tap right hand", "tap left hand", "boring bar"})
     EXPECT_EQ(notes_of(import_one(shape, R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-guess"),
               "one.json:1: note: tool T9 \"x\": taken as a full cylinder of DC 10 mm along its flutes, which "
@@ -343,7 +343,7 @@ TEST(ImportFusion, AnEntryWithoutUnitIsLeftOut) {
             "one.json: error: no tool of this file could be imported [import-empty]\n");
 }
 
-TEST(ImportFusion, GaugeLengthsThatDisagreeAreTold) {
+TEST(ImportFusion, GaugeLengthsThatDisagreeAreReported) {
   const std::string holder = R"("holder":{"gaugeLength":40,"segments":[{"height":60,"lower-diameter":30,)"
                              R"("upper-diameter":40}]},)";
   const ImportedTools made = import_one(
@@ -418,7 +418,7 @@ TEST(ImportFusion, FilesThatAreNoLibraryAreRefused) {
   EXPECT_NE(error("{\"data\": [1e999]}").find("too large"), std::string::npos);
 }
 
-TEST(ImportTools, WhatIsNestedTooDeepIsToldAsThatWhateverTheFormat) {
+TEST(ImportTools, WhatIsNestedTooDeepIsReportedAsThatWhateverTheFormat) {
   const std::string deep = "{\"data\": " + std::string(200'000, '[');
   for (const auto format : {std::optional<ImportFormat>(), std::optional(ImportFormat::fusion),
                             std::optional(ImportFormat::freecad)}) {

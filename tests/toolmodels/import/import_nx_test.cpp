@@ -59,7 +59,7 @@ TEST(ImportNx, ATaperIsMeasuredFromTheAxisAndDrillsHaveAnIncludedAngle) {
   EXPECT_EQ(std::get<DrillCutter>(made.library.with_number(21)->cutter).point_angle_deg, 118);
 }
 
-TEST(ImportNx, ShapesThatCannotBeImportedAreTold) {
+TEST(ImportNx, ShapesThatCannotBeImportedAreReported) {
   EXPECT_NE(notes_of(import_corpus(), "import-shape")
                 .find("tool T31 \"ugt_barrel_16\": not imported: shape BARREL_MILL"),
             std::string::npos);

@@ -9,14 +9,14 @@
 namespace gouge {
 namespace {
 
-TEST(NamedReasons, TellTheWordAndTheLine) {
+TEST(NamedReasons, ReportTheWordAndTheLine) {
   NamedReasons reasons;
   EXPECT_STREQ(reasons.name("shifted", "trans", 7), "shifted: TRANS in line 7");
   EXPECT_STREQ(reasons.name("shifted", "TRANS"), "shifted: TRANS");
   EXPECT_STREQ(reasons.name("moved", "1.5", 9), "moved: (line of numbers) in line 9");
 }
 
-TEST(NamedReasons, OfAWordThatIsRepeatedTheFirstLinesAreTold) {
+TEST(NamedReasons, OfAWordThatIsRepeatedTheFirstLinesAreReported) {
   NamedReasons reasons;
   for (std::size_t line = 1; line <= NamedReasons::kMostLines; ++line) {
     EXPECT_EQ(reasons.name("shifted", "TRANS", line),

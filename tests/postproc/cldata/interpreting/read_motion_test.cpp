@@ -47,7 +47,7 @@ TEST(ReadArcs, AFrameTurnsCentreAndAxisWithThePositions) {
   EXPECT_NEAR(path.arcs.at(0).sweep_rad / kDegree, -270, 1e-9);
 }
 
-TEST(ReadArcs, StartAndEndInOnePlaceAreAFullCircle) {
+TEST(ReadArcs, StartAndEndAtOnePositionAreAFullCircle) {
   const Toolpath path = path_of(
       "UNITS/ MM \nOPFEATSTART/A\nGOTO/ 37.0,67.5,-19.5 \n"
       "CIRCLE/ 67.5,67.5,-19.5,0,0,1,30.5,COUNTERCLOCKWISE \nGOTO/ 37.0,67.5,-19.5 \nFINI\n");
@@ -62,15 +62,15 @@ TEST(ReadArcs, TimesAreTurnsOfAHelix) {
   EXPECT_EQ(elsewhere.moves.at(1).not_checked_reason, ArcProblems::kTimes);
 }
 
-TEST(ReadArcs, WhatDoesNotFitOnOneCircleIsToldAndNotChecked) {
+TEST(ReadArcs, WhatDoesNotFitOnOneCircleIsReportedAndNotChecked) {
   const Toolpath path = path_of(
       "TRNTYP/WORLD,0,0,0\nGOTO/5.,0,0\nCIRCLE/0,0,0,0,0,1.\nGOTO/0,5.1,0\nGOTO/9.,9.,9.\nFINI\n");
   EXPECT_EQ(path.moves.at(1).not_checked_reason, "the arc's start, end and radius do not lie on one circle");
   EXPECT_EQ(path.moves.at(1).curve_kind, CurveKind::none);
   EXPECT_TRUE(path.moves.at(2).not_checked_reason.empty());
-  bool is_told = false;
-  for (const Diagnostic& note : path.notes) is_told = is_told || (note.code == "path-arc-radius" && note.line == 4);
-  EXPECT_TRUE(is_told);
+  bool is_reported = false;
+  for (const Diagnostic& note : path.notes) is_reported = is_reported || (note.code == "path-arc-radius" && note.line == 4);
+  EXPECT_TRUE(is_reported);
 }
 
 TEST(ReadArcs, TheAngleAnArcStatesMustLeadToItsEnd) {
@@ -86,7 +86,7 @@ TEST(ReadArcs, AHalfTurnOfAutodeskIsCheckedWhereTheFileShowsWhichPostWroteIt) {
   const std::string half = "MOVARC/61,10,-5,0,0,1,10,ANGLE,180\nGOTO/61,20,-5\n";
   const std::string turned = "MOVARC/61,10,-5,0,0,-1,10,ANGLE,90\nGOTO/51,10,-5\n";
   const std::string not_turned = "MOVARC/61,10,-5,0,0,1,10,ANGLE,90\nGOTO/71,10,-5\n";
-  const std::string open = "nothing in the file tells which way round its arcs run";
+  const std::string open = "nothing in the file states which way round its arcs run";
   const auto reason = [&](const std::string& after) {
     return std::string(path_of(head + half + after + "END\nFINI\n").moves.at(1).not_checked_reason);
   };
@@ -116,7 +116,7 @@ TEST(ReadArcs, AFileOfNoKnownDialectIsReadInTheSenseThatGoesOnSmoothly) {
   EXPECT_EQ(path.moves.at(4).not_checked_reason, "");
 }
 
-TEST(ReadArcs, APlaceThatCannotBeToldFromAFullCircleIsNotChecked) {
+TEST(ReadArcs, APlaceThatCannotBeDistinguishedFromAFullCircleIsNotChecked) {
   const Toolpath path = path_of("TRNTYP/WORLD,0,0,0\nGOTO/5.,0,0\nCIRCLE/0,0,0,0,0,1.\nGOTO/5.,.0001,0\nFINI\n");
   EXPECT_FALSE(path.moves.at(1).not_checked_reason.empty());
 }
@@ -202,20 +202,20 @@ TEST(ReadCutcom, LengthOfTheToolIsNoRadius) {
 TEST(ReadCutcom, CreoSaysWhereItsPositionsAreTheCutterCentre) {
   const std::string text = "GOTO / 0, 0, 0\nCUTCOM / LEFT, 1\nGOTO / 1, 0, 0\nCUTCOM / OFF\nGOTO / 2, 0, 0\nFINI\n";
   EXPECT_TRUE(path_of("$$-> CUTCOM_GEOMETRY_TYPE / OUTPUT_ON_CENTER\n" + text).moves.at(1).not_checked_reason.empty());
-  const Toolpath told = path_of("$$-> FEATNO / 1\n" + text);
-  EXPECT_FALSE(told.moves.at(1).not_checked_reason.empty());
-  EXPECT_FALSE(told.moves.at(2).not_checked_reason.empty()) << "it starts at a compensated position";
+  const Toolpath reported = path_of("$$-> FEATNO / 1\n" + text);
+  EXPECT_FALSE(reported.moves.at(1).not_checked_reason.empty());
+  EXPECT_FALSE(reported.moves.at(2).not_checked_reason.empty()) << "it starts at a compensated position";
   ReadOptions options;
   options.is_cutcom_centre = true;
   EXPECT_TRUE(read_toolpath("a", "$$-> FEATNO / 1\n" + text, options).toolpath->moves.at(1).not_checked_reason.empty());
 }
 
-TEST(ReadMotion, NothingIsSweptAcrossCreoSequencesAndItIsTold) {
+TEST(ReadMotion, NothingIsSweptAcrossCreoSequencesAndItIsReported) {
   const Toolpath path = path_of("$$* Pro/CLfile\n$$-> FEATNO / 1\nGOTO / 0, 0, 0\n$$-> FEATNO / 2\nGOTO / 1, 0, 0\nFINI\n");
   EXPECT_FALSE(path.moves.at(1).has_start);
-  bool is_told = false;
-  for (const Diagnostic& note : path.notes) is_told = is_told || note.code == "path-not-swept";
-  EXPECT_TRUE(is_told);
+  bool is_reported = false;
+  for (const Diagnostic& note : path.notes) is_reported = is_reported || note.code == "path-not-swept";
+  EXPECT_TRUE(is_reported);
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ TEST(Lexer, FreeTextNeedsNoDelimiter) {
   EXPECT_EQ(statements_of("TOOL PATH/A/B,TOOL,C").at(0).word, Word::tool_path);
 }
 
-TEST(Lexer, AFileThatEndsAfterADollarIsTold) {
+TEST(Lexer, AFileThatEndsAfterADollarIsReported) {
   EXPECT_TRUE(statements_of("GOTO/1,2,$").at(0).is_unterminated);
   EXPECT_TRUE(statements_of("GOTO/1,2,$\n\n").at(0).is_unterminated);
   EXPECT_FALSE(statements_of("GOTO/1,2,$\n3").at(0).is_unterminated);

@@ -22,7 +22,7 @@ void expect_twins(const NccsFile& binary, const std::string& body) {
   expect_same_moves(path_of(binary.bytes()), text_of(body));
 }
 
-TEST(NccsWords, AreToldFromNumbersByTheirHighestHalf) {
+TEST(NccsWords, AreDistinguishedFromNumbersByTheirHighestHalf) {
   NccsFile file;
   file.multax(false).post(1009, {kMmpm, 250.0}).points({1, 2, 3}).points({4, 2, 3});
   expect_twins(file, "MULTAX/OFF\nFEDRAT/MMPM,250\nGOTO/1,2,3\nGOTO/4,2,3\n");
@@ -31,7 +31,7 @@ TEST(NccsWords, AreToldFromNumbersByTheirHighestHalf) {
   EXPECT_EQ(path.unit, LengthUnit::mm);
 }
 
-TEST(NccsWords, InchesAreToldByTheirFeedWord) {
+TEST(NccsWords, InchesAreReportedByTheirFeedWord) {
   NccsFile file;
   file.multax(false).post(1009, {kIpm, 10.0}).points({1, 2, 3}).points({4, 2, 3});
   expect_twins(file, "MULTAX/OFF\nFEDRAT/IPM,10\nGOTO/1,2,3\nGOTO/4,2,3\n");

@@ -128,9 +128,9 @@ TEST(Nci, TheFullCircleFlagIsHeld) {
     EXPECT_NEAR(path.arcs[0].sweep_rad, -2 * kPi, 1e-12) << flag;
   }
   // Rounding of a thousandth: nearly nothing, unless the flag says otherwise.
-  const Toolpath told = with(pair("3", "0 0 5. .001 0. 0. 1. 100. 0 1"));
-  ASSERT_EQ(told.moves[2].curve_kind, CurveKind::arc);
-  EXPECT_NEAR(told.arcs[0].sweep_rad, 2 * kPi, 1e-3);
+  const Toolpath reported = with(pair("3", "0 0 5. .001 0. 0. 1. 100. 0 1"));
+  ASSERT_EQ(reported.moves[2].curve_kind, CurveKind::arc);
+  EXPECT_NEAR(reported.arcs[0].sweep_rad, 2 * kPi, 1e-3);
   EXPECT_EQ(with(pair("3", "0 0 5. .001 0. 0. 1. 100. 0 0")).moves[2].not_checked_reason, ArcProblems::kTiny);
   EXPECT_EQ(with(pair("3", "0 0 0. 5. 0. 0. 1. 100. 0 1")).moves[2].not_checked_reason, ArcProblems::kAngle);
 }
@@ -171,7 +171,7 @@ struct UnreadCase {
   bool may_compensate;
 };
 
-TEST(Nci, AMotionThatIsNotUnderstoodIsToldAndCountedByWhatIsWrong) {
+TEST(Nci, AMotionThatIsNotUnderstoodIsReportedAndCountedByWhatIsWrong) {
   const std::vector<UnreadCase> cases = {
       {"11", "1. 2. 3. 1. 2. 3. 100. 0 0", "NCI 11, NO TOOL AXIS", false},
       {"11", "1. 2. 3. 1e300 2. 1e300 100. 0 0", "NCI 11, NO TOOL AXIS", false},

@@ -21,7 +21,7 @@ std::string effects(std::string_view text, bool may_be_name = false) {
   return letters;
 }
 
-TEST(MachineText, TellsWhatGCodeDoes) {
+TEST(MachineText, ReportsWhatGCodeDoes) {
   EXPECT_EQ(effects("G0 X1 Y2"), "m");
   EXPECT_EQ(effects("g00z-1"), "m");
   EXPECT_EQ(effects("N10 G90 G54 G0 X0"), "mo");
@@ -39,7 +39,7 @@ TEST(MachineText, TellsWhatGCodeDoes) {
   EXPECT_EQ(effects("G777"), "?");
 }
 
-TEST(MachineText, TellsWhatOtherControlsDo) {
+TEST(MachineText, ReportsWhatOtherControlsDo) {
   EXPECT_EQ(effects("L X+10 R0 FMAX M3"), "m");
   EXPECT_EQ(effects("L M5"), "");
   EXPECT_EQ(effects("CYCL DEF 7.0"), "s");

@@ -34,7 +34,7 @@ TEST(BadPath, NoFileOfCutterPositions) {
             "first line is "
             "\"UNITS/MM\" [path-no-motion]");
   EXPECT_EQ(only_error("1.0 2.0 3.0\n4.0 5.0 6.0\n"),
-            "bad.apt: error: holds columns of numbers without words, so what they mean is not told; expected "
+            "bad.apt: error: holds columns of numbers without words, so what they mean is not stated; expected "
             "GOTO/x,y,z,i,j,k [path-not-cl-data]");
   EXPECT_EQ(only_error("\n\n\n"),
             "bad.apt: error: holds no position; expected APT CL data, an NX CLSF, a binary NCCS or a Mastercam NCI file "

@@ -33,7 +33,7 @@ TEST(Dialect, IsTheOneTheUserNames) {
   EXPECT_FALSE(dialect_called("fanuc"));
 }
 
-TEST(Dialect, WordsInFreeTextTellNothing) {
+TEST(Dialect, WordsInFreeTextShowNothing) {
   EXPECT_EQ(path_of("PPRINT made from a CATIA APT VERSION 1.0 file\nGOTO/1,2,3\n").dialect, "apt");
 }
 
@@ -85,13 +85,13 @@ TEST(Frames, McsysOfMoriIsApplied) {
   EXPECT_FALSE(other.moves.at(0).not_checked_reason.empty());
 }
 
-TEST(Frames, CsysOfCreoIsToldAndNotApplied) {
+TEST(Frames, CsysOfCreoIsReportedAndNotApplied) {
   const Toolpath path = sample("creo.ncl.1");
   expect_vector(path.moves[0].end.tip, -7.2290790757, -23, 2);
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
-  const bool is_told = std::any_of(path.notes.begin(), path.notes.end(),
+  const bool is_reported = std::any_of(path.notes.begin(), path.notes.end(),
                                    [](const Diagnostic& d) { return d.code == "path-csys"; });
-  EXPECT_TRUE(is_told);
+  EXPECT_TRUE(is_reported);
 }
 
 TEST(Frames, CsysOfSolidWorksIsNotApplied) {

@@ -12,7 +12,7 @@
 namespace gouge {
 namespace {
 
-bool is_told(const Toolpath& path, const std::string& code) {
+bool is_reported(const Toolpath& path, const std::string& code) {
   return std::any_of(path.notes.begin(), path.notes.end(), [&](const Diagnostic& note) { return note.code == code; });
 }
 
@@ -41,7 +41,7 @@ TEST(Creo9, MeansWhatTheCommentsOfOlderFilesMean) {
   EXPECT_EQ(path.dialect, "apt-creo");
   EXPECT_EQ(not_checked(path), 0u) << "OUTPUT_ON_CENTER holds in both sequences";
   EXPECT_TRUE(path.words_not_understood.empty());
-  EXPECT_TRUE(is_told(path, "path-csys"));
+  EXPECT_TRUE(is_reported(path, "path-csys"));
   ASSERT_EQ(path.operations.size(), 2u);
   EXPECT_EQ(path.operations[0].name, "FEATNO 41");
   EXPECT_EQ(path.tools.at(0).stated_diameter_mm, 8);
@@ -90,7 +90,7 @@ TEST(ClSetup, OneTurnedSetupIsTheFrameOfItsPositions) {
   const std::string text = bytes_of(corpus() / "camworks_setup.clt");
   const Toolpath path = path_of(text);
   EXPECT_EQ(not_checked(path), 0u);
-  EXPECT_TRUE(is_told(path, "path-setup"));
+  EXPECT_TRUE(is_reported(path, "path-setup"));
   EXPECT_NEAR(path.moves.back().end.tip.z(), 25, 1e-9);
   const auto deepest = std::min_element(path.moves.begin(), path.moves.end(), [](const Move& a, const Move& b) {
     return a.end.tip.z() < b.end.tip.z();

@@ -49,9 +49,9 @@ TEST(ReadApt, ThreeNumbersMeanUpwardsAndNotTheLastAxis) {
   expect_vector(path.moves[0].end.axis, 1, 0, 0);
   expect_vector(path.moves[1].end.axis, 0, 0, 1);
   expect_vector(path.moves[2].end.axis, 0, 1, 0);
-  bool is_told = false;
-  for (const Diagnostic& note : path.notes) is_told = is_told || note.code == "path-plain-axis";
-  EXPECT_TRUE(is_told);
+  bool is_reported = false;
+  for (const Diagnostic& note : path.notes) is_reported = is_reported || note.code == "path-plain-axis";
+  EXPECT_TRUE(is_reported);
 }
 
 TEST(ReadApt, SixNumbersAreTwoPositionsOnlyUnderMultaxOff) {
@@ -132,7 +132,7 @@ TEST(ReadApt, AnArcOfNoKnownSenseHasAnEndAndIsNotChecked) {
   const Toolpath path = path_of("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1,0\nGOTO/0,2,0\n");
   EXPECT_TRUE(path.arcs.empty());
   EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
-  EXPECT_EQ(path.moves[1].not_checked_reason, "nothing in the file tells which way round its arcs run");
+  EXPECT_EQ(path.moves[1].not_checked_reason, "nothing in the file states which way round its arcs run");
   ASSERT_TRUE(path.moves[2].has_start);
   expect_vector(path.start_of(2).tip, 0, 1, 0);
   EXPECT_TRUE(path.moves[2].not_checked_reason.empty());
@@ -230,7 +230,7 @@ TEST(ReadApt, PositionsThatMayGoOnAlongACircleOfNclAreNotChecked) {
                           "apt-nccs"), "110011");
 }
 
-TEST(ReadApt, ASenseThatFewerThanThreePlacesTellIsNotTaken) {
+TEST(ReadApt, ASenseThatFewerThanThreePlacesShowIsNotTaken) {
   const std::string in = "GOTO/10,-5,0\nGOTO/10,0,0\n", arc = "CIRCLE/0,0,0,0,0,1,10\nGOTO/0,10,0\n";
   const std::string out = "GOTO/-5,10,0\n", lift = "GOTO/-5,10,9\n";
   EXPECT_EQ(checked_moves("UNITS/MM\n" + in + arc + out + lift, "apt"), "110" "11") << "two lines touch the arc";
@@ -273,7 +273,7 @@ TEST(ReadApt, SolidWorksCsysIsNotAppliedAndNoReasonToStop) {
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
 }
 
-TEST(ReadApt, CompensationIsToldOnlyWhereItIsSwitchedOn) {
+TEST(ReadApt, CompensationIsReportedOnlyWhereItIsSwitchedOn) {
   EXPECT_EQ(path_of("CUTCOM/OFF\nFEDRAT/1,MMPM\nGOTO/1,2,3\n").notes.size(), 1u);
   const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\nCUTCOM/LEFT\nGOTO/1,2,4\nCUTCOM/OFF\n");
   ASSERT_EQ(path.notes.size(), 1u);
@@ -286,13 +286,13 @@ TEST(ReadApt, CompensationIsToldOnlyWhereItIsSwitchedOn) {
             "compensated by CUTCOM: the positions need not be the cutter centre");
 }
 
-TEST(ReadApt, UnknownWordsAreCountedAndTold) {
+TEST(ReadApt, UnknownWordsAreCountedAndReported) {
   const Toolpath path = path_of("FOO/1\nfoo/2\nBAR\nSPINDL/500,RPM\nGOTO/1,2,3\n");
   EXPECT_EQ(path.words_not_understood, (std::map<std::string, std::size_t>{{"BAR", 1}, {"FOO", 2}}));
   EXPECT_EQ(path.notes.front().code, "path-words");
 }
 
-TEST(ReadApt, AnAxisSlightlyOffIsMadeUnitAndTold) {
+TEST(ReadApt, AnAxisSlightlyOffIsMadeUnitAndReported) {
   const Toolpath path = path_of("GOTO/1,2,3,0,0,1.0005\nGOTO/1,2,4,0,0,1\n");
   EXPECT_DOUBLE_EQ(path.moves[0].end.axis.norm(), 1);
   EXPECT_EQ(path.notes.front().message, "1 tool axis vector not of length 1 (worst 1.0005) made so");

@@ -302,7 +302,7 @@ TEST(NciWriting, RandomFilesAreReadBackWithTheirCorrections) {
   EXPECT_GT(straight, 500u);
 }
 
-// The compensation of each move, told by whether it is checked.
+// The compensation of each move, reported by whether it is checked.
 TEST(NciWriting, InsertionsLeaveTheCompensationOfAllOtherMoves) {
   test::Scatter random(7);
   for (int round = 0; round < 200 && !HasFailure(); ++round) {

@@ -85,7 +85,7 @@ std::vector<std::string> operation_names(const Toolpath& path) {
   return names;
 }
 
-TEST(RoundTrip, NamesOfOperationsAndWhatTellsTheDialectAreWritten) {
+TEST(RoundTrip, NamesOfOperationsAndWhatShowsTheDialectAreWritten) {
   const Toolpath path = path_of(
       "TOOL PATH/ROUGH,TOOL,A\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\nLOAD/TOOL,1\nGOTO/1.0,2.0,3.0\nGOTO/2.0,2.0,3.0\n"
       "END-OF-PATH\nTOOL PATH/FINISH,TOOL,A\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\nLOAD/TOOL,1\nGOTO/3.0,2.0,3.0\n"
@@ -170,7 +170,7 @@ TEST(RoundTrip, NoMoveGetsTheToolOfAnother) {
   }
 }
 
-TEST(RoundTrip, AToolThatADialectCannotSayIsTold) {
+TEST(RoundTrip, AToolThatADialectCannotSayIsReported) {
   const Toolpath path = path_of("UNITS/MM\nCUTTER/0,0,0,0,0,45,20\nLOADTL/1\nGOTO/0,0,0\n");
   const Result<WrittenToolpath> result = write_toolpath(path, dialect_of(DialectKind::nx_clsf));
   ASSERT_TRUE(result);
@@ -182,8 +182,8 @@ TEST(RoundTrip, AToolThatADialectCannotSayIsTold) {
   EXPECT_FALSE(write_toolpath(creo, dialect_of(DialectKind::apt))->notes.empty());
 }
 
-// Half a turn fits both ways round; of quarters the stated angle tells.
-TEST(RoundTrip, ArcsWhoseAngleTellsNoSenseArePartedForAutodesk) {
+// Half a turn fits both ways round; of quarters the stated angle shows.
+TEST(RoundTrip, ArcsWhoseAngleShowsNoSenseArePartedForAutodesk) {
   const std::string nx = "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10,0,50,0,0\nLOAD/TOOL,1\nGOTO/10,0,0\n";
   for (const std::string sign : {"", "-"}) {
     const std::string circle = "CIRCLE/0,0,0,0,0," + sign + "1,10,.06,.5,10,0\n";
@@ -292,7 +292,7 @@ TEST(RoundTrip, WhatIsNotUnderstoodIsNotConverted) {
 }
 
 // The source speaks the same dialect, so that the dialect cannot be the reason.
-TEST(RoundTrip, SplinesAreToldApartFromArcsAndCountedInTheSingular) {
+TEST(RoundTrip, SplinesAreDistinguishedFromArcsAndCountedInTheSingular) {
   const Toolpath path = path_of(
       "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\nFEDRAT/MMPM,250.0\nGOTO/-254.9774,466.5681,206.8891\n"
       "NURBS/\n"
@@ -300,7 +300,7 @@ TEST(RoundTrip, SplinesAreToldApartFromArcsAndCountedInTheSingular) {
       "CNTRL/-254.9775,463.5692,207.2380\nCNTRL/-254.9776,459.2589,209.0136\nCNTRL/-254.9778,454.6135,213.9021\n"
       "CNTRL/-254.9779,453.0599,218.2973\nCNTRL/-254.9779,452.9000,221.0096\nCNTRL/-254.9779,452.8642,221.3100\n"
       "RAPID\nGOTO/-254.9779,452.7668,223.7424\nEND-OF-PATH\n");
-  const auto told = [&](const char* dialect) {
+  const auto reported = [&](const char* dialect) {
     std::vector<std::string> messages;
     const Result<WrittenToolpath> written = write_toolpath(path, *dialect_called(dialect));
     EXPECT_TRUE(written.has_value());
@@ -309,8 +309,8 @@ TEST(RoundTrip, SplinesAreToldApartFromArcsAndCountedInTheSingular) {
   };
   const std::string spline =
       "1 spline written as straight moves within 0.001 mm: splines are read, and written in no dialect";
-  EXPECT_EQ(told("nx-clsf"), std::vector<std::string>{spline});
-  const std::vector<std::string> list = told("goto-list");
+  EXPECT_EQ(reported("nx-clsf"), std::vector<std::string>{spline});
+  const std::vector<std::string> list = reported("goto-list");
   ASSERT_GE(list.size(), 4U);
   EXPECT_EQ(list[0], spline);
   EXPECT_EQ(list[1], "1 rapid move written as feed: the dialect has no rapid moves");

@@ -1,4 +1,4 @@
-#include "lib/mesh/twin_sides.h"
+#include "lib/mesh/opposite_half_edges.h"
 
 #include <gtest/gtest.h>
 
@@ -16,8 +16,8 @@ namespace {
 std::string text(const MeshSpot& spot) {
   if (spot.count == 0) return "0 ";
   return std::to_string(spot.count) + "@" + std::to_string(spot.file_triangle) + "(" +
-         std::to_string(spot.place_mm.x()) + "," + std::to_string(spot.place_mm.y()) + "," +
-         std::to_string(spot.place_mm.z()) + ") ";
+         std::to_string(spot.position_mm.x()) + "," + std::to_string(spot.position_mm.y()) + "," +
+         std::to_string(spot.position_mm.z()) + ") ";
 }
 
 std::string text(const MeshFindings& found) {
@@ -78,7 +78,7 @@ void break_something(IndexedMesh& mesh, test::Scatter& random) {
   for (std::uint32_t i = 0; i < mesh.file_triangle.size(); ++i) mesh.file_triangle[i] = i;
 }
 
-TEST(TwinSides, TheShortWayFindsWhatTheLongOneFinds) {
+TEST(OppositeHalfEdges, TheShortWayFindsWhatTheLongOneFinds) {
   test::Scatter random(5);
   std::size_t short_ways = 0, long_ways = 0;
   for (int round = 0; round < 3000; ++round) {
@@ -89,11 +89,11 @@ TEST(TwinSides, TheShortWayFindsWhatTheLongOneFinds) {
     ASSERT_EQ(text(found), text(all)) << round;
     ASSERT_EQ(found.signed_volume_mm3, all.signed_volume_mm3);
     ASSERT_EQ(found.area_mm2, all.area_mm2);
-    const auto twins = find_twin_sides(mesh);
-    ASSERT_EQ(twins.has_value(), all.is_closed() && all.is_watertight() && all.non_manifold_edges.count == 0)
+    const auto opposites = find_opposite_half_edges(mesh);
+    ASSERT_EQ(opposites.has_value(), all.is_closed() && all.is_watertight() && all.non_manifold_edges.count == 0)
         << round;
-    const bool is_short = twins && is_manifold(mesh, *twins);
-    ASSERT_EQ(is_short, twins && all.non_manifold_vertices.count == 0 && all.duplicate_triangles.count == 0)
+    const bool is_short = opposites && is_manifold(mesh, *opposites);
+    ASSERT_EQ(is_short, opposites && all.non_manifold_vertices.count == 0 && all.duplicate_triangles.count == 0)
         << round;
     ++(is_short ? short_ways : long_ways);
   }
@@ -101,23 +101,23 @@ TEST(TwinSides, TheShortWayFindsWhatTheLongOneFinds) {
   EXPECT_GT(long_ways, 500U);
 }
 
-TEST(TwinSides, TheTwinOfATwinIsTheSideAndRunsBackAlongTheSameEdge) {
+TEST(OppositeHalfEdges, TheTwinOfATwinIsTheSideAndRunsBackAlongTheSameEdge) {
   const IndexedMesh mesh = shapes::torus();
-  const auto twins = find_twin_sides(mesh);
-  ASSERT_TRUE(twins.has_value());
+  const auto opposites = find_opposite_half_edges(mesh);
+  ASSERT_TRUE(opposites.has_value());
   const auto from = [&](std::uint32_t side) { return mesh.triangles[side / 3][side % 3]; };
   const auto to = [&](std::uint32_t side) { return mesh.triangles[side / 3][(side + 1) % 3]; };
-  for (std::uint32_t side = 0; side < twins->size(); ++side) {
-    const std::uint32_t twin = (*twins)[side];
-    EXPECT_EQ((*twins)[twin], side);
-    EXPECT_EQ(from(twin), to(side));
-    EXPECT_EQ(to(twin), from(side));
+  for (std::uint32_t side = 0; side < opposites->size(); ++side) {
+    const std::uint32_t opposite = (*opposites)[side];
+    EXPECT_EQ((*opposites)[opposite], side);
+    EXPECT_EQ(from(opposite), to(side));
+    EXPECT_EQ(to(opposite), from(side));
   }
 }
 
-TEST(TwinSides, FourTrianglesAtAnEdgeHaveNone) {
-  EXPECT_FALSE(find_twin_sides(shapes::cubes_touching_at_edge()).has_value());
-  EXPECT_FALSE(find_twin_sides(shapes::open_cube()).has_value());
+TEST(OppositeHalfEdges, FourTrianglesAtAnEdgeHaveNone) {
+  EXPECT_FALSE(find_opposite_half_edges(shapes::cubes_touching_at_edge()).has_value());
+  EXPECT_FALSE(find_opposite_half_edges(shapes::open_cube()).has_value());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "lib/mesh/twin_sides.h"
+#include "lib/mesh/opposite_half_edges.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -15,7 +15,7 @@ constexpr std::size_t kMostTriangles = 350'000'000;  // sides and two marks fit 
 /// An edge in the list of its lower vertex.
 struct Edge {
   Corner high = 0;
-  std::uint32_t marked_side = 0;  // the side that came first, times 4; 2: has its twin; 1: runs upward
+  std::uint32_t marked_side = 0;  // the side that came first, times 4; 2: has its opposite; 1: runs upward
   std::uint32_t next = kNone;
 };
 
@@ -24,23 +24,23 @@ class Matcher {
   explicit Matcher(const IndexedMesh& mesh)
       : mesh_(mesh), sides_(3 * mesh.triangles.size()), first_(mesh.vertices.size(), kNone) {
     reserve_large(edges_, sides_ / 2);
-    reserve_large(twins_, sides_);
-    twins_.resize(sides_);
+    reserve_large(opposites_, sides_);
+    opposites_.resize(sides_);
   }
 
-  std::optional<TwinSides> match() {
+  std::optional<OppositeHalfEdges> match() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       const TriangleCorners& c = mesh_.triangles[t];
       if (!add(3 * t, c[0], c[1]) || !add(3 * t + 1, c[1], c[2]) || !add(3 * t + 2, c[2], c[0]))
         return std::nullopt;
     }
-    // Half as many edges as sides, and none without a twin: `add` lets neither through.
+    // Half as many edges as sides, and none without an opposite: `add` lets neither through.
     if (matched_ != edges_.size()) return std::nullopt;
-    return std::move(twins_);
+    return std::move(opposites_);
   }
 
  private:
-  /// False when the surface is none with twins everywhere.
+  /// False when the surface is none with opposites everywhere.
   bool add(std::uint32_t side, Corner from, Corner to) {
     const std::uint32_t upward = from < to ? 1 : 0;
     const Corner low = std::min(from, to), high = std::max(from, to);
@@ -48,8 +48,8 @@ class Matcher {
       Edge& edge = edges_[e];
       if (edge.high != high) continue;
       if ((edge.marked_side & 3U) != (upward ^ 1U)) return false;
-      twins_[side] = edge.marked_side >> 2U;
-      twins_[edge.marked_side >> 2U] = side;
+      opposites_[side] = edge.marked_side >> 2U;
+      opposites_[edge.marked_side >> 2U] = side;
       edge.marked_side |= 2U;
       ++matched_;
       return true;
@@ -64,7 +64,7 @@ class Matcher {
   std::size_t sides_;
   std::vector<std::uint32_t> first_;  // per vertex: its list
   std::vector<Edge> edges_;
-  TwinSides twins_;
+  OppositeHalfEdges opposites_;
   std::size_t matched_ = 0;
 };
 
@@ -74,16 +74,16 @@ std::uint32_t after(std::uint32_t side) {
 
 }  // namespace
 
-std::optional<TwinSides> find_twin_sides(const IndexedMesh& mesh) {
+std::optional<OppositeHalfEdges> find_opposite_half_edges(const IndexedMesh& mesh) {
   if (mesh.triangles.size() > kMostTriangles) return std::nullopt;
   return Matcher(mesh).match();
 }
 
-bool is_manifold(const IndexedMesh& mesh, const TwinSides& twins) {
+bool is_manifold(const IndexedMesh& mesh, const OppositeHalfEdges& opposites) {
   std::vector<bool> is_seen(mesh.vertices.size(), false);
   std::size_t corners = 0;  // in the first fan of each vertex
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint32_t a = twins[3 * t] / 3, b = twins[3 * t + 1] / 3, c = twins[3 * t + 2] / 3;
+    const std::uint32_t a = opposites[3 * t] / 3, b = opposites[3 * t + 1] / 3, c = opposites[3 * t + 2] / 3;
     if (a == b || b == c || c == a) return false;  // two common edges: the same corners
     for (std::uint32_t k = 0; k < 3; ++k) {
       if (is_seen[mesh.triangles[t][k]]) continue;
@@ -91,12 +91,12 @@ bool is_manifold(const IndexedMesh& mesh, const TwinSides& twins) {
       const std::uint32_t start = 3 * t + k;
       std::uint32_t side = start;
       do {
-        side = after(twins[side]);
+        side = after(opposites[side]);
         ++corners;
       } while (side != start);
     }
   }
-  return corners == twins.size();
+  return corners == opposites.size();
 }
 
 }  // namespace gouge

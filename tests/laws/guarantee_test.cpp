@@ -1,11 +1,11 @@
-// The promise on every generated sample.
+// The guarantee on every generated sample.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
 #include "samples/cases.h"
 #include "samples/write_sample.h"
-#include "tests/laws/promise.h"
+#include "tests/laws/guarantee.h"
 
 namespace gouge {
 namespace {
@@ -32,7 +32,7 @@ const SampleCase kSamples[] = {{"freeform", samples::make_freeform},
                                {"arcs_catia", samples::make_arcs_catia},
                                {"sunk_jaw", samples::make_sunk_jaw}};
 
-class PromiseOnSamples : public ::testing::TestWithParam<SampleCase> {
+class GuaranteeOnSamples : public ::testing::TestWithParam<SampleCase> {
  protected:
   void SetUp() override {
     const samples::Sample sample = GetParam().make();
@@ -44,9 +44,9 @@ class PromiseOnSamples : public ::testing::TestWithParam<SampleCase> {
     arguments.tools_file = own + "tools.json";
     for (const auto& part : sample.parts) arguments.parts.push_back(own + part.file);
     for (const auto& fixture : sample.fixtures) arguments.fixtures.push_back(own + fixture.file);
-    job_ = promise::load(arguments);
+    job_ = guarantee::load(arguments);
     ASSERT_EQ(job_.toolpath.moves.size(), sample.moves);
-    result_ = promise::check_job(job_);
+    result_ = guarantee::check_job(job_);
   }
 
   void TearDown() override { std::filesystem::remove_all(folder_); }
@@ -56,12 +56,12 @@ class PromiseOnSamples : public ::testing::TestWithParam<SampleCase> {
   CheckResult result_;
 };
 
-INSTANTIATE_TEST_SUITE_P(All, PromiseOnSamples, ::testing::ValuesIn(kSamples),
+INSTANTIATE_TEST_SUITE_P(All, GuaranteeOnSamples, ::testing::ValuesIn(kSamples),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST(PromiseOnSamplesList, NoSampleIsForgotten) {
+TEST(GuaranteeOnSamplesList, NoSampleIsForgotten) {
   std::vector<std::string> made, tested;
-  // The promise of heads is held in tests/lib/head.
+  // The guarantee of heads is held in tests/lib/head.
   for (const samples::Sample& sample : samples::make_all()) {
     if (sample.heads.empty()) made.push_back(sample.name);
   }
@@ -69,9 +69,9 @@ TEST(PromiseOnSamplesList, NoSampleIsForgotten) {
   EXPECT_EQ(made, tested);
 }
 
-TEST_P(PromiseOnSamples, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanTold) {
-  promise::expect_witnesses(job_, result_);
-  promise::expect_nothing_deeper(job_, result_);
+TEST_P(GuaranteeOnSamples, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanReported) {
+  guarantee::expect_witnesses(job_, result_);
+  guarantee::expect_nothing_deeper(job_, result_);
 }
 
 }  // namespace

@@ -10,10 +10,10 @@
 #include "lib/certify/check.h"
 #include "tests/support/reference.h"
 
-// The promise of docs/method.md held against a checked job: every witness by own arithmetic, every depth_upper
+// The guarantee of docs/method.md held against a checked job: every witness by own arithmetic, every depth_upper
 // against the reference. Header only.
 
-namespace gouge::promise {
+namespace gouge::guarantee {
 
 inline Job load(const JobArguments& arguments) {
   const Result<JobOptions> options = understand(arguments);
@@ -30,7 +30,7 @@ inline CheckResult check_job(const Job& job) {
 
 struct Contours {
   reference::Contour part, fixture;
-  explicit Contours(const ToolForms& forms) : part(forms.against_part), fixture(forms.against_fixture) {}
+  explicit Contours(const ToolVariants& variants) : part(variants.against_part), fixture(variants.against_fixture) {}
   [[nodiscard]] const reference::Contour& against(Against a) const { return a == Against::part ? part : fixture; }
 };
 
@@ -77,7 +77,7 @@ inline void expect_witnesses(const Job& job, const CheckResult& result) {
     if (!is_bounded(v)) continue;
     const Move& move = job.toolpath.moves[i];
     auto& contours = tools[move.tool];
-    if (!contours) contours = std::make_unique<Contours>(*job.forms[move.tool]);
+    if (!contours) contours = std::make_unique<Contours>(*job.variants[move.tool]);
     EXPECT_LE(v.depth_mm, v.depth_upper_mm) << "move " << i;
     EXPECT_EQ(v.depth_mm > 0, v.witness.has_value()) << "move " << i;
     if (v.state == MoveState::gouge) {
@@ -104,7 +104,7 @@ inline std::vector<std::size_t> spread(const std::vector<std::size_t>& all, std:
 }
 
 /// The reference never finds more than depth_upper. That it would if there were more is seen by what it finds on
-/// gouging moves: nearly always the told depth itself.
+/// gouging moves: nearly always the reported depth itself.
 inline void expect_nothing_deeper(const Job& job, const CheckResult& result, std::size_t count = 60) {
   std::vector<std::size_t> gouging, others;
   for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
@@ -118,7 +118,7 @@ inline void expect_nothing_deeper(const Job& job, const CheckResult& result, std
     const MoveVerdict& v = result.verdicts[i];
     const bool is_gouge = v.state == MoveState::gouge;
     const Move& move = job.toolpath.moves[i];
-    const Contours contours(*job.forms[move.tool]);
+    const Contours contours(*job.variants[move.tool]);
     const reference::Found found =
         reference::deepest(contours.part, contours.fixture, reference::movement(job.toolpath, i), job.scene,
                            is_gouge ? v.depth_mm - 0.005 : v.depth_upper_mm);
@@ -131,4 +131,4 @@ inline void expect_nothing_deeper(const Job& job, const CheckResult& result, std
   EXPECT_GE(seen * 10, gouges * 9) << "the reference is too weak: it saw " << seen << " of " << gouges << " gouges";
 }
 
-}  // namespace gouge::promise
+}  // namespace gouge::guarantee

@@ -1,4 +1,4 @@
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 
 #include <algorithm>
 #include <array>
@@ -24,11 +24,11 @@ class Search {
     take(within_mm * within_mm);
   }
 
-  std::optional<SurfaceFoot> run() {
+  std::optional<ClosestPoint> run() {
     if (body_.blocks.empty()) return std::nullopt;
     visit(0);
-    if (!has_foot_) return std::nullopt;
-    return signed_foot(body_, point_, place_, foot_);
+    if (!has_closest_point_) return std::nullopt;
+    return signed_closest_point(body_, point_, slot_, foot_);
   }
 
  private:
@@ -63,14 +63,14 @@ class Search {
     for (std::size_t k = 0; k < bytes; k += kCacheLine) __builtin_prefetch(at + k);
   }
 
-  void offer(std::uint32_t place) {
-    const TriangleFoot foot = closest_on_triangle(point_, body_.corners[place]);
-    const bool is_nearer = has_foot_ ? foot.distance2_mm2 < best2_ : foot.distance2_mm2 <= best2_;
+  void offer(std::uint32_t slot) {
+    const TrianglePoint foot = closest_on_triangle(point_, body_.corners[slot]);
+    const bool is_nearer = has_closest_point_ ? foot.distance2_mm2 < best2_ : foot.distance2_mm2 <= best2_;
     if (!is_nearer) return;
     take(foot.distance2_mm2);
     foot_ = foot;
-    place_ = place;
-    has_foot_ = true;
+    slot_ = slot;
+    has_closest_point_ = true;
   }
 
   void take(double best2) {
@@ -85,30 +85,30 @@ class Search {
   float slack_mm_;  ///< single precision may be off by this; the point may be farther out than the body
   double best2_ = 0;
   float best_mm_ = 0;  ///< its root or a little more
-  TriangleFoot foot_;
-  std::uint32_t place_ = 0;
-  bool has_foot_ = false;
+  TrianglePoint foot_;
+  std::uint32_t slot_ = 0;
+  bool has_closest_point_ = false;
 };
 
 }  // namespace
 
-SurfaceFoot signed_foot(const DepthBody& body, const Vec3& point, std::uint32_t place,
-                        const TriangleFoot& foot) {
-  SurfaceFoot answer;
-  answer.point = foot.point;
-  answer.triangle = body.tree.order[place];
-  answer.place = place;
-  answer.distance_mm = std::sqrt(foot.distance2_mm2);
-  const Vec3 way = point - foot.point;
-  const Vec3 outward = body.sign.outward(answer.triangle, foot.feature, foot.index);
-  const double side = way.dot(outward);
-  answer.is_inside = outward.squaredNorm() > 0 ? side < 0 : is_inside({&body.mesh, 1}, point);
-  answer.normal = body.sign.face(answer.triangle);
-  if (answer.distance_mm > 0) answer.normal = (answer.is_inside ? -1.0 : 1.0) / answer.distance_mm * way;
-  return answer;
+ClosestPoint signed_closest_point(const DepthBody& body, const Vec3& point, std::uint32_t slot,
+                        const TrianglePoint& foot) {
+  ClosestPoint result;
+  result.point = foot.point;
+  result.triangle = body.tree.order[slot];
+  result.slot = slot;
+  result.distance_mm = std::sqrt(foot.distance2_mm2);
+  const Vec3 displacement = point - foot.point;
+  const Vec3 outward = body.sign.outward(result.triangle, foot.feature, foot.index);
+  const double side = displacement.dot(outward);
+  result.is_inside = outward.squaredNorm() > 0 ? side < 0 : is_inside({&body.mesh, 1}, point);
+  result.normal = body.sign.face(result.triangle);
+  if (result.distance_mm > 0) result.normal = (result.is_inside ? -1.0 : 1.0) / result.distance_mm * displacement;
+  return result;
 }
 
-std::optional<SurfaceFoot> nearest_foot(const DepthBody& body, const Vec3& point, double within_mm) {
+std::optional<ClosestPoint> closest_point(const DepthBody& body, const Vec3& point, double within_mm) {
   return Search(body, point, within_mm).run();
 }
 

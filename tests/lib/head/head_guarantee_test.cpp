@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lib/head/check_heads.h"
-#include "lib/penetration/nearest_foot.h"
+#include "lib/penetration/closest_point.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
@@ -32,11 +32,11 @@ using MakeMotion = std::function<Motion(Scatter&)>;
 
 /// Samples surface points, also those next to where the head was found deepest, over many instants.
 double sampled_depth(const HeadMotion& moving, const HeadBody& head, const IndexedMesh& part,
-                     const HeadAnswer& told, Scatter& random) {
+                     const HeadResult& reported, Scatter& random) {
   double deepest = 0;
   for (int i = 0; i < 400; ++i) {
     const std::size_t t =
-        told.has_witness && i % 2 == 0 ? told.triangle : random.below(part.triangles.size());
+        reported.has_witness && i % 2 == 0 ? reported.triangle : random.below(part.triangles.size());
     double u = random.in(0, 1), v = random.in(0, 1);
     if (u + v > 1) {
       u = 1 - u;
@@ -47,7 +47,7 @@ double sampled_depth(const HeadMotion& moving, const HeadBody& head, const Index
     const Vec3 p = a + u * (part.corner(t, 1) - a) + v * (part.corner(t, 2) - a);
     for (int s = 0; s <= 64; ++s) {
       const double at = i % 3 == 0 ? random.in(0, 1) : s / 64.0;
-      deepest = std::max(deepest, -nearest_foot(head.surface, moving.at(at).inverse().point(p))->signed_mm());
+      deepest = std::max(deepest, -closest_point(head.surface, moving.at(at).inverse().point(p))->signed_mm());
     }
   }
   return deepest;
@@ -59,34 +59,34 @@ Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const
   const Result<HeadBody> head = build_head_body(head_mesh);
   EXPECT_TRUE(head.has_value()) << head_mesh.name;
   DepthBodyOptions lean;
-  lean.is_lean = true;
+  lean.is_distance_only = true;
   const DepthBody surface = build_depth_body(part, lean);
   Tally tally;
   for (int i = 0; i < motions(); ++i) {
     const Motion motion = make(random);
     if (!motion.is_defined()) continue;
     const HeadMotion moving(motion);
-    const HeadAnswer told = search_head(moving, *head, {&surface}, goal);
-    const double sampled = sampled_depth(moving, *head, part, told, random);
+    const HeadResult reported = search_head(moving, *head, {&surface}, goal);
+    const double sampled = sampled_depth(moving, *head, part, reported, random);
     const double rounding = 1e-9 + 1e-14 * motion.start().tip.norm();
-    EXPECT_LE(sampled, told.depth_upper_mm + rounding) << head_mesh.name << ", motion " << i;
-    EXPECT_LE(told.depth_mm, told.depth_upper_mm);
-    if (told.has_witness) {
+    EXPECT_LE(sampled, reported.depth_upper_mm + rounding) << head_mesh.name << ", motion " << i;
+    EXPECT_LE(reported.depth_mm, reported.depth_upper_mm);
+    if (reported.has_witness) {
       const double there =
-          -nearest_foot(head->surface, moving.at(told.t).inverse().point(told.point))->signed_mm();
-      EXPECT_NEAR(there, told.depth_mm, rounding);
+          -closest_point(head->surface, moving.at(reported.t).inverse().point(reported.point))->signed_mm();
+      EXPECT_NEAR(there, reported.depth_mm, rounding);
     }
     ++tally.all;
-    tally.deep += told.depth_mm > goal.tolerance_mm ? 1 : 0;
-    tally.clean += told.depth_upper_mm <= goal.tolerance_mm + goal.resolution_mm ? 1 : 0;
-    tally.tight += told.depth_upper_mm - told.depth_mm <= goal.resolution_mm ? 1 : 0;
+    tally.deep += reported.depth_mm > goal.tolerance_mm ? 1 : 0;
+    tally.clean += reported.depth_upper_mm <= goal.tolerance_mm + goal.resolution_mm ? 1 : 0;
+    tally.tight += reported.depth_upper_mm - reported.depth_mm <= goal.resolution_mm ? 1 : 0;
   }
   return tally;
 }
 
 constexpr SearchGoal kGoal{0.01, 0.01, 0.01, 20000};
 
-TEST(HeadPromise, HoldsForFastTurnsWithLongArms) {
+TEST(HeadGuarantee, HoldsForFastTurnsWithLongArms) {
   // The head is 300 mm from the tip, so that a degree of turn is 5 mm of way.
   const IndexedMesh head = shapes::box(Vec3(-30, -20, 280), Vec3(40, 25, 330));
   const IndexedMesh part = shapes::moved(shapes::star_prism(), Vec3(0, 0, 280));
@@ -101,7 +101,7 @@ TEST(HeadPromise, HoldsForFastTurnsWithLongArms) {
   EXPECT_GT(tally.deep, tally.all / 4);
 }
 
-TEST(HeadPromise, HoldsOnArcsWhoseAxisTurns) {
+TEST(HeadGuarantee, HoldsOnArcsWhoseAxisTurns) {
   const Tally tally = expect_bounds(
       shapes::torus(20, 6, 24, 12), shapes::star_prism(),
       [](Scatter& random) {
@@ -118,7 +118,7 @@ TEST(HeadPromise, HoldsOnArcsWhoseAxisTurns) {
   EXPECT_GT(tally.deep, 0);
 }
 
-TEST(HeadPromise, HoldsWhereFacesSlideAlongFaces) {
+TEST(HeadGuarantee, HoldsWhereFacesSlideAlongFaces) {
   // Steps of a millimetre and upright axes: faces lie in one plane again and again.
   const Tally tally = expect_bounds(
       shapes::box(Vec3(-10, -8, 20), Vec3(10, 8, 30)), shapes::box(Vec3(-6, -6, 0), Vec3(6, 6, 25)),
@@ -132,7 +132,7 @@ TEST(HeadPromise, HoldsWhereFacesSlideAlongFaces) {
   EXPECT_GT(tally.tight + tally.clean, tally.all / 2);
 }
 
-TEST(HeadPromise, HoldsForWallsInTheSlotsOfAHead) {
+TEST(HeadGuarantee, HoldsForWallsInTheSlotsOfAHead) {
   // A slotted head and the same block as part: walls stand in slots, 2.5 mm from either side, or in walls.
   const IndexedMesh block = shapes::slotted_block();
   const Tally tally = expect_bounds(
@@ -147,7 +147,7 @@ TEST(HeadPromise, HoldsForWallsInTheSlotsOfAHead) {
   EXPECT_GT(tally.deep, 0);
 }
 
-TEST(HeadPromise, HoldsForWhatReachesAcrossASlotIntoTheOtherWall) {
+TEST(HeadGuarantee, HoldsForWhatReachesAcrossASlotIntoTheOtherWall) {
   // A sheet whose tip is in the far wall of the slot: all of it is over the near wall's side, and outside
   // that.
   IndexedMesh sheet;
@@ -167,7 +167,7 @@ TEST(HeadPromise, HoldsForWhatReachesAcrossASlotIntoTheOtherWall) {
   EXPECT_EQ(tally.deep, tally.all);
 }
 
-TEST(HeadPromise, HoldsForWhatIsMetInMidSwing) {
+TEST(HeadGuarantee, HoldsForWhatIsMetInMidSwing) {
   // A small head far out swings through the part: at both ends it is far away, and so is the chord.
   const Vec3 middle_axis = Vec3(0.2, -0.3, 1).normalized();
   const Vec3 place = head_rotation(middle_axis) * Vec3(150, 30, 200);
@@ -184,7 +184,7 @@ TEST(HeadPromise, HoldsForWhatIsMetInMidSwing) {
   EXPECT_GT(tally.deep, tally.all / 4);
 }
 
-TEST(HeadPromise, HoldsForAThinPlateAndForCavities) {
+TEST(HeadGuarantee, HoldsForAThinPlateAndForCavities) {
   const MakeMotion make = [](Scatter& random) {
     return Motion({25 * random.point(1), random.direction()}, {25 * random.point(1), random.direction()});
   };
@@ -194,7 +194,7 @@ TEST(HeadPromise, HoldsForAThinPlateAndForCavities) {
   expect_bounds(shapes::needle_fan(60), shapes::hollow_cube(20), make, kGoal, 7);
 }
 
-TEST(HeadPromise, HoldsFarFromTheOrigin) {
+TEST(HeadGuarantee, HoldsFarFromTheOrigin) {
   const Vec3 far(1e5, -1e5, 1e5);
   expect_bounds(
       shapes::torus(20, 6, 24, 12), shapes::moved(shapes::star_prism(), far),
@@ -205,7 +205,7 @@ TEST(HeadPromise, HoldsFarFromTheOrigin) {
       {1e-4, 1e-4, 1e-4, 20000}, 8);
 }
 
-TEST(HeadPromise, NeverCallsAHeadWithinASolidCleanThatTouchesNothing) {
+TEST(HeadGuarantee, NeverCallsAHeadWithinASolidCleanThatTouchesNothing) {
   // Within the material around a cavity, within the cavity, and within a solid inside the cavity.
   const IndexedMesh part =
       shapes::joined(shapes::joined(shapes::box(Vec3(-100, -100, -100), Vec3(100, 100, 100)),

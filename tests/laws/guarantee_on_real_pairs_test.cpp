@@ -1,9 +1,9 @@
-// The promise on real toolpaths and the parts they were made for, where these are at hand.
+// The guarantee on real toolpaths and the parts they were made for, where these are at hand.
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "tests/laws/promise.h"
+#include "tests/laws/guarantee.h"
 #include "tests/support/source_folder.h"
 
 namespace gouge {
@@ -25,12 +25,12 @@ const Pair kPairs[] = {
     {"basemach", "solidworks_cam/basemach.apt", "basemach.STL"},
     {"Paralelipipedo2", "solidworks_cam/Paralelipipedo2.apt", "Paralelipipedo2.STL"}};
 
-class PromiseOnRealPairs : public ::testing::TestWithParam<Pair> {};
+class GuaranteeOnRealPairs : public ::testing::TestWithParam<Pair> {};
 
-INSTANTIATE_TEST_SUITE_P(All, PromiseOnRealPairs, ::testing::ValuesIn(kPairs),
+INSTANTIATE_TEST_SUITE_P(All, GuaranteeOnRealPairs, ::testing::ValuesIn(kPairs),
                          [](const auto& test) { return std::string(test.param.name); });
 
-TEST_P(PromiseOnRealPairs, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanTold) {
+TEST_P(GuaranteeOnRealPairs, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanReported) {
   const std::filesystem::path data = std::filesystem::path(source_folder()) / "../shared/data";
   JobArguments arguments;
   arguments.path = (data / "toolpaths" / GetParam().toolpath).string();
@@ -38,13 +38,13 @@ TEST_P(PromiseOnRealPairs, EveryWitnessRealisesItsDepthAndNothingIsDeeperThanTol
   if (!std::filesystem::exists(arguments.path) || !std::filesystem::exists(arguments.parts[0])) {
     GTEST_SKIP() << "the shared data is not here";
   }
-  const Job job = promise::load(arguments);
+  const Job job = guarantee::load(arguments);
   ASSERT_GT(job.toolpath.moves.size(), 10U);
-  const CheckResult result = promise::check_job(job);
+  const CheckResult result = guarantee::check_job(job);
   EXPECT_GT(result.counts.clean + result.counts.gouge, 10U);
   EXPECT_EQ(result.counts.not_certified, 0U);
-  promise::expect_witnesses(job, result);
-  promise::expect_nothing_deeper(job, result);
+  guarantee::expect_witnesses(job, result);
+  guarantee::expect_nothing_deeper(job, result);
 }
 
 }  // namespace

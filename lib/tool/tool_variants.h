@@ -1,0 +1,23 @@
+#pragma once
+
+#include "lib/tool/compiled_tool.h"
+#include "lib/tool/sure_depth.h"
+
+namespace gouge {
+
+/// The offset variants of one tool that a check needs. Clearances and stock to leave offset them (rounded).
+/// `toolmodels` makes it; a variant that equals another may be a copy of it.
+struct ToolVariants {
+  CompiledTool bare;             ///< as in the library: for pictures and `tool show`
+  CompiledTool against_part;     ///< cutter offset by stock to leave, shank and holder by their clearances
+  CompiledTool against_fixture;  ///< shank and holder offset by their clearances
+  /// Bodies that have a clearance, alone, offset: any depth in it is a gouge. No elements: none has one.
+  CompiledTool with_clearance;
+  CompiledTool non_cutting;  ///< shank and holder as offset above: for near misses. May be empty.
+  SureDepths part_depths, fixture_depths;  ///< of the variants against_part and against_fixture
+
+  /// find_sure_depth, the lesser one of the variants that are asked for. Computed once for each depth given.
+  [[nodiscard]] SureDepth sure_depth(bool has_parts, bool has_fixtures, double given_mm) const;
+};
+
+}  // namespace gouge
