@@ -3,11 +3,11 @@
 #include <CLI/CLI.hpp>
 #include <ostream>
 
-#include "lib/base/exit_code.h"
 #include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
+#include "lib/base/exit_code.h"
 #include "lib/certify/check.h"
 
 namespace gouge {
@@ -19,8 +19,8 @@ void add_check_options(CLI::App& command, JobArguments& arguments) {
   command.footer(
       "Example:\n"
       "  gougecheck check finish.apt --part part.stl --tools tools.json --report out\n\n"
-      "Lengths are in mm, at most 100000; a unit may be given: 0.0005in. Exit status: 0 checked and clean, 1 gouges, "
-      "2 wrong command line, 3 input invalid, 4 not fully checked, 5 internal or resource failure.");
+      "Lengths are in mm, at most 100000; a unit may be given: 0.0005in. Exit status: 0 checked and clean, 1 gouges, 2 "
+      "wrong command line, 3 input invalid, 4 not fully checked, 5 internal or resource failure.");
 }
 
 int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& err) {
@@ -40,8 +40,8 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   Progress progress(err, options->progress);
   progress.begin("checking moves");
   const PreparedScene scene = prepare_scene(job.scene, options->check.threads);
-  const CheckResult result = check(job.toolpath, job.setup(scene),
-                                   [&](std::size_t done, std::size_t total) { progress.show(done, total); });
+  const CheckResult result =
+      check(job.toolpath, job.setup(scene), [&](std::size_t done, std::size_t total) { progress.show(done, total); });
   progress.end();
   ReportModel model = job.report(arguments, job.toolpath, result, scene);
   const PathFit fit = find_path_fit(job.toolpath, result.verdicts, job.tools(), scene, options->check.threads);

@@ -6,9 +6,9 @@
 #include <utility>
 
 #include "cli/clash_report.h"
-#include "lib/base/exit_code.h"
 #include "cli/length_text.h"
 #include "cli/output_file.h"
+#include "lib/base/exit_code.h"
 #include "lib/check/reach.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/validate_mesh.h"
@@ -27,16 +27,13 @@ Result<std::pair<ClashOptions, RigidTransform>> understand(const ClashArguments&
   const auto wrong = [](const std::string& option, const std::string& typed, const std::string& expected) {
     return make_error("usage", option + " '" + typed + "': expected " + expected);
   };
-  const std::optional<double> tolerance = parse_length_mm(a.tolerance),
-                              resolution = parse_length_mm(a.resolution);
+  const std::optional<double> tolerance = parse_length_mm(a.tolerance), resolution = parse_length_mm(a.resolution);
   if (!tolerance || *tolerance < 0)
     return wrong("--tolerance", a.tolerance,
                  "a length of 0 or more in mm, or with a unit (0.0005in), and at most 100 m");
   if (!resolution || *resolution < kFinestResolution_mm)
-    return wrong("--resolution", a.resolution,
-                 "a length of at least 0.000001 mm, what double precision can certify");
-  if (a.is_quiet && a.is_verbose)
-    return make_error("usage", "-q and -v exclude each other; expected one of them");
+    return wrong("--resolution", a.resolution, "a length of at least 0.000001 mm, what double precision can certify");
+  if (a.is_quiet && a.is_verbose) return make_error("usage", "-q and -v exclude each other; expected one of them");
   understood.first.tolerance_mm = *tolerance;
   understood.first.resolution_mm = understood.first.gap_mm = *resolution;
   if (a.place_b.empty()) return understood;
@@ -46,8 +43,7 @@ Result<std::pair<ClashOptions, RigidTransform>> understand(const ClashArguments&
   return understood;
 }
 
-Result<LoadedMesh> load(const std::string& file, const ClashArguments& arguments,
-                        const RigidTransform& place) {
+Result<LoadedMesh> load(const std::string& file, const ClashArguments& arguments, const RigidTransform& place) {
   const LengthUnit unit = unit_called(arguments.stl_units).value_or(LengthUnit::mm);
   Result<LoadedMesh> loaded = load_mesh(file, {unit, place}, arguments.input.most_bytes);
   if (!loaded) return loaded;
@@ -55,9 +51,7 @@ Result<LoadedMesh> load(const std::string& file, const ClashArguments& arguments
   if (std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) > kFarthest_mm)
     return make_error(
         "mesh-too-far",
-        "reaches more than 100 m from the origin; expected a body within that; check --stl-units and "
-        "--place-b",
-        file);
+        "reaches more than 100 m from the origin; expected a body within that; check --stl-units and --place-b", file);
   return loaded;
 }
 
@@ -111,20 +105,15 @@ void add_clash_options(CLI::App& command, ClashArguments& arguments) {
       ->type_name("FILE");
   add_input_limit(command, arguments.input);
   command.add_flag("-q,--quiet", arguments.is_quiet, "Print no findings, only errors");
-  command.add_flag("-v,--verbose", arguments.is_verbose,
-                   "Print notes of both files and what the search took");
+  command.add_flag("-v,--verbose", arguments.is_verbose, "Print notes of both files and what the search took");
   command.footer(
-      "Examples:\n  gougecheck clash part.stl jaw.stl\n  gougecheck clash vise.stl part.stl --place-b "
-      "0,0,12.5,0,0,90 --json clash.json\n\n"
-      "The depth of two bodies is the largest distance of a point that is in both to the surface of A or of "
-      "B: over all of the "
-      "volume they share, not at vertices alone. Nothing in both means free; a body wholly inside the other "
-      "is never free. The "
-      "shift is proved to take B out; it is not the shortest of all. Exit status: 0 proved free, or touching "
-      "within tolerance + resolution, "
-      "1 they penetrate, 2 wrong command line, 3 unreadable, 4 not certified (open mesh, or the search ran "
-      "out of its budget), "
-      "5 internal failure or output unwritable.");
+      "Examples:\n  gougecheck clash part.stl jaw.stl\n  gougecheck clash vise.stl part.stl --place-b 0,0,12.5,0,0,90 "
+      "--json clash.json\n\n"
+      "The depth of two bodies is the largest distance of a point that is in both to the surface of A or of B: over "
+      "all of the volume they share, not at vertices alone. Nothing in both means free; a body wholly inside the other "
+      "is never free. The shift is proved to take B out; it is not the shortest of all. Exit status: 0 proved free, or "
+      "touching within tolerance + resolution, 1 they penetrate, 2 wrong command line, 3 unreadable, 4 not certified "
+      "(open mesh, or the search ran out of its budget), 5 internal failure or output unwritable.");
 }
 
 int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& err) {
@@ -133,8 +122,7 @@ int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& 
   const OutputTable outputs = asked_for({{"--json", arguments.json_file}});
   if (const auto status = refuse_outputs({{"a mesh", arguments.a}, {"a mesh", arguments.b}}, outputs, err))
     return *status;
-  Result<LoadedMesh> a = load(arguments.a, arguments, {}),
-                     b = load(arguments.b, arguments, understood->second);
+  Result<LoadedMesh> a = load(arguments.a, arguments, {}), b = load(arguments.b, arguments, understood->second);
   for (const Result<LoadedMesh>* loaded : {&a, &b}) {
     if (!*loaded) return fail(err, loaded->error(), kExitInput);
     print_notes(err, (*loaded)->notes, arguments);
@@ -143,9 +131,8 @@ int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& 
   const DepthBody index_a = index_of(*a), index_b = index_of(*b);
   const ClashBody body_a(index_a, is_crossing_itself(index_a, a->findings, may_meet));
   const ClashBody body_b(index_b, is_crossing_itself(index_b, b->findings, may_meet));
-  ClashReport report{
-      arguments.a,       arguments.b, unit_called(arguments.stl_units).value_or(LengthUnit::mm),
-      understood->first, {},          {}};
+  ClashReport report{arguments.a,       arguments.b, unit_called(arguments.stl_units).value_or(LengthUnit::mm),
+                     understood->first, {},          {}};
   report.clash = find_clash(body_a, body_b, Vec3::Zero(), report.options);
   if (report.clash.state == ClashState::penetrating)
     report.shift = find_free_shift(body_a, body_b, report.clash, report.options);

@@ -34,27 +34,23 @@ std::string finding(const ClashReport& r) {
   }
   if (clash.containment == Containment::a_in_b) return a + ": clash: wholly inside " + b;
   if (clash.containment == Containment::b_in_a) return b + ": clash: wholly inside " + a;
-  const std::string place =
-      clash.deepest.empty() ? "" : " at " + point_text(clash.deepest.front().point, r.unit);
+  const std::string place = clash.deepest.empty() ? "" : " at " + point_text(clash.deepest.front().point, r.unit);
   return a + ": clash: " + depth + " with " + b + place;
 }
 
 std::string depth_line(const ClashReport& r) {
   const std::string least = depth_text(r.clash.depth_mm, r.unit);
   if (!std::isfinite(r.clash.depth_upper_mm))
-    return "depth: at least " + least +
-           "; how deep at most is not known, since one of the surfaces is not closed\n";
+    return "depth: at least " + least + "; how deep at most is not known, since one of the surfaces is not closed\n";
   return "depth: " + least + ", proved to be at most " + length_text(r.clash.depth_upper_mm, r.unit) + "\n";
 }
 
 std::string shift_line(const ClashReport& r) {
   const FreeShift& shift = *r.shift;
-  const std::string how = shift.is_weighted
-                              ? "the weighted correction, " + count_text(shift.iterations, "iteration")
-                              : std::string("the bounding boxes, which are apart then");
+  const std::string how = shift.is_weighted ? "the weighted correction, " + count_text(shift.iterations, "iteration")
+                                            : std::string("the bounding boxes, which are apart then");
   return "shift: " + printable(r.b) + " by " + point_text(shift.shift, r.unit) + ", " +
-         depth_text(shift.shift.norm(), r.unit) + ", is proved " + state_name(shift.state) + " (from " + how +
-         ")\n";
+         depth_text(shift.shift.norm(), r.unit) + ", is proved " + state_name(shift.state) + " (from " + how + ")\n";
 }
 
 /// Zero has no sign.
@@ -62,9 +58,7 @@ Json point_json(const Vec3& v_mm, double mm) {
   return Json::array({v_mm.x() / mm + 0.0, v_mm.y() / mm + 0.0, v_mm.z() / mm + 0.0});
 }
 
-Json number_or_null(double value) {
-  return std::isfinite(value) ? Json(value) : Json();
-}
+Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
 
 Json contact_json(const Contact& contact, double mm) {
   const bool is_of_a = contact.body == 0;
@@ -99,9 +93,9 @@ std::string clash_text(const ClashReport& r) {
   for (const Contact& contact : r.clash.deepest) {
     const bool is_of_a = contact.body == 0;
     text += "deepest of " + printable(is_of_a ? r.a : r.b) + " in " + printable(is_of_a ? r.b : r.a) + ": " +
-            depth_text(contact.depth_mm, r.unit) + " at " + point_text(contact.point, r.unit) +
-            ", triangle " + std::to_string(contact.triangle + 1) + "; " + printable(r.b) +
-            " moves away along " + direction_text(contact.normal) + "\n";
+            depth_text(contact.depth_mm, r.unit) + " at " + point_text(contact.point, r.unit) + ", triangle " +
+            std::to_string(contact.triangle + 1) + "; " + printable(r.b) + " moves away along " +
+            direction_text(contact.normal) + "\n";
   }
   return r.shift ? text + shift_line(r) : text;
 }

@@ -6,12 +6,12 @@
 #include <ostream>
 #include <utility>
 
-#include "lib/base/exit_code.h"
 #include "cli/job.h"
 #include "cli/length_text.h"
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
+#include "lib/base/exit_code.h"
 #include "lib/correct/correct_path.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
@@ -20,9 +20,8 @@
 namespace gouge {
 namespace {
 
-CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options,
-                         const Correction& correction, const Toolpath& before, const CheckResult& result,
-                         const Toolpath& after) {
+CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options, const Correction& correction,
+                         const Toolpath& before, const CheckResult& result, const Toolpath& after) {
   CorrectionFacts facts;
   facts.output_file = arguments.output;
   facts.strategy = arguments.strategy;
@@ -35,16 +34,16 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
     if (!change.is_straightened && change.inserted_arcs.empty()) continue;
     const auto arcs = std::count_if(change.inserted_arcs.begin(), change.inserted_arcs.end(),
                                     [](const auto& arc) { return arc.has_value(); });
-    const std::size_t straight = change.inserted_before.size() + (change.is_straightened ? 1 : 0) - static_cast<std::size_t>(arcs);
+    const std::size_t straight =
+        change.inserted_before.size() + (change.is_straightened ? 1 : 0) - static_cast<std::size_t>(arcs);
     facts.curves += straight > 0 ? 1 : 0;
     facts.straight_moves += straight;
   }
   facts.toolpath_before = &before;
   facts.result_before = &result;
   for (const ChangeRecord& r : correction.records) {
-    facts.changes.push_back({r.move, before.moves[r.move].line,
-                             r.is_inserted ? "inserted" : strategy_name(r.strategy), r.shift_mm,
-                             r.shift_mm.norm(), r.depth_before_mm, r.depth_after_mm, r.iterations});
+    facts.changes.push_back({r.move, before.moves[r.move].line, r.is_inserted ? "inserted" : strategy_name(r.strategy),
+                             r.shift_mm, r.shift_mm.norm(), r.depth_before_mm, r.depth_after_mm, r.iterations});
   }
   for (const Uncorrected& u : correction.uncorrected) {
     facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason, u.is_changed});
@@ -79,8 +78,8 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
 
 class CorrectRun {
  public:
-  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const Job& job,
-             JobOutputs& outputs, std::ostream& out, std::ostream& err)
+  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const Job& job, JobOutputs& outputs,
+             std::ostream& out, std::ostream& err)
       : arguments_(arguments),
         correct_(correct),
         job_(job),
@@ -95,8 +94,7 @@ class CorrectRun {
     progress_.begin("checking moves");
     const CheckResult before = check(job_.toolpath, setup, show());
     progress_.end();
-    const PathFit fit =
-        find_path_fit(job_.toolpath, before.verdicts, setup.tools, scene, job_.options.check.threads);
+    const PathFit fit = find_path_fit(job_.toolpath, before.verdicts, setup.tools, scene, job_.options.check.threads);
     const std::optional<Diagnostic> misfit = describe_misfit(job_.toolpath, fit);
     if (misfit && is_beyond_correction(fit) && !arguments_.job.is_forced) return refuse(*misfit);
     progress_.begin("correcting");
@@ -111,8 +109,7 @@ class CorrectRun {
       progress_.begin("checking the corrected path");
       return read_again(job_, arguments_.output, text);
     };
-    Result<LawfulCorrection> corrected =
-        correct_lawfully(job_.toolpath, before, setup, correct, rewrite, show());
+    Result<LawfulCorrection> corrected = correct_lawfully(job_.toolpath, before, setup, correct, rewrite, show());
     progress_.end();
     if (!corrected) return fail(corrected.error());
     const Correction& correction = corrected->correction;
@@ -188,10 +185,10 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
   command.footer(
       "Example:\n"
       "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"
-      "The corrected file is read and checked again like any other; records that need no change stay byte "
-      "for byte.\n"
+      "The corrected file is read and checked again like any other; records that need no change stay byte for byte.\n"
       "No move that was clean becomes anything else, none becomes deeper or buried.\n"
-      "Exit status 1: gouges remain, listed with the reason; or the path does not fit the part, and nothing was written.");
+      "Exit status 1: gouges remain, listed with the reason; or the path does not fit the part, and nothing was "
+      "written.");
 }
 
 int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err) {

@@ -14,9 +14,7 @@ std::string row(const std::string& name, const std::string& text) {
   return line + wrapped(text, kWidth, kNames) + "\n";
 }
 
-std::string paragraph(const std::string& text) {
-  return text.empty() ? text : wrapped(text, kWidth, 0) + "\n";
-}
+std::string paragraph(const std::string& text) { return text.empty() ? text : wrapped(text, kWidth, 0) + "\n"; }
 
 class HelpFormatter : public CLI::Formatter {
  public:
@@ -26,12 +24,8 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_subcommand(const CLI::App* command) const override {
     return row(command->get_name(), command->get_description());
   }
-  std::string make_description(const CLI::App* command) const override {
-    return paragraph(command->get_description());
-  }
-  std::string make_footer(const CLI::App* command) const override {
-    return paragraph(command->get_footer());
-  }
+  std::string make_description(const CLI::App* command) const override { return paragraph(command->get_description()); }
+  std::string make_footer(const CLI::App* command) const override { return paragraph(command->get_footer()); }
 };
 
 }  // namespace
@@ -63,8 +57,6 @@ std::string wrapped(std::string_view text, std::size_t width, std::size_t indent
   return out;
 }
 
-std::shared_ptr<CLI::FormatterBase> make_help_formatter() {
-  return std::make_shared<HelpFormatter>();
-}
+std::shared_ptr<CLI::FormatterBase> make_help_formatter() { return std::make_shared<HelpFormatter>(); }
 
 }  // namespace gouge

@@ -57,10 +57,10 @@ class JobLoader {
     add_notes(job_.toolpath.notes);
     for (const Move& move : job_.toolpath.moves) {
       if (move.end.tip.cwiseAbs().maxCoeff() <= kFarthest_mm) continue;
-      errors_.push_back(make_error("path-too-far",
-                                   "the position is more than 100 m from the origin; expected a path "
-                                   "within that; check the units",
-                                   arguments_.path, move.line));
+      errors_.push_back(
+          make_error("path-too-far",
+                     "the position is more than 100 m from the origin; expected a path within that; check the units",
+                     arguments_.path, move.line));
       return false;
     }
     return true;
@@ -81,11 +81,10 @@ class JobLoader {
     if (!head) return errors_.push_back(head.error());
     const MeshValidation judged = validate_mesh(piece, find_mesh_findings(piece));
     if (judged.self_intersections.pairs > 0 || !judged.trouble.empty()) {
-      return errors_.push_back(make_error(
-          "mesh-head-crosses",
-          "crosses itself, so what is inside the head is not defined; expected a plain solid; 'gougecheck mesh "
-          "FILE' reports where",
-          piece.name));
+      return errors_.push_back(make_error("mesh-head-crosses",
+                                          "crosses itself, so what is inside the head is not defined; expected a plain "
+                                          "solid; 'gougecheck mesh FILE' reports where",
+                                          piece.name));
     }
     job_.heads.push_back(std::move(*head));
   }
@@ -130,10 +129,9 @@ class JobLoader {
                 std::vector<MeshFacts>& facts) {
     const Box3 box = loaded.mesh.box();
     if (std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) > kFarthest_mm) {
-      errors_.push_back(make_error("mesh-too-far",
-                                   "reaches more than 100 m from the origin; expected a part within "
-                                   "that; check --stl-units and --place",
-                                   file));
+      errors_.push_back(make_error(
+          "mesh-too-far",
+          "reaches more than 100 m from the origin; expected a part within that; check --stl-units and --place", file));
       return;
     }
     add_notes(loaded.notes);
@@ -175,7 +173,7 @@ class JobLoader {
       const CheckOptions& c = job_.options.check;
       Result<ToolVariants> variants =
           make_tool_variants(arguments_.is_extended_up ? without_end(*assembly) : *assembly, c.stock_to_leave_mm,
-                          c.shank_clearance_mm, c.holder_clearance_mm);
+                             c.shank_clearance_mm, c.holder_clearance_mm);
       if (!variants) return errors_.push_back(variants.error());
       job_.variants.back() = std::move(*variants);
     }
@@ -201,14 +199,12 @@ class JobLoader {
         job_.toolpath.tools.empty() ? std::size_t{job_.toolpath.moves.front().line} : job_.toolpath.tools.front().line;
     return make_error(
         "no-tool",
-        "no tool of the toolpath is defined, so nothing can be checked; expected CUTTER or TLDATA in "
-        "the file, or a library that has the tool: --tools LIB.json, with --tool NAME where the file names none",
+        "no tool of the toolpath is defined, so nothing can be checked; expected CUTTER or TLDATA in the file, or a "
+        "library that has the tool: --tools LIB.json, with --tool NAME where the file names none",
         arguments_.path, line);
   }
 
-  void add_notes(const Diagnostics& notes) {
-    job_.notes.insert(job_.notes.end(), notes.begin(), notes.end());
-  }
+  void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }
 
   const JobArguments& arguments_;
   Job job_;
@@ -223,12 +219,10 @@ std::vector<const ToolVariants*> Job::tools() const {
   return all;
 }
 
-CheckSetup Job::setup(const PreparedScene& prepared) const {
-  return {tools(), heads, prepared, options.check};
-}
+CheckSetup Job::setup(const PreparedScene& prepared) const { return {tools(), heads, prepared, options.check}; }
 
-ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
-                        const CheckResult& result, const PreparedScene& prepared) const {
+ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
+                        const PreparedScene& prepared) const {
   ReportModel model;
   model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   model.inputs = inputs;
@@ -251,8 +245,8 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path,
   model.tools = tool_facts;
   model.notes = notes;
   model.closeness = measure_closeness(path, tools(), prepared, result.verdicts, options.check.threads);
-  const bool is_known = std::any_of(notes.begin(), notes.end(),
-                                    [](const Diagnostic& note) { return note.code == kSceneMisplaced; });
+  const bool is_known =
+      std::any_of(notes.begin(), notes.end(), [](const Diagnostic& note) { return note.code == kSceneMisplaced; });
   if (is_known) return model;
   const auto apart = model.closeness ? find_apart(path, *model.closeness) : std::nullopt;
   if (apart) model.notes.push_back(*apart);

@@ -16,7 +16,7 @@ struct Job {
   JobOptions options;
   Toolpath toolpath;
   Scene scene;
-  std::vector<HeadBody> heads;  ///< in the tool's frame
+  std::vector<HeadBody> heads;                        ///< in the tool's frame
   std::vector<std::optional<ToolVariants>> variants;  ///< one per Toolpath::tools; empty where it has no definition
   std::vector<InputFile> inputs;
   std::vector<MeshFacts> parts, fixtures, head_facts;
@@ -36,8 +36,8 @@ struct Job {
   /// As asked for, else the toolpath's.
   [[nodiscard]] LengthUnit stl_unit(const JobArguments& arguments) const;
   /// The report of `result`, which must outlive it, like the job. `scene` is that of the job, with its trees.
-  [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path,
-                                   const CheckResult& result, const PreparedScene& prepared) const;
+  [[nodiscard]] ReportModel report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
+                                   const PreparedScene& prepared) const;
 };
 
 struct LoadedJob {

@@ -27,29 +27,24 @@ void add_input_options(CLI::App& command, JobArguments& a) {
       ->type_name("FIXTURE")
       ->allow_extra_args(false);
   command
-      .add_option(
-          "--head", a.heads,
-          "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
-          "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)")
+      .add_option("--head", a.heads,
+                  "Body that moves with the tool and is not in its profile: machine head, angle head, clamp (closed "
+                  "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command
-      .add_option("--place", a.place, "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z")
+  command.add_option("--place", a.place, "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z")
       ->type_name("X,Y,Z");
   command.add_option("--stl-units", a.stl_units, "Unit of the STL files (default: the toolpath's)")
       ->check(CLI::IsMember(unit_words()));
-  command
-      .add_option("--tools", a.tools_file, "Tool library (JSON); tools it lacks come from CUTTER or TLDATA")
+  command.add_option("--tools", a.tools_file, "Tool library (JSON); tools it lacks come from CUTTER or TLDATA")
       ->type_name("FILE");
   command
-      .add_option(
-          "--tool", a.tool_names,
-          "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); "
-          "NAME alone: the tool of moves for which the toolpath names none")
+      .add_option("--tool", a.tool_names,
+                  "N=NAME: tool number N of the toolpath is NAME of the library, a name or a number (repeatable); NAME "
+                  "alone: the tool of moves for which the toolpath names none")
       ->type_name("N=NAME")
       ->allow_extra_args(false);
-  command.add_option("--holder", a.holder, "Holder of the library for tools that have none")
-      ->type_name("NAME");
+  command.add_option("--holder", a.holder, "Holder of the library for tools that have none")->type_name("NAME");
   add_input_limit(command, a.input);
   command.add_flag("--extend-up", a.is_extended_up,
                    "Let the top body of every tool go on without end, so that nothing hides above it");
@@ -73,8 +68,7 @@ void add_check_options(CLI::App& command, JobArguments& a) {
   command.add_option("--rapid", a.rapid, "How rapid moves run")
       ->check(CLI::IsMember({"straight", "dogleg", "skip"}))
       ->capture_default_str();
-  command
-      .add_option("--threads", a.threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
+  command.add_option("--threads", a.threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
       ->capture_default_str();
 }
 
@@ -94,7 +88,8 @@ void add_output_options(CLI::App& command, JobArguments& a) {
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
   command.add_flag("-q,--quiet", a.is_quiet, "Print no findings, only errors");
-  command.add_flag("-v,--verbose", a.is_verbose, "Print notes of all inputs, what the check spent and its peak memory (not with -q)");
+  command.add_flag("-v,--verbose", a.is_verbose,
+                   "Print notes of all inputs, what the check spent and its peak memory (not with -q)");
 }
 
 Diagnostic usage(const std::string& option, const std::string& typed, const std::string& expected) {
@@ -121,8 +116,8 @@ Result<JobOptions> understand(const JobArguments& a) {
   for (const std::string& name : a.tool_names) {
     if (name.find('=') != std::string::npos) continue;
     if (!options.reading.unnamed_tool.empty()) {
-      return usage("--tool", name, "N=NAME, as --tool " + options.reading.unnamed_tool +
-                                       " is already for moves that name no tool");
+      return usage("--tool", name,
+                   "N=NAME, as --tool " + options.reading.unnamed_tool + " is already for moves that name no tool");
     }
     options.reading.unnamed_tool = name;
   }

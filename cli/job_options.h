@@ -31,7 +31,8 @@ struct JobArguments {
   std::string rapid = "straight", progress = "auto";
   std::uint32_t threads = 0;
   std::string report_folder, json_file, csv_file, sarif_file, junit_file;
-  bool is_forced = false;  ///< foreign files in the report's folder; of `correct` also a path that does not fit the part
+  /// foreign files in the report's folder; of `correct` also a path that does not fit the part
+  bool is_forced = false;
   bool is_extended_up = false;
   bool is_quiet = false;
   bool is_verbose = false;

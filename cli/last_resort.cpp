@@ -55,8 +55,6 @@ void tidy_up_on_signals() {
   }
 }
 
-void end_orderly_on_terminate() noexcept {
-  std::set_terminate(end_orderly);
-}
+void end_orderly_on_terminate() noexcept { std::set_terminate(end_orderly); }
 
 }  // namespace gouge

@@ -7,8 +7,8 @@ namespace gouge {
 /// kExitInternal, not with SIGABRT. Broken assertions still abort: their core is the evidence of a bug.
 void end_orderly_on_terminate() noexcept;
 
-/// To be called once. SIGINT (ctrl-C), SIGTERM and SIGHUP then remove the temporary names of outputs before they end the
-/// program, as these signals do; one that is ignored (nohup) stays so.
+/// To be called once. SIGINT (ctrl-C), SIGTERM and SIGHUP then remove the temporary names of outputs before they end
+/// the program, as these signals do; one that is ignored (nohup) stays so.
 void tidy_up_on_signals();
 
 }  // namespace gouge

@@ -84,16 +84,14 @@ std::optional<std::string> parse_clearance(const std::string& text, CheckOptions
     const std::string body = part.substr(0, equals);
     const auto length = equals == std::string::npos ? std::nullopt : parse_length_mm(part.substr(equals + 1));
     if (!length || *length < 0) {
-      return "'" + part +
-             "' is not BODY=LENGTH with a length from 0 to 100 m; expected for example shank=0.5,holder=1";
+      return "'" + part + "' is not BODY=LENGTH with a length from 0 to 100 m; expected for example shank=0.5,holder=1";
     }
     if (body == "shank") {
       options.shank_clearance_mm = *length;
     } else if (body == "holder") {
       options.holder_clearance_mm = *length;
     } else {
-      return "'" + body +
-             "' has no clearance; expected shank or holder (for the cutter use --stock-to-leave)";
+      return "'" + body + "' has no clearance; expected shank or holder (for the cutter use --stock-to-leave)";
     }
   }
   return std::nullopt;

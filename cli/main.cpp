@@ -6,9 +6,7 @@
 
 namespace {
 
-void before_all(int, char**, char**) {
-  gouge::end_orderly_on_terminate();
-}
+void before_all(int, char**, char**) { gouge::end_orderly_on_terminate(); }
 
 // Before the constructors of the libraries, which may run out of memory as well.
 [[gnu::section(".preinit_array"), gnu::used]] void (*const kBeforeAll)(int, char**, char**) = before_all;

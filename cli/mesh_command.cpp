@@ -5,10 +5,10 @@
 #include <ostream>
 #include <utility>
 
-#include "lib/base/exit_code.h"
 #include "cli/length_text.h"
 #include "cli/mesh_info_text.h"
 #include "cli/output_file.h"
+#include "lib/base/exit_code.h"
 #include "lib/mesh/join_vertices.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/repair_mesh.h"
@@ -64,27 +64,23 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
       ->check(CLI::IsMember(unit_words()))
       ->capture_default_str();
   command
-      .add_option(
-          "--weld", arguments.weld,
-          "Join vertices no farther apart than this (no vertex moves farther) and judge the result; with "
-          "--repair it is what is repaired and written")
+      .add_option("--weld", arguments.weld,
+                  "Join vertices no farther apart than this (no vertex moves farther) and judge the result; with "
+                  "--repair it is what is repaired and written")
       ->type_name("LENGTH");
-  CLI::Option* repair = command
-                            .add_option("--repair", arguments.repair_file,
-                                        "Write a repaired binary STL here, if it has fewer defects")
-                            ->type_name("FILE");
-  command
-      .add_flag("--fill-holes", arguments.fills_holes,
-                "Let the repair add triangles where surface is missing")
+  CLI::Option* repair =
+      command
+          .add_option("--repair", arguments.repair_file, "Write a repaired binary STL here, if it has fewer defects")
+          ->type_name("FILE");
+  command.add_flag("--fill-holes", arguments.fills_holes, "Let the repair add triangles where surface is missing")
       ->needs(repair);
-  command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")
-      ->type_name("FILE");
+  command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")->type_name("FILE");
   add_input_limit(command, arguments.input);
   command.footer(
       "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair repaired.stl --fill-holes\n"
       "  gougecheck mesh part.stl --weld 0.002 --repair welded.stl\n\n"
-      "A repair moves no vertex but those --weld joins (what is written has single precision, as binary STL has) and resolves no "
-      "self-intersection. Exit status: 0 the mesh (where one was written: that one) is sound, 1 it has "
+      "A repair moves no vertex but those --weld joins (what is written has single precision, as binary STL has) and "
+      "resolves no self-intersection. Exit status: 0 the mesh (where one was written: that one) is sound, 1 it has "
       "defects, 2 wrong command line, 3 unreadable, 4 not wholly decided, 5 output unwritable.");
 }
 
@@ -93,12 +89,14 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   info.unit = unit_called(arguments.stl_units).value_or(LengthUnit::mm);
   const std::optional<double> weld_mm = arguments.weld.empty() ? 0.0 : parse_length_mm(arguments.weld);
   if (!weld_mm || (!arguments.weld.empty() && !(*weld_mm > 0)))
-    return report(err, make_error("usage", "--weld '" + arguments.weld + "': expected a length above 0 in mm, or with a "
-                                         "unit (0.0005in), and at most 100 m"),
-                kExitUsage);
+    return report(
+        err,
+        make_error("usage", "--weld '" + arguments.weld +
+                                "': expected a length above 0 in mm, or with a unit (0.0005in), and at most 100 m"),
+        kExitUsage);
   if (arguments.repair_file == "-")
     return report(err, make_error("usage", "--repair '-': expected a file; a mesh does not go to standard output"),
-                kExitUsage);
+                  kExitUsage);
   if (const auto status = refuse_outputs({{"the mesh", arguments.file}}, outputs_of(arguments), err)) return *status;
   Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.most_bytes);
   if (!loaded) return report(err, loaded.error(), kExitInput);

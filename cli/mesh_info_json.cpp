@@ -37,8 +37,7 @@ Json defects_json(const MeshValidation& judged, LengthUnit unit) {
           {"non_manifold_vertices", spot_json(found.non_manifold_vertices, unit)},
           {"contradicting_edges", spot_json(found.misoriented_edges, unit)},
           {"pieces_inside_out", spot_json(found.inside_out_components, unit)},
-          {"self_intersections",
-           judged.trouble.empty() ? crossings_json(judged.self_intersections, unit) : Json()},
+          {"self_intersections", judged.trouble.empty() ? crossings_json(judged.self_intersections, unit) : Json()},
           {"duplicate_triangles", spot_json(found.duplicate_triangles, unit)},
           {"degenerate_triangles", spot_json(found.degenerate_triangles, unit)},
           {"triangles_without_area", spot_json(found.collinear_triangles, unit)},
@@ -102,8 +101,7 @@ std::string mesh_info_json(const MeshInfo& info) {
                {"format", info.format == StlFormat::binary ? "binary" : "ascii"}};
   json["mesh"] = judged_json(info.judged, info.unit);
   json["notes"] = Json::array();
-  for (const Diagnostic& note : info.notes)
-    json["notes"].push_back({{"code", note.code}, {"message", note.message}});
+  for (const Diagnostic& note : info.notes) json["notes"].push_back({{"code", note.code}, {"message", note.message}});
   if (info.weld) json["weld"] = weld_json(*info.weld, info.unit);
   if (info.repair) json["repair"] = repair_json(info);
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

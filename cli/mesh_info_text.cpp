@@ -25,7 +25,8 @@ class Lengths {
 
   [[nodiscard]] std::string vector(const Vec3& v_mm, const std::string& between) const {
     const double mm = mm_per(unit_);
-    return people_text(v_mm.x() / mm, decimals_, Zeros::kept) + between + people_text(v_mm.y() / mm, decimals_, Zeros::kept) + between +
+    return people_text(v_mm.x() / mm, decimals_, Zeros::kept) + between +
+           people_text(v_mm.y() / mm, decimals_, Zeros::kept) + between +
            people_text(v_mm.z() / mm, decimals_, Zeros::kept);
   }
 
@@ -61,14 +62,12 @@ std::string size_rows(const MeshInfo& info, const Lengths& lengths) {
   if (found.handles().value_or(0) > 0)
     handles = ", " + counted(static_cast<std::size_t>(*found.handles()), "through hole");
   std::string text;
-  text += row("format", std::string(info.format == StlFormat::binary ? "binary" : "ASCII") +
-                            " STL, read as " + unit_name(info.unit));
+  text += row("format", std::string(info.format == StlFormat::binary ? "binary" : "ASCII") + " STL, read as " +
+                            unit_name(info.unit));
   text += row("triangles", std::to_string(found.triangles) + " (" + counted(found.edges, "edge") + ", " +
-                               std::to_string(found.vertices) +
-                               (found.vertices == 1 ? " vertex)" : " vertices)"));
-  text += row("pieces",
-              std::to_string(found.components) + handles +
-                  (found.cavities > 0 ? ", of them inner shells: " + std::to_string(found.cavities) : ""));
+                               std::to_string(found.vertices) + (found.vertices == 1 ? " vertex)" : " vertices)"));
+  text += row("pieces", std::to_string(found.components) + handles +
+                            (found.cavities > 0 ? ", of them inner shells: " + std::to_string(found.cavities) : ""));
   text += row("size", lengths.vector(found.box_mm.sizes(), " x ") + " " + unit_name(info.unit) + ", from (" +
                           lengths.vector(found.box_mm.min(), ", ") + ")");
   text += row("area", lengths.power(found.area_mm2, 2));
@@ -85,8 +84,8 @@ std::string defect_rows(const MeshValidation& judged, const Lengths& lengths) {
   text += row("non-manifold vertices", lengths.spot(found.non_manifold_vertices));
   text += row("contradicting edges", lengths.spot(found.misoriented_edges));
   text += row("pieces inside out", lengths.spot(found.inside_out_components));
-  text += row("self-intersections",
-              judged.trouble.empty() ? lengths.crossings(judged.self_intersections) : "not decided");
+  text +=
+      row("self-intersections", judged.trouble.empty() ? lengths.crossings(judged.self_intersections) : "not decided");
   text += row("duplicate triangles", lengths.spot(found.duplicate_triangles));
   text += row("degenerate triangles", lengths.spot(found.degenerate_triangles));
   text += row("triangles without area", lengths.spot(found.collinear_triangles));
@@ -112,10 +111,10 @@ std::string meaning(const MeshValidation& judged) {
 std::string weld_rows(const MeshInfo& info, const Lengths& lengths) {
   const MeshWeld& weld = *info.weld;
   std::string text = "weld: vertices no more than " + lengths.exact(weld.reach_mm) + " apart become one\n";
-  text += row("vertices joined", std::to_string(weld.vertices_joined) +
-                                     (weld.vertices_joined > 0
-                                          ? ", moved by up to " + lengths.exact(weld.largest_shift_mm)
-                                          : std::string()));
+  text +=
+      row("vertices joined",
+          std::to_string(weld.vertices_joined) +
+              (weld.vertices_joined > 0 ? ", moved by up to " + lengths.exact(weld.largest_shift_mm) : std::string()));
   text += row("triangles collapsed", std::to_string(weld.triangles_collapsed));
   text += defect_rows(weld.judged, lengths);
   text += "welded: " + verdict(weld.judged) + "\n";
@@ -133,19 +132,18 @@ std::string repair_rows(const MeshInfo& info) {
   text += row("without area removed",
               std::to_string(steps.collinear_removed) +
                   (steps.collinear_left > 0 ? ", " + std::to_string(steps.collinear_left) + " left" : ""));
-  text += row("holes filled", std::to_string(steps.holes_filled) + " (" +
-                                  counted(steps.hole_triangles_added, "triangle") + " added), " +
-                                  std::to_string(steps.holes_left) + " left");
+  text +=
+      row("holes filled", std::to_string(steps.holes_filled) + " (" + counted(steps.hole_triangles_added, "triangle") +
+                              " added), " + std::to_string(steps.holes_left) + " left");
   text += row("triangles turned", std::to_string(steps.triangles_turned));
   if (steps.pieces_not_oriented > 0) {
-    text += row("flat pieces", std::to_string(steps.pieces_not_oriented) +
-                                   ", closed but without an inside: left as they are");
+    text += row("flat pieces",
+                std::to_string(steps.pieces_not_oriented) + ", closed but without an inside: left as they are");
   }
   text += "repaired: " + verdict(info.repair->after) + "\n";
   if (!info.written_file.empty()) return text + "written: " + printable(info.written_file) + "\n";
-  return text + (info.judged.is_sound()
-                     ? "not written: there was nothing to repair\n"
-                     : "not written: the repair leaves no fewer defects than there were\n");
+  return text + (info.judged.is_sound() ? "not written: there was nothing to repair\n"
+                                        : "not written: the repair leaves no fewer defects than there were\n");
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ struct MeshInfo {
   std::string file;
   LengthUnit unit = LengthUnit::mm;  ///< of the file, and of every length shown
   StlFormat format = StlFormat::binary;
-  Diagnostics notes;  ///< of reading and structure
-  MeshValidation judged;                    ///< of the file as it is
-  std::optional<MeshWeld> weld;             ///< when asked for
+  Diagnostics notes;                 ///< of reading and structure
+  MeshValidation judged;             ///< of the file as it is
+  std::optional<MeshWeld> weld;      ///< when asked for
   std::optional<MeshRepair> repair;  ///< when asked for and not failed
   std::string written_file;          ///< the repaired STL; empty when none was written
 };

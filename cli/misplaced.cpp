@@ -24,18 +24,19 @@ std::string unit_hint(double times_smaller, LengthUnit stl_unit) {
 
 }  // namespace
 
-std::optional<Diagnostic> find_misplaced(const Toolpath& path, const Scene& scene, double tool_mm, LengthUnit stl_unit) {
+std::optional<Diagnostic> find_misplaced(const Toolpath& path, const Scene& scene, double tool_mm,
+                                         LengthUnit stl_unit) {
   const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
   if (!parts) return std::nullopt;
   const bool is_of_size = !parts->is_far_smaller() && !parts->is_far_larger();
   const std::string hint = is_of_size ? std::string() : unit_hint(parts->times_smaller, stl_unit);
   if (parts->gap_mm > tool_mm) {
-    return misplaced(path, "no move comes nearer than " + fixed_text(parts->gap_mm - tool_mm, 0) + " mm to the part" +
-                               hint);
+    return misplaced(path,
+                     "no move comes nearer than " + fixed_text(parts->gap_mm - tool_mm, 0) + " mm to the part" + hint);
   }
   if (parts->is_far_smaller()) {
-    return misplaced(path, "the part is " + people_text(parts->times_smaller, 0) + " times smaller than the path" +
-                               hint);
+    return misplaced(path,
+                     "the part is " + people_text(parts->times_smaller, 0) + " times smaller than the path" + hint);
   }
   return std::nullopt;
 }
@@ -53,8 +54,9 @@ std::optional<Diagnostic> find_too_large(const Toolpath& path, const Scene& scen
     deep += verdicts[i].state == MoveState::gouge || verdicts[i].state == MoveState::buried ? 1U : 0U;
   }
   if (2 * deep <= cuts) return std::nullopt;
-  return misplaced(path, "the part is " + people_text(1 / parts->times_smaller, 0) + " times larger than the path, and " +
-                             std::to_string(deep) + " of " + std::to_string(cuts) + " cuts are in it" + hint);
+  return misplaced(path, "the part is " + people_text(1 / parts->times_smaller, 0) +
+                             " times larger than the path, and " + std::to_string(deep) + " of " +
+                             std::to_string(cuts) + " cuts are in it" + hint);
 }
 
 std::optional<Diagnostic> find_apart(const Toolpath& path, const Closeness& closeness) {

@@ -8,8 +8,8 @@
 #include <optional>
 #include <ostream>
 
-#include "lib/base/exit_code.h"
 #include "cli/standard_output.h"
+#include "lib/base/exit_code.h"
 
 namespace gouge {
 namespace {
@@ -84,12 +84,12 @@ Diagnostics find_unwritable(const OutputTable& outputs) {
   for (const Output& output : outputs) {
     if (output.kind == Output::Kind::report_folder) {
       if (const auto why = why_not_made(output.file))
-        errors.push_back(make_error(
-            "folder-unwritable", "cannot make the report: " + *why + "; nothing was written", output.file));
+        errors.push_back(
+            make_error("folder-unwritable", "cannot make the report: " + *why + "; nothing was written", output.file));
     } else if (output.file != "-") {
       if (const auto why = why_unwritable(output.file))
-        errors.push_back(make_error("file-unwritable",
-                                    "cannot write the file: " + *why + "; nothing was written", output.file));
+        errors.push_back(
+            make_error("file-unwritable", "cannot write the file: " + *why + "; nothing was written", output.file));
     }
   }
   return errors;

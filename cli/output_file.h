@@ -42,7 +42,7 @@ class PendingOutputs {
 /// What of a command's outputs is known to be wrong before its work: two for standard output, one that is an
 /// input or another output, one that cannot be written. Prints it, and returns the exit status; none
 /// where all is well.
-[[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs,
-                                                const OutputTable& outputs, std::ostream& err);
+[[nodiscard]] std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const OutputTable& outputs,
+                                                std::ostream& err);
 
 }  // namespace gouge

@@ -11,9 +11,7 @@
 namespace gouge {
 namespace {
 
-std::string corrected_toolpath(const ReportModel& model) {
-  return std::string(model.correction.output_bytes);
-}
+std::string corrected_toolpath(const ReportModel& model) { return std::string(model.correction.output_bytes); }
 
 }  // namespace
 

@@ -2,10 +2,10 @@
 
 #include <ostream>
 
-#include "lib/base/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/overwriting.h"
 #include "cli/picture_file.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 #include "postproc/image/report_pictures.h"
 #include "postproc/report/findings_text.h"
@@ -16,7 +16,8 @@
 namespace gouge {
 namespace {
 
-CheckedToolpath pictures_of(const Job& job, const PreparedScene& scene, const Toolpath& path, const CheckResult& result) {
+CheckedToolpath pictures_of(const Job& job, const PreparedScene& scene, const Toolpath& path,
+                            const CheckResult& result) {
   CheckedToolpath input;
   input.toolpath = &path;
   input.scene = &job.scene;
@@ -66,8 +67,8 @@ std::optional<int> JobOutputs::refuse(std::ostream& err) {
   return opened.error().code == "report-foreign" ? kExitUsage : kExitInternal;
 }
 
-bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress, std::ostream& out,
-                       std::ostream& err) {
+bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
+                       std::ostream& out, std::ostream& err) {
   const Outcome written = write_files(job, scene, model, progress, out);
   progress.end();
   if (!written) print(err, {written.error()});
@@ -76,8 +77,8 @@ bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportM
   return written.has_value();
 }
 
-Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
-                                std::ostream& out) {
+Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, const ReportModel& model,
+                                Progress& progress, std::ostream& out) {
   PendingOutputs pending;
   if (report_) {
     if (Outcome staged = stage_report(job, scene, model, progress); !staged) return staged;
@@ -92,7 +93,8 @@ Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, cons
   return pending.commit(out);
 }
 
-Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress) {
+Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, const ReportModel& model,
+                                 Progress& progress) {
   progress.begin("drawing the report");
   CheckedToolpath before;
   if (model.has_correction)

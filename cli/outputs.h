@@ -21,15 +21,16 @@ class JobOutputs {
   /// where all is well; the report's folder, if it exists, is then locked.
   [[nodiscard]] std::optional<int> refuse(std::ostream& err);
 
-  /// `scene` is that of the job. Writes every file asked for, then prints the findings. What cannot be written is reported on `err`. Returns
-  /// whether all was written, and delivered where it is standard output's.
-  [[nodiscard]] bool write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress, std::ostream& out,
-                           std::ostream& err);
+  /// `scene` is that of the job. Writes every file asked for, then prints the findings. What cannot be written is
+  /// reported on `err`. Returns whether all was written, and delivered where it is standard output's.
+  [[nodiscard]] bool write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
+                           std::ostream& out, std::ostream& err);
 
  private:
-  [[nodiscard]] Outcome write_files(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
-                                    std::ostream& out);
-  [[nodiscard]] Outcome stage_report(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress);
+  [[nodiscard]] Outcome write_files(const Job& job, const PreparedScene& scene, const ReportModel& model,
+                                    Progress& progress, std::ostream& out);
+  [[nodiscard]] Outcome stage_report(const Job& job, const PreparedScene& scene, const ReportModel& model,
+                                     Progress& progress);
   void print_findings(const ReportModel& model, bool is_written, std::ostream& out) const;
 
   const JobArguments& arguments_;

@@ -20,9 +20,7 @@ struct Target {
   std::string name;  ///< within the folder of a report; else empty
 };
 
-bool is_file(const std::string& name) {
-  return !name.empty() && name != "-";
-}
+bool is_file(const std::string& name) { return !name.empty() && name != "-"; }
 
 std::vector<Target> targets_of(const Output& output) {
   if (!is_file(output.file)) return {};
@@ -48,18 +46,16 @@ bool is_same_file(const std::string& a, const std::string& b) {
 bool is_standard_output(const std::string& file) {
   struct stat named {
   }, output{};
-  return ::fstat(STDOUT_FILENO, &output) == 0 && S_ISREG(output.st_mode) &&
-         ::stat(file.c_str(), &named) == 0 && named.st_dev == output.st_dev && named.st_ino == output.st_ino;
+  return ::fstat(STDOUT_FILENO, &output) == 0 && S_ISREG(output.st_mode) && ::stat(file.c_str(), &named) == 0 &&
+         named.st_dev == output.st_dev && named.st_ino == output.st_ino;
 }
 
-std::string spoken(const Target& target) {
-  return target.output->option + " '" + target.output->file + "'";
-}
+std::string spoken(const Target& target) { return target.output->option + " '" + target.output->file + "'"; }
 
 std::string collision_with_input(const Target& target, const InputOption& input) {
   if (target.name.empty()) return spoken(target) + " is " + input.what + " itself; name another file";
-  return spoken(target) + " would replace or remove its file " + target.name + ", which is " + input.what +
-         " '" + input.file + "'; name another folder";
+  return spoken(target) + " would replace or remove its file " + target.name + ", which is " + input.what + " '" +
+         input.file + "'; name another folder";
 }
 
 // `target` is of a later option than `earlier`.
@@ -83,8 +79,7 @@ std::vector<InputOption> inputs_of(const JobArguments& a) {
   return inputs;
 }
 
-std::optional<Diagnostic> find_overwriting(const std::vector<InputOption>& inputs,
-                                           const OutputTable& outputs) {
+std::optional<Diagnostic> find_overwriting(const std::vector<InputOption>& inputs, const OutputTable& outputs) {
   std::vector<Target> earlier;
   for (const Output& output : outputs) {
     const std::vector<Target> targets = targets_of(output);
@@ -94,8 +89,7 @@ std::optional<Diagnostic> find_overwriting(const std::vector<InputOption>& input
           return make_error("usage", collision_with_input(target, input));
       }
       for (const Target& other : earlier) {
-        if (is_same_file(target.file, other.file))
-          return make_error("usage", collision_with_output(target, other));
+        if (is_same_file(target.file, other.file)) return make_error("usage", collision_with_output(target, other));
       }
       if (is_standard_output(target.file))
         return make_error("usage", spoken(target) + " is where standard output goes; name another file");

@@ -65,9 +65,8 @@ class Command {
 
   [[nodiscard]] std::string explain(const CLI::ParseError& error) const {
     const std::vector<std::string> strange = app_->remaining();
-    const auto option = std::find_if(strange.begin(), strange.end(), [](const std::string& word) {
-      return word.size() > 1 && word.front() == '-';
-    });
+    const auto option = std::find_if(strange.begin(), strange.end(),
+                                     [](const std::string& word) { return word.size() > 1 && word.front() == '-'; });
     if (option != strange.end()) return unknown_option(option->substr(0, option->find('=')));
     if (!commands_.empty()) return no_command(strange);
     if (const CLI::Option* blamed = blamed_option(error.what())) {
@@ -82,8 +81,7 @@ class Command {
 
  private:
   [[nodiscard]] static std::string unset(const CLI::Option& option) {
-    return option.get_name() + " '': expected " + kind_of_value(option) +
-           "; is a variable of your script unset?";
+    return option.get_name() + " '': expected " + kind_of_value(option) + "; is a variable of your script unset?";
   }
 
   [[nodiscard]] static std::string kind_of_value(const CLI::Option& option) {

@@ -23,8 +23,7 @@ namespace gouge {
 /// is what the unset variable of a script leaves: with it the option would pass for not given. `app` is the
 /// program's after the parse, also after one that failed; `words` are all of the command line, the program's
 /// name first. Code: usage.
-[[nodiscard]] std::optional<Diagnostic> find_empty_value(const CLI::App& app,
-                                                         std::span<const char* const> words);
+[[nodiscard]] std::optional<Diagnostic> find_empty_value(const CLI::App& app, std::span<const char* const> words);
 
 /// The one of `names` that `word` was probably meant to be: the only one it begins, or the nearest by letters that are
 /// missing, added, wrong or swapped, the first of equals. Empty where none is near.

@@ -4,10 +4,10 @@
 #include <ostream>
 #include <utility>
 
-#include "lib/base/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/path_info_text.h"
 #include "cli/picture_file.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "postproc/cldata/writing/write_toolpath.h"
 #include "postproc/image/path_plot.h"
@@ -54,8 +54,8 @@ int run_plot(const PathArguments& arguments, const Toolpath& path, bool is_svg, 
   return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
 }
 
-constexpr const char* kStatus = "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid, "
-                                "5 output unwritable.";
+constexpr const char* kStatus =
+    "Exit status: 0 done, 2 wrong command line, 3 input unreadable or invalid, 5 output unwritable.";
 
 CLI::App& add_command(CLI::App& command, PathArguments& arguments, const char* name, const char* what) {
   CLI::App* added = command.add_subcommand(name, what);
@@ -74,38 +74,32 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
   command.footer("Example:\n  gougecheck path info finish.apt\n\nDialects: " + dialect_names());
   CLI::App& info =
       add_command(command, arguments, "info",
-                  "Show dialect, unit, tools, operations, moves, box, orientations and what is not "
-                  "understood");
-  info.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")
-      ->type_name("FILE");
+                  "Show dialect, unit, tools, operations, moves, box, orientations and what is not understood");
+  info.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")->type_name("FILE");
   info.footer("Example:\n  gougecheck path info finish.apt --json -\n\nLengths are in the file's unit. " +
               std::string(kStatus));
   info.callback([&] { arguments.is_info = true; });
 
-  CLI::App& convert = add_command(command, arguments, "convert",
-                                  "Write the toolpath in another dialect, and report what is lost");
+  CLI::App& convert =
+      add_command(command, arguments, "convert", "Write the toolpath in another dialect, and report what is lost");
   convert.add_option("-o,--output", arguments.output, "The file to write; - for standard output")
       ->type_name("FILE")
       ->required();
   convert
-      .add_option("--to", arguments.to,
-                  "Dialect to write (default: the file's own, byte for byte): " + dialect_names())
+      .add_option("--to", arguments.to, "Dialect to write (default: the file's own, byte for byte): " + dialect_names())
       ->type_name("DIALECT")
       ->check([](const std::string& id) {
         return dialect_called(id) ? std::string() : "expected one of " + dialect_names();
       });
   convert.footer(
       "Example:\n  gougecheck path convert finish.cls -o finish.apt --to apt-creo\n\n"
-      "Motions, tools, feeds, CUTCOM and names of operations are carried over; spindle, coolant and comments are "
-      "not. mastercam-nci is only read. Positions are written in part coordinates.\n\n" +
+      "Motions, tools, feeds, CUTCOM and names of operations are carried over; spindle, coolant and comments are not. "
+      "mastercam-nci is only read. Positions are written in part coordinates.\n\n" +
       std::string(kStatus));
   convert.callback([&] { arguments.is_convert = true; });
 
-  CLI::App& plot =
-      add_command(command, arguments, "plot", "Draw the toolpath from the front, from above and askew");
-  plot.add_option("-o,--output", arguments.output, "The picture: .png or .svg")
-      ->type_name("FILE")
-      ->required();
+  CLI::App& plot = add_command(command, arguments, "plot", "Draw the toolpath from the front, from above and askew");
+  plot.add_option("-o,--output", arguments.output, "The picture: .png or .svg")->type_name("FILE")->required();
   plot.footer("Example:\n  gougecheck path plot finish.apt -o finish.png\n\n" + std::string(kStatus));
 }
 
@@ -115,9 +109,8 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   const bool is_plot = !arguments.is_info && !arguments.is_convert;
   const Result<bool> is_svg = is_plot ? is_svg_file(arguments.output) : false;
   if (!is_svg) return refuse({is_svg.error()}, err, kExitUsage);
-  if (const auto status =
-          refuse_outputs({{"the toolpath", arguments.path}},
-                         asked_for({{"-o", arguments.output}, {"--json", arguments.json_file}}), err))
+  if (const auto status = refuse_outputs({{"the toolpath", arguments.path}},
+                                         asked_for({{"-o", arguments.output}, {"--json", arguments.json_file}}), err))
     return *status;
   Result<std::string> bytes = read_file(arguments.path, arguments.input.most_bytes);
   if (!bytes) return refuse({bytes.error()}, err);

@@ -16,13 +16,10 @@ std::string row(const std::string& name, const std::string& value) {
   return padded(name, kLabelWidth - 1) + " " + printable(value) + "\n";
 }
 
-std::string shown(double value) {
-  return people_text(value, kShownDecimals);
-}
+std::string shown(double value) { return people_text(value, kShownDecimals); }
 
 std::string shown(const Vec3& point, double mm_per_unit) {
-  return shown(point.x() / mm_per_unit) + ", " + shown(point.y() / mm_per_unit) + ", " +
-         shown(point.z() / mm_per_unit);
+  return shown(point.x() / mm_per_unit) + ", " + shown(point.y() / mm_per_unit) + ", " + shown(point.z() / mm_per_unit);
 }
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -77,8 +74,7 @@ std::string doubts_text(const Toolpath& path, const PathInfo& info) {
   std::size_t count = 0;
   for (const auto& reason : info.not_checkable) count += reason.second;
   std::string text = row("cannot be checked", count == 0 ? "none" : counted(count, "move"));
-  for (const auto& [reason, moves] : info.not_checkable)
-    text += row("", std::to_string(moves) + ": " + reason);
+  for (const auto& [reason, moves] : info.not_checkable) text += row("", std::to_string(moves) + ": " + reason);
   if (path.words_not_understood.empty()) return text + row("words not understood", "none");
   std::string words;
   for (const auto& [word, times] : path.words_not_understood) {
@@ -146,8 +142,7 @@ std::string path_info_json(const Toolpath& path, const PathInfo& info) {
   }
   json["positions_alone"] = info.alone;
   if (!info.box.isEmpty()) {
-    json["box"] = {{"from", numbers(info.box.min(), mm_per_unit)},
-                   {"to", numbers(info.box.max(), mm_per_unit)}};
+    json["box"] = {{"from", numbers(info.box.min(), mm_per_unit)}, {"to", numbers(info.box.max(), mm_per_unit)}};
   }
   json["feed_length"] = info.feed_length_mm / mm_per_unit;
   json["rapid_length"] = info.rapid_length_mm / mm_per_unit;
@@ -161,9 +156,8 @@ std::string path_info_json(const Toolpath& path, const PathInfo& info) {
   json["moves_without_tool"] = info.moves_without_tool;
   json["operations"] = ordered_json::array();
   for (std::size_t i = 0; i < path.operations.size(); ++i) {
-    json["operations"].push_back({{"name", path.operations[i].name},
-                                  {"line", path.operations[i].line},
-                                  {"moves", info.moves_of_operation[i]}});
+    json["operations"].push_back(
+        {{"name", path.operations[i].name}, {"line", path.operations[i].line}, {"moves", info.moves_of_operation[i]}});
   }
   json["not_checkable"] = ordered_json::object();
   for (const auto& [reason, moves] : info.not_checkable) json["not_checkable"][reason] = moves;

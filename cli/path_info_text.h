@@ -8,8 +8,7 @@
 
 namespace gouge {
 
-[[nodiscard]] std::string path_info_text(const Toolpath& path, const PathInfo& info,
-                                         const std::string& dialect_title);
+[[nodiscard]] std::string path_info_text(const Toolpath& path, const PathInfo& info, const std::string& dialect_title);
 [[nodiscard]] std::string path_info_json(const Toolpath& path, const PathInfo& info);
 
 }  // namespace gouge

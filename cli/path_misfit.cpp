@@ -9,9 +9,7 @@
 namespace gouge {
 namespace {
 
-std::string percent(double share) {
-  return std::to_string(static_cast<int>(std::floor(100 * share + 1e-9))) + " %";
-}
+std::string percent(double share) { return std::to_string(static_cast<int>(std::floor(100 * share + 1e-9))) + " %"; }
 
 std::string percent(std::size_t some, std::size_t all) {
   return percent(all == 0 ? 0.0 : static_cast<double>(some) / static_cast<double>(all));
@@ -24,8 +22,7 @@ std::string finding(const PathFit& fit) {
            " are as deep in it as the cutter's radius, or the tool is inside it";
   }
   if (fit.kind == PathFit::Kind::apart) return "the tool hardly touches it where it cuts";
-  return percent(fit.gouging, fit.positions) + " of the " + positions +
-         " gouge it by far more than they touch it";
+  return percent(fit.gouging, fit.positions) + " of the " + positions + " gouge it by far more than they touch it";
 }
 
 // The file's I, J, K are not the part's.
@@ -39,8 +36,7 @@ bool has_turned_frame(const Toolpath& path) {
 
 std::optional<Diagnostic> describe_misfit(const Toolpath& path, const PathFit& fit) {
   if (fit.kind == PathFit::Kind::fits) return std::nullopt;
-  std::string message =
-      "the path does not fit the part: " + finding(fit) + "; check units, placement, axis sign";
+  std::string message = "the path does not fit the part: " + finding(fit) + "; check units, placement, axis sign";
   if (fit.explanation) {
     message += ": with " + fit.explanation->text + " " + percent(fit.explanation->share) +
                (fit.explanation->is_of_all ? " of the positions touch the part"

@@ -9,8 +9,7 @@ namespace gouge {
 namespace {
 
 bool ends_with(const std::string& path, std::string_view ending) {
-  return path.size() > ending.size() &&
-         std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char e, char p) {
+  return path.size() > ending.size() && std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char e, char p) {
            return e == (p >= 'A' && p <= 'Z' ? static_cast<char>(p - 'A' + 'a') : p);
          });
 }

@@ -15,12 +15,9 @@ constexpr milliseconds kRedraw{100};
 
 Progress::Progress(std::ostream& err, ProgressMode mode)
     : err_(err),
-      is_on_(mode == ProgressMode::always ||
-             (mode == ProgressMode::automatic && ::isatty(STDERR_FILENO) == 1)) {}
+      is_on_(mode == ProgressMode::always || (mode == ProgressMode::automatic && ::isatty(STDERR_FILENO) == 1)) {}
 
-Progress::~Progress() {
-  end();
-}
+Progress::~Progress() { end(); }
 
 void Progress::begin(const std::string& what) {
   end();
@@ -34,8 +31,7 @@ void Progress::show(std::size_t done, std::size_t total) {
   if (now - began_ < kQuietStart || (is_drawn_ && now - drawn_ < kRedraw)) return;
   drawn_ = now;
   is_drawn_ = true;
-  err_ << "\r" << what_ << ": " << done << " of " << total << " (" << done * 100 / total << " %)\x1b[K"
-       << std::flush;
+  err_ << "\r" << what_ << ": " << done << " of " << total << " (" << done * 100 / total << " %)\x1b[K" << std::flush;
 }
 
 void Progress::end() {

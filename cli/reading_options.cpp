@@ -11,9 +11,10 @@ void add_reading_options(CLI::App& command, ReadingArguments& arguments) {
       ->type_name("DIALECT");
   command.add_option("--path-units", arguments.units, "Unit of a toolpath that states none")
       ->check(CLI::IsMember({"mm", "inch"}));
-  command.add_option("--cutcom", arguments.cutcom,
-                     "centre: positions under CUTCOM are the cutter centre, with no offset dialled in (default: "
-                     "these moves are not checked)")
+  command
+      .add_option("--cutcom", arguments.cutcom,
+                  "centre: positions under CUTCOM are the cutter centre, with no offset dialled in (default: these "
+                  "moves are not checked)")
       ->check(CLI::IsMember({"centre"}));
 }
 

@@ -57,15 +57,13 @@ Outcome ReportFolder::lock() {
   if (lock_ >= 0) return Done{};
   lock_ = ::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (lock_ < 0)
-    return make_error("folder-unwritable", "cannot read the folder: " + std::string(std::strerror(errno)),
-                      folder_);
+    return make_error("folder-unwritable", "cannot read the folder: " + std::string(std::strerror(errno)), folder_);
   // Where a file system has no locks, two reports at once are the user's to avoid.
   if (::flock(lock_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) return Done{};
   ::close(std::exchange(lock_, -1));
   return make_error(
       "report-busy",
-      "another gougecheck is about to write its report here; expected a folder for each, or one after the "
-      "other",
+      "another gougecheck is about to write its report here; expected a folder for each, or one after the other",
       folder_);
 }
 
@@ -93,11 +91,9 @@ Outcome ReportFolder::look() {
     const fs::file_status found = fs::symlink_status(at(name), ignored);
     if (!fs::exists(found)) continue;
     if (!fs::is_regular_file(found))
-      return foreign(name +
-                     " is no plain file, so no report can replace it; move it away, or name another folder");
+      return foreign(name + " is no plain file, so no report can replace it; move it away, or name another folder");
     if (const auto why = why_not_replaceable(at(name)))
-      return make_error("file-unwritable", "no report can replace it: " + *why + "; nothing was written",
-                        at(name));
+      return make_error("file-unwritable", "no report can replace it: " + *why + "; nothing was written", at(name));
     if (name == kManifestName) {
       if (!manifest) others.push_back(name);
       continue;
@@ -108,14 +104,12 @@ Outcome ReportFolder::look() {
   }
   if (others.empty() || is_forced_) return Done{};
   const std::string what_to_do =
-      "; expected a folder without them: name another one, move them away, or let --force replace or remove "
-      "them";
+      "; expected a folder without them: name another one, move them away, or let --force replace or remove them";
   if (manifest)
     return foreign("a report would replace or remove " + listed(others) +
                    ", which no report wrote or which was changed since (" + kManifestName + ")" + what_to_do);
   return foreign("a report would replace or remove " + listed(others) + ", and no " + kManifestName +
-                 " says that a report wrote them: they are yours, or of an earlier version of gougecheck" +
-                 what_to_do);
+                 " says that a report wrote them: they are yours, or of an earlier version of gougecheck" + what_to_do);
 }
 
 void ReportFolder::remove_leftovers() {

@@ -43,12 +43,10 @@ std::string write_manifest(const ReportManifest& manifest) {
 }
 
 std::optional<ReportManifest> read_manifest(std::string_view text) {
-  const Result<detail::JsonFile> read =
-      detail::parse_json(kManifestName, text, {"manifest", "manifest", "a manifest"});
+  const Result<detail::JsonFile> read = detail::parse_json(kManifestName, text, {"manifest", "manifest", "a manifest"});
   if (!read) return std::nullopt;
   const nlohmann::json& json = read->root;
-  if (!json.is_object() || json.value("format", Json()) != kFormat ||
-      json.value("format_version", Json()) != kVersion)
+  if (!json.is_object() || json.value("format", Json()) != kFormat || json.value("format_version", Json()) != kVersion)
     return std::nullopt;
   if (!json.contains("files") || !json["files"].is_array()) return std::nullopt;
   ReportManifest manifest;

@@ -29,16 +29,13 @@ std::string describe(const ToolAssembly& tool, LengthUnit unit) {
   std::string text = shape_name(tool.cutter);
   if (!tool.name.empty()) text = tool.name + " (" + text + ")";
   double widest = 0;
-  for (const ToolSegment& s : tool.holder)
-    widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
+  for (const ToolSegment& s : tool.holder) widest = std::max({widest, s.lower_diameter_mm, s.upper_diameter_mm});
   if (widest > 0) text += ", holder to D" + length_text(widest, unit);
   return text;
 }
 
 // To a millionth: finer than what counts as a difference, coarser than what a change of unit leaves over.
-std::string rounded_text(double mm, LengthUnit unit) {
-  return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6);
-}
+std::string rounded_text(double mm, LengthUnit unit) { return exact_text(std::round(mm / mm_per(unit) * 1e6) / 1e6); }
 
 std::string size_text(double diameter_mm, double corner_mm, LengthUnit unit) {
   return "D " + rounded_text(diameter_mm, unit) + " R " + rounded_text(corner_mm, unit) + " " + unit_name(unit);
@@ -48,9 +45,7 @@ std::string size_text(double diameter_mm, LengthUnit unit) {
   return "D " + rounded_text(diameter_mm, unit) + " " + unit_name(unit);
 }
 
-Diagnostic usage(const std::string& message) {
-  return make_error("usage", message);
-}
+Diagnostic usage(const std::string& message) { return make_error("usage", message); }
 
 class Resolver {
  public:
@@ -61,8 +56,9 @@ class Resolver {
     const bool is_for_unnamed = equals == std::string::npos;
     const auto number = tool_number(std::string_view(text).substr(0, equals));
     if (!number && !is_for_unnamed) {
-      return usage("--tool '" + text + "': expected N=NAME, N a tool number of the toolpath and NAME a name or number "
-                   "of the library, or NAME alone");
+      return usage("--tool '" + text +
+                   "': expected N=NAME, N a tool number of the toolpath and NAME a name or number of the library, or "
+                   "NAME alone");
     }
     if (library_ == nullptr) return usage("--tool '" + text + "' needs a library: give --tools LIB.json");
     const ToolAssembly* tool = library_->called(is_for_unnamed ? text : text.substr(equals + 1));
@@ -131,11 +127,11 @@ class Resolver {
 
   void note_not_in_library(const PathTool& tool) {
     if (library_ == nullptr) return;
-    result_.notes.push_back(make_warning(
-        "tool-not-in-library",
-        name_of(tool) + " is not in the library, which has " + names_in(*library_) +
-            ": the toolpath's own definition is checked" + (holder_.empty() ? ", without shank and holder" : ""),
-        path_.file, tool.line));
+    result_.notes.push_back(make_warning("tool-not-in-library",
+                                         name_of(tool) + " is not in the library, which has " + names_in(*library_) +
+                                             ": the toolpath's own definition is checked" +
+                                             (holder_.empty() ? ", without shank and holder" : ""),
+                                         path_.file, tool.line));
   }
 
   // The library wins, but a smaller tool than the file's would hide gouges, so it is reported.
@@ -150,7 +146,7 @@ class Resolver {
     if (std::abs(diameter - tool.cutter->d_mm) <= kSame_mm && std::abs(corner - given_corner) <= kSame_mm)
       return compare_outlines(tool, known);
     report_difference(tool, size_text(tool.cutter->d_mm, given_corner, path_.unit),
-                    size_text(diameter, corner, path_.unit));
+                      size_text(diameter, corner, path_.unit));
   }
 
   // Of the same size, but of another taper or tip.
@@ -164,25 +160,24 @@ class Resolver {
     const Result<ToolFromPath> made = make_tool_from_path(tool, holder_);
     const double reach = made ? reach_beyond_mm(made->tool.cutter, known.cutter) : 0;
     if (reach <= kReach_mm) return;
-    const std::string length = exact_text(std::round(reach / mm_per(path_.unit) * 1e4) / 1e4) + " " +
-                               unit_name(path_.unit);
+    const std::string length =
+        exact_text(std::round(reach / mm_per(path_.unit) * 1e4) / 1e4) + " " + unit_name(path_.unit);
     const std::string message = name_of(tool) + " reaches up to " + length +
                                 " farther from its axis by the toolpath than by the library, which is what is checked";
     result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
   }
 
   void report_difference(const PathTool& tool, const std::string& given, const std::string& known) {
-    const std::string message = name_of(tool) + " is " + given + " by the toolpath but " + known +
-                                " by the library, which is what is checked";
+    const std::string message =
+        name_of(tool) + " is " + given + " by the toolpath but " + known + " by the library, which is what is checked";
     result_.notes.push_back(make_warning("tool-differs", message, path_.file, tool.line));
   }
 
   void report(const PathTool& tool, const std::optional<ToolAssembly>& assembly, ToolFacts& facts) {
     if (!assembly) {
-      const std::string message =
-          name_of(tool) +
-          " is defined neither in a library nor by CUTTER or TLDATA: its moves are not checked; "
-          "give --tools LIB.json with its number";
+      const std::string message = name_of(tool) +
+                                  " is defined neither in a library nor by CUTTER or TLDATA: its moves are not "
+                                  "checked; give --tools LIB.json with its number";
       result_.notes.push_back(make_warning("tool-undefined", message, path_.file, tool.line));
       return;
     }

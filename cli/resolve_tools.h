@@ -21,8 +21,8 @@ struct ResolvedTools {
 /// For each tool of the path: the one `--tool N=NAME` names, else the library's of its number, else of its
 /// name, else what CUTTER or TLDATA in the path says. NAME may be a number of the library, 3 or T3.
 /// `--tool NAME` must be in the library, and is otherwise ReadOptions::unnamed_tool. `holder` is put on tools
-/// that have none. Errors   usage (a --tool or --holder that names nothing), those of make_profile for a tool
-/// of the path.
+/// that have none.
+/// Errors   usage (a --tool or --holder that names nothing), those of make_profile for a tool of the path.
 [[nodiscard]] Result<ResolvedTools> resolve_tools(const Toolpath& path, const ToolLibrary* library,
                                                   const std::vector<std::string>& tool_names,
                                                   const std::string& holder);

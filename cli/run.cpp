@@ -11,13 +11,13 @@
 #include "cli/check_command.h"
 #include "cli/clash_command.h"
 #include "cli/correct_command.h"
-#include "lib/base/exit_code.h"
 #include "cli/help_text.h"
 #include "cli/mesh_command.h"
 #include "cli/parse_errors.h"
 #include "cli/path_command.h"
 #include "cli/standard_output.h"
 #include "cli/tool_command.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/thread_limit.h"
 #include "postproc/report/report_model.h"
@@ -40,8 +40,8 @@ void describe(CLI::App& app) {
   app.description(
       "Certified gouge check and correction of 5-axis toolpaths.\n"
       "Reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain APT, checks "
-      "cutter, shank and holder over the whole motion of every move against STL parts and fixtures, "
-      "corrects what gouges, and reports with evidence for every finding.");
+      "cutter, shank and holder over the whole motion of every move against STL parts and fixtures, corrects what "
+      "gouges, and reports with evidence for every finding.");
   app.set_version_flag("--version", std::string(kProgramName) + " " + kProgramVersion);
   app.require_subcommand(1);
   app.footer("Every command explains itself: gougecheck check --help");
@@ -50,12 +50,10 @@ void describe(CLI::App& app) {
 /// What --threads asks for, for everything the command does. False where that is more than can be.
 bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& err) {
   if (!app.got_subcommand("check") && !app.got_subcommand("correct")) return true;
-  const std::uint64_t threads =
-      app.got_subcommand("check") ? arguments.check.threads : arguments.correct.job.threads;
+  const std::uint64_t threads = app.got_subcommand("check") ? arguments.check.threads : arguments.correct.job.threads;
   if (threads > kMostThreads) {
-    err << to_text(make_error("too-many-threads", "--threads '" + std::to_string(threads) +
-                                                      "': expected at most " + std::to_string(kMostThreads) +
-                                                      ", or 0 for all the machine has"))
+    err << to_text(make_error("too-many-threads", "--threads '" + std::to_string(threads) + "': expected at most " +
+                                                      std::to_string(kMostThreads) + ", or 0 for all the machine has"))
         << "\n";
     return false;
   }
@@ -95,8 +93,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
                       arguments.clash);
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
     add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), arguments.path);
-    add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"),
-                     arguments.tool);
+    add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), arguments.tool);
     const std::span words(argv, static_cast<std::size_t>(argc));
     try {
       app.parse(argc, argv);

@@ -8,15 +8,14 @@
 namespace gouge {
 namespace {
 
-constexpr double kGap_mm = 0.01;           // of a depth that is a warning
+constexpr double kGap_mm = 0.01;  // of a depth that is a warning
 constexpr std::uint64_t kMostBounds = 50'000;
 
 std::string overlap_text(const Clash& clash, const std::string& part, const std::string& fixture, LengthUnit unit) {
   const std::string advice = "; check the set-up, or allow it with --allow-overlap " + fixture;
   if (clash.containment == Containment::b_in_a) return "the fixture is wholly inside the part " + part + advice;
   if (clash.containment == Containment::a_in_b) return "the part " + part + " is wholly inside the fixture" + advice;
-  const std::string at =
-      clash.deepest.empty() ? std::string() : " at " + point_text(clash.deepest.front().point, unit);
+  const std::string at = clash.deepest.empty() ? std::string() : " at " + point_text(clash.deepest.front().point, unit);
   return "the fixture and the part " + part + " penetrate each other, " + depth_text(clash.depth_mm, unit) + " deep" +
          at + advice;
 }
@@ -35,8 +34,7 @@ Diagnostics find_setup_notes(const Job& job, const JobArguments& arguments) {
   options.gap_mm = std::max(kGap_mm, options.resolution_mm);
   options.budget = kMostBounds;
   Diagnostics notes;
-  for (const SetupOverlap& overlap :
-       find_setup_overlaps(job.scene.parts, job.scene.fixtures, is_allowed, options)) {
+  for (const SetupOverlap& overlap : find_setup_overlaps(job.scene.parts, job.scene.fixtures, is_allowed, options)) {
     const std::string &part = job.parts[overlap.part].name, &fixture = job.fixtures[overlap.fixture].name;
     if (overlap.clash.state == ClashState::penetrating) {
       notes.push_back(

@@ -25,9 +25,8 @@ bool is_reader_gone() {
 
 Diagnostic describe_failed_output() {
   return make_error("output-unwritable",
-                    is_reader_gone()
-                        ? "standard output is a pipe whose reader ended before all was written"
-                        : "standard output could not be written (closed, full, or a limit of the shell)");
+                    is_reader_gone() ? "standard output is a pipe whose reader ended before all was written"
+                                     : "standard output could not be written (closed, full, or a limit of the shell)");
 }
 
 }  // namespace gouge

@@ -5,10 +5,10 @@
 #include <ostream>
 #include <vector>
 
-#include "lib/base/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/picture_file.h"
 #include "cli/tool_text.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "postproc/image/font.h"
 #include "postproc/image/render_png.h"
@@ -42,8 +42,7 @@ Result<Tools> choose(const ToolLibrary& library, const std::string& wanted) {
 int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostream& err) {
   const Result<bool> is_svg = is_svg_file(path);
   if (!is_svg) return refuse(is_svg.error(), err);
-  const Result<Drawing> drawing =
-      tools.size() == 1 ? draw_profile(*tools.front(), unit) : draw_sheet(tools, unit);
+  const Result<Drawing> drawing = tools.size() == 1 ? draw_profile(*tools.front(), unit) : draw_sheet(tools, unit);
   if (!drawing) return refuse(drawing.error(), err);
   const Result<std::string> bytes = *is_svg ? Result<std::string>(render_svg(*drawing)) : render_png(*drawing);
   if (!bytes) return refuse(bytes.error(), err);
@@ -83,26 +82,23 @@ void add_tool_options(CLI::App& command, ToolArguments& arguments) {
   add_library_option(*show, arguments, ToolAction::show);
   add_tool_option(*show, arguments);
   show->footer(std::string("Example:\n  gougecheck tool show --tools shop.json --tool 3\n") + kExitText);
-  CLI::App* picture = command.add_subcommand(
-      "draw",
-      "Draw a tool: profile, bodies, dimensions, Voronoi regions and correction directions. Without --tool, a sheet "
-      "of the whole library");
+  CLI::App* picture = command.add_subcommand("draw",
+                                             "Draw a tool: profile, bodies, dimensions, Voronoi regions and correction "
+                                             "directions. Without --tool, a sheet of the whole library");
   add_library_option(*picture, arguments, ToolAction::draw);
   add_tool_option(*picture, arguments);
-  picture->add_option("-o,--output", arguments.output, "Picture to write: .png or .svg")
-      ->type_name("FILE")
-      ->required();
+  picture->add_option("-o,--output", arguments.output, "Picture to write: .png or .svg")->type_name("FILE")->required();
   picture->footer(std::string("Example:\n  gougecheck tool draw --tools shop.json --tool 3 -o t3.svg\n"
                               "  gougecheck tool draw --tools shop.json -o library.png\n") +
                   kExitText);
   CLI::App* import = command.add_subcommand("import", "Turn a tool library of another program into ours");
   add_tool_import_options(*import, arguments.import, arguments.output);
-  import->callback([&arguments] { arguments.action = ToolAction::import; });
+  import->callback([&arguments] { arguments.action = ToolAction::import;
+});
 }  // namespace gouge
 
 int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& err) {
-  if (arguments.action == ToolAction::import)
-    return run_tool_import(arguments.import, arguments.output, out, err);
+  if (arguments.action == ToolAction::import) return run_tool_import(arguments.import, arguments.output, out, err);
   if (arguments.action == ToolAction::draw) {
     const Result<bool> is_svg = is_svg_file(arguments.output);
     if (!is_svg) return refuse(is_svg.error(), err);

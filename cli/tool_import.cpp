@@ -4,10 +4,10 @@
 #include <filesystem>
 #include <ostream>
 
-#include "lib/base/exit_code.h"
 #include "cli/output_file.h"
 #include "cli/overwriting.h"
 #include "cli/tool_text.h"
+#include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "lib/base/printable_text.h"
 #include "toolmodels/import/import_tools.h"
@@ -22,8 +22,7 @@ int refuse(const Diagnostic& error, std::ostream& err) {
 
 Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& arguments) {
   if (arguments.holder.empty()) return std::vector<ToolSegment>{};
-  if (arguments.tools_file.empty())
-    return make_error("usage", "--holder needs --tools, the library that holder is in");
+  if (arguments.tools_file.empty()) return make_error("usage", "--holder needs --tools, the library that holder is in");
   const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.most_bytes);
   if (!bytes) return bytes.error();
   const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);
@@ -37,8 +36,8 @@ Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& argument
 
 // FreeCAD keeps the bits of a library beside it, or in the folder Bit beside the library's own. What is read goes to
 // `inputs`.
-Result<std::string> read_beside(const std::filesystem::path& folder, const std::string& name,
-                                const InputLimit& limit, std::vector<InputOption>& inputs) {
+Result<std::string> read_beside(const std::filesystem::path& folder, const std::string& name, const InputLimit& limit,
+                                std::vector<InputOption>& inputs) {
   const std::string beside = (folder / name).string();
   const std::string bit = (folder / ".." / "Bit" / name).lexically_normal().string();
   inputs.push_back({"a file of the library", beside});
@@ -72,9 +71,7 @@ void report_notes(const ImportedTools& made, std::ostream& out, std::ostream& er
 }  // namespace
 
 void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, std::string& output) {
-  command
-      .add_option("file", arguments.file,
-                  "Fusion .json or .tools, FreeCAD .fctb or .fctl, NX tool_database.dat")
+  command.add_option("file", arguments.file, "Fusion .json or .tools, FreeCAD .fctb or .fctl, NX tool_database.dat")
       ->type_name("FILE")
       ->required();
   command.add_option("-o,--output", output, "Tool library to write (JSON); - for standard output")
@@ -84,8 +81,7 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
       ->check(CLI::IsMember({"auto", "fusion", "freecad", "nx"}));
   command.add_option("--holder", arguments.holder, "Holder for tools that have none; a name in --tools")
       ->type_name("NAME");
-  command.add_option("--tools", arguments.tools_file, "Tool library (JSON) with that holder")
-      ->type_name("FILE");
+  command.add_option("--tools", arguments.tools_file, "Tool library (JSON) with that holder")->type_name("FILE");
   command
       .add_option("--stickout", arguments.stickout_mm, "Millimetres from tip to holder, where the file does not say")
       ->check(CLI::PositiveNumber);
@@ -93,11 +89,9 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
       ->check(CLI::IsMember({"mm", "inch"}));
   add_input_limit(command, arguments.input);
   command.footer(
-      "Example:\n  gougecheck tool import shop.tools -o shop.json\n\nExit status: 0 done, also with "
-      "warnings; 2 wrong "
-      "command line; 3 file unreadable, or a tool was left out because its numbers make "
-      "no tool "
-      "(the others are written); 5 output unwritable.");
+      "Example:\n  gougecheck tool import shop.tools -o shop.json\n\nExit status: 0 done, also with warnings; 2 wrong "
+      "command line; 3 file unreadable, or a tool was left out because its numbers make no tool (the others are "
+      "written); 5 output unwritable.");
 }
 
 int run_tool_import(const ToolImportArguments& arguments, const std::string& output, std::ostream& out,
@@ -114,11 +108,8 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   if (arguments.stickout_mm > 0) options.stickout_mm = arguments.stickout_mm;
   if (!arguments.unit.empty()) options.unit = arguments.unit == "inch" ? LengthUnit::inch : LengthUnit::mm;
   const std::filesystem::path folder = std::filesystem::path(arguments.file).parent_path();
-  options.read_beside = [&](const std::string& name) {
-    return read_beside(folder, name, arguments.input, inputs);
-  };
-  const Result<ImportedTools> made =
-      import_tools(arguments.file, *bytes, format_called(arguments.format), options);
+  options.read_beside = [&](const std::string& name) { return read_beside(folder, name, arguments.input, inputs); };
+  const Result<ImportedTools> made = import_tools(arguments.file, *bytes, format_called(arguments.format), options);
   if (!made) return refuse(made.error(), err);
   if (const auto error = find_overwriting(inputs, outputs)) return refuse(*error, err);
   std::ostream& reported = output == "-" ? err : out;

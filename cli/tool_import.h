@@ -25,7 +25,7 @@ void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, 
 
 /// `gougecheck tool import`: writes `output` in our format; what was understood and assumed goes to `out`,
 /// warnings and errors to `err`. Tools that are wrong are left out, and make the exit status 3.
-[[nodiscard]] int run_tool_import(const ToolImportArguments& arguments, const std::string& output,
-                                  std::ostream& out, std::ostream& err);
+[[nodiscard]] int run_tool_import(const ToolImportArguments& arguments, const std::string& output, std::ostream& out,
+                                  std::ostream& err);
 
 }  // namespace gouge

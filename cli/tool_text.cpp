@@ -18,14 +18,11 @@ std::string in_unit(double value_mm, LengthUnit unit) {
   return exact_text(std::round(value_mm / mm_per(unit) * 1e6) / 1e6);
 }
 
-const char* unit_word(LengthUnit unit) {
-  return unit == LengthUnit::inch ? "inches" : "mm";
-}
+const char* unit_word(LengthUnit unit) { return unit == LengthUnit::inch ? "inches" : "mm"; }
 
 double widest(const std::vector<ToolSegment>& segments) {
   double diameter = 0;
-  for (const ToolSegment& s : segments)
-    diameter = std::max({diameter, s.lower_diameter_mm, s.upper_diameter_mm});
+  for (const ToolSegment& s : segments) diameter = std::max({diameter, s.lower_diameter_mm, s.upper_diameter_mm});
   return diameter;
 }
 
@@ -39,11 +36,9 @@ std::string segments_text(const ToolAssembly& tool, LengthUnit unit) {
   std::string text;
   for (const PositionedSegment& placed : position_segments(tool)) {
     const ToolSegment& s = placed.segment;
-    text += "  " + padded(placed.name, 9) + " z " +
-            in_unit(placed.z_mm, unit) + " to " + in_unit(placed.z_mm + s.length_mm, unit) + ", diameter " +
-            in_unit(s.lower_diameter_mm, unit);
-    if (std::abs(s.upper_diameter_mm - s.lower_diameter_mm) > 0)
-      text += " to " + in_unit(s.upper_diameter_mm, unit);
+    text += "  " + padded(placed.name, 9) + " z " + in_unit(placed.z_mm, unit) + " to " +
+            in_unit(placed.z_mm + s.length_mm, unit) + ", diameter " + in_unit(s.lower_diameter_mm, unit);
+    if (std::abs(s.upper_diameter_mm - s.lower_diameter_mm) > 0) text += " to " + in_unit(s.upper_diameter_mm, unit);
     const bool has_own_name = placed.name.rfind(body_name(placed.body), 0) != 0;
     text += (has_own_name ? std::string(", counts as ") + body_name(placed.body) : "") + "\n";
   }
@@ -54,8 +49,7 @@ std::string lengths_text(const ToolAssembly& tool, LengthUnit unit) {
   std::string text;
   if (!tool.holder.empty() || !tool.extensions.empty())
     text += "  stick-out " + in_unit(stickout_mm(tool), unit) + ", tip to what holds the tool\n";
-  if (tool.gauge_length_mm > 0)
-    text += "  gauge     " + in_unit(tool.gauge_length_mm, unit) + ", tip to gauge line\n";
+  if (tool.gauge_length_mm > 0) text += "  gauge     " + in_unit(tool.gauge_length_mm, unit) + ", tip to gauge line\n";
   return text;
 }
 
@@ -87,8 +81,7 @@ std::string tool_list_text(const ToolLibrary& library) {
   for (const ToolAssembly& t : library.tools) {
     const double height = height_mm(t);
     rows.push_back({t.number ? "T" + std::to_string(*t.number) : "-", t.name.empty() ? "-" : t.name,
-                    describe_cutter(t.cutter, unit), in_unit(length_mm(t.cutter), unit),
-                    in_unit(height, unit),
+                    describe_cutter(t.cutter, unit), in_unit(length_mm(t.cutter), unit), in_unit(height, unit),
                     t.holder.empty() ? "none" : "D " + in_unit(widest(t.holder), unit)});
   }
   std::array<std::size_t, 6> widths{};
@@ -99,8 +92,8 @@ std::string tool_list_text(const ToolLibrary& library) {
     for (std::size_t i = 0; i + 1 < row.size(); ++i) text += padded(row[i], widths[i] + 2);
     text += printable(row.back()) + "\n";
   }
-  text += std::to_string(library.tools.size()) + (library.tools.size() == 1 ? " tool" : " tools") +
-          ", lengths in " + unit_word(unit) + "\n";
+  text += std::to_string(library.tools.size()) + (library.tools.size() == 1 ? " tool" : " tools") + ", lengths in " +
+          unit_word(unit) + "\n";
   for (const NamedHolder& holder : library.holders)
     text += "holder \"" + printable(holder.name) + "\": D " + in_unit(widest(holder.segments), unit) + ", length " +
             in_unit(total(holder.segments), unit) + "\n";
@@ -112,16 +105,15 @@ std::string tool_text(const ToolAssembly& tool, LengthUnit unit) {
   if (!profile) return to_text(profile.error()) + "\n";
   const CompiledTool compiled = compile_tool(label(tool), *profile);
   std::string text = printable(label(tool)) + ", lengths in " + unit_word(unit) + "\n";
-  text += "  cutter    z 0 to " + in_unit(length_mm(tool.cutter), unit) + ", " +
-          describe_cutter(tool.cutter, unit) + "\n";
+  text +=
+      "  cutter    z 0 to " + in_unit(length_mm(tool.cutter), unit) + ", " + describe_cutter(tool.cutter, unit) + "\n";
   text += segments_text(tool, unit);
   text += lengths_text(tool, unit);
   text += "  assembly  length " + in_unit(height_mm(tool), unit) + ", largest diameter " +
           in_unit(2 * compiled.r_max_mm, unit) + "\n";
   text += contour_text(*profile, unit);
   text += "  compiled  " + std::to_string(compiled.elements.size()) + " boundary elements, BSP of " +
-          std::to_string(compiled.nodes.size()) + " nodes, depth " +
-          std::to_string(bsp_depth(compiled.nodes)) + "\n";
+          std::to_string(compiled.nodes.size()) + " nodes, depth " + std::to_string(bsp_depth(compiled.nodes)) + "\n";
   return text;
 }
 

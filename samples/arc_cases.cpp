@@ -83,8 +83,7 @@ Sample make_arcs(const Dialect& dialect) {
   Sample sample;
   sample.name = dialect.name;
   sample.about =
-      "Two arcs of either sense about a post: the near one cuts its edges, the far one is clear only in its "
-      "own sense";
+      "Two arcs of either sense about a post: the near one cuts its edges, the far one is clear only in its own sense";
   sample.toolpath_file = dialect.file;
   sample.tools = kFlatD10;
   sample.check_exit = 1;
@@ -127,8 +126,8 @@ Sample make_arcs_creo() {
   return make_arcs({"arcs_creo",
                     "arcs_creo.ncl.1",
                     ClText::Form::apt_xyz,
-                    {"$$*          Pro/CLfile  Version 8.0 - 8.0.3.0", "PARTNO / ARCS", "UNITS / MM",
-                     "LOADTL / 1", "$$-> CUTTER / 10.000000", "FEDRAT / 1000.000000,  MMPM"},
+                    {"$$*          Pro/CLfile  Version 8.0 - 8.0.3.0", "PARTNO / ARCS", "UNITS / MM", "LOADTL / 1",
+                     "$$-> CUTTER / 10.000000", "FEDRAT / 1000.000000,  MMPM"},
                     {"FINI"},
                     write_creo_arc,
                     0});
@@ -139,8 +138,8 @@ Sample make_arcs_catia() {
                     "arcs_catia.aptsource",
                     ClText::Form::apt,
                     {"$$     CATIA APT VERSION 1.0", "PARTNO ARCS", "UNITS/MM", "MULTAX",
-                     "CUTTER/ 10.000000,  0.000000,  5.000000,  0.000000,  0.000000,$",
-                     "         0.000000, 25.000000", "LOADTL/1", "FEDRAT/ 1000.0000,MMPM"},
+                     "CUTTER/ 10.000000,  0.000000,  5.000000,  0.000000,  0.000000,$", "         0.000000, 25.000000",
+                     "LOADTL/1", "FEDRAT/ 1000.0000,MMPM"},
                     {"END"},
                     write_catia_arc,
                     2});

@@ -23,9 +23,7 @@ Vec3 turned(double x, double y, double z) {
   return {c * x - s * y, s * x + c * y, z};
 }
 
-Vec3 surface(double u, double z) {
-  return turned(kA * std::cos(u), kB * std::sin(u), z);
-}
+Vec3 surface(double u, double z) { return turned(kA * std::cos(u), kB * std::sin(u), z); }
 
 Vec3 normal(double u, double z) {
   const Vec3 along_u = turned(-kA * std::sin(u), kB * std::cos(u), z) - Vec3(0, 0, z);
@@ -99,9 +97,7 @@ std::vector<Position> make_spiral() {
   return spiral;
 }
 
-Pose raised(const Pose& pose, double by) {
-  return {pose.tip + by * pose.axis, pose.axis};
-}
+Pose raised(const Pose& pose, double by) { return {pose.tip + by * pose.axis, pose.axis}; }
 
 }  // namespace
 
@@ -109,8 +105,7 @@ Sample make_blade() {
   Sample sample;
   sample.name = "blade";
   sample.about =
-      "A twisted blade milled in one spiral with a tapered ball D4 from a CLSF with a turned MSYS: five bad "
-      "points";
+      "A twisted blade milled in one spiral with a tapered ball D4 from a CLSF with a turned MSYS: five bad points";
   sample.toolpath_file = "blade.cls";
   sample.tools =
       R"({"units":"mm","tools":[{"number":7,"name":"tapered ball D4","cutter":{"shape":"tapered","diameter":4,"corner_radius":2,"taper_angle":5,"length":30},

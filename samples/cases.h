@@ -13,14 +13,14 @@ namespace gouge::samples {
 [[nodiscard]] Sample make_between_swing();  ///< the tip rests, the holder swings through a post
 [[nodiscard]] Sample make_between_head();   ///< the tip rests, the machine head dips into a post
 [[nodiscard]] Sample make_thin_post();      ///< a post 0.04 mm thick, one long rapid
-[[nodiscard]] Sample make_arcs_nx();       ///< arcs of both senses about a post, in three dialects
+[[nodiscard]] Sample make_arcs_nx();        ///< arcs of both senses about a post, in three dialects
 [[nodiscard]] Sample make_arcs_creo();
 [[nodiscard]] Sample make_arcs_catia();
 [[nodiscard]] Sample make_buried();         ///< the tool inside a block, no surface inside the tool
 [[nodiscard]] Sample make_inch();           ///< inch toolpath, inch part
 [[nodiscard]] Sample make_needles();        ///< flat end mill exactly on a plane of needle triangles
 [[nodiscard]] Sample make_big_triangles();  ///< ball on an inclined plane of two triangles 2 m wide
-[[nodiscard]] Sample make_sunk_jaw();      ///< a clean path, a vise jaw 2 mm deep in the block
+[[nodiscard]] Sample make_sunk_jaw();       ///< a clean path, a vise jaw 2 mm deep in the block
 
 /// The same surface and passes with about 100,000 triangles and 10,000 moves, to measure with.
 [[nodiscard]] Sample make_freeform_large();

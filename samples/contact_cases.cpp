@@ -32,8 +32,7 @@ Sample make_inch() {
 )";
   const std::array<double, 3> x = {0, 1.5, 3}, z = {-1, 0, 0.25};
   const std::array<double, 2> y = {0, 2};
-  sample.parts.push_back(
-      {"part.stl", make_grid_solid(x, y, z, [](int i, int, int k) { return k == 0 || i == 1; })});
+  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int, int k) { return k == 0 || i == 1; })});
   ClText cl(ClText::Form::apt_xyz);
   cl.line("PARTNO/INCH SAMPLE");
   cl.line("UNITS/INCHES");
@@ -63,8 +62,7 @@ Sample make_inch() {
 Sample make_needles() {
   Sample sample;
   sample.name = "needles";
-  sample.about =
-      "A flat end mill lies exactly on a round plate whose top is a fan of 718 needle triangles: clean";
+  sample.about = "A flat end mill lies exactly on a round plate whose top is a fan of 718 needle triangles: clean";
   sample.toolpath_file = "needles.apt";
   sample.tools =
       R"({"units":"mm","tools":[{"number":1,"name":"flat D20","cutter":{"shape":"flat","diameter":20,"length":40},
@@ -98,8 +96,7 @@ Sample make_needles() {
 Sample make_big_triangles() {
   Sample sample;
   sample.name = "big_triangles";
-  sample.about =
-      "A ball on an inclined plane made of two triangles 2 m wide, cutting 0.1 mm where no vertex is near";
+  sample.about = "A ball on an inclined plane made of two triangles 2 m wide, cutting 0.1 mm where no vertex is near";
   sample.toolpath_file = "big_triangles.apt";
   sample.check_exit = 1;
   sample.tools =
@@ -135,10 +132,9 @@ Sample make_big_triangles() {
 }
 
 std::vector<Sample> make_all() {
-  return {make_freeform(),      make_pocket(),       make_blade(),        make_between_rib(),
-          make_between_swing(), make_between_head(), make_thin_post(),    make_buried(),
-          make_inch(),          make_needles(),      make_big_triangles(), make_arcs_nx(),
-          make_arcs_creo(),     make_arcs_catia(),   make_sunk_jaw()};
+  return {make_freeform(),      make_pocket(),    make_blade(),     make_between_rib(), make_between_swing(),
+          make_between_head(),  make_thin_post(), make_buried(),    make_inch(),        make_needles(),
+          make_big_triangles(), make_arcs_nx(),   make_arcs_creo(), make_arcs_catia(),  make_sunk_jaw()};
 }
 
 }  // namespace gouge::samples

@@ -32,8 +32,8 @@ double height(double x, double y) {
 Vec3 normal(double x, double y) {
   const double wave = kTurn * y / 80 + 0.4;
   const double dx = 4 * kTurn / 98 * std::cos(kTurn * x / 98) * std::sin(wave);
-  const double dy = 4 * kTurn / 80 * std::sin(kTurn * x / 98) * std::cos(wave) -
-                    0.5 * kTurn / 50 * std::sin(kTurn * y / 50);
+  const double dy =
+      4 * kTurn / 80 * std::sin(kTurn * x / 98) * std::cos(wave) - 0.5 * kTurn / 50 * std::sin(kTurn * y / 50);
   return Vec3(-dx, -dy, 1).normalized();
 }
 
@@ -130,9 +130,8 @@ Sample make_with(const Density& density, const std::string& name) {
   Sample sample;
   sample.name = name;
   sample.about =
-      "A wavy surface finished with a ball D10 in 5-axis: two dives, one bad point, and a last pass whose "
-      "holder "
-      "rubs the wall";
+      "A wavy surface finished with a ball D10 in 5-axis: two dives, one bad point, and a last pass whose holder rubs "
+      "the wall";
   sample.toolpath_file = "freeform.apt";
   sample.tools =
       R"({"units":"mm","tools":[{"number":1,"name":"ball D10","cutter":{"shape":"ball","diameter":10,"length":30},

@@ -109,8 +109,7 @@ Sample make_pocket() {
   Sample sample;
   sample.name = "pocket";
   sample.about =
-      "A filleted pocket cleared with a bull-nose D16 r2: one point cuts the wall, one rapid drags through "
-      "the block, "
+      "A filleted pocket cleared with a bull-nose D16 r2: one point cuts the wall, one rapid drags through the block, "
       "one hits the clamp";
   sample.toolpath_file = "pocket.apt";
   sample.tools =

@@ -33,7 +33,7 @@ struct Sample {
   std::string tools;     ///< library, JSON text
   std::string unit = "mm";
   std::vector<NamedSolid> parts, fixtures;
-  double overlap = 0;                     ///< how deep fixture and part penetrate each other; 0: not at all
+  double overlap = 0;             ///< how deep fixture and part penetrate each other; 0: not at all
   std::vector<NamedSolid> heads;  ///< in the tool's frame; only `check` is asked about them
   int check_exit = 0, correct_exit = 0;
   std::size_t moves = 0;

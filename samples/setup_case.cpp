@@ -29,7 +29,8 @@ Solid make_jaw() {
 Sample make_sunk_jaw() {
   Sample sample;
   sample.name = "sunk_jaw";
-  sample.about = "A pocket cleared without a gouge, in a block that its vise jaw reaches 2 mm into: a warning, and a clash";
+  sample.about =
+      "A pocket cleared without a gouge, in a block that its vise jaw reaches 2 mm into: a warning, and a clash";
   sample.toolpath_file = "sunk_jaw.apt";
   sample.tools =
       R"({"units":"mm","tools":[{"number":1,"name":"flat D10","cutter":{"shape":"flat","diameter":10,"length":30},
@@ -47,7 +48,8 @@ Sample make_sunk_jaw() {
   for (int level = 0; level < 3; ++level) {
     for (int row = 0; row <= 4; ++row) {
       const double y = 20 + 5 * row, z = 35 - 5 * level;
-      for (const double x : {row % 2 == 0 ? 25.0 : 75.0, row % 2 == 0 ? 75.0 : 25.0}) cl.feed({Vec3(x, y, z), Vec3::UnitZ()});
+      for (const double x : {row % 2 == 0 ? 25.0 : 75.0, row % 2 == 0 ? 75.0 : 25.0})
+        cl.feed({Vec3(x, y, z), Vec3::UnitZ()});
     }
     cl.rapid({Vec3(75, 40, 60), Vec3::UnitZ()});
     cl.rapid({Vec3(25, 20, 60), Vec3::UnitZ()});

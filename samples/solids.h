@@ -28,8 +28,7 @@ void add_strip(Solid& solid, const Ring& upper, const Ring& lower, bool faces_in
 void add_cap(Solid& solid, const Vec3& center, const Ring& ring, bool faces_down = false);
 
 /// The union of the cells of a grid for which `is_solid(i, j, k)`; cell i spans x[i] to x[i + 1].
-[[nodiscard]] Solid make_grid_solid(std::span<const double> x, std::span<const double> y,
-                                    std::span<const double> z,
+[[nodiscard]] Solid make_grid_solid(std::span<const double> x, std::span<const double> y, std::span<const double> z,
                                     const std::function<bool(int, int, int)>& is_solid);
 
 /// An axis-parallel box of 12 triangles.

@@ -50,25 +50,22 @@ constexpr const char* kFlatD6 =
 }  // namespace
 
 Sample make_between_rib() {
-  Sample sample = small_case("between_rib", "Both positions are clear, the rib between them is cut 3 mm deep",
-                             kFlatD10, 1);
+  Sample sample =
+      small_case("between_rib", "Both positions are clear, the rib between them is cut 3 mm deep", kFlatD10, 1);
   const std::array<double, 4> x = {-40, -1, 1, 40};
   const std::array<double, 2> y = {-30, 30};
   const std::array<double, 3> z = {-10, 0, 8};
-  sample.parts.push_back(
-      {"part.stl", make_grid_solid(x, y, z, [](int i, int, int k) { return k == 0 || i == 1; })});
+  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int, int k) { return k == 0 || i == 1; })});
   ClText cl = start_text(sample);
   cl.feed({Vec3(-20, 0, 5), Vec3::UnitZ()});
-  sample.findings.push_back(
-      {cl.feed({Vec3(20, 0, 5), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.001});
+  sample.findings.push_back({cl.feed({Vec3(20, 0, 5), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.001});
   finish(sample, cl);
   return sample;
 }
 
 Sample make_between_swing() {
   Sample sample = small_case(
-      "between_swing",
-      "The tip rests while the axis swings over: the holder grazes a post between two clear positions",
+      "between_swing", "The tip rests while the axis swings over: the holder grazes a post between two clear positions",
       R"({"units":"mm","tools":[{"number":1,"name":"ball D6","cutter":{"shape":"ball","diameter":6,"length":20},
   "shank":[{"lower_diameter":6,"upper_diameter":6,"length":20}],
   "holder":[{"lower_diameter":30,"upper_diameter":30,"length":30}]}]}
@@ -78,9 +75,8 @@ Sample make_between_swing() {
   // along the axis, and the holder begins at 40.
   const std::array<double, 4> x = {-30, -1, 1, 30}, y = {-30, 11, 13, 30};
   const std::array<double, 3> z = {-12, -2, 41};
-  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) {
-                            return k == 0 || (i == 1 && j == 1);
-                          })});
+  sample.parts.push_back(
+      {"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); })});
   const double deepest = std::sqrt(41.0 * 41.0 + 1) - 40;
   const double tilt = std::numbers::pi / 6;
   ClText cl = start_text(sample);
@@ -94,9 +90,8 @@ Sample make_between_swing() {
 Sample make_between_head() {
   Sample sample = small_case(
       "between_head",
-      "The tip rests while the axis swings over: the machine's head, given as STL, dips into a post that the "
-      "tool "
-      "and its holder pass",
+      "The tip rests while the axis swings over: the machine's head, given as STL, dips into a post that the tool and "
+      "its holder pass",
       R"({"units":"mm","tools":[{"number":1,"name":"ball D6","cutter":{"shape":"ball","diameter":6,"length":20},
   "shank":[{"lower_diameter":6,"upper_diameter":6,"length":20}],
   "holder":[{"lower_diameter":30,"upper_diameter":30,"length":60}]}]}
@@ -106,9 +101,8 @@ Sample make_between_head() {
   // the axis points along (+-1, 0, 101); they pass the holder, of radius 15, at 16.5.
   const std::array<double, 4> x = {-30, -1, 1, 30}, y = {-30, 16.5, 18.5, 30};
   const std::array<double, 3> z = {-12, -4, 101};
-  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) {
-                            return k == 0 || (i == 1 && j == 1);
-                          })});
+  sample.parts.push_back(
+      {"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); })});
   sample.heads.push_back({"head.stl", make_box({-30, -40, 100}, {30, 40, 160})});
   const double deepest = std::sqrt(101.0 * 101.0 + 1) - 100;
   const double tilt = std::numbers::pi / 6;
@@ -124,21 +118,19 @@ Sample make_thin_post() {
   Sample sample = small_case("thin_post", "A rapid 120 mm long crosses a post 0.04 mm thick", kFlatD6, 1);
   const std::array<double, 4> x = {-70, -0.02, 0.02, 70}, y = {-20, -5, 5, 20};
   const std::array<double, 3> z = {-10, 0, 10};
-  sample.parts.push_back({"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) {
-                            return k == 0 || (i == 1 && j == 1);
-                          })});
+  sample.parts.push_back(
+      {"part.stl", make_grid_solid(x, y, z, [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); })});
   ClText cl = start_text(sample);
   cl.feed({Vec3(-60, 0, 4), Vec3::UnitZ()});
   // On the axis the depth is the tool's radius: the post reaches 6 mm above the tip.
-  sample.findings.push_back(
-      {cl.rapid({Vec3(60, 0, 4), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.0001});
+  sample.findings.push_back({cl.rapid({Vec3(60, 0, 4), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.0001});
   finish(sample, cl);
   return sample;
 }
 
 Sample make_buried() {
-  Sample sample = small_case(
-      "buried", "The whole tool is inside a closed block; the way out cuts through its face", kFlatD6, 1);
+  Sample sample =
+      small_case("buried", "The whole tool is inside a closed block; the way out cuts through its face", kFlatD6, 1);
   sample.parts.push_back({"part.stl", make_box({-200, -200, -200}, {200, 200, 200})});
   sample.correct_exit = 1;
   ClText cl = start_text(sample);
@@ -146,8 +138,7 @@ Sample make_buried() {
     sample.findings.push_back({cl.feed({Vec3(x, 0, 0), Vec3::UnitZ()}), "buried", "cutter", "part", 0, 0});
   }
   // Where the face is in the middle of the holder, a point on the axis is as deep as the holder's radius.
-  sample.findings.push_back(
-      {cl.rapid({Vec3(10, 0, 320), Vec3::UnitZ()}), "gouge", "holder", "part", 14.999, 15.0001});
+  sample.findings.push_back({cl.rapid({Vec3(10, 0, 320), Vec3::UnitZ()}), "gouge", "holder", "part", 14.999, 15.0001});
   cl.rapid({Vec3(0, 0, 330), Vec3::UnitZ()});
   finish(sample, cl);
   return sample;

@@ -6,9 +6,7 @@
 namespace gouge::samples {
 namespace {
 
-std::string quoted(const std::string& text) {
-  return "\"" + text + "\"";
-}
+std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
 std::string file_list(const std::vector<NamedSolid>& solids) {
   std::string out = "[";
@@ -39,9 +37,8 @@ std::string expected_json(const Sample& sample) {
   for (std::size_t i = 0; i < sample.findings.size(); ++i) {
     const ExpectedFinding& f = sample.findings[i];
     out += (i == 0 ? "\n    {" : ",\n    {");
-    out += "\"line\": " + std::to_string(f.line) + ", \"state\": " + quoted(f.state) +
-           ", \"body\": " + quoted(f.body) + ", \"against\": " + quoted(f.against) +
-           ", \"depth_min\": " + fixed_text(f.depth_min, 5) +
+    out += "\"line\": " + std::to_string(f.line) + ", \"state\": " + quoted(f.state) + ", \"body\": " + quoted(f.body) +
+           ", \"against\": " + quoted(f.against) + ", \"depth_min\": " + fixed_text(f.depth_min, 5) +
            ", \"depth_max\": " + fixed_text(f.depth_max, 5) + "}";
   }
   return out + (sample.findings.empty() ? "]\n}\n" : "\n  ]\n}\n");
@@ -50,9 +47,8 @@ std::string expected_json(const Sample& sample) {
 Outcome write_sample(const Sample& sample, const std::string& folder) {
   const std::string own = folder + "/" + sample.name;
   if (const Outcome made = make_folder(own); !made) return made;
-  std::vector<std::pair<std::string, std::string>> files = {{sample.toolpath_file, sample.toolpath},
-                                                            {"tools.json", sample.tools},
-                                                            {"expected.json", expected_json(sample)}};
+  std::vector<std::pair<std::string, std::string>> files = {
+      {sample.toolpath_file, sample.toolpath}, {"tools.json", sample.tools}, {"expected.json", expected_json(sample)}};
   for (const auto* solids : {&sample.parts, &sample.fixtures, &sample.heads}) {
     for (const NamedSolid& solid : *solids) files.emplace_back(solid.file, stl_bytes(solid.solid));
   }
@@ -65,8 +61,8 @@ Outcome write_sample(const Sample& sample, const std::string& folder) {
 std::string index_text(const std::vector<Sample>& samples) {
   std::string out;
   for (const Sample& sample : samples) {
-    out += sample.name + " " + std::to_string(sample.check_exit) + " " + std::to_string(sample.correct_exit) +
-           " " + sample.toolpath_file + " --tools tools.json";
+    out += sample.name + " " + std::to_string(sample.check_exit) + " " + std::to_string(sample.correct_exit) + " " +
+           sample.toolpath_file + " --tools tools.json";
     for (const NamedSolid& part : sample.parts) out += " --part " + part.file;
     for (const NamedSolid& fixture : sample.fixtures) out += " --fixture " + fixture.file;
     for (const NamedSolid& head : sample.heads) out += " --head " + head.file;

@@ -98,8 +98,7 @@ double curvature(const ProfileElement& e) {
 
 class Walker {
  public:
-  explicit Walker(const Arrangement& arrangement)
-      : vertices_(arrangement.vertices), pieces_(arrangement.pieces) {}
+  explicit Walker(const Arrangement& arrangement) : vertices_(arrangement.vertices), pieces_(arrangement.pieces) {}
 
   std::optional<std::vector<ProfileElement>> walk() {
     const std::optional<std::size_t> start = lowest_start();
@@ -125,8 +124,7 @@ class Walker {
   std::optional<std::size_t> lowest_start() {
     std::optional<std::size_t> start;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (is_on_axis(pieces_[i].from) && (!start || height(pieces_[i].from) < height(pieces_[*start].from)))
-        start = i;
+      if (is_on_axis(pieces_[i].from) && (!start || height(pieces_[i].from) < height(pieces_[*start].from))) start = i;
       if (is_on_axis(pieces_[i].to)) top_ = std::max(top_, height(pieces_[i].to));
     }
     return start;

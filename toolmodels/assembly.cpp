@@ -44,36 +44,30 @@ Profile stack(Body body, const std::vector<PositionedSegment>& segments) {
   return profile;
 }
 
-Outcome check_segments(const ToolAssembly& tool, const std::vector<ToolSegment>& segments,
-                       const std::string& body) {
+Outcome check_segments(const ToolAssembly& tool, const std::vector<ToolSegment>& segments, const std::string& body) {
   for (std::size_t i = 0; i < segments.size(); ++i)
     if (Outcome good = check_segment(segments[i]); !good)
       return within(tool, body + " " + std::to_string(i + 1), good.error());
   return Done{};
 }
 
-std::string name_of(const ToolExtension& extension) {
-  return extension.name.empty() ? "extension" : extension.name;
-}
+std::string name_of(const ToolExtension& extension) { return extension.name.empty() ? "extension" : extension.name; }
 
 Outcome check_extensions(const ToolAssembly& tool) {
   bool is_holder_below = false;
   for (const ToolExtension& e : tool.extensions) {
-    if (Outcome good = check_segments(tool, e.segments, "extension \"" + name_of(e) + "\""); !good)
-      return good;
+    if (Outcome good = check_segments(tool, e.segments, "extension \"" + name_of(e) + "\""); !good) return good;
     if (is_holder_below && e.counts_as == Body::shank)
-      return within(tool, "extension \"" + name_of(e) + "\"",
-                    make_error("tool-extension",
-                               "counts as shank, but stands on one that counts as holder; let this one "
-                               "count as holder too"));
+      return within(
+          tool, "extension \"" + name_of(e) + "\"",
+          make_error("tool-extension",
+                     "counts as shank, but stands on one that counts as holder; let this one count as holder too"));
     is_holder_below = is_holder_below || e.counts_as == Body::holder;
   }
   return Done{};
 }
 
-bool is_held(const ToolAssembly& tool) {
-  return !tool.extensions.empty() || !tool.holder.empty();
-}
+bool is_held(const ToolAssembly& tool) { return !tool.extensions.empty() || !tool.holder.empty(); }
 
 double shank_end(const ToolAssembly& tool) {
   double z = length_mm(tool.cutter);
@@ -89,15 +83,15 @@ Outcome check_stickout(const ToolAssembly& tool) {
   if (!(tool.stickout_mm > 0)) return Done{};
   const double flutes = length_mm(tool.cutter), end = shank_end(tool);
   if (tool.stickout_mm < flutes - kSame_mm)
-    return within(tool, "",
-                  make_error("tool-stickout",
-                             "stickout " + mm(tool.stickout_mm) + " is less than the length of the flutes, " +
-                                 mm(flutes) + ": the holder would swallow the cutter; give at least that"));
+    return within(
+        tool, "",
+        make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is less than the length of the flutes, " +
+                                        mm(flutes) + ": the holder would swallow the cutter; give at least that"));
   if (tool.stickout_mm > end + kSame_mm)
-    return within(tool, "",
-                  make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) +
-                                                  " is more than flutes and shank reach, " + mm(end) +
-                                                  "; give at most that, or a longer shank"));
+    return within(
+        tool, "",
+        make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is more than flutes and shank reach, " +
+                                        mm(end) + "; give at most that, or a longer shank"));
   return Done{};
 }
 
@@ -140,9 +134,7 @@ std::string label(const ToolAssembly& tool) {
   return number + (number.empty() ? "" : " ") + "\"" + tool.name + "\"";
 }
 
-std::vector<PositionedSegment> position_segments(const ToolAssembly& tool) {
-  return Placer(tool).take();
-}
+std::vector<PositionedSegment> position_segments(const ToolAssembly& tool) { return Placer(tool).take(); }
 
 double stickout_mm(const ToolAssembly& tool) {
   return tool.stickout_mm > 0 && is_held(tool) ? tool.stickout_mm : shank_end(tool);

@@ -53,8 +53,7 @@ class Builder {
   }
 
   std::vector<BspNode> build() {
-    Region all{
-        ConvexCell(size_), {}, std::vector<int>(domains_.lines.size()), std::vector<int>(elements_.size())};
+    Region all{ConvexCell(size_), {}, std::vector<int>(domains_.lines.size()), std::vector<int>(elements_.size())};
     for (Element e = 0; e < elements_.size(); ++e) {
       all.candidates.push_back(e);
       if (elements_[e].kind == ElementKind::vertex) all.element_side[e] = elements_[e].is_reflex ? -1 : 1;
@@ -138,8 +137,7 @@ class Builder {
     for (const Element a : region.candidates)
       for (const Element b : region.candidates) {
         if (a >= b || !is_comparable(a, region) || !is_comparable(b, region)) continue;
-        const Comparison::Kind kind =
-            compare(unsigned_form(a, region), unsigned_form(b, region), region.cell).kind;
+        const Comparison::Kind kind = compare(unsigned_form(a, region), unsigned_form(b, region), region.cell).kind;
         if (kind != Comparison::Kind::first_nearer && kind != Comparison::Kind::second_nearer) continue;
         std::erase(region.candidates, kind == Comparison::Kind::first_nearer ? b : a);
         return true;
@@ -165,8 +163,7 @@ class Builder {
     std::vector<std::size_t> seen;
     for (const Element e : region.candidates) {
       for (const detail::DomainBound& b : domains_.bounds[e]) {
-        if (region.line_side[b.line] != 0 || std::find(seen.begin(), seen.end(), b.line) != seen.end())
-          continue;
+        if (region.line_side[b.line] != 0 || std::find(seen.begin(), seen.end(), b.line) != seen.end()) continue;
         seen.push_back(b.line);
         const DirectedLine& line = domains_.lines[b.line];
         cuts.push_back({CutKind::domain_line, line, detail::straight_node(line), b.line, 0, 0});
@@ -226,8 +223,7 @@ class Builder {
       if (cut.line.direction.squaredNorm() > 0) child.cell = region.cell.clipped(cut.line, sign);
     }
     if (cut.kind == CutKind::domain_line && cut.index != kNoLine) child.line_side[cut.index] = sign;
-    if (cut.kind == CutKind::element_line || cut.kind == CutKind::element_circle)
-      child.element_side[cut.index] = sign;
+    if (cut.kind == CutKind::element_line || cut.kind == CutKind::element_circle) child.element_side[cut.index] = sign;
     if (cut.kind == CutKind::bisector) std::erase(child.candidates, sign < 0 ? cut.second : cut.first);
     if (cut.kind == CutKind::element_circle) clip_by_circle(child, cut.index, sign);
     reduce(child);

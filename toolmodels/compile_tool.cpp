@@ -14,9 +14,7 @@
 namespace gouge {
 namespace {
 
-double cross(const Vec2& u, const Vec2& v) {
-  return u.x() * v.y() - u.y() * v.x();
-}
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 void set_extent(CompiledTool& tool) {
   tool.z_min_mm = tool.z_max_mm = tool.elements.front().a.y();
@@ -36,9 +34,7 @@ void set_extent(CompiledTool& tool) {
   }
 }
 
-double depth_on_axis(const CompiledTool& tool, double z) {
-  return -evaluate(tool, 0, z).signed_distance_mm;
-}
+double depth_on_axis(const CompiledTool& tool, double z) { return -evaluate(tool, 0, z).signed_distance_mm; }
 
 // Deepest of evenly spaced points, then halving the spacing around it: the depth is 1-Lipschitz, so the
 // result is within one spacing of the best depth, and in practice at it.
@@ -75,8 +71,7 @@ void set_core(CompiledTool& tool) {
 // cuts tell them apart, so a tool with a cusp goes without borders.
 void set_borders(CompiledTool& tool) {
   for (const detail::DirectedLine& line : detail::make_domains(tool.elements).lines) {
-    const bool is_cusp =
-        !tool.borders.empty() && tool.borders.back().direction.dot(line.direction) < -1 + 1e-12;
+    const bool is_cusp = !tool.borders.empty() && tool.borders.back().direction.dot(line.direction) < -1 + 1e-12;
     if (is_cusp) return tool.borders.clear();
     tool.borders.push_back({line.through, line.direction, 0});
   }
@@ -97,8 +92,8 @@ CompiledTool compile_tool(const std::string& name, const Profile& profile) {
   return tool;
 }
 
-Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm,
-                                  double shank_clearance_mm, double holder_clearance_mm) {
+Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
+                                        double holder_clearance_mm) {
   const Result<BodyProfiles> bodies = make_body_profiles(tool);
   if (!bodies) return bodies.error();
   const auto& [cutter, shank, holder] = *bodies;
@@ -116,11 +111,10 @@ Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_t
   ToolVariants variants;
   variants.bare = compiled({{&cutter, 0}, {&shank, 0}, {&holder, 0}});
   variants.against_fixture = has_growth ? compiled({{&cutter, 0}, offset_shank, offset_holder}) : variants.bare;
-  variants.against_part = stock_to_leave_mm > 0
-                           ? compiled({{&cutter, stock_to_leave_mm}, offset_shank, offset_holder})
-                           : variants.against_fixture;
+  variants.against_part = stock_to_leave_mm > 0 ? compiled({{&cutter, stock_to_leave_mm}, offset_shank, offset_holder})
+                                                : variants.against_fixture;
   variants.with_clearance = compiled({{shank_clearance_mm > 0 ? &shank : &none, shank_clearance_mm},
-                                   {holder_clearance_mm > 0 ? &holder : &none, holder_clearance_mm}});
+                                      {holder_clearance_mm > 0 ? &holder : &none, holder_clearance_mm}});
   variants.non_cutting = compiled({offset_shank, offset_holder});
   if (error) {
     error->message = "tool " + label(tool) + ": " + error->message;

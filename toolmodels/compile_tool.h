@@ -25,7 +25,7 @@ namespace gouge {
 /// Requires  the three lengths are finite and >= 0.
 /// Errors    those of make_body_profiles, and of unite.
 [[nodiscard]] Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm,
-                                                double shank_clearance_mm, double holder_clearance_mm);
+                                                      double shank_clearance_mm, double holder_clearance_mm);
 
 /// Broken invariants of a compiled tool: indices in range, every element owned by some leaf, unit normals,
 /// elements that join, extent and core that fit. Empty for a sound tool.

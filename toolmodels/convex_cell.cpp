@@ -80,8 +80,7 @@ void ConvexCell::add_corner_amid(const DirectedLine& line) {
     const double at_p = place(p);
     const double at_q = place(q);
     if (!((at_p < 0 && at_q > 0) || (at_p > 0 && at_q < 0))) continue;
-    corners_.insert(corners_.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                    Vec3(line.through.x(), line.through.y(), 1));
+    corners_.insert(corners_.begin() + static_cast<std::ptrdiff_t>(i) + 1, Vec3(line.through.x(), line.through.y(), 1));
     return;
   }
 }

@@ -34,15 +34,13 @@ const char* shape_name(const Cutter& cutter) {
 }
 
 const std::vector<Cutter>& every_shape() {
-  static const std::vector<Cutter> kShapes =
-      all_shapes(std::make_index_sequence<std::variant_size_v<Cutter>>());
+  static const std::vector<Cutter> kShapes = all_shapes(std::make_index_sequence<std::variant_size_v<Cutter>>());
   return kShapes;
 }
 
 double length_mm(const Cutter& cutter) {
   if (const auto* c = std::get_if<SlittingSawCutter>(&cutter)) return c->cap_height_mm + c->thickness_mm;
-  if (const auto* c = std::get_if<ProfileCutter>(&cutter))
-    return c->points.empty() ? 0 : c->points.back().z_mm;
+  if (const auto* c = std::get_if<ProfileCutter>(&cutter)) return c->points.empty() ? 0 : c->points.back().z_mm;
   const double given = field_or(cutter, {"length", "h"}, 0);
   if (given > 0) return given;
   if (const auto* c = std::get_if<ChamferCutter>(&cutter)) return detail::cone_height_mm(*c);
@@ -52,8 +50,7 @@ double length_mm(const Cutter& cutter) {
 
 NominalSize nominal_size(const Cutter& cutter) {
   if (const auto* ball = std::get_if<BallCutter>(&cutter)) return {ball->diameter_mm, ball->diameter_mm / 2};
-  if (const auto* ball = std::get_if<LollipopCutter>(&cutter))
-    return {ball->diameter_mm, ball->diameter_mm / 2};
+  if (const auto* ball = std::get_if<LollipopCutter>(&cutter)) return {ball->diameter_mm, ball->diameter_mm / 2};
   NominalSize size{field_or(cutter, {"diameter", "d"}, 0), field_or(cutter, {"corner_radius", "r"}, 0)};
   if (size.diameter_mm > 0) return size;
   if (const Result<Profile> profile = make_cutter_profile(cutter))

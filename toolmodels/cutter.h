@@ -122,9 +122,8 @@ struct ProfileCutter {
 };
 
 using Cutter = std::variant<FlatCutter, BallCutter, BullNoseCutter, TaperedCutter, AptCutter, DrillCutter,
-                            ChamferCutter, LollipopCutter, TSlotCutter, SlittingSawCutter, DovetailCutter,
-                            BarrelCutter, OvalCutter, LensCutter, FaceMillCutter, RadiusCutter,
-                            ProfileCutter>;
+                            ChamferCutter, LollipopCutter, TSlotCutter, SlittingSawCutter, DovetailCutter, BarrelCutter,
+                            OvalCutter, LensCutter, FaceMillCutter, RadiusCutter, ProfileCutter>;
 
 /// The word of the library file: "flat", "ball", "bull_nose", ...
 [[nodiscard]] const char* shape_name(const Cutter& cutter);

@@ -12,8 +12,7 @@ Outcome check_length(const std::string& field, double value_mm) {
                       field + " is " + (std::isfinite(value_mm) ? detail::mm(value_mm) : "not a number") +
                           "; it must be greater than 0");
   if (!(value_mm <= detail::kLargest_mm))
-    return make_error("tool-dimension-too-large",
-                      field + " is larger than 100000 mm; check the unit of the file");
+    return make_error("tool-dimension-too-large", field + " is larger than 100000 mm; check the unit of the file");
   return Done{};
 }
 
@@ -21,42 +20,34 @@ Outcome check_length(const std::string& field, double value_mm) {
 
 namespace gouge::detail {
 
-std::string mm(double value_mm) {
-  return exact_text(std::round(value_mm * 1e9) / 1e9) + " mm";
-}
+std::string mm(double value_mm) { return exact_text(std::round(value_mm * 1e9) / 1e9) + " mm"; }
 
-double radians(double degrees) {
-  return degrees * (std::numbers::pi / 180);
-}
+double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
-double sine(double degrees) {
-  return std::sin(radians(degrees));
-}
+double sine(double degrees) { return std::sin(radians(degrees)); }
 
-double cosine(double degrees) {
-  return sine(90 - std::abs(degrees));
-}
+double cosine(double degrees) { return sine(90 - std::abs(degrees)); }
 
 Outcome check_not_negative(const std::string& field, double value_mm) {
   if (value_mm > 0) return check_length(field, value_mm);
   if (value_mm >= 0) return Done{};
-  return make_error("tool-dimension-negative", field + " is " +
-                                                   (std::isfinite(value_mm) ? mm(value_mm) : "not a number") +
-                                                   "; it must not be negative");
+  return make_error(
+      "tool-dimension-negative",
+      field + " is " + (std::isfinite(value_mm) ? mm(value_mm) : "not a number") + "; it must not be negative");
 }
 
 Outcome check_angle(const std::string& field, double value_deg, double low_deg, double high_deg) {
   if (value_deg > low_deg && value_deg < high_deg) return Done{};
   const std::string found = std::isfinite(value_deg) ? exact_text(value_deg) + " degrees" : "not a number";
-  return make_error("tool-angle-out-of-range", field + " is " + found + "; it must lie between " +
-                                                   exact_text(low_deg) + " and " + exact_text(high_deg));
+  return make_error("tool-angle-out-of-range", field + " is " + found + "; it must lie between " + exact_text(low_deg) +
+                                                   " and " + exact_text(high_deg));
 }
 
 Outcome check_corner_radius(double radius_mm, double diameter_mm) {
   if (!(radius_mm >= 0))
-    return make_error("tool-corner-radius-negative",
-                      "corner_radius is " + (std::isfinite(radius_mm) ? mm(radius_mm) : "not a number") +
-                          "; give 0 for a sharp corner, or a positive radius");
+    return make_error("tool-corner-radius-negative", "corner_radius is " +
+                                                         (std::isfinite(radius_mm) ? mm(radius_mm) : "not a number") +
+                                                         "; give 0 for a sharp corner, or a positive radius");
   if (radius_mm > diameter_mm / 2 * (1 + kRelativeSlack))
     return make_error("tool-corner-radius-too-large", "corner_radius " + mm(radius_mm) +
                                                           " is larger than half the diameter; at most " +

@@ -11,9 +11,7 @@ namespace {
 
 constexpr double kAtTop = 1e-10;  // of the size: flutes that end where the corner does have no side
 
-bool is_plain(const AptCutter& t) {
-  return std::abs(t.alpha_deg) <= 0 && std::abs(t.beta_deg) <= 0;
-}
+bool is_plain(const AptCutter& t) { return std::abs(t.alpha_deg) <= 0 && std::abs(t.beta_deg) <= 0; }
 
 // What every shape here comes down to: the bottom line at alpha, the corner arc, the side at beta.
 struct Corner {
@@ -27,14 +25,14 @@ Outcome check_corner(const Corner& corner, const Vec2& low, const Vec2& high) {
   const double size = std::max(corner.length_mm, high.x());
   const bool is_point = !(corner.radius_mm > 0) && corner.beta_deg > 0;
   if (low.x() < -kRelativeSlack * size || (high.x() <= 0 && !is_point))
-    return make_error("tool-no-closed-profile",
-                      "these numbers make no closed profile: the corner arc of radius " +
-                          mm(corner.radius_mm) + " would begin at r = " + mm(low.x()) + " and end at r = " +
-                          mm(high.x()) + "; give a larger diameter or a smaller corner radius");
+    return make_error("tool-no-closed-profile", "these numbers make no closed profile: the corner arc of radius " +
+                                                    mm(corner.radius_mm) + " would begin at r = " + mm(low.x()) +
+                                                    " and end at r = " + mm(high.x()) +
+                                                    "; give a larger diameter or a smaller corner radius");
   if (corner.length_mm < high.y() - kAtTop * size)
     return make_error("tool-length-too-short", "length " + mm(corner.length_mm) +
-                                                   " ends within the tip, which reaches up to z = " +
-                                                   mm(high.y()) + "; give a greater length");
+                                                   " ends within the tip, which reaches up to z = " + mm(high.y()) +
+                                                   "; give a greater length");
   return Done{};
 }
 
@@ -50,8 +48,8 @@ Result<Profile> make_from_corner(const Corner& c) {
   const double top_r = high.x() + (c.length_mm - high.y()) * sine(c.beta_deg) / cosine(c.beta_deg);
   if (top_r <= kRelativeSlack * size)
     return make_error("tool-taper-closes",
-                      "a side leaning inward by " + exact_text(-c.beta_deg) + " degrees closes at z = " +
-                          mm(high.y() - high.x() * cosine(c.beta_deg) / sine(c.beta_deg)) +
+                      "a side leaning inward by " + exact_text(-c.beta_deg) +
+                          " degrees closes at z = " + mm(high.y() - high.x() * cosine(c.beta_deg) / sine(c.beta_deg)) +
                           ", below the top of the flutes at " + mm(c.length_mm) +
                           "; give a smaller angle or a smaller length");
   if (top_r > kLargest_mm)
@@ -95,8 +93,7 @@ Outcome check_apt(const AptCutter& t) {
   const double lowest = std::max(-90.0, -90 - t.alpha_deg), highest = std::min(90.0, 90 - t.alpha_deg);
   if (!(t.beta_deg > lowest && t.beta_deg < highest))
     return make_error("tool-angle-out-of-range",
-                      "beta is " +
-                          (std::isfinite(t.beta_deg) ? exact_text(t.beta_deg) + " degrees" : "not a number") +
+                      "beta is " + (std::isfinite(t.beta_deg) ? exact_text(t.beta_deg) + " degrees" : "not a number") +
                           "; it must lie between " + exact_text(lowest) + " and " + exact_text(highest) +
                           " for alpha " + exact_text(t.alpha_deg));
   if (is_plain(t)) return check_corner_radius(t.r_mm, t.d_mm);
@@ -105,13 +102,9 @@ Outcome check_apt(const AptCutter& t) {
 
 }  // namespace
 
-Result<Profile> make_shape(const FlatCutter& t) {
-  return make_plain(t.diameter_mm, 0, 0, t.length_mm);
-}
+Result<Profile> make_shape(const FlatCutter& t) { return make_plain(t.diameter_mm, 0, 0, t.length_mm); }
 
-Result<Profile> make_shape(const BallCutter& t) {
-  return make_plain(t.diameter_mm, t.diameter_mm / 2, 0, t.length_mm);
-}
+Result<Profile> make_shape(const BallCutter& t) { return make_plain(t.diameter_mm, t.diameter_mm / 2, 0, t.length_mm); }
 
 Result<Profile> make_shape(const BullNoseCutter& t) {
   return make_plain(t.diameter_mm, t.corner_radius_mm, 0, t.length_mm);
@@ -148,8 +141,8 @@ std::string apt_contradiction(const AptCutter& t) {
       is_near(t.e_mm, t.d_mm - 2 * t.r_mm) && (is_near(t.f_mm, t.r_mm) || is_near(t.f_mm, center.y()));
   if (!is_given || is_tip_diameter || (is_near(t.e_mm, center.x()) && is_near(t.f_mm, center.y()))) return {};
   return "e = " + mm(t.e_mm) + ", f = " + mm(t.f_mm) +
-         " do not place the corner where d, r, alpha and beta do (e = " + mm(center.x()) +
-         ", f = " + mm(center.y()) + "); built from d, r, alpha and beta";
+         " do not place the corner where d, r, alpha and beta do (e = " + mm(center.x()) + ", f = " + mm(center.y()) +
+         "); built from d, r, alpha and beta";
 }
 
 }  // namespace gouge

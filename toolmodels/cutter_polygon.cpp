@@ -9,9 +9,7 @@
 namespace gouge::detail {
 namespace {
 
-double cotangent(double degrees) {
-  return cosine(degrees) / sine(degrees);
-}
+double cotangent(double degrees) { return cosine(degrees) / sine(degrees); }
 
 Diagnostic too_short(double length_mm, const std::string& what, double at_least_mm) {
   return make_error("tool-length-too-short", "length " + mm(length_mm) + " ends within " + what +
@@ -19,13 +17,9 @@ Diagnostic too_short(double length_mm, const std::string& what, double at_least_
                                                  "; give a greater length");
 }
 
-Diagnostic contradict(const std::string& message) {
-  return make_error("tool-dimensions-contradict", message);
-}
+Diagnostic contradict(const std::string& message) { return make_error("tool-dimensions-contradict", message); }
 
-bool is_below(double value, double limit) {
-  return value < limit * (1 - kRelativeSlack);
-}
+bool is_below(double value, double limit) { return value < limit * (1 - kRelativeSlack); }
 
 Outcome check_slot_corners(const TSlotCutter& t) {
   if (Outcome good = check_corner_radius(t.corner_radius_mm, t.diameter_mm); !good) return good;
@@ -35,10 +29,9 @@ Outcome check_slot_corners(const TSlotCutter& t) {
                                                           " is larger than half the diameter; at most " +
                                                           mm(t.diameter_mm / 2) + " is possible");
   if (is_below(t.length_mm, t.corner_radius_mm + t.upper_radius_mm))
-    return make_error("tool-corner-radius-too-large", "corner_radius " + mm(t.corner_radius_mm) +
-                                                          " and upper_radius " + mm(t.upper_radius_mm) +
-                                                          " do not fit into the length " + mm(t.length_mm) +
-                                                          "; together they may be as large as that");
+    return make_error("tool-corner-radius-too-large", "corner_radius " + mm(t.corner_radius_mm) + " and upper_radius " +
+                                                          mm(t.upper_radius_mm) + " do not fit into the length " +
+                                                          mm(t.length_mm) + "; together they may be as large as that");
   return Done{};
 }
 
@@ -66,21 +59,18 @@ Outcome check_edge(const FaceMillCutter& t) {
   if (has_taper)
     if (Outcome good = check_angle("taper_angle", t.taper_angle_deg, 0, 90); !good) return good;
   if (t.largest_diameter_mm > 0 && is_below(t.largest_diameter_mm, t.diameter_mm))
-    return contradict("largest_diameter " + mm(t.largest_diameter_mm) + " is less than diameter " +
-                      mm(t.diameter_mm) + "; it must be at least that");
+    return contradict("largest_diameter " + mm(t.largest_diameter_mm) + " is less than diameter " + mm(t.diameter_mm) +
+                      "; it must be at least that");
   const bool is_wider = t.largest_diameter_mm > t.diameter_mm * (1 + kRelativeSlack);
   if (has_taper != is_wider)
-    return contradict("an edge with a taper_angle needs a largest_diameter greater than diameter " +
-                      mm(t.diameter_mm) + ", and the other way round; give both, or neither");
-  if (is_below(t.length_mm, edge_top(t).y()))
-    return too_short(t.length_mm, "the leaning edge", edge_top(t).y());
+    return contradict("an edge with a taper_angle needs a largest_diameter greater than diameter " + mm(t.diameter_mm) +
+                      ", and the other way round; give both, or neither");
+  if (is_below(t.length_mm, edge_top(t).y())) return too_short(t.length_mm, "the leaning edge", edge_top(t).y());
   return Done{};
 }
 
 // How far from a corner of `between_deg` degrees an arc of the radius touches its sides.
-double trim(double radius_mm, double between_deg) {
-  return radius_mm * cotangent(between_deg / 2);
-}
+double trim(double radius_mm, double between_deg) { return radius_mm * cotangent(between_deg / 2); }
 
 Outcome check_face_corner(const FaceMillCutter& t) {
   const double recess = t.recess_diameter_mm / 2, edge = edge_top(t).y() / cosine(t.taper_angle_deg);
@@ -88,10 +78,9 @@ Outcome check_face_corner(const FaceMillCutter& t) {
   const double room = std::min(t.diameter_mm / 2 - recess, space_above);
   const double taken = trim(t.corner_radius_mm, 90 + t.taper_angle_deg);
   if (!(taken > room * (1 + kRelativeSlack))) return Done{};
-  return make_error("tool-corner-radius-too-large",
-                    "corner_radius " + mm(t.corner_radius_mm) +
-                        " has no room between the underside and the edge; at most " +
-                        mm(room * t.corner_radius_mm / taken) + " is possible");
+  return make_error("tool-corner-radius-too-large", "corner_radius " + mm(t.corner_radius_mm) +
+                                                        " has no room between the underside and the edge; at most " +
+                                                        mm(room * t.corner_radius_mm / taken) + " is possible");
 }
 
 }  // namespace
@@ -120,13 +109,12 @@ Result<Profile> make_shape(const ChamferCutter& t) {
   if (Outcome good = check_angle("taper_angle", t.taper_angle_deg, 0, 90); !good) return good.error();
   if (Outcome good = check_not_negative("length", t.length_mm); !good) return good.error();
   if (t.tip_diameter_mm >= t.diameter_mm)
-    return contradict("tip_diameter " + mm(t.tip_diameter_mm) + " is not less than diameter " +
-                      mm(t.diameter_mm) + ", which is the largest");
+    return contradict("tip_diameter " + mm(t.tip_diameter_mm) + " is not less than diameter " + mm(t.diameter_mm) +
+                      ", which is the largest");
   const double r = t.diameter_mm / 2, cone = cone_height_mm(t);
   if (t.length_mm > 0 && is_below(t.length_mm, cone)) return too_short(t.length_mm, "the cone", cone);
   const double top = t.length_mm > 0 ? t.length_mm : cone;
-  return make_rounded({{{0, 0}, 0}, {{t.tip_diameter_mm / 2, 0}, 0}, {{r, cone}, 0}, {{r, top}, 0}},
-                      "cone and side");
+  return make_rounded({{{0, 0}, 0}, {{t.tip_diameter_mm / 2, 0}, 0}, {{r, cone}, 0}, {{r, top}, 0}}, "cone and side");
 }
 
 Result<Profile> make_shape(const TSlotCutter& t) {
@@ -134,11 +122,9 @@ Result<Profile> make_shape(const TSlotCutter& t) {
   if (Outcome good = check_length("length", t.length_mm); !good) return good.error();
   if (Outcome good = check_slot_corners(t); !good) return good.error();
   const double r = t.diameter_mm / 2;
-  return make_rounded({{{0, 0}, 0},
-                       {{r, 0}, t.corner_radius_mm},
-                       {{r, t.length_mm}, t.upper_radius_mm},
-                       {{0, t.length_mm}, 0}},
-                      "disc with rounded corners");
+  return make_rounded(
+      {{{0, 0}, 0}, {{r, 0}, t.corner_radius_mm}, {{r, t.length_mm}, t.upper_radius_mm}, {{0, t.length_mm}, 0}},
+      "disc with rounded corners");
 }
 
 Result<Profile> make_shape(const SlittingSawCutter& t) {
@@ -149,12 +135,11 @@ Result<Profile> make_shape(const SlittingSawCutter& t) {
   if ((t.cap_diameter_mm > 0) != (t.cap_height_mm > 0))
     return contradict("cap_diameter and cap_height belong together; give both, or neither");
   if (t.cap_diameter_mm >= t.diameter_mm)
-    return contradict("cap_diameter " + mm(t.cap_diameter_mm) + " is not less than diameter " +
-                      mm(t.diameter_mm) + "; the cap would cover the blade");
+    return contradict("cap_diameter " + mm(t.cap_diameter_mm) + " is not less than diameter " + mm(t.diameter_mm) +
+                      "; the cap would cover the blade");
   const double r = t.diameter_mm / 2, cap = t.cap_diameter_mm / 2, low = t.cap_height_mm;
-  return make_rounded(
-      {{{0, 0}, 0}, {{cap, 0}, 0}, {{cap, low}, 0}, {{r, low}, 0}, {{r, low + t.thickness_mm}, 0}},
-      "cap and blade");
+  return make_rounded({{{0, 0}, 0}, {{cap, 0}, 0}, {{cap, low}, 0}, {{r, low}, 0}, {{r, low + t.thickness_mm}, 0}},
+                      "cap and blade");
 }
 
 Result<Profile> make_shape(const FaceMillCutter& t) {
@@ -188,18 +173,13 @@ Result<Profile> make_shape(const RadiusCutter& t) {
   const double tip = t.tip_diameter_mm / 2, r = t.profile_radius_mm, end = tip + r;
   const double top = t.tip_length_mm + r;
   if (t.diameter_mm > 0 && is_below(t.diameter_mm, 2 * end))
-    return contradict("diameter " + mm(t.diameter_mm) +
-                      " is less than tip_diameter and two profile_radius together, " + mm(2 * end) +
-                      "; it must be at least that");
+    return contradict("diameter " + mm(t.diameter_mm) + " is less than tip_diameter and two profile_radius together, " +
+                      mm(2 * end) + "; it must be at least that");
   if (is_below(t.length_mm, top)) return too_short(t.length_mm, "the arc", top);
   const double wide = std::max(t.diameter_mm / 2, end);
-  return make_rounded({{{0, 0}, 0},
-                       {{tip, 0}, 0},
-                       {{tip, top}, r},
-                       {{wide, top}, 0},
-                       {{wide, t.length_mm}, 0},
-                       {{0, t.length_mm}, 0}},
-                      "tip, arc and side");
+  return make_rounded(
+      {{{0, 0}, 0}, {{tip, 0}, 0}, {{tip, top}, r}, {{wide, top}, 0}, {{wide, t.length_mm}, 0}, {{0, t.length_mm}, 0}},
+      "tip, arc and side");
 }
 
 }  // namespace gouge::detail

@@ -10,30 +10,24 @@ namespace {
 
 using SegmentShape = ProfilePoint::SegmentShape;
 
-std::string point(std::size_t index) {
-  return "point " + std::to_string(index + 1);
-}
+std::string point(std::size_t index) { return "point " + std::to_string(index + 1); }
 
-Diagnostic broken(const std::string& message) {
-  return make_error("tool-profile-broken", message);
-}
+Diagnostic broken(const std::string& message) { return make_error("tool-profile-broken", message); }
 
 Outcome check_point(const ProfileCutter& t, std::size_t i) {
   const ProfilePoint& p = t.points[i];
-  if (!std::isfinite(p.r_mm) || !std::isfinite(p.z_mm) || std::abs(p.z_mm) > kLargest_mm ||
-      p.r_mm > kLargest_mm)
+  if (!std::isfinite(p.r_mm) || !std::isfinite(p.z_mm) || std::abs(p.z_mm) > kLargest_mm || p.r_mm > kLargest_mm)
     return make_error("tool-dimension-too-large",
                       point(i) + " is farther than 100000 mm away; check the unit of the file");
   if (p.r_mm < 0) return broken(point(i) + ": r is " + mm(p.r_mm) + "; a radius is 0 or more");
   if (p.shape == SegmentShape::straight) return Done{};
   if (i == 0)
-    return broken(point(i) +
-                  " has an arc, but nothing comes before it; arcs lead to a point from the one before");
+    return broken(point(i) + " has an arc, but nothing comes before it; arcs lead to a point from the one before");
   if (Outcome good = check_length(point(i) + ": radius", p.radius_mm); !good) return good;
   const double chord = (Vec2(p.r_mm, p.z_mm) - Vec2(t.points[i - 1].r_mm, t.points[i - 1].z_mm)).norm();
   if (p.radius_mm < chord / 2 * (1 - kRelativeSlack))
-    return broken(point(i) + ": radius " + mm(p.radius_mm) +
-                  " is too small to reach from the point before; at least " + mm(chord / 2) + " is needed");
+    return broken(point(i) + ": radius " + mm(p.radius_mm) + " is too small to reach from the point before; at least " +
+                  mm(chord / 2) + " is needed");
   return Done{};
 }
 
@@ -65,7 +59,8 @@ Result<Profile> make_shape(const ProfileCutter& t) {
     if (p.shape == SegmentShape::straight)
       contour.line_to(to);
     else
-      contour.arc_to(to, center_of(at, to, radius, p.shape == SegmentShape::concave), radius, p.shape == SegmentShape::concave);
+      contour.arc_to(to, center_of(at, to, radius, p.shape == SegmentShape::concave), radius,
+                     p.shape == SegmentShape::concave);
     at = to;
   }
   Result<Profile> made = contour.close("points in order from the tip up, the tool on their left");

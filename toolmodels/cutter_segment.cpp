@@ -8,9 +8,7 @@
 namespace gouge::detail {
 namespace {
 
-Diagnostic contradict(const std::string& message) {
-  return make_error("tool-dimensions-contradict", message);
-}
+Diagnostic contradict(const std::string& message) { return make_error("tool-dimensions-contradict", message); }
 
 // The flank of a barrel mill.
 struct Flank {
@@ -42,10 +40,9 @@ Outcome check_barrel(const BarrelCutter& t) {
   if (!(t.corner_radius_mm >= 0)) return check_corner_radius(t.corner_radius_mm, t.diameter_mm);
   const Flank flank = flank_of(t);
   if (!flank.has_height(0) || !(flank.radius_at(0) > 0))
-    return contradict("profile_radius " + mm(t.profile_radius_mm) + " and axial_distance " +
-                      mm(t.axial_distance_mm) +
-                      ": the flank meets the axis above the tip; give a larger profile_radius or a smaller "
-                      "axial_distance");
+    return contradict(
+        "profile_radius " + mm(t.profile_radius_mm) + " and axial_distance " + mm(t.axial_distance_mm) +
+        ": the flank meets the axis above the tip; give a larger profile_radius or a smaller axial_distance");
   if (!flank.has_height(t.length_mm) || !(flank.radius_at(t.length_mm) > 0))
     return contradict("profile_radius " + mm(t.profile_radius_mm) +
                       ": the flank meets the axis below the top of the flutes at " + mm(t.length_mm) +
@@ -53,27 +50,26 @@ Outcome check_barrel(const BarrelCutter& t) {
   const double largest = std::min(flank.largest_corner_mm(), t.profile_radius_mm);
   if (t.corner_radius_mm > largest * (1 + 1e-6))
     return make_error("tool-corner-radius-too-large", "corner_radius " + mm(t.corner_radius_mm) +
-                                                          " would begin beyond the axis; at most " +
-                                                          mm(largest) + " is possible, which is a ball tip");
+                                                          " would begin beyond the axis; at most " + mm(largest) +
+                                                          " is possible, which is a ball tip");
   return Done{};
 }
 
-Outcome check_circle_segment(double diameter_mm, double profile_radius_mm, double corner_radius_mm,
-                             double length_mm) {
+Outcome check_circle_segment(double diameter_mm, double profile_radius_mm, double corner_radius_mm, double length_mm) {
   if (Outcome good = check_length("diameter", diameter_mm); !good) return good;
   if (Outcome good = check_length("profile_radius", profile_radius_mm); !good) return good;
   if (Outcome good = check_corner_radius(corner_radius_mm, diameter_mm); !good) return good;
   if (Outcome good = check_length("length", length_mm); !good) return good;
   if (profile_radius_mm < diameter_mm / 2 * (1 - kRelativeSlack))
-    return contradict("profile_radius " + mm(profile_radius_mm) +
-                      " is less than half the diameter; at least " + mm(diameter_mm / 2) + " is needed");
+    return contradict("profile_radius " + mm(profile_radius_mm) + " is less than half the diameter; at least " +
+                      mm(diameter_mm / 2) + " is needed");
   return Done{};
 }
 
 Diagnostic too_short(double length_mm, double at_least_mm) {
   return make_error("tool-length-too-short", "length " + mm(length_mm) +
-                                                 " ends within the tip, which reaches up to z = " +
-                                                 mm(at_least_mm) + "; give a greater length");
+                                                 " ends within the tip, which reaches up to z = " + mm(at_least_mm) +
+                                                 "; give a greater length");
 }
 
 }  // namespace
@@ -90,13 +86,12 @@ Result<Profile> make_shape(const LollipopCutter& t) {
   if (!(t.neck_diameter_mm > 0) && !(t.length_mm > 0))
     return contradict("a lollipop needs a neck_diameter, or the length at which its ball ends");
   if (t.neck_diameter_mm >= t.diameter_mm)
-    return contradict("neck_diameter " + mm(t.neck_diameter_mm) + " is not less than diameter " +
-                      mm(t.diameter_mm) + ", that of the ball");
+    return contradict("neck_diameter " + mm(t.neck_diameter_mm) + " is not less than diameter " + mm(t.diameter_mm) +
+                      ", that of the ball");
   const double r = t.diameter_mm / 2, top = t.length_mm > 0 ? t.length_mm : ball_height_mm(t);
   if (!(top > r && top < t.diameter_mm))
-    return contradict("length " + mm(top) +
-                      " does not end within the upper half of the ball; it must lie between " + mm(r) +
-                      " and " + mm(t.diameter_mm));
+    return contradict("length " + mm(top) + " does not end within the upper half of the ball; it must lie between " +
+                      mm(r) + " and " + mm(t.diameter_mm));
   ContourMaker contour(Vec2::Zero(), t.diameter_mm);
   contour.arc_to({std::sqrt((2 * r - top) * top), top}, {0, r}, r);
   return contour.close("ball and neck");
@@ -123,15 +118,12 @@ Result<Profile> make_shape(const BarrelCutter& t) {
 }
 
 Result<Profile> make_shape(const OvalCutter& t) {
-  if (Outcome good =
-          check_circle_segment(t.diameter_mm, t.profile_radius_mm, t.corner_radius_mm, t.length_mm);
-      !good)
+  if (Outcome good = check_circle_segment(t.diameter_mm, t.profile_radius_mm, t.corner_radius_mm, t.length_mm); !good)
     return good.error();
   if (Outcome good = check_length("corner_radius", t.corner_radius_mm); !good) return good.error();
   const double r = t.corner_radius_mm, side = t.diameter_mm / 2;
   const double reach = t.profile_radius_mm - r, inset = t.profile_radius_mm - side;
-  const Vec2 center(side - t.profile_radius_mm,
-                    r + std::sqrt(std::max(0.0, (reach - inset) * (reach + inset))));
+  const Vec2 center(side - t.profile_radius_mm, r + std::sqrt(std::max(0.0, (reach - inset) * (reach + inset))));
   const Vec2 ball(0, r);
   const Vec2 touch = reach > 0 ? Vec2(center + t.profile_radius_mm / reach * (ball - center)) : Vec2(side, r);
   if (touch.y() >= t.length_mm) return too_short(t.length_mm, touch.y());
@@ -147,9 +139,7 @@ Result<Profile> make_shape(const OvalCutter& t) {
 }
 
 Result<Profile> make_shape(const LensCutter& t) {
-  if (Outcome good =
-          check_circle_segment(t.diameter_mm, t.profile_radius_mm, t.corner_radius_mm, t.length_mm);
-      !good)
+  if (Outcome good = check_circle_segment(t.diameter_mm, t.profile_radius_mm, t.corner_radius_mm, t.length_mm); !good)
     return good.error();
   const double c = t.corner_radius_mm, side = t.diameter_mm / 2, big = t.profile_radius_mm;
   const double reach = big - c, inset = side - c;

@@ -21,8 +21,7 @@ constexpr double kRelativeSlack = 1e-9;  ///< dimensions closer than this to a l
 /// A dimension that may be left out: 0 or more, finite and not absurdly large.
 [[nodiscard]] Outcome check_not_negative(const std::string& field, double value_mm);
 /// Between the limits, which are not allowed themselves.
-[[nodiscard]] Outcome check_angle(const std::string& field, double value_deg, double low_deg,
-                                  double high_deg);
+[[nodiscard]] Outcome check_angle(const std::string& field, double value_deg, double low_deg, double high_deg);
 [[nodiscard]] Outcome check_corner_radius(double radius_mm, double diameter_mm);
 
 /// The contour from its parts, which must follow each other; parts of no length are left out.
@@ -51,8 +50,7 @@ struct RoundedCorner {
 
 /// The polygon from the axis to the axis with its corners rounded. Requires radii that leave room for one
 /// another, which the caller has checked by name.
-[[nodiscard]] Result<Profile> make_rounded(const std::vector<RoundedCorner>& corners,
-                                           const std::string& what);
+[[nodiscard]] Result<Profile> make_rounded(const std::vector<RoundedCorner>& corners, const std::string& what);
 
 [[nodiscard]] Result<Profile> make_shape(const FlatCutter& cutter);
 [[nodiscard]] Result<Profile> make_shape(const BallCutter& cutter);

@@ -40,8 +40,7 @@ std::string describe_cutter(const Cutter& cutter, LengthUnit unit) {
     if (word.empty() || (field.otherwise && std::abs(*field.value) <= 0)) return;
     const bool is_angle = field.kind == detail::FieldKind::angle;
     const double value = is_angle ? *field.value : *field.value / mm_per(unit);
-    text +=
-        " " + std::string(word) + " " + exact_text(std::round(value * 1e4) / 1e4) + (is_angle ? " deg" : "");
+    text += " " + std::string(word) + " " + exact_text(std::round(value * 1e4) / 1e4) + (is_angle ? " deg" : "");
   });
   if (const auto* profile = std::get_if<ProfileCutter>(&cutter))
     text += " of " + std::to_string(profile->points.size()) + " points";

@@ -36,8 +36,7 @@ std::vector<Vec2> clipped(const std::vector<Vec2>& points, int axis, double boun
   return kept;
 }
 
-void fill_region(Drawing& drawing, const CompiledTool& tool, const TracedRegion& region,
-                 const ProfileView& view) {
+void fill_region(Drawing& drawing, const CompiledTool& tool, const TracedRegion& region, const ProfileView& view) {
   std::vector<Vec2> points = region.near_points;
   points.insert(points.end(), region.far_points.rbegin(), region.far_points.rend());
   for (const int axis : {0, 1}) {
@@ -46,8 +45,7 @@ void fill_region(Drawing& drawing, const CompiledTool& tool, const TracedRegion&
   }
   if (points.size() < 3) return;
   for (Vec2& p : points) p = view.at(p);
-  drawing.items.emplace_back(
-      DrawnShape{std::move(points), region_colour(tool.elements[region.element], region)});
+  drawing.items.emplace_back(DrawnShape{std::move(points), region_colour(tool.elements[region.element], region)});
 }
 
 // The part of the chord ab within the window, if any.
@@ -133,8 +131,8 @@ void draw_arrow(Drawing& drawing, const Vec2& from, const Vec2& to, const Colour
   const Vec2 across(-along.y(), along.x());
   const double head = std::min(6.0 * width, (to - from).norm());
   draw_line(drawing, from, to - 0.8 * head * along, colour, width);
-  drawing.items.emplace_back(DrawnShape{
-      {to, to - head * along + 0.4 * head * across, to - head * along - 0.4 * head * across}, colour});
+  drawing.items.emplace_back(
+      DrawnShape{{to, to - head * along + 0.4 * head * across, to - head * along - 0.4 * head * across}, colour});
 }
 
 void draw_regions(Drawing& drawing, const CompiledTool& tool, const ProfileView& view, bool with_outside) {
@@ -171,8 +169,7 @@ void draw_contour(Drawing& drawing, const Profile& profile, const ProfileView& v
     points.insert(points.end(), part.begin(), part.end() - 1);
   }
   points.push_back(profile.elements.back().b);
-  draw_within(drawing, points, std::vector<bool>(points.size(), true), view,
-              {{}, kContour, width, false, {}});
+  draw_within(drawing, points, std::vector<bool>(points.size(), true), view, {{}, kContour, width, false, {}});
 }
 
 }  // namespace gouge::detail

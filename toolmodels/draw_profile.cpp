@@ -24,11 +24,7 @@ constexpr Colour kFaint{120, 124, 132, 1};
 class Sheet {
  public:
   Sheet(const ToolAssembly& tool, const BodyProfiles& bodies, const Profile& profile, LengthUnit unit)
-      : tool_(tool),
-        bodies_(bodies),
-        profile_(profile),
-        compiled_(compile_tool(label(tool), profile)),
-        unit_(unit) {}
+      : tool_(tool), bodies_(bodies), profile_(profile), compiled_(compile_tool(label(tool), profile)), unit_(unit) {}
 
   Drawing draw() {
     drawing_.width = kWidth;
@@ -54,14 +50,12 @@ class Sheet {
     if (tool_.holder.empty()) facts += ", no holder";
     detail::draw_text(drawing_, {40, 78}, facts, 16, TextAnchor::left);
     detail::draw_line(drawing_, {40, 94}, {kWidth - 40, 94}, kFaint, 1);
-    detail::draw_text(
-        drawing_, {40, kHeight - 24},
-        "Tinted: the region of each boundary element (Voronoi diagram of the profile). Arrows: the way "
-        "out for a point at their tail.",
-        14, TextAnchor::left);
+    detail::draw_text(drawing_, {40, kHeight - 24},
+                      "Tinted: the region of each boundary element (Voronoi diagram of the profile). Arrows: the way "
+                      "out for a point at their tail.",
+                      14, TextAnchor::left);
     detail::draw_text(drawing_, {kWidth - 40, kHeight - 24},
-                      unit_ == LengthUnit::inch ? "dimensions in inches" : "dimensions in mm", 14,
-                      TextAnchor::right);
+                      unit_ == LengthUnit::inch ? "dimensions in inches" : "dimensions in mm", 14, TextAnchor::right);
   }
 
   // ---- left panel
@@ -73,8 +67,7 @@ class Sheet {
     view.low = Vec2(0, compiled_.z_min_mm);
     view.high = Vec2(compiled_.r_max_mm, compiled_.z_max_mm);
     const double middle = 0.5 * (kTop + kBottom);
-    view.origin =
-        Vec2(kAssemblyMiddle, middle + 0.5 * view.scale * (compiled_.z_max_mm + compiled_.z_min_mm));
+    view.origin = Vec2(kAssemblyMiddle, middle + 0.5 * view.scale * (compiled_.z_max_mm + compiled_.z_min_mm));
     fill_bodies(view);
     detail::draw_regions(drawing_, compiled_, view, false);
     detail::draw_contour(drawing_, profile_, view, 2);
@@ -106,8 +99,7 @@ class Sheet {
       detail::draw_arrow(drawing_, middle + Vec2(0, half - 1), from, kInk, 1);
       detail::draw_arrow(drawing_, middle - Vec2(0, half - 1), to, kInk, 1);
     }
-    for (const Vec2& end : {from, to})
-      detail::draw_line(drawing_, end - Vec2(7, 0), end + Vec2(7, 0), kInk, 1);
+    for (const Vec2& end : {from, to}) detail::draw_line(drawing_, end - Vec2(7, 0), end + Vec2(7, 0), kInk, 1);
     detail::draw_text(drawing_, {x - 9, 0.5 * (from.y() + to.y()) + 5}, text, 14, TextAnchor::right);
   }
 
@@ -120,8 +112,7 @@ class Sheet {
       const double high = bodies_[i].elements.back().b.y();
       double low = i == 0 ? 0.0 : bodies_[i].elements.front().a.y();
       for (const ProfileElement& e : bodies_[i].elements) low = std::min({low, e.a.y(), e.b.y()});
-      draw_length(view, left, low, high,
-                  std::string(body_name(static_cast<Body>(i))) + " " + length(high - low));
+      draw_length(view, left, low, high, std::string(body_name(static_cast<Body>(i))) + " " + length(high - low));
       ++bodies_drawn;
     }
     if (bodies_drawn > 1) draw_length(view, left - 110, 0, compiled_.z_max_mm, length(compiled_.z_max_mm));
@@ -143,8 +134,8 @@ class Sheet {
     Vec2 widest = Vec2::Zero();
     for (const ProfileElement& e : bodies_[0].elements)
       for (const Vec2& p : {e.a, e.b, Vec2(e.center + Vec2(e.radius_mm, 0))}) {
-        const bool is_on_it = p == e.a || p == e.b ||
-                              (e.is_arc && !e.is_concave && detail::passes(e, p, 1e-12 * compiled_.r_max_mm));
+        const bool is_on_it =
+            p == e.a || p == e.b || (e.is_arc && !e.is_concave && detail::passes(e, p, 1e-12 * compiled_.r_max_mm));
         if (is_on_it && p.x() > widest.x() + 1e-9 * compiled_.r_max_mm) widest = p;
       }
     return widest;
@@ -177,8 +168,7 @@ class Sheet {
       label.y = std::min(label.y, lowest - 20);
       lowest = label.y;
       const Colour thin{120, 124, 132, 1};
-      drawing_.items.emplace_back(
-          DrawnLine{{label.at, {x - 20, label.y}, {x - 4, label.y}}, thin, 1, false, {}});
+      drawing_.items.emplace_back(DrawnLine{{label.at, {x - 20, label.y}, {x - 4, label.y}}, thin, 1, false, {}});
       detail::draw_text(drawing_, {x, label.y + 5}, label.text, 14, TextAnchor::left);
     }
   }
@@ -190,8 +180,7 @@ class Sheet {
     const auto [low, high] = heights_of_tip();
     ProfileView view;
     const double tall = kBottom - kTop;
-    view.scale =
-        std::min((kTipRight - kTipLeft) / (1.45 * widest.x()), 0.72 * tall / std::max(high - low, 1e-9));
+    view.scale = std::min((kTipRight - kTipLeft) / (1.45 * widest.x()), 0.72 * tall / std::max(high - low, 1e-9));
     view.origin = Vec2(kTipLeft, kBottom - 0.17 * tall + view.scale * low);
     view.low = Vec2(0, (view.origin.y() - kBottom) / view.scale);
     view.high = Vec2((kTipRight - kTipLeft) / view.scale, (view.origin.y() - kTop) / view.scale);
@@ -229,8 +218,7 @@ class Sheet {
     // The title gives the nominal diameter, which in a tapered tool is not that of the widest point.
     const bool is_nominal = std::abs(nominal_size(tool_.cutter).diameter_mm - 2 * widest.x()) < 1e-3;
     detail::draw_text(drawing_, {0.5 * (from.x() + to.x()), y - 6},
-                      (is_nominal ? "D/2 = " : "widest D/2 = ") + length(widest.x()), 15, TextAnchor::middle,
-                      true);
+                      (is_nominal ? "D/2 = " : "widest D/2 = ") + length(widest.x()), 15, TextAnchor::middle, true);
   }
 
   void draw_scale_bar(const ProfileView& view) {
@@ -245,8 +233,7 @@ class Sheet {
     const Vec2 left(kTipRight - 20 - pixels, kBottom - 18);
     detail::draw_line(drawing_, left, left + Vec2(pixels, 0), kInk, 3);
     detail::draw_text(drawing_, left + Vec2(pixels / 2, -8),
-                      exact_text(std::round(bar * 1e6) / 1e6) + " " + unit_name(unit_), 14,
-                      TextAnchor::middle);
+                      exact_text(std::round(bar * 1e6) / 1e6) + " " + unit_name(unit_), 14, TextAnchor::middle);
   }
 
   void draw_corner(const ProfileView& view) {

@@ -46,12 +46,10 @@ class Field {
   [[nodiscard]] Vec2 at(double x, double y) const { return corner_ + Vec2(x, y); }
 
   void draw_frame() {
-    const std::vector<Vec2> frame{at(0, 0), at(kFieldWidth, 0), at(kFieldWidth, kFieldHeight),
-                                  at(0, kFieldHeight)};
+    const std::vector<Vec2> frame{at(0, 0), at(kFieldWidth, 0), at(kFieldWidth, kFieldHeight), at(0, kFieldHeight)};
     sheet_.items.emplace_back(DrawnLine{frame, kFaint, 1, true, {}});
     detail::draw_text(sheet_, at(20, 40), shortened(label(tool_), 38), 24, TextAnchor::left, true);
-    detail::draw_text(sheet_, at(20, 70), shortened(describe_cutter(tool_.cutter, unit_), 62), 17,
-                      TextAnchor::left);
+    detail::draw_text(sheet_, at(20, 70), shortened(describe_cutter(tool_.cutter, unit_), 62), 17, TextAnchor::left);
     const std::string lengths = "flutes " + number(length_mm(tool_.cutter), unit_) + ", assembly " +
                                 number(height_mm(tool_), unit_) + " " + unit_name(unit_) +
                                 (tool_.holder.empty() ? ", no holder" : "");
@@ -74,8 +72,7 @@ class Field {
   [[nodiscard]] ProfileView view_of(const Profile& profile, double left, double right) const {
     const CompiledTool tool = compile_tool("", profile);
     ProfileView view;
-    view.scale =
-        std::min((right - left) / (2 * tool.r_max_mm), (kBottom - kTop) / (tool.z_max_mm - tool.z_min_mm));
+    view.scale = std::min((right - left) / (2 * tool.r_max_mm), (kBottom - kTop) / (tool.z_max_mm - tool.z_min_mm));
     view.low = Vec2(0, tool.z_min_mm);
     view.high = Vec2(tool.r_max_mm, tool.z_max_mm);
     view.origin = at(0.5 * (left + right), kBottom + view.scale * tool.z_min_mm);
@@ -110,14 +107,13 @@ class Field {
 
 Result<Drawing> draw_sheet(const std::vector<const ToolAssembly*>& tools, LengthUnit unit) {
   Drawing sheet;
-  const auto columns = std::clamp<std::size_t>(
-      static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tools.size())))), 1, 4);
+  const auto columns =
+      std::clamp<std::size_t>(static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(tools.size())))), 1, 4);
   const std::size_t rows = (tools.size() + columns - 1) / columns;
   sheet.width = kFieldWidth * static_cast<double>(columns);
   sheet.height = kFieldHeight * static_cast<double>(rows);
   for (std::size_t i = 0; i < tools.size(); ++i) {
-    const Vec2 corner(kFieldWidth * static_cast<double>(i % columns),
-                      kFieldHeight * static_cast<double>(i / columns));
+    const Vec2 corner(kFieldWidth * static_cast<double>(i % columns), kFieldHeight * static_cast<double>(i / columns));
     if (Outcome drawn = Field(sheet, corner, *tools[i], unit).draw(); !drawn) return drawn.error();
   }
   return sheet;

@@ -15,9 +15,7 @@ constexpr double kStraightTurn = 1e-12;
 constexpr double kLargestShift = 1e-3;  // of the shorter element, by which a joint may be put right
 constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
 
-double cross(const Vec2& u, const Vec2& v) {
-  return u.x() * v.y() - u.y() * v.x();
-}
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 BoundaryElement boundary(const ProfileElement& e) {
   BoundaryElement element;
@@ -28,17 +26,14 @@ BoundaryElement boundary(const ProfileElement& e) {
   element.b = e.b;
   element.center = e.center;
   element.radius_mm = e.radius_mm;
-  element.normal =
-      e.is_arc ? Vec2(sample(e, 2)[1] - e.center).normalized() : outward_normal(start_direction(e));
+  element.normal = e.is_arc ? Vec2(sample(e, 2)[1] - e.center).normalized() : outward_normal(start_direction(e));
   return element;
 }
 
-// How much more the contour bends to the left behind a point where it turns back than before it, seen in the direction both
-// share: above 0 they enclose a crack, below 0 a blade.
+// How much more the contour bends to the left behind a point where it turns back than before it, seen in the direction
+// both share: above 0 they enclose a crack, below 0 a blade.
 double opening(const ProfileElement& e, const ProfileElement& next) {
-  const auto bend = [](const ProfileElement& p) {
-    return p.is_arc ? (p.is_concave ? -1 : 1) / p.radius_mm : 0.0;
-  };
+  const auto bend = [](const ProfileElement& p) { return p.is_arc ? (p.is_concave ? -1 : 1) / p.radius_mm : 0.0; };
   return bend(next) + bend(e);
 }
 
@@ -82,13 +77,9 @@ std::vector<ProfileElement> without_long_arcs(const Profile& profile) {
   return parts;
 }
 
-Vec2 mirrored_travel(const Vec2& direction) {
-  return {direction.x(), -direction.y()};
-}
+Vec2 mirrored_travel(const Vec2& direction) { return {direction.x(), -direction.y()}; }
 
-double length_of(const BoundaryElement& e) {
-  return (e.b - e.a).norm();
-}
+double length_of(const BoundaryElement& e) { return (e.b - e.a).norm(); }
 
 // Where two elements that join smoothly have one normal: on an arc beside a segment where the circle has the
 // segment's normal, between two arcs on the line of their centres.
@@ -130,8 +121,8 @@ std::vector<BoundaryElement> make_elements(const Profile& profile) {
     if (i + 1 == parts.size()) break;
     // Between two bodies the lower one names the vertex.
     const double smooth_turn = parts[i].is_arc || parts[i + 1].is_arc ? kSmoothTurn : kStraightTurn;
-    add(vertex({parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body,
-                smooth_turn, opening(parts[i], parts[i + 1])}));
+    add(vertex({parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body, smooth_turn,
+                opening(parts[i], parts[i + 1])}));
   }
   const Vec2 last = end_direction(parts.back());
   add(vertex({parts.back().b, last, mirrored_travel(last), parts.back().body}));

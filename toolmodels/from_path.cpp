@@ -9,13 +9,9 @@
 namespace gouge {
 namespace {
 
-double tangent(double degrees) {
-  return std::tan(degrees * (std::numbers::pi / 180));
-}
+double tangent(double degrees) { return std::tan(degrees * (std::numbers::pi / 180)); }
 
-std::string mm(double value) {
-  return exact_text(std::round(value * 1e6) / 1e6) + " mm";
-}
+std::string mm(double value) { return exact_text(std::round(value * 1e6) / 1e6) + " mm"; }
 
 // Highest point the corner can reach; what lies above is the side.
 double tip_height(const CutterStatement& c) {
@@ -43,8 +39,7 @@ void split_shank(ToolAssembly& tool, AptCutter cutter, double flute_length_mm) {
   const Result<Profile> flutes = make_cutter_profile(cutter);
   if (!whole || !flutes) return;
   tool.cutter = cutter;
-  tool.shank = {
-      {2 * flutes->elements.back().a.x(), 2 * whole->elements.back().a.x(), height - flute_length_mm}};
+  tool.shank = {{2 * flutes->elements.back().a.x(), 2 * whole->elements.back().a.x(), height - flute_length_mm}};
 }
 
 }  // namespace
@@ -65,10 +60,9 @@ Result<ToolFromPath> make_tool_from_path(const PathTool& tool, const std::vector
   const std::string who = "tool " + label(made.tool) + ": ";
   if (!(cutter.h_mm > 0) || ends_within_tip(cutter)) {
     cutter.h_mm = assumed_height(c);
-    const std::string found = c.h_mm > 0 ? "its height h = " + mm(c.h_mm) + " ends within the tip"
-                                         : "the file gives the cutter no length";
-    made.notes.push_back(
-        make_note("cutter-length", who + found + "; it is checked up to " + mm(cutter.h_mm)));
+    const std::string found =
+        c.h_mm > 0 ? "its height h = " + mm(c.h_mm) + " ends within the tip" : "the file gives the cutter no length";
+    made.notes.push_back(make_note("cutter-length", who + found + "; it is checked up to " + mm(cutter.h_mm)));
   }
   if (const std::string contradiction = apt_contradiction(cutter); !contradiction.empty())
     made.notes.push_back(make_warning("cutter-contradiction", who + contradiction));

@@ -50,7 +50,8 @@ class LimitScan {
   [[nodiscard]] Diagnostic too_deep() const {
     return make_error("json-too-deep",
                       "objects and lists are nested deeper than " + std::to_string(kDeepestJson) +
-                          " levels; expected " + what_ + ", which needs no more than ten; the file is damaged or not one",
+                          " levels; expected " + what_ +
+                          ", which needs no more than ten; the file is damaged or not one",
                       file_, line_of_byte(text_, at_));
   }
 
@@ -84,16 +85,15 @@ std::string mistake_at(std::string_view bytes, std::size_t byte) {
 
 Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const JsonKind& kind) {
   const std::string& syntax = kind.syntax_code;
-  if (bytes.empty())
-    return make_error(syntax, "the file is empty (0 bytes); expected " + kind.what + " (JSON)", file);
+  if (bytes.empty()) return make_error(syntax, "the file is empty (0 bytes); expected " + kind.what + " (JSON)", file);
   if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
   if (const auto excess = LimitScan(file, bytes, kind.what).find_excess()) return *excess;
   try {
     JsonFile parsed{nlohmann::json::parse(bytes), find_json_lines(bytes)};
     const auto& twice = parsed.lines.duplicate;
     if (twice)
-      return make_error(kind.duplicate_key_code, "the key " + twice->pointer + " is there twice; remove one",
-                        file, twice->line);
+      return make_error(kind.duplicate_key_code, "the key " + twice->pointer + " is there twice; remove one", file,
+                        twice->line);
     return parsed;
   } catch (const nlohmann::json::parse_error& error) {
     const std::size_t byte = error.byte > 0 ? error.byte - 1 : 0;

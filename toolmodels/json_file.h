@@ -12,9 +12,9 @@
 
 namespace gouge::detail {
 
-inline constexpr std::size_t kDeepestJson = 64;        ///< objects and lists within each other
-inline constexpr std::size_t kLongestText = 1'000'000; ///< bytes of one text or key
-inline constexpr std::size_t kLongestNumber = 1'000;   ///< characters of one number
+inline constexpr std::size_t kDeepestJson = 64;         ///< objects and lists within each other
+inline constexpr std::size_t kLongestText = 1'000'000;  ///< bytes of one text or key
+inline constexpr std::size_t kLongestNumber = 1'000;    ///< characters of one number
 
 struct JsonFile {
   nlohmann::json root;

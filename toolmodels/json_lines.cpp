@@ -44,8 +44,7 @@ class Scanner {
         note_value();
     } else {
       note_value();
-      while (at_ + 1 < text_.size() &&
-             std::string_view(",]} \t\r\n").find(text_[at_ + 1]) == std::string_view::npos)
+      while (at_ + 1 < text_.size() && std::string_view(",]} \t\r\n").find(text_[at_ + 1]) == std::string_view::npos)
         ++at_;
     }
   }
@@ -121,9 +120,7 @@ std::size_t JsonLines::at(std::string_view pointer) const {
   return lines_[value];
 }
 
-JsonLines find_json_lines(std::string_view text) {
-  return Scanner(text).scan();
-}
+JsonLines find_json_lines(std::string_view text) { return Scanner(text).scan(); }
 
 std::size_t line_of_byte(std::string_view text, std::size_t byte) {
   const std::string_view before = text.substr(0, std::min(byte, text.size()));

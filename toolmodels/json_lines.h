@@ -25,13 +25,12 @@ class JsonLines {
   std::optional<Duplicate> duplicate;  ///< the first key that an object has twice
 
   /// The value of that key, or of that index, of the value `parent`; false when there is one already.
-  [[nodiscard]] std::pair<std::size_t, bool> add(std::size_t parent, const std::string& key,
-                                                 std::size_t line);
+  [[nodiscard]] std::pair<std::size_t, bool> add(std::size_t parent, const std::string& key, std::size_t line);
   /// The line of the whole text's value, which is number 0.
   std::size_t set_root(std::size_t line);
 
  private:
-  std::vector<std::size_t> lines_{1};  // of each value; the first one is the whole text
+  std::vector<std::size_t> lines_{1};                                  // of each value; the first one is the whole text
   std::map<std::pair<std::size_t, std::string>, std::size_t> values_;  // by parent and key
 };
 

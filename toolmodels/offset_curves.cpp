@@ -9,13 +9,9 @@ namespace {
 
 constexpr double kSmoothTurn = 1e-12;  // sine of the turn below which two normals are one
 
-double cross(const Vec2& u, const Vec2& v) {
-  return u.x() * v.y() - u.y() * v.x();
-}
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
-Vec2 mirrored(const Vec2& v) {
-  return {-v.x(), v.y()};
-}
+Vec2 mirrored(const Vec2& v) { return {-v.x(), v.y()}; }
 
 ProfileElement moved_out(const ProfileElement& e, double growth) {
   ProfileElement moved = e;
@@ -75,8 +71,7 @@ std::vector<Vec2> meet_circles(const ProfileElement& one, const ProfileElement& 
   if (distance > c.radius_mm + d.radius_mm + slack) return {};
   if (distance < std::abs(c.radius_mm - d.radius_mm) - slack) return {};
   const Vec2 u = between / distance;
-  const double along =
-      0.5 * (distance + (c.radius_mm - d.radius_mm) * (c.radius_mm + d.radius_mm) / distance);
+  const double along = 0.5 * (distance + (c.radius_mm - d.radius_mm) * (c.radius_mm + d.radius_mm) / distance);
   const double height2 = (c.radius_mm - along) * (c.radius_mm + along);
   if (height2 <= 0) return {c.center + std::clamp(along, -c.radius_mm, c.radius_mm) * u};
   const Vec2 sideways = std::sqrt(height2) * Vec2(-u.y(), u.x());
@@ -94,8 +89,7 @@ std::vector<ProfileElement> offset_curves(const Profile& profile, double growth)
     const ProfileElement& e = elements[i];
     const Vec2 after = outward_normal(start_direction(e));
     if (i > 0)
-      add_corner(elements[i - 1].body, e.a, outward_normal(end_direction(elements[i - 1])), after, growth,
-                 curves);
+      add_corner(elements[i - 1].body, e.a, outward_normal(end_direction(elements[i - 1])), after, growth, curves);
     else if (cross(mirrored(after), after) > 0)  // a tip on the axis: the half of its arc at r >= 0
       add_corner(e.body, e.a, Vec2(0, -1), after, growth, curves);
     if (survives(e, growth, slack)) curves.push_back(moved_out(e, growth));
@@ -151,8 +145,7 @@ std::vector<Vec2> axis_points(const ProfileElement& curve, double slack) {
     if ((curve.a.x() < 0) != (curve.b.x() < 0) && std::abs(run) > 0)
       points.emplace_back(0, curve.a.y() - curve.a.x() / run * (curve.b.y() - curve.a.y()));
   } else if (std::abs(curve.center.x()) < curve.radius_mm) {
-    const double half =
-        std::sqrt((curve.radius_mm - curve.center.x()) * (curve.radius_mm + curve.center.x()));
+    const double half = std::sqrt((curve.radius_mm - curve.center.x()) * (curve.radius_mm + curve.center.x()));
     points = {{0, curve.center.y() - half}, {0, curve.center.y() + half}};
   }
   std::erase_if(points, [&](const Vec2& p) { return !passes(curve, p, slack); });

@@ -16,8 +16,7 @@ namespace gouge::detail {
 
 /// Points common to both curves, ends included, to within `slack_mm`; where they run along one another none.
 /// Tangency gives one point, or two within rounding of each other.
-[[nodiscard]] std::vector<Vec2> meeting_points(const ProfileElement& c, const ProfileElement& d,
-                                               double slack_mm);
+[[nodiscard]] std::vector<Vec2> meeting_points(const ProfileElement& c, const ProfileElement& d, double slack_mm);
 
 /// Points of a curve on the axis, r = 0.
 [[nodiscard]] std::vector<Vec2> axis_points(const ProfileElement& curve, double slack_mm);

@@ -30,8 +30,7 @@ bool do_cross(const Vec2& a, const Vec2& b, const Vec2& c, const Vec2& d) {
   return side(a, b, c) * side(a, b, d) < 0 && side(c, d, a) * side(c, d, b) < 0;
 }
 
-void verify_element(const ProfileElement& e, double slack, const std::string& name,
-                    std::vector<std::string>& broken) {
+void verify_element(const ProfileElement& e, double slack, const std::string& name, std::vector<std::string>& broken) {
   if (!e.a.allFinite() || !e.b.allFinite()) broken.push_back(name + " is not finite");
   if ((e.b - e.a).norm() <= slack) broken.push_back(name + " has no length");
   if (e.a.x() < 0 || e.b.x() < 0) broken.push_back(name + " crosses the axis");
@@ -81,8 +80,7 @@ void verify_shape(const Profile& profile, double slack, std::vector<std::string>
   for (std::size_t i = 0; i < owner.size(); ++i)
     for (std::size_t j = i + 2; j < owner.size(); ++j)
       if (do_cross(points[i], points[i + 1], points[j], points[j + 1]))
-        broken.push_back("elements " + std::to_string(owner[i]) + " and " + std::to_string(owner[j]) +
-                         " cross");
+        broken.push_back("elements " + std::to_string(owner[i]) + " and " + std::to_string(owner[j]) + " cross");
 }
 
 void verify_joints(const Profile& profile, double slack, std::vector<std::string>& broken) {
@@ -102,8 +100,7 @@ ProfileElement make_segment(Body body, const Vec2& a, const Vec2& b) {
   return e;
 }
 
-ProfileElement make_convex_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center,
-                               double radius_mm) {
+ProfileElement make_convex_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center, double radius_mm) {
   ProfileElement e = make_segment(body, a, b);
   e.is_arc = true;
   e.center = center;
@@ -111,8 +108,7 @@ ProfileElement make_convex_arc(Body body, const Vec2& a, const Vec2& b, const Ve
   return e;
 }
 
-ProfileElement make_concave_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center,
-                                double radius_mm) {
+ProfileElement make_concave_arc(Body body, const Vec2& a, const Vec2& b, const Vec2& center, double radius_mm) {
   ProfileElement e = make_convex_arc(body, a, b, center, radius_mm);
   e.is_concave = true;
   return e;
@@ -122,9 +118,7 @@ Vec2 start_direction(const ProfileElement& e) {
   return e.is_arc ? direction_at(e, e.a) : Vec2((e.b - e.a).normalized());
 }
 
-Vec2 end_direction(const ProfileElement& e) {
-  return e.is_arc ? direction_at(e, e.b) : Vec2((e.b - e.a).normalized());
-}
+Vec2 end_direction(const ProfileElement& e) { return e.is_arc ? direction_at(e, e.b) : Vec2((e.b - e.a).normalized()); }
 
 double sweep_rad(const ProfileElement& e) {
   if (!e.is_arc) return 0;
@@ -162,8 +156,7 @@ bool is_single_valued(const Profile& profile) {
     // The height never falls along the contour. Directions on an arc of half a circle at most are all between
     // those at its ends, once the middle one shows which way round.
     return start_direction(e).y() >= -slack && end_direction(e).y() >= -slack &&
-           sweep_rad(e) <= std::numbers::pi + slack &&
-           (!e.is_arc || direction_at(e, sample(e, 2)[1]).y() >= -slack);
+           sweep_rad(e) <= std::numbers::pi + slack && (!e.is_arc || direction_at(e, sample(e, 2)[1]).y() >= -slack);
   });
 }
 

@@ -42,9 +42,7 @@ struct Profile {
 [[nodiscard]] Vec2 end_direction(const ProfileElement& element);
 
 /// Outward unit normal belonging to a direction of travel.
-[[nodiscard]] inline Vec2 outward_normal(const Vec2& direction) {
-  return {direction.y(), -direction.x()};
-}
+[[nodiscard]] inline Vec2 outward_normal(const Vec2& direction) { return {direction.y(), -direction.x()}; }
 
 /// Angle an arc sweeps, in (0, 2 pi); 0 for a segment.
 [[nodiscard]] double sweep_rad(const ProfileElement& element);

@@ -24,9 +24,7 @@ const char* type_word(const Json& value) {
 // readers below need not ask after each step.
 class Reader {
  public:
-  Reader(std::string file, detail::JsonLines lines) : lines_(std::move(lines)) {
-    library_.file = std::move(file);
-  }
+  Reader(std::string file, detail::JsonLines lines) : lines_(std::move(lines)) { library_.file = std::move(file); }
 
   Result<ToolLibrary> read(const Json& root) {
     read_root(root);
@@ -134,8 +132,7 @@ class Reader {
     if (!bodies) fail(bodies.error().code, who + ": " + bodies.error().message, pointer);
   }
 
-  std::vector<ToolSegment> read_segments(const Json& list, const std::string& pointer,
-                                         const std::string& who) {
+  std::vector<ToolSegment> read_segments(const Json& list, const std::string& pointer, const std::string& who) {
     std::vector<ToolSegment> segments;
     if (!is_list(list, pointer, who)) return segments;
     for (std::size_t i = 0; i < list.size() && !error_; ++i) {
@@ -144,16 +141,14 @@ class Reader {
       if (!is_object(list[i], here, which)) break;
       warn_unknown_keys(list[i], here, which, {"lower_diameter", "upper_diameter", "length", "comment"});
       segments.push_back({length(list[i], "lower_diameter", here, which),
-                          length(list[i], "upper_diameter", here, which),
-                          length(list[i], "length", here, which)});
+                          length(list[i], "upper_diameter", here, which), length(list[i], "length", here, which)});
     }
     return segments;
   }
 
   void read_tools(const Json& root) {
     const auto found = root.find("tools");
-    if (found == root.end())
-      return fail("library-empty", "the library has no \"tools\"; expected a list of them", "");
+    if (found == root.end()) return fail("library-empty", "the library has no \"tools\"; expected a list of them", "");
     if (!is_list(*found, "/tools", "tools")) return;
     if (found->empty() && library_.holders.empty())
       return fail("library-empty", "the list of tools is empty; it needs at least one", "/tools");
@@ -172,37 +167,29 @@ class Reader {
     warn_unknown_keys(
         entry, pointer, who,
         {"number", "name", "cutter", "shank", "extensions", "holder", "stickout", "gauge_length", "comment"});
-    if (!entry.contains("cutter"))
-      return fail("library-field", who + " has no \"cutter\"; it needs one", pointer);
+    if (!entry.contains("cutter")) return fail("library-field", who + " has no \"cutter\"; it needs one", pointer);
     read_cutter(entry["cutter"], pointer + "/cutter", who, tool);
-    if (entry.contains("shank"))
-      tool.shank = read_segments(entry["shank"], pointer + "/shank", who + ": shank");
-    if (entry.contains("extensions"))
-      read_extensions(entry["extensions"], pointer + "/extensions", who, tool);
+    if (entry.contains("shank")) tool.shank = read_segments(entry["shank"], pointer + "/shank", who + ": shank");
+    if (entry.contains("extensions")) read_extensions(entry["extensions"], pointer + "/extensions", who, tool);
     tool.stickout_mm = length(entry, "stickout", pointer, who, 0);
     tool.gauge_length_mm = length(entry, "gauge_length", pointer, who, 0);
     if (entry.contains("holder")) read_tool_holder(entry["holder"], pointer + "/holder", who, tool);
     if (!error_) add_tool(std::move(tool), pointer, who);
   }
 
-  void read_number(const Json& entry, const std::string& pointer, const std::string& who,
-                   ToolAssembly& tool) {
+  void read_number(const Json& entry, const std::string& pointer, const std::string& who, ToolAssembly& tool) {
     if (const auto found = entry.find("number"); found != entry.end()) {
       constexpr std::int64_t kLargest = 999'999'999;
-      if (!found->is_number_integer() || found->get<std::int64_t>() < 0 ||
-          found->get<std::int64_t>() > kLargest)
-        fail("library-field", who + ": \"number\" is not a whole number from 0 to 999999999",
-             pointer + "/number");
+      if (!found->is_number_integer() || found->get<std::int64_t>() < 0 || found->get<std::int64_t>() > kLargest)
+        fail("library-field", who + ": \"number\" is not a whole number from 0 to 999999999", pointer + "/number");
       else
         tool.number = static_cast<int>(found->get<std::int64_t>());
     }
     if (!tool.number && tool.name.empty())
-      fail("library-field", who + " has neither \"number\" nor \"name\"; it needs one to be found by",
-           pointer);
+      fail("library-field", who + " has neither \"number\" nor \"name\"; it needs one to be found by", pointer);
   }
 
-  void read_tool_holder(const Json& value, const std::string& pointer, const std::string& who,
-                        ToolAssembly& tool) {
+  void read_tool_holder(const Json& value, const std::string& pointer, const std::string& who, ToolAssembly& tool) {
     if (!value.is_string()) {
       tool.holder = read_segments(value, pointer, who + ": holder");
       return;
@@ -213,12 +200,10 @@ class Reader {
       tool.holder = *holder;
     else
       fail("library-field",
-           who + ": holder \"" + name + "\" is neither among \"holders\" nor an earlier tool with a holder",
-           pointer);
+           who + ": holder \"" + name + "\" is neither among \"holders\" nor an earlier tool with a holder", pointer);
   }
 
-  void read_cutter(const Json& value, const std::string& pointer, const std::string& tool_name,
-                   ToolAssembly& tool) {
+  void read_cutter(const Json& value, const std::string& pointer, const std::string& tool_name, ToolAssembly& tool) {
     const std::string who = tool_name + ": cutter";
     if (!is_object(value, pointer, who)) return;
     const std::string shape = text(value, "shape", pointer, who);
@@ -231,8 +216,7 @@ class Reader {
     }
     if (!error_)
       fail("library-field",
-           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") + "; expected one of " +
-               names,
+           who + ": shape is " + (shape.empty() ? "missing" : "\"" + shape + "\"") + "; expected one of " + names,
            pointer + "/shape");
   }
 
@@ -246,15 +230,13 @@ class Reader {
     });
     if (auto* profile = std::get_if<ProfileCutter>(&cutter)) {
       known.push_back("points");
-      if (!value.contains("points"))
-        return fail("library-field", who + " has no \"points\"; it needs them", pointer);
+      if (!value.contains("points")) return fail("library-field", who + " has no \"points\"; it needs them", pointer);
       profile->points = read_points(value["points"], pointer + "/points", who);
     }
     warn_unknown_keys(value, pointer, who, known);
   }
 
-  std::vector<ProfilePoint> read_points(const Json& list, const std::string& pointer,
-                                        const std::string& who) {
+  std::vector<ProfilePoint> read_points(const Json& list, const std::string& pointer, const std::string& who) {
     std::vector<ProfilePoint> points;
     if (!is_list(list, pointer, who + ": points")) return points;
     for (std::size_t i = 0; i < list.size() && !error_; ++i) {
@@ -272,18 +254,15 @@ class Reader {
       else if (arc == "concave")
         point.shape = ProfilePoint::SegmentShape::concave;
       else if (!arc.empty())
-        fail("library-field", which + ": arc is \"" + arc + "\"; expected \"convex\" or \"concave\"",
-             here + "/arc");
+        fail("library-field", which + ": arc is \"" + arc + "\"; expected \"convex\" or \"concave\"", here + "/arc");
       else if (list[i].contains("radius"))
-        fail("library-field", which + " has a radius but no \"arc\"; add \"arc\": \"convex\" or \"concave\"",
-             here);
+        fail("library-field", which + " has a radius but no \"arc\"; add \"arc\": \"convex\" or \"concave\"", here);
       points.push_back(point);
     }
     return points;
   }
 
-  void read_extensions(const Json& list, const std::string& pointer, const std::string& who,
-                       ToolAssembly& tool) {
+  void read_extensions(const Json& list, const std::string& pointer, const std::string& who, ToolAssembly& tool) {
     if (!is_list(list, pointer, who + ": extensions")) return;
     for (std::size_t i = 0; i < list.size() && !error_; ++i) {
       const std::string here = pointer + "/" + std::to_string(i);
@@ -308,27 +287,24 @@ class Reader {
     if (const Result<BodyProfiles> bodies = make_body_profiles(tool); !bodies)
       return fail(bodies.error().code, bodies.error().message, pointer);
     if (tool.number && library_.with_number(*tool.number) != nullptr)
-      return fail("library-duplicate-number",
-                  who + ": number " + std::to_string(*tool.number) +
-                      " is already taken; give every tool a number of its own",
-                  pointer + "/number");
+      return fail(
+          "library-duplicate-number",
+          who + ": number " + std::to_string(*tool.number) + " is already taken; give every tool a number of its own",
+          pointer + "/number");
     if (!tool.name.empty() && library_.with_name(tool.name) != nullptr)
-      library_.notes.push_back(
-          make_warning("library-duplicate-name",
-                       who + " has the name of an earlier tool; asked for by name, the first is taken",
-                       library_.file, lines_.at(pointer + "/name")));
-    if (const double height = height_mm(tool);
-        tool.gauge_length_mm > height * (1 + 1e-9) && !tool.holder.empty())
+      library_.notes.push_back(make_warning(
+          "library-duplicate-name", who + " has the name of an earlier tool; asked for by name, the first is taken",
+          library_.file, lines_.at(pointer + "/name")));
+    if (const double height = height_mm(tool); tool.gauge_length_mm > height * (1 + 1e-9) && !tool.holder.empty())
       library_.notes.push_back(make_warning("tool-gauge-length",
                                             who + ": gauge_length " + detail::mm(tool.gauge_length_mm) +
-                                                " is more than the assembly, which ends at " +
-                                                detail::mm(height) +
+                                                " is more than the assembly, which ends at " + detail::mm(height) +
                                                 "; what is between is not in the file and not checked",
                                             library_.file, lines_.at(pointer + "/gauge_length")));
     if (const auto* apt = std::get_if<AptCutter>(&tool.cutter))
       if (const std::string reported = apt_contradiction(*apt); !reported.empty())
-        library_.notes.push_back(make_warning("cutter-contradiction", who + ": " + reported, library_.file,
-                                              lines_.at(pointer + "/cutter")));
+        library_.notes.push_back(
+            make_warning("cutter-contradiction", who + ": " + reported, library_.file, lines_.at(pointer + "/cutter")));
     library_.tools.push_back(std::move(tool));
   }
 

@@ -12,9 +12,7 @@ constexpr double kSlack = 1e-12;            // of the size
 constexpr double kHorizontal = 1e-9;        // |n.r| below this: the plane is horizontal
 constexpr double kNearlyHorizontal = 1e-6;  // below this a foot may be bounded by a horizontal plane
 
-double cross(const Vec2& u, const Vec2& v) {
-  return u.x() * v.y() - u.y() * v.x();
-}
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 // The tangent planes of one element: all have a normal between n0 and n1 and touch the circle about `center`
 // (radius 0 for a vertex, and for a segment, whose two normals are one).
@@ -90,8 +88,7 @@ class Support {
         break;
       }
     if (own.n0.x() < kNearlyHorizontal && own.n0.y() < 0) claim.r_min_mm = radius_below(i);
-    if (own.n1.x() < kNearlyHorizontal && own.n1.y() > 0)
-      claim.r_min_mm = std::max(claim.r_min_mm, radius_above(i));
+    if (own.n1.x() < kNearlyHorizontal && own.n1.y() > 0) claim.r_min_mm = std::max(claim.r_min_mm, radius_above(i));
     return claim;
   }
 
@@ -168,8 +165,7 @@ std::optional<Profile> with_filled_underside(const Profile& profile) {
     filled.elements.push_back(parts[first]);
     filled.elements.back().a = rim;
   }
-  filled.elements.insert(filled.elements.end(), parts.begin() + static_cast<std::ptrdiff_t>(first) + 1,
-                         parts.end());
+  filled.elements.insert(filled.elements.end(), parts.begin() + static_cast<std::ptrdiff_t>(first) + 1, parts.end());
   if (!verify_profile(filled).empty() || !is_single_valued(filled)) return std::nullopt;
   return filled;
 }
@@ -179,8 +175,8 @@ bool is_same(const BoundaryElement& e, const BoundaryElement& o) {
 }
 
 // The planes of a vertex are those between its neighbours' normals, so these must be the same too.
-bool has_same_planes(const std::vector<BoundaryElement>& p, std::size_t i,
-                     const std::vector<BoundaryElement>& q, std::size_t j) {
+bool has_same_planes(const std::vector<BoundaryElement>& p, std::size_t i, const std::vector<BoundaryElement>& q,
+                     std::size_t j) {
   if (!is_same(p[i], q[j])) return false;
   if (p[i].kind != ElementKind::vertex) return true;
   return i > 0 && j > 0 && i + 1 < p.size() && j + 1 < q.size() && is_same(p[i - 1], q[j - 1]) &&

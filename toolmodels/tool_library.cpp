@@ -20,8 +20,7 @@ const ToolAssembly* ToolLibrary::with_number(int number) const {
 }
 
 const ToolAssembly* ToolLibrary::with_name(std::string_view name) const {
-  const auto found =
-      std::find_if(tools.begin(), tools.end(), [&](const ToolAssembly& t) { return t.name == name; });
+  const auto found = std::find_if(tools.begin(), tools.end(), [&](const ToolAssembly& t) { return t.name == name; });
   return found == tools.end() ? nullptr : &*found;
 }
 

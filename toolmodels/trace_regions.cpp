@@ -25,13 +25,9 @@ Vec2 turned(const Vec2& u, double angle) {
 }
 
 // Rays stand closer near the ends, where a bisector may run almost along them.
-double share(int i, int steps) {
-  return 0.5 * (1 - std::cos(std::numbers::pi * i / steps));
-}
+double share(int i, int steps) { return 0.5 * (1 - std::cos(std::numbers::pi * i / steps)); }
 
-double angle_between(const Vec2& u, const Vec2& v) {
-  return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
-}
+double angle_between(const Vec2& u, const Vec2& v) { return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)); }
 
 class Tracer {
  public:
@@ -68,8 +64,7 @@ class Tracer {
     std::vector<Ray> list;
     if (e.kind == ElementKind::segment) {
       constexpr int kSteps = 480;
-      for (int i = 0; i <= kSteps; ++i)
-        list.push_back({e.a + share(i, kSteps) * (e.b - e.a), sign * e.normal});
+      for (int i = 0; i <= kSteps; ++i) list.push_back({e.a + share(i, kSteps) * (e.b - e.a), sign * e.normal});
       return list;
     }
     constexpr int kSteps = 120;
@@ -91,8 +86,7 @@ class Tracer {
     return {-after.x(), after.y()};
   }
   Vec2 normal_after(std::uint32_t index) const {
-    if (index + 1 < tool_.elements.size())
-      return normal_at(tool_.elements[index + 1], tool_.elements[index].a);
+    if (index + 1 < tool_.elements.size()) return normal_at(tool_.elements[index + 1], tool_.elements[index].a);
     const Vec2 before = normal_before(index);
     return {-before.x(), before.y()};
   }

@@ -28,8 +28,7 @@ bool continues(const ProfileElement& p, const ProfileElement& q, double slack) {
            std::abs(p.radius_mm - q.radius_mm) <= slack;
   const Vec2 along = start_direction(p);
   const Vec2 beyond = q.b - p.a;
-  return along.dot(start_direction(q)) > 0 &&
-         std::abs(along.x() * beyond.y() - along.y() * beyond.x()) <= slack;
+  return along.dot(start_direction(q)) > 0 && std::abs(along.x() * beyond.y() - along.y() * beyond.x()) <= slack;
 }
 
 Profile merge_neighbours(const std::vector<ProfileElement>& elements, double slack) {
@@ -78,11 +77,10 @@ Result<Profile> unite(const std::vector<OffsetBody>& bodies) {
     if (!body.profile->elements.empty()) size = std::max(size, size_of(*body.profile) + body.growth_mm);
   if (!(size > 0)) return Profile{};
   for (int attempt = 0; attempt < 4; ++attempt)
-    if (std::optional<Profile> made = try_unite(bodies, size, attempt * kNudge * size))
-      return *std::move(made);
-  return make_error("tool-not-closed",
-                    "its bodies do not join to one contour from the tip to the top; let each begin where the "
-                    "one below ends");
+    if (std::optional<Profile> made = try_unite(bodies, size, attempt * kNudge * size)) return *std::move(made);
+  return make_error(
+      "tool-not-closed",
+      "its bodies do not join to one contour from the tip to the top; let each begin where the one below ends");
 }
 
 }  // namespace gouge

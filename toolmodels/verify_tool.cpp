@@ -6,9 +6,7 @@
 namespace gouge {
 namespace {
 
-std::string named(std::size_t element) {
-  return "element " + std::to_string(element);
-}
+std::string named(std::size_t element) { return "element " + std::to_string(element); }
 
 void verify_elements(const CompiledTool& tool, std::vector<std::string>& broken) {
   for (std::size_t i = 0; i < tool.elements.size(); ++i) {

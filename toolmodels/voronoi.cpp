@@ -40,12 +40,8 @@ bool is_below_at_corners(const DistanceForm& f, const DistanceForm& g, const Con
                      [&](const Vec3& c) { return at_corner(f, c) - at_corner(g, c) <= cell.slack_at(c); });
 }
 
-bool is_convex(const DistanceForm& f) {
-  return f.is_linear || f.sign > 0;
-}
-bool is_concave(const DistanceForm& f) {
-  return f.is_linear || f.sign < 0;
-}
+bool is_convex(const DistanceForm& f) { return f.is_linear || f.sign > 0; }
+bool is_concave(const DistanceForm& f) { return f.is_linear || f.sign < 0; }
 
 // ---- comparisons
 
@@ -108,8 +104,7 @@ Comparison compare_circle_line(const DistanceForm& f, const DistanceForm& g, con
 
 // A against B + k with k >= 0, A = |x - w|, B = |x|, x = q - origin: one branch of a hyperbola.
 // `factor` is 1 when the first is A.
-Comparison compare_difference(const Vec2& origin, const Vec2& w, double k, double factor,
-                              const ConvexCell& cell) {
+Comparison compare_difference(const Vec2& origin, const Vec2& w, double k, double factor, const ConvexCell& cell) {
   const double distance = w.norm();
   if (k >= distance) return decided(factor > 0);
   const double constant = (distance - k) * (distance + k);

@@ -48,15 +48,13 @@ struct Domains {
 /// How two distances compare within a cell.
 struct Comparison {
   enum class Kind { first_nearer, second_nearer, curve, split_first } kind = Kind::curve;
-  BspNode curve;  ///< kind curve: negative where the first is nearer; children unset
-  DirectedLine
-      line;  ///< kind split_first: cut the cell here, then ask again; also the curve when it is straight
+  BspNode curve;      ///< kind curve: negative where the first is nearer; children unset
+  DirectedLine line;  ///< kind split_first: cut the cell here, then ask again; also the curve when it is straight
   bool is_straight = false;
 };
 
 /// Requires that both forms are the (unsigned) distances all over the cell.
-[[nodiscard]] Comparison compare(const DistanceForm& first, const DistanceForm& second,
-                                 const ConvexCell& cell);
+[[nodiscard]] Comparison compare(const DistanceForm& first, const DistanceForm& second, const ConvexCell& cell);
 
 /// The curve {line = 0} as a node.
 [[nodiscard]] BspNode straight_node(const DirectedLine& line);

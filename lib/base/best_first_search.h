@@ -79,8 +79,8 @@ class BestFirstSearch {
     for (;;) {
       offered_.clear();
       problem().split(next);
-      const auto best = Problem::kDescends ? std::max_element(offered_.begin(), offered_.end(), comes_later)
-                                           : offered_.end();
+      const auto best =
+          Problem::kDescends ? std::max_element(offered_.begin(), offered_.end(), comes_later) : offered_.end();
       for (auto it = offered_.begin(); it != offered_.end(); ++it) {
         if (it != best) keep(*it);
       }

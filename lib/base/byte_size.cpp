@@ -17,15 +17,15 @@ std::optional<double> bytes_per(std::string_view unit) {
   std::transform(small.begin(), small.end(), small.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   constexpr std::array<std::pair<std::string_view, double>, 10> kUnits{{{"", 1.0},
-                                                                       {"b", 1.0},
-                                                                       {"kb", 1e3},
-                                                                       {"mb", 1e6},
-                                                                       {"gb", 1e9},
-                                                                       {"tb", 1e12},
-                                                                       {"kib", 1024.0},
-                                                                       {"mib", 1048576.0},
-                                                                       {"gib", 1073741824.0},
-                                                                       {"tib", 1099511627776.0}}};
+                                                                        {"b", 1.0},
+                                                                        {"kb", 1e3},
+                                                                        {"mb", 1e6},
+                                                                        {"gb", 1e9},
+                                                                        {"tb", 1e12},
+                                                                        {"kib", 1024.0},
+                                                                        {"mib", 1048576.0},
+                                                                        {"gib", 1073741824.0},
+                                                                        {"tib", 1099511627776.0}}};
   for (const auto& [name, bytes] : kUnits) {
     if (small == name) return bytes;
   }

@@ -8,8 +8,7 @@
 namespace gouge {
 namespace {
 
-Diagnostic make(Severity severity, std::string&& code, std::string&& message, std::string&& file,
-                std::size_t line) {
+Diagnostic make(Severity severity, std::string&& code, std::string&& message, std::string&& file, std::size_t line) {
   return {severity, std::move(code), std::move(file), line, std::move(message)};
 }
 

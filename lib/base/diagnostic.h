@@ -21,12 +21,10 @@ struct Diagnostic {
 
 using Diagnostics = std::vector<Diagnostic>;
 
-[[nodiscard]] Diagnostic make_error(std::string code, std::string message, std::string file = {},
-                                    std::size_t line = 0);
+[[nodiscard]] Diagnostic make_error(std::string code, std::string message, std::string file = {}, std::size_t line = 0);
 [[nodiscard]] Diagnostic make_warning(std::string code, std::string message, std::string file = {},
                                       std::size_t line = 0);
-[[nodiscard]] Diagnostic make_note(std::string code, std::string message, std::string file = {},
-                                   std::size_t line = 0);
+[[nodiscard]] Diagnostic make_note(std::string code, std::string message, std::string file = {}, std::size_t line = 0);
 
 [[nodiscard]] bool has_error(const Diagnostics& diagnostics);
 

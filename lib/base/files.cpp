@@ -18,8 +18,7 @@ Outcome make_folder(const std::string& path) {
   std::filesystem::create_directories(path, error);
   if (error || !std::filesystem::is_directory(path)) {
     return make_error("folder-unwritable",
-                      "cannot make the folder: " + (error ? error.message() : "a file of that name exists"),
-                      path);
+                      "cannot make the folder: " + (error ? error.message() : "a file of that name exists"), path);
   }
   return Done{};
 }

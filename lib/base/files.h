@@ -14,8 +14,7 @@ namespace gouge {
 inline constexpr std::uint64_t kMaxInputBytes = 8'000'000'000;
 
 /// The bytes of `path`, a file or a pipe. Errors: those of InputReader (lib/base/input_file.h).
-[[nodiscard]] Result<std::string> read_file(const std::string& path,
-                                            std::uint64_t most_bytes = kMaxInputBytes);
+[[nodiscard]] Result<std::string> read_file(const std::string& path, std::uint64_t most_bytes = kMaxInputBytes);
 
 /// A StagedFile that is committed at once: readers see the old file or the whole new one; links, owner and mode stay.
 /// Errors: file-unwritable (with the system's reason).

@@ -29,9 +29,9 @@ Diagnostic too_large(const std::string& path, const std::string& found, std::uin
 }
 
 Diagnostic changed(const std::string& path) {
-  return make_error("input-changed",
-                    "changed while it was read; expected a file that is complete; run again when what writes it is done",
-                    path);
+  return make_error(
+      "input-changed",
+      "changed while it was read; expected a file that is complete; run again when what writes it is done", path);
 }
 
 // Typed input ends; other devices, a disk or /dev/zero, need not.

@@ -10,9 +10,9 @@
 
 namespace gouge {
 
-/// A file that is read once from its begin to its end, with a limit on how much that may be. What never ends is refused:
-/// devices before they are opened, pipes at the limit. What changes while it is read is refused too, as half of the old
-/// and half of the new is neither.
+/// A file that is read once from its begin to its end, with a limit on how much that may be. What never ends is
+/// refused: devices before they are opened, pipes at the limit. What changes while it is read is refused too, as half
+/// of the old and half of the new is neither.
 class InputReader {
  public:
   /// A terminal is read where it is this program's standard input. Opening a pipe waits for its writer.

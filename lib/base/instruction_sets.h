@@ -8,8 +8,8 @@
 // Code that is compiled for several instruction sets from one source. The arithmetic must be the same in each, bit for
 // bit: nothing fused (-ffp-contract=off), no sum reordered.
 
-/// Before a function: one copy for each instruction set, chosen when the program starts. Nothing where the compiler or a
-/// sanitizer does not have it.
+/// Before a function: one copy for each instruction set, chosen when the program starts. Nothing where the compiler or
+/// a sanitizer does not have it.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define GOUGE_WIDE [[gnu::target_clones("avx512f", "avx2", "default")]]

@@ -10,9 +10,7 @@
 namespace gouge {
 namespace {
 
-constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 // std::from_chars takes "nan", "inf" and hexadecimal words too; a number starts with a digit or a point.
 bool looks_like_number(std::string_view text) {
@@ -26,9 +24,8 @@ bool looks_like_number(std::string_view text) {
 std::optional<double> few_digits(std::string_view text) {
   constexpr std::size_t kLongest = 18;  // below it the integer does not overflow
   constexpr std::uint64_t kLargestExact = std::uint64_t{1} << 53U;
-  constexpr std::array<double, kLongest + 1> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,
-                                                             1e7,  1e8,  1e9,  1e10, 1e11, 1e12, 1e13,
-                                                             1e14, 1e15, 1e16, 1e17, 1e18};
+  constexpr std::array<double, kLongest + 1> kPowersOfTen = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
+                                                             1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
   if (text.size() > kLongest) return std::nullopt;
   const bool is_negative = !text.empty() && text.front() == '-';
   const char* at = text.data() + (is_negative ? 1 : 0);
@@ -54,8 +51,7 @@ bool has_negative_exponent(std::string_view text) {
 }
 
 bool is_negative_zero_text(std::string_view text) {
-  return text.front() == '-' &&
-         std::none_of(text.begin(), text.end(), [](char c) { return c >= '1' && c <= '9'; });
+  return text.front() == '-' && std::none_of(text.begin(), text.end(), [](char c) { return c >= '1' && c <= '9'; });
 }
 
 }  // namespace

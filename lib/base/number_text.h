@@ -24,8 +24,8 @@ namespace gouge {
 
 enum class Zeros { kept, dropped };
 
-/// A number for people: fixed_text, its zeros at the end kept or dropped; from 1e15 on, where more digits would say nothing,
-/// the shortest form with an exponent ("1e+300").
+/// A number for people: fixed_text, its zeros at the end kept or dropped; from 1e15 on, where more digits would say
+/// nothing, the shortest form with an exponent ("1e+300").
 [[nodiscard]] std::string people_text(double value, int decimals, Zeros zeros = Zeros::dropped);
 
 }  // namespace gouge

@@ -66,9 +66,7 @@ class Crew {
 
 }  // namespace
 
-void set_default_threads(unsigned threads) {
-  default_threads = threads;
-}
+void set_default_threads(unsigned threads) { default_threads = threads; }
 
 void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads,
                     const std::function<void(std::size_t, std::size_t)>& body) {

@@ -25,8 +25,7 @@ constexpr std::array<Range, 20> kUnseen = {
      {0xFFF0, 0xFFFB}, {0xFFFE, 0xFFFF}, {0x1BCA0, 0x1BCA3}, {0x1D173, 0x1D17A}, {0xE0000, 0xE0FFF}}};
 
 bool is_unseen(char32_t c) {
-  return std::any_of(kUnseen.begin(), kUnseen.end(),
-                     [c](const Range& r) { return c >= r.first && c <= r.last; });
+  return std::any_of(kUnseen.begin(), kUnseen.end(), [c](const Range& r) { return c >= r.first && c <= r.last; });
 }
 
 bool is_plain_ascii(std::string_view text) {

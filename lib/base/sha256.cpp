@@ -24,9 +24,7 @@ std::uint32_t sigma(std::uint32_t x, int a, int b, int shift) {
   return std::rotr(x, a) ^ std::rotr(x, b) ^ (x >> shift);
 }
 
-std::uint32_t sum(std::uint32_t x, int a, int b, int c) {
-  return std::rotr(x, a) ^ std::rotr(x, b) ^ std::rotr(x, c);
-}
+std::uint32_t sum(std::uint32_t x, int a, int b, int c) { return std::rotr(x, a) ^ std::rotr(x, b) ^ std::rotr(x, c); }
 
 }  // namespace
 

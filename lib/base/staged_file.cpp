@@ -41,9 +41,7 @@ bool write_all(int handle, std::string_view bytes) {
 }
 
 // Some file systems cannot, and say so; what they took is then as safe as they make it.
-bool synchronise(int handle) {
-  return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS;
-}
+bool synchronise(int handle) { return ::fsync(handle) == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS; }
 
 Outcome write_at_position(const std::string& path, std::string_view bytes) {
   const int handle = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
@@ -99,9 +97,7 @@ StagedFile::~StagedFile() {
   if (handle_ >= 0) ::close(handle_);
 }
 
-TemporaryName StagedFile::name_beside() const {
-  return TemporaryName(random_name(folder_of(target_) + "/" + prefix_));
-}
+TemporaryName StagedFile::name_beside() const { return TemporaryName(random_name(folder_of(target_) + "/" + prefix_)); }
 
 bool StagedFile::open_beside() {
   remove_abandoned(folder_of(target_), prefix_);
@@ -133,8 +129,7 @@ bool StagedFile::fill(std::string_view bytes) {
   return write_all(handle_, bytes) && synchronise(handle_);
 }
 
-Result<StagedFile> StagedFile::make(const std::string& path, std::string_view bytes,
-                                    const std::string& prefix) {
+Result<StagedFile> StagedFile::make(const std::string& path, std::string_view bytes, const std::string& prefix) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status)) return unwritable(path, "it is a folder");

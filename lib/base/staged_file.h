@@ -48,10 +48,10 @@ class StagedFile {
 
   std::string path_;  // as the user named it
   std::string prefix_;
-  std::string target_;  // with links followed
+  std::string target_;    // with links followed
   TemporaryName beside_;  // empty where there is none
-  std::string direct_;  // the bytes of a device or pipe
-  int handle_ = -1;     // -1: a device or pipe, or moved from
+  std::string direct_;    // the bytes of a device or pipe
+  int handle_ = -1;       // -1: a device or pipe, or moved from
 };
 
 }  // namespace gouge

@@ -16,8 +16,8 @@ namespace gouge {
 /// All that a path is checked with but the path itself. What is referred to must outlive it.
 struct CheckSetup {
   std::vector<const ToolVariants*> tools;  ///< one per Toolpath::tools; null or missing: that tool has no definition
-  const std::vector<HeadBody>& heads;   ///< bodies that move with the tool; may be empty
-  const PreparedScene& scene;           ///< parts and fixtures
+  const std::vector<HeadBody>& heads;      ///< bodies that move with the tool; may be empty
+  const PreparedScene& scene;              ///< parts and fixtures
   const CheckOptions& options;
 };
 

@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kHeadShare = 0.02;       // of the depth at the start: how exactly that of a head on the way is known
+constexpr double kHeadShare = 0.02;        // of the depth at the start: how exactly that of a head on the way is known
 constexpr double kLeastStretch_mm = 1e-4;  // of a shift, below which "not buried" is given up
 
 bool is_open(const MoveVerdict& verdict) {
@@ -20,7 +20,12 @@ bool is_open(const MoveVerdict& verdict) {
 class ShiftCheck {
  public:
   ShiftCheck(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool, const MotionChecker& checker)
-      : from_(from), to_(to), length_((to.tip - from.tip).norm()), kind_(kind), tool_(tool), checker_(checker),
+      : from_(from),
+        to_(to),
+        length_((to.tip - from.tip).norm()),
+        kind_(kind),
+        tool_(tool),
+        checker_(checker),
         options_(checker.options()) {
     options_.near_miss_mm = 0;
     options_.is_depth_alone = true;
@@ -85,7 +90,8 @@ class ShiftCheck {
   CheckOptions options_;
 };
 
-ShiftHazard check_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool, const MotionChecker& checker) {
+ShiftHazard check_shift(const Pose& from, const Pose& to, MoveKind kind, const ToolVariants& tool,
+                        const MotionChecker& checker) {
   return ShiftCheck(from, to, kind, tool, checker).run();
 }
 

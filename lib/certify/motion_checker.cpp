@@ -10,8 +10,7 @@ constexpr double kAnyGap_mm = 1e6;  // how far the depth of a gouge is left open
 
 }  // namespace
 
-MotionChecker::MotionChecker(const CheckSetup& setup)
-    : scene_(setup.scene), options_(setup.options) {
+MotionChecker::MotionChecker(const CheckSetup& setup) : scene_(setup.scene), options_(setup.options) {
   if (!setup.heads.empty() && scene_.is_within_reach) heads_ = std::make_unique<HeadChecker>(setup.heads, scene_);
 }
 

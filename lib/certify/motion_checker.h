@@ -22,10 +22,10 @@ class MotionChecker {
   ~MotionChecker();
 
   /// Requires motion.is_defined(). `is_start_outside`: the caller knows it, which saves asking.
-  [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolVariants& tool, const CheckOptions& options,
-                                  bool is_start_outside = false) const;
-  [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool, const CheckOptions& options,
-                              bool is_start_outside = false) const;
+  [[nodiscard]] MoveVerdict check(const Motion& motion, MoveKind kind, const ToolVariants& tool,
+                                  const CheckOptions& options, bool is_start_outside = false) const;
+  [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool,
+                              const CheckOptions& options, bool is_start_outside = false) const;
 
   /// As deep as it is, not only whether that is too deep: tolerance 0.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;

@@ -15,8 +15,7 @@ double depth_at(const CompiledTool& tool, const Pose& pose, const Vec3& p) {
   return -evaluate_brute_force(tool, (d - z * pose.axis).norm(), z).signed_distance_mm;
 }
 
-void search(const CompiledTool& tool, const Pose& pose, const std::array<Vec3, 3>& t, double accuracy,
-            double& best) {
+void search(const CompiledTool& tool, const Pose& pose, const std::array<Vec3, 3>& t, double accuracy, double& best) {
   const Vec3 middle = (t[0] + t[1] + t[2]) / 3.0;
   const double radius = std::max({(t[0] - middle).norm(), (t[1] - middle).norm(), (t[2] - middle).norm()});
   const double depth = depth_at(tool, pose, middle);
@@ -32,8 +31,7 @@ void search(const CompiledTool& tool, const Pose& pose, const std::array<Vec3, 3
   search(tool, pose, {ca, bc, t[2]}, accuracy, best);
 }
 
-double mesh_depth(const CompiledTool& tool, const Pose& pose, const std::vector<IndexedMesh>& meshes,
-                  double accuracy) {
+double mesh_depth(const CompiledTool& tool, const Pose& pose, const std::vector<IndexedMesh>& meshes, double accuracy) {
   double best = 0;
   for (const IndexedMesh& mesh : meshes) {
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -52,8 +50,8 @@ double triangle_depth(const CompiledTool& tool, const Pose& pose, const std::arr
   return best;
 }
 
-BruteForceDepth brute_force_depth(const Motion& motion, const ToolVariants& tool, const Scene& scene,
-                                  std::size_t steps, double accuracy_mm) {
+BruteForceDepth brute_force_depth(const Motion& motion, const ToolVariants& tool, const Scene& scene, std::size_t steps,
+                                  double accuracy_mm) {
   BruteForceDepth result;
   for (std::size_t k = 0; k <= steps; ++k) {
     const double t = steps == 0 ? 0.0 : static_cast<double>(k) / static_cast<double>(steps);

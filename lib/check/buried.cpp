@@ -147,7 +147,7 @@ class BuriedMarker {
       }
       if (unknown) continue;
       unknown = outcome.side == Side::inside ? Reason{Reason::Kind::body_too_thin, body}
-                                            : Reason{Reason::Kind::side_unknown, body, 0, outcome.why};
+                                             : Reason{Reason::Kind::side_unknown, body, 0, outcome.why};
     }
     if (!unknown && found.covers_all() && !found.regions.empty()) return;
     verdict.state = MoveState::not_certified;

@@ -174,7 +174,8 @@ class MoveChecker {
     less.resolution_mm *= share;
     less.gap_mm = kAnyGap_mm;
     // Where no depth is sure the surface must be proved to keep clear.
-    if (!(sure.depth_mm > 0)) less = {{0, 0.5 * options_.resolution_mm, kAnyGap_mm, less.budget}, options_.resolution_mm};
+    if (!(sure.depth_mm > 0))
+      less = {{0, 0.5 * options_.resolution_mm, kAnyGap_mm, less.budget}, options_.resolution_mm};
     const SearchResult outcome = sweep_and_search(motion_, whole(), less);
     bounds_ += outcome.bounds;
     const double upper = std::max(0.0, outcome.value_upper_mm - less.reach_mm);
@@ -183,7 +184,9 @@ class MoveChecker {
       return;
     }
     verdict_.state = MoveState::not_certified;
-    verdict_.reason = outcome.value_mm > less.tolerance_mm ? Reason{Reason::Kind::thin_feature, Body::cutter, sure.reach_mm} : out_of_budget();
+    verdict_.reason = outcome.value_mm > less.tolerance_mm
+                          ? Reason{Reason::Kind::thin_feature, Body::cutter, sure.reach_mm}
+                          : out_of_budget();
   }
 
   void give_up() {

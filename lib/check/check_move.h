@@ -13,12 +13,11 @@ namespace gouge {
 /// Checks one motion of one tool; everything but "buried", which needs the moves before it (check_path.h).
 ///
 /// Requires motion.is_defined().
-/// Ensures  the guarantee of docs/method.md: depth <= true depth <= depth_upper; a gouge is closed to the
-/// resolution;
-///          clean means depth_upper <= tolerance + resolution, and no body with a clearance entered by more
-///          than the resolution; and depth_upper <= sure_depth unless options.is_depth_alone: what lies between is
-///          not_certified. A budget that runs out gives not_certified, never clean. Coordinates of the
-///          motion or of a mesh beyond kFarthest_mm, or that are no numbers, give not_checked.
+/// Ensures  the guarantee of docs/method.md: depth <= true depth <= depth_upper; a gouge is closed to the resolution;
+///          clean means depth_upper <= tolerance + resolution, and no body with a clearance entered by more than the
+///          resolution; and depth_upper <= sure_depth unless options.is_depth_alone: what lies between is
+///          not_certified. A budget that runs out gives not_certified, never clean. Coordinates of the motion or of a
+///          mesh beyond kFarthest_mm, or that are no numbers, give not_checked.
 /// Source   docs/algorithms/certified_sweep.md; depth as in Ho 1999, thesis 2.4.18.
 [[nodiscard]] MoveVerdict check_move(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                                      const PreparedScene& scene, const CheckOptions& options,

@@ -18,8 +18,8 @@ constexpr std::size_t kMovesPerChunk = 256;
 
 class PathChecker {
  public:
-  PathChecker(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
-              const PreparedScene& scene, const CheckOptions& options)
+  PathChecker(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
+              const CheckOptions& options)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options) {}
 
   /// Moves [first, last): those of one tool together.
@@ -31,8 +31,7 @@ class PathChecker {
     batch.kinds.reserve(last - first);
     for (std::size_t i = first; i < last; ++i) {
       const Move& move = toolpath_.moves[i];
-      if (!batch.moves.empty() && toolpath_.moves[batch.moves.back()].tool != move.tool)
-        check(batch, verdicts, bounds);
+      if (!batch.moves.empty() && toolpath_.moves[batch.moves.back()].tool != move.tool) check(batch, verdicts, bounds);
       if (Reason reason = why_not(i); !reason.is(Reason::Kind::none)) {
         verdicts[i] = not_checked(std::move(reason));
         continue;
@@ -114,7 +113,8 @@ class PathChecker {
     finer.near_miss_mm = 0;
     finer.is_depth_alone = true;
     const MoveVerdict found = check_move(motion, kind, tool, scene_, finer, &spent);
-    if (found.state == MoveState::clean) verdict.depth_upper_mm = std::min(verdict.depth_upper_mm, found.depth_upper_mm);
+    if (found.state == MoveState::clean)
+      verdict.depth_upper_mm = std::min(verdict.depth_upper_mm, found.depth_upper_mm);
   }
 
   const Toolpath& toolpath_;
@@ -130,8 +130,7 @@ Reason link_reason(const Toolpath& toolpath, std::size_t index) {
 }
 
 CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
-                       const PreparedScene& scene, const CheckOptions& options,
-                       const ProgressCall& progress) {
+                       const PreparedScene& scene, const CheckOptions& options, const ProgressCall& progress) {
   CheckResult result;
   const std::size_t total = toolpath.moves.size();
   result.verdicts.resize(total);

@@ -13,8 +13,8 @@ namespace gouge {
 ///
 /// Shape    `tools[k]` belongs to toolpath.tools[k]; null or missing: that tool has no definition, its moves are
 ///          not checked.
-/// Ensures  (1) one verdict a move, in order, and nothing else but the bounds spent. A move whose start or curve the path
-///          does not hold (one cut out of another path) is not checked.
+/// Ensures  (1) one verdict a move, in order, and nothing else but the bounds spent. A move whose start or curve the
+///          path does not hold (one cut out of another path) is not checked.
 ///          (2) the same result, bit for bit, at any number of threads.
 ///          (3) a move is clean only if every body of the tool is proved outside of all solids during it, and
 ///              buried only if one is proved inside; else it is not certified (buried.h).

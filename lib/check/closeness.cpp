@@ -26,8 +26,8 @@ std::uint64_t mixed(std::uint64_t k) {
   return k ^ (k >> 31U);
 }
 
-// Of `count` cuts one out of each of equal shares, by hash: paths repeat a pattern over and over, and equal steps would meet the same point of
-// it every time.
+// Of `count` cuts one out of each of equal shares, by hash: paths repeat a pattern over and over, and equal steps would
+// meet the same point of it every time.
 std::vector<std::size_t> spread(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                 std::size_t count) {
   const std::size_t wanted = std::min(count, kMostPositions);
@@ -80,8 +80,8 @@ std::optional<Closeness> measure_closeness(const Toolpath& toolpath, const std::
                                            const PreparedScene& scene, const std::vector<MoveVerdict>& verdicts,
                                            unsigned threads) {
   Closeness closeness;
-  closeness.cuts = static_cast<std::size_t>(std::count_if(
-      toolpath.moves.begin(), toolpath.moves.end(), [&](const Move& move) { return is_cut(move, tools); }));
+  closeness.cuts = static_cast<std::size_t>(std::count_if(toolpath.moves.begin(), toolpath.moves.end(),
+                                                          [&](const Move& move) { return is_cut(move, tools); }));
   if (closeness.cuts == 0 || scene.parts.nodes.empty() || !scene.is_within_reach) return std::nullopt;
   const std::vector<std::size_t> chosen = spread(toolpath, tools, closeness.cuts);
   std::vector<double> distances(chosen.size()), least(chosen.size());

@@ -142,8 +142,7 @@ class PieceBounder {
     double best = 1e300;
     const auto try_blend = [&](double share) {
       double largest = -1e300;
-      for (std::size_t i = 0; i < kCorners; ++i)
-        largest = std::max(largest, share * a[i] + (1 - share) * b[i]);
+      for (std::size_t i = 0; i < kCorners; ++i) largest = std::max(largest, share * a[i] + (1 - share) * b[i]);
       best = std::min(best, largest);
     };
     for (std::size_t i = 0; i < kCorners; ++i) {
@@ -180,9 +179,8 @@ class PieceBounder {
     return best;
   }
 
-  // Where all limits so far together leave the most: at a corner, or where two of them meet on an edge. The tool's distance
-  // there is the next limit; this is the cutting-plane method of convex programming, on the
-  // edges alone.
+  // Where all limits so far together leave the most: at a corner, or where two of them meet on an edge. The tool's
+  // distance there is the next limit; this is the cutting-plane method of convex programming, on the edges alone.
   static Meeting highest(const HullLimit* limits, std::size_t count) {
     Meeting top;
     const auto look = [&](std::size_t i, std::size_t j, double share) {

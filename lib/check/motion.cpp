@@ -19,13 +19,13 @@ std::vector<MotionSegment> dogleg(const Vec3& from, const Vec3& to) {
   std::sort(breaks.begin(), breaks.end());
   const auto at = [&](double t) {
     Vec3 tip = from;
-    for (int k = 0; k < 3; ++k) tip[k] += std::copysign(std::min(std::abs(displacement[k]), t * longest), displacement[k]);
+    for (int k = 0; k < 3; ++k)
+      tip[k] += std::copysign(std::min(std::abs(displacement[k]), t * longest), displacement[k]);
     return t < 1 ? tip : to;
   };
   std::vector<MotionSegment> segments;
   for (std::size_t i = 0; i + 1 < breaks.size(); ++i) {
-    if (breaks[i] < breaks[i + 1])
-      segments.push_back({breaks[i], breaks[i + 1], at(breaks[i]), at(breaks[i + 1])});
+    if (breaks[i] < breaks[i + 1]) segments.push_back({breaks[i], breaks[i + 1], at(breaks[i]), at(breaks[i + 1])});
   }
   return segments;
 }
@@ -55,8 +55,7 @@ Motion::Motion(const Pose& start, const Pose& end, bool is_dogleg) : start_(star
 
 Vec3 Motion::Turn::at(double t) const {
   const double turned = sweep * t;
-  return center + (r0 + dr * t) * (std::cos(turned) * e1 + std::sin(turned) * e2) + (h0 + dh * t) * axis +
-         t * rest;
+  return center + (r0 + dr * t) * (std::cos(turned) * e1 + std::sin(turned) * e2) + (h0 + dh * t) * axis + t * rest;
 }
 
 Motion::Motion(const Pose& start, const Pose& end, const PathArc& arc) : Motion(start, end) {
@@ -85,9 +84,7 @@ Motion::Motion(const Pose& start, const Pose& end, const PathSpline& spline) : M
     segments_.push_back({piece.u0, piece.u1, piece.control.front(), piece.control.back()});
 }
 
-Motion::Motion(const Pose& alone) : Motion(alone, alone) {
-  is_alone_ = true;
-}
+Motion::Motion(const Pose& alone) : Motion(alone, alone) { is_alone_ = true; }
 
 Vec3 Motion::tip_at(double t, std::uint32_t segment) const {
   const MotionSegment& displacement = segments()[segment];
@@ -95,7 +92,8 @@ Vec3 Motion::tip_at(double t, std::uint32_t segment) const {
   if (t <= displacement.t0) return displacement.tip0;
   if (curve_ == CurveKind::arc) return turn_.at(t);
   if (curve_ == CurveKind::spline) return pieces_[segment].at(t);
-  return displacement.tip0 + (t - displacement.t0) / (displacement.t1 - displacement.t0) * (displacement.tip1 - displacement.tip0);
+  return displacement.tip0 +
+         (t - displacement.t0) / (displacement.t1 - displacement.t0) * (displacement.tip1 - displacement.tip0);
 }
 
 double Motion::path_length_mm(double t0, double t1, std::uint32_t segment) const {
@@ -105,8 +103,7 @@ double Motion::path_length_mm(double t0, double t1, std::uint32_t segment) const
       return (displacement.tip1 - displacement.tip0).norm() * (t1 - t0) / (displacement.t1 - displacement.t0);
     case CurveKind::arc: {
       const double around = std::abs(turn_.sweep) * turn_.largest_radius();
-      return (t1 - t0) *
-             (std::sqrt(around * around + turn_.dh * turn_.dh) + std::abs(turn_.dr) + turn_.rest.norm());
+      return (t1 - t0) * (std::sqrt(around * around + turn_.dh * turn_.dh) + std::abs(turn_.dr) + turn_.rest.norm());
     }
     case CurveKind::spline:
       break;
@@ -146,9 +143,8 @@ Pose Motion::at(double t) const {
   const auto segment = std::lower_bound(ways.begin(), ways.end() - 1, t,
                                         [](const MotionSegment& s, double instant) { return s.t1 < instant; });
   const double turned = angle_ * t;
-  return {
-      tip_at(t, static_cast<std::uint32_t>(segment - ways.begin())),
-      (std::cos(turned) * start_.axis + std::sin(turned) * rotation_axis_.cross(start_.axis)).normalized()};
+  return {tip_at(t, static_cast<std::uint32_t>(segment - ways.begin())),
+          (std::cos(turned) * start_.axis + std::sin(turned) * rotation_axis_.cross(start_.axis)).normalized()};
 }
 
 }  // namespace gouge

@@ -19,8 +19,7 @@ constexpr std::size_t kMostSamples = 128, kFirstSamples = 16;
 constexpr double kGoldenRatio = 0.6180339887498949;
 constexpr std::uint64_t kBudget = 20'000;
 constexpr double kAccuracy = 0.2;  // of what counts as touching
-constexpr double kDeep =
-    0.9;  // of the cutter's radius, as a ball sunk in to its centre is where it is inclined
+constexpr double kDeep = 0.9;      // of the cutter's radius, as a ball sunk in to its centre is where it is inclined
 constexpr double kMost = 0.5;
 constexpr double kSuspicious = 0.1;  // of the positions gouge: worth a look at what may be wrong
 constexpr double kOften = 0.2;       // of the positions that a mistake changes gouge with it ...
@@ -84,8 +83,7 @@ class FitFinder {
     if (cuts_.size() < kFewestPositions || scene_.parts.nodes.empty() || !scene_.is_within_reach) return fit_;
     if (is_too_deep()) fit_.kind = PathFit::Kind::too_deep;
     take_samples();
-    const bool is_suspicious =
-        static_cast<double>(fit_.gouging) >= kSuspicious * static_cast<double>(cuts_.size());
+    const bool is_suspicious = static_cast<double>(fit_.gouging) >= kSuspicious * static_cast<double>(cuts_.size());
     const bool is_apart = !is_suspicious && touches_seldom();
     if (!is_suspicious && !is_apart) return fit_;
     explain(is_apart);
@@ -104,9 +102,8 @@ class FitFinder {
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const Move& move = path_.moves[i];
       const MoveVerdict& verdict = verdicts_[i];
-      const bool is_cut = move.kind != MoveKind::rapid && move.tool < tools_.size() &&
-                          tools_[move.tool] != nullptr && verdict.state != MoveState::not_checked &&
-                          verdict.state != MoveState::not_certified;
+      const bool is_cut = move.kind != MoveKind::rapid && move.tool < tools_.size() && tools_[move.tool] != nullptr &&
+                          verdict.state != MoveState::not_checked && verdict.state != MoveState::not_certified;
       if (!is_cut) continue;
       const ToolVariants& tool = *tools_[move.tool];
       const double depth = is_in_part(verdict) ? verdict.depth_mm : 0;
@@ -130,8 +127,7 @@ class FitFinder {
 
   [[nodiscard]] bool is_too_deep() const {
     const auto bad = std::count_if(operations_.begin(), operations_.end(), [](const auto& operation) {
-      return static_cast<double>(operation.second.second) >
-             kMost * static_cast<double>(operation.second.first);
+      return static_cast<double>(operation.second.second) > kMost * static_cast<double>(operation.second.first);
     });
     return static_cast<double>(fit_.deep) > kMost * static_cast<double>(cuts_.size()) &&
            static_cast<double>(bad) > kMost * static_cast<double>(operations_.size());
@@ -142,8 +138,7 @@ class FitFinder {
     for (std::size_t k = 0; k < count; ++k) {
       const double at = 0.5 + kGoldenRatio * static_cast<double>(k);
       const auto n = static_cast<double>(cuts_.size());
-      const std::size_t chosen =
-          count == cuts_.size() ? k : static_cast<std::size_t>((at - std::floor(at)) * n);
+      const std::size_t chosen = count == cuts_.size() ? k : static_cast<std::size_t>((at - std::floor(at)) * n);
       const std::size_t move = cuts_[std::min(chosen, cuts_.size() - 1)];
       samples_.push_back({path_.moves[move].end, tools_[path_.moves[move].tool], is_gouging(move)});
     }
@@ -171,27 +166,23 @@ class FitFinder {
 
   [[nodiscard]] std::optional<Attempt> attempt(const UndoneMistake& mistake, bool is_apart) const {
     const bool is_rise = std::abs(mistake.corner_radii) > 0;
-    const bool is_fitting_else =
-        fit_.kind == PathFit::Kind::fits && !is_apart;  // else it may be a shallow undercut
+    const bool is_fitting_else = fit_.kind == PathFit::Kind::fits && !is_apart;  // else it may be a shallow undercut
     std::vector<Sample> changed;
     std::size_t gouging = 0;
     for (const Sample& sample : samples_) {
       const double corner = corner_radius_mm(sample.tool->bare);
-      if (is_rise &&
-          corner < std::max(kLeastRise_mm, is_fitting_else ? 0.5 * sample.tool->bare.core_depth_mm : 0))
+      if (is_rise && corner < std::max(kLeastRise_mm, is_fitting_else ? 0.5 * sample.tool->bare.core_depth_mm : 0))
         continue;
       const Pose pose = mistake.pose(sample.pose, corner);
       const bool is_changed = (pose.tip - sample.pose.tip).norm() > touch_mm(*sample.tool) ||
-                              (pose.axis - sample.pose.axis).norm() > kSameAxis ||
-                              std::abs(mistake.part_scale - 1) > 0;
+                              (pose.axis - sample.pose.axis).norm() > kSameAxis || std::abs(mistake.part_scale - 1) > 0;
       if (!is_changed) continue;
       changed.push_back({pose, sample.tool, sample.is_gouging});
       gouging += sample.is_gouging ? 1U : 0U;
     }
     if (changed.size() < (is_fitting_else ? kFewestChanged : kFewestPositions) || !is_size_better(mistake))
       return std::nullopt;
-    const bool is_needed =
-        is_apart || static_cast<double>(gouging) >= kOften * static_cast<double>(changed.size());
+    const bool is_needed = is_apart || static_cast<double>(gouging) >= kOften * static_cast<double>(changed.size());
     if (!is_needed) return std::nullopt;
     const double allowed = fit_.kind == PathFit::Kind::too_deep || is_apart
                                ? kStillGouging * static_cast<double>(changed.size())
@@ -225,9 +216,8 @@ class FitFinder {
     return static_cast<double>(near) >= kHopeful * static_cast<double>(samples.size());
   }
 
-  [[nodiscard]] static std::optional<Attempt> try_at(const std::vector<Sample>& samples,
-                                                     double gouging_allowed, bool is_of_all,
-                                                     const PreparedScene& scene) {
+  [[nodiscard]] static std::optional<Attempt> try_at(const std::vector<Sample>& samples, double gouging_allowed,
+                                                     bool is_of_all, const PreparedScene& scene) {
     if (!scene.is_within_reach) return std::nullopt;
     std::vector<const Sample*> touching;
     std::size_t gouging = 0, next_look = kFirstSamples;
@@ -260,20 +250,16 @@ class FitFinder {
   unsigned threads_;
   PathFit fit_;
   std::vector<std::size_t> cuts_;
-  std::map<std::size_t, std::pair<std::size_t, std::size_t>>
-      operations_;  // cuts, and how many of them are too deep
+  std::map<std::size_t, std::pair<std::size_t, std::size_t>> operations_;  // cuts, and how many of them are too deep
   std::vector<Sample> samples_;
 };
 
 }  // namespace
 
-double touch_mm(const ToolVariants& tool) {
-  return std::clamp(0.05 * tool.bare.core_depth_mm, 0.02, 0.5);
-}
+double touch_mm(const ToolVariants& tool) { return std::clamp(0.05 * tool.bare.core_depth_mm, 0.02, 0.5); }
 
 PathFit find_path_fit(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts,
-                      const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
-                      unsigned threads) {
+                      const std::vector<const ToolVariants*>& tools, const PreparedScene& scene, unsigned threads) {
   return FitFinder(toolpath, verdicts, tools, scene, threads).run();
 }
 

@@ -50,10 +50,9 @@ struct PathFit {
 ///          touching the part with the tool outside, and at most a tenth gouging; it is the one with which
 ///          most touch. It takes 20 positions that the mistake changes, and of a unit a path whose size fits
 ///          the part's better then. (4) the same result at any number of threads.
-/// Cost     32 searches where little gouges; else some 27 mistakes, tried at 16 to 128 positions, spread by
-/// the golden ratio so
-///          that they do not fall into step with passes: 0.1 s to 0.3 s, whatever the path's length, and
-///          twice the trees of the part where its size is in doubt.
+/// Cost     32 searches where little gouges; else some 27 mistakes, tried at 16 to 128 positions, spread by the golden
+///          ratio so that they do not fall into step with passes: 0.1 s to 0.3 s, whatever the path's length, and twice
+///          the trees of the part where its size is in doubt.
 [[nodiscard]] PathFit find_path_fit(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts,
                                     const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
                                     unsigned threads);

@@ -13,9 +13,7 @@ bool is_unit(const Vec3& axis) {
 
 }  // namespace
 
-bool is_within_reach(const Vec3& point) {
-  return (point.array().abs() <= kFarthest_mm).all();
-}
+bool is_within_reach(const Vec3& point) { return (point.array().abs() <= kFarthest_mm).all(); }
 
 Reason::Kind why_unfit(const Motion& motion) {
   if (!motion.is_within(kFarthest_mm)) return Reason::Kind::out_of_reach;

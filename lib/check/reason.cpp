@@ -25,20 +25,21 @@ constexpr std::array kTexts{
     Text{Reason::Kind::no_curve, "the path does not hold the curve of this move"},
     Text{Reason::Kind::axis_reversed, "the axis turns by 180 degrees: its path is not defined"},
     Text{Reason::Kind::link_gouges,
-         "how the tool gets here from line {count} the file does not say, and straight it would gouge: a retract or a tool "
-         "change is missing"},
+         "how the tool gets here from line {count} the file does not say, and straight it would gouge: a retract or a "
+         "tool change is missing"},
     Text{Reason::Kind::out_of_reach, "the motion or a mesh reaches more than 100 m from the origin: check the units"},
     Text{Reason::Kind::axis_not_unit, "the tool axis is no unit vector"},
     Text{Reason::Kind::options_invalid, "an option of the check is no finite length, or the resolution is not above 0"},
     Text{Reason::Kind::buried, "the {whole} is inside the solid; no surface is inside the {whole}"},
     Text{Reason::Kind::side_unknown, "whether the {body} is inside the solid cannot be determined: {detail}"},
     Text{Reason::Kind::body_too_thin,
-         "the tolerance lets the surface reach the middle of the {body}, so the tool may be buried; give a smaller tolerance"},
+         "the tolerance lets the surface reach the middle of the {body}, so the tool may be buried; give a smaller "
+         "tolerance"},
     Text{Reason::Kind::head_too_thin,
          "the tolerance is as large as the head is thick: it may be buried; give a smaller tolerance"},
     Text{Reason::Kind::thin_feature,
-         "a thin or pointed feature of the tool may reach into the solid by {reach}, although nothing comes deeper into the "
-         "tool than the tolerance; give a smaller tolerance"},
+         "a thin or pointed feature of the tool may reach into the solid by {reach}, although nothing comes deeper "
+         "into the tool than the tolerance; give a smaller tolerance"},
     Text{Reason::Kind::out_of_budget,
          "the budget of {count} bounds ran out before the depth was known to the resolution"},
     Text{Reason::Kind::head_out_of_budget,

@@ -11,23 +11,23 @@ namespace gouge {
 struct Reason {
   enum class Kind : std::uint8_t {
     none,
-    of_path,          ///< the reader's own: `detail`
+    of_path,  ///< the reader's own: `detail`
     rapid_skipped,
     no_tool,
     tool_undefined,
     no_start,
     no_curve,
     axis_reversed,
-    link_gouges,      ///< from line `amount`
+    link_gouges,  ///< from line `amount`
     out_of_reach,
     axis_not_unit,
     options_invalid,
-    buried,           ///< `body`
-    side_unknown,     ///< of `body`, for the meshes' sake: `detail`
-    body_too_thin,    ///< `body`
+    buried,         ///< `body`
+    side_unknown,   ///< of `body`, for the meshes' sake: `detail`
+    body_too_thin,  ///< `body`
     head_too_thin,
-    thin_feature,     ///< may reach `amount` mm into the solid (rounded up; infinite: any amount)
-    out_of_budget,    ///< of `amount` bounds
+    thin_feature,   ///< may reach `amount` mm into the solid (rounded up; infinite: any amount)
+    out_of_budget,  ///< of `amount` bounds
     head_out_of_budget,
     clearance_entered,  ///< of `body`, by `amount` mm
   };

@@ -45,9 +45,7 @@ Box3 box_of_cuts(const Toolpath& path) {
   return box;
 }
 
-double size_of(const Box3& box) {
-  return box.diagonal().norm();
-}
+double size_of(const Box3& box) { return box.diagonal().norm(); }
 
 }  // namespace
 

@@ -29,8 +29,8 @@ struct PartsBesidePath {
 /// Nothing where there is no part or no motion.
 [[nodiscard]] std::optional<PartsBesidePath> compare_parts(const Toolpath& path, const Scene& scene);
 
-/// The units that would make parts about as large as the path which are that many times smaller when read in `stl_unit`,
-/// the best first.
+/// The units that would make parts about as large as the path which are that many times smaller when read in
+/// `stl_unit`, the best first.
 [[nodiscard]] std::vector<const UnitFacts*> units_that_fit(double times_smaller, LengthUnit stl_unit);
 
 }  // namespace gouge

@@ -41,9 +41,7 @@ class FreeChains {
  public:
   FreeChains(const SceneSides& sides, std::size_t count) : sides_(sides), joins_(count), beyond_(count, 0) {}
 
-  void join(std::size_t a, std::size_t b) {
-    joins_.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b));
-  }
+  void join(std::size_t a, std::size_t b) { joins_.join(static_cast<std::uint32_t>(a), static_cast<std::uint32_t>(b)); }
   /// `point` is one that `item` keeps free.
   void add(std::size_t item, const Vec3& point) { beyond_[item] |= sides_.beyond(point); }
 

@@ -58,8 +58,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
   void add_piece(std::uint32_t index, const SearchSeed& seed, const std::array<Vec3, 3>& piece) {
     ++result_.bounds;
     const ToolInterval& interval = intervals_[index];
-    const PieceBound bound =
-        bound_piece(*targets_[seed.target].tool, piece, interval, query_.reach_mm, threshold_mm());
+    const PieceBound bound = bound_piece(*targets_[seed.target].tool, piece, interval, query_.reach_mm, threshold_mm());
     if (bound.value_mm > result_.value_mm)
       take(bound.value_mm, bound.is_at_end ? interval.t1 : interval.t0, piece[bound.corner], seed);
     Candidate c;
@@ -100,8 +99,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
 
 }  // namespace
 
-SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
-                         const SearchQuery& query, const SearchStart& start) {
+SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets, const SearchQuery& query,
+                         const SearchStart& start) {
   if (!start.seeds.empty()) return Search(motion, targets, query).find(start);
   SearchResult result;
   result.value_mm = std::max(0.0, start.value_mm);

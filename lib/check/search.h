@@ -37,11 +37,11 @@ struct SearchSeed {
 /// Where a search starts: what is known of the move before.
 struct SearchStart {
   std::vector<SearchSeed> seeds;  ///< the triangles to look at; all others are pruned
-  double certified_mm = 0;          ///< proven for the others: the value is no larger
+  double certified_mm = 0;        ///< proven for the others: the value is no larger
   double value_mm = 0;            ///< met at a real point and instant; 0: none
   double t = 0;
   Vec3 point = Vec3::Zero();
-  SearchSeed at;                  ///< where the value was met
+  SearchSeed at;  ///< where the value was met
 };
 
 struct SearchResult {
@@ -50,15 +50,14 @@ struct SearchResult {
   bool has_witness = false;   ///< value > 0
   double t = 0;
   Vec3 point = Vec3::Zero();
-  SearchSeed at;                 ///< the triangle the point lies on
-  bool is_decided = true;                  ///< false: the budget ran out first; value_upper is still true
-  std::uint64_t bounds = 0;                ///< how many were computed
+  SearchSeed at;             ///< the triangle the point lies on
+  bool is_decided = true;    ///< false: the budget ran out first; value_upper is still true
+  std::uint64_t bounds = 0;  ///< how many were computed
 };
 
 /// Requires motion.is_defined(), resolution and gap > 0. Tools without elements are passed over.
-/// Ensures  value <= true value <= value_upper; when decided, value_upper <= tolerance + resolution, or <=
-/// value + gap when the
-///          value is above the tolerance.
+/// Ensures  value <= true value <= value_upper; when decided, value_upper <= tolerance + resolution, or <= value + gap
+///          when the value is above the tolerance.
 /// Cost     a few hundred bounds for a clean move near the surface, no allocation that outlives the call.
 [[nodiscard]] SearchResult search_move(const Motion& motion, const std::vector<SearchTarget>& targets,
                                        const SearchQuery& query, const SearchStart& start);

@@ -5,13 +5,12 @@
 namespace gouge {
 namespace {
 
-bool is_reported(const MoveVerdict& v) {
-  return v.state != MoveState::clean && v.state != MoveState::not_checked;
-}
+bool is_reported(const MoveVerdict& v) { return v.state != MoveState::clean && v.state != MoveState::not_checked; }
 
 bool belongs(const Event& event, const Move& last, const Move& move, const MoveVerdict& v) {
   if (event.state != v.state || last.tool != move.tool || last.operation != move.operation) return false;
-  return !v.witness || v.state == MoveState::buried || (event.body == v.witness->body && event.against == v.witness->against);
+  return !v.witness || v.state == MoveState::buried ||
+         (event.body == v.witness->body && event.against == v.witness->against);
 }
 
 bool is_worse(const MoveVerdict& a, const MoveVerdict& b) {

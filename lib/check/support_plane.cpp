@@ -7,13 +7,9 @@ namespace gouge {
 namespace {
 
 // Radial unit vector at q; on the axis every direction serves, x is taken.
-Vec3 radial(const Vec3& q, double r) {
-  return r > 0 ? Vec3(q.x() / r, q.y() / r, 0) : Vec3::UnitX();
-}
+Vec3 radial(const Vec3& q, double r) { return r > 0 ? Vec3(q.x() / r, q.y() / r, 0) : Vec3::UnitX(); }
 
-double radius(const Vec3& q) {
-  return std::sqrt(q.x() * q.x() + q.y() * q.y());
-}
+double radius(const Vec3& q) { return std::sqrt(q.x() * q.x() + q.y() * q.y()); }
 
 }  // namespace
 
@@ -41,8 +37,8 @@ SupportPlane mirrored(const SupportPlane& plane) {
   return result;
 }
 
-bool supports(const SupportPlane& plane, double z_lo_mm, double z_hi_mm, double largest_depth_mm,
-              double smallest_r_mm, double margin_mm) {
+bool supports(const SupportPlane& plane, double z_lo_mm, double z_hi_mm, double largest_depth_mm, double smallest_r_mm,
+              double margin_mm) {
   const double shift = std::max(0.0, largest_depth_mm) * plane.normal.z();
   const double lowest = z_lo_mm + std::min(0.0, shift) - margin_mm;
   const double highest = z_hi_mm + std::max(0.0, shift) + margin_mm;

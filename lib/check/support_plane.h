@@ -36,7 +36,7 @@ struct SupportPlane {
 /// Whether the plane bounds the tool over a set: z of the set in [z_lo, z_hi], its largest depth behind the
 /// plane, its smallest distance from the tool axis. `margin_mm` asks for the bound up to that far outside as
 /// well.
-[[nodiscard]] bool supports(const SupportPlane& plane, double z_lo_mm, double z_hi_mm,
-                            double largest_depth_mm, double smallest_r_mm, double margin_mm);
+[[nodiscard]] bool supports(const SupportPlane& plane, double z_lo_mm, double z_hi_mm, double largest_depth_mm,
+                            double smallest_r_mm, double margin_mm);
 
 }  // namespace gouge

@@ -16,8 +16,8 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kGroup = 4;  // steps or groups that share a frame one level up
-// A node is opened for a whole group only if it is this much larger than half the path length of the group: space first.
-// Smaller ones are left to the parts of the group: time first.
+// A node is opened for a whole group only if it is this much larger than half the path length of the group: space
+// first. Smaller ones are left to the parts of the group: time first.
 constexpr float kSpaceFirst = 12.0F;
 // How often triangles and time are cut, and how many parts are looked at, before the exact search takes over.
 constexpr std::size_t kCuts = 10;
@@ -47,7 +47,11 @@ class Sweep {
  public:
   Sweep(std::span<const Motion> motions, const std::vector<SearchTarget>& targets, const SearchQuery& query,
         const SweepKernel& kernel)
-      : motions_(motions), targets_(targets), query_(query), kernel_(kernel), work_(motions.size()),
+      : motions_(motions),
+        targets_(targets),
+        query_(query),
+        kernel_(kernel),
+        work_(motions.size()),
         swept_(motions.size()) {}
 
   std::vector<SweptMove> run() {

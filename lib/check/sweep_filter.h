@@ -25,8 +25,7 @@ struct SweptMove {
 /// Ensures  each result depends on `motions` alone, not on the processor or on who else runs.
 /// Cost     a microsecond or two for a motion along a surface, a tenth of that for one far from it.
 [[nodiscard]] std::vector<SweptMove> sweep_moves(std::span<const Motion> motions,
-                                                 const std::vector<SearchTarget>& targets,
-                                                 const SearchQuery& query,
+                                                 const std::vector<SearchTarget>& targets, const SearchQuery& query,
                                                  const SweepKernel& kernel = fastest_sweep_kernel());
 
 /// One motion, swept and searched to the end.

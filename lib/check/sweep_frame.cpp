@@ -17,21 +17,15 @@ constexpr double kShortPath_mm = 4;
 constexpr int kMostSteps = 64;
 
 /// Of two unit vectors a chord apart, and a little more: 2 asin(c / 2) <= c + c^3 / 20 for c <= 1, and <= c pi / 2.
-double angle_over(double chord) {
-  return chord <= 1 ? chord + chord * chord * chord / 20 : 0.5 * M_PI * chord;
-}
+double angle_over(double chord) { return chord <= 1 ? chord + chord * chord * chord / 20 : 0.5 * M_PI * chord; }
 
-float rounded_up(double x) {
-  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::max());
-}
+float rounded_up(double x) { return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::max()); }
 
 std::array<float, 3> single(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-Vec3 kept(const std::array<float, 3>& v) {
-  return {v[0], v[1], v[2]};
-}
+Vec3 kept(const std::array<float, 3>& v) { return {v[0], v[1], v[2]}; }
 
 /// Where the ends of the steps stand on the line from the first pose to the last: -1/2 to 1/2.
 class Line {
@@ -78,9 +72,9 @@ void append_steps(const Motion& motion, std::uint32_t move, std::vector<SweepInt
     const double length = motion.is_alone() ? 0 : segment.t1 - segment.t0;
     const double turn = motion.angle_rad() * length;
     int parts = 1;
-    while (parts < kMostSteps &&
-           (turn / parts > kSmallTurn_rad || motion.path_length_mm(segment.t0, segment.t0 + length / parts, s) > kShortPath_mm ||
-            motion.sag_mm(segment.t0, segment.t0 + length / parts, s) > kSmallSag_mm)) {
+    while (parts < kMostSteps && (turn / parts > kSmallTurn_rad ||
+                                  motion.path_length_mm(segment.t0, segment.t0 + length / parts, s) > kShortPath_mm ||
+                                  motion.sag_mm(segment.t0, segment.t0 + length / parts, s) > kSmallSag_mm)) {
       parts *= 2;
     }
     Pose from = motion.at(segment.t0);

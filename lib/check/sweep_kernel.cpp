@@ -63,12 +63,17 @@ KernelPiece kernel_piece(const CoverPiece& piece) {
     const Vec2 displacement = along(piece.chain, i);
     const Vec2& base = i == 0 ? piece.chain[1] : piece.chain[i];
     const Vec2 at = piece.chain.size() == 2 ? Vec2(0.5 * (piece.chain[0] + piece.chain[1])) : base;
-    k.lines[i] = {static_cast<float>(at.x()), static_cast<float>(at.y()), static_cast<float>(displacement.x()),
-                  static_cast<float>(displacement.y()), 0, 0};
+    k.lines[i] = {static_cast<float>(at.x()),
+                  static_cast<float>(at.y()),
+                  static_cast<float>(displacement.x()),
+                  static_cast<float>(displacement.y()),
+                  0,
+                  0};
     size = std::max(size, at.norm());
     if (i == 0) continue;
     const Vec2 before = along(piece.chain, i - 1);
-    const Vec2 in = Vec2(-before.y() - displacement.y(), before.x() + displacement.x()) / (1 + before.dot(displacement));
+    const Vec2 in =
+        Vec2(-before.y() - displacement.y(), before.x() + displacement.x()) / (1 + before.dot(displacement));
     k.lines[i].in_r = static_cast<float>(in.x());
     k.lines[i].in_z = static_cast<float>(in.y());
   }
@@ -98,8 +103,6 @@ std::span<const SweepKernel* const> sweep_kernels() {
   return runnable(kernels);
 }
 
-const SweepKernel& fastest_sweep_kernel() {
-  return *sweep_kernels().back();
-}
+const SweepKernel& fastest_sweep_kernel() { return *sweep_kernels().back(); }
 
 }  // namespace gouge

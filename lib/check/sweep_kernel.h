@@ -20,8 +20,8 @@ struct CoverPiece;
 /// |e| <= rest + rest_per_mm |u|. The tool axis at s = 0 is `axis`.
 struct SweepFrame {
   std::array<float, 3> tip{}, axis{}, displacement{}, turn{};
-  float displacement_mm = 0;     ///< at least |displacement|
-  float half_turn = 0;  ///< at least |turn| / 2
+  float displacement_mm = 0;  ///< at least |displacement|
+  float half_turn = 0;        ///< at least |turn| / 2
   float rest_mm = 0, rest_per_mm = 0;
   float beside_mm = 0;  ///< how far the tip may be from its position on the straight path
 };
@@ -30,8 +30,8 @@ struct SweepFrame {
 struct KernelPiece {
   static constexpr std::size_t kMaxLines = 11;
   struct Line {
-    float r = 0, z = 0;    ///< a point of it
-    float dr = 0, dz = 1;  ///< its direction, unit
+    float r = 0, z = 0;        ///< a point of it
+    float dr = 0, dz = 1;      ///< its direction, unit
     float in_r = 0, in_z = 0;  ///< from the corner where it starts to where both its lines are 1 mm away
   };
   std::array<Line, kMaxLines> lines;  ///< line k + 1 starts at the corner where line k ends
@@ -45,7 +45,7 @@ struct KernelPiece {
   float core_r_mm = 0;     ///< largest r of a corner of the chain, or of its only line
   float core_mm = 0;       ///< no corner of the core has a larger |r| + |z|
   bool is_level_below = false, is_level_above = false;  ///< the core ends in a flat face
-  float rounding_mm = 0;  ///< what single precision may do to distances from the piece
+  float rounding_mm = 0;                                ///< what single precision may do to distances from the piece
 };
 
 [[nodiscard]] KernelPiece kernel_piece(const CoverPiece& piece);
@@ -55,7 +55,7 @@ struct alignas(64) KernelResult {
   Lanes distance;              ///< of the point looked at last
   std::array<Lanes, 3> point;  ///< that point minus the frame's tip, mm; triangles only
   std::uint32_t open = 0;      ///< bit i: lane i is not pruned: bound < need
-  float least_pruned = 0;     ///< smallest bound among the pruned lanes; infinite if there are none
+  float least_pruned = 0;      ///< smallest bound among the pruned lanes; infinite if there are none
 };
 
 /// Sixteen nodes, or triangles, against one piece during one motion. `need` is the signed distance to prove:

@@ -43,10 +43,9 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
   const V3 speed = plus(f.displacement, cross(f.turn, u));
   const V far = at.r + abs(at.z) + ball + disc;
   const V rest = frame.half_turn * ball + frame.rest_mm + frame.rest_per_mm * far + piece.rounding_mm;
-  V by_plane = at.distance + dot(at.gradient, minus(u, nearest)) - extent -
-               0.5F * abs(dot(at.gradient, speed)) - rest;
-  by_plane = max(by_plane, least_along(piece, at.gradient, dot(at.gradient, u) - extent, frame, f) -
-                                  frame.rest_per_mm * far);
+  V by_plane = at.distance + dot(at.gradient, minus(u, nearest)) - extent - 0.5F * abs(dot(at.gradient, speed)) - rest;
+  by_plane =
+      max(by_plane, least_along(piece, at.gradient, dot(at.gradient, u) - extent, frame, f) - frame.rest_per_mm * far);
   const V z = dot(f.axis, u);
   V height = ball;
   // A cylinder has no lower face but the range of heights; elsewhere the chain has it.
@@ -233,8 +232,8 @@ GOUGE_INLINE V3 first_look(const KernelPiece& piece, const Triangle& t, const V3
   }
   const KernelPiece::Line& last = piece.lines[piece.count - 1];
   const KernelPiece::Line& first = piece.lines[0];
-  const M is_endless = (gr * last.dr + gz * last.dz > 0) | (gr * first.dr + gz * first.dz < 0) |
-                       (t.normal_scale >= 1e29F);
+  const M is_endless =
+      (gr * last.dr + gz * last.dz > 0) | (gr * first.dr + gz * first.dz < 0) | (t.normal_scale >= 1e29F);
   const V3 at_ring = plus(times(axis, z), times(across, r * inverse(gr)));
   return select(is_endless, times(axis, z0), at_ring);
 }
@@ -260,7 +259,8 @@ GOUGE_INLINE Range range_of(const Triangle& t, const SweepFrame& frame, const Fr
   // From a corner no point of the triangle is farther than the longest edge.
   const V edge2 = max(dot(t.ab, t.ab), max(dot(t.bc, t.bc), dot(t.ca, t.ca)));
   const V3 across = minus(t.a, times(f.axis, dot(f.axis, t.a)));
-  range.r_lo = sqrt(dot(across, across)) - sqrt(edge2) * 1.000001F - 0.5F * frame.displacement_mm - frame.half_turn * far - rest;
+  range.r_lo =
+      sqrt(dot(across, across)) - sqrt(edge2) * 1.000001F - 0.5F * frame.displacement_mm - frame.half_turn * far - rest;
   return range;
 }
 
@@ -280,8 +280,8 @@ GOUGE_INLINE V meet_in_corner(const KernelPiece& piece, const Touch& at, const P
   lay_plane(also.distance, point, also.gradient, t, f, also_plane);
   const V3 speed = plus(f.displacement, cross(f.turn, point));
   const V swing = 0.5F * dot(at.gradient, speed), also_swing = 0.5F * dot(also.gradient, speed);
-  const V at_ends = min(max(at.distance - swing, also.distance - also_swing),
-                            max(at.distance + swing, also.distance + also_swing));
+  const V at_ends =
+      min(max(at.distance - swing, also.distance - also_swing), max(at.distance + swing, also.distance + also_swing));
   const M is_deeper = at_ends < deepest.distance;
   deepest.distance = is_deeper ? at_ends : deepest.distance;
   deepest.point = select(is_deeper, point, deepest.point);
@@ -320,7 +320,8 @@ GOUGE_INLINE V3 step_to_core(const KernelPiece& piece, const Touch& at, const Tr
                              Look& last) {
   const V3 next = closest(minus(point, times(at.gradient, abs(at.distance + piece.radius_mm))), t);
   const V3 displacement = minus(next, point);
-  const V rate = min(dot(displacement, last.displacement) * inverse(dot(last.displacement, last.displacement)), broadcast(0.98F));
+  const V rate =
+      min(dot(displacement, last.displacement) * inverse(dot(last.displacement, last.displacement)), broadcast(0.98F));
   const M leads = rate > 0.2F;
   last.displacement = {leads ? V{} : displacement.x, leads ? V{} : displacement.y, leads ? V{} : displacement.z};
   return select(leads, closest(plus(next, times(displacement, rate / (1.0F - rate))), t), next);
@@ -328,8 +329,8 @@ GOUGE_INLINE V3 step_to_core(const KernelPiece& piece, const Touch& at, const Tr
 
 constexpr float kFarthest = 16;  // a step is drawn out no more than so many times
 
-// For a large tool lying almost flat on its triangle the factor is close to 1. Under its flat face the descent leads to the
-// rim; beyond, the slopes along the last step show where it should have ended.
+// For a large tool lying almost flat on its triangle the factor is close to 1. Under its flat face the descent leads to
+// the rim; beyond, the slopes along the last step show where it should have ended.
 GOUGE_INLINE V3 step_round_rim(const KernelPiece& piece, const Touch& at, const Triangle& t, const V3& point,
                                const V3& axis, Look& last) {
   const M is_under = (at.r < piece.core_r_mm) & (at.z < piece.lines[1].z);
@@ -386,8 +387,8 @@ void triangles(const TriangleBlock& block, const SweepFrame& frame, const Kernel
     bound = better;
     if (!piece.is_sharp) deepest = {at.distance, point};
     if (!any_of(is_open) || round + 1 == kRounds) break;
-    const V3 next = piece.is_disc ? step_round_rim(piece, at, t, point, f.axis, last)
-                                  : step_to_core(piece, at, t, point, last);
+    const V3 next =
+        piece.is_disc ? step_round_rim(piece, at, t, point, f.axis, last) : step_to_core(piece, at, t, point, last);
     point = piece.is_sharp ? select(at.distance < 0, on_ridge, next) : next;
   }
   store(deepest.distance, result.distance);

@@ -25,8 +25,8 @@ struct ToolInterval : MotionInterval {
   ToolFrame f0, f1;
   Vec3 tip_middle;
   double tip_path_mm;  ///< the tip's path over the interval is no longer (a straight one is just as long)
-  double sag_mm;      ///< how far the tip may be from where it would be on the straight chord
-  double turn_rad;    ///< rotation over the interval
+  double sag_mm;       ///< how far the tip may be from where it would be on the straight chord
+  double turn_rad;     ///< rotation over the interval
 
   /// How far the path of a point, `distance_mm` or less from the tip at mid interval, may bulge from the straight
   /// chord between its positions at the two ends, in tool coordinates. Proof:

@@ -57,8 +57,7 @@ class Mistakes {
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3;
       const Matrix exchanged = exchange(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j));
-      add(std::string(kComponents[i]) + " and " + std::string(kComponents[j]) + " exchanged").axis =
-          exchanged;
+      add(std::string(kComponents[i]) + " and " + std::string(kComponents[j]) + " exchanged").axis = exchanged;
       UndoneMistake& both = add(std::string(kCoordinates[i]) + " and " + std::string(kCoordinates[j]) +
                                 " of positions and axes exchanged");
       both.tip = both.axis = exchanged;
@@ -69,8 +68,8 @@ class Mistakes {
   void add_turns() {
     for (std::size_t i = 0; i < 3; ++i) {
       for (const int quarters : {1, 2, 3}) {
-        UndoneMistake& turned = add("the part rotated by " + std::to_string(90 * quarters) +
-                                    " degrees about " + std::string(kCoordinates[i]));
+        UndoneMistake& turned = add("the part rotated by " + std::to_string(90 * quarters) + " degrees about " +
+                                    std::string(kCoordinates[i]));
         turned.tip = turned.axis = quarter_turns(static_cast<Eigen::Index>(i), 4 - quarters);
       }
     }
@@ -79,8 +78,8 @@ class Mistakes {
   void add_units(LengthUnit unit) {
     constexpr double kInch_mm = 25.4;
     const bool is_inch = unit == LengthUnit::inch;
-    add(is_inch ? "the positions in millimetres (--path-units)" : "the positions in inches (--path-units)")
-        .tip = (is_inch ? 1 / kInch_mm : kInch_mm) * Matrix::Identity();
+    add(is_inch ? "the positions in millimetres (--path-units)" : "the positions in inches (--path-units)").tip =
+        (is_inch ? 1 / kInch_mm : kInch_mm) * Matrix::Identity();
     add("a part 25.4 times as large (--stl-units)").part_scale = kInch_mm;
     add("a part 25.4 times smaller (--stl-units)").part_scale = 1 / kInch_mm;
   }

@@ -14,10 +14,9 @@ struct UndoneMistake {
   std::string text;  ///< to follow "with", for people: "J negated"
   Eigen::Matrix3d tip = Eigen::Matrix3d::Identity();
   Eigen::Matrix3d axis = Eigen::Matrix3d::Identity();
-  double corner_radii = 0;  ///< how many radii of the cutter's corner the tip goes along the axis
-  double part_scale = 1;    ///< the part's size, about the origin
-  bool is_of_tilted =
-      false;  ///< positions with an axis along Z, which files need not write, stay as they are
+  double corner_radii = 0;    ///< how many radii of the cutter's corner the tip goes along the axis
+  double part_scale = 1;      ///< the part's size, about the origin
+  bool is_of_tilted = false;  ///< positions with an axis along Z, which files need not write, stay as they are
 
   [[nodiscard]] Pose pose(const Pose& given, double corner_radius_mm) const;
 };

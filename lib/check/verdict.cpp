@@ -20,8 +20,6 @@ const char* state_name(MoveState state) {
   return "not-certified";
 }
 
-const char* against_name(Against against) {
-  return against == Against::part ? "part" : "fixture";
-}
+const char* against_name(Against against) { return against == Against::part ? "part" : "fixture"; }
 
 }  // namespace gouge

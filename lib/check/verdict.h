@@ -15,8 +15,7 @@
 namespace gouge {
 
 enum class MoveState : std::uint8_t { clean, near_miss, gouge, buried, not_checked, not_certified };
-[[nodiscard]] const char* state_name(
-    MoveState state);  ///< clean, near, gouge, buried, not-checked, not-certified
+[[nodiscard]] const char* state_name(MoveState state);  ///< clean, near, gouge, buried, not-checked, not-certified
 
 enum class Against : std::uint8_t { part, fixture };
 [[nodiscard]] const char* against_name(Against against);  ///< part, fixture
@@ -38,8 +37,8 @@ struct MoveVerdict {
   double depth_upper_mm = 0;
   std::optional<Witness> witness;      ///< where depth > 0 (for near: the surface point that comes closest)
   std::optional<double> clearance_mm;  ///< near: realised distance at the witness
-  std::optional<double> overcut_mm;    ///< gouge of a closed solid: the tool reached as far below its surface, or farther
-  double overcut_upper_mm = 0;         ///< where there is an overcut: the tool reached no farther
+  std::optional<double> overcut_mm;  ///< gouge of a closed solid: the tool reached as far below its surface, or farther
+  double overcut_upper_mm = 0;       ///< where there is an overcut: the tool reached no farther
   Reason reason;  ///< where not checked, not certified or buried; of a gouge and a near miss what else is to be said
 };
 

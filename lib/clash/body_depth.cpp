@@ -72,8 +72,7 @@ class Search : private BestFirstSearch<Search, Region> {
     const float* const b = of_.surface().boxes.data() + 6 * std::size_t{index};
     const Vec3 low(static_cast<double>(b[0]), static_cast<double>(b[1]), static_cast<double>(b[2]));
     const Vec3 high(static_cast<double>(b[3]), static_cast<double>(b[4]), static_cast<double>(b[5]));
-    offer_bounded(
-        region_of(Region::Kind::node, index, region_of_box(Box3(Vec3(low + shift_), Vec3(high + shift_)))));
+    offer_bounded(region_of(Region::Kind::node, index, region_of_box(Box3(Vec3(low + shift_), Vec3(high + shift_)))));
   }
 
   void add_piece(std::uint32_t slot, const ConvexRegion& piece) {
@@ -181,8 +180,7 @@ class Search : private BestFirstSearch<Search, Region> {
 
 }  // namespace
 
-BodyDepth find_body_depth(const ClashBody& of, const ClashBody& in, const Vec3& shift,
-                          const SearchGoal& goal) {
+BodyDepth find_body_depth(const ClashBody& of, const ClashBody& in, const Vec3& shift, const SearchGoal& goal) {
   return Search(of, in, shift, goal).run_all();
 }
 

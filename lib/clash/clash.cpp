@@ -93,8 +93,7 @@ class Finder {
     } else if (clash_.depth_upper_mm <= options_.tolerance_mm + options_.resolution_mm) {
       clash_.state = ClashState::touching;
     } else if (!(clash_.depth_upper_mm < kUnknown_mm)) {
-      clash_.reason =
-          "the surfaces meet, and " + open_surface() + " is not closed, so nothing says what is inside";
+      clash_.reason = "the surfaces meet, and " + open_surface() + " is not closed, so nothing says what is inside";
     } else {
       clash_.reason = "the surfaces lie on each other at too many points: the budget of bounds ran out";
     }

@@ -30,7 +30,7 @@ enum class Containment { none, a_in_b, b_in_a };
 struct Clash {
   ClashState state = ClashState::not_certified;
   Containment containment = Containment::none;  ///< of whole bodies whose surfaces do not meet
-  ClosestPair closest;  ///< of the surfaces; where they meet any pair nearer than 1e-6
+  ClosestPair closest;                          ///< of the surfaces; where they meet any pair nearer than 1e-6
   /// Largest distance of a point in both bodies to the surface of one of them: depth <= true depth <=
   /// depth_upper. The upper bound is infinite where a body is not closed.
   double depth_mm = 0, depth_upper_mm = 0;
@@ -45,7 +45,8 @@ struct Clash {
 ///
 /// Requires triangles in both.
 /// Ensures  free and touching are proved, for bodies whose inside is not known as well; the same bits on
-/// every machine. Source   docs/algorithms/clash.md, with the proofs.
+/// every machine.
+/// Source   docs/algorithms/clash.md, with the proofs.
 [[nodiscard]] Clash find_clash(const ClashBody& a, const ClashBody& b, const Vec3& shift_b,
                                const ClashOptions& options);
 

@@ -3,8 +3,8 @@
 #include <memory>
 
 #include "lib/clash/local_maximum.h"
-#include "lib/penetration/depth_body.h"
 #include "lib/penetration/closest_point.h"
+#include "lib/penetration/depth_body.h"
 
 namespace gouge {
 

@@ -60,16 +60,14 @@ Box3 ConvexRegion::box() const {
 
 double ConvexRegion::area_mm2() const {
   Vec3 sum = Vec3::Zero();
-  for (std::size_t k = 2; k < count_; ++k)
-    sum += (points_[k - 1] - points_[0]).cross(points_[k] - points_[0]);
+  for (std::size_t k = 2; k < count_; ++k) sum += (points_[k - 1] - points_[0]).cross(points_[k] - points_[0]);
   return 0.5 * sum.norm();
 }
 
 ConvexRegion region_of_box(const Box3& box) {
   ConvexRegion region;
   for (unsigned k = 0; k < 8; ++k) {
-    region.add(Vec3((k & 1U) != 0 ? box.max().x() : box.min().x(),
-                    (k & 2U) != 0 ? box.max().y() : box.min().y(),
+    region.add(Vec3((k & 1U) != 0 ? box.max().x() : box.min().x(), (k & 2U) != 0 ? box.max().y() : box.min().y(),
                     (k & 4U) != 0 ? box.max().z() : box.min().z()));
   }
   return region;

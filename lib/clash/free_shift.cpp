@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kPointsOfSurface = 4000;  // about so many beside its vertices
 constexpr double kLeastDepth_mm = 0.01;         // that volumes carry
-constexpr double kReach = 3;  // points farther from the other body than so many depths are left out
+constexpr double kReach = 3;                    // points farther from the other body than so many depths are left out
 
 /// The points of one body in the other, for shifts of the one.
 class PointsInside {
@@ -39,8 +39,7 @@ class PointsInside {
   static std::vector<Vec3> points_near(const IndexedMesh& mesh, Box3 box, double depth_mm) {
     double area = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-      area +=
-          0.5 * (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).norm();
+      area += 0.5 * (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0)).norm();
     const double spacing = std::sqrt(area / kPointsOfSurface);
     const Vec3 reach = Vec3::Constant(kReach * depth_mm);
     box = Box3(Vec3(box.min() - reach), Vec3(box.max() + reach));
@@ -60,8 +59,7 @@ Vec3 shift_of_boxes(const Box3& a, const Box3& b, double apart_mm) {
   Vec3 best = Vec3::Zero();
   double shortest = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
-    for (const double shift :
-         {a.max()[axis] - b.min()[axis] + apart_mm, a.min()[axis] - b.max()[axis] - apart_mm}) {
+    for (const double shift : {a.max()[axis] - b.min()[axis] + apart_mm, a.min()[axis] - b.max()[axis] - apart_mm}) {
       if (!(std::abs(shift) < shortest)) continue;
       shortest = std::abs(shift);
       best = shift * Vec3::Unit(axis);
@@ -85,8 +83,7 @@ class Shifter {
   std::optional<FreeShift> run() {
     CorrectionOptions correction;
     correction.free_mm = options_.tolerance_mm + options_.resolution_mm;
-    const FreeingShift found =
-        correct_until_free([this](const Vec3& shift) { return contacts_at(shift); }, correction);
+    const FreeingShift found = correct_until_free([this](const Vec3& shift) { return contacts_at(shift); }, correction);
     const bool is_proved = state_ == ClashState::free || state_ == ClashState::touching;
     if (found.end != CorrectionEnd::free || !is_proved) return std::nullopt;
     return FreeShift{found.shift, true, found.iterations, state_};
@@ -122,8 +119,7 @@ class Shifter {
 
 }  // namespace
 
-FreeShift find_free_shift(const ClashBody& a, const ClashBody& b, const Clash& found,
-                          const ClashOptions& options) {
+FreeShift find_free_shift(const ClashBody& a, const ClashBody& b, const Clash& found, const ClashOptions& options) {
   FreeShift boxes;
   boxes.is_weighted = false;
   boxes.shift = shift_of_boxes(a.surface().mesh.box(), b.surface().mesh.box(), options.resolution_mm);

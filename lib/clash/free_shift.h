@@ -9,9 +9,9 @@ namespace gouge {
 
 /// A shift of B that takes it out of A, proved by find_clash at the shifted position.
 struct FreeShift {
-  Vec3 shift = Vec3::Zero();   ///< mm, coordinates of A
-  bool is_weighted = true;     ///< by the weighted correction; else as far as the bounding boxes are apart
-  std::size_t iterations = 0;  ///< of the weighted correction
+  Vec3 shift = Vec3::Zero();            ///< mm, coordinates of A
+  bool is_weighted = true;              ///< by the weighted correction; else as far as the bounding boxes are apart
+  std::size_t iterations = 0;           ///< of the weighted correction
   ClashState state = ClashState::free;  ///< proved there: free or touching
 };
 
@@ -19,8 +19,9 @@ struct FreeShift {
 /// free or touching, and of the shortest shift along a coordinate axis that takes the bounding boxes apart.
 /// Not the shortest of all.
 ///
-/// `found`: the clash at rest. Cost  an index with volumes that carry depth over each body, then a search of
-/// the points of each for every iteration.
+/// `found`: the clash at rest.
+/// Cost     an index with volumes that carry depth over each body, then a search of the points of each for every
+///          iteration.
 [[nodiscard]] FreeShift find_free_shift(const ClashBody& a, const ClashBody& b, const Clash& found,
                                         const ClashOptions& options);
 

@@ -40,17 +40,15 @@ bool LocalMaxima::may_hold(const Vec3& centre, double radius, const ClosestPoint
   for (int i = 0; i < kTries; ++i) {
     if (!(sum.norm() > kLeastCosine)) return true;
     const Vec3 direction = sum.normalized();
-    const auto hit = find_in_cap(surface_, {centre, reach, direction, -radius}, [&](std::uint32_t slot) {
-      return leads_away(slot, direction, centre, reach);
-    });
+    const auto hit = find_in_cap(surface_, {centre, reach, direction, -radius},
+                                 [&](std::uint32_t slot) { return leads_away(slot, direction, centre, reach); });
     if (!hit) return false;
     sum -= surface_.sign.face(surface_.tree.order[hit->slot]);
   }
   return true;
 }
 
-bool LocalMaxima::leads_away(std::uint32_t slot, const Vec3& direction, const Vec3& centre,
-                             double reach) const {
+bool LocalMaxima::leads_away(std::uint32_t slot, const Vec3& direction, const Vec3& centre, double reach) const {
   const std::uint32_t triangle = surface_.tree.order[slot];
   const double cosine = -surface_.sign.face(triangle).dot(direction);
   if (cosine >= kVertexCosine) return true;

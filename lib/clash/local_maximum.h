@@ -20,8 +20,7 @@ class LocalMaxima {
   [[nodiscard]] bool may_hold(const Vec3& centre, double radius_mm, const ClosestPoint& foot) const;
 
  private:
-  [[nodiscard]] bool leads_away(std::uint32_t slot, const Vec3& direction, const Vec3& centre,
-                                double reach_mm) const;
+  [[nodiscard]] bool leads_away(std::uint32_t slot, const Vec3& direction, const Vec3& centre, double reach_mm) const;
 
   const DepthBody& surface_;
   std::vector<bool> is_reflex_;  // by vertex: on an edge with material on more than half of the way around it

@@ -51,8 +51,7 @@ void confirm(const ClashBody& part, const ClashBody& fixture, Clash& clash) {
 
 }  // namespace
 
-std::vector<SetupOverlap> find_setup_overlaps(std::span<const IndexedMesh> parts,
-                                              std::span<const IndexedMesh> fixtures,
+std::vector<SetupOverlap> find_setup_overlaps(std::span<const IndexedMesh> parts, std::span<const IndexedMesh> fixtures,
                                               const std::vector<bool>& is_left_out, const ClashOptions& options) {
   Bodies of_parts(parts), of_fixtures(fixtures);
   std::vector<SetupOverlap> found;

@@ -15,7 +15,8 @@ void take(const Vec3& a, const Vec3& b, ClosestPair& best) {
   if (distance < best.distance_mm) best = {a, b, distance};
 }
 
-/// Closest points of two edges. Source  C. Ericson, Real-Time Collision Detection (2005), 5.1.9.
+/// Closest points of two edges.
+/// Source   C. Ericson, Real-Time Collision Detection (2005), 5.1.9.
 void take_edges(const Vec3& a, const Vec3& a_end, const Vec3& b, const Vec3& b_end, ClosestPair& best) {
   const Vec3 along_a = a_end - a, along_b = b_end - b, between = a - b;
   const double aa = along_a.squaredNorm(), bb = along_b.squaredNorm(), ab = along_a.dot(along_b);
@@ -122,8 +123,7 @@ ClosestPair closest_points(const std::array<Vec3, 3>& a, const std::array<Vec3, 
     const Vec3 &from_a = a[i], &to_a = a[(i + 1) % 3];
     take(from_a, closest_on_triangle(from_a, b).point, best);
     take(closest_on_triangle(b[i], a).point, b[i], best);
-    const std::array<Vec3, 2> through_b = on_plane(from_a, to_a, b),
-                              through_a = on_plane(b[i], b[(i + 1) % 3], a);
+    const std::array<Vec3, 2> through_b = on_plane(from_a, to_a, b), through_a = on_plane(b[i], b[(i + 1) % 3], a);
     take(through_b[0], through_b[1], best);
     take(through_a[1], through_a[0], best);
     for (std::size_t j = 0; j < 3; ++j) take_edges(from_a, to_a, b[j], b[(j + 1) % 3], best);

@@ -17,9 +17,9 @@ struct ClosestPair {
 [[nodiscard]] ClosestPair closest_points(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b);
 
 /// The closest points of surface `a` and of surface `b` moved by `shift`, in a's coordinates. Requires
-/// triangles of both. Ensures  nowhere are they nearer than distance_mm - 1e-9, unless that is at most
-/// `enough_mm`, where the search ends. Cost     about O(log n) for surfaces apart; no more than the pairs of
-/// facets within their distance.
+/// triangles of both.
+/// Ensures  nowhere are they nearer than distance_mm - 1e-9, unless that is at most `enough_mm`, where the search ends.
+/// Cost     about O(log n) for surfaces apart; no more than the pairs of facets within their distance.
 [[nodiscard]] ClosestPair surface_distance(const DepthBody& a, const DepthBody& b, const Vec3& shift,
                                            double enough_mm = 0);
 

@@ -29,8 +29,8 @@ std::optional<Vec3> nearest_in_cap(const std::array<Vec3, 3>& facet, const BallC
     if ((at_a >= 0) != (at_b >= 0)) kept[count++] = a + at_a / (at_a - at_b) * (b - a);
   }
   if (count == 0) return std::nullopt;
-  TrianglePoint best = closest_on_triangle(cap.centre, {kept[0], kept[std::min<std::size_t>(1, count - 1)],
-                                                       kept[std::min<std::size_t>(2, count - 1)]});
+  TrianglePoint best = closest_on_triangle(
+      cap.centre, {kept[0], kept[std::min<std::size_t>(1, count - 1)], kept[std::min<std::size_t>(2, count - 1)]});
   if (count == 4) {
     const TrianglePoint other = closest_on_triangle(cap.centre, {kept[0], kept[2], kept[3]});
     if (other.distance2_mm2 < best.distance2_mm2) best = other;

@@ -15,15 +15,14 @@ struct BallCap {
 };
 
 struct CapHit {
-  std::uint32_t slot = 0;    ///< of the facet, in body.tree.order
+  std::uint32_t slot = 0;     ///< of the facet, in body.tree.order
   Vec3 point = Vec3::Zero();  ///< of it, in the cap, the nearest to the cap's centre
 };
 
 /// A facet that reaches into the cap and for which `is_allowed(slot)` is false; nothing when there is none.
 /// Ensures  no facet that reaches into the cap by more than rounding is missed; always the same one.
 template <typename IsAllowed>
-[[nodiscard]] std::optional<CapHit> find_in_cap(const DepthBody& body, const BallCap& cap,
-                                                const IsAllowed& is_allowed);
+[[nodiscard]] std::optional<CapHit> find_in_cap(const DepthBody& body, const BallCap& cap, const IsAllowed& is_allowed);
 
 namespace detail {
 

@@ -11,13 +11,11 @@ namespace {
 
 constexpr double kFirstLift_mm = 0.25;
 constexpr double kLiftGrowth = 1.4;
-constexpr double kGap_mm = 0.02;      // how well the worst instant of a gouging motion is found
+constexpr double kGap_mm = 0.02;       // how well the worst instant of a gouging motion is found
 constexpr double kStraight_mm = 1e-3;  // how far off its neighbours' straight path a position may be left out
 constexpr double kStraightAxis = 1e-5;
 
-Pose lifted(const Pose& pose, double lift) {
-  return {pose.tip + lift * pose.axis, pose.axis};
-}
+Pose lifted(const Pose& pose, double lift) { return {pose.tip + lift * pose.axis, pose.axis}; }
 
 }  // namespace
 
@@ -51,7 +49,8 @@ std::optional<BridgeNodes> Bridger::halve(const BridgeNode& u, const BridgeNode&
   return before;
 }
 
-/// Away from the programmed motion at one end of the gap, as far as the other end is off, and parallel to it from there on.
+/// Away from the programmed motion at one end of the gap, as far as the other end is off, and parallel to it from there
+/// on.
 std::optional<BridgeNodes> Bridger::corner(const BridgeNode& u, const BridgeNode& v, double depth_mm) {
   if (task_.programmed == nullptr) return std::nullopt;
   const Vec3 off_u = offset_mm(u), off_v = offset_mm(v);
@@ -91,8 +90,8 @@ void Bridger::leave_out_needless(const Pose& from, const Pose& to, BridgeNodes& 
     const Pose& last = kept.empty() ? from : kept.back().pose();
     const Pose& next = k + 1 < waypoints.size() ? waypoints[k + 1].pose() : to;
     left_out.push_back(waypoints[k].pose());
-    const bool is_straight = std::all_of(left_out.begin(), left_out.end(),
-                                         [&](const Pose& pose) { return is_between(last, next, pose); });
+    const bool is_straight =
+        std::all_of(left_out.begin(), left_out.end(), [&](const Pose& pose) { return is_between(last, next, pose); });
     if (is_straight && is_clean(last, next)) continue;
     kept.push_back(waypoints[k]);
     left_out.clear();

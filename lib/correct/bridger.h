@@ -16,8 +16,8 @@ struct BridgeNode {
 };
 using BridgeNodes = std::vector<BridgeNode>;
 
-/// The search behind bridge(). Whether the tool is inside a solid is asked where a path begins, at each position put into
-/// it and in each clean interval of the programmed motion; from there on a clean motion keeps it outside.
+/// The search behind bridge(). Whether the tool is inside a solid is asked where a path begins, at each position put
+/// into it and in each clean interval of the programmed motion; from there on a clean motion keeps it outside.
 class Bridger {
  public:
   explicit Bridger(const BridgeTask& task) : task_(task) {}
@@ -26,7 +26,7 @@ class Bridger {
   std::optional<BridgeNodes> find(const BridgeNode& u, const BridgeNode& v);
 
  private:
-  static constexpr int kLevels = 7;                   // halvings of a motion before another path is tried
+  static constexpr int kLevels = 7;                  // halvings of a motion before another path is tried
   static constexpr std::size_t kMostPositions = 24;  // put into one gap
 
   /// One side of a gap: a position, or the end of a clean interval of which all instants will do.
@@ -52,7 +52,8 @@ class Bridger {
   std::optional<BridgeNodes> keep_to_programmed(const BridgeNode& u, const BridgeNode& v);
   std::optional<std::size_t> chain(const BridgeNode& u, const BridgeNode& v, BridgeNodes& waypoints);
   std::optional<BridgeNodes> cross(Shore& left, Shore& right);
-  std::optional<BridgeNodes> cross_here(const Shore& left, const Shore& right, double left_t, double right_t, Search search);
+  std::optional<BridgeNodes> cross_here(const Shore& left, const Shore& right, double left_t, double right_t,
+                                        Search search);
   void drop_interval(std::size_t gap);
   void leave_out_holds(const BridgeNode& u, const BridgeNode& v, BridgeNodes& waypoints) const;
   [[nodiscard]] bool stays_near(const BridgeNode& from, const BridgeNode& to) const;

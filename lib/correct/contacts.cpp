@@ -42,9 +42,7 @@ class Collector {
   }
 
  private:
-  [[nodiscard]] double excess(const ToolSample& sample) const {
-    return -sample.nearest.signed_distance_mm - aim_;
-  }
+  [[nodiscard]] double excess(const ToolSample& sample) const { return -sample.nearest.signed_distance_mm - aim_; }
 
   void visit_leaf(const TriangleBlock& leaf) {
     for (std::size_t i = 0; i < leaf.count; ++i) {
@@ -92,8 +90,7 @@ struct AimedTarget {
   double aim_mm = 0;
 };
 
-std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedScene& scene,
-                                       const CorrectionAim& aim) {
+std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedScene& scene, const CorrectionAim& aim) {
   std::vector<AimedTarget> all{{{&tool.against_part, &scene.parts, Against::part}, aim.part_mm},
                                {{&tool.against_fixture, &scene.fixtures, Against::fixture}, aim.fixture_mm}};
   if (!tool.with_clearance.elements.empty()) {
@@ -106,7 +103,7 @@ std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedS
 }  // namespace
 
 std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
-                                   const CorrectionAim& aim) {
+                                       const CorrectionAim& aim) {
   std::vector<ToolContact> contacts;
   const Motion alone(pose);
   const ToolInterval interval(alone, whole_segment(alone, 0));
@@ -117,8 +114,8 @@ std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& too
   return contacts;
 }
 
-double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
-                      const CorrectionAim& aim, double accuracy_mm) {
+double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene, const CorrectionAim& aim,
+                      double accuracy_mm) {
   constexpr std::uint64_t kBudget = 1'000'000;
   double most = 0;
   const Motion alone(pose);

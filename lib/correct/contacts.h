@@ -24,7 +24,7 @@ struct CorrectionAim {
 /// One contact for every triangle that reaches deeper than the aim: its deepest point, to a tenth of its
 /// excess. In tree order. Cost O(triangles inside the tool).
 [[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool,
-                                                 const PreparedScene& scene, const CorrectionAim& aim);
+                                                     const PreparedScene& scene, const CorrectionAim& aim);
 
 /// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only
 /// when the aim is proven to be met to `accuracy_mm`.

@@ -52,7 +52,8 @@ class Proposer {
     std::erase_if(holes_, [move](const HolePlan& hole) { return move + 1 >= hole.first && move <= hole.last; });
     if (!straight_) return corrector_->keep(move, reason);
     const std::vector<std::size_t>& origin = straight_->origin;
-    for (auto piece = std::lower_bound(origin.begin(), origin.end(), move); piece != origin.end() && *piece == move; ++piece)
+    for (auto piece = std::lower_bound(origin.begin(), origin.end(), move); piece != origin.end() && *piece == move;
+         ++piece)
       corrector_->keep(static_cast<std::size_t>(piece - origin.begin()), reason);
   }
 
@@ -157,8 +158,9 @@ Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckR
         return LawfulCorrection{std::move(correction), std::move(after)};
       }
       if (correction.changes.empty()) {
-        return make_error("correct-law", "the file as it was written without a change reads or checks otherwise; "
-                          "nothing was written", toolpath.file, toolpath.moves[worse.front()].line);
+        return make_error("correct-law",
+                          "the file as it was written without a change reads or checks otherwise; nothing was written",
+                          toolpath.file, toolpath.moves[worse.front()].line);
       }
     } else {
       worse = moves_of_line(toolpath, correction.changes, changed.error().line);

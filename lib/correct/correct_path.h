@@ -10,8 +10,8 @@
 #include "lib/correct/correct_pose.h"
 #include "lib/path/path_change.h"
 
-// Takes a path out of its gouges and makes nothing worse. What proves that is not the search for the changes: the written
-// file is read and checked again like any other, and a change that does not hold its own there is not made.
+// Takes a path out of its gouges and makes nothing worse. What proves that is not the search for the changes: the
+// written file is read and checked again like any other, and a change that does not hold its own there is not made.
 
 namespace gouge {
 
@@ -48,14 +48,16 @@ struct Correction {
   std::vector<Uncorrected> uncorrected;
 };
 
-/// The changes as they are proposed. Each motion that they touch has been checked by itself and is no worse than it was.
+/// The changes as they are proposed. Each motion that they touch has been checked by itself and is no worse than it
+/// was.
 ///
 /// Requires `result` from check() with the same path and setup.
 /// Ensures  (1) only positions at the ends of gouging moves are moved, and only when they are themselves too deep.
-///          (2) no position moves further than max_shift, nor further than max_side_shift across the tool axis; the tool
-///          axis of a position is never changed.
+///          (2) no position moves further than max_shift, nor further than max_side_shift across the tool axis; the
+///          tool axis of a position is never changed.
 ///          (3) the same proposal at any number of threads.
-/// Source   thesis 5.3 (weighted, iterated); lifting, inserting and taking back are ours: docs/algorithms/correction.md.
+/// Source   thesis 5.3 (weighted, iterated); lifting, inserting and taking back are ours:
+///          docs/algorithms/correction.md.
 [[nodiscard]] Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
                                       const CorrectOptions& correct, const ProgressCall& progress = {});
 
@@ -72,8 +74,8 @@ struct LawfulCorrection {
   ChangedPath after;
 };
 
-/// The changes that keep the laws (laws.h) in what `rewrite` makes of them, checked like any other path: what makes a move
-/// worse there, or cannot be written, is taken back until nothing does.
+/// The changes that keep the laws (laws.h) in what `rewrite` makes of them, checked like any other path: what makes a
+/// move worse there, or cannot be written, is taken back until nothing does.
 ///
 /// Ensures  `uncorrected` lists every move that gouges or is buried in `after`, and no other.
 /// Errors   those of `rewrite` for no changes at all; correct-law: even then a move is worse, a fault of ours.
@@ -81,7 +83,6 @@ struct LawfulCorrection {
 ///          back.
 [[nodiscard]] Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckResult& result,
                                                         const CheckSetup& setup, const CorrectOptions& correct,
-                                                        const RewritePath& rewrite,
-                                                        const ProgressCall& progress = {});
+                                                        const RewritePath& rewrite, const ProgressCall& progress = {});
 
 }  // namespace gouge

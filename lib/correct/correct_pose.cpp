@@ -7,18 +7,15 @@ namespace gouge {
 namespace {
 
 constexpr double kAccuracy_mm = 2e-4;
-constexpr double kSmallestStep_mm =
-    1e-3;                          // keeps the lift from creeping where the surface runs along the axis
-constexpr double kMargin_mm = 2e-3;  // how much further than asked the weighted shift reaches
+constexpr double kSmallestStep_mm = 1e-3;  // keeps the lift from creeping where the surface runs along the axis
+constexpr double kMargin_mm = 2e-3;        // how much further than asked the weighted shift reaches
 
 }  // namespace
 
-const char* strategy_name(Strategy strategy) {
-  return strategy == Strategy::weighted ? "weighted" : "axis";
-}
+const char* strategy_name(Strategy strategy) { return strategy == Strategy::weighted ? "weighted" : "axis"; }
 
-std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool,
-                                              const MotionChecker& checker, const PoseLimits& limits) {
+std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool, const MotionChecker& checker,
+                                              const PoseLimits& limits) {
   const CorrectionAim& aim = limits.aim;
   const CorrectionAim further{aim.part_mm - kMargin_mm, aim.fixture_mm - kMargin_mm, aim.clearance_mm - kMargin_mm};
   CorrectedPose result{pose, Strategy::weighted, 0, 0};

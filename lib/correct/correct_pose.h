@@ -30,8 +30,7 @@ struct CorrectedPose {
 /// is the excess over half of the aim's margin, so that the mean does not creep towards its goal for ever.
 /// Nothing when it does not converge within the limits. Source thesis 5.3, figure 35.
 [[nodiscard]] std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool,
-                                                            const MotionChecker& checker,
-                                                            const PoseLimits& limits);
+                                                            const MotionChecker& checker, const PoseLimits& limits);
 
 /// How much deeper than the aim heads are at a pose; infinite when one is buried or that is not decided.
 [[nodiscard]] double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits);
@@ -39,12 +38,10 @@ struct CorrectedPose {
 /// Lifts the tip along the tool axis to the first place where tool and heads meet the aim: the excess is the least the
 /// tool must still move, so stepping by it never passes a position that is good. Nothing beyond the limit.
 [[nodiscard]] std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolVariants& tool,
-                                                              const MotionChecker& checker,
-                                                              const PoseLimits& limits);
+                                                              const MotionChecker& checker, const PoseLimits& limits);
 
 /// `wanted` first, then along the axis. Heads are freed along the axis alone.
-[[nodiscard]] std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose,
-                                                        const ToolVariants& tool, const MotionChecker& checker,
-                                                        const PoseLimits& limits);
+[[nodiscard]] std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolVariants& tool,
+                                                        const MotionChecker& checker, const PoseLimits& limits);
 
 }  // namespace gouge

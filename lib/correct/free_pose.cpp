@@ -12,8 +12,8 @@ constexpr const char* kThrough = "the way out leads through the surface: on it t
 constexpr const char* kIntoSolid = "the way out leads into the solid: there the tool is buried";
 constexpr const char* kOpenWay = "whether the way out leads into the solid is not certain";
 constexpr const char* kHeadStays =
-    "the head is in the way: no lift along the tool axis within the largest shift frees it; it takes another "
-    "tilt or a longer tool";
+    "the head is in the way: no lift along the tool axis within the largest shift frees it; it takes another tilt or a "
+    "longer tool";
 
 }  // namespace
 
@@ -32,9 +32,7 @@ const char* why_not_shift(const Pose& from, const Pose& to, MoveKind kind, const
   return kOpenWay;
 }
 
-double side_shift_mm(const Vec3& shift, const Vec3& axis) {
-  return (shift - shift.dot(axis) * axis).norm();
-}
+double side_shift_mm(const Vec3& shift, const Vec3& axis) { return (shift - shift.dot(axis) * axis).norm(); }
 
 FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind, const ToolVariants& tool,
                     const MotionChecker& checker, const PoseLimits& limits,

@@ -25,8 +25,8 @@ inline constexpr double kSideShiftsPerDepth = 2;
 /// correct_pose, held to the laws of a shift: `wanted` first, then along the axis.
 ///
 /// `largest_side_mm`: none allows kSideShiftsPerDepth times the depth.
-[[nodiscard]] FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind, const ToolVariants& tool,
-                                  const MotionChecker& checker, const PoseLimits& limits,
+[[nodiscard]] FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind,
+                                  const ToolVariants& tool, const MotionChecker& checker, const PoseLimits& limits,
                                   const std::optional<double>& largest_side_mm);
 
 }  // namespace gouge

@@ -39,7 +39,9 @@ void join_records(std::size_t move, const Vec3& shift, bool is_inserted, Correct
 class ArcKeeper {
  public:
   ArcKeeper(const ArcKeeping& keeping, Correction& correction)
-      : k_(keeping), correction_(correction), options_(keeping.checker.options()),
+      : k_(keeping),
+        correction_(correction),
+        options_(keeping.checker.options()),
         change_of_(keeping.path.moves.size(), nullptr) {
     options_.tolerance_mm *= kCleanShare;
     options_.near_miss_mm = 0;
@@ -230,8 +232,6 @@ class ArcKeeper {
 
 }  // namespace
 
-void keep_arcs(const ArcKeeping& keeping, Correction& correction) {
-  ArcKeeper(keeping, correction).run();
-}
+void keep_arcs(const ArcKeeping& keeping, Correction& correction) { ArcKeeper(keeping, correction).run(); }
 
 }  // namespace gouge

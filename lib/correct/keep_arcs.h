@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "lib/correct/correct_path.h"
 #include "lib/certify/motion_checker.h"
+#include "lib/correct/correct_path.h"
 
 // Arcs that a correction has made straight become arcs again where they can.
 
@@ -23,9 +23,9 @@ struct ArcKeeping {
 /// (shift_arc); one arc whose ends go on from there in the same direction, as far as all of it asks for; or several, on
 /// the clean stretches as they were (split_arc).
 ///
-/// Ensures  Positions and all other moves stay as proposed, but for the two ends of an arc that both were moved: those may
-///          go further, within the bounds of a shift and of --max-side-shift, where the motions beside them are clean and,
-///          where those are feeds, stay on the programmed ones.
+/// Ensures  Positions and all other moves stay as proposed, but for the two ends of an arc that both were moved: those
+///          may go further, within the bounds of a shift and of --max-side-shift, where the motions beside them are
+///          clean and, where those are feeds, stay on the programmed ones.
 void keep_arcs(const ArcKeeping& keeping, Correction& correction);
 
 }  // namespace gouge

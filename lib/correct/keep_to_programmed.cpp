@@ -10,7 +10,7 @@ namespace {
 // How far from the end of a clean interval a path may leave it, tried in turn.
 constexpr std::array kBack_mm{0.02, 0.1, 0.5, 2.0, 8.0};
 constexpr std::array kBackShares{1.0 / 16, 1.0 / 4, 1.0 / 2};  // of both intervals, for paths over corrected positions
-constexpr double kShortest_mm = 0.01;  // of an interval that is worth a position
+constexpr double kShortest_mm = 0.01;                          // of an interval that is worth a position
 
 }  // namespace
 
@@ -42,8 +42,8 @@ std::vector<TimeInterval> Bridger::clean_programmed() const {
   return clean;
 }
 
-/// The path over all clean intervals: along each of them, and across the gaps between. The gap that cannot be crossed, if any;
-/// gap k ends at interval k.
+/// The path over all clean intervals: along each of them, and across the gaps between. The gap that cannot be crossed,
+/// if any; gap k ends at interval k.
 std::optional<std::size_t> Bridger::chain(const BridgeNode& u, const BridgeNode& v, BridgeNodes& waypoints) {
   Shore left{u, {u.t, u.t}, true};
   for (std::size_t k = 0; k <= clean_.size(); ++k) {
@@ -78,7 +78,7 @@ std::optional<BridgeNodes> Bridger::cross(Shore& left, Shore& right) {
     const double back = length > back_mm ? back_mm / length : 1;
     const double left_t = std::max(left.room.first, left.room.last - back);
     const double right_t = std::min(right.room.last, right.room.first + back);
-    const bool is_left_new = left_t < tried_left, is_right_new = right_t > tried_right;
+    const bool is_left_new = left_t<tried_left, is_right_new = right_t> tried_right;
     if (is_left_new && try_at(left_t, right.room.first, Search::simple)) return waypoints;
     if (is_right_new && try_at(left.room.last, right_t, Search::simple)) return waypoints;
     if (is_left_new && is_right_new && try_at(left_t, right_t, Search::simple)) return waypoints;
@@ -119,14 +119,15 @@ void Bridger::leave_out_holds(const BridgeNode& u, const BridgeNode& v, BridgeNo
   for (std::size_t k = 0; k < waypoints.size(); ++k) {
     const BridgeNode& last = kept.empty() ? u : kept.back();
     const BridgeNode& next = k + 1 < waypoints.size() ? waypoints[k + 1] : v;
-    const bool is_needless = is_on_programmed(waypoints[k]) && stays_near(last, next) && is_clean(last.pose(), next.pose());
+    const bool is_needless =
+        is_on_programmed(waypoints[k]) && stays_near(last, next) && is_clean(last.pose(), next.pose());
     if (!is_needless) kept.push_back(waypoints[k]);
   }
   waypoints = std::move(kept);
 }
 
-/// Whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a mean of what its
-/// ends are off, so the ends of the clean intervals stand for all instants.
+/// Whether the straight path keeps to the programmed motion wherever that is clean. It leaves the motion by a mean of
+/// what its ends are off, so the ends of the clean intervals stand for all instants.
 bool Bridger::stays_near(const BridgeNode& from, const BridgeNode& to) const {
   const Vec3 off_from = offset_mm(from), off_to = offset_mm(to);
   const double span = to.t - from.t;
@@ -145,12 +146,8 @@ BridgeNode Bridger::hold(double t) const {
   return {bridge_stop(pose, pose, 0, 0), t};
 }
 
-Vec3 Bridger::offset_mm(const BridgeNode& node) const {
-  return node.pose().tip - task_.programmed->at(node.t).tip;
-}
+Vec3 Bridger::offset_mm(const BridgeNode& node) const { return node.pose().tip - task_.programmed->at(node.t).tip; }
 
-bool Bridger::is_on_programmed(const BridgeNode& node) const {
-  return offset_mm(node).norm() <= 1e-9;
-}
+bool Bridger::is_on_programmed(const BridgeNode& node) const { return offset_mm(node).norm() <= 1e-9; }
 
 }  // namespace gouge

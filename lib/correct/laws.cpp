@@ -11,9 +11,7 @@ namespace {
 constexpr double kSameTurn_rad = 0.05;  // far more than digits make of an arc, far less than another way round
 const std::optional<PathArc> kStraight;
 
-bool is_same(const Pose& a, const Pose& b) {
-  return a.tip == b.tip && a.axis == b.axis;
-}
+bool is_same(const Pose& a, const Pose& b) { return a.tip == b.tip && a.axis == b.axis; }
 
 // As near as the digits of a file put a position that is written again.
 bool is_near(const Pose& a, const Pose& b) {
@@ -29,7 +27,8 @@ bool is_same_curve(const Toolpath& a, const Move& ma, const Toolpath& b, const M
   }
   if (ma.curve_kind == CurveKind::none) return true;
   const std::vector<SplinePiece>&x = a.splines[ma.curve].pieces, &y = b.splines[mb.curve].pieces;
-  return x.size() == y.size() && std::equal(x.begin(), x.end(), y.begin(), [](const SplinePiece& p, const SplinePiece& q) {
+  return x.size() == y.size() &&
+         std::equal(x.begin(), x.end(), y.begin(), [](const SplinePiece& p, const SplinePiece& q) {
            return p.control == q.control && std::equal_to<>()(p.u0, q.u0) && std::equal_to<>()(p.u1, q.u1);
          });
 }
@@ -91,20 +90,22 @@ class LawsCheck {
     for (std::size_t k = span.first; k < span.last; ++k) {
       const MoveVerdict& is = after_.result->verdicts[k];
       if (!is_no_worse_than(was, is, resolution_mm_)) return false;
-      if (is.state == MoveState::gouge && old.has_start && old.curve_kind == CurveKind::none && old.kind != MoveKind::cycle &&
-          !is_programmed_or_shift(i, k, span))
+      if (is.state == MoveState::gouge && old.has_start && old.curve_kind == CurveKind::none &&
+          old.kind != MoveKind::cycle && !is_programmed_or_shift(i, k, span))
         return false;
     }
     return true;
   }
 
  private:
-  /// Piece `k` of straight move `i` is the programmed motion, or leads from its new start to the old one, or from its old end to
-  /// the new one. Elsewhere a motion that still gouges could cut what it did not cut before, less deep than its deepest point.
+  /// Piece `k` of straight move `i` is the programmed motion, or leads from its new start to the old one, or from its
+  /// old end to the new one. Elsewhere a motion that still gouges could cut what it did not cut before, less deep than
+  /// its deepest point.
   [[nodiscard]] bool is_programmed_or_shift(std::size_t i, std::size_t k, const MovesAfter& span) const {
     const Toolpath &a = *before_.path, &b = *after_.path;
     if (!b.moves[k].has_start) return false;
-    const bool begins_at_start = is_near(b.start_of(k), a.start_of(i)), ends_at_end = is_near(b.moves[k].end, a.moves[i].end);
+    const bool begins_at_start = is_near(b.start_of(k), a.start_of(i)),
+               ends_at_end = is_near(b.moves[k].end, a.moves[i].end);
     if (begins_at_start && ends_at_end) return true;
     const bool is_first = k == span.first, is_last = k + 1 == span.last;
     return (is_first && !is_last && is_near(b.moves[k].end, a.start_of(i))) ||
@@ -129,7 +130,8 @@ bool is_no_worse_than(const MoveVerdict& before, const MoveVerdict& after, doubl
   if (after.state == MoveState::near_miss) return before.state != MoveState::clean;
   // A rapid left out on request is still left out.
   if (after.state == MoveState::not_checked)
-    return before.state == after.state && before.reason.is(Reason::Kind::rapid_skipped) && after.reason.is(Reason::Kind::rapid_skipped);
+    return before.state == after.state && before.reason.is(Reason::Kind::rapid_skipped) &&
+           after.reason.is(Reason::Kind::rapid_skipped);
   if (after.state != MoveState::gouge || before.state != MoveState::gouge) return false;
   return after.depth_mm <= before.depth_upper_mm && after.depth_upper_mm <= before.depth_mm + 2 * resolution_mm;
 }

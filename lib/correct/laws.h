@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "lib/check/verdict.h"
-#include "lib/path/toolpath.h"
 #include "lib/path/path_change.h"
+#include "lib/path/toolpath.h"
 
 // What a correction may not do, held against the checks of the path before and after it: no move that was clean becomes
 // anything else, none becomes deeper, none becomes buried or uncertain.
@@ -14,8 +14,8 @@ namespace gouge {
 
 /// Whether a motion that was as `before` says may become one that is as `after` says.
 ///
-/// Ensures  True only where `after` is clean, or near where `before` was not clean, or a gouge where `before` was one at
-///          least as deep: to twice the resolution, as that is how far both depths are known.
+/// Ensures  True only where `after` is clean, or near where `before` was not clean, or a gouge where `before` was one
+///          at least as deep: to twice the resolution, as that is how far both depths are known.
 [[nodiscard]] bool is_no_worse_than(const MoveVerdict& before, const MoveVerdict& after, double resolution_mm);
 
 /// A checked path.
@@ -32,8 +32,8 @@ struct MovesAfter {
 /// For each move of a path with `moves` moves. The last entry ends at the number of moves of the changed path.
 [[nodiscard]] std::vector<MovesAfter> moves_after(std::size_t moves, const std::vector<PathChange>& changes);
 
-/// Moves of the path as it was, in path order, of which `after` is worse than `before` or is not what `changes` says: an
-/// unchanged move that is not the same any more, or not as many moves (then all of them).
+/// Moves of the path as it was, in path order, of which `after` is worse than `before` or is not what `changes` says:
+/// an unchanged move that is not the same any more, or not as many moves (then all of them).
 [[nodiscard]] std::vector<std::size_t> find_worse(const CheckedPath& before, const std::vector<PathChange>& changes,
                                                   const CheckedPath& after, double resolution_mm);
 

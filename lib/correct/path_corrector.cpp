@@ -24,24 +24,19 @@ constexpr const char* kToolBuried = "the tool is buried: there is no way out to 
 constexpr const char* kHeadBuried = "the head is buried: there is no way out to follow";
 constexpr const char* kNoWayBetween = "no clean path between its positions within the largest shift";
 constexpr const char* kHeadBetween =
-    "the head is in the way between its positions: no clean path within the largest shift; it takes another "
-    "tilt or a "
+    "the head is in the way between its positions: no clean path within the largest shift; it takes another tilt or a "
     "longer tool";
 constexpr const char* kWorse = "a change here would make a neighbouring move worse";
 constexpr const char* kCycleStep =
-    "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of the "
-    "holes";
+    "a step of a drilling cycle that no lift of its hole frees: it takes another depth, clearance height or order of "
+    "the holes";
 constexpr const char* kRound = "an arc or curve that no change of its positions frees";
 constexpr const char* kUncertain = "the check cannot tell whether it is clean, so neither can a correction";
 
-bool is_straight(const Move& move) {
-  return move.kind == MoveKind::feed || move.kind == MoveKind::rapid;
-}
+bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
 
 /// How deep the cutter may stay in the part.
-double aim_of(double tolerance_mm) {
-  return tolerance_mm > 2 * kAir_mm ? kAimShare * tolerance_mm : -kAir_mm;
-}
+double aim_of(double tolerance_mm) { return tolerance_mm > 2 * kAir_mm ? kAimShare * tolerance_mm : -kAir_mm; }
 
 }  // namespace
 
@@ -98,9 +93,7 @@ Correction PathCorrector::propose(const ProgressCall& progress) {
   return gather();
 }
 
-bool PathCorrector::is_chained(std::size_t i) const {
-  return i > 0 && path_.moves[i].has_start;
-}
+bool PathCorrector::is_chained(std::size_t i) const { return i > 0 && path_.moves[i].has_start; }
 
 std::string PathCorrector::reason_to_leave(std::size_t i) const {
   if (!is_straight(path_.moves[i])) return "the position ends an arc or a cycle step";
@@ -134,9 +127,7 @@ void PathCorrector::correct_position(std::size_t i) {
   PoseLimits now = usual;
   now.aim = allowed;
   const bool is_head_in = head_excess(move.end, checker_, now) > 0;
-  if (!is_head_in &&
-      largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) <= 0)
-    return;
+  if (!is_head_in && largest_excess(move.end, tool, checker_.scene(), allowed, options_.resolution_mm / 4) <= 0) return;
   work.failure = reason_to_leave(i);
   if (!work.failure.empty()) return;
   const auto freed = [&](const PoseLimits& limits) {
@@ -186,9 +177,7 @@ Pose PathCorrector::end_of(std::size_t i) const {
   return positions_[i].corrected ? positions_[i].corrected->pose : path_.moves[i].end;
 }
 
-Pose PathCorrector::start_of(std::size_t i) const {
-  return is_chained(i) ? end_of(i - 1) : path_.moves[i].end;
-}
+Pose PathCorrector::start_of(std::size_t i) const { return is_chained(i) ? end_of(i - 1) : path_.moves[i].end; }
 
 // A thin or pointed tool is clean only where it is less deep than the tolerance allows.
 PoseLimits PathCorrector::limits_for(const ToolVariants& tool) const {
@@ -240,9 +229,9 @@ void PathCorrector::bridge_move(std::size_t i) {
   work.is_refused = work.inserted.empty();
 }
 
-/// A move that gouges all the same runs as it was programmed: from its new start to the old one, along the programmed motion,
-/// and from the old end to the new one. So it cuts nothing that it did not cut before, but what the shifts of its ends cut, no
-/// deeper than its ends are. Nothing where that is not so, or the motion is no straight line.
+/// A move that gouges all the same runs as it was programmed: from its new start to the old one, along the programmed
+/// motion, and from the old end to the new one. So it cuts nothing that it did not cut before, but what the shifts of
+/// its ends cut, no deeper than its ends are. Nothing where that is not so, or the motion is no straight line.
 std::vector<BridgePose> PathCorrector::programmed_again(std::size_t i) const {
   const Move& move = path_.moves[i];
   const bool is_dogleg = move.kind == MoveKind::rapid && options_.rapid == RapidMode::dogleg;
@@ -251,7 +240,8 @@ std::vector<BridgePose> PathCorrector::programmed_again(std::size_t i) const {
   const auto is_lawful = [&](const Pose& from, const Pose& to) {
     const Motion motion(from, to);
     return motion.is_defined() &&
-           is_no_worse_than(before, checker_.check(motion, move.kind, *tools_[move.tool], options_), options_.resolution_mm);
+           is_no_worse_than(before, checker_.check(motion, move.kind, *tools_[move.tool], options_),
+                            options_.resolution_mm);
   };
   std::vector<BridgePose> again;
   const auto visit = [&](const Pose& pose) { again.push_back({{pose, Strategy::axis, 0, 0}, pose, before.depth_mm}); };
@@ -306,14 +296,13 @@ void PathCorrector::work(const std::vector<std::size_t>& wanted, const ProgressC
                          const std::function<void(std::size_t)>& what) {
   std::mutex reported;
   std::size_t done = 0;
-  for_each_chunk(wanted.size(), kPositionsPerChunk, options_.threads,
-                 [&](std::size_t first, std::size_t last) {
-                   for (std::size_t k = first; k < last; ++k) what(wanted[k]);
-                   if (!progress) return;
-                   const std::scoped_lock lock(reported);
-                   done += last - first;
-                   progress(done, wanted.size());
-                 });
+  for_each_chunk(wanted.size(), kPositionsPerChunk, options_.threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) what(wanted[k]);
+    if (!progress) return;
+    const std::scoped_lock lock(reported);
+    done += last - first;
+    progress(done, wanted.size());
+  });
 }
 
 Correction PathCorrector::gather() const {
@@ -333,15 +322,13 @@ Correction PathCorrector::gather() const {
 void PathCorrector::gather_records(std::size_t i, Correction& correction) const {
   for (const BridgePose& stop : moves_[i].inserted) {
     const double after = depth_at(stop.corrected.pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]);
-    correction.records.push_back({i, stop.corrected.strategy, true,
-                                  stop.corrected.pose.tip - stop.before.tip, stop.depth_before_mm, after,
-                                  stop.corrected.iterations});
+    correction.records.push_back({i, stop.corrected.strategy, true, stop.corrected.pose.tip - stop.before.tip,
+                                  stop.depth_before_mm, after, stop.corrected.iterations});
   }
   const PositionWork& p = positions_[i];
   if (!p.corrected) return;
-  correction.records.push_back({i, p.corrected->strategy, false,
-                                p.corrected->pose.tip - path_.moves[i].end.tip, p.depth_before_mm,
-                                p.depth_after_mm, p.corrected->iterations});
+  correction.records.push_back({i, p.corrected->strategy, false, p.corrected->pose.tip - path_.moves[i].end.tip,
+                                p.depth_before_mm, p.depth_after_mm, p.corrected->iterations});
 }
 
 void PathCorrector::gather_failure(std::size_t i, Correction& correction) const {

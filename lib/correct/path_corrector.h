@@ -11,8 +11,8 @@ namespace gouge {
 
 /// Proposes positions for one path of straight moves, arcs and splines that stay.
 ///
-/// A change touches the motions at both sides of its position. One that would leave any of them worse than it was is taken
-/// back, and with it what relies on it, until nothing is worse.
+/// A change touches the motions at both sides of its position. One that would leave any of them worse than it was is
+/// taken back, and with it what relies on it, until nothing is worse.
 class PathCorrector {
  public:
   /// All must outlive it. `tools` as in check_path.

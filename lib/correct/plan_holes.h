@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "lib/correct/correct_path.h"
 #include "lib/certify/motion_checker.h"
+#include "lib/correct/correct_path.h"
 
 // Drilled holes that are too deep: their positions move along the tool axis, and all heights of the cycle with them.
 
@@ -19,11 +19,11 @@ struct HolePlan {
 /// The moves of the hole that begins at `first`: neighbouring cycle steps of one statement.
 [[nodiscard]] std::size_t end_of_hole(const Toolpath& path, std::size_t first);
 
-/// Plans for the holes of which a step gouges and which the file can write elsewhere. Each is the least lift for which the steps
-/// that gouge, shifted with it, are clean, and keeps the law of a shift. How the path to it and from it runs then, the written
-/// file shows.
+/// Plans for the holes of which a step gouges and which the file can write elsewhere. Each is the least lift for which
+/// the steps that gouge, shifted with it, are clean, and keeps the law of a shift. How the path to it and from it runs
+/// then, the written file shows.
 [[nodiscard]] std::vector<HolePlan> plan_holes(const Toolpath& path, const CheckResult& result,
-                                               const std::vector<const ToolVariants*>& tools, const MotionChecker& checker,
-                                               const CorrectOptions& correct);
+                                               const std::vector<const ToolVariants*>& tools,
+                                               const MotionChecker& checker, const CorrectOptions& correct);
 
 }  // namespace gouge

@@ -21,9 +21,7 @@ constexpr int kPlaces = 16;
 constexpr double kNearby = 0.2;  // of the motion
 constexpr int kNarrowings = 40;
 
-Vec3 across(const Vec3& displacement, const Vec3& axis) {
-  return displacement - displacement.dot(axis) * axis;
-}
+Vec3 across(const Vec3& displacement, const Vec3& axis) { return displacement - displacement.dot(axis) * axis; }
 
 class ArcShift {
  public:
@@ -95,8 +93,7 @@ class ArcShift {
       is_forced = is_forced && shift <= tolerance + kSideShiftsPerDepth * depth;
       // Between two clean positions so near to each other the arc, which is checked whole, says enough.
       if (depth <= kAimShare * tolerance && shift <= tolerance) continue;
-      if (why_not_shift(from, {to.tip, from.axis}, task_.kind, *task_.tool, checker_) != nullptr)
-        return false;
+      if (why_not_shift(from, {to.tip, from.axis}, task_.kind, *task_.tool, checker_) != nullptr) return false;
     }
     return is_forced || too_deep >= kMostOfIt * (kPlaces + 1);
   }

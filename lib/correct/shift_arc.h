@@ -21,17 +21,15 @@ struct ArcTask {
 /// The arc from `new_start` to `new_end` that changes least and is clean.
 ///
 /// Requires the end poses of an arc of one turn at most.
-/// Ensures  (1) The vector and the way round are the same; both ends are equally far from its centre line,
-/// and as high above each
-///          other as they were, to a fifth of the tolerance. A full circle stays one.
+/// Ensures  (1) The vector and the way round are the same; both ends are equally far from its centre line, and as high
+///          above each other as they were, to a fifth of the tolerance. A full circle stays one.
 ///          (2) It is clean to four fifths of the tolerance, which leaves a margin for the digits of the file,
 ///          over its whole motion (check_move). (3) No part that fits is given up for another: no position goes further
 ///          than the tolerance and twice its depth, or nine tenths of the arc were too deep. Seventeen positions are
 ///          looked at; those that are too deep or go further than the tolerance may be shifted there
 ///          (why_not_shift).
-/// Tried    the centre shifted with the ends; the centre line kept, with another radius; each moved to where
-/// both ends are
-///          equally far.
+/// Tried    the centre shifted with the ends; the centre line kept, with another radius; each moved to where both ends
+///          are equally far.
 [[nodiscard]] std::optional<PathArc> shift_arc(const ArcTask& task, const MotionChecker& checker);
 
 }  // namespace gouge

@@ -11,13 +11,16 @@ constexpr double kAimShare = 0.8;  // of the tolerance
 constexpr double kSamePoint_mm = 1e-9, kSameAxis = 1e-12;
 constexpr int kPlaces = 32;
 constexpr int kHalvings = 10;
-constexpr double kLeastSection_mm = 0.05;       // shorter ones are not worth a statement, and digits blur them
+constexpr double kLeastSection_mm = 0.05;          // shorter ones are not worth a statement, and digits blur them
 constexpr double kShares[] = {0, 1.0 / 16, 0.25};  // of a stretch, given up for the path to what is corrected
 
 class ArcSplit {
  public:
   ArcSplit(const ArcTask& task, const std::vector<Pose>& chords, const MotionChecker& checker)
-      : task_(task), chords_(chords), checker_(checker), options_(checker.options()),
+      : task_(task),
+        chords_(chords),
+        checker_(checker),
+        options_(checker.options()),
         whole_(task.start, task.end, task.arc) {
     options_.tolerance_mm *= kAimShare;
     options_.near_miss_mm = 0;
@@ -128,7 +131,8 @@ class ArcSplit {
   }
 
   // Straight to the stop `last`, past those from `next` on, as near to them as the chords to the arc.
-  [[nodiscard]] bool may_skip(const Pose& at, const std::vector<Pose>& stops, std::size_t next, std::size_t last) const {
+  [[nodiscard]] bool may_skip(const Pose& at, const std::vector<Pose>& stops, std::size_t next,
+                              std::size_t last) const {
     const Vec3 displacement = stops[last].tip - at.tip;
     for (std::size_t k = next; k < last; ++k) {
       const Vec3 to = stops[k].tip - at.tip;

@@ -16,7 +16,11 @@ class CurveChoice {
  public:
   CurveChoice(const Toolpath& path, const CheckResult& result, const std::vector<const ToolVariants*>& tools,
               const MotionChecker& checker)
-      : path_(path), result_(result), tools_(tools), checker_(checker), options_(checker.options()),
+      : path_(path),
+        result_(result),
+        tools_(tools),
+        checker_(checker),
+        options_(checker.options()),
         is_chosen_(path.moves.size(), false) {
     options_.tolerance_mm *= kSurelyStays;
     options_.near_miss_mm = 0;
@@ -66,7 +70,8 @@ class CurveChoice {
 }  // namespace
 
 std::optional<StraightenedPath> straighten(const Toolpath& path, const CheckResult& result,
-                                           const std::vector<const ToolVariants*>& tools, const MotionChecker& checker) {
+                                           const std::vector<const ToolVariants*>& tools,
+                                           const MotionChecker& checker) {
   const CheckOptions& options = checker.options();
   const std::vector<bool> is_chosen = CurveChoice(path, result, tools, checker).run();
   if (std::none_of(is_chosen.begin(), is_chosen.end(), [](bool chosen) { return chosen; })) return std::nullopt;
@@ -131,8 +136,8 @@ std::vector<PathChange> chosen_changes(const Toolpath& path, std::vector<Whole> 
 
 }  // namespace
 
-Correction restore_curves(const StraightenedPath& straightened, const Toolpath& path,
-                          const CheckResult& result, Correction correction) {
+Correction restore_curves(const StraightenedPath& straightened, const Toolpath& path, const CheckResult& result,
+                          Correction correction) {
   std::vector<const PathChange*> change_of(straightened.path.moves.size(), nullptr);
   for (const PathChange& change : correction.changes) change_of[change.move] = &change;
   Correction restored;
@@ -150,13 +155,11 @@ Correction restore_curves(const StraightenedPath& straightened, const Toolpath& 
       }
       const bool has_new_end = change != nullptr && change->new_end;
       const Pose& end = has_new_end ? *change->new_end : straightened.path.moves[last].end;
-      const bool is_last =
-          last + 1 == straightened.origin.size() || straightened.origin[last + 1] != all.move;
+      const bool is_last = last + 1 == straightened.origin.size() || straightened.origin[last + 1] != all.move;
       if (!is_last) all.inserted_before.push_back(end);
       if (is_last && has_new_end) all.new_end = end;
     }
-    whole.was_curve =
-        is_curve(path.moves[all.move]) && straightened.path.moves[first].curve_kind == CurveKind::none;
+    whole.was_curve = is_curve(path.moves[all.move]) && straightened.path.moves[first].curve_kind == CurveKind::none;
     all.is_straightened = whole.was_curve;
     wholes.push_back(std::move(whole));
   }
@@ -164,8 +167,7 @@ Correction restore_curves(const StraightenedPath& straightened, const Toolpath& 
   for (ChangeRecord& record : correction.records) {
     const std::size_t piece = record.move;
     record.move = straightened.origin[piece];
-    const bool is_within =
-        piece + 1 < straightened.origin.size() && straightened.origin[piece + 1] == record.move;
+    const bool is_within = piece + 1 < straightened.origin.size() && straightened.origin[piece + 1] == record.move;
     record.is_inserted = record.is_inserted || is_within;
     restored.records.push_back(record);
   }
@@ -173,8 +175,7 @@ Correction restore_curves(const StraightenedPath& straightened, const Toolpath& 
     left.move = straightened.origin[left.move];
     const bool is_reported = !restored.uncorrected.empty() && restored.uncorrected.back().move == left.move;
     if (is_reported) continue;
-    if (result.verdicts[left.move].state == MoveState::gouge)
-      left.depth_mm = result.verdicts[left.move].depth_mm;
+    if (result.verdicts[left.move].state == MoveState::gouge) left.depth_mm = result.verdicts[left.move].depth_mm;
     restored.uncorrected.push_back(left);
   }
   return restored;

@@ -18,8 +18,8 @@ struct StraightenedPath {
   CheckResult result;               ///< verdicts of its moves; no events
 };
 
-/// Chords stay within this share of the tolerance of their curve: every chord is checked, so they need be no finer than what
-/// a correction aims at.
+/// Chords stay within this share of the tolerance of their curve: every chord is checked, so they need be no finer than
+/// what a correction aims at.
 inline constexpr double kChordShare = 0.5;
 inline constexpr double kLeastChordError_mm = 2e-4;  ///< of the digits of the files
 

@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "lib/check/path_motion.h"
+#include "lib/field/field_instants.h"
 #include "lib/tool/evaluate.h"
 #include "lib/tool/evaluate_batch.h"
-#include "lib/field/field_instants.h"
 
 namespace gouge {
 namespace {
@@ -18,8 +18,7 @@ constexpr std::size_t kPosesPerHeadPose = 25;
 std::size_t instants_of(const Motion& motion, const CompiledTool& tool, double depth_mm) {
   // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
-  const double travel =
-      path_length_mm(motion) + std::abs(motion.angle_rad()) * 0.5 * (tool.z_max_mm - tool.z_min_mm);
+  const double travel = path_length_mm(motion) + std::abs(motion.angle_rad()) * 0.5 * (tool.z_max_mm - tool.z_min_mm);
   const double step = std::max(std::sqrt(8 * reach * 0.01 * std::max(depth_mm, 1e-3)), 0.02 * reach);
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
 }
@@ -38,8 +37,7 @@ class PlacedTool {
                                   signed_distance_mm(tool_.against_fixture, pose_, node.centre));
   }
 
-  [[nodiscard]] PointDepths::LeafDepths depths(std::span<const FieldPoint> points,
-                                             std::span<const float>) const {
+  [[nodiscard]] PointDepths::LeafDepths depths(std::span<const FieldPoint> points, std::span<const float>) const {
     constexpr std::size_t kMost = PointTree::kLeafPoints;
     const std::size_t count = points.size();
     std::array<double, kMost> r{}, z{}, part{}, fixture{}, clearance{};

@@ -2,9 +2,9 @@
 
 #include <vector>
 
-#include "lib/geom/pose.h"
-#include "lib/field/head_field.h"
 #include "lib/field/checked_toolpath.h"
+#include "lib/field/head_field.h"
+#include "lib/geom/pose.h"
 
 namespace gouge {
 

@@ -27,8 +27,8 @@ double reach_of(std::span<const HeadBody> heads) {
 // Instants so close that what a swing leaves between two of them stays a small part of the depth.
 std::size_t instants_of(const Motion& motion, double reach_mm, double depth_mm, double most_step_mm) {
   const double travel = HeadMotion(motion).turn_rad() * reach_mm + path_length_mm(motion);
-  const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, 1e-3)),
-                                 0.1 * most_step_mm, std::max(most_step_mm, 1e-6));
+  const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, 1e-3)), 0.1 * most_step_mm,
+                                 std::max(most_step_mm, 1e-6));
   return static_cast<std::size_t>(std::clamp(std::ceil(travel / step), 1.0, 400.0));
 }
 
@@ -54,12 +54,10 @@ class PlacedHead {
     const double remembered_mm = most_over_patch(node);
     if (remembered_mm <= enough_mm) return remembered_mm;
     const ClosestPoint foot = nearest(centre);
-    return std::min(
-        {node.radius - foot.signed_mm(), most_from(foot.point, node), most_over_patch(node), half_mm});
+    return std::min({node.radius - foot.signed_mm(), most_from(foot.point, node), most_over_patch(node), half_mm});
   }
 
-  [[nodiscard]] PointDepths::LeafDepths depths(std::span<const FieldPoint> points,
-                                             std::span<const float> reported_mm) {
+  [[nodiscard]] PointDepths::LeafDepths depths(std::span<const FieldPoint> points, std::span<const float> reported_mm) {
     PointDepths::LeafDepths reported{};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const Vec3 point = to_tool_.point(points[i].at);
@@ -142,8 +140,7 @@ void HeadField::deepen(const std::vector<FieldPoint>& points, std::vector<float>
   if (swept_.empty()) return;
   std::vector<PlacedHead> heads;
   heads.reserve(swept_.size());
-  for (const SweptPose& p : swept_)
-    heads.emplace_back(heads_[p.head], boxes_[p.head], p.to_tool, tolerance_mm_);
+  for (const SweptPose& p : swept_) heads.emplace_back(heads_[p.head], boxes_[p.head], p.to_tool, tolerance_mm_);
   const std::vector<float> deep = PointDepths(points).deepest(heads);
   for (std::size_t i = 0; i < deep.size(); ++i) depth_mm[i] = std::max(depth_mm[i], deep[i]);
 }

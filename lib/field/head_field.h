@@ -3,9 +3,9 @@
 #include <span>
 #include <vector>
 
-#include "lib/geom/rigid_transform.h"
 #include "lib/field/checked_toolpath.h"
 #include "lib/field/point_depths.h"
+#include "lib/geom/rigid_transform.h"
 
 namespace gouge {
 

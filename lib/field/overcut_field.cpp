@@ -131,7 +131,7 @@ class OvercutField::RayTree {
   const std::vector<Ray>& rays_;
   PointTree tree_;
   std::vector<Bundle> bundles_;  ///< by node
-  std::vector<double> margins_;    ///< by ray; negative: not asked for yet
+  std::vector<double> margins_;  ///< by ray; negative: not asked for yet
   std::vector<float> reported_;
 };
 

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "lib/penetration/depth_body.h"
 #include "lib/field/depth_field.h"
+#include "lib/penetration/depth_body.h"
 
 namespace gouge {
 

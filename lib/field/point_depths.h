@@ -19,8 +19,8 @@ struct FieldPoint {
   bool is_fixture = false;
 };
 
-/// Points of a surface, each with the largest depth found so far, so that a body at a pose visits only the points that it
-/// can reach deeper than that.
+/// Points of a surface, each with the largest depth found so far, so that a body at a pose visits only the points that
+/// it can reach deeper than that.
 class PointDepths {
  public:
   static constexpr double kUnseen = 1.03;  ///< a depth not above this many times another looks the same
@@ -34,9 +34,9 @@ class PointDepths {
 
   /// The largest depth of each point in any of the bodies, in mm, less 3 % at most; 0 where it is in none.
   ///
-  /// A Body has most_mm(node, enough_mm): no point of the node is deeper, as exact as it need be where that is not above
-  /// `enough_mm`; depths(points of a leaf, found): of those deeper than found so far; and floor_mm(): all that it gives
-  /// are more. It may remember what it found: every block gets a copy of its own.
+  /// A Body has most_mm(node, enough_mm): no point of the node is deeper, as exact as it need be where that is not
+  /// above `enough_mm`; depths(points of a leaf, found): of those deeper than found so far; and floor_mm(): all that it
+  /// gives are more. It may remember what it found: every block gets a copy of its own.
   template <class Body>
   [[nodiscard]] std::vector<float> deepest(const std::vector<Body>& bodies) {
     const std::vector<std::size_t>& blocks = tree_.blocks();

@@ -7,8 +7,8 @@
 
 namespace gouge {
 
-/// Points in a tree of boxes, halved at the median of the longest side, and cut into blocks that share no point, so that
-/// threads may work on them in any order.
+/// Points in a tree of boxes, halved at the median of the longest side, and cut into blocks that share no point, so
+/// that threads may work on them in any order.
 ///
 /// The trees of lib/hierarchy and lib/kdop hold surfaces that stand still for many queries; this one is built for a
 /// single pass over points that know their own values.

@@ -13,9 +13,7 @@ struct RigidTransform {
   [[nodiscard]] Vec3 point(const Vec3& x) const { return rotation * x + shift; }
   [[nodiscard]] Vec3 direction(const Vec3& x) const { return rotation * x; }
   [[nodiscard]] Pose pose(const Pose& p) const { return {point(p.tip), direction(p.axis)}; }
-  [[nodiscard]] RigidTransform inverse() const {
-    return {rotation.transpose(), -(rotation.transpose() * shift)};
-  }
+  [[nodiscard]] RigidTransform inverse() const { return {rotation.transpose(), -(rotation.transpose() * shift)}; }
 };
 
 }  // namespace gouge

@@ -47,8 +47,7 @@ HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene
     surfaces_.push_back(&scene.surface(Against::fixture, k));
 }
 
-std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& options,
-                                 MoveVerdict& verdict) const {
+std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict) const {
   std::vector<double> uppers_mm;
   const std::uint64_t bounds = sweep(motion, options, verdict, uppers_mm);
   if (is_open_to_judgement(verdict)) look_inside(motion.start(), uppers_mm, verdict);
@@ -67,8 +66,7 @@ std::uint64_t HeadChecker::sweep(const Motion& motion, const CheckOptions& optio
   for (const HeadBody& head : heads_) {
     const HeadResult found =
         search_head(head_motion, head, surfaces_,
-                    {options.tolerance_mm, options.resolution_mm,
-                     std::max(options.resolution_mm, options.gouge_gap_mm),
+                    {options.tolerance_mm, options.resolution_mm, std::max(options.resolution_mm, options.gouge_gap_mm),
                      std::min(kMostBounds, options.budget_per_move)});
     bounds += found.bounds;
     uppers_mm.push_back(found.depth_upper_mm);
@@ -159,9 +157,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
       if (is_free(i - 1, c)) chains.join(i * cores.size() + c, (i - 1) * cores.size() + c);
     }
   }
-  const auto is_asked = [&](std::size_t item) {
-    return is_free(item / cores.size(), item % cores.size());
-  };
+  const auto is_asked = [&](std::size_t item) { return is_free(item / cores.size(), item % cores.size()); };
   chains.decide(
       options.threads,
       [&](std::size_t item) {
@@ -210,14 +206,13 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
   const HeadChecker checker(heads, scene);
   std::vector<std::uint64_t> bounds(result.verdicts.size(), 0);
   std::vector<std::vector<double>> uppers_mm(result.verdicts.size());
-  for_each_chunk(result.verdicts.size(), kMovesPerChunk, options.threads,
-                 [&](std::size_t first, std::size_t last) {
-                   for (std::size_t i = first; i < last; ++i) {
-                     if (result.verdicts[i].state == MoveState::not_checked) continue;
-                     const Motion motion = motion_of(toolpath, i, options.rapid);
-                     bounds[i] = checker.sweep(motion, options, result.verdicts[i], uppers_mm[i]);
-                   }
-                 });
+  for_each_chunk(result.verdicts.size(), kMovesPerChunk, options.threads, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last; ++i) {
+      if (result.verdicts[i].state == MoveState::not_checked) continue;
+      const Motion motion = motion_of(toolpath, i, options.rapid);
+      bounds[i] = checker.sweep(motion, options, result.verdicts[i], uppers_mm[i]);
+    }
+  });
   checker.mark_buried(toolpath, options, uppers_mm, result.verdicts);
   check_links(toolpath, checker, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;

@@ -44,12 +44,13 @@ class HeadChecker {
   std::vector<const DepthBody*> surfaces_;
 };
 
-/// Checks bodies that move with the tool, and that its profile does not hold, along every move that the tool
-/// was checked on, and joins what it finds to the verdicts of `result`: the deeper witness stays, a gouge of either is a
+/// Checks bodies that move with the tool, and that its profile does not hold, along every move that the tool was
+/// checked on, and joins what it finds to the verdicts of `result`: the deeper witness stays, a gouge of either is a
 /// gouge, and a move is clean only if both are. Their share of a verdict: lib/certify has the whole.
 ///
 /// The guarantee is the tool's: depth <= true depth <= depth_upper over every instant; clean means that
-/// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness). Ensures  the same bits at any number of threads.
+/// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness).
+/// Ensures  the same bits at any number of threads.
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
                  const CheckOptions& options, CheckResult& result);
 

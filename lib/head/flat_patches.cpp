@@ -33,15 +33,13 @@ class PatchFinder {
       const std::vector<std::uint32_t> faces = spread(t);
       FlatPatch patch = patch_about(t, faces);
       if (patch.rims.size() > kMostRims) {
-        for (const std::uint32_t face : faces)
-          add(patch_about(face, std::span(&face, 1)), std::span(&face, 1));
+        for (const std::uint32_t face : faces) add(patch_about(face, std::span(&face, 1)), std::span(&face, 1));
       } else {
         add(std::move(patch), faces);
       }
     }
     std::vector<FlatPatch> faces;
-    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t)
-      faces.push_back(patch_about(t, std::span(&t, 1)));
+    for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) faces.push_back(patch_about(t, std::span(&t, 1)));
     return {std::move(patches_), std::move(patch_of_), std::move(faces)};
   }
 
@@ -117,8 +115,8 @@ class PatchFinder {
 /// What stands lowest above one patch.
 class ClearAbove {
  public:
-  ClearAbove(const DepthBody& surface, const std::vector<std::uint32_t>& patch_of, FlatPatch& patch,
-             std::uint32_t own, const Box3& box)
+  ClearAbove(const DepthBody& surface, const std::vector<std::uint32_t>& patch_of, FlatPatch& patch, std::uint32_t own,
+             const Box3& box)
       : surface_(surface), patch_of_(patch_of), patch_(patch), own_(own), box_(box) {
     const double size = surface.mesh.box().diagonal().norm();
     patch.rim_mm = kRim * size;
@@ -135,9 +133,7 @@ class ClearAbove {
   void visit(std::uint32_t index) {
     const float* const bounds = surface_.boxes.data() + 6 * std::size_t{index};
     for (int k = 0; k < 3; ++k) {
-      if (static_cast<double>(bounds[k]) > box_.max()[k] ||
-          static_cast<double>(bounds[k + 3]) < box_.min()[k])
-        return;
+      if (static_cast<double>(bounds[k]) > box_.max()[k] || static_cast<double>(bounds[k + 3]) < box_.min()[k]) return;
     }
     const KdopNode& node = surface_.tree.nodes[index];
     for (std::uint32_t k = 0; k < node.children; ++k) visit(node.first + k);
@@ -154,8 +150,7 @@ class ClearAbove {
       if (left.empty()) return;
       left = cut(left, rim.inward, rim.offset + 0.5 * patch_.rim_mm);
     }
-    for (const Vec3& x : left)
-      patch_.clear_mm = std::min(patch_.clear_mm, std::max(0.0, patch_.height_mm(x)));
+    for (const Vec3& x : left) patch_.clear_mm = std::min(patch_.clear_mm, std::max(0.0, patch_.height_mm(x)));
   }
 
   static std::vector<Vec3> cut(const std::vector<Vec3>& polygon, const Vec3& inward, double offset) {
@@ -184,9 +179,7 @@ double FlatPatch::inside_mm(const Vec3& x) const {
   return least;
 }
 
-FlatPatches find_flat_patches(const IndexedMesh& mesh) {
-  return PatchFinder(mesh).run();
-}
+FlatPatches find_flat_patches(const IndexedMesh& mesh) { return PatchFinder(mesh).run(); }
 
 void measure_clear_above(const DepthBody& surface, FlatPatches& flat) {
   const IndexedMesh& mesh = surface.mesh;

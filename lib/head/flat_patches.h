@@ -40,8 +40,8 @@ struct FlatPatches {
 /// Requires a closed surface. Faces whose patch has too many edges are patches of their own. Cost O(n log n).
 [[nodiscard]] FlatPatches find_flat_patches(const IndexedMesh& mesh);
 
-/// Fills clear_mm of all patches and faces; it is at most the patch's size. Cost  a search of the tree for
-/// each.
+/// Fills clear_mm of all patches and faces; it is at most the patch's size.
+/// Cost     a search of the tree for each.
 void measure_clear_above(const DepthBody& surface, FlatPatches& flat);
 
 }  // namespace gouge

@@ -40,17 +40,16 @@ std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
 
 Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
   if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_within_reach)) {
-    return make_error(
-        "mesh-too-far",
-        "reaches more than 100 m from the origin; expected a head within that; check --stl-units", mesh.name);
+    return make_error("mesh-too-far",
+                      "reaches more than 100 m from the origin; expected a head within that; check --stl-units",
+                      mesh.name);
   }
   HeadBody head{build_distance_body(mesh), {}, {}, find_flat_patches(mesh)};
   if (!head.surface.is_solid) {
-    return make_error(
-        "mesh-head-open",
-        "is not a closed solid facing outward; expected one, since what is inside the head must be "
-        "known; 'gougecheck mesh FILE --repair OUT.stl' reports what is wrong",
-        mesh.name);
+    return make_error("mesh-head-open",
+                      "is not a closed solid facing outward; expected one, since what is inside the head must be "
+                      "known; 'gougecheck mesh FILE --repair OUT.stl' reports what is wrong",
+                      mesh.name);
   }
   measure_clear_above(head.surface, head.flat);
   const std::vector<std::uint32_t> piece = pieces_of(mesh);

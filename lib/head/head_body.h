@@ -20,7 +20,8 @@ struct HeadBody {
 };
 
 /// Requires what build_mesh ensures, and a surface that does not cross itself: the nearest facet decides the
-/// side. Errors   mesh-head-open: the surface is not closed, so what is inside it is not defined.
+/// side.
+/// Errors   mesh-head-open: the surface is not closed, so what is inside it is not defined.
 [[nodiscard]] Result<HeadBody> build_head_body(const IndexedMesh& mesh);
 
 /// The pieces of a surface, each a mesh of its own: bodies that overlap, as exported assemblies do, would

@@ -20,8 +20,7 @@ Eigen::Matrix3d head_rotation(const Vec3& axis) {
 HeadMotion::HeadMotion(const Motion& motion) : motion_(motion), start_(head_rotation(motion.start().axis)) {
   if (motion.is_alone()) return;
   const Eigen::AngleAxisd turn(motion.angle_rad(), motion.rotation_axis());
-  const Eigen::Matrix3d left =
-      (turn.toRotationMatrix() * start_).transpose() * head_rotation(motion.end().axis);
+  const Eigen::Matrix3d left = (turn.toRotationMatrix() * start_).transpose() * head_rotation(motion.end().axis);
   twist_rad_ = std::atan2(left(1, 0) - left(0, 1), left(0, 0) + left(1, 1));
 }
 

@@ -102,7 +102,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
     }
     const Vec3 middle = (q[0] + q[1] + q[2] + q[3] + q[4] + q[5]) / 6.0;
     const std::uint32_t face = closest_point(head_.surface, middle)->triangle;
-    const double bulge = interval.t1 > interval.t0 ? motion_.bulge_mm(interval.t0, interval.t1, interval.segment, far) : 0;
+    const double bulge =
+        interval.t1 > interval.t0 ? motion_.bulge_mm(interval.t0, interval.t1, interval.segment, far) : 0;
     const double patch = deepest_below(head_.flat.patches[head_.flat.patch_of[face]], q, bulge);
     return std::min(patch, deepest_below(head_.flat.faces[face], q, bulge)) + bulge + kRounding_mm;
   }
@@ -119,9 +120,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     return deepest + 2 * patch.off_mm;
   }
 
-  [[nodiscard]] double signed_distance(const Vec3& q) const {
-    return closest_point(head_.surface, q)->signed_mm();
-  }
+  [[nodiscard]] double signed_distance(const Vec3& q) const { return closest_point(head_.surface, q)->signed_mm(); }
 
   void add_node(std::uint32_t index, std::uint32_t surface, std::uint32_t node) {
     const float* const box = surfaces_[surface]->boxes.data() + 6 * std::size_t{node};
@@ -138,8 +137,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     offer(c);
   }
 
-  void add_piece(std::uint32_t index, std::uint32_t surface, std::uint32_t place,
-                 const std::array<Vec3, 3>& piece) {
+  void add_piece(std::uint32_t index, std::uint32_t surface, std::uint32_t place, const std::array<Vec3, 3>& piece) {
     const Vec3 centre = (piece[0] + piece[1] + piece[2]) / 3.0;
     double radius = 0;
     for (const Vec3& corner : piece) radius = std::max(radius, (corner - centre).norm());
@@ -185,8 +183,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
 
 }  // namespace
 
-HeadResult search_head(const HeadMotion& motion, const HeadBody& head,
-                       const std::vector<const DepthBody*>& surfaces, const SearchGoal& goal) {
+HeadResult search_head(const HeadMotion& motion, const HeadBody& head, const std::vector<const DepthBody*>& surfaces,
+                       const SearchGoal& goal) {
   return Search(motion, head, surfaces, goal).find();
 }
 

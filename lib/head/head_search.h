@@ -22,16 +22,15 @@ struct HeadResult {
   std::uint64_t bounds = 0;
 };
 
-/// Best first (best_first_search.h) over (interval of time x part of the surface). In the tool's frame a point of the surface stays
-/// within `bulge` of the chord between its positions at both ends of an interval; the head's signed distance is
-/// 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both ends - path
-/// length) - radius.
+/// Best first (best_first_search.h) over (interval of time x part of the surface). In the tool's frame a point of the
+/// surface stays within `bulge` of the chord between its positions at both ends of an interval; the head's signed
+/// distance is 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both
+/// ends - path length) - radius.
 ///
 /// Requires resolution and gap > 0.
 /// Ensures  depth <= true depth <= depth_upper, at any budget.
 /// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/algorithms/certified_sweep.md.
 [[nodiscard]] HeadResult search_head(const HeadMotion& motion, const HeadBody& head,
-                                     const std::vector<const DepthBody*>& surfaces,
-                                     const SearchGoal& goal);
+                                     const std::vector<const DepthBody*>& surfaces, const SearchGoal& goal);
 
 }  // namespace gouge

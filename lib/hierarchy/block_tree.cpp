@@ -93,8 +93,6 @@ class Verifier {
 
 }  // namespace
 
-std::vector<std::string> verify_tree(const BlockTree& tree) {
-  return Verifier(tree).run();
-}
+std::vector<std::string> verify_tree(const BlockTree& tree) { return Verifier(tree).run(); }
 
 }  // namespace gouge

@@ -23,10 +23,10 @@ namespace gouge {
 struct BlockTree {
   std::vector<NodeBlock> nodes;  ///< nodes[0] is the root; empty when there is no triangle
   std::vector<TriangleBlock> leaves;
-  Vec3 origin = Vec3::Zero();    ///< mm, part coordinates
+  Vec3 origin = Vec3::Zero();  ///< mm, part coordinates
   /// How far single precision may have moved a corner of a TriangleBlock.
   double rounding_mm = 0;
-  std::vector<const IndexedMesh*> meshes;    ///< as given to build_block_tree
+  std::vector<const IndexedMesh*> meshes;     ///< as given to build_block_tree
   std::vector<std::uint32_t> first_triangle;  ///< per mesh: how many triangles are in those before it
 
   [[nodiscard]] std::size_t mesh_of(std::uint32_t triangle) const;

@@ -15,20 +15,20 @@ using Lanes = std::array<float, kBlockLanes>;
 /// Every length is rounded up so far that the true surface is within, whatever single precision did.
 struct alignas(64) NodeBlock {
   std::array<Lanes, 3> center;
-  std::array<Lanes, 3> normal;    ///< about unit
-  Lanes half_thickness_mm;        ///< |normal . (x - center)| <= half_thickness
-  Lanes disc_radius_mm;           ///< distance of x from the line through center along normal
-  Lanes radius_mm;                ///< |x - center| <= radius for every x below
+  std::array<Lanes, 3> normal;                   ///< about unit
+  Lanes half_thickness_mm;                       ///< |normal . (x - center)| <= half_thickness
+  Lanes disc_radius_mm;                          ///< distance of x from the line through center along normal
+  Lanes radius_mm;                               ///< |x - center| <= radius for every x below
   std::array<std::uint32_t, kBlockLanes> child;  ///< index into nodes, or into leaves
-  std::uint32_t count = 0;        ///< lanes in use; the others repeat lane 0
-  bool has_leaves = false;        ///< the children are leaves
+  std::uint32_t count = 0;                       ///< lanes in use; the others repeat lane 0
+  bool has_leaves = false;                       ///< the children are leaves
 };
 
 /// Triangles side by side: coordinate k of corner c of lane i is corner[c][k][i].
 struct alignas(64) TriangleBlock {
   std::array<std::array<Lanes, 3>, 3> corner;
   std::array<std::uint32_t, kBlockLanes> triangle;  ///< see BlockTree::corners
-  std::uint32_t count = 0;  ///< lanes in use; the others repeat lane 0
+  std::uint32_t count = 0;                          ///< lanes in use; the others repeat lane 0
 };
 
 }  // namespace gouge

@@ -18,13 +18,9 @@ struct V3 {
   V x, y, z;
 };
 
-[[gnu::always_inline]] inline void load(const Lanes& from, V& to) {
-  __builtin_memcpy(&to, from.data(), sizeof to);
-}
+[[gnu::always_inline]] inline void load(const Lanes& from, V& to) { __builtin_memcpy(&to, from.data(), sizeof to); }
 
-[[gnu::always_inline]] inline void store(const V& from, Lanes& to) {
-  __builtin_memcpy(to.data(), &from, sizeof from);
-}
+[[gnu::always_inline]] inline void store(const V& from, Lanes& to) { __builtin_memcpy(to.data(), &from, sizeof from); }
 
 [[gnu::always_inline]] inline void load(const std::array<Lanes, 3>& from, V3& to) {
   load(from[0], to.x);
@@ -48,8 +44,8 @@ struct Extent {
   std::array<Lanes, 3> high, low;
 };
 
-GOUGE_WIDE void find_extent(const TriangleBlock* leaf, const TriangleBlock* end,
-                            const std::array<Single3, 3>& axes, Extent& extent) {
+GOUGE_WIDE void find_extent(const TriangleBlock* leaf, const TriangleBlock* end, const std::array<Single3, 3>& axes,
+                            Extent& extent) {
   V high[3], low[3];
   for (std::size_t k = 0; k < 3; ++k) high[k] = low[k] = V{} - std::numeric_limits<float>::max();
   for (; leaf != end; ++leaf) {
@@ -106,9 +102,7 @@ GOUGE_WIDE void find_areas(const TriangleBlock& leaf, std::array<Lanes, 3>& area
   store(bx * cy - by * cx, areas[2]);
 }
 
-double largest(const Lanes& lanes) {
-  return static_cast<double>(*std::max_element(lanes.begin(), lanes.end()));
-}
+double largest(const Lanes& lanes) { return static_cast<double>(*std::max_element(lanes.begin(), lanes.end())); }
 
 float rounded_up(double length) {
   return std::nextafter(static_cast<float>(length), std::numeric_limits<float>::max());
@@ -126,8 +120,8 @@ std::array<float, 3> area_sum(const TriangleBlock& leaf) {
   return sum;
 }
 
-void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, double rounding_mm,
-                  NodeBlock& node, std::size_t lane) {
+void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, double rounding_mm, NodeBlock& node,
+                  std::size_t lane) {
   const TriangleBlock* first = leaves.data();
   const TriangleBlock* end = first + leaves.size();
   const double length = direction.norm();

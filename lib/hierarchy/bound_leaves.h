@@ -19,7 +19,7 @@ namespace gouge::detail {
 /// (any length; when zero, the z axis) and a ball.
 /// `rounding_mm` is how far a corner may be from its stored position; it and the rounding of the arithmetic here
 /// are within what is written.
-void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, double rounding_mm,
-                  NodeBlock& node, std::size_t lane);
+void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, double rounding_mm, NodeBlock& node,
+                  std::size_t lane);
 
 }  // namespace gouge::detail

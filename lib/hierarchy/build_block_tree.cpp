@@ -107,8 +107,7 @@ class Builder {
         Entry& entry = entries_[i];
         entry.triangle = triangle;
         for (std::size_t k = 0; k < 3; ++k) {
-          entry.middle[k] =
-              0.5F * (std::min({c[0][k], c[1][k], c[2][k]}) + std::max({c[0][k], c[1][k], c[2][k]}));
+          entry.middle[k] = 0.5F * (std::min({c[0][k], c[1][k], c[2][k]}) + std::max({c[0][k], c[1][k], c[2][k]}));
         }
       }
     });

@@ -42,8 +42,7 @@ double coulomb_energy(std::span<const Vec3> axes) {
   double energy = 0;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     energy += 0.5 / axes[i].norm();
-    for (std::size_t j = 0; j < i; ++j)
-      energy += 2 / (axes[i] - axes[j]).norm() + 2 / (axes[i] + axes[j]).norm();
+    for (std::size_t j = 0; j < i; ++j) energy += 2 / (axes[i] - axes[j]).norm() + 2 / (axes[i] + axes[j]).norm();
   }
   return energy;
 }

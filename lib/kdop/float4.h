@@ -15,18 +15,10 @@ using Int4 = int __attribute__((vector_size(16)));
   std::memcpy(&value, from, sizeof value);
   return value;
 }
-inline void store4(float* to, Float4 value) {
-  std::memcpy(to, &value, sizeof value);
-}
-[[nodiscard]] inline Float4 all4(float x) {
-  return Float4{x, x, x, x};
-}
-[[nodiscard]] inline Float4 min4(Float4 a, Float4 b) {
-  return a < b ? a : b;
-}
-[[nodiscard]] inline Float4 max4(Float4 a, Float4 b) {
-  return a > b ? a : b;
-}
+inline void store4(float* to, Float4 value) { std::memcpy(to, &value, sizeof value); }
+[[nodiscard]] inline Float4 all4(float x) { return Float4{x, x, x, x}; }
+[[nodiscard]] inline Float4 min4(Float4 a, Float4 b) { return a < b ? a : b; }
+[[nodiscard]] inline Float4 max4(Float4 a, Float4 b) { return a > b ? a : b; }
 [[nodiscard]] inline bool any4(Int4 mask) {
   long long halves[2];
   std::memcpy(halves, &mask, sizeof halves);

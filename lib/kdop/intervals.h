@@ -10,17 +10,11 @@
 
 namespace gouge {
 
-[[nodiscard]] constexpr std::size_t interval_stride(std::size_t axes) {
-  return (axes + 3) / 4 * 4;
-}
+[[nodiscard]] constexpr std::size_t interval_stride(std::size_t axes) { return (axes + 3) / 4 * 4; }
 
 /// Where the lower end of axis `i` stands; the upper end stands four behind.
-[[nodiscard]] constexpr std::size_t low_slot(std::size_t i) {
-  return i / 4 * 8 + i % 4;
-}
-[[nodiscard]] constexpr std::size_t high_slot(std::size_t i) {
-  return low_slot(i) + 4;
-}
+[[nodiscard]] constexpr std::size_t low_slot(std::size_t i) { return i / 4 * 8 + i % 4; }
+[[nodiscard]] constexpr std::size_t high_slot(std::size_t i) { return low_slot(i) + 4; }
 
 /// Whether the intervals meet along every axis. Ends when one block of four axes is apart.
 [[nodiscard]] inline bool do_overlap(const float* a, const float* b, std::size_t stride) {

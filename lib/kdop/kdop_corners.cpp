@@ -25,8 +25,7 @@ Polygon clipped(const Polygon& face, const Vec3& normal, double offset, double s
 
 double size_of(std::span<const Interval> intervals) {
   double size = 0;
-  for (const Interval& i : intervals)
-    size = std::max({size, i.high - i.low, std::abs(i.low), std::abs(i.high)});
+  for (const Interval& i : intervals) size = std::max({size, i.high - i.low, std::abs(i.low), std::abs(i.high)});
   return size;
 }
 
@@ -71,8 +70,7 @@ std::vector<Vec3> kdop_corners(const DirectionSet& directions, std::span<const I
       const Vec3 normal = sign * directions.axes[i];
       const double offset = sign > 0 ? intervals[i].high : -intervals[i].low;
       const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u), mid = offset * normal;
-      Polygon face = {mid + reach * (u + v), mid + reach * (v - u), mid - reach * (u + v),
-                      mid + reach * (u - v)};
+      Polygon face = {mid + reach * (u + v), mid + reach * (v - u), mid - reach * (u + v), mid + reach * (u - v)};
       for (std::size_t j = 0; j < directions.axes.size() && !face.empty(); ++j) {
         if (j == i) continue;
         face = clipped(face, directions.axes[j], intervals[j].high, slack);

@@ -8,8 +8,7 @@ namespace {
 
 class Builder {
  public:
-  Builder(KdopTree& tree, std::span<const Vec3> centres, const KdopTreeOptions& options,
-          const BoundItem& bound)
+  Builder(KdopTree& tree, std::span<const Vec3> centres, const KdopTreeOptions& options, const BoundItem& bound)
       : tree_(tree), centres_(centres), options_(options), bound_(bound), item_(2 * tree.stride) {}
 
   void run() {
@@ -74,11 +73,10 @@ class Builder {
     box.sizes().maxCoeff(&axis);
     const std::uint32_t middle = range.first + range.count() / 2;
     const auto at = [this](std::uint32_t k) { return tree_.order.begin() + static_cast<std::ptrdiff_t>(k); };
-    std::nth_element(at(range.first), at(middle), at(range.last),
-                     [this, axis](std::uint32_t a, std::uint32_t b) {
-                       const double x = centres_[a][axis], y = centres_[b][axis];
-                       return x < y || (!(y < x) && a < b);
-                     });
+    std::nth_element(at(range.first), at(middle), at(range.last), [this, axis](std::uint32_t a, std::uint32_t b) {
+      const double x = centres_[a][axis], y = centres_[b][axis];
+      return x < y || (!(y < x) && a < b);
+    });
     return middle;
   }
 
@@ -115,8 +113,7 @@ void verify_children(const KdopTree& tree, std::size_t n, std::vector<std::strin
     const float* const inner = tree.bounds_of(node.first + k);
     bool is_inside = tree.nodes[node.first + k].level == node.level + 1;
     for (std::size_t i = 0; i < tree.stride; ++i) {
-      is_inside =
-          is_inside && outer[low_slot(i)] <= inner[low_slot(i)] && inner[high_slot(i)] <= outer[high_slot(i)];
+      is_inside = is_inside && outer[low_slot(i)] <= inner[low_slot(i)] && inner[high_slot(i)] <= outer[high_slot(i)];
     }
     if (!is_inside)
       broken.push_back("node " + std::to_string(node.first + k) + " leaves its parent " + std::to_string(n));
@@ -125,8 +122,8 @@ void verify_children(const KdopTree& tree, std::size_t n, std::vector<std::strin
 
 }  // namespace
 
-KdopTree build_kdop_tree(const DirectionSet& directions, std::span<const Vec3> centres,
-                         const KdopTreeOptions& options, const BoundItem& bound) {
+KdopTree build_kdop_tree(const DirectionSet& directions, std::span<const Vec3> centres, const KdopTreeOptions& options,
+                         const BoundItem& bound) {
   KdopTree tree;
   tree.directions = directions;
   tree.stride = interval_stride(directions.axes.size());
@@ -134,8 +131,7 @@ KdopTree build_kdop_tree(const DirectionSet& directions, std::span<const Vec3> c
   return tree;
 }
 
-void write_intervals(const DirectionSet& directions, std::span<const Vec3> points, double slack_mm,
-                     float* intervals) {
+void write_intervals(const DirectionSet& directions, std::span<const Vec3> points, double slack_mm, float* intervals) {
   const std::size_t axes = directions.axes.size(), stride = interval_stride(axes);
   for (std::size_t i = 0; i < stride; ++i) {
     double low = -1, high = 1;
@@ -160,12 +156,10 @@ std::vector<std::string> verify_kdop_tree(const KdopTree& tree) {
   for (std::size_t n = 0; n < tree.nodes.size(); ++n) {
     verify_children(tree, n, broken);
     const KdopNode& node = tree.nodes[n];
-    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k)
-      ++seen[tree.order[node.first + k]];
+    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) ++seen[tree.order[node.first + k]];
   }
   for (std::size_t i = 0; i < seen.size(); ++i) {
-    if (seen[i] != 1)
-      broken.push_back("item " + std::to_string(i) + " is in " + std::to_string(seen[i]) + " leaves");
+    if (seen[i] != 1) broken.push_back("item " + std::to_string(i) + " is in " + std::to_string(seen[i]) + " leaves");
   }
   return broken;
 }

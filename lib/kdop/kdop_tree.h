@@ -50,8 +50,7 @@ using BoundItem = std::function<void(std::uint32_t item, float* intervals)>;
                                        const KdopTreeOptions& options, const BoundItem& bound);
 
 /// Fills a new tree's spare slots and single-precision ends: `low - slack` and `high + slack`.
-void write_intervals(const DirectionSet& directions, std::span<const Vec3> points, double slack_mm,
-                     float* intervals);
+void write_intervals(const DirectionSet& directions, std::span<const Vec3> points, double slack_mm, float* intervals);
 
 /// One line for every broken invariant: an item in no leaf or two, a child outside its parent.
 [[nodiscard]] std::vector<std::string> verify_kdop_tree(const KdopTree& tree);

@@ -46,8 +46,7 @@ class MeshAdjacency {
 
   /// In increasing order.
   [[nodiscard]] std::span<const std::uint32_t> triangles_of_vertex(Corner vertex) const {
-    return {vertex_triangles_.data() + vertex_first_[vertex],
-            vertex_first_[vertex + 1] - vertex_first_[vertex]};
+    return {vertex_triangles_.data() + vertex_first_[vertex], vertex_first_[vertex + 1] - vertex_first_[vertex]};
   }
 
   /// Edges used by one triangle, and by more than two; indices into edges(), increasing.

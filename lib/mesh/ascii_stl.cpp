@@ -11,17 +11,11 @@ namespace {
 
 constexpr std::size_t kLongestQuote = 40;
 
-char lower(char c) {
-  return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c;
-}
+char lower(char c) { return (c >= 'A' && c <= 'Z') ? static_cast<char>(c - 'A' + 'a') : c; }
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\v' || c == '\f'; }
 
-bool is_line_end(char c) {
-  return c == '\n' || c == '\r';
-}
+bool is_line_end(char c) { return c == '\n' || c == '\r'; }
 
 bool equals(std::string_view word, std::string_view lower_case) {
   return std::equal(word.begin(), word.end(), lower_case.begin(), lower_case.end(),
@@ -62,8 +56,8 @@ class Words {
   // writers use no line ends at all.
   void skip_name() {
     while (at_ < text_.size() && !is_line_end(text_[at_])) {
-      if (is_blank(text_[at_]) && (equals(text_.substr(at_ + 1, 13), "facet normal ") ||
-                                   equals(text_.substr(at_ + 1, 12), "facet outer "))) {
+      if (is_blank(text_[at_]) &&
+          (equals(text_.substr(at_ + 1, 13), "facet normal ") || equals(text_.substr(at_ + 1, 12), "facet outer "))) {
         return;
       }
       ++at_;
@@ -109,8 +103,7 @@ class AsciiParser {
       if (!parse_statement()) return *error_;
     }
     if (soup_.triangles.empty()) {
-      return make_error("stl-no-triangles", "the ASCII STL holds no facet; expected at least one",
-                        soup_.name);
+      return make_error("stl-no-triangles", "the ASCII STL holds no facet; expected at least one", soup_.name);
     }
     if (is_in_solid_) {
       soup_.notes.push_back(make_warning("stl-no-endsolid",
@@ -179,8 +172,8 @@ class AsciiParser {
     }
     const std::string_view found = words_.peek();
     if (found.empty()) return cut_off();
-    return fail(facet() + " has " + std::to_string(k) + (k == 1 ? " vertex" : " vertices") +
-                "; expected 3: found " + quoted(found) + " where 'vertex' should be");
+    return fail(facet() + " has " + std::to_string(k) + (k == 1 ? " vertex" : " vertices") + "; expected 3: found " +
+                quoted(found) + " where 'vertex' should be");
   }
 
   bool parse_vertex(Vec3& vertex) {
@@ -189,9 +182,8 @@ class AsciiParser {
       if (word.empty()) return cut_off();
       const std::optional<double> number = parse_number(word);
       if (!number) {
-        return fail(
-            facet() + ": expected a finite number as " + "xyz"[k] + " of a vertex, found " + quoted(word),
-            "stl-bad-number");
+        return fail(facet() + ": expected a finite number as " + "xyz"[k] + " of a vertex, found " + quoted(word),
+                    "stl-bad-number");
       }
       vertex[k] = *number;
     }
@@ -208,8 +200,7 @@ class AsciiParser {
   [[nodiscard]] std::string facet() const { return "facet " + std::to_string(soup_.triangles.size() + 1); }
 
   bool cut_off() {
-    return fail("the file ends inside " + facet() + "; it is cut off, export or copy it again",
-                "stl-truncated");
+    return fail("the file ends inside " + facet() + "; it is cut off, export or copy it again", "stl-truncated");
   }
 
   bool fail(std::string message, std::string code = "stl-syntax") {
@@ -243,8 +234,7 @@ Result<TriangleSoup> parse_ascii_stl(std::string_view bytes, const std::string& 
   return AsciiParser(bytes, name).parse();
 }
 
-void count_normal(TriangleSoup& soup, std::size_t index, const TrianglePoints& triangle,
-                  const Vec3& stored_normal) {
+void count_normal(TriangleSoup& soup, std::size_t index, const TrianglePoints& triangle, const Vec3& stored_normal) {
   constexpr double kThinnest = 1e-3;  // area over longest side squared: below it float rounding turns normals
   const auto& [a, b, c] = triangle;
   const Vec3 ab = b - a;

@@ -19,7 +19,6 @@ namespace gouge::detail {
 
 /// Counts a stored normal that points to the other side of its triangle, the one at `index`. Normals that are
 /// zero or not finite say nothing, nor do triangles too thin to have a normal.
-void count_normal(TriangleSoup& soup, std::size_t index, const TrianglePoints& triangle,
-                  const Vec3& stored_normal);
+void count_normal(TriangleSoup& soup, std::size_t index, const TrianglePoints& triangle, const Vec3& stored_normal);
 
 }  // namespace gouge::detail

@@ -26,7 +26,8 @@ struct Leaf {
 
 class Pairer {
  public:
-  explicit Pairer(const IndexedMesh& mesh) : mesh_(mesh), adjacency_(mesh), mates_(3 * mesh.triangles.size(), kNoMate) {}
+  explicit Pairer(const IndexedMesh& mesh)
+      : mesh_(mesh), adjacency_(mesh), mates_(3 * mesh.triangles.size(), kNoMate) {}
 
   std::vector<std::uint32_t> pair() {
     for (std::uint32_t e = 0; e < adjacency_.edges().size(); ++e) {
@@ -108,9 +109,7 @@ std::vector<std::uint32_t> roots_of(UnionFind& sets, std::size_t count) {
   return roots;
 }
 
-std::uint32_t next_corner(std::uint32_t side) {
-  return side % 3 == 2 ? side - 2 : side + 1;
-}
+std::uint32_t next_corner(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
 /// Two triangles are of one fan at a vertex where their sides from it are mates.
 void mark_pinched(const IndexedMesh& mesh, const std::vector<std::uint32_t>& mates, SurfacePieces& pieces) {

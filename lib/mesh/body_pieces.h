@@ -10,8 +10,8 @@
 
 namespace gouge {
 
-/// The sides of triangles joined two and two into pieces of surface. Half-edge 3 t + k runs from corner k of triangle t to
-/// the next. At an edge with two sides they are mates; at one with more the two that have material between them, as
+/// The sides of triangles joined two and two into pieces of surface. Half-edge 3 t + k runs from corner k of triangle t
+/// to the next. At an edge with two sides they are mates; at one with more the two that have material between them, as
 /// their orientation shows, where it does not, neighbours in angle. At an edge with an odd number none has a mate.
 struct SurfacePieces {
   std::vector<std::uint32_t> piece_of;  ///< per triangle: the lowest triangle of its piece
@@ -21,7 +21,8 @@ struct SurfacePieces {
   std::vector<bool> is_pinched;
 };
 
-/// Requires triangles with three distinct corners. Cost  O(n), O(n log n) where edges have not two triangles each.
+/// Requires triangles with three distinct corners.
+/// Cost     O(n), O(n log n) where edges have not two triangles each.
 [[nodiscard]] SurfacePieces find_pieces(const IndexedMesh& mesh);
 
 /// Pieces that bound bodies, and where the others are.
@@ -33,7 +34,8 @@ struct BodyPieces {
   std::size_t double_at = 0;          ///< the lowest triangle of the first of them
 };
 
-/// Requires triangles with three distinct corners, none twice with the same orientation. Cost  O(n log n).
+/// Requires triangles with three distinct corners, none twice with the same orientation.
+/// Cost     O(n log n).
 [[nodiscard]] BodyPieces find_body_pieces(const IndexedMesh& mesh);
 
 }  // namespace gouge

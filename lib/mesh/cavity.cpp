@@ -16,9 +16,7 @@ namespace {
 constexpr double kLeastWall = 0.01;
 constexpr double kWhole = 1e-6;
 
-bool is_about(double value, double whole) {
-  return std::abs(value - whole) <= kWhole;
-}
+bool is_about(double value, double whole) { return std::abs(value - whole) <= kWhole; }
 
 /// False only when the triangle and the box are apart.
 bool may_meet(const std::array<Vec3, 3>& triangle, const Box3& box) {
@@ -61,8 +59,8 @@ Cavities::Cavities(const IndexedMesh& mesh, std::span<const std::uint32_t> file_
 bool Cavities::contain(const Vec3& point) const {
   std::vector<double> windings(shells_.size(), 0);
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
-    windings[shell_of_[t]] += solid_angle(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), point) /
-                              (4 * std::numbers::pi);
+    windings[shell_of_[t]] +=
+        solid_angle(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), point) / (4 * std::numbers::pi);
   }
   double others = 0;
   std::vector<std::uint32_t> inward;

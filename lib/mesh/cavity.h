@@ -15,9 +15,9 @@ class Cavities {
   /// Requires that every edge of the mesh runs equally often both ways; the mesh must outlive it. Cost O(n).
   explicit Cavities(const IndexedMesh& mesh, std::span<const std::uint32_t> file_of = {});
 
-  /// Whether the point is in a cavity. True only when one shell of two triangles an edge winds about it inward, others of
-  /// the same file about it once outward, those of other files not at all, and none of those that have the point in their box comes near the shell's, so that
-  /// the shell is cut out of material. Cost O(n).
+  /// Whether the point is in a cavity. True only when one shell of two triangles an edge winds about it inward, others
+  /// of the same file about it once outward, those of other files not at all, and none of those that have the point in
+  /// their box comes near the shell's, so that the shell is cut out of material. Cost O(n).
   [[nodiscard]] bool contain(const Vec3& point) const;
 
  private:

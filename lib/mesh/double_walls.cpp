@@ -57,7 +57,9 @@ class Overlap {
   }
   /// Keeps what is left of the line from a to b.
   void cut(const Vec3& a, const Vec3& b) {
-    const auto left = [&](const Vec3& p) { return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x()); };
+    const auto left = [&](const Vec3& p) {
+      return (b.x() - a.x()) * (p.y() - a.y()) - (b.y() - a.y()) * (p.x() - a.x());
+    };
     std::vector<Vec3> kept;
     for (std::size_t i = 0; i < polygon_.size(); ++i) {
       const Vec3 &p = polygon_[i], &q = polygon_[(i + 1) % polygon_.size()];
@@ -155,8 +157,8 @@ class Finder {
     const Overlap overlap(corners(a), corners(b), normals_[a].normalized());
     if (!overlap.is_larger_than_rounding(area_a)) return false;
     const TriangleCorners &own = mesh_.triangles[a], &other = mesh_.triangles[b];
-    const auto shared =
-        std::count_if(own.begin(), own.end(), [&](Corner c) { return std::find(other.begin(), other.end(), c) != other.end(); });
+    const auto shared = std::count_if(
+        own.begin(), own.end(), [&](Corner c) { return std::find(other.begin(), other.end(), c) != other.end(); });
     if (shared >= 2 && (pieces_.is_pinched[pieces_.piece_of[a]] || cosine > kFolded)) return true;
     return cosine > kParallel && (shared == 0 ? overlap.least_height() : overlap.mean_height()) <= least_mm_;
   }

@@ -94,9 +94,7 @@ void drop_repeats(WeldedMesh& welded) {
 
 }  // namespace
 
-double SurfaceGap::distance_mm(const Vec3& point) const {
-  return distance_to_segment(point, end_a, end_b);
-}
+double SurfaceGap::distance_mm(const Vec3& point) const { return distance_to_segment(point, end_a, end_b); }
 
 WeldedMesh weld_together(std::span<const IndexedMesh> meshes) {
   WeldedMesh result;
@@ -111,8 +109,7 @@ WeldedMesh weld_together(std::span<const IndexedMesh> meshes) {
   });
   std::vector<Corner> slot(order.size());
   for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool is_same =
-        i > 0 && key_of(welded.vertices[order[i]]) == key_of(welded.vertices[order[i - 1]]);
+    const bool is_same = i > 0 && key_of(welded.vertices[order[i]]) == key_of(welded.vertices[order[i - 1]]);
     slot[order[i]] = is_same ? slot[order[i - 1]] : order[i];
   }
   Corner first = 0;
@@ -136,8 +133,7 @@ EdgeFaults find_edge_faults(const IndexedMesh& mesh) {
     const int surplus = surplus_of(adjacency, edge);
     if (surplus == 0) continue;
     ++(edge.use_count % 2 != 0 ? faults.open : faults.misoriented);
-    edges.push_back(surplus > 0 ? FaultyEdge{edge.low, edge.high, surplus}
-                                : FaultyEdge{edge.high, edge.low, -surplus});
+    edges.push_back(surplus > 0 ? FaultyEdge{edge.low, edge.high, surplus} : FaultyEdge{edge.high, edge.low, -surplus});
   }
   faults.gaps = gather_gaps(mesh, edges);
   return faults;

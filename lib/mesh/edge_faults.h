@@ -20,7 +20,8 @@ struct WeldedMesh {
 };
 
 /// Triangles of several meshes over one list of vertices: identical coordinates are one vertex, whatever file they
-/// come from. Of triangles with the same corners and the same orientation only the first is kept. Cost  O(n log n).
+/// come from. Of triangles with the same corners and the same orientation only the first is kept.
+/// Cost     O(n log n).
 [[nodiscard]] WeldedMesh weld_together(std::span<const IndexedMesh> meshes);
 
 /// An edge that is not used equally often in both directions.
@@ -41,13 +42,14 @@ struct SurfaceGap {
 };
 
 struct EdgeFaults {
-  std::size_t open = 0;         ///< edges with an odd number of triangles: a hole's rim
-  std::size_t misoriented = 0;  ///< edges with an even number that do not run equally often both ways
+  std::size_t open = 0;          ///< edges with an odd number of triangles: a hole's rim
+  std::size_t misoriented = 0;   ///< edges with an even number that do not run equally often both ways
   std::vector<SurfaceGap> gaps;  ///< of both kinds, in the order of their lowest vertices
   [[nodiscard]] bool is_empty() const { return gaps.empty(); }
 };
 
-/// Requires triangles with three distinct corners. Cost  O(n).
+/// Requires triangles with three distinct corners.
+/// Cost     O(n).
 [[nodiscard]] EdgeFaults find_edge_faults(const IndexedMesh& mesh);
 
 }  // namespace gouge

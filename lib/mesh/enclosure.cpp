@@ -44,9 +44,9 @@ std::string faults_text(const EdgeFaults& faults) {
   std::string text;
   if (faults.open > 0) text = counted(faults.open, "open edge", "open edges");
   if (faults.misoriented > 0) {
-    text += (text.empty() ? "" : " and ") +
-            counted(faults.misoriented, "edge with triangles oriented against each other",
-                    "edges with triangles oriented against each other");
+    text +=
+        (text.empty() ? "" : " and ") + counted(faults.misoriented, "edge with triangles oriented against each other",
+                                                "edges with triangles oriented against each other");
   }
   return text;
 }
@@ -165,7 +165,8 @@ struct Enclosure::Surface {
 
   [[nodiscard]] std::string faults() const {
     std::string text = faults_text(all->faults());
-    if (welded.repeated > 0 && !text.empty()) text += " when triangles that stand there more than once are counted once";
+    if (welded.repeated > 0 && !text.empty())
+      text += " when triangles that stand there more than once are counted once";
     if (pieces.double_walls > 0) {
       text += (text.empty() ? "" : " and ") +
               counted(pieces.double_walls, "piece of surface that lies", "pieces of surface that lie") +
@@ -194,9 +195,7 @@ Enclosure::Enclosure(std::span<const IndexedMesh> meshes)
 
 Enclosure::~Enclosure() = default;
 
-bool Enclosure::is_beyond(const Vec3& point) const {
-  return box_.isEmpty() || !beyond_.contains(point);
-}
+bool Enclosure::is_beyond(const Vec3& point) const { return box_.isEmpty() || !beyond_.contains(point); }
 
 const Enclosure::Surface& Enclosure::surface() const {
   std::call_once(surface_->once, [this] { surface_->find(meshes_); });

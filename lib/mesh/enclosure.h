@@ -34,13 +34,12 @@ class Enclosure {
 
   /// On which side the points are.
   ///
-  /// Ensures  outside: a point is beyond the box; or all pieces bound bodies (BodyPieces) and a straight line from a point
-  ///          to infinity meets none; or all edges are balanced besides and the points are in a cavity of one file.
-  ///          Other pieces need not be looked at for points beyond the box of all of them.
-  ///          inside: what the surfaces enclose, however their gaps are closed within reach of their rims: an odd
-  ///          winding number, or where all edges are balanced one other than 0; or what a file without open edges
-  ///          encloses alone.
-  ///          The same result for the same points, from any number of threads.
+  /// Ensures  outside: a point is beyond the box; or all pieces bound bodies (BodyPieces) and a straight line from a
+  ///          point to infinity meets none; or all edges are balanced besides and the points are in a cavity of one
+  ///          file. Other pieces need not be looked at for points beyond the box of all of them. inside: what the
+  ///          surfaces enclose, however their gaps are closed within reach of their rims: an odd winding number, or
+  ///          where all edges are balanced one other than 0; or what a file without open edges encloses alone. The same
+  ///          result for the same points, from any number of threads.
   /// Cost     O(n) for points within the box; the first of them O(n log n).
   [[nodiscard]] Side side_of(const ConnectedPoints& joined) const;
 

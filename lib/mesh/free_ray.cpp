@@ -40,9 +40,8 @@ struct Cone {
       is_doubtful = is_doubtful || std::abs(turn) <= slack[k];
     }
     if (has_left && has_right) return false;  // the line passes beside it
-    const bool is_behind = std::all_of(corners.begin(), corners.end(), [&](const Vec3& c) {
-      return c.dot(direction) < -kRounding * c.norm();
-    });
+    const bool is_behind = std::all_of(corners.begin(), corners.end(),
+                                       [&](const Vec3& c) { return c.dot(direction) < -kRounding * c.norm(); });
     if (is_behind) return false;
     // The line crosses the triangle's plane behind the origin.
     if (!is_doubtful && has_left && volume < -volume_slack) return false;

@@ -14,6 +14,7 @@ namespace gouge {
 /// Ensures  on true, one of the origins is joined with infinity by a straight line that keeps off the surface.
 /// Requires directions that are not zero.
 /// Cost     O(n) times the rays not yet known to be blocked; few remain after the first triangles where all are.
-[[nodiscard]] bool has_free_ray(const IndexedMesh& mesh, std::span<const Vec3> origins, std::span<const Vec3> directions);
+[[nodiscard]] bool has_free_ray(const IndexedMesh& mesh, std::span<const Vec3> origins,
+                                std::span<const Vec3> directions);
 
 }  // namespace gouge

@@ -18,11 +18,10 @@ using Corner = std::uint32_t;
 using TriangleCorners = std::array<Corner, 3>;
 
 struct IndexedMesh {
-  std::string name;                        ///< as the user named the file
-  std::vector<Vec3> vertices;              ///< mm, part coordinates
-  std::vector<TriangleCorners> triangles;  ///< counter-clockwise seen from outside
-  std::vector<std::uint32_t>
-      file_triangle;  ///< per triangle: its index in the file (dropped ones leave gaps)
+  std::string name;                          ///< as the user named the file
+  std::vector<Vec3> vertices;                ///< mm, part coordinates
+  std::vector<TriangleCorners> triangles;    ///< counter-clockwise seen from outside
+  std::vector<std::uint32_t> file_triangle;  ///< per triangle: its index in the file (dropped ones leave gaps)
 
   [[nodiscard]] const Vec3& corner(std::size_t triangle, std::size_t k) const {
     return vertices[triangles[triangle][k]];

@@ -39,13 +39,11 @@ Result<LoadedMesh> load_mesh_view(FileView file, const std::string& name, const 
   return loaded;
 }
 
-Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name,
-                                   const MeshPlacement& placement) {
+Result<LoadedMesh> load_mesh_bytes(std::string_view bytes, const std::string& name, const MeshPlacement& placement) {
   return load_mesh_view({bytes, nullptr}, name, placement);
 }
 
-Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement,
-                             std::uint64_t most_bytes) {
+Result<LoadedMesh> load_mesh(const std::string& path, const MeshPlacement& placement, std::uint64_t most_bytes) {
   Result<FileView> file = view_file(path, most_bytes);
   if (!file) return file.error();
   return load_mesh_view(std::move(*file), path, placement);

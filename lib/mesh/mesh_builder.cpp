@@ -57,11 +57,9 @@ class WeldTable {
   static std::uint32_t tag_of(std::uint64_t hash) { return static_cast<std::uint32_t>(hash >> 32); }
 
   // Where the vertex at `point` is, or the empty slot where it belongs.
-  [[nodiscard]] std::size_t slot_of(const std::vector<Vec3>& vertices, const Vec3& point,
-                                    std::uint64_t hash) const {
+  [[nodiscard]] std::size_t slot_of(const std::vector<Vec3>& vertices, const Vec3& point, std::uint64_t hash) const {
     std::size_t at = hash & mask_;
-    while (slots_[at].vertex != kNoCorner &&
-           (slots_[at].tag != tag_of(hash) || vertices[slots_[at].vertex] != point))
+    while (slots_[at].vertex != kNoCorner && (slots_[at].tag != tag_of(hash) || vertices[slots_[at].vertex] != point))
       at = (at + 1) & mask_;
     return at;
   }
@@ -116,13 +114,9 @@ class Ahead {
 
 // Zero in exact arithmetic too for nearly all single-precision files; a sliver that rounds to zero is reported
 // with them and kept all the same.
-bool is_collinear(const std::array<Vec3, 3>& t) {
-  return (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm() <= 0;
-}
+bool is_collinear(const std::array<Vec3, 3>& t) { return (t[1] - t[0]).cross(t[2] - t[0]).squaredNorm() <= 0; }
 
-bool is_degenerate(const std::array<Vec3, 3>& t) {
-  return t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-}
+bool is_degenerate(const std::array<Vec3, 3>& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 bool is_in_range(const std::array<Vec3, 3>& t, double scale) {
   return std::all_of(t.begin(), t.end(),
@@ -147,11 +141,10 @@ Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& plac
   for (std::size_t i = 0; i < soup.triangles.size(); ++i) {
     const auto& [triangle, hashes] = ahead.at(i);
     if (!is_in_range(triangle, scale)) {
-      return make_error(
-          "stl-coordinate-too-large",
-          "triangle " + std::to_string(i + 1) +
-              " has a coordinate beyond 1e9 mm; expected a machine part, check the file and its unit",
-          soup.name);
+      return make_error("stl-coordinate-too-large",
+                        "triangle " + std::to_string(i + 1) +
+                            " has a coordinate beyond 1e9 mm; expected a machine part, check the file and its unit",
+                        soup.name);
     }
     if (is_degenerate(triangle)) {
       built.degenerate.add(centre(triangle), i);
@@ -164,10 +157,10 @@ Result<BuiltMesh> build_mesh(const TriangleSoup& soup, const MeshPlacement& plac
     mesh.file_triangle.push_back(static_cast<std::uint32_t>(i));
   }
   if (mesh.triangles.empty()) {
-    return make_error("stl-no-surface",
-                      "every triangle of " + std::to_string(soup.triangles.size()) +
-                          " has two identical corners; expected a surface",
-                      soup.name);
+    return make_error(
+        "stl-no-surface",
+        "every triangle of " + std::to_string(soup.triangles.size()) + " has two identical corners; expected a surface",
+        soup.name);
   }
   for (Vec3& vertex : mesh.vertices) vertex = placement.transform.point(vertex * scale);
   if (soup.opposite_normals > 0) {

@@ -89,8 +89,7 @@ class Finder {
       }
     }
     std::sort(duplicates.begin(), duplicates.end());
-    for (const std::uint32_t t : duplicates)
-      found_.duplicate_triangles.add(centre(t), mesh_.file_triangle[t]);
+    for (const std::uint32_t t : duplicates) found_.duplicate_triangles.add(centre(t), mesh_.file_triangle[t]);
   }
 
   [[nodiscard]] Vec3 centre(std::size_t t) const {
@@ -101,10 +100,8 @@ class Finder {
     is_open_.assign(mesh_.triangles.size(), false);
     for (const MeshEdge& edge : adjacency_.edges()) {
       const auto uses = adjacency_.uses(edge);
-      const auto forward =
-          std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.is_forward; });
-      if (2 * static_cast<std::size_t>(forward) != uses.size())
-        is_open_[pieces_.root(uses[0].triangle)] = true;
+      const auto forward = std::count_if(uses.begin(), uses.end(), [](const EdgeUse& use) { return use.is_forward; });
+      if (2 * static_cast<std::size_t>(forward) != uses.size()) is_open_[pieces_.root(uses[0].triangle)] = true;
     }
   }
 

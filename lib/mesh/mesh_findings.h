@@ -23,11 +23,11 @@ struct MeshFindings {
   std::size_t triangles = 0;   ///< F
   std::size_t components = 0;  ///< pieces of surface connected through edges
 
-  MeshSpot boundary_edges;      ///< edges with one triangle
-  MeshSpot non_manifold_edges;  ///< edges with more than two triangles
-  MeshSpot misoriented_edges;   ///< edges whose two triangles run along them in the same direction
-  MeshSpot unbalanced_edges;  ///< edges not used equally often in both directions (contains the boundary and
-                              ///< the misoriented ones)
+  MeshSpot boundary_edges;         ///< edges with one triangle
+  MeshSpot non_manifold_edges;     ///< edges with more than two triangles
+  MeshSpot misoriented_edges;      ///< edges whose two triangles run along them in the same direction
+  MeshSpot unbalanced_edges;       ///< edges not used equally often in both directions (contains the boundary and
+                                   ///< the misoriented ones)
   MeshSpot non_manifold_vertices;  ///< vertices where separate fans of triangles touch
   MeshSpot duplicate_triangles;    ///< triangles with the corners of an earlier one, in any order
   MeshSpot inside_out_components;  ///< closed pieces that face inward and are not a cavity of another piece
@@ -37,15 +37,12 @@ struct MeshFindings {
   MeshSpot collinear_triangles;   ///< from build_mesh: kept
   MeshSpot opposite_normals;      ///< from build_mesh
 
-  double signed_volume_mm3 =
-      0;  ///< positive for an outward closed mesh; means nothing unless is_watertight()
+  double signed_volume_mm3 = 0;  ///< positive for an outward closed mesh; means nothing unless is_watertight()
   double area_mm2 = 0;
   Box3 box_mm;
 
   [[nodiscard]] bool is_closed() const { return boundary_edges.count == 0; }
-  [[nodiscard]] bool is_manifold() const {
-    return non_manifold_edges.count == 0 && non_manifold_vertices.count == 0;
-  }
+  [[nodiscard]] bool is_manifold() const { return non_manifold_edges.count == 0 && non_manifold_vertices.count == 0; }
   [[nodiscard]] bool is_consistently_oriented() const { return misoriented_edges.count == 0; }
   /// The surface separates inside from outside: winding numbers are whole.
   [[nodiscard]] bool is_watertight() const { return unbalanced_edges.count == 0; }
@@ -57,8 +54,7 @@ struct MeshFindings {
 
   /// V - E + F: 2 for a surface like a sphere, 0 for one like a torus.
   [[nodiscard]] long long euler_number() const {
-    return static_cast<long long>(vertices) - static_cast<long long>(edges) +
-           static_cast<long long>(triangles);
+    return static_cast<long long>(vertices) - static_cast<long long>(edges) + static_cast<long long>(triangles);
   }
   /// Number of handles (genus) summed over the components; nothing unless closed and manifold.
   /// 0 for one component means E = 3V - 6 and F = 2V - 4 (thesis 5.2).

@@ -25,8 +25,7 @@ bool is_cavity(const IndexedMesh& mesh, UnionFind& pieces, std::uint32_t piece) 
   const Vec3 point = centre(mesh, piece);
   double angle = 0;
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    if (pieces.root(t) != piece)
-      angle += solid_angle(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), point);
+    if (pieces.root(t) != piece) angle += solid_angle(mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2), point);
   }
   constexpr double kHalfSphere = 6.283185307179586;
   return angle > kHalfSphere;
@@ -56,8 +55,7 @@ std::vector<Piece> measure_pieces(const IndexedMesh& mesh, UnionFind& roots, Mes
 
 }  // namespace
 
-void find_pieces(const IndexedMesh& mesh, UnionFind& pieces, const std::vector<bool>& is_open,
-                 MeshFindings& found) {
+void find_pieces(const IndexedMesh& mesh, UnionFind& pieces, const std::vector<bool>& is_open, MeshFindings& found) {
   std::size_t looked_at = 0;
   const std::vector<Piece> measured = measure_pieces(mesh, pieces, found);
   found.components = measured.size();

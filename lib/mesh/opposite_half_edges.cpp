@@ -31,8 +31,7 @@ class Matcher {
   std::optional<OppositeHalfEdges> match() {
     for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
       const TriangleCorners& c = mesh_.triangles[t];
-      if (!add(3 * t, c[0], c[1]) || !add(3 * t + 1, c[1], c[2]) || !add(3 * t + 2, c[2], c[0]))
-        return std::nullopt;
+      if (!add(3 * t, c[0], c[1]) || !add(3 * t + 1, c[1], c[2]) || !add(3 * t + 2, c[2], c[0])) return std::nullopt;
     }
     // Half as many edges as sides, and none without an opposite: `add` lets neither through.
     if (matched_ != edges_.size()) return std::nullopt;
@@ -68,9 +67,7 @@ class Matcher {
   std::size_t matched_ = 0;
 };
 
-std::uint32_t after(std::uint32_t side) {
-  return side % 3 == 2 ? side - 2 : side + 1;
-}
+std::uint32_t after(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
 
 }  // namespace
 

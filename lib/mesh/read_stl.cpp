@@ -31,15 +31,13 @@ Outcome check_size(std::string_view bytes, TriangleSoup& soup) {
   const std::size_t stated = TriangleList::word_at(bytes, 80);
   const std::size_t body = bytes.size() - kHeaderSize;
   if (stated == 0 && body < kTriangleSize) {
-    return make_error("stl-no-triangles", "the binary STL holds no triangle; expected at least one",
-                      soup.name);
+    return make_error("stl-no-triangles", "the binary STL holds no triangle; expected at least one", soup.name);
   }
   if (body / kTriangleSize < stated) {
     return make_error("stl-truncated",
                       "the header states " + count_text(stated, "triangle") + " (" +
-                          std::to_string(kHeaderSize + kTriangleSize * stated) +
-                          " bytes) but the file holds " + std::to_string(body / kTriangleSize) + " whole (" +
-                          std::to_string(bytes.size()) +
+                          std::to_string(kHeaderSize + kTriangleSize * stated) + " bytes) but the file holds " +
+                          std::to_string(body / kTriangleSize) + " whole (" + std::to_string(bytes.size()) +
                           " bytes); it is cut off or not an STL, export or copy it again",
                       soup.name);
   }
@@ -54,8 +52,7 @@ Outcome check_size(std::string_view bytes, TriangleSoup& soup) {
                       soup.name);
   }
   soup.notes.push_back(make_note("stl-trailing-bytes",
-                                 count_text(extra.size(), "byte") + " after the last triangle ignored",
-                                 soup.name));
+                                 count_text(extra.size(), "byte") + " after the last triangle ignored", soup.name));
   return Done{};
 }
 
@@ -83,8 +80,7 @@ Result<TriangleSoup> parse_binary_stl(std::string_view bytes, const std::string&
 
 }  // namespace
 
-Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
-                               std::shared_ptr<const void> keep) {
+Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, std::shared_ptr<const void> keep) {
   if (bytes.empty()) {
     return make_error("stl-empty", "the file is empty (0 bytes); expected a binary or ASCII STL", name);
   }
@@ -97,8 +93,7 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name,
   if (const auto foreign = describe_foreign_mesh(bytes, is_plain))
     return make_error("stl-not-stl", "the file " + *foreign, name);
   if (is_plain) {
-    return make_error("stl-not-stl", "the file is text but not ASCII STL; expected it to begin with 'solid'",
-                      name);
+    return make_error("stl-not-stl", "the file is text but not ASCII STL; expected it to begin with 'solid'", name);
   }
   if (!has_header) {
     return make_error("stl-truncated",

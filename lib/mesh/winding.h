@@ -24,8 +24,8 @@ namespace gouge {
 ///          segmentation using generalized winding numbers, ACM Trans. Graph. 32 (2013).
 [[nodiscard]] double winding_number(const IndexedMesh& mesh, const Vec3& point_part);
 
-/// Whether the surfaces together wind around the point: the sum of their winding numbers is nearer to +-1, or beyond it,
-/// than to 0. Exact for closed surfaces and a point off them, whichever way they face; a hint for others.
+/// Whether the surfaces together wind around the point: the sum of their winding numbers is nearer to +-1, or beyond
+/// it, than to 0. Exact for closed surfaces and a point off them, whichever way they face; a hint for others.
 /// Cost  that of winding_number.
 [[nodiscard]] bool is_inside(std::span<const IndexedMesh> meshes, const Vec3& point_part);
 

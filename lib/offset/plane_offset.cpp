@@ -49,9 +49,7 @@ PlaneOffset offset_of_planes(std::span<const Vec3> normals) {
     const Vec3 direction = length > 0 ? Vec3(result.move / length) : planes[0].unitOrthogonal();
     return {kLongestOffset * direction, PlaneCase::knife};
   }
-  result.planes = miss > kMeets ? PlaneCase::many_planes
-                  : rank == 2   ? PlaneCase::two_planes
-                                : PlaneCase::three_planes;
+  result.planes = miss > kMeets ? PlaneCase::many_planes : rank == 2 ? PlaneCase::two_planes : PlaneCase::three_planes;
   return result;
 }
 

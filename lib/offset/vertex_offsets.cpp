@@ -89,11 +89,10 @@ std::vector<Vec3> face_normals(const IndexedMesh& mesh) {
   return normals;
 }
 
-Vec3 angle_weighted_normal(const IndexedMesh& mesh, const MeshAdjacency& adjacency,
-                           const std::vector<Vec3>& normals, Corner vertex) {
+Vec3 angle_weighted_normal(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& normals,
+                           Corner vertex) {
   Vec3 sum = Vec3::Zero();
-  for (const std::uint32_t t : adjacency.triangles_of_vertex(vertex))
-    sum += angle_at(mesh, t, vertex) * normals[t];
+  for (const std::uint32_t t : adjacency.triangles_of_vertex(vertex)) sum += angle_at(mesh, t, vertex) * normals[t];
   const double length = sum.norm();
   return length > 1e-12 ? Vec3(sum / length) : Vec3(Vec3::Zero());
 }
@@ -106,8 +105,7 @@ std::vector<VertexOffset> offset_vertices(const IndexedMesh& mesh, const MeshAdj
   return all;
 }
 
-double collapse_depth_mm(const IndexedMesh& mesh, const std::vector<VertexOffset>& offsets,
-                         std::size_t triangle) {
+double collapse_depth_mm(const IndexedMesh& mesh, const std::vector<VertexOffset>& offsets, std::size_t triangle) {
   constexpr double kNever = std::numeric_limits<double>::infinity();
   const TriangleCorners& c = mesh.triangles[triangle];
   const Vec3 ab = mesh.vertices[c[1]] - mesh.vertices[c[0]], ac = mesh.vertices[c[2]] - mesh.vertices[c[0]];

@@ -30,8 +30,8 @@ struct VertexOffset {
 ///         it is the direction of that point. The weights are the angles of the faces at the vertex: G.
 ///         Thuermer, C. Wuethrich, Computing vertex normals from polygonal facets, J. Graphics Tools 3
 ///         (1998).
-[[nodiscard]] std::vector<VertexOffset> offset_vertices(const IndexedMesh& mesh,
-                                                        const MeshAdjacency& adjacency, NormalMethod method);
+[[nodiscard]] std::vector<VertexOffset> offset_vertices(const IndexedMesh& mesh, const MeshAdjacency& adjacency,
+                                                        NormalMethod method);
 
 /// Unit normal of every triangle; zero for one without area.
 [[nodiscard]] std::vector<Vec3> face_normals(const IndexedMesh& mesh);

@@ -9,9 +9,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kInTool_mm =
-    1e-9;  // a point this little outside the tool counts as in it: rounding of its foot
-constexpr double kSeed_mm = 1e-6;  // the witness of a move is that exact
+constexpr double kInTool_mm = 1e-9;  // a point this little outside the tool counts as in it: rounding of its foot
+constexpr double kSeed_mm = 1e-6;    // the witness of a move is that exact
 constexpr int kPushes = 40;
 
 /// A box of space.
@@ -65,8 +64,7 @@ class Search : public BestFirstSearch<Search, Cell> {
       // The tool's own point next to the centre: most cells have their middle beside it.
       const Vec3 beside = centre - near.distance_mm * tool_.outward_at(centre, near.t);
       const bool may_be_deeper = upper - radius + near.distance_mm > best_.depth_mm;
-      if (may_be_deeper && tool_.distance_at(beside, near.t) <= kInTool_mm && take(beside, near.t))
-        push(radius);
+      if (may_be_deeper && tool_.distance_at(beside, near.t) <= kInTool_mm && take(beside, near.t)) push(radius);
     } else if (upper - radius > best_.depth_mm && take(centre, near.t)) {
       push(radius);
     }

@@ -30,7 +30,7 @@ struct Overcut {
 /// Requires part.is_solid. `seed`: a point in the tool at `seed_t`, where the search begins.
 /// Cost     at most `most_cells` searches for the nearest facet and as many of the motion.
 /// Source   measure of thesis chapters 4 and 5; docs/algorithms/shallow_penetration.md, section 7.
-[[nodiscard]] Overcut find_overcut(const SweptSolid& tool, const DepthBody& part, const Vec3& seed,
-                                   double seed_t, const OvercutOptions& options = {});
+[[nodiscard]] Overcut find_overcut(const SweptSolid& tool, const DepthBody& part, const Vec3& seed, double seed_t,
+                                   const OvercutOptions& options = {});
 
 }  // namespace gouge

@@ -6,8 +6,7 @@
 
 namespace gouge {
 
-SweptHead::SweptHead(const Motion& motion, const HeadBody& head)
-    : SweptSolid(motion), head_(head), moving_(motion) {
+SweptHead::SweptHead(const Motion& motion, const HeadBody& head) : SweptSolid(motion), head_(head), moving_(motion) {
   for (const Vec3& v : head.surface.mesh.vertices) reach_mm_ = std::max(reach_mm_, v.norm());
 }
 

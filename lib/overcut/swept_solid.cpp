@@ -44,7 +44,8 @@ SweptSolid::Nearest SweptSolid::nearest(const Vec3& point, double accuracy_mm, d
     open.pop_back();
     const double path_length = motion_.path_length_mm(interval.t0, interval.t1, interval.segment);
     const double turn = turn_rad() * (interval.t1 - interval.t0);
-    const double run = path_length + turn * ((point - motion_.tip_at(interval.t0, interval.segment)).norm() + path_length);
+    const double run =
+        path_length + turn * ((point - motion_.tip_at(interval.t0, interval.segment)).norm() + path_length);
     const double least = 0.5 * (interval.d0 + interval.d1 - run);
     const bool is_pruned = least >= best.distance_mm - accuracy_mm || least > enough_mm;
     if (is_pruned || ++instants > kMostInstants || interval.t1 - interval.t0 < 1e-9) {

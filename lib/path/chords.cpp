@@ -41,8 +41,7 @@ void append_spline(const PathSpline& spline, const Pose& start, const Pose& end,
                    std::vector<Pose>& poses) {
   for (const SplinePiece& piece : spline.pieces) {
     const double width = piece.u1 - piece.u0;
-    const std::size_t count =
-        count_for(width * std::sqrt(piece.largest_second_derivative() / (8 * error_mm)));
+    const std::size_t count = count_for(width * std::sqrt(piece.largest_second_derivative() / (8 * error_mm)));
     for (std::size_t i = 1; i <= count; ++i) {
       const double u = piece.u0 + width * static_cast<double>(i) / static_cast<double>(count);
       poses.push_back({piece.at(u), axis_between(start.axis, end.axis, u)});

@@ -66,8 +66,7 @@ SplinePiece cut_out(const std::vector<Vec3>& control, const std::vector<double>&
 Vec3 SplinePiece::at(double u) const {
   const double s = (u - u0) / (u1 - u0);
   const double r = 1 - s;
-  return r * r * r * control[0] + 3 * r * r * s * control[1] + 3 * r * s * s * control[2] +
-         s * s * s * control[3];
+  return r * r * r * control[0] + 3 * r * r * s * control[1] + 3 * r * s * s * control[2] + s * s * s * control[3];
 }
 
 double SplinePiece::largest_second_derivative() const {

@@ -18,9 +18,7 @@ struct Feed {
   double mm = 0;
   FeedUnit unit = FeedUnit::not_stated;
 
-  [[nodiscard]] bool is_number() const {
-    return unit == FeedUnit::per_minute || unit == FeedUnit::per_revolution;
-  }
+  [[nodiscard]] bool is_number() const { return unit == FeedUnit::per_minute || unit == FeedUnit::per_revolution; }
 };
 
 }  // namespace gouge

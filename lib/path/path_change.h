@@ -35,16 +35,17 @@ struct PathChange {
 
   /// True where some piece of what the move becomes is an arc of the change's own.
   [[nodiscard]] bool has_arc() const {
-    return new_arc || std::any_of(inserted_arcs.begin(), inserted_arcs.end(), [](const auto& arc) { return arc.has_value(); });
+    return new_arc ||
+           std::any_of(inserted_arcs.begin(), inserted_arcs.end(), [](const auto& arc) { return arc.has_value(); });
   }
 };
 
 /// What a file lets a correction rewrite within its own statements: one entry a move of the path, or none at all where
 /// nothing can be rewritten.
 struct RewritableMoves {
-  std::vector<bool> arc;   ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
+  std::vector<bool> arc;    ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
   std::vector<bool> split;  ///< and PathChange::inserted_arcs: the arc can become several
-  std::vector<bool> hole;  ///< PathChange::hole_shift_mm can be written; true for the first move of a hole alone
+  std::vector<bool> hole;   ///< PathChange::hole_shift_mm can be written; true for the first move of a hole alone
 };
 
 }  // namespace gouge

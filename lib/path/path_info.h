@@ -18,9 +18,9 @@ struct PathInfo {
   std::array<std::size_t, 4> moves_by_kind{};  ///< index: MoveKind
   std::size_t alone = 0;                       ///< positions without a motion leading to them
   static constexpr double kBoxError_mm = 0.01;
-  Box3 box;  ///< of the tip's path, arcs to within kBoxError_mm; empty when there is none
-  std::size_t orientations = 0;                ///< distinct tool axes
-  double largest_turn_deg = 0;                 ///< largest change of the axis in one move
+  Box3 box;                      ///< of the tip's path, arcs to within kBoxError_mm; empty when there is none
+  std::size_t orientations = 0;  ///< distinct tool axes
+  double largest_turn_deg = 0;   ///< largest change of the axis in one move
   std::size_t largest_turn_move = kNone;
   double feed_length_mm = 0, rapid_length_mm = 0;    ///< of feed and arc moves along their paths, and of rapids
   std::map<std::string, std::size_t> not_checkable;  ///< reason -> moves

@@ -30,8 +30,8 @@ enum class MoveKind : std::uint8_t { feed, rapid, arc, cycle };
 struct CutterStatement {
   double d_mm = 0, r_mm = 0, e_mm = 0, f_mm = 0;
   double alpha_deg = 0, beta_deg = 0;
-  double h_mm = 0;           ///< 0: not given
-  int given = 0;             ///< how many numbers the statement had
+  double h_mm = 0;  ///< 0: not given
+  int given = 0;    ///< how many numbers the statement had
 };
 
 /// A tool as the toolpath knows it.
@@ -45,7 +45,7 @@ struct PathTool {
 };
 
 struct Operation {
-  std::string name;      ///< may be empty
+  std::string name;  ///< may be empty
   std::size_t line = 0;
 };
 
@@ -53,20 +53,20 @@ struct Operation {
 /// is kept small.
 struct Move {
   Pose end;
-  double feed_mm = 0;                   ///< per minute or revolution, as `feed_unit` says; 0: no number is known
-  std::string_view not_checked_reason;  ///< not empty: why this motion cannot be checked; text that is never freed
-  SmallIndex line;                      ///< where its statement begins, counted from 1
-  SmallIndex statement = kNone;         ///< index into Toolpath::statements
-  SmallIndex tool = kNone;              ///< index into Toolpath::tools; kNone: no tool named yet
-  SmallIndex operation = kNone;         ///< index into Toolpath::operations
-  SmallIndex curve;                     ///< index into Toolpath::arcs or ::splines
+  double feed_mm = 0;                      ///< per minute or revolution, as `feed_unit` says; 0: no number is known
+  std::string_view not_checked_reason;     ///< not empty: why this motion cannot be checked; text that is never freed
+  SmallIndex line;                         ///< where its statement begins, counted from 1
+  SmallIndex statement = kNone;            ///< index into Toolpath::statements
+  SmallIndex tool = kNone;                 ///< index into Toolpath::tools; kNone: no tool named yet
+  SmallIndex operation = kNone;            ///< index into Toolpath::operations
+  SmallIndex curve;                        ///< index into Toolpath::arcs or ::splines
   CurveKind curve_kind = CurveKind::none;  ///< none: the tip runs straight
   MoveKind kind = MoveKind::feed;
   FeedUnit feed_unit = FeedUnit::not_stated;
   /// False: the position alone, the first of the file, of a tool, of a block, or after a motion whose end is unknown.
   bool has_start = false;
-  /// Of a position alone: the tool was at the end of the move before, and the file changes neither tool nor frame between
-  /// both. How it gets here the file does not say.
+  /// Of a position alone: the tool was at the end of the move before, and the file changes neither tool nor frame
+  /// between both. How it gets here the file does not say.
   bool is_linked = false;
 
   [[nodiscard]] Feed feed() const { return {feed_mm, feed_unit}; }
@@ -83,19 +83,19 @@ struct SourceStatement {
 };
 
 struct Toolpath {
-  std::string file;      ///< as the user named it
-  std::string dialect;   ///< "apt", "nx-clsf", "apt-autodesk", ...: docs/formats/apt_cl.md
+  std::string file;     ///< as the user named it
+  std::string dialect;  ///< "apt", "nx-clsf", "apt-autodesk", ...: docs/formats/apt_cl.md
   LengthUnit unit = LengthUnit::mm;
   bool is_unit_stated = false;
-  std::string source;    ///< the file's bytes
+  std::string source;  ///< the file's bytes
   std::vector<SourceStatement> statements;
   std::vector<PathTool> tools;
   std::vector<Operation> operations;
   std::vector<Move> moves;
-  std::vector<PathArc> arcs;        ///< of moves whose curve_kind is arc
-  std::vector<PathSpline> splines;  ///< of moves whose curve_kind is spline
+  std::vector<PathArc> arcs;                                ///< of moves whose curve_kind is arc
+  std::vector<PathSpline> splines;                          ///< of moves whose curve_kind is spline
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; reported to the user
-  Diagnostics notes;     ///< warnings and notes of reading; errors make reading fail instead
+  Diagnostics notes;  ///< warnings and notes of reading; errors make reading fail instead
 
   /// Where a move starts: whoever takes moves out of a path changes where those behind them start.
   /// Requires moves[move].has_start and move > 0.

@@ -27,8 +27,7 @@ bool is_any_left(const std::array<Vec3, 3>& triangle, const std::array<HalfSpace
       const Vec3 &a = now[i], &b = now[(i + 1) % count];
       const double out_a = space.normal.dot(a) - space.offset, out_b = space.normal.dot(b) - space.offset;
       if (out_a <= 0) next[kept++] = a;
-      if ((out_a > 0) != (out_b > 0) && kept < next.size())
-        next[kept++] = a + (out_a / (out_a - out_b)) * (b - a);
+      if ((out_a > 0) != (out_b > 0) && kept < next.size()) next[kept++] = a + (out_a / (out_a - out_b)) * (b - a);
     }
     count = kept;
     if (count == 0) return false;
@@ -65,8 +64,7 @@ class Prism {
   [[nodiscard]] bool is_clear_at(std::uint32_t index) const {
     const float* const box = body_.boxes.data() + 6 * std::size_t{index};
     for (int i = 0; i < 3; ++i) {
-      if (static_cast<double>(box[i]) > box_.max()[i] || static_cast<double>(box[i + 3]) < box_.min()[i])
-        return true;
+      if (static_cast<double>(box[i]) > box_.max()[i] || static_cast<double>(box[i + 3]) < box_.min()[i]) return true;
     }
     const KdopNode& node = body_.tree.nodes[index];
     for (std::uint32_t k = 0; k < node.children; ++k) {

@@ -27,8 +27,6 @@ std::span<const BoundKernel* const> bound_kernels() {
   return runnable(kernels);
 }
 
-const BoundKernel& fastest_bound_kernel() {
-  return *bound_kernels().back();
-}
+const BoundKernel& fastest_bound_kernel() { return *bound_kernels().back(); }
 
 }  // namespace gouge

@@ -12,12 +12,8 @@ using V = float __attribute__((vector_size(32)));
 
 #define GOUGE_INLINE inline __attribute__((always_inline))
 
-GOUGE_INLINE void load(const float* from, V& to) {
-  __builtin_memcpy(&to, from, sizeof(V));
-}
-GOUGE_INLINE void max(V& a, const V& b) {
-  a = a > b ? a : b;
-}
+GOUGE_INLINE void load(const float* from, V& to) { __builtin_memcpy(&to, from, sizeof(V)); }
+GOUGE_INLINE void max(V& a, const V& b) { a = a > b ? a : b; }
 GOUGE_INLINE void sqrt(V& a) {
   for (int i = 0; i < 8; ++i) a[i] = __builtin_sqrtf(a[i]);
 }

@@ -19,8 +19,7 @@ class Search {
       : body_(body),
         point_(point),
         single_{static_cast<float>(point.x()), static_cast<float>(point.y()), static_cast<float>(point.z())},
-        slack_mm_(kFilterSlack *
-                  (body.slack_mm + kSingle * static_cast<float>(point.cwiseAbs().maxCoeff()))) {
+        slack_mm_(kFilterSlack * (body.slack_mm + kSingle * static_cast<float>(point.cwiseAbs().maxCoeff()))) {
     take(within_mm * within_mm);
   }
 
@@ -56,9 +55,9 @@ class Search {
 
   void prefetch(std::uint32_t below) const {
     const bool is_facet = (below & BoundBlock::kIsFacet) != 0;
-    const auto* const at =
-        is_facet ? reinterpret_cast<const char*>(body_.corners.data() + (below & ~BoundBlock::kIsFacet))
-                 : reinterpret_cast<const char*>(body_.blocks.data() + below);
+    const auto* const at = is_facet
+                               ? reinterpret_cast<const char*>(body_.corners.data() + (below & ~BoundBlock::kIsFacet))
+                               : reinterpret_cast<const char*>(body_.blocks.data() + below);
     const std::size_t bytes = is_facet ? sizeof(body_.corners[0]) : sizeof(BoundBlock);
     for (std::size_t k = 0; k < bytes; k += kCacheLine) __builtin_prefetch(at + k);
   }
@@ -93,7 +92,7 @@ class Search {
 }  // namespace
 
 ClosestPoint signed_closest_point(const DepthBody& body, const Vec3& point, std::uint32_t slot,
-                        const TrianglePoint& foot) {
+                                  const TrianglePoint& foot) {
   ClosestPoint result;
   result.point = foot.point;
   result.triangle = body.tree.order[slot];

@@ -13,11 +13,11 @@ namespace gouge {
 struct ClosestPoint {
   Vec3 point = Vec3::Zero();
   Vec3 normal =
-      Vec3::UnitZ();  ///< unit; out of the body: along the line to or from the point, the facet's normal on it
+      Vec3::UnitZ();           ///< unit; out of the body: along the line to or from the point, the facet's normal on it
   double distance_mm = 0;      ///< never negative
   bool is_inside = false;      ///< the point asked for lies in the solid
   std::uint32_t triangle = 0;  ///< of body.mesh
-  std::uint32_t slot = 0;     ///< of the triangle in body.tree.order
+  std::uint32_t slot = 0;      ///< of the triangle in body.tree.order
 
   /// Negative inside.
   [[nodiscard]] double signed_mm() const { return is_inside ? -distance_mm : distance_mm; }
@@ -28,11 +28,11 @@ struct ClosestPoint {
 /// Ensures  exact for any depth, both sides; of equally near facets one, always the same.
 /// Requires for is_inside: body.is_solid. Of other bodies only the distance means something.
 /// Cost     about O(log n); O(n) where only the winding number decides the side.
-[[nodiscard]] std::optional<ClosestPoint> closest_point(
-    const DepthBody& body, const Vec3& point, double within_mm = std::numeric_limits<double>::infinity());
+[[nodiscard]] std::optional<ClosestPoint> closest_point(const DepthBody& body, const Vec3& point,
+                                                        double within_mm = std::numeric_limits<double>::infinity());
 
 /// The same once facet `slot` of the tree is known to be nearest, with its foot.
 [[nodiscard]] ClosestPoint signed_closest_point(const DepthBody& body, const Vec3& point, std::uint32_t slot,
-                                      const TrianglePoint& foot);
+                                                const TrianglePoint& foot);
 
 }  // namespace gouge

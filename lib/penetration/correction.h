@@ -10,7 +10,8 @@
 namespace gouge {
 
 /// sum(d_i^2 n_i) / sum(d_i): every contact's way out, weighted by its depth once more. Zero without
-/// contacts. Source  thesis 5.3.
+/// contacts.
+/// Source   thesis 5.3.
 [[nodiscard]] Vec3 weighted_correction(std::span<const Contact> contacts);
 
 enum class CorrectionEnd {
@@ -39,7 +40,6 @@ using ContactsAt = std::function<std::vector<Contact>(const Vec3& shift)>;
 /// Applies the weighted correction again and again (thesis 5.3, figure 35: 4 to 8 times is usual). The thesis
 /// does not say when to give up; a body jammed in a slot narrower than itself goes back and forth for ever,
 /// which is reported as a cycle.
-[[nodiscard]] FreeingShift correct_until_free(const ContactsAt& contacts_at,
-                                            const CorrectionOptions& options = {});
+[[nodiscard]] FreeingShift correct_until_free(const ContactsAt& contacts_at, const CorrectionOptions& options = {});
 
 }  // namespace gouge

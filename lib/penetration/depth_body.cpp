@@ -94,8 +94,7 @@ DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
   }
   const std::vector<Vec3> normals = face_normals(body.mesh);
   const std::optional<InnerReach> inner =
-      options.is_distance_only ? std::nullopt
-                      : std::optional<InnerReach>(std::in_place, body.mesh, adjacency, normals);
+      options.is_distance_only ? std::nullopt : std::optional<InnerReach>(std::in_place, body.mesh, adjacency, normals);
   FacetBounds bounds(body, inner, kSingle * reach);
   body.tree = build_kdop_tree(options.directions, centres, {options.width, options.leaf_triangles},
                               [&bounds](std::uint32_t t, float* intervals) { bounds(t, intervals); });

@@ -30,7 +30,7 @@ struct DepthBodyOptions {
   Coverage coverage = Coverage::complete;
   std::size_t width = 8;           ///< children of a node: 2, 4 or 8
   std::size_t leaf_triangles = 1;  ///< at most
-  bool is_distance_only = false;            ///< only what closest_point.h needs: no offset, no depth
+  bool is_distance_only = false;   ///< only what closest_point.h needs: no offset, no depth
 };
 
 /// A facet as the narrow phase filters it, single precision: plane n . x = o, disc of radius r about c.

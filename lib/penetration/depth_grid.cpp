@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "lib/penetration/depth_body.h"
 #include "lib/penetration/closest_point.h"
+#include "lib/penetration/depth_body.h"
 
 namespace gouge {
 namespace {
@@ -18,8 +18,7 @@ constexpr double kRoundUp = 1 + 1e-9;
 constexpr double kRounding = 1e-3;
 
 std::size_t index_of(const std::array<int, 3>& cell, const std::array<int, 3>& counts) {
-  return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(counts[1]) +
-          static_cast<std::size_t>(cell[1])) *
+  return (static_cast<std::size_t>(cell[2]) * static_cast<std::size_t>(counts[1]) + static_cast<std::size_t>(cell[1])) *
              static_cast<std::size_t>(counts[0]) +
          static_cast<std::size_t>(cell[0]);
 }
@@ -29,8 +28,7 @@ std::size_t index_of(const std::array<int, 3>& cell, const std::array<int, 3>& c
 DepthGrid::DepthGrid(const DepthBody& body) {
   const Box3 box = body.mesh.box();
   const Vec3 size = box.sizes();
-  cell_mm_ =
-      std::min(body.options.depth_mm / (std::numbers::sqrt3 * kRoundUp), size.maxCoeff() / kFewestCells);
+  cell_mm_ = std::min(body.options.depth_mm / (std::numbers::sqrt3 * kRoundUp), size.maxCoeff() / kFewestCells);
   const auto cells_at = [&](double cell) {
     return (size.x() / cell + 1) * (size.y() / cell + 1) * (size.z() / cell + 1);
   };
@@ -52,17 +50,12 @@ DepthGrid::DepthGrid(const DepthBody& body) {
   }
 }
 
-std::size_t DepthGrid::index(const Cell& c) const {
-  return index_of(c, counts_);
-}
+std::size_t DepthGrid::index(const Cell& c) const { return index_of(c, counts_); }
 
-Vec3 DepthGrid::centre(const Cell& c) const {
-  return low_ + cell_mm_ * Vec3(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5);
-}
+Vec3 DepthGrid::centre(const Cell& c) const { return low_ + cell_mm_ * Vec3(c[0] + 0.5, c[1] + 0.5, c[2] + 0.5); }
 
 void DepthGrid::mark_surface(const DepthBody& body, std::vector<std::uint8_t>& is_near) const {
-  const double half =
-      0.5 * cell_mm_ * std::numbers::sqrt3 * kRoundUp + kRounding * static_cast<double>(body.slack_mm);
+  const double half = 0.5 * cell_mm_ * std::numbers::sqrt3 * kRoundUp + kRounding * static_cast<double>(body.slack_mm);
   for (const std::array<Vec3, 3>& facet : body.corners) {
     Box3 box;
     for (const Vec3& corner : facet) box.extend(corner);
@@ -85,8 +78,7 @@ void DepthGrid::mark_surface(const DepthBody& body, std::vector<std::uint8_t>& i
   }
 }
 
-void DepthGrid::fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near,
-                     std::vector<Cover>& results) {
+void DepthGrid::fill(const DepthBody& body, const std::vector<std::uint8_t>& is_near, std::vector<Cover>& results) {
   std::vector<std::uint8_t> is_done = is_near;
   std::vector<std::array<int, 3>> open;
   for (int z = 0; z < counts_[2]; ++z) {

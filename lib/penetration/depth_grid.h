@@ -40,9 +40,7 @@ class DepthGrid {
   [[nodiscard]] double cell_mm() const { return cell_mm_; }
   [[nodiscard]] const Cell& counts() const { return counts_; }
   [[nodiscard]] std::size_t index(const Cell& cell) const;
-  [[nodiscard]] Vec3 corner(const Cell& cell) const {
-    return low_ + cell_mm_ * Vec3(cell[0], cell[1], cell[2]);
-  }
+  [[nodiscard]] Vec3 corner(const Cell& cell) const { return low_ + cell_mm_ * Vec3(cell[0], cell[1], cell[2]); }
   [[nodiscard]] Cover result(std::size_t cell) const {
     return packed_.empty() ? Cover::ask : static_cast<Cover>((packed_[cell / 4] >> (cell % 4 * 2)) & 3U);
   }

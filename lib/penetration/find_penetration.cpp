@@ -8,8 +8,7 @@ namespace {
 
 constexpr float kSingle = 8.0F / (1 << 24);
 constexpr std::size_t kFloatsPerBlock = 12;
-constexpr std::size_t kManyFacets = 192, kManyItems = 2000,
-                      kNoLimit = std::numeric_limits<std::size_t>::max();
+constexpr std::size_t kManyFacets = 192, kManyItems = 2000, kNoLimit = std::numeric_limits<std::size_t>::max();
 
 /// Largest side along x, y and z, the first axes of most families.
 float size_of(const float* volume) {
@@ -19,8 +18,7 @@ float size_of(const float* volume) {
 
 }  // namespace
 
-PenetrationFinder::PenetrationFinder(const DepthBody& body, const PointBody& points,
-                                     const PenetrationOptions& options)
+PenetrationFinder::PenetrationFinder(const DepthBody& body, const PointBody& points, const PenetrationOptions& options)
     : body_(body),
       points_(points),
       options_(options),
@@ -127,8 +125,7 @@ PenetrationFinder::List PenetrationFinder::refine(const float* volume, float siz
       stack_.push_back(index);
       continue;
     }
-    for (std::uint32_t child = node.first; child < node.first + node.children; ++child)
-      pending_.push_back(child);
+    for (std::uint32_t child = node.first; child < node.first + node.children; ++child) pending_.push_back(child);
   }
   return {first, stack_.size()};
 }
@@ -140,8 +137,7 @@ void PenetrationFinder::update_volume(std::uint32_t index, float* volume) {
     ++result_.counters.volumes_shifted;
   } else {
     const std::uint32_t first = points_.corner_first[index];
-    axes_.bound(points_.corners.data() + kFloatsPerBlock * first, points_.corner_first[index + 1] - first,
-                turned);
+    axes_.bound(points_.corners.data() + kFloatsPerBlock * first, points_.corner_first[index + 1] - first, turned);
     turn_of_[index] = turn_;
     result_.counters.corners_transformed += points_.corner_count[index];
   }
@@ -218,7 +214,7 @@ void PenetrationFinder::search_points(std::uint32_t index) {
 }
 
 void PenetrationFinder::report(std::uint32_t point, const Vec3& position, const Vec3& normal, double depth_mm,
-                             std::uint32_t triangle) {
+                               std::uint32_t triangle) {
   result_.contacts.push_back({{position, normal, depth_mm, options_.body, body_.mesh.file_triangle[triangle]},
                               point,
                               depth_mm > body_.options.depth_mm});

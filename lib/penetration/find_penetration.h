@@ -15,7 +15,7 @@
 namespace gouge {
 
 struct PenetrationOptions {
-  std::uint32_t body = 0;      ///< reported in the contacts
+  std::uint32_t body = 0;          ///< reported in the contacts
   bool is_deeper_reported = true;  ///< also look for points inside beyond the depth of the volumes
 };
 
@@ -38,9 +38,8 @@ struct PenetrationResult {
 /// only their shift (thesis 6.1.4.2). One finder serves one thread; bodies may be shared.
 ///
 /// Requires both trees over the same directions; `body.is_solid` for the sides to mean something.
-/// Ensures  with complete coverage: every point inside is reported, with the depth and direction
-/// of its
-///          nearest surface; no point outside is.
+/// Ensures  with complete coverage: every point inside is reported, with the depth and direction of its nearest
+///          surface; no point outside is.
 /// Source   thesis 5.2.1 (broad phase), 5.2.2 (narrow phase), 5.2.3 (only what is visited is updated).
 class PenetrationFinder {
  public:
@@ -64,8 +63,7 @@ class PenetrationFinder {
   void test_points(std::uint32_t node);
   [[nodiscard]] std::size_t items_of(const List& list) const;
   void search_points(std::uint32_t node);
-  void report(std::uint32_t point, const Vec3& position, const Vec3& normal, double depth_mm,
-            std::uint32_t triangle);
+  void report(std::uint32_t point, const Vec3& position, const Vec3& normal, double depth_mm, std::uint32_t triangle);
   void report_if_deep(std::uint32_t point, const Vec3& position);
 
   const DepthBody& body_;

@@ -16,8 +16,7 @@ constexpr std::size_t kManyEdges = 40;
 
 }  // namespace
 
-InnerReach::InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency,
-                       const std::vector<Vec3>& face_normals)
+InnerReach::InnerReach(const IndexedMesh& mesh, const MeshAdjacency& adjacency, const std::vector<Vec3>& face_normals)
     : mesh_(mesh), normals_(face_normals) {
   cones_.reserve(mesh.vertices.size());
   for (Corner v = 0; v < mesh.vertices.size(); ++v) cones_.push_back(cone_at(v, adjacency));
@@ -49,8 +48,8 @@ InnerReach::Cone InnerReach::cone_at(Corner vertex, const MeshAdjacency& adjacen
       if (across.norm() < kNoPlane) continue;
       for (const double sign : {1.0, -1.0}) {
         const Vec3 ray = sign * across.normalized();
-        const bool is_feasible = std::all_of(constraints.begin(), constraints.end(),
-                                             [&](const Vec3& k) { return k.dot(ray) <= kFeasible; });
+        const bool is_feasible =
+            std::all_of(constraints.begin(), constraints.end(), [&](const Vec3& k) { return k.dot(ray) <= kFeasible; });
         if (is_feasible) cone.cosine = std::min(cone.cosine, cone.axis.dot(ray));
       }
     }
@@ -65,8 +64,7 @@ void InnerReach::find_wedges(const MeshAdjacency& adjacency) {
       Cone& wedge = wedges_[t][k];
       const auto uses = adjacency.uses(adjacency.edges()[adjacency.edges_of_triangle(t)[k]]);
       const bool is_plain = uses.size() == 2 && uses[0].is_forward != uses[1].is_forward;
-      const std::uint32_t other =
-          is_plain ? (uses[0].triangle == t ? uses[1].triangle : uses[0].triangle) : t;
+      const std::uint32_t other = is_plain ? (uses[0].triangle == t ? uses[1].triangle : uses[0].triangle) : t;
       const Vec3 sum = normals_[t] + normals_[other];
       const bool has_areas = normals_[t].squaredNorm() > 0 && normals_[other].squaredNorm() > 0;
       if (!is_plain || !has_areas || sum.norm() < 1e-6) {
@@ -89,8 +87,7 @@ double InnerReach::above(std::uint32_t triangle, const Vec3& u, double depth_mm)
     const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
     return std::max(0.0, cosine * cone.cosine + sine * turn);
   };
-  const std::array<Vec3, 3> facet = {mesh_.corner(triangle, 0), mesh_.corner(triangle, 1),
-                                     mesh_.corner(triangle, 2)};
+  const std::array<Vec3, 3> facet = {mesh_.corner(triangle, 0), mesh_.corner(triangle, 1), mesh_.corner(triangle, 2)};
   std::array<double, 3> at{};
   for (std::size_t k = 0; k < 3; ++k) at[k] = u.dot(facet[k]);
   const double below = normals_[triangle].squaredNorm() > 0 ? std::max(0.0, -u.dot(normals_[triangle])) : 1.0;

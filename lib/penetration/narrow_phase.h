@@ -4,9 +4,9 @@
 #include <span>
 #include <vector>
 
+#include "lib/penetration/closest_point.h"
 #include "lib/penetration/counters.h"
 #include "lib/penetration/depth_body.h"
-#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 

@@ -125,8 +125,7 @@ class BlockBuilder {
     std::uint32_t blocks = 0;
     for (std::size_t k = 0; k < group.count; ++k) {
       const bool is_facet = group.lanes[k].count == 1;
-      body_.blocks[block].below[k] =
-          is_facet ? group.lanes[k].first | BoundBlock::kIsFacet : child + blocks++;
+      body_.blocks[block].below[k] = is_facet ? group.lanes[k].first | BoundBlock::kIsFacet : child + blocks++;
     }
     body_.blocks.resize(body_.blocks.size() + blocks);
     groups_.resize(body_.blocks.size());

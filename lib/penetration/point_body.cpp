@@ -20,9 +20,7 @@ void add_blocks(std::span<const Vec3> points, std::vector<float>& blocks) {
   }
 }
 
-std::uint32_t blocks_in(const std::vector<float>& blocks) {
-  return static_cast<std::uint32_t>(blocks.size() / 12);
-}
+std::uint32_t blocks_in(const std::vector<float>& blocks) { return static_cast<std::uint32_t>(blocks.size() / 12); }
 
 }  // namespace
 
@@ -39,8 +37,7 @@ PointBody build_point_body(std::span<const Vec3> points, const PointBodyOptions&
   std::vector<Vec3> below;
   for (const KdopNode& node : body.tree.nodes) {
     below.clear();
-    for (std::uint32_t k = 0; k < node.item_count; ++k)
-      below.push_back(points[body.tree.order[node.item_first + k]]);
+    for (std::uint32_t k = 0; k < node.item_count; ++k) below.push_back(points[body.tree.order[node.item_first + k]]);
     body.corner_first.push_back(blocks_in(body.corners));
     // The intervals of fewer points than any volume of this k has corners need not be made solid at all.
     const bool may_pay = !options.is_cost_weighed || below.size() > options.directions.k();

@@ -17,8 +17,7 @@ std::vector<Vec3> surface_points(const IndexedMesh& mesh, double spacing_mm) {
       for (std::size_t j = 0; i + j <= parts; ++j) {
         const bool is_corner = i == parts || j == parts || (i == 0 && j == 0);
         if (is_corner) continue;
-        points.emplace_back(a + static_cast<double>(i) * step * (b - a) +
-                            static_cast<double>(j) * step * (c - a));
+        points.emplace_back(a + static_cast<double>(i) * step * (b - a) + static_cast<double>(j) * step * (c - a));
       }
     }
   }

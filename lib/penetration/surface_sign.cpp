@@ -25,8 +25,7 @@ SurfaceSign::SurfaceSign(const IndexedMesh& mesh, const MeshAdjacency& adjacency
     if (!is_doubtful[v]) vertices_[v] = angle_weighted_normal(mesh, adjacency, faces_, v);
   }
   triangle_edges_.reserve(triangles_.size());
-  for (std::size_t t = 0; t < triangles_.size(); ++t)
-    triangle_edges_.push_back(adjacency.edges_of_triangle(t));
+  for (std::size_t t = 0; t < triangles_.size(); ++t) triangle_edges_.push_back(adjacency.edges_of_triangle(t));
 }
 
 Vec3 SurfaceSign::outward(std::uint32_t triangle, TriangleFeature feature, std::size_t index) const {

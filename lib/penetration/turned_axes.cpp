@@ -17,8 +17,7 @@ TurnedAxes::TurnedAxes(const DirectionSet& directions)
 void TurnedAxes::turn(const Eigen::Matrix3d& rotation) {
   for (std::size_t i = 0; i < directions_.axes.size(); ++i) {
     const Vec3 turned = rotation.transpose() * directions_.axes[i];
-    for (std::size_t k = 0; k < 3; ++k)
-      axes_[k * stride_ + i] = static_cast<float>(turned[static_cast<int>(k)]);
+    for (std::size_t k = 0; k < 3; ++k) axes_[k * stride_ + i] = static_cast<float>(turned[static_cast<int>(k)]);
   }
 }
 

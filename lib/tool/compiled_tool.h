@@ -39,9 +39,9 @@ struct SupportRange {
 struct BoundaryElement {
   ElementKind kind = ElementKind::segment;
   Body body = Body::cutter;
-  bool is_reflex = false;  ///< arc: solid outside the circle; vertex: interior angle above 180 degrees
-  Vec2 a = Vec2::Zero();   ///< start on the contour; a vertex has a == b
-  Vec2 b = Vec2::Zero();   ///< end on the contour
+  bool is_reflex = false;      ///< arc: solid outside the circle; vertex: interior angle above 180 degrees
+  Vec2 a = Vec2::Zero();       ///< start on the contour; a vertex has a == b
+  Vec2 b = Vec2::Zero();       ///< end on the contour
   Vec2 center = Vec2::Zero();  ///< arcs: centre of the circle
   double radius_mm = 0;        ///< arcs: its radius
   /// Segment: outward unit normal. Vertex: outward mean direction. Arc: unit direction from the centre to the
@@ -80,7 +80,7 @@ struct CompiledTool {
   /// A point on the axis (r = 0) deepest inside the cutter's part of the solid; of the whole solid when the
   /// axis is nowhere inside the cutter.
   Vec2 core = Vec2::Zero();
-  double core_depth_mm = 0;     ///< its depth
+  double core_depth_mm = 0;  ///< its depth
 };
 
 }  // namespace gouge

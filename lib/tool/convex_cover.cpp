@@ -9,14 +9,12 @@ namespace {
 
 // How far the cover stands off the tool, so that rounding in its making never cuts into it.
 constexpr double kStandOff_mm = 1e-9;
-constexpr double kTangent = 1e-7;  // sine of the turn between elements that still count as tangent
+constexpr double kTangent = 1e-7;   // sine of the turn between elements that still count as tangent
 constexpr double kApart = 1e-7;     // points of a chain nearer than this part of the tool are one
 constexpr double kStraight = 1e-9;  // sine of the turn between lines that rounding may give
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-double cross(const Vec2& u, const Vec2& v) {
-  return u.x() * v.y() - u.y() * v.x();
-}
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 Vec2 direction_at(const BoundaryElement& e, const Vec2& point) {
   if (e.kind == ElementKind::segment) return (e.b - e.a).normalized();
@@ -89,9 +87,7 @@ class CoverMaker {
   }
 
  private:
-  [[nodiscard]] bool is_level(const Vec2& a, const Vec2& b) const {
-    return b.y() - a.y() <= 1e-12 * cover_.size_mm;
-  }
+  [[nodiscard]] bool is_level(const Vec2& a, const Vec2& b) const { return b.y() - a.y() <= 1e-12 * cover_.size_mm; }
 
   void add_runs() {
     Run run;

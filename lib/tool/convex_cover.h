@@ -26,8 +26,8 @@ namespace gouge {
 struct CoverPiece {
   static constexpr std::size_t kMaxChain = 12;
   double z_lo_mm = 0, z_hi_mm = 0;
-  double foot_lo_mm = 0, foot_hi_mm = 0;  ///< infinite where nothing follows
-  double r_below_mm = 0, r_above_mm = 0;  ///< 0: the whole end is free
+  double foot_lo_mm = 0, foot_hi_mm = 0;                         ///< infinite where nothing follows
+  double r_below_mm = 0, r_above_mm = 0;                         ///< 0: the whole end is free
   double r_closed_mm = std::numeric_limits<double>::infinity();  ///< finite where the chain has the lower face
   double radius_mm = 0;
   std::vector<Vec2> chain;  ///< 2 to kMaxChain points

@@ -10,8 +10,7 @@ struct ToolDistance {
   double signed_distance_mm = 0;  ///< to the boundary; negative inside
   std::uint32_t element = 0;      ///< nearest boundary element
   Vec2 foot = Vec2::Zero();       ///< nearest boundary point (r, z)
-  Vec2 normal =
-      Vec2::Zero();  ///< gradient of the signed distance, unit: the exit direction for a point inside
+  Vec2 normal = Vec2::Zero();     ///< gradient of the signed distance, unit: the exit direction for a point inside
 };
 
 /// Nearest boundary element, signed distance and exit direction at (r, z), through the BSP.
@@ -41,7 +40,6 @@ struct ToolDistance {
 [[nodiscard]] ToolDistance evaluate_brute_force(const CompiledTool& tool, double r_mm, double z_mm);
 
 /// Distance of one element alone for a point whose nearest element it is.
-[[nodiscard]] ToolDistance evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm,
-                                          double z_mm);
+[[nodiscard]] ToolDistance evaluate_element(const CompiledTool& tool, std::uint32_t element, double r_mm, double z_mm);
 
 }  // namespace gouge

@@ -6,13 +6,9 @@
 namespace gouge {
 namespace {
 
-double cross(const Vec2& u, const Vec2& v) {
-  return u.x() * v.y() - u.y() * v.x();
-}
+double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
-double turn_of(const BoundaryElement& arc) {
-  return arc.is_reflex ? -1.0 : 1.0;
-}
+double turn_of(const BoundaryElement& arc) { return arc.is_reflex ? -1.0 : 1.0; }
 
 bool has_point_within(const BoundaryElement& e, const Vec2& q) {
   if (e.kind == ElementKind::vertex) return true;
@@ -30,9 +26,7 @@ const Vec2& nearer_end(const BoundaryElement& e, const Vec2& q) {
 
 // A stretch of contour along which the height only rises or only falls, met by the ray from q along +r. A
 // stretch holds its lower end and not its upper one, so the ray counts a joint of two stretches once.
-bool holds_height(double from_z, double to_z, double z) {
-  return (from_z <= z) != (to_z <= z);
-}
+bool holds_height(double from_z, double to_z, double z) { return (from_z <= z) != (to_z <= z); }
 
 int crossings_with_segment(const BoundaryElement& e, const Vec2& q) {
   if (!holds_height(e.a.y(), e.b.y(), q.y())) return 0;

@@ -11,13 +11,9 @@ namespace {
 constexpr double kMargin_rad = 1e-6;  // beyond the rays of a vertex: normals of neighbours are rounded
 constexpr double kLargestTurn_rad = 0.5 * std::numbers::pi;
 
-Vec2 direction(double angle) {
-  return {std::cos(angle), std::sin(angle)};
-}
+Vec2 direction(double angle) { return {std::cos(angle), std::sin(angle)}; }
 
-double angle_of(const Vec2& v) {
-  return std::atan2(v.y(), v.x());
-}
+double angle_of(const Vec2& v) { return std::atan2(v.y(), v.x()); }
 
 double angle_between(const Vec2& a, const Vec2& b) {
   return std::abs(std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b)));
@@ -78,9 +74,7 @@ void add_in_parts(const FootCell& whole, std::vector<FootCell>& cells) {
 
 }  // namespace
 
-Vec2 FootCell::inward_at(double s) const {
-  return is_straight() ? inward : Vec2(side * direction(s));
-}
+Vec2 FootCell::inward_at(double s) const { return is_straight() ? inward : Vec2(side * direction(s)); }
 
 Vec2 FootCell::at(double s, double t) const {
   if (is_straight()) return origin + s * along + t * inward;

@@ -6,15 +6,16 @@
 
 namespace gouge {
 
-/// The points of a tool whose nearest boundary point lies on a stretch of one element, in the half plane: on the straight
-/// rays that leave the stretch inwards, square to it. Every point of the tool is in one of the cells of its contour.
+/// The points of a tool whose nearest boundary point lies on a stretch of one element, in the half plane: on the
+/// straight rays that leave the stretch inwards, square to it. Every point of the tool is in one of the cells of its
+/// contour.
 struct FootCell {
-  Vec2 origin = Vec2::Zero();     ///< segment: the foot at parameter 0; else centre of the arc or the vertex
-  Vec2 along = Vec2::Zero();      ///< segment: unit direction of the parameter; else zero
-  Vec2 inward = Vec2::Zero();     ///< segment: unit
-  double radius_mm = 0;           ///< of the arc; 0 for a vertex
-  double side = 0;                ///< arcs and vertices: -1 where the rays lead to the centre, +1 away from it
-  double from = 0, to = 0;        ///< parameter: mm along a segment, angle about an origin
+  Vec2 origin = Vec2::Zero();  ///< segment: the foot at parameter 0; else centre of the arc or the vertex
+  Vec2 along = Vec2::Zero();   ///< segment: unit direction of the parameter; else zero
+  Vec2 inward = Vec2::Zero();  ///< segment: unit
+  double radius_mm = 0;        ///< of the arc; 0 for a vertex
+  double side = 0;             ///< arcs and vertices: -1 where the rays lead to the centre, +1 away from it
+  double from = 0, to = 0;     ///< parameter: mm along a segment, angle about an origin
   [[nodiscard]] bool is_straight() const { return along.squaredNorm() > 0; }
   [[nodiscard]] double middle() const { return 0.5 * (from + to); }
   [[nodiscard]] Vec2 inward_at(double s) const;

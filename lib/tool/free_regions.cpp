@@ -12,9 +12,7 @@ constexpr double kLeast = 1e-5;  // regions that are less deep than this share o
 constexpr int kRows = 200, kColumns = 64, kSamples = 256;
 
 /// Nothing between two points of depths a and b is less deep than this: depth changes no faster than the distance.
-double least_between(double a, double b, double distance) {
-  return 0.5 * (a + b - distance);
-}
+double least_between(double a, double b, double distance) { return 0.5 * (a + b - distance); }
 
 }  // namespace
 
@@ -52,12 +50,10 @@ RegionFinder::RegionFinder(const CompiledTool& tool)
   }
 }
 
-double RegionFinder::depth_at(double r, double z) const {
-  return -evaluate(tool_, std::abs(r), z).signed_distance_mm;
-}
+double RegionFinder::depth_at(double r, double z) const { return -evaluate(tool_, std::abs(r), z).signed_distance_mm; }
 
-// Local maxima of the depth off the axis: hollow cutters and undercut rings have them. Looked for upward from the points of a
-// grid that are no less deep than their neighbours.
+// Local maxima of the depth off the axis: hollow cutters and undercut rings have them. Looked for upward from the
+// points of a grid that are no less deep than their neighbours.
 void RegionFinder::find_rings() {
   if (tool_.elements.empty()) return;
   const double height = tool_.z_max_mm - tool_.z_min_mm;
@@ -118,8 +114,8 @@ RegionFinder::Ring RegionFinder::climb(Vec2 point) const {
 void RegionFinder::join_with_axis(Ring& ring) const {
   constexpr int kHeights = 96, kParts = 48;
   for (int i = 0; i <= kHeights; ++i) {
-    const double z = i == kHeights ? ring.point.y()
-                                   : tool_.z_min_mm + (tool_.z_max_mm - tool_.z_min_mm) * (i + 0.5) / kHeights;
+    const double z =
+        i == kHeights ? ring.point.y() : tool_.z_min_mm + (tool_.z_max_mm - tool_.z_min_mm) * (i + 0.5) / kHeights;
     const Vec2 joint(0, z);
     const double distance = (joint - ring.point).norm() / kParts;
     double before = ring.depth_mm, least = ring.depth_mm;

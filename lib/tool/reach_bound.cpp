@@ -35,7 +35,10 @@ struct CellBall {
 class ReachSearch {
  public:
   ReachSearch(const CompiledTool& form, const CompiledTool& bare, double depth_mm, double enough_mm)
-      : form_(form), bare_(bare), depth_mm_(depth_mm), enough_mm_(enough_mm),
+      : form_(form),
+        bare_(bare),
+        depth_mm_(depth_mm),
+        enough_mm_(enough_mm),
         size_mm_(form.r_max_mm + form.z_max_mm - form.z_min_mm) {}
 
   double run() {
@@ -176,8 +179,7 @@ class ReachSearch {
   /// A bound for all points of a cell, not looked for below enough_mm or `known_mm`.
   [[nodiscard]] double bound(std::size_t k, double known_mm) {
     const CellBall& own = cells_[k];
-    if (own.is_covered && balls_[own.ball].is_joined)
-      return bound_by_own(own.cell, balls_[own.ball]);
+    if (own.is_covered && balls_[own.ball].is_joined) return bound_by_own(own.cell, balls_[own.ball]);
     std::size_t budget = kMostCells;
     return bound_by_all(own.cell, own.ball, std::max(known_mm, enough_mm_), budget);
   }
@@ -214,7 +216,8 @@ class ReachSearch {
     const double longest = std::min(cell.longest_ray_mm(), size_mm_);
     for (double t = depth_mm_; t < longest; t *= 1.25) {
       const Vec2 q = cell.at(cell.middle(), t);  // beyond the axis the mirrored tool goes on
-      if (-evaluate(form_, std::abs(q.x()), q.y()).signed_distance_mm < t - cell.width_mm(t) - kRounding * size_mm_) return t;
+      if (-evaluate(form_, std::abs(q.x()), q.y()).signed_distance_mm < t - cell.width_mm(t) - kRounding * size_mm_)
+        return t;
     }
     return longest;
   }

@@ -13,11 +13,11 @@ constexpr int kMostHalvings = 40;
 constexpr double kLeast_mm = 1e-5;  // below, rounding would decide
 
 bool is_same_form(const CompiledTool& a, const CompiledTool& b) {
-  return a.elements.size() == b.elements.size() &&
-         std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(),
-                    [](const BoundaryElement& x, const BoundaryElement& y) {
-                      return x.kind == y.kind && x.a == y.a && x.b == y.b && x.center == y.center;
-                    });
+  return a.elements.size() == b.elements.size() && std::equal(a.elements.begin(), a.elements.end(), b.elements.begin(),
+                                                              [](const BoundaryElement& x, const BoundaryElement& y) {
+                                                                return x.kind == y.kind && x.a == y.a && x.b == y.b &&
+                                                                       x.center == y.center;
+                                                              });
 }
 
 }  // namespace

@@ -78,12 +78,8 @@ Result<Value> guarded(const std::string& task, const Work& work) {
   }
 }
 
-Point to_point(const Vec3& v) {
-  return {v.x(), v.y(), v.z()};
-}
-Vec3 to_vec(const Point& p) {
-  return {p.x(), p.y(), p.z()};
-}
+Point to_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 to_vec(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
 // Decides whether two triangles of a mesh have more in common than their shared corners.
 class TrianglePairs {
@@ -93,9 +89,7 @@ class TrianglePairs {
     for (const Vec3& v : mesh.vertices) points_.push_back(to_point(v));
   }
 
-  [[nodiscard]] bool has_area(std::uint32_t t) const {
-    return !CGAL::collinear(point(t, 0), point(t, 1), point(t, 2));
-  }
+  [[nodiscard]] bool has_area(std::uint32_t t) const { return !CGAL::collinear(point(t, 0), point(t, 1), point(t, 2)); }
 
   [[nodiscard]] CGAL::Bbox_3 box(std::uint32_t t) const { return triangle(t).bbox(); }
 
@@ -139,9 +133,7 @@ class TrianglePairs {
   }
 
  private:
-  [[nodiscard]] const Point& point(std::uint32_t t, std::size_t k) const {
-    return points_[mesh_.triangles[t][k]];
-  }
+  [[nodiscard]] const Point& point(std::uint32_t t, std::size_t k) const { return points_[mesh_.triangles[t][k]]; }
   [[nodiscard]] Triangle triangle(std::uint32_t t) const { return {point(t, 0), point(t, 1), point(t, 2)}; }
   [[nodiscard]] Segment segment(Corner from, Corner to) const { return {points_[from], points_[to]}; }
 
@@ -193,8 +185,8 @@ std::vector<std::uint32_t> distinct_triangles(const IndexedMesh& mesh) {
     sorted.emplace_back(corners, t);
   }
   std::sort(sorted.begin(), sorted.end());
-  const auto last = std::unique(sorted.begin(), sorted.end(),
-                                [](const auto& a, const auto& b) { return a.first == b.first; });
+  const auto last =
+      std::unique(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
   std::vector<std::uint32_t> distinct;
   for (auto it = sorted.begin(); it != last; ++it) distinct.push_back(it->second);
   std::sort(distinct.begin(), distinct.end());
@@ -272,8 +264,8 @@ void flip_faces_without_area(SurfaceMesh& surface) {
   }
 }
 
-// By flipping and collapsing edges: the surface stays where it is. Returns how many are gone. CGAL knows more methods than
-// flips alone, but gives up halfway on some surfaces.
+// By flipping and collapsing edges: the surface stays where it is. Returns how many are gone. CGAL knows more methods
+// than flips alone, but gives up halfway on some surfaces.
 std::size_t remove_faces_without_area(SurfaceMesh& surface) {
   const std::size_t count = count_faces_without_area(surface);
   if (count == 0) return 0;
@@ -302,8 +294,7 @@ void fill_holes(SurfaceMesh& surface, bool fills_holes, RepairSteps& steps) {
     std::vector<SurfaceMesh::Face_index> patch;
     if (fills_holes && !is_rim_of_triangle(surface, hole)) {
       const auto rim = CGAL::halfedges_around_face(hole, surface);
-      const bool is_long =
-          static_cast<std::size_t>(std::distance(rim.begin(), rim.end())) > kLongestCubicHole;
+      const bool is_long = static_cast<std::size_t>(std::distance(rim.begin(), rim.end())) > kLongestCubicHole;
       pmp::triangulate_hole(surface, hole, std::back_inserter(patch),
                             pmp::parameters::do_not_use_cubic_algorithm(is_long));
     }
@@ -336,8 +327,8 @@ bool has_facing(const SurfaceMesh& piece) {
   }
 }
 
-// Pieces whose facing cannot be determined (folded flat, they bound nothing) stay as they are and keep none of the others
-// from being turned.
+// Pieces whose facing cannot be determined (folded flat, they bound nothing) stay as they are and keep none of the
+// others from being turned.
 void orient_outward(SurfaceMesh& surface, RepairSteps& steps) {
   SurfaceMesh attempt = surface;
   try {

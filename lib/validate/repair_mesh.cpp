@@ -33,9 +33,7 @@ std::size_t count_turned(const IndexedMesh& before, const IndexedMesh& after) {
   known.reserve(before.triangles.size());
   for (const TriangleCorners& t : before.triangles) known.push_back(oriented(before, t));
   std::sort(known.begin(), known.end());
-  const auto is_known = [&](const Coordinates& t) {
-    return std::binary_search(known.begin(), known.end(), t);
-  };
+  const auto is_known = [&](const Coordinates& t) { return std::binary_search(known.begin(), known.end(), t); };
   std::size_t turned = 0;
   for (const TriangleCorners& t : after.triangles) {
     if (!is_known(oriented(after, t)) && is_known(oriented(after, {t[0], t[2], t[1]}))) ++turned;
@@ -45,12 +43,10 @@ std::size_t count_turned(const IndexedMesh& before, const IndexedMesh& after) {
 
 }  // namespace
 
-Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& before,
-                               const RepairOptions& options) {
+Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& before, const RepairOptions& options) {
   Result<detail::CgalRepair> repaired = detail::repair_with_cgal(mesh, options.fills_holes);
   if (!repaired) {
-    return make_error("mesh-repair-failed", "the mesh could not be repaired: " + repaired.error().message,
-                      mesh.name);
+    return make_error("mesh-repair-failed", "the mesh could not be repaired: " + repaired.error().message, mesh.name);
   }
   MeshRepair repair;
   repair.before = before;

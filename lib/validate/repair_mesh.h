@@ -25,9 +25,9 @@ struct RepairSteps {
   std::size_t collinear_left = 0;     ///< of those the ones that could not be removed
   std::size_t holes_filled = 0;
   std::size_t hole_triangles_added = 0;
-  std::size_t holes_left = 0;        ///< not asked for, or no filling found
+  std::size_t holes_left = 0;           ///< not asked for, or no filling found
   std::size_t pieces_not_oriented = 0;  ///< closed but flat: no side of theirs is inside
-  std::size_t triangles_turned = 0;  ///< against their orientation in the file
+  std::size_t triangles_turned = 0;     ///< against their orientation in the file
 };
 
 struct MeshRepair {

@@ -5,19 +5,17 @@
 namespace gouge {
 
 bool MeshValidation::is_sound() const {
-  return trouble.empty() && findings.is_closed() && findings.is_manifold() &&
-         findings.is_consistently_oriented() && findings.is_solid() &&
-         findings.duplicate_triangles.count == 0 && self_intersections.pairs == 0 &&
+  return trouble.empty() && findings.is_closed() && findings.is_manifold() && findings.is_consistently_oriented() &&
+         findings.is_solid() && findings.duplicate_triangles.count == 0 && self_intersections.pairs == 0 &&
          bounds_volume.value_or(false);
 }
 
 std::size_t MeshValidation::defects() const {
   const std::size_t is_misnested = bounds_volume.value_or(true) ? 0 : 1;
-  return findings.boundary_edges.count + findings.non_manifold_edges.count +
-         findings.misoriented_edges.count + findings.non_manifold_vertices.count +
-         findings.duplicate_triangles.count + findings.inside_out_components.count +
-         findings.degenerate_triangles.count + findings.collinear_triangles.count + self_intersections.pairs +
-         is_misnested;
+  return findings.boundary_edges.count + findings.non_manifold_edges.count + findings.misoriented_edges.count +
+         findings.non_manifold_vertices.count + findings.duplicate_triangles.count +
+         findings.inside_out_components.count + findings.degenerate_triangles.count +
+         findings.collinear_triangles.count + self_intersections.pairs + is_misnested;
 }
 
 MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings) {
@@ -29,9 +27,8 @@ MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findin
     return judged;
   }
   judged.self_intersections = *crossings;
-  const bool has_meaning = findings.is_closed() && findings.is_manifold() &&
-                           findings.is_consistently_oriented() && findings.duplicate_triangles.count == 0 &&
-                           crossings->pairs == 0;
+  const bool has_meaning = findings.is_closed() && findings.is_manifold() && findings.is_consistently_oriented() &&
+                           findings.duplicate_triangles.count == 0 && crossings->pairs == 0;
   if (!has_meaning) return judged;
   const Result<detail::VolumeFacts> facts = detail::find_volume_facts(mesh);
   if (!facts) {

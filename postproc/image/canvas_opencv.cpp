@@ -27,8 +27,8 @@ cv::Scalar bgr(const Colour& c) {
 cv::Point fixed_point(const Vec2& p) {
   // Far outside the picture a coordinate only has to stay outside; this keeps it within OpenCV's integers.
   const auto to_fixed = [](double x) {
-    return static_cast<int>(std::lround(std::clamp(x, -4.0 * kLargestSide, 4.0 * kLargestSide) *
-                                        kSupersampling * (1 << kSubpixelBits)));
+    return static_cast<int>(
+        std::lround(std::clamp(x, -4.0 * kLargestSide, 4.0 * kLargestSide) * kSupersampling * (1 << kSubpixelBits)));
   };
   // Picture units count from the left top corner of a pixel, OpenCV's from its centre.
   return {to_fixed(p.x()) - (1 << (kSubpixelBits - 1)), to_fixed(p.y()) - (1 << (kSubpixelBits - 1))};
@@ -119,8 +119,7 @@ class Painter {
     std::vector<cv::Point> outline = fixed_points(shape.points);
     blend(bounds(outline, 2), shape.fill, [&](cv::Mat& mask, const cv::Point& shift) {
       for (cv::Point& p : outline) p -= shift;
-      cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{outline}, cv::Scalar(255), cv::LINE_AA,
-                   kSubpixelBits);
+      cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{outline}, cv::Scalar(255), cv::LINE_AA, kSubpixelBits);
     });
   }
 
@@ -155,8 +154,8 @@ class Painter {
     const cv::Rect area(at.x - high, at.y - high, static_cast<int>(width) + 2 * high, 2 * high);
     blend(area, text.colour, [&](cv::Mat& mask, const cv::Point&) {
       const cv::Point origin = at - (area & cv::Rect(0, 0, image_.cols, image_.rows)).tl();
-      cv::putText(mask, ascii, origin, cv::FONT_HERSHEY_SIMPLEX, scale_of(text.size), cv::Scalar(255),
-                  thickness, cv::LINE_AA);
+      cv::putText(mask, ascii, origin, cv::FONT_HERSHEY_SIMPLEX, scale_of(text.size), cv::Scalar(255), thickness,
+                  cv::LINE_AA);
     });
   }
 
@@ -202,8 +201,7 @@ class Painter {
         if (m[x] == 0) continue;
         const int alpha = m[x] * opacity;  // of 255 * 256
         for (std::size_t k = 0; k < 3; ++k) {
-          pixel[k] =
-              static_cast<unsigned char>((pixel[k] * (65280 - alpha) + paint[k] * alpha + 32640) / 65280);
+          pixel[k] = static_cast<unsigned char>((pixel[k] * (65280 - alpha) + paint[k] * alpha + 32640) / 65280);
         }
       }
     }
@@ -223,13 +221,10 @@ double text_width(const std::string& text, double size, bool is_bold) {
          (is_bold ? static_cast<double>(Painter::stroke_of(size, true)) / kSupersampling : 0.0);
 }
 
-Result<std::string> render_png(const Drawing& drawing) {
-  return render_png(drawing, {});
-}
+Result<std::string> render_png(const Drawing& drawing) { return render_png(drawing, {}); }
 
 Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedRaster>& underlay) {
-  if (!(drawing.width >= 1 && drawing.width <= kLargestSide && drawing.height >= 1 &&
-        drawing.height <= kLargestSide)) {
+  if (!(drawing.width >= 1 && drawing.width <= kLargestSide && drawing.height >= 1 && drawing.height <= kLargestSide)) {
     return make_error("picture-size", "a picture must have from 1 to 16384 pixels a side");
   }
   try {
@@ -239,8 +234,7 @@ Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedR
     for (const auto& item : drawing.items) std::visit(painter, item);
     return painter.png();
   } catch (const std::exception& failure) {
-    return make_error("picture-not-encoded",
-                      std::string("the picture could not be painted: ") + failure.what());
+    return make_error("picture-not-encoded", std::string("the picture could not be painted: ") + failure.what());
   }
 }
 

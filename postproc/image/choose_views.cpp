@@ -27,8 +27,7 @@ std::vector<Candidate> candidates(const Vec3& axis) {
   std::vector<Candidate> out;
   for (const double z : {1.0, -1.0}) {
     for (const double y : {-1.0, 1.0}) {
-      for (const double x : {1.0, -1.0})
-        out.push_back({Vec3(0.85 * x, 1.15 * y, 0.95 * z).normalized(), 0, 0});
+      for (const double x : {1.0, -1.0}) out.push_back({Vec3(0.85 * x, 1.15 * y, 0.95 * z).normalized(), 0, 0});
     }
   }
   out.push_back({axis, 0, 0});
@@ -59,9 +58,8 @@ double gouged_area(const PictureScene& scene, const DepthField& field, const Sur
 
 }  // namespace
 
-std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
-                                    const DepthField& field, const std::vector<PictureEvent>& events,
-                                    std::size_t count) {
+std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene, const DepthField& field,
+                                    const std::vector<PictureEvent>& events, std::size_t count) {
   const Vec3 axis = mean_axis(*input.toolpath);
   const std::vector<Vec3> points = scene.part_points();
   std::vector<Candidate> all = candidates(axis);
@@ -87,13 +85,11 @@ std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureS
     c.score -= 1e-3 * static_cast<double>(i);
   }
   for (Candidate& c : all) c.score += most_gouged > 0 ? c.gouged / most_gouged : 0;
-  std::stable_sort(all.begin(), all.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
+  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return a.score > b.score; });
   std::vector<Vec3> chosen;
   for (const Candidate& c : all) {
-    const bool is_distinct = std::none_of(chosen.begin(), chosen.end(), [&](const Vec3& other) {
-      return other.dot(c.toward) > kDistinctCosine;
-    });
+    const bool is_distinct = std::none_of(chosen.begin(), chosen.end(),
+                                          [&](const Vec3& other) { return other.dot(c.toward) > kDistinctCosine; });
     if (is_distinct && chosen.size() < count) chosen.push_back(c.toward);
   }
   return chosen;

@@ -13,7 +13,7 @@ namespace gouge {
 /// axis: the one that shows the most gouged surface and the worst events, then the best that differs by 50
 /// degrees. Without gouges the usual view from above the tool and the one opposite.
 [[nodiscard]] std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
-                                                  const DepthField& field,
-                                                  const std::vector<PictureEvent>& events, std::size_t count);
+                                                  const DepthField& field, const std::vector<PictureEvent>& events,
+                                                  std::size_t count);
 
 }  // namespace gouge

@@ -23,8 +23,7 @@ View head_view(const PictureSet& set, const PictureEvent& event, const Vec3& tow
   const double reach = head_reach_mm(set, event);
   FlatExtent extent;
   const auto take = [&](const std::vector<Vec3>& points) {
-    for (const Vec3& p : points)
-      extent.take({(p - event.at).dot(view.right), (p - event.at).dot(view.up)}, reach);
+    for (const Vec3& p : points) extent.take({(p - event.at).dot(view.right), (p - event.at).dot(view.up)}, reach);
   };
   take(head_corners(set, event));
   if (!event.has_witness) take(set.scene.part_points());
@@ -37,8 +36,7 @@ View tool_view(const PictureSet& set, const PictureEvent& event, const Vec3& tow
   const double part_mm = part_size_mm(set);
   const double times = event.event.body == Body::cutter ? 8 : 5.5;
   const double reach = event.has_witness ? times * tool_size_mm(set, event) : 1.2 * part_mm;
-  const double height_mm =
-      std::clamp(reach, std::min(8 * event.depth_mm, reach), std::max(1.1 * part_mm, 1e-3));
+  const double height_mm = std::clamp(reach, std::min(8 * event.depth_mm, reach), std::max(1.1 * part_mm, 1e-3));
   View view = make_view(toward, event.pose.axis, width, height);
   view.mm_per_pixel = height_mm / height;
   // A little of the tool above the finding, most of the part around it.
@@ -48,13 +46,11 @@ View tool_view(const PictureSet& set, const PictureEvent& event, const Vec3& tow
 }
 
 View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& toward, int width, int height) {
-  return event.head ? head_view(set, event, toward, width, height)
-                    : tool_view(set, event, toward, width, height);
+  return event.head ? head_view(set, event, toward, width, height) : tool_view(set, event, toward, width, height);
 }
 
 // How much of what is seen within `near_mm` of the finding is gouged.
-double gouged_share(const PictureSet& set, const PictureEvent& event, const SurfaceBuffer& buffer,
-                    double near_mm) {
+double gouged_share(const PictureSet& set, const PictureEvent& event, const SurfaceBuffer& buffer, double near_mm) {
   const std::vector<float> depth = depth_on_pixels(set.coarse, set.scene, buffer);
   double gouged = 0;
   for (int y = 0; y < buffer.view.height; ++y) {
@@ -96,8 +92,7 @@ Vec3 best_direction(const PictureSet& set, const PictureEvent& event) {
 }
 
 // `words` in a box on the side that `clear_of` leaves free, with a line to the target.
-void add_callout(Page& page, const Area& area, const Vec2& target, const Vec2& clear_of,
-                 const std::string& words) {
+void add_callout(Page& page, const Area& area, const Vec2& target, const Vec2& clear_of, const std::string& words) {
   const double width = text_width(words, 21, true) + 28;
   const bool is_left = clear_of.x() < area.middle().x();
   const Vec2 corner(is_left ? area.right() - width - 24 : area.x + 24, area.bottom() - 150);

@@ -9,12 +9,8 @@
 namespace gouge {
 namespace {
 
-constexpr std::array<Colour, 6> kRamp{{{255, 226, 110, 1},
-                                       {253, 174, 68, 1},
-                                       {240, 104, 44, 1},
-                                       {203, 30, 58, 1},
-                                       {128, 14, 92, 1},
-                                       {52, 8, 72, 1}}};
+constexpr std::array<Colour, 6> kRamp{
+    {{255, 226, 110, 1}, {253, 174, 68, 1}, {240, 104, 44, 1}, {203, 30, 58, 1}, {128, 14, 92, 1}, {52, 8, 72, 1}}};
 
 constexpr double kRootRatio = 100;
 
@@ -43,9 +39,7 @@ double ColourScale::place(double depth_mm) const {
   return is_root ? std::sqrt(share) : share;
 }
 
-double ColourScale::depth_at(double place) const {
-  return high_mm * (is_root ? place * place : place);
-}
+double ColourScale::depth_at(double place) const { return high_mm * (is_root ? place * place : place); }
 
 Colour ColourScale::at(double depth_mm) const {
   const double start = place(low_mm);
@@ -106,8 +100,7 @@ std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double g
   if (!scale.is_root) {
     const double step = round_step(high, std::clamp(static_cast<int>(1 / gap), 1, 6));
     std::vector<Tick> ticks;
-    for (int k = 0; k * step <= high * (1 + 1e-9); ++k)
-      ticks.push_back({k * step * per, tick_text(k * step, step)});
+    for (int k = 0; k * step <= high * (1 + 1e-9); ++k) ticks.push_back({k * step * per, tick_text(k * step, step)});
     return ticks;
   }
   std::vector<Tick> ticks{{scale.high_mm, length_digits(high)}};

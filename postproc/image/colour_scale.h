@@ -41,8 +41,7 @@ struct Tick {
 [[nodiscard]] std::vector<Tick> make_ticks(const ColourScale& scale, LengthUnit unit, double gap);
 
 /// From the tolerance to a round number not below the worst depth and its headroom.
-[[nodiscard]] ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit,
-                                            double headroom = 1);
+[[nodiscard]] ColourScale make_colour_scale(double tolerance_mm, double worst_mm, LengthUnit unit, double headroom = 1);
 
 /// A round number (two digits at most) not below `value`. Requires value > 0.
 [[nodiscard]] double round_up(double value);

@@ -28,18 +28,13 @@ class Strip {
     const std::vector<MoveVerdict>& verdicts = set.input.result->verdicts;
     moves_ = std::max<std::size_t>(verdicts.size(), 1);
     columns_.resize(std::min(moves_, static_cast<std::size_t>(area.width)));
-    for (std::size_t i = 0; i < verdicts.size(); ++i)
-      add(columns_[i * columns_.size() / moves_], verdicts[i]);
+    for (std::size_t i = 0; i < verdicts.size(); ++i) add(columns_[i * columns_.size() / moves_], verdicts[i]);
     const double worst = std::max(set.input.result->worst_depth_mm, 2 * set.model.options.tolerance_mm);
     scale_ = make_colour_scale(set.model.options.tolerance_mm, worst, set.model.toolpath->unit, 1.12);
   }
 
-  [[nodiscard]] double x_of(double move) const {
-    return area_.x + area_.width * move / static_cast<double>(moves_);
-  }
-  [[nodiscard]] double y_of(double depth_mm) const {
-    return area_.bottom() - area_.height * scale_.place(depth_mm);
-  }
+  [[nodiscard]] double x_of(double move) const { return area_.x + area_.width * move / static_cast<double>(moves_); }
+  [[nodiscard]] double y_of(double depth_mm) const { return area_.bottom() - area_.height * scale_.place(depth_mm); }
 
   void draw(Page& page) const {
     draw_states(page);
@@ -159,8 +154,7 @@ class Strip {
         const bool is_free =
             std::none_of(used.begin(), used.end(), [&](double other) { return std::abs(other - x) < 27; });
         if (is_free) break;
-        x = x_of(static_cast<double>(event.event.worst_move) + 0.5) +
-            (k % 2 == 0 ? 1 : -1) * 14 * ((k + 1) / 2);
+        x = x_of(static_cast<double>(event.event.worst_move) + 0.5) + (k % 2 == 0 ? 1 : -1) * 14 * ((k + 1) / 2);
         x = std::clamp(x, area_.x + 12, area_.right() - 12);
       }
       used.push_back(x);
@@ -185,8 +179,7 @@ void draw_operations(Page& page, const PictureSet& set, const Area& area) {
   bool is_even = false;
   for (std::size_t i = 0; i < moves.size();) {
     std::size_t j = i;
-    while (j < moves.size() && moves[j].tool == moves[i].tool && moves[j].operation == moves[i].operation)
-      ++j;
+    while (j < moves.size() && moves[j].tool == moves[i].tool && moves[j].operation == moves[i].operation) ++j;
     const double first = area.x + area.width * static_cast<double>(i) / static_cast<double>(moves.size());
     const double last = area.x + area.width * static_cast<double>(j) / static_cast<double>(moves.size());
     const Area span{first, area.y, last - first, area.height};
@@ -215,13 +208,12 @@ void draw_legend(Page& page, const PictureSet& set, double y) {
   for (const Body body : {Body::cutter, Body::shank, Body::holder})
     entry(body_colour(static_cast<int>(body)), body_name(body));
   const std::vector<MoveVerdict>& verdicts = set.input.result->verdicts;
-  const bool has_head = std::any_of(verdicts.begin(), verdicts.end(), [](const MoveVerdict& v) {
-    return v.witness && v.witness->body == Body::head;
-  });
+  const bool has_head = std::any_of(verdicts.begin(), verdicts.end(),
+                                    [](const MoveVerdict& v) { return v.witness && v.witness->body == Body::head; });
   if (has_head) entry(body_colour(static_cast<int>(Body::head)), body_name(Body::head));
   const StateCounts& n = set.input.result->counts;
-  const std::string limit = short_length_text(set.model.options.tolerance_mm + set.model.options.resolution_mm,
-                                              set.model.toolpath->unit);
+  const std::string limit =
+      short_length_text(set.model.options.tolerance_mm + set.model.options.resolution_mm, set.model.toolpath->unit);
   if (n.clean > 0) entry(kProvedFill, "clean: proved to be no deeper than this, at most " + limit);
   if (n.not_checked > 0) entry(kNotCheckedFill, "not checked");
   if (n.not_certified > 0) entry(kNotCertifiedFill, "not certified");

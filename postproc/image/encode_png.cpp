@@ -18,8 +18,7 @@ Result<std::string> encode_png(const std::uint8_t* bgr, int width, int height) {
   std::string bytes(size, '\0');
   constexpr int kRowsAsTheyAre = 0;
   if (png_image_write_to_memory(&image, bytes.data(), &size, 0, bgr, kRowsAsTheyAre, nullptr) == 0) {
-    return make_error("picture-not-encoded",
-                      std::string("the picture could not be encoded: ") + image.message);
+    return make_error("picture-not-encoded", std::string("the picture could not be encoded: ") + image.message);
   }
   bytes.resize(size);
   bytes.shrink_to_fit();

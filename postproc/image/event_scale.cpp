@@ -29,8 +29,7 @@ const ToolVariants& variants_of(const PictureSet& set, const PictureEvent& event
 double tool_size_mm(const PictureSet& set, const PictureEvent& event) {
   const Vec3 d = event.at - event.pose.tip;
   const double from_axis = (d - event.pose.axis * d.dot(event.pose.axis)).norm();
-  return std::max(
-      {body_radius(variants_of(set, event).bare, event.event.body), from_axis, 1.3 * event.depth_mm});
+  return std::max({body_radius(variants_of(set, event).bare, event.event.body), from_axis, 1.3 * event.depth_mm});
 }
 
 double part_size_mm(const PictureSet& set) {
@@ -44,8 +43,7 @@ std::vector<Vec3> head_corners(const PictureSet& set, const PictureEvent& event)
   std::vector<Vec3> corners{event.pose.tip};
   for (const HeadBody& head : set.input.heads) {
     const Box3 box = head.surface.mesh.box();
-    for (int k = 0; k < 8; ++k)
-      corners.push_back(event.heads.point(box.corner(static_cast<Box3::CornerType>(k))));
+    for (int k = 0; k < 8; ++k) corners.push_back(event.heads.point(box.corner(static_cast<Box3::CornerType>(k))));
   }
   return corners;
 }

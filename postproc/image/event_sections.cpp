@@ -15,8 +15,8 @@ constexpr Area kWhole{1016, 142, 548, 400};
 constexpr Area kDetail{1016, 582, 548, 390};
 
 // The depth between the tool's boundary and the surface, with arrow heads when there is room for them.
-void add_depth_arrow(Page& page, const SectionPanel& panel, const SectionPlane& plane,
-                     const PictureEvent& event, const std::string& words) {
+void add_depth_arrow(Page& page, const SectionPanel& panel, const SectionPlane& plane, const PictureEvent& event,
+                     const std::string& words) {
   const Vec2 from = panel.place(plane.flat(event.at));
   const Vec2 to = panel.place(plane.flat(Vec3(event.at - event.witness.normal * event.depth_mm)));
   const double length = (to - from).norm();
@@ -26,10 +26,8 @@ void add_depth_arrow(Page& page, const SectionPanel& panel, const SectionPlane& 
     page.line(from, to, {255, 255, 255, 0.9}, 5);
     page.line(from, to, kInk, 2.2);
     const double head = std::min(11.0, 0.4 * length);
-    page.shape({to, to - head * along + 0.45 * head * across, to - head * along - 0.45 * head * across},
-               kInk);
-    page.shape({from, from + head * along + 0.45 * head * across, from + head * along - 0.45 * head * across},
-               kInk);
+    page.shape({to, to - head * along + 0.45 * head * across, to - head * along - 0.45 * head * across}, kInk);
+    page.shape({from, from + head * along + 0.45 * head * across, from + head * along - 0.45 * head * across}, kInk);
   }
   page.disc(from, 4.5, {255, 255, 255, 1});
   page.disc(from, 3.2, kAlarm);
@@ -70,8 +68,7 @@ Section cut(const PictureSet& set, const PictureEvent& event, double size_mm) {
 
 // The heads as far as they are shown, the finding and the tool's tip; tool and part too where a head is
 // buried in it.
-SectionPanel head_panel(const PictureSet& set, const PictureEvent& event, const Section& section,
-                        const Area& area) {
+SectionPanel head_panel(const PictureSet& set, const PictureEvent& event, const Section& section, const Area& area) {
   const Vec2 at = section.plane.flat(event.at);
   const double reach = head_reach_mm(set, event);
   FlatExtent extent;
@@ -101,11 +98,9 @@ void add_buried_section(Page& page, const PictureSet& set, const PictureEvent& e
   const CompiledTool& bare = variants_of(set, event).bare;
   const Area area{kWhole.x, kWhole.y, kWhole.width, kDetail.bottom() - kWhole.y};
   const Section section = cut(set, event, tool_size_mm(set, event));
-  page.text({area.x, area.y - 10},
-            event.head ? "Section through tool axis and head" : "Section through the tool axis", 15, kInk,
-            TextAnchor::left, true);
-  const SectionPanel panel =
-      event.head ? head_panel(set, event, section, area) : buried_tool_panel(bare, area);
+  page.text({area.x, area.y - 10}, event.head ? "Section through tool axis and head" : "Section through the tool axis",
+            15, kInk, TextAnchor::left, true);
+  const SectionPanel panel = event.head ? head_panel(set, event, section, area) : buried_tool_panel(bare, area);
   draw_section(page, panel, section, has_inside(set), bare, bare);
   add_panel_scale(page, panel, set.model.toolpath->unit);
   page.frame(area, kSoftInk, 1);
@@ -136,25 +131,24 @@ void frame_detail(Page& page, const SectionPanel& whole, const SectionPanel& det
 void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words) {
   if (!event.has_witness) return add_buried_section(page, set, event);
   const ToolVariants& variants = variants_of(set, event);
-  const CompiledTool& checked =
-      event.event.against == Against::part ? variants.against_part : variants.against_fixture;
+  const CompiledTool& checked = event.event.against == Against::part ? variants.against_part : variants.against_fixture;
   const Section section = cut(set, event, tool_size_mm(set, event));
   const SectionPlane& plane = section.plane;
   const LengthUnit unit = set.model.toolpath->unit;
   const Vec2 at = plane.flat(event.at);
   // The body that gouges with some room around it, the finding well inside the panel.
   const double size = tool_size_mm(set, event);
-  const SectionPanel whole =
-      event.head ? head_panel(set, event, section, kWhole)
-                 : SectionPanel{kWhole, Vec2(0, at.y() + 0.55 * size), 3.4 * size / kWhole.height};
+  const SectionPanel whole = event.head
+                                 ? head_panel(set, event, section, kWhole)
+                                 : SectionPanel{kWhole, Vec2(0, at.y() + 0.55 * size), 3.4 * size / kWhole.height};
   const double radius = event.head ? whole.mm_per_unit * kWhole.height / 3.4 : size;
   const Vec2 foot = plane.flat(Vec3(event.at - event.witness.normal * event.depth_mm));
   const double most_mm = std::max(1.6 * radius, 2.6 * event.depth_mm);
   const double detail_mm = std::clamp(9 * event.depth_mm, 0.02 * radius, most_mm);
   const SectionPanel detail{kDetail, Vec2(0.5 * (at + foot)), detail_mm / kDetail.height};
   const std::string title = whole_title(set, plane);
-  page.text({kWhole.x, kWhole.y - 10}, title, fitting_size(title, 15, kWhole.width, true), kInk,
-            TextAnchor::left, true);
+  page.text({kWhole.x, kWhole.y - 10}, title, fitting_size(title, 15, kWhole.width, true), kInk, TextAnchor::left,
+            true);
   draw_section(page, whole, section, has_inside(set), variants.bare, checked);
   frame_detail(page, whole, detail);
   page.text({kDetail.x, kDetail.y - 10}, "The framed region enlarged", 15, kInk, TextAnchor::left, true);

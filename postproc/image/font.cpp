@@ -29,9 +29,7 @@ bool takes_no_width(std::string_view text, std::size_t at, const CodePoint& c) {
   return display_width(text.substr(at, c.bytes)) == 0;
 }
 
-std::uint8_t sum(int a, int b) {
-  return static_cast<std::uint8_t>(std::min(a + b, 255));
-}
+std::uint8_t sum(int a, int b) { return static_cast<std::uint8_t>(std::min(a + b, 255)); }
 
 class Pen {
  public:
@@ -161,8 +159,7 @@ class Font::Files {
 
   static double kerning(FT_Face face, FT_UInt left, FT_UInt right) {
     FT_Vector units{0, 0};
-    if (!FT_HAS_KERNING(face) || FT_Get_Kerning(face, left, right, FT_KERNING_UNSCALED, &units) != 0)
-      return 0;
+    if (!FT_HAS_KERNING(face) || FT_Get_Kerning(face, left, right, FT_KERNING_UNSCALED, &units) != 0) return 0;
     return static_cast<double>(units.x) / face->units_per_EM;
   }
 
@@ -175,9 +172,7 @@ Font::Font(const std::vector<std::string>& regular_files, const std::vector<std:
 
 Font::~Font() = default;
 
-bool Font::has_letters() const {
-  return !files_->is_empty();
-}
+bool Font::has_letters() const { return !files_->is_empty(); }
 
 bool Font::has_letter(char32_t letter) const {
   const std::lock_guard lock(files_->mutex);
@@ -206,11 +201,10 @@ const Font& installed_font() {
   static const Font font(
       {"/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans.ttf",
        "/usr/share/fonts/TTF/DejaVuSans.ttf", "/usr/share/fonts/truetype/wqy/wqy-microhei.ttc",
-       "/usr/share/fonts/wqy-microhei/wqy-microhei.ttc",
-       "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
+       "/usr/share/fonts/wqy-microhei/wqy-microhei.ttc", "/usr/share/fonts/truetype/droid/DroidSansFallbackFull.ttf",
        "/usr/share/fonts/opentype/unifont/unifont.otf"},
-      {"/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf",
-       "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans-Bold.ttf", "/usr/share/fonts/TTF/DejaVuSans-Bold.ttf"});
+      {"/usr/share/fonts/truetype/dejavu/DejaVuSans-Bold.ttf", "/usr/share/fonts/dejavu-sans-fonts/DejaVuSans-Bold.ttf",
+       "/usr/share/fonts/TTF/DejaVuSans-Bold.ttf"});
   return font;
 }
 
@@ -223,19 +217,17 @@ Diagnostics find_missing_letters(const std::vector<std::string>& texts, const Fo
     const std::string text = printable(words);
     for (std::size_t at = 0; at < text.size();) {
       const CodePoint c = decode_utf8(text, at).value_or(CodePoint{});
-      const bool is_new =
-          !font.has_letter(c.value) && !takes_no_width(text, at, c) && missing.insert(c.value).second;
+      const bool is_new = !font.has_letter(c.value) && !takes_no_width(text, at, c) && missing.insert(c.value).second;
       if (is_new && missing.size() <= kShown) shown += text.substr(at, c.bytes);
       at += c.bytes;
     }
   }
   if (missing.empty()) return {};
-  return {
-      make_note("picture-letters",
-                std::to_string(missing.size()) + (missing.size() == 1 ? " character" : " characters") +
-                    " of names (" + shown + (missing.size() > kShown ? "..." : "") +
-                    ") are in no font that is installed, and drawn as boxes; install fonts-wqy-microhei for "
-                    "Chinese, Japanese and Korean")};
+  return {make_note("picture-letters", std::to_string(missing.size()) +
+                                           (missing.size() == 1 ? " character" : " characters") + " of names (" +
+                                           shown + (missing.size() > kShown ? "..." : "") +
+                                           ") are in no font that is installed, and drawn as boxes; install "
+                                           "fonts-wqy-microhei for Chinese, Japanese and Korean")};
 }
 
 }  // namespace gouge

@@ -41,8 +41,7 @@ class Pane {
       blend_pixel(raster, x, y, body_colour(std::max({body, right, below})), is_hidden ? 0.5 : 0.85);
       return;
     }
-    blend_pixel(raster, x, y, glass_colour(part_.view, normal(x, y), body),
-                is_hidden ? hidden_opacity() : opacity());
+    blend_pixel(raster, x, y, glass_colour(part_.view, normal(x, y), body), is_hidden ? hidden_opacity() : opacity());
   }
 
   [[nodiscard]] const SurfaceBuffer& buffer() const { return buffer_; }
@@ -66,9 +65,7 @@ class ToolPane : public Pane {
       : Pane(part, draw_surface(tool.vertices, tool.faces, part.view)), tool_(tool) {}
 
  private:
-  [[nodiscard]] int body_of_face(std::uint32_t face) const override {
-    return static_cast<int>(tool_.bodies[face]);
-  }
+  [[nodiscard]] int body_of_face(std::uint32_t face) const override { return static_cast<int>(tool_.bodies[face]); }
   [[nodiscard]] Vec3 normal(int x, int y) const override {
     const FaceCorners& corners = tool_.faces[buffer().face[buffer().index(x, y)]];
     const Vec3& a = tool_.vertices[corners[0]];
@@ -96,8 +93,7 @@ class HeadPane : public Pane {
   const PictureScene& heads_;
 };
 
-void draw_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& head, const Vec3& a,
-               const Vec3& b) {
+void draw_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& head, const Vec3& a, const Vec3& b) {
   const double slack = 2.5 * part.view.mm_per_pixel;
   walk_two_wide(a, b, raster.width, raster.height, [&](const Vec3& p, int x, int y) {
     const std::size_t i = head.index(x, y);
@@ -109,8 +105,7 @@ void draw_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& h
 
 }  // namespace
 
-void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool,
-               const PictureScene& heads) {
+void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool, const PictureScene& heads) {
   const ToolPane tool_pane(part, tool);
   const HeadPane head_pane(part, heads);
   for (int y = 0; y < raster.height; ++y) {

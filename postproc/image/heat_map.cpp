@@ -30,9 +30,8 @@ View view_for(const PictureSet& set, const Vec3& toward, const Area& area) {
 View add_view(Page& page, const PictureSet& set, const Vec3& toward, const Area& area, bool shows_path) {
   const View view = view_for(set, toward, area);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
-  const std::vector<float> depth = set.overcuts.is_empty()
-                                       ? depth_on_pixels(set.field, set.scene, buffer)
-                                       : overcut_on_pixels(set.overcuts, set.scene, buffer);
+  const std::vector<float> depth = set.overcuts.is_empty() ? depth_on_pixels(set.field, set.scene, buffer)
+                                                           : overcut_on_pixels(set.overcuts, set.scene, buffer);
   Raster raster = shade(set.scene, buffer, depth, set.surface_scale);
   if (shows_path && set.events.empty()) lay_path(raster, buffer, *set.input.toolpath, *set.input.result);
   page.rasters.push_back({static_cast<int>(area.x), static_cast<int>(area.y), std::move(raster)});
@@ -84,8 +83,7 @@ std::string tool_names(const ReportModel& model) {
 
 void add_surface_bar(Page& page, const Area& area, const PictureSet& set) {
   const bool is_depth = set.overcuts.is_empty();
-  add_colour_bar(page, area, set.surface_scale, set.model.toolpath->unit,
-                 is_depth ? "Gouge depth" : "Overcut");
+  add_colour_bar(page, area, set.surface_scale, set.model.toolpath->unit, is_depth ? "Gouge depth" : "Overcut");
   if (is_depth) return;
   page.text({area.x, area.bottom() + 22}, "how far below the", 12.5, kSoftInk);
   page.text({area.x, area.bottom() + 38}, "surface the tool reached", 12.5, kSoftInk);
@@ -109,7 +107,8 @@ void add_path_key(Page& page, const PictureSet& set, double x, double y) {
   y += 18;
   for (const std::string& words :
        {std::string("Distance from the part"), "at " + std::to_string(c.positions) + " cutting positions:",
-        "closest approach: " + closeness_words(c.nearest_mm, unit), "half of them " + closeness_words(c.median_mm, unit)}) {
+        "closest approach: " + closeness_words(c.nearest_mm, unit),
+        "half of them " + closeness_words(c.median_mm, unit)}) {
     page.text({x, y}, words, fitting_size(words, 14, kPageWidth - 16 - x), kSoftInk);
     y += 19;
   }
@@ -132,21 +131,19 @@ void add_event_key(Page& page, const PictureSet& set, double x, double y) {
     y += 40;
     page.disc({x + 11, y - 5}, 11, kInk);
     page.text({x + 11, y}, std::to_string(event.number), 14, {255, 255, 255, 1}, TextAnchor::middle, true);
-    const std::string depth = event.event.state == MoveState::buried
-                                  ? std::string("buried")
-                                  : depth_text(event.depth_mm, unit) + " deep";
+    const std::string depth =
+        event.event.state == MoveState::buried ? std::string("buried") : depth_text(event.depth_mm, unit) + " deep";
     const double room = kPageWidth - 24 - x - 30;
     page.text({x + 30, y - 7}, depth, fitting_size(depth, 15, room, true), kInk, TextAnchor::left, true);
     const std::size_t move = event.event.worst_move;
     const auto add_line = [&](double below, const std::string& words) {
       page.text({x + 30, y + below}, words, fitting_size(words, 13, room), kSoftInk);
     };
-    const std::string where = std::string(body_name(event.event.body)) + ", line " +
-                              std::to_string(set.input.toolpath->moves[move].line);
+    const std::string where =
+        std::string(body_name(event.event.body)) + ", line " + std::to_string(set.input.toolpath->moves[move].line);
     add_line(11, where);
     const double overcut_mm = largest_overcut_mm(*set.input.result, event.event);
-    const bool is_same =
-        std::max(overcut_mm, event.depth_mm) <= kNoteworthy * std::min(overcut_mm, event.depth_mm);
+    const bool is_same = std::max(overcut_mm, event.depth_mm) <= kNoteworthy * std::min(overcut_mm, event.depth_mm);
     if (set.overcuts.is_empty() || overcut_mm <= 0 || is_same) continue;
     add_line(27, "overcut " + depth_text(overcut_mm, unit));
     y += 20;
@@ -165,8 +162,7 @@ std::string gouges_text(const CheckResult& result, LengthUnit unit) {
 
 std::vector<std::string> caption_lines(const ReportModel& model, const Toolpath& toolpath) {
   std::string files = toolpath.file;
-  for (std::size_t i = 0; i < model.parts.size(); ++i)
-    files += (i == 0 ? " against " : ", ") + model.parts[i].name;
+  for (std::size_t i = 0; i < model.parts.size(); ++i) files += (i == 0 ? " against " : ", ") + model.parts[i].name;
   for (std::size_t i = 0; i < model.fixtures.size(); ++i) {
     files += (i == 0 ? ", fixture " : ", ") + model.fixtures[i].name;
   }
@@ -212,15 +208,14 @@ std::string heat_map_title(const PictureSet& set) {
 }
 
 Page draw_heat_map(const PictureSet& set) {
-  Page page = make_page(heat_map_title(set), badge_text(set.model, *set.input.result),
-                        badge_colour(*set.input.result), caption_lines(set.model, *set.input.toolpath));
+  Page page = make_page(heat_map_title(set), badge_text(set.model, *set.input.result), badge_colour(*set.input.result),
+                        caption_lines(set.model, *set.input.toolpath));
   const LengthUnit unit = set.model.toolpath->unit;
   const double height = kContentBottom - kContentTop;
   // Side by side or one above the other, whichever shows the part larger.
   std::array<Area, 2> areas{Area{36, kContentTop, 768, height}, Area{820, kContentTop, 548, height}};
   const double half = 0.5 * (height - 16);
-  const std::array<Area, 2> rows{Area{36, kContentTop, 1332, half},
-                                 Area{36, kContentTop + half + 16, 1332, half}};
+  const std::array<Area, 2> rows{Area{36, kContentTop, 1332, half}, Area{36, kContentTop + half + 16, 1332, half}};
   const bool is_stacked = scale_in(set, rows) < scale_in(set, areas);
   if (is_stacked) areas = rows;
   for (std::size_t i = 0; i < set.directions.size() && i < areas.size(); ++i) {

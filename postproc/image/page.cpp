@@ -10,8 +10,7 @@
 
 namespace gouge {
 
-void Page::line(const Vec2& a, const Vec2& b, const Colour& colour, double width,
-                std::vector<double> dashes) {
+void Page::line(const Vec2& a, const Vec2& b, const Colour& colour, double width, std::vector<double> dashes) {
   drawing.items.emplace_back(DrawnLine{{a, b}, colour, width, false, std::move(dashes)});
 }
 
@@ -24,8 +23,8 @@ void Page::box(const Area& a, const Colour& fill) {
 }
 
 void Page::frame(const Area& a, const Colour& colour, double width) {
-  drawing.items.emplace_back(DrawnLine{
-      {{a.x, a.y}, {a.right(), a.y}, {a.right(), a.bottom()}, {a.x, a.bottom()}}, colour, width, true, {}});
+  drawing.items.emplace_back(
+      DrawnLine{{{a.x, a.y}, {a.right(), a.y}, {a.right(), a.bottom()}, {a.x, a.bottom()}}, colour, width, true, {}});
 }
 
 void Page::disc(const Vec2& centre, double radius, const Colour& fill) {
@@ -37,16 +36,14 @@ void Page::disc(const Vec2& centre, double radius, const Colour& fill) {
   shape(std::move(points), fill);
 }
 
-void Page::text(const Vec2& at, const std::string& words, double size, const Colour& colour,
-                TextAnchor anchor, bool is_bold) {
+void Page::text(const Vec2& at, const std::string& words, double size, const Colour& colour, TextAnchor anchor,
+                bool is_bold) {
   drawing.items.emplace_back(DrawnText{at, words, size, colour, anchor, is_bold});
 }
 
 namespace {
 
-bool is_of_number(char c) {
-  return (c >= '0' && c <= '9') || c == '.';
-}
+bool is_of_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
 
 // Both ends of a cut text, less what is left of a number that the cut goes through.
 std::string without_middle(const std::string& text, std::size_t head, std::size_t tail) {
@@ -81,8 +78,7 @@ Page make_page(const std::string& title, const std::string& verdict, const Colou
   page.drawing.width = kPageWidth;
   page.drawing.height = kPageHeight;
   const double verdict_width = verdict.empty() ? 0 : text_width(verdict, 19, true) + 36;
-  page.text({36, 46}, fitted(title, 27, kPageWidth - 100 - verdict_width, true), 27, kInk, TextAnchor::left,
-            true);
+  page.text({36, 46}, fitted(title, 27, kPageWidth - 100 - verdict_width, true), 27, kInk, TextAnchor::left, true);
   if (!verdict.empty()) {
     const Area badge{kPageWidth - 36 - verdict_width, 20, verdict_width, 36};
     page.box(badge, verdict_colour);
@@ -97,8 +93,7 @@ Page make_page(const std::string& title, const std::string& verdict, const Colou
   return page;
 }
 
-void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit,
-                    const std::string& title) {
+void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit, const std::string& title) {
   const auto y_of = [&](double depth_mm) { return area.bottom() - area.height * scale.place(depth_mm); };
   page.box(area, kPartGrey);
   const int strips = static_cast<int>(area.height);
@@ -183,10 +178,10 @@ void add_marker(Page& page, const Area& area, const Vec2& target, int number, bo
       const double angle = -std::numbers::pi / 4 + turn;
       const Vec2 centre = target + distance * Vec2(std::cos(angle), std::sin(angle));
       const Area spot{centre.x() - kRadius - 3, centre.y() - kRadius - 3, 2 * kRadius + 6, 2 * kRadius + 6};
-      const bool is_inside = spot.x >= area.x && spot.y >= area.y && spot.right() <= area.right() &&
-                             spot.bottom() <= area.bottom();
-      const bool is_free = std::none_of(page.taken.begin(), page.taken.end(),
-                                        [&](const Area& other) { return overlaps(spot, other); });
+      const bool is_inside =
+          spot.x >= area.x && spot.y >= area.y && spot.right() <= area.right() && spot.bottom() <= area.bottom();
+      const bool is_free =
+          std::none_of(page.taken.begin(), page.taken.end(), [&](const Area& other) { return overlaps(spot, other); });
       if (!is_inside || !is_free) continue;
       best = centre;
       is_found = true;
@@ -197,8 +192,7 @@ void add_marker(Page& page, const Area& area, const Vec2& target, int number, bo
   page.taken.push_back({target.x() - 8, target.y() - 8, 16, 16});
   const Vec2 along = (target - best).normalized();
   page.line(best + along * kRadius, target, {255, 255, 255, 0.85}, 4);
-  page.line(best + along * kRadius, target, kInk, 1.6,
-            is_hidden ? std::vector<double>{5, 4} : std::vector<double>{});
+  page.line(best + along * kRadius, target, kInk, 1.6, is_hidden ? std::vector<double>{5, 4} : std::vector<double>{});
   page.disc(target, 4.5, {255, 255, 255, 1});
   page.disc(target, 3, kInk);
   page.disc(best, kRadius, is_hidden ? kSoftInk : kInk);

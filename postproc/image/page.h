@@ -27,8 +27,7 @@ struct Page {
   std::vector<PlacedRaster> rasters;
   std::vector<Area> taken;  ///< by labels, so that later ones keep clear of them
 
-  void line(const Vec2& a, const Vec2& b, const Colour& colour, double width = 1,
-            std::vector<double> dashes = {});
+  void line(const Vec2& a, const Vec2& b, const Colour& colour, double width = 1, std::vector<double> dashes = {});
   void shape(std::vector<Vec2> points, const Colour& fill);
   void box(const Area& area, const Colour& fill);
   void frame(const Area& area, const Colour& colour, double width = 1);
@@ -38,8 +37,8 @@ struct Page {
 };
 
 /// A page with its title and up to two lines below it, all shortened to fit.
-[[nodiscard]] Page make_page(const std::string& title, const std::string& verdict,
-                             const Colour& verdict_colour, const std::vector<std::string>& lines);
+[[nodiscard]] Page make_page(const std::string& title, const std::string& verdict, const Colour& verdict_colour,
+                             const std::vector<std::string>& lines);
 
 /// `words`, cut short with "..." in the middle when wider than `width`, never within a number.
 [[nodiscard]] std::string fitted(const std::string& words, double size, double width, bool is_bold = false);
@@ -48,8 +47,7 @@ struct Page {
 [[nodiscard]] double fitting_size(const std::string& words, double size, double width, bool is_bold = false);
 
 /// Vertical bar with numbers; grey below the tolerance.
-void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit,
-                    const std::string& title);
+void add_colour_bar(Page& page, const Area& area, const ColourScale& scale, LengthUnit unit, const std::string& title);
 /// A round length drawn to the view's scale, its left end at `at`. The view's pixels are supersampled ones.
 void add_scale_bar(Page& page, const Vec2& at, const View& view, LengthUnit unit, double most_width);
 /// The directions of x, y and z as the view sees them.

@@ -41,9 +41,7 @@ const Ink& ink_of(const Move& move) {
   return move.not_checked_reason.empty() ? kInks[static_cast<std::size_t>(move.kind)] : kInks.back();
 }
 
-std::uint8_t number_of(const Ink& ink) {
-  return static_cast<std::uint8_t>(&ink - kInks.data());
-}
+std::uint8_t number_of(const Ink& ink) { return static_cast<std::uint8_t>(&ink - kInks.data()); }
 
 struct Panel {
   double x = 0, y = 0, width = 0, height = 0;
@@ -108,8 +106,7 @@ void draw_legend(const Toolpath& path, Drawing& drawing) {
     const Ink* ink = &ink_of(move);
     if (move.has_start && std::find(used.begin(), used.end(), ink) == used.end()) used.push_back(ink);
   }
-  std::sort(used.begin(), used.end(),
-            [](const Ink* a, const Ink* b) { return std::string(a->name) < b->name; });
+  std::sort(used.begin(), used.end(), [](const Ink* a, const Ink* b) { return std::string(a->name) < b->name; });
   double x = kMargin;
   for (const Ink* ink : used) {
     drawing.items.emplace_back(DrawnLine{{{x, 66}, {x + 34, 66}}, ink->colour, 2, false, ink->dashes});
@@ -138,8 +135,8 @@ Drawing draw_path(const Toolpath& path) {
   Box3 box = tips;
   const double axis_length = kAxisShare * (tips.max() - tips.min()).norm();
   for (const Move& move : path.moves) box.extend(move.end.tip + axis_length * move.end.axis);
-  add_text(drawing, kMargin, 36,
-           path.file.substr(path.file.find_last_of('/') + 1) + ": " + size_text(path, tips), kInk, 20);
+  add_text(drawing, kMargin, 36, path.file.substr(path.file.find_last_of('/') + 1) + ": " + size_text(path, tips), kInk,
+           20);
   draw_legend(path, drawing);
   const double half = (kWidth - 3 * kMargin) / 2, tall = kHeight - kTitle - kMargin;
   const double low = (tall - kMargin) / 2;

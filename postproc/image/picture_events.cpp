@@ -6,7 +6,6 @@
 
 #include "lib/check/path_motion.h"
 #include "lib/head/head_motion.h"
-#include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"
 #include "lib/mesh/winding.h"
 #include "lib/penetration/closest_point.h"
@@ -67,8 +66,8 @@ PictureEvent picture_event(const CheckedToolpath& input, const Event& event) {
   const Motion motion = motion_of(*input.toolpath, event.worst_move, input.options.rapid);
   const double t = one.has_witness ? one.witness.t : 1.0;
   one.pose = motion.is_defined() ? motion.at(t) : move.end;
-  one.heads = motion.is_defined() ? HeadMotion(motion).at(t)
-                                  : RigidTransform{head_rotation(move.end.axis), move.end.tip};
+  one.heads =
+      motion.is_defined() ? HeadMotion(motion).at(t) : RigidTransform{head_rotation(move.end.axis), move.end.tip};
   const CompiledTool& bare = input.tools[event.tool]->bare;
   one.at = one.has_witness ? one.witness.point : Vec3(one.pose.tip + one.pose.axis * bare.core.y());
   find_head(input, verdict.reason, one);
@@ -81,8 +80,7 @@ std::vector<PictureEvent> worst_events(const CheckedToolpath& input, std::size_t
   std::vector<Event> events;
   for (const Event& event : input.result->events) {
     const bool has_tool = event.tool < input.tools.size() && input.tools[event.tool] != nullptr;
-    if (has_tool && (event.state == MoveState::gouge || event.state == MoveState::buried))
-      events.push_back(event);
+    if (has_tool && (event.state == MoveState::gouge || event.state == MoveState::buried)) events.push_back(event);
   }
   const auto depth_of = [&](const Event& event) {
     return event.state == MoveState::buried ? -1.0 : input.result->verdicts[event.worst_move].depth_mm;
@@ -95,8 +93,8 @@ std::vector<PictureEvent> worst_events(const CheckedToolpath& input, std::size_t
     PictureEvent one = picture_event(input, event);
     one.depth_mm = std::max(0.0, depth_of(event));
     const bool is_reported = std::any_of(out.begin(), out.end(), [&](const PictureEvent& other) {
-      return other.event.state == event.state && other.event.tool == event.tool &&
-             other.event.body == event.body && (other.at - one.at).norm() < apart_mm;
+      return other.event.state == event.state && other.event.tool == event.tool && other.event.body == event.body &&
+             (other.at - one.at).norm() < apart_mm;
     });
     if (is_reported || out.size() >= most) continue;
     one.number = static_cast<int>(out.size()) + 1;

@@ -3,8 +3,8 @@
 #include <optional>
 #include <vector>
 
-#include "lib/geom/rigid_transform.h"
 #include "lib/field/checked_toolpath.h"
+#include "lib/geom/rigid_transform.h"
 
 namespace gouge {
 
@@ -15,8 +15,7 @@ struct PictureEvent {
   Pose pose;                        ///< of the tool at the worst instant
   RigidTransform heads;             ///< from the tool's frame: where the heads are then
   std::optional<std::size_t> head;  ///< the head that gouges or is buried; none where the tool does
-  Vec3 at =
-      Vec3::Zero();  ///< witness; of what is buried a point inside: the middle of the cutter, a head's core
+  Vec3 at = Vec3::Zero();    ///< witness; of what is buried a point inside: the middle of the cutter, a head's core
   bool has_witness = false;  ///< what is buried has none
   Witness witness;
   double depth_mm = 0;

@@ -83,8 +83,7 @@ void find_edges(PictureScene& scene) {
     while (j < sides.size() && sides[j].a == sides[i].a && sides[j].b == sides[i].b) ++j;
     const bool is_smooth =
         j - i == 2 &&
-        unit(area_normal(scene, sides[i].face)).dot(unit(area_normal(scene, sides[i + 1].face))) >=
-            kSmoothCosine;
+        unit(area_normal(scene, sides[i].face)).dot(unit(area_normal(scene, sides[i + 1].face))) >= kSmoothCosine;
     if (!is_smooth) scene.edges.push_back({sides[i].a, sides[i].b});
     i = j;
   }

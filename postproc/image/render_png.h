@@ -9,15 +9,14 @@
 
 namespace gouge {
 
-/// The drawing as the bytes of a PNG file, one pixel a picture unit, lines and text smoothed.
-/// The same drawing gives the same bytes on every run and at any number of threads.
-/// Text is drawn with installed_font (font.h); where no font is installed, with strokes that know ASCII only (ascii_text.h).
+/// The drawing as the bytes of a PNG file, one pixel a picture unit, lines and text smoothed. The same drawing gives
+/// the same bytes on every run and at any number of threads. Text is drawn with installed_font (font.h); where no font
+/// is installed, with strokes that know ASCII only (ascii_text.h).
 /// Errors   picture-size (a side below 1 or above 16384), picture-not-encoded.
 [[nodiscard]] Result<std::string> render_png(const Drawing& drawing);
 
 /// The same with pictures laid under the drawing, in the order given; what falls outside is cut off.
-[[nodiscard]] Result<std::string> render_png(const Drawing& drawing,
-                                             const std::vector<PlacedRaster>& underlay);
+[[nodiscard]] Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedRaster>& underlay);
 
 /// Width that render_png gives a text, in picture units.
 [[nodiscard]] double text_width(const std::string& text, double size, bool is_bold = false);

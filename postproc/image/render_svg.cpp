@@ -50,8 +50,8 @@ struct SvgPainter {
   void operator()(const DrawnLine& line) {
     out += line.is_closed ? "<polygon" : "<polyline";
     out += " points=\"" + point_list(line.points) + "\" fill=\"none\" stroke=\"" + hex_colour(line.colour) +
-           "\" stroke-width=\"" + number(line.width) +
-           "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"" + opacity("stroke-opacity", line.colour);
+           "\" stroke-width=\"" + number(line.width) + "\" stroke-linejoin=\"round\" stroke-linecap=\"round\"" +
+           opacity("stroke-opacity", line.colour);
     if (!line.dashes.empty()) {
       out += " stroke-dasharray=\"";
       for (std::size_t i = 0; i < line.dashes.size(); ++i) out += (i > 0 ? " " : "") + number(line.dashes[i]);
@@ -68,8 +68,7 @@ struct SvgPainter {
   void operator()(const DrawnText& text) {
     static constexpr std::array<std::string_view, 3> kAnchors{"start", "middle", "end"};
     out += "<text x=\"" + number(text.at.x()) + "\" y=\"" + number(text.at.y()) + "\" font-size=\"" +
-           number(text.size) + "\" fill=\"" + hex_colour(text.colour) + "\"" +
-           opacity("fill-opacity", text.colour);
+           number(text.size) + "\" fill=\"" + hex_colour(text.colour) + "\"" + opacity("fill-opacity", text.colour);
     if (text.anchor != TextAnchor::left) {
       out += " text-anchor=\"" + std::string(kAnchors[static_cast<std::size_t>(text.anchor)]) + "\"";
     }
@@ -84,12 +83,11 @@ std::string render_svg(const Drawing& drawing) {
   const std::string width = number(drawing.width);
   const std::string height = number(drawing.height);
   SvgPainter painter;
-  painter.out =
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
-      width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height +
-      "\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n<rect width=\"" + width +
-      "\" height=\"" + height + "\" fill=\"" + hex_colour(drawing.background) + "\"" +
-      opacity("fill-opacity", drawing.background) + "/>\n";
+  painter.out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" +
+                width + "\" height=\"" + height + "\" viewBox=\"0 0 " + width + " " + height +
+                "\" font-family=\"Helvetica, Arial, 'DejaVu Sans', sans-serif\">\n<rect width=\"" + width +
+                "\" height=\"" + height + "\" fill=\"" + hex_colour(drawing.background) + "\"" +
+                opacity("fill-opacity", drawing.background) + "/>\n";
   for (const auto& item : drawing.items) std::visit(painter, item);
   painter.out += "</svg>\n";
   return painter.out;

@@ -56,17 +56,9 @@ Outcome add_before_after(Album& album, const PictureSet& after, const CheckedToo
   const DepthField field(before_input);
   const DepthField coarse(before_input, kCoarsePoses);
   const OvercutField overcuts(before_input, field);
-  PictureSet before{model,
-                    before_input,
-                    after.scene,
-                    field,
-                    coarse,
-                    overcuts,
-                    worst_events(before_input, kMostEvents),
-                    after.scale,
-                    after.surface_scale,
-                    {},
-                    {}};
+  PictureSet before{
+      model,       before_input,        after.scene, field, coarse, overcuts, worst_events(before_input, kMostEvents),
+      after.scale, after.surface_scale, {},          {}};
   before.directions = choose_directions(before_input, after.scene, coarse, before.events, 1);
   return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
 }
@@ -79,9 +71,8 @@ Outcome add_scene_pictures(Album& album, const PictureSet& set, const CheckedToo
   for (const PictureEvent& event : set.events) {
     const std::string number = std::to_string(event.number);
     const std::size_t move = event.event.worst_move;
-    const std::string title = "Finding " + number + ": line " +
-                              std::to_string(set.input.toolpath->moves[move].line) + ", " +
-                              event_text(set.model, event.event);
+    const std::string title = "Finding " + number + ": line " + std::to_string(set.input.toolpath->moves[move].line) +
+                              ", " + event_text(set.model, event.event);
     if (Outcome done = album.add(draw_event(set, event), "event_" + number + ".png", title, move); !done) {
       return done;
     }
@@ -116,8 +107,7 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
     set.directions = choose_directions(input, scene, coarse, set.events, kViews);
     if (Outcome done = add_scene_pictures(album, set, before); !done) return done.error();
   }
-  if (Outcome done = album.add(draw_depth_strip(set), "depth_along_path.png", "Depth along the path");
-      !done) {
+  if (Outcome done = album.add(draw_depth_strip(set), "depth_along_path.png", "Depth along the path"); !done) {
     return done.error();
   }
   return std::move(album.files);

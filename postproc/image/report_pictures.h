@@ -13,9 +13,8 @@ namespace gouge {
 /// for the worst findings, and before_after.png when the model has a correction with its path and verdicts
 /// before.
 ///
-/// Shape    `input` belongs to model.toolpath and model.result. `before` is the same for the path as read; it
-/// is
-///          looked at only for a correction and may be empty.
+/// Shape    `input` belongs to model.toolpath and model.result. `before` is the same for the path as read; it is looked
+///          at only for a correction and may be empty.
 /// Ensures  The same bytes on every run and at any number of threads.
 /// Errors   picture-not-encoded; a picture of a scene without triangles is left out, not an error.
 /// Cost     Seconds; grows with the number of triangles and of gouging moves.

@@ -10,8 +10,8 @@ namespace {
 // Beyond this sine of its angle to the plane through the axis a direction would end off the outline in it.
 constexpr double kInPlane = 0.05;
 
-void cut_mesh(const IndexedMesh& mesh, const RigidTransform& to_part, const SectionPlane& plane,
-              bool is_fixture, std::vector<SectionLine>& out) {
+void cut_mesh(const IndexedMesh& mesh, const RigidTransform& to_part, const SectionPlane& plane, bool is_fixture,
+              std::vector<SectionLine>& out) {
   const Vec3 normal = plane.pose.axis.cross(plane.u);
   // Points on the plane count as above it, so that every cut triangle has two cut sides.
   const auto height = [&](const Vec3& p) { return (p - plane.pose.tip).dot(normal) - plane.offset_mm; };
@@ -80,8 +80,8 @@ std::optional<std::array<Vec2, 2>> clipped(const Vec2& a, const Vec2& b, const A
       return q >= 0;
     return t0 <= t1;
   };
-  const bool is_seen = cut(-d.x(), a.x() - box.x) && cut(d.x(), box.right() - a.x()) &&
-                       cut(-d.y(), a.y() - box.y) && cut(d.y(), box.bottom() - a.y());
+  const bool is_seen = cut(-d.x(), a.x() - box.x) && cut(d.x(), box.right() - a.x()) && cut(-d.y(), a.y() - box.y) &&
+                       cut(d.y(), box.bottom() - a.y());
   if (!is_seen || t0 > t1) return std::nullopt;
   return std::array<Vec2, 2>{Vec2(a + t0 * d), Vec2(a + t1 * d)};
 }
@@ -93,11 +93,10 @@ std::vector<SectionLine> cut_scene(const Scene& scene, const SectionPlane& plane
   return out;
 }
 
-std::vector<std::vector<SectionLine>> cut_heads(std::span<const HeadBody> heads,
-                                                const RigidTransform& to_part, const SectionPlane& plane) {
+std::vector<std::vector<SectionLine>> cut_heads(std::span<const HeadBody> heads, const RigidTransform& to_part,
+                                                const SectionPlane& plane) {
   std::vector<std::vector<SectionLine>> out(heads.size());
-  for (std::size_t h = 0; h < heads.size(); ++h)
-    cut_mesh(heads[h].surface.mesh, to_part, plane, false, out[h]);
+  for (std::size_t h = 0; h < heads.size(); ++h) cut_mesh(heads[h].surface.mesh, to_part, plane, false, out[h]);
   return out;
 }
 

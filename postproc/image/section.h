@@ -34,8 +34,7 @@ struct SectionLine {
 
 /// The same of bodies that `to_part` places, one after another.
 [[nodiscard]] std::vector<std::vector<SectionLine>> cut_heads(std::span<const HeadBody> heads,
-                                                              const RigidTransform& to_part,
-                                                              const SectionPlane& plane);
+                                                              const RigidTransform& to_part, const SectionPlane& plane);
 
 struct Section {
   SectionPlane plane;
@@ -47,8 +46,8 @@ struct Section {
 ///
 /// Where `way_out` is given the section shows it, for a tool's way out lies in that plane but a head's may not:
 /// then the plane runs through the point and along the axis and the direction, beside the axis. Heads are not cut.
-[[nodiscard]] Section make_section(const Scene& scene, const Pose& pose, const Vec3& point_part,
-                                   double size_mm, const std::optional<Vec3>& way_out = std::nullopt);
+[[nodiscard]] Section make_section(const Scene& scene, const Pose& pose, const Vec3& point_part, double size_mm,
+                                   const std::optional<Vec3>& way_out = std::nullopt);
 
 /// The piece of a line inside a box, if any.
 [[nodiscard]] std::optional<std::array<Vec2, 2>> clipped(const Vec2& a, const Vec2& b, const Area& box);

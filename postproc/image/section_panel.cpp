@@ -13,15 +13,14 @@ namespace {
 
 constexpr int kPieces = 48;  // of a straight flank that a plane beside the axis cuts in a curve
 
-void clipped_line(Page& page, const Area& box, const Vec2& a, const Vec2& b, const Colour& colour,
-                  double width, const std::vector<double>& dashes = {}) {
+void clipped_line(Page& page, const Area& box, const Vec2& a, const Vec2& b, const Colour& colour, double width,
+                  const std::vector<double>& dashes = {}) {
   if (const auto seen = clipped(a, b, box)) page.line((*seen)[0], (*seen)[1], colour, width, dashes);
 }
 
 // Per raster row the points where an outline crosses it; an odd number means nothing and is
 // dropped.
-std::vector<std::vector<double>> crossings(const SectionPanel& panel, const std::vector<SectionLine>& lines,
-                                           int rows) {
+std::vector<std::vector<double>> crossings(const SectionPanel& panel, const std::vector<SectionLine>& lines, int rows) {
   std::vector<std::vector<double>> out(static_cast<std::size_t>(rows));
   for (const SectionLine& line : lines) {
     const Vec2 a = (panel.place(line.a) - Vec2(panel.area.x, panel.area.y)) * kSupersampling;
@@ -81,8 +80,7 @@ void paint_pixel(Raster& raster, int x, int y, bool is_material, bool is_head, i
   if (is_tool) blend_pixel(raster, x, y, body_colour(tool_body), 0.26);
 }
 
-Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_closed,
-                   const CompiledTool& tool) {
+Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_closed, const CompiledTool& tool) {
   const int width = static_cast<int>(panel.area.width) * kSupersampling;
   const int height = static_cast<int>(panel.area.height) * kSupersampling;
   Raster raster(width, height, 255, 255, 255);
@@ -102,8 +100,7 @@ Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_cl
       const bool is_tool = evaluate(tool, r, p.y()).signed_distance_mm < 0;
       bool is_head = false;
       for (InsideOf& head : heads) is_head = head.at(x) || is_head;
-      paint_pixel(raster, x, y, material.at(x), is_head,
-                  is_tool ? static_cast<int>(body_at(ranges, p.y())) : -1);
+      paint_pixel(raster, x, y, material.at(x), is_head, is_tool ? static_cast<int>(body_at(ranges, p.y())) : -1);
     }
   }
   return raster;
@@ -113,9 +110,7 @@ Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_cl
 std::vector<std::array<Vec2, 2>> seen_profile(const std::vector<Vec2>& points, double beside_mm) {
   std::vector<std::array<Vec2, 2>> out;
   const double least = std::abs(beside_mm);
-  const auto seen = [&](const Vec2& p) {
-    return Vec2(std::sqrt(std::max(0.0, p.x() * p.x() - least * least)), p.y());
-  };
+  const auto seen = [&](const Vec2& p) { return Vec2(std::sqrt(std::max(0.0, p.x() * p.x() - least * least)), p.y()); };
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
     const Vec2& from = points[i];
     const Vec2& to = points[i + 1];
@@ -137,8 +132,7 @@ std::vector<std::array<Vec2, 2>> seen_profile(const std::vector<Vec2>& points, d
   return out;
 }
 
-void draw_outline(Page& page, const SectionPanel& panel, double beside_mm, const CompiledTool& tool,
-                  bool is_dashed) {
+void draw_outline(Page& page, const SectionPanel& panel, double beside_mm, const CompiledTool& tool, bool is_dashed) {
   for (const OutlineRun& run : tool_outline(tool)) {
     const Colour colour = is_dashed ? kSoftInk : body_colour(static_cast<int>(run.body));
     for (const auto& [from, to] : seen_profile(run.points, beside_mm)) {
@@ -153,8 +147,8 @@ void draw_outline(Page& page, const SectionPanel& panel, double beside_mm, const
 }
 
 bool is_offset(const CompiledTool& bare, const CompiledTool& checked) {
-  return std::abs(bare.r_max_mm - checked.r_max_mm) > 1e-9 ||
-         std::abs(bare.z_min_mm - checked.z_min_mm) > 1e-9 || bare.elements.size() != checked.elements.size();
+  return std::abs(bare.r_max_mm - checked.r_max_mm) > 1e-9 || std::abs(bare.z_min_mm - checked.z_min_mm) > 1e-9 ||
+         bare.elements.size() != checked.elements.size();
 }
 
 }  // namespace
@@ -175,8 +169,8 @@ void draw_section(Page& page, const SectionPanel& panel, const Section& section,
   const double beside = section.plane.beside_mm;
   draw_outline(page, panel, beside, bare, false);
   if (!checked.elements.empty() && is_offset(bare, checked)) draw_outline(page, panel, beside, checked, true);
-  clipped_line(page, panel.area, panel.place({0, bare.z_min_mm - 1e3}), panel.place({0, bare.z_max_mm + 1e3}),
-               kSoftInk, 1, {14, 4, 3, 4});
+  clipped_line(page, panel.area, panel.place({0, bare.z_min_mm - 1e3}), panel.place({0, bare.z_max_mm + 1e3}), kSoftInk,
+               1, {14, 4, 3, 4});
 }
 
 }  // namespace gouge

@@ -112,8 +112,7 @@ Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::
     }
   });
   for (const PictureScene::Edge& edge : scene.edges) {
-    draw_edge(raster, buffer, buffer.view.project(scene.vertices[edge.a]),
-              buffer.view.project(scene.vertices[edge.b]));
+    draw_edge(raster, buffer, buffer.view.project(scene.vertices[edge.a]), buffer.view.project(scene.vertices[edge.b]));
   }
   return raster;
 }

@@ -10,8 +10,8 @@ namespace gouge {
 
 /// The surface of a buffer in a soft light, untouched surface in grey and gouged ones in the colour of their
 /// depth (0: untouched), with sharp edges drawn faintly. `depth_mm` has one value a pixel or is empty.
-[[nodiscard]] Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer,
-                           const std::vector<float>& depth_mm, const ColourScale& scale);
+[[nodiscard]] Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::vector<float>& depth_mm,
+                           const ColourScale& scale);
 
 /// Lays `colour` over one pixel.
 void blend_pixel(Raster& raster, int x, int y, const Colour& colour, double opacity);

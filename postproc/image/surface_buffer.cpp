@@ -68,8 +68,7 @@ void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& 
 
 }  // namespace
 
-SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices, const std::vector<FaceCorners>& faces,
-                           const View& view) {
+SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices, const std::vector<FaceCorners>& faces, const View& view) {
   SurfaceBuffer buffer;
   buffer.view = view;
   const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
@@ -80,8 +79,7 @@ SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices, const std::vector<
   const std::size_t bands = static_cast<std::size_t>((view.height + kBandRows - 1) / kBandRows);
   std::vector<std::vector<std::uint32_t>> band_faces(bands);
   for (std::size_t f = 0; f < faces.size(); ++f) {
-    const RowRange rows =
-        rows_of(projected[faces[f][0]], projected[faces[f][1]], projected[faces[f][2]], view.height);
+    const RowRange rows = rows_of(projected[faces[f][0]], projected[faces[f][1]], projected[faces[f][2]], view.height);
     for (int band = rows.first / kBandRows; band * kBandRows <= rows.last; ++band) {
       band_faces[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(f));
     }

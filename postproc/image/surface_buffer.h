@@ -31,8 +31,8 @@ using FaceCorners = std::array<std::uint32_t, 3>;
 
 /// Draws triangles given as corners into a buffer. At equal depth the face listed first stays.
 /// The same at any number of threads.
-[[nodiscard]] SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices,
-                                         const std::vector<FaceCorners>& faces, const View& view);
+[[nodiscard]] SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices, const std::vector<FaceCorners>& faces,
+                                         const View& view);
 [[nodiscard]] SurfaceBuffer draw_surface(const PictureScene& scene, const View& view);
 
 /// Interpolated unit normal of the seen face, turned towards the viewer.

@@ -9,8 +9,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kSame = 0.1;           // picture units: a tenth of a pixel is not seen
-constexpr double kCellsPerUnit = 2;     // finer than a line is wide
+constexpr double kSame = 0.1;            // picture units: a tenth of a pixel is not seen
+constexpr double kCellsPerUnit = 2;      // finer than a line is wide
 constexpr std::size_t kMostPassed = 64;  // points that one segment may stand for: bounds the work for each
 constexpr std::uint8_t kNoInk = 255;
 

@@ -12,7 +12,8 @@ namespace gouge {
 /// without them are left out; so are segments that lie on what the same ink has drawn last. Lines keep their order.
 class ThinLines {
  public:
-  /// Requires a finite area, at least 1 wide and high. Lines may leave it; what is outside is never left out as covered.
+  /// Requires a finite area, at least 1 wide and high. Lines may leave it; what is outside is never left out as
+  /// covered.
   ThinLines(const Vec2& low, const Vec2& high);
 
   /// The stroke through `points`, drawn like `style` (whose own points do not count). Strokes of one `ink` look alike.

@@ -33,8 +33,8 @@ void fit_view(View& view, const std::vector<Vec3>& points, double margin) {
   const Vec3 middle = 0.5 * (low + high);
   view.centre = view.right * middle.x() + view.up * middle.y() + view.toward * middle.z();
   const double inner = 1 - 2 * margin;
-  view.mm_per_pixel = std::max(
-      {(high.x() - low.x()) / (inner * view.width), (high.y() - low.y()) / (inner * view.height), 1e-9});
+  view.mm_per_pixel =
+      std::max({(high.x() - low.x()) / (inner * view.width), (high.y() - low.y()) / (inner * view.height), 1e-9});
 }
 
 }  // namespace gouge

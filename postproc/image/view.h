@@ -9,18 +9,16 @@ namespace gouge {
 /// Parallel projection onto pixels: x right, y down, z towards the viewer in mm. Part coordinates.
 struct View {
   Vec3 right = Vec3::UnitX(), up = Vec3::UnitY(), toward = Vec3::UnitZ();  ///< unit and square to each other
-  Vec3 centre = Vec3::Zero();  ///< what the middle of the picture shows
+  Vec3 centre = Vec3::Zero();                                              ///< what the middle of the picture shows
   double mm_per_pixel = 1;
   int width = 1, height = 1;
 
   [[nodiscard]] Vec3 project(const Vec3& p) const {
     const Vec3 d = p - centre;
-    return {0.5 * width + d.dot(right) / mm_per_pixel, 0.5 * height - d.dot(up) / mm_per_pixel,
-            d.dot(toward)};
+    return {0.5 * width + d.dot(right) / mm_per_pixel, 0.5 * height - d.dot(up) / mm_per_pixel, d.dot(toward)};
   }
   [[nodiscard]] Vec3 unproject(double x, double y, double z) const {
-    return centre + right * ((x - 0.5 * width) * mm_per_pixel) + up * ((0.5 * height - y) * mm_per_pixel) +
-           toward * z;
+    return centre + right * ((x - 0.5 * width) * mm_per_pixel) + up * ((0.5 * height - y) * mm_per_pixel) + toward * z;
   }
 };
 

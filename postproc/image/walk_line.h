@@ -7,8 +7,8 @@
 
 namespace gouge {
 
-/// Calls `at(point)` along a line between two projected points, in steps of at most a pixel (longer ones on lines of more
-/// than 20,000 pixels).
+/// Calls `at(point)` along a line between two projected points, in steps of at most a pixel (longer ones on lines of
+/// more than 20,000 pixels).
 template <class At>
 void walk_line(const Vec3& a, const Vec3& b, At&& at) {
   constexpr double kMostSteps = 20'000;

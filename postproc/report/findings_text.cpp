@@ -12,9 +12,7 @@ namespace {
 constexpr double kNoteworthy = 1.02;
 
 // Names and reasons in a line are from outside: none may end it, begin another one or move the cursor.
-std::string line(const std::string& text) {
-  return printable(text) + "\n";
-}
+std::string line(const std::string& text) { return printable(text) + "\n"; }
 
 std::string line_prefix(const ReportModel& model, std::size_t move) {
   return model.toolpath->file + ":" + std::to_string(model.toolpath->moves[move].line) + ": ";
@@ -36,9 +34,8 @@ std::string headline(const ReportModel& model) {
     case OverallVerdict::clean:
       return "clean: no gouge in " + count_text(result.verdicts.size(), "move");
     case OverallVerdict::not_fully_checked:
-      return "not fully checked: no gouge found, but " +
-             std::to_string(n.not_checked - n.skipped + n.not_certified) + of_moves +
-             " could not be checked or certified";
+      return "not fully checked: no gouge found, but " + std::to_string(n.not_checked - n.skipped + n.not_certified) +
+             of_moves + " could not be checked or certified";
     case OverallVerdict::gouges:
       break;
   }
@@ -52,8 +49,7 @@ std::string headline(const ReportModel& model) {
             std::to_string(model.toolpath->moves[result.worst_move].line);
   }
   // On shallow gouges both measures agree; where the tool is deeper in than it is thick, only overcut shows it.
-  if (result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm)
-    text += ", overcut " + overcut_range_text(model);
+  if (result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm) text += ", overcut " + overcut_range_text(model);
   if (n.buried > 0) text += "; the tool is buried in " + count_text(n.buried, "move");
   return text;
 }
@@ -99,9 +95,9 @@ std::string correction_lines(const ReportModel& model) {
   if (moved > 0) text += " by up to " + depth_text(largest_mm, unit);
   text += ", " + std::to_string(inserted) + " inserted";
   if (correction.curves > 0) text += ", " + straightened_text(correction);
-  const auto changed = static_cast<std::size_t>(
-      std::count_if(correction.uncorrected.begin(), correction.uncorrected.end(),
-                    [](const UncorrectedRecord& left) { return left.is_changed; }));
+  const auto changed =
+      static_cast<std::size_t>(std::count_if(correction.uncorrected.begin(), correction.uncorrected.end(),
+                                             [](const UncorrectedRecord& left) { return left.is_changed; }));
   const std::size_t left = correction.uncorrected.size() - changed;
   text += ", " + std::to_string(left) + (left == 1 ? " left as it was" : " left as they were");
   if (changed > 0) text += ", " + std::to_string(changed) + " changed but not freed";
@@ -126,8 +122,7 @@ std::string summary_text(const ReportModel& model) {
 std::string findings_text(const ReportModel& model) {
   std::string text;
   for (const Event& event : model.result->events) {
-    if (event.state != MoveState::gouge && event.state != MoveState::buried &&
-        event.state != MoveState::near_miss) {
+    if (event.state != MoveState::gouge && event.state != MoveState::buried && event.state != MoveState::near_miss) {
       continue;
     }
     text += line(line_prefix(model, event.worst_move) + event_text(model, event) + span_text(event));
@@ -137,8 +132,7 @@ std::string findings_text(const ReportModel& model) {
   }
   if (model.has_correction) {
     for (const UncorrectedRecord& left : model.correction.uncorrected) {
-      const Toolpath& before =
-          model.correction.toolpath_before ? *model.correction.toolpath_before : *model.toolpath;
+      const Toolpath& before = model.correction.toolpath_before ? *model.correction.toolpath_before : *model.toolpath;
       text += line(before.file + ":" + std::to_string(left.line) +
                    (left.is_changed ? ": not freed: " : ": not corrected: ") +
                    (left.depth_mm > 0 ? depth_text(left.depth_mm, model.toolpath->unit) + ", " : std::string()) +

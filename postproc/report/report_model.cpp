@@ -17,8 +17,7 @@ InputFile describe_input(std::string role, std::string name, std::string_view by
 OverallVerdict overall_verdict(const CheckResult& result) {
   const StateCounts& n = result.counts;
   if (n.gouge + n.buried > 0) return OverallVerdict::gouges;
-  return n.not_checked > n.skipped || n.not_certified > 0 ? OverallVerdict::not_fully_checked
-                                                          : OverallVerdict::clean;
+  return n.not_checked > n.skipped || n.not_certified > 0 ? OverallVerdict::not_fully_checked : OverallVerdict::clean;
 }
 
 const char* verdict_name(OverallVerdict verdict) {
@@ -100,8 +99,8 @@ std::string closeness_text(const ReportModel& model) {
   if (!model.closeness) return {};
   const Closeness& c = *model.closeness;
   const LengthUnit unit = model.toolpath->unit;
-  return closeness_words(c.nearest_mm, unit) + "; half of the " +
-         positions_looked_at(c) + " are " + closeness_words(c.median_mm, unit);
+  return closeness_words(c.nearest_mm, unit) + "; half of the " + positions_looked_at(c) + " are " +
+         closeness_words(c.median_mm, unit);
 }
 
 std::vector<ReasonGroup> group_reasons(const CheckResult& result) {

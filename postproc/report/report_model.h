@@ -75,17 +75,17 @@ struct WrittenRecord {
 };
 
 struct CorrectionFacts {
-  std::string output_file;  ///< empty: none was written
-  std::string_view output_bytes;  ///< the corrected toolpath, as it goes there
-  std::string strategy;     ///< as asked
-  double max_shift_mm = 0;  ///< 0: no limit
+  std::string output_file;                  ///< empty: none was written
+  std::string_view output_bytes;            ///< the corrected toolpath, as it goes there
+  std::string strategy;                     ///< as asked
+  double max_shift_mm = 0;                  ///< 0: no limit
   std::optional<double> max_side_shift_mm;  ///< none: by the depth
   double rapid_clearance_mm = 0;
   std::size_t curves = 0;          ///< arcs and splines that became straight moves ...
   std::size_t straight_moves = 0;  ///< ... and how many, those of `changes` among them
   std::vector<CorrectedRecord> changes;
   std::vector<UncorrectedRecord> uncorrected;
-  std::vector<WrittenRecord> written;  ///< every other record is the same to the byte
+  std::vector<WrittenRecord> written;          ///< every other record is the same to the byte
   const Toolpath* toolpath_before = nullptr;   ///< the path as read
   const CheckResult* result_before = nullptr;  ///< its verdicts
 };
@@ -119,9 +119,8 @@ enum class OverallVerdict { clean, gouges, not_fully_checked };
 /// The exit status of `check` and `correct`.
 [[nodiscard]] ExitCode exit_status(OverallVerdict verdict);
 
-/// "no gouge deeper than tolerance + resolution = 0.011 mm is missed, and where none is reported the tool reaches at most
-/// 3 times that into a solid", in the toolpath's unit, with what it
-/// does not cover when something was not checked.
+/// "no gouge deeper than tolerance + resolution = 0.011 mm is missed, and where none is reported the tool reaches at
+/// most 3 times that into a solid", in the toolpath's unit, with what it does not cover when something was not checked.
 [[nodiscard]] std::string guarantee_text(const ReportModel& model);
 
 /// Code of the warning that path and parts may not belong together.

@@ -66,21 +66,16 @@ std::string point_text(const Vec3& point_mm, LengthUnit unit) {
   return text + ")";
 }
 
-const char* unit_words(LengthUnit unit) {
-  return unit == LengthUnit::inch ? "inches" : "mm";
-}
+const char* unit_words(LengthUnit unit) { return unit == LengthUnit::inch ? "inches" : "mm"; }
 
-std::string instant_text(double t) {
-  return people_text(t, 4);
-}
+std::string instant_text(double t) { return people_text(t, 4); }
 
 std::string count_text(std::size_t count, std::string_view noun) {
   return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
 }
 
 std::string straightened_text(const CorrectionFacts& correction) {
-  return count_text(correction.curves, "curve") + " became " +
-         count_text(correction.straight_moves, "straight move");
+  return count_text(correction.curves, "curve") + " became " + count_text(correction.straight_moves, "straight move");
 }
 
 std::string tool_label(const Toolpath& toolpath, std::size_t tool) {
@@ -120,8 +115,8 @@ std::string event_text(const ReportModel& model, const Event& event) {
   if (has_wide_depth(model, verdict)) text += "(at most " + depth_text(verdict.depth_upper_mm, unit) + ") ";
   text += tool_phrase(model, event);
   if (!verdict.witness) return text + move;
-  return text + counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) +
-         move + " t=" + instant_text(verdict.witness->t);
+  return text + counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) + move +
+         " t=" + instant_text(verdict.witness->t);
 }
 
 std::string span_text(const Event& event) {

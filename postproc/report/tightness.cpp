@@ -62,9 +62,9 @@ std::string depth_gaps_text(const ReportModel& model) {
   return "the depth of " + std::to_string(gaps.wide) + " of " + count_text(gaps.known, "gouging move") +
          (gaps.wide == 1 ? " is" : " are") + " certified to " + length_text(gaps.widest_mm, unit) +
          " only, not to the resolution of " + length_text(model.options.resolution_mm, unit) + ": move " +
-         std::to_string(gaps.widest_move) + ", line " +
-         std::to_string(model.toolpath->moves[gaps.widest_move].line) + ", is at least " +
-         depth_text(widest.depth_mm, unit) + " and at most " + depth_text(widest.depth_upper_mm, unit) + " deep";
+         std::to_string(gaps.widest_move) + ", line " + std::to_string(model.toolpath->moves[gaps.widest_move].line) +
+         ", is at least " + depth_text(widest.depth_mm, unit) + " and at most " +
+         depth_text(widest.depth_upper_mm, unit) + " deep";
 }
 
 std::string overcut_range_text(const ReportModel& model) {

@@ -12,8 +12,8 @@ namespace gouge {
 namespace {
 
 constexpr std::string_view kHeader =
-    "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz,"
-    "mesh,triangle,operation,reason,clearance,overcut,overcut_upper\n";
+    "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz,mesh,triangle,operation,reason,"
+    "clearance,overcut,overcut_upper\n";
 
 // Whether a spreadsheet might take the text for a formula: =, +, - or @, also in full width, behind blanks,
 // quotes and the apostrophe that hides one; tabs and carriage returns begin a cell of their own in some.
@@ -22,8 +22,7 @@ bool may_be_formula(std::string_view text) {
   for (std::size_t at = 0; at < text.size();) {
     const std::optional<CodePoint> c = decode_utf8(text, at);
     if (!c) return false;
-    if (U"=+-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20\u2212"sv.find(c->value) != std::u32string_view::npos)
-      return true;
+    if (U"=+-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20\u2212"sv.find(c->value) != std::u32string_view::npos) return true;
     if (U" \"'\u00A0\u200B\u3000\uFEFF"sv.find(c->value) == std::u32string_view::npos) return false;
     at += c->bytes;
   }
@@ -36,8 +35,7 @@ std::string without_formula(std::string_view text) {
   if (parse_number(text)) return std::string(text);
   std::string out;
   for (std::size_t at = 0; at < text.size(); ++at) {
-    const bool begins_cell =
-        at == 0 || std::string_view(";\t\r\n").find(text[at - 1]) != std::string_view::npos;
+    const bool begins_cell = at == 0 || std::string_view(";\t\r\n").find(text[at - 1]) != std::string_view::npos;
     if (begins_cell && may_be_formula(text.substr(at))) out += '\'';
     out += text[at];
   }

@@ -20,20 +20,18 @@ std::string cell(const std::string& text, const char* css = "") {
 
 std::string more_rows(std::size_t all, const char* columns) {
   if (all <= kMostRows) return {};
-  return std::string("<tr><td class=\"soft\" colspan=\"") + columns + "\">and " +
-         std::to_string(all - kMostRows) + " more; the CSV and JSON files have them all</td></tr>\n";
+  return std::string("<tr><td class=\"soft\" colspan=\"") + columns + "\">and " + std::to_string(all - kMostRows) +
+         " more; the CSV and JSON files have them all</td></tr>\n";
 }
 
 std::string figure(const NamedFile& picture) {
   const std::string id = picture.name.substr(0, picture.name.find('.'));
   return "<figure id=\"" + xml_escaped(id) + "\"><img alt=\"" + xml_escaped(picture.title) +
-         "\" src=\"data:image/png;base64," + base64(picture.bytes) + "\"><figcaption>" +
-         xml_escaped(picture.title) + "</figcaption></figure>\n";
+         "\" src=\"data:image/png;base64," + base64(picture.bytes) + "\"><figcaption>" + xml_escaped(picture.title) +
+         "</figcaption></figure>\n";
 }
 
-std::string lengths_text(const Vec3& v, LengthUnit unit) {
-  return point_text(v, unit) + " " + unit_name(unit);
-}
+std::string lengths_text(const Vec3& v, LengthUnit unit) { return point_text(v, unit) + " " + unit_name(unit); }
 
 class HtmlReport {
  public:
@@ -41,14 +39,14 @@ class HtmlReport {
       : model_(model), pictures_(pictures), unit_(model.toolpath->unit) {}
 
   [[nodiscard]] std::string build() const {
-    const std::string title = xml_escaped(
-        std::string(model_.has_correction ? "Gouge correction: " : "Gouge check: ") + model_.toolpath->file);
+    const std::string title = xml_escaped(std::string(model_.has_correction ? "Gouge correction: " : "Gouge check: ") +
+                                          model_.toolpath->file);
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
-           title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title +
-           "</h1>\n" + against() + banner() + numbers() + overview() + changes() + findings() +
-           open_queries() + close_ups() + inputs() + tools() + options() + notes() + "<footer>" +
-           kProgramName + " " + kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
+           title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
+           against() + banner() + numbers() + overview() + changes() + findings() + open_queries() + close_ups() +
+           inputs() + tools() + options() + notes() + "<footer>" + kProgramName + " " + kProgramVersion +
+           "</footer>\n</main>\n</body>\n</html>\n";
   }
 
  private:
@@ -75,14 +73,15 @@ class HtmlReport {
     std::string headline = summary.substr(first, summary.find('\n', first) - first);
     headline.erase(0, headline.find(": ") + 2);
     const std::string guarantee = guarantee_text(model_);
-    return std::string("<div class=\"banner ") + verdict_name(verdict) + "\"><strong>" + word +
-           "</strong><div>" + xml_escaped(headline) + "</div></div>\n" + beside_the_verdict() +
+    return std::string("<div class=\"banner ") + verdict_name(verdict) + "\"><strong>" + word + "</strong><div>" +
+           xml_escaped(headline) + "</div></div>\n" + beside_the_verdict() +
            "<p class=\"promise\">The guarantee of this check: " + xml_escaped(guarantee) + ".</p>\n";
   }
 
   [[nodiscard]] std::string beside_the_verdict() const {
     std::string out;
-    for (const std::string& reservation : reservations(model_)) out += "<p class=\"but\">Note: " + xml_escaped(reservation) + ".</p>\n";
+    for (const std::string& reservation : reservations(model_))
+      out += "<p class=\"but\">Note: " + xml_escaped(reservation) + ".</p>\n";
     const std::string overcut = overcut_gaps_text(model_);
     if (!overcut.empty()) out += "<p class=\"soft\">Overcut: " + xml_escaped(overcut) + ".</p>\n";
     const std::string closeness = closeness_text(model_);
@@ -94,24 +93,22 @@ class HtmlReport {
     const StateCounts& n = model_.result->counts;
     std::string out = "<div class=\"numbers\">";
     const auto add = [&](const std::string& value, const std::string& what, const char* css) {
-      out += std::string("<div class=\"") + css + "\"><b>" + xml_escaped(value) + "</b><span>" + what +
-             "</span></div>";
+      out += std::string("<div class=\"") + css + "\"><b>" + xml_escaped(value) + "</b><span>" + what + "</span></div>";
     };
     add(std::to_string(model_.result->verdicts.size()), "moves", "");
     add(std::to_string(n.clean), "clean", "");
     if (n.near_miss > 0) add(std::to_string(n.near_miss), "near", "");
     add(std::to_string(n.gouge), "gouge", n.gouge > 0 ? "bad" : "");
     if (n.buried > 0) add(std::to_string(n.buried), "buried", "bad");
-    if (n.not_checked > 0)
-      add(std::to_string(n.not_checked), "not checked", n.not_checked > n.skipped ? "open" : "");
+    if (n.not_checked > 0) add(std::to_string(n.not_checked), "not checked", n.not_checked > n.skipped ? "open" : "");
     if (n.not_certified > 0) add(std::to_string(n.not_certified), "not certified", "open");
     if (n.gouge > 0) add(depth_text(model_.result->worst_depth_mm, unit_), "deepest gouge", "bad");
     return out + "</div>\n";
   }
 
   [[nodiscard]] const NamedFile* picture(std::string_view name) const {
-    const auto found = std::find_if(pictures_.begin(), pictures_.end(),
-                                    [&](const NamedFile& file) { return file.name == name; });
+    const auto found =
+        std::find_if(pictures_.begin(), pictures_.end(), [&](const NamedFile& file) { return file.name == name; });
     return found == pictures_.end() ? nullptr : &*found;
   }
 
@@ -148,35 +145,29 @@ class HtmlReport {
     std::string depth = "-";
     if (event.state == MoveState::gouge) depth = depth_text(verdict.depth_mm, unit_);
     if (has_wide_depth(model_, verdict)) depth += " to " + depth_text(verdict.depth_upper_mm, unit_);
-    if (event.state == MoveState::near_miss)
-      depth = depth_text(verdict.clearance_mm.value_or(0), unit_) + " left";
+    if (event.state == MoveState::near_miss) depth = depth_text(verdict.clearance_mm.value_or(0), unit_) + " left";
     std::string against = against_name(event.against);
     if (verdict.witness) against += " " + mesh_name(model_, *verdict.witness);
-    const std::string span = event.moves < 2
-                                 ? std::to_string(event.worst_move)
-                                 : std::to_string(event.first_move) + "-" + std::to_string(event.last_move);
+    const std::string span = event.moves < 2 ? std::to_string(event.worst_move)
+                                             : std::to_string(event.first_move) + "-" + std::to_string(event.last_move);
     return "<tr><td><span class=\"state " + state + "\">" + state + "</span></td>" +
            cell(std::to_string(move.line), "n") + cell(depth, "n") +
-           cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) +
-           cell(against) +
-           cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") +
-           cell(span, "n") + cell(operation_name(*model_.toolpath, move.operation)) + "<td class=\"k\">" +
-           link(event) + "</td></tr>\n";
+           cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) + cell(against) +
+           cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") + cell(span, "n") +
+           cell(operation_name(*model_.toolpath, move.operation)) + "<td class=\"k\">" + link(event) + "</td></tr>\n";
   }
 
   [[nodiscard]] std::string findings() const {
     std::vector<const Event*> events;
     for (const Event& event : model_.result->events) {
-      if (event.state != MoveState::not_checked && event.state != MoveState::not_certified)
-        events.push_back(&event);
+      if (event.state != MoveState::not_checked && event.state != MoveState::not_certified) events.push_back(&event);
     }
     if (events.empty()) return {};
     std::string out =
-        "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, in "
-        "the order of the path. Line, depth and position are those of its deepest move.</p>\n<div "
-        "class=\"wide\"><table><thead>"
-        "<tr><th>State</th><th class=\"n\">Line</th><th class=\"n\">Depth</th><th>Body</th><th>Against"
-        "</th><th>At, in ";
+        "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, in the order of "
+        "the path. Line, depth and position are those of its deepest move.</p>\n<div "
+        "class=\"wide\"><table><thead><tr><th>State</th><th class=\"n\">Line</th><th "
+        "class=\"n\">Depth</th><th>Body</th><th>Against</th><th>At, in ";
     out += std::string(unit_words(unit_)) +
            "</th><th class=\"n\">Moves</th><th>Operation</th><th></th></tr></thead><tbody>\n";
     if (events.size() > kMostRows) keep_worst(events);
@@ -192,8 +183,7 @@ class HtmlReport {
     const auto depth = [&](const Event* event) {
       return event->state == MoveState::buried ? 1e300 : model_.result->verdicts[event->worst_move].depth_mm;
     };
-    std::stable_sort(events.begin(), events.end(),
-                     [&](const Event* a, const Event* b) { return depth(a) > depth(b); });
+    std::stable_sort(events.begin(), events.end(), [&](const Event* a, const Event* b) { return depth(a) > depth(b); });
     events.resize(kMostRows);
     std::stable_sort(events.begin(), events.end(),
                      [](const Event* a, const Event* b) { return a->first_move < b->first_move; });
@@ -207,9 +197,7 @@ class HtmlReport {
     if (!groups.empty()) {
       out +=
           "<div class=\"wide\"><table><thead><tr><th>State</th><th>Reason</th><th class=\"n\">Moves</th><th "
-          "class=\"n\">First "
-          "line</th>"
-          "</tr></thead><tbody>\n";
+          "class=\"n\">First line</th></tr></thead><tbody>\n";
       for (const ReasonGroup& group : groups) {
         const std::string state = state_name(group.state);
         out += "<tr><td><span class=\"state " + state + "\">" + state + "</span></td>" + cell(group.reason) +
@@ -221,8 +209,7 @@ class HtmlReport {
     std::string list;
     for (const auto& [word, count] : words)
       list += (list.empty() ? "" : ", ") + word + " (" + std::to_string(count) + ")";
-    if (!list.empty())
-      out += "<p>Words of the toolpath that were not understood: " + xml_escaped(list) + "</p>\n";
+    if (!list.empty()) out += "<p>Words of the toolpath that were not understood: " + xml_escaped(list) + "</p>\n";
     return out;
   }
 
@@ -233,26 +220,22 @@ class HtmlReport {
     if (c.max_shift_mm > 0) out += ", shifts up to " + length_text(c.max_shift_mm, unit_);
     out += c.output_file.empty() ? ". No toolpath was written."
                                  : ". Written to <code>" + xml_escaped(c.output_file) + "</code>.";
-    if (c.curves > 0)
-      out += " " + straightened_text(c) + ", of which those are listed that had to leave their curve.";
-    out += c.changes.empty() && c.curves == 0 ? " Nothing was changed.</p>\n"
-                                              : " " + count_text(c.written.size(), "record") +
-                                                    " of the file changed, added or removed; every other one is the "
-                                                    "same to the byte.</p>\n";
+    if (c.curves > 0) out += " " + straightened_text(c) + ", of which those are listed that had to leave their curve.";
+    out += c.changes.empty() && c.curves == 0
+               ? " Nothing was changed.</p>\n"
+               : " " + count_text(c.written.size(), "record") +
+                     " of the file changed, added or removed; every other one is the same to the byte.</p>\n";
     if (!c.changes.empty()) {
       out +=
           "<div class=\"wide\"><table><thead><tr><th class=\"n\">Line</th><th "
-          "class=\"n\">Move</th><th>Strategy</th><th "
-          "class=\"n\">Shift"
-          "</th><th>Shift vector</th><th class=\"n\">Depth before</th><th class=\"n\">Depth after</th>"
-          "<th class=\"n\">Iterations</th></tr></thead><tbody>\n";
+          "class=\"n\">Move</th><th>Strategy</th><th class=\"n\">Shift</th><th>Shift vector</th><th class=\"n\">Depth "
+          "before</th><th class=\"n\">Depth after</th><th class=\"n\">Iterations</th></tr></thead><tbody>\n";
       for (std::size_t i = 0; i < c.changes.size() && i < kMostRows; ++i) {
         const CorrectedRecord& r = c.changes[i];
-        out += "<tr>" + cell(std::to_string(r.line), "n") + cell(std::to_string(r.move), "n") +
-               cell(r.strategy) + cell(depth_text(r.shift_length_mm, unit_), "n") +
-               cell(lengths_text(r.shift_mm, unit_), "k") + cell(depth_text(r.depth_before_mm, unit_), "n") +
-               cell(depth_text(r.depth_after_mm, unit_), "n") + cell(std::to_string(r.iterations), "n") +
-               "</tr>\n";
+        out += "<tr>" + cell(std::to_string(r.line), "n") + cell(std::to_string(r.move), "n") + cell(r.strategy) +
+               cell(depth_text(r.shift_length_mm, unit_), "n") + cell(lengths_text(r.shift_mm, unit_), "k") +
+               cell(depth_text(r.depth_before_mm, unit_), "n") + cell(depth_text(r.depth_after_mm, unit_), "n") +
+               cell(std::to_string(r.iterations), "n") + "</tr>\n";
       }
       out += more_rows(c.changes.size(), "8") + "</tbody></table></div>\n";
     }
@@ -264,12 +247,11 @@ class HtmlReport {
     if (left.empty()) return {};
     std::string out =
         "<h2>Left as it was</h2>\n<div class=\"wide\"><table><thead><tr><th class=\"n\">Line</th><th "
-        "class=\"n\">Move</th><th "
-        "class=\"n\">Depth</th><th>Reason</th></tr></thead><tbody>\n";
+        "class=\"n\">Move</th><th class=\"n\">Depth</th><th>Reason</th></tr></thead><tbody>\n";
     for (std::size_t i = 0; i < left.size() && i < kMostRows; ++i) {
       out += "<tr>" + cell(std::to_string(left[i].line), "n") + cell(std::to_string(left[i].move), "n") +
-             cell(left[i].depth_mm > 0 ? depth_text(left[i].depth_mm, unit_) : "-", "n") +
-             cell(left[i].reason) + "</tr>\n";
+             cell(left[i].depth_mm > 0 ? depth_text(left[i].depth_mm, unit_) : "-", "n") + cell(left[i].reason) +
+             "</tr>\n";
     }
     return out + more_rows(left.size(), "4") + "</tbody></table></div>\n";
   }
@@ -277,11 +259,10 @@ class HtmlReport {
   [[nodiscard]] std::string inputs() const {
     std::string out =
         "<h2>Inputs</h2>\n<div class=\"wide\"><table><thead><tr><th>Role</th><th>File</th><th "
-        "class=\"n\">Bytes</th><th>"
-        "Checksum</th></tr></thead><tbody>\n";
+        "class=\"n\">Bytes</th><th>Checksum</th></tr></thead><tbody>\n";
     for (const InputFile& input : model_.inputs) {
-      out += "<tr>" + cell(input.role) + cell(input.name) + cell(std::to_string(input.bytes), "n") +
-             "<td><code>" + xml_escaped(input.checksum) + "</code></td></tr>\n";
+      out += "<tr>" + cell(input.role) + cell(input.name) + cell(std::to_string(input.bytes), "n") + "<td><code>" +
+             xml_escaped(input.checksum) + "</code></td></tr>\n";
     }
     out += "</tbody></table></div>\n";
     for (const std::vector<MeshFacts>* meshes : {&model_.parts, &model_.fixtures, &model_.heads}) {
@@ -311,14 +292,12 @@ class HtmlReport {
   [[nodiscard]] std::string tools() const {
     if (model_.tools.empty()) return {};
     std::string out =
-        "<h2>Tools</h2>\n<div "
-        "class=\"wide\"><table><thead><tr><th>Tool</th><th>Name</th><th>Shape</th><th>Defined in</th></tr>"
-        "</thead><tbody>\n";
+        "<h2>Tools</h2>\n<div class=\"wide\"><table><thead><tr><th>Tool</th><th>Name</th><th>Shape</th><th>Defined "
+        "in</th></tr></thead><tbody>\n";
     for (std::size_t i = 0; i < model_.tools.size(); ++i) {
       const ToolFacts& tool = model_.tools[i];
       out += "<tr>" + cell(tool_label(*model_.toolpath, i), "k") + cell(tool.name) + cell(tool.description) +
-             cell(tool.defined_in.empty() ? "nowhere: its moves are not checked" : tool.defined_in) +
-             "</tr>\n";
+             cell(tool.defined_in.empty() ? "nowhere: its moves are not checked" : tool.defined_in) + "</tr>\n";
     }
     return out + "</tbody></table></div>\n";
   }

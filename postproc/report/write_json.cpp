@@ -13,9 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 // Text of files may hold anything; JSON may not.
-Json text(std::string_view value) {
-  return valid_utf8(value);
-}
+Json text(std::string_view value) { return valid_utf8(value); }
 
 class JsonReport {
  public:
@@ -55,9 +53,7 @@ class JsonReport {
     const double value = length_mm / mm_per(unit_);
     return std::isfinite(value) ? Json(value + 0.0) : Json(nullptr);
   }
-  [[nodiscard]] Json lengths(const Vec3& v) const {
-    return Json::array({length(v.x()), length(v.y()), length(v.z())});
-  }
+  [[nodiscard]] Json lengths(const Vec3& v) const { return Json::array({length(v.x()), length(v.y()), length(v.z())}); }
 
   [[nodiscard]] Json inputs() const {
     Json all = Json::array();
@@ -92,12 +88,8 @@ class JsonReport {
       kinds[kind_name(move.kind)] = kinds[kind_name(move.kind)].get<std::size_t>() + 1;
     Json words = Json::object();
     for (const auto& [word, count] : path.words_not_understood) words[valid_utf8(word)] = count;
-    return {{"file", text(path.file)},
-            {"dialect", text(path.dialect)},
-            {"unit_is_stated", path.is_unit_stated},
-            {"moves", path.moves.size()},
-            {"moves_by_kind", kinds},
-            {"operations", path.operations.size()},
+    return {{"file", text(path.file)},      {"dialect", text(path.dialect)}, {"unit_is_stated", path.is_unit_stated},
+            {"moves", path.moves.size()},   {"moves_by_kind", kinds},        {"operations", path.operations.size()},
             {"words_not_understood", words}};
   }
 
@@ -237,9 +229,11 @@ class JsonReport {
     }
     Json left = Json::array();
     for (const UncorrectedRecord& r : c.uncorrected) {
-      left.push_back(
-          {{"move", r.move}, {"line", r.line}, {"depth", length(r.depth_mm)}, {"reason", text(r.reason)},
-           {"is_changed", r.is_changed}});
+      left.push_back({{"move", r.move},
+                      {"line", r.line},
+                      {"depth", length(r.depth_mm)},
+                      {"reason", text(r.reason)},
+                      {"is_changed", r.is_changed}});
     }
     Json written = Json::array();
     for (const WrittenRecord& r : c.written) written.push_back({{"kind", r.kind}, {"line", r.line}});
@@ -275,8 +269,6 @@ class JsonReport {
 
 }  // namespace
 
-std::string write_json(const ReportModel& model) {
-  return JsonReport(model).build().dump(1) + "\n";
-}
+std::string write_json(const ReportModel& model) { return JsonReport(model).build().dump(1) + "\n"; }
 
 }  // namespace gouge

@@ -75,15 +75,13 @@ std::string failure(const ReportModel& model, const Case& one) {
               std::to_string(one.gouging) + " of " + count_text(one.moves, "move") + " gouge";
   }
   if (one.buried > 0) {
-    message +=
-        (message.empty() ? "" : "; ") + std::string("tool buried in ") + count_text(one.buried, "move");
+    message += (message.empty() ? "" : "; ") + std::string("tool buried in ") + count_text(one.buried, "move");
   }
-  std::string out = "   <failure type=\"" + std::string(one.gouging > 0 ? "gouge" : "buried") +
-                    "\" message=\"" + xml_escaped(message) + "\">";
+  std::string out = "   <failure type=\"" + std::string(one.gouging > 0 ? "gouge" : "buried") + "\" message=\"" +
+                    xml_escaped(message) + "\">";
   for (const Event* event : one.events) {
-    out += xml_escaped(model.toolpath->file + ":" +
-                       std::to_string(model.toolpath->moves[event->worst_move].line) + ": " +
-                       event_text(model, *event) + span_text(*event)) +
+    out += xml_escaped(model.toolpath->file + ":" + std::to_string(model.toolpath->moves[event->worst_move].line) +
+                       ": " + event_text(model, *event) + span_text(*event)) +
            "\n";
   }
   return out + "</failure>\n";
@@ -96,9 +94,7 @@ std::string skipped(const ReportModel& model, const Case& one) {
          "\"/>\n";
 }
 
-std::string seconds_text(double seconds) {
-  return fixed_text(seconds, 3);
-}
+std::string seconds_text(double seconds) { return fixed_text(seconds, 3); }
 
 // Build servers show it, but it fails no test.
 std::string beside_the_verdict(const ReportModel& model) {
@@ -113,7 +109,8 @@ std::string beside_the_verdict(const ReportModel& model) {
 }  // namespace
 
 std::string write_junit(const ReportModel& model) {
-  const double seconds_per_move = model.seconds / static_cast<double>(std::max<std::size_t>(model.result->verdicts.size(), 1));
+  const double seconds_per_move =
+      model.seconds / static_cast<double>(std::max<std::size_t>(model.result->verdicts.size(), 1));
   const std::vector<Case> cases = cases_of(model);
   std::size_t failures = 0;
   std::size_t skips = 0;
@@ -131,9 +128,9 @@ std::string write_junit(const ReportModel& model) {
     }
     body += "  </testcase>\n";
   }
-  const std::string counts = "tests=\"" + std::to_string(cases.size()) + "\" failures=\"" +
-                             std::to_string(failures) + "\" errors=\"0\" skipped=\"" + std::to_string(skips) +
-                             "\" time=\"" + seconds_text(model.seconds) + "\"";
+  const std::string counts = "tests=\"" + std::to_string(cases.size()) + "\" failures=\"" + std::to_string(failures) +
+                             "\" errors=\"0\" skipped=\"" + std::to_string(skips) + "\" time=\"" +
+                             seconds_text(model.seconds) + "\"";
   return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n <testsuite name=\"" +
          xml_escaped(std::string(kProgramName) + " " + model.toolpath->file) + "\" " + counts + ">\n" + body +
          beside_the_verdict(model) + " </testsuite>\n</testsuites>\n";

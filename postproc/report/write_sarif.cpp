@@ -44,8 +44,7 @@ std::string uri_of(const std::string& name) {
     } else {
       const std::string hex = hex_text(static_cast<unsigned char>(c));
       uri += '%';
-      for (const char digit : hex.substr(14))
-        uri += digit >= 'a' ? static_cast<char>(digit - 'a' + 'A') : digit;
+      for (const char digit : hex.substr(14)) uri += digit >= 'a' ? static_cast<char>(digit - 'a' + 'A') : digit;
     }
   }
   return uri;
@@ -59,8 +58,7 @@ class SarifReport {
     for (const Event& event : model_.result->events) {
       if (event.state == MoveState::not_checked || event.state == MoveState::not_certified) continue;
       const std::string what = event_text(model_, event) + span_text(event);
-      add(event.state, what, event.worst_move,
-          std::string(body_name(event.body)) + against_name(event.against));
+      add(event.state, what, event.worst_move, std::string(body_name(event.body)) + against_name(event.against));
     }
     for (const ReasonGroup& group : group_reasons(*model_.result)) {
       add(group.state, group_text(group), group.first_move, group.reason);
@@ -106,20 +104,19 @@ class SarifReport {
 
   void add(MoveState state, const std::string& message, std::size_t move_index, const std::string& what) {
     const Move& move = model_.toolpath->moves[move_index];
-    const std::string key = std::string(state_name(state)) + '\n' + tool_key(*model_.toolpath, move.tool) +
-                            '\n' + what + '\n' + statement_text(move);
+    const std::string key = std::string(state_name(state)) + '\n' + tool_key(*model_.toolpath, move.tool) + '\n' +
+                            what + '\n' + statement_text(move);
     const std::string hash = hex_text(fnv1a64(key));
     const std::size_t occurrence = ++seen_[hash];
     Json location = {{"artifactLocation", {{"uri", uri_of(model_.toolpath->file)}, {"index", 0}}}};
     if (move.line > 0) location["region"] = {{"startLine", std::size_t{move.line}}};
     const std::size_t rule = rule_index(state);
-    results_.push_back(
-        {{"ruleId", state_name(state)},
-         {"ruleIndex", rule},
-         {"level", kRules.at(rule).level},
-         {"message", {{"text", valid_utf8(message)}}},
-         {"locations", Json::array({{{"physicalLocation", location}}})},
-         {"partialFingerprints", {{"gougecheckFinding/v1", hash + ":" + std::to_string(occurrence)}}}});
+    results_.push_back({{"ruleId", state_name(state)},
+                        {"ruleIndex", rule},
+                        {"level", kRules.at(rule).level},
+                        {"message", {{"text", valid_utf8(message)}}},
+                        {"locations", Json::array({{{"physicalLocation", location}}})},
+                        {"partialFingerprints", {{"gougecheckFinding/v1", hash + ":" + std::to_string(occurrence)}}}});
   }
 
   const ReportModel& model_;
@@ -129,8 +126,6 @@ class SarifReport {
 
 }  // namespace
 
-std::string write_sarif(const ReportModel& model) {
-  return SarifReport(model).build().dump(1) + "\n";
-}
+std::string write_sarif(const ReportModel& model) { return SarifReport(model).build().dump(1) + "\n"; }
 
 }  // namespace gouge

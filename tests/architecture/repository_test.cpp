@@ -35,14 +35,12 @@ const std::vector<SourceFile>& repository() {
         const std::string path = it->path().lexically_relative(root).generic_string();
         if (path == "samples/out" || path == "tests/corpus") it.disable_recursion_pending();
         const std::string extension = it->path().extension().string();
-        const bool is_text = extension == ".h" || extension == ".cpp" || extension == ".txt" ||
-                             extension == ".md" || extension == ".sh" || extension == ".cmake" ||
-                             extension == ".json" || extension.empty();
+        const bool is_text = extension == ".h" || extension == ".cpp" || extension == ".txt" || extension == ".md" ||
+                             extension == ".sh" || extension == ".cmake" || extension == ".json" || extension.empty();
         if (it->is_regular_file() && is_text) add(it->path());
       }
     }
-    for (const char* file :
-         {"README.md", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"}) {
+    for (const char* file : {"README.md", "CMakeLists.txt", "CMakePresets.json", ".clang-format", ".clang-tidy"}) {
       if (fs::exists(root / file)) add(root / file);
     }
     std::sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a.path < b.path; });
@@ -78,45 +76,28 @@ TEST(Repository, EverySourceBelowCliLiesInAModule) {
     const std::string folder = fs::path(file.path).parent_path().generic_string();
     const std::string top = file.path.substr(0, file.path.find('/'));
     const std::string extension = fs::path(file.path).extension().string();
-    if ((top != "lib" && top != "toolmodels" && top != "postproc") ||
-        (extension != ".h" && extension != ".cpp"))
+    if ((top != "lib" && top != "toolmodels" && top != "postproc") || (extension != ".h" && extension != ".cpp"))
       continue;
     EXPECT_TRUE(std::any_of(all.begin(), all.end(), [&](const Module& room) { return room.path == folder; }))
         << file.path;
   }
 }
 
-TEST(Repository, ModulesImportOneWay) {
-  EXPECT_EQ(listed(check_modules(modules())), "");
-}
-TEST(Repository, IncludesKeepToTheImports) {
-  EXPECT_EQ(listed(check_includes(repository(), modules())), "");
-}
+TEST(Repository, ModulesImportOneWay) { EXPECT_EQ(listed(check_modules(modules())), ""); }
+TEST(Repository, IncludesKeepToTheImports) { EXPECT_EQ(listed(check_includes(repository(), modules())), ""); }
 TEST(Repository, PartsOfAVerdictAreClosedToAllWhoCouldForgetTheOthers) {
   std::size_t closed = 0;
   for (const Module& room : modules()) closed += room.closed.size();
   EXPECT_GE(closed, 5U);
   EXPECT_EQ(listed(check_closed_headers(repository(), modules())), "");
 }
-TEST(Repository, CgalAndOpenCvStayInOneSourceEach) {
-  EXPECT_EQ(listed(check_heavy_libraries(repository())), "");
-}
-TEST(Repository, NothingBelowCliPrintsEndsOrThrows) {
-  EXPECT_EQ(listed(check_banned_words(repository())), "");
-}
-TEST(Repository, RandomNumbersAreTheSameEverywhere) {
-  EXPECT_EQ(listed(check_random_numbers(repository())), "");
-}
-TEST(Repository, FilesAreShortAndHeadersGuarded) {
-  EXPECT_EQ(listed(check_shape(repository())), "");
-}
-TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) {
-  EXPECT_EQ(listed(check_stray_text(repository())), "");
-}
+TEST(Repository, CgalAndOpenCvStayInOneSourceEach) { EXPECT_EQ(listed(check_heavy_libraries(repository())), ""); }
+TEST(Repository, NothingBelowCliPrintsEndsOrThrows) { EXPECT_EQ(listed(check_banned_words(repository())), ""); }
+TEST(Repository, RandomNumbersAreTheSameEverywhere) { EXPECT_EQ(listed(check_random_numbers(repository())), ""); }
+TEST(Repository, FilesAreShortAndHeadersGuarded) { EXPECT_EQ(listed(check_shape(repository())), ""); }
+TEST(Repository, HasNoNotesToSelfAndNoMachinePaths) { EXPECT_EQ(listed(check_stray_text(repository())), ""); }
 
-TEST(Repository, NoTwoTypesHaveOneName) {
-  EXPECT_EQ(listed(check_type_names(repository())), "");
-}
+TEST(Repository, NoTwoTypesHaveOneName) { EXPECT_EQ(listed(check_type_names(repository())), ""); }
 
 TEST(Repository, EveryMessageCodeIsDocumentedAndNoOther) {
   std::set<std::string> used, documented;
@@ -126,8 +107,7 @@ TEST(Repository, EveryMessageCodeIsDocumentedAndNoOther) {
     if (file.path == "docs/errors.md") documented = documented_codes_of(file.text);
   }
   EXPECT_GT(used.size(), 30U);
-  for (const std::string& code : used)
-    EXPECT_EQ(documented.count(code), 1U) << code << " is not in docs/errors.md";
+  for (const std::string& code : used) EXPECT_EQ(documented.count(code), 1U) << code << " is not in docs/errors.md";
   for (const std::string& code : documented) EXPECT_EQ(used.count(code), 1U) << code << " is in no source";
 }
 
@@ -165,12 +145,11 @@ std::map<std::string, std::vector<std::string>> rows_by_section(const std::strin
 TEST(Repository, TheThesisMapNamesFilesAndTestsForEverySectionOfTheCoresChapters) {
   const auto rows = rows_by_section(text_of(fs::path(source_folder()) / "docs" / "thesis_map.md"));
   for (const char* section :
-       {"2.4.18", "2.4.18.1", "2.4.18.2",   "2.4.18.3",  "2.4.18.4", "2.4.18.5", "4.1",     "4.1.1",
-        "4.1.2",  "4.2",      "4.3",        "4.4",       "4.4.1",    "4.4.2",    "4.5",     "4.5.1",
-        "4.5.2",  "4.5.2.1",  "4.5.2.2",    "4.5.2.3",   "4.6",      "4.6.1",    "4.6.2",   "4.7",
-        "4.8",    "5.1",      "5.2",        "5.2.1",     "5.2.2",    "5.2.3",    "5.3",     "5.4",
-        "6.1",    "6.1.1",    "6.1.2",      "6.1.3",     "6.1.4",    "6.1.4.1",  "6.1.4.2", "6.1.4.3",
-        "6.2",    "6.3",      "appendix B", "appendix C"}) {
+       {"2.4.18",  "2.4.18.1", "2.4.18.2", "2.4.18.3", "2.4.18.4", "2.4.18.5", "4.1",        "4.1.1",     "4.1.2",
+        "4.2",     "4.3",      "4.4",      "4.4.1",    "4.4.2",    "4.5",      "4.5.1",      "4.5.2",     "4.5.2.1",
+        "4.5.2.2", "4.5.2.3",  "4.6",      "4.6.1",    "4.6.2",    "4.7",      "4.8",        "5.1",       "5.2",
+        "5.2.1",   "5.2.2",    "5.2.3",    "5.3",      "5.4",      "6.1",      "6.1.1",      "6.1.2",     "6.1.3",
+        "6.1.4",   "6.1.4.1",  "6.1.4.2",  "6.1.4.3",  "6.2",      "6.3",      "appendix B", "appendix C"}) {
     const auto row = rows.find(section);
     ASSERT_NE(row, rows.end()) << section << " has no row";
     ASSERT_GE(row->second.size(), 5U) << section;

@@ -7,16 +7,14 @@
 namespace gouge::architecture {
 namespace {
 
-Module room(const std::string& path, const std::vector<std::string>& imports) {
-  return {path, imports, {}, {}};
-}
+Module room(const std::string& path, const std::vector<std::string>& imports) { return {path, imports, {}, {}}; }
 
 const std::vector<Module> kModules = {room("lib/base", {}),
-                                  room("lib/mesh", {"lib/base"}),
-                                  room("lib/check", {"lib/base", "lib/mesh"}),
-                                  room("toolmodels", {"lib/base"}),
-                                  room("postproc/report", {"lib/base", "lib/check"}),
-                                  room("cli", {"lib/base", "toolmodels", "postproc/report"})};
+                                      room("lib/mesh", {"lib/base"}),
+                                      room("lib/check", {"lib/base", "lib/mesh"}),
+                                      room("toolmodels", {"lib/base"}),
+                                      room("postproc/report", {"lib/base", "lib/check"}),
+                                      room("cli", {"lib/base", "toolmodels", "postproc/report"})};
 
 TEST(Modules, AreReadFromCMakeCalls) {
   const auto modules =
@@ -26,9 +24,7 @@ TEST(Modules, AreReadFromCMakeCalls) {
   EXPECT_EQ(modules[0].imports, (std::vector<std::string>{"lib/base", "lib/geom"}));
 }
 
-TEST(Modules, OneWayImportsAreAccepted) {
-  EXPECT_EQ(check_modules(kModules), Complaints{});
-}
+TEST(Modules, OneWayImportsAreAccepted) { EXPECT_EQ(check_modules(kModules), Complaints{}); }
 
 TEST(Modules, UpwardSidewaysUnknownAndCircularImportsAreRefused) {
   EXPECT_EQ(check_modules({room("lib/base", {"toolmodels"}), room("toolmodels", {})}),
@@ -39,9 +35,8 @@ TEST(Modules, UpwardSidewaysUnknownAndCircularImportsAreRefused) {
             (Complaints{"cli: imports samples, which does not lie below it"}));
   EXPECT_EQ(check_modules({room("cli", {"lib/nowhere"})}),
             (Complaints{"cli: imports lib/nowhere, which is no module"}));
-  EXPECT_EQ(
-      check_modules({room("lib/a", {"lib/b"}), room("lib/b", {"lib/a"}), room("lib/c", {})}),
-      (Complaints{"lib/a: imports itself through other rooms", "lib/b: imports itself through other rooms"}));
+  EXPECT_EQ(check_modules({room("lib/a", {"lib/b"}), room("lib/b", {"lib/a"}), room("lib/c", {})}),
+            (Complaints{"lib/a: imports itself through other rooms", "lib/b: imports itself through other rooms"}));
 }
 
 TEST(Includes, OfImportedModulesAndOfTheOwnModuleAreAccepted) {
@@ -53,20 +48,22 @@ TEST(Includes, OfImportedModulesAndOfTheOwnModuleAreAccepted) {
 }
 
 TEST(Includes, OfOtherModulesAreRefusedWithTheirLine) {
-  EXPECT_EQ(
-      check_includes({{"lib/mesh/m.h", "#pragma once\n#  include \"lib/check/verdict.h\"\n"}}, kModules),
-      (Complaints{"lib/mesh/m.h:2: includes lib/check/verdict.h, but lib/mesh does not import lib/check"}));
+  EXPECT_EQ(check_includes({{"lib/mesh/m.h", "#pragma once\n#  include \"lib/check/verdict.h\"\n"}}, kModules),
+            (Complaints{"lib/mesh/m.h:2: includes lib/check/verdict.h, but lib/mesh does not import lib/check"}));
   EXPECT_EQ(check_includes({{"toolmodels/t.cpp", "#include \"t.h\"\n"}}, kModules),
             (Complaints{"toolmodels/t.cpp:1: includes t.h, which lies in no module"}));
 }
 
 TEST(ClosedHeaders, AreForTheirRoomForThoseItNamesAndForTheirTests) {
-  const std::vector<Module> modules = {modules_of("gouge_module(lib/a HEADERS a.h CLOSED part.h CLOSED_FOR lib/all)\n")[0],
-                                   room("lib/all", {"lib/a"}), room("lib/other", {"lib/a"}), room("cli", {"lib/a"})};
+  const std::vector<Module> modules = {
+      modules_of("gouge_module(lib/a HEADERS a.h CLOSED part.h CLOSED_FOR lib/all)\n")[0], room("lib/all", {"lib/a"}),
+      room("lib/other", {"lib/a"}), room("cli", {"lib/a"})};
   const std::string text = "#include \"lib/a/part.h\"\n#include \"lib/a/a.h\"\n";
-  for (const char* allowed : {"lib/a/a.cpp", "lib/all/x.h", "tests/lib/a/t.cpp", "tests/lib/all/t.cpp", "tests/bench/b.cpp"})
+  for (const char* allowed :
+       {"lib/a/a.cpp", "lib/all/x.h", "tests/lib/a/t.cpp", "tests/lib/all/t.cpp", "tests/bench/b.cpp"})
     EXPECT_EQ(check_closed_headers({{allowed, text}}, modules), Complaints{}) << allowed;
-  for (const std::string refused : {"lib/other/o.h", "cli/c.cpp", "tests/laws/l.cpp", "tests/lib/other/t.cpp", "tests/support/s.h"}) {
+  for (const std::string refused :
+       {"lib/other/o.h", "cli/c.cpp", "tests/laws/l.cpp", "tests/lib/other/t.cpp", "tests/support/s.h"}) {
     EXPECT_EQ(check_closed_headers({{refused, text}}, modules),
               (Complaints{refused + ":1: includes lib/a/part.h, which lib/a keeps closed"}));
   }
@@ -76,10 +73,8 @@ TEST(HeavyLibraries, StayInOneSourceOfTheirModule) {
   EXPECT_EQ(check_heavy_libraries({{"lib/validate/v.cpp", "#include <CGAL/Surface_mesh.h>\n"},
                                    {"postproc/image/c.cpp", "#include <opencv2/core.hpp>\n"}}),
             Complaints{});
-  EXPECT_EQ(
-      check_heavy_libraries({{"lib/mesh/m.cpp", "#include <CGAL/Surface_mesh.h>\n"}}),
-      (Complaints{
-          "lib/mesh/m.cpp:1: includes CGAL/Surface_mesh.h, which only one source of lib/validate/ may"}));
+  EXPECT_EQ(check_heavy_libraries({{"lib/mesh/m.cpp", "#include <CGAL/Surface_mesh.h>\n"}}),
+            (Complaints{"lib/mesh/m.cpp:1: includes CGAL/Surface_mesh.h, which only one source of lib/validate/ may"}));
   EXPECT_EQ(check_heavy_libraries({{"postproc/image/a.h", "#include <opencv2/core.hpp>\n"}}).size(), 1U);
   EXPECT_EQ(check_heavy_libraries({{"postproc/image/a.cpp", "#include <opencv2/core.hpp>\n"},
                                    {"postproc/image/b.cpp", "#include <opencv2/core.hpp>\n"}}),
@@ -89,8 +84,7 @@ TEST(HeavyLibraries, StayInOneSourceOfTheirModule) {
 TEST(BannedWords, AreFoundInCodeBelowCli) {
   EXPECT_EQ(check_banned_words({{"lib/mesh/m.cpp", "void f() {\n  std::cout << 1;\n}\n"}}),
             (Complaints{"lib/mesh/m.cpp:2: uses cout below cli"}));
-  for (const char* line :
-       {"std::printf(\"x\");", "exit(1);", "std::abort();", "throw 1;", "std::hypot(a, b);"}) {
+  for (const char* line : {"std::printf(\"x\");", "exit(1);", "std::abort();", "throw 1;", "std::hypot(a, b);"}) {
     EXPECT_EQ(check_banned_words({{"toolmodels/t.cpp", line}}).size(), 1U) << line;
   }
 }
@@ -109,7 +103,8 @@ TEST(RandomNumbers, OfAStandardLibraryAreRefused) {
                            "p = Vec3::Random();", "n = rand() % 6;"}) {
     EXPECT_EQ(check_random_numbers({{"tests/t.cpp", line}}).size(), 1U) << line;
   }
-  EXPECT_EQ(check_random_numbers({{"tests/t.cpp", "random.shuffle(a); // not std::shuffle\noperand(x);\n"}}), Complaints{});
+  EXPECT_EQ(check_random_numbers({{"tests/t.cpp", "random.shuffle(a); // not std::shuffle\noperand(x);\n"}}),
+            Complaints{});
 }
 
 TEST(Shape, LongFilesAndHeadersWithoutPragmaOnceAreRefused) {
@@ -117,8 +112,8 @@ TEST(Shape, LongFilesAndHeadersWithoutPragmaOnceAreRefused) {
   for (int i = 0; i < 501; ++i) long_text += "\n";
   const Complaints complaints =
       check_shape({{"lib/a.cpp", long_text}, {"lib/b.h", "int x;\n"}, {"lib/c.h", "#pragma once\n"}});
-  EXPECT_EQ(complaints, (Complaints{"lib/a.cpp:501: is longer than 500 lines",
-                                    "lib/b.h:1: a header begins with #pragma once"}));
+  EXPECT_EQ(complaints,
+            (Complaints{"lib/a.cpp:501: is longer than 500 lines", "lib/b.h:1: a header begins with #pragma once"}));
 }
 
 TEST(Shape, ALargeMedianIsRefused) {
@@ -137,9 +132,12 @@ TEST(StrayText, NotesToSelfAndMachinePathsAreRefused) {
 
 TEST(TypeNames, OfTwoHeadersAreTwo) {
   const std::string head = "#pragma once\nnamespace gouge {\n";
-  EXPECT_EQ(check_type_names({{"lib/a.h", head + "struct A {\n};\nstruct C;\n"}, {"lib/b.h", head + "class A final : public C {\n};\nstruct C;\n"}}),
+  EXPECT_EQ(check_type_names({{"lib/a.h", head + "struct A {\n};\nstruct C;\n"},
+                              {"lib/b.h", head + "class A final : public C {\n};\nstruct C;\n"}}),
             (Complaints{"lib/b.h:3: defines A again, after lib/a.h"}));
-  EXPECT_EQ(check_type_names({{"lib/a.h", head + "struct A {\n"}, {"lib/b.h", "namespace gouge::detail {\nstruct A {\n"}}), Complaints{});
+  EXPECT_EQ(
+      check_type_names({{"lib/a.h", head + "struct A {\n"}, {"lib/b.h", "namespace gouge::detail {\nstruct A {\n"}}),
+      Complaints{});
 }
 
 TEST(MessageCodes, AreReadFromSourcesAndFromTables) {

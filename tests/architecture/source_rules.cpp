@@ -11,15 +11,11 @@ namespace {
 
 constexpr std::size_t kLongestFile = 500, kLargestMedian = 150;
 
-bool starts_with(const std::string& text, const std::string& start) {
-  return text.rfind(start, 0) == 0;
-}
+bool starts_with(const std::string& text, const std::string& start) { return text.rfind(start, 0) == 0; }
 bool ends_with(const std::string& text, const std::string& end) {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
-bool is_code(const std::string& path) {
-  return ends_with(path, ".h") || ends_with(path, ".cpp");
-}
+bool is_code(const std::string& path) { return ends_with(path, ".h") || ends_with(path, ".cpp"); }
 bool is_below_cli(const std::string& path) {
   return starts_with(path, "lib/") || starts_with(path, "toolmodels/") || starts_with(path, "postproc/");
 }
@@ -35,9 +31,7 @@ const Module* module_of(const std::string& path, const std::vector<Module>& modu
   return found;
 }
 
-std::string layer_of(const std::string& room) {
-  return room.substr(0, room.find('/'));
-}
+std::string layer_of(const std::string& room) { return room.substr(0, room.find('/')); }
 
 bool may_import(const std::string& from, const std::string& to) {
   const std::string above = layer_of(from), below = layer_of(to);
@@ -52,14 +46,13 @@ void check_circles(const std::vector<Module>& modules, Complaints& complaints) {
   for (bool removed = true; removed;) {
     removed = false;
     for (auto it = open.begin(); it != open.end();) {
-      const bool is_leaf = std::none_of(it->second.begin(), it->second.end(),
-                                        [&](const auto& r) { return open.count(r) != 0; });
+      const bool is_leaf =
+          std::none_of(it->second.begin(), it->second.end(), [&](const auto& r) { return open.count(r) != 0; });
       removed = removed || is_leaf;
       it = is_leaf ? open.erase(it) : std::next(it);
     }
   }
-  for (const auto& [room, imports] : open)
-    complaints.push_back(room + ": imports itself through other rooms");
+  for (const auto& [room, imports] : open) complaints.push_back(room + ": imports itself through other rooms");
 }
 
 void complain(Complaints& complaints, const SourceFile& file, std::size_t line, const std::string& what) {
@@ -119,7 +112,8 @@ Complaints check_closed_headers(const std::vector<SourceFile>& files, const std:
         return std::find(all.begin(), all.end(), one) != all.end();
       };
       if (!has(target->closed, name) || (own != nullptr && has(target->closed_for, own->path))) continue;
-      complain(complaints, file, include.line, "includes " + include.target + ", which " + target->path + " keeps closed");
+      complain(complaints, file, include.line,
+               "includes " + include.target + ", which " + target->path + " keeps closed");
     }
   }
   return complaints;
@@ -130,10 +124,8 @@ Complaints check_heavy_libraries(const std::vector<SourceFile>& files) {
     std::string prefix, room;
     std::set<std::string> users;
   };
-  std::array<Heavy, 4> libraries = {Heavy{"CGAL/", "lib/validate/", {}},
-                                    Heavy{"opencv2/", "postproc/image/", {}},
-                                    Heavy{"png.h", "postproc/image/", {}},
-                                    Heavy{"ft2build.h", "postproc/image/", {}}};
+  std::array<Heavy, 4> libraries = {Heavy{"CGAL/", "lib/validate/", {}}, Heavy{"opencv2/", "postproc/image/", {}},
+                                    Heavy{"png.h", "postproc/image/", {}}, Heavy{"ft2build.h", "postproc/image/", {}}};
   Complaints complaints;
   for (const SourceFile& file : files) {
     if (!is_code(file.path) || starts_with(file.path, "tests/")) continue;
@@ -182,7 +174,8 @@ Complaints check_banned_words(const std::vector<SourceFile>& files) {
 }
 
 Complaints check_random_numbers(const std::vector<SourceFile>& files) {
-  static const std::regex kForeign(R"(_distribution\b|\bmt19937|\brandom_device\b|\bstd::shuffle\b|::Random\(|\bs?rand\()");
+  static const std::regex kForeign(
+      R"(_distribution\b|\bmt19937|\brandom_device\b|\bstd::shuffle\b|::Random\(|\bs?rand\()");
   Complaints complaints;
   for (const SourceFile& file : files) {
     if (!is_code(file.path)) continue;

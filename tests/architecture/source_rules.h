@@ -30,14 +30,15 @@ using Complaints = std::vector<std::string>;
 /// or libm.
 [[nodiscard]] Complaints check_banned_words(const std::vector<SourceFile>& files);
 
-/// Tests draw random numbers from tests/support/scatter.h alone: what a standard library draws is not what another does.
+/// Tests draw random numbers from tests/support/scatter.h alone: what a standard library draws is not what another
+/// does.
 [[nodiscard]] Complaints check_random_numbers(const std::vector<SourceFile>& files);
 
 /// Headers begin with #pragma once; no file is longer than 500 lines; the median is at most 150.
 [[nodiscard]] Complaints check_shape(const std::vector<SourceFile>& files);
 
-/// No two headers of the product define a type of the same name in namespace gouge: linked together, one would be destroyed as
-/// the other.
+/// No two headers of the product define a type of the same name in namespace gouge: linked together, one would be
+/// destroyed as the other.
 [[nodiscard]] Complaints check_type_names(const std::vector<SourceFile>& files);
 
 /// No notes to self, and no paths of the machine the project was written on.

@@ -8,9 +8,7 @@
 namespace gouge::architecture {
 namespace {
 
-bool is_identifier(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_';
-}
+bool is_identifier(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 /// Position after the literal that begins at `i` (a quote character).
 std::size_t end_of_literal(std::string_view text, std::size_t i) {
@@ -31,16 +29,14 @@ std::size_t end_of_raw_literal(std::string_view text, std::size_t i) {
 }
 
 bool is_message_code(const std::string& word) {
-  static const std::array<const char*, 11> kKinds = {"cgal-",    "cutter-", "file-", "folder-",
-                                                     "library-", "mesh-",   "path-", "stl-",
-                                                     "picture-", "tool-",   "write-"};
+  static const std::array<const char*, 11> kKinds = {"cgal-", "cutter-", "file-",    "folder-", "library-", "mesh-",
+                                                     "path-", "stl-",    "picture-", "tool-",   "write-"};
   static const std::set<std::string> kOptionNames = {"stl-units", "tool-library"};
   if (kOptionNames.count(word) != 0 || word.empty() || word.back() == '-') return false;
   for (const char c : word) {
     if (c != '-' && std::islower(static_cast<unsigned char>(c)) == 0) return false;
   }
-  return std::any_of(kKinds.begin(), kKinds.end(),
-                     [&](const char* kind) { return word.rfind(kind, 0) == 0; });
+  return std::any_of(kKinds.begin(), kKinds.end(), [&](const char* kind) { return word.rfind(kind, 0) == 0; });
 }
 
 /// What stands between pairs of `open` and `close`, in order.
@@ -64,13 +60,9 @@ std::set<std::string> codes_between(std::string_view text, std::string_view open
 
 }  // namespace
 
-std::set<std::string> message_codes_of(std::string_view text) {
-  return codes_between(text, "\"", "\"");
-}
+std::set<std::string> message_codes_of(std::string_view text) { return codes_between(text, "\"", "\""); }
 
-std::set<std::string> documented_codes_of(std::string_view markdown) {
-  return codes_between(markdown, "\n| `", "`");
-}
+std::set<std::string> documented_codes_of(std::string_view markdown) { return codes_between(markdown, "\n| `", "`"); }
 
 std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> lines;
@@ -128,8 +120,7 @@ std::vector<Include> includes_of(std::string_view text) {
 bool has_word(std::string_view text, std::string_view word) {
   for (std::size_t i = text.find(word); i != std::string_view::npos; i = text.find(word, i + 1)) {
     const std::size_t end = i + word.size();
-    if ((i == 0 || !is_identifier(text[i - 1])) && (end >= text.size() || !is_identifier(text[end])))
-      return true;
+    if ((i == 0 || !is_identifier(text[i - 1])) && (end >= text.size() || !is_identifier(text[end]))) return true;
   }
   return false;
 }
@@ -146,8 +137,7 @@ std::vector<std::string> file_links_of(std::string_view markdown) {
 std::vector<std::string> quoted_paths_of(std::string_view markdown) {
   std::vector<std::string> paths;
   for (const std::string& part : all_between(markdown, "`", "`")) {
-    const bool is_path =
-        part.find_first_of(" \n<>*(") == std::string::npos && part.find('/') != std::string::npos;
+    const bool is_path = part.find_first_of(" \n<>*(") == std::string::npos && part.find('/') != std::string::npos;
     const bool is_ours = part.rfind("lib/", 0) == 0 || part.rfind("toolmodels/", 0) == 0 ||
                          part.rfind("postproc/", 0) == 0 || part.rfind("cli/", 0) == 0 ||
                          part.rfind("tests/", 0) == 0 || part.rfind("docs/", 0) == 0;
@@ -166,8 +156,8 @@ std::vector<Module> modules_of(std::string_view cmake_text) {
     words >> room.path;
     std::string keyword;
     for (std::string word; words >> word;) {
-      if (word == "SOURCES" || word == "HEADERS" || word == "IMPORTS" || word == "LIBRARIES" ||
-          word == "CLOSED" || word == "CLOSED_FOR") {
+      if (word == "SOURCES" || word == "HEADERS" || word == "IMPORTS" || word == "LIBRARIES" || word == "CLOSED" ||
+          word == "CLOSED_FOR") {
         keyword = word;
       } else if (keyword == "IMPORTS") {
         room.imports.push_back(word);

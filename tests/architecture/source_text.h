@@ -25,7 +25,7 @@ struct Include {
 struct Module {
   std::string path;
   std::vector<std::string> imports;
-  std::vector<std::string> closed;      ///< headers that only the modules of `closed_for` may include besides itself
+  std::vector<std::string> closed;  ///< headers that only the modules of `closed_for` may include besides itself
   std::vector<std::string> closed_for;
 };
 

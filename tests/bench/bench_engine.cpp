@@ -31,8 +31,8 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void time_path(const std::string& label, const Toolpath& path, const Workload& work,
-               const PreparedScene& scene, unsigned threads, int repeat) {
+void time_path(const std::string& label, const Toolpath& path, const Workload& work, const PreparedScene& scene,
+               unsigned threads, int repeat) {
   if (path.moves.empty()) return;
   CheckOptions options;
   options.threads = threads;
@@ -48,11 +48,10 @@ void time_path(const std::string& label, const Toolpath& path, const Workload& w
   const double moves = static_cast<double>(path.moves.size());
   const double median = times[times.size() / 2];
   const StateCounts& n = result.counts;
-  std::printf("%s %2u %8zu %10.0f %9.3f %9.3f %8.1f  %zu/%zu/%zu/%zu/%zu %8.4f %016llx\n", label.c_str(),
-              threads, path.moves.size(), moves / median, 1e6 * median / moves, 1e6 * times.front() / moves,
-              static_cast<double>(result.evaluations) / moves, n.clean, n.near_miss, n.gouge, n.buried,
-              n.not_certified, result.worst_depth_mm,
-              static_cast<unsigned long long>(VerdictHash(result).value()));
+  std::printf("%s %2u %8zu %10.0f %9.3f %9.3f %8.1f  %zu/%zu/%zu/%zu/%zu %8.4f %016llx\n", label.c_str(), threads,
+              path.moves.size(), moves / median, 1e6 * median / moves, 1e6 * times.front() / moves,
+              static_cast<double>(result.evaluations) / moves, n.clean, n.near_miss, n.gouge, n.buried, n.not_certified,
+              result.worst_depth_mm, static_cast<unsigned long long>(VerdictHash(result).value()));
   std::fflush(stdout);
 }
 
@@ -62,8 +61,8 @@ void time_workload(const Arguments& arguments, ToolKind tool, std::size_t size) 
   const PreparedScene scene = prepare_scene(work.scene);
   std::printf("# %s, %zu triangles: tree built in %.3f s\n", work.tool.name.c_str(),
               work.scene.parts[0].triangles.size(), seconds_since(start));
-  static constexpr MoveGroup kGroups[] = {MoveGroup::contact, MoveGroup::air, MoveGroup::gouge,
-                                          MoveGroup::holder, MoveGroup::link};
+  static constexpr MoveGroup kGroups[] = {MoveGroup::contact, MoveGroup::air, MoveGroup::gouge, MoveGroup::holder,
+                                          MoveGroup::link};
   for (const unsigned threads : arguments.threads) {
     const auto label = [&](const char* group) {
       char text[64];

@@ -15,16 +15,11 @@ constexpr std::array<double, 6> kDips_mm = {0.02, 0.04, 0.08, 0.15, 0.3, 0.5};
 constexpr std::array<double, 4> kLifts_mm = {5, 10, 20, 40};
 
 double height(double x, double y) {
-  return 20 + 3 * std::sin(kTurn * x / 47) * std::cos(kTurn * y / 38 + 0.3) +
-         0.8 * std::sin(kTurn * (x + y) / 23 + 1);
+  return 20 + 3 * std::sin(kTurn * x / 47) * std::cos(kTurn * y / 38 + 0.3) + 0.8 * std::sin(kTurn * (x + y) / 23 + 1);
 }
 
-bool is_air_pass(int pass) {
-  return pass % 10 == 7;
-}
-bool is_holder_pass(int pass) {
-  return pass == 9 || pass == 21 || pass == 45 || pass == 63 || pass == 75;
-}
+bool is_air_pass(int pass) { return pass % 10 == 7; }
+bool is_holder_pass(int pass) { return pass == 9 || pass == 21 || pass == 45 || pass == 63 || pass == 75; }
 
 double dip(int pass, double k) {
   if (pass % 3 != 1 || is_air_pass(pass)) return 0;

@@ -45,9 +45,8 @@ CurvePoint curve(double u) {
   const double in_stretch = u - 2000 * static_cast<double>(segment);
   if (in_stretch > 1750 && in_stretch < 1950) c.lift_mm = kLifts_mm[segment % kLifts_mm.size()];
   const auto dive = static_cast<std::size_t>(u / 800);
-  c.dip_mm = c.lift_mm > 0 ? 0
-                           : kDips_mm[dive % kDips_mm.size()] *
-                                 window(u - 800 * static_cast<double>(dive), 100, 146, 5);
+  c.dip_mm =
+      c.lift_mm > 0 ? 0 : kDips_mm[dive % kDips_mm.size()] * window(u - 800 * static_cast<double>(dive), 100, 146, 5);
   if (c.lift_mm <= 0) {
     c.holder_share = std::max(window(u, 3150, 3380, 45), window(u, 9150, 9380, 45));
     c.holder_share = std::max(c.holder_share, window(u, 15200, 15430, 45));

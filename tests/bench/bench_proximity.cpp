@@ -40,14 +40,12 @@ struct Points {
     for (std::size_t i = 0; i < distances.size(); ++i) {
       const double angle = 1e-3 * static_cast<double>(i);
       r.push_back(is_ordered ? std::abs(20 * std::sin(angle)) : random.in(0, 1.3 * tool.r_max_mm));
-      z.push_back(is_ordered ? 0.5 * tool.z_max_mm * (1 + std::cos(0.77 * angle))
-                             : random.in(-10, tool.z_max_mm + 10));
+      z.push_back(is_ordered ? 0.5 * tool.z_max_mm * (1 + std::cos(0.77 * angle)) : random.in(-10, tool.z_max_mm + 10));
     }
   }
 };
 
-using Batch = void (*)(const CompiledTool&, std::span<const double>, std::span<const double>,
-                       std::span<double>);
+using Batch = void (*)(const CompiledTool&, std::span<const double>, std::span<const double>, std::span<double>);
 
 void measure(benchmark::State& state, Batch batch, std::size_t at_once) {
   const CompiledTool tool = tool_of(static_cast<std::size_t>(state.range(0)));
@@ -64,8 +62,7 @@ void measure(benchmark::State& state, Batch batch, std::size_t at_once) {
     benchmark::ClobberMemory();
   }
   const auto done = static_cast<double>(state.iterations()) * static_cast<double>(all);
-  state.counters["per_point"] =
-      benchmark::Counter(done, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["per_point"] = benchmark::Counter(done, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 
 void arguments(benchmark::internal::Benchmark* benchmark) {

@@ -48,9 +48,7 @@ class Measured {
     return at->second;
   }
   /// Moves or poses a second of processor time.
-  [[nodiscard]] std::optional<double> rate(const std::string& name) const {
-    return value(name, "items_per_second");
-  }
+  [[nodiscard]] std::optional<double> rate(const std::string& name) const { return value(name, "items_per_second"); }
 
  private:
   std::map<std::string, Counters> found_;
@@ -84,8 +82,7 @@ const std::vector<Line>& lines() {
       {"moves / Embree poses, 200k", "engine.moves", "200000", "embree.pose", "200000", Wanted::at_least, 5},
       {"moves / Embree poses, 2M", "engine.moves", "2000000", "embree.pose", "2000000", Wanted::at_least, 30},
       {"moves / Bullet sweeps, 2.4k", "engine.moves", "2400", "bullet.sweep", "2400", Wanted::at_least, 20},
-      {"moves / Bullet sweeps, 200k", "engine.moves", "200000", "bullet.sweep", "200000", Wanted::at_least,
-       400},
+      {"moves / Bullet sweeps, 200k", "engine.moves", "200000", "bullet.sweep", "200000", Wanted::at_least, 400},
       {"cost per move, 2M / 2.4k", "engine.moves", "2400", "engine.moves", "2000000", Wanted::at_most, 2},
       {"cost, air / contact, 2.4k", "engine.contact", "2400", "engine.air", "2400", Wanted::at_most, 0.1},
       {"cost, air / contact, 200k", "engine.contact", "200000", "engine.air", "200000", Wanted::at_most, 0.1},
@@ -107,8 +104,7 @@ std::string wanted_text(Wanted wanted, double limit) {
   return (wanted == Wanted::at_least ? ">= " : "<= ") + number(limit);
 }
 
-std::optional<double> ratio_of(const Measured& m, const Line& line, const std::string& part,
-                               const std::string& tool) {
+std::optional<double> ratio_of(const Measured& m, const Line& line, const std::string& part, const std::string& tool) {
   return ratio(m.rate(line.over + "/" + part + "/" + tool + "/" + line.over_size),
                m.rate(line.under + "/" + part + "/" + tool + "/" + line.under_size));
 }
@@ -125,8 +121,7 @@ std::optional<double> dense_cost(const Measured& m, const std::string& part, con
     const std::string rest = "/" + part + "/" + tool + "/" + size;
     const auto dense = m.rate("engine.dense" + rest);
     if (!dense) continue;
-    const auto factor =
-        ratio(m.value("engine.dense" + rest, "moves"), m.value("engine.moves" + rest, "moves"));
+    const auto factor = ratio(m.value("engine.dense" + rest, "moves"), m.value("engine.moves" + rest, "moves"));
     const auto slower = ratio(m.rate("engine.moves" + rest), dense);
     if (factor && slower) return *factor * *slower;
   }
@@ -137,16 +132,14 @@ std::optional<double> dense_cost(const Measured& m, const std::string& part, con
 std::optional<double> speedup(const Measured& m, const std::string& part, const std::string& tool,
                               const std::string& size) {
   const std::string rest = "/" + part + "/" + tool + "/" + size;
-  return ratio(m.value("engine.moves" + rest, "real_time"),
-               m.value("engine.two_threads" + rest, "real_time"));
+  return ratio(m.value("engine.moves" + rest, "real_time"), m.value("engine.two_threads" + rest, "real_time"));
 }
 
 std::string same_bytes(const Measured& m, const std::string& part, const std::string& tool) {
   bool is_any = false;
   for (const std::string& size : kSizes) {
     const std::string rest = "/" + part + "/" + tool + "/" + size;
-    const auto one = m.value("engine.moves" + rest, "hash"),
-               two = m.value("engine.two_threads" + rest, "hash");
+    const auto one = m.value("engine.moves" + rest, "hash"), two = m.value("engine.two_threads" + rest, "hash");
     if (!one || !two) continue;
     is_any = true;
     if (std::abs(*one - *two) > 0) return "no (missed)";
@@ -155,9 +148,8 @@ std::string same_bytes(const Measured& m, const std::string& part, const std::st
 }
 
 void print_ratios(const Measured& m, const std::string& part) {
-  std::printf(
-      "\n## Ratios, %s part\n\n| ratio | wanted | ball | bull-nose | taper |\n|---|---|---|---|---|\n",
-      part.c_str());
+  std::printf("\n## Ratios, %s part\n\n| ratio | wanted | ball | bull-nose | taper |\n|---|---|---|---|---|\n",
+              part.c_str());
   for (const Line& line : lines()) {
     std::vector<std::string> cells;
     for (const std::string& tool : kTools) {
@@ -167,8 +159,7 @@ void print_ratios(const Measured& m, const std::string& part) {
   }
   for (const std::string& size : kSizes) {
     std::vector<std::string> cells;
-    for (const std::string& tool : kTools)
-      cells.push_back(cell(speedup(m, part, tool, size), Wanted::at_least, 1.8));
+    for (const std::string& tool : kTools) cells.push_back(cell(speedup(m, part, tool, size), Wanted::at_least, 1.8));
     print_row("two threads / one, " + size, ">= 1.80", cells);
   }
   std::vector<std::string> dense, bytes;
@@ -241,20 +232,18 @@ std::string time_cell(const Measured& m, const std::string& name) {
 
 void print_times(const Measured& m, const std::string& part) {
   static const std::vector<std::string> kNames = {
-      "engine.moves",       "engine.contact", "engine.air",    "engine.gouge",    "engine.holder",
-      "engine.two_threads", "engine.dense",   "floor.pose",    "embree.pose",     "embree.one_cover",
-      "bullet.sweep",       "bullet.pose",    "fcl.ten_steps", "fcl.advancement", "fcl.pose",
-      "ode.pose",           "cgal.pose"};
+      "engine.moves",  "engine.contact",  "engine.air",  "engine.gouge",     "engine.holder", "engine.two_threads",
+      "engine.dense",  "floor.pose",      "embree.pose", "embree.one_cover", "bullet.sweep",  "bullet.pose",
+      "fcl.ten_steps", "fcl.advancement", "fcl.pose",    "ode.pose",         "cgal.pose"};
   std::printf(
-      "\n## Microseconds a move or pose, %s part; missed gouges + invented ones of those asked\n\nOf the "
-      "processor; with two threads of the clock.\n\n",
+      "\n## Microseconds a move or pose, %s part; missed gouges + invented ones of those asked\n\nOf the processor; "
+      "with two threads of the clock.\n\n",
       part.c_str());
   std::printf("| what | tool | 2.4k | 20k | 200k | 2M |\n|---|---|---|---|---|---|\n");
   for (const std::string& name : kNames) {
     for (const std::string& tool : kTools) {
       std::vector<std::string> cells;
-      for (const std::string& size : kSizes)
-        cells.push_back(time_cell(m, name + "/" + part + "/" + tool + "/" + size));
+      for (const std::string& size : kSizes) cells.push_back(time_cell(m, name + "/" + part + "/" + tool + "/" + size));
       if (std::all_of(cells.begin(), cells.end(), [](const std::string& c) { return c == "-"; })) continue;
       print_row(name, tool, cells);
     }

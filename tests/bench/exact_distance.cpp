@@ -79,8 +79,8 @@ double ExactDistance::lower_bound(const ConvexPiece& piece, const Pose& pose, co
   const PieceSample s = sample_piece(piece, pose, node.center);
   const double steep = s.gradient.dot(node.normal);
   const double flat = (s.gradient - steep * node.normal).norm();
-  return s.distance_mm - std::min(node.radius, std::abs(steep) * node.half_thickness +
-                                                   flat * node.disc_radius + kRounding_mm);
+  return s.distance_mm -
+         std::min(node.radius, std::abs(steep) * node.half_thickness + flat * node.disc_radius + kRounding_mm);
 }
 
 void ExactDistance::descend(const ConvexPiece& piece, const Pose& pose, std::uint32_t index, double accuracy,

@@ -60,8 +60,7 @@ AxialShape lower_shape(const ConvexPiece& piece) {
 AxialShape holder_shape(const ConvexPiece& piece) {
   const double z0 = piece.contour[1].y(), z1 = piece.contour[2].y();
   const auto wide = static_cast<btScalar>(piece.contour[1].x());
-  auto cylinder =
-      std::make_unique<btCylinderShape>(btVector3(wide, static_cast<btScalar>(0.5 * (z1 - z0)), wide));
+  auto cylinder = std::make_unique<btCylinderShape>(btVector3(wide, static_cast<btScalar>(0.5 * (z1 - z0)), wide));
   cylinder->setMargin(static_cast<btScalar>(0.001));
   return {std::move(cylinder), 0.5 * (z0 + z1)};
 }

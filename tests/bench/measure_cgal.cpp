@@ -20,10 +20,8 @@ using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 Mesh make_mesh(const IndexedMesh& mesh) {
   Mesh out;
   std::vector<Mesh::Vertex_index> vertices;
-  for (const Vec3& v : mesh.vertices)
-    vertices.push_back(out.add_vertex(Kernel::Point_3(v.x(), v.y(), v.z())));
-  for (const TriangleCorners& t : mesh.triangles)
-    out.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
+  for (const Vec3& v : mesh.vertices) vertices.push_back(out.add_vertex(Kernel::Point_3(v.x(), v.y(), v.z())));
+  for (const TriangleCorners& t : mesh.triangles) out.add_face(vertices[t[0]], vertices[t[1]], vertices[t[2]]);
   return out;
 }
 
@@ -39,8 +37,8 @@ class CgalScene {
     const Eigen::Matrix3d m = rotation_of(pose.axis);
     const Vec3& t = pose.tip;
     detection_.set_transformation(
-        tool_id_, CGAL::Aff_transformation_3<Kernel>(m(0, 0), m(0, 1), m(0, 2), t.x(), m(1, 0), m(1, 1),
-                                                     m(1, 2), t.y(), m(2, 0), m(2, 1), m(2, 2), t.z()));
+        tool_id_, CGAL::Aff_transformation_3<Kernel>(m(0, 0), m(0, 1), m(0, 2), t.x(), m(1, 0), m(1, 1), m(1, 2), t.y(),
+                                                     m(2, 0), m(2, 1), m(2, 2), t.z()));
     return !detection_.get_all_intersections(tool_id_).empty();
   }
 

@@ -34,13 +34,13 @@ class EmbreeScene {
   explicit EmbreeScene(const IndexedMesh& mesh)
       : mesh_(mesh), scene_(rtcNewScene(device_.device)), seen_(mesh.triangles.size(), 0) {
     const RTCGeometry geometry = rtcNewGeometry(device_.device, RTC_GEOMETRY_TYPE_TRIANGLE);
-    auto* corners = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
-                                                                RTC_FORMAT_FLOAT3, 12, mesh.vertices.size()));
+    auto* corners = static_cast<float*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 12, mesh.vertices.size()));
     for (const Vec3& v : mesh.vertices) {
       for (int k = 0; k < 3; ++k) *corners++ = static_cast<float>(v[k]);
     }
-    auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(
-        geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
+    auto* indices = static_cast<unsigned*>(
+        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 12, mesh.triangles.size()));
     for (const TriangleCorners& t : mesh.triangles) indices = std::copy(t.begin(), t.end(), indices);
     rtcSetGeometryPointQueryFunction(geometry, nullptr);
     rtcCommitGeometry(geometry);
@@ -61,8 +61,7 @@ class EmbreeScene {
       std::fill(seen_.begin(), seen_.end(), 0U);
       stamp_ = 0;
     }
-    for (const auto& [piece, spheres] :
-         {std::pair{&tool.lower, &cover.lower}, {&tool.holder, &cover.holder}}) {
+    for (const auto& [piece, spheres] : {std::pair{&tool.lower, &cover.lower}, {&tool.holder, &cover.holder}}) {
       Asked asked = {&mesh_, piece, &pose, seen_.data(), ++stamp_, {}};
       asked.best.distance_mm = -deepest;
       for (const CoverSphere& s : *spheres) {
@@ -107,8 +106,7 @@ class EmbreeScene {
 };
 
 /// The fastest of some coverings, by a short trial over poses of this very case.
-SphereCover fastest_cover(const EmbreeScene& scene, const PeerCase& c,
-                          const std::vector<SampledPose>& sample) {
+SphereCover fastest_cover(const EmbreeScene& scene, const PeerCase& c, const std::vector<SampledPose>& sample) {
   SphereCover best;
   double least = std::numeric_limits<double>::infinity();
   for (const auto& [bulge, disc] : {std::pair{0.04, 0.15},
@@ -165,8 +163,7 @@ std::function<void(benchmark::State&)> prepare_build(const std::shared_ptr<const
       const EmbreeScene scene(c->work.scene.parts[0]);
       benchmark::DoNotOptimize(&scene);
     }
-    state.SetItemsProcessed(state.iterations() *
-                            static_cast<std::int64_t>(c->work.scene.parts[0].triangles.size()));
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(c->work.scene.parts[0].triangles.size()));
   };
 }
 

@@ -30,8 +30,7 @@ std::shared_ptr<Model> make_model(const IndexedMesh& mesh) {
 fcl::Transform3d transform_of(const Pose& pose, const Pose& like) {
   // Turned from one fixed frame, so that the way between two poses has no spin about the tool's axis.
   fcl::Transform3d t = fcl::Transform3d::Identity();
-  t.linear() =
-      Eigen::Quaterniond::FromTwoVectors(like.axis, pose.axis).toRotationMatrix() * rotation_of(like.axis);
+  t.linear() = Eigen::Quaterniond::FromTwoVectors(like.axis, pose.axis).toRotationMatrix() * rotation_of(like.axis);
   t.translation() = pose.tip;
   return t;
 }
@@ -42,8 +41,8 @@ struct FclScene {
   [[nodiscard]] bool is_hit(const Pose& pose) const {
     fcl::CollisionRequestd request;
     fcl::CollisionResultd result;
-    return fcl::collide(tool.get(), transform_of(pose, pose), part.get(), fcl::Transform3d::Identity(),
-                        request, result) > 0;
+    return fcl::collide(tool.get(), transform_of(pose, pose), part.get(), fcl::Transform3d::Identity(), request,
+                        result) > 0;
   }
 
   [[nodiscard]] bool is_hit_in_steps(const Motion& motion) const {
@@ -61,8 +60,7 @@ struct FclScene {
     fcl::ContinuousCollisionResultd result;
     const fcl::Transform3d still = fcl::Transform3d::Identity();
     fcl::continuousCollide(tool.get(), transform_of(motion.start(), motion.start()),
-                           transform_of(motion.end(), motion.start()), part.get(), still, still, request,
-                           result);
+                           transform_of(motion.end(), motion.start()), part.get(), still, still, request, result);
     return result.is_collide;
   }
 };
@@ -102,8 +100,7 @@ std::function<void(benchmark::State&)> prepare_advancing(const std::shared_ptr<c
 
 int main(int count, char** words) {
   using namespace gouge::bench;
-  register_measurements({{"fcl.pose", prepare_poses},
-                         {"fcl.ten_steps", prepare_steps},
-                         {"fcl.advancement", prepare_advancing, 2400}});
+  register_measurements(
+      {{"fcl.pose", prepare_poses}, {"fcl.ten_steps", prepare_steps}, {"fcl.advancement", prepare_advancing, 2400}});
   return run_measurements(count, words);
 }

@@ -29,8 +29,7 @@ constexpr std::size_t kCopies = 10;  // of the path's 20,000 positions in the to
 
 std::string bench_file(const std::string& name) {
   const char* folder = std::getenv("GOUGE_BENCH_CACHE");
-  return (folder != nullptr ? std::string(folder) : std::filesystem::temp_directory_path().string()) + "/" +
-         name;
+  return (folder != nullptr ? std::string(folder) : std::filesystem::temp_directory_path().string()) + "/" + name;
 }
 
 /// Runs `work` in a child process, so that neither its memory nor its threads stay with us.
@@ -60,8 +59,8 @@ std::string toolpath_text() {
     for (const PlacedPose& p : work.positions) {
       char line[160];
       const Vec3 &t = p.pose.tip, &a = p.pose.axis;
-      std::snprintf(line, sizeof line, "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", t.x(), t.y(), t.z(), a.x(),
-                    a.y(), a.z());
+      std::snprintf(line, sizeof line, "GOTO/%.6f,%.6f,%.6f,%.9f,%.9f,%.9f\n", t.x(), t.y(), t.z(), a.x(), a.y(),
+                    a.z());
       text += line;
     }
   }

@@ -28,11 +28,11 @@ struct OdeMesh {
     }
     const int stride = static_cast<int>(3 * sizeof(dReal)), step = static_cast<int>(3 * sizeof(dTriIndex));
     if constexpr (sizeof(dReal) == sizeof(double)) {
-      dGeomTriMeshDataBuildDouble(data, corners.data(), stride, static_cast<int>(mesh.vertices.size()),
-                                  indices.data(), static_cast<int>(indices.size()), step);
+      dGeomTriMeshDataBuildDouble(data, corners.data(), stride, static_cast<int>(mesh.vertices.size()), indices.data(),
+                                  static_cast<int>(indices.size()), step);
     } else {
-      dGeomTriMeshDataBuildSingle(data, corners.data(), stride, static_cast<int>(mesh.vertices.size()),
-                                  indices.data(), static_cast<int>(indices.size()), step);
+      dGeomTriMeshDataBuildSingle(data, corners.data(), stride, static_cast<int>(mesh.vertices.size()), indices.data(),
+                                  static_cast<int>(indices.size()), step);
     }
   }
   OdeMesh(const OdeMesh&) = delete;
@@ -72,8 +72,7 @@ class OdeScene {
     for (const Piece& p : pieces_) {
       const Vec3 at = pose.tip + p.middle_mm * pose.axis;
       dGeomSetRotation(p.geometry, turn);
-      dGeomSetPosition(p.geometry, static_cast<dReal>(at.x()), static_cast<dReal>(at.y()),
-                       static_cast<dReal>(at.z()));
+      dGeomSetPosition(p.geometry, static_cast<dReal>(at.x()), static_cast<dReal>(at.y()), static_cast<dReal>(at.z()));
       dContactGeom contact;
       const int flags = 1 | static_cast<int>(CONTACTS_UNIMPORTANT);
       if (dCollide(p.geometry, part_, flags, &contact, sizeof contact) > 0) return true;

@@ -17,9 +17,7 @@ constexpr double kGouged_mm = -0.011;  // tolerance and resolution of the check
 constexpr double kClear_mm = 0.002;    // what 64 instants may overlook, many times over
 constexpr std::array<const char*, 3> kTools = {"ball", "bull", "taper"};
 
-const char* part_name(BenchPart part) {
-  return part == BenchPart::wavy ? "wavy" : "unseen";
-}
+const char* part_name(BenchPart part) { return part == BenchPart::wavy ? "wavy" : "unseen"; }
 
 std::vector<std::size_t> spread(std::size_t first, std::size_t last, std::size_t count) {
   const std::size_t total = last - first;
@@ -61,12 +59,10 @@ std::vector<Vec2> contour_of(const CompiledTool& tool, double chord_mm) {
 }
 
 std::string label_of(BenchPart part, ToolKind tool, std::size_t size) {
-  return std::string(part_name(part)) + "/" + kTools[static_cast<std::size_t>(tool)] + "/" +
-         std::to_string(size);
+  return std::string(part_name(part)) + "/" + kTools[static_cast<std::size_t>(tool)] + "/" + std::to_string(size);
 }
 
-std::shared_ptr<const PeerCase> current_case(BenchPart part, ToolKind tool, std::size_t size,
-                                             std::size_t density) {
+std::shared_ptr<const PeerCase> current_case(BenchPart part, ToolKind tool, std::size_t size, std::size_t density) {
   static std::string kept_name;
   static std::shared_ptr<const PeerCase> kept;
   const std::string name = label_of(part, tool, size) + "x" + std::to_string(density);
@@ -79,8 +75,8 @@ std::shared_ptr<const PeerCase> current_case(BenchPart part, ToolKind tool, std:
 }
 
 /// What `prepare` made for this label, made once however often the benchmark library calls.
-const std::function<void(benchmark::State&)>& prepared(const std::string& label, const Measurement& m,
-                                                       BenchPart part, ToolKind tool, std::size_t size) {
+const std::function<void(benchmark::State&)>& prepared(const std::string& label, const Measurement& m, BenchPart part,
+                                                       ToolKind tool, std::size_t size) {
   static std::string kept_label;
   static std::function<void(benchmark::State&)> kept;
   if (kept_label != label) {
@@ -109,9 +105,7 @@ std::vector<std::size_t> asked_sizes() {
 
 }  // namespace
 
-std::string PeerCase::label() const {
-  return label_of(part, tool, triangles);
-}
+std::string PeerCase::label() const { return label_of(part, tool, triangles); }
 
 std::vector<SampledPose> sample_poses(const PeerCase& c, std::size_t count) {
   std::vector<SampledPose> sample;
@@ -153,8 +147,7 @@ void Wrongs::count(double closest_mm, bool is_hit) {
 
 void Wrongs::count_depth(double closest_mm, double depth_mm) {
   count(closest_mm, depth_mm > 0);
-  largest_depth_error_mm_ =
-      std::max(largest_depth_error_mm_, std::abs(std::max(0.0, -closest_mm) - depth_mm));
+  largest_depth_error_mm_ = std::max(largest_depth_error_mm_, std::abs(std::max(0.0, -closest_mm) - depth_mm));
 }
 
 void Wrongs::report(benchmark::State& state) const {
@@ -210,11 +203,9 @@ void register_measurements(std::vector<Measurement> measurements) {
     for (const ToolKind tool : {ToolKind::ball, ToolKind::bull, ToolKind::taper}) {
       for (const std::size_t size : asked_sizes()) {
         for (const Measurement& m : *all) {
-          if (size > m.largest || size < m.smallest || (!m.is_for_all_tools && tool != ToolKind::ball))
-            continue;
+          if (size > m.largest || size < m.smallest || (!m.is_for_all_tools && tool != ToolKind::ball)) continue;
           const std::string label = m.name + "/" + label_of(part, tool, size);
-          benchmark::RegisterBenchmark(label.c_str(), [all, label, &m, part, tool,
-                                                       size](benchmark::State& state) {
+          benchmark::RegisterBenchmark(label.c_str(), [all, label, &m, part, tool, size](benchmark::State& state) {
             prepared(label, m, part, tool, size)(state);
           })->Unit(benchmark::kMicrosecond);
         }
@@ -263,12 +254,8 @@ int run_measurements(int count, char** words) {
   return 0;
 }
 
-bool is_quick() {
-  return std::getenv("GOUGE_BENCH_QUICK") != nullptr;
-}
+bool is_quick() { return std::getenv("GOUGE_BENCH_QUICK") != nullptr; }
 
-std::size_t scaled(std::size_t count) {
-  return is_quick() ? std::max<std::size_t>(kRun, count / 4) : count;
-}
+std::size_t scaled(std::size_t count) { return is_quick() ? std::max<std::size_t>(kRun, count / 4) : count; }
 
 }  // namespace gouge::bench

@@ -30,17 +30,14 @@ Stand stand_on_surface(const PartPlan& plan, const BenchTool& tool, const CurveP
   return {{touch - support_offset(tool.lower, axis, -normal), axis}, normal};
 }
 
-Pose pushed(const Stand& stand, double push) {
-  return {stand.pose.tip + push * stand.outward, stand.pose.axis};
-}
+Pose pushed(const Stand& stand, double push) { return {stand.pose.tip + push * stand.outward, stand.pose.axis}; }
 
 /// How far to push out so that the lower piece clears the mesh by kClearance_mm. A secant whose slope is held
 /// to what a contact's normal can make it; the distance is 1-Lipschitz in the push.
 double find_push(const BenchTool& tool, const ExactDistance& mesh, const Stand& stand, double guess) {
   double push = guess, slope = 1, last_push = 0, last_value = 0;
   for (int step = 0; step < 60; ++step) {
-    const double value =
-        mesh.minimum(tool.lower, pushed(stand, push), kFar_mm, 1e-5).distance_mm - kClearance_mm;
+    const double value = mesh.minimum(tool.lower, pushed(stand, push), kFar_mm, 1e-5).distance_mm - kClearance_mm;
     if (std::abs(value) <= kClearanceError_mm) break;
     if (step > 0) slope = std::clamp((value - last_value) / (push - last_push), 0.25, 1.0);
     last_push = push;

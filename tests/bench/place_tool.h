@@ -23,8 +23,7 @@ struct PlacedPose {
 };
 
 /// `density` positions for each of the plan's: the same curve, finer. Deterministic at any thread count.
-[[nodiscard]] std::vector<PlacedPose> place_tool(const PartPlan& plan, const BenchTool& tool,
-                                                 const ExactDistance& mesh, std::size_t density,
-                                                 unsigned threads);
+[[nodiscard]] std::vector<PlacedPose> place_tool(const PartPlan& plan, const BenchTool& tool, const ExactDistance& mesh,
+                                                 std::size_t density, unsigned threads);
 
 }  // namespace gouge::bench

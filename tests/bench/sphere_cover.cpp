@@ -21,8 +21,8 @@ double outline(const ConvexPiece& piece, double z) {
 
 /// Spheres on the axis that cover the piece from z_mm to top_mm, standing out by `bulge_mm` at the bottom and
 /// a tenth of the height more above.
-void cover_along_axis(const std::function<double(double)>& radius, double z_mm, double top_mm,
-                      double bulge_mm, std::vector<CoverSphere>& spheres) {
+void cover_along_axis(const std::function<double(double)>& radius, double z_mm, double top_mm, double bulge_mm,
+                      std::vector<CoverSphere>& spheres) {
   const double bottom = z_mm;
   while (z_mm < top_mm) {
     const double bulge = bulge_mm + 0.1 * (z_mm - bottom);
@@ -46,8 +46,7 @@ void cover_ring(double ring_mm, double tube_mm, double bulge_mm, std::vector<Cov
   const auto count = static_cast<int>(std::ceil(std::numbers::pi / std::acos(std::clamp(cosine, -1.0, 1.0))));
   for (int k = 0; k < count; ++k) {
     const double turn = 2 * std::numbers::pi * k / count;
-    spheres.push_back(
-        {Vec3(ring_mm * std::cos(turn), ring_mm * std::sin(turn), tube_mm), reach + kMargin_mm});
+    spheres.push_back({Vec3(ring_mm * std::cos(turn), ring_mm * std::sin(turn), tube_mm), reach + kMargin_mm});
   }
 }
 
@@ -80,8 +79,7 @@ void cover_flat_bottom(const ConvexPiece& piece, double bulge_mm, double disc_bu
   cover_along_axis([radius](double) { return radius; }, tube + 2 * half, piece.contour[2].y(), 2, spheres);
 }
 
-void cover_pointed(const ConvexPiece& piece, double bulge_mm, double top_mm,
-                   std::vector<CoverSphere>& spheres) {
+void cover_pointed(const ConvexPiece& piece, double bulge_mm, double top_mm, std::vector<CoverSphere>& spheres) {
   const double r = piece.rounding_mm;
   spheres.push_back({Vec3(0, 0, r), r + kMargin_mm});
   const bool is_cone = piece.contour.size() > 2;

@@ -53,7 +53,8 @@ std::vector<RigidTransform> find_poses(const DepthBody& body, const PointBody& p
     RigidTransform pose;
     const Vec3 axis = random.direction();
     const Eigen::Quaterniond facing = Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis);
-    const Eigen::AngleAxisd lean(0.15 * random.in(-1, 1), random.direction()), spin(3.1 * random.in(-1, 1), Vec3::UnitZ());
+    const Eigen::AngleAxisd lean(0.15 * random.in(-1, 1), random.direction()),
+        spin(3.1 * random.in(-1, 1), Vec3::UnitZ());
     pose.rotation = (lean * facing * spin).toRotationMatrix();
     if (slide_in(finder, range, axis, pose)) poses.push_back(pose);
   }

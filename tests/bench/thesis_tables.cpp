@@ -76,23 +76,21 @@ enum class BroadPhase { cells, trees };
 void print_6a(const CellBody& cells, const PointBody& points, BroadPhase broad) {
   const DepthBody& body = cells.body;
   const double thesis_ms[3][2] = {{10, 14}, {6, 9}, {3, 4}};
-  std::printf(
-      "Table 6.a  by %s: %zu triangles, %zu points, k = 26, leaves of 1 triangle and at most %zu points\n",
-      broad == BroadPhase::trees ? "trees" : "cells", body.mesh.triangles.size(), points.points.size(),
-      points.options.leaf_points);
-  std::printf("%-16s %-10s %-12s | %-10s %-22s %-10s\n", "", "points", "2001 (ms)", "points",
-              "now, us: 5%  50%  95%", "2001/now");
+  std::printf("Table 6.a  by %s: %zu triangles, %zu points, k = 26, leaves of 1 triangle and at most %zu points\n",
+              broad == BroadPhase::trees ? "trees" : "cells", body.mesh.triangles.size(), points.points.size(),
+              points.options.leaf_points);
+  std::printf("%-16s %-10s %-12s | %-10s %-22s %-10s\n", "", "points", "2001 (ms)", "points", "now, us: 5%  50%  95%",
+              "2001/now");
   std::size_t line = 0;
   for (const PoseRange& range : table_6a_ranges()) {
     const auto poses = find_poses(body, points, range, 200);
     CellSearch by_cells(cells, points);
     PenetrationFinder by_trees(body, points);
-    const auto samples =
-        broad == BroadPhase::cells ? measure(by_cells, poses, 50) : measure(by_trees, poses, 50);
+    const auto samples = broad == BroadPhase::cells ? measure(by_cells, poses, 50) : measure(by_trees, poses, 50);
     const auto inside = [](const Sample& s) { return s.inside; };
     const double middle = time_share(samples, 0.5);
-    std::printf("%-16s %3zu-%-6zu %4.0f-%-7.0f | %3zu-%-6zu %8.2f %6.2f %6.2f  %.0f\n", range.name,
-                range.least, range.most, thesis_ms[line][0], thesis_ms[line][1], share(samples, 0, inside),
+    std::printf("%-16s %3zu-%-6zu %4.0f-%-7.0f | %3zu-%-6zu %8.2f %6.2f %6.2f  %.0f\n", range.name, range.least,
+                range.most, thesis_ms[line][0], thesis_ms[line][1], share(samples, 0, inside),
                 share(samples, 1, inside), time_share(samples, 0.05), middle, time_share(samples, 0.95),
                 500 * (thesis_ms[line][0] + thesis_ms[line][1]) / middle);
     ++line;
@@ -102,8 +100,8 @@ void print_6a(const CellBody& cells, const PointBody& points, BroadPhase broad) 
 void print_6b() {
   const std::size_t ks[4] = {6, 14, 18, 26};
   const double thesis_us[4][2] = {{55, 70}, {110, 130}, {135, 165}, {200, 220}};
-  std::printf("\nTable 6.b  one volume from one orientation to another\n%-4s %-12s | %-9s %-8s\n", "k",
-              "2001 (us)", "corners", "now (us)");
+  std::printf("\nTable 6.b  one volume from one orientation to another\n%-4s %-12s | %-9s %-8s\n", "k", "2001 (us)",
+              "corners", "now (us)");
   for (std::size_t i = 0; i < 4; ++i) {
     const DirectionSet directions = *make_directions(DirectionFamily::cube, ks[i]);
     const PointBody points = moving_body(2, true, directions);
@@ -118,8 +116,8 @@ void print_6b() {
       kept += static_cast<double>(intervals[0]);
     }
     const double each = (now_us() - start) / kRounds;
-    std::printf("%-4zu %3.0f-%-8.0f | %-9u %.3f%s\n", ks[i], thesis_us[i][0], thesis_us[i][1],
-                points.corner_count[0], each, kept > 1e300 ? "!" : "");
+    std::printf("%-4zu %3.0f-%-8.0f | %-9u %.3f%s\n", ks[i], thesis_us[i][0], thesis_us[i][1], points.corner_count[0],
+                each, kept > 1e300 ? "!" : "");
   }
 }
 
@@ -129,8 +127,7 @@ void print_6c() {
   std::printf("%-16s %-12s", "", "2001");
   for (const char* tree : {"2-tree", "4-tree", "8-tree"}) std::printf(" | %-26s", tree);
   for (const bool is_weighed : {false, true}) {
-    std::printf("\n%s\n",
-                is_weighed ? "a volume costs no more than its content (6.1.1)" : "a volume for every node");
+    std::printf("\n%s\n", is_weighed ? "a volume costs no more than its content (6.1.1)" : "a volume for every node");
     std::size_t line = 0;
     for (const PoseRange& range : table_6a_ranges()) {
       std::printf("%-16s %-12s", range.name, thesis[line++]);
@@ -139,10 +136,9 @@ void print_6c() {
         const PointBody points = moving_body(width, is_weighed, body.options.directions);
         PenetrationFinder finder(body, points);
         const auto samples = measure(finder, find_poses(body, points, range, 100), 5);
-        const auto corners =
-            share(samples, 0.5, [](const Sample& s) { return s.counters.corners_transformed; });
-        const auto levels = share(
-            samples, 0.5, [](const Sample& s) { return s.counters.static_level + s.counters.moving_level; });
+        const auto corners = share(samples, 0.5, [](const Sample& s) { return s.counters.corners_transformed; });
+        const auto levels =
+            share(samples, 0.5, [](const Sample& s) { return s.counters.static_level + s.counters.moving_level; });
         const auto pairs = share(samples, 0.5, [](const Sample& s) { return s.counters.volume_pairs; });
         std::printf(" | %4llu %3u %6llu %7.2f us", static_cast<unsigned long long>(corners), levels,
                     static_cast<unsigned long long>(pairs), time_share(samples, 0.5));
@@ -162,9 +158,9 @@ void print_fit(const DepthBody& body, const PointBody& points) {
   for (const PoseRange& range : table_6a_ranges()) {
     PenetrationFinder finder(body, points);
     for (const Sample& s : measure(finder, find_poses(body, points, range, 200), 5)) {
-      rows.emplace_back(Eigen::Vector3d(static_cast<double>(s.counters.volume_pairs),
-                                        static_cast<double>(s.counters.exact_pairs), 1),
-                        s.time_us);
+      rows.emplace_back(
+          Eigen::Vector3d(static_cast<double>(s.counters.volume_pairs), static_cast<double>(s.counters.exact_pairs), 1),
+          s.time_us);
     }
   }
   for (const auto& [row, time] : rows) {
@@ -181,9 +177,8 @@ void print_fit(const DepthBody& body, const PointBody& points) {
     square += (time - mean) * (time - mean);
   }
   std::printf(
-      "\nT = Nb tb + Nn tn + t0: tb = %.1f ns a volume pair, tn = %.1f ns a distance (with all that leads to "
-      "it), "
-      "t0 = %.2f us; explains %.0f %% of the variance\n",
+      "\nT = Nb tb + Nn tn + t0: tb = %.1f ns a volume pair, tn = %.1f ns a distance (with all that leads to it), t0 = "
+      "%.2f us; explains %.0f %% of the variance\n",
       1e3 * fit[0], 1e3 * fit[1], fit[2], 100 * (1 - miss / square));
 }
 
@@ -192,9 +187,8 @@ void print_haptic() {
   const DepthBody body = standing_body(8, make_standing_body(708, 708), 8);
   const CellBody cells(body);
   std::printf(
-      "\nHaptic rate: %zu triangles, 8 a leaf (built in %.1f s), %zu points\n%-16s %-9s us: 50%%  99%%  "
-      "99.9%% "
-      " worst\n",
+      "\nHaptic rate: %zu triangles, 8 a leaf (built in %.1f s), %zu points\n%-16s %-9s us: 50%%  99%%  99.9%%  "
+      "worst\n",
       body.mesh.triangles.size(), (now_us() - start) / 1e6, make_moving_points().size(), "", "queries");
   const PointBody points = moving_body(2, true, body.options.directions);
   for (const PoseRange& range : table_6a_ranges()) {

@@ -16,23 +16,20 @@ constexpr const char* kRecipe = "r4";
 constexpr double kGouge_mm = 0.01;
 constexpr std::size_t kNumbers = 9;  // doubles a cached position has
 
-PartPlan plan_of(BenchPart part) {
-  return part == BenchPart::wavy ? plan_wavy() : plan_unseen();
-}
+PartPlan plan_of(BenchPart part) { return part == BenchPart::wavy ? plan_wavy() : plan_unseen(); }
 
 std::string cache_file(const PartPlan& plan, const BenchTool& tool, const WorkloadKey& key) {
   const char* folder = std::getenv("GOUGE_BENCH_CACHE");
   if (folder == nullptr || *folder == '\0') return {};
-  return std::string(folder) + "/" + plan.name + "_" + tool.name + "_" + std::to_string(key.triangles) +
-         "_x" + std::to_string(key.density) + "_" + kRecipe + ".poses";
+  return std::string(folder) + "/" + plan.name + "_" + tool.name + "_" + std::to_string(key.triangles) + "_x" +
+         std::to_string(key.density) + "_" + kRecipe + ".poses";
 }
 
 std::string bytes_of(const std::vector<PlacedPose>& positions) {
   std::vector<double> numbers;
   for (const PlacedPose& p : positions) {
     const Vec3 &t = p.pose.tip, &a = p.pose.axis;
-    numbers.insert(numbers.end(),
-                   {t.x(), t.y(), t.z(), a.x(), a.y(), a.z(), p.lower_mm, p.holder_mm, p.is_air});
+    numbers.insert(numbers.end(), {t.x(), t.y(), t.z(), a.x(), a.y(), a.z(), p.lower_mm, p.holder_mm, p.is_air});
   }
   std::string bytes(numbers.size() * sizeof(double), '\0');
   std::memcpy(bytes.data(), numbers.data(), bytes.size());
@@ -86,9 +83,7 @@ const char* group_name(MoveGroup group) {
   return kNames[static_cast<std::size_t>(group)];
 }
 
-IndexedMesh make_bench_mesh(BenchPart part, std::size_t triangles) {
-  return plan_of(part).mesh(triangles);
-}
+IndexedMesh make_bench_mesh(BenchPart part, std::size_t triangles) { return plan_of(part).mesh(triangles); }
 
 Workload make_workload(const WorkloadKey& key, unsigned threads) {
   const PartPlan plan = plan_of(key.part);

@@ -62,10 +62,8 @@ TEST_F(ClashCommand, OfBodiesThatPenetrateSaysHowDeepWhereAndWhichShiftFreesThem
   const RunResult outcome = run();
   EXPECT_EQ(outcome.status, kExitGouges);
   EXPECT_EQ(outcome.err, "");
-  EXPECT_EQ(outcome.out.rfind(arguments_.a + ": clash: 2.000 mm with " + arguments_.b + " at (", 0), 0U)
-      << outcome.out;
-  EXPECT_NE(outcome.out.find("\ndepth: 2.000 mm, proved to be at most 2.00"), std::string::npos)
-      << outcome.out;
+  EXPECT_EQ(outcome.out.rfind(arguments_.a + ": clash: 2.000 mm with " + arguments_.b + " at (", 0), 0U) << outcome.out;
+  EXPECT_NE(outcome.out.find("\ndepth: 2.000 mm, proved to be at most 2.00"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find(" moves away along (0, -1, 0)\n"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("\nshift: " + arguments_.b + " by (0, -2.001, 0), 2.001 mm, is proved free"),
             std::string::npos)
@@ -105,8 +103,7 @@ TEST_F(ClashCommand, BIsTurnedBeforeItIsShifted) {
 
 TEST_F(ClashCommand, JsonHasEveryNumberInTheUnitOfTheFiles) {
   arguments_.a = write("part.stl", shapes::box(Vec3(0, 0, 0), Vec3(101.6, 50.8, 25.4)), LengthUnit::inch);
-  arguments_.b =
-      write("jaw.stl", shapes::box(Vec3(-25.4, -25.4, -25.4), Vec3(127, 2.54, 20)), LengthUnit::inch);
+  arguments_.b = write("jaw.stl", shapes::box(Vec3(-25.4, -25.4, -25.4), Vec3(127, 2.54, 20)), LengthUnit::inch);
   arguments_.stl_units = "inch";
   const nlohmann::json result = json();
   EXPECT_EQ(result.at("unit"), "in");
@@ -124,8 +121,7 @@ TEST_F(ClashCommand, ABodyInsideTheOtherPenetrates) {
   arguments_.b = write("pin.stl", shapes::box(Vec3(10, 10, 10), Vec3(20, 20, 20)));
   const RunResult outcome = run();
   EXPECT_EQ(outcome.status, kExitGouges);
-  EXPECT_EQ(outcome.out.rfind(arguments_.b + ": clash: wholly inside " + arguments_.a + "\n", 0), 0U)
-      << outcome.out;
+  EXPECT_EQ(outcome.out.rfind(arguments_.b + ": clash: wholly inside " + arguments_.a + "\n", 0), 0U) << outcome.out;
   EXPECT_EQ(json().at("inside"), "b");
 }
 

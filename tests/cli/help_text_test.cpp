@@ -13,16 +13,25 @@ namespace {
 TEST(HelpText, LinesBreakAtBlanksAndExamplesStayWhole) {
   EXPECT_EQ(wrapped("one two three", 8, 0), "one two\nthree");
   EXPECT_EQ(wrapped("one two three", 8, 4), "one\n    two\n    three");
-  EXPECT_EQ(wrapped("Example:\n  one two three\n\nfour five six", 9, 0),
-            "Example:\n  one two three\n\nfour five\nsix");
+  EXPECT_EQ(wrapped("Example:\n  one two three\n\nfour five six", 9, 0), "Example:\n  one two three\n\nfour five\nsix");
   EXPECT_EQ(wrapped("unbreakable a", 4, 0), "unbreakable\na");
   EXPECT_EQ(wrapped("", 4, 0), "");
 }
 
 TEST(HelpText, EveryHelpFitsIntoEightyColumns) {
-  const std::vector<std::vector<const char*>> commands = {
-      {}, {"check"}, {"correct"}, {"mesh"}, {"tool"}, {"tool", "list"}, {"tool", "show"}, {"tool", "draw"},
-      {"tool", "import"}, {"path"}, {"path", "info"}, {"path", "convert"}, {"path", "plot"}};
+  const std::vector<std::vector<const char*>> commands = {{},
+                                                          {"check"},
+                                                          {"correct"},
+                                                          {"mesh"},
+                                                          {"tool"},
+                                                          {"tool", "list"},
+                                                          {"tool", "show"},
+                                                          {"tool", "draw"},
+                                                          {"tool", "import"},
+                                                          {"path"},
+                                                          {"path", "info"},
+                                                          {"path", "convert"},
+                                                          {"path", "plot"}};
   for (const std::vector<const char*>& command : commands) {
     std::vector<const char*> argv = {"/usr/bin/gougecheck"};
     argv.insert(argv.end(), command.begin(), command.end());

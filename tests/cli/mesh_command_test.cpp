@@ -59,7 +59,7 @@ TEST_F(MeshCommand, ASoundPartIsReportedInFull) {
       << reported.out;
   EXPECT_NE(reported.out.find("  pieces                    1, 1 through hole\n"), std::string::npos) << reported.out;
   EXPECT_NE(reported.out.find("verdict: sound: closed, manifold, facing outward, free of self-intersections\n"
-                          "for a check: depths are found, and a tool wholly inside the part is reported\n"),
+                              "for a check: depths are found, and a tool wholly inside the part is reported\n"),
             std::string::npos)
       << reported.out;
 }
@@ -72,9 +72,8 @@ TEST_F(MeshCommand, AnOpenPartHasDefectsWithTheirPlaceInItsOwnUnit) {
   EXPECT_EQ(reported.status, kExitGouges);
   EXPECT_NE(reported.out.find("  open edges                4, first at ("), std::string::npos) << reported.out;
   EXPECT_NE(reported.out.find("1.0000 x 1.0000 x 1.0000 in"), std::string::npos) << reported.out;
-  EXPECT_NE(reported.out.find(
-                "verdict: 4 defects\nfor a check: depths are found on every triangle; a tool that may be wholly "
-                "inside the part is never clean, but may be reported as not certified only\n"),
+  EXPECT_NE(reported.out.find("verdict: 4 defects\nfor a check: depths are found on every triangle; a tool that may be "
+                              "wholly inside the part is never clean, but may be reported as not certified only\n"),
             std::string::npos)
       << reported.out;
 }
@@ -86,14 +85,12 @@ TEST_F(MeshCommand, RepairFillsHolesOnlyWhenAskedAndWritesOnlyWhatIsBetter) {
   const Reported kept = run(arguments);
   EXPECT_EQ(kept.status, kExitGouges);
   EXPECT_FALSE(fs::exists(path("out.stl")));
-  EXPECT_NE(kept.out.find("not written: the repair leaves no fewer defects than there were\n"),
-            std::string::npos);
+  EXPECT_NE(kept.out.find("not written: the repair leaves no fewer defects than there were\n"), std::string::npos);
 
   arguments.fills_holes = true;
   const Reported filled = run(arguments);
   EXPECT_EQ(filled.status, kExitClean);
-  EXPECT_NE(filled.out.find("  holes filled              1 (2 triangles added), 0 left\n"),
-            std::string::npos);
+  EXPECT_NE(filled.out.find("  holes filled              1 (2 triangles added), 0 left\n"), std::string::npos);
   arguments = {};
   arguments.file = path("out.stl");
   EXPECT_EQ(run(arguments).status, kExitClean);
@@ -110,11 +107,11 @@ TEST_F(MeshCommand, NearVerticesAreJoinedWhenAskedAndReportedSo) {
   const Reported reported = run(arguments);
   EXPECT_EQ(reported.status, kExitGouges) << "the file is as it was";
   EXPECT_NE(reported.out.find("weld: vertices no more than 0.01 mm apart become one\n"
-                          "  vertices joined           1, moved by up to 0.003"),
+                              "  vertices joined           1, moved by up to 0.003"),
             std::string::npos)
       << reported.out;
   EXPECT_NE(reported.out.find("welded: sound: closed, manifold, facing outward, free of self-intersections\n"
-                          "not written: give --repair OUT.stl to write the welded mesh\n"),
+                              "not written: give --repair OUT.stl to write the welded mesh\n"),
             std::string::npos)
       << reported.out;
   const nlohmann::json json = nlohmann::json::parse(*read_file(path("out.json")));

@@ -19,7 +19,8 @@ TEST(Misplaced, IsReportedOfAPartFarAwayOrFarTooSmall) {
   EXPECT_EQ(reported(shapes::box({0, 0, -20}, {120, 100, 0})), "");
   EXPECT_EQ(reported(shapes::box({0, 0, -20}, {900, 900, 0})), "") << "a corner of a large part";
   EXPECT_EQ(reported(shapes::box({150, 0, -20}, {270, 100, 0})), "") << "beside it, within the tool's reach";
-  EXPECT_EQ(reported(shapes::box({1160, 0, -20}, {1270, 100, 0})).find("no move comes nearer than 1000 mm to the part"), 0u);
+  EXPECT_EQ(reported(shapes::box({1160, 0, -20}, {1270, 100, 0})).find("no move comes nearer than 1000 mm to the part"),
+            0u);
   EXPECT_EQ(reported(shapes::box({0, 0, -1}, {4, 4, 0})).find("the part is 22 times smaller than the path"), 0u);
   EXPECT_FALSE(find_misplaced(path, {}, 60));
 }
@@ -37,8 +38,8 @@ TEST(Misplaced, IsReportedOfCutsThatStayAwayFromThePart) {
             "at none of 400 cutting positions examined (of 2000) is the tool nearer than 8.5 mm to the part; check the "
             "units (--stl-units, --path-units) and --place");
   EXPECT_EQ(find_apart(path, Closeness{40, 40, {}, {}, 20})->message,
-            "at none of 40 cutting positions is the tool nearer than 20.0 mm to the part; check the units (--stl-units, "
-            "--path-units) and --place");
+            "at none of 40 cutting positions is the tool nearer than 20.0 mm to the part; check the units "
+            "(--stl-units, --path-units) and --place");
 }
 
 TEST(Misplaced, NamesTheUnitThatWouldFit) {
@@ -48,12 +49,13 @@ TEST(Misplaced, NamesTheUnitThatWouldFit) {
     const auto warning = find_misplaced(path, {{part}, {}}, 60, read_as);
     return warning ? warning->message.substr(0, warning->message.find("; check")) : std::string();
   };
-  EXPECT_EQ(reported(0.12, LengthUnit::mm), "the part is 823 times smaller than the path; with --stl-units m it would be "
-                                        "about as large as the path");
-  EXPECT_EQ(reported(4.1, LengthUnit::mm), "the part is 24 times smaller than the path; with --stl-units inch or "
-                                       "--stl-units cm it would be about as large as the path");
-  EXPECT_EQ(reported(0.1, LengthUnit::um), "the part is 988 times smaller than the path; with --stl-units mm it would be "
-                                       "about as large as the path");
+  EXPECT_EQ(reported(0.12, LengthUnit::mm),
+            "the part is 823 times smaller than the path; with --stl-units m it would be about as large as the path");
+  EXPECT_EQ(reported(4.1, LengthUnit::mm),
+            "the part is 24 times smaller than the path; with --stl-units inch or --stl-units cm it would be about as "
+            "large as the path");
+  EXPECT_EQ(reported(0.1, LengthUnit::um),
+            "the part is 988 times smaller than the path; with --stl-units mm it would be about as large as the path");
   EXPECT_EQ(reported(1, LengthUnit::mm).find("--stl-units"), std::string::npos) << "a hundred times: no unit of these";
   EXPECT_EQ(reported(110, LengthUnit::mm), "");
 }
@@ -67,8 +69,8 @@ TEST(Misplaced, IsReportedOfAPartFarTooLargeWhenTheCutsAreInIt) {
   verdicts[0].state = MoveState::gouge;
   verdicts[1].state = MoveState::buried;
   EXPECT_EQ(find_too_large(path, scene, verdicts, LengthUnit::inch)->message,
-            "the part is 26 times larger than the path, and 2 of 3 cuts are in it; with --stl-units mm it would be about "
-            "as large as the path; check the units (--stl-units, --path-units) and --place");
+            "the part is 26 times larger than the path, and 2 of 3 cuts are in it; with --stl-units mm it would be "
+            "about as large as the path; check the units (--stl-units, --path-units) and --place");
   EXPECT_FALSE(find_too_large(path, scene, verdicts, LengthUnit::mm)) << "no unit would fit";
 }
 

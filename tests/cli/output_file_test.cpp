@@ -45,8 +45,7 @@ TEST_F(OutputFile, WhatCannotBeWrittenIsFoundBefore) {
   fs::create_symlink("circle", folder_ + "/circle");
   EXPECT_EQ(reported(folder_ + "/circle"), sentence("its symbolic links go in a circle"));
   fs::create_symlink("nix/all.csv", folder_ + "/link");
-  EXPECT_EQ(reported(folder_ + "/link"),
-            sentence("the folder " + folder_ + "/nix does not exist; make it first"));
+  EXPECT_EQ(reported(folder_ + "/link"), sentence("the folder " + folder_ + "/nix does not exist; make it first"));
   ::chmod((folder_ + "/there").c_str(), 0555);
   EXPECT_EQ(testing_support::as_nobody([&] {
               return reported(folder_ + "/there/all.csv") ==
@@ -90,8 +89,8 @@ TEST_F(OutputFile, WhatCanBeWrittenIsLeftAsItIs) {
 TEST_F(OutputFile, EveryOutputOfAJobIsLookedAt) {
   const std::string bad = folder_ + "/nix/x";
   EXPECT_EQ(find_unwritable(outputs_of(JobArguments{}, bad)).size(), 1U);
-  for (std::string JobArguments::*output : {&JobArguments::json_file, &JobArguments::csv_file,
-                                            &JobArguments::sarif_file, &JobArguments::junit_file}) {
+  for (std::string JobArguments::*output :
+       {&JobArguments::json_file, &JobArguments::csv_file, &JobArguments::sarif_file, &JobArguments::junit_file}) {
     JobArguments job;
     job.*output = bad;
     EXPECT_EQ(find_unwritable(outputs_of(job, bad)).size(), 2U);

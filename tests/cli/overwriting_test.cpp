@@ -64,8 +64,8 @@ TEST_F(Overwriting, EveryInputOfAJobIsSpared) {
   EXPECT_FALSE(is_refused(job, "corrected.apt"));
   for (const char* file : {"path.apt", "part.stl", "vise.stl", "head.stl", "tools.json"}) {
     EXPECT_TRUE(is_refused(job, file)) << file;
-    for (std::string JobArguments::*output : {&JobArguments::json_file, &JobArguments::csv_file,
-                                              &JobArguments::sarif_file, &JobArguments::junit_file}) {
+    for (std::string JobArguments::*output :
+         {&JobArguments::json_file, &JobArguments::csv_file, &JobArguments::sarif_file, &JobArguments::junit_file}) {
       JobArguments writing = job;
       writing.*output = file;
       EXPECT_TRUE(is_refused(writing, "")) << file;

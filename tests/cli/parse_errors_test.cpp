@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "lib/base/exit_code.h"
 #include "cli/run.h"
+#include "lib/base/exit_code.h"
 
 namespace gouge {
 namespace {
@@ -29,13 +29,13 @@ std::string said(const std::vector<const char*>& words) {
 TEST(ParseErrors, AnUnknownOptionIsNamedWithTheOneThatWasMeant) {
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--tolerence", "0.02"}),
             "gougecheck check has no option '--tolerence'; did you mean --tolerance?");
-  EXPECT_EQ(said({"check", "a.apt", "--prat=p.stl"}),
-            "gougecheck check has no option '--prat'; did you mean --part?");
+  EXPECT_EQ(said({"check", "a.apt", "--prat=p.stl"}), "gougecheck check has no option '--prat'; did you mean --part?");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--toler", "1"}),
             "gougecheck check has no option '--toler'; did you mean --tolerance?");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--colour"}),
             "gougecheck check has no option '--colour'; see gougecheck check --help");
-  EXPECT_EQ(said({"tool", "list", "--tolls", "x"}), "gougecheck tool list has no option '--tolls'; did you mean --tools?");
+  EXPECT_EQ(said({"tool", "list", "--tolls", "x"}),
+            "gougecheck tool list has no option '--tolls'; did you mean --tools?");
 }
 
 TEST(ParseErrors, AnUnknownCommandIsNamedWithTheCommandsThereAre) {
@@ -64,12 +64,13 @@ TEST(ParseErrors, WhatIsMissingTwiceOrTooMuchIsReported) {
   EXPECT_EQ(said({"check"}), "gougecheck check needs PATH and --part; see gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt"}), "gougecheck check needs --part; see gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--tolerance"}),
-            "--tolerance has no value; expected: Depth a move may have, against parts and fixtures alike; see gougecheck check --help");
+            "--tolerance has no value; expected: Depth a move may have, against parts and fixtures alike; see "
+            "gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--tolerance", "1", "--tolerance", "2"}),
             "--tolerance is given 2 times; expected once; see gougecheck check --help");
   EXPECT_EQ(said({"check", "a.apt", "b.apt", "--part", "p.stl"}),
-            "'b.apt' is one argument too many; gougecheck check takes one PATH beside its options; see gougecheck check "
-            "--help");
+            "'b.apt' is one argument too many; gougecheck check takes one PATH beside its options; see gougecheck "
+            "check --help");
   EXPECT_EQ(said({"mesh", "p.stl", "--fill-holes"}), "--fill-holes requires --repair; see gougecheck mesh --help");
 }
 

@@ -50,15 +50,13 @@ class Folder : public testing::Test {
     Content files;
     for (const auto& entry : fs::directory_iterator(folder_)) {
       const std::string name = entry.path().filename().string();
-      if (name != kManifestName)
-        files[name] = entry.is_regular_file() ? *read_file(entry.path().string()) : "no file";
+      if (name != kManifestName) files[name] = entry.is_regular_file() ? *read_file(entry.path().string()) : "no file";
     }
     return files;
   }
 
   const Content small_ = {{"report.html", "a"}, {"moves.csv", "b"}, {"event_1.png", "c"}};
-  const Content large_ = {
-      {"report.html", "A"}, {"moves.csv", "b"}, {"event_1.png", "C"}, {"event_5.png", "E"}};
+  const Content large_ = {{"report.html", "A"}, {"moves.csv", "b"}, {"event_1.png", "C"}, {"event_5.png", "E"}};
   std::string root_, folder_, message_;
 };
 
@@ -88,11 +86,9 @@ TEST_F(Folder, AForeignFileUnderANameOfAReportIsRefused) {
   const Content before = content();
   EXPECT_EQ(report(large_), "report-foreign");
   EXPECT_EQ(message_,
-            "a report would replace or remove moves.csv and event_3.png, which no report wrote or which was "
-            "changed since "
-            "(manifest.json); expected a folder without them: name another one, move them away, or let "
-            "--force replace or "
-            "remove them");
+            "a report would replace or remove moves.csv and event_3.png, which no report wrote or which was changed "
+            "since (manifest.json); expected a folder without them: name another one, move them away, or let --force "
+            "replace or remove them");
   EXPECT_EQ(content(), before);
   EXPECT_EQ(report(large_, true), "") << message_;
   EXPECT_EQ(content(), large_);
@@ -104,10 +100,8 @@ TEST_F(Folder, AReportWithoutAManifestIsReportedOnce) {
   EXPECT_EQ(report(small_), "report-foreign");
   EXPECT_EQ(message_,
             "a report would replace or remove report.html, moves.csv, event_1.png and event_5.png, and no "
-            "manifest.json says "
-            "that a report wrote them: they are yours, or of an earlier version of gougecheck; expected a "
-            "folder without "
-            "them: name another one, move them away, or let --force replace or remove them");
+            "manifest.json says that a report wrote them: they are yours, or of an earlier version of gougecheck; "
+            "expected a folder without them: name another one, move them away, or let --force replace or remove them");
   EXPECT_EQ(content(), large_);
   EXPECT_EQ(report(small_, true), "") << message_;
   EXPECT_EQ(content(), small_);
@@ -126,9 +120,8 @@ TEST_F(Folder, AManifestOfSomethingElseIsForeign) {
 TEST_F(Folder, WhatIsNoPlainFileIsRefusedEvenWithForce) {
   fs::create_directories(folder_ + "/event_5.png");
   EXPECT_EQ(report(small_, true), "report-foreign");
-  EXPECT_EQ(
-      message_,
-      "event_5.png is no plain file, so no report can replace it; move it away, or name another folder");
+  EXPECT_EQ(message_,
+            "event_5.png is no plain file, so no report can replace it; move it away, or name another folder");
   fs::remove(folder_ + "/event_5.png");
   std::ofstream(root_ + "/precious") << "mine";
   fs::create_symlink("../../precious", folder_ + "/report.html");
@@ -160,9 +153,9 @@ TEST_F(Folder, TwoAtOnceAreRefused) {
     ReportFolder first(folder_, false);
     ASSERT_TRUE(first.open().has_value());
     EXPECT_EQ(report(large_), "report-busy");
-    EXPECT_EQ(message_,
-              "another gougecheck is about to write its report here; expected a folder for each, or one "
-              "after the other");
+    EXPECT_EQ(
+        message_,
+        "another gougecheck is about to write its report here; expected a folder for each, or one after the other");
   }
   EXPECT_EQ(report(large_), "");
 }
@@ -190,10 +183,8 @@ TEST(ReportManifest, ReadIsAsWritten) {
   ASSERT_TRUE(read.has_value());
   EXPECT_EQ(read->files, manifest.files);
   EXPECT_FALSE(read->is_complete);
-  EXPECT_EQ(manifest.files.front().sha256,
-            "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
-  for (std::size_t cut = 0; cut + 2 < text.size(); ++cut)
-    EXPECT_FALSE(read_manifest(text.substr(0, cut))) << cut;
+  EXPECT_EQ(manifest.files.front().sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  for (std::size_t cut = 0; cut + 2 < text.size(); ++cut) EXPECT_FALSE(read_manifest(text.substr(0, cut))) << cut;
 }
 
 }  // namespace

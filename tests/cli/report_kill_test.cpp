@@ -50,9 +50,7 @@ ssize_t write(int handle, const void* bytes, size_t count) {
   return happens() ? -1 : static_cast<ssize_t>(::syscall(SYS_write, handle, bytes, count));
 }
 // The kernel outlives every kill of this test, so nothing needs to reach the disk.
-int fsync(int) {
-  return happens() ? -1 : 0;
-}
+int fsync(int) { return happens() ? -1 : 0; }
 int fchmod(int handle, mode_t mode) noexcept {
   return happens() ? -1 : static_cast<int>(::syscall(SYS_fchmod, handle, mode));
 }
@@ -121,8 +119,7 @@ class ReportKill : public testing::Test {
   }
 
   const Content old_ = {{"report.html", "a"}, {"moves.csv", "b"}, {"event_1.png", "c"}, {"event_5.png", "d"}};
-  const Content new_ = {
-      {"report.html", "A"}, {"moves.csv", "b"}, {"event_1.png", "C"}, {"heat_map.png", "E"}};
+  const Content new_ = {{"report.html", "A"}, {"moves.csv", "b"}, {"event_1.png", "C"}, {"heat_map.png", "E"}};
   std::string folder_;
 };
 

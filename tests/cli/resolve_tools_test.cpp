@@ -85,7 +85,9 @@ TEST(ResolveTools, TheDiameterThatCreoStatesIsComparedWithTheLibrary) {
             (std::vector<std::string>{"test.ncl:8: warning: T1 is D 20 mm by the toolpath but D 10 mm by the library, "
                                       "which is what is checked [tool-differs]"}));
   EXPECT_EQ(differences(first + "$$-> FEATNO / 2\nLOADTL / 2\n$$-> CUTTER / 20.0\n" + motion +
-                        "$$-> FEATNO / 3\nLOADTL / 1\n" + motion + "FINI\n").size(), 0U);
+                        "$$-> FEATNO / 3\nLOADTL / 1\n" + motion + "FINI\n")
+                .size(),
+            0U);
 }
 
 TEST(ResolveTools, AToolOfTheSameSizeThatReachesFartherOutIsReported) {
@@ -117,8 +119,7 @@ TEST(ResolveTools, ToolsOfTheLibraryMayBeNamedByNumber) {
   }
   const Result<ResolvedTools> missing = resolve_tools(path, &library, {"T3"}, "");
   ASSERT_FALSE(missing.has_value());
-  EXPECT_EQ(missing.error().message,
-            "--tool 'T3': the library has no tool of that name or number; it has T2");
+  EXPECT_EQ(missing.error().message, "--tool 'T3': the library has no tool of that name or number; it has T2");
   EXPECT_FALSE(resolve_tools(path, &library, {"x=2"}, "").has_value());
 }
 

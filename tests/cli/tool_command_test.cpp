@@ -37,8 +37,7 @@ class ToolCommand : public testing::Test {
 
   [[nodiscard]] std::string path(const std::string& name) const { return folder_ + "/" + name; }
 
-  [[nodiscard]] Reported run(ToolAction action, const std::string& tool = "",
-                         const std::string& output = "") const {
+  [[nodiscard]] Reported run(ToolAction action, const std::string& tool = "", const std::string& output = "") const {
     std::ostringstream out, err;
     const int status = run_tool({action, {}, path("shop.json"), tool, output}, out, err);
     return {status, out.str(), err.str()};
@@ -92,7 +91,7 @@ TEST_F(ToolCommand, AToolThatIsNotThereIsAWrongCommandLine) {
   EXPECT_EQ(reported.status, kExitUsage);
   EXPECT_EQ(reported.out, "");
   EXPECT_EQ(reported.err, "gougecheck: error: --tool '3': " + path("shop.json") +
-                          " has no tool of that number or name; see gougecheck tool list [usage]\n");
+                              " has no tool of that number or name; see gougecheck tool list [usage]\n");
 }
 
 TEST_F(ToolCommand, DrawWritesPngAndSvg) {
@@ -100,15 +99,14 @@ TEST_F(ToolCommand, DrawWritesPngAndSvg) {
   EXPECT_EQ(read_file(path("t.png"))->substr(1, 3), "PNG");
   EXPECT_EQ(run(ToolAction::draw, "1", path("t.SVG")).status, kExitClean);
   EXPECT_NE(read_file(path("t.SVG"))->find("<svg"), std::string::npos);
-  EXPECT_EQ(run(ToolAction::draw, "", path("all.png")).status, kExitClean)
-      << "the whole library on one sheet";
+  EXPECT_EQ(run(ToolAction::draw, "", path("all.png")).status, kExitClean) << "the whole library on one sheet";
 }
 
 TEST_F(ToolCommand, DrawNeedsAPictureFile) {
   const Reported reported = run(ToolAction::draw, "1", path("t.pdf"));
   EXPECT_EQ(reported.status, kExitUsage);
-  EXPECT_EQ(reported.err, "gougecheck: error: -o '" + path("t.pdf") +
-                          "': the picture must be a .png or an .svg file [usage]\n");
+  EXPECT_EQ(reported.err,
+            "gougecheck: error: -o '" + path("t.pdf") + "': the picture must be a .png or an .svg file [usage]\n");
   EXPECT_FALSE(fs::exists(path("t.pdf")));
   EXPECT_EQ(run(ToolAction::draw, "1", path("none/t.png")).status, kExitInternal);
 }

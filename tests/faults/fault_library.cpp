@@ -38,14 +38,14 @@ void* __libc_memalign(std::size_t, std::size_t);
 namespace {
 
 enum Kind { memory, map, thread, open_, read_, write_, sync_, place, remove_, close_, kKinds };
-constexpr const char* kNames[kKinds] = {"memory", "map",   "thread", "open", "read",
-                                        "write",  "sync",  "place", "remove", "close"};
+constexpr const char* kNames[kKinds] = {"memory", "map",  "thread", "open",   "read",
+                                        "write",  "sync", "place",  "remove", "close"};
 
 struct Named {
   const char* name;
   int number;
 };
-constexpr Named kErrors[] = {{"EIO", EIO},       {"ENOSPC", ENOSPC}, {"EINTR", EINTR}, {"ENOMEM", ENOMEM},
+constexpr Named kErrors[] = {{"EIO", EIO},       {"ENOSPC", ENOSPC}, {"EINTR", EINTR},   {"ENOMEM", ENOMEM},
                              {"EAGAIN", EAGAIN}, {"EMFILE", EMFILE}, {"EACCES", EACCES}, {"EDQUOT", EDQUOT}};
 constexpr Named kSignals[] = {{"SIGKILL", SIGKILL}, {"SIGTERM", SIGTERM}, {"SIGINT", SIGINT}};
 
@@ -129,9 +129,7 @@ int open_at(int folder, const char* path, int flags, mode_t mode) {
   return fails(open_) ? -1 : static_cast<int>(::syscall(SYS_openat, folder, path, flags, mode));
 }
 
-mode_t mode_of(int flags, va_list rest) {
-  return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, mode_t) : 0;
-}
+mode_t mode_of(int flags, va_list rest) { return (flags & (O_CREAT | O_TMPFILE)) != 0 ? va_arg(rest, mode_t) : 0; }
 
 }  // namespace
 

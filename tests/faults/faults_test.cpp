@@ -2,8 +2,9 @@
 
 #include "tests/faults/campaign.h"
 
-// check, correct and report while the n-th call of a kind fails, for some n; for GOUGE_FAULTS of them, evenly spread, or
-// all. Whatever fails: no crash, no half file, nothing left behind, and the undisturbed result or status 5 with a message.
+// check, correct and report while the n-th call of a kind fails, for some n; for GOUGE_FAULTS of them, evenly spread,
+// or all. Whatever fails: no crash, no half file, nothing left behind, and the undisturbed result or status 5 with a
+// message.
 
 namespace gouge::testing_faults {
 namespace {

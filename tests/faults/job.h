@@ -13,9 +13,9 @@ struct FaultJob {
   std::string folder;
   std::vector<std::string> arguments;
   Files inputs;
-  Files older;  ///< what stands under the names of the outputs before some of the trials
-  Files outputs;  ///< what it writes
-  Ending ending;  ///< undisturbed
+  Files older;                        ///< what stands under the names of the outputs before some of the trials
+  Files outputs;                      ///< what it writes
+  Ending ending;                      ///< undisturbed
   std::map<std::string, long> calls;  ///< by kind of the fault library; "early" kinds begin with "early "
 
   /// Inputs alone, or inputs and older outputs, into the folder.
@@ -26,8 +26,8 @@ struct FaultJob {
 [[nodiscard]] FaultJob make_job(const std::string& name);
 
 /// What is wrong with what a trial left, in one line for each; empty when nothing is. Every output is absent, as it was
-/// before or as undisturbed; nothing else is there but the inputs, unchanged. `may_leave_hidden`: files whose names begin
-/// with .gougecheck may be there, as after SIGKILL.
+/// before or as undisturbed; nothing else is there but the inputs, unchanged. `may_leave_hidden`: files whose names
+/// begin with .gougecheck may be there, as after SIGKILL.
 [[nodiscard]] std::vector<std::string> wrong_files(const FaultJob& job, bool has_older, bool may_leave_hidden);
 
 /// The same of how a trial ended that was not killed: by itself, with the status, the text and all files of an

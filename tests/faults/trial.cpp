@@ -69,14 +69,11 @@ pid_t start(const std::string& folder, std::vector<std::string> words, std::vect
   return failed == 0 ? child : -1;
 }
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
+double seconds_since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
 }  // namespace
 
-Ending run_program(const std::string& folder, const std::vector<std::string>& arguments,
-                   const Misfortune& misfortune) {
+Ending run_program(const std::string& folder, const std::vector<std::string>& arguments, const Misfortune& misfortune) {
   const Clock::time_point begin = Clock::now();
   Ending ending;
   const pid_t child = start(folder, arguments, environment_of(misfortune));

@@ -15,9 +15,10 @@
 #include "cli/run.h"
 #include "tests/fuzz/require.h"
 
-// Command lines, one argument a line, in a scratch folder that holds a small job. No argument reaches out of it: slashes
-// and double dots become underscores. The exit status is one of the documented ones, a refusal says why, nothing that a
-// terminal would take for a command is printed on standard error, and a file that was given as input is as it was.
+// Command lines, one argument a line, in a scratch folder that holds a small job. No argument reaches out of it:
+// slashes and double dots become underscores. The exit status is one of the documented ones, a refusal says why,
+// nothing that a terminal would take for a command is printed on standard error, and a file that was given as input is
+// as it was.
 
 namespace gouge {
 namespace {
@@ -40,10 +41,12 @@ const std::vector<InputFile>& inputs() {
       {"a.apt", "UNITS/MM\nMULTAX/ON\nLOADTL/1\nGOTO/0,0,5\nGOTO/2,2,-0.2,0,0,1\nRAPID\nGOTO/9,9,20\n"},
       {"b.txt", "GOTO/0 0 5 0 0 1\nGOTO/5 5 5 0 0.6 0.8\n"},
       {"p.stl", kTriangles},
-      {"t.json", "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"ball\",\"cutter\":{\"shape\":\"ball\",\"diameter\":4,"
-                 "\"length\":9},\"holder\":[{\"lower_diameter\":20,\"upper_diameter\":20,\"length\":9}]}]}"},
-      {"f.fctb", "{\"version\":2,\"name\":\"x\",\"shape\":\"ballend.fcstd\",\"parameter\":{\"CuttingEdgeHeight\":"
-                 "\"20 mm\",\"Diameter\":\"5 mm\",\"Length\":\"50 mm\",\"ShankDiameter\":\"3 mm\"},\"attribute\":{}}"}};
+      {"t.json",
+       "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"ball\",\"cutter\":{\"shape\":\"ball\",\"diameter\":4,"
+       "\"length\":9},\"holder\":[{\"lower_diameter\":20,\"upper_diameter\":20,\"length\":9}]}]}"},
+      {"f.fctb",
+       "{\"version\":2,\"name\":\"x\",\"shape\":\"ballend.fcstd\",\"parameter\":{\"CuttingEdgeHeight\":\"20 "
+       "mm\",\"Diameter\":\"5 mm\",\"Length\":\"50 mm\",\"ShankDiameter\":\"3 mm\"},\"attribute\":{}}"}};
   return kFiles;
 }
 
@@ -67,9 +70,8 @@ std::vector<std::string> arguments_of(std::string text) {
 }
 
 std::size_t times_named(const std::vector<std::string>& words, std::string_view name) {
-  return static_cast<std::size_t>(std::count_if(words.begin(), words.end(), [&](const std::string& word) {
-    return word.find(name) != std::string::npos;
-  }));
+  return static_cast<std::size_t>(std::count_if(
+      words.begin(), words.end(), [&](const std::string& word) { return word.find(name) != std::string::npos; }));
 }
 
 // A file that is named once may have been an output; named twice it was an input too, and never otherwise.

@@ -11,8 +11,9 @@
 #include "lib/mesh/write_stl.h"
 #include "tests/fuzz/require.h"
 
-// STL of either kind: what was read is a mesh with sound indices and finite vertices, its findings agree with it, joining
-// near vertices moves none farther than asked, and what is written of a binary file in mm reads back as the same mesh.
+// STL of either kind: what was read is a mesh with sound indices and finite vertices, its findings agree with it,
+// joining near vertices moves none farther than asked, and what is written of a binary file in mm reads back as the
+// same mesh.
 
 extern "C" std::size_t LLVMFuzzerMutate(std::uint8_t* data, std::size_t size, std::size_t most);
 
@@ -74,8 +75,7 @@ void read_and_write(std::string_view bytes) {
 }  // namespace gouge
 
 // Mostly the count of a binary file is set right after a mutation, or none would ever get past it.
-extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most,
-                                               unsigned seed) {
+extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t size, std::size_t most, unsigned seed) {
   using gouge::kHeader, gouge::kTriangle;
   size = LLVMFuzzerMutate(data, size, most);
   const bool is_text = size >= 5 && std::memcmp(data, "solid", 5) == 0 && seed % 2 == 0;

@@ -21,7 +21,8 @@ void require_sound(const ToolLibrary& library) {
   require(write_tool_library(*back) == text);
   require(back->tools.size() == library.tools.size() && back->holders.size() == library.holders.size());
   for (std::size_t i = 0; i < std::min(kMostCompiled, library.tools.size()); ++i) {
-    const Result<ToolVariants> variants = make_tool_variants(library.tools[i], i % 2 == 0 ? 0 : 0.3, 0, i % 2 == 0 ? 0 : 1);
+    const Result<ToolVariants> variants =
+        make_tool_variants(library.tools[i], i % 2 == 0 ? 0 : 0.3, 0, i % 2 == 0 ? 0 : 1);
     require(variants.has_value() || !variants.error().code.empty());
     if (variants) require(verify_tool(variants->bare).empty() && verify_tool(variants->against_part).empty());
   }

@@ -20,9 +20,9 @@ using fuzz::require;
 JobArguments arguments_of(const std::string& text) {
   JobArguments a;
   std::istringstream lines(text);
-  const std::array<std::string*, 12> fields = {&a.tolerance,   &a.stock_to_leave, &a.clearance,       &a.near_miss,
-                                               &a.resolution,  &a.place,          &a.reading.dialect, &a.reading.units,
-                                               &a.reading.cutcom, &a.rapid,       &a.progress,        &a.report_folder};
+  const std::array<std::string*, 12> fields = {
+      &a.tolerance,       &a.stock_to_leave, &a.clearance,      &a.near_miss, &a.resolution, &a.place,
+      &a.reading.dialect, &a.reading.units,  &a.reading.cutcom, &a.rapid,     &a.progress,   &a.report_folder};
   std::string line;
   for (std::string* field : fields)
     if (std::getline(lines, line) && !line.empty()) *field = line;

@@ -31,7 +31,8 @@ ArcScene random_scene(laws::SceneScatter& scatter) {
   ArcScene s;
   const double radius = std::pow(10, scatter.in(-1, 1.5));
   const double turns = scatter.in(0, 1) < 0.3 ? 1.0 : scatter.in(0.02, 1.5);
-  s.arc.axis = scatter.in(0, 1) < 0.5 ? Vec3(0, 0, scatter.in(0, 1) < 0.5 ? 1 : -1) : Vec3(scatter.point(1).normalized());
+  s.arc.axis =
+      scatter.in(0, 1) < 0.5 ? Vec3(0, 0, scatter.in(0, 1) < 0.5 ? 1 : -1) : Vec3(scatter.point(1).normalized());
   s.arc.sweep_rad = 2 * std::numbers::pi * turns;
   s.rise = scatter.in(0, 1) < 0.5 ? 0 : scatter.in(-4, 4);
   s.arc.center = scatter.point(2) - radius * s.arc.axis.unitOrthogonal();

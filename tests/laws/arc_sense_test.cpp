@@ -2,9 +2,9 @@
 // verdict.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <cmath>
 #include <numbers>
 
 #include "lib/check/path_motion.h"

@@ -80,7 +80,8 @@ void crack_some(SceneScatter& random, IndexedMesh& mesh) {
 std::vector<IndexedMesh> split(SceneScatter& random, const IndexedMesh& mesh) {
   std::vector<IndexedMesh> files(1 + random.below(4));
   for (IndexedMesh& file : files) file.vertices = mesh.vertices, file.name = "file";
-  for (const TriangleCorners& t : mesh.triangles) shapes::add_triangle(files[random.below(files.size())], t[0], t[1], t[2]);
+  for (const TriangleCorners& t : mesh.triangles)
+    shapes::add_triangle(files[random.below(files.size())], t[0], t[1], t[2]);
   return files;
 }
 
@@ -127,7 +128,8 @@ void cut_a_hole(SceneScatter& random, IndexedMesh& mesh) {
   mesh = holed;
 }
 
-/// Copies of a surface, each perhaps triangulated in another way, turned, moved by less than what a file keeps, or partial.
+/// Copies of a surface, each perhaps triangulated in another way, turned, moved by less than what a file keeps, or
+/// partial.
 std::vector<IndexedMesh> copies_of(SceneScatter& random, const IndexedMesh& mesh) {
   std::vector<IndexedMesh> copies = {mesh};
   for (std::size_t n = 1 + random.below(3); n-- > 0;) {
@@ -189,7 +191,8 @@ Broken break_at_random(SceneScatter& random) {
   return broken;
 }
 
-/// A solid with a hole whose surface stands there several times, in one file or in several, perhaps beside a closed one.
+/// A solid with a hole whose surface stands there several times, in one file or in several, perhaps beside a closed
+/// one.
 Broken repeat_at_random(SceneScatter& random) {
   Broken broken;
   broken.intended = {random_solid(random)};
@@ -245,7 +248,8 @@ void check_once(std::uint64_t stream, Damage damage, Tally& tally) {
   const double diameter = random.in(0.5, 5), length = diameter * random.in(1.5, 4);
   const ToolVariants tool = make_tool_variants({1, "ball", BallCutter{diameter, length}, {}, {}}, 0, 0, 0).value();
   std::vector<Pose> poses = {{random.point(45), random.axis(3)}};
-  for (std::size_t n = random.below(4); n-- > 0;) poses.push_back({poses.back().tip + random.point(8), poses.back().axis});
+  for (std::size_t n = random.below(4); n-- > 0;)
+    poses.push_back({poses.back().tip + random.point(8), poses.back().axis});
   const Toolpath path = paths::through(poses);
   Scene scene;
   (random.below(4) == 0 ? scene.fixtures : scene.parts) = broken.files;
@@ -256,8 +260,8 @@ void check_once(std::uint64_t stream, Damage damage, Tally& tally) {
   // Whether the tool's own way leads out of the solid.
   const auto leaves = [&](const Box3& box) {
     return box.isEmpty() || std::any_of(poses.begin(), poses.end(), [&](const Pose& pose) {
-      return !box.contains(pose.tip) || !box.contains(pose.tip + length * pose.axis);
-    });
+             return !box.contains(pose.tip) || !box.contains(pose.tip + length * pose.axis);
+           });
   };
   const Box3 all = box_of(broken.files);
   for (std::size_t i = 0; i < r.verdicts.size(); ++i) {
@@ -297,18 +301,12 @@ Tally check_many(Damage damage) {
   return tally;
 }
 
-TEST(BrokenMeshes, NeverMakeABuriedToolCleanNorAFreeOneBuried) {
-  EXPECT_GT(check_many(break_at_random).clean, 60);
-}
+TEST(BrokenMeshes, NeverMakeABuriedToolCleanNorAFreeOneBuried) { EXPECT_GT(check_many(break_at_random).clean, 60); }
 
 // What stands there twice vouches for nothing: every edge of an open surface has an even number of triangles then.
-TEST(BrokenMeshes, AnOpenSurfaceThatStandsThereSeveralTimesProvesNoOutside) {
-  check_many(repeat_at_random);
-}
+TEST(BrokenMeshes, AnOpenSurfaceThatStandsThereSeveralTimesProvesNoOutside) { check_many(repeat_at_random); }
 
-TEST(BrokenMeshes, AFileThatIsInsideOutIsNoCavityOfAnother) {
-  check_many(turn_files_at_random);
-}
+TEST(BrokenMeshes, AFileThatIsInsideOutIsNoCavityOfAnother) { check_many(turn_files_at_random); }
 
 }  // namespace
 }  // namespace gouge

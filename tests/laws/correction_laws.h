@@ -6,15 +6,15 @@
 #include <string_view>
 #include <vector>
 
-#include "lib/check/brute_force.h"
 #include "lib/certify/motion_checker.h"
+#include "lib/check/brute_force.h"
 #include "lib/check/path_motion.h"
 #include "lib/correct/correct_path.h"
 #include "lib/mesh/winding.h"
 #include "postproc/cldata/rewriting/list_written.h"
 
-// The laws of a correction, held against the corrected file as it is read and checked, by means of their own: which moves
-// belong together, what the tool meets on a shift, how far a path is off. Nothing of lib/correct/laws.h is used.
+// The laws of a correction, held against the corrected file as it is read and checked, by means of their own: which
+// moves belong together, what the tool meets on a shift, how far a path is off. Nothing of lib/correct/laws.h is used.
 
 namespace gouge::laws {
 
@@ -38,7 +38,8 @@ struct Figures {
 
 class LawBook {
  public:
-  explicit LawBook(const Corrected& c) : c_(c), checker_(*c.setup), options_(c.setup->options), scene_(*c.setup->scene.scene) {
+  explicit LawBook(const Corrected& c)
+      : c_(c), checker_(*c.setup), options_(c.setup->options), scene_(*c.setup->scene.scene) {
     changes_.resize(c.before->moves.size(), nullptr);
     for (const PathChange& change : c.correction->changes) changes_[change.move] = &change;
     std::size_t next = 0;
@@ -46,8 +47,8 @@ class LawBook {
       first_.push_back(next);
       next += 1 + (changes_[i] != nullptr ? changes_[i]->inserted_before.size() : 0);
       // The steps of a hole that goes elsewhere.
-      const bool goes_on = i > 0 && changes_[i] == nullptr && changes_[i - 1] != nullptr && changes_[i - 1]->hole_shift_mm &&
-                           c.before->moves[i].kind == MoveKind::cycle &&
+      const bool goes_on = i > 0 && changes_[i] == nullptr && changes_[i - 1] != nullptr &&
+                           changes_[i - 1]->hole_shift_mm && c.before->moves[i].kind == MoveKind::cycle &&
                            c.before->moves[i].statement == c.before->moves[i - 1].statement;
       if (goes_on) changes_[i] = changes_[i - 1];
     }
@@ -93,26 +94,28 @@ class LawBook {
     for (std::size_t k = first_[i]; k < first_[i + 1]; ++k) {
       const MoveVerdict& is = c_.result_after->verdicts[k];
       if (rank(is.state) > rank(was.state))
-        say(was.state == MoveState::clean ? 'a' : 'b', i, std::string(state_name(was.state)) + " became " + state_name(is.state));
+        say(was.state == MoveState::clean ? 'a' : 'b', i,
+            std::string(state_name(was.state)) + " became " + state_name(is.state));
       if (is.state == MoveState::gouge && was.state == MoveState::gouge && is.depth_mm > was.depth_upper_mm + 1e-9)
         say('b', i, "deeper: " + std::to_string(was.depth_mm) + " became " + std::to_string(is.depth_mm));
       if (is.state == MoveState::gouge) cuts_nothing_new(i, k);
       if (changes_[i] == nullptr || c_.after->moves[k].tool == kNone || ++looked_at_ % one_of(scene_) != 0) continue;
       const ToolVariants* tool = c_.setup->tools[c_.after->moves[k].tool];
       if (tool == nullptr || !c_.after->moves[k].not_checked_reason.empty()) continue;
-      const double found =
-          brute_force_depth(motion_of(*c_.after, k, options_.rapid), *tool, scene_, 6, 0.2).depth_mm;
+      const double found = brute_force_depth(motion_of(*c_.after, k, options_.rapid), *tool, scene_, 6, 0.2).depth_mm;
       const double allowed = was.state == MoveState::gouge ? was.depth_upper_mm : options_.tolerance_mm;
       if (found > allowed + 2 * options_.resolution_mm && was.state != MoveState::buried)
         say('b', i, "brute force finds " + std::to_string(found) + " after " + std::to_string(was.depth_mm));
     }
   }
 
-  // (b): what still gouges runs along the programmed motion, or straight between a new and the old place of an end; anywhere
-  // else it may cut what it did not.
+  // (b): what still gouges runs along the programmed motion, or straight between a new and the old place of an end;
+  // anywhere else it may cut what it did not.
   void cuts_nothing_new(std::size_t i, std::size_t k) {
     const Move& old = c_.before->moves[i];
-    if (!old.has_start || (old.kind != MoveKind::feed && old.kind != MoveKind::rapid) || old.curve_kind != CurveKind::none) return;
+    if (!old.has_start || (old.kind != MoveKind::feed && old.kind != MoveKind::rapid) ||
+        old.curve_kind != CurveKind::none)
+      return;
     const auto off = [](const Vec3& p, const Vec3& a, const Vec3& b) {
       const double length2 = (b - a).squaredNorm();
       const double u = length2 > 0 ? std::clamp((p - a).dot(b - a) / length2, 0.0, 1.0) : 0.0;
@@ -124,7 +127,8 @@ class LawBook {
     double farthest = 0;
     for (int s = 0; s <= 16; ++s) {
       const Vec3 tip = piece.at(s / 16.0).tip;
-      farthest = std::max(farthest, std::min({off(tip, start, end), off(tip, new_start, start), off(tip, end, new_end)}));
+      farthest =
+          std::max(farthest, std::min({off(tip, start, end), off(tip, new_start, start), off(tip, end, new_end)}));
     }
     if (farthest > kRounding_mm + 0.01)
       say('b', i, "gouges still, " + std::to_string(farthest) + " mm off its programmed motion");
@@ -149,14 +153,16 @@ class LawBook {
     return std::string_view(path.source).substr(span.first_byte, span.last_byte - span.first_byte);
   }
 
-  // A record of a move that no change touches is the same to the byte; what GODLTA and modal words need is its neighbour's.
+  // A record of a move that no change touches is the same to the byte; what GODLTA and modal words need is its
+  // neighbour's.
   void left_to_the_byte(std::size_t i) {
     if (changes_[i] != nullptr || c_.before->moves[i].statement == kNone) return;
     for (std::size_t k = 0; k < changes_.size(); ++k) {
       if (changes_[k] != nullptr && c_.before->moves[k].statement == c_.before->moves[i].statement) return;
     }
     if (bytes(*c_.before, i) != bytes(*c_.after, first_[i + 1] - 1)) say('c', i, "a record that is left was rewritten");
-    if (c_.before->moves[i].end.tip != c_.after->moves[first_[i + 1] - 1].end.tip) say('c', i, "a position that is left moved");
+    if (c_.before->moves[i].end.tip != c_.after->moves[first_[i + 1] - 1].end.tip)
+      say('c', i, "a position that is left moved");
   }
 
   // (c): without what is listed as changed or removed, and what as added, both files are the same statements.
@@ -173,7 +179,8 @@ class LawBook {
       for (const SourceStatement& span : path.statements) {
         const bool is_listed = std::find(lines.begin(), lines.end(), std::size_t{span.line}) != lines.end();
         left_out += is_listed ? 1U : 0U;
-        if (!is_listed) texts.push_back(std::string_view(path.source).substr(span.first_byte, span.last_byte - span.first_byte));
+        if (!is_listed)
+          texts.push_back(std::string_view(path.source).substr(span.first_byte, span.last_byte - span.first_byte));
       }
       return texts;
     };
@@ -187,7 +194,8 @@ class LawBook {
         ++skipped;
       }
     }
-    if (i != before.size() || skipped != changed) broken_.push_back("(c) records differ that are not listed as written");
+    if (i != before.size() || skipped != changed)
+      broken_.push_back("(c) records differ that are not listed as written");
   }
 
   double depth_at(const Pose& pose, const ToolVariants& tool) const {
@@ -212,7 +220,8 @@ class LawBook {
     const Pose to = c_.after->moves[first_[i + 1] - 1].end;
     const Vec3 displacement = to.tip - old.end.tip;
     const double start = depth_at(old.end, *tool);
-    if (displacement.norm() > c_.max_shift_mm + kRounding_mm) say('e', i, "shifted by " + std::to_string(displacement.norm()));
+    if (displacement.norm() > c_.max_shift_mm + kRounding_mm)
+      say('e', i, "shifted by " + std::to_string(displacement.norm()));
     const double side = (displacement - displacement.dot(old.end.axis) * old.end.axis).norm();
     if (side > c_.max_side_shift_mm.value_or(2 * start) + kRounding_mm)
       say('e', i, "shifted sideways by " + std::to_string(side) + " for a depth of " + std::to_string(start));
@@ -228,7 +237,8 @@ class LawBook {
   // (e): where the programmed motion is clean for a while, the new one runs along it.
   void keeps_its_path(std::size_t i, Figures& figures) {
     const Move& old = c_.before->moves[i];
-    const bool is_changed = changes_[i] != nullptr || (i > 0 && old.has_start && changes_[i - 1] != nullptr && changes_[i - 1]->new_end);
+    const bool is_changed =
+        changes_[i] != nullptr || (i > 0 && old.has_start && changes_[i - 1] != nullptr && changes_[i - 1]->new_end);
     if (!is_changed || !old.has_start || old.kind != MoveKind::feed) return;
     const ToolVariants* tool = c_.setup->tools[old.tool];
     const Motion motion = motion_of(*c_.before, i, options_.rapid);
@@ -251,7 +261,8 @@ class LawBook {
       if (off <= options_.tolerance_mm + kRounding_mm) continue;
       ++figures.left_path_samples;
       const auto& list = c_.correction->uncorrected;
-      figures.listed_samples += std::any_of(list.begin(), list.end(), [i](const Uncorrected& u) { return u.move == i; });
+      figures.listed_samples +=
+          std::any_of(list.begin(), list.end(), [i](const Uncorrected& u) { return u.move == i; });
     }
   }
 

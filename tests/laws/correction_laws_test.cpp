@@ -1,5 +1,5 @@
-// No correction makes anything worse: random programs, the samples and real pairs. GOUGE_CORRECTIONS sets how many random
-// programs, GOUGE_FIRST_CORRECTION the number of the first.
+// No correction makes anything worse: random programs, the samples and real pairs. GOUGE_CORRECTIONS sets how many
+// random programs, GOUGE_FIRST_CORRECTION the number of the first.
 #include "tests/laws/correction_laws.h"
 
 #include <gtest/gtest.h>
@@ -68,8 +68,14 @@ TEST(CorrectionLaws, HoldForRandomPrograms) {
     how.max_side_shift_mm = made.max_side_shift_mm;
     const Result<LawfulCorrection> corrected = correct(made, before, setup, how);
     ASSERT_TRUE(corrected.has_value()) << n << ": " << corrected.error().message;
-    const Corrected all{&made.path, &before, &corrected->after.path, &corrected->after.result, &corrected->correction,
-                        &setup, made.max_side_shift_mm, how.max_shift_mm};
+    const Corrected all{&made.path,
+                        &before,
+                        &corrected->after.path,
+                        &corrected->after.result,
+                        &corrected->correction,
+                        &setup,
+                        made.max_side_shift_mm,
+                        how.max_shift_mm};
     for (const std::string& broken : LawBook(all).broken(figures)) ADD_FAILURE() << "program " << n << " " << broken;
     if (::testing::Test::HasFailure()) {
       std::cout << made.text << "---- becomes\n" << corrected->after.path.source;
@@ -99,11 +105,10 @@ void hold_for(const JobArguments& arguments) {
   const RewritableMoves rewritable = rewritable_moves(job.toolpath);
   CorrectOptions how;
   how.rewritable = &rewritable;
-  const Result<LawfulCorrection> corrected =
-      correct_lawfully(job.toolpath, before, setup, how, rewrite);
+  const Result<LawfulCorrection> corrected = correct_lawfully(job.toolpath, before, setup, how, rewrite);
   ASSERT_TRUE(corrected.has_value()) << corrected.error().message;
-  const Corrected all{&job.toolpath, &before, &corrected->after.path, &corrected->after.result, &corrected->correction,
-                      &setup, std::nullopt, 20};
+  const Corrected all{&job.toolpath,          &before, &corrected->after.path, &corrected->after.result,
+                      &corrected->correction, &setup,  std::nullopt,           20};
   Figures figures;
   for (const std::string& broken : LawBook(all).broken(figures)) ADD_FAILURE() << broken;
   std::cout << figures.gouges_before << " gouging moves became " << figures.gouges_after << "; " << figures.changed

@@ -76,8 +76,10 @@ class CorrectionScatter {
       const IndexedMesh rib = shapes::box(at - arm - Vec3(0, 0, 5), at + arm + Vec3(0, 0, size.z()));
       (is(0.85) ? scene.parts : scene.fixtures).push_back(rib);
     }
-    if (is(0.1)) scene.parts.push_back(shapes::moved(shapes::star_prism(5, 15, 6, in(1, 8)), Vec3(in(-10, 10), in(-10, 10), 0)));
-    if (is(0.08)) scene.parts.push_back(shapes::moved(shapes::open_cube(12), Vec3(in(-20, 10), in(-20, 10), in(-4, 0))));
+    if (is(0.1))
+      scene.parts.push_back(shapes::moved(shapes::star_prism(5, 15, 6, in(1, 8)), Vec3(in(-10, 10), in(-10, 10), 0)));
+    if (is(0.08))
+      scene.parts.push_back(shapes::moved(shapes::open_cube(12), Vec3(in(-20, 10), in(-20, 10), in(-4, 0))));
   }
 
   static std::string numbers(const Vec3& v, int decimals) {
@@ -138,7 +140,8 @@ class CorrectionScatter {
     const double bottom = is(0.5) ? 0.01 * in(-2, 2) : in(-3, 1);
     at.z() = is(0.5) ? 0 : in(-1, 1);
     char text[128];
-    std::snprintf(text, sizeof text, "CYCLE / DRILL, DEPTH, %.4f, MMPM, 100, CLEAR, 3\n", std::max(0.01, at.z() - bottom));
+    std::snprintf(text, sizeof text, "CYCLE / DRILL, DEPTH, %.4f, MMPM, 100, CLEAR, 3\n",
+                  std::max(0.01, at.z() - bottom));
     std::string all = go_to(Vec3(at.x(), at.y(), 20)) + text;
     for (std::size_t k = 1 + below(3); k > 0; --k) {
       all += go_to(at);

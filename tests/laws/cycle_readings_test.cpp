@@ -22,8 +22,7 @@ std::string creo_holes(const std::string& retract) {
          retract + "\nGOTO / 0, 0, 0\nGOTO / 60, 0, 0\nCYCLE / OFF\nGOTO / 60, 0, 60\nFINI\n";
 }
 
-const std::vector<ToolVariants> kMill = {
-    make_tool_variants({1, "", FlatCutter{10, 50}, {}}, 0, 0, 0).value()};
+const std::vector<ToolVariants> kMill = {make_tool_variants({1, "", FlatCutter{10, 50}, {}}, 0, 0, 0).value()};
 
 // A clamp over the second hole, higher than what the file says: only a tool that comes from above meets it.
 const IndexedMesh& clamp() {
@@ -54,11 +53,14 @@ TEST(Retract, ToAPlaneWithoutItsHeightLeavesThePlungesChecked) {
   std::string checked;
   for (const Move& move : path.moves) checked += move.not_checked_reason.empty() ? '1' : '0';
   // Alone; down to the clearance, the plunge, up; across and down, the plunge, up; away.
-  EXPECT_EQ(checked, "1" "110" "010" "0");
+  EXPECT_EQ(checked,
+            "1"
+            "110"
+            "010"
+            "0");
   EXPECT_EQ(path.moves.at(3).not_checked_reason,
             "a drilling cycle rises to a retract plane whose height it does not state");
-  EXPECT_EQ(path.moves.at(4).not_checked_reason,
-            "starts at an unknown retract height after a drilling cycle");
+  EXPECT_EQ(path.moves.at(4).not_checked_reason, "starts at an unknown retract height after a drilling cycle");
   EXPECT_TRUE(path.moves.at(5).has_start);
   const IndexedMesh deep = shapes::box({50, -20, -20}, {70, 20, -4});
   EXPECT_EQ(check_states(path, deep, kMill).at(5), MoveState::gouge);

@@ -13,9 +13,7 @@ constexpr double kSamePoint_mm = 1e-6;
 constexpr double kNearlySame_mm = 0.002;
 constexpr double kTurn = 2 * std::numbers::pi;
 
-Vec3 across(const Vec3& v, const Vec3& normal) {
-  return v - v.dot(normal) * normal;
-}
+Vec3 across(const Vec3& v, const Vec3& normal) { return v - v.dot(normal) * normal; }
 
 }  // namespace
 
@@ -28,19 +26,17 @@ CurvePoints turned_points(const Vec3& center, const Vec3& normal, double sweep_r
   CurvePoints points;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double t = 0.25 * static_cast<double>(i + 1), angle = t * sweep_rad;
-    points[i] = center + (r0 + t * (r1 - r0)) * (std::cos(angle) * u + std::sin(angle) * v) +
-                (h0 + t * (h1 - h0)) * normal;
+    points[i] =
+        center + (r0 + t * (r1 - r0)) * (std::cos(angle) * u + std::sin(angle) * v) + (h0 + t * (h1 - h0)) * normal;
   }
   return points;
 }
 
-std::optional<CurvePoints> arc_points(const StatedArc& arc, const Vec3& start, const Vec3& end,
-                                      std::string& doubt) {
+std::optional<CurvePoints> arc_points(const StatedArc& arc, const Vec3& start, const Vec3& end, std::string& doubt) {
   Vec3 normal = arc.normal;
   const Vec3 u = across(start - arc.center, normal), v = across(end - arc.center, normal);
   const double r = arc.radius.value_or(u.norm());
-  if (std::abs(u.norm() - v.norm()) > kRadiusOff_mm || std::abs(u.norm() - r) > kRadiusOff_mm ||
-      u.norm() <= 0) {
+  if (std::abs(u.norm() - v.norm()) > kRadiusOff_mm || std::abs(u.norm() - r) > kRadiusOff_mm || u.norm() <= 0) {
     doubt = "start, end and radius of the arc differ";
     return std::nullopt;
   }

@@ -30,11 +30,10 @@ struct StatedArc {
                                                     std::string& doubt);
 
 /// `arc` turned by `sweep_rad` in all, its height and radius changing evenly.
-[[nodiscard]] CurvePoints turned_points(const Vec3& center, const Vec3& normal, double sweep_rad,
-                                        const Vec3& start, const Vec3& end);
+[[nodiscard]] CurvePoints turned_points(const Vec3& center, const Vec3& normal, double sweep_rad, const Vec3& start,
+                                        const Vec3& end);
 
 /// A cubic B-spline with simple ends; `inner_knots` without the closing 1.
-[[nodiscard]] CurvePoints spline_points(const std::vector<Vec3>& control,
-                                        const std::vector<double>& inner_knots);
+[[nodiscard]] CurvePoints spline_points(const std::vector<Vec3>& control, const std::vector<double>& inner_knots);
 
 }  // namespace gouge::laws

@@ -96,8 +96,8 @@ std::optional<StatedCycle> stated_cycle(const std::vector<LooseArgument>& argume
   const std::optional<Values> values = values_by_word(arguments, doubt);
   if (!values) return std::nullopt;
   if (dialect == "camworks-clt") return of_clt(*values, doubt);
-  if (dialect == "apt-catia" && values->size() == 1 && values->contains("DRILL") &&
-      values->at("DRILL").size() == 2 && values->at("DRILL")[0] > 0)
+  if (dialect == "apt-catia" && values->size() == 1 && values->contains("DRILL") && values->at("DRILL").size() == 2 &&
+      values->at("DRILL")[0] > 0)
     return StatedCycle{-values->at("DRILL")[0], values->at("DRILL")[1], values->at("DRILL")[1]};
   const CycleWords words = words_of(dialect);
   std::optional<double> depth, clearance, retract;

@@ -12,9 +12,7 @@ namespace {
 constexpr double kUnitOff = 1e-3;
 constexpr double kSame = 1e-9;
 
-bool is_unit(const double* v) {
-  return std::abs(Vec3(v[0], v[1], v[2]).norm() - 1) <= kUnitOff;
-}
+bool is_unit(const double* v) { return std::abs(Vec3(v[0], v[1], v[2]).norm() - 1) <= kUnitOff; }
 
 // Without what parts words from each other.
 std::string letters_of(std::string_view text) {
@@ -27,8 +25,7 @@ std::string letters_of(std::string_view text) {
 
 }  // namespace
 
-void StatementExpander::emit(const std::optional<Pose>& start, const Pose& to,
-                             std::optional<CurvePoints> curve) {
+void StatementExpander::emit(const std::optional<Pose>& start, const Pose& to, std::optional<CurvePoints> curve) {
   out_.motions.push_back({line_, start, to, curve, now_.tool, now_.diameter_mm});
 }
 
@@ -37,8 +34,8 @@ bool StatementExpander::axis_of_three(Vec3& axis) {
   const Vec3 plain = now_.frame.turned(now_.plain_axis);
   // Posts that write the axis of every position under MULTAX, and of none without it.
   const bool is_by_multax = is("apt-autodesk") || is("apt-camplete") || is("apt-mori");
-  const bool is_known = is("apt-solidworks-cam") || is("apt-creo") || is("camworks-clt") ||
-                        (is_by_multax && now_.multax != Multax::on);
+  const bool is_known =
+      is("apt-solidworks-cam") || is("apt-creo") || is("camworks-clt") || (is_by_multax && now_.multax != Multax::on);
   axis = is("nx-clsf") ? now_.axis : is_known ? now_.frame.turned(Vec3::UnitZ()) : plain;
   if (is("nx-clsf") || is_known || now_.multax == Multax::off) return true;
   if (!now_.has_moved || (now_.axis - axis).norm() <= kSame) return true;
@@ -74,8 +71,7 @@ void StatementExpander::positions(const std::vector<double>& v) {
     stride = n % 6 == 0 && is_unit(&v[3]) && is_unit(&v[n - 3]) ? 0 : 3;
   }
   if (stride == 0) return doubt("one position or several");
-  if (now_.arc && n > stride && !is("apt-creo") && !is("apt-nccs"))
-    return doubt("an arc to several positions");
+  if (now_.arc && n > stride && !is("apt-creo") && !is("apt-nccs")) return doubt("an arc to several positions");
   const std::optional<StatedArc> arc = now_.arc;
   for (std::size_t i = 0; i < n && out_.doubts.empty(); i += stride) {
     Pose to;
@@ -127,9 +123,7 @@ void StatementExpander::move_to(const Pose& to) {
 
 void StatementExpander::hole(const Pose& at) {
   const StatedCycle& stated = *now_.cycle->stated;
-  const auto above = [&](const Vec3& tip, double height) {
-    return Pose{tip + now_.mm * height * at.axis, at.axis};
-  };
+  const auto above = [&](const Vec3& tip, double height) { return Pose{tip + now_.mm * height * at.axis, at.axis}; };
   const Pose clear = above(at.tip, stated.clearance);
   if (now_.at) {
     const double height = (now_.at->tip - at.tip).dot(at.axis) / now_.mm;
@@ -222,8 +216,7 @@ void StatementExpander::chained_line(const LooseStatement& s) {
   const std::size_t close = text.find(')', circle);
   if (circle == std::string::npos || line == std::string::npos || close > line)
     return doubt("TLON that is not understood");
-  const std::string head = letters_of(text.substr(0, circle)),
-                    middle = letters_of(text.substr(close, line - close));
+  const std::string head = letters_of(text.substr(0, circle)), middle = letters_of(text.substr(close, line - close));
   const bool is_far = middle == "ON2INTOF";
   if (head != "TLONGOFWD" || (middle != "ON" && !is_far) || !direction || now_.arc)
     return doubt("TLON that is not understood, or has no INDIRV of its own");
@@ -245,8 +238,7 @@ void StatementExpander::chained_line(const LooseStatement& s) {
   stated.center = now_.frame.placed(now_.mm * Vec3(c[0], c[1], c[2]));
   stated.radius = c[3] * now_.mm;
   const Vec3 outward = now_.at->tip - stated.center;
-  if (std::abs(outward.normalized().dot(direction->normalized())) > 0.01)
-    return doubt("INDIRV does not touch");
+  if (std::abs(outward.normalized().dot(direction->normalized())) > 0.01) return doubt("INDIRV does not touch");
   stated.normal = outward.cross(*direction).normalized();
   const Vec3 end = to.tip - stated.center;
   const bool is_long = stated.normal.dot(outward.cross(end)) < 0;
@@ -262,8 +254,7 @@ void StatementExpander::end_spline() {
   std::vector<double> knots = now_.knots;
   now_.control.clear();
   now_.knots.clear();
-  if (!now_.at || knots.empty() || std::abs(knots.back() - 1) > kSame ||
-      control.size() + 1 != knots.size() + 3)
+  if (!now_.at || knots.empty() || std::abs(knots.back() - 1) > kSame || control.size() + 1 != knots.size() + 3)
     return doubt("a spline without its start, or with other knots than it needs");
   knots.pop_back();
   control.insert(control.begin(), now_.at->tip);

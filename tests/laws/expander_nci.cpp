@@ -85,8 +85,7 @@ class NciExpander {
     std::string why;
     const std::optional<CurvePoints> curve = arc_points(arc, at_->tip, to.tip, why);
     if (!curve) return out_.doubts.push_back({line_, why});
-    const bool is_closed =
-        (at_->tip - to.tip - (at_->tip - to.tip).dot(arc.normal) * arc.normal).norm() < 1e-6;
+    const bool is_closed = (at_->tip - to.tip - (at_->tip - to.tip).dot(arc.normal) * arc.normal).norm() < 1e-6;
     if (v.size() > 9 && v[9] > 0 && !is_closed) return doubt("a full circle that ends elsewhere");
     move_to(to, curve);
   }
@@ -101,8 +100,7 @@ class NciExpander {
   void frame(int code, const std::vector<double>& v) {
     constexpr std::array<double, 12> kIdentity{1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0};
     bool is_identity = v.size() == (code == 1014 ? 9U : 12U);
-    for (std::size_t i = 0; i < v.size() && is_identity; ++i)
-      is_identity = std::abs(v[i] - kIdentity[i]) < 1e-9;
+    for (std::size_t i = 0; i < v.size() && is_identity; ++i) is_identity = std::abs(v[i] - kIdentity[i]) < 1e-9;
     if (!is_identity) doubt("a plane or a system of its own");
   }
 

@@ -9,13 +9,12 @@ namespace gouge::laws {
 namespace {
 
 bool is_all_numbers(const std::vector<LooseArgument>& arguments) {
-  return std::all_of(arguments.begin(), arguments.end(),
-                     [](const LooseArgument& a) { return a.number.has_value(); });
+  return std::all_of(arguments.begin(), arguments.end(), [](const LooseArgument& a) { return a.number.has_value(); });
 }
 
 std::size_t count_numbers(const std::vector<LooseArgument>& arguments) {
-  return static_cast<std::size_t>(std::count_if(arguments.begin(), arguments.end(),
-                                                [](const LooseArgument& a) { return a.number.has_value(); }));
+  return static_cast<std::size_t>(
+      std::count_if(arguments.begin(), arguments.end(), [](const LooseArgument& a) { return a.number.has_value(); }));
 }
 
 }  // namespace
@@ -34,8 +33,7 @@ void StatementExpander::step(const LooseStatement& statement) {
   if (statement.is_comment) return comment(statement);
   if (statement.is_text) return;
   if (statement.is_cut_off) return doubt("the file ends within a statement");
-  if (is_meaningful(statement.word) || statement.word.starts_with("TLON,") ||
-      statement.word.starts_with("$$->"))
+  if (is_meaningful(statement.word) || statement.word.starts_with("TLON,") || statement.word.starts_with("$$->"))
     return word(statement);
   if (is_passive(statement.word)) {
     if (!is_naming(statement.word) && !meaning_within(squeezed(statement.rest)).empty())
@@ -59,8 +57,7 @@ void StatementExpander::step(const LooseStatement& statement) {
     meant.arguments = loose_arguments(rest);
     return word(meant);
   }
-  if (statement.word.empty() || !((statement.word[0] >= 'A' && statement.word[0] <= 'Z')))
-    return wordless(statement);
+  if (statement.word.empty() || !((statement.word[0] >= 'A' && statement.word[0] <= 'Z'))) return wordless(statement);
   const std::string_view hidden = meaning_hidden_in(statement.word);
   // Where the tool goes home nothing is swept, where it does not the next position is: that holds both.
   const bool holds_both = (hidden == "GOHOME" && statement.arguments.empty()) || hidden == "END-OF-PATH";
@@ -86,21 +83,19 @@ void StatementExpander::step(const LooseStatement& statement) {
   if (!hidden.empty() && !(holds_both && is_one_letter_away(statement.word, hidden)))
     return doubt("'" + statement.word + "' may be " + std::string(hidden));
   if (count_numbers(statement.arguments) >= 3) return doubt("'" + statement.word + "' may be a motion");
-  if (!meaning_within(squeezed(statement.rest)).empty())
-    return doubt("a statement within one of " + statement.word);
+  if (!meaning_within(squeezed(statement.rest)).empty()) return doubt("a statement within one of " + statement.word);
 }
 
 // What another line has lost, or the rest of a text.
 void StatementExpander::wordless(const LooseStatement& statement) {
   const std::string text = squeezed(statement.whole);
   const std::size_t begin = std::min(text.find_first_not_of("/,"), text.size());
-  if (text.find_first_of("+-.0123456789", begin) == begin &&
-      loose_arguments(text.substr(begin)).front().number)
+  if (text.find_first_of("+-.0123456789", begin) == begin && loose_arguments(text.substr(begin)).front().number)
     return doubt("a line without a word: '" + text + "'");
   const Arguments arguments = loose_arguments(text.substr(begin));
   for (std::size_t i = 0; i < arguments.size(); ++i) {
-    for (const std::string_view modal : {"ON", "OFF", "MM", "INCH", "INCHES", "LEFT", "RIGHT", "FEDTO", "RAPTO", "RTRCTO",
-                                         "DEPTH", "CLEAR", "RETURN"}) {
+    for (const std::string_view modal : {"ON", "OFF", "MM", "INCH", "INCHES", "LEFT", "RIGHT", "FEDTO", "RAPTO",
+                                         "RTRCTO", "DEPTH", "CLEAR", "RETURN"}) {
       if (arguments[i].text == modal) now_.lost_word = "a line without a word: '" + text + "'";
     }
     if (arguments[i].text == "TOOL" && i + 1 < arguments.size() && arguments[i + 1].number)
@@ -146,9 +141,9 @@ std::size_t StatementExpander::matrix(const std::vector<LooseStatement>& stateme
     doubt("a matrix that is not whole");
     return last;
   }
-  set_frame({rows[3], rows[7], rows[11], rows[0], rows[4], rows[8], rows[1], rows[5], rows[9], rows[2],
-             rows[6], rows[10]},
-            true);
+  set_frame(
+      {rows[3], rows[7], rows[11], rows[0], rows[4], rows[8], rows[1], rows[5], rows[9], rows[2], rows[6], rows[10]},
+      true);
   return last;
 }
 
@@ -175,7 +170,8 @@ void StatementExpander::begin_section(std::string_view by, bool is_swept_into) {
 void StatementExpander::end_of_file() {
   interrupt("the end of the file");
   // Its end may have been lost behind any of its holes; one hole it must have.
-  if (now_.cycle && now_.cycle->holes > 1) doubt("the cycle of line " + std::to_string(now_.cycle->line) + " never ends");
+  if (now_.cycle && now_.cycle->holes > 1)
+    doubt("the cycle of line " + std::to_string(now_.cycle->line) + " never ends");
 }
 
 void StatementExpander::word(const LooseStatement& s) {
@@ -202,12 +198,10 @@ void StatementExpander::word(const LooseStatement& s) {
       now_.control.push_back(now_.frame.placed(now_.mm * Vec3(v[0], v[1], v[2])));
     return;
   }
-  constexpr std::array<std::string_view, 11> kBetween{"GOTO", "TLON",   "MULTAX", "TLAXIS", "TRNTYP",
-                                                     "MODE", "CUTCOM", "UNITS",  "UNIT",   "CUTTER",
-                                                     "TLDATA"};
+  constexpr std::array<std::string_view, 11> kBetween{"GOTO",   "TLON",  "MULTAX", "TLAXIS", "TRNTYP", "MODE",
+                                                      "CUTCOM", "UNITS", "UNIT",   "CUTTER", "TLDATA"};
   const bool is_load = s.word == "LOADTL" || s.word == "LOAD" || s.word == "TOOLNO";
-  if (is_meaningful(s.word) && !is_load &&
-      std::find(kBetween.begin(), kBetween.end(), s.word) == kBetween.end())
+  if (is_meaningful(s.word) && !is_load && std::find(kBetween.begin(), kBetween.end(), s.word) == kBetween.end())
     interrupt(s.word);
   if (s.word == "GOTO") {
     if (now_.direction) return doubt("GOTO where TLON must come");

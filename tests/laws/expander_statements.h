@@ -60,8 +60,7 @@ class StatementExpander {
   bool pose_of(const double* v, std::size_t count, Pose& pose);
   void move_to(const Pose& to);
   void hole(const Pose& at);
-  void emit(const std::optional<Pose>& start, const Pose& to,
-            std::optional<CurvePoints> curve = std::nullopt);
+  void emit(const std::optional<Pose>& start, const Pose& to, std::optional<CurvePoints> curve = std::nullopt);
 
   std::string_view dialect_;
   Expansion& out_;

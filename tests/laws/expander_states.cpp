@@ -19,7 +19,8 @@ void StatementExpander::unit(const Arguments& arguments) {
   }
   if (mm <= 0) return doubt("a unit that is not MM, INCH or INCHES");
   if (std::abs(mm - now_.mm) > 0.5) interrupt("another unit");
-  if (now_.has_moved && !now_.is_unit_said && (mm > 1 || std::abs(mm - now_.mm) > 0.5)) return doubt("a unit after positions");
+  if (now_.has_moved && !now_.is_unit_said && (mm > 1 || std::abs(mm - now_.mm) > 0.5))
+    return doubt("a unit after positions");
   now_.mm = mm;
   now_.is_unit_said = true;
 }
@@ -42,15 +43,13 @@ void StatementExpander::cycle(const Arguments& arguments) {
   }
   const std::string& first = arguments.front().text;
   if (arguments.size() == 1 && (first == "OFF" || first == "NOMORE")) {
-    if (!now_.cycle && now_.positions_without_cycle > 0)
-      return doubt("CYCLE/OFF of a cycle that never began");
+    if (!now_.cycle && now_.positions_without_cycle > 0) return doubt("CYCLE/OFF of a cycle that never began");
     now_.is_behind_cycle = now_.cycle.has_value();
     now_.cycle.reset();
     now_.positions_without_cycle = 0;
     return;
   }
-  if (arguments.size() == 1 && (first == "INIT" || first == "CLEAR"))
-    return contradict_cycle("CYCLE/" + first);
+  if (arguments.size() == 1 && (first == "INIT" || first == "CLEAR")) return contradict_cycle("CYCLE/" + first);
   std::string why;
   OpenCycle open;
   open.line = line_;
@@ -76,7 +75,8 @@ void StatementExpander::cutcom(const Arguments& arguments) {
   }
   if (now_.is_cutter_centre || (is_length && !is_off)) return;
   if (is_strange || has_side == is_off) return doubt("a compensation that is not understood");
-  if (is_off && !now_.is_compensated && now_.was_compensated && now_.positions_without_cutcom > 0 && !now_.is_cutter_centre)
+  if (is_off && !now_.is_compensated && now_.was_compensated && now_.positions_without_cutcom > 0 &&
+      !now_.is_cutter_centre)
     return doubt("CUTCOM/OFF of a compensation that never began");
   now_.is_compensated = has_side;
   now_.was_compensated = now_.was_compensated || has_side;
@@ -85,8 +85,7 @@ void StatementExpander::cutcom(const Arguments& arguments) {
 
 void StatementExpander::tool_number(std::string_view word, const Arguments& arguments) {
   const std::size_t place = word == "LOAD" ? 1 : 0;
-  if (place == 1 && (arguments.empty() || arguments.front().text != "TOOL"))
-    {
+  if (place == 1 && (arguments.empty() || arguments.front().text != "TOOL")) {
     const std::string text = arguments.empty() ? "" : arguments.front().text;
     if (text.empty() || std::string_view("TOOL").starts_with(text) || is_one_letter_away(text, "TOOL"))
       now_.tool_doubt = "LOAD of something like a tool";
@@ -160,8 +159,7 @@ void StatementExpander::set_frame(const std::vector<double>& v, bool is_third_sa
   frame.x = Vec3(v[3], v[4], v[5]);
   frame.y = Vec3(v[6], v[7], v[8]);
   frame.z = frame.x.cross(frame.y);
-  if (is_third_said && (Vec3(v[9], v[10], v[11]) - frame.z).norm() > 1e-3)
-    return doubt("a frame that is no rotation");
+  if (is_third_said && (Vec3(v[9], v[10], v[11]) - frame.z).norm() > 1e-3) return doubt("a frame that is no rotation");
   if (std::abs(frame.z.norm() - 1) > 1e-3) return doubt("a frame that is no rotation");
   const bool is_same = frame == now_.frame;
   if ((is("nx-clsf") || is("apt-camplete")) && now_.has_block_moved && !is_same)
@@ -191,8 +189,7 @@ void StatementExpander::zeros(const Arguments& arguments, std::size_t words) {
   if (words == 0 && arguments.empty()) return doubt("a shift without its numbers");
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const bool is_word = words > 0 && i > 0 && !arguments[i].number;
-    if (!is_word && !arguments[i].text.empty() &&
-        (!arguments[i].number || std::abs(*arguments[i].number) > 0))
+    if (!is_word && !arguments[i].text.empty() && (!arguments[i].number || std::abs(*arguments[i].number) > 0))
       return doubt("a shift or a turn");
   }
 }

@@ -73,9 +73,7 @@ bool is_meaningful(std::string_view word) {
   return std::find(kMeaningful.begin(), kMeaningful.end(), word) != kMeaningful.end();
 }
 
-bool is_passive(std::string_view word) {
-  return std::find(kPassive.begin(), kPassive.end(), word) != kPassive.end();
-}
+bool is_passive(std::string_view word) { return std::find(kPassive.begin(), kPassive.end(), word) != kPassive.end(); }
 
 bool is_naming(std::string_view word) {
   return word == "OPFEATSTART" || word == "OPFEATEND" || word == "CSI_TOOL_PATH" || word == "OPNAME" ||

@@ -39,7 +39,9 @@ inline std::vector<std::string> doubts(const Witness& w, double depth_mm, const 
                                        const Contours& tool, const Scene& scene) {
   constexpr double kSlack_mm = 1e-6;
   std::vector<std::string> all;
-  const auto doubt = [&all](const std::string& what, double value) { all.push_back(what + ": " + std::to_string(value)); };
+  const auto doubt = [&all](const std::string& what, double value) {
+    all.push_back(what + ": " + std::to_string(value));
+  };
   const reference::Contour& contour = tool.against(w.against);
   const Pose pose = movement.at(w.t);
   const double depth = contour.depth(pose, w.point);
@@ -125,8 +127,8 @@ inline void expect_nothing_deeper(const Job& job, const CheckResult& result, std
     gouges += is_gouge ? 1 : 0;
     seen += is_gouge && found.depth_mm > v.depth_mm - 0.001 ? 1 : 0;
     EXPECT_LE(found.depth_mm, v.depth_upper_mm + 1e-9)
-        << "line " << move.line << ", move " << i << " (" << state_name(v.state) << ", depth " << v.depth_mm
-        << "): t " << found.t << " at " << found.point.transpose();
+        << "line " << move.line << ", move " << i << " (" << state_name(v.state) << ", depth " << v.depth_mm << "): t "
+        << found.t << " at " << found.point.transpose();
   }
   EXPECT_GE(seen * 10, gouges * 9) << "the reference is too weak: it saw " << seen << " of " << gouges << " gouges";
 }

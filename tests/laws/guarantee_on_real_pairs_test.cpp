@@ -17,13 +17,12 @@ struct Pair {
 
 void PrintTo(const Pair& p, std::ostream* out) { *out << p.name; }
 
-const Pair kPairs[] = {
-    {"five_axis_part", "five_axis_part/subset_autodesk_iso4343.apt", "five_axis_part_inch.stl"},
-    {"Teste_Metrologia", "solidworks_cam/Teste-Metrologia.apt", "Teste-Metrologia.STL"},
-    {"Sacrifice_Board", "solidworks_cam/Sacrifice-Board.apt", "Sacrifice-Board.STL"},
-    {"SupPetriLED", "solidworks_cam/SupPetriLED.apt", "SupPetriLED.STL"},
-    {"basemach", "solidworks_cam/basemach.apt", "basemach.STL"},
-    {"Paralelipipedo2", "solidworks_cam/Paralelipipedo2.apt", "Paralelipipedo2.STL"}};
+const Pair kPairs[] = {{"five_axis_part", "five_axis_part/subset_autodesk_iso4343.apt", "five_axis_part_inch.stl"},
+                       {"Teste_Metrologia", "solidworks_cam/Teste-Metrologia.apt", "Teste-Metrologia.STL"},
+                       {"Sacrifice_Board", "solidworks_cam/Sacrifice-Board.apt", "Sacrifice-Board.STL"},
+                       {"SupPetriLED", "solidworks_cam/SupPetriLED.apt", "SupPetriLED.STL"},
+                       {"basemach", "solidworks_cam/basemach.apt", "basemach.STL"},
+                       {"Paralelipipedo2", "solidworks_cam/Paralelipipedo2.apt", "Paralelipipedo2.STL"}};
 
 class GuaranteeOnRealPairs : public ::testing::TestWithParam<Pair> {};
 

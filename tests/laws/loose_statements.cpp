@@ -8,23 +8,16 @@
 namespace gouge::laws {
 namespace {
 
-constexpr std::array<std::string_view, 6> kTextWords{"PPRINT", "PARTNO", "REMARK",
-                                                     "INSERT", "TPRINT", "LETTER"};
+constexpr std::array<std::string_view, 6> kTextWords{"PPRINT", "PARTNO", "REMARK", "INSERT", "TPRINT", "LETTER"};
 // What follows them is a name, which no `$` continues.
 constexpr std::array<std::string_view, 5> kNamingWords{"TOOLPATH", "CSI_TOOL_PATH", "OPFEATSTART", "OPFEATEND",
                                                        "OPNAME"};
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t' || c == '\r';
-}
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -58,8 +51,7 @@ void part(LooseStatement& statement, const std::string& joined) {
   const std::size_t slash = statement.whole.find('/');
   statement.word = squeezed(statement.whole.substr(0, slash));
   if (slash != std::string::npos) statement.rest = statement.whole.substr(slash + 1);
-  while (!statement.rest.empty() && statement.rest.front() == '/')
-    statement.rest.erase(0, 1);  // `GOTO//1,2,3`
+  while (!statement.rest.empty() && statement.rest.front() == '/') statement.rest.erase(0, 1);  // `GOTO//1,2,3`
   statement.arguments = loose_arguments(statement.rest);
 }
 

@@ -18,29 +18,20 @@ struct Misreading {
   const char* outcome;
 };
 
-void PrintTo(const Misreading& c, std::ostream* out) {
-  *out << c.name;
-}
+void PrintTo(const Misreading& c, std::ostream* out) { *out << c.name; }
 
 class Misread : public ::testing::TestWithParam<Misreading> {};
 
 const auto kName = [](const auto& test) { return std::string(test.param.name); };
 
-std::string apt(const std::string& body) {
-  return "UNITS/MM\nCUTTER/10\nLOADTL/1\n" + body + "FINI\n";
-}
+std::string apt(const std::string& body) { return "UNITS/MM\nCUTTER/10\nLOADTL/1\n" + body + "FINI\n"; }
 
-std::string at_5(const std::string& statement) {
-  return apt(statement + "GOTO/0,0,5\nGOTO/10,0,5\n");
-}
+std::string at_5(const std::string& statement) { return apt(statement + "GOTO/0,0,5\nGOTO/10,0,5\n"); }
 
-std::string around(const std::string& statement) {
-  return apt("GOTO/0,0,5\n" + statement + "GOTO/0,0,5\n");
-}
+std::string around(const std::string& statement) { return apt("GOTO/0,0,5\n" + statement + "GOTO/0,0,5\n"); }
 
 std::string clt(const std::string& setup) {
-  return "UNITS/ MM \nCUTTER/ 10,0,5,0,0,0,50,\n" + setup +
-         "OPFEATSTART/x\nGOTO/ 0,0,5 \nGOTO/ 10,0,5 \nFINI \n";
+  return "UNITS/ MM \nCUTTER/ 10,0,5,0,0,0,50,\n" + setup + "OPFEATSTART/x\nGOTO/ 0,0,5 \nGOTO/ 10,0,5 \nFINI \n";
 }
 
 std::string rotabl(const char* angle, const char* axis, const char* sense) {
@@ -50,28 +41,28 @@ std::string rotabl(const char* angle, const char* axis, const char* sense) {
 constexpr const char* kQuarter = "1.570796";
 constexpr const char* kBack = "-1.570796";
 
-INSTANTIATE_TEST_SUITE_P(
-    Shift, Misread,
-    ::testing::Values(
-        Misreading{"None", at_5(""), "clean"}, Misreading{"Zero", at_5("TRANS/0,0.0,-0\nORIGIN/0,0,0\n"), "clean"},
-        Misreading{"Undone", at_5("TRANS/0,0,5\nTRANS/0,0,0\n"), "clean"},
-        Misreading{"OfFortran", at_5("TRANS/0,0,-1.D1\n"), "not-checked"},
-        Misreading{"OriginOfFortran", at_5("ORIGIN/0,0,1.D1\n"), "not-checked"},
-        Misreading{"ZeroOfFortran", at_5("TRANS/0.D0,.0D+0,0\n"), "clean"},
-        Misreading{"PositionOfFortran", around("GOTO/0.D0,1.5d+1,-.2D-1\n"), "gouge"},
-        Misreading{"WordThatIsNoNumber", around("GOTO/0,0,1D1\n"), "path-number"},
-        Misreading{"OfSymbols", at_5("TRANS/DX,DY,DZ\n"), "not-checked"},
-        Misreading{"OfAMatrix", at_5("TRANS/M1\n"), "not-checked"},
-        Misreading{"TurnOfFortran", at_5("ROTABL/AAXIS,9.D1\n"), "not-checked"},
-        Misreading{"TurnOfASymbol", at_5("ROTHED/AAXIS,ANG1\n"), "not-checked"},
-        Misreading{"TurnOfZero", at_5("ROTABL/0.0,AAXIS,TABLE,CLW\n"), "clean"},
-        Misreading{"TrntypOfZero", at_5("TRNTYP/WORLD,0,0,0\n"), "clean"},
-        Misreading{"Trntyp", at_5("TRNTYP/WORLD,0,0,-10\n"), "not-checked"},
-        Misreading{"TrntypOfASymbol", at_5("TRNTYP/WORLD,X\n"), "not-checked"},
-        Misreading{"ModeMill", at_5("MODE/MILL\n"), "clean"},
-        Misreading{"ModeTurn", at_5("MODE/TURN\n"), "not-checked"},
-        Misreading{"ModeTurnThenMill", at_5("MODE/TURN\nMODE/MILL\n"), "clean"}),
-    kName);
+INSTANTIATE_TEST_SUITE_P(Shift, Misread,
+                         ::testing::Values(Misreading{"None", at_5(""), "clean"},
+                                           Misreading{"Zero", at_5("TRANS/0,0.0,-0\nORIGIN/0,0,0\n"), "clean"},
+                                           Misreading{"Undone", at_5("TRANS/0,0,5\nTRANS/0,0,0\n"), "clean"},
+                                           Misreading{"OfFortran", at_5("TRANS/0,0,-1.D1\n"), "not-checked"},
+                                           Misreading{"OriginOfFortran", at_5("ORIGIN/0,0,1.D1\n"), "not-checked"},
+                                           Misreading{"ZeroOfFortran", at_5("TRANS/0.D0,.0D+0,0\n"), "clean"},
+                                           Misreading{"PositionOfFortran", around("GOTO/0.D0,1.5d+1,-.2D-1\n"),
+                                                      "gouge"},
+                                           Misreading{"WordThatIsNoNumber", around("GOTO/0,0,1D1\n"), "path-number"},
+                                           Misreading{"OfSymbols", at_5("TRANS/DX,DY,DZ\n"), "not-checked"},
+                                           Misreading{"OfAMatrix", at_5("TRANS/M1\n"), "not-checked"},
+                                           Misreading{"TurnOfFortran", at_5("ROTABL/AAXIS,9.D1\n"), "not-checked"},
+                                           Misreading{"TurnOfASymbol", at_5("ROTHED/AAXIS,ANG1\n"), "not-checked"},
+                                           Misreading{"TurnOfZero", at_5("ROTABL/0.0,AAXIS,TABLE,CLW\n"), "clean"},
+                                           Misreading{"TrntypOfZero", at_5("TRNTYP/WORLD,0,0,0\n"), "clean"},
+                                           Misreading{"Trntyp", at_5("TRNTYP/WORLD,0,0,-10\n"), "not-checked"},
+                                           Misreading{"TrntypOfASymbol", at_5("TRNTYP/WORLD,X\n"), "not-checked"},
+                                           Misreading{"ModeMill", at_5("MODE/MILL\n"), "clean"},
+                                           Misreading{"ModeTurn", at_5("MODE/TURN\n"), "not-checked"},
+                                           Misreading{"ModeTurnThenMill", at_5("MODE/TURN\nMODE/MILL\n"), "clean"}),
+                         kName);
 
 INSTANTIATE_TEST_SUITE_P(
     Clt, Misread,
@@ -80,8 +71,8 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"AxisAside", clt("TLAXIS/ 0.000000,-1.000000,0.000000 \n"), "not-checked"},
         Misreading{"AxisThatIsNoNumber", clt("TLAXIS/ A1\n"), "not-checked"},
         Misreading{"TurnUndone", clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kBack, "AAXIS", "CCLW")), "clean"},
-        Misreading{"TurnUndoneTheOtherWay",
-                   clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kQuarter, "AAXIS", "CLW")), "clean"},
+        Misreading{"TurnUndoneTheOtherWay", clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kQuarter, "AAXIS", "CLW")),
+                   "clean"},
         Misreading{"TurnDoubled", clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kBack, "AAXIS", "CLW")),
                    "not-checked"},
         Misreading{"TurnsUndoneLastFirst",
@@ -92,8 +83,7 @@ INSTANTIATE_TEST_SUITE_P(
                    clt(rotabl(kQuarter, "AAXIS", "CCLW") + rotabl(kQuarter, "BAXIS", "CCLW") +
                        rotabl(kBack, "AAXIS", "CCLW") + rotabl(kBack, "BAXIS", "CCLW")),
                    "not-checked"},
-        Misreading{"TurnOfAHead",
-                   clt("ROTABL/ 1,AAXIS,HEAD,CCLW\nROTABL/ -1,AAXIS,HEAD,CCLW\n"), "not-checked"}),
+        Misreading{"TurnOfAHead", clt("ROTABL/ 1,AAXIS,HEAD,CCLW\nROTABL/ -1,AAXIS,HEAD,CCLW\n"), "not-checked"}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -154,11 +144,9 @@ INSTANTIATE_TEST_SUITE_P(
                       Misreading{"TwoRows", catia(std::string("$$ name\n") + kTwoRows), "path-frame"},
                       Misreading{"TwoNamelessRows", catia(kTwoRows), "path-frame"},
                       Misreading{"Nothing", catia(""), "path-frame"},
-                      Misreading{"OfNoDialect",
-                                 around(std::string("$$ *CATIA0\n$$ name\n") + kRows), "gouge"},
+                      Misreading{"OfNoDialect", around(std::string("$$ *CATIA0\n$$ name\n") + kRows), "gouge"},
                       Misreading{"BackwardsOnACircle",
-                                 around("TLON,GOBACK/(CIRCLE/0,10,5,10),ON,(LINE/0,20,5,1,2,5)\n"),
-                                 "not-checked"}),
+                                 around("TLON,GOBACK/(CIRCLE/0,10,5,10),ON,(LINE/0,20,5,1,2,5)\n"), "not-checked"}),
     kName);
 
 INSTANTIATE_TEST_SUITE_P(
@@ -195,9 +183,7 @@ INSTANTIATE_TEST_SUITE_P(
                                  "gouge"}),
     kName);
 
-std::string holes(const std::string& cycle) {
-  return around(cycle + "GOTO/10,0,5\nCYCLE/OFF\n");
-}
+std::string holes(const std::string& cycle) { return around(cycle + "GOTO/10,0,5\nCYCLE/OFF\n"); }
 
 std::string creo(const std::string& body) {
   return "$$* Pro/CLfile\n$$-> FEATNO / 1\nUNITS / MM\nCUTTER / 10\nLOADTL / 1\nGOTO / 0, 0, 5\n" + body +
@@ -232,10 +218,12 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"Arc", around("GOTO/0,-5,5\nCIRCLE/0,0,5,0,0,1,5\nGOTO/5,0,5\n"), "not-checked"},
         Misreading{"ArcToSeveral", around("CIRCLE/0,5,5,0,0,1,5,CLOCKWISE\nGOTO/5,5,5,0,10,5,-5,5,5\n"), "not-checked"},
         Misreading{"CreoArc", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5\nGOTO / 5, 5, 5\n"), "clean"},
-        Misreading{"CreoArcWithASenseWord", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5, CLOCKWISE\nGOTO / 5, 5, 5\n"), "not-checked"},
+        Misreading{"CreoArcWithASenseWord", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5, CLOCKWISE\nGOTO / 5, 5, 5\n"),
+                   "not-checked"},
         Misreading{"CreoArcWithNothingBetweenCommas", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5,,0,0,0\nGOTO / 5, 5, 5\n"),
                    "not-checked"},
-        Misreading{"CreoArcOfTenNumbers", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5, 0, 0, 0\nGOTO / 5, 5, 5\n"), "not-checked"},
+        Misreading{"CreoArcOfTenNumbers", creo("CIRCLE / 0, 5, 5, 0, 0, 1, 5, 0, 0, 0\nGOTO / 5, 5, 5\n"),
+                   "not-checked"},
         Misreading{"CreoCommentWithALoadtl", creo("$$-> MFGNO / ALOADTL / 2\n"), "path-statement"},
         Misreading{"Cycle", holes("CYCLE/DRILL,FEDTO,1,RAPTO,2\n"), "clean"},
         Misreading{"CycleWithNothingBetweenCommas", holes("CYCLE/DRILL,,FEDTO,1,RAPTO,2\n"), "not-checked"},
@@ -253,8 +241,8 @@ INSTANTIATE_TEST_SUITE_P(
         Misreading{"NxFrame", block(kFrame, "GOTO/1,0,5\n"), "clean"},
         Misreading{"NxFrameAfterPositions", block("", std::string(kFrame) + "GOTO/1,0,5\n"), "not-checked"},
         Misreading{"NxFrameAfterAllPositions", block("", kFrame), "not-checked"},
-        Misreading{"NxTldataInTheName",
-                   "TOOL PATH/A,TOOL,BTLDATA/MILL,10,0,50,0,0\nGOTO/0,0,5\nEND-OF-PATH\n", "path-statement"},
+        Misreading{"NxTldataInTheName", "TOOL PATH/A,TOOL,BTLDATA/MILL,10,0,50,0,0\nGOTO/0,0,5\nEND-OF-PATH\n",
+                   "path-statement"},
         Misreading{"CampleteFrame", camplete("MCS/1,0,0,0,1,0,0,0,1,0,0,1\n"), "clean"},
         Misreading{"CampleteSectionWithoutItsFrame", camplete(""), "not-checked"},
         Misreading{"CampleteFrameAfterPositions", camplete("GOTO/0,0,5\nMCS/1,0,0,0,1,0,0,0,1,0,0,2\n"), "not-checked"},
@@ -278,9 +266,7 @@ TEST(ByteOrderMark, IsNoPartOfWhatShowsTheDialect) {
   EXPECT_EQ(read.moves.size(), read_as(nci, "").moves.size());
 }
 
-TEST_P(Misread, IsNotTakenForClean) {
-  EXPECT_EQ(outcome_at_box(GetParam().text), GetParam().outcome);
-}
+TEST_P(Misread, IsNotTakenForClean) { EXPECT_EQ(outcome_at_box(GetParam().text), GetParam().outcome); }
 
 }  // namespace
 }  // namespace gouge

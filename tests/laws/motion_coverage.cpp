@@ -9,14 +9,12 @@
 namespace gouge::laws {
 namespace {
 
-constexpr double kSame_mm = 1e-4;   // roundings of unlike arithmetic
-constexpr double kSameAxis = 2e-3;  // axes within 0.001 of unit length are made unit
-constexpr double kSameArc_mm =
-    0.05;  // where start and end of an arc differ in radius by the rounding of the file
+constexpr double kSame_mm = 1e-4;     // roundings of unlike arithmetic
+constexpr double kSameAxis = 2e-3;    // axes within 0.001 of unit length are made unit
+constexpr double kSameArc_mm = 0.05;  // where start and end of an arc differ in radius by the rounding of the file
 
 bool is_same(const Pose& a, const Pose& b) {
-  return (a.tip - b.tip).norm() <= kSame_mm * (1 + 1e-2 * a.tip.norm()) &&
-         (a.axis - b.axis).norm() <= kSameAxis;
+  return (a.tip - b.tip).norm() <= kSame_mm * (1 + 1e-2 * a.tip.norm()) && (a.axis - b.axis).norm() <= kSameAxis;
 }
 
 std::optional<CurvePoints> curve_of(const Toolpath& path, std::size_t index) {
@@ -55,8 +53,7 @@ bool sweeps(const PossibleMotion& motion, const Toolpath& path, std::size_t inde
   const Move& move = path.moves[index];
   if (!is_same(motion.to, move.end) || !is_same_tool(motion, path, move)) return false;
   if (!motion.from) return true;
-  return move.has_start && is_same(*motion.from, path.start_of(index)) &&
-         is_same(motion.curve, curve_of(path, index));
+  return move.has_start && is_same(*motion.from, path.start_of(index)) && is_same(motion.curve, curve_of(path, index));
 }
 
 std::string text_of(const PossibleMotion& motion) {
@@ -92,8 +89,7 @@ std::optional<std::string> first_not_swept(const Expansion& expansion, const Too
     const bool is_still = motion.from && !motion.curve && is_same(*motion.from, motion.to);
     if (is_still) continue;
     const auto [begin, end] = moves_of_line.equal_range(motion.line);
-    bool is_swept =
-        std::any_of(begin, end, [&](const auto& entry) { return sweeps(motion, path, entry.second); });
+    bool is_swept = std::any_of(begin, end, [&](const auto& entry) { return sweeps(motion, path, entry.second); });
     // A spline's motion is known where the next statement ends it.
     for (std::size_t i = 0; !is_swept && motion.curve && i < path.moves.size(); ++i)
       is_swept = path.moves[i].curve_kind == CurveKind::spline && sweeps(motion, path, i);

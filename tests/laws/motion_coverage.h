@@ -13,8 +13,7 @@ namespace gouge::laws {
 
 /// Nothing of the path is left unchecked: each move has no reason not to be, and a tool with a cutter, or one
 /// of those that a tool library gives.
-[[nodiscard]] bool is_wholly_checked(const Toolpath& path, const std::set<int>& library_tools,
-                                     bool is_tool_given);
+[[nodiscard]] bool is_wholly_checked(const Toolpath& path, const std::set<int>& library_tools, bool is_tool_given);
 
 /// The first possible motion that no move of the path sweeps with its tool, in words; nothing: all are swept.
 [[nodiscard]] std::optional<std::string> first_not_swept(const Expansion& expansion, const Toolpath& path);

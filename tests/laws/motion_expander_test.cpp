@@ -15,9 +15,7 @@ struct Reading {
   std::size_t motions;  // none: a doubt
 };
 
-void PrintTo(const Reading& r, std::ostream* out) {
-  *out << r.name;
-}
+void PrintTo(const Reading& r, std::ostream* out) { *out << r.name; }
 
 class Expanded : public ::testing::TestWithParam<Reading> {};
 
@@ -38,11 +36,9 @@ INSTANTIATE_TEST_SUITE_P(
         Reading{"Plain", "GOTO/1,0,9\n", 2}, Reading{"Continued", "GOTO/1,0,$\n9\n", 2},
         Reading{"ContinuationLost", "GOTO/1,0,9,\n0,0,1\n", 0}, Reading{"WithoutASlash", "GOTO 1,0,9\n", 2},
         Reading{"Glued", "GODLTA-5\n", 2}, Reading{"Misspelt", "GODLT/-5\n", 0},
-        Reading{"OfAnotherWord", "MYWORD/1,2\n", 1},
-        Reading{"OfAnotherWordWithThreeNumbers", "MYWORD/1,2,3\n", 0},
-        Reading{"WithinAnotherStatement", "COOLNT/ONGOTO/1,0,9\n", 0},
-        Reading{"Text", "PPRINT GOTO/1,0,9\n", 1}, Reading{"LineWithoutAWord", "-5\n", 0},
-        Reading{"FeedAndSpindle", "FEDRAT/9,MMPM\nSPINDL/5,RPM\n", 1},
+        Reading{"OfAnotherWord", "MYWORD/1,2\n", 1}, Reading{"OfAnotherWordWithThreeNumbers", "MYWORD/1,2,3\n", 0},
+        Reading{"WithinAnotherStatement", "COOLNT/ONGOTO/1,0,9\n", 0}, Reading{"Text", "PPRINT GOTO/1,0,9\n", 1},
+        Reading{"LineWithoutAWord", "-5\n", 0}, Reading{"FeedAndSpindle", "FEDRAT/9,MMPM\nSPINDL/5,RPM\n", 1},
         Reading{"Hole", kDrill + kHole + "CYCLE/OFF\n", 6}, Reading{"CycleNeverEnded", kDrill + kHole + kHole, 0},
         Reading{"CycleNeverBegun", kHole + "CYCLE/OFF\n", 0},
         Reading{"RapidInACycle", kDrill + kHole + "RAPID\n" + kHole + "CYCLE/OFF\n", 0},
@@ -54,8 +50,7 @@ INSTANTIATE_TEST_SUITE_P(
         Reading{"UnitsContradicted", "UNITS/MM,INCHES\n", 0}, Reading{"Shift", "TRANS/0,0,-5\n", 0},
         Reading{"CompensationNeverBegun", "CUTCOM/LEFT\nCUTCOM/OFF\nGOTO/1,0,9\nCUTCOM/OFF\n", 0},
         Reading{"AfterAnAxis", "MULTAX\nGOTO/1,0,9,0,.6,.8\nGOTO/2,0,9\n", 0},
-        Reading{"AfterTheEnd", "FINI\nGOTO/1,0,9\n", 2},
-        Reading{"ToolWithoutACutter", "LOADTL/2\nGOTO/1,0,9\n", 0},
+        Reading{"AfterTheEnd", "FINI\nGOTO/1,0,9\n", 2}, Reading{"ToolWithoutACutter", "LOADTL/2\nGOTO/1,0,9\n", 0},
         Reading{"ToolWithACutter", "LOADTL/2\nCUTTER/4\nGOTO/1,0,9\n", 2}),
     [](const auto& test) { return std::string(test.param.name); });
 

@@ -33,20 +33,20 @@ enum class Multax { unsaid, on, off };
 
 struct MotionReading {
   std::optional<Pose> at;           ///< nothing: the next position stands alone
-  std::optional<Pose> step_from;       ///< what GODLTA goes on from behind a change of tool
+  std::optional<Pose> step_from;    ///< what GODLTA goes on from behind a change of tool
   Vec3 axis = Vec3::UnitZ();        ///< of the last position
   Vec3 plain_axis = Vec3::UnitZ();  ///< TLAXIS, in the frame of the file
   Multax multax = Multax::unsaid;
   double mm = 1;  ///< the unit in force
   bool is_unit_said = false;
   LooseFrame frame;
-  bool has_frames = false;             ///< some block or section of the file says its frame
+  bool has_frames = false;       ///< some block or section of the file says its frame
   bool is_frame_said = true;     ///< in this block or section
   bool is_block_open = true;     ///< NX: between TOOL PATH and END-OF-PATH
   bool has_block_moved = false;  ///< since its block or section began
   std::optional<OpenCycle> cycle;
-  bool is_behind_cycle = false;        ///< nothing moved since a cycle was ended
-  bool is_rapid = false;               ///< the next motion, which is no hole then
+  bool is_behind_cycle = false;             ///< nothing moved since a cycle was ended
+  bool is_rapid = false;                    ///< the next motion, which is no hole then
   std::size_t positions_without_cycle = 0;  ///< since the last cycle, tool or operation
   std::optional<StatedArc> arc;             ///< waits for its end
   std::optional<Vec3> direction;            ///< INDIRV waits for its TLON
@@ -55,12 +55,12 @@ struct MotionReading {
   bool is_spline_open = false;
   bool is_compensated = false, is_cutter_centre = false;
   std::size_t positions_without_cutcom = 0;
-  bool was_compensated = false;        ///< somewhere before
+  bool was_compensated = false;  ///< somewhere before
   std::optional<int> tool;
-  std::string tool_name;               ///< NX: of the block
-  std::string lost_word;               ///< a line that may have switched something; empty: none
+  std::string tool_name;                   ///< NX: of the block
+  std::string lost_word;                   ///< a line that may have switched something; empty: none
   std::string cutter_doubt, multax_doubt;  ///< why they may have changed; empty: they have not
-  std::string tool_doubt;              ///< why nobody knows which tool is in; empty: it is known
+  std::string tool_doubt;                  ///< why nobody knows which tool is in; empty: it is known
   std::optional<double> diameter_mm;
   std::optional<double> stated_diameter;  ///< of `$$-> CUTTER`, in the unit of the file
   bool is_cutter_new = false;             ///< nothing was cut with it yet

@@ -26,9 +26,7 @@ std::vector<std::filesystem::path> files_in(const std::filesystem::path& folder)
 
 }  // namespace
 
-std::vector<std::filesystem::path> modal_files() {
-  return files_in(source_folder() + "/tests/corpus/modal");
-}
+std::vector<std::filesystem::path> modal_files() { return files_in(source_folder() + "/tests/corpus/modal"); }
 
 std::vector<std::filesystem::path> real_files() {
   constexpr std::array<std::string_view, 3> kNoText{".cl", ".tbl", ".md"};

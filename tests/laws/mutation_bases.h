@@ -31,8 +31,7 @@ struct MutationBase {
 
 /// Stretches of a file that stand for themselves: what comes before its first position, some statements from
 /// further down, and its last one.
-[[nodiscard]] std::vector<std::string> segments(const std::string& bytes, std::size_t statements,
-                                                 std::size_t count);
+[[nodiscard]] std::vector<std::string> segments(const std::string& bytes, std::size_t statements, std::size_t count);
 
 /// Why the file must not be called clean, though the product checks every move; empty: it may be.
 [[nodiscard]] std::string violation(const MutationBase& base, const Toolpath& path, const std::string& bytes);

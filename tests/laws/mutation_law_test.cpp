@@ -109,8 +109,8 @@ std::string test_name(const ::testing::TestParamInfo<std::filesystem::path>& tes
 }
 
 void report(const std::string& name, const Counts& counts) {
-  std::cout << name << ": " << counts.refused << " refused, " << counts.not_checked << " not checked, "
-            << counts.clean << " clean, " << counts.obstacles << " of them checked against a splinter\n";
+  std::cout << name << ": " << counts.refused << " refused, " << counts.not_checked << " not checked, " << counts.clean
+            << " clean, " << counts.obstacles << " of them checked against a splinter\n";
 }
 
 class MutationLaw : public ::testing::TestWithParam<std::filesystem::path> {};

@@ -41,9 +41,7 @@ std::string verdict(const Toolpath& path, const IndexedMesh& part) {
   return "clean";
 }
 
-IndexedMesh plate(double top) {
-  return shapes::box({-50, -50, top - 5}, {50, 50, top});
-}
+IndexedMesh plate(double top) { return shapes::box({-50, -50, top - 5}, {50, 50, top}); }
 
 // A hole of 12.5 below its position; the way back up to 2.
 NccsFile hole(const std::vector<NccsFile::Argument>& depth) {

@@ -61,8 +61,7 @@ TEST(NciReading, ArcsOfTheXzPlaneAreNotChecked) {
   const std::string start = "0\n0 20. 0. 0. -2. 0\n";
   const IndexedMesh far = post({500, 500, 0}, 5);
   for (const char* code : {"2", "3"})
-    EXPECT_EQ(verdict(read(start + code + "\n2 0 -20. 0. 0. 0. 0. 300. 0 0\n"), far, tools::ball(1)),
-              "not-checked");
+    EXPECT_EQ(verdict(read(start + code + "\n2 0 -20. 0. 0. 0. 0. 300. 0 0\n"), far, tools::ball(1)), "not-checked");
 }
 
 // Without the flag a thousandth of a millimetre is next to nothing; with it the tool goes all the way round.
@@ -93,8 +92,7 @@ TEST(NciReading, CompensatedPositionsAreNotTheCutterCentre) {
 // The tool leans away from a wall, its axis towards the second point. Read as a vector the same numbers lean
 // it into the wall.
 TEST(NciReading, FiveAxesHaveASecondPointNotAVector) {
-  const std::string text =
-      "11\n60. 0. 30. 42. 0. 54. 300. 0 0 0. 0. 1.\n11\n60. 9. 30. 42. 9. 54. 300. 0 0 0. 0. 1.\n";
+  const std::string text = "11\n60. 0. 30. 42. 0. 54. 300. 0 0 0. 0. 1.\n11\n60. 9. 30. 42. 9. 54. 300. 0 0 0. 0. 1.\n";
   const IndexedMesh wall = shapes::box({66, -20, 10}, {110, 30, 120});
   const ToolVariants tool = tools::ball(8);
   const Toolpath path = read(text);

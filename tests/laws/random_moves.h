@@ -231,8 +231,7 @@ class RandomJobs {
     if (!(out.norm() > 0.5)) out = Vec2(1, 0);
     const Vec3 sideways =
         Eigen::AngleAxisd(in(-std::numbers::pi, std::numbers::pi), pose.axis) * pose.axis.unitOrthogonal();
-    return {pose.tip + at.x() * sideways + at.y() * pose.axis,
-            (out.x() * sideways + out.y() * pose.axis).normalized()};
+    return {pose.tip + at.x() * sideways + at.y() * pose.axis, (out.x() * sideways + out.y() * pose.axis).normalized()};
   }
 
   /// How deep in the tool, or away from it where negative: mostly about the tolerance.
@@ -248,8 +247,8 @@ class RandomJobs {
     return Eigen::AngleAxisd(in(-3, 3), to).toRotationMatrix() * onto.toRotationMatrix();
   }
 
-  /// A solid set against the tool at some instant, one of its faces onto the tool's surface or as it comes. Sometimes so
-  /// large that the tool is wholly inside it.
+  /// A solid set against the tool at some instant, one of its faces onto the tool's surface or as it comes. Sometimes
+  /// so large that the tool is wholly inside it.
   IndexedMesh placed_solid(const RandomJob& job) {
     IndexedMesh mesh = solid();
     const double scale = chance(0.05) ? 20 * (size_ + height_) : size_ * std::pow(10, in(-0.7, 0.9));
@@ -294,9 +293,8 @@ class RandomJobs {
   /// Beside or above the tool, closed, with few faces.
   IndexedMesh head() {
     const double s = 2 * size_;
-    IndexedMesh mesh = chance(0.5)
-                           ? shapes::box(Vec3(0, 0, 0), Vec3(s * in(0.3, 2), s * in(0.3, 2), s * in(0.3, 2)))
-                           : shapes::star_prism(3, s, s * in(0.4, 0.8), s * in(0.3, 1));
+    IndexedMesh mesh = chance(0.5) ? shapes::box(Vec3(0, 0, 0), Vec3(s * in(0.3, 2), s * in(0.3, 2), s * in(0.3, 2)))
+                                   : shapes::star_prism(3, s, s * in(0.4, 0.8), s * in(0.3, 1));
     const Vec3 shift(in(-s, s), in(-s, s), height_ * in(0.3, 1.2));
     return shapes::moved(mesh, shift);
   }

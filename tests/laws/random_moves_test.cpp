@@ -121,8 +121,9 @@ class Campaign {
     if (v.state == MoveState::clean && v.depth_upper_mm > options.tolerance_mm + options.resolution_mm)
       fail(job, i, "clean, yet only proved to " + std::to_string(v.depth_upper_mm));
     if (v.state == MoveState::gouge && !(v.depth_mm > options.tolerance_mm))
-      fail(job, i, "a gouge within the tolerance of " + std::to_string(options.tolerance_mm) + ": " + exact_text(v.depth_mm) + " to " +
-                       std::to_string(v.depth_upper_mm) + " " + reason_text(v.reason));
+      fail(job, i,
+           "a gouge within the tolerance of " + std::to_string(options.tolerance_mm) + ": " + exact_text(v.depth_mm) +
+               " to " + std::to_string(v.depth_upper_mm) + " " + reason_text(v.reason));
     if (v.state == MoveState::gouge && v.depth_upper_mm - v.depth_mm > options.resolution_mm) {
       ++tally.wide;
       if (job.heads.empty() && options.budget_per_move > kBounds)
@@ -136,7 +137,8 @@ class Campaign {
   void judge_inside(const laws::RandomJob& job, const CheckOptions& options, const MoveVerdict& v, std::size_t i,
                     const reference::Movement& movement, const Core& core) {
     const bool is_clean = v.state == MoveState::clean, is_buried = v.state == MoveState::buried;
-    if (!job.is_closed || !(is_clean || is_buried) || core.depth <= options.tolerance_mm + options.resolution_mm) return;
+    if (!job.is_closed || !(is_clean || is_buried) || core.depth <= options.tolerance_mm + options.resolution_mm)
+      return;
     bool is_inside = false;
     const auto look = [&](const Vec3& p) {
       for (const std::vector<IndexedMesh>* meshes : {&job.scene.parts, &job.scene.fixtures}) {
@@ -196,8 +198,8 @@ class Campaign {
     Tally all;
     const auto row = [](const std::string& kind, const Tally& t) {
       std::cout << std::left << std::setw(9) << kind << std::right << std::setw(7) << t.moves << std::setw(9) << t.clean
-                << std::setw(9) << t.gouge << std::setw(8) << t.buried << std::setw(6) << t.open << std::setw(6) << t.wide
-                << std::setw(13) << t.seen << std::setw(12) << t.violations << "\n";
+                << std::setw(9) << t.gouge << std::setw(8) << t.buried << std::setw(6) << t.open << std::setw(6)
+                << t.wide << std::setw(13) << t.seen << std::setw(12) << t.violations << "\n";
     };
     for (const auto& [kind, t] : by_kind) {
       row(kind, t);

@@ -70,7 +70,8 @@ class SceneScatter : public test::Scatter {
   /// One half of the scenes are deep in triangles, in the other the tool slides along them, clean or nearly so.
   RandomScene scene(const CompiledTool& tool) {
     const bool is_sliding = in(0, 1) < 0.5;
-    RandomScene random{paths::through(poses(4, is_sliding ? 0.1 : 5)), {{triangles(is_sliding ? 0 : 1 + below(4))}, {}}};
+    RandomScene random{paths::through(poses(4, is_sliding ? 0.1 : 5)),
+                       {{triangles(is_sliding ? 0 : 1 + below(4))}, {}}};
     for (std::size_t k = 1 + below(4); k > 0; --k) {
       add_touching(random.scene.parts[0], tool, random.path.moves[below(4)].end, is_sliding ? 0.02 : 0.3);
     }

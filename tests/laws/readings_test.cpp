@@ -21,9 +21,7 @@ struct ForcedArc {
   const char* verdict;
 };
 
-void PrintTo(const ForcedArc& c, std::ostream* out) {
-  *out << c.name;
-}
+void PrintTo(const ForcedArc& c, std::ostream* out) { *out << c.name; }
 
 class ForcedSense : public ::testing::TestWithParam<ForcedArc> {};
 
@@ -81,8 +79,7 @@ TEST(TldataReading, ATldataWhoseCornerLiesElsewhereIsNoSmallerTool) {
 TEST(Modality, OfTheAxisInNx) {
   const std::string text =
       "TOOL PATH/VARIABLE_CONTOUR,TOOL,BPR-SNR-323S32\nTLDATA/MILL,32.0000,5.0000,75.0000,0.0000,0.0000\n"
-      "GOTO/266.5600,14.3672,-78.6854,0.0679850,-0.9833858,-0.1683164\nGOTO/"
-      "266.5600,13.2188,-71.9757\nEND-OF-PATH\n";
+      "GOTO/266.5600,14.3672,-78.6854,0.0679850,-0.9833858,-0.1683164\nGOTO/266.5600,13.2188,-71.9757\nEND-OF-PATH\n";
   const IndexedMesh wall = shapes::box({200, 18, -140}, {330, 60, 0});
   EXPECT_EQ(verdict(read_as(text, ""), wall), "clean");
   EXPECT_EQ(verdict(read_as(text, "apt-solidworks-cam"), wall), "gouge");
@@ -115,11 +112,9 @@ TEST(Frame, OfAnNxBlockIsApplied) {
 TEST(Frame, OfCatiaIsApplied) {
   const std::string text =
       "$$     CATIA APT VERSION 1.0\n$$*CATIA0\n$$ Programme de fabrication.1\n"
-      "$$     1.00000     0.00000     0.00000  -220.00000\n$$     0.00000     1.00000     0.00000  "
-      "-170.00000\n"
+      "$$     1.00000     0.00000     0.00000  -220.00000\n$$     0.00000     1.00000     0.00000  -170.00000\n"
       "$$     0.00000     0.00000     1.00000    20.00000\nPARTNO PART TO BE MACHINED\nMULTAX\n"
-      "CUTTER/ 10.000000,  0.000000,  5.000000,  5.000000, 45.000000,$\n         0.000000, "
-      "50.000000\nLOADTL/2\n"
+      "CUTTER/ 10.000000,  0.000000,  5.000000,  5.000000, 45.000000,$\n         0.000000, 50.000000\nLOADTL/2\n"
       "GOTO  /   98.00000,  100.00000,   35.00000, 0.000000, 0.000000, 1.000000\n"
       "GOTO  /   98.00000,  100.00000,   25.00000, 0.000000, 0.000000, 1.000000\nEND\n";
   const IndexedMesh plate = shapes::box({-200, -170, 0}, {200, 170, 40});
@@ -133,10 +128,8 @@ TEST(Frame, OfCatiaIsApplied) {
 // SolidWorks CAM writes CSYS beside positions that are in the part's axes already.
 TEST(Frame, OfSolidWorksIsNotApplied) {
   const std::string text =
-      "TRNTYP/WORLD,0,0,0\nUNIT/MM\nCUTTER/14.,0,7.,0,0,0,84.\nLOAD/TOOL,1\nCSYS/"
-      "0,0,1.,0,0,1.,0,0,-1.,0,0,0\n"
-      "GOTO/87.5,35.8375,-12.1625,1.,0,0\nGOTO/78.,35.8375,-12.1625,1.,0,0\nGOTO/"
-      "78.,22.749812,-12.1625,1.,0,0\nFINI\n";
+      "TRNTYP/WORLD,0,0,0\nUNIT/MM\nCUTTER/14.,0,7.,0,0,0,84.\nLOAD/TOOL,1\nCSYS/0,0,1.,0,0,1.,0,0,-1.,0,0,0\n"
+      "GOTO/87.5,35.8375,-12.1625,1.,0,0\nGOTO/78.,35.8375,-12.1625,1.,0,0\nGOTO/78.,22.749812,-12.1625,1.,0,0\nFINI\n";
   const IndexedMesh part = shapes::box({-40, 0, -100}, {77.9, 60, 20});
   Toolpath path = read_as(text, "");
   EXPECT_EQ(verdict(path, part), "clean");
@@ -148,14 +141,12 @@ TEST(Frame, OfSolidWorksIsNotApplied) {
 
 struct CutterReading {
   const char* name;
-  const char* text;  // a tool and where it stands
-  ToolVariants wrong;   // what the same numbers are where some of them are not understood
+  const char* text;    // a tool and where it stands
+  ToolVariants wrong;  // what the same numbers are where some of them are not understood
   IndexedMesh part;
 };
 
-void PrintTo(const CutterReading& c, std::ostream* out) {
-  *out << c.name;
-}
+void PrintTo(const CutterReading& c, std::ostream* out) { *out << c.name; }
 
 class ToolReading : public ::testing::TestWithParam<CutterReading> {};
 
@@ -165,40 +156,34 @@ INSTANTIATE_TEST_SUITE_P(
     All, ToolReading,
     ::testing::Values(
         // The cone of a drill, above a ledge a flat end would cut.
-        CutterReading{"DrillOfSolidWorks",
-                      "TRNTYP/WORLD,0,0,0\nUNIT/MM\nCUTTER/6.,0,3.,1.802582,31.,0,102.\nLOAD/TOOL,1\nGOTO/"
-                      "0,0,0\nFINI\n",
-                      tools::flat(6), shapes::box({2, -5, -5}, {10, 5, 1.1})},
+        CutterReading{
+            "DrillOfSolidWorks",
+            "TRNTYP/WORLD,0,0,0\nUNIT/MM\nCUTTER/6.,0,3.,1.802582,31.,0,102.\nLOAD/TOOL,1\nGOTO/0,0,0\nFINI\n",
+            tools::flat(6), shapes::box({2, -5, -5}, {10, 5, 1.1})},
         CutterReading{
             "DrillOfCatia",
-            "$$ CATIA APT VERSION 1.0\nUNITS/MM\nCUTTER/  2.500000,  0.000000,  1.250000,  0.751076, "
-            "31.000000,$\n"
+            "$$ CATIA APT VERSION 1.0\nUNITS/MM\nCUTTER/  2.500000,  0.000000,  1.250000,  0.751076, 31.000000,$\n"
             "         0.000000, 50.000000\nLOADTL/1\nGOTO  /    0.00000,    0.00000,    0.00000\nEND\n",
             tools::flat(2.5), shapes::box({1, -5, -5}, {10, 5, 0.5})},
-        CutterReading{
-            "CountersinkOfNx",
-            "TOOL PATH/A,TOOL,B\nTLDATA/MILL,30.0000,0.0000,30.0000,0.0000,45.0000\nGOTO/0.0,0.0,0.0\n"
-            "END-OF-PATH\n",
-            tools::flat(30), shapes::box({10, -5, -5}, {20, 5, 9.5})},
+        CutterReading{"CountersinkOfNx",
+                      "TOOL PATH/A,TOOL,B\nTLDATA/MILL,30.0000,0.0000,30.0000,0.0000,45.0000\nGOTO/0.0,0.0,0.0\n"
+                      "END-OF-PATH\n",
+                      tools::flat(30), shapes::box({10, -5, -5}, {20, 5, 9.5})},
         // A ball whose e and f are written as 0.
         CutterReading{"BallOfCamplete",
-                      "CSI_TOOL_PATH/A\nUNITS/INCHES\nCUTTER/0.236000, 0.118000, 0.000000, 0.000000, "
-                      "0.000000, 0.000000, "
-                      "2.000000\nLOADTL/3\nGOTO/0.000000, 0.000000, 0.000000\nFINI\n",
-                      tools::flat(0.236 * kInch),
-                      shapes::box({0.09 * kInch, -5, -5}, {10, 5, 0.035 * kInch})},
-        CutterReading{
-            "BallOfNx",
-            "TOOL PATH/A,TOOL,B\nTLDATA/MILL,30.0000,15.0000,75.0000,0.0000,0.0000\nGOTO/0.0,0.0,0.0\n"
-            "END-OF-PATH\n",
-            tools::flat(30), shapes::box({12, -5, -5}, {20, 5, 5})},
+                      "CSI_TOOL_PATH/A\nUNITS/INCHES\nCUTTER/0.236000, 0.118000, 0.000000, 0.000000, 0.000000, "
+                      "0.000000, 2.000000\nLOADTL/3\nGOTO/0.000000, 0.000000, 0.000000\nFINI\n",
+                      tools::flat(0.236 * kInch), shapes::box({0.09 * kInch, -5, -5}, {10, 5, 0.035 * kInch})},
+        CutterReading{"BallOfNx",
+                      "TOOL PATH/A,TOOL,B\nTLDATA/MILL,30.0000,15.0000,75.0000,0.0000,0.0000\nGOTO/0.0,0.0,0.0\n"
+                      "END-OF-PATH\n",
+                      tools::flat(30), shapes::box({12, -5, -5}, {20, 5, 5})},
         // e is the diameter of the tip: taken as the distance of the corner from the axis it is a tool twice
         // as wide.
-        CutterReading{
-            "FlatOfAutodesk",
-            "UNITS/INCHES\nCUTTER/0.750000, 0.000000, 0.750000, 0.000000, 0.000000, 0.000000, 2.000000\n"
-            "LOADTL/1, 0, 2.0, 1\nGOTO/0.000000, 0.000000, 0.000000\nFINI\n",
-            tools::flat(1.5 * kInch), shapes::box({0.38 * kInch, -5, -5}, {30, 5, 20})}),
+        CutterReading{"FlatOfAutodesk",
+                      "UNITS/INCHES\nCUTTER/0.750000, 0.000000, 0.750000, 0.000000, 0.000000, 0.000000, 2.000000\n"
+                      "LOADTL/1, 0, 2.0, 1\nGOTO/0.000000, 0.000000, 0.000000\nFINI\n",
+                      tools::flat(1.5 * kInch), shapes::box({0.38 * kInch, -5, -5}, {30, 5, 20})}),
     [](const auto& test) { return std::string(test.param.name); });
 
 TEST_P(ToolReading, OnlyTheWrongToolMeetsThePart) {

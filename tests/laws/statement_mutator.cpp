@@ -21,8 +21,7 @@ Lines statements_of(const std::string& bytes) {
     statement += line;
     begin = end;
     const std::size_t last = line.find_last_not_of(" \t\r\n");
-    const bool goes_on =
-        last != std::string::npos && line[last] == '$' && (last == 0 || line[last - 1] != '$');
+    const bool goes_on = last != std::string::npos && line[last] == '$' && (last == 0 || line[last - 1] != '$');
     if (goes_on && begin < bytes.size()) continue;
     statements.push_back(std::exchange(statement, ""));
   }
@@ -35,9 +34,7 @@ std::string joined(const Lines& lines) {
   return bytes;
 }
 
-std::size_t pick(test::Scatter& random, std::size_t count) {
-  return static_cast<std::size_t>(random.next() % count);
-}
+std::size_t pick(test::Scatter& random, std::size_t count) { return static_cast<std::size_t>(random.next() % count); }
 
 // The places of the characters that `wanted` takes.
 template <typename Wanted>
@@ -49,14 +46,11 @@ std::vector<std::size_t> places(const std::string& bytes, Wanted wanted) {
   return found;
 }
 
-bool is_letter(char c) {
-  return std::isalpha(static_cast<unsigned char>(c)) != 0;
-}
+bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 enum class CharacterDamage { lose, repeat };
 
-void damage(std::string& bytes, const std::vector<std::size_t>& where, CharacterDamage how,
-            test::Scatter& random) {
+void damage(std::string& bytes, const std::vector<std::size_t>& where, CharacterDamage how, test::Scatter& random) {
   if (where.empty()) return;
   const std::size_t place = where[pick(random, where.size())];
   if (how == CharacterDamage::lose)
@@ -185,9 +179,8 @@ void lose_line_end(Lines& lines, test::Scatter& random) {
 
 template <CharacterDamage kHow>
 void letter(Lines& lines, test::Scatter& random) {
-  to_one(lines, random, [&](std::string& s) {
-    damage(s, places(s, [&](std::size_t i) { return is_letter(s[i]); }), kHow, random);
-  });
+  to_one(lines, random,
+         [&](std::string& s) { damage(s, places(s, [&](std::size_t i) { return is_letter(s[i]); }), kHow, random); });
 }
 
 struct Kind {
@@ -232,14 +225,13 @@ constexpr std::array<Kind, 24> kKinds{{
     {"line end lost", lose_line_end},
     {"$ put at a line's end",
      [](Lines& l, test::Scatter& r) {
-       to_one(l, r,
-              [](std::string& s) { s.insert(std::min(s.find_last_not_of("\r\n") + 1, s.size()), "$"); });
+       to_one(l, r, [](std::string& s) { s.insert(std::min(s.find_last_not_of("\r\n") + 1, s.size()), "$"); });
      }},
     {"letters exchanged",
      [](Lines& l, test::Scatter& r) {
        to_one(l, r, [&](std::string& s) {
-         const auto where = places(
-             s, [&](std::size_t i) { return i + 1 < s.size() && is_letter(s[i]) && is_letter(s[i + 1]); });
+         const auto where =
+             places(s, [&](std::size_t i) { return i + 1 < s.size() && is_letter(s[i]) && is_letter(s[i + 1]); });
          if (where.empty()) return;
          const std::size_t i = where[pick(r, where.size())];
          std::swap(s[i], s[i + 1]);
@@ -249,13 +241,9 @@ constexpr std::array<Kind, 24> kKinds{{
 
 }  // namespace
 
-std::size_t mutation_kinds() {
-  return kKinds.size();
-}
+std::size_t mutation_kinds() { return kKinds.size(); }
 
-std::string_view mutation_name(std::size_t kind) {
-  return kKinds[kind].name;
-}
+std::string_view mutation_name(std::size_t kind) { return kKinds[kind].name; }
 
 Mutant mutate(const std::string& bytes, std::size_t kind, test::Scatter& random) {
   Lines lines = statements_of(bytes);
@@ -263,10 +251,9 @@ Mutant mutate(const std::string& bytes, std::size_t kind, test::Scatter& random)
   mutant.kind = kind;
   kKinds[kind].damage(lines, random);
   mutant.bytes = joined(lines);
-  const auto [before, after] =
-      std::mismatch(bytes.begin(), bytes.end(), mutant.bytes.begin(), mutant.bytes.end());
-  mutant.what = std::string(kKinds[kind].name) + " at line " +
-                std::to_string(1 + std::count(bytes.begin(), before, '\n'));
+  const auto [before, after] = std::mismatch(bytes.begin(), bytes.end(), mutant.bytes.begin(), mutant.bytes.end());
+  mutant.what =
+      std::string(kKinds[kind].name) + " at line " + std::to_string(1 + std::count(bytes.begin(), before, '\n'));
   return mutant;
 }
 

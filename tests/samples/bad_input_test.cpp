@@ -18,9 +18,7 @@ struct BadInput {
 };
 
 /// Keeps the bytes of the content out of test listings.
-void PrintTo(const BadInput& bad, std::ostream* out) {
-  *out << bad.name;
-}
+void PrintTo(const BadInput& bad, std::ostream* out) { *out << bad.name; }
 
 const std::string kStart = "UNITS/MM\nMULTAX/ON\nLOADTL/1\n";
 
@@ -39,8 +37,7 @@ const std::vector<BadInput>& bad_inputs() {
       {"PartProgram", "bad.apt", "PARTNO/X\nP1=POINT/0,0,0\nGO/TO,P1\n", ""},
       {"StlMissing", "bad.stl", "-", ""},
       {"StlEmpty", "bad.stl", "", ""},
-      {"StlTruncated", "bad.stl", std::string(80, ' ') + std::string("\x02\0\0\0", 4) + std::string(60, '\0'),
-       ""},
+      {"StlTruncated", "bad.stl", std::string(80, ' ') + std::string("\x02\0\0\0", 4) + std::string(60, '\0'), ""},
       {"StlWithoutTriangles", "bad.stl", std::string(84, '\0'), ""},
       {"StlText", "bad.stl", "this is no mesh\n", ""},
       {"StlNotANumber", "bad.stl",
@@ -50,12 +47,12 @@ const std::vector<BadInput>& bad_inputs() {
       {"ToolsMissing", "bad.json", "-", ""},
       {"ToolsNotJson", "bad.json", "{\"units\":", ""},
       {"ToolNegativeLength", "bad.json",
-       "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"a\",\"cutter\":{\"shape\":\"flat\","
-       "\"diameter\":6,\"length\":-1}}]}",
+       "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"a\",\"cutter\":{\"shape\":\"flat\",\"diameter\":6,"
+       "\"length\":-1}}]}",
        "length"},
       {"ToolCornerTooLarge", "bad.json",
-       "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"a\",\"cutter\":{\"shape\":\"bull_nose\","
-       "\"diameter\":6,\"corner_radius\":4,\"length\":9}}]}",
+       "{\"units\":\"mm\",\"tools\":[{\"number\":1,\"name\":\"a\",\"cutter\":{\"shape\":\"bull_nose\",\"diameter\":6,"
+       "\"corner_radius\":4,\"length\":9}}]}",
        "corner_radius"},
   };
   return kAll;
@@ -103,8 +100,9 @@ TEST(OtherBadInput, AnOutputThatCannotBeWrittenIsStatus5) {
 
 TEST(OtherBadInput, OutputsThatCannotBeWrittenAreAllFoundBeforeTheWork) {
   const SampleFolder sample = open_sample("needles");
-  const std::string said = ": error: cannot write the file: the folder nix does not exist; make it first; nothing was "
-                           "written [file-unwritable]\n";
+  const std::string said =
+      ": error: cannot write the file: the folder nix does not exist; make it first; nothing was written "
+      "[file-unwritable]\n";
   const Outcome check = run_gougecheck(
       sample.path, sample.arguments("check", "none.apt", {"--csv", "nix/a", "--json", "nix/b", "--sarif", "new"}));
   EXPECT_EQ(check.exit_status, 5);

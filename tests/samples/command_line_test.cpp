@@ -27,13 +27,10 @@ TEST(CommandLine, MissingAndUnknownOptionsAreStatus2) {
   const std::string path = sample.toolpath();
   EXPECT_EQ(run_gougecheck(sample.path, {"check", path}).exit_status, 2) << "no part";
   EXPECT_EQ(run_gougecheck(sample.path, {"check", "--part", "part.stl"}).exit_status, 2) << "no toolpath";
-  EXPECT_EQ(run_gougecheck(sample.path, {"correct", path, "--part", "part.stl"}).exit_status, 2)
-      << "no output";
-  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", path, {"--no-such-option"})).exit_status,
-            2);
+  EXPECT_EQ(run_gougecheck(sample.path, {"correct", path, "--part", "part.stl"}).exit_status, 2) << "no output";
+  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", path, {"--no-such-option"})).exit_status, 2);
   for (const std::string tolerance : {"-1", "abc", "nan", "1e400", "1e300", "100000.1", "5000in", ""}) {
-    const Outcome ran =
-        run_gougecheck(sample.path, sample.arguments("check", path, {"--tolerance", tolerance}));
+    const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", path, {"--tolerance", tolerance}));
     EXPECT_EQ(ran.exit_status, 2) << "tolerance " << tolerance;
     EXPECT_NE(ran.err.find("--tolerance"), std::string::npos) << ran.err;
   }
@@ -63,8 +60,7 @@ TEST(CommandLine, LoadsFewLibraries) {
 
 TEST(CommandLine, CsvOnStandardOutputIsAlone) {
   const SampleFolder sample = open_sample("pocket");
-  const Outcome ran =
-      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "-"}));
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "-"}));
   EXPECT_EQ(ran.exit_status, 1);
   EXPECT_EQ(ran.out.rfind(kCsvHeader, 0), 0U) << ran.out.substr(0, 200);
   EXPECT_EQ(parse_csv(ran.out).size(), sample.expected.at("moves").get<std::size_t>() + 1);
@@ -72,8 +68,7 @@ TEST(CommandLine, CsvOnStandardOutputIsAlone) {
 
 TEST(CommandLine, JsonOnStandardOutputIsAlone) {
   const SampleFolder sample = open_sample("pocket");
-  const Outcome ran =
-      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--json", "-"}));
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--json", "-"}));
   EXPECT_EQ(ran.exit_status, 1);
   EXPECT_TRUE(nlohmann::json::accept(ran.out)) << ran.out.substr(0, 200);
 }
@@ -135,10 +130,8 @@ TEST(CommandLine, VerboseShowsThePeakMemoryToPeopleOnly) {
 TEST(CommandLine, AMoveThatCannotBeCheckedIsStatus4) {
   const SampleFolder sample = open_sample("needles");
   // From one axis to the opposite one the great circle is not determined.
-  write_text(sample.path + "/turn.apt",
-             "UNITS/MM\nMULTAX/ON\nLOADTL/1\nGOTO/0,0,500,0,0,1\nGOTO/0,0,510,0,0,-1\n");
-  const Outcome ran =
-      run_gougecheck(sample.path, sample.arguments("check", "turn.apt", {"--csv", "all.csv"}));
+  write_text(sample.path + "/turn.apt", "UNITS/MM\nMULTAX/ON\nLOADTL/1\nGOTO/0,0,500,0,0,1\nGOTO/0,0,510,0,0,-1\n");
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "turn.apt", {"--csv", "all.csv"}));
   EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
   const std::vector<MoveRow> rows = parse_moves(text_of(sample.path + "/all.csv"));
   ASSERT_EQ(rows.size(), 2U);
@@ -152,8 +145,7 @@ TEST(CommandLine, WithoutAnyToolDefinedNothingIsWrittenAndTheStatusIs3) {
   write_text(sample.path + "/t9.apt", "UNITS/MM\nLOADTL/9\nGOTO/0,0,10\nGOTO/0,0,20\n");
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "t9.apt", {"--csv", "all.csv"}));
   EXPECT_EQ(ran.exit_status, 3) << ran.out << ran.err;
-  EXPECT_NE(ran.err.find("t9.apt:2: error: no tool of the toolpath is defined"), std::string::npos)
-      << ran.err;
+  EXPECT_NE(ran.err.find("t9.apt:2: error: no tool of the toolpath is defined"), std::string::npos) << ran.err;
   EXPECT_FALSE(std::filesystem::exists(sample.path + "/all.csv"));
 }
 
@@ -167,8 +159,7 @@ TEST(CommandLine, AToolThatDiffersFromTheLibraryIsReported) {
 
 TEST(CommandLine, AToolWithoutADefinitionBesideOthersIsStatus4) {
   const SampleFolder sample = open_sample("needles");
-  write_text(sample.path + "/t9.apt",
-             "UNITS/MM\nLOADTL/9\nGOTO/0,0,10\nGOTO/0,0,20\nLOADTL/1\nGOTO/0,0,50\n");
+  write_text(sample.path + "/t9.apt", "UNITS/MM\nLOADTL/9\nGOTO/0,0,10\nGOTO/0,0,20\nLOADTL/1\nGOTO/0,0,50\n");
   const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", "t9.apt", {"--csv", "all.csv"}));
   EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
   EXPECT_NE(ran.out.find("not checked: the tool has no definition"), std::string::npos) << ran.out << ran.err;
@@ -191,8 +182,8 @@ TEST(CommandLine, AToolNameAloneIsForMovesThatNameNoTool) {
   EXPECT_NE(with.out.find("list.txt:2: gouge: 3.000 mm cutter"), std::string::npos) << with.out;
   EXPECT_NE(with.err.find("2 moves for which the file names no tool: \"flat D10\" as asked"), std::string::npos)
       << with.err;
-  const Outcome corrected = run_gougecheck(
-      sample.path, sample.arguments("correct", "list.txt", {"--tool", "flat D10", "-o", "lifted.txt"}));
+  const Outcome corrected =
+      run_gougecheck(sample.path, sample.arguments("correct", "list.txt", {"--tool", "flat D10", "-o", "lifted.txt"}));
   EXPECT_EQ(corrected.exit_status, 0) << corrected.out << corrected.err;
   const Outcome unknown = run_gougecheck(sample.path, sample.arguments("check", "list.txt", {"--tool", "ball D3"}));
   EXPECT_EQ(unknown.exit_status, 2);
@@ -204,18 +195,16 @@ TEST(CommandLine, AToolNameAloneIsForMovesThatNameNoTool) {
 
 TEST(CommandLine, ALargerToleranceTurnsAShallowGougeClean) {
   const SampleFolder sample = open_sample("big_triangles");
-  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.2"}))
-                .exit_status,
-            0);
-  EXPECT_EQ(run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.05"}))
-                .exit_status,
-            1);
+  EXPECT_EQ(
+      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.2"})).exit_status, 0);
+  EXPECT_EQ(
+      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--tolerance", "0.05"})).exit_status,
+      1);
 }
 
 TEST(CommandLine, ReportsLeavePicturesAndAPageInTheFolder) {
   const SampleFolder sample = open_sample("between_rib");
-  const Outcome ran =
-      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--report", "report"}));
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--report", "report"}));
   EXPECT_EQ(ran.exit_status, 1) << ran.err;
   std::size_t pictures = 0;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(sample.path + "/report")) {

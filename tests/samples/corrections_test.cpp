@@ -40,8 +40,7 @@ std::set<std::size_t> changeable_lines(const SampleFolder& sample, const std::ve
       const std::string& text = lines[before - 1];
       const bool is_position = begins_with(text, "GOTO");
       const bool is_of_arc = begins_with(text, "CIRCLE") || begins_with(text, "INDIRV") ||
-                             begins_with(text, "AUTOPS") ||
-                             (before > 1 && begins_with(lines[before - 2], "CIRCLE"));
+                             begins_with(text, "AUTOPS") || (before > 1 && begins_with(lines[before - 2], "CIRCLE"));
       if (is_position || is_of_arc) changeable.insert(before);
       if (is_position) break;
     }
@@ -66,8 +65,7 @@ std::size_t first_lost_line(const std::vector<std::string>& before, const std::v
 TEST_P(Corrections, ReCheckCleanAndLeaveEveryOtherLineByteForByte) {
   const SampleFolder sample = open_sample(GetParam());
   const std::string corrected = "corrected_" + sample.toolpath();
-  const Outcome ran =
-      run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", corrected}));
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", corrected}));
   const int expected = sample.expected.at("correct_exit");
   ASSERT_EQ(ran.exit_status, expected) << ran.out << ran.err;
 
@@ -89,10 +87,9 @@ TEST_P(Corrections, AreTheSameBytesAtOneAndTwoThreads) {
   for (const std::string threads : {"1", "2"}) {
     const std::string folder = sample.path + "/" + threads;
     std::filesystem::create_directory(folder);
-    const Outcome ran =
-        run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(),
-                                                     {"-o", threads + "/corrected", "--csv",
-                                                      threads + "/all.csv", "--threads", threads}));
+    const Outcome ran = run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(),
+                                                                     {"-o", threads + "/corrected", "--csv",
+                                                                      threads + "/all.csv", "--threads", threads}));
     EXPECT_EQ(ran.exit_status, sample.expected.at("correct_exit").get<int>()) << ran.err;
   }
   EXPECT_FALSE(text_of(sample.path + "/1/corrected").empty());

@@ -38,8 +38,8 @@ std::vector<MoveRow> parse_moves(const std::string& csv) {
   std::vector<MoveRow> moves;
   for (const auto& row : parse_csv(csv)) {
     if (row.size() < 16 || row[0] == "move") continue;
-    moves.push_back({std::stoul(row[0]), std::stoul(row[1]), row[2], row[3], row[4], row[5], row[6], row[7],
-                     row[8], row[9]});
+    moves.push_back(
+        {std::stoul(row[0]), std::stoul(row[1]), row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9]});
   }
   return moves;
 }

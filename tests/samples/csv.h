@@ -17,8 +17,7 @@ struct MoveRow {
   [[nodiscard]] double depth_upper_value() const { return depth_upper.empty() ? 0 : std::stod(depth_upper); }
 };
 
-inline constexpr const char* kCsvHeader =
-    "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz";
+inline constexpr const char* kCsvHeader = "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz";
 
 /// The moves of a CSV file; empty when its header is not the documented one.
 [[nodiscard]] std::vector<MoveRow> parse_moves(const std::string& csv);

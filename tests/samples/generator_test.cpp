@@ -22,8 +22,7 @@ TEST(SampleSolids, AreClosedManifoldOutwardAndDoNotCrossThemselves) {
         ASSERT_TRUE(loaded.has_value()) << sample.name;
         const MeshFindings& findings = loaded->findings;
         EXPECT_TRUE(findings.is_solid() && findings.is_manifold()) << sample.name;
-        EXPECT_EQ(findings.degenerate_triangles.count + findings.collinear_triangles.count, 0U)
-            << sample.name;
+        EXPECT_EQ(findings.degenerate_triangles.count + findings.collinear_triangles.count, 0U) << sample.name;
         EXPECT_EQ(findings.components, 1U) << sample.name;
         EXPECT_GT(findings.signed_volume_mm3, 0) << sample.name;
         EXPECT_TRUE(validate_mesh(loaded->mesh, findings).is_sound()) << sample.name;
@@ -57,8 +56,7 @@ TEST(SampleText, NxWritesTheAxisOnlyWhenItChangesAndBlockCoordinates) {
   ClText cl(ClText::Form::nx, to_block);
   cl.feed({Vec3(0, 0, 0), Vec3::UnitZ()});
   cl.feed({Vec3(1, 0, 0), Vec3::UnitZ()});
-  EXPECT_EQ(cl.text(),
-            "GOTO/1.0000,0.0000,0.0000,0.0000000,0.0000000,1.0000000\nGOTO/2.0000,0.0000,0.0000\n");
+  EXPECT_EQ(cl.text(), "GOTO/1.0000,0.0000,0.0000,0.0000000,0.0000000,1.0000000\nGOTO/2.0000,0.0000,0.0000\n");
 }
 
 TEST(SampleFindings, StandOnLinesThatHoldPositions) {
@@ -66,13 +64,12 @@ TEST(SampleFindings, StandOnLinesThatHoldPositions) {
     EXPECT_EQ(sample.check_exit, sample.findings.empty() ? 0 : 1) << sample.name;
     std::size_t line = 1, positions = 0;
     std::size_t start = 0;
-    for (std::size_t end; (end = sample.toolpath.find('\n', start)) != std::string::npos;
-         start = end + 1, ++line) {
-      const bool is_position = sample.toolpath.compare(start, 4, "GOTO") == 0 ||
-                               sample.toolpath.compare(start, 4, "TLON") == 0;
+    for (std::size_t end; (end = sample.toolpath.find('\n', start)) != std::string::npos; start = end + 1, ++line) {
+      const bool is_position =
+          sample.toolpath.compare(start, 4, "GOTO") == 0 || sample.toolpath.compare(start, 4, "TLON") == 0;
       positions += is_position ? 1 : 0;
-      const bool has_finding = std::any_of(sample.findings.begin(), sample.findings.end(),
-                                           [&](const auto& f) { return f.line == line; });
+      const bool has_finding =
+          std::any_of(sample.findings.begin(), sample.findings.end(), [&](const auto& f) { return f.line == line; });
       EXPECT_TRUE(is_position || !has_finding) << sample.name << " line " << line;
     }
     EXPECT_EQ(positions, sample.moves) << sample.name;

@@ -39,9 +39,11 @@ class HostileInput : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = fresh_folder();
-    write_text(folder_ + "/cavity.cls", "TOOL PATH/A,TOOL,T\nTLDATA/MILL,10.,0.,40.,0.,0.\nGOTO/0.,0.,9.,0.,0.,1.\nEND-OF-PATH\n");
+    write_text(folder_ + "/cavity.cls",
+               "TOOL PATH/A,TOOL,T\nTLDATA/MILL,10.,0.,40.,0.,0.\nGOTO/0.,0.,9.,0.,0.,1.\nEND-OF-PATH\n");
     write_text(folder_ + "/cavity.stl",
-               "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\nendloop\nendfacet\nendsolid\n");
+               "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 "
+               "0\nendloop\nendfacet\nendsolid\n");
     std::signal(SIGPIPE, SIG_IGN);
   }
 

@@ -41,11 +41,10 @@ class HostileNames : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = fresh_folder();
-    write_text(folder_ + "/" + path_,
-               "PARTNO/" + kNasty + "\nUNITS/MM\nPPRINT/" + kNasty + "\n$$-> FEATNO / " + kNasty + "\nWORD" +
-                   kNasty + "/1\nTOOL PATH/" + kNasty + ",TOOL," + kNasty +
-                   "\nLOADTL/1\nRAPID\nGOTO/0,0,50\nFEDRAT/100\n" + "GOTO/5,5,-1\nGOTO/5,5,\x1B[2J\nCYCLE/" +
-                   kNasty + "\nGOTO/6,6,-2\nFINI\n");
+    write_text(folder_ + "/" + path_, "PARTNO/" + kNasty + "\nUNITS/MM\nPPRINT/" + kNasty + "\n$$-> FEATNO / " +
+                                          kNasty + "\nWORD" + kNasty + "/1\nTOOL PATH/" + kNasty + ",TOOL," + kNasty +
+                                          "\nLOADTL/1\nRAPID\nGOTO/0,0,50\nFEDRAT/100\n" +
+                                          "GOTO/5,5,-1\nGOTO/5,5,\x1B[2J\nCYCLE/" + kNasty + "\nGOTO/6,6,-2\nFINI\n");
     write_text(folder_ + "/" + plain_,
                "TOOL PATH/" + kNastyText + ",TOOL," + kNastyText + "\nTLDATA/MILL,10.,0.,40.,0.,0.\nPPRINT/" +
                    kNastyText + "\nWORD" + kNastyText +
@@ -58,16 +57,15 @@ class HostileNames : public testing::Test {
   // A square of two triangles at z = 0: the tool gouges it.
   [[nodiscard]] static std::string stl() {
     const std::string head = "facet normal 0 0 1\nouter loop\n", tail = "endloop\nendfacet\n";
-    return "solid " + kNasty.substr(0, 8) + "\n" + head +
-           "vertex -20 -20 0\nvertex 30 -20 0\nvertex 30 30 0\n" + tail + head +
-           "vertex -20 -20 0\nvertex 30 30 0\nvertex -20 30 0\n" + tail + "endsolid\n";
+    return "solid " + kNasty.substr(0, 8) + "\n" + head + "vertex -20 -20 0\nvertex 30 -20 0\nvertex 30 30 0\n" + tail +
+           head + "vertex -20 -20 0\nvertex 30 30 0\nvertex -20 30 0\n" + tail + "endsolid\n";
   }
 
   [[nodiscard]] static std::string library(const std::string& number) {
     const std::string name = kNastyJson;
     const std::string segment = R"([{"lower_diameter":30,"upper_diameter":30,"length":20}])";
-    return R"({"units":"mm","holders":[{"name":")" + name + R"(","segments":)" + segment +
-           R"(}],"tools":[{"number":)" + number + R"(,"name":")" + name +
+    return R"({"units":"mm","holders":[{"name":")" + name + R"(","segments":)" + segment + R"(}],"tools":[{"number":)" +
+           number + R"(,"name":")" + name +
            R"(","cutter":{"shape":"ball","diameter":10,"length":30},"extensions":[{"name":")" + name +
            R"(","segments":)" + segment + R"(}],"holder":")" + name + R"(","strange )" + name + R"(":1}]})";
   }
@@ -83,8 +81,8 @@ class HostileNames : public testing::Test {
   }
 
   std::string folder_;
-  const std::string path_ = "p" + kNasty + ".apt", plain_ = "q" + kNasty + ".apt",
-                    part_ = "s" + kNasty + ".stl", tools_ = "t" + kNasty + ".json";
+  const std::string path_ = "p" + kNasty + ".apt", plain_ = "q" + kNasty + ".apt", part_ = "s" + kNasty + ".stl",
+                    tools_ = "t" + kNasty + ".json";
 };
 
 TEST_F(HostileNames, OfCheckAndCorrect) {
@@ -99,10 +97,8 @@ TEST_F(HostileNames, OfCheckAndCorrect) {
   run(with(check, {"--near-miss", "100"}));
   run(with(check, {"--fixture", part_, "--report", "r" + kNasty}));
   run({"check", path_, "--part", part_, "--tools", tools_, "-v"});
-  run({"correct", plain_, "--part", part_, "--tools", tools_, "-v", "-o", "o" + kNasty, "--report",
-       "rc" + kNasty});
-  run({"correct", plain_, "--part", part_, "--tools", tools_, "-v", "-o", "o2" + kNasty, "--max-shift",
-       "0.1"});
+  run({"correct", plain_, "--part", part_, "--tools", tools_, "-v", "-o", "o" + kNasty, "--report", "rc" + kNasty});
+  run({"correct", plain_, "--part", part_, "--tools", tools_, "-v", "-o", "o2" + kNasty, "--max-shift", "0.1"});
 }
 
 TEST_F(HostileNames, OfToolCommands) {
@@ -112,10 +108,9 @@ TEST_F(HostileNames, OfToolCommands) {
   run({"tool", "show", "--tools", tools_, "--tool", kNasty});
   run({"tool", "draw", "--tools", tools_, "-o", kNasty});
   run({"tool", "import", tools_, "-o", "i" + kNasty});
-  write_text(folder_ + "/f" + kNasty,
-             R"({"data":[{"type":"ball end mill","description":")" + std::string(kNastyJson) +
-                 R"(","unit":"millimeters","geometry":{"DC":6,"LCF":12,"OAL":50,"LB":20},)" +
-                 R"("post-process":{"number":3}}],"version":1})");
+  write_text(folder_ + "/f" + kNasty, R"({"data":[{"type":"ball end mill","description":")" + std::string(kNastyJson) +
+                                          R"(","unit":"millimeters","geometry":{"DC":6,"LCF":12,"OAL":50,"LB":20},)" +
+                                          R"("post-process":{"number":3}}],"version":1})");
   EXPECT_EQ(run({"tool", "import", "f" + kNasty, "-o", "i2" + kNasty}).exit_status, 0);
 }
 
@@ -138,10 +133,10 @@ TEST_F(HostileNames, OfWrongCommandLines) {
   run({"check", "--" + kNasty + "=" + kNasty});
   run({"check", plain_, "--part", part_, kNasty});
   run({"check", "no" + kNasty, "--part", "no" + kNasty, "--tools", "no" + kNasty});
-  for (const char* option : {"--tolerance", "--resolution", "--clearance", "--place",     "--stl-units",
-                             "--rapid",     "--threads",    "--progress",  "--tool",      "--holder",
-                             "--dialect",   "--path-units", "--cutcom",    "--near-miss", "--stock-to-leave",
-                             "--part",      "--fixture",    "--head",      "--json",      "--report"}) {
+  for (const char* option :
+       {"--tolerance",      "--resolution", "--clearance", "--place",   "--stl-units",  "--rapid",  "--threads",
+        "--progress",       "--tool",       "--holder",    "--dialect", "--path-units", "--cutcom", "--near-miss",
+        "--stock-to-leave", "--part",       "--fixture",   "--head",    "--json",       "--report"}) {
     const std::string value =
         std::string(option) == "--json" || std::string(option) == "--report" ? "/no/" + kNasty : kNasty;
     run({"check", plain_, "--part", part_, "--tools", tools_, option, value});

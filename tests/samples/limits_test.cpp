@@ -17,10 +17,12 @@ class Limits : public testing::Test {
  protected:
   void SetUp() override {
     folder_ = fresh_folder();
-    write_text(folder_ + "/a.cls",
-               "TOOL PATH/A,TOOL,T\nTLDATA/MILL,10.,0.,40.,0.,0.\nGOTO/2.,2.,9.,0.,0.,1.\nGOTO/2.,2.,-1.\nEND-OF-PATH\n");
+    write_text(
+        folder_ + "/a.cls",
+        "TOOL PATH/A,TOOL,T\nTLDATA/MILL,10.,0.,40.,0.,0.\nGOTO/2.,2.,9.,0.,0.,1.\nGOTO/2.,2.,-1.\nEND-OF-PATH\n");
     write_text(folder_ + "/a.stl",
-               "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\nendloop\nendfacet\nendsolid\n");
+               "solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 "
+               "0\nendloop\nendfacet\nendsolid\n");
   }
 
   // With an address space of at most `bytes`: what ulimit -v sets.
@@ -41,9 +43,8 @@ class Limits : public testing::Test {
 
 TEST_F(Limits, ThreadsBeyondAnyMachineAreRefused) {
   for (const char* command : {"check", "correct"}) {
-    const Outcome outcome =
-        run_gougecheck(folder_, {command, "a.cls", "--part", "a.stl", "--threads", "1000000",
-                                 std::string(command) == "check" ? "--csv" : "-o", "out"});
+    const Outcome outcome = run_gougecheck(folder_, {command, "a.cls", "--part", "a.stl", "--threads", "1000000",
+                                                     std::string(command) == "check" ? "--csv" : "-o", "out"});
     EXPECT_EQ(outcome.exit_status, 5);
     EXPECT_EQ(outcome.err,
               "gougecheck: error: --threads '1000000': expected at most 1024, or 0 for all the machine has "
@@ -58,7 +59,8 @@ TEST_F(Limits, LittleAddressSpaceEndsInAMessageOrInTheVerdict) {
   bool is_done = false, is_refused = false;
   // Below some 50 MB the system cannot load the program at all.
   for (const rlim_t megabytes : {80U, 100U, 130U, 160U, 200U, 300U, 1000U}) {
-    const int status = status_within(megabytes * 1'000'000, {"check", "a.cls", "--part", "a.stl", "--report", "report"});
+    const int status =
+        status_within(megabytes * 1'000'000, {"check", "a.cls", "--part", "a.stl", "--report", "report"});
     const std::string err = text_of(folder_ + "/.stderr");
     if (status == 1) {
       is_done = true;

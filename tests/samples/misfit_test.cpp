@@ -33,9 +33,7 @@ std::string with_negated(const std::string& text, std::size_t number) {
   return result;
 }
 
-bool says(const std::string& text, const std::string& what) {
-  return text.find(what) != std::string::npos;
-}
+bool says(const std::string& text, const std::string& what) { return text.find(what) != std::string::npos; }
 
 TEST(Misfit, AWrongSignOfTheAxisIsRefusedExplainedAndForced) {
   const SampleFolder sample = open_sample("freeform");
@@ -58,21 +56,18 @@ TEST(Misfit, AWrongSignOfTheAxisIsRefusedExplainedAndForced) {
 
 TEST(Misfit, WhatGougesHereAndThereIsCorrectedWithoutAWord) {
   const SampleFolder sample = open_sample("freeform");
-  const Outcome ran =
-      run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", "out.apt"}));
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), {"-o", "out.apt"}));
   EXPECT_FALSE(says(ran.err, "path-misfit")) << ran.err;
   EXPECT_TRUE(std::filesystem::exists(sample.path + "/out.apt"));
 }
 
 TEST(Misfit, ARealFiveAxisPathWithOneSignWrong) {
   const std::string data = source_folder() + "/../shared/data/";
-  if (!std::filesystem::exists(data))
-    GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";
+  if (!std::filesystem::exists(data)) GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";
   const std::string folder = fresh_folder();
   const std::string path = text_of(data + "toolpaths/five_axis_part/subset_camplete.apt");
   const std::string part = data + "parts/matched/five_axis_part_inch.stl";
-  const std::vector<std::string> expected = {"with I negated", "with J negated",
-                                             "with K of the tilted axes negated"};
+  const std::vector<std::string> expected = {"with I negated", "with J negated", "with K of the tilted axes negated"};
   for (std::size_t i = 0; i < expected.size(); ++i) {
     write_text(folder + "/wrong.apt", with_negated(path, 3 + i));
     const Outcome refused = run_gougecheck(folder, {"correct", "wrong.apt", "--part", part, "-o", "out.apt"});
@@ -83,21 +78,17 @@ TEST(Misfit, ARealFiveAxisPathWithOneSignWrong) {
   write_text(folder + "/right.apt", path);
   const Outcome right = run_gougecheck(folder, {"check", "right.apt", "--part", part});
   EXPECT_FALSE(says(right.err, "path-misfit")) << right.err;
-  const Outcome forced =
-      run_gougecheck(folder, {"correct", "wrong.apt", "--part", part, "-o", "out.apt", "--force"});
+  const Outcome forced = run_gougecheck(folder, {"correct", "wrong.apt", "--part", part, "-o", "out.apt", "--force"});
   EXPECT_TRUE(says(forced.err, "warning: the path does not fit the part")) << forced.err;
   EXPECT_TRUE(std::filesystem::exists(folder + "/out.apt"));
 }
 
 TEST(Misfit, NoRealPairIsReportedNotToFit) {
   const std::string data = source_folder() + "/../shared/data/";
-  if (!std::filesystem::exists(data))
-    GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";
-  for (const char* name :
-       {"basemach", "Sacrifice-Board", "SupPetriLED", "Teste-Metrologia", "Paralelipipedo2"}) {
-    const Outcome ran =
-        run_gougecheck(fresh_folder(), {"check", data + "toolpaths/solidworks_cam/" + name + ".apt", "--part",
-                                        data + "parts/matched/" + name + ".STL"});
+  if (!std::filesystem::exists(data)) GTEST_SKIP() << "no real toolpaths beside the checkout (" << data << ")";
+  for (const char* name : {"basemach", "Sacrifice-Board", "SupPetriLED", "Teste-Metrologia", "Paralelipipedo2"}) {
+    const Outcome ran = run_gougecheck(fresh_folder(), {"check", data + "toolpaths/solidworks_cam/" + name + ".apt",
+                                                        "--part", data + "parts/matched/" + name + ".STL"});
     EXPECT_FALSE(says(ran.err, "path-misfit")) << name << ": " << ran.err;
   }
 }

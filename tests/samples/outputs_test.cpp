@@ -28,10 +28,10 @@ class Outputs : public testing::Test {
 TEST_F(Outputs, AReportMayBeWrittenAgainAndAgain) {
   for (int i = 0; i < 2; ++i) {
     EXPECT_EQ(check({"--report", "r"}).exit_status, 1);
-    EXPECT_EQ(run_gougecheck(sample_.path,
-                             sample_.arguments("correct", "pocket.apt", {"-o", "out.apt", "--report", "r"}))
-                  .exit_status,
-              0);
+    EXPECT_EQ(
+        run_gougecheck(sample_.path, sample_.arguments("correct", "pocket.apt", {"-o", "out.apt", "--report", "r"}))
+            .exit_status,
+        0);
   }
 }
 
@@ -41,8 +41,7 @@ TEST_F(Outputs, TheUsersFilesUnderNamesOfAReportAreRefusedBeforeTheWork) {
     write_text(at("r/") + name, "mine");
     const Outcome ran = check({"--report", "r", "--csv", "c.csv"});
     EXPECT_EQ(ran.exit_status, 2) << name;
-    EXPECT_NE(ran.err.find(std::string("r: error: a report would replace or remove ") + name),
-              std::string::npos)
+    EXPECT_NE(ran.err.find(std::string("r: error: a report would replace or remove ") + name), std::string::npos)
         << ran.err;
     EXPECT_EQ(ran.out, "");
     EXPECT_EQ(text(std::string("r/") + name), "mine");
@@ -85,8 +84,7 @@ TEST_F(Outputs, NoOutputIsAFileOfTheReport) {
   EXPECT_EQ(same.exit_status, 2);
   EXPECT_EQ(
       same.err,
-      "gougecheck: error: -o 'r/report.html' is the file report.html of --report as well; name another file "
-      "[usage]\n");
+      "gougecheck: error: -o 'r/report.html' is the file report.html of --report as well; name another file [usage]\n");
   EXPECT_EQ(refused({"-o", "r/event_9.png", "--report", "./r/"}).exit_status, 2);
   EXPECT_FALSE(fs::exists(at("r")));
 }
@@ -100,24 +98,21 @@ TEST_F(Outputs, WhenOneOutputCannotBeWrittenNoneIs) {
 }
 
 TEST_F(Outputs, TheFileOfStandardOutputIsRefused) {
-  const Outcome ran = run_script(
-      sample_.path, "$GOUGECHECK check pocket.apt --tools tools.json --part part.stl --csv x.txt >x.txt");
+  const Outcome ran =
+      run_script(sample_.path, "$GOUGECHECK check pocket.apt --tools tools.json --part part.stl --csv x.txt >x.txt");
   EXPECT_EQ(ran.exit_status, 2);
-  EXPECT_EQ(ran.err,
-            "gougecheck: error: --csv 'x.txt' is where standard output goes; name another file [usage]\n");
+  EXPECT_EQ(ran.err, "gougecheck: error: --csv 'x.txt' is where standard output goes; name another file [usage]\n");
 }
 
 TEST_F(Outputs, ToolsAreDrawnIntoNoInput) {
   fs::copy_file(at("tools.json"), at("tools.svg"));
-  const Outcome ran =
-      run_gougecheck(sample_.path, {"tool", "draw", "--tools", "tools.svg", "-o", "./tools.svg"});
+  const Outcome ran = run_gougecheck(sample_.path, {"tool", "draw", "--tools", "tools.svg", "-o", "./tools.svg"});
   EXPECT_EQ(ran.exit_status, 2) << ran.err;
   EXPECT_EQ(text("tools.svg"), text("tools.json"));
 }
 
 TEST_F(Outputs, AnImportSparesEveryFileOfTheLibrary) {
-  write_text(at("shop.fctl"),
-             R"({"label": "shop", "tools": [{"nr": 1, "path": "ball.fctb"}], "version": 1})");
+  write_text(at("shop.fctl"), R"({"label": "shop", "tools": [{"nr": 1, "path": "ball.fctb"}], "version": 1})");
   write_text(at("ball.fctb"), R"({"version": 2, "name": "ball", "shape": "ballend.fcstd", "parameter":
     {"CuttingEdgeHeight": "20 mm", "Diameter": "5 mm", "Length": "50 mm", "ShankDiameter": "5 mm"}, "attribute": {}})");
   const std::string bit = text("ball.fctb");

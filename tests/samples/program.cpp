@@ -11,8 +11,7 @@
 namespace gouge::testing_samples {
 namespace {
 
-Outcome run(const std::string& program, const std::string& folder,
-            const std::vector<std::string>& arguments) {
+Outcome run(const std::string& program, const std::string& folder, const std::vector<std::string>& arguments) {
   const std::string out = folder + "/.stdout", err = folder + "/.stderr";
   std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
@@ -49,17 +48,13 @@ Outcome run_script(const std::string& folder, const std::string& script) {
   return run("/bin/sh", folder, {"-c", std::string("GOUGECHECK='") + GOUGE_BINARY + "'\n" + script});
 }
 
-Outcome run_make_samples(const std::string& folder) {
-  return run(GOUGE_MAKE_SAMPLES, folder, {folder});
-}
+Outcome run_make_samples(const std::string& folder) { return run(GOUGE_MAKE_SAMPLES, folder, {folder}); }
 
 std::string text_of(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
 }
 
-void write_text(const std::string& path, const std::string& text) {
-  std::ofstream(path, std::ios::binary) << text;
-}
+void write_text(const std::string& path, const std::string& text) { std::ofstream(path, std::ios::binary) << text; }
 
 }  // namespace gouge::testing_samples

@@ -10,9 +10,8 @@ namespace gouge::testing_samples {
 
 const std::vector<std::string>& sample_names() {
   static const std::vector<std::string> kNames = {
-      "freeform",  "pocket", "blade", "between_rib", "between_swing", "between_head",
-      "thin_post", "buried", "inch",  "needles",     "big_triangles", "arcs_nx",
-      "arcs_creo", "arcs_catia", "sunk_jaw"};
+      "freeform", "pocket",  "blade",         "between_rib", "between_swing", "between_head", "thin_post", "buried",
+      "inch",     "needles", "big_triangles", "arcs_nx",     "arcs_creo",     "arcs_catia",   "sunk_jaw"};
   return kNames;
 }
 
@@ -32,8 +31,7 @@ std::vector<std::string> SampleFolder::arguments(const std::string& command, con
                                                  const std::vector<std::string>& more) const {
   std::vector<std::string> all = {command, toolpath, "--tools", expected.at("tools").get<std::string>()};
   for (const auto& part : expected.at("parts")) all.insert(all.end(), {"--part", part.get<std::string>()});
-  for (const auto& fixture : expected.at("fixtures"))
-    all.insert(all.end(), {"--fixture", fixture.get<std::string>()});
+  for (const auto& fixture : expected.at("fixtures")) all.insert(all.end(), {"--fixture", fixture.get<std::string>()});
   for (const auto& head : expected.at("heads")) all.insert(all.end(), {"--head", head.get<std::string>()});
   all.insert(all.end(), more.begin(), more.end());
   return all;

@@ -26,17 +26,15 @@ std::size_t files_in(const std::string& folder) {
 
 TEST(Streams, AClosedPipeEndsThePrintingNotTheWork) {
   const SampleFolder sample = open_sample("pocket");
-  const Outcome ran = run_script(
-      sample.path, into_a_closed_pipe("$GOUGECHECK check" + kPocket + "--report r --csv c.csv --json j"));
+  const Outcome ran =
+      run_script(sample.path, into_a_closed_pipe("$GOUGECHECK check" + kPocket + "--report r --csv c.csv --json j"));
   EXPECT_EQ(ran.out, "1\n") << "the verdict's status, and no message";
   for (const char* file : {"r/report.html", "r/manifest.json", "c.csv", "j"})
     EXPECT_TRUE(fs::exists(sample.path + "/" + file)) << file;
-  for (const char* command : {"--help", "--version", "check --help", "path info pocket.apt",
-                              "tool list --tools tools.json", "mesh part.stl"})
-    EXPECT_EQ(run_script(sample.path, into_a_closed_pipe(std::string("$GOUGECHECK ") + command)).out, "0\n")
-        << command;
-  const Outcome corrected =
-      run_script(sample.path, into_a_closed_pipe("$GOUGECHECK correct" + kPocket + "-o out.apt"));
+  for (const char* command :
+       {"--help", "--version", "check --help", "path info pocket.apt", "tool list --tools tools.json", "mesh part.stl"})
+    EXPECT_EQ(run_script(sample.path, into_a_closed_pipe(std::string("$GOUGECHECK ") + command)).out, "0\n") << command;
+  const Outcome corrected = run_script(sample.path, into_a_closed_pipe("$GOUGECHECK correct" + kPocket + "-o out.apt"));
   EXPECT_EQ(corrected.out, "0\n");
   EXPECT_TRUE(fs::exists(sample.path + "/out.apt"));
 }
@@ -60,16 +58,15 @@ TEST(Streams, AStandardOutputThatIsFullOrClosedIsStatus5) {
       "[output-unwritable]\n";
   for (const std::string& command :
        {std::string("--help"), std::string("--version"), std::string("correct --help"), "check" + kPocket,
-        "check" + kPocket + "--csv -", std::string("tool list --tools tools.json"),
-        std::string("mesh part.stl"), std::string("path info pocket.apt")}) {
+        "check" + kPocket + "--csv -", std::string("tool list --tools tools.json"), std::string("mesh part.stl"),
+        std::string("path info pocket.apt")}) {
     for (const char* target : {" >/dev/full", " >&-"}) {
       const Outcome ran = run_script(sample.path, "$GOUGECHECK " + command + target);
       EXPECT_EQ(ran.exit_status, 5) << command << target;
       EXPECT_EQ(ran.err, message) << command << target;
     }
   }
-  EXPECT_EQ(run_script(sample.path, "$GOUGECHECK check -q" + kPocket + " >&-").exit_status, 1)
-      << "nothing to print";
+  EXPECT_EQ(run_script(sample.path, "$GOUGECHECK check -q" + kPocket + " >&-").exit_status, 1) << "nothing to print";
 }
 
 TEST(Streams, AClosedStandardOutputIsNeverAFile) {
@@ -89,8 +86,7 @@ TEST(Streams, ALimitOfTheShellIsStatus5AndLeavesNothing) {
   for (const char* outputs : {"--csv old.csv", "--csv new.csv", "--junit u.xml --report r", "--report r"}) {
     const Outcome ran = run_script(sample.path, "ulimit -f 1\nexec $GOUGECHECK check -q" + kPocket + outputs);
     EXPECT_EQ(ran.exit_status, 5) << outputs;
-    EXPECT_NE(ran.err.find(
-                  "File too large (a limit of the shell, ulimit -f); nothing was written [file-unwritable]"),
+    EXPECT_NE(ran.err.find("File too large (a limit of the shell, ulimit -f); nothing was written [file-unwritable]"),
               std::string::npos)
         << ran.err;
     EXPECT_EQ(files_in(sample.path), before) << outputs;

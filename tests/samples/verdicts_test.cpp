@@ -28,8 +28,7 @@ TEST(SampleList, IsWhatTheGeneratorWrites) {
 
 TEST_P(Verdicts, ExitStatusStatesBodiesAndDepthsAreThoseExpected) {
   const SampleFolder sample = open_sample(GetParam());
-  const Outcome ran =
-      run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "all.csv"}));
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), {"--csv", "all.csv"}));
   EXPECT_EQ(ran.exit_status, sample.expected.at("check_exit").get<int>()) << ran.out << ran.err;
   const std::vector<MoveRow> rows = parse_moves(text_of(sample.path + "/all.csv"));
   ASSERT_EQ(rows.size(), sample.expected.at("moves").get<std::size_t>());
@@ -67,8 +66,7 @@ TEST_P(Verdicts, OneFindingOnStandardOutputNamesEachGougingStretch) {
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind(start, 0) != 0) continue;
     ++reported;
-    EXPECT_TRUE(line.find(": gouge: ") != std::string::npos || line.find(": buried") != std::string::npos)
-        << line;
+    EXPECT_TRUE(line.find(": gouge: ") != std::string::npos || line.find(": buried") != std::string::npos) << line;
   }
   const std::size_t findings = sample.expected.at("findings").size();
   EXPECT_LE(reported, findings);
@@ -79,9 +77,8 @@ TEST_P(Verdicts, AreTheSameBytesAtOneAndTwoThreads) {
   const SampleFolder sample = open_sample(GetParam());
   for (const std::string threads : {"1", "2"}) {
     const Outcome ran = run_gougecheck(
-        sample.path,
-        sample.arguments("check", sample.toolpath(),
-                         {"--csv", threads + ".csv", "--json", threads + ".json", "--threads", threads}));
+        sample.path, sample.arguments("check", sample.toolpath(),
+                                      {"--csv", threads + ".csv", "--json", threads + ".json", "--threads", threads}));
     EXPECT_EQ(ran.exit_status, sample.expected.at("check_exit").get<int>()) << ran.err;
   }
   const std::string csv = text_of(sample.path + "/1.csv"), json = text_of(sample.path + "/1.json");

@@ -8,8 +8,8 @@
 #include "tests/support/shapes.h"
 #include "tests/support/stl_text.h"
 
-// A verdict is that of the tool, of the heads, against parts and fixtures, from outside and from inside, with its overcut.
-// Whoever gives one and leaves any of these out fails here: each move below is found by one of them alone.
+// A verdict is that of the tool, of the heads, against parts and fixtures, from outside and from inside, with its
+// overcut. Whoever gives one and leaves any of these out fails here: each move below is found by one of them alone.
 
 namespace gouge::testing_samples {
 namespace {
@@ -17,19 +17,19 @@ namespace {
 constexpr const char* kPath =
     "UNITS/MM\n"
     "LOADTL/1\n"
-    "GOTO/250,0,-100\n"   // inside the second part, no surface in the tool
-    "GOTO/251,0,-100\n"   // still
+    "GOTO/250,0,-100\n"  // inside the second part, no surface in the tool
+    "GOTO/251,0,-100\n"  // still
     "RAPID\n"
-    "GOTO/251,0,200\n"    // out of it
+    "GOTO/251,0,200\n"  // out of it
     "RAPID\n"
     "GOTO/0,0,200\n"
-    "GOTO/0,0,-0.5\n"     // into the first part
+    "GOTO/0,0,-0.5\n"  // into the first part
     "GOTO/0,0,60\n"
     "GOTO/-30,0,60\n"
-    "GOTO/-30,0,5\n"      // into the fixture
+    "GOTO/-30,0,5\n"  // into the fixture
     "GOTO/-30,0,60\n"
     "GOTO/0,60,60\n"
-    "GOTO/0,60,10\n"      // the head comes down on the post, far from the tool
+    "GOTO/0,60,10\n"  // the head comes down on the post, far from the tool
     "GOTO/0,60,60\n"
     "FINI\n";
 /// Beside the second part, the head alone in it.
@@ -38,7 +38,9 @@ constexpr std::size_t kBuried = 1, kPart = 4, kFixture = 7, kHead = 10;
 
 std::string set_up() {
   const std::string folder = fresh_folder() + "/";
-  const auto write = [&](const char* file, const IndexedMesh& mesh) { write_text(folder + file, shapes::ascii_stl(mesh)); };
+  const auto write = [&](const char* file, const IndexedMesh& mesh) {
+    write_text(folder + file, shapes::ascii_stl(mesh));
+  };
   write("part.stl", shapes::box(Vec3(-50, -50, -20), Vec3(50, 50, 0)));
   write("block.stl", shapes::box(Vec3(150, -100, -200), Vec3(400, 100, 100)));
   write("post.stl", shapes::box(Vec3(38, 58, -20), Vec3(42, 62, 55)));
@@ -51,9 +53,11 @@ std::string set_up() {
   return folder;
 }
 
-std::vector<std::string> words(const std::string& command, const std::string& path, const std::vector<std::string>& more) {
-  std::vector<std::string> all = {command, path, "--tools", "tools.json", "--part", "part.stl", "--part", "block.stl", "--part",
-                                  "post.stl", "--fixture", "fixture.stl", "--head", "head.stl", "--stl-units", "mm"};
+std::vector<std::string> words(const std::string& command, const std::string& path,
+                               const std::vector<std::string>& more) {
+  std::vector<std::string> all = {command,  path,        "--tools",     "tools.json", "--part",    "part.stl",
+                                  "--part", "block.stl", "--part",      "post.stl",   "--fixture", "fixture.stl",
+                                  "--head", "head.stl",  "--stl-units", "mm"};
   all.insert(all.end(), more.begin(), more.end());
   return all;
 }

@@ -14,8 +14,8 @@ template <class Act>
 [[nodiscard]] int as_nobody(const Act& act) {
   const pid_t child = ::fork();
   if (child == 0) {
-    const bool is_nobody = ::geteuid() != 0 ||
-                           (::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0);
+    const bool is_nobody =
+        ::geteuid() != 0 || (::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0);
     ::_exit(is_nobody ? act() : 255);
   }
   int status = 0;

@@ -36,8 +36,7 @@ inline ProfileElement bulged(const Vec2& p, const Vec2& q, double bulge, Body bo
   const double side = (bulge > 0 ? 1.0 : -1.0) / std::tan(half) / 2;
   const Vec2 center = 0.5 * (p + q) + side * Vec2(-chord.y(), chord.x());
   const double radius = 0.5 * ((p - center).norm() + (q - center).norm());
-  return bulge > 0 ? make_convex_arc(body, p, q, center, radius)
-                   : make_concave_arc(body, p, q, center, radius);
+  return bulge > 0 ? make_convex_arc(body, p, q, center, radius) : make_concave_arc(body, p, q, center, radius);
 }
 
 /// Whether the elements keep clear of each other, so that the contour is simple beyond doubt.
@@ -51,8 +50,7 @@ inline bool is_clear_of_itself(const Profile& profile) {
     for (int k = 0; k <= kSteps; ++k) {
       const Vec2 p = part.is_arc ? sample(part, kSteps)[static_cast<std::size_t>(k)]
                                  : Vec2(part.a + k / double{kSteps} * (part.b - part.a));
-      const double reach =
-          (part.is_arc ? part.radius_mm * sweep_rad(part) : (part.b - part.a).norm()) / kSteps;
+      const double reach = (part.is_arc ? part.radius_mm * sweep_rad(part) : (part.b - part.a).norm()) / kSteps;
       for (const BoundaryElement& e : elements) {
         const bool is_neighbour = e.a == part.a || e.b == part.a || e.a == part.b || e.b == part.b ||
                                   (e.kind == ElementKind::arc && part.is_arc && e.center == part.center);
@@ -70,9 +68,7 @@ struct FreeStyle {
 inline std::vector<Vec2> random_corners(Scatter& random, const FreeStyle& style) {
   const double scale = style.is_on_grid ? 8 : 8 * std::pow(10.0, random.in(-1.5, 1));
   const auto place = [&](double value) { return style.is_on_grid ? std::round(value) : value; };
-  const auto step = [&] {
-    return scale * std::pow(style.smallest_step, random.next() % 3 == 0 ? random.in(0, 1) : 0);
-  };
+  const auto step = [&] { return scale * std::pow(style.smallest_step, random.next() % 3 == 0 ? random.in(0, 1) : 0); };
   std::vector<Vec2> corners{{0, style.is_hollow ? place(scale * random.in(0.1, 0.6)) : 0}};
   if (style.is_hollow) corners.emplace_back(place(scale * random.in(0.3, 1)), 0);
   for (std::uint64_t count = 2 + random.next() % 9; count > 0; --count) {
@@ -90,8 +86,8 @@ inline std::vector<Vec2> random_corners(Scatter& random, const FreeStyle& style)
 }
 
 /// A corner rounded by an arc that touches both sides, when there is room for it.
-inline void fillet(Scatter& random, const Vec2& before, const Vec2& corner, const Vec2& after, Vec2& a,
-                   Vec2& b, double& bulge) {
+inline void fillet(Scatter& random, const Vec2& before, const Vec2& corner, const Vec2& after, Vec2& a, Vec2& b,
+                   double& bulge) {
   const Vec2 in = corner - before, out = after - corner;
   const Vec2 u = in.normalized(), v = out.normalized();
   const double turn = std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v));
@@ -183,8 +179,7 @@ inline Cutter random_cutter(Scatter& random) {
     case 8:
       return TSlotCutter{d, part(0, 0.1), part(0, 0.1), part(0.2, 1)};
     case 9:
-      return SlittingSawCutter{d, part(0.01, 0.2), random.next() % 2 == 0 ? 0 : part(0.1, 0.6),
-                               part(0.02, 0.2)};
+      return SlittingSawCutter{d, part(0.01, 0.2), random.next() % 2 == 0 ? 0 : part(0.1, 0.6), part(0.02, 0.2)};
     case 10:
       return DovetailCutter{d, part(0, 0.05), random.in(5, 40), part(0.1, 0.5)};
     case 11:
@@ -214,8 +209,7 @@ inline Cutter random_cutter(Scatter& random) {
 inline std::optional<Profile> united(Scatter& random, const std::vector<const Profile*>& bodies,
                                      const std::vector<double>& most) {
   std::vector<OffsetBody> offset;
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    offset.push_back({bodies[i], random.in(0, 1) * most[i]});
+  for (std::size_t i = 0; i < bodies.size(); ++i) offset.push_back({bodies[i], random.in(0, 1) * most[i]});
   Result<Profile> all = unite(offset);
   if (!all) return std::nullopt;
   return std::move(all.value());
@@ -256,8 +250,7 @@ inline RandomTool random_tool(std::uint64_t seed) {
     case 3:
       return {"free" + number, random_free_profile(random, {})};
     case 4:
-      return {"free, one radius at a height" + number,
-              random_free_profile(random, {true, false, false, false, 0.05})};
+      return {"free, one radius at a height" + number, random_free_profile(random, {true, false, false, false, 0.05})};
     case 5:
       return {"free on a grid" + number,
               random_free_profile(random, {random.next() % 2 == 0, true, random.next() % 2 == 0, true, 0.2})};

@@ -240,15 +240,15 @@ struct Effort {
 /// The deepest point that can be found in a move; a lower bound of the truth.
 class Search {
  public:
-  Search(const Contour& tool, const Movement& movement, const std::vector<IndexedMesh>& meshes,
-         const Effort& effort)
+  Search(const Contour& tool, const Movement& movement, const std::vector<IndexedMesh>& meshes, const Effort& effort)
       : tool_(tool), movement_(movement), from_(movement.from), to_(movement.to), effort_(effort) {
     if (tool.is_empty()) return;
     turn_ = 2 * std::atan2((to_.axis - from_.axis).norm(), (to_.axis + from_.axis).norm());
     length_ = movement.length();
     const Box3 reach = swept_box();
     for (const IndexedMesh& mesh : meshes) {
-      for (std::size_t t = 0; t < mesh.triangles.size(); ++t) add({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, reach);
+      for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+        add({mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}, reach);
     }
   }
 
@@ -356,7 +356,8 @@ class Search {
       const Cut cut = open.top();
       open.pop();
       if (cut.bound <= std::max(mark_, best.depth) + effort_.accuracy_mm) return;
-      const Vec2 ab = 0.5 * (cut.uv[0] + cut.uv[1]), bc = 0.5 * (cut.uv[1] + cut.uv[2]), ca = 0.5 * (cut.uv[2] + cut.uv[0]);
+      const Vec2 ab = 0.5 * (cut.uv[0] + cut.uv[1]), bc = 0.5 * (cut.uv[1] + cut.uv[2]),
+                 ca = 0.5 * (cut.uv[2] + cut.uv[0]);
       bound(pose, t, cut.piece, {ab, bc, ca}, best, open);
       bound(pose, t, cut.piece, {cut.uv[0], ab, ca}, best, open);
       bound(pose, t, cut.piece, {ab, cut.uv[1], bc}, best, open);
@@ -365,7 +366,7 @@ class Search {
   }
 
   void bound(const Pose& pose, double t, std::size_t piece, const std::array<Vec2, 3>& uv, Place& best,
-               std::priority_queue<Cut>& open) const {
+             std::priority_queue<Cut>& open) const {
     const Vec2 middle = (uv[0] + uv[1] + uv[2]) / 3.0;
     const double here = try_place(pose, t, piece, middle, best);
     for (const Vec2& corner : uv) try_place(pose, t, piece, corner, best);

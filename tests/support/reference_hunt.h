@@ -107,7 +107,8 @@ class Hunt {
 
   /// What is no deeper than `mark_mm` is of no interest but as a place to climb from.
   Found run(double mark_mm) {
-    for (std::uint32_t i = 0; i < triangles_.size(); ++i) offer({0, 0, 1, i, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}}, mark_mm);
+    for (std::uint32_t i = 0; i < triangles_.size(); ++i)
+      offer({0, 0, 1, i, {Vec2(0, 0), Vec2(1, 0), Vec2(0, 1)}}, mark_mm);
     int looks = 0;
     for (; looks < looks_ && !open_.empty(); ++looks) {
       const Cell cell = open_.top();
@@ -160,7 +161,8 @@ class Hunt {
     const auto frame = solid_.frame(t);
     const Vec3 tip = solid_.movement().at(t).tip;
     // Half of the span before t and half behind; the tip stays within half a length of where it is at t.
-    cell.travel = 0.5 * (cell.t1 - cell.t0) * (length_ + turn_ * ((middle - tip).norm() + 0.5 * (cell.t1 - cell.t0) * length_));
+    cell.travel =
+        0.5 * (cell.t1 - cell.t0) * (length_ + turn_ * ((middle - tip).norm() + 0.5 * (cell.t1 - cell.t0) * length_));
     const double depth = solid_.depth(frame, middle);
     keep({depth, t, cell.triangle, uv.x(), uv.y()});
     cell.bound = depth + cell.radius + cell.travel;

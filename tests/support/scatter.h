@@ -21,9 +21,7 @@ class Scatter {
     return z ^ (z >> 31);
   }
   std::size_t below(std::size_t n) { return static_cast<std::size_t>(next() % n); }
-  double in(double low, double high) {
-    return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1.0p-53);
-  }
+  double in(double low, double high) { return low + (high - low) * (static_cast<double>(next() >> 11) * 0x1.0p-53); }
   bool is(double share) { return in(0, 1) < share; }
 
   /// In the cube about the origin whose half side is `size`.

@@ -44,9 +44,7 @@ inline IndexedMesh box(const Vec3& low, const Vec3& high) {
 }
 
 /// Cube [0, size]^3.
-inline IndexedMesh cube(double size = 10) {
-  return box(Vec3::Zero(), Vec3::Constant(size));
-}
+inline IndexedMesh cube(double size = 10) { return box(Vec3::Zero(), Vec3::Constant(size)); }
 
 /// Cube without its top: 4 boundary edges.
 inline IndexedMesh open_cube(double size = 10) {
@@ -123,8 +121,7 @@ inline IndexedMesh sphere(double radius = 10, std::size_t rings = 16, std::size_
     for (std::size_t j = 0; j < sectors; ++j) {
       const double longitude = 2 * std::numbers::pi * static_cast<double>(j) / static_cast<double>(sectors);
       mesh.vertices.emplace_back(radius * std::cos(latitude) * std::cos(longitude),
-                                 radius * std::cos(latitude) * std::sin(longitude),
-                                 radius * std::sin(latitude));
+                                 radius * std::cos(latitude) * std::sin(longitude), radius * std::sin(latitude));
     }
   }
   mesh.vertices.emplace_back(0, 0, radius);
@@ -142,8 +139,7 @@ inline IndexedMesh sphere(double radius = 10, std::size_t rings = 16, std::size_
 }
 
 /// Ring about the z axis (genus 1).
-inline IndexedMesh torus(double major = 20, double minor = 5, std::size_t around = 24,
-                         std::size_t tube = 12) {
+inline IndexedMesh torus(double major = 20, double minor = 5, std::size_t around = 24, std::size_t tube = 12) {
   IndexedMesh mesh;
   mesh.name = "torus";
   for (std::size_t i = 0; i < around; ++i) {

@@ -14,8 +14,7 @@
 namespace gouge::shapes {
 
 /// Prism over a star of `points` points: acute edges, reflex edges, vertices of mixed sign.
-inline IndexedMesh star_prism(std::size_t points = 5, double outer = 20, double inner = 8,
-                              double height = 12) {
+inline IndexedMesh star_prism(std::size_t points = 5, double outer = 20, double inner = 8, double height = 12) {
   IndexedMesh mesh;
   mesh.name = "star";
   const std::size_t n = 2 * points;
@@ -38,8 +37,7 @@ inline IndexedMesh star_prism(std::size_t points = 5, double outer = 20, double 
 }
 
 /// Sphere whose radius goes in and out with both angles: hills, hollows and saddles.
-inline IndexedMesh bumpy_sphere(double radius = 30, double bump = 4, std::size_t rings = 24,
-                                std::size_t sectors = 50) {
+inline IndexedMesh bumpy_sphere(double radius = 30, double bump = 4, std::size_t rings = 24, std::size_t sectors = 50) {
   IndexedMesh mesh = sphere(radius, rings, sectors);
   mesh.name = "bumpy sphere";
   for (Vec3& v : mesh.vertices) {

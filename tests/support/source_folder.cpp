@@ -2,8 +2,6 @@
 
 namespace gouge {
 
-std::string source_folder() {
-  return GOUGE_SOURCE_DIR;
-}
+std::string source_folder() { return GOUGE_SOURCE_DIR; }
 
 }  // namespace gouge

@@ -11,13 +11,9 @@
 
 namespace gouge::test {
 
-inline double extent_mm(const CompiledTool& tool) {
-  return std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm});
-}
+inline double extent_mm(const CompiledTool& tool) { return std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm}); }
 
-inline Vec2 in_half_plane(const Vec2& p) {
-  return {std::abs(p.x()), p.y()};
-}
+inline Vec2 in_half_plane(const Vec2& p) { return {std::abs(p.x()), p.y()}; }
 
 /// Between two points with different leaves, as near to the border of their regions as doubles go.
 inline Vec2 on_bisector(const CompiledTool& tool, Vec2 p, Vec2 q) {
@@ -36,8 +32,7 @@ inline Vec2 on_bisector(const CompiledTool& tool, Vec2 p, Vec2 q) {
 inline Vec2 random_tool_point(Scatter& random, const CompiledTool& tool) {
   const double size = extent_mm(tool);
   const auto around = [&] {
-    return Vec2{random.in(0, 1.5 * tool.r_max_mm),
-                random.in(tool.z_min_mm - 0.3 * size, tool.z_max_mm + 0.3 * size)};
+    return Vec2{random.in(0, 1.5 * tool.r_max_mm), random.in(tool.z_min_mm - 0.3 * size, tool.z_max_mm + 0.3 * size)};
   };
   const BoundaryElement& e = tool.elements[random.next() % tool.elements.size()];
   const double distance = size * std::pow(10.0, random.in(-13, 1.5));

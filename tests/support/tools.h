@@ -24,22 +24,14 @@ inline ToolVariants variants(const ToolAssembly& tool, double stock = 0, double 
   return make_tool_variants(tool, stock, shank, holder).value();
 }
 
-inline ToolVariants flat(double diameter = 10) {
-  return variants(assembly(FlatCutter{diameter, 30}, diameter));
-}
-inline ToolVariants ball(double diameter = 10) {
-  return variants(assembly(BallCutter{diameter, 30}, diameter));
-}
+inline ToolVariants flat(double diameter = 10) { return variants(assembly(FlatCutter{diameter, 30}, diameter)); }
+inline ToolVariants ball(double diameter = 10) { return variants(assembly(BallCutter{diameter, 30}, diameter)); }
 inline ToolVariants bull(double diameter = 16, double corner = 2) {
   return variants(assembly(BullNoseCutter{diameter, corner, 30}, diameter));
 }
-inline ToolVariants tapered() {
-  return variants(assembly(TaperedCutter{4, 2, 5, 30}, 8));
-}
+inline ToolVariants tapered() { return variants(assembly(TaperedCutter{4, 2, 5, 30}, 8)); }
 /// Narrower above the cutter, so that the contour has a shoulder facing up and reflex corners.
-inline ToolVariants necked() {
-  return variants(assembly(FlatCutter{12, 10}, 6));
-}
+inline ToolVariants necked() { return variants(assembly(FlatCutter{12, 10}, 6)); }
 
 /// Undercut, hollow below, concave, pointed, round all over: the shapes beyond end mills.
 inline std::vector<ToolVariants> shapes() {
@@ -53,8 +45,6 @@ inline std::vector<ToolVariants> shapes() {
   return made;
 }
 
-inline std::vector<ToolVariants> all() {
-  return {flat(), ball(), bull(), tapered(), necked()};
-}
+inline std::vector<ToolVariants> all() { return {flat(), ball(), bull(), tapered(), necked()}; }
 
 }  // namespace gouge::tools

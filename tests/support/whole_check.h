@@ -16,8 +16,11 @@ struct OwnSetup {
   PreparedScene scene;
   CheckSetup setup;
 
-  explicit OwnSetup(const ToolVariants* tool, const Scene& of, const CheckOptions& with = {}, std::vector<HeadBody> bodies = {})
-      : heads(std::move(bodies)), options(with), scene(prepare_scene(of, with.threads)),
+  explicit OwnSetup(const ToolVariants* tool, const Scene& of, const CheckOptions& with = {},
+                    std::vector<HeadBody> bodies = {})
+      : heads(std::move(bodies)),
+        options(with),
+        scene(prepare_scene(of, with.threads)),
         setup{{tool}, heads, scene, options} {}
   [[nodiscard]] MotionChecker checker() const { return MotionChecker(setup); }
 

@@ -59,27 +59,23 @@ TEST(Assembly, MistakesNameTheFieldAndWhatIsAllowed) {
   ToolAssembly tool = held();
   tool.stickout_mm = 20;
   EXPECT_EQ(error_of(tool),
-            "tool T7: stickout 20 mm is less than the length of the flutes, 30 mm: the holder would swallow "
-            "the cutter; "
-            "give at least that [tool-stickout]");
+            "tool T7: stickout 20 mm is less than the length of the flutes, 30 mm: the holder would swallow the "
+            "cutter; give at least that [tool-stickout]");
   tool.stickout_mm = 90;
   EXPECT_EQ(error_of(tool),
-            "tool T7: stickout 90 mm is more than flutes and shank reach, 80 mm; give at most that, or a "
-            "longer shank "
+            "tool T7: stickout 90 mm is more than flutes and shank reach, 80 mm; give at most that, or a longer shank "
             "[tool-stickout]");
   tool.stickout_mm = -1;
   EXPECT_EQ(error_of(tool), "tool T7: stickout is -1 mm; it must not be negative [tool-dimension-negative]");
   tool = held();
   std::swap(tool.extensions[0], tool.extensions[1]);
   EXPECT_EQ(error_of(tool),
-            "tool T7: extension \"arbor\": counts as shank, but stands on one that counts as holder; let "
-            "this one count as "
-            "holder too [tool-extension]");
+            "tool T7: extension \"arbor\": counts as shank, but stands on one that counts as holder; let this one "
+            "count as holder too [tool-extension]");
   tool = held();
   tool.extensions[1].segments[0].length_mm = 0;
   EXPECT_EQ(error_of(tool),
-            "tool T7: extension \"collet\" 1: length is 0 mm; it must be greater than 0 "
-            "[tool-dimension-not-positive]");
+            "tool T7: extension \"collet\" 1: length is 0 mm; it must be greater than 0 [tool-dimension-not-positive]");
 }
 
 // A point of the scene that is no farther from the tip than `reach` sees the tool that goes on for ever.
@@ -89,11 +85,9 @@ TEST(Assembly, ExtendedUpIsAsIfItHadNoEnd) {
   tools.push_back(held());
   for (const ToolAssembly& tool : tools) {
     const double reach = random.in(10, 300), widest = 40;
-    const ToolAssembly longer = extended_up(tool, reach + widest),
-                       longest = extended_up(tool, 20 * reach + 1000);
+    const ToolAssembly longer = extended_up(tool, reach + widest), longest = extended_up(tool, 20 * reach + 1000);
     EXPECT_GE(height_mm(longer), reach + widest);
-    const CompiledTool one = compile_tool("", *make_profile(longer)),
-                       other = compile_tool("", *make_profile(longest));
+    const CompiledTool one = compile_tool("", *make_profile(longer)), other = compile_tool("", *make_profile(longest));
     for (int k = 0; k < 2000; ++k) {
       const double z = random.in(-reach, reach), r = random.in(0, reach);
       if (r * r + z * z > reach * reach) continue;

@@ -14,9 +14,7 @@ namespace {
 
 using test::Scatter;
 
-double extent(const CompiledTool& tool) {
-  return std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm});
-}
+double extent(const CompiledTool& tool) { return std::max({tool.r_max_mm, tool.z_max_mm, -tool.z_min_mm}); }
 
 std::vector<CompiledTool> variants_of(const ToolAssembly& tool) {
   std::vector<CompiledTool> all;
@@ -40,8 +38,7 @@ Vec2 random_point(Scatter& random, const CompiledTool& tool, std::size_t i) {
     const Vec2 p = e.a + t * (e.b - e.a);
     return {std::abs(p.x() + random.in(-spread, spread)), p.y() + random.in(-spread, spread)};
   }
-  return {random.in(0, 1.5 * tool.r_max_mm),
-          random.in(tool.z_min_mm - 0.3 * size, tool.z_max_mm + 0.3 * size)};
+  return {random.in(0, 1.5 * tool.r_max_mm), random.in(tool.z_min_mm - 0.3 * size, tool.z_max_mm + 0.3 * size)};
 }
 
 void expect_brute_force(const CompiledTool& tool, std::size_t points, std::uint64_t seed) {
@@ -67,9 +64,7 @@ class BspOfSample : public testing::TestWithParam<std::size_t> {
 
 INSTANTIATE_TEST_SUITE_P(Tools, BspOfSample, testing::Range<std::size_t>(0, 12));
 
-TEST(Bsp, EverySampleToolIsTested) {
-  EXPECT_EQ(test::sample_tools().size(), 12u);
-}
+TEST(Bsp, EverySampleToolIsTested) { EXPECT_EQ(test::sample_tools().size(), 12u); }
 
 TEST_P(BspOfSample, GivesTheDistanceOfTheBruteForceOnAMillionPoints) {
   expect_brute_force(variants_of(tool()).front(), 1'000'000, 1);
@@ -137,10 +132,9 @@ TEST_P(BspOfSample, DistanceIsOneLipschitzAcrossEveryBisector) {
       const double step = extent(form) * std::pow(10.0, random.in(-13, 0));
       Vec2 q = p + step * Vec2(random.in(-1, 1), random.in(-1, 1));
       q.x() = std::abs(q.x());
-      const double change = std::abs(evaluate(form, p.x(), p.y()).signed_distance_mm -
-                                     evaluate(form, q.x(), q.y()).signed_distance_mm);
-      ASSERT_LE(change, (p - q).norm() + 1e-13 * (extent(form) + p.norm()))
-          << p.transpose() << " to " << q.transpose();
+      const double change =
+          std::abs(evaluate(form, p.x(), p.y()).signed_distance_mm - evaluate(form, q.x(), q.y()).signed_distance_mm);
+      ASSERT_LE(change, (p - q).norm() + 1e-13 * (extent(form) + p.norm())) << p.transpose() << " to " << q.transpose();
     }
   }
 }
@@ -157,8 +151,8 @@ TEST_P(BspOfSample, NormalIsTheGradientOfTheDistanceAndLeadsToTheFoot) {
     EXPECT_LE((q - a.signed_distance_mm * a.normal - a.foot).norm(), 1e-12 * (extent(form) + q.norm()));
     const auto at = [&](double dr, double dz) { return evaluate(form, q.x() + dr, q.y() + dz); };
     const ToolDistance east = at(h, 0), west = at(-h, 0), north = at(0, h), south = at(0, -h);
-    const bool is_one_region = east.element == a.element && west.element == a.element &&
-                               north.element == a.element && south.element == a.element;
+    const bool is_one_region = east.element == a.element && west.element == a.element && north.element == a.element &&
+                               south.element == a.element;
     if (!is_one_region || std::abs(a.signed_distance_mm) < 1e-2 || q.norm() > 3 * extent(form)) continue;
     const Vec2 gradient(east.signed_distance_mm - west.signed_distance_mm,
                         north.signed_distance_mm - south.signed_distance_mm);
@@ -200,14 +194,12 @@ ToolAssembly random_assembly(Scatter& random) {
   const double corner = random.next() % 3 == 0 ? d / 2 : random.in(0, d / 2);
   switch (random.next() % 3) {
     case 0:
-      return test::assembly("random", TaperedCutter{d, corner, random.in(-8, 40), length}, segments(3),
-                            segments(4));
+      return test::assembly("random", TaperedCutter{d, corner, random.in(-8, 40), length}, segments(3), segments(4));
     case 1:
       return test::assembly("random", BullNoseCutter{d, corner, length}, segments(3), segments(4));
     default:
-      return test::assembly(
-          "random", AptCutter{d, 0.4 * corner, 0, 0, random.in(0, 50), random.in(-8, 30), length},
-          segments(3), segments(4));
+      return test::assembly("random", AptCutter{d, 0.4 * corner, 0, 0, random.in(0, 50), random.in(-8, 30), length},
+                            segments(3), segments(4));
   }
 }
 
@@ -216,8 +208,7 @@ TEST(Bsp, RandomAssembliesGiveTheDistanceOfTheBruteForce) {
   int built = 0;
   for (int k = 0; built < 200 && k < 1000; ++k) {
     const ToolAssembly tool = random_assembly(random);
-    const Result<ToolVariants> variants =
-        make_tool_variants(tool, random.in(0, 1), random.in(0, 2), random.in(0, 5));
+    const Result<ToolVariants> variants = make_tool_variants(tool, random.in(0, 1), random.in(0, 2), random.in(0, 5));
     if (!variants) continue;
     ++built;
     for (const CompiledTool* form : {&variants->bare, &variants->against_part}) {
@@ -235,8 +226,7 @@ TEST(Bsp, ACrackBetweenAnArcAndAFaceIsReflex) {
     Profile profile;
     profile.elements = {make_segment(Body::cutter, {0, 0}, {6, 0}),
                         make_convex_arc(Body::cutter, {6, 0}, {5 + shift, 2}, {5, 1}, 1),
-                        make_segment(Body::shank, {5 + shift, 2}, {9, 2}),
-                        make_segment(Body::shank, {9, 2}, {9, 30}),
+                        make_segment(Body::shank, {5 + shift, 2}, {9, 2}), make_segment(Body::shank, {9, 2}, {9, 30}),
                         make_segment(Body::shank, {9, 30}, {0, 30})};
     profile.elements[0].b = profile.elements[1].a = {5, 0};
     const CompiledTool tool = compile_tool("crack", profile);

@@ -56,9 +56,9 @@ TEST(Shapes, DrillHasItsPoint) {
   EXPECT_EQ(error_of(DrillCutter{10, 0, 40}),
             "point_angle is 0 degrees; the included angle of the point must lie above 0 and be 180 at most "
             "[tool-angle-out-of-range]");
-  EXPECT_EQ(error_of(DrillCutter{10, 90, 4}),
-            "length 4 mm ends within the point, which reaches up to z = 5 mm; give a greater length "
-            "[tool-length-too-short]");
+  EXPECT_EQ(
+      error_of(DrillCutter{10, 90, 4}),
+      "length 4 mm ends within the point, which reaches up to z = 5 mm; give a greater length [tool-length-too-short]");
 }
 
 TEST(Shapes, ChamferMayBePointedAndNeedsNoStraightPart) {
@@ -67,11 +67,10 @@ TEST(Shapes, ChamferMayBePointedAndNeedsNoStraightPart) {
   EXPECT_NEAR(length_mm(ChamferCutter{12, 0, 45, 0}), 6, 1e-12);
   EXPECT_NEAR(depth(ChamferCutter{12, 0, 45, 0}, 0, 2), std::sqrt(2), 1e-12);
   EXPECT_EQ(error_of(ChamferCutter{12, 12, 45, 8}),
-            "tip_diameter 12 mm is not less than diameter 12 mm, which is the largest "
-            "[tool-dimensions-contradict]");
-  EXPECT_EQ(error_of(ChamferCutter{12, 2, 45, 4}),
-            "length 4 mm ends within the cone, which reaches up to z = 5 mm; give a greater length "
-            "[tool-length-too-short]");
+            "tip_diameter 12 mm is not less than diameter 12 mm, which is the largest [tool-dimensions-contradict]");
+  EXPECT_EQ(
+      error_of(ChamferCutter{12, 2, 45, 4}),
+      "length 4 mm ends within the cone, which reaches up to z = 5 mm; give a greater length [tool-length-too-short]");
   EXPECT_EQ(error_of(ChamferCutter{12, -1, 45, 4}),
             "tip_diameter is -1 mm; it must not be negative [tool-dimension-negative]");
   EXPECT_EQ(error_of(ChamferCutter{12, 1, 90, 4}),
@@ -100,12 +99,10 @@ TEST(Shapes, LollipopEndsAtItsNeckOrItsLength) {
   expect_points(LollipopCutter{10, 0, 9}, {{0, 0}, {3, 9}, {0, 9}});
   EXPECT_EQ(length_mm(LollipopCutter{10, 6, 0}), 9);
   EXPECT_NEAR(depth(LollipopCutter{10, 6, 0}, 2, 5), 3, 1e-12);
-  EXPECT_EQ(
-      error_of(LollipopCutter{10, 0, 0}),
-      "a lollipop needs a neck_diameter, or the length at which its ball ends [tool-dimensions-contradict]");
-  EXPECT_EQ(
-      error_of(LollipopCutter{10, 12, 0}),
-      "neck_diameter 12 mm is not less than diameter 10 mm, that of the ball [tool-dimensions-contradict]");
+  EXPECT_EQ(error_of(LollipopCutter{10, 0, 0}),
+            "a lollipop needs a neck_diameter, or the length at which its ball ends [tool-dimensions-contradict]");
+  EXPECT_EQ(error_of(LollipopCutter{10, 12, 0}),
+            "neck_diameter 12 mm is not less than diameter 10 mm, that of the ball [tool-dimensions-contradict]");
   EXPECT_EQ(error_of(LollipopCutter{10, 0, 4}),
             "length 4 mm does not end within the upper half of the ball; it must lie between 5 mm and 10 mm "
             "[tool-dimensions-contradict]");
@@ -118,18 +115,16 @@ TEST(Shapes, SlotCuttersAreDiscs) {
   expect_points(SlittingSawCutter{80, 2, 12, 3}, {{0, 0}, {6, 0}, {6, 3}, {40, 3}, {40, 5}, {0, 5}});
   EXPECT_EQ(length_mm(SlittingSawCutter{80, 2, 12, 3}), 5);
   EXPECT_EQ(error_of(TSlotCutter{20, 4, 3, 6}),
-            "corner_radius 4 mm and upper_radius 3 mm do not fit into the length 6 mm; together they may be "
-            "as large as "
-            "that [tool-corner-radius-too-large]");
-  EXPECT_EQ(error_of(TSlotCutter{20, 0, 11, 30}),
-            "upper_radius 11 mm is larger than half the diameter; at most 10 mm is possible "
-            "[tool-corner-radius-too-large]");
+            "corner_radius 4 mm and upper_radius 3 mm do not fit into the length 6 mm; together they may be as large "
+            "as that [tool-corner-radius-too-large]");
   EXPECT_EQ(
-      error_of(SlittingSawCutter{80, 2, 12, 0}),
-      "cap_diameter and cap_height belong together; give both, or neither [tool-dimensions-contradict]");
-  EXPECT_EQ(error_of(SlittingSawCutter{80, 2, 80, 3}),
-            "cap_diameter 80 mm is not less than diameter 80 mm; the cap would cover the blade "
-            "[tool-dimensions-contradict]");
+      error_of(TSlotCutter{20, 0, 11, 30}),
+      "upper_radius 11 mm is larger than half the diameter; at most 10 mm is possible [tool-corner-radius-too-large]");
+  EXPECT_EQ(error_of(SlittingSawCutter{80, 2, 12, 0}),
+            "cap_diameter and cap_height belong together; give both, or neither [tool-dimensions-contradict]");
+  EXPECT_EQ(
+      error_of(SlittingSawCutter{80, 2, 80, 3}),
+      "cap_diameter 80 mm is not less than diameter 80 mm; the cap would cover the blade [tool-dimensions-contradict]");
   EXPECT_EQ(error_of(SlittingSawCutter{80, 0, 0, 0}),
             "thickness is 0 mm; it must be greater than 0 [tool-dimension-not-positive]");
 }
@@ -140,9 +135,8 @@ TEST(Shapes, DovetailIsWidestBelow) {
   EXPECT_EQ(error_of(DovetailCutter{20, 0, -30, 8}),
             "taper_angle is -30 degrees; it must lie between 0 and 90 [tool-angle-out-of-range]");
   EXPECT_EQ(error_of(DovetailCutter{10, 0, 45, 8}),
-            "a side leaning inward by 45 degrees closes at z = 5 mm, below the top of the flutes at 8 mm; "
-            "give a smaller "
-            "angle or a smaller length [tool-taper-closes]");
+            "a side leaning inward by 45 degrees closes at z = 5 mm, below the top of the flutes at 8 mm; give a "
+            "smaller angle or a smaller length [tool-taper-closes]");
 }
 
 TEST(Shapes, BarrelFlankIsAnArcThroughItsWidestPlace) {
@@ -156,14 +150,12 @@ TEST(Shapes, BarrelFlankIsAnArcThroughItsWidestPlace) {
   const Profile taper = profile_of(BarrelCutter{12, 250, 1.5, 15, 14, 22});
   const Vec2 along = start_direction(taper.elements[2]);
   EXPECT_GT(along.x() / along.y(), std::tan(15 * std::numbers::pi / 180)) << "leans more below";
-  EXPECT_EQ(
-      error_of(BarrelCutter{12, 10, 0, 0, 12, 20}),
-      "profile_radius 10 mm and axial_distance 12 mm: the flank meets the axis above the tip; give a larger "
-      "profile_radius or a smaller axial_distance [tool-dimensions-contradict]");
-  EXPECT_EQ(
-      error_of(BarrelCutter{12, 20, 0, 0, 8, 40}),
-      "profile_radius 20 mm: the flank meets the axis below the top of the flutes at 40 mm; give a larger "
-      "profile_radius or a smaller length [tool-dimensions-contradict]");
+  EXPECT_EQ(error_of(BarrelCutter{12, 10, 0, 0, 12, 20}),
+            "profile_radius 10 mm and axial_distance 12 mm: the flank meets the axis above the tip; give a larger "
+            "profile_radius or a smaller axial_distance [tool-dimensions-contradict]");
+  EXPECT_EQ(error_of(BarrelCutter{12, 20, 0, 0, 8, 40}),
+            "profile_radius 20 mm: the flank meets the axis below the top of the flutes at 40 mm; give a larger "
+            "profile_radius or a smaller length [tool-dimensions-contradict]");
   // (48^2 - 42^2 - 12^2) / (2 (48 - 12)) = 5.5
   EXPECT_EQ(error_of(BarrelCutter{12, 48, 6, 0, 12, 24}),
             "corner_radius 6 mm would begin beyond the axis; at most 5.5 mm is possible, which is a ball tip "
@@ -185,8 +177,7 @@ TEST(Shapes, OvalAndLensTouchTheirCylinder) {
   EXPECT_TRUE(end_direction(lens.elements[0]).isApprox(start_direction(lens.elements[1]), 1e-9));
   EXPECT_NEAR(depth(LensCutter{10, 100, 1, 20}, 1, 2), 100 - std::sqrt(1 + 98.0 * 98), 1e-9);
   EXPECT_EQ(error_of(LensCutter{10, 4, 1, 20}),
-            "profile_radius 4 mm is less than half the diameter; at least 5 mm is needed "
-            "[tool-dimensions-contradict]");
+            "profile_radius 4 mm is less than half the diameter; at least 5 mm is needed [tool-dimensions-contradict]");
   EXPECT_EQ(error_of(OvalCutter{6, 1, 90, 0.5}).substr(0, 33), "length 0.5 mm ends within the tip");
   EXPECT_EQ(error_of(OvalCutter{6, 0, 90, 20}),
             "corner_radius is 0 mm; it must be greater than 0 [tool-dimension-not-positive]");
@@ -200,18 +191,16 @@ TEST(Shapes, FaceMillMayLeanAndBeHollow) {
   EXPECT_LT(depth(ring, 5, 3), 0) << "the hollow is free";
   EXPECT_NEAR(depth(ring, 20, 3), 3, 1e-12);
   EXPECT_EQ(error_of(FaceMillCutter{50, 0, 45, 0, 0, 0, 20}),
-            "an edge with a taper_angle needs a largest_diameter greater than diameter 50 mm, and the other "
-            "way round; give "
-            "both, or neither [tool-dimensions-contradict]");
-  EXPECT_EQ(error_of(FaceMillCutter{50, 0, 45, 40, 0, 0, 20}),
-            "largest_diameter 40 mm is less than diameter 50 mm; it must be at least that "
-            "[tool-dimensions-contradict]");
+            "an edge with a taper_angle needs a largest_diameter greater than diameter 50 mm, and the other way round; "
+            "give both, or neither [tool-dimensions-contradict]");
+  EXPECT_EQ(
+      error_of(FaceMillCutter{50, 0, 45, 40, 0, 0, 20}),
+      "largest_diameter 40 mm is less than diameter 50 mm; it must be at least that [tool-dimensions-contradict]");
   EXPECT_EQ(error_of(FaceMillCutter{50, 0, 0, 0, 30, 20, 20}),
             "recess_depth 20 mm goes through the cutter, whose length is 20 mm; it must be less "
             "[tool-dimensions-contradict]");
-  EXPECT_EQ(
-      error_of(FaceMillCutter{50, 0, 0, 0, 30, 0, 20}),
-      "recess_diameter and recess_depth belong together; give both, or neither [tool-dimensions-contradict]");
+  EXPECT_EQ(error_of(FaceMillCutter{50, 0, 0, 0, 30, 0, 20}),
+            "recess_diameter and recess_depth belong together; give both, or neither [tool-dimensions-contradict]");
   EXPECT_EQ(error_of(FaceMillCutter{50, 0, 0, 0, 50, 3, 20}),
             "recess_diameter 50 mm is not less than diameter 50 mm [tool-dimensions-contradict]");
   EXPECT_EQ(error_of(FaceMillCutter{50, 12, 0, 0, 30, 3, 20}),
@@ -229,12 +218,11 @@ TEST(Shapes, RadiusMillIsConcave) {
   EXPECT_TRUE(profile.elements[2].is_concave);
   EXPECT_NEAR((profile.elements[2].center - Vec2(6, 1)).norm(), 0, 1e-12);
   EXPECT_EQ(error_of(RadiusCutter{6, 0, 3, 10, 10}),
-            "diameter 10 mm is less than tip_diameter and two profile_radius together, 12 mm; it must be at "
-            "least that "
+            "diameter 10 mm is less than tip_diameter and two profile_radius together, 12 mm; it must be at least that "
             "[tool-dimensions-contradict]");
-  EXPECT_EQ(error_of(RadiusCutter{6, 1, 3, 16, 3}),
-            "length 3 mm ends within the arc, which reaches up to z = 4 mm; give a greater length "
-            "[tool-length-too-short]");
+  EXPECT_EQ(
+      error_of(RadiusCutter{6, 1, 3, 16, 3}),
+      "length 3 mm ends within the arc, which reaches up to z = 4 mm; give a greater length [tool-length-too-short]");
 }
 
 TEST(Shapes, FreeProfileIsBuiltFromPointsAndArcs) {
@@ -255,11 +243,11 @@ TEST(Shapes, FreeProfileIsBuiltFromPointsAndArcs) {
             "[tool-profile-broken]");
   EXPECT_EQ(error_of(ProfileCutter{{{SegmentShape::straight, 0, 0, 0}, {SegmentShape::straight, -1, 5, 0}}}),
             "point 2: r is -1 mm; a radius is 0 or more [tool-profile-broken]");
-  EXPECT_EQ(error_of(ProfileCutter{
-                {{SegmentShape::straight, 0, 10, 0}, {SegmentShape::straight, 5, 10, 0}, {SegmentShape::straight, 5, 0, 0}}}),
-            "these numbers make no closed profile: the contour does not end above its start (points in order "
-            "from the tip "
-            "up, the tool on their left) [tool-profile-broken]");
+  EXPECT_EQ(
+      error_of(ProfileCutter{
+          {{SegmentShape::straight, 0, 10, 0}, {SegmentShape::straight, 5, 10, 0}, {SegmentShape::straight, 5, 0, 0}}}),
+      "these numbers make no closed profile: the contour does not end above its start (points in order from the tip "
+      "up, the tool on their left) [tool-profile-broken]");
   EXPECT_EQ(error_of(ProfileCutter{{{SegmentShape::convex, 3, 0, 2}, {SegmentShape::straight, 5, 10, 0}}}),
             "point 1 has an arc, but nothing comes before it; arcs lead to a point from the one before "
             "[tool-profile-broken]");

@@ -90,8 +90,7 @@ TEST(Cutter, AptCornerTouchesBottomLineAndSide) {
   EXPECT_TRUE(end_direction(arc).isApprox(start_direction(profile->elements[2]), 1e-12));
   // Bottom line and side, continued, meet at the diameter d.
   const Vec2 u = start_direction(bottom), v = start_direction(profile->elements[2]);
-  const double t =
-      ((arc.b - bottom.a).x() * v.y() - (arc.b - bottom.a).y() * v.x()) / (u.x() * v.y() - u.y() * v.x());
+  const double t = ((arc.b - bottom.a).x() * v.y() - (arc.b - bottom.a).y() * v.x()) / (u.x() * v.y() - u.y() * v.x());
   EXPECT_NEAR((bottom.a + t * u).x(), 10, 1e-12);
 }
 
@@ -99,34 +98,29 @@ TEST(Cutter, AptContradictionIsReported) {
   EXPECT_EQ(apt_contradiction({16, 0, 8, 0, 0, 0, 93}), "");
   EXPECT_EQ(apt_contradiction({16, 2, 0, 0, 0, 0, 93}), "");
   EXPECT_EQ(apt_contradiction({12, 2, 8, 2, 0, 0, 93}), "") << "e as the diameter of the flat tip";
-  EXPECT_EQ(
-      apt_contradiction({12, 2, 7, 2, 0, 0, 93}),
-      "e = 7 mm, f = 2 mm do not place the corner where d, r, alpha and beta do (e = 4 mm, f = 2 mm); built "
-      "from d, r, alpha and beta");
+  EXPECT_EQ(apt_contradiction({12, 2, 7, 2, 0, 0, 93}),
+            "e = 7 mm, f = 2 mm do not place the corner where d, r, alpha and beta do (e = 4 mm, f = 2 mm); built from "
+            "d, r, alpha and beta");
 }
 
 TEST(Cutter, WrongDimensionsNameTheFieldAndWhatIsAllowed) {
-  EXPECT_EQ(error_of(BullNoseCutter{10, 6, 30}),
-            "corner_radius 6 mm is larger than half the diameter; at most 5 mm is possible "
-            "[tool-corner-radius-too-large]");
+  EXPECT_EQ(
+      error_of(BullNoseCutter{10, 6, 30}),
+      "corner_radius 6 mm is larger than half the diameter; at most 5 mm is possible [tool-corner-radius-too-large]");
   EXPECT_EQ(error_of(BullNoseCutter{10, -1, 30}),
-            "corner_radius is -1 mm; give 0 for a sharp corner, or a positive radius "
-            "[tool-corner-radius-negative]");
-  EXPECT_EQ(error_of(FlatCutter{0, 30}),
-            "diameter is 0 mm; it must be greater than 0 [tool-dimension-not-positive]");
-  EXPECT_EQ(error_of(FlatCutter{10, -3}),
-            "length is -3 mm; it must be greater than 0 [tool-dimension-not-positive]");
+            "corner_radius is -1 mm; give 0 for a sharp corner, or a positive radius [tool-corner-radius-negative]");
+  EXPECT_EQ(error_of(FlatCutter{0, 30}), "diameter is 0 mm; it must be greater than 0 [tool-dimension-not-positive]");
+  EXPECT_EQ(error_of(FlatCutter{10, -3}), "length is -3 mm; it must be greater than 0 [tool-dimension-not-positive]");
   EXPECT_EQ(error_of(FlatCutter{10, std::nan("")}),
             "length is not a number; it must be greater than 0 [tool-dimension-not-positive]");
   EXPECT_EQ(error_of(FlatCutter{10, 1e300}),
             "length is larger than 100000 mm; check the unit of the file [tool-dimension-too-large]");
-  EXPECT_EQ(error_of(BallCutter{10, 4}),
-            "length 4 mm ends within the tip, which reaches up to z = 5 mm; give a greater length "
-            "[tool-length-too-short]");
   EXPECT_EQ(
-      error_of(TaperedCutter{10, 0, -45, 30}),
-      "a side leaning inward by 45 degrees closes at z = 5 mm, below the top of the flutes at 30 mm; give a "
-      "smaller angle or a smaller length [tool-taper-closes]");
+      error_of(BallCutter{10, 4}),
+      "length 4 mm ends within the tip, which reaches up to z = 5 mm; give a greater length [tool-length-too-short]");
+  EXPECT_EQ(error_of(TaperedCutter{10, 0, -45, 30}),
+            "a side leaning inward by 45 degrees closes at z = 5 mm, below the top of the flutes at 30 mm; give a "
+            "smaller angle or a smaller length [tool-taper-closes]");
   EXPECT_EQ(error_of(TaperedCutter{10, 0, 90, 30}),
             "taper_angle is 90 degrees; it must lie between -90 and 90 [tool-angle-out-of-range]");
   EXPECT_EQ(error_of(AptCutter{10, 0, 0, 0, 60, 40, 30}),
@@ -140,15 +134,13 @@ TEST(Cutter, WrongDimensionsNameTheFieldAndWhatIsAllowed) {
 TEST(Cutter, NoNumbersWhateverMakeABrokenContour) {
   test::Scatter random(11);
   const auto draw = [&] {
-    const double odd[] = {0,           -1, 1e-12, 1e6, 90, -90, 45, std::numeric_limits<double>::infinity(),
-                          std::nan("")};
+    const double odd[] = {0, -1, 1e-12, 1e6, 90, -90, 45, std::numeric_limits<double>::infinity(), std::nan("")};
     return random.next() % 6 == 0 ? odd[random.next() % 9] : random.in(-5, 60);
   };
   int good = 0;
   for (int k = 0; k < 200000; ++k) {
-    const Cutter cutter = k % 2 == 0
-                              ? Cutter(AptCutter{draw(), draw(), draw(), draw(), draw(), draw(), draw()})
-                              : Cutter(TaperedCutter{draw(), draw(), draw(), draw()});
+    const Cutter cutter = k % 2 == 0 ? Cutter(AptCutter{draw(), draw(), draw(), draw(), draw(), draw(), draw()})
+                                     : Cutter(TaperedCutter{draw(), draw(), draw(), draw()});
     const Result<Profile> profile = make_cutter_profile(cutter);
     if (!profile) continue;
     ++good;

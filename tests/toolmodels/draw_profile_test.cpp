@@ -103,16 +103,15 @@ TEST(DrawProfile, DimensionsAreWrittenInTheUnitAsked) {
   const ToolAssembly tool =
       test::assembly("t", BullNoseCutter{25.4, 2.54, 50.8}, {{25.4, 25.4, 25.4}}, {{50.8, 76.2, 25.4}});
   const std::vector<std::string> texts = texts_of(*draw_profile(tool, LengthUnit::inch));
-  for (const char* wanted : {"T1 \"t\"", "bull_nose D 1 R 0.1, length 2, assembly 4 in", "cutter 2",
-                             "shank 1", "holder 1", "D 1", "D 2 to 3", "R 0.1", "dimensions in inches"})
+  for (const char* wanted : {"T1 \"t\"", "bull_nose D 1 R 0.1, length 2, assembly 4 in", "cutter 2", "shank 1",
+                             "holder 1", "D 1", "D 2 to 3", "R 0.1", "dimensions in inches"})
     EXPECT_TRUE(has(texts, wanted)) << wanted;
 }
 
 TEST(DrawProfile, TheWidestRadiusIsNamedSoWhereItIsNotTheNominalOne) {
   const auto has_radius = [](const ToolAssembly& tool, const std::string& words) {
     const std::vector<std::string> texts = texts_of(*draw_profile(tool, LengthUnit::mm));
-    return std::any_of(texts.begin(), texts.end(),
-                       [&](const std::string& text) { return text.starts_with(words); });
+    return std::any_of(texts.begin(), texts.end(), [&](const std::string& text) { return text.starts_with(words); });
   };
   EXPECT_TRUE(has_radius(test::assembly("t", FlatCutter{10, 20}), "D/2 = 5"));
   EXPECT_TRUE(has_radius(test::assembly("t", TaperedCutter{2, 1, 5, 20}), "widest D/2 = "));

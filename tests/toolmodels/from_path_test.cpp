@@ -5,9 +5,7 @@
 namespace gouge {
 namespace {
 
-double top_of(const ToolAssembly& tool) {
-  return make_profile(tool)->elements.back().b.y();
-}
+double top_of(const ToolAssembly& tool) { return make_profile(tool)->elements.back().b.y(); }
 
 Result<ToolFromPath> tool_of(std::optional<int> number, const std::string& name, const CutterStatement& cutter,
                              const std::vector<ToolSegment>& holder, double flute_length_mm = 0) {
@@ -25,8 +23,7 @@ TEST(FromPath, OneNumberIsAFlatCutterOfAssumedLength) {
   EXPECT_EQ(top_of(made->tool), 80);
   ASSERT_EQ(made->notes.size(), 1u);
   EXPECT_EQ(made->notes[0].severity, Severity::note);
-  EXPECT_EQ(made->notes[0].message,
-            "tool T7: the file gives the cutter no length; it is checked up to 80 mm");
+  EXPECT_EQ(made->notes[0].message, "tool T7: the file gives the cutter no length; it is checked up to 80 mm");
 }
 
 TEST(FromPath, ShortToolsAreAssumedFiftyMillimetresLong) {
@@ -47,8 +44,7 @@ TEST(FromPath, AHeightWithinTheTipIsReplacedAndReported) {
 }
 
 TEST(FromPath, AboveTheFlutesTheToolIsShank) {
-  const Result<ToolFromPath> made =
-      tool_of(1, "", {.d_mm = 10, .h_mm = 60, .given = 7}, {}, 22);
+  const Result<ToolFromPath> made = tool_of(1, "", {.d_mm = 10, .h_mm = 60, .given = 7}, {}, 22);
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(length_mm(made->tool.cutter), 22);
   ASSERT_EQ(made->tool.shank.size(), 1u);
@@ -65,8 +61,7 @@ TEST(FromPath, TaperGoesOnAboveTheFlutes) {
 }
 
 TEST(FromPath, TheHolderStandsOnTop) {
-  const Result<ToolFromPath> made =
-      tool_of(1, "", {.d_mm = 10, .h_mm = 60, .given = 7}, {{40, 50, 30}});
+  const Result<ToolFromPath> made = tool_of(1, "", {.d_mm = 10, .h_mm = 60, .given = 7}, {{40, 50, 30}});
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(top_of(made->tool), 90);
   EXPECT_EQ(make_profile(made->tool)->elements.back().body, Body::holder);

@@ -12,8 +12,8 @@ using Strings = std::vector<std::string>;
 
 Profile ball_and_side() {
   Profile p;
-  p.elements = {make_convex_arc(Body::cutter, {0, 0}, {5, 5}, {0, 5}, 5),
-                make_segment(Body::cutter, {5, 5}, {5, 20}), make_segment(Body::cutter, {5, 20}, {0, 20})};
+  p.elements = {make_convex_arc(Body::cutter, {0, 0}, {5, 5}, {0, 5}, 5), make_segment(Body::cutter, {5, 5}, {5, 20}),
+                make_segment(Body::cutter, {5, 20}, {0, 20})};
   return p;
 }
 
@@ -66,8 +66,7 @@ TEST(Profile, EveryBrokenInvariantIsNamed) {
   EXPECT_EQ(verify_profile(dip), Strings{"element 0 crosses the axis"});
   Profile crossing;
   const Vec2 points[] = {{0, 0}, {10, 0}, {1, 10}, {10, 10}, {1, -5}, {0, 20}};
-  for (int i = 0; i < 5; ++i)
-    crossing.elements.push_back(make_segment(Body::cutter, points[i], points[i + 1]));
+  for (int i = 0; i < 5; ++i) crossing.elements.push_back(make_segment(Body::cutter, points[i], points[i + 1]));
   EXPECT_FALSE(verify_profile(crossing).empty());
   Profile pinched;
   const Vec2 twice[] = {{0, 0}, {8, 0}, {5, 5}, {8, 3}, {8, 9}, {5, 5}, {3, 9}, {0, 9}};
@@ -94,14 +93,12 @@ TEST(Profile, AnUndercutSeenAlongTheAxisIsNotSingleValued) {
 TEST(Profile, AnArcThatRunsDownOnTheLeftIsNotSingleValued) {
   // A rim of half a circle under a hollow bottom, and the same half circle as a nose that is allowed.
   Profile ring;
-  ring.elements = {make_segment(Body::cutter, {0, 3}, {4, 3}),
-                   make_convex_arc(Body::cutter, {4, 3}, {8, 3}, {6, 3}, 2),
+  ring.elements = {make_segment(Body::cutter, {0, 3}, {4, 3}), make_convex_arc(Body::cutter, {4, 3}, {8, 3}, {6, 3}, 2),
                    make_segment(Body::cutter, {8, 3}, {8, 20}), make_segment(Body::cutter, {8, 20}, {0, 20})};
   EXPECT_EQ(verify_profile(ring), Strings{});
   EXPECT_FALSE(is_single_valued(ring));
   Profile disc;
-  disc.elements = {make_segment(Body::cutter, {0, 0}, {5, 0}),
-                   make_convex_arc(Body::cutter, {5, 0}, {5, 4}, {5, 2}, 2),
+  disc.elements = {make_segment(Body::cutter, {0, 0}, {5, 0}), make_convex_arc(Body::cutter, {5, 0}, {5, 4}, {5, 2}, 2),
                    make_segment(Body::cutter, {5, 4}, {0, 4})};
   EXPECT_TRUE(is_single_valued(disc));
 }

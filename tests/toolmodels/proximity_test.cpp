@@ -101,8 +101,8 @@ TEST(Proximity, DistanceIsOneLipschitzAndContinuousAcrossBisectors) {
       const Vec2 p = test::random_tool_point(random, tool);
       const double step = size * std::pow(10.0, random.in(-15, 0));
       const Vec2 q = test::in_half_plane(p + step * Vec2{random.in(-1, 1), random.in(-1, 1)});
-      const double change = std::abs(evaluate(tool, p.x(), p.y()).signed_distance_mm -
-                                     evaluate(tool, q.x(), q.y()).signed_distance_mm);
+      const double change =
+          std::abs(evaluate(tool, p.x(), p.y()).signed_distance_mm - evaluate(tool, q.x(), q.y()).signed_distance_mm);
       ASSERT_LE(change, (p - q).norm() + 1e-12 * (size + p.norm())) << made.name << " at " << p.transpose();
     }
   }
@@ -150,8 +150,7 @@ struct SampledBoundary {
       constexpr int kSteps = 200;
       const std::vector<Vec2> arc = e.is_arc ? sample(e, kSteps) : std::vector<Vec2>{};
       for (int i = 0; i <= kSteps; ++i)
-        points.emplace_back(e.is_arc ? arc[static_cast<std::size_t>(i)]
-                                     : Vec2(e.a + i / double{kSteps} * (e.b - e.a)));
+        points.emplace_back(e.is_arc ? arc[static_cast<std::size_t>(i)] : Vec2(e.a + i / double{kSteps} * (e.b - e.a)));
       error_mm = std::max(error_mm, 0.5 * length / kSteps);
     }
   }
@@ -190,8 +189,7 @@ TEST(Proximity, TheReferenceAgreesWithSampledBoundaries) {
       const double sampled = boundary.nearest(q);
       const double rounding = 1e-12 * (test::extent_mm(tool) + q.norm());
       ASSERT_LE(std::abs(found), sampled + rounding) << made.name << " at " << q.transpose();
-      ASSERT_GE(std::abs(found), sampled - boundary.error_mm - rounding)
-          << made.name << " at " << q.transpose();
+      ASSERT_GE(std::abs(found), sampled - boundary.error_mm - rounding) << made.name << " at " << q.transpose();
       if (sampled > 2 * boundary.error_mm) {
         ASSERT_EQ(found < 0, boundary.is_around(q)) << made.name << " at " << q.transpose();
       }
@@ -205,8 +203,7 @@ TEST(Proximity, TheReferenceKnowsTheSideFarBesideTinySteps) {
   Profile profile;
   const Vec2 corners[] = {{0, 0},         {5, 0},  {5, 10}, {5.000001, 10}, {5.000001, 10.000001},
                           {5, 10.000001}, {5, 30}, {0, 30}};
-  for (int i = 0; i < 7; ++i)
-    profile.elements.push_back(make_segment(Body::cutter, corners[i], corners[i + 1]));
+  for (int i = 0; i < 7; ++i) profile.elements.push_back(make_segment(Body::cutter, corners[i], corners[i + 1]));
   const CompiledTool tool = compile_tool("ridge", profile);
   Scatter random(3);
   for (int i = 0; i < 20'000; ++i) {

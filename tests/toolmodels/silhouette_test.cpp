@@ -9,9 +9,9 @@ namespace gouge {
 namespace {
 
 TEST(Silhouette, ACutterReachesNowhereOutOfItself) {
-  const std::vector<Cutter> cutters = {FlatCutter{10, 30}, BallCutter{10, 30}, BullNoseCutter{10, 1, 30},
-                                       DrillCutter{10, 118, 40}, ChamferCutter{10, 1, 45, 20},
-                                       AptCutter{10, 1, 4, 1, 0, 0, 30}};
+  const std::vector<Cutter> cutters = {FlatCutter{10, 30},           BallCutter{10, 30},
+                                       BullNoseCutter{10, 1, 30},    DrillCutter{10, 118, 40},
+                                       ChamferCutter{10, 1, 45, 20}, AptCutter{10, 1, 4, 1, 0, 0, 30}};
   for (const Cutter& cutter : cutters) {
     ASSERT_TRUE(make_cutter_profile(cutter)) << shape_name(cutter);
     EXPECT_LT(reach_beyond_mm(cutter, cutter), 1e-12) << shape_name(cutter);

@@ -23,9 +23,7 @@ struct TangentPlane {
   Vec3 foot, normal;
 };
 
-Vec3 lifted(const Vec2& v, double angle) {
-  return {v.x() * std::cos(angle), v.x() * std::sin(angle), v.y()};
-}
+Vec3 lifted(const Vec2& v, double angle) { return {v.x() * std::cos(angle), v.x() * std::sin(angle), v.y()}; }
 
 Vec2 end_normal(const BoundaryElement& e, const Vec2& at) {
   if (e.kind == ElementKind::segment) return e.normal;
@@ -59,14 +57,11 @@ using Hull = std::array<Vec3, 6>;
 Hull random_hull(Scatter& random, const TangentPlane& plane, double size) {
   const double spread = size * std::pow(10.0, random.in(-4, 0.3));
   Hull hull;
-  for (Vec3& corner : hull)
-    corner = plane.foot + spread * Vec3(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
+  for (Vec3& corner : hull) corner = plane.foot + spread * Vec3(random.in(-1, 1), random.in(-1, 1), random.in(-1, 1));
   return hull;
 }
 
-double radius(const Vec3& q) {
-  return std::sqrt(q.x() * q.x() + q.y() * q.y());
-}
+double radius(const Vec3& q) { return std::sqrt(q.x() * q.x() + q.y() * q.y()); }
 
 bool is_claimed(const Hull& hull, const TangentPlane& plane, const SupportRange& range) {
   for (const Vec3& q : hull) {
@@ -91,8 +86,7 @@ Vec3 random_point(Scatter& random, const Hull& hull) {
 
 // How far the deepest of 30 points of the hull lies deeper than its plane allows; nothing when nothing is
 // claimed.
-double violation(Scatter& random, const CompiledTool& tool, const Hull& hull, const TangentPlane& plane,
-                 double r_min) {
+double violation(Scatter& random, const CompiledTool& tool, const Hull& hull, const TangentPlane& plane, double r_min) {
   double worst = 0;
   for (int k = 0; k < 30; ++k) {
     const Vec3 q = random_point(random, hull);
@@ -152,8 +146,7 @@ TEST(SupportRange, HollowToolsClaimWhatHoldsForThemFilled) {
   Scatter random(8);
   const std::vector<ToolAssembly> hollow{
       test::assembly("face mill", FaceMillCutter{40, 1, 45, 50, 24, 5, 25}, {{20, 20, 30}}, {{50, 50, 30}}),
-      test::assembly("cup", FaceMillCutter{40, 0, 0, 0, 30, 12, 25}, {{45, 45, 10}, {12, 12, 30}},
-                     {{50, 30, 30}}),
+      test::assembly("cup", FaceMillCutter{40, 0, 0, 0, 30, 12, 25}, {{45, 45, 10}, {12, 12, 30}}, {{50, 30, 30}}),
       test::assembly("dish", AptCutter{24, 2, 0, 0, -15, 5, 15}, {{10, 10, 30}}, {{32, 32, 20}}),
       test::assembly("edge", AptCutter{24, 0, 0, 0, -25, -5, 15}, {{30, 20, 30}})};
   for (const ToolAssembly& assembly : hollow) {
@@ -207,8 +200,7 @@ TEST(SupportRange, ReflexCornersAndUndercutsClaimNothing) {
   // An undercut seen along the axis above the underside claims nothing anywhere.
   Profile undercut;
   const Vec2 around[] = {{0, 0}, {5, 0}, {5, 10}, {8, 10}, {8, 8}, {10, 8}, {10, 20}, {0, 20}};
-  for (int i = 0; i < 7; ++i)
-    undercut.elements.push_back(make_segment(Body::cutter, around[i], around[i + 1]));
+  for (int i = 0; i < 7; ++i) undercut.elements.push_back(make_segment(Body::cutter, around[i], around[i + 1]));
   for (const BoundaryElement& e : compile_tool("undercut", undercut).elements)
     EXPECT_GT(e.support.z_lo_mm, e.support.z_hi_mm);
 }

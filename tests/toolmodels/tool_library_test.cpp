@@ -42,8 +42,7 @@ TEST(ToolLibrary, ReadsTheExampleOfTheFormat) {
 }
 
 TEST(ToolLibrary, InchesBecomeMillimetresButAnglesStay) {
-  const Result<ToolLibrary> library =
-      read_tool_library("lib.json", R"({"units":"inch","tools":[{"name":"t","cutter":
+  const Result<ToolLibrary> library = read_tool_library("lib.json", R"({"units":"inch","tools":[{"name":"t","cutter":
       {"shape":"tapered","diameter":0.25,"corner_radius":0.125,"taper_angle":3,"length":1}}]})");
   ASSERT_TRUE(library.has_value());
   const auto& cutter = std::get<TaperedCutter>(library->tools[0].cutter);
@@ -67,8 +66,7 @@ TEST(ToolLibrary, EveryShapeSurvivesARoundTripInBothUnits) {
     EXPECT_EQ(write_tool_library(*back), text);
     ASSERT_EQ(back->tools.size(), library.tools.size());
     for (std::size_t i = 0; i < library.tools.size(); ++i) {
-      EXPECT_EQ(make_profile(back->tools[i])->elements.back().a,
-                make_profile(library.tools[i])->elements.back().a);
+      EXPECT_EQ(make_profile(back->tools[i])->elements.back().a, make_profile(library.tools[i])->elements.back().a);
       EXPECT_EQ(length_mm(back->tools[i].cutter), length_mm(library.tools[i].cutter));
     }
     EXPECT_EQ(back->holders[0].segments[0].upper_diameter_mm, 40.1);
@@ -93,31 +91,25 @@ TEST(ToolLibrary, UnknownKeysAreReportedWithTheirLine) {
       "lib.json", with_cutter("{\"shape\":\"flat\",\"diameter\":6,\"length\":20,\n\"corner_radius\":1}"));
   ASSERT_TRUE(library.has_value());
   ASSERT_EQ(library->notes.size(), 1u);
-  EXPECT_EQ(
-      to_text(library->notes[0]),
-      "lib.json:5: warning: tool T3 \"x\": cutter has a key \"corner_radius\" that is not understood and was "
-      "left out [library-unknown-key]");
+  EXPECT_EQ(to_text(library->notes[0]),
+            "lib.json:5: warning: tool T3 \"x\": cutter has a key \"corner_radius\" that is not understood and was "
+            "left out [library-unknown-key]");
 }
 
 TEST(ToolLibrary, MistakesNameLineToolAndField) {
   EXPECT_EQ(error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":6}")),
             "lib.json:4: error: tool T3 \"x\": cutter has no \"length\"; it needs one [library-field]");
-  EXPECT_EQ(
-      error_of(with_cutter("{\"shape\":\"flat\",\n\"diameter\":\"6 mm\",\"length\":20}")),
-      "lib.json:5: error: tool T3 \"x\": cutter: \"diameter\" is a text; expected a number [library-field]");
-  EXPECT_EQ(
-      error_of(with_cutter("{\"shape\":\"gimlet\"}")),
-      "lib.json:4: error: tool T3 \"x\": cutter: shape is \"gimlet\"; expected one of flat, ball, "
-      "bull_nose, tapered, apt, drill, chamfer, lollipop, t_slot, slitting_saw, dovetail, barrel, oval, "
-      "lens, face_mill, radius_mill, profile [library-field]");
-  EXPECT_EQ(
-      error_of(with_cutter("{\"shape\":\"bull_nose\",\"diameter\":6,\"corner_radius\":4,\"length\":20}")),
-      "lib.json:3: error: tool T3 \"x\": cutter: corner_radius 4 mm is larger than half the diameter; at "
-      "most "
-      "3 mm is possible [tool-corner-radius-too-large]");
-  EXPECT_EQ(error_of(with_cutter(
-                "{\"shape\":\"flat\",\"diameter\":6,\"length\":20},\n\"shank\":[{\"lower_diameter\":"
-                "0,\"upper_diameter\":3,\"length\":3}]")),
+  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"flat\",\n\"diameter\":\"6 mm\",\"length\":20}")),
+            "lib.json:5: error: tool T3 \"x\": cutter: \"diameter\" is a text; expected a number [library-field]");
+  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"gimlet\"}")),
+            "lib.json:4: error: tool T3 \"x\": cutter: shape is \"gimlet\"; expected one of flat, ball, bull_nose, "
+            "tapered, apt, drill, chamfer, lollipop, t_slot, slitting_saw, dovetail, barrel, oval, lens, face_mill, "
+            "radius_mill, profile [library-field]");
+  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"bull_nose\",\"diameter\":6,\"corner_radius\":4,\"length\":20}")),
+            "lib.json:3: error: tool T3 \"x\": cutter: corner_radius 4 mm is larger than half the diameter; at most 3 "
+            "mm is possible [tool-corner-radius-too-large]");
+  EXPECT_EQ(error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":6,\"length\":20},\n\"shank\":[{\"lower_diameter\":0,"
+                                 "\"upper_diameter\":3,\"length\":3}]")),
             "lib.json:3: error: tool T3 \"x\": shank 1: lower_diameter is 0 mm; it must be greater than 0 "
             "[tool-dimension-not-positive]");
 }
@@ -136,22 +128,19 @@ TEST(ToolLibrary, WrongFilesGetOneClearMessage) {
             "expected a tool library [library-syntax]");
   EXPECT_EQ(error_of("[1]"), "lib.json:1: error: the library is a list; expected an object [library-field]");
   EXPECT_EQ(error_of("{\"tools\":[]}"),
-            "lib.json:1: error: the library does not say its unit; add \"units\": \"mm\" or \"inch\" "
-            "[library-field]");
+            "lib.json:1: error: the library does not say its unit; add \"units\": \"mm\" or \"inch\" [library-field]");
   EXPECT_EQ(error_of("{\"units\":\"cm\",\"tools\":[]}"),
             "lib.json:1: error: units is \"cm\"; expected \"mm\" or \"inch\" [library-field]");
   EXPECT_EQ(error_of("{\"units\":\"mm\",\"tools\":[]}"),
             "lib.json:1: error: the list of tools is empty; it needs at least one [library-empty]");
   EXPECT_EQ(error_of("{\"units\":\"mm\",\n\"units\":\"inch\",\"tools\":[]}"),
             "lib.json:2: error: the key /units is there twice; remove one [library-duplicate-key]");
-  EXPECT_EQ(
-      error_of(R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":"flat","diameter":6,"length":20}},
+  EXPECT_EQ(error_of(R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":"flat","diameter":6,"length":20}},
                      {"number":1,"cutter":{"shape":"flat","diameter":8,"length":20}}]})"),
-      "lib.json:2: error: tool T1: number 1 is already taken; give every tool a number of its own "
-      "[library-duplicate-number]");
+            "lib.json:2: error: tool T1: number 1 is already taken; give every tool a number of its own "
+            "[library-duplicate-number]");
   EXPECT_EQ(error_of(R"({"units":"mm","tools":[{"cutter":{"shape":"flat","diameter":6,"length":20}}]})"),
-            "lib.json:1: error: tool at position 1 has neither \"number\" nor \"name\"; it needs one to be "
-            "found by "
+            "lib.json:1: error: tool at position 1 has neither \"number\" nor \"name\"; it needs one to be found by "
             "[library-field]");
   EXPECT_NE(error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":1e400,\"length\":20}")), "none");
   EXPECT_NE(error_of(with_cutter("{\"shape\":\"flat\",\"diameter\":nan,\"length\":20}")), "none");
@@ -194,33 +183,27 @@ TEST(ToolLibrary, PointsAndExtensionsAreReadWithCare) {
   EXPECT_EQ(error_of(with_cutter("{\"shape\":\"profile\"}")),
             "lib.json:4: error: tool T3 \"x\": cutter has no \"points\"; it needs them [library-field]");
   EXPECT_EQ(error_of(with_points("[{\"r\":0,\"z\":0},{\"r\":2,\"z\":0,\"arc\":\"round\",\"radius\":3}]")),
-            "lib.json:4: error: tool T3 \"x\": cutter: point 2: arc is \"round\"; expected \"convex\" or "
-            "\"concave\" "
+            "lib.json:4: error: tool T3 \"x\": cutter: point 2: arc is \"round\"; expected \"convex\" or \"concave\" "
             "[library-field]");
   EXPECT_EQ(error_of(with_points("[{\"r\":0,\"z\":0},{\"r\":2,\"z\":0,\"radius\":3}]")),
-            "lib.json:4: error: tool T3 \"x\": cutter: point 2 has a radius but no \"arc\"; add \"arc\": "
-            "\"convex\" or "
+            "lib.json:4: error: tool T3 \"x\": cutter: point 2 has a radius but no \"arc\"; add \"arc\": \"convex\" or "
             "\"concave\" [library-field]");
   const std::string flat = "{\"shape\":\"flat\",\"diameter\":6,\"length\":20}";
   EXPECT_EQ(error_of(with_cutter(flat + ",\"extensions\":[{\"name\":\"a\"}]")),
-            "lib.json:4: error: tool T3 \"x\": extension 1 has no \"segments\"; it needs at least one "
-            "[library-field]");
-  EXPECT_EQ(
-      error_of(with_cutter(flat + ",\"stickout\":30,\"holder\":[{\"lower_diameter\":30,\"upper_diameter\":30,"
-                                  "\"length\":30}]")),
-      "lib.json:3: error: tool T3 \"x\": stickout 30 mm is more than flutes and shank reach, 20 mm; give at "
-      "most "
-      "that, or a longer shank [tool-stickout]");
+            "lib.json:4: error: tool T3 \"x\": extension 1 has no \"segments\"; it needs at least one [library-field]");
+  EXPECT_EQ(error_of(with_cutter(
+                flat + ",\"stickout\":30,\"holder\":[{\"lower_diameter\":30,\"upper_diameter\":30,\"length\":30}]")),
+            "lib.json:3: error: tool T3 \"x\": stickout 30 mm is more than flutes and shank reach, 20 mm; give at most "
+            "that, or a longer shank [tool-stickout]");
   const Result<ToolLibrary> gauge = read_tool_library(
       "lib.json",
-      with_cutter(flat + ",\"gauge_length\":90,\"holder\":[{\"lower_diameter\":30,\"upper_diameter\":30,"
-                         "\"length\":30}]"));
+      with_cutter(flat +
+                  ",\"gauge_length\":90,\"holder\":[{\"lower_diameter\":30,\"upper_diameter\":30,\"length\":30}]"));
   ASSERT_TRUE(gauge.has_value());
   ASSERT_EQ(gauge->notes.size(), 1u);
   EXPECT_EQ(to_text(gauge->notes[0]),
-            "lib.json:4: warning: tool T3 \"x\": gauge_length 90 mm is more than the assembly, which ends at "
-            "50 mm; what "
-            "is between is not in the file and not checked [tool-gauge-length]");
+            "lib.json:4: warning: tool T3 \"x\": gauge_length 90 mm is more than the assembly, which ends at 50 mm; "
+            "what is between is not in the file and not checked [tool-gauge-length]");
 }
 
 // Every single damage to a good file is a clean answer, never a crash, and what reads builds.
@@ -257,9 +240,7 @@ TEST(ToolLibrary, DamagedFilesNeverCrash) {
 
 TEST(ToolLibrary, DeepNestingIsNotAProblem) {
   EXPECT_NE(error_of(std::string(200000, '[')), "none");
-  EXPECT_NE(
-      error_of("{\"units\":\"mm\",\"tools\":" + std::string(20000, '[') + std::string(20000, ']') + "}"),
-      "none");
+  EXPECT_NE(error_of("{\"units\":\"mm\",\"tools\":" + std::string(20000, '[') + std::string(20000, ']') + "}"), "none");
 }
 
 }  // namespace

@@ -25,8 +25,7 @@ double outside_distance(const std::vector<CompiledTool>& bodies, const double (&
   double nearest = 1e300;
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (!bodies[i].elements.empty())
-      nearest =
-          std::min(nearest, evaluate_brute_force(bodies[i], q.x(), q.y()).signed_distance_mm - growths[i]);
+      nearest = std::min(nearest, evaluate_brute_force(bodies[i], q.x(), q.y()).signed_distance_mm - growths[i]);
   return nearest;
 }
 
@@ -46,8 +45,7 @@ TEST(Unite, IsTheUnionOfTheOffsetBodies) {
     const CompiledTool whole = compile_tool("", profile);
     const double slack = 1e-9 * whole.z_max_mm;
     for (int k = 0; k < 20000; ++k) {
-      const Vec2 q(random.in(0, 1.3 * whole.r_max_mm),
-                   random.in(whole.z_min_mm - 5, whole.z_max_mm + 5));
+      const Vec2 q(random.in(0, 1.3 * whole.r_max_mm), random.in(whole.z_min_mm - 5, whole.z_max_mm + 5));
       const double expected = outside_distance(bodies, kGrowths, q);
       const double found = evaluate_brute_force(whole, q.x(), q.y()).signed_distance_mm;
       if (expected > 0)
@@ -59,31 +57,27 @@ TEST(Unite, IsTheUnionOfTheOffsetBodies) {
 }
 
 TEST(Unite, WithoutGrowthTheCornersAreTheGivenOnes) {
-  const Result<Profile> profile =
-      make_profile(test::assembly("", FlatCutter{10, 30}, {{10, 10, 20}}, {{32, 40, 40}}));
+  const Result<Profile> profile = make_profile(test::assembly("", FlatCutter{10, 30}, {{10, 10, 20}}, {{32, 40, 40}}));
   const std::vector<Vec2> expected{{0, 0}, {5, 0}, {5, 30}, {5, 50}, {16, 50}, {20, 90}, {0, 90}};
   ASSERT_EQ(profile->elements.size(), expected.size() - 1);
   for (std::size_t i = 0; i + 1 < expected.size(); ++i) {
     EXPECT_EQ(profile->elements[i].a, expected[i]) << i;
     EXPECT_EQ(profile->elements[i].b, expected[i + 1]) << i;
   }
-  const std::vector<Body> bodies{Body::cutter, Body::cutter, Body::shank,
-                                 Body::holder, Body::holder, Body::holder};
+  const std::vector<Body> bodies{Body::cutter, Body::cutter, Body::shank, Body::holder, Body::holder, Body::holder};
   for (std::size_t i = 0; i < bodies.size(); ++i) EXPECT_EQ(profile->elements[i].body, bodies[i]) << i;
 }
 
 TEST(Unite, SegmentsInOneLineAreOneElement) {
-  const Result<Profile> split = make_profile(
-      test::assembly("", FlatCutter{10, 30}, {{10, 10, 7}, {10, 10, 13}}, {{20, 30, 10}, {30, 40, 10}}));
-  const Result<Profile> whole =
-      make_profile(test::assembly("", FlatCutter{10, 30}, {{10, 10, 20}}, {{20, 40, 20}}));
+  const Result<Profile> split =
+      make_profile(test::assembly("", FlatCutter{10, 30}, {{10, 10, 7}, {10, 10, 13}}, {{20, 30, 10}, {30, 40, 10}}));
+  const Result<Profile> whole = make_profile(test::assembly("", FlatCutter{10, 30}, {{10, 10, 20}}, {{20, 40, 20}}));
   EXPECT_EQ(split->elements.size(), whole->elements.size());
 }
 
 TEST(Unite, OffsetCylinderIsRoundedAtBothEnds) {
   Profile cylinder;
-  cylinder.elements = {make_segment(Body::holder, {0, 10}, {8, 10}),
-                       make_segment(Body::holder, {8, 10}, {8, 20}),
+  cylinder.elements = {make_segment(Body::holder, {0, 10}, {8, 10}), make_segment(Body::holder, {8, 10}, {8, 20}),
                        make_segment(Body::holder, {8, 20}, {0, 20})};
   const Profile grown = unite({{&cylinder, 1.5}}).value();
   ASSERT_EQ(grown.elements.size(), 5u);
@@ -124,8 +118,7 @@ TEST(Unite, ConcaveFilletShrinksByTheGrowthAndThenVanishes) {
       const Vec2 q(random.in(0, 16), random.in(-5, 25));
       const double expected = evaluate_brute_force(bare, q.x(), q.y()).signed_distance_mm - growth;
       if (expected < 1e-9) continue;
-      EXPECT_NEAR(evaluate(tool, q.x(), q.y()).signed_distance_mm, expected, 1e-9)
-          << growth << " " << q.transpose();
+      EXPECT_NEAR(evaluate(tool, q.x(), q.y()).signed_distance_mm, expected, 1e-9) << growth << " " << q.transpose();
     }
   }
 }
@@ -168,8 +161,8 @@ TEST(Unite, GrowsProfilesOfAnyFormAsTheDistanceSays) {
   const std::uint64_t tools = count == nullptr ? 60 : std::strtoull(count, nullptr, 10);
   for (std::uint64_t seed = 0; seed < tools; ++seed) {
     Scatter random(seed);
-    const Profile body = test::random_free_profile(
-        random, {true, true, seed % 2 == 0, seed % 5 == 0, seed % 3 == 0 ? 1e-3 : 0.05});
+    const Profile body =
+        test::random_free_profile(random, {true, true, seed % 2 == 0, seed % 5 == 0, seed % 3 == 0 ? 1e-3 : 0.05});
     const double size = size_of(body);
     const double growth = seed % 7 == 0 ? 1.0 : size * std::pow(10.0, random.in(-5, 0));
     const Result<Profile> grown = unite({{&body, growth}});

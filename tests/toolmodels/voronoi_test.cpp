@@ -33,9 +33,7 @@ Vec2 gradient(const BspNode& node, const Vec2& q) {
   return (node.linear + 2 * node.square * v) * Vec2(node.vx, node.vy) + 2 * node.round * x;
 }
 
-Vec2 random_vector(Scatter& random, double reach) {
-  return {random.in(-reach, reach), random.in(-reach, reach)};
-}
+Vec2 random_vector(Scatter& random, double reach) { return {random.in(-reach, reach), random.in(-reach, reach)}; }
 
 DistanceForm random_form(Scatter& random) {
   DistanceForm form;
@@ -51,8 +49,7 @@ DistanceForm random_form(Scatter& random) {
 ConvexCell random_cell(Scatter& random) {
   ConvexCell cell(20);
   for (std::uint64_t k = random.next() % 6; k > 0; --k) {
-    const DirectedLine line{Vec2(random.in(0, 15), random.in(-10, 10)),
-                            random_vector(random, 1).normalized()};
+    const DirectedLine line{Vec2(random.in(0, 15), random.in(-10, 10)), random_vector(random, 1).normalized()};
     const ConvexCell part = cell.clipped(line, random.next() % 2 == 0 ? 1 : -1);
     if (part.corners().size() >= 3) cell = part;
   }
@@ -69,8 +66,8 @@ Vec2 point_in(Scatter& random, const ConvexCell& cell) {
   return sum.head<2>() / sum.z();
 }
 
-void expect_right_order(Scatter& random, const DistanceForm& f, const DistanceForm& g,
-                        const ConvexCell& cell, int depth) {
+void expect_right_order(Scatter& random, const DistanceForm& f, const DistanceForm& g, const ConvexCell& cell,
+                        int depth) {
   if (cell.corners().size() < 3) return;
   const Comparison c = compare(f, g, cell);
   if (c.kind == Comparison::Kind::split_first) {
@@ -83,8 +80,8 @@ void expect_right_order(Scatter& random, const DistanceForm& f, const DistanceFo
     const Vec2 q = point_in(random, cell);
     const double difference = distance(f, q) - distance(g, q);
     if (std::abs(difference) < 1e-9 * (1 + q.norm())) continue;
-    const bool is_first = c.kind == Comparison::Kind::first_nearer ||
-                          (c.kind == Comparison::Kind::curve && value(c.curve, q) < 0);
+    const bool is_first =
+        c.kind == Comparison::Kind::first_nearer || (c.kind == Comparison::Kind::curve && value(c.curve, q) < 0);
     ASSERT_EQ(is_first, difference < 0) << "at " << q.transpose() << " difference " << difference;
   }
 }
@@ -191,9 +188,7 @@ void expect_tangency(double upper_diameter) {
   EXPECT_GT(left, 1e-3 * h * h) << "no parabola";
 }
 
-TEST(Voronoi, TheParabolaIsTangentAtADiameterStep) {
-  expect_tangency(12);
-}
+TEST(Voronoi, TheParabolaIsTangentAtADiameterStep) { expect_tangency(12); }
 
 TEST(Voronoi, TheParabolaIsTangentAtTheCornerOfATaper) {
   expect_tangency(18);
@@ -212,9 +207,8 @@ TEST(Voronoi, RandomToolsHaveBisectorsOfEveryKindBesideConcaveArcsToo) {
   std::map<std::string, int> all, beside_concave;
   for (std::uint64_t seed = 0; seed < 240; ++seed) {
     const CompiledTool tool = compile_tool("", test::random_tool(seed).profile);
-    const bool is_concave = std::any_of(tool.elements.begin(), tool.elements.end(), [](const auto& e) {
-      return e.kind == ElementKind::arc && e.is_reflex;
-    });
+    const bool is_concave = std::any_of(tool.elements.begin(), tool.elements.end(),
+                                        [](const auto& e) { return e.kind == ElementKind::arc && e.is_reflex; });
     for (const BspNode& node : tool.nodes) ++(is_concave ? beside_concave : all)[kind_of(node)];
   }
   for (const char* kind : {"line", "circle", "parabola", "ellipse", "hyperbola"}) {

@@ -14,13 +14,9 @@ using enum Dimension;
 // Files round to a few decimals, in inches too; beyond this two numbers say different things.
 constexpr double kAgree_mm = 5e-3;
 
-double radians(double degrees) {
-  return degrees * (std::numbers::pi / 180);
-}
+double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
-Diagnostic contradiction(const std::string& message) {
-  return make_warning("import-contradiction", message);
-}
+Diagnostic contradiction(const std::string& message) { return make_warning("import-contradiction", message); }
 
 class CutterMaker {
  public:
@@ -91,15 +87,13 @@ class CutterMaker {
 
   CatalogueCutter flat() {
     if (at(corner_radius) > kAgree_mm)
-      notes_.push_back(
-          contradiction(d_.text(corner_radius) +
-                        " on a flat end mill; built with a sharp corner, which is the larger tool"));
+      notes_.push_back(contradiction(d_.text(corner_radius) +
+                                     " on a flat end mill; built with a sharp corner, which is the larger tool"));
     return {FlatCutter{at(diameter), at(flute_length)}, 0};
   }
 
   CatalogueCutter ball() {
-    if (d_[corner_radius] && std::abs(at(corner_radius) - at(diameter) / 2) > kAgree_mm &&
-        at(corner_radius) > 0)
+    if (d_[corner_radius] && std::abs(at(corner_radius) - at(diameter) / 2) > kAgree_mm && at(corner_radius) > 0)
       notes_.push_back(contradiction(d_.text(corner_radius) + " is not half of " + d_.text(diameter) +
                                      "; built as a ball of that diameter"));
     return {BallCutter{at(diameter), at(flute_length)}, 0};
@@ -114,17 +108,15 @@ class CutterMaker {
   // The tip diameter is never used where the other numbers already say it.
   void check_tip(double expected_mm, const std::string& believed) {
     if (!d_[tip_diameter] || std::abs(at(tip_diameter) - expected_mm) <= kAgree_mm) return;
-    notes_.push_back(contradiction(d_.text(tip_diameter) +
-                                   " does not follow from the other numbers, which give " +
+    notes_.push_back(contradiction(d_.text(tip_diameter) + " does not follow from the other numbers, which give " +
                                    mm_text(std::max(expected_mm, 0.0)) + "; built from " + believed));
   }
 
   Outcome check_taper() const {
     if (Outcome good = need(taper_angle, "taper angle"); !good) return good;
     if (at(taper_angle) > 0 && at(taper_angle) < 90) return Done{};
-    return make_error(
-        "import-field",
-        d_.text(taper_angle) + " is not possible; the angle between side and axis lies between 0 and 90");
+    return make_error("import-field",
+                      d_.text(taper_angle) + " is not possible; the angle between side and axis lies between 0 and 90");
   }
 
   Result<CatalogueCutter> tapered() {
@@ -134,11 +126,10 @@ class CutterMaker {
               "diameter, corner radius and taper angle");
     const double top = at(diameter) + 2 * at(flute_length) * std::tan(beta);
     if (at(shoulder_diameter) > 0 && std::abs(at(shoulder_diameter) - top) > kAgree_mm)
-      notes_.push_back(contradiction(d_.text(shoulder_diameter) + ", but a side leaning " +
-                                     d_.text(taper_angle) + " from the axis is " + mm_text(top) +
+      notes_.push_back(contradiction(d_.text(shoulder_diameter) + ", but a side leaning " + d_.text(taper_angle) +
+                                     " from the axis is " + mm_text(top) +
                                      " wide at the top of the flutes; built with that angle"));
-    if (r > 0)
-      return CatalogueCutter{AptCutter{at(diameter), r, 0, 0, 0, at(taper_angle), at(flute_length)}, 0};
+    if (r > 0) return CatalogueCutter{AptCutter{at(diameter), r, 0, 0, 0, at(taper_angle), at(flute_length)}, 0};
     return CatalogueCutter{TaperedCutter{at(diameter), 0, at(taper_angle), at(flute_length)}, 0};
   }
 
@@ -161,20 +152,18 @@ class CutterMaker {
       return make_error("import-field", d_.text(tip_diameter) + " is not less than " + d_.text(diameter) +
                                             "; the diameter of a chamfer mill is its largest");
     if (at(corner_radius) > kAgree_mm)
-      notes_.push_back(
-          contradiction(d_.text(corner_radius) +
-                        " at the tip is left out; built with a sharp corner, which is the larger tool"));
+      notes_.push_back(contradiction(d_.text(corner_radius) +
+                                     " at the tip is left out; built with a sharp corner, which is the larger tool"));
     const double cone_mm = (d - tip) / 2 / std::tan(radians(half));
     double flutes_mm = at(flute_length);
     if (flutes_mm < cone_mm - kAgree_mm) {
       const std::string cone = d_.text(diameter) + " at z = " + mm_text(cone_mm);
       if (d_[flute_length])
-        notes_.push_back(contradiction(d_.text(flute_length) +
-                                       " ends below the top of the cone, which reaches " + cone +
-                                       "; built up to there"));
+        notes_.push_back(contradiction(d_.text(flute_length) + " ends below the top of the cone, which reaches " +
+                                       cone + "; built up to there"));
       else
-        notes_.push_back(make_note(
-            "import-guess", "no flute length is given; the flutes end where the cone reaches " + cone));
+        notes_.push_back(
+            make_note("import-guess", "no flute length is given; the flutes end where the cone reaches " + cone));
       flutes_mm = cone_mm;
     }
     if (flutes_mm <= cone_mm + kAgree_mm) flutes_mm = 0;
@@ -185,8 +174,8 @@ class CutterMaker {
     if (Outcome good = need(point_angle, "point angle"); !good) return good.error();
     const double sigma = at(point_angle);
     if (!(sigma > 0 && sigma <= 180))
-      return make_error("import-field", d_.text(point_angle) +
-                                            " is not possible; the angle of a point lies between 0 and 180");
+      return make_error("import-field",
+                        d_.text(point_angle) + " is not possible; the angle of a point lies between 0 and 180");
     return CatalogueCutter{DrillCutter{at(diameter), sigma, at(flute_length)}, 0};
   }
 
@@ -194,19 +183,17 @@ class CutterMaker {
     const bool is_wider = at(largest_diameter) > at(diameter) + kAgree_mm;
     if (!(at(taper_angle) > 0)) {
       if (is_wider)
-        return make_error("import-field", d_.text(largest_diameter) + " is greater than " +
-                                              d_.text(diameter) +
+        return make_error("import-field", d_.text(largest_diameter) + " is greater than " + d_.text(diameter) +
                                               ", but the file gives no angle of the edge between them");
       return at(corner_radius) > 0 ? bull_nose() : Result<CatalogueCutter>(flat());
     }
     if (is_wider)
-      return CatalogueCutter{FaceMillCutter{at(diameter), at(corner_radius), at(taper_angle),
-                                            at(largest_diameter), 0, 0, at(flute_length)},
+      return CatalogueCutter{FaceMillCutter{at(diameter), at(corner_radius), at(taper_angle), at(largest_diameter), 0,
+                                            0, at(flute_length)},
                              0};
     notes_.push_back(make_note("import-guess", "no largest diameter is given; the edge is taken to lean by " +
                                                    d_.text(taper_angle) + " up to the top of the flutes"));
-    return CatalogueCutter{
-        AptCutter{at(diameter), at(corner_radius), 0, 0, 0, at(taper_angle), at(flute_length)}, 0};
+    return CatalogueCutter{AptCutter{at(diameter), at(corner_radius), 0, 0, 0, at(taper_angle), at(flute_length)}, 0};
   }
 
   CatalogueCutter full() {
@@ -221,8 +208,7 @@ class CutterMaker {
       return flat();
     }
     return CatalogueCutter{
-        AptCutter{at(diameter), at(corner_radius), 0, 0, at(bottom_angle), at(taper_angle), at(flute_length)},
-        0};
+        AptCutter{at(diameter), at(corner_radius), 0, 0, at(bottom_angle), at(taper_angle), at(flute_length)}, 0};
   }
 
   const Dimensions& d_;
@@ -231,8 +217,7 @@ class CutterMaker {
 
 }  // namespace
 
-Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape, const Dimensions& dimensions,
-                                              Diagnostics& notes) {
+Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape, const Dimensions& dimensions, Diagnostics& notes) {
   return CutterMaker(dimensions, notes).make(shape);
 }
 

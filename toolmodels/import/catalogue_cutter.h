@@ -42,7 +42,7 @@ struct CatalogueCutter {
 
 /// Errors   import-field, and those of make_cutter_profile; without the tool's name, which the caller knows.
 /// Notes    import-contradiction, import-guess.
-[[nodiscard]] Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape,
-                                                            const Dimensions& dimensions, Diagnostics& notes);
+[[nodiscard]] Result<CatalogueCutter> make_catalogue_cutter(CatalogueShape shape, const Dimensions& dimensions,
+                                                            Diagnostics& notes);
 
 }  // namespace gouge

@@ -12,9 +12,7 @@ using SegmentShape = ProfilePoint::SegmentShape;
 
 constexpr double kAgree_mm = 5e-3;  // files round to a few decimals
 
-double radians(double degrees) {
-  return degrees * (std::numbers::pi / 180);
-}
+double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
 
 class SpecialMaker {
  public:
@@ -51,20 +49,15 @@ class SpecialMaker {
   Outcome need(std::initializer_list<std::pair<Dimension, const char*>> dimensions) const {
     for (const auto& [dimension, what] : dimensions)
       if (!(at(dimension) > 0))
-        return make_error("import-field",
-                          std::string("the file gives no ") + what + "; this shape needs one");
+        return make_error("import-field", std::string("the file gives no ") + what + "; this shape needs one");
     return Done{};
   }
 
   void guess(const std::string& message) { notes_.push_back(make_note("import-guess", message)); }
-  void contradiction(const std::string& message) {
-    notes_.push_back(make_warning("import-contradiction", message));
-  }
+  void contradiction(const std::string& message) { notes_.push_back(make_warning("import-contradiction", message)); }
 
   // Both names for the corner at the tip.
-  [[nodiscard]] double lower_corner() const {
-    return at(lower_radius) > 0 ? at(lower_radius) : at(corner_radius);
-  }
+  [[nodiscard]] double lower_corner() const { return at(lower_radius) > 0 ? at(lower_radius) : at(corner_radius); }
 
   void check_neck(double expected_mm, const std::string& follows_from) {
     if (!(at(shoulder_diameter) > 0) || std::abs(at(shoulder_diameter) - expected_mm) <= kAgree_mm) return;
@@ -86,8 +79,7 @@ class SpecialMaker {
 
   // The diameter is that of the bottom; a whole angle in place of the half one shows in the neck.
   Result<Cutter> dovetail() {
-    if (Outcome good = need({{flute_length, "flute length"}, {taper_angle, "taper angle"}}); !good)
-      return good.error();
+    if (Outcome good = need({{flute_length, "flute length"}, {taper_angle, "taper angle"}}); !good) return good.error();
     check_neck(at(diameter) - 2 * at(flute_length) * std::tan(radians(at(taper_angle))),
                d_.text(diameter) + ", " + d_.text(flute_length) + " and a side leaning inward by " +
                    degrees_text(at(taper_angle)));
@@ -104,15 +96,13 @@ class SpecialMaker {
     if (Outcome good = need({{neck, "neck diameter"}}); !good) return good.error();
     if (flutes > 0)
       guess(d_.text(flute_length) +
-            " does not end within the upper half of the ball; the ball is taken to end at the neck, " +
-            d_.text(neck));
+            " does not end within the upper half of the ball; the ball is taken to end at the neck, " + d_.text(neck));
     return Cutter(LollipopCutter{at(diameter), at(neck), 0});
   }
 
   // The diameter is that of the small end.
   Result<Cutter> radius() {
-    if (Outcome good = need({{flute_length, "flute length"}, {corner_radius, "radius"}}); !good)
-      return good.error();
+    if (Outcome good = need({{flute_length, "flute length"}, {corner_radius, "radius"}}); !good) return good.error();
     check_neck(at(diameter) + 2 * at(corner_radius), d_.text(diameter) + " and " + d_.text(corner_radius));
     return Cutter(RadiusCutter{at(diameter), at(tip_length), at(corner_radius), 0, at(flute_length)});
   }
@@ -138,16 +128,15 @@ class SpecialMaker {
   }
 
   Result<Cutter> barrel() {
-    if (Outcome good = need({{flute_length, "flute length"},
-                             {profile_radius, "profile radius"},
-                             {axial_distance, "axial distance"}});
+    if (Outcome good = need(
+            {{flute_length, "flute length"}, {profile_radius, "profile radius"}, {axial_distance, "axial distance"}});
         !good)
       return good.error();
     if (at(upper_radius) > 0)
       guess(d_.text(upper_radius) +
             " at the top of the flank is left out; built with a sharp corner, which is the larger tool");
-    return Cutter(BarrelCutter{at(diameter), at(profile_radius), lower_corner(), 0, at(axial_distance),
-                               at(flute_length)});
+    return Cutter(
+        BarrelCutter{at(diameter), at(profile_radius), lower_corner(), 0, at(axial_distance), at(flute_length)});
   }
 
   // Some files leave the tip's radius out; the flutes end where the flank touches the diameter, which gives
@@ -185,9 +174,8 @@ class SpecialMaker {
   // Tip and upper arc lie where a straight flank of the taper angle would touch them; the flank's arc touches
   // both.
   Result<Cutter> taper_segment() {
-    if (Outcome good = need({{flute_length, "flute length"},
-                             {profile_radius, "profile radius"},
-                             {taper_angle, "taper angle"}});
+    if (Outcome good =
+            need({{flute_length, "flute length"}, {profile_radius, "profile radius"}, {taper_angle, "taper angle"}});
         !good)
       return good.error();
     const double r1 = lower_corner(), r2 = at(upper_radius), big = at(profile_radius);
@@ -209,8 +197,7 @@ class SpecialMaker {
     if (at(flute_length) < c2.y() - 0.01)
       contradiction(d_.text(flute_length) + " ends below the upper end of the flank at " + mm_text(c2.y()) +
                     "; built up to there");
-    guess("the flank is taken to touch tip and upper end as a straight one leaning " + d_.text(taper_angle) +
-          " would");
+    guess("the flank is taken to touch tip and upper end as a straight one leaning " + d_.text(taper_angle) + " would");
     ProfileCutter made{{{SegmentShape::straight, 0, 0, 0}}};
     if (c1.x() > 0) made.points.push_back({SegmentShape::straight, c1.x(), 0, 0});
     if (r1 > 0) made.points.push_back({SegmentShape::convex, t1.x(), t1.y(), r1});

@@ -10,13 +10,9 @@ using enum Dimension;
 // Lengths that differ by less are the same, rounded differently.
 constexpr double kSame_mm = 1e-4;
 
-Diagnostic guess(const std::string& message) {
-  return make_note("import-guess", message);
-}
+Diagnostic guess(const std::string& message) { return make_note("import-guess", message); }
 
-Diagnostic field(const std::string& message) {
-  return make_error("import-field", message);
-}
+Diagnostic field(const std::string& message) { return make_error("import-field", message); }
 
 // Where the holder begins, above the tip.
 struct Stickout {
@@ -28,16 +24,13 @@ Result<Stickout> find_stickout(const CatalogueTool& tool, const ImportOptions& o
                                Diagnostics& notes) {
   const Dimensions& d = tool.dimensions;
   if (d.value_or(body_length, 0) > 0) return Stickout{d[body_length]->value, d.text(body_length)};
-  if (options.stickout_mm)
-    return Stickout{*options.stickout_mm, "--stickout " + mm_text(*options.stickout_mm)};
+  if (options.stickout_mm) return Stickout{*options.stickout_mm, "--stickout " + mm_text(*options.stickout_mm)};
   if (has_holder)
     return make_error("import-stickout",
-                      "has a holder, but the file does not say how far the tool stands out of "
-                      "it; give --stickout");
+                      "has a holder, but the file does not say how far the tool stands out of it; give --stickout");
   const Dimension known = d.value_or(overall_length, 0) > 0 ? overall_length : flute_length;
   if (!d[known]) return field("the file gives no length of the tool; it needs one");
-  notes.push_back(
-      guess("no length below the holder is given; drawn up to " + d.text(known) + ", without a holder"));
+  notes.push_back(guess("no length below the holder is given; drawn up to " + d.text(known) + ", without a holder"));
   return Stickout{d[known]->value, d.text(known)};
 }
 
@@ -101,8 +94,7 @@ class ShankBuilder {
     for (std::size_t i = 0; i < tool_.shaft.size(); ++i) {
       const ToolSegment& s = tool_.shaft[i];
       if (!(s.length_mm > 0 && s.lower_diameter_mm > 0 && s.upper_diameter_mm > 0))
-        return field("shaft segment " + std::to_string(i + 1) +
-                     " has a length or a diameter that is not above 0");
+        return field("shaft segment " + std::to_string(i + 1) + " has a length or a diameter that is not above 0");
       const double room = stickout.length_mm - z_;
       if (room <= kSame_mm) {
         notes_.push_back(
@@ -123,8 +115,7 @@ class ShankBuilder {
     double width = tool_.dimensions.value_or(shank_diameter, 0);
     if (!(width > 0)) {
       width = diameter_;
-      notes_.push_back(
-          guess("no shank diameter is given; taken as " + mm_text(width) + ", as wide as below"));
+      notes_.push_back(guess("no shank diameter is given; taken as " + mm_text(width) + ", as wide as below"));
     }
     push({width, width, room});
   }
@@ -138,14 +129,12 @@ class ShankBuilder {
 
 }  // namespace
 
-Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& tool, const ImportOptions& options,
-                                         Diagnostics& notes) {
+Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& tool, const ImportOptions& options, Diagnostics& notes) {
   ToolAssembly made;
   made.number = tool.number;
   made.name = tool.name;
   made.holder = tool.holder.empty() ? options.holder : tool.holder;
-  const Result<CatalogueCutter> cutter =
-      make_catalogue_cutter(tool.shape, with_taper(tool.dimensions), notes);
+  const Result<CatalogueCutter> cutter = make_catalogue_cutter(tool.shape, with_taper(tool.dimensions), notes);
   if (!cutter) return cutter.error();
   made.cutter = cutter->cutter;
   const Result<Stickout> stickout = find_stickout(tool, options, !made.holder.empty(), notes);

@@ -36,7 +36,7 @@ struct CatalogueTool {
 /// Errors   import-field, import-shape, import-stickout, and those of make_body_profiles; none names the tool
 ///          but the last.
 /// Notes    import-contradiction, import-guess.
-[[nodiscard]] Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& tool,
-                                                       const ImportOptions& options, Diagnostics& notes);
+[[nodiscard]] Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& tool, const ImportOptions& options,
+                                                       Diagnostics& notes);
 
 }  // namespace gouge

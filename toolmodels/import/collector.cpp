@@ -41,10 +41,10 @@ void Collector::assign_number(ToolAssembly& tool, std::size_t line) {
   tool.number.reset();
   if (tool.name.empty()) tool.name = "tool at position " + std::to_string(made_.library.tools.size() + 1);
   report(who,
-       make_warning("import-number", "number " + std::to_string(number) +
-                                         " is already taken; this tool is imported without number, as \"" +
-                                         tool.name + "\""),
-       line);
+         make_warning("import-number", "number " + std::to_string(number) +
+                                           " is already taken; this tool is imported without number, as \"" +
+                                           tool.name + "\""),
+         line);
 }
 
 void Collector::report_of(const CatalogueTool& tool, const std::string& who, Diagnostic diagnostic) {
@@ -73,16 +73,14 @@ void Collector::add(CatalogueTool tool) {
 void Collector::add_holder(NamedHolder holder, LengthUnit unit, std::size_t line) {
   const std::string who = "holder \"" + holder.name + "\"";
   const ToolAssembly probe{std::nullopt, holder.name, FlatCutter{1, 1}, {}, holder.segments};
-  if (const Result<BodyProfiles> bodies = make_body_profiles(probe); !bodies)
-    return report(who, bodies.error(), line);
+  if (const Result<BodyProfiles> bodies = make_body_profiles(probe); !bodies) return report(who, bodies.error(), line);
   is_all_inch_ = is_all_inch_ && unit == LengthUnit::inch;
   made_.library.holders.push_back(std::move(holder));
 }
 
 ImportedTools Collector::finish() {
   const bool is_empty = made_.library.tools.empty() && made_.library.holders.empty();
-  if (is_empty)
-    made_.notes.push_back(make_error("import-empty", "no tool of this file could be imported", file()));
+  if (is_empty) made_.notes.push_back(make_error("import-empty", "no tool of this file could be imported", file()));
   made_.library.unit = is_all_inch_ && !is_empty ? LengthUnit::inch : LengthUnit::mm;
   return std::move(made_);
 }

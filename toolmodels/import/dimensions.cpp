@@ -62,12 +62,8 @@ std::string rounded(double value) {
 
 }  // namespace
 
-std::string mm_text(double value_mm) {
-  return rounded(value_mm) + " mm";
-}
+std::string mm_text(double value_mm) { return rounded(value_mm) + " mm"; }
 
-std::string degrees_text(double value_deg) {
-  return rounded(value_deg) + " degrees";
-}
+std::string degrees_text(double value_deg) { return rounded(value_deg) + " degrees"; }
 
 }  // namespace gouge

@@ -46,9 +46,7 @@ struct Given {
 
 class Dimensions {
  public:
-  void set(Dimension dimension, double value, std::string key) {
-    slot(dimension) = Given{value, std::move(key)};
-  }
+  void set(Dimension dimension, double value, std::string key) { slot(dimension) = Given{value, std::move(key)}; }
   [[nodiscard]] const std::optional<Given>& operator[](Dimension dimension) const {
     return given_[static_cast<std::size_t>(dimension)];
   }

@@ -107,7 +107,7 @@ class BitImporter {
       const std::optional<Parameter> parameter = parameter_of(key);
       if (!parameter && key != "FlatRadius" && key != "NeckHeight") {
         report(make_note("import-left-out", "has a parameter \"" + clean_text(key) +
-                                              "\" that has no meaning for this shape here and was left out"));
+                                                "\" that has no meaning for this shape here and was left out"));
         continue;
       }
       const bool angle = parameter && is_angle(parameter->dimension);
@@ -134,10 +134,9 @@ class BitImporter {
   // tip diameter is labelled as a height, and used for neither.
   void report_dovetail_angle(Dimensions& d) {
     if (!d[Dimension::taper_angle]) return;
-    report(make_warning("import-guess",
-                      d.text(Dimension::taper_angle) +
-                          " is taken between side and axis; if the angle of your dovetail is counted from "
-                          "its bottom, correct taper_angle"));
+    report(make_warning("import-guess", d.text(Dimension::taper_angle) +
+                                            " is taken between side and axis; if the angle of your "
+                                            "dovetail is counted from its bottom, correct taper_angle"));
   }
 
   // Files of old versions give a bull nose the radius of its flat instead of its corner's.
@@ -152,7 +151,7 @@ class BitImporter {
     if (quantity.unit == QuantityUnit::inch) has_inch_ = true;
     if (quantity.has_decimal_comma)
       report(make_note("import-guess", key + " has a comma; read as a decimal comma, " +
-                                         (angle ? degrees_text(quantity.value) : mm_text(quantity.value))));
+                                           (angle ? degrees_text(quantity.value) : mm_text(quantity.value))));
     if (quantity.unit == QuantityUnit::none && !angle) {
       has_mm_ = true;
       report(make_note("import-guess", key + " has no unit; taken as " + mm_text(quantity.value)));
@@ -174,8 +173,7 @@ class BitImporter {
 };
 
 bool is_bit(const Json& root) {
-  return root.is_object() && root.contains("parameter") &&
-         (root.contains("shape") || root.contains("shape-type"));
+  return root.is_object() && root.contains("parameter") && (root.contains("shape") || root.contains("shape-type"));
 }
 
 // A library may not send us anywhere but down its own folder.
@@ -189,9 +187,7 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
   const std::string path = entry.is_object() ? detail::text_of(entry, "path") : std::string();
   if (!stays_below(path))
     return collector.report(
-        who,
-        make_error("import-field",
-                   "path is \"" + path + "\"; expected the name of a file beside the library"),
+        who, make_error("import-field", "path is \"" + path + "\"; expected the name of a file beside the library"),
         line);
   std::optional<int> number;
   if (const auto found = entry.find("nr"); found != entry.end() && found->is_number_integer())
@@ -200,8 +196,7 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
     return collector.report(who, make_error("import-field", path + " cannot be read from here"), line);
   const Result<std::string> bytes = collector.options().read_beside(path);
   if (!bytes) return collector.report(who, bytes.error(), line);
-  const Result<detail::JsonFile> bit =
-      detail::parse_json(path, *bytes, detail::imported_kind("a FreeCAD tool bit"));
+  const Result<detail::JsonFile> bit = detail::parse_json(path, *bytes, detail::imported_kind("a FreeCAD tool bit"));
   if (!bit) return collector.report(who, bit.error(), line);
   if (!is_bit(bit->root))
     return collector.report(who, make_error("import-format", "this is no FreeCAD tool bit", path), line);
@@ -210,8 +205,7 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
 
 }  // namespace
 
-Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes,
-                                     const ImportOptions& options) {
+Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes, const ImportOptions& options) {
   const Result<detail::JsonFile> json =
       detail::parse_json(file, bytes, detail::imported_kind("a FreeCAD tool bit or library"));
   if (!json) return json.error();
@@ -222,10 +216,9 @@ Result<ImportedTools> import_freecad(const std::string& file, std::string_view b
   }
   const auto tools = json->root.find("tools");
   if (tools == json->root.end() || !tools->is_array())
-    return make_error("import-format",
-                      "expected a FreeCAD tool bit (with \"shape\" and \"parameter\") or a library "
-                      "(with a list \"tools\")",
-                      file);
+    return make_error(
+        "import-format",
+        "expected a FreeCAD tool bit (with \"shape\" and \"parameter\") or a library (with a list \"tools\")", file);
   for (std::size_t i = 0; i < tools->size(); ++i)
     read_listed(collector, (*tools)[i], "tool at position " + std::to_string(i + 1),
                 json->lines.at("/tools/" + std::to_string(i)));

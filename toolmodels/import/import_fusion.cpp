@@ -65,14 +65,13 @@ bool is_not_contour(const std::string& key) {
 
 class FusionImporter {
  public:
-  FusionImporter(Collector& collector, const detail::JsonLines& lines)
-      : collector_(collector), lines_(lines) {}
+  FusionImporter(Collector& collector, const detail::JsonLines& lines) : collector_(collector), lines_(lines) {}
 
   void entry(const Json& entry, const std::string& pointer, std::size_t position) {
     if (!entry.is_object())
       return collector_.report("entry " + std::to_string(position),
-                             make_error("import-field", "is no object; expected a tool or a holder"),
-                             lines_.at(pointer));
+                               make_error("import-field", "is no object; expected a tool or a holder"),
+                               lines_.at(pointer));
     CatalogueTool tool;
     tool.line = lines_.at(pointer);
     tool.name = text_of_first(entry, {"description", "product-id", "guid"});
@@ -105,8 +104,7 @@ class FusionImporter {
     const Result<std::vector<ToolSegment>> segments = read_segments(entry, "holder", *unit);
     if (!segments) return collector_.report(who_, segments.error(), line_);
     if (segments->empty())
-      return collector_.report(who_, make_error("import-field", "has no segments; it needs at least one"),
-                             line_);
+      return collector_.report(who_, make_error("import-field", "has no segments; it needs at least one"), line_);
     check_gauge_length(entry, *segments, *unit);
     collector_.add_holder({tool.name, *segments}, *unit, line_);
   }
@@ -115,8 +113,7 @@ class FusionImporter {
     const auto post = entry.find("post-process");
     if (post == entry.end() || !post->is_object()) return;
     const auto number = post->find("number");
-    if (number != post->end() && number->is_number_integer())
-      tool.number = tool_number(number->get<std::int64_t>());
+    if (number != post->end() && number->is_number_integer()) tool.number = tool_number(number->get<std::int64_t>());
   }
 
   static Result<LengthUnit> unit_of(const Json& entry, std::optional<LengthUnit> otherwise) {
@@ -165,19 +162,17 @@ class FusionImporter {
       std::optional<Dimension> dimension = catalogue_dimension(key);
       if (!dimension) {
         if (!is_not_contour(key))
-          report(make_note("import-left-out",
-                         "geometry has a key \"" + clean_text(key) +
-                             "\" that has no meaning for this shape here and was left out"));
+          report(make_note("import-left-out", "geometry has a key \"" + clean_text(key) +
+                                                  "\" that has no meaning for this shape here and was left out"));
         continue;
       }
-      const Result<std::optional<Quantity>> quantity =
-          detail::quantity_of(value, key, tool.unit, is_angle(*dimension));
+      const Result<std::optional<Quantity>> quantity = detail::quantity_of(value, key, tool.unit, is_angle(*dimension));
       if (!quantity) return quantity.error();
       if (!*quantity) continue;
       if (const std::optional<Given>& before = tool.dimensions[*dimension];
           before && std::abs(before->value - (*quantity)->value) > kAgree_mm)
-        return make_error("import-field", key + " and " + before->key +
-                                              " are two names of one dimension, but have different values");
+        return make_error("import-field",
+                          key + " and " + before->key + " are two names of one dimension, but have different values");
       tool.dimensions.set(*dimension, (*quantity)->value, key);
     }
     if (tool.shape == CatalogueShape::chamfer) take_half_of_point_angle(tool.dimensions);
@@ -192,8 +187,7 @@ class FusionImporter {
     d.set(Dimension::taper_angle, point.value / 2, "half of " + point.key);
   }
 
-  static Result<std::vector<ToolSegment>> read_segments(const Json& owner, const std::string& what,
-                                                        LengthUnit unit) {
+  static Result<std::vector<ToolSegment>> read_segments(const Json& owner, const std::string& what, LengthUnit unit) {
     std::vector<ToolSegment> segments;
     const auto list = owner.find("segments");
     if (list == owner.end() || list->is_null()) return segments;
@@ -207,8 +201,7 @@ class FusionImporter {
         const auto found = segment.is_object() ? segment.find(keys[k]) : segment.end();
         if (found == segment.end())
           return make_error("import-field", which + "has no \"" + keys[k] + "\"; it needs one");
-        const Result<std::optional<Quantity>> quantity =
-            detail::quantity_of(*found, which + keys[k], unit, false);
+        const Result<std::optional<Quantity>> quantity = detail::quantity_of(*found, which + keys[k], unit, false);
         if (!quantity) return quantity.error();
         if (!*quantity || !((*quantity)->value > 0))
           return make_error("import-field", which + keys[k] + " is not above 0");
@@ -228,12 +221,12 @@ class FusionImporter {
     for (const ToolSegment& s : segments) total_mm += s.length_mm;
     const std::string gauge = "gaugeLength " + mm_text(gauge_mm);
     if (gauge_mm > total_mm + kAgree_mm)
-      report(make_warning("import-contradiction",
-                        gauge + " is more than the holder's segments together, " + mm_text(total_mm) +
-                            "; the part of the holder above them is not in the file"));
+      report(make_warning("import-contradiction", gauge + " is more than the holder's segments together, " +
+                                                      mm_text(total_mm) +
+                                                      "; the part of the holder above them is not in the file"));
     else if (gauge_mm > 0 && gauge_mm < total_mm - kAgree_mm)
       report(make_note("import-guess", "the holder's segments reach " + mm_text(total_mm - gauge_mm) +
-                                         " above the gauge line; they are kept"));
+                                           " above the gauge line; they are kept"));
     return gauge_mm;
   }
 
@@ -244,9 +237,8 @@ class FusionImporter {
     const double assembly_mm = found->get<double>() * mm_per(tool.unit);
     if (!(assembly_mm > 0) || std::abs(assembly_mm - body_mm - gauge_mm) <= kAgree_mm) return;
     report(make_warning("import-contradiction", "assemblyGaugeLength " + mm_text(assembly_mm) + " is not " +
-                                                  tool.dimensions.text(Dimension::body_length) +
-                                                  " and gaugeLength " + mm_text(gauge_mm) +
-                                                  " together; built from these two"));
+                                                    tool.dimensions.text(Dimension::body_length) + " and gaugeLength " +
+                                                    mm_text(gauge_mm) + " together; built from these two"));
   }
 
   void report(const Diagnostic& diagnostic) { collector_.report(who_, diagnostic, line_); }
@@ -259,8 +251,7 @@ class FusionImporter {
 
 }  // namespace
 
-Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes,
-                                    const ImportOptions& options) {
+Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes, const ImportOptions& options) {
   std::string unzipped;
   if (is_zip(bytes)) {
     Result<std::string> content = unzip_first(file, bytes, ".json");
@@ -268,17 +259,14 @@ Result<ImportedTools> import_fusion(const std::string& file, std::string_view by
     unzipped = std::move(*content);
     bytes = unzipped;
   }
-  const Result<detail::JsonFile> json =
-      detail::parse_json(file, bytes, detail::imported_kind("a Fusion tool library"));
+  const Result<detail::JsonFile> json = detail::parse_json(file, bytes, detail::imported_kind("a Fusion tool library"));
   if (!json) return json.error();
   const auto data = json->root.find("data");
   if (data == json->root.end() || !data->is_array())
-    return make_error("import-format", "this JSON has no list \"data\"; expected a Fusion tool library",
-                      file);
+    return make_error("import-format", "this JSON has no list \"data\"; expected a Fusion tool library", file);
   Collector collector(file, options);
   FusionImporter importer(collector, json->lines);
-  for (std::size_t i = 0; i < data->size(); ++i)
-    importer.entry((*data)[i], "/data/" + std::to_string(i), i + 1);
+  for (std::size_t i = 0; i < data->size(); ++i) importer.entry((*data)[i], "/data/" + std::to_string(i), i + 1);
   return collector.finish();
 }
 

@@ -125,14 +125,14 @@ class DatabaseReader {
     const Fields fields = split_bars(data_);
     const std::size_t line = std::exchange(data_line_, 0);
     if (class_.empty() || format_.empty())
-      return collector_.report(
-          "row", make_error("import-field", "a DATA row stands outside of a #CLASS with a FORMAT"), line);
+      return collector_.report("row", make_error("import-field", "a DATA row stands outside of a #CLASS with a FORMAT"),
+                               line);
     if (fields.size() > format_.size())
-      return collector_.report("row \"" + fields.front() + "\"",
-                             make_error("import-field", "has " + std::to_string(fields.size()) +
-                                                            " values, but its FORMAT names " +
-                                                            std::to_string(format_.size()) + " fields"),
-                             line);
+      return collector_.report(
+          "row \"" + fields.front() + "\"",
+          make_error("import-field", "has " + std::to_string(fields.size()) + " values, but its FORMAT names " +
+                                         std::to_string(format_.size()) + " fields"),
+          line);
     Row row{class_, {}, line};
     for (std::size_t i = 0; i < fields.size(); ++i) row.values.emplace(format_[i], fields[i]);
     rows_.push_back(std::move(row));
@@ -161,8 +161,7 @@ std::optional<Dimension> dimension_of(const std::string& field, CatalogueShape s
 
 class RowImporter {
  public:
-  RowImporter(Collector& collector, const Row& row, LengthUnit unit)
-      : collector_(collector), row_(row), unit_(unit) {
+  RowImporter(Collector& collector, const Row& row, LengthUnit unit) : collector_(collector), row_(row), unit_(unit) {
     tool_.line = row.line;
     tool_.unit = unit;
     tool_.name = text("LIBRF");
@@ -181,9 +180,9 @@ class RowImporter {
     if (!text("HLDREF").empty() && text("HLDREF") != "0")
       collector_.report(
           who_,
-          make_warning("import-left-out", "its holder \"" + text("HLDREF") +
-                                              "\" stands in another file (holder_database.dat) and was "
-                                              "left out; give one with --holder"),
+          make_warning("import-left-out",
+                       "its holder \"" + text("HLDREF") +
+                           "\" stands in another file (holder_database.dat) and was left out; give one with --holder"),
           row_.line);
     collector_.add(std::move(tool_));
   }
@@ -235,19 +234,18 @@ class RowImporter {
     if (!(height > 0)) return Done{};
     Dimensions& d = tool_.dimensions;
     if (d.value_or(Dimension::flute_length, 0) > height + 1e-4)
-      return make_error("import-field", d.text(Dimension::flute_length) + " is greater than HEI " +
-                                            mm_text(height) + "; the flutes cannot be longer than the tool");
+      return make_error("import-field", d.text(Dimension::flute_length) + " is greater than HEI " + mm_text(height) +
+                                            "; the flutes cannot be longer than the tool");
     d.set(Dimension::shoulder_length, height, "HEI");
     const bool has_shank = shank_diameter > 0 && shank_length > 0;
-    d.set(Dimension::overall_length, height + (has_shank ? shank_length : 0),
-          has_shank ? "HEI + TSLEN" : "HEI");
+    d.set(Dimension::overall_length, height + (has_shank ? shank_length : 0), has_shank ? "HEI + TSLEN" : "HEI");
     if (has_shank) {
       add_shank(shank_diameter, shank_length, std::min(taper_length, shank_length));
-      collector_.report(who_,
-                      make_note("import-guess", "the shank of TSDIA " + mm_text(shank_diameter) +
-                                                    " and TSLEN " + mm_text(shank_length) +
-                                                    " is taken to stand on HEI " + mm_text(height)),
-                      row_.line);
+      collector_.report(
+          who_,
+          make_note("import-guess", "the shank of TSDIA " + mm_text(shank_diameter) + " and TSLEN " +
+                                        mm_text(shank_length) + " is taken to stand on HEI " + mm_text(height)),
+          row_.line);
     }
     if (offset > 0)
       d.set(Dimension::body_length, d[Dimension::overall_length]->value - offset,
@@ -276,29 +274,27 @@ Result<LengthUnit> unit_of(const std::string& file, const ImportOptions& options
   if (has_folder("metric")) return LengthUnit::mm;
   if (has_folder("english")) return LengthUnit::inch;
   return make_error("import-unit",
-                    "this format does not say its unit, and the file is in no folder named metric or "
-                    "english; give --unit mm or --unit inch",
+                    "this format does not say its unit, and the file is in no folder named metric or english; give "
+                    "--unit mm or --unit inch",
                     file);
 }
 
 }  // namespace
 
-Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
-                                const ImportOptions& options) {
+Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes, const ImportOptions& options) {
   Collector collector(file, options);
   DatabaseReader reader(collector);
   const std::vector<Row> rows = reader.read(bytes);
   if (!reader.has_class())
-    return make_error("import-format", "there is no #CLASS in this file; expected an NX tool_database.dat",
-                      file);
+    return make_error("import-format", "there is no #CLASS in this file; expected an NX tool_database.dat", file);
   const Result<LengthUnit> unit = unit_of(file, options);
   if (!unit) return unit.error();
   if (!options.unit)
-    collector.report("the library",
-                   make_note("import-guess", std::string("lengths are taken in ") +
-                                                 (*unit == LengthUnit::mm ? "mm" : "inches") +
-                                                 ", after the folder the file is in"),
-                   0);
+    collector.report(
+        "the library",
+        make_note("import-guess", std::string("lengths are taken in ") + (*unit == LengthUnit::mm ? "mm" : "inches") +
+                                      ", after the folder the file is in"),
+        0);
   for (const Row& row : rows) RowImporter(collector, row, *unit).read();
   return collector.finish();
 }

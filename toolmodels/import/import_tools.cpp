@@ -7,9 +7,7 @@
 namespace gouge {
 namespace {
 
-bool has_key(const nlohmann::json& root, const char* key) {
-  return root.is_object() && root.contains(key);
-}
+bool has_key(const nlohmann::json& root, const char* key) { return root.is_object() && root.contains(key); }
 
 bool has_class_line(std::string_view text) {
   for (std::size_t at = text.find("#CLASS"); at != std::string_view::npos; at = text.find("#CLASS", at + 1))
@@ -34,9 +32,7 @@ std::optional<ImportFormat> format_of(const nlohmann::json& root) {
   return std::nullopt;
 }
 
-detail::JsonKind any_library() {
-  return detail::imported_kind("a tool library of Fusion or FreeCAD");
-}
+detail::JsonKind any_library() { return detail::imported_kind("a tool library of Fusion or FreeCAD"); }
 
 }  // namespace
 
@@ -47,8 +43,8 @@ std::optional<ImportFormat> recognise_format(std::string_view bytes) {
   return json ? format_of(json->root) : std::nullopt;
 }
 
-Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes,
-                                   std::optional<ImportFormat> format, const ImportOptions& options) {
+Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes, std::optional<ImportFormat> format,
+                                   const ImportOptions& options) {
   if (!format) format = recognise_format(bytes);
   if (!format && is_json(bytes)) {
     const Result<detail::JsonFile> json = detail::parse_json(file, bytes, any_library());
@@ -56,8 +52,8 @@ Result<ImportedTools> import_tools(const std::string& file, std::string_view byt
   }
   if (!format)
     return make_error("import-format",
-                      "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or "
-                      "library, nor an NX tool_database.dat; say which with --format",
+                      "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or library, nor an NX "
+                      "tool_database.dat; say which with --format",
                       file);
   switch (*format) {
     case ImportFormat::fusion:

@@ -36,10 +36,10 @@ struct ImportedTools {
 };
 
 /// Fusion library: JSON, or .tools, which is a zip of it.
-/// Errors   json-too-deep, json-too-long, import-syntax, import-duplicate-key, import-format, import-zip: the
-/// file as a whole cannot be read. What is wrong with one
-///          tool is in `notes`: import-field, import-shape, import-stickout, import-contradiction,
-///          import-number, import-guess, import-left-out, import-empty, and those of make_body_profiles.
+/// Errors   json-too-deep, json-too-long, import-syntax, import-duplicate-key, import-format, import-zip: the file as a
+///          whole cannot be read. What is wrong with one tool is in `notes`: import-field, import-shape,
+///          import-stickout, import-contradiction, import-number, import-guess, import-left-out, import-empty, and
+///          those of make_body_profiles.
 [[nodiscard]] Result<ImportedTools> import_fusion(const std::string& file, std::string_view bytes,
                                                   const ImportOptions& options);
 
@@ -58,7 +58,6 @@ struct ImportedTools {
 
 /// The importer of `format`, or of the format that is recognised. Errors: import-format, and those above.
 [[nodiscard]] Result<ImportedTools> import_tools(const std::string& file, std::string_view bytes,
-                                                 std::optional<ImportFormat> format,
-                                                 const ImportOptions& options);
+                                                 std::optional<ImportFormat> format, const ImportOptions& options);
 
 }  // namespace gouge

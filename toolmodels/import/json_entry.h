@@ -23,7 +23,8 @@ namespace gouge::detail {
 [[nodiscard]] std::string text_of(const nlohmann::json& object, const char* key);
 
 /// A number, or a text with a unit. A bare number is in mm_per(unit), or degrees when `angle`. Nothing for
-/// null. Errors   import-field, naming `key`.
+/// null.
+/// Errors   import-field, naming `key`.
 [[nodiscard]] Result<std::optional<Quantity>> quantity_of(const nlohmann::json& value, const std::string& key,
                                                           LengthUnit unit, bool angle);
 

@@ -30,9 +30,7 @@ constexpr std::array kUnits = {KnownUnit{"", QuantityUnit::none, 1},
                                KnownUnit{"\xC2\xB0", QuantityUnit::degree, 1},
                                KnownUnit{"rad", QuantityUnit::degree, kDegrees}};
 
-bool is_number_char(char c) {
-  return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '+' || c == '-';
-}
+bool is_number_char(char c) { return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '+' || c == '-'; }
 
 // Exponents only before a digit or sign: the e of "6e-1 mm", never of a unit.
 std::size_t number_end(std::string_view text) {
@@ -84,8 +82,7 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   const std::size_t end = number_end(text);
   std::string digits(text.substr(0, end));
   const std::string_view word = trim_blanks(text.substr(end));
-  const auto unit =
-      std::find_if(kUnits.begin(), kUnits.end(), [&](const KnownUnit& u) { return u.word == word; });
+  const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const KnownUnit& u) { return u.word == word; });
   if (unit == kUnits.end()) return std::nullopt;
   const auto commas = std::count(digits.begin(), digits.end(), ',');
   if (commas > 1 || (commas == 1 && digits.find('.') != std::string::npos)) return std::nullopt;

@@ -19,9 +19,7 @@ struct CloseFile {
 
 using Archive = std::unique_ptr<zip_t, CloseArchive>;
 
-Diagnostic zip_error(const std::string& file, const std::string& what) {
-  return make_error("import-zip", what, file);
-}
+Diagnostic zip_error(const std::string& file, const std::string& what) { return make_error("import-zip", what, file); }
 
 Archive open_archive(std::string_view bytes) {
   zip_error_t error;
@@ -35,9 +33,7 @@ Archive open_archive(std::string_view bytes) {
 
 }  // namespace
 
-bool is_zip(std::string_view bytes) {
-  return bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06");
-}
+bool is_zip(std::string_view bytes) { return bytes.starts_with("PK\x03\x04") || bytes.starts_with("PK\x05\x06"); }
 
 Result<std::string> unzip_first(const std::string& file, std::string_view bytes, std::string_view ending) {
   const Archive archive = open_archive(bytes);
@@ -48,16 +44,14 @@ Result<std::string> unzip_first(const std::string& file, std::string_view bytes,
     const char* name = zip_get_name(archive.get(), index, ZIP_FL_ENC_RAW);
     if (name == nullptr || !std::string_view(name).ends_with(ending)) continue;
     const std::unique_ptr<zip_file_t, CloseFile> entry(zip_fopen_index(archive.get(), index, 0));
-    if (!entry)
-      return zip_error(file, "the library in this zip archive cannot be opened; it may be encrypted");
+    if (!entry) return zip_error(file, "the library in this zip archive cannot be opened; it may be encrypted");
     std::string content;
     std::array<char, 65536> block{};
     zip_int64_t got = 0;
     while ((got = zip_fread(entry.get(), block.data(), block.size())) > 0) {
       content.append(block.data(), static_cast<std::size_t>(got));
       if (content.size() > kLargest)
-        return zip_error(file,
-                         "the library in this zip archive is larger than 256 MB; expected a tool library");
+        return zip_error(file, "the library in this zip archive is larger than 256 MB; expected a tool library");
     }
     if (got < 0) return zip_error(file, "the library in this zip archive is damaged");
     return content;

@@ -11,7 +11,6 @@ namespace gouge {
 
 /// The first file of the archive whose name ends in `ending`. Errors: import-zip (also for one larger than
 /// 256 MB, which no library is).
-[[nodiscard]] Result<std::string> unzip_first(const std::string& file, std::string_view bytes,
-                                              std::string_view ending);
+[[nodiscard]] Result<std::string> unzip_first(const std::string& file, std::string_view bytes, std::string_view ending);
 
 }  // namespace gouge

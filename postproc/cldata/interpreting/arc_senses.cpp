@@ -134,8 +134,8 @@ void ArcSenses::close() {
       "path-arc-sense",
       "the dialect states no sense for arcs; taken as " +
           std::string(is_right ? "right-handed (counter-clockwise)" : "left-handed (clockwise)") +
-          " about their vector, as at " + std::to_string(votes) + " of " +
-          std::to_string(right_votes_ + left_votes_) + " points where a line touches an arc it goes on smoothly",
+          " about their vector, as at " + std::to_string(votes) + " of " + std::to_string(right_votes_ + left_votes_) +
+          " points where a line touches an arc it goes on smoothly",
       in_.path.file));
 }
 
@@ -159,11 +159,11 @@ void ArcSenses::write_notes() const {
   }
   constexpr std::size_t kFewest = 3;
   if (reversing_arcs_ >= kFewest && reversing_arcs_ > 2 * smooth_arcs_) {
-    in_.path.notes.push_back(make_warning(
-        "path-arc-sense",
-        counted(reversing_arcs_, "arc") + " run back against the line before them, " + std::to_string(smooth_arcs_) +
-            " go on smoothly: another dialect may have written this file (--dialect)",
-        in_.path.file));
+    in_.path.notes.push_back(make_warning("path-arc-sense",
+                                          counted(reversing_arcs_, "arc") + " run back against the line before them, " +
+                                              std::to_string(smooth_arcs_) +
+                                              " go on smoothly: another dialect may have written this file (--dialect)",
+                                          in_.path.file));
   }
 }
 

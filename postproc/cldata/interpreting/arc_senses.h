@@ -12,14 +12,14 @@
 
 namespace gouge {
 
-/// Which way round arcs run. Where neither the dialect nor the statement says it, the lines that arcs touch do, once the
-/// whole file is read; arcs whose sense nothing shows are not checked.
+/// Which way round arcs run. Where neither the dialect nor the statement says it, the lines that arcs touch do, once
+/// the whole file is read; arcs whose sense nothing shows are not checked.
 class ArcSenses {
  public:
   explicit ArcSenses(StatementContext& in) : in_(in) {}
 
-  /// `arc`, in part coordinates, from `start` to the end of `move`, which is about to become the last one. `other_doubt`
-  /// is why the move is not checked whatever its sense; it may be empty.
+  /// `arc`, in part coordinates, from `start` to the end of `move`, which is about to become the last one.
+  /// `other_doubt` is why the move is not checked whatever its sense; it may be empty.
   void attach(ArcStatement arc, const Position& position, const Pose& start, std::string_view other_doubt, Move& move);
   /// `move` is about to become the last one.
   void note_motion(const Move& move, const std::optional<Pose>& start);
@@ -33,7 +33,7 @@ class ArcSenses {
  private:
   struct OpenArc {
     std::size_t move = 0;
-    ArcStatement arc;  // part coordinates
+    ArcStatement arc;                     // part coordinates
     std::string_view not_checked_reason;  // whatever its sense
   };
   void doubt_sense(ArcStatement& arc, const Pose& start, const Move& move);
@@ -43,10 +43,10 @@ class ArcSenses {
   void close_as(ArcSense sense);
 
   StatementContext& in_;
-  std::vector<OpenArc> open_;            // whose sense the rest of the file must show
-  std::optional<Vec3> last_direction_;   // of the last move where it was straight, part coordinates
-  std::size_t right_votes_ = 0, left_votes_ = 0;         // lines that touch arcs, by the sense they show
-  std::size_t smooth_arcs_ = 0, reversing_arcs_ = 0;     // the same, by whether it is the sense they are read in
+  std::vector<OpenArc> open_;                           // whose sense the rest of the file must show
+  std::optional<Vec3> last_direction_;                  // of the last move where it was straight, part coordinates
+  std::size_t right_votes_ = 0, left_votes_ = 0;        // lines that touch arcs, by the sense they show
+  std::size_t smooth_arcs_ = 0, reversing_arcs_ = 0;    // the same, by whether it is the sense they are read in
   std::size_t turned_vectors_ = 0, reversed_arcs_ = 0;  // clockwise arcs right-handed, and left-handed
   Tally radius_errors_;
   double worst_radius_error_mm_ = 0;

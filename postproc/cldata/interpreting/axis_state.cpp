@@ -9,9 +9,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kAxisLengthError = 1e-3;  // beyond it an axis is refused
-constexpr double kAxisLengthReported = 1e-5;   // 5 decimals are what axes have; below it nothing is reported
-constexpr double kTiltReported = 1e-3;         // sine of the angle to +Z from which an axis counts as tilted
+constexpr double kAxisLengthError = 1e-3;     // beyond it an axis is refused
+constexpr double kAxisLengthReported = 1e-5;  // 5 decimals are what axes have; below it nothing is reported
+constexpr double kTiltReported = 1e-3;        // sine of the angle to +Z from which an axis counts as tilted
 
 }  // namespace
 
@@ -26,7 +26,8 @@ void AxisState::take_multax() {
 
 void AxisState::take_tlaxis() {
   if (!in_.has_numbers_alone(3)) {
-    if (in_.path.moves.empty() && find_word_argument(in_.arguments) != nullptr) return in_.refuse_part_program("TLAXIS");
+    if (in_.path.moves.empty() && find_word_argument(in_.arguments) != nullptr)
+      return in_.refuse_part_program("TLAXIS");
     return in_.fail("path-count", "TLAXIS has " + std::to_string(in_.arguments.size()) + " arguments; expected i,j,k");
   }
   const std::optional<Vec3> axis = read(0);
@@ -103,20 +104,19 @@ std::optional<Vec3> AxisState::read(std::size_t first) {
 
 void AxisState::write_length_note() const {
   if (renormalised_ == 0) return;
-  in_.path.notes.push_back(make_note("path-axis-length",
-                                     counted(renormalised_, "tool axis vector") + " not of length 1 (worst " +
-                                         exact_text(worst_length_) + ") made so",
-                                     in_.path.file));
+  in_.path.notes.push_back(make_note(
+      "path-axis-length",
+      counted(renormalised_, "tool axis vector") + " not of length 1 (worst " + exact_text(worst_length_) + ") made so",
+      in_.path.file));
 }
 
 void AxisState::write_plain_note() const {
   if (plain_after_tilt_.count == 0) return;
-  in_.path.notes.push_back(
-      make_warning("path-plain-axis",
-                   counted(plain_after_tilt_.count, "position") +
-                       " of 3 numbers after one with a tilted axis: the file does not say which axis they have, so "
-                       "they are not checked",
-                   in_.path.file, plain_after_tilt_.first_line));
+  in_.path.notes.push_back(make_warning("path-plain-axis",
+                                        counted(plain_after_tilt_.count, "position") +
+                                            " of 3 numbers after one with a tilted axis: the file does not "
+                                            "say which axis they have, so they are not checked",
+                                        in_.path.file, plain_after_tilt_.first_line));
 }
 
 }  // namespace gouge

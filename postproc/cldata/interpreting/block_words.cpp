@@ -131,8 +131,9 @@ void take_ppword(States& s) {
   if (code >= kFirstOfGpost && code <= kLastOfGpost) return;
   const bool is_code = code >= 1 && code <= 9999;
   if (is_code && equals_ignoring_case(nccs_major(static_cast<std::uint16_t>(code)), arguments[0].text)) return;
-  s.in.fail("path-statement", "PPWORD gives " + quoted_text(arguments[0].text) +
-                                  " another meaning; expected the words themselves: write them in place of their synonyms");
+  s.in.fail("path-statement",
+            "PPWORD gives " + quoted_text(arguments[0].text) +
+                " another meaning; expected the words themselves: write them in place of their synonyms");
 }
 
 // CAMplete: SYN/'TLAXIS','$$*TLAXIS' makes comments of TLAXIS. Other names of words would have to be read as
@@ -145,9 +146,8 @@ void take_syn(States& s) {
     if (equals_ignoring_case(argument.text, "'TLAXIS'")) {
       s.axes.ignore_tlaxis();
     } else if (find_word(name) != Word::unknown) {
-      return s.in.fail("path-statement",
-                       "SYN: a synonym of " + quoted_text(argument.text) +
-                           "; expected the words themselves: write them in place of their synonyms");
+      return s.in.fail("path-statement", "SYN: a synonym of " + quoted_text(argument.text) +
+                                             "; expected the words themselves: write them in place of their synonyms");
     }
   }
 }

@@ -22,8 +22,9 @@ void CatiaMatrix::pass_statement(bool needs_frame) {
 }
 
 void CatiaMatrix::fail() {
-  in_.fail("path-frame", "$$*CATIA0 is not followed by the whole of its matrix; expected a line with a name and 3 "
-                         "lines of 4 numbers");
+  in_.fail(
+      "path-frame",
+      "$$*CATIA0 is not followed by the whole of its matrix; expected a line with a name and 3 lines of 4 numbers");
   row_ = -1;
   is_nameless_ = false;
 }
@@ -43,8 +44,8 @@ std::optional<RigidTransform> CatiaMatrix::take_row(std::string_view text) {
   if (!is_numbers) {
     row_ = -1;
     is_nameless_ = false;
-    in_.fail("path-frame", "$$*CATIA0: " + quoted_text(text) +
-                               " is not a row of its matrix; expected 4 numbers in each of 3 lines");
+    in_.fail("path-frame",
+             "$$*CATIA0: " + quoted_text(text) + " is not a row of its matrix; expected 4 numbers in each of 3 lines");
     return std::nullopt;
   }
   const auto first = static_cast<std::size_t>(row_ - 2) * 4;

@@ -8,8 +8,8 @@
 
 namespace gouge {
 
-/// $$*CATIA0 of CATIA, which is followed by comments: a line with a name and three with the rows of a matrix,
-/// absolute = R p + t. Where the name is missing, or looks like a row, four such lines cannot be distinguished from three. A
+/// $$*CATIA0 of CATIA, which is followed by comments: a line with a name and three with the rows of a matrix, absolute
+/// = R p + t. Where the name is missing, or looks like a row, four such lines cannot be distinguished from three. A
 /// position before the last row is an error.
 class CatiaMatrix {
  public:

@@ -24,8 +24,7 @@ std::optional<CltSetup::TableTurn> CltSetup::turn_of(std::span<const Argument> a
     return equals_ignoring_case(word, arguments[1].text);
   });
   const bool is_clockwise = equals_ignoring_case(arguments[3].text, "CLW");
-  if (axis == kTables.end() || (!is_clockwise && !equals_ignoring_case(arguments[3].text, "CCLW")))
-    return std::nullopt;
+  if (axis == kTables.end() || (!is_clockwise && !equals_ignoring_case(arguments[3].text, "CCLW"))) return std::nullopt;
   return TableTurn{*axis, is_clockwise ? -*arguments[0].number : *arguments[0].number};
 }
 

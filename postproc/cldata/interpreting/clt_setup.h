@@ -38,11 +38,11 @@ class CltSetup {
 
   StatementContext& in_;
   Doubts& doubts_;
-  std::vector<TableTurn> turns_;                  // those in force
-  std::optional<Vec3> axis_ = Vec3::UnitZ();      // TLAXIS, in model axes; nothing: not understood
-  std::optional<Eigen::Matrix3d> first_;          // of the first position
-  std::size_t turned_line_ = 0;                   // where that is not the model's
-  bool is_new_ = false;                           // since the last position
+  std::vector<TableTurn> turns_;              // those in force
+  std::optional<Vec3> axis_ = Vec3::UnitZ();  // TLAXIS, in model axes; nothing: not understood
+  std::optional<Eigen::Matrix3d> first_;      // of the first position
+  std::size_t turned_line_ = 0;               // where that is not the model's
+  bool is_new_ = false;                       // since the last position
   std::string_view word_;
   std::size_t line_ = 0;
 };

@@ -15,9 +15,7 @@
 namespace gouge {
 namespace {
 
-bool is_zero(const Argument& argument) {
-  return argument.number && std::abs(*argument.number) <= 0;
-}
+bool is_zero(const Argument& argument) { return argument.number && std::abs(*argument.number) <= 0; }
 
 // PREFUN/g and AUXFUN/m are a G and an M of the control.
 void take_codes(States& s, char letter) {
@@ -56,20 +54,16 @@ void take_insert(States& s) {
   take_machine_text(s, read_machine_text(s.in.first_piece(), s.in.dialect.inserts_are_names));
 }
 
-void take_prefun(States& s) {
-  take_codes(s, 'G');
-}
+void take_prefun(States& s) { take_codes(s, 'G'); }
 
-void take_auxfun(States& s) {
-  take_codes(s, 'M');
-}
+void take_auxfun(States& s) { take_codes(s, 'M'); }
 
 // SolidWorks CAM begins and ends its setups with SETUP/START,n and SETUP/END,n.
 void take_setup(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
-  const bool is_mark = arguments.size() <= 2 && !arguments.empty() &&
-                       (equals_ignoring_case(arguments.front().text, "START") ||
-                        equals_ignoring_case(arguments.front().text, "END"));
+  const bool is_mark =
+      arguments.size() <= 2 && !arguments.empty() &&
+      (equals_ignoring_case(arguments.front().text, "START") || equals_ignoring_case(arguments.front().text, "END"));
   if (is_mark || std::none_of(arguments.begin(), arguments.end(), may_be_number)) return;
   if (std::all_of(arguments.begin(), arguments.end(), is_zero)) return;
   s.in.count_unknown();

@@ -15,9 +15,7 @@ ArcStatement unreadable(const char* problem) {
 }  // namespace
 
 // CIRCLE and MOVARC describe the arc to the next position; a list of positions runs on along it.
-void take_arc(States& s) {
-  s.curve.describe(read_arc(s.in.dialect, s.in.arguments, s.frame.mm_per_unit()));
-}
+void take_arc(States& s) { s.curve.describe(read_arc(s.in.dialect, s.in.arguments, s.frame.mm_per_unit())); }
 
 // With ON, until it is switched off.
 void take_unread_curve(States& s) {
@@ -26,9 +24,7 @@ void take_unread_curve(States& s) {
   s.curve.describe(unreadable(s.in.because(Reasons::kCurve)));
 }
 
-void take_indirv(States& s) {
-  s.curve.begin_tangent();
-}
+void take_indirv(States& s) { s.curve.begin_tangent(); }
 
 void take_tlon(States& s) {
   const std::optional<TlonStatement> tlon =
@@ -54,16 +50,10 @@ void take_tlon(States& s) {
   s.curve.end_arc();
 }
 
-void take_nurbs(States& s) {
-  s.nurbs.begin();
-}
+void take_nurbs(States& s) { s.nurbs.begin(); }
 
-void take_knots(States& s) {
-  s.nurbs.take_knots();
-}
+void take_knots(States& s) { s.nurbs.take_knots(); }
 
-void take_control_point(States& s) {
-  s.nurbs.take_control_point();
-}
+void take_control_point(States& s) { s.nurbs.take_control_point(); }
 
 }  // namespace gouge

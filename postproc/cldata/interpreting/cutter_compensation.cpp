@@ -12,9 +12,7 @@ void CutterCompensation::begin() {
   was_ever_on_ = was_ever_on_ || is_on();
 }
 
-bool CutterCompensation::end() {
-  return std::exchange(side_, CutcomSide::none) == CutcomSide::none && !is_centre_;
-}
+bool CutterCompensation::end() { return std::exchange(side_, CutcomSide::none) == CutcomSide::none && !is_centre_; }
 
 // The path of the program's positions is known all the same.
 std::string_view CutterCompensation::reason() const {

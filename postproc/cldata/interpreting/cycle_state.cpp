@@ -59,9 +59,7 @@ void CycleState::begin_unknown() {
   why_ = in_.because(Reasons::kCycle);
 }
 
-bool CycleState::end() {
-  return std::exchange(is_on_, false);
-}
+bool CycleState::end() { return std::exchange(is_on_, false); }
 
 void CycleState::contradict() {
   if (!is_contradicted_) contradicted_moves_ = in_.moves();
@@ -88,8 +86,8 @@ void CycleState::write_notes() const {
   if (never_ended_.count > 0) {
     notes.push_back(make_warning("path-cycle",
                                  counted(never_ended_.count, "cycle") +
-                                     " never ended by CYCLE/OFF: which positions are holes and which are motions of "
-                                     "their own the file does not say, so they are not checked",
+                                     " never ended by CYCLE/OFF: which positions are holes and which are "
+                                     "motions of their own the file does not say, so they are not checked",
                                  in_.path.file, never_ended_.first_line));
   }
   if (never_begun_.count > 0) {

@@ -29,8 +29,8 @@ class CycleState {
     if (!is_on_) drill_.reset();
   }
   void begin_block() { words_.clear(); }
-  /// A statement that no cycle holds. What follows could be a hole or a motion: reported at the next position, as before
-  /// it nothing is lost.
+  /// A statement that no cycle holds. What follows could be a hole or a motion: reported at the next position, as
+  /// before it nothing is lost.
   void contradict();
   /// What no cycle holds bounds the moves that could be holes of one whose CYCLE is missing.
   void bound_holes() {
@@ -68,15 +68,15 @@ class CycleState {
   bool is_on_ = false;
   std::optional<DrillCycle> drill_;
   const char* why_ = Reasons::kCycle;
-  std::size_t line_ = 0;                  // of the CYCLE in force
-  std::size_t first_positions_ = kNone;   // the statement of its first position
-  std::size_t certain_moves_ = 0;         // those before this one are certain whether or not the cycle ever ended
-  bool is_contradicted_ = false;          // a later statement says that it should have ended
-  std::size_t contradicted_moves_ = 0;    // read until then
-  std::string_view reason_;               // reported for what it leaves doubtful
-  std::size_t first_possible_hole_ = 0;   // while none is in force
+  std::size_t line_ = 0;                 // of the CYCLE in force
+  std::size_t first_positions_ = kNone;  // the statement of its first position
+  std::size_t certain_moves_ = 0;        // those before this one are certain whether or not the cycle ever ended
+  bool is_contradicted_ = false;         // a later statement says that it should have ended
+  std::size_t contradicted_moves_ = 0;   // read until then
+  std::string_view reason_;              // reported for what it leaves doubtful
+  std::size_t first_possible_hole_ = 0;  // while none is in force
   std::optional<Pose> last_hole_;
-  std::vector<Argument> words_;           // of the last cycle that was described
+  std::vector<Argument> words_;  // of the last cycle that was described
   Tally never_begun_, never_ended_, without_retract_;
 };
 

@@ -85,10 +85,11 @@ void emit(States& s, const Position& position) {
 
   const bool is_arc = !is_cycle && (s.curve.arc() || position.form == PositionForm::curve);
   const bool is_rapid = s.feed.is_rapid() || is_from || position.form == PositionForm::gohome;
-  Move move = make_move(s, position, is_cycle   ? MoveKind::cycle
-                                     : is_arc   ? MoveKind::arc
-                                     : is_rapid ? MoveKind::rapid
-                                                : MoveKind::feed);
+  Move move = make_move(s, position,
+                        is_cycle   ? MoveKind::cycle
+                        : is_arc   ? MoveKind::arc
+                        : is_rapid ? MoveKind::rapid
+                                   : MoveKind::feed);
   if (move.not_checked_reason.empty() && is_cycle) move.not_checked_reason = s.cycle.why();
   if (move.not_checked_reason.empty() && is_arc) attach_curve(s, position, move);
   append(s, move, position);

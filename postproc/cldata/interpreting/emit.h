@@ -13,12 +13,10 @@ namespace gouge {
 
 /// The moves to `position`: one, or those of a hole.
 void emit(States& s, const Position& position);
-/// A motion nobody knows the end of stands where the last one ended, so that it is reported as a move not checked. It is
-/// that of `statement`, or of the one being taken.
+/// A motion nobody knows the end of stands where the last one ended, so that it is reported as a move not checked. It
+/// is that of `statement`, or of the one being taken.
 void emit_unread(States& s, const char* reason, std::size_t statement);
-inline void emit_unread(States& s, const char* reason = Reasons::kUnread) {
-  emit_unread(s, reason, s.in.index());
-}
+inline void emit_unread(States& s, const char* reason = Reasons::kUnread) { emit_unread(s, reason, s.in.index()); }
 /// Nothing is swept from the last position to the next.
 void break_motion(States& s);
 

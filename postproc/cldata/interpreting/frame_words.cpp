@@ -34,7 +34,8 @@ bool is_all_zero(std::span<const Argument> arguments) {
 bool is_rigid_by_rows(const StatementContext& in) {
   if (!in.has_numbers_alone(12)) return false;
   Eigen::Matrix3d rotation;
-  for (Eigen::Index row = 0; row < 3; ++row) rotation.row(row) = in.vector(static_cast<std::size_t>(4 * row)).transpose();
+  for (Eigen::Index row = 0; row < 3; ++row)
+    rotation.row(row) = in.vector(static_cast<std::size_t>(4 * row)).transpose();
   return (rotation * rotation.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff() <= kFrameError &&
          rotation.determinant() > 0;
 }
@@ -121,8 +122,8 @@ void take_mcs(States& s) {
   s.blocks.note_frame(s.in.moves());
 }
 
-// An origin, an X axis and a Y axis. Its writer turns positions into no other system before it writes them, and those of
-// three numbers have their axis from nowhere else.
+// An origin, an X axis and a Y axis. Its writer turns positions into no other system before it writes them, and those
+// of three numbers have their axis from nowhere else.
 void take_mcsys(States& s) {
   const std::optional<std::array<Vec3, 3>> vectors = read_mcsys(s.in.arguments);
   s.doubts.set(Doubt::mcs, vectors ? nullptr : s.in.because(Reasons::kMcsys));
@@ -194,8 +195,7 @@ void take_units(States& s) {
     stated = unit;
   }
   if (!stated) {
-    const std::string what =
-        s.in.arguments.empty() ? std::string("nothing") : quoted_text(s.in.arguments.front().text);
+    const std::string what = s.in.arguments.empty() ? std::string("nothing") : quoted_text(s.in.arguments.front().text);
     return s.in.fail("path-statement", s.in.major() + ": " + what + " is not a unit; expected MM or INCHES");
   }
   // The guess of the unit knows of it; before it a reader takes mm.

@@ -24,9 +24,7 @@ std::string cut_short_text(FileForm form) {
   return "the file ends within a statement that a $ continues; expected its next line: the file is cut short";
 }
 
-bool is_within_curve(Word word) {
-  return word == Word::cntrl || word == Word::knot || word == Word::comment;
-}
+bool is_within_curve(Word word) { return word == Word::cntrl || word == Word::knot || word == Word::comment; }
 
 // Of words that say where the tool is, or that nothing follows.
 bool needs_frame(Word word) {
@@ -67,25 +65,25 @@ bool has_arguments(Word word) {
 void fail_too_long(StatementContext& in) {
   in.arguments.clear();
   in.fail("path-count", std::string(in.statement().major.substr(0, kLongestMajor)) + " has " +
-                            std::to_string(kMostArguments) + " arguments or more; expected a statement as CAM systems "
-                            "write it: divide it into several");
+                            std::to_string(kMostArguments) +
+                            " arguments or more; expected a statement as CAM systems write it: divide it into several");
 }
 
 void fail_run_on(StatementContext& in, std::string_view hidden) {
   const Statement& statement = in.statement();
   const std::string major(statement.word == Word::comment ? "$$->" : statement.major.substr(0, kLongestMajor));
-  in.fail("path-statement", quoted_text(hidden) + " stands within " + quoted_text(major) +
-                                "; expected one statement a line: a line end is missing, or a $ continues a statement "
-                                "that has ended");
+  in.fail("path-statement",
+          quoted_text(hidden) + " stands within " + quoted_text(major) +
+              "; expected one statement a line: a line end is missing, or a $ continues a statement that has ended");
 }
 
 void note_offsets(const StatementContext& in, const Tally& chosen) {
   if (chosen.count == 0) return;
-  in.path.notes.push_back(make_note("path-machine-text",
-                                    counted(chosen.count, "text") +
-                                        " for the machine's control that choose a work offset: taken as the one that "
-                                        "positions are meant for",
-                                    in.path.file, chosen.first_line));
+  in.path.notes.push_back(make_note(
+      "path-machine-text",
+      counted(chosen.count, "text") +
+          " for the machine's control that choose a work offset: taken as the one that positions are meant for",
+      in.path.file, chosen.first_line));
 }
 
 void note_words(Toolpath& path) {
@@ -94,8 +92,8 @@ void note_words(Toolpath& path) {
   for (const auto& entry : path.words_not_understood) count += entry.second;
   path.notes.push_back(make_warning("path-words",
                                     counted(count, "statement") +
-                                        " with words that are not understood, taken to move "
-                                        "nothing where no move is not checked for them; path info lists them",
+                                        " with words that are not understood, taken to move nothing where no "
+                                        "move is not checked for them; path info lists them",
                                     path.file));
 }
 

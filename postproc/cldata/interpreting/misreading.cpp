@@ -10,15 +10,12 @@
 namespace gouge {
 namespace {
 
-bool is_sign(char c) {
-  return c == '+' || c == '-' || c == '.';
-}
+bool is_sign(char c) { return c == '+' || c == '-' || c == '.'; }
 
 bool begins_with_number(std::string_view text) {
-  while (!text.empty() && (is_blank(text.front()) || text.front() == '(' || text.front() == ','))
-    text.remove_prefix(1);
-  return !text.empty() && (is_digit(text.front()) ||
-                           (text.size() > 1 && is_sign(text[0]) && (is_digit(text[1]) || is_sign(text[1]))));
+  while (!text.empty() && (is_blank(text.front()) || text.front() == '(' || text.front() == ',')) text.remove_prefix(1);
+  return !text.empty() &&
+         (is_digit(text.front()) || (text.size() > 1 && is_sign(text[0]) && (is_digit(text[1]) || is_sign(text[1]))));
 }
 
 // What follows a `/` that deletes blocks, a sequence number or a label: "N10 X5", "20 FOO/1", "LAB1) -50."
@@ -51,17 +48,14 @@ Word intended_word(std::string_view text) {
 // "Z: -50": the letter of an axis, then something else and a number.
 bool is_axis_alone(std::string_view text) {
   constexpr std::string_view kAxes = "XYZxyz";
-  return text.size() > 1 && kAxes.find(text[0]) != std::string_view::npos && !is_letter(text[1]) &&
-         text[1] != '_' && text.find_first_of("0123456789") != std::string_view::npos &&
-         text.find('/') == std::string_view::npos;
+  return text.size() > 1 && kAxes.find(text[0]) != std::string_view::npos && !is_letter(text[1]) && text[1] != '_' &&
+         text.find_first_of("0123456789") != std::string_view::npos && text.find('/') == std::string_view::npos;
 }
 
 // "DOWN-50.": a word and a negative number at it, and nothing else.
 bool is_step_alone(std::string_view text) {
-  const auto letters =
-      static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_letter) - text.begin());
-  return letters > 0 && letters < text.size() && text[letters] == '-' &&
-         parse_number(trim(text.substr(letters)));
+  const auto letters = static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_letter) - text.begin());
+  return letters > 0 && letters < text.size() && text[letters] == '-' && parse_number(trim(text.substr(letters)));
 }
 
 // Between these a line of numbers is a position, or part of one.
@@ -124,8 +118,7 @@ bool moves_tool(Word word) {
 }
 
 bool has_effect(const MachineEffect& e) {
-  return e.moves || e.shifts || e.changes_length || e.begins_cycle || e.begins_steps || e.changes_tool ||
-         e.unit;
+  return e.moves || e.shifts || e.changes_length || e.begins_cycle || e.begins_steps || e.changes_tool || e.unit;
 }
 
 void distrust_moves(States& s, std::size_t statement) {
@@ -145,8 +138,7 @@ void take_rest_of_statement(States& s, bool is_position) {
 
 // Of the curve that is being read, or was last.
 void distrust_curve(std::vector<Move>& moves) {
-  if (!moves.empty() && !is_unread(moves.back().not_checked_reason))
-    moves.back().not_checked_reason = Reasons::kSpline;
+  if (!moves.empty() && !is_unread(moves.back().not_checked_reason)) moves.back().not_checked_reason = Reasons::kSpline;
 }
 
 }  // namespace

@@ -23,9 +23,9 @@ class WordSet {
 };
 
 // Words that begin something new: none of them is written while a cycle drills or before the end of an arc.
-constexpr WordSet kBeginsAnew = {Word::operation, Word::tool_path, Word::end_of_path, Word::from,  Word::gohome,
-                                 Word::units,     Word::mode,      Word::multax,      Word::tlaxis, Word::cutcom,
-                                 Word::rapid,     Word::csys,      Word::mcs,         Word::mcsys,  Word::msys,
+constexpr WordSet kBeginsAnew = {Word::operation, Word::tool_path, Word::end_of_path, Word::from,        Word::gohome,
+                                 Word::units,     Word::mode,      Word::multax,      Word::tlaxis,      Word::cutcom,
+                                 Word::rapid,     Word::csys,      Word::mcs,         Word::mcsys,       Word::msys,
                                  Word::rotabl,    Word::trans,     Word::trntyp,      Word::unread_frame};
 constexpr WordSet kTools = {Word::cutter, Word::tldata, Word::loadtl,       Word::load,       Word::toolno,
                             Word::turret, Word::tprint, Word::flute_length, Word::unread_tool};

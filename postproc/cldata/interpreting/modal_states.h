@@ -12,11 +12,11 @@
 namespace gouge {
 
 enum class ModalState : std::uint8_t {
-  cycle,          ///< CYCLE/DRILL and its like: positions are holes
-  described_arc,  ///< CIRCLE, MOVARC, HELIX: the next position is the end of that curve
-  start_tangent,  ///< INDIRV: the next TLON leaves along it
-  rapid,          ///< RAPID: the next position is reached at rapid
-  cutter_centre,  ///< Creo's OUTPUT_ON_CENTER: positions under CUTCOM are the cutter's centre
+  cycle,           ///< CYCLE/DRILL and its like: positions are holes
+  described_arc,   ///< CIRCLE, MOVARC, HELIX: the next position is the end of that curve
+  start_tangent,   ///< INDIRV: the next TLON leaves along it
+  rapid,           ///< RAPID: the next position is reached at rapid
+  cutter_centre,   ///< Creo's OUTPUT_ON_CENTER: positions under CUTCOM are the cutter's centre
   motion_run,      ///< always open: positions that one switched-on state could span
   between_blocks,  ///< after END-OF-PATH of NX: no TOOL PATH gives a frame, a tool and an axis
 };
@@ -28,10 +28,9 @@ enum class ModalEffect : std::uint8_t {
   contradicts,  ///< the state should have ended or been used before: what follows has more than one reading
 };
 
-inline constexpr ModalState kModalStates[] = {ModalState::cycle, ModalState::described_arc,
-                                              ModalState::start_tangent, ModalState::rapid,
-                                              ModalState::cutter_centre, ModalState::motion_run,
-                                              ModalState::between_blocks};
+inline constexpr ModalState kModalStates[] = {
+    ModalState::cycle,         ModalState::described_arc, ModalState::start_tangent, ModalState::rapid,
+    ModalState::cutter_centre, ModalState::motion_run,    ModalState::between_blocks};
 
 /// What `statement` acts as: its word, or for comments that are statements the word of another dialect that does the
 /// same.

@@ -42,11 +42,11 @@ void MotionChain::stand(const Pose& end, const char* reason) {
 
 void MotionChain::write_note() const {
   if (not_swept_.count == 0) return;
-  in_.path.notes.push_back(make_note("path-not-swept",
-                                     counted(not_swept_.count, "time") +
-                                         " the machine goes home or changes its tool, frame or sequence between two "
-                                         "positions: nothing is swept there",
-                                     in_.path.file, not_swept_.first_line));
+  in_.path.notes.push_back(make_note(
+      "path-not-swept",
+      counted(not_swept_.count, "time") +
+          " the machine goes home or changes its tool, frame or sequence between two positions: nothing is swept there",
+      in_.path.file, not_swept_.first_line));
 }
 
 }  // namespace gouge

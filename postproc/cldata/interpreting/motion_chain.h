@@ -47,7 +47,7 @@ class MotionChain {
   std::optional<Pose> last_pose_;
   const char* unknown_start_ = nullptr;
   const char* last_doubt_ = nullptr;
-  bool was_from_ = false;    // the last move was FROM
+  bool was_from_ = false;  // the last move was FROM
   bool is_broken_ = false;
   bool can_link_ = false;    // the motion broke off at the end of the last move
   bool was_loaded_ = false;  // a tool was loaded since the last move

@@ -31,7 +31,7 @@ struct MotionRecord {
   SmallIndex curve_statement = kNone;  ///< of an arc: what describes it besides its own statement
   std::uint8_t numbers = 0;  ///< 3 or 6, of the hole for a step of a cycle; 0 where the form is godlta, curve or unread
   PositionForm form = PositionForm::go_to;
-  bool is_rapid = false;                    ///< by a RAPID before it
+  bool is_rapid = false;  ///< by a RAPID before it
   CutcomSide cutcom = CutcomSide::none;
   bool is_tapping = false;                  ///< a step of a cycle whose spindle turns back
   bool is_multax_off = false;               ///< positions with an axis would be read as two, or not checked

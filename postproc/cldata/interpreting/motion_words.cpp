@@ -53,7 +53,8 @@ void take_positions(States& s, PositionForm form) {
 }
 
 // A step goes on from the position before it. Of a hole that is its own, whatever the cycle's path up and down: a cycle
-// is the post-processor's. After the last one the tool is elsewhere, and files do not show which of both positions counts.
+// is the post-processor's. After the last one the tool is elsewhere, and files do not show which of both positions
+// counts.
 std::optional<Pose> start_of_step(const States& s) {
   constexpr double kSamePoint_mm = 1e-9;
   if (s.chain.last_doubt() != nullptr || s.cycle.is_doubtful()) return std::nullopt;
@@ -66,13 +67,9 @@ std::optional<Pose> start_of_step(const States& s) {
 
 }  // namespace
 
-void take_goto(States& s) {
-  take_positions(s, PositionForm::go_to);
-}
+void take_goto(States& s) { take_positions(s, PositionForm::go_to); }
 
-void take_from(States& s) {
-  take_positions(s, PositionForm::from);
-}
+void take_from(States& s) { take_positions(s, PositionForm::from); }
 
 void take_godlta(States& s) {
   constexpr const char* kExpected = "expected dx,dy,dz or one distance along the tool axis";
@@ -132,13 +129,9 @@ void take_fedrat(States& s) {
   s.feed.take_fedrat(s.frame.mm_per_unit());
 }
 
-void take_multax(States& s) {
-  s.axes.take_multax();
-}
+void take_multax(States& s) { s.axes.take_multax(); }
 
-void take_retrct(States& s) {
-  s.chain.lose_start(Reasons::kAfterRetract);
-}
+void take_retrct(States& s) { s.chain.lose_start(Reasons::kAfterRetract); }
 
 // ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT.
 void take_cutcom(States& s) {

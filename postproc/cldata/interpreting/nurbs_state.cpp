@@ -23,7 +23,8 @@ void NurbsState::begin() {
 }
 
 void NurbsState::fail_without_begin(const char* word) {
-  in_.fail("path-statement", std::string(word) + " without a NURBS before it; expected NURBS/, KNOT/ and then CNTRL/ lines");
+  in_.fail("path-statement",
+           std::string(word) + " without a NURBS before it; expected NURBS/, KNOT/ and then CNTRL/ lines");
 }
 
 void NurbsState::take_knots() {

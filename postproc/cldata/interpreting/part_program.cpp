@@ -19,8 +19,8 @@ bool is_assignment(std::string_view major) {
   if (sign == std::string_view::npos || sign == 0) return false;
   const std::string_view symbol = trim(major.substr(0, sign));
   const auto is_symbol = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '(' ||
-           c == ')' || c == '_';
+    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '(' || c == ')' ||
+           c == '_';
   };
   return symbol.size() <= kLongestSymbol && std::all_of(symbol.begin(), symbol.end(), is_symbol);
 }

@@ -14,17 +14,14 @@ struct Reasons {
   static constexpr const char* kCutcom = "compensated by CUTCOM: the positions need not be the cutter centre";
   static constexpr const char* kAfterCutcom =
       "starts at a position compensated by CUTCOM, which need not be the cutter centre";
-  static constexpr const char* kAdjust =
-      "shifted by CUTCOM/ADJUST: the registers of the control are not known";
+  static constexpr const char* kAdjust = "shifted by CUTCOM/ADJUST: the registers of the control are not known";
   static constexpr const char* kNccsArc =
       "an arc of NCL that leaves its plane or turns its tool axis: its post-processor may run it straight";
   static constexpr const char* kRetractPlane =
       "a drilling cycle rises to a retract plane whose height it does not state";
   static constexpr const char* kAfterCycle = "starts at an unknown retract height after a drilling cycle";
-  static constexpr const char* kCycleOpen =
-      "a hole, or a motion of its own, as its cycle is never ended";
-  static constexpr const char* kCycleStrayEnd =
-      "a hole, or a motion of its own, as a cycle ends that never began";
+  static constexpr const char* kCycleOpen = "a hole, or a motion of its own, as its cycle is never ended";
+  static constexpr const char* kCycleStrayEnd = "a hole, or a motion of its own, as a cycle ends that never began";
   static constexpr const char* kStrayOff =
       "compensated, shifted or splined perhaps: a statement ends it that nothing began";
   static constexpr const char* kNoToolPath =
@@ -35,8 +32,7 @@ struct Reasons {
       "positions follow a row of a matrix without its $$*CATIA0: in which frame the file does not say";
   static constexpr const char* kNoArcEnd =
       "a curve is described and no position says where it ends: the tool may have gone along it";
-  static constexpr const char* kNoTlon =
-      "an INDIRV that no TLON follows: a motion may be missing here";
+  static constexpr const char* kNoTlon = "an INDIRV that no TLON follows: a motion may be missing here";
   static constexpr const char* kBetweenBlocks =
       "positions stand between END-OF-PATH and TOOL PATH: in which frame and with which tool the file does not say";
   static constexpr const char* kMsysOutside =
@@ -47,18 +43,15 @@ struct Reasons {
       "starts where the program had ended: what lies between, the file does not say";
   static constexpr const char* kAfterRetract = "starts at an unknown position after RETRCT";
   static constexpr const char* kTurning = "turning and wire tools are not understood";
-  static constexpr const char* kContour =
-      "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";
+  static constexpr const char* kContour = "positions are the contour, not the cutter centre (OUTPUT_ON_PROFILE)";
   static constexpr const char* kUnread = "a statement that is not understood may have moved the tool";
-  static constexpr const char* kSixNumbers =
-      "six numbers without MULTAX/ON: two positions, or one and its tool axis";
+  static constexpr const char* kSixNumbers = "six numbers without MULTAX/ON: two positions, or one and its tool axis";
   static constexpr const char* kStepFromUnread = "GODLTA goes on from a position that is not known";
   static constexpr const char* kNccsGoesOn =
       "a position on the circle of the one before it: round or straight, the file does not say";
   static constexpr const char* kPlainAxis =
       "a position without a tool axis after a tilted one: the file does not say which axis it has";
-  static constexpr const char* kAfterUnread =
-      "starts at an unknown position after a statement that is not understood";
+  static constexpr const char* kAfterUnread = "starts at an unknown position after a statement that is not understood";
   static constexpr const char* kUnreadFrame =
       "positions follow a statement that is not understood and may turn or shift them";
   static constexpr const char* kUnreadTool = "follows a statement that is not understood and may change the tool";
@@ -66,14 +59,15 @@ struct Reasons {
       "a position whose statement may be cut short: a tool axis or further positions may be missing";
   static constexpr const char* kMachineShift =
       "follows text for the machine's control that may shift, turn or offset positions";
-  static constexpr const char* kMachineCycle = "follows text for the machine's control that makes each position a cycle";
-  static constexpr const char* kMachineSteps = "follows text for the machine's control that makes positions steps (G91)";
+  static constexpr const char* kMachineCycle =
+      "follows text for the machine's control that makes each position a cycle";
+  static constexpr const char* kMachineSteps =
+      "follows text for the machine's control that makes positions steps (G91)";
   static constexpr const char* kSetup = "follows a setup or selection that may shift or turn positions";
   static constexpr const char* kTrans = "positions are shifted by a TRANS or ORIGIN that is not applied";
   static constexpr const char* kCsys = "positions are in a coordinate system (CSYS) that is not applied";
   static constexpr const char* kMcsys = "positions are in a coordinate system (MCSYS) that is not understood";
-  static constexpr const char* kTurned =
-      "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
+  static constexpr const char* kTurned = "positions are in a turned setup (ROTABL, ROTATE) that is not applied";
   static constexpr const char* kCltAxis =
       "positions are in a setup whose TLAXIS is not +Z of the model: where it lies the file does not say";
   static constexpr const char* kSetupAxis = "ROTABL and TLAXIS contradict each other about the setup of the positions";
@@ -91,17 +85,15 @@ enum class ReasonKind : std::uint8_t {
   after_retract,  ///< its start is not known, as the tool retracted before it
   around_hole,    ///< it begins or ends at a retract height that is not known
   not_understood,
-  unread,         ///< nobody knows where the statement takes the tool
-  may_be_unread   ///< it is a statement that is not understood and may not move the tool at all
+  unread,        ///< nobody knows where the statement takes the tool
+  may_be_unread  ///< it is a statement that is not understood and may not move the tool at all
 };
 
 /// `reason` with or without the word and the line behind it.
 [[nodiscard]] ReasonKind kind_of(std::string_view reason);
 
 /// True where nobody knows where the statement takes the tool.
-[[nodiscard]] inline bool is_unread(std::string_view reason) {
-  return kind_of(reason) >= ReasonKind::unread;
-}
+[[nodiscard]] inline bool is_unread(std::string_view reason) { return kind_of(reason) >= ReasonKind::unread; }
 /// True where the program's own motion is understood: it is checked, or only CUTCOM keeps it from being so.
 [[nodiscard]] inline bool is_motion_known(std::string_view reason) {
   return kind_of(reason) <= ReasonKind::compensated;

@@ -80,16 +80,16 @@ void StatementContext::refuse_part_program(std::string_view what, std::size_t li
   errors_not_listed_ = 0;
   errors_ = {make_error("path-part-program",
                         "is an APT part program (" + quoted_text(what) +
-                            "); expected CL data with positions in numbers: run it through an APT system and "
-                            "check the CL file that gives",
+                            "); expected CL data with positions in numbers: run it through an APT system and check the "
+                            "CL file that gives",
                         path.file, line)};
   is_hopeless_ = true;
 }
 
 Diagnostics StatementContext::take_errors() {
   if (errors_not_listed_ > 0) {
-    errors_.push_back(make_error("path-more-errors",
-                                 "and " + std::to_string(errors_not_listed_) + " more errors", path.file));
+    errors_.push_back(
+        make_error("path-more-errors", "and " + std::to_string(errors_not_listed_) + " more errors", path.file));
   }
   return std::exchange(errors_, {});
 }

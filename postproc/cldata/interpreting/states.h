@@ -46,9 +46,9 @@ struct States {
   OperationState operation{in};
   MotionChain chain{in};
   PartProgram program{in};
-  Tally offsets_chosen;  ///< by text for the machine's control
-  bool has_end = false;  ///< END or FINI
-  std::size_t run_begin = 0;  ///< the first move since the last tool or operation
+  Tally offsets_chosen;                    ///< by text for the machine's control
+  bool has_end = false;                    ///< END or FINI
+  std::size_t run_begin = 0;               ///< the first move since the last tool or operation
   Word previous_word = Word::comment;      ///< of the statement before, but for comments
   std::size_t previous_statement = kNone;  ///< that word's
 };

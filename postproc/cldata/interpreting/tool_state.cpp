@@ -114,9 +114,7 @@ void ToolState::take_name(std::string_view text) {
   is_changed_ = true;
 }
 
-void ToolState::take_insert(std::string_view text) {
-  last_insert_ = name_text(text);
-}
+void ToolState::take_insert(std::string_view text) { last_insert_ = name_text(text); }
 
 void ToolState::change_number(int number) {
   doubts_.clear(Doubt::loading);
@@ -191,12 +189,11 @@ bool ToolState::resolve() {
 
 void ToolState::write_note() const {
   if (recomputed_.count == 0) return;
-  in_.path.notes.push_back(
-      make_note("path-cutter-recomputed",
-                counted(recomputed_.count, "CUTTER statement") +
-                    " with e and f other than d, r, alpha and beta give: these are taken, as CAM "
-                    "systems disagree about e and f",
-                in_.path.file, recomputed_.first_line));
+  in_.path.notes.push_back(make_note(
+      "path-cutter-recomputed",
+      counted(recomputed_.count, "CUTTER statement") +
+          " with e and f other than d, r, alpha and beta give: these are taken, as CAM systems disagree about e and f",
+      in_.path.file, recomputed_.first_line));
 }
 
 }  // namespace gouge

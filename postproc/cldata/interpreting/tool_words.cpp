@@ -14,8 +14,7 @@ namespace {
 std::optional<int> whole_number(const Argument& argument) {
   if (!argument.number) return std::nullopt;
   const double value = *argument.number;
-  if (std::abs(value - std::floor(value)) > 0 || std::abs(value) > std::numeric_limits<int>::max())
-    return std::nullopt;
+  if (std::abs(value - std::floor(value)) > 0 || std::abs(value) > std::numeric_limits<int>::max()) return std::nullopt;
   return static_cast<int>(value);
 }
 
@@ -26,13 +25,9 @@ void change_number(States& s, int number) {
 
 }  // namespace
 
-void take_cutter(States& s) {
-  s.tool.take_cutter(s.frame.mm_per_unit(), s.previous_word == Word::insert);
-}
+void take_cutter(States& s) { s.tool.take_cutter(s.frame.mm_per_unit(), s.previous_word == Word::insert); }
 
-void take_tldata(States& s) {
-  s.tool.take_tldata(s.frame.mm_per_unit());
-}
+void take_tldata(States& s) { s.tool.take_tldata(s.frame.mm_per_unit()); }
 
 void take_tool_number(States& s) {
   const bool is_turning = s.in.has("TURN");
@@ -67,16 +62,10 @@ void take_load(States& s) {
   change_number(s, *number);
 }
 
-void take_flute_length(States& s) {
-  s.tool.take_flute_length(s.frame.mm_per_unit());
-}
+void take_flute_length(States& s) { s.tool.take_flute_length(s.frame.mm_per_unit()); }
 
-void take_turret(States& s) {
-  s.doubts.set(Doubt::turning, s.in.because(Reasons::kTurning));
-}
+void take_turret(States& s) { s.doubts.set(Doubt::turning, s.in.because(Reasons::kTurning)); }
 
-void take_tool_name(States& s) {
-  s.tool.take_name(s.in.first_piece());
-}
+void take_tool_name(States& s) { s.tool.take_name(s.in.first_piece()); }
 
 }  // namespace gouge

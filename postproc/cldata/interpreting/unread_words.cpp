@@ -26,9 +26,7 @@ constexpr std::array<std::string_view, 4> kOfManyNumbers = {"BOX", "CLEARP", "CL
 std::string in_ascii(std::string_view text) {
   std::string plain;
   for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto byte = [&](std::size_t at) {
-      return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U;
-    };
+    const auto byte = [&](std::size_t at) { return at < text.size() ? static_cast<unsigned char>(text[at]) : 0U; };
     const unsigned code = ((byte(i) & 0x0fU) << 12U) | ((byte(i + 1) & 0x3fU) << 6U) | (byte(i + 2) & 0x3fU);
     if (byte(i) < 0x80) {
       plain += text[i];
@@ -45,11 +43,12 @@ std::string in_ascii(std::string_view text) {
   return plain;
 }
 
-// Words of no dialect that is read here, which elsewhere choose an offset, a datum or a head, or turn or shift what follows:
-// OFFSET/5, ZSHIFT/5, HEADTILT/30, BAXIS/45.
+// Words of no dialect that is read here, which elsewhere choose an offset, a datum or a head, or turn or shift what
+// follows: OFFSET/5, ZSHIFT/5, HEADTILT/30, BAXIS/45.
 bool is_shifting_word(std::string_view word) {
   constexpr std::array<std::string_view, 3> kWords = {"ADJUST", "FIXOFF", "HEAD"};
-  constexpr std::array<std::string_view, 8> kParts = {"AXIS", "DATUM", "OFFSET", "OFSET", "OFST", "SHIFT", "TILT", "TURN"};
+  constexpr std::array<std::string_view, 8> kParts = {"AXIS", "DATUM", "OFFSET", "OFSET",
+                                                      "OFST", "SHIFT", "TILT",   "TURN"};
   constexpr std::size_t kLongest = 24;
   std::string large;
   for (const char c : word.substr(0, kLongest)) large += static_cast<char>(is_letter(c) ? c & ~0x20 : c);
@@ -67,9 +66,7 @@ bool is_statement(const StatementContext& in) {
   return rest.empty() || rest.front() == '/' || rest.front() == '(' || rest.front() == ',' || rest.front() == '$';
 }
 
-void doubt_frame(States& s) {
-  s.doubts.set(Doubt::unread_frame, s.in.because(Reasons::kUnreadFrame));
-}
+void doubt_frame(States& s) { s.doubts.set(Doubt::unread_frame, s.in.because(Reasons::kUnreadFrame)); }
 
 // LOAAD/TOOL,2 and UINT/MM: whatever the word is, its arguments are those of one that matters.
 void distrust_arguments(States& s) {

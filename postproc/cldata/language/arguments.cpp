@@ -24,9 +24,7 @@ constexpr std::array<Role, 256> kRoles = [] {
   return roles;
 }();
 
-Role role_of(char c) {
-  return kRoles[static_cast<unsigned char>(c)];
-}
+Role role_of(char c) { return kRoles[static_cast<unsigned char>(c)]; }
 
 // Also with the exponent of Fortran, in which old systems are written: "-2.D-1". Without the point it is a word.
 std::optional<double> number_of(std::string_view text) {
@@ -68,8 +66,7 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
 }
 
 const Argument* find_word_argument(std::span<const Argument> arguments) {
-  const auto it =
-      std::find_if(arguments.begin(), arguments.end(), [](const Argument& a) { return !a.number; });
+  const auto it = std::find_if(arguments.begin(), arguments.end(), [](const Argument& a) { return !a.number; });
   return it == arguments.end() ? nullptr : &*it;
 }
 

@@ -139,18 +139,12 @@ constexpr std::array<Dialect, 13> kDialects = {{
      .has_end_word = false,
      .has_positions_alone = true,
      .cutter_form = CutterForm::none},
-    {.kind = DialectKind::apt,
-     .id = "apt",
-     .title = "APT CL data",
-     .has_end_word = false,
-     .is_fallback = true},
+    {.kind = DialectKind::apt, .id = "apt", .title = "APT CL data", .has_end_word = false, .is_fallback = true},
 }};
 
 }  // namespace
 
-std::span<const Dialect> all_dialects() {
-  return kDialects;
-}
+std::span<const Dialect> all_dialects() { return kDialects; }
 
 const Dialect& dialect_of(DialectKind kind) {
   const auto* const it =
@@ -161,16 +155,13 @@ const Dialect& dialect_of(DialectKind kind) {
 std::optional<Dialect> dialect_called(std::string_view id) {
   constexpr std::string_view kApt = "apt-";
   for (const Dialect& dialect : kDialects) {
-    const bool is_short =
-        dialect.id.starts_with(kApt) && equals_ignoring_case(id, dialect.id.substr(kApt.size()));
+    const bool is_short = dialect.id.starts_with(kApt) && equals_ignoring_case(id, dialect.id.substr(kApt.size()));
     if (is_short || equals_ignoring_case(id, dialect.id)) return dialect;
   }
   return std::nullopt;
 }
 
-FileForm form_of(std::string_view id) {
-  return dialect_called(id).value_or(Dialect{}).form;
-}
+FileForm form_of(std::string_view id) { return dialect_called(id).value_or(Dialect{}).form; }
 
 std::string dialect_names() {
   std::string names;

@@ -52,7 +52,7 @@ enum class ArcForm : std::uint8_t {
 enum class ArcRule : std::uint8_t {
   by_vector,
   by_vector_or_against,  ///< some posts turn a clockwise arc's vector round, others leave it
-  shorter_path            ///< the post-processor takes the shorter arc between two points, whatever the vector
+  shorter_path           ///< the post-processor takes the shorter arc between two points, whatever the vector
 };
 
 /// What the words and numbers of a CYCLE mean.
@@ -70,22 +70,22 @@ struct Dialect {
   std::string_view title = "APT CL data";  ///< for people
   FileForm form = FileForm::text;
   CommentForm comments = CommentForm::none;
-  bool has_end_word = true;        ///< ends with END or FINI, so that a file without is cut short
-  bool is_fallback = false;        ///< what a file without the marks of any dialect is taken for
+  bool has_end_word = true;  ///< ends with END or FINI, so that a file without is cut short
+  bool is_fallback = false;  ///< what a file without the marks of any dialect is taken for
   bool is_mm_unless_stated = false;
 
   // Positions.
-  bool is_axis_modal = false;           ///< one without axis keeps the last one; else it means +Z or TLAXIS
-  bool has_known_plain_axis = false;    ///< verified that one without axis means +Z whatever came before
-  bool states_multax = false;           ///< MULTAX stands before the first axis
-  bool has_axes_under_multax = false;   ///< every position has one under MULTAX, and none without it
+  bool is_axis_modal = false;             ///< one without axis keeps the last one; else it means +Z or TLAXIS
+  bool has_known_plain_axis = false;      ///< verified that one without axis means +Z whatever came before
+  bool states_multax = false;             ///< MULTAX stands before the first axis
+  bool has_axes_under_multax = false;     ///< every position has one under MULTAX, and none without it
   bool has_points_at_multax_off = false;  ///< six numbers under MULTAX/OFF are two positions, whatever they look like
   bool has_points_without_axis = false;   ///< six numbers that are no position and unit axis are two positions
   bool lists_run_along_arc = false;       ///< all positions of a list behind a CIRCLE lie on it
   bool may_go_on_round = false;           ///< a position alone may go on along the circle of the one before it
 
   // Frames, operations and tools.
-  bool names_operations = false;      ///< has words of its own for it, so that PPRINT is only text
+  bool names_operations = false;       ///< has words of its own for it, so that PPRINT is only text
   bool operations_are_blocks = false;  ///< each has its MCS
   bool has_blocks = false;             ///< TOOL PATH to END-OF-PATH: frame, tool, axis and feed are of a block
   bool is_in_world = false;            ///< positions are in world coordinates, whatever CSYS says

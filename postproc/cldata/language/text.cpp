@@ -10,13 +10,9 @@ namespace {
 constexpr std::size_t kLongestName = 200;
 constexpr std::size_t kLongestQuote = 40;
 
-constexpr char capital(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
+constexpr char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-unsigned byte_at(std::string_view text, std::size_t i) {
-  return static_cast<unsigned char>(text[i]);
-}
+unsigned byte_at(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
 
 // Length of the well-formed UTF-8 sequence at `i`, or 0. Overlong forms, surrogates and numbers beyond
 // U+10FFFF are not well-formed: JSON writers refuse them.

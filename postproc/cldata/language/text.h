@@ -11,18 +11,12 @@ namespace gouge {
   return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\x1a';
 }
 
-[[nodiscard]] constexpr bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
+[[nodiscard]] constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-[[nodiscard]] constexpr bool is_letter(char c) {
-  return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z');
-}
+[[nodiscard]] constexpr bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
 
 /// Of a word as people write it: letters, digits, `_` and `-`.
-[[nodiscard]] constexpr bool is_word_character(char c) {
-  return is_letter(c) || is_digit(c) || c == '_' || c == '-';
-}
+[[nodiscard]] constexpr bool is_word_character(char c) { return is_letter(c) || is_digit(c) || c == '_' || c == '-'; }
 
 /// What some editors put before UTF-8 text; no part of it.
 inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";

@@ -169,23 +169,21 @@ static_assert(std::is_sorted(kWords.begin(), kWords.end(),
                              [](const Entry& a, const Entry& b) { return a.first < b.first; }));
 
 // Of those that never begin a statement the ones that matter to motion.
-constexpr auto kMinorWords = std::to_array<std::string_view>(
-    {"AAXIS",  "ADJUST", "ANGLE",  "ATANGL", "BAXIS",     "BORE",  "BRKCHP",
-     "CAXIS",  "CCLW",   "CENTER", "CLEAR",  "CLOCKWISE", "CLW",   "COUNTERCLOCKWISE",
-     "DEEP",   "DEPTH",  "DRILL",  "FEDTO",  "INCHES",    "INCR",  "IPM",
-     "IPR",    "LEFT",   "MILL",   "MM",     "MMPM",      "MMPR",  "NOMORE",
-     "OFF",    "ON",     "RAPTO",  "REAM",   "RETURN",    "RIGHT", "RPM",
-     "RTRCTO", "STEP",   "TAP",    "TIMES",  "TRANSL",    "TURN",  "WORLD",
-     "XYPLAN", "YZPLAN", "ZXPLAN"});
+constexpr auto kMinorWords =
+    std::to_array<std::string_view>({"AAXIS",  "ADJUST", "ANGLE",  "ATANGL", "BAXIS",     "BORE",  "BRKCHP",
+                                     "CAXIS",  "CCLW",   "CENTER", "CLEAR",  "CLOCKWISE", "CLW",   "COUNTERCLOCKWISE",
+                                     "DEEP",   "DEPTH",  "DRILL",  "FEDTO",  "INCHES",    "INCR",  "IPM",
+                                     "IPR",    "LEFT",   "MILL",   "MM",     "MMPM",      "MMPR",  "NOMORE",
+                                     "OFF",    "ON",     "RAPTO",  "REAM",   "RETURN",    "RIGHT", "RPM",
+                                     "RTRCTO", "STEP",   "TAP",    "TIMES",  "TRANSL",    "TURN",  "WORLD",
+                                     "XYPLAN", "YZPLAN", "ZXPLAN"});
 
 constexpr std::array<std::string_view, 6> kSixLetterTexts = {"INSERT", "LETTER", "PARTNO",
                                                              "PPRINT", "REMARK", "TPRINT"};
-constexpr std::array<std::string_view, 5> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART",
-                                                             "OPNAME", "TITLES"};
+constexpr std::array<std::string_view, 5> kWholeWordTexts = {"CSI_TOOL_PATH", "OPFEATEND", "OPFEATSTART", "OPNAME",
+                                                             "TITLES"};
 
-bool is_major_character(char c) {
-  return is_letter(c) || is_digit(c) || c == '_';
-}
+bool is_major_character(char c) { return is_letter(c) || is_digit(c) || c == '_'; }
 
 // "TOOL PATH", with as many blanks as there are.
 std::size_t tool_path_length(std::string_view line) {
@@ -269,9 +267,9 @@ Word find_intended_word(std::string_view major) {
 }
 
 Word find_word(std::string_view major) {
-  const auto* const it = std::lower_bound(
-      kWords.begin(), kWords.end(), major,
-      [](const Entry& e, std::string_view m) { return compare_ignoring_case(e.first, m) < 0; });
+  const auto* const it = std::lower_bound(kWords.begin(), kWords.end(), major, [](const Entry& e, std::string_view m) {
+    return compare_ignoring_case(e.first, m) < 0;
+  });
   if (it == kWords.end() || compare_ignoring_case(it->first, major) != 0) return Word::unknown;
   return it->second;
 }

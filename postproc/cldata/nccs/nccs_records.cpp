@@ -11,9 +11,7 @@ constexpr std::size_t kWordsOfBlock = 35;
 constexpr std::size_t kBlock = 288;
 constexpr std::size_t kLeastBytes = 8;
 
-unsigned byte_at(std::string_view bytes, std::size_t at) {
-  return static_cast<unsigned char>(bytes[at]);
-}
+unsigned byte_at(std::string_view bytes, std::size_t at) { return static_cast<unsigned char>(bytes[at]); }
 
 std::uint16_t number16(std::string_view bytes, std::size_t at) {
   return static_cast<std::uint16_t>(byte_at(bytes, at) | (byte_at(bytes, at + 1) << 8U));
@@ -71,17 +69,11 @@ std::size_t NccsWords::words() const {
   return bytes_.size() / kBlock * kWordsOfBlock + rest;
 }
 
-std::size_t NccsWords::offset(std::size_t word) {
-  return word / kWordsOfBlock * kBlock + word % kWordsOfBlock * kWord;
-}
+std::size_t NccsWords::offset(std::size_t word) { return word / kWordsOfBlock * kBlock + word % kWordsOfBlock * kWord; }
 
-std::size_t NccsWords::word_at(std::size_t offset) {
-  return offset / kBlock * kWordsOfBlock + offset % kBlock / kWord;
-}
+std::size_t NccsWords::word_at(std::size_t offset) { return offset / kBlock * kWordsOfBlock + offset % kBlock / kWord; }
 
-std::string_view NccsWords::bytes(std::size_t word) const {
-  return bytes(word, kWord);
-}
+std::string_view NccsWords::bytes(std::size_t word) const { return bytes(word, kWord); }
 
 std::string_view NccsWords::bytes(std::size_t word, std::size_t count) const {
   return bytes_.substr(offset(word), count);

@@ -22,9 +22,9 @@ struct NccsHeader {
 };
 
 struct NccsClass {
-  static constexpr std::uint16_t kSourceLine = 1000, kSourceNumber = 1001, kPost = 2000, kCircle = 3000,
-                                 kMotion = 5000, kExpanded = 5200, kTool = 6000, kShownTool = 7100, kHeader = 7400,
-                                 kMode = 9000, kFini = 14000;
+  static constexpr std::uint16_t kSourceLine = 1000, kSourceNumber = 1001, kPost = 2000, kCircle = 3000, kMotion = 5000,
+                                 kExpanded = 5200, kTool = 6000, kShownTool = 7100, kHeader = 7400, kMode = 9000,
+                                 kFini = 14000;
 };
 
 /// Data words of each point in a record of expanded motion.

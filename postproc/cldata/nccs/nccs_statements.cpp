@@ -138,8 +138,7 @@ void NccsStatements::take_circle(const NccsHeader& header, Statement& statement)
   statement.major = "CIRCLE";
   const std::size_t count = header.words - std::size_t{1};
   if (count != kCircleNumbers && count != kCircleWords) return;  // an arc that is not understood
-  for (std::size_t i = header.words - kCircleNumbers; i < header.words; ++i)
-    statement.decoded.push_back(number_at(i));
+  for (std::size_t i = header.words - kCircleNumbers; i < header.words; ++i) statement.decoded.push_back(number_at(i));
 }
 
 // CUTTER/d,r,h as programmed, or d,r,h,side angle. APT's d is where the flank meets the bottom plane; its
@@ -157,9 +156,8 @@ void NccsStatements::take_cutter(const NccsHeader& header, Statement& statement)
   const double side_deg = given.size() == 4 ? *given[3].number : 0;
   const double e = *given[0].number / 2 - radius;
   const double side_rad = side_deg * std::numbers::pi / 180;
-  const double d = std::abs(side_deg) > 0
-                       ? 2 * (e + radius / std::cos(side_rad) - radius * std::tan(side_rad))
-                       : *given[0].number;
+  const double d =
+      std::abs(side_deg) > 0 ? 2 * (e + radius / std::cos(side_rad) - radius * std::tan(side_rad)) : *given[0].number;
   for (const double value : {d, radius, e, radius, 0.0, side_deg, *given[2].number})
     statement.decoded.push_back({given.front().text, value});
 }
@@ -177,8 +175,7 @@ void NccsStatements::take_record(const NccsHeader& header, Statement& statement)
       return take_circle(header, statement);
     case NccsClass::kTool:
       if (header.subclass == kCutter) return take_cutter(header, statement);
-      if (header.subclass != kInnerTolerance && header.subclass != kOuterTolerance)
-        statement.major = "tool record";
+      if (header.subclass != kInnerTolerance && header.subclass != kOuterTolerance) statement.major = "tool record";
       return;
     case NccsClass::kMode:
       statement.word = header.subclass <= kMultaxOff ? Word::multax : Word::unread_frame;

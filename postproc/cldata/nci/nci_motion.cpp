@@ -14,14 +14,11 @@ constexpr double kSame = 1e-9;
 constexpr double kShortestVector = 1e-3;  // below it the digits of the points say nothing of a direction
 constexpr double kLargestFlags = 1e15;    // beyond it a number has no last digits
 
-bool is_equal(double a, double b) {
-  return std::abs(a - b) < kSame;
-}
+bool is_equal(double a, double b) { return std::abs(a - b) < kSame; }
 
 bool are_numbers(std::span<const Argument> fields, std::size_t count) {
-  return fields.size() >= count &&
-         std::all_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(count),
-                     [](const Argument& a) { return a.number.has_value(); });
+  return fields.size() >= count && std::all_of(fields.begin(), fields.begin() + static_cast<std::ptrdiff_t>(count),
+                                               [](const Argument& a) { return a.number.has_value(); });
 }
 
 Vec3 point(std::span<const Argument> fields, const std::array<std::size_t, 3>& at) {

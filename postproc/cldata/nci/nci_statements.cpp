@@ -27,9 +27,7 @@ CutcomSide side_of(double compensation) {
   return is(kCompLeft) ? CutcomSide::left : is(kCompRight) ? CutcomSide::right : CutcomSide::unknown;
 }
 
-Argument number(double value) {
-  return {{}, value};
-}
+Argument number(double value) { return {{}, value}; }
 
 }  // namespace
 

@@ -20,8 +20,7 @@ namespace gouge {
 class NciStatements {
  public:
   /// `bytes` must outlive the statements.
-  NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line)
-      : lines_(bytes, first_byte, line) {}
+  NciStatements(std::string_view bytes, std::size_t first_byte, std::size_t line) : lines_(bytes, first_byte, line) {}
 
   /// The next statement; a pair may say several, of which all but the last span no bytes. Of a motion the
   /// last is its GOTO, whose numbers are those of the pair, but for the axis, which has no text.

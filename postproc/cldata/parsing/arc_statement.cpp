@@ -34,8 +34,8 @@ ArcStatement failed(const char* problem) {
 // lost or a number twice, and what stands behind it is read as something else. Readers of records make their own lists.
 bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
   if (form == ArcForm::nci || form == ArcForm::ncl) return true;
-  constexpr std::array<std::string_view, 7> kWords = {"CENTER", "AXIS", "RADIUS", "TIMES", "ANGLE", "CLOCKWISE",
-                                                      "COUNTERCLOCKWISE"};
+  constexpr std::array<std::string_view, 7> kWords = {"CENTER", "AXIS",      "RADIUS",          "TIMES",
+                                                      "ANGLE",  "CLOCKWISE", "COUNTERCLOCKWISE"};
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     const std::string_view text = arguments[i].text;
@@ -104,9 +104,7 @@ bool read_sense_word(std::span<const Argument> arguments, ArcStatement& statemen
   return !(is_right && is_left);
 }
 
-double positive(double angle) {
-  return angle <= 0 ? angle + 2 * kPi : angle;
-}
+double positive(double angle) { return angle <= 0 ? angle + 2 * kPi : angle; }
 
 }  // namespace
 
@@ -123,8 +121,8 @@ ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> argument
   if (statement.radius_mm) *statement.radius_mm *= mm_per_unit;
   statement.sense = dialect.arc_sense;
   const bool has_word = has_argument(arguments, "CLOCKWISE") || has_argument(arguments, "COUNTERCLOCKWISE");
-  const bool has_sense = statement.sense != ArcSense::unknown ||
-                         (dialect.arc_form == ArcForm::ncl && dialect.form == FileForm::text);
+  const bool has_sense =
+      statement.sense != ArcSense::unknown || (dialect.arc_form == ArcForm::ncl && dialect.form == FileForm::text);
   if (has_word && has_sense) return failed(ArcProblems::kBothSenses);
   if (!read_sense_word(arguments, statement)) return failed(ArcProblems::kBothSenses);
 

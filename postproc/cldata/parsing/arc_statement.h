@@ -22,7 +22,9 @@ struct ArcProblems {
   static constexpr const char* kPoint = "the arc's radius is 0";
   static constexpr const char* kTiny = "the arc is either next to nothing or a full circle: its numbers do not decide";
   static constexpr const char* kAngle = "the angle the arc states does not lead to its end";
-  static constexpr const char* kTimes = "TIMES on an arc that does not end above its start: whether its part of a turn counts as one the file does not say";
+  static constexpr const char* kTimes =
+      "TIMES on an arc that does not end above its start: whether its part of a turn counts as one the file does not "
+      "say";
   static constexpr const char* kTangent = "the arc's start direction (INDIRV) does not touch its circle";
   static constexpr const char* kHalf = "the arc's length and its ON,INTOF word contradict each other";
   static constexpr const char* kXzPlane =

@@ -13,9 +13,7 @@ namespace {
 // CAM systems write tool sizes with 4 decimals or more: a radius of half of 0.3125 is written 0.1563.
 constexpr double kRadiusRounding = 1e-4;
 
-double radians(double degrees) {
-  return degrees * std::numbers::pi / 180;
-}
+double radians(double degrees) { return degrees * std::numbers::pi / 180; }
 
 // The corner circle touches the bottom line, which rises by alpha, and the flank, which leans out by beta;
 // both meet at radius d/2. Its centre lies r inside of each.
@@ -27,9 +25,7 @@ void find_corner_centre(CutterStatement& cutter) {
   cutter.f_mm = cutter.d_mm / 2 * std::tan(a) + cutter.r_mm * std::sin(b) + along_flank * std::cos(b);
 }
 
-bool is_zero(double x) {
-  return !(x < 0) && !(x > 0);
-}
+bool is_zero(double x) { return !(x < 0) && !(x > 0); }
 
 // Two zeros are no centre: a corner circle about the tip would reach below it.
 bool is_corner_elsewhere(const CutterStatement& cutter, double r_mm, double z_mm, double mm_per_unit) {
@@ -49,10 +45,8 @@ std::string check_sizes(double d, double r, double h, double alpha_deg, double b
   if (d < 0) return "diameter " + exact_text(d) + " is negative";
   if (r < 0) return "corner radius " + exact_text(r) + " is negative";
   if (h < 0) return "length " + exact_text(h) + " is negative";
-  if (alpha_deg < 0 || alpha_deg >= 90)
-    return "tip angle " + exact_text(alpha_deg) + " is not within 0 to 90 degrees";
-  if (std::abs(beta_deg) >= 90)
-    return "flank angle " + exact_text(beta_deg) + " is not within -90 to 90 degrees";
+  if (alpha_deg < 0 || alpha_deg >= 90) return "tip angle " + exact_text(alpha_deg) + " is not within 0 to 90 degrees";
+  if (std::abs(beta_deg) >= 90) return "flank angle " + exact_text(beta_deg) + " is not within -90 to 90 degrees";
   return {};
 }
 
@@ -61,9 +55,7 @@ std::string check_radius(double d, double r) {
   return "corner radius " + exact_text(r) + " is larger than half the diameter " + exact_text(d);
 }
 
-CutterOutcome wrong(std::string error) {
-  return {std::nullopt, 0, std::move(error), {}, false};
-}
+CutterOutcome wrong(std::string error) { return {std::nullopt, 0, std::move(error), {}, false}; }
 
 }  // namespace
 
@@ -73,11 +65,9 @@ CutterOutcome make_cutter(std::span<const Argument> arguments, double mm_per_uni
   if (count != 1 && count != 2 && count != 7) return wrong("found " + std::to_string(count) + " numbers");
   std::array<double, 7> v{};
   for (std::size_t i = 0; i < count; ++i) v[i] = *arguments[i].number;
-  if (std::string error = check_sizes(v[0], v[1], v[6], v[4], v[5]); !error.empty())
-    return wrong(std::move(error));
+  if (std::string error = check_sizes(v[0], v[1], v[6], v[4], v[5]); !error.empty()) return wrong(std::move(error));
   const bool is_plain = is_zero(v[4]) && is_zero(v[5]);
-  if (is_zero(v[0]) && is_plain)
-    return {std::nullopt, 0, {}, "CUTTER with diameter 0 defines no tool", false};
+  if (is_zero(v[0]) && is_plain) return {std::nullopt, 0, {}, "CUTTER with diameter 0 defines no tool", false};
 
   CutterStatement cutter;
   cutter.d_mm = v[0] * mm_per_unit;
@@ -115,8 +105,7 @@ CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_dr
   }
   const double taper = is_drill ? 0 : v[3];
   const double tip = is_drill ? (180 - v[3]) / 2 : v[4];
-  if (std::string error = check_sizes(v[0], v[1], v[2], tip, taper); !error.empty())
-    return wrong(std::move(error));
+  if (std::string error = check_sizes(v[0], v[1], v[2], tip, taper); !error.empty()) return wrong(std::move(error));
   if (tip + taper >= 90) return wrong("tip angle and taper angle together reach 90 degrees");
   if (is_zero(v[0])) return {std::nullopt, 0, {}, "TLDATA with diameter 0 defines no tool", false};
   if (count == 10 && !is_zero(v[7])) {

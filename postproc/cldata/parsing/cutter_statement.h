@@ -30,7 +30,6 @@ struct CutterOutcome {
 
 /// TLDATA/MILL,D,R,length,taper,tip[,x,y[,upper radius,x,y]] and TLDATA/DRILL[,MILL],D,R,length,point,flutes.
 /// `arguments` without the first word; `is_drill` shows which form.
-[[nodiscard]] CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill,
-                                               double mm_per_unit);
+[[nodiscard]] CutterOutcome make_tldata_cutter(std::span<const Argument> arguments, bool is_drill, double mm_per_unit);
 
 }  // namespace gouge

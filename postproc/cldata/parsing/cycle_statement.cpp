@@ -31,15 +31,14 @@ constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2
 constexpr std::array<std::string_view, 4> kTapping = {"TAP", "RTAP", "LTAP", "RIGID"};
 constexpr std::array<std::string_view, 5> kFedOut = {"REAM", "BORE", "BORE7", "BORE8", "CBORE"};
 // Words that move the tool sideways, or turn the sense of the heights round.
-constexpr std::array<std::string_view, 6> kSideways = {"ORIENT", "NODRAG", "BACK",
-                                                       "SHIFT",  "MANUAL", "DIAMETR"};
+constexpr std::array<std::string_view, 6> kSideways = {"ORIENT", "NODRAG", "BACK", "SHIFT", "MANUAL", "DIAMETR"};
 
 constexpr std::array<std::string_view, 6> kHeightWords = {"FEDTO", "DEPTH", "RAPTO", "CLEAR", "RTRCTO", "RETURN"};
 constexpr std::size_t kLongestWord = 24;
 
 // Words that one number follows.
-constexpr std::array<std::string_view, 11> kHeights = {"FEDTO",  "DEPTH", "RAPTO", "CLEAR",  "RTRCTO", "RETURN",
-                                                       "MMPM",   "IPM",   "MMPR",  "IPR",    "PERMIN"};
+constexpr std::array<std::string_view, 11> kHeights = {"FEDTO", "DEPTH", "RAPTO", "CLEAR", "RTRCTO", "RETURN",
+                                                       "MMPM",  "IPM",   "MMPR",  "IPR",   "PERMIN"};
 
 std::optional<double> after(Arguments arguments, std::string_view word) {
   for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
@@ -111,7 +110,8 @@ bool contradicts_itself(CycleForm form, Arguments arguments) {
       has_argument(arguments, "OFF") || has_argument(arguments, "NOMORE")) {
     return true;
   }
-  if (has_damaged_argument(arguments) || std::any_of(arguments.begin(), arguments.end(), is_damaged_height)) return true;
+  if (has_damaged_argument(arguments) || std::any_of(arguments.begin(), arguments.end(), is_damaged_height))
+    return true;
   // Their numbers have positions, not words, or are read one by one.
   if (form == CycleForm::clt || form == CycleForm::ncl) return false;
   for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
@@ -129,31 +129,12 @@ struct CycleWord {
 
 // Words that say no more than is read of them, or how the feed, the pecks and the dwell are: nothing of where the tool
 // goes. THRU, TIP, TOP or OFFSET of other post-processors would move the bottom or the tool.
-constexpr auto kCycleWords = std::to_array<CycleWord>({{"FEDTO", 1, 1},
-                                                       {"DEPTH", 1, 1},
-                                                       {"RAPTO", 1, 1},
-                                                       {"CLEAR", 1, 1},
-                                                       {"RTRCTO", 0, 1},
-                                                       {"RETURN", 0, 1},
-                                                       {"AUTO", 0, 0},
-                                                       {"STEP", 0, 3},
-                                                       {"1STPECK", 1, 1},
-                                                       {"STPECK", 1, 1},
-                                                       {"SUBPECK", 1, 1},
-                                                       {"PECK", 1, 2},
-                                                       {"INCR", 1, 2},
-                                                       {"DWELL", 0, 1},
-                                                       {"REV", 0, 1},
-                                                       {"FEDRAT", 0, 1},
-                                                       {"MMPM", 0, 1},
-                                                       {"IPM", 0, 1},
-                                                       {"MMPR", 0, 1},
-                                                       {"IPR", 0, 1},
-                                                       {"PERMIN", 0, 1},
-                                                       {"PERREV", 0, 1},
-                                                       {"TPI", 1, 1},
-                                                       {"RPM", 0, 1},
-                                                       {"DRAG", 0, 0}});
+constexpr auto kCycleWords =
+    std::to_array<CycleWord>({{"FEDTO", 1, 1},   {"DEPTH", 1, 1},  {"RAPTO", 1, 1}, {"CLEAR", 1, 1},   {"RTRCTO", 0, 1},
+                              {"RETURN", 0, 1},  {"AUTO", 0, 0},   {"STEP", 0, 3},  {"1STPECK", 1, 1}, {"STPECK", 1, 1},
+                              {"SUBPECK", 1, 1}, {"PECK", 1, 2},   {"INCR", 1, 2},  {"DWELL", 0, 1},   {"REV", 0, 1},
+                              {"FEDRAT", 0, 1},  {"MMPM", 0, 1},   {"IPM", 0, 1},   {"MMPR", 0, 1},    {"IPR", 0, 1},
+                              {"PERMIN", 0, 1},  {"PERREV", 0, 1}, {"TPI", 1, 1},   {"RPM", 0, 1},     {"DRAG", 0, 0}});
 
 // CAMWorks CLT: the numbers have positions behind these words.
 constexpr auto kCltWords = std::to_array<CycleWord>({{"G98", 1, 1},
@@ -189,8 +170,8 @@ std::size_t numbers_after(Arguments arguments, std::size_t at) {
   return count;
 }
 
-// Every word behind the cycle's kind is one that is known, with as many numbers as it has. A second kind may stand beside the
-// first (DRILL,DEEP); CATIA's default table writes its two numbers without words.
+// Every word behind the cycle's kind is one that is known, with as many numbers as it has. A second kind may stand
+// beside the first (DRILL,DEEP); CATIA's default table writes its two numbers without words.
 bool has_only_known_words(CycleForm form, Arguments arguments) {
   std::size_t at = 1;
   if (form == CycleForm::catia && arguments.size() > 1 && arguments[1].number) return arguments.size() == 3;
@@ -282,9 +263,8 @@ std::optional<DrillCycle> read_nccs(Arguments arguments) {
   std::optional<double> depth = after(arguments, "FEDTO");
   const std::optional<double> clearance = after(arguments, "RAPTO");
   if (!depth || !clearance || *depth < 0) return std::nullopt;
-  const auto* const word =
-      std::find_if(arguments.data(), arguments.data() + arguments.size(),
-                   [](const Argument& a) { return equals_ignoring_case(a.text, "FEDTO"); });
+  const auto* const word = std::find_if(arguments.data(), arguments.data() + arguments.size(),
+                                        [](const Argument& a) { return equals_ignoring_case(a.text, "FEDTO"); });
   const auto at = static_cast<std::size_t>(word - arguments.data());
   if (numbers_after(arguments, at) == 2) {
     const double angle_deg = *arguments[at + 2].number;
@@ -325,8 +305,8 @@ std::optional<DrillCycle> read_heights(CycleForm form, Arguments arguments) {
 }
 
 // The words of NX with one value each: a number, or AUTO.
-constexpr std::array<std::string_view, 14> kNxValues = {"FEDTO", "RAPTO", "CLEAR", "RTRCTO", "STEP",  "DWELL", "MMPM",
-                                                        "MMPR",  "IPM",   "IPR",   "CAM",    "INCR",  "CSINK", "TPI"};
+constexpr std::array<std::string_view, 14> kNxValues = {"FEDTO", "RAPTO", "CLEAR", "RTRCTO", "STEP", "DWELL", "MMPM",
+                                                        "MMPR",  "IPM",   "IPR",   "CAM",    "INCR", "CSINK", "TPI"};
 
 bool is_height_above(std::string_view word) {
   return equals_ignoring_case(word, "RAPTO") || equals_ignoring_case(word, "CLEAR");
@@ -348,15 +328,17 @@ std::optional<std::vector<Argument>> changed_cycle(Arguments cycle, Arguments ch
   std::vector<Argument> changed(cycle.begin(), cycle.end());
   for (std::size_t i = 0; i < changes.size(); i += 2) {
     const std::string_view word = changes[i].text;
-    const bool has_value = i + 1 < changes.size() &&
-                           (changes[i + 1].number || equals_ignoring_case(changes[i + 1].text, "AUTO"));
+    const bool has_value =
+        i + 1 < changes.size() && (changes[i + 1].number || equals_ignoring_case(changes[i + 1].text, "AUTO"));
     if (!is_one_of(word, kNxValues) || !has_value) return std::nullopt;
     for (std::size_t before = 0; before < i; before += 2) {
       if (replaces(word, changes[before].text)) return std::nullopt;
     }
-    const auto old = std::find_if(changed.begin(), changed.end(), [&](const Argument& a) { return replaces(word, a.text); });
+    const auto old =
+        std::find_if(changed.begin(), changed.end(), [&](const Argument& a) { return replaces(word, a.text); });
     if (old != changed.end()) {
-      const bool had_value = old + 1 != changed.end() && ((old + 1)->number || equals_ignoring_case((old + 1)->text, "AUTO"));
+      const bool had_value =
+          old + 1 != changed.end() && ((old + 1)->number || equals_ignoring_case((old + 1)->text, "AUTO"));
       changed.erase(old, old + (had_value ? 2 : 1));
     }
     changed.push_back(changes[i]);

@@ -16,9 +16,9 @@ namespace gouge {
 /// Heights along the tool axis, counted from the position of a GOTO, in mm. Pecks go up and down the path the
 /// plunge sweeps, so they add nothing to what a check must look at.
 struct DrillCycle {
-  double clearance_mm = 0;  ///< down to here at rapid, from here at feed
-  double bottom_mm = 0;     ///< the deepest point, usually below 0
-  double retract_mm = 0;    ///< where the tool is afterwards
+  double clearance_mm = 0;        ///< down to here at rapid, from here at feed
+  double bottom_mm = 0;           ///< the deepest point, usually below 0
+  double retract_mm = 0;          ///< where the tool is afterwards
   Feed feed;                      ///< of the plunge; not_stated: that of FEDRAT
   bool is_fed_out = false;        ///< up again at the feed, not at rapid
   bool is_tapping = false;        ///< the spindle turns back on the path up
@@ -26,8 +26,8 @@ struct DrillCycle {
   bool is_retract_known = true;   ///< false: a plane the statement names without its height, no lower than retract_mm
 };
 
-/// NX's CYCLE/ON,word,value,..: the last cycle taken up with these values in place of its own. `cycle` are the arguments
-/// of that one, `changes` what follows ON. Nothing where a word is not one with a value.
+/// NX's CYCLE/ON,word,value,..: the last cycle taken up with these values in place of its own. `cycle` are the
+/// arguments of that one, `changes` what follows ON. Nothing where a word is not one with a value.
 [[nodiscard]] std::optional<std::vector<Argument>> changed_cycle(std::span<const Argument> cycle,
                                                                  std::span<const Argument> changes);
 

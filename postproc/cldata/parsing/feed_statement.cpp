@@ -37,8 +37,8 @@ constexpr std::array<UnitWord, 10> kUnits = {{{"MMPM", FeedUnit::per_minute, 1},
                                               {"TPI", FeedUnit::not_understood, 0}}};
 
 const UnitWord* feed_unit_called(std::string_view word) {
-  const auto* const it = std::find_if(kUnits.begin(), kUnits.end(),
-                                      [&](const UnitWord& u) { return equals_ignoring_case(word, u.word); });
+  const auto* const it =
+      std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitWord& u) { return equals_ignoring_case(word, u.word); });
   return it == kUnits.end() ? nullptr : it;
 }
 
@@ -67,7 +67,8 @@ Feed read_feed(Arguments arguments, double mm_per_unit) {
   const double number = *std::find_if(arguments.begin(), arguments.end(), is_number)->number;
   const std::optional<std::size_t> at = find_unit_word(arguments);
   if (at == arguments.size()) return kNotUnderstood;
-  return feed_of(number, at ? *feed_unit_called(arguments[*at].text) : UnitWord{"", FeedUnit::per_minute, 0}, mm_per_unit);
+  return feed_of(number, at ? *feed_unit_called(arguments[*at].text) : UnitWord{"", FeedUnit::per_minute, 0},
+                 mm_per_unit);
 }
 
 bool switches_inverse_time(Arguments arguments) {

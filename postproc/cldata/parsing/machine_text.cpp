@@ -20,13 +20,10 @@ using Tokens = std::span<const Token>;
 
 template <std::size_t size>
 bool is_one_of(std::string_view word, const std::array<std::string_view, size>& words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view w) { return equals_ignoring_case(word, w); });
+  return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return equals_ignoring_case(word, w); });
 }
 
-bool is(const Token& token, std::string_view word) {
-  return equals_ignoring_case(token.letters, word);
-}
+bool is(const Token& token, std::string_view word) { return equals_ignoring_case(token.letters, word); }
 
 bool is_word_of(const Token& token, std::string_view letters) {
   return token.letters.size() == 1 && token.number &&
@@ -34,8 +31,7 @@ bool is_word_of(const Token& token, std::string_view letters) {
 }
 
 bool is_linear_axis(const Token& t) {
-  const bool is_step =
-      t.letters.size() == 2 && (t.letters[0] == 'I' || t.letters[0] == 'i') && t.number;  // Heidenhain
+  const bool is_step = t.letters.size() == 2 && (t.letters[0] == 'I' || t.letters[0] == 'i') && t.number;  // Heidenhain
   return is_word_of(is_step ? Token{t.letters.substr(1), t.number} : t, "XYZUVW");
 }
 
@@ -57,8 +53,7 @@ void move(Tokens tokens, MachineEffect& effect) {
 }
 
 // Words that may stand in a block beside its addresses.
-constexpr std::array<std::string_view, 8> kBesideAddresses = {"FMAX", "F",    "MAX",   "RL",
-                                                              "RR",   "AUTO", "FAUTO", "DR"};
+constexpr std::array<std::string_view, 8> kBesideAddresses = {"FMAX", "F", "MAX", "RL", "RR", "AUTO", "FAUTO", "DR"};
 
 // A block of addresses, and nothing that makes it a sentence.
 bool is_block(Tokens tokens) {
@@ -83,7 +78,8 @@ bool take_path_word(Tokens tokens, MachineEffect& effect) {
   return true;
 }
 
-// What a call names: PGM and LBL of Heidenhain with theirs, else one word; more make a sentence (CALL THE OPERATOR NOW).
+// What a call names: PGM and LBL of Heidenhain with theirs, else one word; more make a sentence (CALL THE OPERATOR
+// NOW).
 bool is_name_alone(Tokens tokens) {
   return tokens.empty() || is(tokens.front(), "PGM") || is(tokens.front(), "LBL") || tokens.size() == 1;
 }
@@ -91,8 +87,7 @@ bool is_name_alone(Tokens tokens) {
 bool take_heidenhain(Tokens tokens, MachineEffect& effect) {
   const Token& first = tokens.front();
   const Token second = tokens.size() > 1 ? tokens[1] : Token{};
-  const auto number =
-      static_cast<int>(second.number.value_or(tokens.size() > 2 ? tokens[2].number.value_or(-1) : -1));
+  const auto number = static_cast<int>(second.number.value_or(tokens.size() > 2 ? tokens[2].number.value_or(-1) : -1));
   if (is(first, "CYCL")) {
     constexpr std::array<int, 6> kShifting = {7, 8, 10, 11, 19, 26};
     constexpr std::array<int, 4> kHarmless = {9, 13, 32, 14};
@@ -125,25 +120,21 @@ bool take_heidenhain(Tokens tokens, MachineEffect& effect) {
 
 bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
   constexpr std::array<std::string_view, 22> kShifts = {
-      "TRANS",   "ATRANS", "ROT",     "AROT",    "ROTS",     "AROTS",  "CROTS",  "SCALE",
-      "ASCALE",  "MIRROR", "AMIRROR", "TRAFOOF", "TRANSMIT", "TRACYL", "TRAANG", "TOROT",
-      "TOFRAME", "PAROT",  "TOROTOF", "PAROTOF", "RTRANS",   "TRACON"};
-  constexpr std::array<std::string_view, 6> kCycles = {"CYCLE", "POCKET",   "SLOT",
-                                                       "HOLES", "LONGHOLE", "POSITION"};
+      "TRANS",   "ATRANS",   "ROT",    "AROT",   "ROTS",  "AROTS",   "CROTS", "SCALE",   "ASCALE",  "MIRROR", "AMIRROR",
+      "TRAFOOF", "TRANSMIT", "TRACYL", "TRAANG", "TOROT", "TOFRAME", "PAROT", "TOROTOF", "PAROTOF", "RTRANS", "TRACON"};
+  constexpr std::array<std::string_view, 6> kCycles = {"CYCLE", "POCKET", "SLOT", "HOLES", "LONGHOLE", "POSITION"};
   constexpr std::array<std::string_view, 29> kHarmless = {
-      "TRAORI", "MSG",       "STOPRE",  "SOFT",    "BRISK",  "FFWON",  "FFWOF",    "ORIWKS",
-      "ORIMKS", "ORIAXES",   "ORIVECT", "COMPCAD", "COMPON", "COMPOF", "COMPCURV", "COMPSURF",
-      "UPATH",  "SPATH",     "CFC",     "CFTCP",   "CFIN",   "FGROUP", "SPOS",     "LIMS",
-      "SETMS",  "WORKPIECE", "DIAMOF",  "STOP",    "NORM"};
+      "TRAORI",  "MSG",     "STOPRE", "SOFT",   "BRISK",    "FFWON",     "FFWOF",  "ORIWKS", "ORIMKS", "ORIAXES",
+      "ORIVECT", "COMPCAD", "COMPON", "COMPOF", "COMPCURV", "COMPSURF",  "UPATH",  "SPATH",  "CFC",    "CFTCP",
+      "CFIN",    "FGROUP",  "SPOS",   "LIMS",   "SETMS",    "WORKPIECE", "DIAMOF", "STOP",   "NORM"};
   const Token& first = tokens.front();
   const Token second = tokens.size() > 1 ? tokens[1] : Token{};
   const std::string_view after =
       trim(text.substr(static_cast<std::size_t>(first.letters.data() - text.data()) + first.letters.size()));
   // Before other words ("ROT AND CLAMP THE PART") they begin a sentence.
-  const bool is_sentence =
-      second.letters.size() > 1 && !second.number && !is(second, "DATUM") && !is(second, "RPL");
+  const bool is_sentence = second.letters.size() > 1 && !second.number && !is(second, "DATUM") && !is(second, "RPL");
   // Okuma's CALL and MODIN, Siemens's EXTCALL, PCALL and REPEAT: a subprogram, or blocks that stand elsewhere.
-  constexpr std::array<std::string_view, 7> kCalls = {"CALL",  "EXTCALL", "ICALL", "MODIN",
+  constexpr std::array<std::string_view, 7> kCalls = {"CALL",  "EXTCALL", "ICALL",  "MODIN",
                                                       "PCALL", "REPEAT",  "REPEATB"};
   if (is_one_of(first.letters, kCalls) && !first.is_glued && tokens.size() <= 3) {
     effect.moves = true;
@@ -170,22 +161,10 @@ bool take_siemens(Tokens tokens, std::string_view text, MachineEffect& effect) {
     effect.moves = true;
     return true;
   }
-  return is_one_of(first.letters, kHarmless) &&
-         (after.empty() || after.front() == '(' || after.front() == '=');
+  return is_one_of(first.letters, kHarmless) && (after.empty() || after.front() == '(' || after.front() == '=');
 }
 
-enum class Code {
-  harmless,
-  length,
-  path,
-  moves,
-  shifts,
-  shifts_with_axes,
-  begins_cycle,
-  ends_cycle,
-  offset,
-  unknown
-};
+enum class Code { harmless, length, path, moves, shifts, shifts_with_axes, begins_cycle, ends_cycle, offset, unknown };
 
 struct CodeRange {
   int first, last;  // ten times the number of G
@@ -281,8 +260,8 @@ void take_code(double number, Tokens tokens, MachineEffect& effect) {
     case Code::shifts_with_axes:
       // G92 with an S alone limits the spindle's speed, G50 alone ends scaling.
       effect.shifts = effect.shifts || has_axes ||
-                      (number > 90 && std::none_of(tokens.begin(), tokens.end(),
-                                                   [](const Token& t) { return is_word_of(t, "S"); }));
+                      (number > 90 &&
+                       std::none_of(tokens.begin(), tokens.end(), [](const Token& t) { return is_word_of(t, "S"); }));
       return;
     case Code::shifts:
       effect.shifts = true;
@@ -307,8 +286,7 @@ void take_code(double number, Tokens tokens, MachineEffect& effect) {
 // The numbers of axes beside these are no position to go to.
 bool takes_axes(double number) {
   constexpr std::array<double, 12> kTakers = {4, 10, 51, 51.1, 52, 65, 66, 68, 68.2, 68.3, 92, 5.1};
-  return std::any_of(kTakers.begin(), kTakers.end(),
-                     [&](double code) { return std::abs(number - code) < 0.05; });
+  return std::any_of(kTakers.begin(), kTakers.end(), [&](double code) { return std::abs(number - code) < 0.05; });
 }
 
 void take_auxiliary(double number, MachineEffect& effect) {
@@ -327,8 +305,7 @@ bool is_sentence(Tokens tokens) {
     return t.other != '\0' && std::string_view("#[]=*<>{}$").find(t.other) != std::string_view::npos;
   });
   return !has_macro && tokens.size() > 1 && std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
-    return t.letters.size() > 1 && (!t.number || t.letters.size() > 2) &&
-           !is_one_of(t.letters, kBesideAddresses);
+    return t.letters.size() > 1 && (!t.number || t.letters.size() > 2) && !is_one_of(t.letters, kBesideAddresses);
   });
 }
 
@@ -351,9 +328,8 @@ void take_addresses(Tokens tokens, bool is_whole, MachineEffect& effect) {
     for (const Token& token : tokens) {
       if (is_word_of(token, "M")) take_auxiliary(*token.number, effect);
     }
-    const bool has_axis = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
-      return is_linear_axis(t) || is_word_of(t, "ABC");
-    });
+    const bool has_axis = std::any_of(tokens.begin(), tokens.end(),
+                                      [](const Token& t) { return is_linear_axis(t) || is_word_of(t, "ABC"); });
     if (has_axis && !are_axes_taken) move(tokens, effect);
   }
   const bool is_odd = !is_whole || (!has_code && is_call(tokens));
@@ -365,8 +341,7 @@ void take_addresses(Tokens tokens, bool is_whole, MachineEffect& effect) {
 MachineEffect read_machine_text(std::string_view text, bool may_be_name) {
   MachineEffect effect;
   text = trim(text);
-  while (!text.empty() &&
-         (text.front() == '/' || text.front() == '%' || text.front() == '\'' || text.front() == '"'))
+  while (!text.empty() && (text.front() == '/' || text.front() == '%' || text.front() == '\'' || text.front() == '"'))
     text = trim(text.substr(1));
   while (!text.empty() && (text.back() == '\'' || text.back() == '%' || text.back() == '"'))
     text = trim(text.substr(0, text.size() - 1));

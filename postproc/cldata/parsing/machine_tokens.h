@@ -10,7 +10,8 @@
 
 namespace gouge {
 
-/// A token of a block for a machine's control: "X-50." has letters and a number, "FMAX" letters, "12" a number, "#" neither.
+/// A token of a block for a machine's control: "X-50." has letters and a number, "FMAX" letters, "12" a number, "#"
+/// neither.
 struct MachineToken {
   std::string_view letters;
   std::optional<double> number;

@@ -9,18 +9,14 @@
 namespace gouge {
 namespace {
 
-bool is_number_start(char c) {
-  return is_digit(c) || c == '+' || c == '-' || c == '.';
-}
+bool is_number_start(char c) { return is_digit(c) || c == '+' || c == '-' || c == '.'; }
 
 // Words that stand beside no other one, with or without numbers.
 bool is_major_only(Word word) {
   return word == Word::go_to || word == Word::godlta || word == Word::gohome || word == Word::multax;
 }
 
-bool takes_position(Word word) {
-  return word == Word::go_to || word == Word::godlta || word == Word::from;
-}
+bool takes_position(Word word) { return word == Word::go_to || word == Word::godlta || word == Word::from; }
 
 // Real statements that hold another one's word: TLON,GOFWD/(CIRCLE/..), CYCLE/ON CYCLE/DRILL.
 bool is_part_of(const Statement& statement, Word word, std::string_view before) {

@@ -33,12 +33,10 @@ constexpr std::array<Beginning, 12> kBeginnings = {{
 }};
 
 constexpr const char* kGCode =
-    "is G-code, a program for one machine's control; expected CL data (APT, CLSF, NCI): the CAM system "
-    "writes it "
+    "is G-code, a program for one machine's control; expected CL data (APT, CLSF, NCI): the CAM system writes it "
     "before its post-processor runs";
 constexpr const char* kHeidenhain =
-    "is a Heidenhain program for a machine's control; expected CL data (APT, CLSF, NCI): the CAM system "
-    "writes it "
+    "is a Heidenhain program for a machine's control; expected CL data (APT, CLSF, NCI): the CAM system writes it "
     "before its post-processor runs";
 constexpr const char* kColumns =
     "holds columns of numbers without words, so what they mean is not stated; expected GOTO/x,y,z,i,j,k";
@@ -49,14 +47,11 @@ constexpr const char* kColumnsUnderHeading =
 bool is_binary_stl(std::string_view bytes) {
   if (bytes.size() < kStlHeader + kStlCount) return false;
   std::size_t count = 0;
-  for (std::size_t i = kStlCount; i-- > 0;)
-    count = count * 256 + static_cast<unsigned char>(bytes[kStlHeader + i]);
+  for (std::size_t i = kStlCount; i-- > 0;) count = count * 256 + static_cast<unsigned char>(bytes[kStlHeader + i]);
   return count > 0 && bytes.size() == kStlHeader + kStlCount + kStlTriangle * count;
 }
 
-bool is_number_character(char c) {
-  return is_digit(c) || c == '.' || c == '-' || c == '+';
-}
+bool is_number_character(char c) { return is_digit(c) || c == '.' || c == '-' || c == '+'; }
 
 // "N10 G1 X1.5 Y-2 F200", "%", "O1234", "G0X1Y2", "G1 X  1.5": letters each followed by a number.
 bool is_gcode_block(std::string_view line) {
@@ -77,9 +72,7 @@ bool is_gcode_block(std::string_view line) {
   return words > 0;
 }
 
-bool is_comment(std::string_view line) {
-  return line.front() == '(' || line.front() == ';';
-}
+bool is_comment(std::string_view line) { return line.front() == '(' || line.front() == ';'; }
 
 // Numbers separated by blanks, commas or semicolons, and nothing else; at least three.
 bool is_row_of_numbers(std::string_view line) {
@@ -120,7 +113,8 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
       ++rows;
     } else {
       // Statements of CL data are no heading of their own continuations.
-      const bool may_head = rows + blocks == 0 && heading < kLongestHeading && line.find_first_of("/$") == std::string_view::npos;
+      const bool may_head =
+          rows + blocks == 0 && heading < kLongestHeading && line.find_first_of("/$") == std::string_view::npos;
       ++(may_head ? heading : others);
     }
   }

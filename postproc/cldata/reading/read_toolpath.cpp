@@ -31,9 +31,7 @@ constexpr std::array<bool, 256> kIsControl = [] {
   return is_control;
 }();
 
-bool is_control(char c) {
-  return kIsControl[static_cast<unsigned char>(c)];
-}
+bool is_control(char c) { return kIsControl[static_cast<unsigned char>(c)]; }
 
 // Where the first control character is, or the end. A stretch at a time, because a loop that cannot end early
 // looks at several bytes at once.
@@ -49,9 +47,7 @@ std::size_t find_control(std::string_view bytes) {
   return bytes.size();
 }
 
-bool is_break(char c) {
-  return c == '\f' || c == '\v' || c == '\x1a';
-}
+bool is_break(char c) { return c == '\f' || c == '\v' || c == '\x1a'; }
 
 bool has_break(std::string_view section, char next) {
   const auto is_odd = [](char c, char following) {
@@ -107,16 +103,17 @@ LineCount count_lines(std::string_view bytes) {
   return count;
 }
 
-std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_view bytes,
-                                          const Dialect& dialect, bool is_dialect_given) {
+std::optional<Diagnostic> find_unreadable(const std::string& file, std::string_view bytes, const Dialect& dialect,
+                                          bool is_dialect_given) {
   if (bytes.empty()) return make_error("path-empty", std::string("the file is empty; ") + kExpected, file);
   if (bytes.size() > kLongestFile) {
-    return make_error("path-too-long", "the file has " + std::to_string(bytes.size()) +
-                                           " bytes; expected fewer than 4 GiB: divide it by operations", file);
+    return make_error(
+        "path-too-long",
+        "the file has " + std::to_string(bytes.size()) + " bytes; expected fewer than 4 GiB: divide it by operations",
+        file);
   }
   if (dialect.is_fallback && !is_dialect_given) {
-    if (auto sentence = describe_foreign(bytes))
-      return make_error("path-not-cl-data", std::move(*sentence), file);
+    if (auto sentence = describe_foreign(bytes)) return make_error("path-not-cl-data", std::move(*sentence), file);
   }
   if (dialect.form == FileForm::nccs_records) return std::nullopt;
   const std::size_t control = find_control(bytes);
@@ -143,8 +140,7 @@ std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& o
       if (!options.unit || *options.unit == guess.unit) return std::nullopt;
       return make_error("path-unit",
                         "the file states " + unit +
-                            ", the command line another unit; expected --path-units "
-                            "only for files that state none",
+                            ", the command line another unit; expected --path-units only for files that state none",
                         path.file);
     case UnitGuess::Source::option:
       path.notes.push_back(make_note("path-unit", taken + " as asked", path.file));
@@ -153,8 +149,7 @@ std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& o
       path.notes.push_back(make_note("path-unit", taken + " from the feed words (MMPM, IPM)", path.file));
       break;
     case UnitGuess::Source::dialect:
-      path.notes.push_back(
-          make_note("path-unit", taken + ", which CATIA writes unless it says otherwise", path.file));
+      path.notes.push_back(make_note("path-unit", taken + ", which CATIA writes unless it says otherwise", path.file));
       break;
     case UnitGuess::Source::assumed:
       path.notes.push_back(
@@ -165,9 +160,8 @@ std::optional<Diagnostic> note_unit(const UnitGuess& guess, const ReadOptions& o
 
 // Statements that may be motions and are not understood leave moves, none of which is one of the file's dialect.
 bool has_motion(const Toolpath& path) {
-  return std::any_of(path.moves.begin(), path.moves.end(), [](const Move& move) {
-    return kind_of(move.not_checked_reason) != ReasonKind::may_be_unread;
-  });
+  return std::any_of(path.moves.begin(), path.moves.end(),
+                     [](const Move& move) { return kind_of(move.not_checked_reason) != ReasonKind::may_be_unread; });
 }
 
 Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
@@ -183,8 +177,7 @@ Diagnostic no_motion(const Toolpath& path, const Dialect& dialect) {
   } else if (!path.statements.empty()) {
     const SourceStatement& first = path.statements.front();
     const std::string_view all = path.source;
-    message += "; the first line is " +
-               quoted_text(all.substr(first.first_byte, first.last_byte - first.first_byte));
+    message += "; the first line is " + quoted_text(all.substr(first.first_byte, first.last_byte - first.first_byte));
   }
   return make_error("path-no-motion", std::move(message), path.file);
 }

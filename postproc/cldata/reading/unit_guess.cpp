@@ -16,9 +16,7 @@ bool is_position(Word word) {
   return word == Word::go_to || word == Word::from || word == Word::gohome || word == Word::tlon;
 }
 
-bool names_unit(Word word) {
-  return word == Word::units || word == Word::fedrat || word == Word::cycle;
-}
+bool names_unit(Word word) { return word == Word::units || word == Word::fedrat || word == Word::cycle; }
 
 UnitGuess otherwise(UnitGuess guess, const Dialect& dialect) {
   if (guess.source == UnitGuess::Source::assumed && dialect.is_mm_unless_stated)

@@ -64,8 +64,7 @@ bool reads_as(ArcStatement read, const WrittenArc& meant) {
   }
   const ArcFit fit = fit_arc(read, meant.start, meant.end);
   return fit.problem.empty() &&
-         std::abs(fit.arc.sweep_rad - meant.arc.sweep_rad) <=
-             kSameAngle_rad + kSameNumber_mm / radius_of(meant) &&
+         std::abs(fit.arc.sweep_rad - meant.arc.sweep_rad) <= kSameAngle_rad + kSameNumber_mm / radius_of(meant) &&
          (fit.arc.center - meant.arc.center).norm() <= kSameNumber_mm &&
          (fit.arc.axis - meant.arc.axis).cwiseAbs().maxCoeff() <= 1e-5;
 }
@@ -125,7 +124,7 @@ void ArcText::learn(const Statement& statement) {
 
 // As read_arc reads them; that it does is asked of every statement written.
 std::optional<ArcText::ArgumentIndices> ArcText::indices_of(const Statement& statement,
-                                                  const std::vector<Argument>& arguments) const {
+                                                            const std::vector<Argument>& arguments) const {
   if (statement.word != Word::circle && statement.word != Word::movarc) return std::nullopt;
   ArgumentIndices indices;
   if (const auto center = index_of(arguments, "CENTER")) {
@@ -168,8 +167,7 @@ bool ArcText::is_quiet_between(std::size_t first, std::size_t last) const {
 bool ArcText::is_writable(std::size_t move) const {
   const Move& m = path_.moves[move];
   const MotionRecord& record = records_[move];
-  if (m.kind != MoveKind::arc || m.curve_kind != CurveKind::arc || !m.has_start ||
-      !m.not_checked_reason.empty())
+  if (m.kind != MoveKind::arc || m.curve_kind != CurveKind::arc || !m.has_start || !m.not_checked_reason.empty())
     return false;
   if (record.curve_statement == kNone || arcs_of_statement_[record.curve_statement] != 1 || record.is_rapid ||
       record.points != 1 || std::abs(path_.arcs[m.curve].sweep_rad) > kMoreThanOneTurn_rad)
@@ -184,8 +182,7 @@ bool ArcText::is_writable(std::size_t move) const {
 
 void ArcText::add_point(std::vector<Field>& fields, std::size_t first, const NumberStyle& style,
                         const Vec3& point) const {
-  for (Eigen::Index i = 0; i < 3; ++i)
-    fields.push_back({first + static_cast<std::size_t>(i), &style, point[i]});
+  for (Eigen::Index i = 0; i < 3; ++i) fields.push_back({first + static_cast<std::size_t>(i), &style, point[i]});
 }
 
 std::string ArcText::replaced(const Statement& statement, const std::vector<Argument>& arguments,
@@ -245,14 +242,12 @@ Result<std::string> ArcText::description(std::size_t move, const WrittenArc& arc
     const double more = std::abs(arc.arc.sweep_rad) - std::abs(old.arc.sweep_rad);
     fields.push_back({*indices.angle, &angles_, *arguments[*indices.angle].number + more * 180 / kPi});
   }
-  std::sort(fields.begin(), fields.end(),
-            [](const Field& a, const Field& b) { return a.argument < b.argument; });
+  std::sort(fields.begin(), fields.end(), [](const Field& a, const Field& b) { return a.argument < b.argument; });
   std::string text = replaced(statement, arguments, fields);
   const Statement written = lexed(text);
   const ArcStatement read = read_arc(dialect_, arguments_of(written), mm);
   if (!read.problem.empty()) return refuse(move, read.problem);
-  if (!reads_as(read, arc))
-    return refuse(move, "its start and end do not lie on it, or its sense would change");
+  if (!reads_as(read, arc)) return refuse(move, "its start and end do not lie on it, or its sense would change");
   return text;
 }
 

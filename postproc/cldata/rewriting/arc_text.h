@@ -57,9 +57,8 @@ class ArcText {
 
   void learn(const Statement& statement);
   [[nodiscard]] std::optional<ArgumentIndices> indices_of(const Statement& statement,
-                                                const std::vector<Argument>& arguments) const;
-  void add_point(std::vector<Field>& fields, std::size_t first, const NumberStyle& style,
-                 const Vec3& point) const;
+                                                          const std::vector<Argument>& arguments) const;
+  void add_point(std::vector<Field>& fields, std::size_t first, const NumberStyle& style, const Vec3& point) const;
   [[nodiscard]] std::string replaced(const Statement& statement, const std::vector<Argument>& arguments,
                                      const std::vector<Field>& fields) const;
   [[nodiscard]] bool is_quiet_between(std::size_t first, std::size_t last) const;

@@ -46,9 +46,7 @@ void GotoText::learn(const MotionRecord& record) {
   std::vector<Argument> arguments;
   split_arguments(statement, arguments);
   const std::string_view bytes = path_.source;
-  const auto offset = [&](const Argument& a) {
-    return static_cast<std::size_t>(a.text.data() - bytes.data());
-  };
+  const auto offset = [&](const Argument& a) { return static_cast<std::size_t>(a.text.data() - bytes.data()); };
   for (std::size_t i = 0; i < arguments.size(); ++i) {
     if (arguments[i].text.empty()) break;  // the axis of NCI, which its file does not write in numbers
     const std::size_t blanks = blanks_before(bytes, offset(arguments[i]));
@@ -108,8 +106,7 @@ std::string GotoText::replaced(std::size_t index, std::size_t numbers,
   return result;
 }
 
-std::string GotoText::shifted(std::size_t index, std::size_t numbers,
-                              const std::vector<Vec3>& shifts) const {
+std::string GotoText::shifted(std::size_t index, std::size_t numbers, const std::vector<Vec3>& shifts) const {
   const Statement statement = statement_at(path_, index);
   std::vector<Argument> arguments;
   split_arguments(statement, arguments);

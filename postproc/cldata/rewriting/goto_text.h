@@ -34,8 +34,7 @@ class GotoText {
 
   /// The bytes of statement `index` with `shifts[k]`, in the statement's own frame and unit, added to its
   /// k-th position. Requires and ensures as `replaced`; axes keep their bytes.
-  [[nodiscard]] std::string shifted(std::size_t index, std::size_t numbers,
-                                    const std::vector<Vec3>& shifts) const;
+  [[nodiscard]] std::string shifted(std::size_t index, std::size_t numbers, const std::vector<Vec3>& shifts) const;
 
   /// A GOTO statement of its own, line end included.
   [[nodiscard]] std::string fresh(const WrittenPosition& position) const;

@@ -42,7 +42,7 @@ class Comparison {
   /// The statements that a move is read from in both files.
   void meet(std::size_t a, std::size_t b) {
     if (a == kNone || b == kNone || b < next_after_) return;  // a list of positions: the statement is done with
-    if (a < next_before_) {  // one statement became several
+    if (a < next_before_) {                                   // one statement became several
       between(next_before_, b);
       add(WrittenKind::added, b);
       next_after_ = b + 1;
@@ -78,7 +78,8 @@ class Comparison {
     const auto at = [&](std::size_t i, std::size_t k) -> std::size_t& { return common[i * (m + 1) + k]; };
     for (std::size_t i = is_small ? n : 0; i-- > 0;) {
       for (std::size_t k = m; k-- > 0;) {
-        at(i, k) = is_same(next_before_ + i, next_after_ + k) ? at(i + 1, k + 1) + 1 : std::max(at(i + 1, k), at(i, k + 1));
+        at(i, k) =
+            is_same(next_before_ + i, next_after_ + k) ? at(i + 1, k + 1) + 1 : std::max(at(i + 1, k), at(i, k + 1));
       }
     }
     std::size_t i = 0, k = 0;

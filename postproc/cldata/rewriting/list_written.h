@@ -20,8 +20,8 @@ struct WrittenStatement {
 /// Every statement by whose bytes the two files differ, in order; all others are the same to the byte and in the same
 /// order.
 ///
-/// Requires `after` as read from what write_corrected made of `before` and `changes`. In binary NCCS files, whose records break at other
-/// points once one is added, these are the records of the changed moves.
+/// Requires `after` as read from what write_corrected made of `before` and `changes`. In binary NCCS files, whose
+/// records break at other points once one is added, these are the records of the changed moves.
 /// Cost     O(statements), and O(n m) where n statements between two moves became m others.
 [[nodiscard]] std::vector<WrittenStatement> list_written(const Toolpath& before, const std::vector<PathChange>& changes,
                                                          const Toolpath& after);

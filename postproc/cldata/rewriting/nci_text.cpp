@@ -13,13 +13,10 @@ constexpr std::size_t kPairsLearned = 5000;
 constexpr int kUsualDecimals = 6, kMostDecimals = 15;
 constexpr double kLeastAxisError = 1e-6, kMostAxisError = 1e-5;
 
-bool is_zero(const Argument& field) {
-  return field.number && std::abs(*field.number) <= 0;
-}
+bool is_zero(const Argument& field) { return field.number && std::abs(*field.number) <= 0; }
 
 // What a position of its own says of compensation and flags: no change, nothing special.
-void put_nothing(const NciMotionPair& pair, std::optional<std::size_t> field,
-                 std::vector<std::string>& tokens) {
+void put_nothing(const NciMotionPair& pair, std::optional<std::size_t> field, std::vector<std::string>& tokens) {
   if (field && *field < pair.fields.size() && !is_zero(pair.fields[*field])) tokens[*field] = "0";
 }
 
@@ -66,8 +63,7 @@ void NciText::learn(const NciMotionPair& pair) {
   if (pair.motion.form == NciForm::five_axis) learn_fields(second_points_, kNciSecondPoint);
 }
 
-void NciText::put_second_point(const NciMotionPair& pair, const Vec3& tip, const Vec3& axis,
-                               Tokens& tokens) const {
+void NciText::put_second_point(const NciMotionPair& pair, const Vec3& tip, const Vec3& axis, Tokens& tokens) const {
   const double length = pair.motion.axis_length;
   const double allowed = std::clamp(least_axis_error_ / length, kLeastAxisError, kMostAxisError);
   NumberStyle style = second_points_;
@@ -107,9 +103,8 @@ std::string NciText::rendered(const NciMotionPair& pair, const Tokens& tokens) c
     if (tokens[i].empty()) continue;
     const std::size_t begin = offset(pair.fields[i].text);
     const std::size_t blanks = blanks_before(bytes, begin);
-    const bool is_second =
-        pair.motion.form == NciForm::five_axis &&
-        std::find(kNciSecondPoint.begin(), kNciSecondPoint.end(), i) != kNciSecondPoint.end();
+    const bool is_second = pair.motion.form == NciForm::five_axis &&
+                           std::find(kNciSecondPoint.begin(), kNciSecondPoint.end(), i) != kNciSecondPoint.end();
     const bool is_tip = std::find(pair.motion.tip.begin(), pair.motion.tip.end(), i) != pair.motion.tip.end();
     std::string padding(blanks, ' ');
     if (is_second) padding = second_points_.padding(tokens[i], blanks);
@@ -137,8 +132,7 @@ std::string NciText::inserted(const NciMotionPair& pair, const Pose& end) const 
   return with_line_end(rendered(pair, tokens));
 }
 
-std::string NciText::inserted_like(const NciMotionPair& five_axis, const NciMotionPair& pair,
-                                   const Pose& end) const {
+std::string NciText::inserted_like(const NciMotionPair& five_axis, const NciMotionPair& pair, const Pose& end) const {
   Tokens tokens(five_axis.fields.size());
   put_end(five_axis, end, tokens);
   put_nothing(five_axis, five_axis.motion.flags, tokens);

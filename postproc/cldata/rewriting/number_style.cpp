@@ -53,8 +53,8 @@ std::string NumberStyle::padding(std::string_view token, std::size_t blanks) con
   return std::string(blanks, ' ');
 }
 
-void append_changed_number(std::string& text, std::size_t& copied, std::string_view bytes,
-                           const Argument& argument, const NumberStyle& style, double value) {
+void append_changed_number(std::string& text, std::size_t& copied, std::string_view bytes, const Argument& argument,
+                           const NumberStyle& style, double value) {
   const std::string token = style.text(value);
   if (parse_number(token) == parse_number(style.text(*argument.number))) return;
   const auto begin = static_cast<std::size_t>(argument.text.data() - bytes.data());

@@ -43,12 +43,10 @@ class NumberStyle {
 /// Appends `bytes` from `copied` to the end of `argument`, which lies in them, with `value` in its place, and
 /// moves `copied` there. A number that stays the same at the style's decimals keeps its bytes: then nothing
 /// is appended yet.
-void append_changed_number(std::string& text, std::size_t& copied, std::string_view bytes,
-                           const Argument& argument, const NumberStyle& style, double value);
+void append_changed_number(std::string& text, std::size_t& copied, std::string_view bytes, const Argument& argument,
+                           const NumberStyle& style, double value);
 
 /// Decimals that keep a coordinate within 1e-4 mm.
-[[nodiscard]] constexpr int least_coordinate_decimals(LengthUnit unit) {
-  return unit == LengthUnit::inch ? 5 : 4;
-}
+[[nodiscard]] constexpr int least_coordinate_decimals(LengthUnit unit) { return unit == LengthUnit::inch ? 5 : 4; }
 
 }  // namespace gouge

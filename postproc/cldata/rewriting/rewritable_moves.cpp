@@ -12,8 +12,7 @@ bool is_same_hole(const MotionRecord& a, const MotionRecord& b) {
 }
 
 // Of the records of one hole [first, last).
-bool is_shiftable(const Toolpath& path, const std::vector<MotionRecord>& records, std::size_t first,
-                  std::size_t last) {
+bool is_shiftable(const Toolpath& path, const std::vector<MotionRecord>& records, std::size_t first, std::size_t last) {
   if (records[first].numbers == 0) return false;  // a step from somewhere
   for (std::size_t i = first; i < last; ++i) {
     const std::string_view reason = path.moves[i].not_checked_reason;
@@ -41,8 +40,7 @@ RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read
   for (std::size_t first = 0, last = 0; first < records.size(); first = last) {
     last = first + 1;
     while (last < records.size() && is_same_hole(records[first], records[last])) ++last;
-    if (records[first].form == PositionForm::cycle)
-      can.hole[first] = is_shiftable(path, records, first, last);
+    if (records[first].form == PositionForm::cycle) can.hole[first] = is_shiftable(path, records, first, last);
     can.arc[first] = arcs.is_writable(first);
     can.split[first] = can.arc[first] && records[first].form == PositionForm::go_to;
   }

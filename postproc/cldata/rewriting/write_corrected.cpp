@@ -25,7 +25,8 @@ class CorrectedWriter {
  public:
   CorrectedWriter(const Toolpath& path, const std::vector<PathChange>& changes)
       : path_(path),
-        read_(read_motion_records(path)), records_(read_.of_move),
+        read_(read_motion_records(path)),
+        records_(read_.of_move),
         goto_text_(path, read_),
         arc_text_(path, read_),
         is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
@@ -63,8 +64,7 @@ class CorrectedWriter {
   [[nodiscard]] std::string insertions(std::size_t move);
   [[nodiscard]] std::string in_place(std::size_t first, std::size_t last);
   [[nodiscard]] std::string one_by_one(std::size_t first, std::size_t last);
-  [[nodiscard]] std::string framed(const MotionRecord& record, const WrittenPosition& position,
-                                   std::string text) const;
+  [[nodiscard]] std::string framed(const MotionRecord& record, const WrittenPosition& position, std::string text) const;
 
   const Toolpath& path_;
   MotionRecords read_;
@@ -73,13 +73,13 @@ class CorrectedWriter {
   ArcText arc_text_;
   bool is_axis_modal_;
   ChangeTable changes_;
-  // What statements become that have no position of their own: nothing, where they describe what is straightened; or what
-  // describes the arc, with the positions before it.
+  // What statements become that have no position of their own: nothing, where they describe what is straightened; or
+  // what describes the arc, with the positions before it.
   std::map<std::size_t, std::string> replaced_;
   std::vector<std::string> inserted_arcs_;  // what describes those of the move being written; nothing: straight
-  bool is_axis_usual_ = false;        // the last position was written with its axis
-  Vec3 axis_read_ = Vec3::UnitZ();     // the modal axis after the last position of the file read so far
-  Vec3 axis_written_ = Vec3::UnitZ();  // the same for the text written so far
+  bool is_axis_usual_ = false;              // the last position was written with its axis
+  Vec3 axis_read_ = Vec3::UnitZ();          // the modal axis after the last position of the file read so far
+  Vec3 axis_written_ = Vec3::UnitZ();       // the same for the text written so far
 };
 
 // The end of `move` in its statement's frame, in mm.
@@ -106,11 +106,13 @@ Pose CorrectedWriter::new_start(std::size_t move) const {
 }
 
 // The vector of the statement points as it did.
-WrittenArc CorrectedWriter::in_statement(std::size_t move, const PathArc& arc, const Pose& start, const Pose& end) const {
+WrittenArc CorrectedWriter::in_statement(std::size_t move, const PathArc& arc, const Pose& start,
+                                         const Pose& end) const {
   const RigidTransform to_local = records_[move].frame->to_part.inverse();
   const double sense = (arc.sweep_rad < 0) == (path_.arcs[path_.moves[move].curve].sweep_rad < 0) ? 1 : -1;
   return {{to_local.point(arc.center), to_local.direction(sense * arc.axis), sense * arc.sweep_rad},
-          to_local.point(start.tip), to_local.point(end.tip)};
+          to_local.point(start.tip),
+          to_local.point(end.tip)};
 }
 
 std::optional<Diagnostic> CorrectedWriter::describe_inserted_arcs(std::size_t move) {
@@ -136,7 +138,8 @@ std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
   const RigidTransform to_local = record.frame->to_part.inverse();
   const Pose start = change.inserted_before.empty() ? new_start(move) : change.inserted_before.back();
   const WrittenArc arc = in_statement(move, *change.new_arc, start, change.new_end.value_or(path_.moves[move].end));
-  if (record.form == PositionForm::curve && !goto_text_.is_same_axis(to_local.direction(start.axis), local_end(move).axis))
+  if (record.form == PositionForm::curve &&
+      !goto_text_.is_same_axis(to_local.direction(start.axis), local_end(move).axis))
     return make_error("write-arc", "a TLON keeps the tool axis of its start", path_.file, path_.moves[move].line);
   const Result<std::string> text = arc_text_.description(move, arc);
   if (!text) return text.error();
@@ -155,9 +158,9 @@ std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
 
 void CorrectedWriter::append_source(std::string& text, std::size_t from, std::size_t to) const {
   const std::string_view source = path_.source;
-  const auto first = std::lower_bound(
-      path_.statements.begin(), path_.statements.end(), from,
-      [](const SourceStatement& statement, std::size_t byte) { return statement.first_byte < byte; });
+  const auto first =
+      std::lower_bound(path_.statements.begin(), path_.statements.end(), from,
+                       [](const SourceStatement& statement, std::size_t byte) { return statement.first_byte < byte; });
   auto next = replaced_.lower_bound(static_cast<std::size_t>(first - path_.statements.begin()));
   for (; next != replaced_.end() && path_.statements[next->first].first_byte < to; ++next) {
     const SourceStatement& span = path_.statements[next->first];
@@ -173,14 +176,13 @@ bool CorrectedWriter::has_curve_left(std::size_t first, std::size_t last) const 
   bool has_straightened = false, has_round = false;
   for (std::size_t i = first; i < last; ++i) {
     const Move& move = path_.moves[i];
-    const bool is_straight =
-        move.curve_kind == CurveKind::none && is_motion_known(move.not_checked_reason);
+    const bool is_straight = move.curve_kind == CurveKind::none && is_motion_known(move.not_checked_reason);
     if (move.kind != MoveKind::arc || is_straight) continue;  // a list may begin where the tool stands
     (changes_.is_straightened(i) ? has_straightened : has_round) = true;
   }
-  const bool has_new_start = changes_.has_new_end(last - 1) &&
-                             last < path_.moves.size() && path_.moves[last].kind == MoveKind::arc &&
-                             path_.moves[last].has_start && !changes_.is_straightened(last) && !changes_.has_new_arc(last);
+  const bool has_new_start = changes_.has_new_end(last - 1) && last < path_.moves.size() &&
+                             path_.moves[last].kind == MoveKind::arc && path_.moves[last].has_start &&
+                             !changes_.is_straightened(last) && !changes_.has_new_arc(last);
   return (has_straightened && has_round) || has_new_start;
 }
 
@@ -189,7 +191,8 @@ bool CorrectedWriter::needs_rewriting(std::size_t first, std::size_t last) const
     if (changes_.is_changed(i)) return true;
   }
   const MotionRecord& record = records_[first];
-  const bool is_step = record.form == PositionForm::godlta || (record.form == PositionForm::cycle && record.numbers == 0);
+  const bool is_step =
+      record.form == PositionForm::godlta || (record.form == PositionForm::cycle && record.numbers == 0);
   if (is_step) return first > 0 && changes_.has_new_end(first - 1);
   if (record.form == PositionForm::unread) return false;
   const bool relies_on_axis = is_axis_modal_ && (record.numbers == 3 || record.form == PositionForm::curve);
@@ -243,13 +246,13 @@ std::string CorrectedWriter::insertions(std::size_t move) {
     if (!changes_[move]->inserted_arcs.empty()) text += inserted_arcs_[k];
     if (is_rapid && !is_rapid_pending) text += rapid_line(record);
     is_rapid_pending = false;
-    const bool is_template = record.form == PositionForm::go_to && record.points == 1 &&
-                             begins_with(record.statement, "GOTO");
+    const bool is_template =
+        record.form == PositionForm::go_to && record.points == 1 && begins_with(record.statement, "GOTO");
     const WrittenPosition position = written(record, record.frame->to_part.inverse().pose(pose), is_axis_kept(record));
-    text += framed(record, position,
-                   is_template ? goto_text_.with_line_end(
-                                     goto_text_.replaced(record.statement, record.numbers, {position}))
-                               : goto_text_.fresh(position));
+    text +=
+        framed(record, position,
+               is_template ? goto_text_.with_line_end(goto_text_.replaced(record.statement, record.numbers, {position}))
+                           : goto_text_.fresh(position));
   }
   if (record.is_rapid) text += rapid_line(record);
   return text;
@@ -266,8 +269,7 @@ std::string CorrectedWriter::in_place(std::size_t first, std::size_t last) {
     positions[i - first] = position;
   }
   if (has_new_axis && record.points > 1) return one_by_one(first, last);
-  return text +
-         framed(record, *positions[0], goto_text_.replaced(record.statement, record.numbers, positions));
+  return text + framed(record, *positions[0], goto_text_.replaced(record.statement, record.numbers, positions));
 }
 
 std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
@@ -282,8 +284,7 @@ std::string CorrectedWriter::one_by_one(std::size_t first, std::size_t last) {
 
 // Where the text written agrees with the file read, the axis in force is the one the file says is in force.
 void CorrectedWriter::begin_statement(const MotionRecord& record, bool is_new_block) {
-  if (is_new_block || goto_text_.is_same_axis(axis_written_, axis_read_))
-    axis_written_ = record.implied_axis_local;
+  if (is_new_block || goto_text_.is_same_axis(axis_written_, axis_read_)) axis_written_ = record.implied_axis_local;
 }
 
 // Arcs and cycles that stay what they are, where what they go by changes.
@@ -293,9 +294,10 @@ std::optional<Diagnostic> CorrectedWriter::find_stuck(std::size_t first, std::si
     return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
                       path_.moves[first].line);
   }
-  const bool is_curve = record.form == PositionForm::curve && !changes_.is_straightened(first) && !changes_.has_new_arc(first);
-  const bool relies_on_axis = is_axis_modal_ && record.numbers == 3 &&
-                              !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
+  const bool is_curve =
+      record.form == PositionForm::curve && !changes_.is_straightened(first) && !changes_.has_new_arc(first);
+  const bool relies_on_axis =
+      is_axis_modal_ && record.numbers == 3 && !goto_text_.is_same_axis(record.implied_axis_local, axis_written_);
   const bool is_cycle = record.form == PositionForm::cycle && (record.numbers == 0 || relies_on_axis);
   if (!is_curve && !is_cycle) return std::nullopt;
   return make_error("write-arc",
@@ -341,7 +343,7 @@ std::optional<Diagnostic> CorrectedWriter::find_unwritable() const {
     return make_error("write-arc",
                       "move " + std::to_string(i) +
                           (changes_[i]->has_arc() ? " is no arc whose statement can be rewritten; straighten it instead"
-                                                : " does not begin a hole whose position can be rewritten; leave it"),
+                                                  : " does not begin a hole whose position can be rewritten; leave it"),
                       path_.file, path_.moves[i].line);
   }
   return std::nullopt;

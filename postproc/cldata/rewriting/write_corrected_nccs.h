@@ -16,7 +16,6 @@ namespace gouge {
 /// Requires changes that write_corrected has checked.
 /// Ensures  Where no record comes or goes every byte of other numbers stays, the padding and what follows FINI too.
 /// Errors   write-arc: an arc that stays begins where a change ends.
-[[nodiscard]] Result<std::string> write_corrected_nccs(const Toolpath& path,
-                                                       const std::vector<PathChange>& changes);
+[[nodiscard]] Result<std::string> write_corrected_nccs(const Toolpath& path, const std::vector<PathChange>& changes);
 
 }  // namespace gouge

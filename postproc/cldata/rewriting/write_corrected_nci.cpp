@@ -11,17 +11,12 @@ namespace {
 
 constexpr double kSameAxis = 5e-7;
 
-bool is_plain(const Vec3& axis) {
-  return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameAxis;
-}
+bool is_plain(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameAxis; }
 
 class NciCorrector {
  public:
   NciCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
-      : path_(path),
-        read_(read_motion_records(path)),
-        text_(path, read_),
-        changes_(path.moves.size(), nullptr) {
+      : path_(path), read_(read_motion_records(path)), text_(path, read_), changes_(path.moves.size(), nullptr) {
     for (const PathChange& change : changes) changes_[change.move] = &change;
     for (std::size_t i = 0; i < path.moves.size() && five_axis_ == kNone; ++i) note_five_axis(i);
   }
@@ -34,8 +29,7 @@ class NciCorrector {
   [[nodiscard]] std::string insertions(std::size_t move, const NciMotionPair& pair) const;
   [[nodiscard]] std::string own_pair(std::size_t move, const NciMotionPair& pair) const;
   [[nodiscard]] Diagnostic error(const char* code, std::size_t move, const std::string& message) const {
-    return make_error(code, "move " + std::to_string(move) + " " + message, path_.file,
-                      path_.moves[move].line);
+    return make_error(code, "move " + std::to_string(move) + " " + message, path_.file, path_.moves[move].line);
   }
   // Only a five-axis line has an axis of its own.
   void note_five_axis(std::size_t move) {
@@ -60,11 +54,9 @@ std::optional<Diagnostic> NciCorrector::find_error(std::size_t move, const NciMo
   const PathChange& change = *changes_[move];
   const std::size_t next = move + 1;
   const bool meets_arc = next < path_.moves.size() && path_.moves[next].kind == MoveKind::arc &&
-                         path_.moves[next].has_start &&
-                         (changes_[next] == nullptr || !changes_[next]->is_straightened);
+                         path_.moves[next].has_start && (changes_[next] == nullptr || !changes_[next]->is_straightened);
   if (change.new_end && meets_arc)
-    return error("write-arc", move,
-                 "ends where an arc that stays begins; expected that arc straightened as well");
+    return error("write-arc", move, "ends where an arc that stays begins; expected that arc straightened as well");
   if (pair.motion.form == NciForm::five_axis) return std::nullopt;
   if (change.new_end && !is_plain(in_file(move, *change.new_end).axis))
     return error("write-axis", move,
@@ -73,8 +65,8 @@ std::optional<Diagnostic> NciCorrector::find_error(std::size_t move, const NciMo
   for (const Pose& pose : change.inserted_before) {
     if (!is_plain(in_file(move, pose).axis))
       return error("write-axis", move,
-                   "would follow a tilted position, and no five-axis line of the file shows how "
-                   "to write that; expected positions that keep +Z");
+                   "would follow a tilted position, and no five-axis line of the file shows how to write that; "
+                   "expected positions that keep +Z");
   }
   return std::nullopt;
 }

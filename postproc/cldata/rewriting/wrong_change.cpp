@@ -12,8 +12,7 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     const std::string name = "move " + std::to_string(change.move);
     if (change.move >= path.moves.size() || is_named[change.move]) {
       return make_error("write-move",
-                        name + " is " +
-                            (change.move >= path.moves.size() ? "not in the path" : "named twice") +
+                        name + " is " + (change.move >= path.moves.size() ? "not in the path" : "named twice") +
                             "; expected one change for a move of the path",
                         path.file);
     }
@@ -25,9 +24,11 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     }
     const std::size_t arcs = change.inserted_arcs.size();
     if (arcs != 0 && (arcs != change.inserted_before.size() || move.curve_kind != CurveKind::arc)) {
-      return make_error("write-arc", name + " has " + std::to_string(arcs) + " arcs for " +
-                                         std::to_string(change.inserted_before.size()) +
-                                         " inserted positions; expected one entry each, and only of an arc", path.file);
+      return make_error("write-arc",
+                        name + " has " + std::to_string(arcs) + " arcs for " +
+                            std::to_string(change.inserted_before.size()) +
+                            " inserted positions; expected one entry each, and only of an arc",
+                        path.file);
     }
     if (change.new_arc && change.is_straightened) {
       return make_error("write-arc", name + " is to be an arc and straight; expected one of both", path.file);
@@ -39,13 +40,12 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     const bool is_straight = move.kind == MoveKind::feed || move.kind == MoveKind::rapid ||
                              (change.is_straightened && move.curve_kind != CurveKind::none) || change.new_arc;
     if (!is_straight && changes_it) {
-      return make_error("write-arc",
-                        name + " is an arc, a curve or a cycle; only straight moves can be changed",
+      return make_error("write-arc", name + " is an arc, a curve or a cycle; only straight moves can be changed",
                         path.file, move.line);
     }
     if (!move.has_start && !change.inserted_before.empty()) {
-      return make_error("write-alone", name + " has no start; positions can be inserted only into a motion",
-                        path.file, move.line);
+      return make_error("write-alone", name + " has no start; positions can be inserted only into a motion", path.file,
+                        move.line);
     }
   }
   return std::nullopt;

@@ -14,8 +14,8 @@ constexpr double kCircleKind = 5;  // the first of the five words before a circl
 constexpr std::size_t kHeaderWords = 16, kNameWords = 8, kProgramWord = 12;
 
 struct PostCode {
-  static constexpr std::uint16_t kRapid = 5, kRetrct = 7, kGohome = 14, kCutcom = 1007, kFedrat = 1009,
-                                 kPprint = 1044, kLoadtl = 1055;
+  static constexpr std::uint16_t kRapid = 5, kRetrct = 7, kGohome = 14, kCutcom = 1007, kFedrat = 1009, kPprint = 1044,
+                                 kLoadtl = 1055;
 };
 
 std::uint16_t minor_code(CutcomSide side) {
@@ -80,9 +80,7 @@ bool NccsSink::set_cutcom(CutcomSide side) {
   return true;
 }
 
-void NccsSink::retract() {
-  add(NccsClass::kPost, PostCode::kRetrct, {});
-}
+void NccsSink::retract() { add(NccsClass::kPost, PostCode::kRetrct, {}); }
 
 // As NCL writes it, without a unit; with it once one per revolution makes it needed.
 bool NccsSink::set_feed(const Feed& feed) {
@@ -112,11 +110,11 @@ void NccsSink::go_to(const Pose& end) {
 // A planar arc with one tool axis, reached the shorter arc: which sense it has the record does not say.
 bool NccsSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) {
   const Vec3 radial = start.tip - arc.center;
-  const bool is_planar = std::abs(radial.dot(arc.axis)) <= kSamePoint_mm &&
-                         std::abs((end.tip - start.tip).dot(arc.axis)) <= kSamePoint_mm;
+  const bool is_planar =
+      std::abs(radial.dot(arc.axis)) <= kSamePoint_mm && std::abs((end.tip - start.tip).dot(arc.axis)) <= kSamePoint_mm;
   const bool keeps_axis = (start.axis - end.axis).cwiseAbs().maxCoeff() <= kSameAxis;
-  const bool is_short = std::abs(arc.sweep_rad) <= kLongestSweep_rad &&
-                        (end.tip - start.tip).norm() >= kShortestChord_mm;
+  const bool is_short =
+      std::abs(arc.sweep_rad) <= kLongestSweep_rad && (end.tip - start.tip).norm() >= kShortestChord_mm;
   if (!is_planar || !keeps_axis || !is_short) return false;
   std::string words = nccs_word(kCircleKind) + std::string(4 * kWord, '\0');
   for (Eigen::Index i = 0; i < 3; ++i) words += nccs_word(arc.center[i] / mm_per(unit_));

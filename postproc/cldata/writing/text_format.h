@@ -19,7 +19,7 @@ struct TextFormat {
 
   // Positions.
   std::string_view go_to = "GOTO/";  ///< up to the first number
-  std::string_view go_to_end = {};        ///< after the last one
+  std::string_view go_to_end = {};   ///< after the last one
   std::string_view separator = ",";  ///< between numbers
   int decimals = 6, axis_decimals = 9;
   bool is_aligned = false;            ///< numbers in columns, blanks before them
@@ -28,23 +28,23 @@ struct TextFormat {
   bool always_has_axis = false;       ///< else only where it is not +Z (NX: where it changes)
   bool has_axis_when_tilted = false;  ///< always where an axis of the path is not +Z, else never
 
-  std::string_view head = {};       ///< {name} {unit} {unit_once} {units_if_inch} {multax} {multax_if_tilted} {on_centre}
+  std::string_view head = {};  ///< {name} {unit} {unit_once} {units_if_inch} {multax} {multax_if_tilted} {on_centre}
   std::string_view end = "FINI";
-  std::string_view operation = {};  ///< {name} {featno} {on_centre}
+  std::string_view operation = {};       ///< {name} {featno} {on_centre}
   bool has_separate_operations = false;  ///< nothing is swept from one to the next
   std::string_view gohome = "GOHOME", cutcom = "CUTCOM/", rapid = "RAPID";
   std::string_view feed = "FEDRAT/{feed}, {unit}";  ///< {feed} {exact} {unit} {unit_after_turn} {per}
   int feed_decimals = 6;
 
   std::string_view circle = {};  ///< {center} {right} {left} {plus_z} {radius} {turn} {sense} {d} {r}
-  bool has_tlon = false;    ///< circles are CATIA's TLON
+  bool has_tlon = false;         ///< circles are CATIA's TLON
 
-  std::string_view tool_name = {};                ///< {name}
+  std::string_view tool_name = {};             ///< {name}
   std::string_view cutter = "CUTTER/{seven}";  ///< {seven} {d}
   std::string_view cutter_separator = ", ";
-  bool has_no_corner = false;                ///< e and f of a straight cutter are 0
+  bool has_no_corner = false;                   ///< e and f of a straight cutter are 0
   std::string_view number = "LOADTL/{number}";  ///< {number} {d} {tprint}
-  std::string_view flutes = {};                   ///< {flutes}
+  std::string_view flutes = {};                 ///< {flutes}
 
   [[nodiscard]] std::string number_text(double value, int decimals) const;
   [[nodiscard]] std::string coordinate(double value) const { return number_text(value, decimals); }

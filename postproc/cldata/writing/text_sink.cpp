@@ -12,9 +12,7 @@ namespace {
 constexpr double kPi = std::numbers::pi;
 constexpr double kSameAxis = 1e-12;
 
-bool is_plus_z(const Vec3& axis) {
-  return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameAxis;
-}
+bool is_plus_z(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameAxis; }
 
 // Enough for a feed to keep its value, which in inches per revolution may be small.
 int feed_decimals(double value, int usual) {
@@ -25,9 +23,7 @@ int feed_decimals(double value, int usual) {
   return decimals;
 }
 
-double degrees(double radians) {
-  return radians * 180 / kPi;
-}
+double degrees(double radians) { return radians * 180 / kPi; }
 
 }  // namespace
 

@@ -56,7 +56,7 @@ class TextSink final : public MotionSink {
   std::string text_;
   std::string operation_;
   std::optional<PathTool> tool_;
-  std::optional<Vec3> axis_;  // last written, where it is modal
+  std::optional<Vec3> axis_;   // last written, where it is modal
   bool is_block_due_ = false;  // the next motion begins one
   bool is_block_open_ = false;
   bool is_alone_ = true;  // nothing leads to the next position

@@ -50,7 +50,8 @@ void TextSink::begin_block() {
 }
 
 void TextSink::write_tool(const PathTool& tool) {
-  const bool is_diameter_stated = options_.dialect.cutter_form == CutterForm::diameter_alone && tool.stated_diameter_mm > 0;
+  const bool is_diameter_stated =
+      options_.dialect.cutter_form == CutterForm::diameter_alone && tool.stated_diameter_mm > 0;
   const double diameter_mm = tool.cutter ? tool.cutter->d_mm : is_diameter_stated ? tool.stated_diameter_mm : 0;
   const std::string d = fixed_text(scaled(diameter_mm), 6);
   if (!tool.name.empty()) fill(format_.tool_name, {{"name", tool.name}});

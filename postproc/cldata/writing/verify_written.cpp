@@ -44,8 +44,8 @@ struct Verification {
   [[nodiscard]] std::optional<Diagnostic> find_other_feed() const;
 };
 
-// A tool that the result does not name or define is not checked, or reported. Shapes are compared where the dialect says
-// them whole.
+// A tool that the result does not name or define is not checked, or reported. Shapes are compared where the dialect
+// says them whole.
 bool Verification::is_same_tool(const Move& found, const Move& meant) const {
   constexpr double kSameSize_mm = 2e-3, kSameAngle_deg = 1e-3;
   if (found.tool == kNone) return true;
@@ -56,8 +56,8 @@ bool Verification::is_same_tool(const Move& found, const Move& meant) const {
   if (!tool.cutter) return true;
   if (!wanted.cutter) return false;
   const CutterStatement &a = *tool.cutter, &b = *wanted.cutter;
-  const bool is_same_size = std::abs(a.d_mm * factor() - b.d_mm) <= kSameSize_mm &&
-                            std::abs(a.r_mm * factor() - b.r_mm) <= kSameSize_mm;
+  const bool is_same_size =
+      std::abs(a.d_mm * factor() - b.d_mm) <= kSameSize_mm && std::abs(a.r_mm * factor() - b.r_mm) <= kSameSize_mm;
   const bool is_same_shape =
       std::abs(a.alpha_deg - b.alpha_deg) <= kSameAngle_deg && std::abs(a.beta_deg - b.beta_deg) <= kSameAngle_deg;
   const bool is_slanted = std::abs(b.alpha_deg) > 0 || std::abs(b.beta_deg) > 0;
@@ -72,8 +72,8 @@ std::optional<Diagnostic> Verification::find_other_tool() const {
     if (is_same_tool(again.moves[i], meant)) continue;
     return make_error("convert-tool",
                       std::string(target.id) +
-                          " cannot say which tool this move has, and would give it another one: a tool without a number "
-                          "or a cutter after one that has them; expected tools with numbers and cutters",
+                          " cannot say which tool this move has, and would give it another one: a tool without a "
+                          "number or a cutter after one that has them; expected tools with numbers and cutters",
                       path.file, meant.line);
   }
   return std::nullopt;
@@ -92,8 +92,8 @@ std::optional<Diagnostic> Verification::find_other_feed() const {
         found.unit == meant.unit && std::abs(found.mm * scale - meant.mm) <= kSameFeed * std::abs(meant.mm);
     if (is_same) continue;
     return make_error("convert-feed",
-                      "written in " + std::string(target.id) + ", this move would be " + feed_name(found) +
-                          "; it is " + feed_name(meant) + ": expected another dialect for --to",
+                      "written in " + std::string(target.id) + ", this move would be " + feed_name(found) + "; it is " +
+                          feed_name(meant) + ": expected another dialect for --to",
                       path.file, path.moves[expected[i].move].line);
   }
   return std::nullopt;
@@ -132,8 +132,8 @@ std::optional<Diagnostic> verify_written(const Toolpath& path, const Dialect& ta
   if (auto error = verification.find_other_tool()) return error;
   if (auto error = verification.find_other_feed()) return error;
   if (again.unit != path.unit) {
-    note("convert-unit", std::string("the result does not state its unit, ") + unit_name(path.unit) +
-                             "; say it with --path-units");
+    note("convert-unit",
+         std::string("the result does not state its unit, ") + unit_name(path.unit) + "; say it with --path-units");
   }
   std::size_t differing = again.moves.size() == expected.size() ? 0 : 1;
   for (std::size_t i = 0; i < std::min(again.moves.size(), expected.size()); ++i) {

@@ -21,15 +21,11 @@ namespace {
 
 constexpr double kTilt = 1e-12;
 
-bool is_after_retract(const Move& move) {
-  return kind_of(move.not_checked_reason) == ReasonKind::after_retract;
-}
+bool is_after_retract(const Move& move) { return kind_of(move.not_checked_reason) == ReasonKind::after_retract; }
 
 // Motions whose end is what the file says although they are not checked: only their start or the cutter's
 // side of the contour is in doubt.
-bool is_understood(const Move& move) {
-  return is_motion_known(move.not_checked_reason) || is_after_retract(move);
-}
+bool is_understood(const Move& move) { return is_motion_known(move.not_checked_reason) || is_after_retract(move); }
 
 // The file or the user says of every compensated position that it is the cutter's centre.
 bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
@@ -102,11 +98,10 @@ class PathWriter {
 
 std::optional<Diagnostic> PathWriter::find_obstacle() const {
   if (!target_.is_written) {
-    return make_error(
-        "convert-dialect",
-        "mastercam-nci is read only: how its tools and planes are written is not known; expected "
-        "another dialect for --to",
-        path_.file);
+    return make_error("convert-dialect",
+                      "mastercam-nci is read only: how its tools and planes are written is not known; expected another "
+                      "dialect for --to",
+                      path_.file);
   }
   std::size_t count = 0;
   const Move* first = nullptr;
@@ -115,12 +110,11 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
     if (count++ == 0) first = &move;
   }
   if (first != nullptr) {
-    return make_error(
-        "convert-not-understood",
-        std::to_string(count) + " of " + std::to_string(path_.moves.size()) + " moves are not understood (" +
-            std::string(first->not_checked_reason) +
-            "), so they cannot be written in another way; without --to the file is copied as it is",
-        path_.file, first->line);
+    return make_error("convert-not-understood",
+                      std::to_string(count) + " of " + std::to_string(path_.moves.size()) +
+                          " moves are not understood (" + std::string(first->not_checked_reason) +
+                          "), so they cannot be written in another way; without --to the file is copied as it is",
+                      path_.file, first->line);
   }
   const auto tapping = std::find_if(records_.of_move.begin(), records_.of_move.end(),
                                     [](const MotionRecord& record) { return record.is_tapping; });
@@ -149,8 +143,7 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
   });
   if (tilted == path_.moves.end()) return std::nullopt;
   return make_error("convert-dialect",
-                    "camworks-clt has no tool axis, and this move's is not +Z; expected another dialect "
-                    "for --to",
+                    "camworks-clt has no tool axis, and this move's is not +Z; expected another dialect for --to",
                     path_.file, tilted->line);
 }
 
@@ -201,7 +194,8 @@ bool PathWriter::write_arc(std::size_t index) {
   const double sweep = std::abs(arc.sweep_rad);
   const bool is_flat_circle =
       (start.tip - move.end.tip).norm() <= 0 && (start.axis - move.end.axis).cwiseAbs().maxCoeff() <= kTilt;
-  const bool is_open = std::abs(sweep - kPi) <= kNear_rad || (std::abs(sweep - 2 * kPi) <= kNear_rad && !is_flat_circle);
+  const bool is_open =
+      std::abs(sweep - kPi) <= kNear_rad || (std::abs(sweep - 2 * kPi) <= kNear_rad && !is_flat_circle);
   if (target_.arc_rule != ArcRule::by_vector_or_against || !is_open) {
     if (!sink_->go_round(arc, start, move.end)) return false;
     expect(move.end, false, arc.sweep_rad);
@@ -259,14 +253,15 @@ void PathWriter::write_feed(const Move& move) {
   }
   if (feed.unit == FeedUnit::not_understood) {
     return refuse_feed(move,
-                       "the feed of this move is stated in words that are not understood (inverse time, two units, "
-                       "no unit after a feed per revolution), so it cannot be written in another way; expected FEDRAT "
-                       "or CYCLE with one number and MMPM, MMPR, IPM or IPR");
+                       "the feed of this move is stated in words that are not understood (inverse time, two units, no "
+                       "unit after a feed per revolution), so it cannot be written in another way; expected FEDRAT or "
+                       "CYCLE with one number and MMPM, MMPR, IPM or IPR");
   }
   if (feed_.is_number()) {
-    return refuse_feed(move, "the file states no feed for this move, and " + std::string(target_.id) +
-                                 " would run it at that of the move before; expected a FEDRAT before it, or a cycle "
-                                 "that states its feed");
+    return refuse_feed(
+        move,
+        "the file states no feed for this move, and " + std::string(target_.id) +
+            " would run it at that of the move before; expected a FEDRAT before it, or a cycle that states its feed");
   }
   ++unstated_feeds_;
 }

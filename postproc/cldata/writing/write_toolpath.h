@@ -22,10 +22,9 @@ struct WrittenToolpath {
 /// kChordError_mm.
 ///
 /// Ensures  The bytes, read again, hold the same motions to the last digit written; where not, a note says
-/// so. Errors   convert-not-understood: the path holds motions that are not understood, so that no dialect
-/// can hold
-///          them. convert-dialect: `target` is read only (Mastercam NCI), or has no tool axis (CLT) and the
-///          path needs one.
+/// so.
+/// Errors   convert-not-understood: the path holds motions that are not understood, so that no dialect can hold them.
+///          convert-dialect: `target` is read only (Mastercam NCI), or has no tool axis (CLT) and the path needs one.
 /// Cost     One pass to write and one to read.
 [[nodiscard]] Result<WrittenToolpath> write_toolpath(const Toolpath& path, const Dialect& target);
 

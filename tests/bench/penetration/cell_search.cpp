@@ -26,8 +26,8 @@ std::array<double, 4> ball_about(std::span<const Vec3> points) {
 }
 
 /// The cells of `count` points moved by `pose`, coordinates apart; several at once where the processor can.
-void cells_of(const DepthGrid& grid, const RigidTransform& pose, const double* x, const double* y,
-              const double* z, std::size_t count, std::int32_t* cells) {
+void cells_of(const DepthGrid& grid, const RigidTransform& pose, const double* x, const double* y, const double* z,
+              std::size_t count, std::int32_t* cells) {
   const double per_mm = 1 / grid.cell_mm();
   const Eigen::Matrix3d turn = per_mm * pose.rotation;
   const Vec3 shift = per_mm * (pose.shift - grid.corner({0, 0, 0}));
@@ -116,8 +116,7 @@ void CellSearch::descend(const RigidTransform& pose) {
       look_up(node, pose);
       continue;
     }
-    for (std::uint32_t child = node.first; child < node.first + node.children; ++child)
-      stack_.push_back(child);
+    for (std::uint32_t child = node.first; child < node.first + node.children; ++child) stack_.push_back(child);
   }
 }
 
@@ -179,8 +178,7 @@ ClosestPoint CellSearch::nearest(const Asked& asked) {
   const std::uint32_t place = near.place(best);
   if (!is_over) return signed_closest_point(body_, asked.place, place, foot);
   const Vec3 normal = near.planes(best).normal();
-  return {asked.place - over_mm * normal, normal, std::abs(over_mm), over_mm < 0,
-          body_.tree.order[place],        place};
+  return {asked.place - over_mm * normal, normal, std::abs(over_mm), over_mm < 0, body_.tree.order[place], place};
 }
 
 void CellSearch::report(const Asked& asked, const ClosestPoint& foot) {
@@ -191,10 +189,9 @@ void CellSearch::report(const Asked& asked, const ClosestPoint& foot) {
   }
   const bool is_deeper = depth > body_.options.depth_mm;
   if (is_deeper && !options_.is_deeper_reported) return;
-  result_.contacts.push_back(
-      {{asked.place, foot.normal, depth, options_.body, body_.mesh.file_triangle[foot.triangle]},
-       asked.point,
-       is_deeper});
+  result_.contacts.push_back({{asked.place, foot.normal, depth, options_.body, body_.mesh.file_triangle[foot.triangle]},
+                              asked.point,
+                              is_deeper});
 }
 
 }  // namespace gouge

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "lib/geom/rigid_transform.h"
+#include "lib/penetration/closest_point.h"
 #include "lib/penetration/depth_body.h"
 #include "lib/penetration/find_penetration.h"
-#include "lib/penetration/closest_point.h"
 #include "lib/penetration/point_body.h"
 #include "tests/bench/penetration/clearance.h"
 #include "tests/bench/penetration/near_facets.h"
@@ -62,7 +62,7 @@ class CellSearch {
   PenetrationResult result_;
   std::vector<std::uint32_t> stack_;
   std::vector<Asked> asked_;
-  std::vector<ClosestPoint> feet_;        ///< of asked_
+  std::vector<ClosestPoint> feet_;       ///< of asked_
   std::vector<std::uint32_t> asked_of_;  ///< by point: slot in asked_, if its bit is set
   std::vector<std::uint64_t> is_asked_;  ///< a bit for each point
 };

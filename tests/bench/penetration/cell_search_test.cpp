@@ -29,8 +29,7 @@ TEST(CellSearch, FindsWhatTheTreesFind) {
       (a.contacts.empty() ? apart : inside) += 1;
       for (std::size_t k = 0; k < a.contacts.size(); ++k) {
         EXPECT_EQ(a.contacts[k].point, b.contacts[k].point);
-        EXPECT_NEAR(a.contacts[k].contact.depth_mm, b.contacts[k].contact.depth_mm,
-                    1e-12 * (1 + pose.shift.norm()));
+        EXPECT_NEAR(a.contacts[k].contact.depth_mm, b.contacts[k].contact.depth_mm, 1e-12 * (1 + pose.shift.norm()));
         EXPECT_EQ(a.contacts[k].is_deeper, b.contacts[k].is_deeper);
       }
     }

@@ -28,8 +28,7 @@ Clearance::Clearance(const DepthBody& body) : low_(body.mesh.box().min()), high_
   block_mm_ = std::max(body.depths.cell_mm(), size.maxCoeff() / kBlocks);
   for (int i = 0; i < 3; ++i)
     counts_[static_cast<std::size_t>(i)] = static_cast<int>(std::floor(size[i] / block_mm_)) + 1;
-  const double half =
-      0.5 * block_mm_ * std::numbers::sqrt3 * kRoundUp + kRounding * static_cast<double>(body.slack_mm);
+  const double half = 0.5 * block_mm_ * std::numbers::sqrt3 * kRoundUp + kRounding * static_cast<double>(body.slack_mm);
   for (int z = 0; z < counts_[2]; ++z) {
     for (int y = 0; y < counts_[1]; ++y) {
       for (int x = 0; x < counts_[0]; ++x) {

@@ -10,7 +10,8 @@ namespace gouge {
 /// How far from a solid at least everything in a block of space is, for blocks over its box.
 class Clearance {
  public:
-  /// Requires a solid. Cost  a search for each of at most 33^3 blocks.
+  /// Requires a solid.
+  /// Cost     a search for each of at most 33^3 blocks.
   explicit Clearance(const DepthBody& body);
 
   /// Not above the distance of a point outside to the solid; 0 where the point may be inside.

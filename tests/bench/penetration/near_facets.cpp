@@ -9,8 +9,8 @@
 
 #include "lib/base/parallel.h"
 #include "lib/geom/point_triangle.h"
-#include "lib/penetration/depth_body.h"
 #include "lib/penetration/closest_point.h"
+#include "lib/penetration/depth_body.h"
 
 namespace gouge {
 namespace {
@@ -40,8 +40,7 @@ struct NearFacetsPart {
 double box_distance2(const float* box, const Vec3& p) {
   double sum = 0;
   for (int i = 0; i < 3; ++i) {
-    const double out =
-        std::max({static_cast<double>(box[i]) - p[i], p[i] - static_cast<double>(box[i + 3]), 0.0});
+    const double out = std::max({static_cast<double>(box[i]) - p[i], p[i] - static_cast<double>(box[i + 3]), 0.0});
     sum += out * out;
   }
   return sum;
@@ -144,8 +143,7 @@ class BrickFacets {
              std::equal(places.begin(), places.end(), lists.begin() + static_cast<std::ptrdiff_t>(at) + 1);
     };
     if (part_->cells.empty() || !same(part_->cells.back().list)) {
-      part_->cells.push_back(
-          {static_cast<std::uint32_t>(grid_.index(cell)), static_cast<std::uint32_t>(lists.size())});
+      part_->cells.push_back({static_cast<std::uint32_t>(grid_.index(cell)), static_cast<std::uint32_t>(lists.size())});
       lists.push_back(count);
       lists.insert(lists.end(), places.begin(), places.end());
       return;

@@ -19,10 +19,8 @@ struct DepthBody;
 class NearFacets {
  public:
   struct Known {
-    std::span<const std::uint32_t>
-        facets;  ///< for planes() and slot(), those nearest to the cell's centre first
-    bool is_complete =
-        false;  ///< else the facets are too many, and only the one nearest to the centre is reported
+    std::span<const std::uint32_t> facets;  ///< for planes() and slot(), those nearest to the cell's centre first
+    bool is_complete = false;  ///< else the facets are too many, and only the one nearest to the centre is reported
   };
 
   static constexpr std::uint32_t kIsComplete = 1U << 31;

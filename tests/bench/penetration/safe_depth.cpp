@@ -83,8 +83,7 @@ class BallSearch {
       radius_ = bound;
       return;
     }
-    const Vec3 ab = 0.5 * (piece[0] + piece[1]), bc = 0.5 * (piece[1] + piece[2]),
-               ca = 0.5 * (piece[2] + piece[0]);
+    const Vec3 ab = 0.5 * (piece[0] + piece[1]), bc = 0.5 * (piece[1] + piece[2]), ca = 0.5 * (piece[2] + piece[0]);
     meet({piece[0], ab, ca}, halvings + 1);
     meet({ab, piece[1], bc}, halvings + 1);
     meet({ca, bc, piece[2]}, halvings + 1);

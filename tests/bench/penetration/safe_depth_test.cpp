@@ -32,8 +32,7 @@ bool does_offset_cross(const DepthBody& body, double depth) {
   std::vector<std::array<Vec3, 3>> offset;
   for (const TriangleCorners& t : body.mesh.triangles) {
     offset.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k)
-      offset.back()[k] = body.mesh.vertices[t[k]] - depth * body.offsets[t[k]].move;
+    for (std::size_t k = 0; k < 3; ++k) offset.back()[k] = body.mesh.vertices[t[k]] - depth * body.offsets[t[k]].move;
   }
   for (std::size_t i = 0; i < offset.size(); ++i) {
     for (std::size_t j = 0; j < offset.size(); ++j) {
@@ -76,14 +75,12 @@ TEST(SafeDepth, IsWhatWasAskedWhereThatIsSmall) {
 }
 
 TEST(SafeDepth, OffsetsToItDoNotCrossThemselves) {
-  for (const IndexedMesh& mesh :
-       {shapes::slotted_block(), shapes::star_prism(), shapes::torus(20, 5, 24, 12)}) {
+  for (const IndexedMesh& mesh : {shapes::slotted_block(), shapes::star_prism(), shapes::torus(20, 5, 24, 12)}) {
     const DepthBody body = body_of(mesh);
     const SafeDepth safe = largest_safe_depth(body, 100);
     EXPECT_GT(safe.depth_mm, 0.05) << mesh.name;
     EXPECT_FALSE(does_offset_cross(body, 0.98 * safe.depth_mm)) << mesh.name << " at " << safe.depth_mm;
-    std::cout << mesh.name << ": safe to " << safe.depth_mm << " mm, limit " << static_cast<int>(safe.limit)
-              << "\n";
+    std::cout << mesh.name << ": safe to " << safe.depth_mm << " mm, limit " << static_cast<int>(safe.limit) << "\n";
   }
 }
 

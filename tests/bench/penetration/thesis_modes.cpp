@@ -28,8 +28,7 @@ BisectorNormals bisectors_of(const DepthBody& body, const MeshAdjacency& adjacen
 
 ThesisModes::ThesisModes(const DepthBody& body) : body_(body), leaves_(body.corners.size()) {
   const MeshAdjacency adjacency(body.mesh);
-  for (const std::uint32_t triangle : body.tree.order)
-    bisectors_.push_back(bisectors_of(body, adjacency, triangle));
+  for (const std::uint32_t triangle : body.tree.order) bisectors_.push_back(bisectors_of(body, adjacency, triangle));
   for (std::uint32_t n = 0; n < body.tree.nodes.size(); ++n) {
     const KdopNode& node = body.tree.nodes[n];
     for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) leaves_[node.first + k] = n;

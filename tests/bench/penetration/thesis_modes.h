@@ -25,7 +25,8 @@ class ThesisModes {
   explicit ThesisModes(const DepthBody& body);
 
   /// The least depth below the plane of a facet that the point belongs to, no more than the body's; nothing
-  /// where there is none. Cost  O(facets).
+  /// where there is none.
+  /// Cost     O(facets).
   [[nodiscard]] std::optional<double> depth_mm(const Vec3& point, ThesisMode mode) const;
 
   /// By place in the body's tree.

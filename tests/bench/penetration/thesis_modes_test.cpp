@@ -28,8 +28,7 @@ TEST(ThesisModes, AreGoodOnASmoothPartWithinItsSafeDepth) {
   const Error implicit = error_of_mode(mesh, 0.5, ThesisMode::volumes);
   for (const auto& [name, e] : {std::pair{"planes", planes}, std::pair{"volumes alone", implicit}}) {
     std::cout << name << ": " << e.inside << " inside, missed " << e.missed << ", false " << e.false_alarms
-              << ", mean error " << e.sum_mm / static_cast<double>(e.inside) << ", largest " << e.largest_mm
-              << " mm\n";
+              << ", mean error " << e.sum_mm / static_cast<double>(e.inside) << ", largest " << e.largest_mm << " mm\n";
     EXPECT_LT(e.sum_mm / static_cast<double>(e.inside), 0.01) << name;
     EXPECT_LT(e.missed, e.inside / 20) << name;
   }

@@ -148,7 +148,8 @@ TEST(ByteSize, IsReadWithItsUnit) {
   EXPECT_EQ(parse_byte_size("4096"), 4096U);
   EXPECT_EQ(parse_byte_size("7B"), 7U);
   EXPECT_EQ(parse_byte_size("2TB"), 2'000'000'000'000U);
-  for (const char* text : {"", "GB", "8G", "-1", "0", "0.5", "1e9", "1..5GB", "8 GB ", "99999999999999TB", "nan", "8  GB"})
+  for (const char* text :
+       {"", "GB", "8G", "-1", "0", "0.5", "1e9", "1..5GB", "8 GB ", "99999999999999TB", "nan", "8  GB"})
     EXPECT_FALSE(parse_byte_size(text)) << text;
 }
 

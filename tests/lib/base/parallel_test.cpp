@@ -1,7 +1,7 @@
 #include "lib/base/parallel.h"
 
-#include <gtest/gtest.h>
 #include <grp.h>
+#include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -79,7 +79,8 @@ TEST(Parallel, WhereNoThreadMayBeginTheCallerDoesAll) {
   const pid_t child = ::fork();
   if (child == 0) {
     constexpr unsigned kNobody = 65534;  // the limit does not hold for root
-    const bool is_other = ::geteuid() != 0 || (::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0);
+    const bool is_other =
+        ::geteuid() != 0 || (::setgroups(0, nullptr) == 0 && ::setgid(kNobody) == 0 && ::setuid(kNobody) == 0);
     const rlimit none{1, 1};
     if (!is_other || ::setrlimit(RLIMIT_NPROC, &none) != 0) ::_exit(2);
     const Done done = done_by(1000, 3, 8);

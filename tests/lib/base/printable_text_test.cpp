@@ -8,8 +8,8 @@ namespace gouge {
 namespace {
 
 TEST(Printable, LeavesWhatIsSeenAsItIs) {
-  for (const char* text : {"", "part.apt", "C:\\parts\\x1b", "Torusfräser Ø12 – Ж", "東京 球頭", "é combined",
-                           "😀", "\xEF\xBF\xBD"})
+  for (const char* text :
+       {"", "part.apt", "C:\\parts\\x1b", "Torusfräser Ø12 – Ж", "東京 球頭", "é combined", "😀", "\xEF\xBF\xBD"})
     EXPECT_EQ(printable(text), text);
 }
 
@@ -21,8 +21,7 @@ TEST(Printable, EscapesWhatATerminalObeysOrHides) {
                       "31m\xC2\x85"),
             "\\u009b31m\\u0085")
       << "C1 controls";
-  EXPECT_EQ(printable("\u202Egpj.exe\u2066\u200E\u061C"), "\\u202egpj.exe\\u2066\\u200e\\u061c")
-      << "directions";
+  EXPECT_EQ(printable("\u202Egpj.exe\u2066\u200E\u061C"), "\\u202egpj.exe\\u2066\\u200e\\u061c") << "directions";
   EXPECT_EQ(printable("a\u200Bb\u200D\uFEFF\u00AD\u2028\u2029\u3164"),
             "a\\u200bb\\u200d\\ufeff\\u00ad\\u2028\\u2029\\u3164");
   EXPECT_EQ(printable("\U000E0041"), "\\U000e0041");

@@ -46,8 +46,7 @@ class Staged : public testing::Test {
 TEST_F(Staged, NothingStandsThereBeforeTheCommitAndNothingIsLeftWithoutOne) {
   put("old", "old");
   {
-    const Result<StagedFile> kept = StagedFile::make(at("new"), "new"),
-                             replaced = StagedFile::make(at("old"), "new");
+    const Result<StagedFile> kept = StagedFile::make(at("new"), "new"), replaced = StagedFile::make(at("old"), "new");
     ASSERT_TRUE(kept.has_value() && replaced.has_value());
     EXPECT_FALSE(fs::exists(at("new")));
     EXPECT_EQ(*read_file(at("old")), "old");

@@ -15,9 +15,7 @@ namespace {
 using test::Scatter;
 
 /// Somewhere about the tool, most of it near the boundary of cutter, shank and holder.
-Vec3 about_tool(Scatter& scatter) {
-  return {scatter.in(-20, 20), scatter.in(-20, 20), scatter.in(-5, 130)};
-}
+Vec3 about_tool(Scatter& scatter) { return {scatter.in(-20, 20), scatter.in(-20, 20), scatter.in(-5, 130)}; }
 
 double value_at(const CompiledTool& tool, const Motion& motion, double t, const Vec3& p, double reach) {
   const Pose pose = motion.at(t);

@@ -29,9 +29,7 @@ CheckResult check(const Toolpath& path, const ToolVariants& tool, const Scene& s
   return whole_check(path, &tool, scene, options);
 }
 
-IndexedMesh block(double half = 100) {
-  return shapes::box(Vec3::Constant(-half), Vec3::Constant(half));
-}
+IndexedMesh block(double half = 100) { return shapes::box(Vec3::Constant(-half), Vec3::Constant(half)); }
 
 /// Each triangle cut into four.
 IndexedMesh finer(const IndexedMesh& mesh) {
@@ -39,7 +37,8 @@ IndexedMesh finer(const IndexedMesh& mesh) {
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     IndexedMesh four;
     for (std::size_t k = 0; k < 3; ++k) four.vertices.push_back(mesh.corner(t, k));
-    for (std::size_t k = 0; k < 3; ++k) four.vertices.push_back(0.5 * (mesh.corner(t, k) + mesh.corner(t, (k + 1) % 3)));
+    for (std::size_t k = 0; k < 3; ++k)
+      four.vertices.push_back(0.5 * (mesh.corner(t, k) + mesh.corner(t, (k + 1) % 3)));
     shapes::add_triangle(four, 0, 3, 5);
     shapes::add_triangle(four, 3, 1, 4);
     shapes::add_triangle(four, 5, 4, 2);
@@ -51,7 +50,8 @@ IndexedMesh finer(const IndexedMesh& mesh) {
 }
 
 IndexedMesh turned(IndexedMesh mesh, std::size_t first, std::size_t step) {
-  for (std::size_t t = first; t < mesh.triangles.size(); t += step) std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
+  for (std::size_t t = first; t < mesh.triangles.size(); t += step)
+    std::swap(mesh.triangles[t][1], mesh.triangles[t][2]);
   return mesh;
 }
 
@@ -79,8 +79,8 @@ TEST(Buried, InASolidWhoseTrianglesAreDoubledInBothOrientationsNothingIsCertifie
   const CheckResult r = check(kInside, cutter_alone(), {{doubled}, {}});
   EXPECT_EQ(r.counts.not_certified, 3U);
   EXPECT_EQ(reason_text(r.verdicts[0].reason),
-            "whether the cutter is inside the solid cannot be determined: the shells of doubled.stl cancel each other there: "
-            "doubled, or overlapping inside out");
+            "whether the cutter is inside the solid cannot be determined: the shells of doubled.stl cancel each other "
+            "there: doubled, or overlapping inside out");
 }
 
 TEST(Buried, TurnedTrianglesDoNotMakeASolidTransparent) {
@@ -101,8 +101,9 @@ TEST(Buried, InASolidOverlappedByAnInsideOutBoxNothingIsCertified) {
 
 TEST(Buried, FilesOfAKindAreOneSurface) {
   EXPECT_EQ(check(kInside, cutter_alone(), {faces(block()), {}}).counts.buried, 3U);
-  EXPECT_EQ(check(kInside, cutter_alone(), {{shapes::moved(shapes::cube(1), Vec3(500, 0, 0))}, faces(block())}).counts.buried,
-            3U);
+  EXPECT_EQ(
+      check(kInside, cutter_alone(), {{shapes::moved(shapes::cube(1), Vec3(500, 0, 0))}, faces(block())}).counts.buried,
+      3U);
   // One of them missing: inside by its rim, unless the tool stands where the missing one may bulge.
   std::vector<IndexedMesh> five = faces(block());
   five.pop_back();
@@ -128,13 +129,13 @@ TEST(Buried, AnOpenMeshGivenTwiceIsNotCertifiedAndTheReasonSaysWhy) {
   const CheckResult twice = check(kInside, cutter_alone(), {{open, open}, {}});
   EXPECT_EQ(twice.counts.not_certified, 3U);
   EXPECT_EQ(reason_text(twice.verdicts[0].reason),
-            "whether the cutter is inside the solid cannot be determined: open.stl, open.stl have together 6 open edges when "
-            "triangles that stand there more than once are counted once");
+            "whether the cutter is inside the solid cannot be determined: open.stl, open.stl have together 6 open "
+            "edges when triangles that stand there more than once are counted once");
   const CheckResult flipped = check(kInside, cutter_alone(), {{open, shapes::inside_out(open)}, {}});
   EXPECT_EQ(flipped.counts.not_certified, 3U);
   EXPECT_EQ(reason_text(flipped.verdicts[0].reason),
-            "whether the cutter is inside the solid cannot be determined: open.stl, open.stl have together 1 piece of surface "
-            "that lies on itself and may enclose nothing");
+            "whether the cutter is inside the solid cannot be determined: open.stl, open.stl have together 1 piece of "
+            "surface that lies on itself and may enclose nothing");
 }
 
 TEST(Buried, InAPartThatIsInsideOutWithinAnother) {
@@ -148,9 +149,11 @@ TEST(Buried, AChainThatLeavesTheBoxIsOutsideFromItsBeginningHoweverBrokenTheMesh
   pot.triangles.resize(10);
   pot.file_triangle.resize(10);
   const ToolVariants tool = cutter_alone();
-  const CheckResult rising = check(through({upright(0, 0, 0), upright(5, 0, 0), upright(5, 0, 120)}), tool, {{pot}, {}});
+  const CheckResult rising =
+      check(through({upright(0, 0, 0), upright(5, 0, 0), upright(5, 0, 120)}), tool, {{pot}, {}});
   EXPECT_EQ(rising.counts.clean, 3U);
-  const CheckResult staying = check(through({upright(0, 0, 0), upright(5, 0, 0), upright(5, 0, 20)}), tool, {{pot}, {}});
+  const CheckResult staying =
+      check(through({upright(0, 0, 0), upright(5, 0, 0), upright(5, 0, 20)}), tool, {{pot}, {}});
   EXPECT_EQ(staying.counts.clean, 0U);
   // Where a move is not checked the chain ends.
   Toolpath broken = through({upright(0, 0, 0), upright(5, 0, 0), upright(5, 0, 20), upright(5, 0, 120)});
@@ -196,7 +199,8 @@ TEST(Buried, AHollowCutterIsAskedForItsRing) {
   for (const ToolVariants& tool : tools::shapes()) {
     const Scene scene{{block(500)}, {}};
     EXPECT_EQ(check(through({upright(0, 0, 0)}), tool, scene).counts.buried, 1U) << tool.bare.name;
-    EXPECT_EQ(check(through({upright(0, 0, 500 - tool.bare.z_min_mm + 1)}), tool, scene).counts.clean, 1U) << tool.bare.name;
+    EXPECT_EQ(check(through({upright(0, 0, 500 - tool.bare.z_min_mm + 1)}), tool, scene).counts.clean, 1U)
+        << tool.bare.name;
   }
 }
 
@@ -206,7 +210,8 @@ TEST(Buried, ThreadsDoNotChangeAVerdict) {
   Toolpath path = through(poses);
   for (std::size_t i = 0; i < path.moves.size(); i += 3) path.moves[i].has_start = false;
   const Scene scene{{turned(finer(block()), 0, 2)}, {}};
-  const CheckResult one = check(path, cutter_alone(), scene, 0.01, 1), two = check(path, cutter_alone(), scene, 0.01, 2);
+  const CheckResult one = check(path, cutter_alone(), scene, 0.01, 1),
+                    two = check(path, cutter_alone(), scene, 0.01, 2);
   for (std::size_t i = 0; i < poses.size(); ++i) {
     EXPECT_EQ(one.verdicts[i].state, two.verdicts[i].state);
     EXPECT_EQ(reason_text(one.verdicts[i].reason), reason_text(two.verdicts[i].reason));

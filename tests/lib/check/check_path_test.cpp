@@ -18,8 +18,7 @@ namespace {
 using paths::through;
 using paths::upright;
 
-CheckResult check(const Toolpath& path, const ToolVariants& tool, const Scene& scene,
-                  CheckOptions options = {}) {
+CheckResult check(const Toolpath& path, const ToolVariants& tool, const Scene& scene, CheckOptions options = {}) {
   return whole_check(path, &tool, scene, options);
 }
 
@@ -49,9 +48,8 @@ TEST(CheckPath, ABuriedToolIsSeenInAnInsideOutSolidAndInAFixture) {
   const IndexedMesh block = shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500));
   const Toolpath path = through({upright(0, 0, 0), upright(20, 0, 0)});
   EXPECT_EQ(check(path, tools::ball(), {{shapes::inside_out(block)}, {}}).counts.buried, 2U);
-  EXPECT_EQ(
-      check(path, tools::ball(), {{shapes::moved(shapes::cube(1), Vec3(-400, 0, 0))}, {block}}).counts.buried,
-      2U);
+  EXPECT_EQ(check(path, tools::ball(), {{shapes::moved(shapes::cube(1), Vec3(-400, 0, 0))}, {block}}).counts.buried,
+            2U);
 }
 
 TEST(CheckPath, AToleranceAsLargeAsTheCutterNeverMakesAPlungeClean) {
@@ -63,10 +61,9 @@ TEST(CheckPath, AToleranceAsLargeAsTheCutterNeverMakesAPlungeClean) {
   const CheckResult r = check(path, needle, scene, options);
   EXPECT_EQ(r.verdicts[0].state, MoveState::clean);
   EXPECT_EQ(r.verdicts[1].state, MoveState::not_certified);
-  EXPECT_EQ(
-      reason_text(r.verdicts[1].reason),
-      "the tolerance lets the surface reach the middle of the cutter, so the tool may be buried; give a "
-      "smaller tolerance");
+  EXPECT_EQ(reason_text(r.verdicts[1].reason),
+            "the tolerance lets the surface reach the middle of the cutter, so the tool may be buried; give a smaller "
+            "tolerance");
   EXPECT_EQ(r.verdicts[2].state, MoveState::buried);
 }
 
@@ -84,9 +81,8 @@ TEST(CheckPath, AnOpenMeshShowsABuriedToolOrSaysThatItCannot) {
 }
 
 TEST(CheckPath, AToolInACavityOrBesideTheSolidIsNotBuried) {
-  const IndexedMesh hollow =
-      shapes::joined(shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500)),
-                     shapes::inside_out(shapes::box(Vec3(-90, -90, -190), Vec3(90, 90, 190))));
+  const IndexedMesh hollow = shapes::joined(shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 500)),
+                                            shapes::inside_out(shapes::box(Vec3(-90, -90, -190), Vec3(90, 90, 190))));
   EXPECT_EQ(check(through({upright(0, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
   EXPECT_EQ(check(through({upright(700, 0, 0)}), tools::ball(), {{hollow}, {}}).counts.clean, 1U);
 }
@@ -126,8 +122,7 @@ TEST(CheckPath, StockToLeaveCountsAgainstThePartAloneNotTheFixture) {
   const CheckResult part = check(path, grown, {{block}, {}});
   ASSERT_EQ(part.counts.gouge, 1U);
   EXPECT_NEAR(part.verdicts[0].depth_mm, 0.2, 0.001);
-  EXPECT_EQ(check(path, grown, {{shapes::moved(shapes::cube(1), Vec3(0, 0, -200))}, {block}}).counts.clean,
-            1U);
+  EXPECT_EQ(check(path, grown, {{shapes::moved(shapes::cube(1), Vec3(0, 0, -200))}, {block}}).counts.clean, 1U);
 }
 
 TEST(CheckPath, WithoutAToolNothingIsClean) {
@@ -179,8 +174,7 @@ TEST(CheckPath, WhatIsTooFarAwayForTheBoundsIsNotCheckedAndDoesNotDisturbItsNeig
 // A library caller may break what a reader of files never lets through.
 TEST(CheckPath, WhatIsNoNumberOrNoUnitVectorIsRefusedWithTheReason) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
-  const double nan = std::numeric_limits<double>::quiet_NaN(),
-               infinite = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   const auto reason_of = [&](const Pose& pose, bool has_start) {
     Toolpath path = through({upright(0, 0, 5), pose});
     path.moves[1].has_start = has_start;
@@ -196,8 +190,7 @@ TEST(CheckPath, WhatIsNoNumberOrNoUnitVectorIsRefusedWithTheReason) {
     for (const double far : {nan, infinite, -infinite, 1e300, -1.1e5}) {
       for (const Vec3& tip : {Vec3(far, 0, 5), Vec3(0, far, 5), Vec3(0, 0, far)})
         EXPECT_EQ(reason_of({tip, Vec3::UnitZ()}, has_start), reason_text({Reason::Kind::out_of_reach})) << far;
-      EXPECT_EQ(reason_of({Vec3(0, 0, 5), Vec3(0, far, 1)}, has_start), "the tool axis is no unit vector")
-          << far;
+      EXPECT_EQ(reason_of({Vec3(0, 0, 5), Vec3(0, far, 1)}, has_start), "the tool axis is no unit vector") << far;
     }
     for (const Vec3& axis : {Vec3(0, 0, 0), Vec3(0, 0, 2), Vec3(0, 0, 0.99), Vec3(1e-200, 0, 0)})
       EXPECT_EQ(reason_of({Vec3(0, 0, 5), axis}, has_start), "the tool axis is no unit vector");
@@ -206,8 +199,7 @@ TEST(CheckPath, WhatIsNoNumberOrNoUnitVectorIsRefusedWithTheReason) {
 
 TEST(CheckPath, OptionsThatAreNoLengthsAreRefusedWithTheReason) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
-  const double nan = std::numeric_limits<double>::quiet_NaN(),
-               infinite = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   const ToolVariants tool = tools::ball();
   std::vector<CheckOptions> wrong(7);
   wrong[0].tolerance_mm = nan;  // compared with it, every depth is small enough
@@ -218,8 +210,7 @@ TEST(CheckPath, OptionsThatAreNoLengthsAreRefusedWithTheReason) {
   wrong[5].gouge_gap_mm = nan;
   wrong[6].near_miss_mm = infinite;
   for (const CheckOptions& options : wrong) {
-    const CheckResult r =
-        whole_check(through({upright(0, 0, 5), upright(0, 0, -1)}), &tool, scene, options);
+    const CheckResult r = whole_check(through({upright(0, 0, 5), upright(0, 0, -1)}), &tool, scene, options);
     EXPECT_EQ(r.counts.not_checked, 2U);
     EXPECT_EQ(reason_text(r.verdicts[1].reason),
               "an option of the check is no finite length, or the resolution is not above 0");

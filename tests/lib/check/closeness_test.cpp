@@ -11,8 +11,8 @@ namespace {
 
 using paths::upright;
 
-std::optional<Closeness> closeness(const Toolpath& path, const ToolVariants& tool = tools::flat(),
-                                   unsigned threads = 1, const std::vector<MoveVerdict>& verdicts = {}) {
+std::optional<Closeness> closeness(const Toolpath& path, const ToolVariants& tool = tools::flat(), unsigned threads = 1,
+                                   const std::vector<MoveVerdict>& verdicts = {}) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
   return measure_closeness(path, {&tool}, prepare_scene(scene), verdicts, threads);
 }

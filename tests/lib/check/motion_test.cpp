@@ -32,8 +32,7 @@ TEST(Motion, TheAxisTurnsEvenlyOnTheGreatCircle) {
 
 TEST(Motion, OppositeAxesHaveNoDefinedWay) {
   EXPECT_FALSE(Motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), -Vec3::UnitZ()}).is_defined());
-  EXPECT_TRUE(
-      Motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), Vec3(0, 1e-3, -1).normalized()}).is_defined());
+  EXPECT_TRUE(Motion({Vec3::Zero(), Vec3::UnitZ()}, {Vec3::Zero(), Vec3(0, 1e-3, -1).normalized()}).is_defined());
 }
 
 TEST(Motion, AxesThatDifferByRoundingDoNotTurnWildly) {
@@ -55,8 +54,7 @@ TEST(Motion, DoglegRunsAllAxesAtOneSpeedUntilEachArrives) {
 TEST(ToolInterval, FramesAgreeWithThePose) {
   test::Scatter random(5);
   for (int i = 0; i < 200; ++i) {
-    const Motion motion({random.point(20), random.direction()},
-                        {random.point(20), random.direction()});
+    const Motion motion({random.point(20), random.direction()}, {random.point(20), random.direction()});
     for (const double t : {0.0, 0.123, 0.5, 0.9, 1.0}) {
       const Pose pose = motion.at(t);
       const Vec3 p = random.point(100);

@@ -32,9 +32,7 @@ std::vector<Pose> over_the_dome(double undercut_mm = 0) {
   return poses;
 }
 
-Scene dome() {
-  return {{shapes::moved(shapes::sphere(kDome_mm, 64, 128), kCenter)}, {}};
-}
+Scene dome() { return {{shapes::moved(shapes::sphere(kDome_mm, 64, 128), kCenter)}, {}}; }
 
 PathFit fit_of(const Toolpath& path, const Scene& scene, const ToolVariants& tool, unsigned threads = 1) {
   CheckOptions options;
@@ -77,12 +75,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"K and I exchanged", [](Pose p) { return std::swap(p.axis.z(), p.axis.x()), p; }},
         Case{"X and Y of positions and axes exchanged",
              [](Pose p) { return std::swap(p.tip.x(), p.tip.y()), std::swap(p.axis.x(), p.axis.y()), p; }},
-        Case{"the part rotated by 90 degrees about Z",
-             [](const Pose& p) { return turned(p, 90, Vec3::UnitZ()); }},
-        Case{"the part rotated by 180 degrees about X",
-             [](const Pose& p) { return turned(p, 180, Vec3::UnitX()); }},
-        Case{"the part rotated by 270 degrees about Y",
-             [](const Pose& p) { return turned(p, 270, Vec3::UnitY()); }},
+        Case{"the part rotated by 90 degrees about Z", [](const Pose& p) { return turned(p, 90, Vec3::UnitZ()); }},
+        Case{"the part rotated by 180 degrees about X", [](const Pose& p) { return turned(p, 180, Vec3::UnitX()); }},
+        Case{"the part rotated by 270 degrees about Y", [](const Pose& p) { return turned(p, 270, Vec3::UnitY()); }},
         Case{"positions of the centre of the cutter's corner instead of its tip",
              [](Pose p) { return p.tip += kRadius_mm * p.axis, p; }},
         Case{"positions of the tip instead of the centre of the cutter's corner",
@@ -104,8 +99,8 @@ TEST(PathFit, AnStlInAnotherUnitIsOne) {
     for (Vec3& vertex : scene.parts[0].vertices) vertex *= factor;
     const PathFit fit = fit_of(paths::through(over_the_dome()), scene, tools::ball(2 * kRadius_mm));
     ASSERT_TRUE(fit.explanation.has_value()) << factor;
-    EXPECT_EQ(fit.explanation->text, factor > 1 ? "a part 25.4 times smaller (--stl-units)"
-                                                : "a part 25.4 times as large (--stl-units)");
+    EXPECT_EQ(fit.explanation->text,
+              factor > 1 ? "a part 25.4 times smaller (--stl-units)" : "a part 25.4 times as large (--stl-units)");
   }
 }
 

@@ -18,11 +18,10 @@ namespace {
 using paths::through;
 using paths::upright;
 
-Scene block() {
-  return {{shapes::box(Vec3(-100, -50, -40), Vec3(0, 50, 0))}, {}};
-}
+Scene block() { return {{shapes::box(Vec3(-100, -50, -40), Vec3(0, 50, 0))}, {}}; }
 
-CheckResult check(const std::vector<Pose>& poses, const ToolVariants& tool, double tolerance_mm, double resolution_mm = 0.001) {
+CheckResult check(const std::vector<Pose>& poses, const ToolVariants& tool, double tolerance_mm,
+                  double resolution_mm = 0.001) {
   CheckOptions options;
   options.tolerance_mm = tolerance_mm;
   options.resolution_mm = resolution_mm;
@@ -35,9 +34,7 @@ ToolVariants saw(double stock = 0) {
   return make_tool_variants({1, "saw", SlittingSawCutter{63, 0.5, 0, 0}, {{16, 16, 40}}, {}}, stock, 0, 0).value();
 }
 
-ToolVariants point(double half_deg) {
-  return tools::variants({1, "point", ChamferCutter{1, 0, half_deg, 0}, {}, {}});
-}
+ToolVariants point(double half_deg) { return tools::variants({1, "point", ChamferCutter{1, 0, half_deg, 0}, {}, {}}); }
 
 ToolVariants needle() {
   Profile profile;
@@ -53,7 +50,9 @@ TEST(Reach, ASawThatSlotsThePartIsNotCleanBecauseItIsThin) {
   const std::vector<Pose> poses{upright(100, 0, -20), upright(15, 0, -20)};
   const CheckResult r = check(poses, saw(), 0.26);
   EXPECT_EQ(r.verdicts[1].state, MoveState::not_certified);
-  EXPECT_NE(reason_text(r.verdicts[1].reason).find("a thin or pointed feature of the tool may reach into the solid by up to 24"), std::string::npos)
+  EXPECT_NE(reason_text(r.verdicts[1].reason)
+                .find("a thin or pointed feature of the tool may reach into the solid by up to 24"),
+            std::string::npos)
       << reason_text(r.verdicts[1].reason);
   EXPECT_EQ(check(poses, saw(), 0.01, 0.3).counts.clean, 1U) << "a coarse resolution lets as much through";
   EXPECT_EQ(check(poses, saw(), 0.2).verdicts[1].state, MoveState::gouge);
@@ -142,7 +141,8 @@ TEST(Reach, NoCleanMoveOfAnyToolGoesFartherIntoTheSolidThanThreeTimesTheDepthAll
       if (r.verdicts[1].state == MoveState::not_certified) held_back += reach > 3 * allowed ? 1 : 0;
       if (r.verdicts[1].state != MoveState::clean) continue;
       ++clean;
-      EXPECT_LE(reach, kReachPerDepth * allowed * (1 + 1e-9)) << tool.bare.name << " " << seed << " tilt " << tilt << " tolerance " << options.tolerance_mm;
+      EXPECT_LE(reach, kReachPerDepth * allowed * (1 + 1e-9))
+          << tool.bare.name << " " << seed << " tilt " << tilt << " tolerance " << options.tolerance_mm;
     }
   }
   EXPECT_GT(clean, 30U);

@@ -24,9 +24,7 @@ MoveVerdict check(const Motion& motion, const ToolVariants& tool, const std::vec
   return check_move(motion, MoveKind::feed, tool, prepared, options, bounds);
 }
 
-Pose upright(double x, double y, double z) {
-  return {Vec3(x, y, z), Vec3::UnitZ()};
-}
+Pose upright(double x, double y, double z) { return {Vec3(x, y, z), Vec3::UnitZ()}; }
 
 double depth_of(const Witness& w, const Motion& motion, const CompiledTool& tool) {
   const Pose pose = motion.at(w.t);
@@ -36,7 +34,7 @@ double depth_of(const Witness& w, const Motion& motion, const CompiledTool& tool
 }
 
 void expect_guarantee(const MoveVerdict& v, const Motion& motion, const ToolVariants& tool,
-                    const CheckOptions& options) {
+                      const CheckOptions& options) {
   EXPECT_LE(v.depth_mm, v.depth_upper_mm);
   if (v.state == MoveState::gouge) {
     EXPECT_LE(v.depth_upper_mm - v.depth_mm, options.resolution_mm);
@@ -65,8 +63,7 @@ TEST(Search, NeverBelowBruteForceOnRandomScenes) {
       const double angle = in(0, 2 * M_PI), far = nearest + in(0, 8);
       const Vec3 at(far * std::cos(angle), far * std::sin(angle), in(-6, 110));
       for (int c = 0; c < 3; ++c) mesh.vertices.push_back(at + random.point(4));
-      shapes::add_triangle(mesh, mesh.vertices.size() - 3, mesh.vertices.size() - 2,
-                           mesh.vertices.size() - 1);
+      shapes::add_triangle(mesh, mesh.vertices.size() - 3, mesh.vertices.size() - 2, mesh.vertices.size() - 1);
     }
     const Pose from{random.point(1), random.axis(0.1)};
     const Pose to{from.tip + random.point(2), random.axis(0.1)};
@@ -205,8 +202,7 @@ TEST(Search, NearMissShowsTheClosestApproachOfTheHolder) {
   CheckOptions options;
   options.near_miss_mm = 2;
   const IndexedMesh wall = shapes::box(Vec3(17.5, -5, 0), Vec3(40, 5, 80));
-  const MoveVerdict v =
-      check(Motion(upright(0, 0, 0), upright(0.5, 0, 0)), tools::ball(), {wall}, nullptr, options);
+  const MoveVerdict v = check(Motion(upright(0, 0, 0), upright(0.5, 0, 0)), tools::ball(), {wall}, nullptr, options);
   EXPECT_EQ(v.state, MoveState::near_miss);
   ASSERT_TRUE(v.clearance_mm.has_value());
   EXPECT_NEAR(*v.clearance_mm, 1.0, 0.001);

@@ -72,8 +72,10 @@ Motion random_motion(Scatter& scatter, const Pose& from, const Pose& to, double 
     case 2: {
       const Vec3 mid = from.tip + scatter.point(displacement);
       PathSpline spline;
-      spline.pieces.push_back({0, 0.3, {from.tip, from.tip + scatter.point(displacement), mid + scatter.point(displacement), mid}});
-      spline.pieces.push_back({0.3, 1, {mid, mid + scatter.point(displacement), to.tip + scatter.point(displacement), to.tip}});
+      spline.pieces.push_back(
+          {0, 0.3, {from.tip, from.tip + scatter.point(displacement), mid + scatter.point(displacement), mid}});
+      spline.pieces.push_back(
+          {0.3, 1, {mid, mid + scatter.point(displacement), to.tip + scatter.point(displacement), to.tip}});
       return Motion(from, to, spline);
     }
     default:
@@ -93,7 +95,8 @@ Case random_case(std::uint64_t seed, bool is_straight_only) {
   const Vec3 course = scatter.point(displacement);
   Pose from{origin, axis};
   for (auto count = static_cast<int>(scatter.in(1, 7)); count > 0; --count) {
-    Pose to{from.tip + course + scatter.point(scatter.below(2) == 0 ? displacement : 0.05 * displacement), near_axis(scatter, axis, lean)};
+    Pose to{from.tip + course + scatter.point(scatter.below(2) == 0 ? displacement : 0.05 * displacement),
+            near_axis(scatter, axis, lean)};
     if (scatter.below(8) == 0) to.tip = from.tip;
     if (scatter.below(8) == 0) to.axis = from.axis;
     Motion motion = is_straight_only ? Motion(from, to) : random_motion(scatter, from, to, displacement);
@@ -123,9 +126,7 @@ Case random_case(std::uint64_t seed, bool is_straight_only) {
 }
 
 /// A number that is exact in single precision.
-double even(Scatter& scatter, double size) {
-  return size * std::round(scatter.in(-16, 16)) / 16;
-}
+double even(Scatter& scatter, double size) { return size * std::round(scatter.in(-16, 16)) / 16; }
 
 /// What is drawn at random hardly ever lies exactly: tools upright on a grid, corners on their axes and on each other.
 Case aligned_case(std::uint64_t seed) {
@@ -135,7 +136,8 @@ Case aligned_case(std::uint64_t seed) {
   const double size = std::exp2(std::ceil(std::log2(std::max(made.tool.r_max_mm, made.tool.z_max_mm))));
   const Vec3 axis = (scatter.below(2) == 0 ? 1 : -1) * Vec3::Unit(static_cast<Eigen::Index>(scatter.in(0, 2.999)));
   const Vec3 side = axis.unitOrthogonal();
-  const Vec3 origin = scatter.below(3) == 0 ? Vec3(1024 * Vec3(even(scatter, 16), even(scatter, 16), 0)) : Vec3(0, 0, 0);
+  const Vec3 origin =
+      scatter.below(3) == 0 ? Vec3(1024 * Vec3(even(scatter, 16), even(scatter, 16), 0)) : Vec3(0, 0, 0);
   const double displacement = scatter.below(3) == 0 ? 0 : size * std::exp2(std::round(scatter.in(-12, 0)));
   Pose from{origin, axis};
   for (auto count = static_cast<int>(scatter.in(0, 5)); count > 0; --count) {
@@ -247,7 +249,7 @@ TEST(SweepClaims, WhatIsNotLeftOpenIsSettled) {
       for (const SearchSeed& seed_at : start.seeds) open.insert({seed_at.target, seed_at.triangle});
       if (start.value_mm > query.tolerance_mm) ++deep;
       const double allowed = start.value_mm > query.tolerance_mm ? start.value_mm + query.gap_mm
-                                                                    : query.tolerance_mm + query.resolution_mm;
+                                                                 : query.tolerance_mm + query.resolution_mm;
       EXPECT_LE(start.certified_mm, allowed) << "case " << seed;
       for (std::uint32_t target = 0; target < 2; ++target) {
         for (std::uint32_t t = 0; t < c.mesh.triangles.size(); ++t) {

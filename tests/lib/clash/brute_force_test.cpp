@@ -24,8 +24,7 @@ double distance_to(const IndexedMesh& mesh, const Vec3& point) {
   double best2 = 1e300;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     best2 = std::min(
-        best2,
-        closest_on_triangle(point, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}).distance2_mm2);
+        best2, closest_on_triangle(point, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}).distance2_mm2);
   }
   return std::sqrt(best2);
 }
@@ -77,8 +76,7 @@ class Reference {
 
   void offer(const Box3& box) {
     const Vec3 centre = box.center();
-    const double radius = 0.5 * box.diagonal().norm(), in_a = depth_in(a_, centre),
-                 in_b = depth_in(b_, centre);
+    const double radius = 0.5 * box.diagonal().norm(), in_a = depth_in(a_, centre), in_b = depth_in(b_, centre);
     if (std::min(in_a, in_b) < -radius) return;
     if (std::min(in_a, in_b) >= 0) low_ = std::max({low_, in_a, in_b});
     open_.push({box, std::max(in_a, in_b) + radius});
@@ -168,8 +166,7 @@ TEST(LatticeSolids, TouchWhereTheyShareNoCubeAndPenetrateWhereTheyDo) {
     const int x = offset(), y = offset(), z = offset();
     bool is_shared = false, is_near = false;
     for (int k = 0; k < 27 * kSide * kSide * kSide; ++k) {
-      const int i = k % kSide, j = k / kSide % kSide, m = k / (kSide * kSide) % kSide,
-                n = k / (kSide * kSide * kSide);
+      const int i = k % kSide, j = k / kSide % kSide, m = k / (kSide * kSide) % kSide, n = k / (kSide * kSide * kSide);
       if (!b.at(i, j, m)) continue;
       is_near = is_near || a.at(i + x + n % 3 - 1, j + y + n / 3 % 3 - 1, m + z + n / 9 - 1);
       is_shared = is_shared || a.at(i + x, j + y, m + z);

@@ -41,9 +41,7 @@ TEST(Clash, BodiesThatTouchWithinTheToleranceDoNotPenetrate) {
 }
 
 TEST(Clash, FineMeshesThatLieOnEachOtherAtAnyAngleAreDecidedAsCoarseOnes) {
-  const auto turned = [](const IndexedMesh& mesh) {
-    return test::placed(mesh, Vec3(1, 2, 3), 0.3, Vec3(5, 6, 7));
-  };
+  const auto turned = [](const IndexedMesh& mesh) { return test::placed(mesh, Vec3(1, 2, 3), 0.3, Vec3(5, 6, 7)); };
   const Clash clash = clash_of(turned(shapes::refined(kBlock, 4)),
                                turned(shapes::refined(shapes::box(Vec3(-10, -5, 40), Vec3(110, 60, 60)), 4)));
   EXPECT_EQ(clash.state, ClashState::touching) << clash.reason;
@@ -65,8 +63,8 @@ TEST(Clash, ABodyWhollyInsideAnotherIsNeverFree) {
 }
 
 TEST(Clash, OneOfSeveralPiecesInsideIsNotFreeEither) {
-  const IndexedMesh two = shapes::joined(shapes::moved(shapes::cube(1), Vec3(50, 30, 20)),
-                                         shapes::moved(shapes::cube(1), Vec3(500, 0, 0)));
+  const IndexedMesh two =
+      shapes::joined(shapes::moved(shapes::cube(1), Vec3(50, 30, 20)), shapes::moved(shapes::cube(1), Vec3(500, 0, 0)));
   for (const Clash& clash : {clash_of(kBlock, two), clash_of(two, kBlock)}) {
     EXPECT_EQ(clash.state, ClashState::penetrating);
     EXPECT_EQ(clash.containment, Containment::none);
@@ -121,16 +119,15 @@ TEST(Clash, ABudgetThatRunsOutLeavesTheBoundsAndCertifiesNothing) {
   EXPECT_EQ(touching.state, ClashState::not_certified);
   EXPECT_GT(touching.depth_upper_mm, 0.011);
   EXPECT_FALSE(touching.reason.empty());
-  const Clash deep =
-      clash_of(shapes::bumpy_sphere(), shapes::moved(shapes::bumpy_sphere(), Vec3(40, 10, 5)), options);
+  const Clash deep = clash_of(shapes::bumpy_sphere(), shapes::moved(shapes::bumpy_sphere(), Vec3(40, 10, 5)), options);
   EXPECT_LE(deep.depth_mm, deep.depth_upper_mm);
   EXPECT_GE(deep.depth_upper_mm, 19);
 }
 
 // Two boxes that overlap in one file: the nearest facet of a point in both may be one that says outside.
 TEST(Clash, OfABodyThatCrossesItselfTheWindingNumberShowsTheSide) {
-  const IndexedMesh pair = shapes::joined(shapes::box(Vec3(0, 0, 0), Vec3(10, 10, 10)),
-                                          shapes::box(Vec3(6, -1, -1), Vec3(16, 11, 11)));
+  const IndexedMesh pair =
+      shapes::joined(shapes::box(Vec3(0, 0, 0), Vec3(10, 10, 10)), shapes::box(Vec3(6, -1, -1), Vec3(16, 11, 11)));
   const IndexedMesh pin = shapes::box(Vec3(6.4, 4.9, 4.9), Vec3(6.6, 5.1, 30));
   const DepthBody a = test::index_of(pair), b = test::index_of(pin);
   const Clash clash = find_clash(ClashBody(a, true), ClashBody(b), Vec3::Zero(), {});
@@ -153,8 +150,7 @@ TEST(FreeShift, IsProvedWhateverTheShapes) {
     if (clash.state != ClashState::penetrating) continue;
     const FreeShift shift = find_free_shift(pair.a, pair.b, clash, {});
     const Clash after = find_clash(pair.a, pair.b, shift.shift, {});
-    EXPECT_TRUE(after.state == ClashState::free || after.state == ClashState::touching)
-        << seed << " " << after.reason;
+    EXPECT_TRUE(after.state == ClashState::free || after.state == ClashState::touching) << seed << " " << after.reason;
     EXPECT_EQ(after.state, shift.state) << seed;
     weighted += shift.is_weighted ? 1U : 0U;
   }

@@ -105,8 +105,7 @@ struct LatticeSolid {
       if (!at(cube.x(), cube.y(), cube.z())) continue;
       for (int axis = 0; axis < 3; ++axis) {
         const Eigen::Vector3i along = Eigen::Vector3i::Unit(axis), u = Eigen::Vector3i::Unit((axis + 1) % 3),
-                              v = Eigen::Vector3i::Unit((axis + 2) % 3), below = cube - along,
-                              above = cube + along;
+                              v = Eigen::Vector3i::Unit((axis + 2) % 3), below = cube - along, above = cube + along;
         if (!at(below.x(), below.y(), below.z()))
           shapes::add_quad(mesh, vertex(cube), vertex(cube + v), vertex(cube + u + v), vertex(cube + u));
         if (!at(above.x(), above.y(), above.z()))

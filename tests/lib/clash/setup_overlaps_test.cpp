@@ -54,7 +54,8 @@ TEST(SetupOverlaps, OfOpenMeshesThatMeetAreNotCertified) {
   EXPECT_EQ(found[0].clash.state, ClashState::not_certified);
 }
 
-// A cavity that reaches out of its body: in their overlap the nearest facet may say inside where the winding number is 0.
+// A cavity that reaches out of its body: in their overlap the nearest facet may say inside where the winding number is
+// 0.
 TEST(SetupOverlaps, APenetrationThatTheWindingNumberContradictsIsNotCertified) {
   const IndexedMesh part =
       shapes::joined(shapes::cube(20), shapes::inside_out(shapes::box(Vec3(2, 5, 5), Vec3(24, 15, 15))));

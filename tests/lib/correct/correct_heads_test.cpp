@@ -28,9 +28,7 @@ struct Case {
 
 const ToolVariants kTool = tools::ball(10);
 
-std::vector<HeadBody> heads() {
-  return {*build_head_body(shapes::box(Vec3(60, -20, 100), Vec3(120, 20, 160)))};
-}
+std::vector<HeadBody> heads() { return {*build_head_body(shapes::box(Vec3(60, -20, 100), Vec3(120, 20, 160)))}; }
 
 CheckResult check(const Scene& scene, const Toolpath& path, const std::vector<HeadBody>& heads) {
   return whole_check(path, &kTool, scene, {}, heads);

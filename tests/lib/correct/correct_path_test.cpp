@@ -23,9 +23,7 @@ struct Case {
   CorrectOptions correct;
 };
 
-CheckResult check(const Case& c, const Toolpath& path) {
-  return whole_check(path, &c.tool, c.scene, c.options);
-}
+CheckResult check(const Case& c, const Toolpath& path) { return whole_check(path, &c.tool, c.scene, c.options); }
 
 Correction propose(const Case& c) {
   return correct_path(c.path, check(c, c.path), OwnSetup(&c.tool, c.scene, c.options).setup, c.correct);
@@ -62,7 +60,8 @@ void expect_clean_again(const Case& c, const Correction& correction) {
   EXPECT_TRUE(correction.uncorrected.empty());
   const Toolpath changed = applied(c.path, correction);
   const CheckResult again = check(c, changed);
-  EXPECT_EQ(again.counts.clean, changed.moves.size()) << "worst " << again.worst_depth_mm << " in move " << again.worst_move;
+  EXPECT_EQ(again.counts.clean, changed.moves.size())
+      << "worst " << again.worst_depth_mm << " in move " << again.worst_move;
 }
 
 std::set<std::size_t> changed_moves(const Correction& correction) {
@@ -223,7 +222,8 @@ TEST(CorrectPath, AnEnteredClearanceGetsCleanToo) {
   Case c;
   c.tool = tools::variants(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
   c.options.holder_clearance_mm = 1;
-  c.scene.parts = {shapes::box(Vec3(-30, -60, -20), Vec3(12, 60, 0)), shapes::box(Vec3(17.2, -60, 0), Vec3(40, 60, 85))};
+  c.scene.parts = {shapes::box(Vec3(-30, -60, -20), Vec3(12, 60, 0)),
+                   shapes::box(Vec3(17.2, -60, 0), Vec3(40, 60, 85))};
   std::vector<Pose> poses;
   for (int i = 0; i < 9; ++i) poses.push_back({Vec3(i == 4 ? 0.6 : 0.0, 5.0 * i - 20, 0.1), Vec3::UnitZ()});
   c.path = paths::through(poses);
@@ -240,8 +240,8 @@ TEST(CorrectPath, TiltedAxesStayAsTheyAre) {
   std::vector<Pose> poses;
   for (int i = 0; i < 30; ++i) {
     const double a = 0.2 * i;
-    poses.push_back({Vec3(1.5 * i - 20, 3 * std::sin(a), 11.5 + 0.5 * std::cos(a)),
-                     Vec3(0.3 * std::sin(a), 0.2, 1).normalized()});
+    poses.push_back(
+        {Vec3(1.5 * i - 20, 3 * std::sin(a), 11.5 + 0.5 * std::cos(a)), Vec3(0.3 * std::sin(a), 0.2, 1).normalized()});
   }
   c.path = paths::through(poses);
   c.scene.parts = {shapes::sphere(12, 24, 48)};
@@ -262,8 +262,9 @@ TEST(CorrectPath, BeyondTheLargestShiftItIsListedWithTheReasonAndLeft) {
   std::set<std::size_t> listed;
   for (const Uncorrected& u : correction.uncorrected) {
     listed.insert(u.move);
-    EXPECT_EQ(u.reason, u.move == 4 || u.move == 9 ? "no way out within the largest shift"
-                                                   : "it begins at a position that stays: no way out within the largest shift");
+    EXPECT_EQ(u.reason, u.move == 4 || u.move == 9
+                            ? "no way out within the largest shift"
+                            : "it begins at a position that stays: no way out within the largest shift");
     EXPECT_NEAR(u.depth_mm, 0.2, 0.001);
   }
   EXPECT_EQ(listed, (std::set<std::size_t>{4, 5, 9, 10}));

@@ -92,7 +92,8 @@ TEST(Weighted, APlaneTakesOneOrTwoIterations) {
 }
 
 TEST(Weighted, ATooNarrowSlotIsGivenUpAndTheAxisTakesOver) {
-  const Scene slot{{shapes::box(Vec3(-40, -40, -20), Vec3(-4.5, 40, 0)), shapes::box(Vec3(4.5, -40, -20), Vec3(40, 40, 0))}, {}};
+  const Scene slot{
+      {shapes::box(Vec3(-40, -40, -20), Vec3(-4.5, 40, 0)), shapes::box(Vec3(4.5, -40, -20), Vec3(40, 40, 0))}, {}};
   const Pose pose{Vec3(0, 0, -3), Vec3::UnitZ()};
   const ToolVariants flat = tools::flat();
   EXPECT_FALSE(correct_weighted(pose, flat, OwnSetup(nullptr, slot).checker(), limits()).has_value());
@@ -139,8 +140,10 @@ TEST(Limits, AShiftBeyondTheLargestIsNoCorrection) {
   const Scene scene{{plane(Vec3::UnitZ())}, {}};
   const Pose pose{Vec3(0, 0, -0.3), Vec3::UnitZ()};
   for (const Strategy strategy : {Strategy::weighted, Strategy::axis}) {
-    EXPECT_FALSE(correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.25)).has_value());
-    const auto corrected = correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.31));
+    EXPECT_FALSE(
+        correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.25)).has_value());
+    const auto corrected =
+        correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.31));
     ASSERT_TRUE(corrected.has_value());
     EXPECT_LE(corrected->shift_mm, 0.31);
   }

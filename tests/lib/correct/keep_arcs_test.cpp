@@ -63,7 +63,7 @@ struct ArcCase {
       for (std::size_t k = 0; k <= change.inserted_before.size(); ++k) {
         const bool is_own = k == change.inserted_before.size();
         const Pose& to = is_own ? end : change.inserted_before[k];
-        const std::optional<PathArc> arc = is_own ? change.new_arc
+        const std::optional<PathArc> arc = is_own                            ? change.new_arc
                                            : k < change.inserted_arcs.size() ? change.inserted_arcs[k]
                                                                              : std::nullopt;
         all.push_back(arc ? Motion(at, to, *arc) : Motion(at, to));
@@ -171,10 +171,10 @@ IndexedMesh pocket_wall(std::size_t sides, double apothem) {
   }
   for (std::size_t i = 0; i < sides; ++i) {
     const std::size_t a = 4 * i, b = 4 * ((i + 1) % sides);
-    shapes::add_quad(mesh, a, a + 1, b + 1, b);              // the wall
-    shapes::add_quad(mesh, a + 2, b + 2, b + 3, a + 3);      // outside
-    shapes::add_quad(mesh, a + 1, a + 3, b + 3, b + 1);      // top
-    shapes::add_quad(mesh, a, b, b + 2, a + 2);              // bottom
+    shapes::add_quad(mesh, a, a + 1, b + 1, b);          // the wall
+    shapes::add_quad(mesh, a + 2, b + 2, b + 3, a + 3);  // outside
+    shapes::add_quad(mesh, a + 1, a + 3, b + 3, b + 1);  // top
+    shapes::add_quad(mesh, a, b, b + 2, a + 2);          // bottom
   }
   return mesh;
 }
@@ -185,7 +185,8 @@ TEST(KeepArcs, ACircleTakesTheRadiusThatItsDeepestPlaceAsksFor) {
   const double corner = kPi / 64;
   IndexedMesh wall = pocket_wall(64, 14.96);
   for (Vec3& v : wall.vertices)
-    v = Vec3(std::cos(corner) * v.x() - std::sin(corner) * v.y(), std::sin(corner) * v.x() + std::cos(corner) * v.y(), v.z());
+    v = Vec3(std::cos(corner) * v.x() - std::sin(corner) * v.y(), std::sin(corner) * v.x() + std::cos(corner) * v.y(),
+             v.z());
   c.scene.parts.push_back(wall);
   const Correction correction = c.correct();
   const PathChange* change = change_of(correction, 2);

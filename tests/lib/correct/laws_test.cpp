@@ -24,8 +24,8 @@ bool is_allowed(const MoveVerdict& before, const MoveVerdict& after) {
 TEST(Laws, CleanStaysClean) {
   const MoveVerdict clean = verdict(MoveState::clean);
   EXPECT_TRUE(is_allowed(clean, clean));
-  for (const MoveState state : {MoveState::near_miss, MoveState::gouge, MoveState::buried, MoveState::not_checked,
-                                MoveState::not_certified})
+  for (const MoveState state :
+       {MoveState::near_miss, MoveState::gouge, MoveState::buried, MoveState::not_checked, MoveState::not_certified})
     EXPECT_FALSE(is_allowed(clean, verdict(state, 0.02))) << state_name(state);
 }
 

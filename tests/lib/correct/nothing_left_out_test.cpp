@@ -18,7 +18,8 @@ enum class Ceiling { none, of_fixture, of_part_over_head };
 
 const ToolVariants kTool = tools::ball(10);  // 120 mm high
 
-/// A floor that the tool is a little too deep in, and a ceiling that a lift would touch: with the holder, or the head alone.
+/// A floor that the tool is a little too deep in, and a ceiling that a lift would touch: with the holder, or the head
+/// alone.
 struct Case {
   Scene scene{{shapes::box(Vec3(-40, -200, -20), Vec3(40, 200, 0))}, {}};
   std::vector<HeadBody> heads{*build_head_body(shapes::box(Vec3(30, -10, 150), Vec3(50, 10, 180)))};
@@ -39,7 +40,8 @@ struct Case {
     double highest = -1e9;
     for (const Move& move : path.moves) highest = std::max(highest, move.end.tip.z());
     const double over_tool = highest + 120 + gap_mm, over_head = highest + 180 + gap_mm;
-    if (ceiling == Ceiling::of_fixture) scene.fixtures = {shapes::box(Vec3(-25, -50, over_tool), Vec3(25, 50, over_tool + 20))};
+    if (ceiling == Ceiling::of_fixture)
+      scene.fixtures = {shapes::box(Vec3(-25, -50, over_tool), Vec3(25, 50, over_tool + 20))};
     if (ceiling == Ceiling::of_part_over_head)
       scene.parts.push_back(shapes::box(Vec3(0, -50, over_head), Vec3(80, 50, over_head + 20)));
     const OwnSetup own(&kTool, scene, options, heads);
@@ -84,8 +86,9 @@ Case hole() {
 class NothingLeftOut : public ::testing::TestWithParam<std::pair<const char*, MakeCase>> {};
 
 INSTANTIATE_TEST_SUITE_P(Moves, NothingLeftOut,
-                         ::testing::Values(std::pair("feeds", &feeds), std::pair("rapids", &rapids), std::pair("arc", &arc),
-                                           std::pair("kept_arc", &kept_arc), std::pair("hole", &hole)),
+                         ::testing::Values(std::pair("feeds", &feeds), std::pair("rapids", &rapids),
+                                           std::pair("arc", &arc), std::pair("kept_arc", &kept_arc),
+                                           std::pair("hole", &hole)),
                          [](const auto& test) { return std::string(test.param.first); });
 
 TEST_P(NothingLeftOut, OfWhatALiftWouldTouch) {
@@ -99,7 +102,8 @@ TEST_P(NothingLeftOut, OfWhatALiftWouldTouch) {
 }
 
 TEST(NothingLeftOut, OfASingleMotion) {
-  const Scene scene{{shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 0))}, {shapes::box(Vec3(100, -10, 0), Vec3(120, 10, 50))}};
+  const Scene scene{{shapes::box(Vec3(-500, -500, -500), Vec3(500, 500, 0))},
+                    {shapes::box(Vec3(100, -10, 0), Vec3(120, 10, 50))}};
   const std::vector<HeadBody> bodies{*build_head_body(shapes::box(Vec3(30, -5, -40), Vec3(40, 5, -30)))};
   const OwnSetup own_without(&kTool, scene), own_with(&kTool, scene, {}, bodies);
   const MotionChecker without(own_without.setup), with(own_with.setup);
@@ -107,10 +111,10 @@ TEST(NothingLeftOut, OfASingleMotion) {
     return checker.check(Motion(a, b), MoveKind::feed, kTool, checker.options()).state;
   };
   EXPECT_EQ(state(without, upright(0, 0, 1), upright(50, 0, 1)), MoveState::clean);
-  EXPECT_EQ(state(without, upright(0, 0, 1), upright(150, 0, 1)), MoveState::gouge);         // the fixture
+  EXPECT_EQ(state(without, upright(0, 0, 1), upright(150, 0, 1)), MoveState::gouge);  // the fixture
   EXPECT_EQ(state(without, upright(0, 0, -300), upright(50, 0, -300)), MoveState::buried);
-  EXPECT_EQ(state(with, upright(0, 0, 35), upright(50, 0, 35)), MoveState::gouge);           // the head in the part
-  EXPECT_EQ(state(with, upright(0, 0, 10), upright(50, 0, 10)), MoveState::buried);          // all of the head
+  EXPECT_EQ(state(with, upright(0, 0, 35), upright(50, 0, 35)), MoveState::gouge);   // the head in the part
+  EXPECT_EQ(state(with, upright(0, 0, 10), upright(50, 0, 10)), MoveState::buried);  // all of the head
   EXPECT_EQ(state(with, upright(0, 0, 45), upright(50, 0, 45)), MoveState::clean);
 }
 

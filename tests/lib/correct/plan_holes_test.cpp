@@ -21,7 +21,8 @@ struct Hole {
   Toolpath path;
 
   explicit Hole(double bottom) {
-    path = paths::through({upright(30, 0, 20), upright(0, 0, 3), upright(0, 0, bottom), upright(0, 0, 3), upright(30, 0, 20)});
+    path = paths::through(
+        {upright(30, 0, 20), upright(0, 0, 3), upright(0, 0, bottom), upright(0, 0, 3), upright(30, 0, 20)});
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
       const bool is_step = i > 0 && i < 4;
       path.moves[i].statement = is_step ? 1 : i;

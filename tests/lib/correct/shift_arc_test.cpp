@@ -50,13 +50,8 @@ struct FloorCase {
 
   [[nodiscard]] std::optional<PathArc> shifted(const Vec3& start_by, const Vec3& end_by) const {
     const OwnSetup own(&tool, scene, options);
-    ArcTask task{path.arcs[0],
-                 path.moves[1].end,
-                 path.moves[2].end,
-                 path.moves[1].end,
-                 path.moves[2].end,
-                 MoveKind::arc,
-                 &tool};
+    ArcTask task{
+        path.arcs[0], path.moves[1].end, path.moves[2].end, path.moves[1].end, path.moves[2].end, MoveKind::arc, &tool};
     task.new_start.tip += start_by;
     task.new_end.tip += end_by;
     return shift_arc(task, own.checker());
@@ -129,8 +124,7 @@ TEST(ShiftArc, NothingWhereEndsPartOrOneSideAloneIsTooDeep) {
   EXPECT_FALSE(part.shifted(Vec3(0, 0, 0.01), Vec3(0, 0, 0.01)).has_value()) << "still too deep";
   FloorCase half(0.031, 2);
   half.scene.parts = {shapes::box(Vec3(5, -40, -10), Vec3(40, 40, 0))};
-  EXPECT_FALSE(half.shifted(Vec3(0, 0, 0.03), Vec3(0, 0, 0.03)).has_value())
-      << "the rest is where it belongs";
+  EXPECT_FALSE(half.shifted(Vec3(0, 0, 0.03), Vec3(0, 0, 0.03)).has_value()) << "the rest is where it belongs";
 }
 
 }  // namespace

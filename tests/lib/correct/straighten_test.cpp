@@ -34,9 +34,7 @@ struct ArcCase {
     for (std::size_t i = 0; i < path.moves.size(); ++i) path.moves[i].statement = i;
   }
 
-  [[nodiscard]] CheckResult check(const Toolpath& checked) const {
-    return whole_check(checked, &tool, scene, options);
-  }
+  [[nodiscard]] CheckResult check(const Toolpath& checked) const { return whole_check(checked, &tool, scene, options); }
   [[nodiscard]] Correction correct() const {
     return correct_path(path, check(path), OwnSetup(&tool, scene, options).setup, {});
   }
@@ -49,8 +47,8 @@ Toolpath changed(const Toolpath& path, const Correction& correction) {
   std::size_t next = 0;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     Move move = path.moves[i];
-    const PathChange* change = next < correction.changes.size() && correction.changes[next].move == i
-                                   ? &correction.changes[next++] : nullptr;
+    const PathChange* change =
+        next < correction.changes.size() && correction.changes[next].move == i ? &correction.changes[next++] : nullptr;
     if (change != nullptr) {
       if (change->is_straightened) {
         move.kind = MoveKind::feed;

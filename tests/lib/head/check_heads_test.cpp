@@ -16,12 +16,10 @@ namespace gouge {
 namespace {
 
 /// A block beside the spindle, 100 mm above the tip.
-IndexedMesh side_box() {
-  return shapes::box(Vec3(60, -20, 100), Vec3(120, 20, 160));
-}
+IndexedMesh side_box() { return shapes::box(Vec3(60, -20, 100), Vec3(120, 20, 160)); }
 
-CheckResult check(const std::vector<Pose>& poses, const std::vector<IndexedMesh>& heads,
-                  const IndexedMesh& part, unsigned threads = 1) {
+CheckResult check(const std::vector<Pose>& poses, const std::vector<IndexedMesh>& heads, const IndexedMesh& part,
+                  unsigned threads = 1) {
   const ToolVariants tool = tools::ball(10);
   const Toolpath path = paths::through(poses);
   Scene scene;
@@ -180,7 +178,8 @@ TEST(Heads, BoundsHoldAgainstSampling) {
   const DepthBody surface = build_depth_body(part, lean);
   std::size_t gouges = 0;
   for (int i = 0; i < 12; ++i) {
-    const Motion motion(Pose{45 * random.direction(), random.direction()}, Pose{45 * random.direction(), random.direction()});
+    const Motion motion(Pose{45 * random.direction(), random.direction()},
+                        Pose{45 * random.direction(), random.direction()});
     const HeadMotion moving(motion);
     const HeadResult reported = search_head(moving, head, {&surface}, {0.01, 0.02, 0.02, 20000});
     double sampled = 0;
@@ -190,8 +189,8 @@ TEST(Heads, BoundsHoldAgainstSampling) {
         const Vec3 p = part.corner(t, 0) + u * (part.corner(t, 1) - part.corner(t, 0)) +
                        v * (part.corner(t, 2) - part.corner(t, 0));
         for (int s = 0; s <= 60; ++s) {
-          sampled = std::max(
-              sampled, -closest_point(head.surface, moving.at(s / 60.0).inverse().point(p))->signed_mm());
+          sampled =
+              std::max(sampled, -closest_point(head.surface, moving.at(s / 60.0).inverse().point(p))->signed_mm());
         }
       }
     }

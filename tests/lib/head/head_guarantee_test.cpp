@@ -35,8 +35,7 @@ double sampled_depth(const HeadMotion& moving, const HeadBody& head, const Index
                      const HeadResult& reported, Scatter& random) {
   double deepest = 0;
   for (int i = 0; i < 400; ++i) {
-    const std::size_t t =
-        reported.has_witness && i % 2 == 0 ? reported.triangle : random.below(part.triangles.size());
+    const std::size_t t = reported.has_witness && i % 2 == 0 ? reported.triangle : random.below(part.triangles.size());
     double u = random.in(0, 1), v = random.in(0, 1);
     if (u + v > 1) {
       u = 1 - u;
@@ -140,8 +139,7 @@ TEST(HeadGuarantee, HoldsForWallsInTheSlotsOfAHead) {
       [](Scatter& random) {
         const Pose from{Vec3(8 * random.in(-1, 1), 3 * random.in(-1, 1), 6 * random.in(-1, 1)), Vec3::UnitZ()};
         const Vec3 axis = (Vec3::UnitZ() + 0.1 * random.point(1)).normalized();
-        return Motion(from,
-                      {from.tip + 3 * random.point(1), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
+        return Motion(from, {from.tip + 3 * random.point(1), random.below(2) == 0 ? Vec3(Vec3::UnitZ()) : axis});
       },
       kGoal, 4);
   EXPECT_GT(tally.deep, 0);
@@ -172,8 +170,7 @@ TEST(HeadGuarantee, HoldsForWhatIsMetInMidSwing) {
   const Vec3 middle_axis = Vec3(0.2, -0.3, 1).normalized();
   const Vec3 place = head_rotation(middle_axis) * Vec3(150, 30, 200);
   const Tally tally = expect_bounds(
-      shapes::box(Vec3(145, 25, 195), Vec3(155, 35, 205)),
-      shapes::moved(shapes::cube(3), place - Vec3(1.5, 1.5, 1.5)),
+      shapes::box(Vec3(145, 25, 195), Vec3(155, 35, 205)), shapes::moved(shapes::cube(3), place - Vec3(1.5, 1.5, 1.5)),
       [&](Scatter& random) {
         const Vec3 about = middle_axis.cross(random.direction()).normalized();
         const double turn = 0.1 + random.in(0, 1);

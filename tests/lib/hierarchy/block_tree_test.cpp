@@ -24,9 +24,8 @@ IndexedMesh random_soup(std::size_t triangles, unsigned seed) {
 }
 
 TEST(BlockTree, BoundsHoldOnShapesAndSoups) {
-  for (const IndexedMesh& mesh :
-       {shapes::cube(), shapes::sphere(), shapes::torus(), shapes::needle_fan(), random_soup(16, 1),
-        random_soup(17, 2), random_soup(257, 3), random_soup(5000, 4)}) {
+  for (const IndexedMesh& mesh : {shapes::cube(), shapes::sphere(), shapes::torus(), shapes::needle_fan(),
+                                  random_soup(16, 1), random_soup(17, 2), random_soup(257, 3), random_soup(5000, 4)}) {
     const BlockTree tree = build_block_tree({&mesh, 1});
     const auto broken = verify_tree(tree);
     EXPECT_TRUE(broken.empty()) << broken.front();
@@ -62,9 +61,7 @@ TEST(BlockTree, ManyMeshesAreOneTreeThatRemembersThem) {
   EXPECT_EQ(tree.corners(13)[2], meshes[1].corner(1, 2));
 }
 
-TEST(BlockTree, NothingMakesAnEmptyTree) {
-  EXPECT_TRUE(build_block_tree({}).nodes.empty());
-}
+TEST(BlockTree, NothingMakesAnEmptyTree) { EXPECT_TRUE(build_block_tree({}).nodes.empty()); }
 
 TEST(BlockTree, EqualCentroidsStillSplit) {
   IndexedMesh mesh = shapes::tetrahedron();

@@ -11,8 +11,7 @@ namespace gouge::detail {
 namespace {
 
 /// Leaves about a plane, the last one with `last_count` triangles.
-std::vector<TriangleBlock> random_leaves(std::size_t count, std::uint32_t last_count, double size,
-                                         unsigned seed) {
+std::vector<TriangleBlock> random_leaves(std::size_t count, std::uint32_t last_count, double size, unsigned seed) {
   test::Scatter random(seed);
   std::vector<TriangleBlock> leaves(count);
   for (std::size_t l = 0; l < count; ++l) {
@@ -21,9 +20,8 @@ std::vector<TriangleBlock> random_leaves(std::size_t count, std::uint32_t last_c
       for (std::size_t c = 0; c < 3; ++c) {
         const Vec3 corner = random.point(size).cwiseProduct(Vec3(1, 1, 0.01));
         for (std::size_t k = 0; k < 3; ++k) {
-          leaves[l].corner[c][k][i] = i < leaves[l].count
-                                          ? static_cast<float>(corner[static_cast<Eigen::Index>(k)])
-                                          : leaves[l].corner[c][k][0];
+          leaves[l].corner[c][k][i] = i < leaves[l].count ? static_cast<float>(corner[static_cast<Eigen::Index>(k)])
+                                                          : leaves[l].corner[c][k][0];
         }
       }
     }
@@ -48,8 +46,7 @@ Outside outside(const std::vector<TriangleBlock>& leaves, const NodeBlock& node,
         const Vec3 d = Vec3(c[0][i], c[1][i], c[2][i]) - vector(node.center);
         const double h = normal.dot(d);
         out.height = std::max(out.height, std::abs(h) - static_cast<double>(node.half_thickness_mm[lane]));
-        out.disc =
-            std::max(out.disc, (d - h * normal).norm() - static_cast<double>(node.disc_radius_mm[lane]));
+        out.disc = std::max(out.disc, (d - h * normal).norm() - static_cast<double>(node.disc_radius_mm[lane]));
         out.radius = std::max(out.radius, d.norm() - static_cast<double>(node.radius_mm[lane]));
       }
     }

@@ -72,8 +72,7 @@ TEST(CutEntries, EntriesThatNoSampleSeesAreCutAllTheSame) {
         entries[i] = {{i % 10 == 0 ? spread * static_cast<float>(i) : side * static_cast<float>(i), 0, 0}, i};
       }
       std::vector<Entry> sorted = entries;
-      std::sort(sorted.begin(), sorted.end(),
-                [](const Entry& a, const Entry& b) { return comes_first(a, b, 0); });
+      std::sort(sorted.begin(), sorted.end(), [](const Entry& a, const Entry& b) { return comes_first(a, b, 0); });
       cut_entries(entries, scratch, 2048);
       EXPECT_EQ(first_triangles(entries, 2048), first_triangles(sorted, 2048)) << spread << " " << far;
       EXPECT_EQ(first_triangles(entries, 5120).size(), 5120U);

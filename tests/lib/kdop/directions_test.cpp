@@ -20,10 +20,9 @@ std::vector<Vec3> cloud(std::size_t count, std::uint64_t seed) {
 }
 
 TEST(Directions, HaveTheAskedNumberOfUnitAxesNoTwoAlike) {
-  for (const auto& [family, ks] :
-       {std::pair{DirectionFamily::cube, std::vector<std::size_t>{6, 14, 18, 26}},
-        std::pair{DirectionFamily::platonic, std::vector<std::size_t>{8, 12, 20}},
-        std::pair{DirectionFamily::coulomb, std::vector<std::size_t>{6, 10, 22, 64}}}) {
+  for (const auto& [family, ks] : {std::pair{DirectionFamily::cube, std::vector<std::size_t>{6, 14, 18, 26}},
+                                   std::pair{DirectionFamily::platonic, std::vector<std::size_t>{8, 12, 20}},
+                                   std::pair{DirectionFamily::coulomb, std::vector<std::size_t>{6, 10, 22, 64}}}) {
     for (const std::size_t k : ks) {
       const auto set = make_directions(family, k);
       ASSERT_TRUE(set.has_value()) << k;
@@ -129,8 +128,7 @@ TEST(KdopCorners, TurnedAreNoTighterThanThePointsAndLooseByAFewPercentWithManyDi
     }
     (k == 6 ? loose6 : loose26) = sum / own - 1;
   }
-  std::cout << "turned volumes are wider by " << 100 * loose6 << " % (k = 6) and " << 100 * loose26
-            << " % (k = 26)\n";
+  std::cout << "turned volumes are wider by " << 100 * loose6 << " % (k = 6) and " << 100 * loose26 << " % (k = 26)\n";
   EXPECT_LT(loose26, 0.5 * loose6);
   EXPECT_LT(loose26, 0.15);
 }

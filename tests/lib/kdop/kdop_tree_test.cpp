@@ -41,9 +41,7 @@ TEST(KdopTree, HoldsEveryItemOnceAndEveryChildInItsParent) {
   }
 }
 
-TEST(KdopTree, OfNothingIsEmpty) {
-  EXPECT_TRUE(tree_of({}, 2, 1).nodes.empty());
-}
+TEST(KdopTree, OfNothingIsEmpty) { EXPECT_TRUE(tree_of({}, 2, 1).nodes.empty()); }
 
 TEST(KdopTree, BroaderTreesAreShallower) {
   const std::vector<Vec3> points = points_of(4096);

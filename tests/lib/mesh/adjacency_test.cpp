@@ -23,8 +23,7 @@ TEST(Adjacency, ACubeHasEighteenEdgesEachWithTwoOppositeUses) {
 }
 
 TEST(Adjacency, ClosedSurfacesOfGenusZeroObeyEuler) {
-  for (const IndexedMesh& mesh :
-       {shapes::cube(), shapes::tetrahedron(), shapes::sphere(), shapes::needle_fan()}) {
+  for (const IndexedMesh& mesh : {shapes::cube(), shapes::tetrahedron(), shapes::sphere(), shapes::needle_fan()}) {
     const MeshAdjacency adjacency(mesh);
     const std::size_t v = mesh.vertices.size();
     EXPECT_EQ(adjacency.edges().size(), 3 * v - 6) << mesh.name;
@@ -33,8 +32,8 @@ TEST(Adjacency, ClosedSurfacesOfGenusZeroObeyEuler) {
 }
 
 TEST(Adjacency, EdgesOfTrianglesAndTrianglesOfVerticesAgreeWithBruteForce) {
-  for (const IndexedMesh& mesh : {shapes::sphere(), shapes::cubes_touching_at_edge(), shapes::needle_fan(50),
-                                  shapes::sheet(1, 1, 0, 7, 5)}) {
+  for (const IndexedMesh& mesh :
+       {shapes::sphere(), shapes::cubes_touching_at_edge(), shapes::needle_fan(50), shapes::sheet(1, 1, 0, 7, 5)}) {
     const MeshAdjacency adjacency(mesh);
     std::map<std::pair<Corner, Corner>, std::vector<std::uint32_t>> users;
     std::vector<std::vector<std::uint32_t>> around(mesh.vertices.size());

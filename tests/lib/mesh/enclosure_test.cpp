@@ -5,10 +5,10 @@
 #include "lib/mesh/body_pieces.h"
 #include "lib/mesh/cavity.h"
 #include "lib/mesh/free_ray.h"
+#include "tests/support/crossing_parity.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
-#include "tests/support/crossing_parity.h"
 
 namespace gouge {
 namespace {
@@ -102,7 +102,8 @@ TEST(Enclosure, ADoubleWallIsOneEvenWhereItsSheetsLieALittleApart) {
   IndexedMesh both = shaken;
   for (std::size_t t = 20; t < count; ++t) {  // a second sheet over all but a hole's rim
     const TriangleCorners c = shaken.triangles[t];
-    both.vertices.push_back((shaken.corner(t, 0) + shaken.corner(t, 1) + shaken.corner(t, 2)) / 3 + Vec3(1e-5, 0, 1e-5));
+    both.vertices.push_back((shaken.corner(t, 0) + shaken.corner(t, 1) + shaken.corner(t, 2)) / 3 +
+                            Vec3(1e-5, 0, 1e-5));
     for (std::size_t k = 0; k < 3; ++k) shapes::add_triangle(both, c[(k + 1) % 3], c[k], both.vertices.size() - 1);
   }
   both.triangles.erase(both.triangles.begin(), both.triangles.begin() + 20);
@@ -120,7 +121,8 @@ TEST(Enclosure, WhatIsClosedProvesAnOutsideHoweverOftenItStandsThere) {
   EXPECT_EQ(side_in({ring, ring, shapes::inside_out(ring)}, beside), Side::outside);
   // Stacked bodies with a face in common, in one file.
   const IndexedMesh low = shapes::cube(10);
-  const IndexedMesh stacked = shapes::joined(shapes::joined(low, shapes::moved(low, Vec3(0, 0, 10))), shapes::moved(low, Vec3(10, 0, 0)));
+  const IndexedMesh stacked =
+      shapes::joined(shapes::joined(low, shapes::moved(low, Vec3(0, 0, 10))), shapes::moved(low, Vec3(10, 0, 0)));
   EXPECT_EQ(side_in({stacked}, Vec3(15, 5, 15)), Side::outside);
   EXPECT_EQ(side_in({stacked}, Vec3(5, 5, 15)), Side::inside);
 }
@@ -135,7 +137,8 @@ TEST(Enclosure, AFileInsideOutIsNoCavityOfAnother) {
   EXPECT_EQ(side_in({far, hollow}, within), Side::outside);
   EXPECT_EQ(side_in({hollow, hollow}, within), Side::outside);
   // Filled by a part that is inside out: not empty.
-  EXPECT_EQ(side_in({hollow, shapes::inside_out(shapes::box(Vec3::Constant(4), Vec3::Constant(6)))}, within), Side::inside);
+  EXPECT_EQ(side_in({hollow, shapes::inside_out(shapes::box(Vec3::Constant(4), Vec3::Constant(6)))}, within),
+            Side::inside);
 }
 
 TEST(BodyPieces, ABossThatStandsThereTwiceOnAnOpenBlockIsDoubtfulLikeTheBlock) {

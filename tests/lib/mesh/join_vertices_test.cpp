@@ -14,8 +14,7 @@ IndexedMesh torn(const IndexedMesh& mesh, double off) {
   IndexedMesh apart;
   apart.name = mesh.name;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k)
-      apart.vertices.push_back(mesh.corner(t, k) + random.point(off));
+    for (std::size_t k = 0; k < 3; ++k) apart.vertices.push_back(mesh.corner(t, k) + random.point(off));
     shapes::add_triangle(apart, 3 * t, 3 * t + 1, 3 * t + 2);
   }
   return apart;
@@ -48,8 +47,7 @@ TEST(JoinNearVertices, AChainMovesNoVertexFartherThanTheReach) {
   EXPECT_NEAR(joined->mesh.box().sizes().x(), 0.6, 0.01);
   EXPECT_GT(joined->triangles_collapsed, 0U);
   for (std::size_t i = 0; i < joined->mesh.vertices.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k)
-      EXPECT_GT((joined->mesh.vertices[i] - joined->mesh.vertices[k]).norm(), 0.01);
+    for (std::size_t k = 0; k < i; ++k) EXPECT_GT((joined->mesh.vertices[i] - joined->mesh.vertices[k]).norm(), 0.01);
   }
 }
 

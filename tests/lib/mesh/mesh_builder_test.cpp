@@ -25,17 +25,16 @@ TriangleSoup soup_of(const IndexedMesh& mesh) {
 }
 
 TEST(MeshBuilder, IdenticalCornersBecomeOneVertexInOrderOfAppearance) {
-  const auto built = build_mesh(soup_of(
-      {{Vec3(5, 0, 0), Vec3(0, 0, 0), Vec3(0, 1, 0)}, {Vec3(0, 0, 0), Vec3(5, 0, 0), Vec3(0, 0, 1)}}));
+  const auto built = build_mesh(
+      soup_of({{Vec3(5, 0, 0), Vec3(0, 0, 0), Vec3(0, 1, 0)}, {Vec3(0, 0, 0), Vec3(5, 0, 0), Vec3(0, 0, 1)}}));
   ASSERT_TRUE(built.has_value());
-  EXPECT_EQ(built->mesh.vertices,
-            (std::vector<Vec3>{Vec3(5, 0, 0), Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}));
+  EXPECT_EQ(built->mesh.vertices, (std::vector<Vec3>{Vec3(5, 0, 0), Vec3(0, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}));
   EXPECT_EQ(built->mesh.triangles, (std::vector<TriangleCorners>{{0, 1, 2}, {1, 0, 3}}));
 }
 
 TEST(MeshBuilder, NearCornersStayApartAndTheTwoZerosAreOne) {
-  const auto built = build_mesh(soup_of({{Vec3(-0.0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)},
-                                         {Vec3(0, 0, -0.0), Vec3(1, 0, 0), Vec3(1e-300, 1, 0)}}));
+  const auto built = build_mesh(soup_of(
+      {{Vec3(-0.0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {Vec3(0, 0, -0.0), Vec3(1, 0, 0), Vec3(1e-300, 1, 0)}}));
   ASSERT_TRUE(built.has_value());
   EXPECT_EQ(built->mesh.vertices.size(), 4U);
   EXPECT_FALSE(std::signbit(built->mesh.vertices[0].x()));
@@ -55,8 +54,7 @@ TEST(MeshBuilder, TrianglesWithIdenticalCornersAreLeftOutAndLeaveGaps) {
 }
 
 TEST(MeshBuilder, CollinearTrianglesAreKeptAndCounted) {
-  const auto built =
-      build_mesh(soup_of({{Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(3, 3, 3)}}), {LengthUnit::inch, {}});
+  const auto built = build_mesh(soup_of({{Vec3(0, 0, 0), Vec3(1, 1, 1), Vec3(3, 3, 3)}}), {LengthUnit::inch, {}});
   ASSERT_TRUE(built.has_value());
   EXPECT_EQ(built->mesh.triangles.size(), 1U);
   EXPECT_EQ(built->collinear.count, 1U);
@@ -74,8 +72,7 @@ TEST(MeshBuilder, ScalesToMillimetresBeforePlacing) {
   placement.transform.shift = Vec3(100, 0, 0);
   const auto built = build_mesh(soup_of({{Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1)}}), placement);
   ASSERT_TRUE(built.has_value());
-  EXPECT_EQ(built->mesh.vertices,
-            (std::vector<Vec3>{Vec3(100, 25.4, 0), Vec3(74.6, 0, 0), Vec3(100, 0, 25.4)}));
+  EXPECT_EQ(built->mesh.vertices, (std::vector<Vec3>{Vec3(100, 25.4, 0), Vec3(74.6, 0, 0), Vec3(100, 0, 25.4)}));
 }
 
 TEST(MeshBuilder, ASoupOfASphereHasTheSphereAgain) {
@@ -91,18 +88,15 @@ TEST(MeshBuilder, ASoupOfASphereHasTheSphereAgain) {
 TEST(MeshBuilder, NothingButDegenerateTrianglesIsAnError) {
   const auto built = build_mesh(soup_of({{Vec3(0, 0, 0), Vec3(0, 0, 0), Vec3(1, 0, 0)}}));
   ASSERT_FALSE(built.has_value());
-  EXPECT_EQ(
-      to_text(built.error()),
-      "part.stl: error: every triangle of 1 has two identical corners; expected a surface [stl-no-surface]");
+  EXPECT_EQ(to_text(built.error()),
+            "part.stl: error: every triangle of 1 has two identical corners; expected a surface [stl-no-surface]");
 }
 
 TEST(MeshBuilder, CoordinatesOfAPlanetAreAnError) {
-  const auto built =
-      build_mesh(soup_of({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1e8, 0)}}), {LengthUnit::inch, {}});
+  const auto built = build_mesh(soup_of({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1e8, 0)}}), {LengthUnit::inch, {}});
   ASSERT_FALSE(built.has_value());
   EXPECT_EQ(to_text(built.error()),
-            "part.stl: error: triangle 1 has a coordinate beyond 1e9 mm; expected a machine part, check the "
-            "file and "
+            "part.stl: error: triangle 1 has a coordinate beyond 1e9 mm; expected a machine part, check the file and "
             "its unit [stl-coordinate-too-large]");
 }
 

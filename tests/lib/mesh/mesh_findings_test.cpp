@@ -25,9 +25,8 @@ TEST(MeshFindings, ACubeIsASolid) {
 
 TEST(MeshFindings, HandlesAreCounted) {
   EXPECT_EQ(find_mesh_findings(shapes::torus()).handles(), 1);
-  EXPECT_EQ(find_mesh_findings(shapes::joined(shapes::torus(), shapes::moved(shapes::cube(), Vec3(99, 0, 0))))
-                .handles(),
-            1);
+  EXPECT_EQ(
+      find_mesh_findings(shapes::joined(shapes::torus(), shapes::moved(shapes::cube(), Vec3(99, 0, 0)))).handles(), 1);
   EXPECT_EQ(find_mesh_findings(shapes::open_cube()).handles(), std::nullopt);
 }
 
@@ -44,12 +43,10 @@ TEST(MeshFindings, AnOpenCubeCannotTellBuried) {
   EXPECT_EQ(found.inside_out_components.count, 0U);
   const Diagnostics reported = describe(found, "part.stl");
   ASSERT_EQ(reported.size(), 1U);
-  EXPECT_EQ(
-      to_text(reported[0]),
-      "part.stl: warning: 4 open edges (one triangle only), the first at (5.000, 0.000, 10.000) mm, triangle "
-      "4; "
-      "the surface is checked, but a move that only this body could prove to be outside or inside is not certified: "
-      "export a closed solid [mesh-open]");
+  EXPECT_EQ(to_text(reported[0]),
+            "part.stl: warning: 4 open edges (one triangle only), the first at (5.000, 0.000, 10.000) mm, triangle 4; "
+            "the surface is checked, but a move that only this body could prove to be outside or inside is not "
+            "certified: export a closed solid [mesh-open]");
 }
 
 TEST(MeshFindings, OneTurnedTriangleHasThreeMisorientedEdges) {
@@ -92,8 +89,7 @@ TEST(MeshFindings, CubesTouchingAtAnEdgeAreASolidButNotManifold) {
   EXPECT_TRUE(found.is_solid());
   const Diagnostics reported = describe(found, "part.stl", LengthUnit::inch);
   EXPECT_EQ(to_text(reported.at(0)),
-            "part.stl: note: 1 edge with more than two triangles at (0.3937, 0.3937, 0.1969) in, triangle 5; "
-            "the check "
+            "part.stl: note: 1 edge with more than two triangles at (0.3937, 0.3937, 0.1969) in, triangle 5; the check "
             "is not affected [mesh-non-manifold-edges]");
 }
 
@@ -134,8 +130,7 @@ TEST(MeshFindings, WhatTheBuilderCountedIsReported) {
   EXPECT_TRUE(loaded->findings.is_solid());
   ASSERT_EQ(loaded->notes.size(), 1U);
   EXPECT_EQ(to_text(loaded->notes[0]),
-            "part.stl: note: 1 triangle with identical corners left out at (3.333, 0.000, 0.000) mm, "
-            "triangle 13; they "
+            "part.stl: note: 1 triangle with identical corners left out at (3.333, 0.000, 0.000) mm, triangle 13; they "
             "have no area [mesh-degenerate-triangles]");
 }
 

@@ -48,30 +48,26 @@ TEST(ReadStl, BinaryWithSolidHeaderAndOneTrailingByteIsReadWithANote) {
   ASSERT_TRUE(soup.has_value());
   EXPECT_EQ(soup->triangles.size(), 1U);
   ASSERT_EQ(soup->notes.size(), 1U);
-  EXPECT_EQ(to_text(soup->notes[0]),
-            "part.stl: note: 1 byte after the last triangle ignored [stl-trailing-bytes]");
+  EXPECT_EQ(to_text(soup->notes[0]), "part.stl: note: 1 byte after the last triangle ignored [stl-trailing-bytes]");
 }
 
 TEST(ReadStl, ZeroPaddingIsNoGeometryButOtherBytesMightBe) {
   const std::string one = shapes::binary_stl("x", 1, {kTriangle});
   const std::string padded = one + std::string(512, '\0');
   EXPECT_TRUE(parse_stl(padded, "part.stl").has_value());
-  EXPECT_EQ(
-      error_of(one + std::string(50, 'x')),
-      "part.stl: error: the header states 1 triangle but 50 bytes follow them; expected the file to end "
-      "there, export it again [stl-trailing-data]");
+  EXPECT_EQ(error_of(one + std::string(50, 'x')),
+            "part.stl: error: the header states 1 triangle but 50 bytes follow them; expected the file to end there, "
+            "export it again [stl-trailing-data]");
 }
 
 TEST(ReadStl, TruncatedBinarySaysHowManyOfHowMany) {
   const std::string two = shapes::binary_stl("x", 2, {kTriangle, kTriangle});
-  EXPECT_EQ(
-      error_of(std::string_view(two).substr(0, two.size() - 1)),
-      "part.stl: error: the header states 2 triangles (184 bytes) but the file holds 1 whole (183 bytes); "
-      "it is cut off or not an STL, export or copy it again [stl-truncated]");
-  EXPECT_EQ(
-      error_of(std::string("\x01\x02\x03", 3)),
-      "part.stl: error: the file has 3 bytes; a binary STL has at least 84 and an ASCII one begins with "
-      "'solid' [stl-truncated]");
+  EXPECT_EQ(error_of(std::string_view(two).substr(0, two.size() - 1)),
+            "part.stl: error: the header states 2 triangles (184 bytes) but the file holds 1 whole (183 bytes); it is "
+            "cut off or not an STL, export or copy it again [stl-truncated]");
+  EXPECT_EQ(error_of(std::string("\x01\x02\x03", 3)),
+            "part.stl: error: the file has 3 bytes; a binary STL has at least 84 and an ASCII one begins with 'solid' "
+            "[stl-truncated]");
 }
 
 TEST(ReadStl, AnotherKindOfFileIsCalledByItsName) {
@@ -81,9 +77,9 @@ TEST(ReadStl, AnotherKindOfFileIsCalledByItsName) {
             "system [stl-not-stl]");
   for (const char* path : {"UNITS/MM\nGOTO/0,0,0\n", "$$ by hand\n  GOTO / 1,2,3", "TOOL PATH/A,TOOL,B\n"})
     EXPECT_EQ(reported(path), "part.stl: error: the file is a toolpath (CL data); expected an STL file [stl-not-stl]");
-  EXPECT_EQ(reported(std::string("PK\x03\x04\0\0", 6) + std::string(200, '\0')),
-            "part.stl: error: the file is a ZIP archive (3MF is one too); unpack it, or save the part as STL "
-            "[stl-not-stl]");
+  EXPECT_EQ(
+      reported(std::string("PK\x03\x04\0\0", 6) + std::string(200, '\0')),
+      "part.stl: error: the file is a ZIP archive (3MF is one too); unpack it, or save the part as STL [stl-not-stl]");
   EXPECT_EQ(reported("# cube\nv 0 0 0\n"), "part.stl: error: the file is an OBJ mesh; save it as STL [stl-not-stl]");
   EXPECT_EQ(reported("once upon a time"),
             "part.stl: error: the file is text but not ASCII STL; expected it to begin with 'solid' [stl-not-stl]");
@@ -99,8 +95,7 @@ TEST(ReadStl, AHeaderOfABinaryFileMayHoldAnyWords) {
 }
 
 TEST(ReadStl, EmptyAndEmptied) {
-  EXPECT_EQ(error_of(""),
-            "part.stl: error: the file is empty (0 bytes); expected a binary or ASCII STL [stl-empty]");
+  EXPECT_EQ(error_of(""), "part.stl: error: the file is empty (0 bytes); expected a binary or ASCII STL [stl-empty]");
   EXPECT_EQ(error_of(shapes::binary_stl("x", 0, {})),
             "part.stl: error: the binary STL holds no triangle; expected at least one [stl-no-triangles]");
   EXPECT_EQ(error_of("solid Empty\nendsolid Empty"),
@@ -110,25 +105,22 @@ TEST(ReadStl, EmptyAndEmptied) {
 TEST(ReadStl, BinaryCoordinateThatIsNoNumberNamesTheTriangle) {
   std::vector<float> bad = kTriangle;
   bad[4] = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_EQ(
-      error_of(shapes::binary_stl("x", 2, {kTriangle, bad})),
-      "part.stl: error: triangle 2 of 2 has a coordinate that is infinite or not a number; expected finite "
-      "coordinates [stl-bad-number]");
+  EXPECT_EQ(error_of(shapes::binary_stl("x", 2, {kTriangle, bad})),
+            "part.stl: error: triangle 2 of 2 has a coordinate that is infinite or not a number; expected finite "
+            "coordinates [stl-bad-number]");
   bad[4] = std::numeric_limits<float>::infinity();
   const std::string bytes = shapes::binary_stl("x", 1, {bad});
   EXPECT_EQ(parse_stl(bytes, "").error().code, "stl-bad-number");
 }
 
 TEST(ReadStl, TextThatIsNoStlIsReportedSo) {
-  EXPECT_EQ(
-      error_of("BLADE 1\n1,2,3\n"),
-      "part.stl: error: the file is text but not ASCII STL; expected it to begin with 'solid' [stl-not-stl]");
+  EXPECT_EQ(error_of("BLADE 1\n1,2,3\n"),
+            "part.stl: error: the file is text but not ASCII STL; expected it to begin with 'solid' [stl-not-stl]");
 }
 
 TEST(ReadStl, AsciiInAnyCaseWithExponentsAndAnyLineEnds) {
   const std::string text =
-      "\xEF\xBB\xBF Solid a name\r\nFACET Normal 0 0 1\r\n OUTER LOOP\r\n\tVertex 0 0 0\r\nVERTEX +1.0E+000 "
-      ".5 "
+      "\xEF\xBB\xBF Solid a name\r\nFACET Normal 0 0 1\r\n OUTER LOOP\r\n\tVertex 0 0 0\r\nVERTEX +1.0E+000 .5 "
       "-2.5e-1\r\nvertex 0 1. -0\r\nEndLoop\r\nendFacet\r\nEndSolid\r\n";
   for (const std::string& variant : {text, std::string(text).append("\n\n")}) {
     const auto soup = parse_stl(variant, "part.stl");
@@ -153,11 +145,12 @@ TEST(ReadStl, AFacetNeedsNoNormalAndLinesOfRemarksMayStandBeforeTheSolid) {
             "part.stl:8: error: facet 1: expected a finite number as y of a vertex, found 'oops' [stl-bad-number]");
   EXPECT_EQ(error_of(replaced(text, "outer loop", "inner loop")),
             "part.stl:6: error: expected 'normal' in facet 1, found 'inner' [stl-syntax]");
-  EXPECT_EQ(parse_stl(std::string_view("solid a facet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop "
-                                       "endfacet endsolid a"),
-                      "part.stl")
-                ->triangles.size(),
-            1U);
+  EXPECT_EQ(
+      parse_stl(std::string_view(
+                    "solid a facet outer loop vertex 0 0 0 vertex 1 0 0 vertex 0 1 0 endloop endfacet endsolid a"),
+                "part.stl")
+          ->triangles.size(),
+      1U);
 }
 
 TEST(ReadStl, RemarksMakeNoStlOfOtherText) {
@@ -166,8 +159,8 @@ TEST(ReadStl, RemarksMakeNoStlOfOtherText) {
 }
 
 TEST(ReadStl, SeveralSolidsWithOddNamesAreOneSoup) {
-  const std::string text = shapes::ascii_stl(shapes::cube(), "\xe6\x9c\x88 \xff facet") +
-                           shapes::ascii_stl(shapes::tetrahedron(), "");
+  const std::string text =
+      shapes::ascii_stl(shapes::cube(), "\xe6\x9c\x88 \xff facet") + shapes::ascii_stl(shapes::tetrahedron(), "");
   const auto soup = parse_stl(text, "part.stl");
   ASSERT_TRUE(soup.has_value()) << to_text(soup.error());
   EXPECT_EQ(soup->triangles.size(), 16U);
@@ -176,17 +169,16 @@ TEST(ReadStl, SeveralSolidsWithOddNamesAreOneSoup) {
 TEST(ReadStl, OldMacLineEndsCountAsLines) {
   std::string text = replaced(shapes::ascii_stl(shapes::tetrahedron()), "vertex 0 10 0", "vertex 0 oops 0");
   for (char& c : text) c = c == '\n' ? '\r' : c;
-  EXPECT_EQ(
-      error_of(text),
-      "part.stl:5: error: facet 1: expected a finite number as y of a vertex, found 'oops' [stl-bad-number]");
+  EXPECT_EQ(error_of(text),
+            "part.stl:5: error: facet 1: expected a finite number as y of a vertex, found 'oops' [stl-bad-number]");
 }
 
 TEST(ReadStl, AsciiBadNumbersAreReportedWithTheirLine) {
   const std::string good = shapes::ascii_stl(shapes::tetrahedron());
   for (const std::string bad : {"nan", "inf", "1.2.3", "1e400", "1,5", "-nan(ind)"}) {
-    EXPECT_EQ(error_of(replaced(good, "vertex 0 10 0", "vertex 0 10 " + bad)),
-              "part.stl:5: error: facet 1: expected a finite number as z of a vertex, found '" + bad +
-                  "' [stl-bad-number]");
+    EXPECT_EQ(
+        error_of(replaced(good, "vertex 0 10 0", "vertex 0 10 " + bad)),
+        "part.stl:5: error: facet 1: expected a finite number as z of a vertex, found '" + bad + "' [stl-bad-number]");
   }
 }
 
@@ -198,25 +190,23 @@ TEST(ReadStl, ANormalThatIsNoNumberIsIgnored) {
 
 TEST(ReadStl, AsciiOutOfPlaceIsReportedWithTheLine) {
   const std::string good = shapes::ascii_stl(shapes::tetrahedron());
-  EXPECT_EQ(error_of(replaced(good, "      vertex 10 0 0\n", "")),
-            "part.stl:6: error: facet 1 has 2 vertices; expected 3: found 'endloop' where 'vertex' should be "
-            "[stl-syntax]");
-  EXPECT_EQ(error_of(replaced(good, "    endloop\n", "vertex 1 1 1\nendloop\n")),
-            "part.stl:7: error: a fourth vertex in facet 1; expected triangles only: export it triangulated "
-            "[stl-syntax]");
+  EXPECT_EQ(
+      error_of(replaced(good, "      vertex 10 0 0\n", "")),
+      "part.stl:6: error: facet 1 has 2 vertices; expected 3: found 'endloop' where 'vertex' should be [stl-syntax]");
+  EXPECT_EQ(
+      error_of(replaced(good, "    endloop\n", "vertex 1 1 1\nendloop\n")),
+      "part.stl:7: error: a fourth vertex in facet 1; expected triangles only: export it triangulated [stl-syntax]");
   EXPECT_EQ(error_of(replaced(good, "normal 0 0 0", "normal 0 0")),
             "part.stl:3: error: the normal of facet 1 has 2 numbers; expected 3 [stl-syntax]");
   EXPECT_EQ(error_of(replaced(good, "endfacet", "endfact")),
             "part.stl:8: error: expected 'endfacet' in facet 1, found 'endfact' [stl-syntax]");
   EXPECT_EQ(error_of("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 1"),
-            "part.stl:4: error: the file ends inside facet 1; it is cut off, export or copy it again "
-            "[stl-truncated]");
+            "part.stl:4: error: the file ends inside facet 1; it is cut off, export or copy it again [stl-truncated]");
   EXPECT_EQ(error_of("solid a\nsquare 1 2 3\n"),
             "part.stl:2: error: expected 'facet' or 'endsolid', found 'square' [stl-syntax]");
   EXPECT_EQ(error_of("solid a\nfacet normal 0 0 1\nouter loop\nvertex 1 1 1\0"
                      "2\n"),
-            "part.stl:4: error: the file ends inside facet 1; it is cut off, export or copy it again "
-            "[stl-truncated]");
+            "part.stl:4: error: the file ends inside facet 1; it is cut off, export or copy it again [stl-truncated]");
 }
 
 TEST(ReadStl, MissingEndsolidIsAWarning) {
@@ -225,8 +215,7 @@ TEST(ReadStl, MissingEndsolidIsAWarning) {
   ASSERT_TRUE(soup.has_value());
   ASSERT_EQ(soup->notes.size(), 1U);
   EXPECT_EQ(to_text(soup->notes[0]),
-            "part.stl:30: warning: the file ends without 'endsolid' after facet 4; it may be cut off, export "
-            "it again "
+            "part.stl:30: warning: the file ends without 'endsolid' after facet 4; it may be cut off, export it again "
             "to be sure [stl-no-endsolid]");
 }
 

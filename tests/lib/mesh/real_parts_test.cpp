@@ -50,8 +50,8 @@ TEST(RealParts, EveryFileLoadsOrIsRefusedForTheRightReason) {
 
 TEST(RealParts, PartsThatToolpathsBelongToAreSolids) {
   if (part_files().empty()) GTEST_SKIP() << "real parts absent: " << kParts;
-  for (const std::string file : {"Sacrifice-Board.STL", "SupPetriLED.STL", "Teste-Metrologia.STL",
-                                 "basemach.STL", "five_axis_part_inch.stl"}) {
+  for (const std::string file :
+       {"Sacrifice-Board.STL", "SupPetriLED.STL", "Teste-Metrologia.STL", "basemach.STL", "five_axis_part_inch.stl"}) {
     const auto loaded = load_mesh(kParts + "/matched/" + file);
     ASSERT_TRUE(loaded.has_value());
     EXPECT_TRUE(loaded->findings.is_solid()) << file;

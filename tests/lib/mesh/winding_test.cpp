@@ -58,10 +58,8 @@ TEST(Winding, AnOpenCubeIsNoWholeNumber) {
 }
 
 TEST(Winding, TheOctantSeenFromTheOriginIsAnEighthOfTheSphere) {
-  EXPECT_NEAR(solid_angle(Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), Vec3::Zero()), std::numbers::pi / 2,
-              1e-15);
-  EXPECT_NEAR(solid_angle(Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), Vec3::Zero()), -std::numbers::pi / 2,
-              1e-15);
+  EXPECT_NEAR(solid_angle(Vec3::UnitX(), Vec3::UnitY(), Vec3::UnitZ(), Vec3::Zero()), std::numbers::pi / 2, 1e-15);
+  EXPECT_NEAR(solid_angle(Vec3::UnitY(), Vec3::UnitX(), Vec3::UnitZ(), Vec3::Zero()), -std::numbers::pi / 2, 1e-15);
 }
 
 }  // namespace

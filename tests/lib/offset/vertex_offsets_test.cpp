@@ -23,9 +23,7 @@ TEST(OffsetOfPlanes, MovesACubesCornersAlongItsDiagonals) {
 
 TEST(OffsetOfPlanes, NamesTheDegenerateCases) {
   const Vec3 x = Vec3::UnitX(), y = Vec3::UnitY(), z = Vec3::UnitZ();
-  const auto of = [](std::initializer_list<Vec3> normals) {
-    return offset_of_planes(std::vector<Vec3>(normals));
-  };
+  const auto of = [](std::initializer_list<Vec3> normals) { return offset_of_planes(std::vector<Vec3>(normals)); };
   EXPECT_EQ(of({}).planes, PlaneCase::none);
   EXPECT_EQ(of({z, z, z}).planes, PlaneCase::one_plane);
   EXPECT_EQ(of({z, x, z}).planes, PlaneCase::two_planes);
@@ -33,8 +31,7 @@ TEST(OffsetOfPlanes, NamesTheDegenerateCases) {
   EXPECT_EQ(of({x, y, z}).planes, PlaneCase::three_planes);
   EXPECT_EQ(of({x, -x}).planes, PlaneCase::knife);
   EXPECT_EQ(of({Vec3(1, 0, 1e-3).normalized(), Vec3(-1, 0, 1e-3).normalized()}).planes, PlaneCase::knife);
-  EXPECT_LE(of({Vec3(1, 0, 1e-3).normalized(), Vec3(-1, 0, 1e-3).normalized()}).move.norm(),
-            kLongestOffset + 1e-9);
+  EXPECT_LE(of({Vec3(1, 0, 1e-3).normalized(), Vec3(-1, 0, 1e-3).normalized()}).move.norm(), kLongestOffset + 1e-9);
   EXPECT_EQ(of({Vec3(1, 0, 1).normalized(), Vec3(0, 1, 1).normalized(), Vec3(-1, 0, 1).normalized(),
                 Vec3(0, -0.5, 1).normalized()})
                 .planes,
@@ -73,8 +70,7 @@ TEST(AveragedNormals, AreEquiangularWhereThatExists) {
 TEST(AveragedNormals, AreAngleWeightedSoThatCuttingAFaceChangesNothing) {
   // A pyramid's apex with five faces in no common cone: no equiangular vector.
   IndexedMesh fan;
-  fan.vertices = {Vec3(0, 0, 3),  Vec3(5, 0, 0),     Vec3(3, 4, 1),
-                  Vec3(-4, 3, 0), Vec3(-3, -4, 0.5), Vec3(4, -4, 0)};
+  fan.vertices = {Vec3(0, 0, 3), Vec3(5, 0, 0), Vec3(3, 4, 1), Vec3(-4, 3, 0), Vec3(-3, -4, 0.5), Vec3(4, -4, 0)};
   for (std::size_t i = 0; i < 5; ++i) shapes::add_triangle(fan, 0, 1 + i, 1 + (i + 1) % 5);
   const VertexOffset whole = offsets_of(fan, NormalMethod::averaged)[0];
   EXPECT_EQ(whole.planes, PlaneCase::many_planes);

@@ -35,9 +35,8 @@ TEST(Overcut, OfAPlunge20mmDeepIs20mmWhereDepthSaturatesAtTheRadius) {
 
 TEST(Overcut, OfAShallowGougeIsItsDepthToSecondOrder) {
   for (const double depth : {0.4, 0.2, 0.1, 0.05}) {
-    const CheckResult result =
-        check({paths::upright(-20, 0, 5), paths::upright(0, 0, -depth), paths::upright(20, 0, 5)},
-              tools::ball(10), kBlock);
+    const CheckResult result = check(
+        {paths::upright(-20, 0, 5), paths::upright(0, 0, -depth), paths::upright(20, 0, 5)}, tools::ball(10), kBlock);
     EXPECT_NEAR(result.verdicts[1].depth_mm, depth, 1e-3);
     EXPECT_NEAR(*result.verdicts[1].overcut_mm, depth, 1e-3 + depth * depth);
   }
@@ -45,15 +44,13 @@ TEST(Overcut, OfAShallowGougeIsItsDepthToSecondOrder) {
 
 TEST(Overcut, IsMeasuredOnTheCurvedPartAsWell) {
   const IndexedMesh part = shapes::sphere(30, 60, 120);
-  const CheckResult result =
-      check({paths::upright(0, 0, 40), paths::upright(0, 0, 29.8)}, tools::ball(10), part);
+  const CheckResult result = check({paths::upright(0, 0, 40), paths::upright(0, 0, 29.8)}, tools::ball(10), part);
   EXPECT_NEAR(*result.verdicts[1].overcut_mm, 0.2, 0.005);
 }
 
 TEST(Overcut, OfARibCutThroughIsHalfItsThickness) {
   const IndexedMesh rib = shapes::box(Vec3(-1, -50, -20), Vec3(1, 50, 0));
-  const CheckResult result =
-      check({paths::upright(-30, 0, -10), paths::upright(30, 0, -10)}, tools::flat(10), rib);
+  const CheckResult result = check({paths::upright(-30, 0, -10), paths::upright(30, 0, -10)}, tools::flat(10), rib);
   EXPECT_NEAR(*result.verdicts[1].overcut_mm, 1, 1e-2);
 }
 
@@ -123,8 +120,7 @@ TEST(Overcut, OfAHeadIsHowFarTheHeadReachedBelowTheSurface) {
 
 TEST(Overcut, IsNotReportedForAnOpenSurface) {
   const IndexedMesh sheet = shapes::moved(shapes::sheet(100, 100, 0), Vec3(-50, -50, 0));
-  const CheckResult result =
-      check({paths::upright(0, 0, 10), paths::upright(0, 0, -2)}, tools::ball(10), sheet);
+  const CheckResult result = check({paths::upright(0, 0, 10), paths::upright(0, 0, -2)}, tools::ball(10), sheet);
   ASSERT_EQ(result.verdicts[1].state, MoveState::gouge);
   EXPECT_FALSE(result.verdicts[1].overcut_mm.has_value());
 }

@@ -45,12 +45,8 @@ std::vector<Vec3> random_control(test::Scatter& random, std::size_t count) {
 
 TEST(Spline, PiecesAreTheCurveOfItsDefinition) {
   test::Scatter random(4);
-  const std::vector<std::vector<double>> knots = {{},
-                                                  {0.5},
-                                                  {0.1, 0.2, 0.9},
-                                                  {0.3, 0.3, 0.7},
-                                                  {0.4, 0.4, 0.4},
-                                                  {0.0416667, 0.375, 0.625, 0.9583333}};
+  const std::vector<std::vector<double>> knots = {
+      {}, {0.5}, {0.1, 0.2, 0.9}, {0.3, 0.3, 0.7}, {0.4, 0.4, 0.4}, {0.0416667, 0.375, 0.625, 0.9583333}};
   for (const std::vector<double>& inner : knots) {
     const std::vector<Vec3> control = random_control(random, inner.size() + 4);
     const PathSpline spline = make_spline(control, inner);

@@ -58,9 +58,7 @@ TEST(DescribePath, TheBoxHoldsArcs) {
   EXPECT_EQ(describe_path(path).box.min().y(), 0);
 }
 
-TEST(DescribePath, AnEmptyPathHasAnEmptyBox) {
-  EXPECT_TRUE(describe_path({}).box.isEmpty());
-}
+TEST(DescribePath, AnEmptyPathHasAnEmptyBox) { EXPECT_TRUE(describe_path({}).box.isEmpty()); }
 
 TEST(KindName, IsAWordOfTheReports) {
   EXPECT_STREQ(kind_name(MoveKind::feed), "feed");

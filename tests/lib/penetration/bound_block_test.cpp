@@ -93,8 +93,7 @@ TEST(BoundBlock, HoldsEveryFacetOnceWhateverTheLeafAndTheWidth) {
         }
       }
       EXPECT_EQ(std::count(facets.begin(), facets.end(), 1), static_cast<std::ptrdiff_t>(facets.size()));
-      EXPECT_EQ(std::count(blocks.begin() + 1, blocks.end(), 1),
-                static_cast<std::ptrdiff_t>(blocks.size()) - 1);
+      EXPECT_EQ(std::count(blocks.begin() + 1, blocks.end(), 1), static_cast<std::ptrdiff_t>(blocks.size()) - 1);
       EXPECT_EQ(blocks[0], 0);
     }
   }

@@ -17,8 +17,7 @@ inline BruteClosestPoint brute_force_closest_point(const IndexedMesh& mesh, cons
   BruteClosestPoint best;
   double best2 = -1;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const TrianglePoint foot =
-        closest_on_triangle(point, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
+    const TrianglePoint foot = closest_on_triangle(point, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)});
     if (best2 >= 0 && foot.distance2_mm2 >= best2) continue;
     best2 = foot.distance2_mm2;
     best.point = foot.point;

@@ -52,8 +52,7 @@ std::vector<Setting> all_settings() {
   std::vector<Setting> all;
   for (const DirectionSet& set : sets) {
     for (const std::size_t width : {2U, 4U, 8U}) {
-      for (const NormalMethod normals :
-           {NormalMethod::averaged, NormalMethod::paraboloid, NormalMethod::planes})
+      for (const NormalMethod normals : {NormalMethod::averaged, NormalMethod::paraboloid, NormalMethod::planes})
         all.push_back({set, width, normals});
     }
   }
@@ -90,16 +89,15 @@ void compare(const DepthBody& body, const Setting& setting, const PenetrationRes
           is_right && (reached < 1e-6 ||
                        brute_force_closest_point(body.mesh, truth.place + c.depth_mm * c.normal).distance_mm < 1e-9);
       const bool is_deeper = truth.distance_mm > body.options.depth_mm;
-      is_right = is_right && (reported[i]->is_deeper == is_deeper ||
-                              std::abs(truth.distance_mm - body.options.depth_mm) < 1e-9);
+      is_right = is_right &&
+                 (reported[i]->is_deeper == is_deeper || std::abs(truth.distance_mm - body.options.depth_mm) < 1e-9);
       tally.deeper += is_deeper ? 1 : 0;
     }
     tally.wrong += is_right ? 0 : 1;
     if (!is_right && tally.wrong < 5) {
       ADD_FAILURE() << body.mesh.name << " k " << setting.directions.k() << " width " << setting.width << how
-                    << ": point " << truth.place.transpose() << " true "
-                    << (truth.is_inside ? "inside " : "outside ") << truth.distance_mm << ", told "
-                    << (reported[i] ? reported[i]->contact.depth_mm : -1.0);
+                    << ": point " << truth.place.transpose() << " true " << (truth.is_inside ? "inside " : "outside ")
+                    << truth.distance_mm << ", told " << (reported[i] ? reported[i]->contact.depth_mm : -1.0);
     }
   }
 }
@@ -136,11 +134,9 @@ Tally run(const IndexedMesh& mesh, double depth_mm, std::size_t count, std::uint
       options.directions = settings[k].directions;
       options.width = settings[k].width;
       const PointBody points = build_point_body(in_frame, options);
-      compare(*bodies[k], settings[k], PenetrationFinder(*bodies[k], points).find(pose), " by trees", truths,
-              tally);
+      compare(*bodies[k], settings[k], PenetrationFinder(*bodies[k], points).find(pose), " by trees", truths, tally);
       if (cells[k])
-        compare(*bodies[k], settings[k], CellSearch(*cells[k], points).find(pose), " by cells", truths,
-                tally);
+        compare(*bodies[k], settings[k], CellSearch(*cells[k], points).find(pose), " by cells", truths, tally);
     }
   }
   return tally;
@@ -151,33 +147,23 @@ void expect_agreement(const IndexedMesh& mesh, double depth_mm, double share) {
   const Tally tally = run(mesh, depth_mm, std::max<std::size_t>(count, 9 * kBatch), 7);
   EXPECT_EQ(tally.wrong, 0U) << mesh.name;
   EXPECT_GT(tally.inside, tally.points / 10) << mesh.name << ": too few points inside to mean anything";
-  std::cout << mesh.name << ": " << tally.points << " comparisons, " << tally.inside << " inside, "
-            << tally.deeper << " deeper than " << depth_mm << " mm\n";
+  std::cout << mesh.name << ": " << tally.points << " comparisons, " << tally.inside << " inside, " << tally.deeper
+            << " deeper than " << depth_mm << " mm\n";
 }
 
-TEST(BruteForce, AgreesOnTheStarPrism) {
-  expect_agreement(shapes::star_prism(), 1.5, 0.3);
-}
+TEST(BruteForce, AgreesOnTheStarPrism) { expect_agreement(shapes::star_prism(), 1.5, 0.3); }
 TEST(BruteForce, AgreesOnTheSlottedBlockWhoseWallsAreThinnerThanTheDepth) {
   expect_agreement(shapes::slotted_block(), 1.5, 0.3);
 }
-TEST(BruteForce, AgreesOnTheHollowCube) {
-  expect_agreement(shapes::hollow_cube(20), 2, 0.2);
-}
-TEST(BruteForce, AgreesOnTheTorus) {
-  expect_agreement(shapes::torus(), 1, 0.1);
-}
-TEST(BruteForce, AgreesOnTheNeedleFan) {
-  expect_agreement(shapes::needle_fan(120), 0.5, 0.05);
-}
-TEST(BruteForce, AgreesOnTheBumpySphere) {
-  expect_agreement(shapes::bumpy_sphere(), 1, 0.03);
-}
+TEST(BruteForce, AgreesOnTheHollowCube) { expect_agreement(shapes::hollow_cube(20), 2, 0.2); }
+TEST(BruteForce, AgreesOnTheTorus) { expect_agreement(shapes::torus(), 1, 0.1); }
+TEST(BruteForce, AgreesOnTheNeedleFan) { expect_agreement(shapes::needle_fan(120), 0.5, 0.05); }
+TEST(BruteForce, AgreesOnTheBumpySphere) { expect_agreement(shapes::bumpy_sphere(), 1, 0.03); }
 
 TEST(BruteForce, AgreesOnRealParts) {
   if (!std::filesystem::exists(kParts)) GTEST_SKIP() << "real parts absent: " << kParts;
-  for (const char* file : {"matched/Teste-Metrologia.STL", "format_quirks/ascii_Moon_Chinese.stl",
-                           "mechanical/plate_holes.STL"}) {
+  for (const char* file :
+       {"matched/Teste-Metrologia.STL", "format_quirks/ascii_Moon_Chinese.stl", "mechanical/plate_holes.STL"}) {
     const auto loaded = load_mesh(kParts + file);
     ASSERT_TRUE(loaded.has_value()) << file;
     if (!loaded->findings.is_solid()) {

@@ -71,8 +71,7 @@ TEST(Correction, AgainstOneLineIsExactAtOnce) {
 }
 
 TEST(Correction, ReportsABalance) {
-  const FreeingShift c =
-      correct_until_free(circle_between_lines(Vec3::Zero(), 1, {Vec3::UnitX(), -Vec3::UnitX()}));
+  const FreeingShift c = correct_until_free(circle_between_lines(Vec3::Zero(), 1, {Vec3::UnitX(), -Vec3::UnitX()}));
   EXPECT_EQ(c.end, CorrectionEnd::balanced);
   EXPECT_EQ(c.iterations, 0U);
 }

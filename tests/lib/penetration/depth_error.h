@@ -17,8 +17,7 @@ struct Error {
 };
 
 /// Depths that were found, negative where none was, against the nearest facets.
-inline Error error_of(const DepthBody& body, const std::vector<Vec3>& points,
-                      const std::vector<double>& found_mm) {
+inline Error error_of(const DepthBody& body, const std::vector<Vec3>& points, const std::vector<double>& found_mm) {
   Error error;
   for (std::size_t i = 0; i < points.size(); ++i) {
     const auto foot = closest_point(body, points[i]);

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
 #include "lib/kdop/kdop_corners.h"
-#include "lib/penetration/find_penetration.h"
 #include "lib/penetration/closest_point.h"
+#include "lib/penetration/find_penetration.h"
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
 
@@ -126,8 +126,7 @@ TEST(DepthBody, OffsetVolumesHoldTheFacetsAndTheirOffsets) {
   DepthBodyOptions options;
   options.coverage = Coverage::offset;
   options.depth_mm = 1.5;
-  for (const NormalMethod normals :
-       {NormalMethod::averaged, NormalMethod::paraboloid, NormalMethod::planes}) {
+  for (const NormalMethod normals : {NormalMethod::averaged, NormalMethod::paraboloid, NormalMethod::planes}) {
     options.normals = normals;
     const DepthBody body = build_depth_body(shapes::star_prism(), options);
     EXPECT_EQ(verify_kdop_tree(body.tree), std::vector<std::string>{});

@@ -63,7 +63,8 @@ TEST(ConvexCover, NeverSaysLessThanTheTool) {
   test::Scatter random(5);
   Claims claims;
   for (const ToolVariants& variants : tools::all()) {
-    for (const CompiledTool* tool : {&variants.bare, &variants.against_part, &variants.with_clearance, &variants.non_cutting}) {
+    for (const CompiledTool* tool :
+         {&variants.bare, &variants.against_part, &variants.with_clearance, &variants.non_cutting}) {
       if (!tool->elements.empty()) expect_claims_hold(*tool, random, 4000, claims);
     }
   }
@@ -80,7 +81,8 @@ TEST(ConvexCover, NeverSaysLessThanAnyToolThereIs) {
   Claims claims;
   for (const ToolVariants& variants : tools::shapes()) {
     test::Scatter random(6);
-    for (const CompiledTool* tool : {&variants.bare, &variants.against_part, &variants.with_clearance, &variants.non_cutting}) {
+    for (const CompiledTool* tool :
+         {&variants.bare, &variants.against_part, &variants.with_clearance, &variants.non_cutting}) {
       if (!tool->elements.empty()) expect_claims_hold(*tool, random, 1000, claims);
     }
   }

@@ -53,7 +53,8 @@ TEST(FreeRegions, HoldTheirPlacesDeeperThanAskedInEveryShape) {
     for (const double depth : {0.0, 0.01, 0.5, 2.0}) {
       const FreeRegions found = finder.at(depth);
       for (const FreeRegion& region : found.regions) {
-        EXPECT_NEAR(-evaluate(tool.bare, region.deepest.x(), region.deepest.y()).signed_distance_mm, region.depth_mm, 1e-9);
+        EXPECT_NEAR(-evaluate(tool.bare, region.deepest.x(), region.deepest.y()).signed_distance_mm, region.depth_mm,
+                    1e-9);
         if (region.ring != FreeRegion::kNoRing) continue;
         for (int i = 1; i < 200; ++i) {
           const double z = region.z_lo_mm + (region.z_hi_mm - region.z_lo_mm) * i / 200;

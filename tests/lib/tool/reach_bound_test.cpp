@@ -132,7 +132,8 @@ TEST(ReachBound, OfUsualCuttersIsLessThanThreeTimesTheDepth) {
   for (const ToolVariants& tool : usual) {
     for (const double depth : {0.001, 0.011, 0.06}) {
       const SureDepth sure = find_sure_depth(tool.bare, tool.bare, depth);
-      EXPECT_EQ(sure.halvings, 0) << "cutter of " << tool.bare.elements[1].a.transpose() << ", " << tool.bare.elements[3].a.transpose() << " at " << depth << ": " << sure.reach_mm;
+      EXPECT_EQ(sure.halvings, 0) << "cutter of " << tool.bare.elements[1].a.transpose() << ", "
+                                  << tool.bare.elements[3].a.transpose() << " at " << depth << ": " << sure.reach_mm;
     }
   }
 }
@@ -152,7 +153,8 @@ TEST(ReachBound, IsNeverLessThanWhatIsSeenOnAGridInEveryShape) {
     ASSERT_GE(bound, depth) << random.name;
     if (grid.is_empty()) continue;
     const double seen = grid.largest();
-    ASSERT_GE(bound, seen - grid.step()) << random.name << " depth " << depth << " size " << tool.r_max_mm << " x " << tool.z_max_mm;
+    ASSERT_GE(bound, seen - grid.step()) << random.name << " depth " << depth << " size " << tool.r_max_mm << " x "
+                                         << tool.z_max_mm;
     if (std::isinf(bound)) continue;
     ++finite;
     if (bound > 3 * depth) ++thin;

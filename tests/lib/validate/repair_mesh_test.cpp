@@ -73,8 +73,7 @@ TEST(RepairMesh, DuplicatesAreRemoved) {
 }
 
 TEST(RepairMesh, TrianglesWithoutAreaAreRemoved) {
-  IndexedMesh mesh =
-      shapes::cube();  // a vertex on the edge 4-6 splits one of its triangles, a sliver the other
+  IndexedMesh mesh = shapes::cube();  // a vertex on the edge 4-6 splits one of its triangles, a sliver the other
   const std::size_t on_edge = mesh.vertices.size();
   mesh.vertices.emplace_back(0, 5, 10);
   mesh.triangles.pop_back();

@@ -7,9 +7,7 @@
 namespace gouge {
 namespace {
 
-MeshValidation judge(const IndexedMesh& mesh) {
-  return validate_mesh(mesh, find_mesh_findings(mesh));
-}
+MeshValidation judge(const IndexedMesh& mesh) { return validate_mesh(mesh, find_mesh_findings(mesh)); }
 
 TEST(ValidateMesh, ClosedOutwardMeshesAreSound) {
   for (const IndexedMesh& mesh : {shapes::cube(), shapes::tetrahedron(), shapes::sphere(), shapes::torus(),
@@ -38,8 +36,7 @@ TEST(ValidateMesh, InsideOutIsNotSound) {
 }
 
 TEST(ValidateMesh, ASolidInsideASolidBoundsNoVolume) {
-  const IndexedMesh nested =
-      shapes::joined(shapes::cube(10), shapes::box(Vec3::Constant(3), Vec3::Constant(6)));
+  const IndexedMesh nested = shapes::joined(shapes::cube(10), shapes::box(Vec3::Constant(3), Vec3::Constant(6)));
   const MeshValidation judged = judge(nested);
   EXPECT_EQ(judged.self_intersections.pairs, 0U);
   EXPECT_EQ(judged.bounds_volume, false);
@@ -63,8 +60,7 @@ TEST(ValidateMesh, CrossingCubesAreFoundWithAPlaceOnBothSurfaces) {
 
 TEST(ValidateMesh, AFoldOfTwoTrianglesOntoEachOtherIsASelfIntersection) {
   IndexedMesh mesh;
-  mesh.vertices = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(0, 10, 0),
-                   Vec3(2, 3, 0), Vec3(2, -3, 0), Vec3(2, 3, 1e-9)};
+  mesh.vertices = {Vec3(0, 0, 0), Vec3(10, 0, 0), Vec3(0, 10, 0), Vec3(2, 3, 0), Vec3(2, -3, 0), Vec3(2, 3, 1e-9)};
   shapes::add_triangle(mesh, 0, 1, 2);
   shapes::add_triangle(mesh, 1, 0, 3);
   EXPECT_EQ(judge(mesh).self_intersections.pairs, 1U);

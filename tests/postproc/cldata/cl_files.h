@@ -27,9 +27,7 @@ inline std::vector<std::filesystem::path> files_below(const std::filesystem::pat
   return files;
 }
 
-inline std::filesystem::path corpus() {
-  return std::filesystem::path(source_folder()) / "tests/corpus/cl";
-}
+inline std::filesystem::path corpus() { return std::filesystem::path(source_folder()) / "tests/corpus/cl"; }
 
 inline std::filesystem::path real_toolpaths() {
   return std::filesystem::path(source_folder()) / "../shared/data/toolpaths";

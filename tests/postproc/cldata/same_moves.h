@@ -11,9 +11,7 @@
 namespace gouge {
 
 /// A reason without the word and the line it names, which may differ between two files that mean the same.
-inline std::string_view unnamed(std::string_view reason) {
-  return reason.substr(0, reason.rfind(": "));
-}
+inline std::string_view unnamed(std::string_view reason) { return reason.substr(0, reason.rfind(": ")); }
 
 /// Two files that mean the same, to `within_mm`: every motion, and why it is not checked.
 inline void expect_same_moves(const Toolpath& found, const Toolpath& expected, double within_mm = 1e-9) {

@@ -87,7 +87,8 @@ inline MotionStates scan_states(const std::string& text, LengthUnit unit) {
         if (words[i] == "MMPM" || words[i] == "MMPR") factor = 1;
         if (words[i] == "IPM" || words[i] == "IPR") factor = 25.4;
         if (words[i] == "MMPR" || words[i] == "IPR" || words[i] == "PERREV") feed.unit = FeedUnit::per_revolution;
-        if (std::isdigit(static_cast<unsigned char>(words[i][0])) != 0 || words[i][0] == '.') feed.mm = std::atof(words[i].c_str());
+        if (std::isdigit(static_cast<unsigned char>(words[i][0])) != 0 || words[i][0] == '.')
+          feed.mm = std::atof(words[i].c_str());
       }
       feed.mm *= factor;
     }

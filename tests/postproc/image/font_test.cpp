@@ -54,8 +54,7 @@ TEST(Font, WithoutFilesEverythingIsABoxAndNothingIsNoted) {
 }
 
 TEST(Font, LettersKeepTheirShapeAndStandOnTheBaseLine) {
-  const TextMask one = installed_font().draw("H", 100, false, 0),
-                 two = installed_font().draw("H", 100, false, 0);
+  const TextMask one = installed_font().draw("H", 100, false, 0), two = installed_font().draw("H", 100, false, 0);
   EXPECT_EQ(one.grey, two.grey);
   const auto row_is_empty = [&](int y) {
     const auto first = one.grey.begin() + static_cast<std::ptrdiff_t>(y - one.top) * one.width;

@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "lib/check/path_motion.h"
+#include "lib/field/depth_field.h"
 #include "lib/head/head_motion.h"
 #include "lib/penetration/closest_point.h"
-#include "lib/field/depth_field.h"
 #include "postproc/image/depth_strip.h"
 #include "postproc/image/event_picture.h"
 #include "postproc/image/picture_events.h"
@@ -68,9 +68,7 @@ std::size_t head_pixels(const Raster& raster) {
   return count_colour(raster, over(kWhite, body_colour(static_cast<int>(Body::head)), 0.26));
 }
 
-std::size_t alarm_pixels(const Raster& raster) {
-  return count_colour(raster, over(kMaterial, kAlarm, 0.62));
-}
+std::size_t alarm_pixels(const Raster& raster) { return count_colour(raster, over(kMaterial, kAlarm, 0.62)); }
 
 double distance_to(const SectionLine& line, const Vec2& p) {
   const Vec2 d = line.b - line.a;
@@ -167,9 +165,8 @@ TEST(Heads, AreKnownByNameOfThePieceThatGouges) {
   const std::vector<PictureEvent> events = worst_events(small.input, 6);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].head, std::optional<std::size_t>(1));
-  EXPECT_NEAR(
-      closest_point(small.heads[1].surface, events[0].heads.inverse().point(events[0].at))->signed_mm(),
-      -events[0].depth_mm, 1e-9);
+  EXPECT_NEAR(closest_point(small.heads[1].surface, events[0].heads.inverse().point(events[0].at))->signed_mm(),
+              -events[0].depth_mm, 1e-9);
 }
 
 TEST(Heads, ThatAreBuriedAreShownWhereTheyLie) {
@@ -239,8 +236,7 @@ TEST(ReportPictures, OfHeadsAreTheSameOnEveryRun) {
   ASSERT_TRUE(first);
   ASSERT_TRUE(second);
   ASSERT_EQ(first->size(), 3U);
-  for (std::size_t i = 0; i < first->size(); ++i)
-    EXPECT_EQ((*first)[i].bytes, (*second)[i].bytes) << (*first)[i].name;
+  for (std::size_t i = 0; i < first->size(); ++i) EXPECT_EQ((*first)[i].bytes, (*second)[i].bytes) << (*first)[i].name;
 }
 
 }  // namespace

@@ -62,8 +62,7 @@ TEST(OvercutField, IsNowhereMoreThanTheOvercutOfThePath) {
   const OvercutField field(plunge.input, depths);
   float most = 0;
   for (const float mm : field.overcut_at(rays_down(30))) most = std::max(most, mm);
-  EXPECT_NEAR(static_cast<double>(most), plunge.result.worst_overcut_mm,
-              0.02 * plunge.result.worst_overcut_mm);
+  EXPECT_NEAR(static_cast<double>(most), plunge.result.worst_overcut_mm, 0.02 * plunge.result.worst_overcut_mm);
   EXPECT_NEAR(plunge.result.worst_overcut_mm, 9, 0.1);
 }
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
-#include "lib/tool/evaluate.h"
 #include "lib/field/depth_field.h"
+#include "lib/tool/evaluate.h"
 #include "postproc/image/depth_strip.h"
 #include "postproc/image/event_picture.h"
 #include "postproc/image/heat_map.h"
@@ -115,8 +115,7 @@ TEST(ReportPictures, AreTheOnesGuaranteedAndTheSameOnEveryRun) {
   ASSERT_TRUE(first);
   ASSERT_TRUE(second);
   EXPECT_EQ(names(*first), (std::vector<std::string>{"heat_map.png", "event_1.png", "depth_along_path.png"}));
-  for (std::size_t i = 0; i < first->size(); ++i)
-    EXPECT_EQ((*first)[i].bytes, (*second)[i].bytes) << (*first)[i].name;
+  for (std::size_t i = 0; i < first->size(); ++i) EXPECT_EQ((*first)[i].bytes, (*second)[i].bytes) << (*first)[i].name;
   EXPECT_EQ((*first)[1].move, small.result.events.front().worst_move);
 }
 
@@ -131,8 +130,7 @@ TEST(ReportPictures, ShowBeforeAndAfterForACorrection) {
   after.model.correction.result_before = &before.result;
   const Result<std::vector<NamedFile>> files = draw_report_pictures(after.model, after.input, before.input);
   ASSERT_TRUE(files);
-  EXPECT_EQ(names(*files),
-            (std::vector<std::string>{"heat_map.png", "before_after.png", "depth_along_path.png"}));
+  EXPECT_EQ(names(*files), (std::vector<std::string>{"heat_map.png", "before_after.png", "depth_along_path.png"}));
 }
 
 TEST(ReportPictures, SurviveWhatIsMissing) {

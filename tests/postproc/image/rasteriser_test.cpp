@@ -65,9 +65,7 @@ TEST(SurfaceBuffer, ShowsTheNearestFaceAndNoGaps) {
   EXPECT_FALSE(is_visible(buffer, {20, 15, 9}, 0.01));
 }
 
-TEST(PictureScene, FindsTheTwelveEdgesOfABlock) {
-  EXPECT_EQ(build_picture_scene(block_scene()).edges.size(), 12U);
-}
+TEST(PictureScene, FindsTheTwelveEdgesOfABlock) { EXPECT_EQ(build_picture_scene(block_scene()).edges.size(), 12U); }
 
 TEST(ColourScale, GrowsSteadilyDarker) {
   for (const bool is_root : {false, true}) {

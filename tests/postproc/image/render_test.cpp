@@ -13,8 +13,7 @@ Drawing small_drawing() {
   d.height = 80;
   d.items.push_back(DrawnShape{{{10, 10}, {60, 10}, {60, 60}}, {200, 30, 30, 0.5}});
   d.items.push_back(DrawnLine{{{0, 0}, {120, 80}}, {0, 0, 0, 1}, 2, false, {6, 3}});
-  d.items.push_back(
-      DrawnText{{60, 40}, "\xC3\x98 12 <mm> & \"x\"", 14, {0, 0, 0, 1}, TextAnchor::middle, true});
+  d.items.push_back(DrawnText{{60, 40}, "\xC3\x98 12 <mm> & \"x\"", 14, {0, 0, 0, 1}, TextAnchor::middle, true});
   return d;
 }
 
@@ -27,9 +26,7 @@ TEST(RenderPng, StartsWithTheSignatureAndShowsItsSize) {
   EXPECT_EQ((*png)[23], 80);
 }
 
-TEST(RenderPng, IsTheSameOnEveryRun) {
-  EXPECT_EQ(*render_png(small_drawing()), *render_png(small_drawing()));
-}
+TEST(RenderPng, IsTheSameOnEveryRun) { EXPECT_EQ(*render_png(small_drawing()), *render_png(small_drawing())); }
 
 TEST(RenderPng, ChangesWithEveryItem) {
   const std::string whole = *render_png(small_drawing());

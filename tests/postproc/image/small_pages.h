@@ -41,9 +41,8 @@ inline std::vector<DrawnText> texts_of(const Page& page) {
 
 inline std::size_t count_with(const Page& page, const std::string& wanted) {
   const std::vector<DrawnText> all = texts_of(page);
-  return static_cast<std::size_t>(std::count_if(all.begin(), all.end(), [&](const DrawnText& text) {
-    return text.text.find(wanted) != std::string::npos;
-  }));
+  return static_cast<std::size_t>(std::count_if(
+      all.begin(), all.end(), [&](const DrawnText& text) { return text.text.find(wanted) != std::string::npos; }));
 }
 
 }  // namespace gouge

@@ -2,8 +2,8 @@
 
 #include "lib/field/checked_toolpath.h"
 #include "postproc/report/report_model.h"
-#include "toolmodels/compile_tool.h"
 #include "tests/support/whole_check.h"
+#include "toolmodels/compile_tool.h"
 
 // A block of 40 x 30 x 10 mm, a ball cutter with a holder and a path that cuts a groove 0.4 mm deep into its
 // top on its way: checked for real.

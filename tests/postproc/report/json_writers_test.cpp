@@ -32,8 +32,7 @@ void check_schema(const json& root, const json& schema, const json& value, const
                   std::vector<std::string>& errors) {
   for (const auto& [keyword, rule] : schema.items()) {
     if (keyword == "$ref") {
-      check_schema(root, root.at(json::json_pointer(rule.get<std::string>().substr(1))), value, where,
-                   errors);
+      check_schema(root, root.at(json::json_pointer(rule.get<std::string>().substr(1))), value, where, errors);
     } else if (keyword == "type") {
       const json types = rule.is_array() ? rule : json::array({rule});
       bool fits = false;
@@ -50,8 +49,7 @@ void check_schema(const json& root, const json& schema, const json& value, const
       }
     } else if (keyword == "properties") {
       for (const auto& [key, rest] : rule.items()) {
-        if (value.is_object() && value.contains(key))
-          check_schema(root, rest, value[key], where + "/" + key, errors);
+        if (value.is_object() && value.contains(key)) check_schema(root, rest, value[key], where + "/" + key, errors);
       }
     } else if (keyword == "additionalProperties") {
       const json object = value.is_object() ? value : json::object();
@@ -80,8 +78,7 @@ void check_schema(const json& root, const json& schema, const json& value, const
 }
 
 std::vector<std::string> schema_errors(const json& value) {
-  const Result<std::string> text =
-      read_file(source_folder() + "/docs/formats/report.schema.json");
+  const Result<std::string> text = read_file(source_folder() + "/docs/formats/report.schema.json");
   if (!text) return {text.error().message};
   std::vector<std::string> errors;
   const json schema = json::parse(*text);
@@ -152,8 +149,7 @@ TEST(WriteSarif, HasAResultForEveryFindingAndReason) {
   for (const json& result : run["results"]) {
     ids.push_back(result["ruleId"]);
     EXPECT_EQ(run["tool"]["driver"]["rules"][result["ruleIndex"].get<std::size_t>()]["id"], result["ruleId"]);
-    EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"],
-              "my%20paths/path%201.apt");
+    EXPECT_EQ(result["locations"][0]["physicalLocation"]["artifactLocation"]["uri"], "my%20paths/path%201.apt");
   }
   EXPECT_EQ(ids, (std::vector<std::string>{"gouge", "near", "buried", "not-certified", "not-checked"}));
   EXPECT_EQ(run["results"][0]["level"], "error");

@@ -27,26 +27,26 @@ TEST(FindingsText, CountsTheRecordsWrittenAndThoseChangedButNotFreed) {
   report.model.correction.uncorrected = {{4, 14, 0.2, "no way out"}, {5, 15, 0.1, "no way out", true}};
   const std::string text = findings_text(report.model);
   EXPECT_NE(text.find("records: 2 changed, 1 added, 0 removed; every other one is the same to the byte\n"),
-            std::string::npos) << text;
+            std::string::npos)
+      << text;
   EXPECT_NE(text.find(", 1 left as it was, 1 changed but not freed"), std::string::npos) << text;
   EXPECT_NE(text.find(":15: not freed: 0.100 mm, move 5: no way out"), std::string::npos) << text;
 }
 
 TEST(FindingsText, ReportsEveryFindingAndTheSummary) {
   const SmallReport report;
-  EXPECT_EQ(
-      findings_text(report.model),
-      "path.apt:12: gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)\n"
-      "path.apt:13: near: 0.125 mm left holder T1 against fixture vise.stl at (1, 2, 3), move 3 t=0.5\n"
-      "path.apt:14: buried: cutter T1 lies inside a solid, no surface within the tool, move 4\n"
-      "path.apt:15: not certified: budget of 10 bounds spent, move 5\n"
-      "path.apt:16: not checked: arcs, as yet, are not read (2 moves, the first is move 6)\n"
-      "path.apt against part.stl, vise.stl\n"
-      "gouges: 1 finding in 2 of 8 moves, the deepest 0.333 mm at line 12; the tool is buried in 1 move\n"
-      "moves: 1 clean, 1 near, 2 gouge, 1 buried, 1 not certified, 2 not checked\n"
-      "guarantee: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm is missed, and where none is reported the tool "
-      "reaches at most 3 times that into a solid; "
-      "it does not cover the 3 moves not checked or not certified\n");
+  EXPECT_EQ(findings_text(report.model),
+            "path.apt:12: gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)\n"
+            "path.apt:13: near: 0.125 mm left holder T1 against fixture vise.stl at (1, 2, 3), move 3 t=0.5\n"
+            "path.apt:14: buried: cutter T1 lies inside a solid, no surface within the tool, move 4\n"
+            "path.apt:15: not certified: budget of 10 bounds spent, move 5\n"
+            "path.apt:16: not checked: arcs, as yet, are not read (2 moves, the first is move 6)\n"
+            "path.apt against part.stl, vise.stl\n"
+            "gouges: 1 finding in 2 of 8 moves, the deepest 0.333 mm at line 12; the tool is buried in 1 move\n"
+            "moves: 1 clean, 1 near, 2 gouge, 1 buried, 1 not certified, 2 not checked\n"
+            "guarantee: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm is "
+            "missed, and where none is reported the tool reaches at most 3 times that into a solid; it does not cover "
+            "the 3 moves not checked or not certified\n");
 }
 
 TEST(FindingsText, SaysCleanOnlyWhenEverythingWasChecked) {
@@ -57,8 +57,7 @@ TEST(FindingsText, SaysCleanOnlyWhenEverythingWasChecked) {
   EXPECT_EQ(lines_of(findings_text(report.model))[1], "clean: no gouge in 8 moves");
   report.result.counts = {6, 0, 0, 0, 2, 0, 2};
   EXPECT_EQ(lines_of(summary_text(report.model))[1], "clean: no gouge in 8 moves");
-  EXPECT_EQ(lines_of(summary_text(report.model))[2],
-            "moves: 6 clean, 2 not checked (2 rapids left out as asked)");
+  EXPECT_EQ(lines_of(summary_text(report.model))[2], "moves: 6 clean, 2 not checked (2 rapids left out as asked)");
   report.result.counts = {5, 0, 0, 0, 3, 0, 2};
   EXPECT_EQ(lines_of(summary_text(report.model))[1],
             "not fully checked: no gouge found, but 1 of 8 moves could not be checked or certified");
@@ -81,11 +80,12 @@ TEST(FindingsText, SaysWhichDepthsAreKnownLessCloselyThanAsked) {
   EXPECT_EQ(depth_gaps_text(report.model), "");
   report.result.verdicts[2].depth_upper_mm = 0.3539;
   report.result.largest_gap_mm = 0.0206;
-  EXPECT_EQ(lines_of(findings_text(report.model))[0],
-            "path.apt:12: gouge: 0.333 mm (at most 0.354 mm) cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)");
+  EXPECT_EQ(
+      lines_of(findings_text(report.model))[0],
+      "path.apt:12: gouge: 0.333 mm (at most 0.354 mm) cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)");
   EXPECT_EQ(lines_of(summary_text(report.model))[2],
-            "note: the depth of 1 of 2 gouging moves is certified to 0.0206 mm only, not to the resolution of 0.001 mm: "
-            "move 2, line 12, is at least 0.333 mm and at most 0.354 mm deep");
+            "note: the depth of 1 of 2 gouging moves is certified to 0.0206 mm only, not to the resolution of 0.001 "
+            "mm: move 2, line 12, is at least 0.333 mm and at most 0.354 mm deep");
   report.model.options.resolution_mm = 0.03;
   EXPECT_EQ(depth_gaps_text(report.model), "");
   EXPECT_EQ(lines_of(findings_text(report.model))[0].find("at most"), std::string::npos);
@@ -115,20 +115,17 @@ TEST(FindingsText, SaysHowNearTheToolComesToThePart) {
   SmallReport report;
   const auto text = [&](std::optional<double> nearest, std::optional<double> median) {
     report.model.closeness = Closeness{2425, 400, nearest, median, 0};
-    EXPECT_NE(summary_text(report.model).find("\nclosest approach to the part: " + closeness_text(report.model) + "\n"), std::string::npos);
+    EXPECT_NE(summary_text(report.model).find("\nclosest approach to the part: " + closeness_text(report.model) + "\n"),
+              std::string::npos);
     return closeness_text(report.model);
   };
-  EXPECT_EQ(text(0.0, 0.0042),
-            "touching; half of the 400 cutting positions examined (of 2425) are touching");
+  EXPECT_EQ(text(0.0, 0.0042), "touching; half of the 400 cutting positions examined (of 2425) are touching");
   EXPECT_EQ(text(0.834, 4.2),
-            "within 0.84 mm; half of the 400 cutting positions examined (of 2425) are within "
-            "4.20 mm");
+            "within 0.84 mm; half of the 400 cutting positions examined (of 2425) are within 4.20 mm");
   EXPECT_EQ(text({}, {}),
-            "not within 20 mm; half of the 400 cutting positions examined (of 2425) are not "
-            "within 20 mm");
+            "not within 20 mm; half of the 400 cutting positions examined (of 2425) are not within 20 mm");
   report.model.closeness = Closeness{37, 37, 1.0, 2.0, 1.0};
-  EXPECT_EQ(closeness_text(report.model),
-            "within 1.00 mm; half of the 37 cutting positions are within 2.00 mm");
+  EXPECT_EQ(closeness_text(report.model), "within 1.00 mm; half of the 37 cutting positions are within 2.00 mm");
   report.model.closeness.reset();
   EXPECT_EQ(closeness_text(report.model), "");
 }
@@ -150,8 +147,7 @@ TEST(FindingsText, ReportsTheCorrection) {
   EXPECT_NE(text.find("path.apt:14: not corrected: 0.800 mm, move 4: the shift would exceed 0.5 mm\n"),
             std::string::npos);
   EXPECT_NE(
-      text.find("corrected: 1 position moved by up to 0.250 mm, 1 inserted, 1 left as it was; written to "
-                "out.apt\n"),
+      text.find("corrected: 1 position moved by up to 0.250 mm, 1 inserted, 1 left as it was; written to out.apt\n"),
       std::string::npos);
 }
 
@@ -185,17 +181,14 @@ TEST(WriteCsv, HasOneRowForEveryMoveAndTheContractsColumns) {
   const std::vector<std::string> lines = lines_of(write_csv(report.model));
   ASSERT_EQ(lines.size(), 9U);
   EXPECT_EQ(lines[0],
-            "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz,mesh,triangle,"
-            "operation,reason,"
+            "move,line,kind,tool,state,depth,depth_upper,t,body,against,x,y,z,nx,ny,nz,mesh,triangle,operation,reason,"
             "clearance,overcut,overcut_upper");
   EXPECT_EQ(lines[1], "0,10,rapid,1,clean,0,0,,,,,,,,,,,,finish <1>,,,,");
-  EXPECT_EQ(lines[3],
-            "2,12,feed,1,gouge,0.3333,0.3338,0.42,cutter,part,12.3,4.5,6.7,0,0,1,part.stl,5,finish <1>,,,,");
+  EXPECT_EQ(lines[3], "2,12,feed,1,gouge,0.3333,0.3338,0.42,cutter,part,12.3,4.5,6.7,0,0,1,part.stl,5,finish <1>,,,,");
   EXPECT_EQ(lines[4], "3,13,feed,1,near,0,0,,,,,,,,,,,,finish <1>,,0.125,,");
   EXPECT_EQ(lines[5], "4,14,feed,1,buried,,,,,,,,,,,,,,finish <1>,,,,");
   EXPECT_EQ(lines[6], "5,15,feed,1,not-certified,0,0.5,,,,,,,,,,,,finish <1>,budget of 10 bounds spent,,,");
-  EXPECT_EQ(lines[7],
-            "6,16,feed,\"long, \"\"thin\"\"\",not-checked,,,,,,,,,,,,,,,\"arcs, as yet, are not read\",,,");
+  EXPECT_EQ(lines[7], "6,16,feed,\"long, \"\"thin\"\"\",not-checked,,,,,,,,,,,,,,,\"arcs, as yet, are not read\",,,");
 }
 
 // What is in the operation's column of the first move.
@@ -255,7 +248,8 @@ TEST(WriteCsv, WritesInchesForAnInchPath) {
 TEST(WriteJunit, ShowsWarningsBesideTheTests) {
   SmallReport report;
   const std::string text = write_junit(report.model);
-  EXPECT_NE(text.find("<system-out>path.apt:4: warning: word not understood [apt-word]\n</system-out>"), std::string::npos)
+  EXPECT_NE(text.find("<system-out>path.apt:4: warning: word not understood [apt-word]\n</system-out>"),
+            std::string::npos)
       << text;
   report.model.notes.clear();
   EXPECT_EQ(write_junit(report.model).find("system-out"), std::string::npos);
@@ -266,13 +260,10 @@ TEST(WriteJunit, FailsTheOperationsThatGougeAndSkipsTheOpenOnes) {
   const std::string text = write_junit(report.model);
   EXPECT_NE(text.find("tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"1\""), std::string::npos);
   EXPECT_NE(text.find("name=\"finish &lt;1&gt;, T1\""), std::string::npos);
-  EXPECT_NE(
-      text.find("message=\"gouge 0.333 mm deep at line 12; 2 of 6 moves gouge; tool buried in 1 move\""),
-      std::string::npos);
-  EXPECT_NE(
-      text.find(
-          "<skipped message=\"2 of 2 moves not checked or not certified: arcs, as yet, are not read\"/>"),
-      std::string::npos);
+  EXPECT_NE(text.find("message=\"gouge 0.333 mm deep at line 12; 2 of 6 moves gouge; tool buried in 1 move\""),
+            std::string::npos);
+  EXPECT_NE(text.find("<skipped message=\"2 of 2 moves not checked or not certified: arcs, as yet, are not read\"/>"),
+            std::string::npos);
 }
 
 TEST(Escapes, NeverLetBrokenBytesThrough) {

@@ -25,11 +25,9 @@ ImportedTools import_library(const ImportOptions& options) {
   return made ? *made : ImportedTools{};
 }
 
-ImportedTools import_bit(const std::string& type, const std::string& parameters,
-                         const ImportOptions& options = {}) {
+ImportedTools import_bit(const std::string& type, const std::string& parameters, const ImportOptions& options = {}) {
   const Result<ImportedTools> made = import_freecad(
-      "b.fctb",
-      R"({"name":"x","shape-type":")" + type + R"(","shape":"s.fcstd","parameter":{)" + parameters + "}}",
+      "b.fctb", R"({"name":"x","shape-type":")" + type + R"(","shape":"s.fcstd","parameter":{)" + parameters + "}}",
       options);
   EXPECT_TRUE(made.has_value());
   return made ? *made : ImportedTools{};
@@ -39,13 +37,11 @@ TEST(ImportFreecad, ALibraryNamesItsBits) {
   const ImportedTools made = import_library(beside());
   ASSERT_EQ(made.library.tools.size(), 3u) << all_notes(made);
   EXPECT_EQ(made.library.with_number(1)->name, "Bull nose 6");
-  EXPECT_NE(
-      all_notes(made).find("missing.fctb: error: tool at position 4: there is no such file [file-not-found]"),
-      std::string::npos)
+  EXPECT_NE(all_notes(made).find("missing.fctb: error: tool at position 4: there is no such file [file-not-found]"),
+            std::string::npos)
       << all_notes(made);
-  EXPECT_NE(all_notes(made).find(
-                "shop.fctl:2: error: tool at position 5: path is \"../../secret.fctb\"; expected the "
-                "name of a file beside the library [import-field]"),
+  EXPECT_NE(all_notes(made).find("shop.fctl:2: error: tool at position 5: path is \"../../secret.fctb\"; expected the "
+                                 "name of a file beside the library [import-field]"),
             std::string::npos)
       << all_notes(made);
 }
@@ -93,17 +89,15 @@ TEST(ImportFreecad, HolderAndStickOutComeFromTheUser) {
   expect_segment(made.library.with_number(1)->shank.at(0), 8, 8, 10);
   EXPECT_EQ(made.library.with_number(1)->holder.size(), 1u);
   options.stickout_mm = 10;
-  EXPECT_NE(
-      all_notes(import_library(options))
-          .find(
-              "CuttingEdgeHeight 20 mm is greater than --stickout 10 mm; the holder would swallow a part of "
-              "the flutes"),
-      std::string::npos);
+  EXPECT_NE(all_notes(import_library(options))
+                .find("CuttingEdgeHeight 20 mm is greater than --stickout 10 mm; the holder would swallow a part of "
+                      "the flutes"),
+            std::string::npos);
 }
 
 TEST(ImportFreecad, OldFilesGiveTheRadiusOfTheFlat) {
-  const ImportedTools made = import_bit(
-      "Bullnose", R"("Diameter":"10 mm","FlatRadius":"3 mm","CuttingEdgeHeight":"20 mm","Length":"60 mm")");
+  const ImportedTools made =
+      import_bit("Bullnose", R"("Diameter":"10 mm","FlatRadius":"3 mm","CuttingEdgeHeight":"20 mm","Length":"60 mm")");
   EXPECT_EQ(std::get<BullNoseCutter>(made.library.tools.at(0).cutter).corner_radius_mm, 2);
 }
 
@@ -118,11 +112,10 @@ TEST(ImportFreecad, TheTypeMayStandInTheNameOfTheShapeFile) {
 }
 
 TEST(ImportFreecad, FlutesLongerThanTheToolAreAnError) {
-  EXPECT_EQ(
-      notes_of(import_bit("Endmill", R"("Diameter":"6 mm","CuttingEdgeHeight":"60 mm","Length":"50 mm")"),
-               "import-field"),
-      "b.fctb: error: tool \"x\": CuttingEdgeHeight 60 mm is greater than Length 50 mm; the flutes cannot be "
-      "longer than the tool [import-field]\n");
+  EXPECT_EQ(notes_of(import_bit("Endmill", R"("Diameter":"6 mm","CuttingEdgeHeight":"60 mm","Length":"50 mm")"),
+                     "import-field"),
+            "b.fctb: error: tool \"x\": CuttingEdgeHeight 60 mm is greater than Length 50 mm; the flutes cannot be "
+            "longer than the tool [import-field]\n");
 }
 
 TEST(ImportFreecad, ShapesThatCannotBeImportedAreReported) {
@@ -140,17 +133,15 @@ TEST(ImportFreecad, ADovetailHasANeckAndAnAngleThatIsReported) {
   EXPECT_EQ(std::get<DovetailCutter>(made.library.tools[0].cutter).taper_angle_deg, 30);
   test::expect_segment(made.library.tools[0].shank.at(0), 9, 9, 12);
   test::expect_segment(made.library.tools[0].shank.at(1), 10, 10, 40);
-  EXPECT_NE(
-      notes_of(made, "import-guess")
-          .find("warning: tool \"x\": half of CuttingEdgeAngle 30 degrees is taken between side and axis"),
-      std::string::npos);
+  EXPECT_NE(notes_of(made, "import-guess")
+                .find("warning: tool \"x\": half of CuttingEdgeAngle 30 degrees is taken between side and axis"),
+            std::string::npos);
 }
 
 TEST(ImportFreecad, ASlittingSawHasItsCapBelow) {
   const ImportedTools made = import_bit(
-      "SlittingSaw",
-      R"("Diameter":"76.2 mm","BladeThickness":"3 mm","CapDiameter":"8 mm","CapHeight":"3 mm",)"
-      R"("ShankDiameter":"19 mm","Length":"50 mm")");
+      "SlittingSaw", R"("Diameter":"76.2 mm","BladeThickness":"3 mm","CapDiameter":"8 mm","CapHeight":"3 mm",)"
+                     R"("ShankDiameter":"19 mm","Length":"50 mm")");
   ASSERT_EQ(made.library.tools.size(), 1u) << test::all_notes(made);
   const Profile profile = *make_cutter_profile(made.library.tools[0].cutter);
   EXPECT_EQ(profile.elements.at(0).b, Vec2(4, 0));
@@ -161,16 +152,15 @@ TEST(ImportFreecad, ASlittingSawHasItsCapBelow) {
 }
 
 TEST(ImportFreecad, AProbeIsABallOnItsShaft) {
-  const ImportedTools made =
-      import_bit("Probe", R"("Diameter":"6 mm","ShaftDiameter":"4 mm","Length":"50 mm")");
+  const ImportedTools made = import_bit("Probe", R"("Diameter":"6 mm","ShaftDiameter":"4 mm","Length":"50 mm")");
   ASSERT_EQ(made.library.tools.size(), 1u) << test::all_notes(made);
   const Profile profile = *make_cutter_profile(made.library.tools[0].cutter);
   EXPECT_NEAR(profile.elements.back().a.y(), 5.236068, 1e-6);  // 3 + sqrt(9 - 4)
 }
 
 TEST(ImportFreecad, AVBitOfNoDiameterIsLeftOutWithTheReason) {
-  const ImportedTools made = import_bit(
-      "VBit", R"("Diameter":"0 in","CuttingEdgeAngle":"20 \u00b0","CuttingEdgeHeight":"0.6 in")");
+  const ImportedTools made =
+      import_bit("VBit", R"("Diameter":"0 in","CuttingEdgeAngle":"20 \u00b0","CuttingEdgeHeight":"0.6 in")");
   EXPECT_TRUE(made.library.tools.empty());
   EXPECT_NE(test::notes_of(made, "import-field").find("Diameter 0 mm is not possible"), std::string::npos)
       << test::all_notes(made);
@@ -179,8 +169,7 @@ TEST(ImportFreecad, AVBitOfNoDiameterIsLeftOutWithTheReason) {
 TEST(ImportFreecad, ARoundTripLosesNothing) {
   test::expect_round_trip(import_library(beside()).library);
   const ImportedTools inches = import_bit(
-      "Endmill",
-      R"("Diameter":"0.25 in","CuttingEdgeHeight":"0.7 in","Length":"2.3 in","ShankDiameter":"0.3 in")");
+      "Endmill", R"("Diameter":"0.25 in","CuttingEdgeHeight":"0.7 in","Length":"2.3 in","ShankDiameter":"0.3 in")");
   EXPECT_EQ(inches.library.unit, LengthUnit::inch);
   test::expect_round_trip(inches.library);
 }

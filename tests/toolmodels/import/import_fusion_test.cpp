@@ -67,8 +67,7 @@ TEST(ImportFusion, IsoNamesAndShaftSegmentsAreUnderstood) {
   expect_segment(tool->shank[0], 6, 6, 2);   // 10 to the shoulder's end at 12, as wide as the cutter
   expect_segment(tool->shank[1], 6, 8, 5);   // the shaft
   expect_segment(tool->shank[2], 8, 8, 13);  // DMM up to LB 30
-  EXPECT_EQ(notes_of(made, "import-contradiction").find("Bull"), std::string::npos)
-      << "6 - 2 x 0.75 = 4.5 agrees";
+  EXPECT_EQ(notes_of(made, "import-contradiction").find("Bull"), std::string::npos) << "6 - 2 x 0.75 = 4.5 agrees";
 }
 
 TEST(ImportFusion, ATaperedMillIsBuiltFromDiameterRadiusAndHalfAngle) {
@@ -81,21 +80,19 @@ TEST(ImportFusion, ATaperedMillIsBuiltFromDiameterRadiusAndHalfAngle) {
   EXPECT_NEAR(profile.elements.at(1).center.y(), 2.5, 1e-12);
   EXPECT_NEAR(2 * profile.elements.back().a.x(), 20.463695, 1e-6);
   EXPECT_NE(
-      all_notes(made).find("shop.json:24: warning: tool T4 \"Tapered D12 R2.5\": tip-diameter 7 mm does not "
-                           "follow from the other numbers, which give 7.8045 mm; built from diameter, corner "
-                           "radius and taper angle [import-contradiction]"),
+      all_notes(made).find(
+          "shop.json:24: warning: tool T4 \"Tapered D12 R2.5\": tip-diameter 7 mm does not follow from the other "
+          "numbers, which give 7.8045 mm; built from diameter, corner radius and taper angle [import-contradiction]"),
       std::string::npos)
       << all_notes(made);
 }
 
 TEST(ImportFusion, AShoulderDiameterThatAnotherAngleWouldGiveIsReported) {
-  const ImportedTools made = import_one(
-      "tapered mill", R"("DC":6,"LCF":20,"OAL":60,"LB":40,"SFDM":10,"TA":10,"shoulder-diameter":9.4995)");
-  EXPECT_EQ(
-      notes_of(made, "import-contradiction"),
-      "one.json:1: warning: tool T9 \"x\": shoulder-diameter 9.4995 mm, but a side leaning TA 10 degrees "
-      "from "
-      "the axis is 13.0531 mm wide at the top of the flutes; built with that angle [import-contradiction]\n");
+  const ImportedTools made =
+      import_one("tapered mill", R"("DC":6,"LCF":20,"OAL":60,"LB":40,"SFDM":10,"TA":10,"shoulder-diameter":9.4995)");
+  EXPECT_EQ(notes_of(made, "import-contradiction"),
+            "one.json:1: warning: tool T9 \"x\": shoulder-diameter 9.4995 mm, but a side leaning TA 10 degrees from "
+            "the axis is 13.0531 mm wide at the top of the flutes; built with that angle [import-contradiction]\n");
 }
 
 TEST(ImportFusion, AChamferMillIsLargestAtItsDiameter) {
@@ -113,14 +110,12 @@ TEST(ImportFusion, AChamferMillIsLargestAtItsDiameter) {
 }
 
 TEST(ImportFusion, APointedChamferMillIsAConeWithOrWithoutAStraightPart) {
-  const ImportedTools with =
-      import_one("chamfer mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
+  const ImportedTools with = import_one("chamfer mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
   const auto& chamfer = std::get<ChamferCutter>(with.library.tools.at(0).cutter);
   EXPECT_EQ(chamfer.diameter_mm, 10);
   EXPECT_EQ(chamfer.tip_diameter_mm, 0);
   EXPECT_EQ(chamfer.length_mm, 9);
-  const ImportedTools without =
-      import_one("chamfer mill", R"("DC":10,"LCF":3,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
+  const ImportedTools without = import_one("chamfer mill", R"("DC":10,"LCF":3,"OAL":50,"LB":30,"SFDM":10,"TA":45)");
   const Profile profile = *make_cutter_profile(without.library.tools.at(0).cutter);
   EXPECT_NEAR(profile.elements.back().a.x(), 5, 1e-9);
   EXPECT_NEAR(profile.elements.back().a.y(), 5, 1e-12);
@@ -142,17 +137,14 @@ TEST(ImportFusion, WhatCannotBeImportedIsReported) {
   const ImportedTools made = import_corpus();
   EXPECT_EQ(notes_of(made, "import-shape"), "");
   EXPECT_EQ(notes_of(made, "import-field"),
-            "shop.json:39: error: tool T8 \"Flutes longer than the tool\": LCF 60 mm is greater than OAL 50 "
-            "mm; the "
+            "shop.json:39: error: tool T8 \"Flutes longer than the tool\": LCF 60 mm is greater than OAL 50 mm; the "
             "flutes cannot be longer than the tool [import-field]\n");
-  EXPECT_EQ(
-      notes_of(made, "import-number"),
-      "shop.json:42: warning: tool T1 \"Second tool 1\": number 1 is already taken; this tool is imported "
-      "without number, as \"Second tool 1\" [import-number]\n");
+  EXPECT_EQ(notes_of(made, "import-number"),
+            "shop.json:42: warning: tool T1 \"Second tool 1\": number 1 is already taken; this tool is imported "
+            "without number, as \"Second tool 1\" [import-number]\n");
   EXPECT_EQ(made.library.tools.size(), 8u);
-  EXPECT_EQ(
-      notes_of(import_one("form mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-shape"),
-      "one.json:1: warning: tool T9 \"x\": not imported: shape form mill [import-shape]\n");
+  EXPECT_EQ(notes_of(import_one("form mill", R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-shape"),
+            "one.json:1: warning: tool T9 \"x\": not imported: shape form mill [import-shape]\n");
 }
 
 Cutter cutter_of(const ImportedTools& made) {
@@ -163,9 +155,8 @@ Cutter cutter_of(const ImportedTools& made) {
 // The numbers of these are those of the templates Fusion makes new tools from.
 TEST(ImportFusion, ADovetailIsWidestAtItsBottom) {
   const ImportedTools made = import_one(
-      "dovetail mill",
-      R"("DC":20,"LCF":10,"OAL":80,"LB":40,"SFDM":10,"TA":30,"RE":0,"shoulder-diameter":8.45,)"
-      R"("shoulder-length":20,"tip-diameter":20)");
+      "dovetail mill", R"("DC":20,"LCF":10,"OAL":80,"LB":40,"SFDM":10,"TA":30,"RE":0,"shoulder-diameter":8.45,)"
+                       R"("shoulder-length":20,"tip-diameter":20)");
   const Cutter cutter = cutter_of(made);
   EXPECT_EQ(std::get<DovetailCutter>(cutter).taper_angle_deg, 30);
   const Profile profile = *make_cutter_profile(cutter);
@@ -173,19 +164,17 @@ TEST(ImportFusion, ADovetailIsWidestAtItsBottom) {
   EXPECT_NEAR(2 * profile.elements.back().a.x(), 8.452995, 1e-6);  // 20 - 2 10 tan 30
   test::expect_segment(made.library.tools[0].shank.at(0), 8.45, 8.45, 10);
   EXPECT_EQ(notes_of(made, "import-contradiction"), "");
-  const ImportedTools whole = import_one(
-      "dovetail mill", R"("DC":20,"LCF":10,"OAL":80,"LB":40,"SFDM":10,"TA":40,"shoulder-diameter":8.45)");
-  EXPECT_EQ(
-      notes_of(whole, "import-contradiction"),
-      "one.json:1: warning: tool T9 \"x\": shoulder-diameter 8.45 mm, but DC 20 mm, LCF 10 mm and a side "
-      "leaning inward by 40 degrees give 3.218 mm at the top of the flutes; built from these "
-      "[import-contradiction]\n");
+  const ImportedTools whole =
+      import_one("dovetail mill", R"("DC":20,"LCF":10,"OAL":80,"LB":40,"SFDM":10,"TA":40,"shoulder-diameter":8.45)");
+  EXPECT_EQ(notes_of(whole, "import-contradiction"),
+            "one.json:1: warning: tool T9 \"x\": shoulder-diameter 8.45 mm, but DC 20 mm, LCF 10 mm and a side leaning "
+            "inward by 40 degrees give 3.218 mm at the top of the flutes; built from these [import-contradiction]\n");
 }
 
 TEST(ImportFusion, ALollipopEndsWhereItsFlutesDo) {
-  const ImportedTools made = import_one(
-      "lollipop mill",
-      R"("DC":12,"LCF":10.8,"OAL":72,"LB":36,"SFDM":6,"RE":6,"shoulder-diameter":6,"shoulder-length":10.8)");
+  const ImportedTools made =
+      import_one("lollipop mill",
+                 R"("DC":12,"LCF":10.8,"OAL":72,"LB":36,"SFDM":6,"RE":6,"shoulder-diameter":6,"shoulder-length":10.8)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   EXPECT_NEAR(profile.elements.back().a.x(), 3.6, 1e-12);  // sqrt(36 - 4.8^2)
   EXPECT_NEAR(profile.elements.back().a.y(), 10.8, 1e-12);
@@ -204,9 +193,9 @@ TEST(ImportFusion, ASlotMillIsADiscOnANeck) {
 }
 
 TEST(ImportFusion, ARadiusMillIsSmallestAtItsDiameter) {
-  const ImportedTools made = import_one(
-      "radius mill",
-      R"("DC":12,"LCF":12,"OAL":72,"LB":36,"SFDM":24,"RE":6,"shoulder-diameter":24,"shoulder-length":12)");
+  const ImportedTools made =
+      import_one("radius mill",
+                 R"("DC":12,"LCF":12,"OAL":72,"LB":36,"SFDM":24,"RE":6,"shoulder-diameter":24,"shoulder-length":12)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   ASSERT_GE(profile.elements.size(), 3u);
   EXPECT_EQ(profile.elements[0].b, Vec2(6, 0));
@@ -221,18 +210,16 @@ TEST(ImportFusion, AFaceMillMayHaveAnEdgeThatLeans) {
       import_one("face mill", R"("DC":50,"DCX":62,"LCF":12,"OAL":96,"LB":48,"SFDM":50,"TA":45,"RE":0)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   EXPECT_TRUE(profile.elements.at(1).b.isApprox(Vec2(31, 6), 1e-12));
-  EXPECT_EQ(notes_of(import_one("face mill", R"("DC":50,"DCX":62,"LCF":12,"OAL":96,"LB":48,"SFDM":50)"),
-                     "import-field"),
-            "one.json:1: error: tool T9 \"x\": DCX 62 mm is greater than DC 50 mm, but the file gives no "
-            "angle of the "
-            "edge between them [import-field]\n");
+  EXPECT_EQ(
+      notes_of(import_one("face mill", R"("DC":50,"DCX":62,"LCF":12,"OAL":96,"LB":48,"SFDM":50)"), "import-field"),
+      "one.json:1: error: tool T9 \"x\": DCX 62 mm is greater than DC 50 mm, but the file gives no angle of the edge "
+      "between them [import-field]\n");
 }
 
 TEST(ImportFusion, ABarrelIsWidestAtItsAxialDistance) {
   const ImportedTools made = import_one(
-      "circle segment barrel",
-      R"("DC":12,"LCF":24,"OAL":72,"LB":72,"SFDM":6,"profile-radius":48,"axial-distance":12,)"
-      R"("lower-radius":0,"upper-radius":0)");
+      "circle segment barrel", R"("DC":12,"LCF":24,"OAL":72,"LB":72,"SFDM":6,"profile-radius":48,"axial-distance":12,)"
+                               R"("lower-radius":0,"upper-radius":0)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   EXPECT_NEAR(profile.elements.at(0).b.x(), 4.475800, 1e-6);  // 6 - (48 - sqrt(48^2 - 12^2))
   EXPECT_EQ(profile.elements.at(1).center, Vec2(-42, 12));
@@ -240,13 +227,12 @@ TEST(ImportFusion, ABarrelIsWidestAtItsAxialDistance) {
 }
 
 TEST(ImportFusion, AnOvalsTipFollowsFromWhereItsFlankEnds) {
-  const ImportedTools made = import_one(
-      "circle segment oval",
-      R"("DC":6,"LCF":19.76,"OAL":60,"LB":60,"SFDM":6,"RE":0,"lower-radius":0,"profile-radius":90)");
+  const ImportedTools made =
+      import_one("circle segment oval",
+                 R"("DC":6,"LCF":19.76,"OAL":60,"LB":60,"SFDM":6,"RE":0,"lower-radius":0,"profile-radius":90)");
   EXPECT_NEAR(std::get<OvalCutter>(cutter_of(made)).corner_radius_mm, 1, 1e-3);
   EXPECT_EQ(notes_of(made, "import-guess"),
-            "one.json:1: note: tool T9 \"x\": no radius of the tip is given; taken as 1.0004 mm, with which "
-            "the flank "
+            "one.json:1: note: tool T9 \"x\": no radius of the tip is given; taken as 1.0004 mm, with which the flank "
             "ends at LCF 19.76 mm [import-guess]\n");
 }
 
@@ -256,37 +242,33 @@ TEST(ImportFusion, ALensWithAnImpossibleCornerIsBuiltFromItsTipDiameter) {
       R"("DC":10,"LCF":20,"OAL":40,"LB":40,"SFDM":10,"lower-radius":10,"profile-radius":100,"tip-diameter":8)");
   EXPECT_EQ(std::get<LensCutter>(cutter_of(made)).corner_radius_mm, 1);
   EXPECT_EQ(notes_of(made, "import-contradiction"),
-            "one.json:1: warning: tool T9 \"x\": corner radius 10 mm is larger than half of DC 10 mm; built "
-            "with 1 mm, "
+            "one.json:1: warning: tool T9 \"x\": corner radius 10 mm is larger than half of DC 10 mm; built with 1 mm, "
             "which follows from tip-diameter 8 mm [import-contradiction]\n");
 }
 
 TEST(ImportFusion, ATaperedCircleSegmentTouchesTipAndUpperEnd) {
-  const ImportedTools made = import_one(
-      "circle segment taper",
-      R"("DC":16,"LCF":15.69,"OAL":64,"LB":64,"SFDM":16,"TA":20,"lower-radius":4,"upper-radius":8,)"
-      R"("profile-radius":500)");
+  const ImportedTools made =
+      import_one("circle segment taper",
+                 R"("DC":16,"LCF":15.69,"OAL":64,"LB":64,"SFDM":16,"TA":20,"lower-radius":4,"upper-radius":8,)"
+                 R"("profile-radius":500)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   ASSERT_EQ(profile.elements.size(), 4u) << "tip, flank, upper arc, top";
   EXPECT_NEAR(profile.elements[2].b.y(), 15.695218, 1e-6);  // 4 + (8 - 4) / sin 20
   EXPECT_NEAR(profile.elements[2].b.x(), 8, 1e-12);
   for (std::size_t i = 0; i + 2 < profile.elements.size(); ++i)
-    EXPECT_TRUE(end_direction(profile.elements[i]).isApprox(start_direction(profile.elements[i + 1]), 1e-6))
-        << i;
+    EXPECT_TRUE(end_direction(profile.elements[i]).isApprox(start_direction(profile.elements[i + 1]), 1e-6)) << i;
 }
 
 TEST(ImportFusion, ThreadsAreTakenAsFullAndReported) {
   for (const char* shape : {"thread mill", "tap right hand", "tap left hand", "boring bar"})
     EXPECT_EQ(notes_of(import_one(shape, R"("DC":10,"LCF":9,"OAL":50,"LB":30,"SFDM":10)"), "import-guess"),
-              "one.json:1: note: tool T9 \"x\": taken as a full cylinder of DC 10 mm along its flutes, which "
-              "is the "
+              "one.json:1: note: tool T9 \"x\": taken as a full cylinder of DC 10 mm along its flutes, which is the "
               "larger tool [import-guess]\n");
 }
 
 TEST(ImportFusion, ACentreDrillHasPilotAndCone) {
   const ImportedTools made = import_one(
-      "center drill",
-      R"("DC":6,"LCF":12,"OAL":36,"LB":18,"SFDM":6,"SIG":118,"TA":90,"tip-diameter":2,"tip-length":2)");
+      "center drill", R"("DC":6,"LCF":12,"OAL":36,"LB":18,"SFDM":6,"SIG":118,"TA":90,"tip-diameter":2,"tip-length":2)");
   const Profile profile = *make_cutter_profile(cutter_of(made));
   EXPECT_NEAR(profile.elements.at(0).b.y(), 0.600861, 1e-6);  // 1 / tan 59
   EXPECT_EQ(profile.elements.at(1).b, Vec2(1, 2));
@@ -300,16 +282,12 @@ TEST(ImportFusion, AnEnteringAngleIsTheTaperFromTheOtherSide) {
 }
 
 TEST(ImportFusion, AHolderThatWouldSwallowTheFlutesIsAnError) {
-  EXPECT_EQ(
-      notes_of(import_one("flat end mill", R"("DC":10,"LCF":30,"OAL":50,"LB":25,"SFDM":10)"), "import-field"),
-      "one.json:1: error: tool T9 \"x\": LCF 30 mm is greater than LB 25 mm; the holder would swallow a part "
-      "of "
-      "the flutes [import-field]\n");
-  EXPECT_EQ(
-      notes_of(import_one("flat end mill", R"("DC":10,"LCF":20,"OAL":50,"LB":55,"SFDM":10)"), "import-field"),
-      "one.json:1: error: tool T9 \"x\": LB 55 mm is greater than OAL 50 mm; the tool would not reach its "
-      "holder "
-      "[import-field]\n");
+  EXPECT_EQ(notes_of(import_one("flat end mill", R"("DC":10,"LCF":30,"OAL":50,"LB":25,"SFDM":10)"), "import-field"),
+            "one.json:1: error: tool T9 \"x\": LCF 30 mm is greater than LB 25 mm; the holder would swallow a part of "
+            "the flutes [import-field]\n");
+  EXPECT_EQ(notes_of(import_one("flat end mill", R"("DC":10,"LCF":20,"OAL":50,"LB":55,"SFDM":10)"), "import-field"),
+            "one.json:1: error: tool T9 \"x\": LB 55 mm is greater than OAL 50 mm; the tool would not reach its holder "
+            "[import-field]\n");
 }
 
 TEST(ImportFusion, FieldsThatAreMissingOrWrongAreNamed) {
@@ -335,8 +313,7 @@ TEST(ImportFusion, FieldsThatAreMissingOrWrongAreNamed) {
 
 TEST(ImportFusion, AnEntryWithoutUnitIsLeftOut) {
   const Result<ImportedTools> made = import_fusion(
-      "one.json",
-      R"({"data":[{"type":"flat end mill","description":"x","geometry":{"DC":6,"LCF":9,"OAL":40}}]})", {});
+      "one.json", R"({"data":[{"type":"flat end mill","description":"x","geometry":{"DC":6,"LCF":9,"OAL":40}}]})", {});
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(all_notes(*made),
             "one.json:1: error: tool \"x\": has no \"unit\"; each entry needs its own [import-field]\n"
@@ -346,14 +323,12 @@ TEST(ImportFusion, AnEntryWithoutUnitIsLeftOut) {
 TEST(ImportFusion, GaugeLengthsThatDisagreeAreReported) {
   const std::string holder = R"("holder":{"gaugeLength":40,"segments":[{"height":60,"lower-diameter":30,)"
                              R"("upper-diameter":40}]},)";
-  const ImportedTools made = import_one(
-      "flat end mill", R"("DC":6,"LCF":20,"OAL":50,"LB":30,"SFDM":6,"assemblyGaugeLength":80)", holder);
-  EXPECT_EQ(
-      notes_of(made, "import-contradiction"),
-      "one.json:1: warning: tool T9 \"x\": assemblyGaugeLength 80 mm is not LB 30 mm and gaugeLength 40 mm "
-      "together; built from these two [import-contradiction]\n");
-  EXPECT_NE(notes_of(made, "import-guess").find("reach 20 mm above the gauge line; they are kept"),
-            std::string::npos);
+  const ImportedTools made =
+      import_one("flat end mill", R"("DC":6,"LCF":20,"OAL":50,"LB":30,"SFDM":6,"assemblyGaugeLength":80)", holder);
+  EXPECT_EQ(notes_of(made, "import-contradiction"),
+            "one.json:1: warning: tool T9 \"x\": assemblyGaugeLength 80 mm is not LB 30 mm and gaugeLength 40 mm "
+            "together; built from these two [import-contradiction]\n");
+  EXPECT_NE(notes_of(made, "import-guess").find("reach 20 mm above the gauge line; they are kept"), std::string::npos);
   expect_segment(made.library.tools.at(0).holder.at(0), 30, 40, 60);
 }
 
@@ -361,9 +336,8 @@ TEST(ImportFusion, AHolderWithoutStickOutIsAnError) {
   ImportOptions options;
   options.holder = {{30, 30, 50}};
   const std::string geometry = R"("DC":6,"LCF":20,"OAL":50,"SFDM":6)";
-  EXPECT_NE(
-      notes_of(import_one("flat end mill", geometry, "", options), "import-stickout").find("give --stickout"),
-      std::string::npos);
+  EXPECT_NE(notes_of(import_one("flat end mill", geometry, "", options), "import-stickout").find("give --stickout"),
+            std::string::npos);
   options.stickout_mm = 35;
   const ImportedTools made = import_one("flat end mill", geometry, "", options);
   expect_segment(made.library.tools.at(0).shank.at(0), 6, 6, 15);
@@ -371,17 +345,15 @@ TEST(ImportFusion, AHolderWithoutStickOutIsAnError) {
 }
 
 TEST(ImportFusion, AShaftLongerThanTheStickOutIsCutThere) {
-  const ImportedTools made =
-      import_one("flat end mill", R"("DC":6,"LCF":20,"OAL":50,"LB":30,"SFDM":12)",
-                 R"("shaft":{"segments":[{"height":20,"lower-diameter":6,"upper-diameter":12},)"
-                 R"({"height":5,"lower-diameter":12,"upper-diameter":12}]},)");
+  const ImportedTools made = import_one("flat end mill", R"("DC":6,"LCF":20,"OAL":50,"LB":30,"SFDM":12)",
+                                        R"("shaft":{"segments":[{"height":20,"lower-diameter":6,"upper-diameter":12},)"
+                                        R"({"height":5,"lower-diameter":12,"upper-diameter":12}]},)");
   ASSERT_EQ(made.library.tools.at(0).shank.size(), 1u);
   expect_segment(made.library.tools.at(0).shank[0], 6, 9, 10);
 }
 
 TEST(ImportFusion, TheZipIsTheSameLibrary) {
-  const Result<ImportedTools> zipped =
-      import_tools("shop.json", corpus("fusion-mill.tools"), std::nullopt, {});
+  const Result<ImportedTools> zipped = import_tools("shop.json", corpus("fusion-mill.tools"), std::nullopt, {});
   ASSERT_TRUE(zipped.has_value()) << to_text(zipped.error());
   const ImportedTools plain = import_corpus();
   EXPECT_EQ(write_tool_library(zipped->library), write_tool_library(plain.library));
@@ -408,9 +380,8 @@ TEST(ImportFusion, FilesThatAreNoLibraryAreRefused) {
     return made ? "none" : to_text(made.error());
   };
   EXPECT_EQ(error("{\n\"data\": [}"),
-            "a.json:2: error: this is not JSON: there is a mistake at or before column 10: found '\"data\": "
-            "[}'; expected a "
-            "Fusion tool library [import-syntax]");
+            "a.json:2: error: this is not JSON: there is a mistake at or before column 10: found '\"data\": [}'; "
+            "expected a Fusion tool library [import-syntax]");
   EXPECT_EQ(error("{\"data\": 3}"),
             "a.json: error: this JSON has no list \"data\"; expected a Fusion tool library [import-format]");
   EXPECT_EQ(error("{\"data\": [], \"data\": []}"),
@@ -420,8 +391,8 @@ TEST(ImportFusion, FilesThatAreNoLibraryAreRefused) {
 
 TEST(ImportTools, WhatIsNestedTooDeepIsReportedAsThatWhateverTheFormat) {
   const std::string deep = "{\"data\": " + std::string(200'000, '[');
-  for (const auto format : {std::optional<ImportFormat>(), std::optional(ImportFormat::fusion),
-                            std::optional(ImportFormat::freecad)}) {
+  for (const auto format :
+       {std::optional<ImportFormat>(), std::optional(ImportFormat::fusion), std::optional(ImportFormat::freecad)}) {
     const Result<ImportedTools> made = import_tools("a.json", deep, format, {});
     ASSERT_FALSE(made);
     EXPECT_EQ(made.error().code, "json-too-deep");

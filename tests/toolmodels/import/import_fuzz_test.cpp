@@ -12,9 +12,8 @@ using test::corpus;
 using test::Scatter;
 
 std::string mutate(std::string bytes, Scatter& random) {
-  static const std::vector<std::string> kPieces = {"-",    "0",  "1e9",     "1e999",  "null", "{}",
-                                                   "[]",   "\"", ",",       "|",      "#",    "\n|",
-                                                   "\xFF", ".",  "\\u0000", "\"mm\"", "}"};
+  static const std::vector<std::string> kPieces = {"-", "0", "1e9", "1e999", "null", "{}",      "[]",     "\"", ",",
+                                                   "|", "#", "\n|", "\xFF",  ".",    "\\u0000", "\"mm\"", "}"};
   const std::uint64_t rounds = 1 + random.next() % 4;
   for (std::uint64_t i = 0; i < rounds && !bytes.empty(); ++i) {
     const std::size_t at = random.next() % bytes.size();
@@ -77,9 +76,7 @@ void fuzz(const std::string& name, ImportFormat format, int runs) {
 TEST(ImportFuzz, FusionLibrariesNeverMakeAToolThatCannotBeReadBack) {
   fuzz("fusion-mill.json", ImportFormat::fusion, 3000);
 }
-TEST(ImportFuzz, ZippedLibrariesNeverCrash) {
-  fuzz("fusion-mill.tools", ImportFormat::fusion, 3000);
-}
+TEST(ImportFuzz, ZippedLibrariesNeverCrash) { fuzz("fusion-mill.tools", ImportFormat::fusion, 3000); }
 TEST(ImportFuzz, FreecadBitsNeverMakeAToolThatCannotBeReadBack) {
   fuzz("freecad/bull_6.fctb", ImportFormat::freecad, 6000);
 }

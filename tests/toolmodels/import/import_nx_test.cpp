@@ -20,8 +20,8 @@ ImportedTools import_corpus(const ImportOptions& options = {}) {
 std::string error_of(const std::string& rows) {
   ImportOptions options;
   options.unit = LengthUnit::mm;
-  const Result<ImportedTools> made = import_nx(
-      "t.dat", "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI TAPA COR1\n" + rows, options);
+  const Result<ImportedTools> made =
+      import_nx("t.dat", "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI TAPA COR1\n" + rows, options);
   return made ? all_notes(*made) : to_text(made.error());
 }
 
@@ -60,24 +60,23 @@ TEST(ImportNx, ATaperIsMeasuredFromTheAxisAndDrillsHaveAnIncludedAngle) {
 }
 
 TEST(ImportNx, ShapesThatCannotBeImportedAreReported) {
-  EXPECT_NE(notes_of(import_corpus(), "import-shape")
-                .find("tool T31 \"ugt_barrel_16\": not imported: shape BARREL_MILL"),
-            std::string::npos);
+  EXPECT_NE(
+      notes_of(import_corpus(), "import-shape").find("tool T31 \"ugt_barrel_16\": not imported: shape BARREL_MILL"),
+      std::string::npos);
 }
 
 ImportedTools import_row(const std::string& tool_class, const std::string& format, const std::string& data) {
   ImportOptions options;
   options.unit = LengthUnit::mm;
-  return import_nx(
-             "t.dat",
-             "#CLASS " + tool_class + "\nFORMAT LIBRF " + format + "\nDATA | x | " + data + " |\n#END_DATA\n",
-             options)
+  return import_nx("t.dat",
+                   "#CLASS " + tool_class + "\nFORMAT LIBRF " + format + "\nDATA | x | " + data + " |\n#END_DATA\n",
+                   options)
       .value();
 }
 
 TEST(ImportNx, SlotSphericalAndCountersinkCuttersAreImported) {
-  const ImportedTools slot = import_row("T_SLOT_MILL_NON_INDEXABLE", "DIA FLEN COR1 COR2 HEI TSDIA TSLEN",
-                                        "32 | 6 | 0.5 | 1 | 40 | 16 | 30");
+  const ImportedTools slot =
+      import_row("T_SLOT_MILL_NON_INDEXABLE", "DIA FLEN COR1 COR2 HEI TSDIA TSLEN", "32 | 6 | 0.5 | 1 | 40 | 16 | 30");
   ASSERT_EQ(slot.library.tools.size(), 1u) << test::all_notes(slot);
   const auto& disc = std::get<TSlotCutter>(slot.library.tools[0].cutter);
   EXPECT_EQ(disc.corner_radius_mm, 0.5);
@@ -108,18 +107,15 @@ TEST(ImportNx, TheUnitIsNeverAssumedInSilence) {
 
 TEST(ImportNx, MistakesNameRowAndField) {
   EXPECT_EQ(error_of("DATA | a | 10 | 60 | 50 | 0 | 0 |\n"),
-            "t.dat:3: error: tool \"a\": FLEN 60 mm is greater than HEI 50 mm; the flutes cannot be longer "
-            "than the "
+            "t.dat:3: error: tool \"a\": FLEN 60 mm is greater than HEI 50 mm; the flutes cannot be longer than the "
             "tool [import-field]\nt.dat: error: no tool of this file could be imported [import-empty]\n");
   EXPECT_NE(error_of("DATA | a | ten | 20 | 50 | 0 | 0 |\n").find("DIA is \"ten\"; expected a number"),
             std::string::npos);
-  EXPECT_NE(error_of("DATA | a | 10 | 20 | 50 | 0 | 0 | 7 | 8 |\n")
-                .find("has 8 values, but its FORMAT names 6 fields"),
+  EXPECT_NE(error_of("DATA | a | 10 | 20 | 50 | 0 | 0 | 7 | 8 |\n").find("has 8 values, but its FORMAT names 6 fields"),
             std::string::npos);
   EXPECT_NE(error_of("#END_DATA\nDATA | a | 10 |\n").find("outside of a #CLASS"), std::string::npos);
   EXPECT_EQ(error_of("DATA | a | 10 | 20 | 50 | 0 | 0 |\n"),
-            "t.dat:3: note: tool \"a\": no length below the holder is given; drawn up to HEI 50 mm, without "
-            "a holder "
+            "t.dat:3: note: tool \"a\": no length below the holder is given; drawn up to HEI 50 mm, without a holder "
             "[import-guess]\n");
 }
 
@@ -127,8 +123,7 @@ TEST(ImportNx, NamesInLatin1SurviveAndARoundTripLosesNothing) {
   ImportOptions options;
   options.unit = LengthUnit::mm;
   const Result<ImportedTools> made = import_nx(
-      "t.dat",
-      "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI\nDATA | Fr\xE4ser | 10 | 20 | 50 |\n",
+      "t.dat", "#CLASS END_MILL_NON_INDEXABLE\nFORMAT LIBRF DIA FLEN HEI\nDATA | Fr\xE4ser | 10 | 20 | 50 |\n",
       options);
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(made->library.tools.at(0).name, "Fr\xC3\xA4ser");

@@ -29,8 +29,7 @@ TEST(Quantity, OneCommaIsADecimalComma) {
 }
 
 TEST(Quantity, WhatCanBeReadInTwoWaysIsRefused) {
-  for (const char* text :
-       {"1,234.5 mm", "1.234,5 mm", "1,2,3 mm", "", "mm", "6 furlong", "6 mm 7", "nan", "1/4 in"})
+  for (const char* text : {"1,234.5 mm", "1.234,5 mm", "1,2,3 mm", "", "mm", "6 furlong", "6 mm 7", "nan", "1/4 in"})
     EXPECT_FALSE(parse_quantity(text).has_value()) << text;
 }
 

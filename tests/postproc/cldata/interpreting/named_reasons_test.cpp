@@ -19,8 +19,7 @@ TEST(NamedReasons, ReportTheWordAndTheLine) {
 TEST(NamedReasons, OfAWordThatIsRepeatedTheFirstLinesAreReported) {
   NamedReasons reasons;
   for (std::size_t line = 1; line <= NamedReasons::kMostLines; ++line) {
-    EXPECT_EQ(reasons.name("shifted", "TRANS", line),
-              "shifted: TRANS in line " + std::to_string(line));
+    EXPECT_EQ(reasons.name("shifted", "TRANS", line), "shifted: TRANS in line " + std::to_string(line));
   }
   EXPECT_STREQ(reasons.name("shifted", "TRANS", 21), "shifted: TRANS");
   EXPECT_STREQ(reasons.name("shifted", "ORIGIN", 22), "shifted: ORIGIN in line 22");
@@ -37,7 +36,8 @@ TEST(NamedReasons, OfAllThatFollowsAStatement) {
             "positions follow a statement that is not understood and may turn or shift them: FOO in line 3");
   EXPECT_EQ(reason_after("TRACUT/LAST"),
             "positions follow a statement that is not understood and may turn or shift them: TRACUT in line 3");
-  EXPECT_EQ(reason_after("TRANS/1,2,3"), "positions are shifted by a TRANS or ORIGIN that is not applied: TRANS in line 3");
+  EXPECT_EQ(reason_after("TRANS/1,2,3"),
+            "positions are shifted by a TRANS or ORIGIN that is not applied: TRANS in line 3");
   EXPECT_EQ(reason_after("ROTABL/30"),
             "positions are in a turned setup (ROTABL, ROTATE) that is not applied: ROTABL in line 3");
   EXPECT_EQ(reason_after("TRNTYP/LOCAL"), "positions are not in world coordinates (TRNTYP): TRNTYP in line 3");

@@ -30,8 +30,7 @@ TEST_P(ArcSenses, AreThoseOfTheDialect) {
 }
 
 TEST(ReadArcs, TheSameStatementRunsTheOtherWayRoundInAnotherDialect) {
-  const std::string middle =
-      "GOTO/0.,-5.,0.\nGOTO/5.,0.,0.\nCIRCLE/0.,0.,0.,0,0,1.,5.\nGOTO/0.,5.,0.\n";
+  const std::string middle = "GOTO/0.,-5.,0.\nGOTO/5.,0.,0.\nCIRCLE/0.,0.,0.,0,0,1.,5.\nGOTO/0.,5.,0.\n";
   const Toolpath nx = path_of("TOOL PATH/A,TOOL,B\n" + middle + "END-OF-PATH\n");
   const Toolpath swcam = path_of("TRNTYP/WORLD,0,0,0\n" + middle + "FINI\n");
   EXPECT_NEAR(nx.arcs.at(0).sweep_rad / kDegree, -270, 1e-9);
@@ -55,7 +54,8 @@ TEST(ReadArcs, StartAndEndAtOnePositionAreAFullCircle) {
 }
 
 TEST(ReadArcs, TimesAreTurnsOfAHelix) {
-  const std::string text = "TOOL PATH/A,TOOL,B\nGOTO/5.0,0.0,10.0\nCIRCLE/0.0,0.0,10.0,0.0,0.0,-1.0,5.0,.06,.5,10.,0.,TIMES,2\n";
+  const std::string text =
+      "TOOL PATH/A,TOOL,B\nGOTO/5.0,0.0,10.0\nCIRCLE/0.0,0.0,10.0,0.0,0.0,-1.0,5.0,.06,.5,10.,0.,TIMES,2\n";
   const Toolpath path = path_of(text + "GOTO/5.0,0.0,4.0\nEND-OF-PATH\n");
   EXPECT_NEAR(path.arcs.at(0).sweep_rad, -4 * std::numbers::pi, 1e-12);
   const Toolpath elsewhere = path_of(text + "GOTO/0.0,5.0,4.0\nEND-OF-PATH\n");
@@ -63,13 +63,14 @@ TEST(ReadArcs, TimesAreTurnsOfAHelix) {
 }
 
 TEST(ReadArcs, WhatDoesNotFitOnOneCircleIsReportedAndNotChecked) {
-  const Toolpath path = path_of(
-      "TRNTYP/WORLD,0,0,0\nGOTO/5.,0,0\nCIRCLE/0,0,0,0,0,1.\nGOTO/0,5.1,0\nGOTO/9.,9.,9.\nFINI\n");
+  const Toolpath path =
+      path_of("TRNTYP/WORLD,0,0,0\nGOTO/5.,0,0\nCIRCLE/0,0,0,0,0,1.\nGOTO/0,5.1,0\nGOTO/9.,9.,9.\nFINI\n");
   EXPECT_EQ(path.moves.at(1).not_checked_reason, "the arc's start, end and radius do not lie on one circle");
   EXPECT_EQ(path.moves.at(1).curve_kind, CurveKind::none);
   EXPECT_TRUE(path.moves.at(2).not_checked_reason.empty());
   bool is_reported = false;
-  for (const Diagnostic& note : path.notes) is_reported = is_reported || (note.code == "path-arc-radius" && note.line == 4);
+  for (const Diagnostic& note : path.notes)
+    is_reported = is_reported || (note.code == "path-arc-radius" && note.line == 4);
   EXPECT_TRUE(is_reported);
 }
 
@@ -153,11 +154,14 @@ TEST(ReadCycles, EveryDialectGoesDownAndUpByItsOwnWords) {
                             "CYCLE/DEEP2,FEDTO,28.5,1STPECK,5.,SUBPECK,2.,MMPM,382.27,RAPTO,3.,RTRCTO,27.5\n"
                             "GOTO/77.5,145.,-2.5\nGOTO/77.5,20.,-2.5\nCYCLE/OFF\nFINI\n")),
             (Heights{0.5, -31, 25, 25, 0.5, -31, 25}));
-  EXPECT_EQ(heights(path_of("$$* Pro/CLfile\nUNITS / MM\nGOTO / 0, 0, 50\nCYCLE / DEEP, DEPTH, 3.5, STEP, 1.0, MMPM, 50.0, CLEAR,$\n"
-                            " 1.0\nGOTO / 0, 0, 0\nCYCLE / OFF\nFINI\n")),
-            (Heights{1, -3.5, 1}));
-  EXPECT_EQ(heights(path_of("$$ CATIA APT VERSION 1.0\nGOTO  /   98.0,  100.0,   25.0\nCYCLE/DRILL,    3.000000,    5.000000\n"
-                            "GOTO  /   98.0,  100.0,   20.0\nCYCLE/OFF\nEND\n")),
+  EXPECT_EQ(
+      heights(path_of(
+          "$$* Pro/CLfile\nUNITS / MM\nGOTO / 0, 0, 50\nCYCLE / DEEP, DEPTH, 3.5, STEP, 1.0, MMPM, 50.0, CLEAR,$\n"
+          " 1.0\nGOTO / 0, 0, 0\nCYCLE / OFF\nFINI\n")),
+      (Heights{1, -3.5, 1}));
+  EXPECT_EQ(heights(path_of(
+                "$$ CATIA APT VERSION 1.0\nGOTO  /   98.0,  100.0,   25.0\nCYCLE/DRILL,    3.000000,    5.000000\n"
+                "GOTO  /   98.0,  100.0,   20.0\nCYCLE/OFF\nEND\n")),
             (Heights{17, 25}));
   EXPECT_EQ(heights(path_of("UNITS/ MM\nOPFEATSTART/A\nGOTO/ 67.5,120.5,25.0 \nCYCLE/ ON \n"
                             "CYCLE/ DRILL,G98,12.5,PECKING,5.0,2.0,MMPM,187.165839,3.0,46.5 46.5 DWELL,0.0 \n"
@@ -170,8 +174,9 @@ TEST(ReadCycles, EveryDialectGoesDownAndUpByItsOwnWords) {
 }
 
 TEST(ReadCycles, TheToolGoesAcrossBeforeItGoesDownAndUpBeforeItGoesAcross) {
-  const Toolpath path = path_of("TRNTYP/WORLD,0,0,0\nGOTO/0,0,9.\nCYCLE/DRILL,FEDTO,2.,MMPM,1.,RAPTO,1.,RTRCTO,1.\n"
-                                "GOTO/5.,0,0\nGOTO/7.,0,4.\nCYCLE/OFF\nGOTO/0,0,9.\nFINI\n");
+  const Toolpath path = path_of(
+      "TRNTYP/WORLD,0,0,0\nGOTO/0,0,9.\nCYCLE/DRILL,FEDTO,2.,MMPM,1.,RAPTO,1.,RTRCTO,1.\n"
+      "GOTO/5.,0,0\nGOTO/7.,0,4.\nCYCLE/OFF\nGOTO/0,0,9.\nFINI\n");
   ASSERT_EQ(path.moves.size(), 10U);
   expect_vector(path.moves[1].end.tip, 5, 0, 9);
   expect_vector(path.moves[2].end.tip, 5, 0, 1);
@@ -186,15 +191,17 @@ TEST(ReadCycles, TheToolGoesAcrossBeforeItGoesDownAndUpBeforeItGoesAcross) {
 }
 
 TEST(ReadCycles, WhatCouldMeanTwoThingsIsNotChecked) {
-  for (const char* cycle : {"CYCLE/BORE,FEDTO,2.,RAPTO,1.,ORIENT,0", "CYCLE/THREAD,FEDTO,2.,RAPTO,1.", "CYCLE/DRILL,RAPTO,1."}) {
+  for (const char* cycle :
+       {"CYCLE/BORE,FEDTO,2.,RAPTO,1.,ORIENT,0", "CYCLE/THREAD,FEDTO,2.,RAPTO,1.", "CYCLE/DRILL,RAPTO,1."}) {
     const Toolpath path = path_of(std::string("TRNTYP/WORLD,0,0,0\nGOTO/0,0,9.\n") + cycle + "\nGOTO/5.,0,0\nFINI\n");
     EXPECT_EQ(path.moves.at(1).not_checked_reason, "a cycle whose words are not understood: CYCLE in line 3") << cycle;
   }
 }
 
 TEST(ReadCutcom, LengthOfTheToolIsNoRadius) {
-  const Toolpath path = path_of("OPNAME/ 'A'\nCUTCOM/ ON, LENGTH, 3\nGOTO/ 0, 0, 0\nGOTO/ 1, 0, 0\nCUTCOM/ ON\n"
-                                "CUTCOM/ LEFT, XYPLAN, OSETNO, 3\nGOTO/ 2, 0, 0\nEND/\n");
+  const Toolpath path = path_of(
+      "OPNAME/ 'A'\nCUTCOM/ ON, LENGTH, 3\nGOTO/ 0, 0, 0\nGOTO/ 1, 0, 0\nCUTCOM/ ON\n"
+      "CUTCOM/ LEFT, XYPLAN, OSETNO, 3\nGOTO/ 2, 0, 0\nEND/\n");
   EXPECT_TRUE(path.moves.at(1).not_checked_reason.empty());
   EXPECT_FALSE(path.moves.at(2).not_checked_reason.empty());
 }
@@ -211,7 +218,8 @@ TEST(ReadCutcom, CreoSaysWhereItsPositionsAreTheCutterCentre) {
 }
 
 TEST(ReadMotion, NothingIsSweptAcrossCreoSequencesAndItIsReported) {
-  const Toolpath path = path_of("$$* Pro/CLfile\n$$-> FEATNO / 1\nGOTO / 0, 0, 0\n$$-> FEATNO / 2\nGOTO / 1, 0, 0\nFINI\n");
+  const Toolpath path =
+      path_of("$$* Pro/CLfile\n$$-> FEATNO / 1\nGOTO / 0, 0, 0\n$$-> FEATNO / 2\nGOTO / 1, 0, 0\nFINI\n");
   EXPECT_FALSE(path.moves.at(1).has_start);
   bool is_reported = false;
   for (const Diagnostic& note : path.notes) is_reported = is_reported || note.code == "path-not-swept";

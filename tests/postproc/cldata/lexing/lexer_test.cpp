@@ -63,9 +63,7 @@ TEST(Lexer, AFileThatEndsAfterADollarIsReported) {
   EXPECT_FALSE(statements_of("GOTO/1,2,$\n3").at(0).is_unterminated);
 }
 
-TEST(Lexer, AByteOrderMarkIsNoWord) {
-  EXPECT_EQ(statements_of("\xef\xbb\xbfRAPID\n").at(0).word, Word::rapid);
-}
+TEST(Lexer, AByteOrderMarkIsNoWord) { EXPECT_EQ(statements_of("\xef\xbb\xbfRAPID\n").at(0).word, Word::rapid); }
 
 TEST(Lexer, CreosDataCommentsContinueOnPlainLines) {
   const auto all = statements_of("$$-> CSYS / 1, 0,  $\n   0, 1\nRAPID\n");

@@ -11,9 +11,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-std::string pair(const std::string& code, const std::string& fields) {
-  return code + "\n" + fields + "\n";
-}
+std::string pair(const std::string& code, const std::string& fields) { return code + "\n" + fields + "\n"; }
 
 // `middle` between two lines that nobody doubts.
 Toolpath with(const std::string& middle) {
@@ -21,9 +19,7 @@ Toolpath with(const std::string& middle) {
                  pair("1", "0 9. 9. 9. 100. 0"));
 }
 
-bool is_checked(const Move& move) {
-  return move.not_checked_reason.empty();
-}
+bool is_checked(const Move& move) { return move.not_checked_reason.empty(); }
 
 TEST(Nci, ReadsTheLinesOfTheSample) {
   const Toolpath path = path_of(bytes_of(corpus() / "sample.nci"));
@@ -50,8 +46,7 @@ TEST(Nci, CompensationIsModalUntilItIsSwitchedOff) {
     for (const std::string& off : {pair("1", "40 0 3. 1. -1. 0"), pair("1", "140 0 3. 1. -1. 0"),
                                    pair("1004", "0") + pair("1", "0 0 3. 1. -1. 0")}) {
       SCOPED_TRACE(on + off);
-      const Toolpath path =
-          with(pair("1", std::string(on) + " 0 1. 1. -1. 0") + pair("1", "0 0 2. 1. -1. 0") + off);
+      const Toolpath path = with(pair("1", std::string(on) + " 0 1. 1. -1. 0") + pair("1", "0 0 2. 1. -1. 0") + off);
       ASSERT_EQ(path.moves.size(), 6u);
       EXPECT_TRUE(is_checked(path.moves[1]));
       EXPECT_EQ(path.moves[2].not_checked_reason, Reasons::kCutcom);
@@ -148,8 +143,8 @@ TEST(Nci, ArcsOfTheXzPlaneAreNotCheckedButEndWhereTheySay) {
 TEST(Nci, AFiveAxisLineHasItsAxisTowardsTheSecondPoint) {
   for (const double length : {0.5, 1.0, 25.0}) {
     const auto at = [&](double base, double part) { return std::to_string(base + length * part); };
-    const Toolpath path = path_of(
-        pair("11", "1. 2. 3. " + at(1, 0.6) + " " + at(2, 0) + " " + at(3, 0.8) + " 100. 0 0 0. 1. 0."));
+    const Toolpath path =
+        path_of(pair("11", "1. 2. 3. " + at(1, 0.6) + " " + at(2, 0) + " " + at(3, 0.8) + " 100. 0 0 0. 1. 0."));
     expect_vector(path.moves[0].end.tip, 1, 2, 3);
     expect_vector(path.moves[0].end.axis, 0.6, 0, 0.8, 1e-5);
   }
@@ -172,20 +167,19 @@ struct UnreadCase {
 };
 
 TEST(Nci, AMotionThatIsNotUnderstoodIsReportedAndCountedByWhatIsWrong) {
-  const std::vector<UnreadCase> cases = {
-      {"11", "1. 2. 3. 1. 2. 3. 100. 0 0", "NCI 11, NO TOOL AXIS", false},
-      {"11", "1. 2. 3. 1e300 2. 1e300 100. 0 0", "NCI 11, NO TOOL AXIS", false},
-      {"11", "1. 2. 3. 1. 2. 4. 100. 0 200", "NCI 11, COMP. IN FLAGS", true},
-      {"11", "1. 2. 3. 1. 2. 4. 100. 0 2000", "NCI 11, COMP. IN FLAGS", true},
-      {"11", "1. 2. 3. 1. 2. 4. 100. 0 -1", "NCI 11, COMP. IN FLAGS", true},
-      {"11", "1. 2. 3. 1. 2. 4.", "NCI MOTION, FEW NUMBERS", true},
-      {"3", "41 41 0. 5. 0. 0. 1. 100. 0 0", "NCI ARC, PLANE OR COMP.", true},
-      {"3", "1 1 0. 5. 0. 0. 1. 100. 0 0", "NCI ARC, PLANE OR COMP.", true},
-      {"3", "0 3 0. 5. 0. 0. 1. 100. 0 0", "NCI ARC, PLANE OR COMP.", true},
-      {"3", "0 0 0. 5. 0. 0. 1. 100. 0 2", "NCI ARC, CIRCLE FLAG", false},
-      {"3", "0 0 0. 5. 0. 0. 1.", "NCI MOTION, FEW NUMBERS", true},
-      {"1", "0 5. x 1. 100.", "NCI MOTION, FEW NUMBERS", false},
-      {"81", "1. 2. 3. 4. 5. 6.", "NCI OTHER CODE", false}};
+  const std::vector<UnreadCase> cases = {{"11", "1. 2. 3. 1. 2. 3. 100. 0 0", "NCI 11, NO TOOL AXIS", false},
+                                         {"11", "1. 2. 3. 1e300 2. 1e300 100. 0 0", "NCI 11, NO TOOL AXIS", false},
+                                         {"11", "1. 2. 3. 1. 2. 4. 100. 0 200", "NCI 11, COMP. IN FLAGS", true},
+                                         {"11", "1. 2. 3. 1. 2. 4. 100. 0 2000", "NCI 11, COMP. IN FLAGS", true},
+                                         {"11", "1. 2. 3. 1. 2. 4. 100. 0 -1", "NCI 11, COMP. IN FLAGS", true},
+                                         {"11", "1. 2. 3. 1. 2. 4.", "NCI MOTION, FEW NUMBERS", true},
+                                         {"3", "41 41 0. 5. 0. 0. 1. 100. 0 0", "NCI ARC, PLANE OR COMP.", true},
+                                         {"3", "1 1 0. 5. 0. 0. 1. 100. 0 0", "NCI ARC, PLANE OR COMP.", true},
+                                         {"3", "0 3 0. 5. 0. 0. 1. 100. 0 0", "NCI ARC, PLANE OR COMP.", true},
+                                         {"3", "0 0 0. 5. 0. 0. 1. 100. 0 2", "NCI ARC, CIRCLE FLAG", false},
+                                         {"3", "0 0 0. 5. 0. 0. 1.", "NCI MOTION, FEW NUMBERS", true},
+                                         {"1", "0 5. x 1. 100.", "NCI MOTION, FEW NUMBERS", false},
+                                         {"81", "1. 2. 3. 4. 5. 6.", "NCI OTHER CODE", false}};
   for (const UnreadCase& c : cases) {
     SCOPED_TRACE(std::string(c.code) + " " + c.fields);
     const Toolpath path = with(pair(c.code, c.fields) + pair("1", "0 8. 8. 8. 100. 0"));

@@ -53,10 +53,8 @@ TEST(Cutter, WrongNumbersAreNamed) {
   EXPECT_EQ(make_cutter(numbers({-10}), 1).error, "diameter -10 is negative");
   EXPECT_EQ(make_cutter(numbers({10, -1}), 1).error, "corner radius -1 is negative");
   EXPECT_EQ(make_cutter(numbers({10, 0, 5, 0, 0, 0, -1}), 1).error, "length -1 is negative");
-  EXPECT_EQ(make_cutter(numbers({10, 0, 5, 0, 90, 0, 1}), 1).error,
-            "tip angle 90 is not within 0 to 90 degrees");
-  EXPECT_EQ(make_cutter(numbers({10, 0, 5, 0, 0, 95, 1}), 1).error,
-            "flank angle 95 is not within -90 to 90 degrees");
+  EXPECT_EQ(make_cutter(numbers({10, 0, 5, 0, 90, 0, 1}), 1).error, "tip angle 90 is not within 0 to 90 degrees");
+  EXPECT_EQ(make_cutter(numbers({10, 0, 5, 0, 0, 95, 1}), 1).error, "flank angle 95 is not within -90 to 90 degrees");
   EXPECT_EQ(make_cutter(numbers({10, 1, 4}), 1).error, "found 3 numbers");
   EXPECT_EQ(make_cutter({}, 1).error, "found 0 numbers");
 }

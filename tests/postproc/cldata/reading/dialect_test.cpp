@@ -7,9 +7,7 @@
 namespace gouge {
 namespace {
 
-Toolpath sample(const std::string& name) {
-  return path_of(bytes_of(corpus() / name));
-}
+Toolpath sample(const std::string& name) { return path_of(bytes_of(corpus() / name)); }
 
 TEST(Dialect, EverySampleIsRecognisedByItsContent) {
   const std::vector<std::pair<std::string, std::string>> expected = {
@@ -19,7 +17,7 @@ TEST(Dialect, EverySampleIsRecognisedByItsContent) {
       {"camplete.apt", "apt-camplete"}, {"mori.apt", "apt-mori"},
       {"nccs.as", "apt-nccs"},          {"nccs_binary.cl", "nccs-binary"},
       {"generic.apt", "apt"},           {"goto_list.txt", "goto-list"},
-      {"sample.nci", "mastercam-nci"},   {"five_axis.nci", "mastercam-nci"}};
+      {"sample.nci", "mastercam-nci"},  {"five_axis.nci", "mastercam-nci"}};
   for (const auto& [file, dialect] : expected) EXPECT_EQ(sample(file).dialect, dialect) << file;
 }
 
@@ -50,8 +48,7 @@ TEST(Frames, MsysOfNxIsAppliedToPointsAndAxes) {
 
 TEST(Frames, MatrixOfCatiaIsAppliedAndItsTurnBreaksTheMotion) {
   const Toolpath path = path_of(
-      "$$ CATIA APT VERSION 1.0\n$$*CATIA0\n$$ A\n$$ 1.0 0.0 0.0 -220.0\n$$ 0.0 1.0 0.0 -170.0\n$$ 0.0 0.0 "
-      "1.0 20.0\n"
+      "$$ CATIA APT VERSION 1.0\n$$*CATIA0\n$$ A\n$$ 1.0 0.0 0.0 -220.0\n$$ 0.0 1.0 0.0 -170.0\n$$ 0.0 0.0 1.0 20.0\n"
       "GOTO/98,100,120\nGOTO/99,100,120\n"
       "$$*CATIA0\n$$ B\n$$ 1.0 0.0 0.0 0.0\n$$ 0.0 -1.0 0.0 0.0\n$$ 0.0 0.0 -1.0 0.0\nGOTO/1,2,3\nEND\n");
   ASSERT_EQ(path.moves.size(), 3u);
@@ -72,9 +69,10 @@ TEST(Frames, McsOfCampleteIsApplied) {
 
 TEST(Frames, McsysOfMoriIsApplied) {
   const std::string head = "BEGIN\nUNITS/ MM\nOPNAME/ 'A'\n";
-  const Toolpath path = path_of(head +
-                                "MCSYS/ NUM, 2, POINT, 10, 20, 30, VECTOR, 0, 1, 0, VECTOR, 0, 0, 1\nGOTO/ 1, 2, 3\n"
-                                "MCSYS/ NUM, 1, POINT, 0, 0, 0, VECTOR, 1, 0, 0, VECTOR, 0, 1, 0\nGOTO/ 1, 2, 3\nEND/\n");
+  const Toolpath path =
+      path_of(head +
+              "MCSYS/ NUM, 2, POINT, 10, 20, 30, VECTOR, 0, 1, 0, VECTOR, 0, 0, 1\nGOTO/ 1, 2, 3\n"
+              "MCSYS/ NUM, 1, POINT, 0, 0, 0, VECTOR, 1, 0, 0, VECTOR, 0, 1, 0\nGOTO/ 1, 2, 3\nEND/\n");
   ASSERT_EQ(path.moves.size(), 2u);
   expect_vector(path.moves[0].end.tip, 10 + 3, 20 + 1, 30 + 2);
   expect_vector(path.moves[0].end.axis, 1, 0, 0);
@@ -89,8 +87,8 @@ TEST(Frames, CsysOfCreoIsReportedAndNotApplied) {
   const Toolpath path = sample("creo.ncl.1");
   expect_vector(path.moves[0].end.tip, -7.2290790757, -23, 2);
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
-  const bool is_reported = std::any_of(path.notes.begin(), path.notes.end(),
-                                   [](const Diagnostic& d) { return d.code == "path-csys"; });
+  const bool is_reported =
+      std::any_of(path.notes.begin(), path.notes.end(), [](const Diagnostic& d) { return d.code == "path-csys"; });
   EXPECT_TRUE(is_reported);
 }
 
@@ -100,15 +98,13 @@ TEST(Frames, CsysOfSolidWorksIsNotApplied) {
 
 TEST(Frames, AMatrixThatMirrorsIsRefused) {
   const ReadOutcome outcome = read_toolpath(
-      "a",
-      "$$ CATIA APT VERSION 1.0\n$$*CATIA0\n$$ A\n$$ 1 0 0 0\n$$ 0 1 0 0\n$$ 0 0 -1 0\nGOTO/1,2,3\nEND\n");
+      "a", "$$ CATIA APT VERSION 1.0\n$$*CATIA0\n$$ A\n$$ 1 0 0 0\n$$ 0 1 0 0\n$$ 0 0 -1 0\nGOTO/1,2,3\nEND\n");
   ASSERT_FALSE(outcome.toolpath);
   EXPECT_EQ(outcome.errors.front().code, "path-frame");
 }
 
 TEST(Frames, TransAndOriginMakeTheirMovesNotChecked) {
-  for (const std::string word :
-       {"TRANS/0,0,5", "ORIGIN/1,2,3", "ROTABL/90,AAXIS", "TRACUT/1,0,0,0,0,1,0,0,0,0,1,0"}) {
+  for (const std::string word : {"TRANS/0,0,5", "ORIGIN/1,2,3", "ROTABL/90,AAXIS", "TRACUT/1,0,0,0,0,1,0,0,0,0,1,0"}) {
     const Toolpath path = path_of("UNITS/MM\n" + word + "\nGOTO/1,2,3\n");
     ASSERT_EQ(path.moves.size(), 1u);
     EXPECT_FALSE(path.moves[0].not_checked_reason.empty()) << word;
@@ -127,8 +123,7 @@ TEST(Unknown, AWordWithNumbersIsAMoveThatIsNotChecked) {
 }
 
 TEST(Unknown, AWordWithAMatrixMakesAllThatFollowsNotChecked) {
-  const Toolpath path =
-      path_of("UNITS/MM\nGOTO/1,2,3\nWCS/1,0,0,0,0,1,0,0,0,0,1,5\nGOTO/7,8,9\nGOTO/8,8,9\n");
+  const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\nWCS/1,0,0,0,0,1,0,0,0,0,1,5\nGOTO/7,8,9\nGOTO/8,8,9\n");
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
   EXPECT_FALSE(path.moves[2].not_checked_reason.empty());
 }

@@ -17,9 +17,8 @@ bool is_reported(const Toolpath& path, const std::string& code) {
 }
 
 std::size_t not_checked(const Toolpath& path) {
-  return static_cast<std::size_t>(std::count_if(path.moves.begin(), path.moves.end(), [](const Move& move) {
-    return !move.not_checked_reason.empty();
-  }));
+  return static_cast<std::size_t>(std::count_if(path.moves.begin(), path.moves.end(),
+                                                [](const Move& move) { return !move.not_checked_reason.empty(); }));
 }
 
 std::string error_of(const std::string& text) {
@@ -76,7 +75,8 @@ TEST(Creo9, AMatrixThatIsNoneOrOfAnotherDialectIsNotPassedOver) {
 
 TEST(Creo9, PpwordGivesNoWordThatIsReadAnotherMeaning) {
   const std::string motion = "UNITS/MM\nGOTO/0,0,0\nGOTO/1,0,0\nFINI\n";
-  for (const char* word : {"PPWORD/RETURN,7", "PPWORD/TLAXIS,3171", "PPWORD/CYCLE,1054", "PPWORD/RAPID,5", "PPWORD/FOO,12"}) {
+  for (const char* word :
+       {"PPWORD/RETURN,7", "PPWORD/TLAXIS,3171", "PPWORD/CYCLE,1054", "PPWORD/RAPID,5", "PPWORD/FOO,12"}) {
     const Toolpath path = path_of(std::string(word) + "\n" + motion);
     EXPECT_EQ(not_checked(path), 0u) << word;
     EXPECT_TRUE(path.words_not_understood.empty()) << word;
@@ -92,12 +92,12 @@ TEST(ClSetup, OneTurnedSetupIsTheFrameOfItsPositions) {
   EXPECT_EQ(not_checked(path), 0u);
   EXPECT_TRUE(is_reported(path, "path-setup"));
   EXPECT_NEAR(path.moves.back().end.tip.z(), 25, 1e-9);
-  const auto deepest = std::min_element(path.moves.begin(), path.moves.end(), [](const Move& a, const Move& b) {
-    return a.end.tip.z() < b.end.tip.z();
-  });
+  const auto deepest = std::min_element(path.moves.begin(), path.moves.end(),
+                                        [](const Move& a, const Move& b) { return a.end.tip.z() < b.end.tip.z(); });
   EXPECT_NEAR(deepest->end.tip.z(), -13.5, 1e-9) << "the holes";
   EXPECT_TRUE(path_of(replaced(text, "TLAXIS/ 0.000000,-1.000000,0.000000", "TLAXIS/ 0.000000,0.000000,1.000000"))
-                  .moves[0].not_checked_reason.starts_with("ROTABL and TLAXIS contradict"));
+                  .moves[0]
+                  .not_checked_reason.starts_with("ROTABL and TLAXIS contradict"));
 }
 
 TEST(ClSetup, AnotherSetupThanTheFirstIsNotChecked) {
@@ -133,8 +133,8 @@ TEST(ClSetup, TwoTurnsAreOneAfterTheOther) {
 }
 
 std::string holes(const std::string& cycles) {
-  return "TOOL PATH/A,TOOL,B\nTLDATA/MILL,8,0,90,0,0\nMSYS/0,0,0,1,0,0,0,1,0\nLOAD/TOOL,4\nRAPID\nGOTO/0,0,60\n" + cycles +
-         "CYCLE/OFF\nEND-OF-PATH\n";
+  return "TOOL PATH/A,TOOL,B\nTLDATA/MILL,8,0,90,0,0\nMSYS/0,0,0,1,0,0,0,1,0\nLOAD/TOOL,4\nRAPID\nGOTO/0,0,60\n" +
+         cycles + "CYCLE/OFF\nEND-OF-PATH\n";
 }
 
 double bottom_of(const Toolpath& path, double x) {
@@ -162,22 +162,26 @@ TEST(NxCycles, OnWithValuesTakesTheLastCycleUpWithThem) {
   EXPECT_EQ(bottom_of(path, 40), -20);
   EXPECT_EQ(path.moves.back().end.tip.z(), 50);
   EXPECT_EQ(path.moves.at(path.moves.size() - 2).feed_mm, 90);
-  const Toolpath again = path_of(holes(first + "CYCLE/OFF\nGOTO/20,0,60\nCYCLE/ON,RAPTO,1\nGOTO/30,0,0\nCYCLE/ON,FEDTO,-5\nGOTO/40,0,0\n"));
+  const Toolpath again = path_of(
+      holes(first + "CYCLE/OFF\nGOTO/20,0,60\nCYCLE/ON,RAPTO,1\nGOTO/30,0,0\nCYCLE/ON,FEDTO,-5\nGOTO/40,0,0\n"));
   EXPECT_EQ(not_checked(again), 0u);
   EXPECT_EQ(bottom_of(again, 30), -12);
   EXPECT_EQ(bottom_of(again, 40), -5) << "the change before it stays";
-  for (const char* on : {"CYCLE/ON,FEDTO", "CYCLE/ON,-20", "CYCLE/ON,FEDTO,-20,FEDTO,-2", "CYCLE/ON,FOO,1", "CYCLE/ON,DEPTH,20"}) {
+  for (const char* on :
+       {"CYCLE/ON,FEDTO", "CYCLE/ON,-20", "CYCLE/ON,FEDTO,-20,FEDTO,-2", "CYCLE/ON,FOO,1", "CYCLE/ON,DEPTH,20"}) {
     EXPECT_GT(not_checked(path_of(holes(first + on + "\nGOTO/30,0,0\n"))), 0u) << on;
   }
   EXPECT_GT(not_checked(path_of(holes("CYCLE/ON,FEDTO,-20\nGOTO/30,0,0\n"))), 0u) << "no cycle before it";
-  const Toolpath other = path_of("PARTNO A\nUNITS/MM\nCUTTER/6\nGOTO/0,0,60\nCYCLE/DRILL,RAPTO,3,FEDTO,12\nGOTO/10,0,0\n"
-                                 "CYCLE/ON,FEDTO,20\nGOTO/30,0,0\nCYCLE/OFF\nFINI\n");
+  const Toolpath other = path_of(
+      "PARTNO A\nUNITS/MM\nCUTTER/6\nGOTO/0,0,60\nCYCLE/DRILL,RAPTO,3,FEDTO,12\nGOTO/10,0,0\n"
+      "CYCLE/ON,FEDTO,20\nGOTO/30,0,0\nCYCLE/OFF\nFINI\n");
   EXPECT_GT(not_checked(other), 0u) << "of other systems no document says what it means";
 }
 
 TEST(NxCycles, AnAutomaticRetractLeavesThePlungesChecked) {
-  const Toolpath path = path_of(holes("CYCLE/DRILL,CLEAR,3,FEDTO,-12,RTRCTO,AUTO,MMPM,180\nGOTO/10,0,0\n"
-                                      "CYCLE/ON,FEDTO,-20,RTRCTO,AUTO\nGOTO/30,0,0\n"));
+  const Toolpath path =
+      path_of(holes("CYCLE/DRILL,CLEAR,3,FEDTO,-12,RTRCTO,AUTO,MMPM,180\nGOTO/10,0,0\n"
+                    "CYCLE/ON,FEDTO,-20,RTRCTO,AUTO\nGOTO/30,0,0\n"));
   EXPECT_EQ(bottom_of(path, 30), -20);
   std::size_t plunges = 0;
   for (const Move& move : path.moves) {
@@ -193,7 +197,9 @@ TEST(NxArcs, TurnsThatTimesStatesEndAtAnotherLevel) {
   ASSERT_EQ(path.arcs.size(), 1u);
   EXPECT_NEAR(path.arcs[0].sweep_rad, -6 * 3.14159265358979, 1e-9);
   // Four decimals of an inch leave start and end 0.0036 mm apart.
-  const Toolpath inch = path_of(head + "FEDRAT/IPM,10\nGOTO/.4,0,0\nCIRCLE/0,0,-.2,0,0,-1,.4,.002,.5,.3,0,TIMES,2\nGOTO/.4000,.0001,-.2\nEND-OF-PATH\n");
+  const Toolpath inch = path_of(
+      head +
+      "FEDRAT/IPM,10\nGOTO/.4,0,0\nCIRCLE/0,0,-.2,0,0,-1,.4,.002,.5,.3,0,TIMES,2\nGOTO/.4000,.0001,-.2\nEND-OF-PATH\n");
   EXPECT_EQ(not_checked(inch), 0u);
   const Toolpath part = path_of(head + "FEDRAT/MMPM,100\nGOTO/10,0,2\n" + circle + "GOTO/-10,0,-4\nEND-OF-PATH\n");
   EXPECT_EQ(not_checked(part), 1u) << "two and a half turns, or three and a half";
@@ -210,7 +216,8 @@ TEST(NccsWithoutHeader, IsReadAsTheFileWithIt) {
 
 TEST(Gohome, OfNamedAxesLeavesTheNextPositionAlone) {
   for (const char* home : {"GOHOME / Z", "GOHOME/ZAXIS", "GOHOME/X,Y", "GOHOME / X, Y, Z"}) {
-    const Toolpath path = path_of(std::string("PARTNO A\nUNITS/MM\nCUTTER/6\nGOTO/0,0,60\nRAPID\n") + home + "\nGOTO/50,0,60\nFINI\n");
+    const Toolpath path =
+        path_of(std::string("PARTNO A\nUNITS/MM\nCUTTER/6\nGOTO/0,0,60\nRAPID\n") + home + "\nGOTO/50,0,60\nFINI\n");
     ASSERT_EQ(path.moves.size(), 2u) << home;
     EXPECT_FALSE(path.moves[1].has_start) << home;
     EXPECT_EQ(path.moves[1].kind, MoveKind::feed) << home;
@@ -220,7 +227,8 @@ TEST(Gohome, OfNamedAxesLeavesTheNextPositionAlone) {
 }
 
 TEST(Refused, IsAFileWithoutAPositionThatIsUnderstood) {
-  EXPECT_EQ(error_of("Part,Machine,Operation\nA-100,M4,rough\n1,20.5,30.0,4.5\nA-101,M4\n2,20.6,30.0,4.5\n"), "path-no-motion");
+  EXPECT_EQ(error_of("Part,Machine,Operation\nA-100,M4,rough\n1,20.5,30.0,4.5\nA-101,M4\n2,20.6,30.0,4.5\n"),
+            "path-no-motion");
   EXPECT_EQ(error_of("X,Y,Z\n1.0,2.0,3.0\n1.5,2.0,3.0\n2.0,2.0,3.0\n"), "path-not-cl-data");
   EXPECT_EQ(error_of("PARTNO A\nUNITS/MM\nFOO/1,2,3\nFOO/2,2,3\nFINI\n"), "path-no-motion");
   EXPECT_EQ(error_of("TOOL PATH/A,TOOL,B\nTLDATA/MILL,8,0,90,0,0\nMOVE/1,2,3\nEND-OF-PATH\n"), "path-no-motion");
@@ -232,7 +240,7 @@ TEST(Refused, IsAFileWithoutAPositionThatIsUnderstood) {
 TEST(Refused, AsAPartProgramIsOnlyWhatIsWrittenInApt) {
   EXPECT_EQ(error_of("# log\nU = [0.1, 0.2, 0.3]\nV = [1, 2, 3]\ncase 3\n"), "path-no-motion");
   EXPECT_EQ(error_of("time = 12.5\nload = 3\n"), "path-no-motion");
-  
+
   EXPECT_EQ(error_of("D=.5\nPL1=PLANE/0,0,1,2\nGOTO/P1\n"), "path-part-program");
   EXPECT_EQ(error_of("D=.5\nGOTO/1,2,3\nGOTO/4,5,6\nFINI\n"), "path-part-program");
   EXPECT_EQ(error_of("PARTNO A\nP1=POINT/1,2,3\nFROM/P1\n"), "path-part-program");

@@ -16,10 +16,8 @@ std::vector<MoveKind> kinds(const Toolpath& path) {
 using Kinds = std::vector<MoveKind>;
 
 TEST(ReadApt, RapidHoldsForOneMotionInEverySpelling) {
-  const Toolpath path =
-      path_of("RAPID\nGOTO/0,0,9\nGOTO/0,0,8\nRAPID/\nGOTO/0,0,7\nRAPID \nGOTO/0,0,6\nGOTO/0,0,5\n");
-  EXPECT_EQ(kinds(path),
-            (Kinds{MoveKind::rapid, MoveKind::feed, MoveKind::rapid, MoveKind::rapid, MoveKind::feed}));
+  const Toolpath path = path_of("RAPID\nGOTO/0,0,9\nGOTO/0,0,8\nRAPID/\nGOTO/0,0,7\nRAPID \nGOTO/0,0,6\nGOTO/0,0,5\n");
+  EXPECT_EQ(kinds(path), (Kinds{MoveKind::rapid, MoveKind::feed, MoveKind::rapid, MoveKind::rapid, MoveKind::feed}));
   EXPECT_EQ(path.moves[1].line, 3u);
   ASSERT_TRUE(path.moves[4].has_start);
   expect_vector(path.start_of(4).tip, 0, 0, 6);
@@ -65,9 +63,7 @@ TEST(ReadApt, SixNumbersAreTwoPositionsOnlyUnderMultaxOff) {
   expect_vector(path.moves[4].end.axis, 1, 0, 0);
 }
 
-TEST(ReadApt, NineNumbersAreThreePositions) {
-  EXPECT_EQ(path_of("GOTO/1,2,3,4,5,6,7,8,9\n").moves.size(), 3u);
-}
+TEST(ReadApt, NineNumbersAreThreePositions) { EXPECT_EQ(path_of("GOTO/1,2,3,4,5,6,7,8,9\n").moves.size(), 3u); }
 
 TEST(ReadApt, InchesBecomeMillimetresAlsoWhereTheUnitChanges) {
   const Toolpath path = path_of("UNITS/INCHES\nCUTTER/0.5\nGOTO/1,0,0\nUNITS/MM\nGOTO/1,0,0\n");
@@ -107,8 +103,8 @@ TEST(ReadApt, GodltaMovesOnAndGohomeMayHaveAPlace) {
 
 TEST(ReadApt, AnotherToolBreaksTheMotionAndTheSameOneDoesNot) {
   const Toolpath path = path_of(
-      "CUTTER/10\nLOADTL/1\nGOTO/0,0,1\nLOADTL/1,1\nGOTO/0,0,2\nCUTTER/6\nLOADTL/2\nGOTO/0,0,3\nLOADTL/"
-      "1\nGOTO/0,0,4\n");
+      "CUTTER/10\nLOADTL/1\nGOTO/0,0,1\nLOADTL/1,1\nGOTO/0,0,2\nCUTTER/6\nLOADTL/2\nGOTO/0,0,3\nLOADTL/1\nGOTO/"
+      "0,0,4\n");
   ASSERT_EQ(path.tools.size(), 2u);
   EXPECT_TRUE(path.moves[1].has_start);
   EXPECT_FALSE(path.moves[2].has_start);
@@ -148,7 +144,10 @@ TEST(ReadApt, ASplineThatIsSwitchedOnIsNotCheckedUntilItIsSwitchedOff) {
   const Toolpath path = path_of("GOTO/1,0,0\nSPLINE/ON\nGOTO/0,1,0\nGOTO/0,2,0\nSPLINE/OFF\nGOTO/0,3,0\nGOTO/0,4,0\n");
   std::string checked;
   for (const Move& move : path.moves) checked += move.not_checked_reason.empty() ? '1' : '0';
-  EXPECT_EQ(checked, "100" "0" "1");
+  EXPECT_EQ(checked,
+            "100"
+            "0"
+            "1");
 }
 
 std::string checked_moves(const std::string& text, const char* dialect) {
@@ -179,7 +178,9 @@ TEST(ReadApt, APlainPositionAfterATiltedOneIsNotChecked) {
 
 TEST(ReadApt, AStepFromAPlaceThatIsNotKnownIsNotChecked) {
   EXPECT_EQ(checked_moves("TRANS/0,0,-20\nGOTO/0,0,10\nTRANS/0,0,0\nGODLTA/10,0,0\nGODLTA/10,0,0\nGOTO/1,1,1\n"
-                          "GOTO/1,1,2\n", "apt"), "00001");
+                          "GOTO/1,1,2\n",
+                          "apt"),
+            "00001");
   const Toolpath path = path_of("GOTO/0,0,7\nGOTO/0,0,3\nTLAXIS/1,0,0\nGODLTA/5,0,0\nGODLTA/2\n");
   expect_vector(path.moves[2].end.axis, 1, 0, 0);
   expect_vector(path.moves[3].end.tip, 7, 0, 3);
@@ -219,22 +220,32 @@ TEST(ReadApt, WhatOneCreoSequenceSaysOfItsPositionsTheNextDoesNot) {
 
 TEST(ReadApt, ACutterDoesNotMakeATurningToolSpin) {
   EXPECT_EQ(checked_moves("TOOLNO/1,TURN\nCUTTER/0.8\nGOTO/0,0,9\nTOOLNO/2,MILL\nCUTTER/8\nGOTO/0,0,9\nGOTO/1,0,9\n",
-                          "apt-catia").front(), '0');
+                          "apt-catia")
+                .front(),
+            '0');
   EXPECT_EQ(checked_moves("TOOLNO/1,TURN\nCUTTER/0.8\nGOTO/0,0,9\nTOOLNO/2,MILL\nCUTTER/8\nGOTO/0,0,9\nGOTO/1,0,9\n",
-                          "apt-catia").back(), '1');
+                          "apt-catia")
+                .back(),
+            '1');
 }
 
 TEST(ReadApt, PositionsThatMayGoOnAlongACircleOfNclAreNotChecked) {
   const std::string circle = "MULTAX/ON\nGOTO/10,0,0,0,0,1\nCIRCLE/0,0,0,0,0,1,10\nGOTO/0,10,0,0,0,1\n";
   EXPECT_EQ(checked_moves(circle + "GOTO/-10,0,0,0,0,1\nGOTO/0,-10,0,0,0,1\nGOTO/9,9,0,0,0,1\nGOTO/0,10,0,0,0,1\n",
-                          "apt-nccs"), "110011");
+                          "apt-nccs"),
+            "110011");
 }
 
 TEST(ReadApt, ASenseThatFewerThanThreePlacesShowIsNotTaken) {
   const std::string in = "GOTO/10,-5,0\nGOTO/10,0,0\n", arc = "CIRCLE/0,0,0,0,0,1,10\nGOTO/0,10,0\n";
   const std::string out = "GOTO/-5,10,0\n", lift = "GOTO/-5,10,9\n";
-  EXPECT_EQ(checked_moves("UNITS/MM\n" + in + arc + out + lift, "apt"), "110" "11") << "two lines touch the arc";
-  EXPECT_EQ(checked_moves("UNITS/MM\n" + in + arc + out + lift + in + arc + out, "apt"), "11111" "1111");
+  EXPECT_EQ(checked_moves("UNITS/MM\n" + in + arc + out + lift, "apt"),
+            "110"
+            "11")
+      << "two lines touch the arc";
+  EXPECT_EQ(checked_moves("UNITS/MM\n" + in + arc + out + lift + in + arc + out, "apt"),
+            "11111"
+            "1111");
 }
 
 TEST(ReadApt, TransWithoutNumbersUndoesNothing) {
@@ -255,10 +266,9 @@ TEST(ReadApt, CatiaArcsEndWhereTheirLineEnds) {
 
 TEST(ReadApt, AfterACycleThatIsNotUnderstoodTheStartIsNotKnown) {
   const Toolpath path = path_of(
-      "GOTO/0,0,9\nCYCLE/INIT\nGOTO/0,0,8\nCYCLE/DRILL,5\nGOTO/0,0,1\nGOTO/5,0,1\nCYCLE/OFF\nGOTO/"
-      "9,0,9\nGOTO/9,9,9\n");
-  EXPECT_EQ(kinds(path), (Kinds{MoveKind::feed, MoveKind::feed, MoveKind::cycle, MoveKind::cycle,
-                                MoveKind::feed, MoveKind::feed}));
+      "GOTO/0,0,9\nCYCLE/INIT\nGOTO/0,0,8\nCYCLE/DRILL,5\nGOTO/0,0,1\nGOTO/5,0,1\nCYCLE/OFF\nGOTO/9,0,9\nGOTO/9,9,9\n");
+  EXPECT_EQ(kinds(path),
+            (Kinds{MoveKind::feed, MoveKind::feed, MoveKind::cycle, MoveKind::cycle, MoveKind::feed, MoveKind::feed}));
   EXPECT_EQ(path.moves[2].not_checked_reason, "a cycle whose words are not understood: CYCLE in line 4");
   EXPECT_FALSE(path.moves[4].has_start);
   EXPECT_EQ(path.moves[4].not_checked_reason, "starts at an unknown retract height after a drilling cycle");
@@ -267,8 +277,7 @@ TEST(ReadApt, AfterACycleThatIsNotUnderstoodTheStartIsNotKnown) {
 }
 
 TEST(ReadApt, SolidWorksCsysIsNotAppliedAndNoReasonToStop) {
-  const Toolpath path =
-      path_of("UNIT/MM\nTRNTYP/WORLD,0,0,0\nCSYS/0,-1.,0,0,1.,0,0,0,0,0,1.,0\nGOTO/1,2,3\nFINI\n");
+  const Toolpath path = path_of("UNIT/MM\nTRNTYP/WORLD,0,0,0\nCSYS/0,-1.,0,0,1.,0,0,0,0,0,1.,0\nGOTO/1,2,3\nFINI\n");
   EXPECT_EQ(path.dialect, "apt-solidworks-cam");
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
 }
@@ -278,12 +287,10 @@ TEST(ReadApt, CompensationIsReportedOnlyWhereItIsSwitchedOn) {
   const Toolpath path = path_of("UNITS/MM\nGOTO/1,2,3\nCUTCOM/LEFT\nGOTO/1,2,4\nCUTCOM/OFF\n");
   ASSERT_EQ(path.notes.size(), 1u);
   EXPECT_EQ(to_text(path.notes[0]),
-            "test.apt:3: warning: 1 CUTCOM statement on: the file does not say whether its positions are the "
-            "cutter centre or the contour, so these moves are not checked; --cutcom centre says they are "
-            "[path-cutcom]");
+            "test.apt:3: warning: 1 CUTCOM statement on: the file does not say whether its positions are the cutter "
+            "centre or the contour, so these moves are not checked; --cutcom centre says they are [path-cutcom]");
   EXPECT_TRUE(path.moves[0].not_checked_reason.empty());
-  EXPECT_EQ(path.moves[1].not_checked_reason,
-            "compensated by CUTCOM: the positions need not be the cutter centre");
+  EXPECT_EQ(path.moves[1].not_checked_reason, "compensated by CUTCOM: the positions need not be the cutter centre");
 }
 
 TEST(ReadApt, UnknownWordsAreCountedAndReported) {
@@ -308,8 +315,7 @@ TEST(ReadApt, NamesInLatin1BecomeUtf8) {
 }
 
 TEST(ReadApt, PprintNamesAnOperationWhereNothingElseDoes) {
-  const Toolpath path =
-      path_of("PPRINT/'1001'\nPPRINT/'ROUGH, 1'\nGOTO/1,2,3\nPPRINT/'FINISH'\nGOTO/1,2,4\n");
+  const Toolpath path = path_of("PPRINT/'1001'\nPPRINT/'ROUGH, 1'\nGOTO/1,2,3\nPPRINT/'FINISH'\nGOTO/1,2,4\n");
   ASSERT_EQ(path.operations.size(), 2u);
   EXPECT_EQ(path.operations[0].name, "ROUGH, 1");
   EXPECT_EQ(path.moves[1].operation, 1u);
@@ -317,8 +323,7 @@ TEST(ReadApt, PprintNamesAnOperationWhereNothingElseDoes) {
 
 constexpr const char* kBlock =
     "TOOL PATH/ROUGH,TOOL,BALL\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\n"
-    "MSYS/100.0,0.0,0.0,0.0,1.0,0.0,1.0,0.0,0.0\nGOTO/1.0,2.0,3.0,0.0,0.0,-1.0\nGOTO/"
-    "1.0,2.0,4.0\nEND-OF-PATH\n";
+    "MSYS/100.0,0.0,0.0,0.0,1.0,0.0,1.0,0.0,0.0\nGOTO/1.0,2.0,3.0,0.0,0.0,-1.0\nGOTO/1.0,2.0,4.0\nEND-OF-PATH\n";
 
 TEST(ReadClsf, TheAxisIsModalAndTheFrameIsApplied) {
   const Toolpath path = path_of(kBlock);
@@ -347,14 +352,12 @@ TEST(ReadClsf, NothingPassesFromOneBlockToTheNext) {
 TEST(ReadClsf, ACurveIsOneMoveToItsLastControlPoint) {
   const Toolpath path = path_of(
       "TOOL "
-      "PATH/A,TOOL,B\nGOTO/0.0,0.0,0.0\nNURBS/\nKNOT/0.5,1.0\nCNTRL/1.0,0.0,0.0\nCNTRL/2.0,0.0,0.0\nGOTO/"
-      "3.0,0.0,0.0\n"
+      "PATH/A,TOOL,B\nGOTO/0.0,0.0,0.0\nNURBS/\nKNOT/0.5,1.0\nCNTRL/1.0,0.0,0.0\nCNTRL/2.0,0.0,0.0\nGOTO/3.0,0.0,0.0\n"
       "NURBS/\nKNOT/1.0\nCNTRL/4.0,0.0,0.0\nEND-OF-PATH\n");
   ASSERT_EQ(path.moves.size(), 4u);
   EXPECT_EQ(path.moves[1].kind, MoveKind::arc);
   EXPECT_EQ(path.moves[1].line, 3u);
-  EXPECT_EQ(path.moves[1].not_checked_reason,
-            "a NURBS whose knots, points or axis are not those of a cubic curve");
+  EXPECT_EQ(path.moves[1].not_checked_reason, "a NURBS whose knots, points or axis are not those of a cubic curve");
   expect_vector(path.moves[1].end.tip, 2, 0, 0);
   expect_vector(path.start_of(2).tip, 2, 0, 0);
   expect_vector(path.moves[3].end.tip, 4, 0, 0);
@@ -362,8 +365,7 @@ TEST(ReadClsf, ACurveIsOneMoveToItsLastControlPoint) {
 
 TEST(ReadClsf, TheToolNumberOfABlockDoesNotStickToTheNextTool) {
   const Toolpath path = path_of(
-      "TOOL PATH/A,TOOL,B\nTLDATA/MILL,6.0,0.0,75.0,0.0,0.0\nLOAD/TOOL,2,ADJUST,2 "
-      "\nGOTO/0.0,0.0,0.0\nEND-OF-PATH\n"
+      "TOOL PATH/A,TOOL,B\nTLDATA/MILL,6.0,0.0,75.0,0.0,0.0\nLOAD/TOOL,2,ADJUST,2 \nGOTO/0.0,0.0,0.0\nEND-OF-PATH\n"
       "TOOL PATH/C,TOOL,D\nTLDATA/MILL,8.0,0.0,75.0,0.0,0.0\nGOTO/0.0,0.0,0.0\nEND-OF-PATH\n");
   EXPECT_EQ(path.tools.at(0).number, 2);
   EXPECT_FALSE(path.tools.at(1).number);

@@ -36,24 +36,12 @@ void counted_delete(void* memory) {
 
 }  // namespace
 
-void* operator new(std::size_t size) {
-  return counted_new(size);
-}
-void* operator new[](std::size_t size) {
-  return counted_new(size);
-}
-void operator delete(void* memory) noexcept {
-  counted_delete(memory);
-}
-void operator delete[](void* memory) noexcept {
-  counted_delete(memory);
-}
-void operator delete(void* memory, std::size_t) noexcept {
-  counted_delete(memory);
-}
-void operator delete[](void* memory, std::size_t) noexcept {
-  counted_delete(memory);
-}
+void* operator new(std::size_t size) { return counted_new(size); }
+void* operator new[](std::size_t size) { return counted_new(size); }
+void operator delete(void* memory) noexcept { counted_delete(memory); }
+void operator delete[](void* memory) noexcept { counted_delete(memory); }
+void operator delete(void* memory, std::size_t) noexcept { counted_delete(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { counted_delete(memory); }
 
 namespace gouge {
 namespace {
@@ -81,9 +69,7 @@ double memory_for_each_byte(std::string text) {
   return static_cast<double>(peak - before) / static_cast<double>(size);
 }
 
-std::string number(std::size_t i) {
-  return std::to_string(i);
-}
+std::string number(std::size_t i) { return std::to_string(i); }
 
 std::string list_of_positions(std::size_t count) {
   std::string text;
@@ -100,8 +86,7 @@ std::string smooth_spline() {
     knots += "KNOT/." + std::string(6 - digits.size(), '0') + digits + "\n";
   }
   for (std::size_t i = 0; i < kPoints; ++i) points += "CNTRL/0,0,1\n";
-  return "TOOL PATH/A,TOOL,B\nGOTO/0,0,0\nNURBS/\n" + knots + "KNOT/1\n" + points +
-         "GOTO/0,0,0\nEND-OF-PATH\n";
+  return "TOOL PATH/A,TOOL,B\nGOTO/0,0,0\nNURBS/\n" + knots + "KNOT/1\n" + points + "GOTO/0,0,0\nEND-OF-PATH\n";
 }
 
 std::string binary_positions() {
@@ -119,8 +104,7 @@ struct LongFile {
 
 std::vector<LongFile> long_files() {
   return {
-      {"five axes", [] { return repeated("GOTO/12.345678,-1.234567,0.123456,0.600000,0.000000,0.800000\n"); },
-       3.5},
+      {"five axes", [] { return repeated("GOTO/12.345678,-1.234567,0.123456,0.600000,0.000000,0.800000\n"); }, 3.5},
       {"shortest positions", [] { return repeated("GOTO/1,1,1\n"); }, 12},
       {"positions in one statement", [] { return "GOTO/" + repeated("1,1,1,"); }, 12},
       {"positions on continued lines", [] { return "GOTO/" + repeated("1,1,1,$\n"); }, 12},
@@ -133,21 +117,16 @@ std::vector<LongFile> long_files() {
        [] { return repeated([](std::size_t i) { return "A" + number(i) + "\n"; }) + "GOTO/1,1,1\n"; }, 12},
       {"errors", [] { return "GOTO/1,1,1\n" + repeated("GOTO/A\n"); }, 12},
       {"operations", [] { return repeated("PPRINT A\nGOTO/1,1,1\n"); }, 12},
-      {"tools",
-       [] { return repeated([](std::size_t i) { return "LOADTL/" + number(i) + "\nGOTO/1,1,1\n"; }); }, 12},
-      {"cutters",
-       [] { return repeated([](std::size_t i) { return "CUTTER/" + number(i + 1) + "\nGOTO/1,1,1\n"; }); },
+      {"tools", [] { return repeated([](std::size_t i) { return "LOADTL/" + number(i) + "\nGOTO/1,1,1\n"; }); }, 12},
+      {"cutters", [] { return repeated([](std::size_t i) { return "CUTTER/" + number(i + 1) + "\nGOTO/1,1,1\n"; }); },
        12},
       {"wrong cutters", [] { return "GOTO/1,1,1\n" + repeated("CUTTER/0\n"); }, 12},
       {"arcs", [] { return repeated("CIRCLE/0,0,0,0,0,1,1\nGOTO/1,0,0\nGOTO/0,1,0\n"); }, 12},
       // a hole is four moves
-      {"holes", [] { return "CYCLE/DRILL,DEPTH,3,CLEAR,2,MMPM,1\n" + repeated("GOTO/1,1,1\nGOTO/0,1,1\n"); },
-       42},
+      {"holes", [] { return "CYCLE/DRILL,DEPTH,3,CLEAR,2,MMPM,1\n" + repeated("GOTO/1,1,1\nGOTO/0,1,1\n"); }, 42},
       {"tapes", [] { return repeated("TOOL PATH/A,TOOL,B\nGOTO/1,1,1\n"); }, 12},
-      {"splines",
-       [] { return repeated("GOTO/0,0,0\nNURBS/\nKNOT/1\nCNTRL/0,0,1\nCNTRL/0,0,2\nCNTRL/0,0,3\n"); }, 12},
-      {"one spline", [] { return "TOOL PATH/A,TOOL,B\nGOTO/0,0,0\nNURBS/\n" + repeated("CNTRL/0,0,1\n"); },
-       12},
+      {"splines", [] { return repeated("GOTO/0,0,0\nNURBS/\nKNOT/1\nCNTRL/0,0,1\nCNTRL/0,0,2\nCNTRL/0,0,3\n"); }, 12},
+      {"one spline", [] { return "TOOL PATH/A,TOOL,B\nGOTO/0,0,0\nNURBS/\n" + repeated("CNTRL/0,0,1\n"); }, 12},
       {"one smooth spline", smooth_spline, 12},
       {"Mastercam NCI", [] { return repeated("0\n0 1 1 1 1\n"); }, 13},
       {"Mastercam NCI arcs", [] { return repeated("0\n0 1 0 0 1\n3\n41 0 0 1 0 0 0 1\n1\n40 0 1 0 1\n"); }, 14},

@@ -17,9 +17,8 @@ namespace {
 
 const std::string kFolder = source_folder() + "/../shared/data/toolpaths/";
 
-#define SKIP_WITHOUT_DATA()              \
-  if (!std::filesystem::exists(kFolder)) \
-  GTEST_SKIP() << "no real toolpaths beside the checkout (" << kFolder << ")"
+#define SKIP_WITHOUT_DATA() \
+  if (!std::filesystem::exists(kFolder)) GTEST_SKIP() << "no real toolpaths beside the checkout (" << kFolder << ")"
 
 ReadOutcome read(const std::string& name) {
   Result<std::string> bytes = read_file(kFolder + name);
@@ -187,12 +186,10 @@ TEST(RealPaths, CorrectionsReadBackAndLeaveTheRestAlone) {
     std::size_t wrong = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
       const Move& found = again.toolpath->moves[i];
-      const bool is_same = (found.end.tip - wanted[i].end.tip).norm() < 3e-4 &&
-                           (found.end.axis - wanted[i].end.axis).norm() < 3e-6 &&
-                           found.kind == wanted[i].kind && found.tool == wanted[i].tool &&
-                           found.operation == wanted[i].operation &&
-                           found.not_checked_reason == wanted[i].not_checked_reason &&
-                           found.has_start == wanted[i].has_start;
+      const bool is_same =
+          (found.end.tip - wanted[i].end.tip).norm() < 3e-4 && (found.end.axis - wanted[i].end.axis).norm() < 3e-6 &&
+          found.kind == wanted[i].kind && found.tool == wanted[i].tool && found.operation == wanted[i].operation &&
+          found.not_checked_reason == wanted[i].not_checked_reason && found.has_start == wanted[i].has_start;
       if (!is_same && wrong++ < 3) ADD_FAILURE() << "move " << i << " at line " << found.line;
     }
     EXPECT_EQ(wrong, 0u);

@@ -30,9 +30,7 @@ TEST(ListWritten, AnInsertedPositionIsAddedWithTheLineOfTheNewFile) {
   EXPECT_EQ(written({{2, std::nullopt, {Pose{Vec3(15, 0, 1), Vec3::UnitZ()}}}}), (std::vector<std::string>{"added 7"}));
 }
 
-TEST(ListWritten, NamesAreThoseOfTheReport) {
-  EXPECT_STREQ(written_name(WrittenKind::removed), "removed");
-}
+TEST(ListWritten, NamesAreThoseOfTheReport) { EXPECT_STREQ(written_name(WrittenKind::removed), "removed"); }
 
 }  // namespace
 }  // namespace gouge

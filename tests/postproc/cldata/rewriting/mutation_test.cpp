@@ -16,16 +16,13 @@ namespace {
 constexpr const char* kApt =
     "$$ CATIA APT VERSION 1.0\r\n$$*CATIA0\r\n$$ X\r\n$$ 1 0 0 0\r\n$$ 0 1 0 0\r\n$$ 0 0 1 "
     "0\r\nPARTNO/'A'\r\nUNITS/MM\r\nMULTAX/ON\r\n"
-    "CUTTER/10,2,3,2,0,0,40\r\nLOADTL/1\r\nFEDRAT/100,MMPM\r\nFROM/0,0,50\r\nRAPID\r\nGOTO/"
-    "1.,2.,3.,$\r\n0,0,1\r\n"
+    "CUTTER/10,2,3,2,0,0,40\r\nLOADTL/1\r\nFEDRAT/100,MMPM\r\nFROM/0,0,50\r\nRAPID\r\nGOTO/1.,2.,3.,$\r\n0,0,1\r\n"
     "GOTO  /   -1.50000,    2.00000,    3.00000,-1.000000, 0.000000, "
     "0.000000\r\nTLON,GOFWD/(CIRCLE/1,2,3,4),ON,(LINE/1,2,3,$\r\n"
     "4,5,6)\r\nCYCLE/DRILL,5\r\nGOTO/4,5,6,0,0,1\r\nCYCLE/OFF\r\nGODLTA/1,2,3\r\nGOHOME/0,0,50\r\nFINI\r\n";
 constexpr const char* kClsf =
-    "TOOL "
-    "PATH/A,TOOL,B\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\nMSYS/1.0,2.0,3.0,0.0,1.0,0.0,1.0,0.0,0.0\nPAINT/PATH\n"
-    "LOAD/TOOL,2\nRAPID\nGOTO/1.0,2.0,3.0,0.0,0.0,-1.0\nGOTO/2.0,2.0,3.0\nNURBS/\nKNOT/1.0\nCNTRL/"
-    "4.0,5.0,6.0\n"
+    "TOOL PATH/A,TOOL,B\nTLDATA/MILL,10.0,5.0,75.0,0.0,0.0\nMSYS/1.0,2.0,3.0,0.0,1.0,0.0,1.0,0.0,0.0\nPAINT/PATH\n"
+    "LOAD/TOOL,2\nRAPID\nGOTO/1.0,2.0,3.0,0.0,0.0,-1.0\nGOTO/2.0,2.0,3.0\nNURBS/\nKNOT/1.0\nCNTRL/4.0,5.0,6.0\n"
     "CIRCLE/1.0,2.0,3.0,0.0,0.0,1.0,4.0,0.06,0.5,1.0,2.0\nGOTO/7.0,8.0,9.0\nEND-OF-PATH\n";
 
 std::string mutated(std::string text, test::Scatter& random) {

@@ -175,7 +175,8 @@ std::vector<PathChange> random_changes(const Toolpath& path, test::Scatter& rand
   std::vector<PathChange> changes;
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
-    if (!move.not_checked_reason.empty() || !move.has_start || move.kind == MoveKind::cycle || random.next() % 3 == 0) continue;
+    if (!move.not_checked_reason.empty() || !move.has_start || move.kind == MoveKind::cycle || random.next() % 3 == 0)
+      continue;
     PathChange change;
     change.move = i;
     if (move.curve_kind == CurveKind::arc) {
@@ -184,7 +185,8 @@ std::vector<PathChange> random_changes(const Toolpath& path, test::Scatter& rand
       change.inserted_before.pop_back();
       for (Pose& pose : change.inserted_before) pose.tip += 0.5 * pose.axis;
     } else if (move.kind != MoveKind::arc) {
-      if (random.next() % 2 == 0) change.inserted_before.push_back({0.5 * (path.start_of(i).tip + move.end.tip), move.end.axis});
+      if (random.next() % 2 == 0)
+        change.inserted_before.push_back({0.5 * (path.start_of(i).tip + move.end.tip), move.end.axis});
       // A hole begins at the height the tool has.
       const bool meets_hole = i + 1 < path.moves.size() && path.moves[i + 1].kind == MoveKind::cycle;
       if (!meets_hole && random.next() % 4 == 0) change.new_end = Pose{move.end.tip + Vec3(0.125, 0, 1), move.end.axis};
@@ -263,10 +265,10 @@ std::string mutated(std::string bytes, test::Scatter& random) {
         bytes.replace(at, 8, nccs_word(static_cast<double>(random.next() % 100) / 8));
         break;
       case 3:
-        bytes.replace(
-            at, 8,
-            nccs_word(NccsHeader{static_cast<std::uint16_t>(random.next() % 9), kClasses[random.next() % kClasses.size()],
-                                 static_cast<std::uint16_t>(random.next() % 8), 1}));
+        bytes.replace(at, 8,
+                      nccs_word(NccsHeader{static_cast<std::uint16_t>(random.next() % 9),
+                                           kClasses[random.next() % kClasses.size()],
+                                           static_cast<std::uint16_t>(random.next() % 8), 1}));
         break;
       default:
         bytes.resize(at);
@@ -277,9 +279,7 @@ std::string mutated(std::string bytes, test::Scatter& random) {
 }
 
 // A reason names the line of its statement, which inserted positions move on.
-std::string_view without_line(std::string_view reason) {
-  return reason.substr(0, reason.rfind(" in line "));
-}
+std::string_view without_line(std::string_view reason) { return reason.substr(0, reason.rfind(" in line ")); }
 
 // `after` is `before` with the changes and nothing else.
 void expect_changed(const Toolpath& after, const Toolpath& before, const std::vector<PathChange>& changes) {

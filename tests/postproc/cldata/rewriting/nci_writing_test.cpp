@@ -22,8 +22,7 @@ TEST(NciWriting, AFiveAxisLineMovesItsSecondPointAlong) {
   const Toolpath path = path_of(std::string(kStart) + "11\r\n1. 2. 3. 16. 2. 23. 200. 7 1 0. 0. 1.\r\n");
   Pose end = path.moves[1].end;
   end.tip += 2.5 * end.axis;
-  EXPECT_EQ(written(path, {{1, end, {}}}),
-            std::string(kStart) + "11\r\n2.5 2. 5. 17.5 2. 25. 200. 7 1 0. 0. 1.\r\n");
+  EXPECT_EQ(written(path, {{1, end, {}}}), std::string(kStart) + "11\r\n2.5 2. 5. 17.5 2. 25. 200. 7 1 0. 0. 1.\r\n");
 }
 
 TEST(NciWriting, AnotherAxisGetsTheDecimalsItNeeds) {
@@ -35,8 +34,7 @@ TEST(NciWriting, AnotherAxisGetsTheDecimalsItNeeds) {
 }
 
 TEST(NciWriting, InsertedPositionsSwitchNothing) {
-  const Toolpath path =
-      path_of(std::string(kStart) + "1\r\n41 4. 2. 1. 200. 100\r\n1\r\n40 5. 2. 1. -1. 100\r\n");
+  const Toolpath path = path_of(std::string(kStart) + "1\r\n41 4. 2. 1. 200. 100\r\n1\r\n40 5. 2. 1. -1. 100\r\n");
   const Pose above{Vec3(1, 2, 30), Vec3::UnitZ()};
   EXPECT_EQ(written(path, {{1, std::nullopt, {above, above}}}),
             std::string(kStart) +
@@ -48,10 +46,9 @@ TEST(NciWriting, InsertedPositionsAreAsRapidAsWhatTheyStandBefore) {
   const Toolpath path = path_of("1\n0 0. 0. 5. 200. 0\n0\n0 4. 0. 5. -2. 0\n11\n4. 0. 9. 4. 0. 10. -2. 0 0");
   const Pose a{Vec3(1, 2, 30), Vec3::UnitZ()}, b{Vec3(4, 0, 30), Vec3(0.6, 0, 0.8)};
   const std::string text = written(path, {{1, std::nullopt, {a}}, {2, std::nullopt, {b}}});
-  EXPECT_EQ(
-      text,
-      "1\n0 0. 0. 5. 200. 0\n0\n0 1. 2. 30. -2. 0\n0\n0 4. 0. 5. -2. 0\n11\n4. 0. 30. 4.6 0. 30.8 -2. 0 0\n"
-      "11\n4. 0. 9. 4. 0. 10. -2. 0 0");
+  EXPECT_EQ(text,
+            "1\n0 0. 0. 5. 200. 0\n0\n0 1. 2. 30. -2. 0\n0\n0 4. 0. 5. -2. 0\n11\n4. 0. 30. 4.6 0. 30.8 -2. 0 0\n"
+            "11\n4. 0. 9. 4. 0. 10. -2. 0 0");
   const Toolpath again = path_of(text);
   for (std::size_t i = 1; i < 5; ++i) EXPECT_EQ(again.moves[i].kind, MoveKind::rapid) << i;
 }
@@ -101,8 +98,7 @@ PathChange straightened(const Toolpath& path, std::size_t move) {
 
 TEST(NciWriting, AStraightenedArcBecomesLinesOfItsFeedAndSwitchesAtItsEnd) {
   const std::string start = "1\r\n0 5.00 0.00 1.00 200. 0\r\n", end = "1\r\n0 0.00 9.00 1.00 -1. 0\r\n";
-  for (const char* fields :
-       {"42 0 0.00 5.00 0.00 0.00 1.00 -1. 10 0", "0 42 0.00 5.00 0.00 0.00 1.00 -1. 10 0"}) {
+  for (const char* fields : {"42 0 0.00 5.00 0.00 0.00 1.00 -1. 10 0", "0 42 0.00 5.00 0.00 0.00 1.00 -1. 10 0"}) {
     ReadOptions options;
     options.is_cutcom_centre = true;
     const std::string text = start + "3\r\n" + fields + "\r\n" + end;
@@ -152,12 +148,10 @@ class RandomNci {
   std::string feed() { return std::vector<std::string>{"-1.", "-2.", "250."}[pick(3)]; }
   std::string comp() { return std::vector<std::string>{"0", "0", "0", "40", "41", "42", "140"}[pick(7)]; }
   std::string flags() { return std::vector<std::string>{"0", "1", "100", "10"}[pick(4)]; }
-  void add(const std::string& code, const std::string& fields) {
-    text_ += code + line_end_ + fields + line_end_;
-  }
+  void add(const std::string& code, const std::string& fields) { text_ += code + line_end_ + fields + line_end_; }
   void add_point(const std::string& code) {
-    add(code, comp() + " " + number(x_) + " " + number(y_) + "  " + number(z_) + " " +
-                  (code == "0" ? "-2." : feed()) + (pick(2) == 0 ? "" : " " + flags()));
+    add(code, comp() + " " + number(x_) + " " + number(y_) + "  " + number(z_) + " " + (code == "0" ? "-2." : feed()) +
+                  (pick(2) == 0 ? "" : " " + flags()));
   }
   void move() { x_ = real(90), y_ = real(90), z_ = real(90); }
 
@@ -172,9 +166,9 @@ class RandomNci {
       case 2: {
         move();
         const Vec3 axis = Vec3(real(1), real(1), 1.1).normalized() * length_;
-        return add("11", number(x_) + " " + number(y_) + " " + number(z_) + " " + number(x_ + axis.x()) +
-                             " " + number(y_ + axis.y()) + " " + number(z_ + axis.z()) + " " + feed() +
-                             " 0 " + flags() + (pick(2) == 0 ? "" : " 0. 0. 1."));
+        return add("11", number(x_) + " " + number(y_) + " " + number(z_) + " " + number(x_ + axis.x()) + " " +
+                             number(y_ + axis.y()) + " " + number(z_ + axis.z()) + " " + feed() + " 0 " + flags() +
+                             (pick(2) == 0 ? "" : " 0. 0. 1."));
       }
       default:
         return add_arc(pick(2) == 0);
@@ -192,10 +186,9 @@ class RandomNci {
     a = 2 * center - a;
     across += pick(2) == 0 ? 0 : 2;
     const std::string plane = is_yz ? "1" : "0";
-    add(pick(2) == 0 ? "2" : "3", (pick(2) == 0 ? comp() + " " + plane : plane + " " + comp()) + " " +
-                                      number(a) + " " + number(b) + " " + number(center) + " " + number(b) +
-                                      " " + number(across) + " " + feed() +
-                                      (pick(2) == 0 ? "" : " " + flags() + (pick(2) == 0 ? "" : " 0")));
+    add(pick(2) == 0 ? "2" : "3", (pick(2) == 0 ? comp() + " " + plane : plane + " " + comp()) + " " + number(a) + " " +
+                                      number(b) + " " + number(center) + " " + number(b) + " " + number(across) + " " +
+                                      feed() + (pick(2) == 0 ? "" : " " + flags() + (pick(2) == 0 ? "" : " 0")));
   }
 
   test::Scatter& random_;
@@ -219,11 +212,8 @@ std::string statement_of(const Toolpath& path, std::size_t move) {
 }
 
 // A random change of some moves, and what the path must then be.
-std::vector<PathChange> random_changes(const Toolpath& path, test::Scatter& random,
-                                       std::vector<Expected>& expected) {
-  const auto shift = [&](const Pose& pose) {
-    return Pose{pose.tip + random.point(5), pose.axis};
-  };
+std::vector<PathChange> random_changes(const Toolpath& path, test::Scatter& random, std::vector<Expected>& expected) {
+  const auto shift = [&](const Pose& pose) { return Pose{pose.tip + random.point(5), pose.axis}; };
   std::vector<PathChange> changes;
   std::vector<bool> is_straightened(path.moves.size());
   for (std::size_t i = 0; i < path.moves.size(); ++i)
@@ -245,12 +235,10 @@ std::vector<PathChange> random_changes(const Toolpath& path, test::Scatter& rand
         change.inserted_before.push_back(between);
       }
     }
-    for (const Pose& pose : change.inserted_before)
-      expected.push_back({pose, move.kind, true, is_arc, kNone});
-    expected.push_back({change.new_end.value_or(move.end), move.kind, change.new_end || is_straightened[i],
-                        is_straightened[i], i});
-    if (change.new_end || !change.inserted_before.empty() || change.is_straightened)
-      changes.push_back(change);
+    for (const Pose& pose : change.inserted_before) expected.push_back({pose, move.kind, true, is_arc, kNone});
+    expected.push_back(
+        {change.new_end.value_or(move.end), move.kind, change.new_end || is_straightened[i], is_straightened[i], i});
+    if (change.new_end || !change.inserted_before.empty() || change.is_straightened) changes.push_back(change);
   }
   return changes;
 }

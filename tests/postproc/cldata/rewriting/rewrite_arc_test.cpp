@@ -55,13 +55,11 @@ std::vector<PathChange> only_this_arc(const Toolpath& path, const RewritableMove
 std::pair<std::size_t, std::size_t> difference(const std::string& a, const std::string& b) {
   std::size_t first = 0, last = 0;
   while (first < std::min(a.size(), b.size()) && a[first] == b[first]) ++first;
-  while (last < std::min(a.size(), b.size()) - first && a[a.size() - 1 - last] == b[b.size() - 1 - last])
-    ++last;
+  while (last < std::min(a.size(), b.size()) - first && a[a.size() - 1 - last] == b[b.size() - 1 - last]) ++last;
   return {first, last};
 }
 
-void expect_arc(const Toolpath& after, std::size_t at, const PathArc& arc, const Pose& start,
-                const Pose& end) {
+void expect_arc(const Toolpath& after, std::size_t at, const PathArc& arc, const Pose& start, const Pose& end) {
   ASSERT_LT(at, after.moves.size());
   const Move& move = after.moves[at];
   ASSERT_EQ(move.not_checked_reason, "");
@@ -148,7 +146,8 @@ Pose place_on(const Toolpath& path, std::size_t i, double t) {
   const PathArc& arc = path.arcs[path.moves[i].curve];
   Pose pose = path.start_of(i);
   const double rise = (path.moves[i].end.tip - pose.tip).dot(arc.axis);
-  pose.tip = arc.center + Eigen::AngleAxisd(t * arc.sweep_rad, arc.axis) * (pose.tip - arc.center) + t * rise * arc.axis;
+  pose.tip =
+      arc.center + Eigen::AngleAxisd(t * arc.sweep_rad, arc.axis) * (pose.tip - arc.center) + t * rise * arc.axis;
   return pose;
 }
 
@@ -184,8 +183,10 @@ std::size_t split_each_arc(const Toolpath& path, std::size_t most) {
       expect_arc(*again.toolpath, i, first, path.start_of(i), change.inserted_before[0]);
       EXPECT_EQ(again.toolpath->moves[i + 1].curve_kind, CurveKind::none);
       EXPECT_LE((again.toolpath->moves[i + 1].end.tip - change.inserted_before[1].tip).norm(), kDigits_mm);
-      if (is_end_round) expect_arc(*again.toolpath, i + 2, last, change.inserted_before[1], move.end);
-      else EXPECT_EQ(again.toolpath->moves[i + 2].curve_kind, CurveKind::none);
+      if (is_end_round)
+        expect_arc(*again.toolpath, i + 2, last, change.inserted_before[1], move.end);
+      else
+        EXPECT_EQ(again.toolpath->moves[i + 2].curve_kind, CurveKind::none);
       EXPECT_EQ(again.toolpath->moves[i + 2].end.tip, move.end.tip);
       expect_rest_untouched(path, *text, i);
       ++split;
@@ -209,8 +210,8 @@ TEST(RewriteArc, EveryArcWithAPositionOfItsOwnCanBeSplit) {
   EXPECT_FALSE(dialects.contains("apt-catia")) << "an arc of CATIA is a TLON, whose start is where the tool stands";
 }
 
-// A line lost, doubled or moved: what is rewritable there is rewritten as anywhere. An inch in the middle of a file of mm may be
-// too coarse for its digits.
+// A line lost, doubled or moved: what is rewritable there is rewritten as anywhere. An inch in the middle of a file of
+// mm may be too coarse for its digits.
 TEST(RewriteArc, DamagedFilesToo) {
   test::Scatter random(12);
   std::size_t rewritten = 0, refused = 0;
@@ -241,10 +242,8 @@ TEST(RewriteArc, DamagedFilesToo) {
 // Three quarter turns that lines lead to and from, so that dialects whose arcs have no sense have one too.
 TEST(RewriteArc, EveryDialectWrittenCanBe) {
   const Toolpath path = path_of(
-      "UNITS/MM\nGOTO/0.,-5.,1.\nGOTO/5.,-5.,1.\nCIRCLE/5.,0.,1.,0.,0.,1.,5.\nGOTO/10.,0.,1.\nGOTO/"
-      "10.,10.,1.\n"
-      "CIRCLE/5.,10.,1.,0.,0.,1.,5.\nGOTO/5.,15.,1.\nGOTO/0.,15.,1.\nCIRCLE/0.,10.,1.,0.,0.,1.,5.\nGOTO/"
-      "-5.,10.,1.\n"
+      "UNITS/MM\nGOTO/0.,-5.,1.\nGOTO/5.,-5.,1.\nCIRCLE/5.,0.,1.,0.,0.,1.,5.\nGOTO/10.,0.,1.\nGOTO/10.,10.,1.\n"
+      "CIRCLE/5.,10.,1.,0.,0.,1.,5.\nGOTO/5.,15.,1.\nGOTO/0.,15.,1.\nCIRCLE/0.,10.,1.,0.,0.,1.,5.\nGOTO/-5.,10.,1.\n"
       "GOTO/-5.,0.,1.\nFINI\n");
   ASSERT_EQ(path.arcs.size(), 3u);
   for (const Dialect& dialect : all_dialects()) {
@@ -280,11 +279,9 @@ TEST(RewriteArc, LooksLikeTheFilesOwnArcs) {
        "CIRCLE/0.0000,0.0000,1.2500,0.0000000,0.0000000,-1.0000000,6.0000,0.0600,0.5000,40.0000,1.0000\n"
        "PAINT/COLOR,31\nGOTO/0.0000,6.0000,1.2500\nEND-OF-PATH\n"},
       {"apt-autodesk", "",
-       "UNITS/MM\r\nGOTO/5.000000, 0.000000, 1.000000\r\nMOVARC/0.000000, 0.000000, 1.000000, 0.000000, "
-       "0.000000, "
+       "UNITS/MM\r\nGOTO/5.000000, 0.000000, 1.000000\r\nMOVARC/0.000000, 0.000000, 1.000000, 0.000000, 0.000000, "
        "1.000000, 5.000000, ANGLE, 90.000000\r\nGOTO/0.000000, 5.000000, 1.000000\r\nFINI\r\n",
-       "UNITS/MM\r\nGOTO/6.000000, 0.000000, 1.250000\r\nMOVARC/0.000000, 0.000000, 1.250000, 0.000000, "
-       "0.000000, "
+       "UNITS/MM\r\nGOTO/6.000000, 0.000000, 1.250000\r\nMOVARC/0.000000, 0.000000, 1.250000, 0.000000, 0.000000, "
        "1.000000, 6.000000, ANGLE, 90.000000\r\nGOTO/0.000000, 6.000000, 1.250000\r\nFINI\r\n"},
       {"apt-creo", "",
        "$$-> MFGNO / A\nUNITS / MM\nGOTO / 5.0000000000, 0.0000000000, 1.0000000000\n"
@@ -296,17 +293,15 @@ TEST(RewriteArc, LooksLikeTheFilesOwnArcs) {
        "6.0000000000\n"
        "GOTO / 0.0000000000, 6.0000000000, 1.2500000000\nFINI\n"},
       {"apt-catia", "",
-       "$$ CATIA APT VERSION 1.0\r\nMULTAX\r\nGOTO  /    5.00000,    0.00000,    1.00000, 0.000000, "
-       "0.000000, 1.000000\r\n"
-       "AUTOPS\r\nINDIRV/    0.00000,    1.00000,    0.00000\r\nTLON,GOFWD/      (CIRCLE/      0.00000,      "
-       "0.00000,"
-       "      1.00000,$\r\n       5.00000),ON,(LINE/      0.00000,      0.00000,      1.00000,$\r\n"
+       "$$ CATIA APT VERSION 1.0\r\nMULTAX\r\nGOTO  /    5.00000,    0.00000,    1.00000, 0.000000, 0.000000, "
+       "1.000000\r\n"
+       "AUTOPS\r\nINDIRV/    0.00000,    1.00000,    0.00000\r\nTLON,GOFWD/      (CIRCLE/      0.00000,      0.00000,  "
+       "    1.00000,$\r\n       5.00000),ON,(LINE/      0.00000,      0.00000,      1.00000,$\r\n"
        "                               0.00000,      5.00000,      1.00000)\r\nEND\r\n",
-       "$$ CATIA APT VERSION 1.0\r\nMULTAX\r\nGOTO  /    6.00000,    0.00000,    1.25000, 0.000000, "
-       "0.000000, 1.000000\r\n"
-       "AUTOPS\r\nINDIRV/    0.00000,    1.00000,    0.00000\r\nTLON,GOFWD/      (CIRCLE/      0.00000,      "
-       "0.00000,"
-       "      1.25000,$\r\n       6.00000),ON,(LINE/      0.00000,      0.00000,      1.25000,$\r\n"
+       "$$ CATIA APT VERSION 1.0\r\nMULTAX\r\nGOTO  /    6.00000,    0.00000,    1.25000, 0.000000, 0.000000, "
+       "1.000000\r\n"
+       "AUTOPS\r\nINDIRV/    0.00000,    1.00000,    0.00000\r\nTLON,GOFWD/      (CIRCLE/      0.00000,      0.00000,  "
+       "    1.25000,$\r\n       6.00000),ON,(LINE/      0.00000,      0.00000,      1.25000,$\r\n"
        "                               0.00000,      6.00000,      1.25000)\r\nEND\r\n"},
   };
   for (const Example& example : examples) {
@@ -315,8 +310,7 @@ TEST(RewriteArc, LooksLikeTheFilesOwnArcs) {
     ASSERT_EQ(path.dialect, example.dialect);
     ASSERT_EQ(path.moves.size(), 2u);
     ASSERT_TRUE(rewritable_moves(path).arc[1]);
-    PathChange start{0, Pose{Vec3(6, 0, 1.25), Vec3::UnitZ()}, {}},
-        arc{1, Pose{Vec3(0, 6, 1.25), Vec3::UnitZ()}, {}};
+    PathChange start{0, Pose{Vec3(6, 0, 1.25), Vec3::UnitZ()}, {}}, arc{1, Pose{Vec3(0, 6, 1.25), Vec3::UnitZ()}, {}};
     arc.new_arc = path.arcs[0];
     arc.new_arc->center.z() = 1.25;
     EXPECT_EQ(written(path, {start, arc}), example.rewritten);
@@ -352,8 +346,7 @@ TEST(RewriteArc, WhatIsNoArcBetweenItsEndsIsRefused) {
   arc.new_arc->center.x() += 0.5;
   EXPECT_EQ(refusal(path, {arc}), "write-arc") << "its ends are off the circle";
   arc.new_arc = path.arcs[0];
-  arc.new_arc->sweep_rad =
-      path.arcs[0].sweep_rad + (path.arcs[0].sweep_rad < 0 ? 1 : -1) * -2 * std::numbers::pi;
+  arc.new_arc->sweep_rad = path.arcs[0].sweep_rad + (path.arcs[0].sweep_rad < 0 ? 1 : -1) * -2 * std::numbers::pi;
   EXPECT_EQ(refusal(path, {arc}), "write-arc") << "the other way round";
   PathChange uneven{1, std::nullopt, {path.moves[1].end}};
   uneven.new_arc = path.arcs[0];
@@ -367,14 +360,12 @@ TEST(RewriteArc, WhatIsNoArcBetweenItsEndsIsRefused) {
 TEST(RewriteArc, SeveralTurnsAndListsOnOneCircleAreNotRewritable) {
   const Toolpath turns = path_of(
       "TOOL PATH/A,TOOL,B\nGOTO/5.0000,0.0000,1.0000,0.0000000,0.0000000,1.0000000\n"
-      "CIRCLE/"
-      "0.0000,0.0000,1.0000,0.0000000,0.0000000,-1.0000000,5.0000,0.0600,0.5000,40.0000,1.0000,TIMES,2\n"
+      "CIRCLE/0.0000,0.0000,1.0000,0.0000000,0.0000000,-1.0000000,5.0000,0.0600,0.5000,40.0000,1.0000,TIMES,2\n"
       "GOTO/5.0000,0.0000,0.0000\nEND-OF-PATH\n");
   ASSERT_EQ(turns.moves[1].curve_kind, CurveKind::arc);
   EXPECT_FALSE(rewritable_moves(turns).arc[1]);
   const Toolpath list = path_of(
-      "MULTAX/OFF\nGOTO/20.0000,0.0000,0.0000\nCIRCLE/"
-      "0.0000,0.0000,0.0000,0.0000000,0.0000000,1.0000000,20.0000\n"
+      "MULTAX/OFF\nGOTO/20.0000,0.0000,0.0000\nCIRCLE/0.0000,0.0000,0.0000,0.0000000,0.0000000,1.0000000,20.0000\n"
       "GOTO/0.0000,20.0000,0.0000,-20.0000,0.0000,0.0000\nFINI\n");
   for (const bool can : rewritable_moves(list).arc) EXPECT_FALSE(can);
 }

@@ -25,10 +25,9 @@ std::vector<const Move*> moves_of(const Toolpath& path, std::size_t line) {
 }
 
 Vec3 lowest(const std::vector<const Move*>& moves) {
-  return (*std::min_element(moves.begin(), moves.end(),
-                            [](const Move* a, const Move* b) {
-                              return a->end.tip.dot(a->end.axis) < b->end.tip.dot(b->end.axis);
-                            }))
+  return (*std::min_element(
+              moves.begin(), moves.end(),
+              [](const Move* a, const Move* b) { return a->end.tip.dot(a->end.axis) < b->end.tip.dot(b->end.axis); }))
       ->end.tip;
 }
 

@@ -196,9 +196,8 @@ TEST(CorrectNccs, AHoleCannotBeChanged) {
 TEST(ConvertToNccs, ShortPlanarArcsStayArcs) {
   const Toolpath path = path_of(
       "UNITS/MM\nMODE/MILL\nGOTO/5.000000, 0.000000, 1.000000\nMOVARC/0.000000, 0.000000, 1.000000, 0.000000, "
-      "0.000000, "
-      "1.000000, 5.000000, ANGLE, 90.000000\nGOTO/0.000000, 5.000000, 1.000000\nMOVARC/0.000000, 0.000000, 1.000000, "
-      "0.000000, 0.000000, 1.000000, 5.000000, ANGLE, 270.000000\nGOTO/5.000000, 0.000000, 1.000000\nFINI\n");
+      "0.000000, 1.000000, 5.000000, ANGLE, 90.000000\nGOTO/0.000000, 5.000000, 1.000000\nMOVARC/0.000000, 0.000000, "
+      "1.000000, 0.000000, 0.000000, 1.000000, 5.000000, ANGLE, 270.000000\nGOTO/5.000000, 0.000000, 1.000000\nFINI\n");
   ASSERT_EQ(path.arcs.size(), 2u);
   const Result<WrittenToolpath> written = write_toolpath(path, dialect_of(DialectKind::nccs_binary));
   ASSERT_TRUE(written);

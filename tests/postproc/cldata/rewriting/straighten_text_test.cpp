@@ -68,16 +68,20 @@ TEST(StraightenText, AutodeskKeepsItsBlanksAndDigits) {
 
 TEST(StraightenText, CatiaGetsPositionsInPlaceOfItsTlon) {
   const Written w = straightened(
-      "$$ CATIA APT VERSION 1.0\r\nMULTAX\r\nGOTO  /    5.00000,    0.00000,    1.00000, 0.000000, 0.000000, 1.000000\r\n"
+      "$$ CATIA APT VERSION 1.0\r\nMULTAX\r\nGOTO  /    5.00000,    0.00000,    1.00000, 0.000000, 0.000000, "
+      "1.000000\r\n"
       "AUTOPS\r\nINDIRV/    0.00000,    1.00000,    0.00000\r\n"
       "TLON,GOFWD/ (CIRCLE/ 0.00000, 0.00000, 1.00000,$\r\n 5.00000),ON,(LINE/ 0.00000, 0.00000, 1.00000,$\r\n"
-      " 0.00000, 5.00000, 1.00000)\r\nGOTO  /    0.00000,    9.00000,    1.00000, 0.000000, 0.000000, 1.000000\r\nEND\r\n",
+      " 0.00000, 5.00000, 1.00000)\r\nGOTO  /    0.00000,    9.00000,    1.00000, 0.000000, 0.000000, "
+      "1.000000\r\nEND\r\n",
       1);
   expect_chords(w, 1);
   EXPECT_EQ(w.text.find("TLON"), std::string::npos);
   EXPECT_EQ(w.text.find("INDIRV"), std::string::npos);
-  EXPECT_NE(w.text.find("GOTO  /    0.00000,    5.00000,    1.00000, 0.000000, 0.000000, 1.000000\r\nGOTO  /    0.00000,    9.0"),
-            std::string::npos);
+  EXPECT_NE(
+      w.text.find(
+          "GOTO  /    0.00000,    5.00000,    1.00000, 0.000000, 0.000000, 1.000000\r\nGOTO  /    0.00000,    9.0"),
+      std::string::npos);
 }
 
 TEST(StraightenText, ANurbsGoesWithItsKnotsAndPoints) {
@@ -92,8 +96,8 @@ TEST(StraightenText, ANurbsGoesWithItsKnotsAndPoints) {
 }
 
 TEST(StraightenText, AnArcThatStaysMayNotLoseItsStart) {
-  const Toolpath path = path_of(
-      "TRNTYP/WORLD,0,0,0\nGOTO/0,0,0\nGOTO/5.,0,0\nCIRCLE/0,0,0,0,0,1.\nGOTO/0,5.,0\nFINI\n");
+  const Toolpath path =
+      path_of("TRNTYP/WORLD,0,0,0\nGOTO/0,0,0\nGOTO/5.,0,0\nCIRCLE/0,0,0,0,0,1.\nGOTO/0,5.,0\nFINI\n");
   PathChange change;
   change.move = 1;
   change.new_end = Pose{Vec3(5, 0, 1), Vec3::UnitZ()};

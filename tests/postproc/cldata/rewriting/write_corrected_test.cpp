@@ -11,11 +11,10 @@ namespace gouge {
 namespace {
 
 TEST(WriteCorrected, ChangesOnlyTheNumberThatChanged) {
-  const Toolpath path = path_of(
-      "UNITS/MM\r\nGOTO/1.000000, 2.000000, 3.000000\r\nGOTO/1.500000, -0.000000, 3.000000\r\nFINI\r\n");
-  EXPECT_EQ(
-      written(path, {lift(path, 1, 0.25)}),
-      "UNITS/MM\r\nGOTO/1.000000, 2.000000, 3.000000\r\nGOTO/1.500000, -0.000000, 3.250000\r\nFINI\r\n");
+  const Toolpath path =
+      path_of("UNITS/MM\r\nGOTO/1.000000, 2.000000, 3.000000\r\nGOTO/1.500000, -0.000000, 3.000000\r\nFINI\r\n");
+  EXPECT_EQ(written(path, {lift(path, 1, 0.25)}),
+            "UNITS/MM\r\nGOTO/1.000000, 2.000000, 3.000000\r\nGOTO/1.500000, -0.000000, 3.250000\r\nFINI\r\n");
 }
 
 TEST(WriteCorrected, DropsZerosWhereTheFileDoes) {
@@ -63,13 +62,12 @@ TEST(WriteCorrected, NumbersLabelsAndCommentsOfStatementsStay) {
 TEST(WriteCorrected, EveryPieceOfARapidStaysRapid) {
   const Toolpath path =
       path_of("GOTO/0.0000,0.0000,9.0000\nRAPID/\nGOTO/9.0000,0.0000,9.0000\nGOTO/9.0000,0.0000,1.0000\n");
-  const PathChange change{
-      1, std::nullopt, {{Vec3(0, 0, 20), Vec3::UnitZ()}, {Vec3(9, 0, 20), Vec3::UnitZ()}}};
+  const PathChange change{1, std::nullopt, {{Vec3(0, 0, 20), Vec3::UnitZ()}, {Vec3(9, 0, 20), Vec3::UnitZ()}}};
   const std::string text = written(path, {change});
-  EXPECT_EQ(text,
-            "GOTO/0.0000,0.0000,9.0000\nRAPID/\nGOTO/0.0000,0.0000,20.0000\nRAPID/\nGOTO/"
-            "9.0000,0.0000,20.0000\nRAPID/\n"
-            "GOTO/9.0000,0.0000,9.0000\nGOTO/9.0000,0.0000,1.0000\n");
+  EXPECT_EQ(
+      text,
+      "GOTO/0.0000,0.0000,9.0000\nRAPID/\nGOTO/0.0000,0.0000,20.0000\nRAPID/\nGOTO/9.0000,0.0000,20.0000\nRAPID/\n"
+      "GOTO/9.0000,0.0000,9.0000\nGOTO/9.0000,0.0000,1.0000\n");
   const Toolpath again = path_of(text);
   ASSERT_EQ(again.moves.size(), 5u);
   for (std::size_t i = 1; i < 4; ++i) EXPECT_EQ(again.moves[i].kind, MoveKind::rapid);
@@ -83,8 +81,7 @@ TEST(WriteCorrected, InsertsBeforeALastLineWithoutLineEnd) {
 }
 
 TEST(WriteCorrected, AnAxisThatThreeNumbersDoNotMeanIsWritten) {
-  const Toolpath path =
-      path_of("GOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\nGOTO/9.0000,0.0000,9.0000\n");
+  const Toolpath path = path_of("GOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\nGOTO/9.0000,0.0000,9.0000\n");
   const double s = std::sqrt(0.5);
   const std::string text = written(path, {{1, std::nullopt, {{Vec3(1, 2, 3), Vec3(s, 0, s)}}}});
   EXPECT_EQ(text,
@@ -94,20 +91,17 @@ TEST(WriteCorrected, AnAxisThatThreeNumbersDoNotMeanIsWritten) {
 
 TEST(WriteCorrected, UnderMultaxOffAnAxisSwitchesItOn) {
   const Toolpath path = path_of(
-      "MULTAX/ON\nGOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\nMULTAX/OFF\nGOTO/"
-      "9.0000,0.0000,9.0000\n");
+      "MULTAX/ON\nGOTO/0.0000,0.0000,9.0000,1.0000000,0.0000000,0.0000000\nMULTAX/OFF\nGOTO/9.0000,0.0000,9.0000\n");
   const double s = std::sqrt(0.5);
   const std::string text = written(path, {{1, std::nullopt, {{Vec3(1, 2, 3), Vec3(s, 0, s)}}}});
-  EXPECT_NE(
-      text.find("MULTAX/OFF\nMULTAX/ON\nGOTO/1.0000,2.0000,3.0000,0.7071068,0.0000000,0.7071068\nMULTAX/OFF\n"
-                "GOTO/9.0000,0.0000,9.0000\n"),
-      std::string::npos)
+  EXPECT_NE(text.find("MULTAX/OFF\nMULTAX/ON\nGOTO/1.0000,2.0000,3.0000,0.7071068,0.0000000,0.7071068\nMULTAX/OFF\n"
+                      "GOTO/9.0000,0.0000,9.0000\n"),
+            std::string::npos)
       << text;
 }
 
 constexpr const char* kBlock =
-    "TOOL "
-    "PATH/A,TOOL,B\nMSYS/100.0000,0.0000,0.0000,0.0000000,1.0000000,0.0000000,1.0000000,0.0000000,0.0000000\n"
+    "TOOL PATH/A,TOOL,B\nMSYS/100.0000,0.0000,0.0000,0.0000000,1.0000000,0.0000000,1.0000000,0.0000000,0.0000000\n"
     "GOTO/1.0000,2.0000,3.0000,0.0000000,0.0000000,-1.0000000\nGOTO/1.0000,2.0000,4.0000\nGOTO/"
     "1.0000,2.0000,5.0000\nEND-OF-PATH\n";
 
@@ -128,26 +122,21 @@ TEST(WriteCorrected, AModalAxisIsRestatedForStatementsThatRelyOnIt) {
   ASSERT_EQ(again.moves.size(), 3u);
   EXPECT_LT((again.moves[1].end.axis - tilted.axis).norm(), 1e-6);
   EXPECT_LT((again.moves[2].end.axis - path.moves[2].end.axis).norm(), 1e-12);
-  EXPECT_NE(text.find("GOTO/1.0000,2.0000,5.0000,0.0000000,0.0000000,-1.0000000\n"), std::string::npos)
-      << text;
+  EXPECT_NE(text.find("GOTO/1.0000,2.0000,5.0000,0.0000000,0.0000000,-1.0000000\n"), std::string::npos) << text;
 }
 
 TEST(WriteCorrected, APositionInsertedBeforeAnAxisOfItsOwnChangesNothingAfterIt) {
   const Toolpath path = path_of(
-      "TOOL "
-      "PATH/A,TOOL,B\nGOTO/0.0000,0.0000,0.0000\nGOTO/1.0000,0.0000,0.0000,1.0000000,0.0000000,0.0000000\n"
+      "TOOL PATH/A,TOOL,B\nGOTO/0.0000,0.0000,0.0000\nGOTO/1.0000,0.0000,0.0000,1.0000000,0.0000000,0.0000000\n"
       "GOTO/2.0000,0.0000,0.0000\nEND-OF-PATH\n");
   const double s = std::sqrt(0.5);
-  EXPECT_EQ(
-      written(path, {{1, std::nullopt, {{Vec3(0.5, 0, 3), Vec3(s, 0, s)}}}}),
-      "TOOL "
-      "PATH/A,TOOL,B\nGOTO/0.0000,0.0000,0.0000\nGOTO/0.5000,0.0000,3.0000,0.7071068,0.0000000,0.7071068\n"
-      "GOTO/1.0000,0.0000,0.0000,1.0000000,0.0000000,0.0000000\nGOTO/2.0000,0.0000,0.0000\nEND-OF-PATH\n");
+  EXPECT_EQ(written(path, {{1, std::nullopt, {{Vec3(0.5, 0, 3), Vec3(s, 0, s)}}}}),
+            "TOOL PATH/A,TOOL,B\nGOTO/0.0000,0.0000,0.0000\nGOTO/0.5000,0.0000,3.0000,0.7071068,0.0000000,0.7071068\n"
+            "GOTO/1.0000,0.0000,0.0000,1.0000000,0.0000000,0.0000000\nGOTO/2.0000,0.0000,0.0000\nEND-OF-PATH\n");
 }
 
 TEST(WriteCorrected, AStatementOfSeveralPositionsIsSplitOnlyToInsert) {
-  const Toolpath path =
-      path_of("RAPID\nGOTO/1.0000,2.0000,3.0000,4.0000,5.0000,6.0000,7.0000,8.0000,9.0000\n");
+  const Toolpath path = path_of("RAPID\nGOTO/1.0000,2.0000,3.0000,4.0000,5.0000,6.0000,7.0000,8.0000,9.0000\n");
   EXPECT_EQ(written(path, {lift(path, 1, 0.5)}),
             "RAPID\nGOTO/1.0000,2.0000,3.0000,4.0000,5.0000,6.5000,7.0000,8.0000,9.0000\n");
   EXPECT_EQ(written(path, {{1, std::nullopt, {{Vec3(0, 0, 20), Vec3::UnitZ()}}}}),
@@ -179,8 +168,7 @@ TEST(WriteCorrected, InchFilesStayInInches) {
 TEST(WriteCorrected, WhatCannotBeChangedIsAnError) {
   const Toolpath path = path_of("GOTO/1,0,0\nCIRCLE/0,0,0,0,0,1,1\nGOTO/0,1,0\nGOTO/5,5,5\n");
   EXPECT_EQ(to_text(write_corrected(path, {lift(path, 1, 1)}).error()),
-            "test.apt:3: error: move 1 is an arc, a curve or a cycle; only straight moves can be changed "
-            "[write-arc]");
+            "test.apt:3: error: move 1 is an arc, a curve or a cycle; only straight moves can be changed [write-arc]");
   EXPECT_EQ(write_corrected(path, {{0, std::nullopt, {Pose{}}}}).error().code, "write-alone");
   EXPECT_EQ(write_corrected(path, {{9, Pose{}, {}}}).error().message,
             "move 9 is not in the path; expected one change for a move of the path");

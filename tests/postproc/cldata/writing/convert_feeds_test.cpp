@@ -33,7 +33,8 @@ void expect_kept(const Toolpath& path, const Dialect& dialect) {
   ASSERT_TRUE(written) << path.file << " to " << dialect.id << ": " << to_text(written.error());
   const MotionStates wanted = states_of(path), found = states_in(written->bytes, dialect, path.unit);
   EXPECT_TRUE(are_same(found, wanted)) << path.file << " to " << dialect.id << "\nfound\n"
-                                       << text_of(found) << "expected\n" << text_of(wanted) << written->bytes;
+                                       << text_of(found) << "expected\n"
+                                       << text_of(wanted) << written->bytes;
 }
 
 std::string refusal(const std::string& text, DialectKind target) {
@@ -49,9 +50,11 @@ TEST(ConvertFeeds, APlungeHasTheFeedOfItsCycle) {
   const std::string creo = "$$* Pro/CLfile\nUNITS / MM\nLOADTL / 1\nRAPID\nGOTO / 0, 0, 50\n";
   const std::vector<std::string> texts = {
       std::string(kHead) + "CYCLE/DRILL,RAPTO,2,FEDTO,-15,RTRCTO,5,MMPM,120\nGOTO/20,10,0\nCYCLE/OFF\nFINI\n",
-      std::string(kHead) + "FEDRAT/2000,MMPM\nGOTO/1,0,50\nCYCLE/DRILL,RAPTO,2,FEDTO,15,MMPM,120\nGOTO/20,10,0\nCYCLE/OFF\nFINI\n",
+      std::string(kHead) +
+          "FEDRAT/2000,MMPM\nGOTO/1,0,50\nCYCLE/DRILL,RAPTO,2,FEDTO,15,MMPM,120\nGOTO/20,10,0\nCYCLE/OFF\nFINI\n",
       nx + "CYCLE/DRILL,RAPTO,2,FEDTO,-15,MMPM,120\nGOTO/20,10,0\nCYCLE/OFF\nEND-OF-PATH\n",
-      nx + "FEDRAT/MMPM,2000\nGOTO/1,0,50\nCYCLE/DRILL,DEEP,RAPTO,2,FEDTO,-15,IPM,4.724409448819\nGOTO/20,10,0\nCYCLE/OFF\nEND-OF-PATH\n",
+      nx + "FEDRAT/MMPM,2000\nGOTO/1,0,50\nCYCLE/DRILL,DEEP,RAPTO,2,FEDTO,-15,IPM,4.724409448819\nGOTO/20,10,0\nCYCLE/"
+           "OFF\nEND-OF-PATH\n",
       creo + "CYCLE / DEEP, DEPTH, 15, STEP, 1, MMPM, 120, CLEAR,$\n 2\nGOTO / 20, 10, 0\nCYCLE / OFF\nFINI\n",
       "UNIT/MM\nCUTTER/6.,0,3.,0,0,0,50.\nLOAD/TOOL,1\nTRNTYP/WORLD,0,0,0\nRAPID/\nGOTO/0,0,50.\n"
       "CYCLE/DRILL,FEDTO,15.,MMPM,120.,RAPTO,2.,RTRCTO,25.,DWELL,0\nGOTO/20.,10.,0\nCYCLE/OFF\nFINI\n",
@@ -61,9 +64,8 @@ TEST(ConvertFeeds, APlungeHasTheFeedOfItsCycle) {
       "CYCLE/DRILL,DEPTH, 15,MMPM, 120,CLEAR, 2,$\nRETURN, 9\nGOTO / 20,10,0\nCYCLE/OFF\nEND\n"};
   for (const std::string& text : texts) {
     const Toolpath path = path_of(text);
-    const auto plunge = std::find_if(path.moves.begin(), path.moves.end(), [](const Move& move) {
-      return std::abs(move.end.tip.z() + 15) <= 1e-9;
-    });
+    const auto plunge = std::find_if(path.moves.begin(), path.moves.end(),
+                                     [](const Move& move) { return std::abs(move.end.tip.z() + 15) <= 1e-9; });
     ASSERT_NE(plunge, path.moves.end()) << text;
     EXPECT_EQ(plunge->feed_unit, FeedUnit::per_minute) << text;
     EXPECT_NEAR(plunge->feed_mm, 120, 1e-6) << text;
@@ -79,8 +81,9 @@ TEST(ConvertFeeds, APlungeWithoutAFeedStaysAFeedMove) {
     if (!is_written_with_feeds(dialect)) continue;
     expect_kept(path_of(kHead + cycle), dialect);
     const Result<WrittenToolpath> written = write_toolpath(path_of(kHead + cycle), dialect);
-    EXPECT_TRUE(std::any_of(written->notes.begin(), written->notes.end(),
-                            [](const Diagnostic& note) { return note.code == "convert-feed"; })) << dialect.id;
+    EXPECT_TRUE(std::any_of(written->notes.begin(), written->notes.end(), [](const Diagnostic& note) {
+      return note.code == "convert-feed";
+    })) << dialect.id;
     expect_kept(path_of(std::string(kHead) + "FEDRAT/90,MMPM\n" + cycle), dialect);
   }
 }
@@ -95,9 +98,10 @@ TEST(ConvertFeeds, AMoveWithoutAFeedIsNotRunAtAnEarlierOne) {
 }
 
 TEST(ConvertFeeds, AreKeptPerRevolution) {
-  const std::string text = std::string(kHead) +
-                           "FEDRAT/2000,MMPM\nGOTO/0,0,20\nFEDRAT/0.08,MMPR\nGOTO/0,0,10\nFEDRAT/IPR,.00025\nGOTO/0,0,5\n"
-                           "CYCLE/DRILL,RAPTO,2,FEDTO,15,MMPR,0.05\nGOTO/20,10,0\nCYCLE/OFF\nFEDRAT/500,MMPM\nGOTO/0,0,60\nFINI\n";
+  const std::string text =
+      std::string(kHead) +
+      "FEDRAT/2000,MMPM\nGOTO/0,0,20\nFEDRAT/0.08,MMPR\nGOTO/0,0,10\nFEDRAT/IPR,.00025\nGOTO/0,0,5\n"
+      "CYCLE/DRILL,RAPTO,2,FEDTO,15,MMPR,0.05\nGOTO/20,10,0\nCYCLE/OFF\nFEDRAT/500,MMPM\nGOTO/0,0,60\nFINI\n";
   const Toolpath path = path_of(text);
   EXPECT_EQ(path.moves.at(2).feed_unit, FeedUnit::per_revolution);
   EXPECT_NEAR(path.moves.at(3).feed_mm, 0.00635, 1e-12);
@@ -123,8 +127,9 @@ TEST(ConvertFeeds, ThatAreNotUnderstoodAreRefused) {
 }
 
 TEST(ConvertFeeds, OfAFileInInches) {
-  const std::string text = "PARTNO A\nUNITS/INCHES\nCUTTER/.5\nLOADTL/1\nRAPID\nGOTO/0,0,5\nFEDRAT/20\nGOTO/0,0,1\n"
-                           "FEDRAT/254,MMPM\nGOTO/0,0,.5\nFEDRAT/7.5,IPM\nGOTO/0,0,0\nFEDRAT/.001,IPR\nGOTO/1,0,0\nFINI\n";
+  const std::string text =
+      "PARTNO A\nUNITS/INCHES\nCUTTER/.5\nLOADTL/1\nRAPID\nGOTO/0,0,5\nFEDRAT/20\nGOTO/0,0,1\n"
+      "FEDRAT/254,MMPM\nGOTO/0,0,.5\nFEDRAT/7.5,IPM\nGOTO/0,0,0\nFEDRAT/.001,IPR\nGOTO/1,0,0\nFINI\n";
   for (const Dialect& dialect : all_dialects()) {
     if (is_written_with_feeds(dialect)) expect_kept(path_of(text), dialect);
   }
@@ -132,7 +137,8 @@ TEST(ConvertFeeds, OfAFileInInches) {
 
 TEST(ConvertFeeds, ReamedAndBoredHolesAreLeftAtTheFeed) {
   for (const std::string type : {"REAM", "BORE"}) {
-    const Toolpath path = path_of(std::string(kHead) + "CYCLE/" + type + ",RAPTO,2,FEDTO,15,MMPM,120\nGOTO/20,10,0\nCYCLE/OFF\nFINI\n");
+    const Toolpath path =
+        path_of(std::string(kHead) + "CYCLE/" + type + ",RAPTO,2,FEDTO,15,MMPM,120\nGOTO/20,10,0\nCYCLE/OFF\nFINI\n");
     EXPECT_EQ(path.moves.back().feed_unit, FeedUnit::per_minute) << type;
     expect_kept(path, dialect_of(DialectKind::creo));
   }
@@ -148,7 +154,8 @@ TEST(ConvertFeeds, ATapIsNotWrittenAsPlainMoves) {
 // RAPID holds for one motion; an arc or spline that is written as chords needs one for each.
 TEST(ConvertFeeds, ARapidArcIsRapidInAllItsChords) {
   const Toolpath path = path_of(
-      "TOOL PATH/A,TOOL,B\nTLDATA/MILL,6,0,50,0,0\nLOAD/TOOL,1\nRAPID\nGOTO/10,0,5\nFEDRAT/MMPM,300\nGOTO/10,0,0\nRAPID\n"
+      "TOOL "
+      "PATH/A,TOOL,B\nTLDATA/MILL,6,0,50,0,0\nLOAD/TOOL,1\nRAPID\nGOTO/10,0,5\nFEDRAT/MMPM,300\nGOTO/10,0,0\nRAPID\n"
       "CIRCLE/0,0,0,0,0,-1,10,.06,.5,6,0\nGOTO/-10,0,0\nGOTO/-10,0,5\nEND-OF-PATH\n");
   EXPECT_EQ(path.moves.at(2).feed_unit, FeedUnit::rapid);
   EXPECT_EQ(path.moves.at(3).feed_unit, FeedUnit::per_minute);

@@ -31,15 +31,12 @@ void expect_same_motions(const Toolpath& a, const Toolpath& b, double within_mm)
   for (std::size_t i = 0; i < a.moves.size() && shown < 3; ++i) {
     const double tip = (a.moves[i].end.tip - b.moves[i].end.tip).cwiseAbs().maxCoeff();
     const double axis = (a.moves[i].end.axis - b.moves[i].end.axis).cwiseAbs().maxCoeff();
-    const bool is_same = tip <= within_mm && axis <= 2e-6 &&
-                         a.moves[i].has_start == b.moves[i].has_start &&
+    const bool is_same = tip <= within_mm && axis <= 2e-6 && a.moves[i].has_start == b.moves[i].has_start &&
                          a.moves[i].curve_kind == b.moves[i].curve_kind;
     if (is_same && a.moves[i].curve_kind == CurveKind::arc) {
-      EXPECT_NEAR(a.arcs[a.moves[i].curve].sweep_rad, b.arcs[b.moves[i].curve].sweep_rad, 0.02)
-          << a.file << " " << i;
+      EXPECT_NEAR(a.arcs[a.moves[i].curve].sweep_rad, b.arcs[b.moves[i].curve].sweep_rad, 0.02) << a.file << " " << i;
     }
-    EXPECT_TRUE(is_same) << a.file << ":" << a.moves[i].line << " move " << i << " tip " << tip << " axis "
-                         << axis;
+    EXPECT_TRUE(is_same) << a.file << ":" << a.moves[i].line << " move " << i << " tip " << tip << " axis " << axis;
     shown += is_same ? 0 : 1;
   }
 }
@@ -114,8 +111,7 @@ TEST(RoundTrip, EveryDialectTakesAPathWithTiltsArcsAndTools) {
       continue;
     }
     ASSERT_TRUE(result) << dialect.id << result.error().message;
-    for (const Diagnostic& note : result->notes)
-      EXPECT_NE(note.code, "convert-verify") << dialect.id << note.message;
+    for (const Diagnostic& note : result->notes) EXPECT_NE(note.code, "convert-verify") << dialect.id << note.message;
     ReadOptions options;
     options.dialect = dialect;
     const ReadOutcome again = read_toolpath("again", result->bytes, options);
@@ -139,8 +135,9 @@ std::string outcome_of(const std::string& text, const Dialect& target) {
 
 // Each with a move that no dialect but the named one can keep from running with the tool before it.
 TEST(RoundTrip, NoMoveGetsTheToolOfAnother) {
-  const std::string nx_head = "TOOL PATH/A,TOOL,flat10\nTLDATA/MILL,10,0,50,0,0\nLOAD/TOOL,1\nGOTO/56,0,-5\n"
-                              "GOTO/56,10,-5\nEND-OF-PATH\nTOOL PATH/B,TOOL,";
+  const std::string nx_head =
+      "TOOL PATH/A,TOOL,flat10\nTLDATA/MILL,10,0,50,0,0\nLOAD/TOOL,1\nGOTO/56,0,-5\n"
+      "GOTO/56,10,-5\nEND-OF-PATH\nTOOL PATH/B,TOOL,";
   const std::string motion = "GOTO/56,0,-5\nGOTO/56,10,-5\n";
   struct Case {
     std::string text;
@@ -229,7 +226,9 @@ TEST(RoundTrip, CompensationIsKept) {
     const ReadOutcome centre = read_toolpath("again", written->bytes, again);
     for (const Move& move : centre.toolpath->moves) EXPECT_TRUE(move.not_checked_reason.empty()) << dialect.id;
     EXPECT_LE(std::count_if(outcome.toolpath->moves.begin(), outcome.toolpath->moves.end(),
-                            [](const Move& move) { return move.not_checked_reason.empty(); }), 2) << dialect.id;
+                            [](const Move& move) { return move.not_checked_reason.empty(); }),
+              2)
+        << dialect.id;
   }
 }
 
@@ -237,8 +236,8 @@ TEST(RoundTrip, CompensationIsKept) {
 TEST(RoundTrip, CompensationOfPositionsOnTheCentreIsKeptAsWell) {
   ReadOptions options;
   options.is_cutcom_centre = true;
-  const ReadOutcome read = read_toolpath(
-      "a.apt", "UNITS/MM\nGOTO/0,0,0\nCUTCOM/RIGHT\nGOTO/5,0,0\nCUTCOM/OFF\nGOTO/9,0,0\nFINI\n", options);
+  const ReadOutcome read =
+      read_toolpath("a.apt", "UNITS/MM\nGOTO/0,0,0\nCUTCOM/RIGHT\nGOTO/5,0,0\nCUTCOM/OFF\nGOTO/9,0,0\nFINI\n", options);
   ASSERT_TRUE(read.toolpath);
   const Result<WrittenToolpath> creo = write_toolpath(*read.toolpath, *dialect_called("apt-creo"));
   ASSERT_TRUE(creo);
@@ -331,8 +330,7 @@ TEST(RoundTrip, CorrectionsOfEverySampleAreReadBack) {
       const bool meets_arc = i + 1 < path.moves.size() && path.moves[i + 1].curve_kind != CurveKind::none;
       const bool meets_step = i + 1 < path.moves.size() && path.moves[i + 1].kind != MoveKind::feed &&
                               path.moves[i + 1].kind != MoveKind::rapid;
-      if (!is_straight || meets_arc || meets_step || !move.not_checked_reason.empty() || !move.has_start)
-        continue;
+      if (!is_straight || meets_arc || meets_step || !move.not_checked_reason.empty() || !move.has_start) continue;
       Pose end = move.end;
       end.tip += 1.25 * end.axis;
       Pose between{0.5 * (path.start_of(i).tip + end.tip), end.axis};
