@@ -163,7 +163,7 @@ ClosestPoint CellSearch::nearest(const Asked& asked) {
       over_mm = height.over_mm;
     } else {
       ++counters.exact_pairs;
-      const TrianglePoint other = closest_on_triangle(asked.place, body_.corners[near.place(facet)]);
+      const TrianglePoint other = closest_on_triangle(asked.place, body_.corners[near.slot(facet)]);
       if (!(other.distance2_mm2 < best2)) continue;
       best2 = other.distance2_mm2;
       foot = other;
@@ -175,10 +175,10 @@ ClosestPoint CellSearch::nearest(const Asked& asked) {
     ++counters.inside_tests;
     return *closest_point(body_, asked.place, std::sqrt(best2) * kRoundUp + rim_mm_);
   }
-  const std::uint32_t place = near.place(best);
-  if (!is_over) return signed_closest_point(body_, asked.place, place, foot);
+  const std::uint32_t slot = near.slot(best);
+  if (!is_over) return signed_closest_point(body_, asked.place, slot, foot);
   const Vec3 normal = near.planes(best).normal();
-  return {asked.place - over_mm * normal, normal, std::abs(over_mm), over_mm < 0, body_.tree.order[place], place};
+  return {asked.place - over_mm * normal, normal, std::abs(over_mm), over_mm < 0, body_.tree.order[slot], slot};
 }
 
 void CellSearch::report(const Asked& asked, const ClosestPoint& foot) {

@@ -24,7 +24,7 @@ constexpr std::size_t kLevels = 7;  // four of cubes of cells, two of halved cel
 
 struct Distant {
   double mm = 0;
-  std::uint32_t place = 0;
+  std::uint32_t slot = 0;
   Vec3 way = Vec3::Zero();  ///< unit, from the foot; zero at it
 };
 
@@ -49,9 +49,9 @@ double box_distance2(const float* box, const Vec3& p) {
 /// Appends the slots of the facets within `radius_mm` of a point; false, and not all of them, when there are
 /// more than `most`.
 bool facets_within(const DepthBody& body, const Vec3& point, double radius_mm, std::size_t most,
-                   std::vector<std::uint32_t>& places) {
+                   std::vector<std::uint32_t>& slots) {
   const double radius2 = radius_mm * radius_mm;
-  const std::size_t before = places.size();
+  const std::size_t before = slots.size();
   std::vector<std::uint32_t> open(body.tree.nodes.empty() ? 0 : 1, 0);
   while (!open.empty()) {
     const std::uint32_t index = open.back();
@@ -61,8 +61,8 @@ bool facets_within(const DepthBody& body, const Vec3& point, double radius_mm, s
     for (std::uint32_t k = 0; k < node.children; ++k) open.push_back(node.first + k);
     for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
       if (closest_on_triangle(point, body.corners[node.first + k]).distance2_mm2 > radius2) continue;
-      places.push_back(node.first + k);
-      if (places.size() - before > most) return false;
+      slots.push_back(node.first + k);
+      if (slots.size() - before > most) return false;
     }
   }
   return true;
@@ -86,12 +86,12 @@ class BrickFacets {
  private:
   // In units of the body's slack, which is four roundings of single precision: far above those of doubles.
   static constexpr double kRounding = 1e-3;
-  using Places = std::vector<std::uint32_t>;
+  using Slots = std::vector<std::uint32_t>;
 
   static double diagonal(double half_mm) { return std::sqrt(3.0) * half_mm; }
 
   /// `among`: the facets that may be nearest; null where they were too many.
-  void add_cube(const DepthGrid::Cell& low, int cells, const Places* among, std::size_t level) {
+  void add_cube(const DepthGrid::Cell& low, int cells, const Slots* among, std::size_t level) {
     for (std::size_t i = 0; i < 3; ++i) {
       if (low[i] >= grid_.counts()[i]) return;
     }
@@ -106,13 +106,13 @@ class BrickFacets {
       const double reach = foot->distance_mm + 2 * diagonal(half_mm) + rounding_mm_;
       if (facets_within(body_, centre, reach, kMostGathered, gathered_)) among = &gathered_;
     }
-    Places& here = here_[level];
+    Slots& here = here_[level];
     if (among != nullptr) {
       const double nearest_mm = prune(centre, half_mm, *among, here, level);
       if (nearest_mm > within_mm_ + diagonal(half_mm)) return;
     }
     if (cells == 1) {
-      if (among == nullptr) return add_list(low, {foot->place}, 0);
+      if (among == nullptr) return add_list(low, {foot->slot}, 0);
       return add_cell(low, centre, half_mm, here, level);
     }
     const int n = cells / 2;
@@ -121,13 +121,13 @@ class BrickFacets {
                among != nullptr ? &here : nullptr, level + 1);
   }
 
-  void add_cell(const DepthGrid::Cell& cell, const Vec3& centre, double half_mm, const Places& among,
+  void add_cell(const DepthGrid::Cell& cell, const Vec3& centre, double half_mm, const Slots& among,
                 std::size_t level) {
     kept_.clear();
     keep(centre, half_mm, among, level, kHalvings);
     order_.clear();
-    for (const std::uint32_t place : kept_)
-      order_.emplace_back(closest_on_triangle(centre, body_.corners[place]).distance2_mm2, place);
+    for (const std::uint32_t slot : kept_)
+      order_.emplace_back(closest_on_triangle(centre, body_.corners[slot]).distance2_mm2, slot);
     std::sort(order_.begin(), order_.end());
     for (std::size_t i = 0; i < kept_.size(); ++i) kept_[i] = order_[i].second;
     if (kept_.size() > kMostListed) return add_list(cell, {kept_[0]}, 0);
@@ -135,17 +135,17 @@ class BrickFacets {
   }
 
   /// Neighbours often have the same list; it is kept once.
-  void add_list(const DepthGrid::Cell& cell, const Places& places, std::uint32_t flag) {
-    const auto count = static_cast<std::uint32_t>(places.size()) | flag;
-    Places& lists = part_->lists;
+  void add_list(const DepthGrid::Cell& cell, const Slots& slots, std::uint32_t flag) {
+    const auto count = static_cast<std::uint32_t>(slots.size()) | flag;
+    Slots& lists = part_->lists;
     const auto same = [&](std::size_t at) {
       return lists[at] == count &&
-             std::equal(places.begin(), places.end(), lists.begin() + static_cast<std::ptrdiff_t>(at) + 1);
+             std::equal(slots.begin(), slots.end(), lists.begin() + static_cast<std::ptrdiff_t>(at) + 1);
     };
     if (part_->cells.empty() || !same(part_->cells.back().list)) {
       part_->cells.push_back({static_cast<std::uint32_t>(grid_.index(cell)), static_cast<std::uint32_t>(lists.size())});
       lists.push_back(count);
-      lists.insert(lists.end(), places.begin(), places.end());
+      lists.insert(lists.end(), slots.begin(), slots.end());
       return;
     }
     part_->cells.push_back({static_cast<std::uint32_t>(grid_.index(cell)), part_->cells.back().list});
@@ -160,39 +160,39 @@ class BrickFacets {
   }
 
   /// Of `among` those that may be nearest in the cube; returns the distance of the one nearest to its centre.
-  double prune(const Vec3& centre, double half_mm, const Places& among, Places& here, std::size_t level) {
+  double prune(const Vec3& centre, double half_mm, const Slots& among, Slots& here, std::size_t level) {
     std::vector<Distant>& distances = distances_[level];
     distances.clear();
     here.clear();
     Distant nearest;
     nearest.mm = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t place : among) {
-      const Vec3 way = centre - closest_on_triangle(centre, body_.corners[place]).point;
+    for (const std::uint32_t slot : among) {
+      const Vec3 way = centre - closest_on_triangle(centre, body_.corners[slot]).point;
       const double mm = way.norm();
-      distances.push_back({mm, place, mm > 0 ? Vec3(way / mm) : Vec3(Vec3::Zero())});
+      distances.push_back({mm, slot, mm > 0 ? Vec3(way / mm) : Vec3(Vec3::Zero())});
       if (mm < nearest.mm) nearest = distances.back();
     }
     const double h = diagonal(half_mm);
     for (const Distant& d : distances) {
-      if (d.mm - nearest.mm <= gain_within(h, d, nearest) + rounding_mm_) here.push_back(d.place);
+      if (d.mm - nearest.mm <= gain_within(h, d, nearest) + rounding_mm_) here.push_back(d.slot);
     }
     return nearest.mm;
   }
 
   /// Adds to kept_ the facets that may be nearest in the cube, halved `halvings` times more.
-  void keep(const Vec3& centre, double half_mm, const Places& among, std::size_t level, int halvings) {
-    const bool is_news = std::any_of(among.begin(), among.end(), [this](std::uint32_t place) {
-      return std::find(kept_.begin(), kept_.end(), place) == kept_.end();
+  void keep(const Vec3& centre, double half_mm, const Slots& among, std::size_t level, int halvings) {
+    const bool is_news = std::any_of(among.begin(), among.end(), [this](std::uint32_t slot) {
+      return std::find(kept_.begin(), kept_.end(), slot) == kept_.end();
     });
     if (!is_news) return;
     if (among.size() == 1 || halvings == 0) {
-      for (const std::uint32_t place : among) {
-        if (std::find(kept_.begin(), kept_.end(), place) == kept_.end()) kept_.push_back(place);
+      for (const std::uint32_t slot : among) {
+        if (std::find(kept_.begin(), kept_.end(), slot) == kept_.end()) kept_.push_back(slot);
       }
       return;
     }
     const double quarter = 0.5 * half_mm;
-    Places& here = here_[level + 1];
+    Slots& here = here_[level + 1];
     for (int k = 0; k < 8; ++k) {
       const Vec3 to((k & 1) != 0 ? quarter : -quarter, (k & 2) != 0 ? quarter : -quarter,
                     (k & 4) != 0 ? quarter : -quarter);
@@ -206,10 +206,10 @@ class BrickFacets {
   const DepthGrid& grid_;
   double within_mm_, rounding_mm_;
   NearFacetsPart* part_ = nullptr;
-  Places gathered_, kept_;
+  Slots gathered_, kept_;
   std::vector<std::pair<double, std::uint32_t>> order_;
   std::array<std::vector<Distant>, kLevels> distances_;
-  std::array<Places, kLevels> here_;
+  std::array<Slots, kLevels> here_;
 };
 
 }  // namespace
@@ -244,13 +244,13 @@ void NearFacets::number_facets(const DepthBody& body) {
   for (std::size_t at = 1; at < lists_.size();) {
     const std::size_t end = at + 1 + (lists_[at] & ~kIsComplete);
     for (++at; at < end; ++at) {
-      const std::uint32_t place = lists_[at];
-      if (facet_at[place] == kNone) {
-        facet_at[place] = static_cast<std::uint32_t>(places_.size());
-        places_.push_back(place);
-        planes_.push_back(facet_planes(body.corners[place], body.sign.face(body.tree.order[place])));
+      const std::uint32_t slot = lists_[at];
+      if (facet_at[slot] == kNone) {
+        facet_at[slot] = static_cast<std::uint32_t>(slots_.size());
+        slots_.push_back(slot);
+        planes_.push_back(facet_planes(body.corners[slot], body.sign.face(body.tree.order[slot])));
       }
-      lists_[at] = facet_at[place];
+      lists_[at] = facet_at[slot];
     }
   }
 }

@@ -39,7 +39,7 @@ class NearFacets {
   }
 
   [[nodiscard]] const FacetPlanes& planes(std::uint32_t facet) const { return planes_[facet]; }
-  [[nodiscard]] std::uint32_t place(std::uint32_t facet) const { return places_[facet]; }
+  [[nodiscard]] std::uint32_t slot(std::uint32_t facet) const { return slots_[facet]; }
 
   /// Brings what `at` will read nearer to the processor.
   void prefetch(std::size_t cell) const {
@@ -54,16 +54,16 @@ class NearFacets {
     const auto* const planes = reinterpret_cast<const char*>(planes_.data() + known.facets[0]);
     __builtin_prefetch(planes);
     __builtin_prefetch(planes + sizeof(FacetPlanes) / 2);
-    __builtin_prefetch(places_.data() + known.facets[0]);
+    __builtin_prefetch(slots_.data() + known.facets[0]);
   }
 
  private:
   void number_facets(const DepthBody& body);
 
-  std::vector<std::uint32_t> first_;   ///< by cell, slot in lists_
-  std::vector<std::uint32_t> lists_;   ///< count, with kIsComplete, then the facets
-  std::vector<FacetPlanes> planes_;    ///< of the facets that stand in a list
-  std::vector<std::uint32_t> places_;  ///< of the same, in the body's tree
+  std::vector<std::uint32_t> first_;  ///< by cell, slot in lists_
+  std::vector<std::uint32_t> lists_;  ///< count, with kIsComplete, then the facets
+  std::vector<FacetPlanes> planes_;   ///< of the facets that stand in a list
+  std::vector<std::uint32_t> slots_;  ///< of the same, in the body's tree
 };
 
 }  // namespace gouge

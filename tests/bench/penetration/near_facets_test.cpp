@@ -34,7 +34,7 @@ Tally expect_nearest(const IndexedMesh& mesh, double depth_mm, int points) {
     const NearFacets::Known known = near.at(body.depths.cell_of(point));
     if (known.facets.empty()) continue;
     double least = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t facet : known.facets) least = std::min(least, distance_to(body, near.place(facet), point));
+    for (const std::uint32_t facet : known.facets) least = std::min(least, distance_to(body, near.slot(facet), point));
     const double truth = brute_force_closest_point(body.mesh, point).distance_mm;
     EXPECT_GE(least, truth - rounding);
     if (known.is_complete) {
