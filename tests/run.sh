@@ -2,6 +2,7 @@
 # Builds everything and runs all tests. Run it from any folder, as root or with sudo at hand. Ends in one line:
 # N passed, N failed, N skipped. The exit status is 0 only when tests ran and none failed.
 set -u
+MORE_PACKAGES="clang-format"
 . "$(dirname "${BASH_SOURCE[0]}")/../samples/setup.sh"
 build
 
