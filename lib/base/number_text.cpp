@@ -111,4 +111,12 @@ std::string people_text(double value, int decimals, Zeros zeros) {
   return text == "-0" ? "0" : text;
 }
 
+std::string count_text(std::size_t count, std::string_view one, std::string_view many) {
+  return std::to_string(count) + " " + std::string(count == 1 ? one : many);
+}
+
+std::string count_text(std::size_t count, std::string_view noun) {
+  return count_text(count, noun, std::string(noun) + "s");
+}
+
 }  // namespace gouge

@@ -28,4 +28,10 @@ enum class Zeros { kept, dropped };
 /// nothing, the shortest form with an exponent ("1e+300").
 [[nodiscard]] std::string people_text(double value, int decimals, Zeros zeros = Zeros::dropped);
 
+/// "1 half", "7 halves".
+[[nodiscard]] std::string count_text(std::size_t count, std::string_view one, std::string_view many);
+
+/// "1 move", "7 moves".
+[[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
+
 }  // namespace gouge

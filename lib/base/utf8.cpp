@@ -19,4 +19,13 @@ std::optional<CodePoint> decode_utf8(std::string_view text, std::size_t at) {
   return CodePoint{value, bytes};
 }
 
+bool is_utf8(std::string_view text) {
+  for (std::size_t at = 0; at < text.size();) {
+    const std::optional<CodePoint> c = decode_utf8(text, at);
+    if (!c) return false;
+    at += c->bytes;
+  }
+  return true;
+}
+
 }  // namespace gouge

@@ -15,4 +15,7 @@ struct CodePoint {
 /// nothing above U+10FFFF); nothing where there is none. Requires at < text.size().
 [[nodiscard]] std::optional<CodePoint> decode_utf8(std::string_view text, std::size_t at);
 
+/// Whether all of the text is well-formed.
+[[nodiscard]] bool is_utf8(std::string_view text);
+
 }  // namespace gouge

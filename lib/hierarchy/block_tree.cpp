@@ -6,6 +6,7 @@
 namespace gouge {
 
 std::size_t BlockTree::mesh_of(std::uint32_t triangle) const {
+  if (meshes.size() == 1) return 0;
   const auto after = std::upper_bound(first_triangle.begin(), first_triangle.end(), triangle);
   return static_cast<std::size_t>(after - first_triangle.begin()) - 1;
 }

@@ -24,6 +24,7 @@ struct BlockTree {
   std::vector<NodeBlock> nodes;  ///< nodes[0] is the root; empty when there is no triangle
   std::vector<TriangleBlock> leaves;
   Vec3 origin = Vec3::Zero();  ///< mm, part coordinates
+  double radius_mm = 0;        ///< no triangle reaches farther from the origin
   /// How far single precision may have moved a corner of a TriangleBlock.
   double rounding_mm = 0;
   std::vector<const IndexedMesh*> meshes;     ///< as given to build_block_tree

@@ -39,13 +39,8 @@ Single3 single(const Vec3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-/// The largest of (axis . corner) and of its negative, for each axis.
-struct Extent {
-  std::array<Lanes, 3> high, low;
-};
-
 GOUGE_WIDE void find_extent(const TriangleBlock* leaf, const TriangleBlock* end, const std::array<Single3, 3>& axes,
-                            Extent& extent) {
+                            LeafExtent& extent) {
   V high[3], low[3];
   for (std::size_t k = 0; k < 3; ++k) high[k] = low[k] = V{} - std::numeric_limits<float>::max();
   for (; leaf != end; ++leaf) {
@@ -128,7 +123,7 @@ void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, 
   const Vec3 normal = length > 0 ? Vec3(direction / length) : Vec3::UnitZ();
   const Vec3 u = normal.unitOrthogonal();
   const Vec3 v = normal.cross(u);
-  Extent extent;
+  LeafExtent extent;
   find_extent(first, end, {single(u), single(v), single(normal)}, extent);
   const auto middle = [&](std::size_t k) { return 0.5 * (largest(extent.high[k]) - largest(extent.low[k])); };
   const Single3 center = single(middle(0) * u + middle(1) * v + middle(2) * normal);
@@ -146,6 +141,12 @@ void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, 
   node.half_thickness_mm[lane] = rounded_up(largest(reach.height) + more);
   node.disc_radius_mm[lane] = rounded_up(std::sqrt(largest(reach.disc2)) + more);
   node.radius_mm[lane] = rounded_up(radius + more);
+}
+
+LeafExtent extent_of(const TriangleBlock& leaf, const std::array<Vec3, 3>& directions) {
+  LeafExtent extent;
+  find_extent(&leaf, &leaf + 1, {single(directions[0]), single(directions[1]), single(directions[2])}, extent);
+  return extent;
 }
 
 }  // namespace gouge::detail

@@ -2,14 +2,6 @@
 #include "lib/mesh/mesh_findings.h"
 
 namespace gouge {
-namespace {
-
-std::string count_text(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-}  // namespace
-
 std::string position_text(const MeshSpot& spot, LengthUnit unit) {
   const int decimals = facts_of(unit).decimals;
   std::string text = "(";

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "lib/base/number_text.h"
 #include "lib/mesh/body_pieces.h"
 #include "lib/mesh/cavity.h"
 #include "lib/mesh/free_ray.h"
@@ -36,17 +37,13 @@ std::vector<Vec3> fixed_directions() {
   return all;
 }
 
-std::string counted(std::size_t count, const char* one, const char* many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 std::string faults_text(const EdgeFaults& faults) {
   std::string text;
-  if (faults.open > 0) text = counted(faults.open, "open edge", "open edges");
+  if (faults.open > 0) text = count_text(faults.open, "open edge", "open edges");
   if (faults.misoriented > 0) {
-    text +=
-        (text.empty() ? "" : " and ") + counted(faults.misoriented, "edge with triangles oriented against each other",
-                                                "edges with triangles oriented against each other");
+    text += (text.empty() ? "" : " and ") + count_text(faults.misoriented,
+                                                       "edge with triangles oriented against each other",
+                                                       "edges with triangles oriented against each other");
   }
   return text;
 }
@@ -169,7 +166,7 @@ struct Enclosure::Surface {
       text += " when triangles that stand there more than once are counted once";
     if (pieces.double_walls > 0) {
       text += (text.empty() ? "" : " and ") +
-              counted(pieces.double_walls, "piece of surface that lies", "pieces of surface that lie") +
+              count_text(pieces.double_walls, "piece of surface that lies", "pieces of surface that lie") +
               " on itself and may enclose nothing";
     }
     return text;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "lib/base/number_text.h"
 #include "lib/base/view_file.h"
 #include "lib/mesh/ascii_stl.h"
 #include "lib/mesh/foreign_mesh.h"
@@ -14,10 +15,6 @@ namespace {
 
 constexpr std::size_t kHeaderSize = 84;
 constexpr std::size_t kTriangleSize = TriangleList::kRecordSize;
-
-std::string count_text(std::size_t count, const std::string& thing) {
-  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
-}
 
 bool is_text(std::string_view bytes) {
   return std::all_of(bytes.begin(), bytes.end(), [](char c) {

@@ -40,7 +40,7 @@ class Prism {
  public:
   Prism(const DepthBody& body, std::uint32_t slot) : body_(body), slot_(slot) {
     const std::array<Vec3, 3>& facet = body.corners[slot];
-    const Vec3& up = body.sign.face(body.tree.order[slot]);
+    const Vec3 up = body.surface.face_normal(body.tree.order[slot]);
     const double depth = body.options.depth_mm;
     for (std::size_t k = 0; k < 3; ++k) {
       box_.extend(facet[k]);
@@ -57,7 +57,7 @@ class Prism {
   }
 
   [[nodiscard]] bool is_clear() const {
-    return body_.sign.face(body_.tree.order[slot_]).squaredNorm() > 0 && is_clear_at(0);
+    return body_.surface.face_normal(body_.tree.order[slot_]).squaredNorm() > 0 && is_clear_at(0);
   }
 
  private:

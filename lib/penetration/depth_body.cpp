@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
-#include "lib/mesh/mesh_findings.h"
 #include "lib/penetration/below_facets.h"
 #include "lib/penetration/inner_reach.h"
-#include "lib/penetration/node_bounds.h"
+#include "lib/penetration/node_boxes.h"
 
 namespace gouge {
 namespace {
@@ -23,31 +21,26 @@ double largest_coordinate(const IndexedMesh& mesh) {
   return largest;
 }
 
-std::array<Vec3, 3> corners_of(const IndexedMesh& mesh, std::size_t triangle) {
-  return {mesh.corner(triangle, 0), mesh.corner(triangle, 1), mesh.corner(triangle, 2)};
-}
-
 /// Intervals of a facet, its offset facet, and with complete coverage of all within the depth.
 class FacetBounds {
  public:
-  FacetBounds(const DepthBody& body, const std::optional<InnerReach>& reach, double slack)
+  FacetBounds(const DepthBody& body, const InnerReach& reach, double slack)
       : body_(body), reach_(reach), slack_(slack) {}
 
   void operator()(std::uint32_t triangle, float* intervals) {
     const DepthBodyOptions& options = body_.options;
-    const std::array<Vec3, 3> facet = corners_of(body_.mesh, triangle);
-    if (options.is_distance_only) return write_intervals(options.directions, facet, slack_, intervals);
+    const std::array<Vec3, 3> facet = body_.surface.corners(triangle);
     std::array<Vec3, 6> both;
     for (std::size_t k = 0; k < 3; ++k) {
       both[k] = facet[k];
-      both[k + 3] = facet[k] - options.depth_mm * body_.offsets[body_.mesh.triangles[triangle][k]].move;
+      both[k + 3] = facet[k] - options.depth_mm * body_.offsets[body_.mesh().triangles[triangle][k]].move;
     }
     write_intervals(options.directions, both, slack_, intervals);
     if (options.coverage == Coverage::offset) return;
     for (std::size_t i = 0; i < options.directions.axes.size(); ++i) {
       const Vec3& u = options.directions.axes[i];
-      const double high = reach_->above(triangle, u, options.depth_mm) + slack_;
-      const double low = -reach_->above(triangle, -u, options.depth_mm) - slack_;
+      const double high = reach_.above(triangle, u, options.depth_mm) + slack_;
+      const double low = -reach_.above(triangle, -u, options.depth_mm) - slack_;
       intervals[low_slot(i)] = std::min(intervals[low_slot(i)], static_cast<float>(low));
       intervals[high_slot(i)] = std::max(intervals[high_slot(i)], static_cast<float>(high));
     }
@@ -55,7 +48,7 @@ class FacetBounds {
 
  private:
   const DepthBody& body_;
-  const std::optional<InnerReach>& reach_;
+  const InnerReach& reach_;
   double slack_;
 };
 
@@ -75,45 +68,31 @@ FacetRecord record_of(const std::array<Vec3, 3>& facet, const Vec3& normal) {
 
 }  // namespace
 
-DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options) {
+DepthBody build_depth_body(Surface surface, const DepthBodyOptions& options) {
+  const IndexedMesh& mesh = surface.mesh();
   const MeshAdjacency adjacency(mesh);
-  const bool is_solid = find_mesh_findings(mesh, adjacency).is_solid();
-  DepthBody body;
-  body.options = options;
-  body.is_solid = is_solid;
-  if (!options.is_distance_only) body.offsets = offset_vertices(mesh, adjacency, options.normals);
-  body.sign = SurfaceSign(mesh, adjacency);
-  body.mesh = std::move(mesh);
-  const double reach = largest_coordinate(body.mesh) + (1 + kLongestOffset) * options.depth_mm;
+  DepthBody body{std::move(surface), options, options.offset_vertices(mesh, adjacency), {}, {}, {}, {}, {}, {}};
+  const double reach = largest_coordinate(mesh) + (1 + kLongestOffset) * options.depth_mm;
   body.slack_mm = static_cast<float>(kSingle * reach);
   std::vector<Vec3> centres;
-  centres.reserve(body.mesh.triangles.size());
-  for (std::size_t t = 0; t < body.mesh.triangles.size(); ++t) {
-    const std::array<Vec3, 3> facet = corners_of(body.mesh, t);
+  centres.reserve(mesh.triangles.size());
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const std::array<Vec3, 3> facet = body.surface.corners(t);
     centres.emplace_back((facet[0] + facet[1] + facet[2]) / 3.0);
   }
-  const std::vector<Vec3> normals = face_normals(body.mesh);
-  const std::optional<InnerReach> inner =
-      options.is_distance_only ? std::nullopt : std::optional<InnerReach>(std::in_place, body.mesh, adjacency, normals);
+  const std::vector<Vec3> normals = face_normals(mesh);
+  const InnerReach inner(mesh, adjacency, normals);
   FacetBounds bounds(body, inner, kSingle * reach);
   body.tree = build_kdop_tree(options.directions, centres, {options.width, options.leaf_triangles},
                               [&bounds](std::uint32_t t, float* intervals) { bounds(t, intervals); });
   for (const std::uint32_t t : body.tree.order) {
-    body.corners.push_back(corners_of(body.mesh, t));
-    body.facets.push_back(record_of(body.corners.back(), body.sign.face(t)));
+    body.corners.push_back(body.surface.corners(t));
+    body.facets.push_back(record_of(body.corners.back(), normals[t]));
   }
-  fill_node_bounds(body);
-  if (options.is_distance_only) return body;
+  fill_node_boxes(body);
   body.is_clear_below = facets_clear_below(body);
-  if (body.is_solid) body.depths = DepthGrid(body);
+  if (body.is_solid()) body.depths = DepthGrid(body);
   return body;
-}
-
-DepthBody build_distance_body(IndexedMesh mesh) {
-  DepthBodyOptions options;
-  options.directions = *make_directions(DirectionFamily::cube, 6);
-  options.is_distance_only = true;
-  return build_depth_body(std::move(mesh), options);
 }
 
 }  // namespace gouge

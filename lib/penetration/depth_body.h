@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "lib/kdop/kdop_tree.h"
-#include "lib/mesh/indexed_mesh.h"
 #include "lib/offset/vertex_offsets.h"
-#include "lib/penetration/bound_block.h"
 #include "lib/penetration/depth_grid.h"
-#include "lib/penetration/surface_sign.h"
+#include "lib/surface/surface.h"
 
 // The body that stands still, as polygons: a k-DOP tree whose volumes carry depth (thesis 4.6.2), so that a
 // point below the surface lies in the volume of the facet it is nearest to.
@@ -24,13 +22,12 @@ enum class Coverage {
 };
 
 struct DepthBodyOptions {
-  DirectionSet directions = *make_directions(DirectionFamily::cube, 26);
+  DirectionSet directions = cube_directions(26);
   double depth_mm = 1;  ///< D: how deep the volumes reach; deeper is reported as "deeper than D"
-  NormalMethod normals = NormalMethod::planes;
+  decltype(&offset_by_planes) offset_vertices = &offset_by_planes;  ///< where vertices go: the depth of the volumes
   Coverage coverage = Coverage::complete;
   std::size_t width = 8;           ///< children of a node: 2, 4 or 8
   std::size_t leaf_triangles = 1;  ///< at most
-  bool is_distance_only = false;   ///< only what closest_point.h needs: no offset, no depth
 };
 
 /// A facet as the narrow phase filters it, single precision: plane n . x = o, disc of radius r about c.
@@ -48,30 +45,27 @@ struct FacetRecord {
 };
 
 struct DepthBody {
-  IndexedMesh mesh;
+  Surface surface;
   DepthBodyOptions options;
   std::vector<VertexOffset> offsets;
-  SurfaceSign sign;
-  KdopTree tree;  ///< items are triangles of `mesh`
+  KdopTree tree;  ///< items are triangles of mesh()
   /// By slot in tree.order.
   std::vector<FacetRecord> facets;
   std::vector<std::array<Vec3, 3>> corners;
   /// Six numbers a node: the box of its facets without depth, lower ends first, not above the true ones.
   std::vector<float> boxes;
-  std::vector<BoundBlock> blocks;  ///< the same tree for searches, down to facets; the first is the root
   /// By slot: nothing else of the surface crosses the prism of height depth_mm below the facet, so a point
   /// in it is inside.
   std::vector<std::uint8_t> is_clear_below;
-  DepthGrid depths;       ///< knows what is deeper than depth_mm; empty unless is_solid
-  float slack_mm = 0;     ///< single precision may be off by this
-  bool is_solid = false;  ///< closed, oriented, outward: inside means something
+  DepthGrid depths;    ///< knows what is deeper than depth_mm; empty unless is_solid()
+  float slack_mm = 0;  ///< single precision may be off by this
+
+  [[nodiscard]] const IndexedMesh& mesh() const { return surface.mesh(); }
+  [[nodiscard]] bool is_solid() const { return surface.is_solid(); }
 };
 
 /// Requires what build_mesh ensures; depth_mm > 0.
 /// Cost  O(n log^2 n); about 1.5 microseconds a triangle.
-[[nodiscard]] DepthBody build_depth_body(IndexedMesh mesh, const DepthBodyOptions& options);
-
-/// What distances alone need (is_distance_only): one of boxes along the coordinate axes.
-[[nodiscard]] DepthBody build_distance_body(IndexedMesh mesh);
+[[nodiscard]] DepthBody build_depth_body(Surface surface, const DepthBodyOptions& options);
 
 }  // namespace gouge

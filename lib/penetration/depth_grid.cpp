@@ -4,7 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "lib/penetration/closest_point.h"
 #include "lib/penetration/depth_body.h"
 
 namespace gouge {
@@ -26,7 +25,7 @@ std::size_t index_of(const std::array<int, 3>& cell, const std::array<int, 3>& c
 }  // namespace
 
 DepthGrid::DepthGrid(const DepthBody& body) {
-  const Box3 box = body.mesh.box();
+  const Box3 box = body.mesh().box();
   const Vec3 size = box.sizes();
   cell_mm_ = std::min(body.options.depth_mm / (std::numbers::sqrt3 * kRoundUp), size.maxCoeff() / kFewestCells);
   const auto cells_at = [&](double cell) {
@@ -85,7 +84,7 @@ void DepthGrid::fill(const DepthBody& body, const std::vector<std::uint8_t>& is_
     for (int y = 0; y < counts_[1]; ++y) {
       for (int x = 0; x < counts_[0]; ++x) {
         if (is_done[index({x, y, z})] != 0) continue;
-        const auto foot = closest_point(body, centre({x, y, z}));
+        const auto foot = body.surface.closest_point(centre({x, y, z}));
         const Cover result = foot && foot->is_inside ? Cover::inside : Cover::outside;
         is_done[index({x, y, z})] = 1;
         open.assign(1, {x, y, z});

@@ -203,7 +203,7 @@ void PenetrationFinder::search_points(std::uint32_t index) {
     if (body_.depths.at(position) == DepthGrid::Cover::outside) continue;
     ++result_.counters.exact_pairs;
     const double within = (last_mm + (position - last_position).norm()) * (1 + 1e-9) + 1e-9;
-    const auto foot = closest_point(body_, position, within);
+    const auto foot = body_.surface.closest_point(position, within);
     if (!foot) continue;
     last_mm = foot->distance_mm;
     last_position = position;
@@ -215,7 +215,7 @@ void PenetrationFinder::search_points(std::uint32_t index) {
 
 void PenetrationFinder::report(std::uint32_t point, const Vec3& position, const Vec3& normal, double depth_mm,
                                std::uint32_t triangle) {
-  result_.contacts.push_back({{position, normal, depth_mm, options_.body, body_.mesh.file_triangle[triangle]},
+  result_.contacts.push_back({{position, normal, depth_mm, options_.body, body_.mesh().file_triangle[triangle]},
                               point,
                               depth_mm > body_.options.depth_mm});
 }
@@ -223,7 +223,7 @@ void PenetrationFinder::report(std::uint32_t point, const Vec3& position, const 
 void PenetrationFinder::report_if_deep(std::uint32_t point, const Vec3& position) {
   if (!options_.is_deeper_reported) return;
   ++result_.counters.inside_tests;
-  const auto foot = closest_point(body_, position);
+  const auto foot = body_.surface.closest_point(position);
   if (foot && foot->is_inside) report(point, position, foot->normal, foot->distance_mm, foot->triangle);
 }
 

@@ -37,7 +37,7 @@ struct PenetrationResult {
 /// Keeps its working memory, and the turned volumes as long as the rotation stays the same: then a pose costs
 /// only their shift (thesis 6.1.4.2). One finder serves one thread; bodies may be shared.
 ///
-/// Requires both trees over the same directions; `body.is_solid` for the sides to mean something.
+/// Requires both trees over the same directions; `body.is_solid()` for the sides to mean something.
 /// Ensures  with complete coverage: every point inside is reported, with the depth and direction of its nearest
 ///          surface; no point outside is.
 /// Source   thesis 5.2.1 (broad phase), 5.2.2 (narrow phase), 5.2.3 (only what is visited is updated).

@@ -96,7 +96,7 @@ NarrowResult NarrowPhase::nearest(const Vec3& point, PenetrationCounters& counte
 /// nothing else lies between; edges and vertices ask the whole surface.
 NarrowResult NarrowPhase::judge(const Vec3& point, std::uint32_t slot, const TrianglePoint& nearest,
                                 PenetrationCounters& counters) const {
-  ClosestPoint foot = signed_closest_point(body_, point, slot, nearest);
+  ClosestPoint foot = body_.surface.signed_closest_point(point, body_.tree.order[slot], nearest);
   if (!foot.is_inside || foot.distance_mm > body_.options.depth_mm) {
     ++counters.false_positives;
     return {};
@@ -104,7 +104,7 @@ NarrowResult NarrowPhase::judge(const Vec3& point, std::uint32_t slot, const Tri
   const bool is_sure = nearest.least_weight > kFaceRim && body_.is_clear_below[slot] != 0;
   if (!is_sure) {
     ++counters.inside_tests;
-    if (const auto other = closest_point(body_, point, foot.distance_mm)) foot = *other;
+    if (const auto other = body_.surface.closest_point(point, foot.distance_mm)) foot = *other;
     if (!foot.is_inside) {
       ++counters.false_positives;
       return {};

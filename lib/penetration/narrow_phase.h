@@ -4,7 +4,6 @@
 #include <span>
 #include <vector>
 
-#include "lib/penetration/closest_point.h"
 #include "lib/penetration/counters.h"
 #include "lib/penetration/depth_body.h"
 
@@ -14,7 +13,7 @@ struct NarrowResult {
   bool is_inside = false;  ///< and within the depth; else it is outside, or deeper
   double depth_mm = 0;     ///< to the surface
   Vec3 normal = Vec3::UnitZ();
-  std::uint32_t triangle = 0;  ///< of body.mesh
+  std::uint32_t triangle = 0;  ///< of body.mesh()
 };
 
 /// Points of one leaf against the facets of the leaves it met (thesis 5.2.2).

@@ -12,7 +12,7 @@
 namespace gouge {
 
 struct PointBodyOptions {
-  DirectionSet directions = *make_directions(DirectionFamily::cube, 26);  ///< those of the other body
+  DirectionSet directions = cube_directions(26);  ///< those of the other body
   std::size_t width = 2;
   std::size_t leaf_points = 20;  ///< at most
   /// Thesis 6.1.1: a volume must not cost more than what it encloses. A node whose volume has more corners

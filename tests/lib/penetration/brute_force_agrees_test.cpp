@@ -10,6 +10,8 @@
 #include "lib/mesh/winding.h"
 #include "lib/penetration/find_penetration.h"
 #include "tests/bench/penetration/cell_search.h"
+#include "tests/bench/penetration/direction_families.h"
+#include "tests/bench/penetration/normal_methods.h"
 #include "tests/lib/penetration/brute_foot.h"
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
@@ -41,18 +43,18 @@ std::size_t settings_apart() {
 struct Setting {
   DirectionSet directions;
   std::size_t width;
-  NormalMethod normals;
+  decltype(&offset_by_planes) normals;
 };
 
 std::vector<Setting> all_settings() {
   std::vector<DirectionSet> sets;
-  for (const std::size_t k : {6U, 14U, 18U, 26U}) sets.push_back(*make_directions(DirectionFamily::cube, k));
+  for (const std::size_t k : {6U, 14U, 18U, 26U}) sets.push_back(cube_directions(k));
   for (const std::size_t k : {8U, 12U, 20U}) sets.push_back(*make_directions(DirectionFamily::platonic, k));
   for (const std::size_t k : {10U, 32U}) sets.push_back(*make_directions(DirectionFamily::coulomb, k));
   std::vector<Setting> all;
   for (const DirectionSet& set : sets) {
     for (const std::size_t width : {2U, 4U, 8U}) {
-      for (const NormalMethod normals : {NormalMethod::averaged, NormalMethod::paraboloid, NormalMethod::planes})
+      for (const auto normals : {&offset_averaged, &offset_by_paraboloid, &offset_by_planes})
         all.push_back({set, width, normals});
     }
   }
@@ -87,7 +89,7 @@ void compare(const DepthBody& body, const Setting& setting, const PenetrationRes
       const double reached = (truth.place + c.depth_mm * c.normal - truth.foot).norm();
       is_right =
           is_right && (reached < 1e-6 ||
-                       brute_force_closest_point(body.mesh, truth.place + c.depth_mm * c.normal).distance_mm < 1e-9);
+                       brute_force_closest_point(body.mesh(), truth.place + c.depth_mm * c.normal).distance_mm < 1e-9);
       const bool is_deeper = truth.distance_mm > body.options.depth_mm;
       is_right = is_right &&
                  (reported[i]->is_deeper == is_deeper || std::abs(truth.distance_mm - body.options.depth_mm) < 1e-9);
@@ -95,7 +97,7 @@ void compare(const DepthBody& body, const Setting& setting, const PenetrationRes
     }
     tally.wrong += is_right ? 0 : 1;
     if (!is_right && tally.wrong < 5) {
-      ADD_FAILURE() << body.mesh.name << " k " << setting.directions.k() << " width " << setting.width << how
+      ADD_FAILURE() << body.mesh().name << " k " << setting.directions.k() << " width " << setting.width << how
                     << ": point " << truth.place.transpose() << " true " << (truth.is_inside ? "inside " : "outside ")
                     << truth.distance_mm << ", told " << (reported[i] ? reported[i]->contact.depth_mm : -1.0);
     }
@@ -126,8 +128,8 @@ Tally run(const IndexedMesh& mesh, double depth_mm, std::size_t count, std::uint
         options.directions = settings[k].directions;
         options.depth_mm = depth_mm;
         options.width = settings[k].width;
-        options.normals = settings[k].normals;
-        bodies[k] = std::make_unique<DepthBody>(build_depth_body(mesh, options));
+        options.offset_vertices = settings[k].normals;
+        bodies[k] = std::make_unique<DepthBody>(build_depth_body(Surface(IndexedMesh(mesh)), options));
         if (k % kCellsEvery == 0) cells[k] = std::make_unique<CellBody>(*bodies[k]);
       }
       PointBodyOptions options;

@@ -106,7 +106,7 @@ TEST(Correction, StopsWhenTheIterationsRunOut) {
 TEST(Correction, FreesNonConvexBodiesInFourToEightIterations) {
   DepthBodyOptions options;
   options.depth_mm = 3;
-  const DepthBody body = build_depth_body(shapes::bumpy_sphere(40, 3), options);
+  const DepthBody body = build_depth_body(Surface(shapes::bumpy_sphere(40, 3)), options);
   const PointBody points = build_point_body(shapes::bumpy_sphere(10, 1, 20, 24).vertices);
   PenetrationFinder finder(body, points);
   CorrectionOptions limits;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "lib/penetration/closest_point.h"
+#include "lib/surface/surface.h"
 #include "tests/lib/penetration/random_points.h"
 
 // How far depths that were found are from the true ones. Header only.
@@ -20,7 +20,7 @@ struct Error {
 inline Error error_of(const DepthBody& body, const std::vector<Vec3>& points, const std::vector<double>& found_mm) {
   Error error;
   for (std::size_t i = 0; i < points.size(); ++i) {
-    const auto foot = closest_point(body, points[i]);
+    const auto foot = body.surface.closest_point(points[i]);
     if (foot->distance_mm < 1e-6) continue;
     if (!foot->is_inside) {
       error.false_alarms += found_mm[i] >= 0 ? 1U : 0U;

@@ -1,10 +1,12 @@
 #include <gtest/gtest.h>
 
 #include "lib/kdop/kdop_corners.h"
-#include "lib/penetration/closest_point.h"
 #include "lib/penetration/find_penetration.h"
+#include "lib/surface/surface.h"
+#include "tests/bench/penetration/normal_methods.h"
 #include "tests/lib/penetration/random_points.h"
 #include "tests/support/solids.h"
+#include "tests/support/verify_kdop_tree.h"
 
 namespace gouge {
 namespace {
@@ -12,7 +14,7 @@ namespace {
 DepthBody cube_body(double depth = 2) {
   DepthBodyOptions options;
   options.depth_mm = depth;
-  return build_depth_body(shapes::refined(shapes::cube(20), 3), options);
+  return build_depth_body(Surface(shapes::refined(shapes::cube(20), 3)), options);
 }
 
 RigidTransform moved_by(const Vec3& shift) {
@@ -34,7 +36,7 @@ TEST(FindPenetration, ReportsPointDepthAndTheWayOut) {
   EXPECT_NEAR((c.contact.normal - Vec3::UnitZ()).norm(), 0, 1e-12);
   EXPECT_NEAR((c.contact.point - Vec3(9, 11, 19.25)).norm(), 0, 1e-12);
   EXPECT_FALSE(c.is_deeper);
-  EXPECT_NEAR(body.mesh.corner(c.contact.triangle, 0).z(), 20, 1e-12);
+  EXPECT_NEAR(body.mesh().corner(c.contact.triangle, 0).z(), 20, 1e-12);
 }
 
 TEST(FindPenetration, SaysDeeperThanDAndNeverNothing) {
@@ -86,7 +88,7 @@ TEST(FindPenetration, GivesTheSameResultWhetherVolumesAreShiftedOrTurnedAnew) {
   const DepthBody body = cube_body();
   const PointBody points = build_point_body(shapes::star_prism().vertices);
   PenetrationFinder kept(body, points);
-  RandomPoints random(body.mesh, 1, 3);
+  RandomPoints random(body.mesh(), 1, 3);
   RigidTransform pose = random.pose(10);
   for (int i = 0; i < 50; ++i) {
     pose.shift += 2 * random.direction();
@@ -126,16 +128,16 @@ TEST(DepthBody, OffsetVolumesHoldTheFacetsAndTheirOffsets) {
   DepthBodyOptions options;
   options.coverage = Coverage::offset;
   options.depth_mm = 1.5;
-  for (const NormalMethod normals : {NormalMethod::averaged, NormalMethod::paraboloid, NormalMethod::planes}) {
-    options.normals = normals;
-    const DepthBody body = build_depth_body(shapes::star_prism(), options);
-    EXPECT_EQ(verify_kdop_tree(body.tree), std::vector<std::string>{});
+  for (const auto normals : {&offset_averaged, &offset_by_paraboloid, &offset_by_planes}) {
+    options.offset_vertices = normals;
+    const DepthBody body = build_depth_body(Surface(shapes::star_prism()), options);
+    EXPECT_EQ(test::verify_kdop_tree(body.tree), std::vector<std::string>{});
     for (std::size_t n = 0; n < body.tree.nodes.size(); ++n) {
       const KdopNode& node = body.tree.nodes[n];
       if (node.children > 0) continue;
-      for (const Corner c : body.mesh.triangles[body.tree.order[node.first]]) {
+      for (const Corner c : body.mesh().triangles[body.tree.order[node.first]]) {
         for (const double depth : {0.0, 1.5}) {
-          const Vec3 p = body.mesh.vertices[c] - depth * body.offsets[c].move;
+          const Vec3 p = body.mesh().vertices[c] - depth * body.offsets[c].move;
           for (std::size_t i = 0; i < 13; ++i) {
             const double at = body.tree.directions.axes[i].dot(p);
             EXPECT_LE(static_cast<double>(body.tree.bounds_of(n)[low_slot(i)]), at);

@@ -14,7 +14,7 @@ TEST(NarrowPhase, MissesNothingAndFindsNothingFalse) {
        {shapes::star_prism(), shapes::slotted_block(), shapes::torus(), shapes::bumpy_sphere()}) {
     DepthBodyOptions options;
     options.depth_mm = 1.2;
-    const DepthBody body = build_depth_body(mesh, options);
+    const DepthBody body = build_depth_body(Surface(IndexedMesh(mesh)), options);
     const std::vector<Vec3> points = shallow_points(mesh, options.depth_mm);
     const PointBody moving = build_point_body(points);
     PenetrationFinder finder(body, moving, {0, false});

@@ -28,7 +28,7 @@ TEST(SurfacePoints, LeaveNoPointOfTheSurfaceFartherThanTheSpacing) {
 TEST(SurfacePoints, FindASpikeThatPiercesAFaceWhereVerticesAloneDoNot) {
   // A pyramid's tip through the middle of a large face: no vertex of the moving block is inside.
   const IndexedMesh pyramid = shapes::needle_fan(4, 10, 12);
-  const DepthBody body = build_depth_body(pyramid, {});
+  const DepthBody body = build_depth_body(Surface(IndexedMesh(pyramid)), {});
   const IndexedMesh block = shapes::box(Vec3(-50, -50, 8), Vec3(50, 50, 60));
   const PointBody vertices = build_point_body(block.vertices);
   PenetrationFinder alone(body, vertices);

@@ -1,17 +1,18 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "lib/geom/point_triangle.h"
-#include "lib/mesh/adjacency.h"
 #include "lib/mesh/indexed_mesh.h"
+#include "lib/mesh/vertex_triangles.h"
 
 namespace gouge {
 
 /// On which side of a closed surface a point is, decided by the surface's closest point: by the normal of its
-/// face, by the mean of both faces at an edge, by the angle-weighted mean at a vertex.
+/// face, by the mean of both faces at an edge, by the angle-weighted mean at a vertex. Normals are computed where they
+/// are asked for.
 ///
 /// Source  J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal,
 /// IEEE
@@ -21,17 +22,24 @@ namespace gouge {
 class SurfaceSign {
  public:
   SurfaceSign() = default;
-  SurfaceSign(const IndexedMesh& mesh, const MeshAdjacency& adjacency);
+  /// The mesh must outlive it. Requires triangles with three distinct corners. Cost O(n), 14 bytes a triangle.
+  explicit SurfaceSign(const IndexedMesh& mesh);
 
   /// Outward direction at a foot on `triangle`: zero where the winding number must be asked.
+  /// Cost  as many steps as triangles meet at the foot, at most kMostAround.
   [[nodiscard]] Vec3 outward(std::uint32_t triangle, TriangleFeature feature, std::size_t index) const;
 
-  [[nodiscard]] const Vec3& face(std::uint32_t triangle) const { return faces_[triangle]; }
-
  private:
-  std::vector<Vec3> faces_, edges_, vertices_;
-  std::vector<std::array<std::uint32_t, 3>> triangle_edges_;
-  std::vector<TriangleCorners> triangles_;
+  // Vertices of more triangles keep their normals: the tip of a cone is the nearest point of much of the space around.
+  static constexpr std::size_t kMostAround = 32;
+
+  [[nodiscard]] Vec3 at_edge(Corner from, Corner to) const;
+  [[nodiscard]] Vec3 at_vertex(Corner vertex) const;
+  [[nodiscard]] bool is_plain(Corner vertex) const;
+
+  const IndexedMesh* mesh_ = nullptr;
+  VertexTriangles around_;
+  std::vector<std::pair<Corner, Vec3>> kept_;  // by vertex
 };
 
 }  // namespace gouge

@@ -1,0 +1,143 @@
+#include "lib/hierarchy/column_height.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/hierarchy/bound_leaves.h"
+#include "lib/hierarchy/lane_bound.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kRounding_mm = 1e-9;
+
+class Climb {
+ public:
+  Climb(const BlockTree& tree, const Column& column, double enough)
+      : tree_(tree), column_(column), through_(column.through - tree.origin), enough_(enough), highest_(column.low_mm) {
+    axes_[0] = column.direction;
+    axes_[1] = column.direction.unitOrthogonal();
+    axes_[2] = column.direction.cross(axes_[1]);
+    height_ = axes_[0].dot(through_);
+    beside_ = {axes_[1].dot(through_), axes_[2].dot(through_)};
+  }
+
+  std::optional<double> run() {
+    if (!tree_.nodes.empty() && !visit(0)) return std::nullopt;
+    return highest_;
+  }
+
+ private:
+  /// False as soon as something is too high.
+  bool visit(std::uint32_t index) {
+    const NodeBlock& node = tree_.nodes[index];
+    for (std::uint32_t i = 0; i < node.count; ++i) {
+      const LaneBound lane(tree_, node, i);
+      const Vec3 from = lane.center - column_.through;
+      const double height = column_.direction.dot(from);
+      if (height + lane.radius_mm <= highest_ || height - lane.radius_mm > column_.high_mm) continue;
+      const double beside2 = from.squaredNorm() - height * height;
+      const double reach = column_.radius_mm + lane.radius_mm + kRounding_mm;
+      if (beside2 > reach * reach) continue;
+      const double up = lane.extent_mm(column_.direction) + kRounding_mm;
+      if (height + up <= highest_ || height - lane.extent_mm(-column_.direction) - kRounding_mm > column_.high_mm)
+        continue;
+      if (height + up <= enough_) {
+        highest_ = std::max(highest_, height + up);
+        continue;
+      }
+      if (!(node.has_leaves ? visit_leaf(node.child[i]) : visit(node.child[i]))) return false;
+    }
+    return true;
+  }
+
+  bool visit_leaf(std::uint32_t index) {
+    const TriangleBlock& leaf = tree_.leaves[index];
+    // Most triangles are beside the column or lower than what is known already.
+    const detail::LeafExtent extent = detail::extent_of(leaf, axes_);
+    const auto is_out = [&](std::size_t k, std::size_t lane, double low, double high) {
+      return at(extent.high[k][lane]) + off_mm_ < low || -at(extent.low[k][lane]) - off_mm_ > high;
+    };
+    for (std::uint32_t i = 0; i < leaf.count; ++i) {
+      if (is_out(0, i, height_ + highest_, height_ + column_.high_mm)) continue;
+      if (is_out(1, i, beside_[0] - column_.radius_mm, beside_[0] + column_.radius_mm)) continue;
+      if (is_out(2, i, beside_[1] - column_.radius_mm, beside_[1] + column_.radius_mm)) continue;
+      const std::uint32_t triangle = leaf.triangle[i];
+      const double height = height_of(tree_.corners(triangle));
+      if (height > enough_) return false;
+      highest_ = std::max(highest_, height);
+    }
+    return true;
+  }
+
+  /// No point of the triangle in the column is higher; low_mm where it does not come into the column.
+  [[nodiscard]] double height_of(const std::array<Vec3, 3>& corners) const {
+    std::array<Vec3, 3> from;
+    std::array<double, 3> heights;
+    for (std::size_t k = 0; k < 3; ++k) {
+      from[k] = corners[k] - column_.through;
+      heights[k] = column_.direction.dot(from[k]);
+      from[k] -= heights[k] * column_.direction;
+    }
+    const auto [low, high] = std::minmax({heights[0], heights[1], heights[2]});
+    if (high <= column_.low_mm || low > column_.high_mm) return column_.low_mm;
+    if (is_beside(from)) return column_.low_mm;
+    const Vec3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+    const double along = std::abs(column_.direction.dot(normal));
+    double highest = high;
+    if (along > 1e-6 * normal.norm()) {
+      // The plane's height on the column's axis, and how far it rises from there.
+      const double middle = normal.dot(corners[0] - column_.through) / column_.direction.dot(normal);
+      const double across = std::sqrt(std::max(0.0, normal.squaredNorm() - along * along));
+      highest = std::min(highest, middle + across / along * column_.radius_mm);
+    }
+    return highest + kRounding_mm;
+  }
+
+  /// Whether the triangle, seen along the column, is proven to miss its disc: by a line through an edge or by a line
+  /// square to the direction of its nearest corner.
+  [[nodiscard]] bool is_beside(const std::array<Vec3, 3>& flat) const {
+    const double reach = column_.radius_mm + kRounding_mm;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3& a = flat[k];
+      const Vec3& b = flat[(k + 1) % 3];
+      const Vec3& c = flat[(k + 2) % 3];
+      const Vec3 edge = b - a;
+      const double length2 = edge.squaredNorm();
+      if (!(length2 > 0)) continue;
+      // The line's nearest point to the axis; the third corner must be beyond it.
+      const Vec3 foot = a - (a.dot(edge) / length2) * edge;
+      const double distance = foot.norm();
+      if (distance > reach && foot.dot(c) >= distance * distance) return true;
+    }
+    for (const Vec3& corner : flat) {
+      const double distance = corner.norm();
+      if (!(distance > reach)) continue;
+      const bool all_beyond =
+          std::all_of(flat.begin(), flat.end(), [&](const Vec3& x) { return corner.dot(x) > reach * distance; });
+      if (all_beyond) return true;
+    }
+    return false;
+  }
+
+  static double at(float value) { return static_cast<double>(value); }
+
+  const BlockTree& tree_;
+  const Column& column_;
+  Vec3 through_;
+  double enough_, highest_;
+  std::array<Vec3, 3> axes_;      // the column's direction and two across
+  double height_ = 0;             // of the column's point along the first, in the tree's frame
+  std::array<double, 2> beside_;  // along the others
+  // Single precision is off by less than eight units of the largest coordinate in the tree's frame.
+  double off_mm_ = 8 * tree_.rounding_mm + kRounding_mm;
+};
+
+}  // namespace
+
+std::optional<double> highest_in_column(const BlockTree& tree, const Column& column, double enough_mm) {
+  return Climb(tree, column, enough_mm).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+
+#include "lib/hierarchy/block_tree.h"
+
+namespace gouge {
+
+/// The points x with |x - through - height * direction| <= radius, height = direction . (x - through) in [low, high].
+struct Column {
+  Vec3 through = Vec3::Zero();
+  Vec3 direction = Vec3::UnitZ();  ///< unit
+  double radius_mm = 0;
+  double low_mm = 0, high_mm = 0;
+};
+
+/// A height that no triangle of the tree exceeds in the column; nothing when it is above `enough_mm`. At least
+/// column.low_mm.
+///
+/// Ensures  of a triangle that lies over all of the column the height is exact up to rounding, where a node of the tree
+///          was not low enough; others are taken as high as their highest corner, or as their plane in the column.
+/// Cost     about O(log n) while the column is no wider than it is from what reaches above `enough_mm`.
+[[nodiscard]] std::optional<double> highest_in_column(const BlockTree& tree, const Column& column, double enough_mm);
+
+}  // namespace gouge

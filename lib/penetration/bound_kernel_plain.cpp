@@ -1,3 +1,0 @@
-#define GOUGE_KERNEL bounds_plain
-#define GOUGE_KERNEL_NAME "plain"
-#include "lib/penetration/bound_kernel_body.h"

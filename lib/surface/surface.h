@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "lib/geom/point_triangle.h"
+#include "lib/hierarchy/block_tree.h"
+#include "lib/mesh/face_normal.h"
+#include "lib/mesh/indexed_mesh.h"
+#include "lib/surface/closest_point.h"
+
+namespace gouge {
+
+/// A mesh with what distances from it need: its index, and on demand what shows the side of a point. Small, and shared
+/// by its copies. Any number of threads may ask it.
+class Surface {
+ public:
+  /// The mesh must outlive all copies. `threads` as in build_block_tree. Cost: its tree.
+  explicit Surface(const IndexedMesh& mesh, unsigned threads = 0);
+  /// Keeps the mesh.
+  explicit Surface(IndexedMesh&& mesh);
+  /// `tree`: of that mesh alone. Both must outlive all copies. Cost: none.
+  Surface(const IndexedMesh& mesh, const BlockTree& tree);
+
+  [[nodiscard]] const IndexedMesh& mesh() const;
+  [[nodiscard]] const BlockTree& tree() const;
+  /// Closed, oriented, outward: inside means something. Cost of the first call O(n).
+  [[nodiscard]] bool is_solid() const;
+
+  [[nodiscard]] std::array<Vec3, 3> corners(std::size_t triangle) const {
+    return {mesh().corner(triangle, 0), mesh().corner(triangle, 1), mesh().corner(triangle, 2)};
+  }
+  /// Unit; zero of a triangle without area.
+  [[nodiscard]] Vec3 face_normal(std::size_t triangle) const { return gouge::face_normal(mesh(), triangle); }
+
+  /// The closest point within `within_mm`; nothing when there is none (or no triangle at all).
+  ///
+  /// Ensures  exact at any distance, on both sides of a solid; of equally near triangles the lowest (closest_triangle.h).
+  ///          Of what is no solid every point counts as outside.
+  /// Requires for is_inside: a surface that does not cross itself.
+  /// Cost     about O(log n); O(n) where only the winding number decides the side.
+  [[nodiscard]] std::optional<ClosestPoint> closest_point(
+      const Vec3& point, double within_mm = std::numeric_limits<double>::infinity()) const;
+
+  /// The same once a triangle is known to be nearest, with its foot.
+  [[nodiscard]] ClosestPoint signed_closest_point(const Vec3& point, std::uint32_t triangle,
+                                                  const TrianglePoint& foot) const;
+
+ private:
+  struct Shared;
+  std::shared_ptr<const Shared> shared_;
+};
+
+}  // namespace gouge
