@@ -226,8 +226,10 @@ class MoveChecker {
 };
 
 // Why the motion cannot be checked in this scene with these options; none where it can.
-Reason::Kind why_not(const Motion& motion, const PreparedScene& scene, const CheckOptions& options) {
+Reason::Kind why_not(const Motion& motion, const ToolVariants& tool, const PreparedScene& scene,
+                     const CheckOptions& options) {
   if (!scene.is_within_reach) return Reason::Kind::out_of_reach;
+  if (const Reason::Kind unfit = why_unfit(tool); unfit != Reason::Kind::none) return unfit;
   const Reason::Kind unfit = why_unfit(options);
   return unfit == Reason::Kind::none ? why_unfit(motion) : unfit;
 }
@@ -241,7 +243,7 @@ void check_fit_moves(std::span<const Motion> motions, std::span<const MoveKind> 
   std::vector<Motion> near_motions;
   std::vector<MoveKind> near_kinds;
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    if (const Reason::Kind reason = why_not(motions[m], scene, options); reason != Reason::Kind::none) {
+    if (const Reason::Kind reason = why_not(motions[m], tool, scene, options); reason != Reason::Kind::none) {
       verdicts[m] = not_checked({reason});
       continue;
     }
@@ -273,6 +275,7 @@ void check_moves(std::span<const Motion> motions, std::span<const MoveKind> kind
                  const PreparedScene& scene, const CheckOptions& options, std::span<MoveVerdict> verdicts,
                  std::span<std::uint64_t> bounds) {
   const bool are_fit = scene.is_within_reach && why_unfit(options) == Reason::Kind::none &&
+                       why_unfit(tool) == Reason::Kind::none &&
                        std::all_of(motions.begin(), motions.end(),
                                    [](const Motion& motion) { return why_unfit(motion) == Reason::Kind::none; });
   if (!are_fit) return check_fit_moves(motions, kinds, tool, scene, options, verdicts, bounds);

@@ -6,7 +6,7 @@
 #include "lib/check/scene_sides.h"
 #include "lib/check/verdict.h"
 #include "lib/hierarchy/block_tree.h"
-#include "lib/penetration/depth_body.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
@@ -16,13 +16,14 @@ class PreparedScene {
  public:
   /// Requires that the scene outlives it. `threads` as in for_each_chunk.
   explicit PreparedScene(const Scene& scene, unsigned threads = 0);
-  PreparedScene(PreparedScene&&) noexcept;
-  PreparedScene& operator=(PreparedScene&&) noexcept;
+  /// Stays where it is: its surfaces point into its trees.
+  PreparedScene(const PreparedScene&) = delete;
+  PreparedScene& operator=(const PreparedScene&) = delete;
   ~PreparedScene();
 
-  /// Distances from a mesh, on both sides where it is a solid: with closest_point, no depths. Requires
-  /// is_within_reach. Cost of the first call for a mesh: its tree.
-  [[nodiscard]] const DepthBody& surface(Against kind, std::size_t mesh) const;
+  /// Distances from a mesh. Its index is that of the sweep where no other mesh is of that kind. Requires
+  /// is_within_reach. Cost of the first call for a mesh: else its tree.
+  [[nodiscard]] const Surface& surface(Against kind, std::size_t mesh) const;
 
   /// Inside and outside of parts and fixtures.
   [[nodiscard]] const SceneSides& sides() const;
@@ -34,6 +35,7 @@ class PreparedScene {
  private:
   struct OnDemand;
   std::unique_ptr<OnDemand> on_demand_;
+  unsigned threads_;
 };
 
 [[nodiscard]] inline PreparedScene prepare_scene(const Scene& scene, unsigned threads = 0) {

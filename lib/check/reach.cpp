@@ -29,6 +29,18 @@ Reason::Kind why_unfit(const Scene& scene) {
   return Reason::Kind::none;
 }
 
+Reason::Kind why_unfit(const ToolVariants& tool) {
+  const auto is_near = [](const Vec2& point) { return (point.array().abs() <= kFarthest_mm).all(); };
+  const auto is_fit = [&](const BoundaryElement& e) {
+    const bool is_shape = e.center.allFinite() && std::isfinite(e.radius_mm) && is_near(e.normal);
+    return is_shape && is_near(e.a) && is_near(e.b);
+  };
+  for (const CompiledTool* variant : {&tool.bare, &tool.against_part, &tool.against_fixture, &tool.with_clearance}) {
+    if (!std::all_of(variant->elements.begin(), variant->elements.end(), is_fit)) return Reason::Kind::out_of_reach;
+  }
+  return Reason::Kind::none;
+}
+
 Reason::Kind why_unfit(const CheckOptions& options) {
   const bool are_lengths = std::isfinite(options.tolerance_mm) && std::isfinite(options.resolution_mm) &&
                            std::isfinite(options.gouge_gap_mm) && std::isfinite(options.near_miss_mm);

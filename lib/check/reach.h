@@ -4,6 +4,7 @@
 #include "lib/check/motion.h"
 #include "lib/check/reason.h"
 #include "lib/check/scene.h"
+#include "lib/tool/tool_variants.h"
 
 // What the bounds are not proven for is refused with its reason, whoever asks: numbers that come out all the
 // same would mean nothing, and a comparison with one that is no number reads as free.
@@ -20,6 +21,9 @@ inline constexpr double kFarthest_mm = 1e5;
 
 /// A vertex beyond kFarthest_mm or that is no number. None where there is none.
 [[nodiscard]] Reason::Kind why_unfit(const Scene& scene);
+
+/// A part of a variant's contour beyond kFarthest_mm or that is no number. None where there is none. Cost: O(elements).
+[[nodiscard]] Reason::Kind why_unfit(const ToolVariants& tool);
 
 /// A length that is not finite, or a resolution that is not above 0. None where there is none.
 [[nodiscard]] Reason::Kind why_unfit(const CheckOptions& options);

@@ -27,7 +27,8 @@ constexpr std::array kTexts{
     Text{Reason::Kind::link_gouges,
          "how the tool gets here from line {count} the file does not say, and straight it would gouge: a retract or a "
          "tool change is missing"},
-    Text{Reason::Kind::out_of_reach, "the motion or a mesh reaches more than 100 m from the origin: check the units"},
+    Text{Reason::Kind::out_of_reach,
+         "the motion, the tool or a mesh reaches more than 100 m from the origin: check the units"},
     Text{Reason::Kind::axis_not_unit, "the tool axis is no unit vector"},
     Text{Reason::Kind::options_invalid, "an option of the check is no finite length, or the resolution is not above 0"},
     Text{Reason::Kind::buried, "the {whole} is inside the solid; no surface is inside the {whole}"},

@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/check/triangle_lanes.h"
 #include "lib/geom/point_triangle.h"
 #include "lib/tool/convex_cover.h"
 #include "lib/tool/evaluate.h"
@@ -174,18 +175,6 @@ class Sweep {
     }
   }
 
-  static void add_lane(TriangleBlock& to, const TriangleBlock& from, std::size_t lane) {
-    // The first one fills all lanes, so that unused ones hold a triangle too.
-    const std::size_t last = to.count == 0 ? kBlockLanes : to.count + 1;
-    for (std::size_t i = to.count; i < last; ++i) {
-      for (std::size_t c = 0; c < 3; ++c) {
-        for (std::size_t k = 0; k < 3; ++k) to.corner[c][k][i] = from.corner[c][k][lane];
-      }
-      to.triangle[i] = from.triangle[lane];
-    }
-    ++to.count;
-  }
-
   void visit_step(std::size_t index, const Remainder& work, float least) {
     step_ = &steps_[index];
     frame_ = &frame_of(0, index);
@@ -259,7 +248,7 @@ class Sweep {
     for (std::uint32_t open = result.open; open != 0; open &= open - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(open));
       short_of_ = std::max(short_of_, need_ - result.bound[lane]);
-      wait(waiting, block, lane);
+      append_lane(waiting, block, lane);
     }
   }
 
@@ -311,28 +300,6 @@ class Sweep {
     short_of_ = 0;
   }
 
-  static float longest_edge(const TriangleBlock& block, std::size_t lane) {
-    float longest2 = 0;
-    for (std::size_t c = 0; c < 3; ++c) {
-      float edge2 = 0;
-      for (std::size_t k = 0; k < 3; ++k) {
-        const float d = block.corner[(c + 1) % 3][k][lane] - block.corner[c][k][lane];
-        edge2 += d * d;
-      }
-      longest2 = std::max(longest2, edge2);
-    }
-    return std::sqrt(longest2);
-  }
-
-  static bool are_short(const std::vector<TriangleBlock>& blocks, float edge_mm) {
-    for (const TriangleBlock& block : blocks) {
-      for (std::size_t i = 0; i < block.count; ++i) {
-        if (longest_edge(block, i) > edge_mm) return false;
-      }
-    }
-    return true;
-  }
-
   /// Cuts triangles with an edge longer than `edge_mm` in four; the others wait on.
   void look_at_quarters(const TriangleBlock& block, const SweepInterval& step, const SweepFrame& frame, float edge_mm,
                         std::vector<TriangleBlock>& waiting) {
@@ -342,31 +309,11 @@ class Sweep {
       if (longest_edge(block, i) > edge_mm) {
         add_quarters(quarters, block, i);
       } else {
-        wait(waiting, block, i);
+        append_lane(waiting, block, i);
       }
       if (quarters.count + 4 <= kBlockLanes && i + 1 < block.count) continue;
       if (quarters.count > 0) look(quarters, step, frame, waiting);
       quarters.count = 0;
-    }
-  }
-
-  static void wait(std::vector<TriangleBlock>& waiting, const TriangleBlock& block, std::size_t lane) {
-    if (waiting.empty() || waiting.back().count == kBlockLanes) waiting.emplace_back();
-    add_lane(waiting.back(), block, lane);
-  }
-
-  static void add_quarters(TriangleBlock& to, const TriangleBlock& from, std::size_t lane) {
-    TriangleBlock middle = from;
-    for (std::size_t c = 0; c < 3; ++c) {
-      for (std::size_t k = 0; k < 3; ++k) {
-        middle.corner[c][k][lane] = 0.5F * (from.corner[(c + 1) % 3][k][lane] + from.corner[(c + 2) % 3][k][lane]);
-      }
-    }
-    add_lane(to, middle, lane);
-    for (std::size_t c = 0; c < 3; ++c) {
-      TriangleBlock tip = middle;
-      for (std::size_t k = 0; k < 3; ++k) tip.corner[c][k][lane] = from.corner[c][k][lane];
-      add_lane(to, tip, lane);
     }
   }
 

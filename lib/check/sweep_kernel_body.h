@@ -3,8 +3,8 @@
 // Included once for every instruction set, with GOUGE_KERNEL naming the namespace. Nothing here may come from
 // another header as an inline function: it would be compiled for this instruction set and linked into the rest.
 #include "lib/check/sweep_kernel.h"
-#include "lib/check/sweep_kernel_lanes.h"
 #include "lib/check/sweep_kernel_piece.h"
+#include "lib/hierarchy/kernel_lanes.h"
 
 namespace gouge::GOUGE_KERNEL {
 namespace {
@@ -21,12 +21,8 @@ void nodes(const NodeBlock& block, const SweepFrame& frame, const KernelPiece& p
   const Frame f = spread(frame);
   V3 center, normal;
   V thickness, disc, ball;
-  load(block.center[0], center.x);
-  load(block.center[1], center.y);
-  load(block.center[2], center.z);
-  load(block.normal[0], normal.x);
-  load(block.normal[1], normal.y);
-  load(block.normal[2], normal.z);
+  load(block.center, center);
+  load(block.normal, normal);
   load(block.half_thickness_mm, thickness);
   load(block.disc_radius_mm, disc);
   load(block.radius_mm, ball);
@@ -95,9 +91,7 @@ GOUGE_INLINE V3 closest(const V3& p, const Triangle& t) {
 }
 
 GOUGE_INLINE void corner(const TriangleBlock& block, std::size_t c, const V3& tip, V3& out) {
-  load(block.corner[c][0], out.x);
-  load(block.corner[c][1], out.y);
-  load(block.corner[c][2], out.z);
+  load(block.corner[c], out);
   out = minus(out, tip);
 }
 

@@ -1,7 +1,8 @@
 #pragma once
 
 // What one piece of the tool's cover says of sixteen points, for sweep_kernel_body.h alone and under its rule.
-#include "lib/check/sweep_kernel_lanes.h"
+#include "lib/check/sweep_kernel.h"
+#include "lib/hierarchy/kernel_lanes.h"
 
 namespace gouge::GOUGE_KERNEL {
 namespace {

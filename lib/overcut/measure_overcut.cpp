@@ -1,9 +1,12 @@
 #include "lib/overcut/measure_overcut.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
 #include "lib/base/parallel.h"
 #include "lib/check/path_motion.h"
+#include "lib/overcut/depth_bound.h"
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_head.h"
 #include "lib/overcut/swept_tool.h"
@@ -11,55 +14,89 @@
 namespace gouge {
 namespace {
 
-// The whole search costs a millisecond a move and more, the check itself a small part of that; the worst move
-// of a finding is worth it, the others get what a short search finds.
-constexpr std::size_t kCellsOfOthers = 64;
+constexpr std::size_t kCellsOfOthers = 2'000;  // of moves that are not the worst of their finding
 
-std::vector<bool> worst_moves(const CheckResult& result) {
-  std::vector<bool> is_worst(result.verdicts.size(), false);
-  for (const Event& event : result.events) is_worst[event.worst_move] = true;
-  return is_worst;
-}
+/// Measures the overcuts of one path's gouging moves.
+class Measuring {
+ public:
+  Measuring(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
+            const CheckOptions& options, const std::vector<HeadBody>& heads, CheckResult& result)
+      : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options), heads_(heads), result_(result) {}
+
+  void run() {
+    is_worst_.resize(result_.verdicts.size(), false);
+    for (const Event& event : result_.events) is_worst_[event.worst_move] = true;
+    for (std::size_t i = 0; i < result_.verdicts.size(); ++i) {
+      if (is_asked(i)) prepare(i);
+    }
+    for_each_chunk(gouges_.size(), 4, options_.threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) measure(gouges_[k]);
+    });
+    result_.worst_overcut_mm = 0;
+    for (const std::size_t i : gouges_)
+      result_.worst_overcut_mm = std::max(result_.worst_overcut_mm, result_.verdicts[i].overcut_mm.value_or(0));
+  }
+
+ private:
+  [[nodiscard]] const Surface& surface_of(const MoveVerdict& verdict) const {
+    return scene_.surface(verdict.witness->against, verdict.witness->mesh);
+  }
+
+  [[nodiscard]] bool is_asked(std::size_t move) const {
+    const MoveVerdict& verdict = result_.verdicts[move];
+    return verdict.state == MoveState::gouge && verdict.witness && tools_[toolpath_.moves[move].tool] != nullptr;
+  }
+
+  /// Whatever is made once and shared is made by all threads, not within one.
+  void prepare(std::size_t move) {
+    if (!surface_of(result_.verdicts[move]).is_solid()) return;
+    gouges_.push_back(move);
+    const std::size_t tool = toolpath_.moves[move].tool;
+    depth_bounds_.try_emplace(tool, tools_[tool]->bare);
+  }
+
+  void measure(std::size_t move) const {
+    MoveVerdict& verdict = result_.verdicts[move];
+    const std::size_t tool = toolpath_.moves[move].tool;
+    const Motion motion = motion_of(toolpath_, move, options_.rapid);
+    const Surface& part = surface_of(verdict);
+    // Where the tool's boundary comes to lie once the witness is followed through the tool.
+    const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
+    const auto join = [&](SweptSolid&& moving, double blunt_upper_mm) {
+      OvercutOptions search;
+      if (!is_worst_[move]) search.most_cells = kCellsOfOthers;
+      search.blunt_upper_mm = blunt_upper_mm;
+      const Overcut found = find_overcut(moving, part, seed, verdict.witness->t, search);
+      verdict.overcut_mm = std::max(verdict.overcut_mm.value_or(0), found.depth_mm);
+      verdict.overcut_upper_mm = std::max(verdict.overcut_upper_mm, found.depth_upper_mm);
+    };
+    if (verdict.witness->body == Body::head) {
+      for (const HeadBody& body : heads_) join(SweptHead(motion, body), kUnknown_mm);
+      return;
+    }
+    std::optional<KnownOvercut> known = depth_bounds_.at(tool).at(verdict.depth_upper_mm, motion, part);
+    const double blunt_upper = known ? known->upper_mm : kUnknown_mm;
+    join(SweptTool(motion, tools_[tool]->bare, known ? std::optional(std::move(known->sharp_zones)) : std::nullopt),
+         blunt_upper);
+  }
+
+  const Toolpath& toolpath_;
+  const std::vector<const ToolVariants*>& tools_;
+  const PreparedScene& scene_;
+  const CheckOptions& options_;
+  const std::vector<HeadBody>& heads_;
+  CheckResult& result_;
+  std::vector<bool> is_worst_;  // by move
+  std::vector<std::size_t> gouges_;
+  std::map<std::size_t, DepthBound> depth_bounds_;  // by tool
+};
 
 }  // namespace
 
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                       const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
                       const std::vector<HeadBody>& heads) {
-  std::vector<std::size_t> gouges;
-  for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
-    const MoveVerdict& v = result.verdicts[i];
-    if (v.state != MoveState::gouge || !v.witness) continue;
-    gouges.push_back(i);
-    static_cast<void>(scene.surface(v.witness->against, v.witness->mesh));  // made by all threads, not within one
-  }
-  const std::vector<bool> is_worst = worst_moves(result);
-  for_each_chunk(gouges.size(), 4, options.threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) {
-      MoveVerdict& verdict = result.verdicts[gouges[k]];
-      const Move& move = toolpath.moves[gouges[k]];
-      const DepthBody& solid = scene.surface(verdict.witness->against, verdict.witness->mesh);
-      if (!solid.is_solid || tools[move.tool] == nullptr) continue;
-      const Motion motion = motion_of(toolpath, gouges[k], options.rapid);
-      // Where the tool's boundary comes to lie once the witness is followed through the tool.
-      const Vec3 seed = verdict.witness->point - verdict.depth_mm * verdict.witness->normal;
-      OvercutOptions search;
-      if (!is_worst[gouges[k]]) search.most_cells = kCellsOfOthers;
-      const auto join = [&](const SweptSolid& moving) {
-        const Overcut found = find_overcut(moving, solid, seed, verdict.witness->t, search);
-        verdict.overcut_mm = std::max(verdict.overcut_mm.value_or(0), found.depth_mm);
-        verdict.overcut_upper_mm = std::max(verdict.overcut_upper_mm, found.depth_upper_mm);
-      };
-      if (verdict.witness->body != Body::head) {
-        join(SweptTool(motion, tools[move.tool]->bare));
-        continue;
-      }
-      for (const HeadBody& body : heads) join(SweptHead(motion, body));
-    }
-  });
-  result.worst_overcut_mm = 0;
-  for (const std::size_t i : gouges)
-    result.worst_overcut_mm = std::max(result.worst_overcut_mm, result.verdicts[i].overcut_mm.value_or(0));
+  Measuring(toolpath, tools, scene, options, heads, result).run();
 }
 
 }  // namespace gouge

@@ -1,16 +1,20 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 
 #include "lib/overcut/swept_solid.h"
-#include "lib/penetration/depth_body.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
+inline constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
+
 struct OvercutOptions {
-  double gap_mm = 0.002;         ///< the search ends when nothing can be deeper by more than this ...
-  double relative_gap = 0.01;    ///< ... or by more than this share,
-  std::size_t most_cells = 400;  ///< or after so many cells
+  std::size_t most_cells =
+      5'000;  ///< the search ends when the two bounds are overcut_gap_mm apart or after so many cells
+  /// Known to bound the distance below the surface of every point outside of the solid's sharp zones.
+  double blunt_upper_mm = kUnknown_mm;
 };
 
 struct Overcut {
@@ -20,17 +24,17 @@ struct Overcut {
   double t = 0;
 };
 
-/// How far below the part's surface the tool reaches during the motion: the largest distance to the surface,
-/// over every point of the part's inside that the tool takes up at any instant.
+/// How far below the part's surface the solid reaches during the motion: the largest distance to the surface,
+/// over every point of the part's inside that the solid takes up at any instant.
 ///
-/// The distance is 1-Lipschitz and so is the tool's; a cell of space is given up when its centre's distance
-/// plus its half diagonal is no more than what was found, or the tool does not come near. The best point is
-/// then pushed on, within the tool, away from the surface.
+/// Best first over cells of space and time. What of the solid comes into a cell lies behind planes that touch it, and
+/// what of the part is in it lies below a plane over all of the surface there, square to the closest point of the
+/// cell's middle: a linear program bounds the cell to second order in its size.
 ///
-/// Requires part.is_solid. `seed`: a point in the tool at `seed_t`, where the search begins.
-/// Cost     at most `most_cells` searches for the nearest facet and as many of the motion.
-/// Source   measure of thesis chapters 4 and 5; docs/algorithms/shallow_penetration.md, section 7.
-[[nodiscard]] Overcut find_overcut(const SweptSolid& tool, const DepthBody& part, const Vec3& seed, double seed_t,
+/// Requires part.is_solid(). `seed`: a point in the solid at `seed_t`, where the search begins.
+/// Cost     about 3 microseconds a cell; none for a solid blunt wherever it is in the part, a hundred where a corner is.
+/// Source   measure of thesis chapters 4 and 5; proof: docs/algorithms/overcut.md.
+[[nodiscard]] Overcut find_overcut(SweptSolid& solid, const Surface& part, const Vec3& seed, double seed_t,
                                    const OvercutOptions& options = {});
 
 }  // namespace gouge

@@ -14,14 +14,20 @@ class SweptHead : public SweptSolid {
 
   [[nodiscard]] double distance_at(const Vec3& point_part, double t) const override;
   [[nodiscard]] Vec3 outward_at(const Vec3& point_part, double t) const override;
+  [[nodiscard]] std::uint32_t segments() const override { return intervals_.segments(); }
+  std::uint32_t halve(std::uint32_t interval) override { return intervals_.halve(interval); }
+  [[nodiscard]] SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const override;
+  /// None where the head's surface over the cell is steep, or where the head goes on above it.
+  [[nodiscard]] std::optional<HalfSpace> half_space(const Vec3& point, double s, const Vec3& centre, double radius_mm,
+                                                    std::uint32_t interval) const override;
+  [[nodiscard]] std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
+                                          bool is_sharp_only) const override;
 
  private:
-  [[nodiscard]] double reach_mm() const override { return reach_mm_; }
-  [[nodiscard]] double turn_rad() const override { return moving_.turn_rad(); }
-
   const HeadBody& head_;
   HeadMotion moving_;
-  double reach_mm_ = 0;
+  IntervalTree<HeadInterval, HeadMotion> intervals_;
+  Box3 box_;  // in the tool's frame
 };
 
 }  // namespace gouge

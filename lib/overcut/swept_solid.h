@@ -1,12 +1,42 @@
 #pragma once
 
-#include <cmath>
+#include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "lib/check/motion.h"
+#include "lib/check/motion_interval.h"
 
 namespace gouge {
 
-/// A solid along one motion, asked from a point of the part.
+/// The points x with normal . (x - centre) <= offset + s drift at the instant that s in [-1/2, 1/2] names within the
+/// interval, centre and interval those of the cell it was asked for.
+struct HalfSpace {
+  Vec3 normal = Vec3::Zero();
+  double offset_mm = 0, drift_mm = 0;
+};
+
+/// Of a plane of the solid's own, over a time interval: `n0` and `n1` its normal at both ends in the part's directions,
+/// `depth_mm` how far the cell's centre is behind it in the middle of its chord, `drift_mm` how much more so at the end
+/// than at the start. The mean of both normals serves, with half their difference at the cell's rim added.
+[[nodiscard]] inline HalfSpace behind_plane(const Vec3& n0, const Vec3& n1, double depth_mm, double drift_mm,
+                                            double bulge_mm, double radius_mm) {
+  constexpr double kRounding_mm = 1e-9;
+  return {0.5 * (n0 + n1), depth_mm + bulge_mm + 0.5 * (n1 - n0).norm() * radius_mm + kRounding_mm, drift_mm};
+}
+
+/// What of a solid in motion comes into a cell during a time interval.
+struct SweptBound {
+  bool is_reached = false;        ///< false: proven that nothing does
+  bool is_blunt = false;          ///< all of the solid in the cell is outside of its sharp zones
+  bool can_halve = false;         ///< the interval
+  std::optional<HalfSpace> half;  ///< holds all of the solid that comes into the cell
+  double distance_mm = 0;         ///< about the signed distance of the cell's centre at ...
+  double t = 0;                   ///< ... this instant, the best one looked at
+  double path_length_mm = 0;      ///< how far, about, the centre runs in the solid's frame
+};
+
+/// A solid along one motion, asked from points of the part.
 class SweptSolid {
  public:
   /// Requires motion.is_defined(); it must outlive the solid.
@@ -20,24 +50,21 @@ class SweptSolid {
   /// Unit gradient of that distance.
   [[nodiscard]] virtual Vec3 outward_at(const Vec3& point_part, double t) const = 0;
 
-  struct Nearest {
-    double distance_mm = 0;  ///< signed, realised at t; negative: the point is inside then
-    double t = 0;
-    double lower_mm = 0;  ///< proven: at no instant is it less
-  };
+  /// Time intervals are numbered; the first so many are the segments of the motion.
+  [[nodiscard]] virtual std::uint32_t segments() const = 0;
+  /// The first half; the second follows.
+  virtual std::uint32_t halve(std::uint32_t interval) = 0;
+  /// Over the ball about `centre`.
+  [[nodiscard]] virtual SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const = 0;
+  /// A half-space as in `bound`, whose plane touches the solid next to a point of the ball at the instant of s.
+  [[nodiscard]] virtual std::optional<HalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
+                                                            double radius_mm, std::uint32_t interval) const = 0;
 
-  /// The smallest signed distance over the motion, to `accuracy_mm` from above or as near as a
-  /// few hundred instants bring it. Instants that cannot be at most `enough_mm` are not looked at.
-  [[nodiscard]] Nearest nearest(const Vec3& point_part, double accuracy_mm, double enough_mm) const;
+  /// Along three orthogonal unit vectors (rows of `frame`) boxes that hold all points the solid takes during an
+  /// interval; where `is_sharp_only`, those of its sharp zones.
+  [[nodiscard]] virtual std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
+                                                  bool is_sharp_only) const = 0;
 
-  /// Holds every point the solid takes.
-  [[nodiscard]] Box3 box() const;
-
- protected:
-  /// No point of the solid is farther from the tip.
-  [[nodiscard]] virtual double reach_mm() const = 0;
-  /// How far it turns over the whole motion, about all axes together.
-  [[nodiscard]] virtual double turn_rad() const { return std::abs(motion_.angle_rad()); }
   [[nodiscard]] const Motion& motion() const { return motion_; }
 
  private:

@@ -1,23 +1,40 @@
 #pragma once
 
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "lib/check/tool_interval.h"
 #include "lib/overcut/swept_solid.h"
 #include "lib/tool/compiled_tool.h"
+#include "lib/tool/inscribed_balls.h"
 
 namespace gouge {
 
 /// A tool along one motion.
 class SweptTool : public SweptSolid {
  public:
-  /// Requires a tool with elements; it must outlive this.
-  SweptTool(const Motion& motion, const CompiledTool& tool) : SweptSolid(motion), tool_(tool) {}
+  /// Requires a tool with elements; it must outlive this. `sharp_zones`: of the tool (inscribed_balls.h); nothing: all of it.
+  SweptTool(const Motion& motion, const CompiledTool& tool, std::optional<std::vector<Box2>> sharp_zones = std::nullopt)
+      : SweptSolid(motion), tool_(tool), intervals_(motion, motion), sharp_zones_(std::move(sharp_zones)) {}
 
   [[nodiscard]] double distance_at(const Vec3& point_part, double t) const override;
   [[nodiscard]] Vec3 outward_at(const Vec3& point_part, double t) const override;
+  [[nodiscard]] std::uint32_t segments() const override { return intervals_.segments(); }
+  std::uint32_t halve(std::uint32_t interval) override { return intervals_.halve(interval); }
+  /// To first order: by planes that support the tool (SupportRange).
+  [[nodiscard]] SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const override;
+  [[nodiscard]] std::optional<HalfSpace> half_space(const Vec3& point, double s, const Vec3& centre, double radius_mm,
+                                                    std::uint32_t interval) const override;
+  [[nodiscard]] std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
+                                          bool is_sharp_only) const override;
 
  private:
-  [[nodiscard]] double reach_mm() const override;
+  [[nodiscard]] Box3 extent(const Eigen::Matrix3d& frame, std::uint32_t index, const Box2& ring) const;
 
   const CompiledTool& tool_;
+  ToolIntervals intervals_;
+  std::optional<std::vector<Box2>> sharp_zones_;
 };
 
 }  // namespace gouge

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/geom/cross.h"
+
 namespace gouge {
 namespace {
 
@@ -13,8 +15,6 @@ constexpr double kTangent = 1e-7;   // sine of the turn between elements that st
 constexpr double kApart = 1e-7;     // points of a chain nearer than this part of the tool are one
 constexpr double kStraight = 1e-9;  // sine of the turn between lines that rounding may give
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 Vec2 direction_at(const BoundaryElement& e, const Vec2& point) {
   if (e.kind == ElementKind::segment) return (e.b - e.a).normalized();

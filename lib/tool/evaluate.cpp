@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "lib/geom/cross.h"
+
 namespace gouge {
 namespace {
 
@@ -24,8 +26,6 @@ ToolDistance from_vertex(const BoundaryElement& e, std::uint32_t index, const Ve
   const Vec2 normal = distance > 0 ? Vec2(away * (sign / distance)) : e.normal;
   return {sign * distance, index, e.a, normal};
 }
-
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 // From the centre to the foot, unit. Within rounding of the centre the BSP cannot tell the sectors of
 // neighbouring elements apart; a point just outside its arc's own sector gets the nearer end, so that the

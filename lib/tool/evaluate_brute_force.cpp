@@ -1,12 +1,11 @@
 #include <cmath>
 #include <limits>
 
+#include "lib/geom/cross.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
 namespace {
-
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 double turn_of(const BoundaryElement& arc) { return arc.is_reflex ? -1.0 : 1.0; }
 

@@ -6,6 +6,7 @@
 
 #include "lib/tool/evaluate.h"
 #include "lib/tool/foot_cells.h"
+#include "lib/tool/inscribed_balls.h"
 
 namespace gouge {
 namespace {
@@ -13,10 +14,9 @@ namespace {
 constexpr double kRounding = 1e-10;       // of the tool's size
 constexpr double kRegionRounding = 2e-5;  // of the height: what RegionFinder passes over, twice
 constexpr double kNearly = 0.01;          // of the depth: how nearly the largest ball is found
-constexpr double kShrink = 0.97;          // where that takes long, a smaller one will do
 constexpr double kFine = 0.02;            // of the bound: cells no wider are not cut
 constexpr std::size_t kAxisPoints = 128, kNeighbours = 4, kMostCells = 5'000;
-constexpr int kMostShrinks = 30, kQuickShrinks = 10, kMostJoints = 16;
+constexpr int kHalvings = 30, kMostJoints = 16;
 
 /// All that is nearer to `center` than `free_mm` lies deeper than the depth asked.
 struct Ball {
@@ -56,24 +56,11 @@ class ReachSearch {
     return -evaluate(form_, std::max(0.0, q.x()), q.y()).signed_distance_mm - depth_mm_ - kRounding * size_mm_;
   }
 
-  /// The largest ball about a point of the middle ray that touches the boundary at the ray's foot alone, or nearly.
+  /// What is deeper than asked of the largest ball that touches the boundary at the middle ray's foot, or nearly.
   [[nodiscard]] Ball own_ball(const FootCell& cell) const {
-    const double s = cell.middle();
-    const Vec2 foot = cell.at(s, 0), inward = cell.inward_at(s);
-    double t = std::min(cell.longest_ray_mm(), size_mm_);
-    if (inward.x() < 0) t = std::min(t, foot.x() / -inward.x());
-    for (int k = 0; k < kMostShrinks && t > depth_mm_; ++k) {
-      Vec2 center = foot + t * inward;
-      if (center.x() < kRounding * size_mm_) center.x() = 0;
-      const ToolDistance at = evaluate(form_, center.x(), center.y());
-      if (-at.signed_distance_mm >= t - kNearly * depth_mm_)
-        return {center, -at.signed_distance_mm - depth_mm_ - kRounding * size_mm_};
-      const Vec2 across = at.foot - foot;
-      const double rise = across.dot(inward);
-      const double touching = rise > 0 ? across.squaredNorm() / (2 * rise) : 0;
-      t = (k < kQuickShrinks ? 1 : kShrink) * std::min(t, touching);
-    }
-    return {};
+    const InscribedBall ball = inscribed_ball(form_, cell, cell.middle(), depth_mm_, kNearly * depth_mm_);
+    if (!(ball.radius_mm > 0)) return {};
+    return {ball.center, ball.radius_mm - depth_mm_ - kRounding * size_mm_};
   }
 
   /// Where every ray of the cell enters the ball, what lies on it before is nearer than its foot, and what lies behind
@@ -114,7 +101,7 @@ class ReachSearch {
     FootCell point = cell;
     double with = has_ball ? cell.middle() : before.middle(), without = has_ball ? before.middle() : cell.middle();
     Ball outermost;
-    for (int k = 0; k < kMostShrinks; ++k) {
+    for (int k = 0; k < kHalvings; ++k) {
       point.from = point.to = 0.5 * (with + without);
       const Ball ball = own_ball(point);
       const bool is_wide = ball.free_mm > kFine * depth_mm_;  // a narrower one is hard to join

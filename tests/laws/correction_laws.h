@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "lib/certify/motion_checker.h"
-#include "lib/check/brute_force.h"
 #include "lib/check/path_motion.h"
 #include "lib/correct/correct_path.h"
 #include "lib/mesh/winding.h"
 #include "postproc/cldata/rewriting/list_written.h"
+#include "tests/support/brute_force.h"
 
 // The laws of a correction, held against the corrected file as it is read and checked, by means of their own: which
 // moves belong together, what the tool meets on a shift, how far a path is off. Nothing of lib/correct/laws.h is used.

@@ -197,6 +197,24 @@ TEST(CheckPath, WhatIsNoNumberOrNoUnitVectorIsRefusedWithTheReason) {
   }
 }
 
+TEST(CheckPath, AToolThatIsNoSolidOfFiniteSizeIsRefusedWithTheReason) {
+  const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
+  for (const double far : {nan, infinite, 1e300, 1.1e5}) {
+    for (CompiledTool ToolVariants::*variant :
+         {&ToolVariants::bare, &ToolVariants::against_part, &ToolVariants::against_fixture}) {
+      ToolVariants tool = tools::ball();
+      (tool.*variant).elements[1].a.x() = far;
+      const CheckResult r = check(through({upright(0, 0, 5), upright(0, 0, -5)}), tool, scene);
+      EXPECT_EQ(r.counts.not_checked, 2U) << far;
+      EXPECT_EQ(reason_text(r.verdicts[1].reason), reason_text({Reason::Kind::out_of_reach})) << far;
+    }
+  }
+  ToolVariants tool = tools::ball();
+  tool.against_part.elements[0].radius_mm = nan;
+  EXPECT_EQ(check(through({upright(0, 0, 5), upright(0, 0, -5)}), tool, scene).counts.not_checked, 2U);
+}
+
 TEST(CheckPath, OptionsThatAreNoLengthsAreRefusedWithTheReason) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
   const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();

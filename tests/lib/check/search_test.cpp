@@ -5,9 +5,9 @@
 
 #include <cmath>
 
-#include "lib/check/brute_force.h"
 #include "lib/check/check_move.h"
 #include "lib/tool/evaluate.h"
+#include "tests/support/brute_force.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"

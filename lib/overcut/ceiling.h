@@ -1,0 +1,20 @@
+#pragma once
+
+#include <optional>
+
+#include "lib/hierarchy/column_height.h"
+#include "lib/surface/surface.h"
+
+namespace gouge {
+
+/// A height, as of a Column's, over all of a closed surface within a cylinder that `reach_mm` to both sides of
+/// `column.through` holds; at most `enough_mm`, and what is above it, up to there and to reach_mm, is outside. So every
+/// point of the solid in the cylinder is below it. Nothing where no such height is proven.
+///
+/// `column`: through, direction and radius; low and high are set here. `is_through_outside`: known to be.
+/// Requires surface.is_solid().
+/// Proof    docs/algorithms/overcut.md, section 4.
+[[nodiscard]] std::optional<double> ceiling(const Surface& surface, Column column, double reach_mm, double enough_mm,
+                                            bool is_through_outside = false);
+
+}  // namespace gouge

@@ -1,0 +1,90 @@
+#include "lib/tool/inscribed_balls.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kRounding = 1e-10;  // of the tool's size
+constexpr double kUpright = 1e-12;
+constexpr double kShrink = 0.97;  // where that takes long, a smaller ball will do
+constexpr int kMostShrinks = 30, kQuickShrinks = 10;
+
+/// Whether heights do not fall along the element.
+bool is_rising(const BoundaryElement& e) {
+  if (e.kind == ElementKind::vertex) return true;
+  if (e.kind == ElementKind::segment) return e.normal.x() >= -kUpright;
+  const double out = e.is_reflex ? -1 : 1;
+  return std::min(out * (e.a - e.center).x(), out * (e.b - e.center).x()) >= -kUpright * e.radius_mm;
+}
+
+Box2 feet_of(const FootCell& cell) {
+  Box2 box;
+  for (const double s : {cell.from, cell.middle(), cell.to}) box.extend(cell.at(s, 0));
+  if (cell.is_straight()) return box;
+  // An arc leaves the chords between the three by less than it is long.
+  const double length = cell.width_mm(0);
+  return Box2(Vec2(box.min().array() - length), Vec2(box.max().array() + length));
+}
+
+}  // namespace
+
+InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, double s, double least_mm,
+                             double nearly_mm) {
+  const double size = tool.r_max_mm + tool.z_max_mm - tool.z_min_mm;
+  const Vec2 foot = cell.at(s, 0), inward = cell.inward_at(s);
+  double t = std::min(cell.longest_ray_mm(), size);
+  if (inward.x() < 0) t = std::min(t, foot.x() / -inward.x());
+  for (int k = 0; k < kMostShrinks && t > least_mm; ++k) {
+    Vec2 center = foot + t * inward;
+    if (center.x() < kRounding * size) center.x() = 0;
+    const ToolDistance at = evaluate(tool, center.x(), center.y());
+    if (-at.signed_distance_mm >= t - nearly_mm) return {center, -at.signed_distance_mm};
+    const Vec2 across = at.foot - foot;
+    const double rise = across.dot(inward);
+    const double touching = rise > 0 ? across.squaredNorm() / (2 * rise) : 0;
+    t = (k < kQuickShrinks ? 1 : kShrink) * std::min(t, touching);
+  }
+  return {};
+}
+
+InscribedBalls::InscribedBalls(const CompiledTool& tool, double slack_mm)
+    : slack_mm_(slack_mm), is_single_valued_(std::all_of(tool.elements.begin(), tool.elements.end(), is_rising)) {
+  for (const FootCell& cell : foot_cells(tool)) cover(tool, cell);
+}
+
+void InscribedBalls::cover(const CompiledTool& tool, const FootCell& cell) {
+  const InscribedBall ball = inscribed_ball(tool, cell, cell.middle(), slack_mm_, 0.25 * slack_mm_);
+  // On the way from a foot to a depth of the radius the distance from the centre is largest at an end.
+  const bool has_ball =
+      ball.radius_mm > 0 && cell.farthest_mm(ball.center, ball.radius_mm) <= ball.radius_mm + slack_mm_;
+  if (has_ball || cell.width_mm(0) <= slack_mm_) {
+    stretches_.push_back({feet_of(cell), has_ball ? ball.radius_mm : 0});
+    return;
+  }
+  FootCell half = cell;
+  half.to = cell.middle();
+  cover(tool, half);
+  half.from = cell.middle();
+  half.to = cell.to;
+  cover(tool, half);
+}
+
+std::vector<Box2> InscribedBalls::sharp_zones(double depth_mm) const {
+  std::vector<Box2> zones;
+  bool is_open = false;
+  for (const Stretch& stretch : stretches_) {
+    const bool is_sharp = stretch.radius_mm < depth_mm;
+    if (is_sharp && !is_open) zones.emplace_back();
+    if (is_sharp) zones.back().extend(stretch.feet);
+    is_open = is_sharp;
+  }
+  // What is less deep than that is no farther from its foot.
+  for (Box2& zone : zones) zone = Box2(Vec2(zone.min().array() - depth_mm), Vec2(zone.max().array() + depth_mm));
+  return zones;
+}
+
+}  // namespace gouge

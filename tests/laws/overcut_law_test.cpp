@@ -1,0 +1,187 @@
+// The two bounds of overcut on random gouging moves of every kind, with tools of every shape and heads, in closed
+// meshes: against points that are looked for by own arithmetic, and every lower bound at the point it was realised at.
+// GOUGE_OVERCUTS sets how many gouging moves, GOUGE_SEED which, GOUGE_STREAM looks at one stream of a failure again.
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <iostream>
+#include <sstream>
+
+#include "lib/check/overcut_gap.h"
+#include "lib/check/path_motion.h"
+#include "lib/overcut/overcut_search.h"
+#include "lib/overcut/swept_head.h"
+#include "lib/overcut/swept_tool.h"
+#include "tests/laws/random_moves.h"
+#include "tests/support/reference_hunt.h"
+#include "tests/support/whole_check.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kRounding_mm = 1e-6;
+constexpr int kStarts = 8, kSteps = 80;
+
+std::size_t number_from(const char* variable, std::size_t otherwise) {
+  const char* given = std::getenv(variable);
+  return given == nullptr ? otherwise : static_cast<std::size_t>(std::strtoull(given, nullptr, 10));
+}
+
+/// A solid's surface by its triangles alone.
+class PlainPart {
+ public:
+  explicit PlainPart(const IndexedMesh& mesh) : mesh_(mesh) {}
+
+  [[nodiscard]] double distance(const Vec3& p) const {
+    double least = 1e300;
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      least = std::min(least,
+                       reference::distance_to_triangle(p, mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2)));
+    }
+    return least;
+  }
+  [[nodiscard]] bool has_inside(const Vec3& p) const { return reference::solid_angle_share(mesh_, p) > 0.5; }
+  [[nodiscard]] const IndexedMesh& mesh() const { return mesh_; }
+
+ private:
+  const IndexedMesh& mesh_;
+};
+
+struct Deepest {
+  double depth_mm = 0, t = 0;
+  Vec3 point = Vec3::Zero();
+};
+
+/// Looks for a point of what moves that is deep below the surface: from random points under random triangles, and from
+/// `start`, by random steps that stay in both and lead deeper.
+template <class Moving>
+Deepest look_for_deepest(const Moving& moving, const PlainPart& part, const Deepest& start, test::Scatter& random) {
+  Deepest best = start;
+  const double size = part.mesh().box().diagonal().norm();
+  const auto climb = [&](Deepest at) {
+    double step = 0.05 * size;
+    for (int k = 0; k < kSteps; ++k) {
+      const double t = random.is(0.5) ? at.t : std::clamp(at.t + random.in(-0.2, 0.2) * step / size * 20, 0.0, 1.0);
+      const Vec3 point = at.point + random.in(0, step) * random.direction();
+      const bool is_deeper = moving.depth(moving.frame(t), point) >= 0 && part.distance(point) > at.depth_mm;
+      if (is_deeper && part.has_inside(point)) {
+        at = {part.distance(point), t, point};
+      } else {
+        step *= 0.93;
+      }
+    }
+    if (at.depth_mm > best.depth_mm) best = at;
+  };
+  if (start.depth_mm > 0) climb(start);
+  for (int k = 0; k < kStarts; ++k) {
+    const IndexedMesh& mesh = part.mesh();
+    const std::size_t triangle = random.below(mesh.triangles.size());
+    const double u = random.in(0, 1), v = random.in(0, 1 - u);
+    const Vec3 a = mesh.corner(triangle, 0), b = mesh.corner(triangle, 1) - a, c = mesh.corner(triangle, 2) - a;
+    const Vec3 below = -b.cross(c).normalized();
+    Deepest at;
+    at.t = random.in(0, 1);
+    at.point = a + u * b + v * c + random.in(0, 0.1 * size) * random.in(0, 1) * below;
+    if (!(moving.depth(moving.frame(at.t), at.point) >= 0) || !part.has_inside(at.point)) continue;
+    at.depth_mm = part.distance(at.point);
+    climb(at);
+  }
+  return best;
+}
+
+class Campaign {
+ public:
+  void run(std::size_t gouges) {
+    const bool is_alone = std::getenv("GOUGE_STREAM") != nullptr;
+    std::uint64_t stream = number_from("GOUGE_STREAM", 0);
+    for (bool is_first = true; is_alone ? is_first : measured < gouges; ++stream, is_first = false) {
+      laws::RandomJobs jobs(stream);
+      test::Scatter random(stream + 1);
+      for (int k = 0; k < 8; ++k) {
+        where_ = "stream " + std::to_string(stream) + ", job " + std::to_string(k);
+        const laws::RandomJob job = jobs.next();
+        if (job.is_closed) check(job, random);
+      }
+    }
+  }
+
+  std::size_t measured = 0, of_heads = 0, open = 0, reached = 0;
+
+ private:
+  void check(const laws::RandomJob& job, test::Scatter& random) {
+    CheckOptions options;
+    options.threads = 1;
+    std::vector<HeadBody> bodies;
+    for (const IndexedMesh& head : job.heads) bodies.push_back(*build_head_body(head));
+    const OwnSetup own(&job.tool, job.scene, options, bodies);
+    const CheckResult result = gouge::check(job.path, own.setup);
+    const reference::Contour bare(job.tool.bare);
+    for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+      const MoveVerdict& v = result.verdicts[i];
+      if (v.state != MoveState::gouge || !v.overcut_mm) continue;
+      const reference::Movement movement = reference::movement(job.path, i);
+      const Motion motion = motion_of(job.path, i, options.rapid);
+      if (v.witness->body != Body::head) {
+        SweptTool swept(motion, job.tool.bare);
+        judge(job, own.scene, v, i, swept, reference::MovingTool(bare, movement), random);
+      } else if (bodies.size() == 1) {
+        ++of_heads;
+        SweptHead swept(motion, bodies[0]);
+        judge(job, own.scene, v, i, swept, reference::MovingHead(job.heads[0], movement), random);
+      }
+    }
+  }
+
+  template <class Moving>
+  void judge(const laws::RandomJob& job, const PreparedScene& scene, const MoveVerdict& v, std::size_t i,
+             SweptSolid& swept, const Moving& moving, test::Scatter& random) {
+    ++measured;
+    const auto fail = [&](const std::string& what, double value) {
+      std::ostringstream text;
+      text.precision(17);
+      text << where_ << ", " << job.tool_name << ", move " << i << ": overcut " << *v.overcut_mm << " to "
+           << v.overcut_upper_mm << ", depth " << v.depth_mm << " to " << v.depth_upper_mm << "; " << what << " "
+           << value;
+      ADD_FAILURE() << text.str();
+    };
+    const bool is_part = v.witness->against == Against::part;
+    const IndexedMesh& mesh = (is_part ? job.scene.parts : job.scene.fixtures)[v.witness->mesh];
+    const PlainPart part(mesh);
+    const Surface& surface = scene.surface(v.witness->against, v.witness->mesh);
+    // The search by cells alone: nothing is taken from the depth.
+    OvercutOptions brief;
+    brief.most_cells = 500;
+    const Vec3 seed = v.witness->point - v.depth_mm * v.witness->normal;
+    const Overcut found = find_overcut(swept, surface, seed, v.witness->t, brief);
+    if (found.depth_mm > 0) {
+      const double deep = moving.depth(moving.frame(found.t), found.point);
+      if (!(deep >= -kRounding_mm)) fail("the point of the lower bound is not in what moves:", deep);
+      const double distance = part.distance(found.point);
+      if (std::abs(distance - found.depth_mm) > kRounding_mm) fail("its distance is", distance);
+      if (distance > kRounding_mm && !part.has_inside(found.point)) fail("it is outside, by", distance);
+    }
+    if (found.depth_mm > v.overcut_upper_mm + kRounding_mm) fail("cells alone reach", found.depth_mm);
+    if (*v.overcut_mm > found.depth_upper_mm + kRounding_mm) fail("cells alone bound it by", found.depth_upper_mm);
+    const Deepest deepest = look_for_deepest(moving, part, {found.depth_mm, found.t, found.point}, random);
+    if (deepest.depth_mm > v.overcut_upper_mm + kRounding_mm) fail("a point was found at", deepest.depth_mm);
+    if (deepest.depth_mm > found.depth_upper_mm + kRounding_mm)
+      fail("a point was found beyond the cells' bound:", deepest.depth_mm);
+    if (v.overcut_upper_mm - *v.overcut_mm > overcut_gap_mm(*v.overcut_mm) + kRounding_mm) ++open;
+    const Deepest own = look_for_deepest(moving, part, {}, random);
+    if (own.depth_mm > 0.9 * *v.overcut_mm) ++reached;
+  }
+
+  std::string where_;
+};
+
+TEST(OvercutLaw, HoldsAgainstPointsFoundByOwnArithmetic) {
+  Campaign campaign;
+  campaign.run(number_from("GOUGE_OVERCUTS", 1000));
+  std::cout << campaign.measured << " gouging moves, " << campaign.of_heads << " of heads; " << campaign.open
+            << " not closed to their gap; in " << campaign.reached << " the reference alone comes to 90 %\n";
+  EXPECT_GT(campaign.of_heads, 0U);
+  EXPECT_GT(campaign.reached * 10, campaign.measured) << "the reference is too weak";
+}
+
+}  // namespace
+}  // namespace gouge
