@@ -8,7 +8,6 @@
 #include "lib/field/field_instants.h"
 #include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"
-#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
@@ -19,7 +18,7 @@ constexpr double kSeenStep = 0.01;
 double reach_of(std::span<const HeadBody> heads) {
   double reach = 0;
   for (const HeadBody& head : heads) {
-    for (const Vec3& v : head.surface.mesh.vertices) reach = std::max(reach, v.norm());
+    for (const Vec3& v : head.surface.mesh().vertices) reach = std::max(reach, v.norm());
   }
   return reach;
 }
@@ -40,39 +39,46 @@ bool is_near(const Box3& head, const RigidTransform& to_part, const Box3& scene)
 /// A head where it was sampled, as PointDepths asks.
 class PlacedHead {
  public:
-  PlacedHead(const HeadBody& head, const Box3& box, const RigidTransform& to_tool, double tolerance_mm)
-      : head_(head), box_(box), to_tool_(to_tool), tolerance_mm_(tolerance_mm) {}
+  PlacedHead(const HeadBody& head, const RigidTransform& to_tool, double tolerance_mm)
+      : head_(&head), box_(&head.box), to_tool_(&to_tool), tolerance_mm_(tolerance_mm) {}
+
+  /// The flat patch that was nearest to the last point asked about.
+  struct Memory {
+    const FlatPatch* patch = nullptr;
+  };
+  static constexpr std::uint32_t parts = 0, first_part = 0;
+  [[nodiscard]] static bool is_coarse(const PointTree::Node&) { return false; }
 
   [[nodiscard]] double floor_mm() const { return tolerance_mm_; }
 
-  [[nodiscard]] double most_mm(const PointTree::Node& node, double enough_mm) {
-    const Vec3 centre = to_tool_.point(node.centre);
-    if (box_.squaredExteriorDistance(centre) >= node.radius * node.radius) return 0;
+  [[nodiscard]] DepthRange range_mm(const PointTree::Node& node, double enough_mm, Memory& memory) const {
+    const Vec3 centre = to_tool_->point(node.centre);
+    if (box_->squaredExteriorDistance(centre) >= node.radius * node.radius) return {};
     // Nothing is deeper than half the head is thick; where the node is as large, the tree says no more.
-    const double half_mm = 0.5 * box_.sizes().minCoeff();
-    if (node.radius >= half_mm) return half_mm;
-    const double remembered_mm = most_over_patch(node);
-    if (remembered_mm <= enough_mm) return remembered_mm;
-    const ClosestPoint foot = nearest(centre);
-    return std::min({node.radius - foot.signed_mm(), most_from(foot.point, node), most_over_patch(node), half_mm});
+    const double half_mm = 0.5 * box_->sizes().minCoeff();
+    if (node.radius >= half_mm) return up_to(half_mm);
+    const double remembered_mm = most_over_patch(node, memory);
+    if (remembered_mm <= enough_mm) return up_to(remembered_mm);
+    const ClosestPoint foot = nearest(centre, memory);
+    const double least = -foot.signed_mm() - node.radius;
+    const double most =
+        std::min({node.radius - foot.signed_mm(), most_from(foot.point, node), most_over_patch(node, memory), half_mm});
+    return {least > tolerance_mm_ ? least : 0, most, most, Vec3::Zero()};
   }
 
-  [[nodiscard]] PointDepths::LeafDepths depths(std::span<const FieldPoint> points, std::span<const float> reported_mm) {
-    PointDepths::LeafDepths reported{};
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const Vec3 point = to_tool_.point(points[i].at);
-      const double enough_mm = std::max(tolerance_mm_, PointDepths::kUnseen * static_cast<double>(reported_mm[i]));
-      if (!box_.contains(point) || most_at(point) <= enough_mm) continue;
-      const ClosestPoint foot = nearest(point);
-      if (foot.is_inside && foot.distance_mm > tolerance_mm_) reported[i] = static_cast<float>(foot.distance_mm);
-    }
-    return reported;
+  [[nodiscard]] double depth_mm(const FieldPoint& at, double enough_mm, Memory& memory) const {
+    const Vec3 point = to_tool_->point(at.at);
+    if (!box_->contains(point) || most_at(point, memory) <= enough_mm) return 0;
+    const ClosestPoint foot = nearest(point, memory);
+    return foot.is_inside && foot.distance_mm > tolerance_mm_ ? foot.distance_mm : 0;
   }
 
  private:
-  [[nodiscard]] ClosestPoint nearest(const Vec3& point) {
-    const ClosestPoint foot = *closest_point(head_.surface, point);
-    patch_ = &head_.flat.patches[head_.flat.patch_of[foot.triangle]];
+  [[nodiscard]] static DepthRange up_to(double most_mm) { return {0, most_mm, most_mm, Vec3::Zero()}; }
+
+  [[nodiscard]] ClosestPoint nearest(const Vec3& point, Memory& memory) const {
+    const ClosestPoint foot = *head_->surface.closest_point(point);
+    memory.patch = &head_->flat.patches[head_->flat.patch_of[foot.triangle]];
     return foot;
   }
 
@@ -84,26 +90,26 @@ class PlacedHead {
   }
 
   // From what lies above it on the flat patch that was nearest to the last one asked about, its neighbour:
-  [[nodiscard]] double most_at(const Vec3& point) const {
-    if (patch_ == nullptr || patch_->inside_mm(point) < 0) return std::numeric_limits<double>::infinity();
-    return std::abs(patch_->height_mm(point)) + patch_->off_mm;
+  [[nodiscard]] static double most_at(const Vec3& point, const Memory& memory) {
+    const FlatPatch* const patch = memory.patch;
+    if (patch == nullptr || patch->inside_mm(point) < 0) return std::numeric_limits<double>::infinity();
+    return std::abs(patch->height_mm(point)) + patch->off_mm;
   }
 
-  [[nodiscard]] double most_over_patch(const PointTree::Node& node) const {
+  [[nodiscard]] double most_over_patch(const PointTree::Node& node, const Memory& memory) const {
     double most = 0;
-    for (int k = 0; k < 8; ++k) most = std::max(most, most_at(corner(node, k)));
+    for (int k = 0; k < 8; ++k) most = std::max(most, most_at(corner(node, k), memory));
     return most;
   }
 
   [[nodiscard]] Vec3 corner(const PointTree::Node& node, int k) const {
-    return to_tool_.point(node.box.corner(static_cast<Box3::CornerType>(k)));
+    return to_tool_->point(node.box.corner(static_cast<Box3::CornerType>(k)));
   }
 
-  const HeadBody& head_;
-  const Box3& box_;
-  const RigidTransform& to_tool_;
+  const HeadBody* head_;
+  const Box3* box_;
+  const RigidTransform* to_tool_;
   double tolerance_mm_;
-  const FlatPatch* patch_ = nullptr;
 };
 
 }  // namespace
@@ -111,7 +117,6 @@ class PlacedHead {
 HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
     : heads_(input.heads), tolerance_mm_(input.options.tolerance_mm) {
   if (heads_.empty()) return;
-  for (const HeadBody& head : heads_) boxes_.push_back(head.surface.mesh.box());
   const Box3 scene = box_of(input.scene->parts).merged(box_of(input.scene->fixtures));
   if (scene.isEmpty()) return;
   const double reach = reach_of(heads_);
@@ -130,7 +135,7 @@ HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
     for (const double t : one.t) {
       const RigidTransform to_part = moving.at(t);
       for (std::size_t h = 0; h < heads_.size(); ++h) {
-        if (is_near(boxes_[h], to_part, scene)) swept_.push_back({h, to_part.inverse()});
+        if (is_near(heads_[h].box, to_part, scene)) swept_.push_back({h, to_part.inverse()});
       }
     }
   }
@@ -140,7 +145,7 @@ void HeadField::deepen(const std::vector<FieldPoint>& points, std::vector<float>
   if (swept_.empty()) return;
   std::vector<PlacedHead> heads;
   heads.reserve(swept_.size());
-  for (const SweptPose& p : swept_) heads.emplace_back(heads_[p.head], boxes_[p.head], p.to_tool, tolerance_mm_);
+  for (const SweptPose& p : swept_) heads.emplace_back(heads_[p.head], p.to_tool, tolerance_mm_);
   const std::vector<float> deep = PointDepths(points).deepest(heads);
   for (std::size_t i = 0; i < deep.size(); ++i) depth_mm[i] = std::max(depth_mm[i], deep[i]);
 }

@@ -32,7 +32,6 @@ class HeadField {
 
  private:
   std::span<const HeadBody> heads_;
-  std::vector<Box3> boxes_;  ///< of the heads
   std::vector<SweptPose> swept_;
   double tolerance_mm_ = 0;
 };

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "lib/base/parallel.h"
 #include "lib/field/point_tree.h"
-#include "lib/penetration/closest_point.h"
 #include "lib/tool/evaluate.h"
 
 namespace gouge {
@@ -40,48 +40,60 @@ OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depth
   }
 }
 
-/// Rays in a tree. A pose goes down where its tool can meet them, and follows each ray from its far end back to the
+/// Rays in a tree, quick where neighbours in the list are neighbours in space. A pose goes down where its tool can meet them, and follows each ray from its far end back to the
 /// tool.
 class OvercutField::RayTree {
  public:
   RayTree(const OvercutField& field, const std::vector<Ray>& rays)
-      : field_(field), rays_(rays), tree_(starts(rays)), margins_(rays.size(), -1), reported_(rays.size(), 0.0F) {
-    for (const PointTree::Node& node : tree_.nodes()) bundles_.push_back(bundle_of(node));
+      : field_(field),
+        rays_(rays),
+        tree_(rays.size(), [&](std::size_t i) { return rays[i].at; }),
+        bundles_(tree_.nodes().size()),
+        margins_(rays.size(), -1),
+        reported_(rays.size(), 0.0F) {
+    for (std::size_t n = bundles_.size(); n-- > 0;) bundles_[n] = bundle_of(tree_.nodes()[n]);
   }
 
   std::vector<float> result() {
-    std::vector<std::uint32_t> all(field_.swept_.size());
+    if (tree_.nodes().empty()) return reported_;
+    Swept all(field_.swept_.size());
     std::iota(all.begin(), all.end(), 0U);
-    for_each_chunk(tree_.blocks().size(), 1, 0, [&](std::size_t first, std::size_t last) {
-      for (std::size_t b = first; b < last; ++b) visit(tree_.blocks()[b], all);
+    std::vector<Task> tasks;
+    split(0, all, tasks);
+    for_each_chunk(tasks.size(), 1, 0, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) visit(tasks[k].node, tasks[k].near);
     });
     return reported_;
   }
 
  private:
+  using Swept = std::vector<std::uint32_t>;
+  struct Task {
+    std::size_t node = 0;
+    Swept near;
+  };
+
   /// The directions of a node's rays: none differs from `inward` by more than `spread`.
   struct Bundle {
     Vec3 inward = Vec3::Zero();
     double spread = 0;
   };
 
-  static std::vector<Vec3> starts(const std::vector<Ray>& rays) {
-    std::vector<Vec3> at;
-    at.reserve(rays.size());
-    for (const Ray& ray : rays) at.push_back(ray.at);
-    return at;
-  }
-
+  // From those of its children, which come behind it.
   [[nodiscard]] Bundle bundle_of(const PointTree::Node& node) const {
     Bundle bundle;
-    for (std::size_t i = node.first; i < node.last; ++i) bundle.inward += ray(i).inward;
-    bundle.inward /= static_cast<double>(node.last - node.first);
-    for (std::size_t i = node.first; i < node.last; ++i)
-      bundle.spread = std::max(bundle.spread, (ray(i).inward - bundle.inward).norm());
+    if (node.child == 0) {
+      for (std::size_t i = node.first; i < node.last; ++i) bundle.inward += rays_[i].inward;
+      bundle.inward /= static_cast<double>(node.last - node.first);
+      for (std::size_t i = node.first; i < node.last; ++i)
+        bundle.spread = std::max(bundle.spread, (rays_[i].inward - bundle.inward).norm());
+      return bundle;
+    }
+    const Bundle &a = bundles_[node.child], &b = bundles_[node.child + 1];
+    bundle.inward = 0.5 * (a.inward + b.inward);
+    bundle.spread = 0.5 * (a.inward - b.inward).norm() + std::max(a.spread, b.spread);
     return bundle;
   }
-
-  [[nodiscard]] const Ray& ray(std::size_t i) const { return rays_[tree_.order()[i]]; }
 
   /// A ray's point at depth s lies within |s - S/2| + spread S/2 + radius of the middle at S/2.
   [[nodiscard]] bool may_meet(std::size_t at, const SweptPose& swept) const {
@@ -92,26 +104,44 @@ class OvercutField::RayTree {
            reach;
   }
 
-  void visit(std::size_t at, const std::vector<std::uint32_t>& all_swept) {
-    const PointTree::Node& node = tree_.nodes()[at];
-    std::vector<std::uint32_t> near;
-    for (const std::uint32_t p : all_swept) {
+  [[nodiscard]] Swept near_of(std::size_t at, const Swept& swept) const {
+    Swept near;
+    for (const std::uint32_t p : swept) {
       if (may_meet(at, field_.swept_[p])) near.push_back(p);
     }
+    return near;
+  }
+
+  // Down to the blocks, which become tasks.
+  void split(std::size_t at, const Swept& swept, std::vector<Task>& tasks) const {
+    Swept near = near_of(at, swept);
     if (near.empty()) return;
+    const PointTree::Node& node = tree_.nodes()[at];
+    if (node.is_block) {
+      tasks.push_back({at, std::move(near)});
+      return;
+    }
+    split(node.child, near, tasks);
+    split(node.child + 1, near, tasks);
+  }
+
+  void visit(std::size_t at, const Swept& swept) {
+    const Swept near = near_of(at, swept);
+    if (near.empty()) return;
+    const PointTree::Node& node = tree_.nodes()[at];
     if (node.child != 0) {
       visit(node.child, near);
       visit(node.child + 1, near);
       return;
     }
     for (std::size_t i = node.first; i < node.last; ++i) {
-      for (const std::uint32_t p : near) follow(tree_.order()[i], field_.swept_[p]);
+      for (const std::uint32_t p : near) follow(i, field_.swept_[p]);
     }
   }
 
   void follow(std::size_t index, const SweptPose& swept) {
     const Ray& ray = rays_[index];
-    const DepthBody* const solid = field_.solids_[ray.mesh];
+    const Surface* const solid = field_.solids_[ray.mesh];
     if (solid == nullptr || static_cast<double>(reported_[index]) * kUnseen >= swept.most_mm) return;
     double& margin = margins_[index];
     if (margin < 0) margin = field_.margin_mm(*solid, ray, kMoreThanReported * field_.largest_mm_);
@@ -137,10 +167,10 @@ class OvercutField::RayTree {
 
 /// How far along the ray its own foot stays the nearest: the radius of the largest ball that touches the
 /// surface there from within, found by shrinking it as long as another foot lies in it.
-double OvercutField::margin_mm(const DepthBody& solid, const Ray& ray, double most_mm) const {
+double OvercutField::margin_mm(const Surface& solid, const Ray& ray, double most_mm) const {
   double radius = most_mm;
   for (int k = 0; k < kShrinks; ++k) {
-    const auto foot = closest_point(solid, ray.at + radius * ray.inward);
+    const auto foot = solid.closest_point(ray.at + radius * ray.inward);
     if (!foot || (foot->is_inside && foot->distance_mm >= kNearer * radius)) return radius;
     const Vec3 to = foot->point - ray.at;
     const double deep = to.dot(ray.inward);

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "lib/field/depth_field.h"
-#include "lib/penetration/depth_body.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
@@ -37,15 +37,15 @@ class OvercutField {
 
  private:
   class RayTree;
-  [[nodiscard]] double margin_mm(const DepthBody& solid, const Ray& ray, double most_mm) const;
+  [[nodiscard]] double margin_mm(const Surface& solid, const Ray& ray, double most_mm) const;
 
   struct SweptPose {
     DepthField::FieldPose pose;
     double most_mm = 0;  ///< how far below the surface the tool reaches at most
   };
   std::vector<SweptPose> swept_;
-  std::vector<const DepthBody*> solids_;  ///< by mesh; null where nothing is asked
-  std::size_t parts_ = 0;                 ///< so many meshes are parts, the others fixtures
+  std::vector<const Surface*> solids_;  ///< by mesh; null where nothing is asked
+  std::size_t parts_ = 0;               ///< so many meshes are parts, the others fixtures
   double largest_mm_ = 0, tolerance_mm_ = 0;
   const DepthField& depths_;
 };

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,71 +18,164 @@ struct FieldPoint {
   bool is_fixture = false;
 };
 
-/// Points of a surface, each with the largest depth found so far, so that a body at a pose visits only the points that
-/// it can reach deeper than that.
+/// What is known of the depth of all points p of a node in a body, mm: least <= depth <= most, and
+/// depth <= at_centre + slope . (p - centre).
+struct DepthRange {
+  double least_mm = 0, most_mm = 0;
+  double at_centre_mm = 0;
+  Vec3 slope = Vec3::Zero();
+};
+
+/// The largest depth of each point of a surface in any of many bodies. Both are halved together: a node of points
+/// hands down the bodies that may be the deepest somewhere in it, and its leaves ask those with the largest bound first.
 class PointDepths {
  public:
   static constexpr double kUnseen = 1.03;  ///< a depth not above this many times another looks the same
-  using LeafDepths = std::array<float, PointTree::kLeafPoints>;
-
+  /// Quick where neighbours in the list are neighbours in space. The points must outlive it.
   explicit PointDepths(const std::vector<FieldPoint>& points)
-      : tree_(positions(points)), depth_(points.size(), 0.0F), least_(tree_.nodes().size(), 0.0F) {
-    sorted_.reserve(points.size());
-    for (const std::size_t i : tree_.order()) sorted_.push_back(points[i]);
-  }
+      : points_(points), tree_(points.size(), [&](std::size_t i) { return points[i].at; }) {}
 
-  /// The largest depth of each point in any of the bodies, in mm, less 3 % at most; 0 where it is in none.
+  /// The depth of each point, mm, less 3 % at most; 0 where it is in none. The last `roots` bodies are asked about all
+  /// points, others only as parts of those.
   ///
-  /// A Body has most_mm(node, enough_mm): no point of the node is deeper, as exact as it need be where that is not
-  /// above `enough_mm`; depths(points of a leaf, found): of those deeper than found so far; and floor_mm(): all that it
-  /// gives are more. It may remember what it found: every block gets a copy of its own.
+  /// A Body has range_mm(node, enough_mm, memory): what is known of the node's depth, as exact as it need be where that
+  /// is not above `enough_mm`; depth_mm(point, enough_mm, memory): of a point, where it is above `enough_mm`; and
+  /// floor_mm(): depths not above it do not count. Its Memory keeps what it finds from one call to the next nearby.
+  ///
+  /// One may stand for several: `parts` is how many, `first_part` the first of them, and its range holds for each. Where
+  /// is_coarse(node), and in every leaf, they are asked themselves.
   template <class Body>
-  [[nodiscard]] std::vector<float> deepest(const std::vector<Body>& bodies) {
-    const std::vector<std::size_t>& blocks = tree_.blocks();
-    for_each_chunk(blocks.size(), 1, 0, [&](std::size_t first, std::size_t last) {
-      for (std::size_t b = first; b < last; ++b) {
-        for (Body body : bodies) visit(blocks[b], body);
+  [[nodiscard]] std::vector<float> deepest(const std::vector<Body>& bodies, std::size_t roots) const {
+    std::vector<float> depth(points_.size(), 0.0F);
+    if (tree_.nodes().empty()) return depth;
+    Descent<Body> top{*this, bodies, depth};
+    for (std::size_t b = bodies.size() - roots; b < bodies.size(); ++b)
+      top.candidates.push_back(
+          {static_cast<std::uint32_t>(b), {0, std::numeric_limits<double>::infinity(), 0, Vec3::Zero()}});
+    std::vector<Task> tasks;
+    top.split(0, 0, tasks);
+    for_each_chunk(tasks.size(), 1, 0, [&](std::size_t first, std::size_t last) {
+      for (std::size_t k = first; k < last; ++k) {
+        Descent<Body> descent{*this, bodies, depth};
+        descent.candidates = tasks[k].candidates;
+        descent.visit(tasks[k].node, 0);
       }
     });
-    std::vector<float> out(depth_.size());
-    for (std::size_t i = 0; i < out.size(); ++i) out[tree_.order()[i]] = depth_[i];
-    return out;
+    return depth;
+  }
+  template <class Body>
+  [[nodiscard]] std::vector<float> deepest(const std::vector<Body>& bodies) const {
+    return deepest(bodies, bodies.size());
   }
 
  private:
-  static std::vector<Vec3> positions(const std::vector<FieldPoint>& points) {
-    std::vector<Vec3> at;
-    at.reserve(points.size());
-    for (const FieldPoint& point : points) at.push_back(point.at);
-    return at;
-  }
+  struct Candidate {
+    std::uint32_t body = 0;
+    DepthRange range;
+  };
+  struct Task {
+    std::size_t node = 0;
+    std::vector<Candidate> candidates;
+  };
 
   template <class Body>
-  void visit(std::size_t at, Body& body) {
-    const PointTree::Node& node = tree_.nodes()[at];
-    const double enough_mm = std::max(body.floor_mm(), kUnseen * static_cast<double>(least_[at]));
-    if (body.most_mm(node, enough_mm) <= enough_mm) return;
-    if (node.child != 0) {
-      visit(node.child, body);
-      visit(node.child + 1, body);
-      least_[at] = std::min(least_[node.child], least_[node.child + 1]);
-      return;
-    }
-    const std::size_t count = node.last - node.first;
-    const LeafDepths found = body.depths(std::span(sorted_).subspan(node.first, count),
-                                         std::span(std::as_const(depth_)).subspan(node.first, count));
-    float least = std::numeric_limits<float>::max();
-    for (std::size_t i = node.first; i < node.last; ++i) {
-      depth_[i] = std::max(depth_[i], found[i - node.first]);
-      least = std::min(least, depth_[i]);
-    }
-    least_[at] = least;
-  }
+  struct Descent {
+    Descent(const PointDepths& of, const std::vector<Body>& all, std::vector<float>& found)
+        : field(of), bodies(all), depth(found), memories(all.size()) {}
 
+    const PointDepths& field;
+    const std::vector<Body>& bodies;
+    std::vector<float>& depth;
+    std::vector<typename Body::Memory> memories;
+    std::vector<Candidate> candidates;  ///< those of a node behind those of its parent
+    double least_mm = 0;                ///< of the node at hand, and who is as deep
+    std::size_t champion = 0;
+
+    /// Down to the blocks, which become tasks.
+    void split(std::size_t at, std::size_t first, std::vector<Task>& tasks) {
+      const PointTree::Node& node = field.tree_.nodes()[at];
+      if (node.is_block) {
+        tasks.push_back({at, {candidates.begin() + static_cast<std::ptrdiff_t>(first), candidates.end()}});
+        return;
+      }
+      const std::size_t own = shortlist(node, first);
+      if (candidates.size() > own) {
+        split(node.child, own, tasks);
+        split(node.child + 1, own, tasks);
+      }
+      candidates.resize(own);
+    }
+
+    void visit(std::size_t at, std::size_t first) {
+      const PointTree::Node& node = field.tree_.nodes()[at];
+      const std::size_t own = shortlist(node, first);
+      if (candidates.size() > own) {
+        if (node.child != 0) {
+          visit(node.child, own);
+          visit(node.child + 1, own);
+        } else {
+          look(node, own);
+        }
+      }
+      candidates.resize(own);
+    }
+
+    // Appends those of the parent's candidates that may be the deepest somewhere in the node. The one whose least depth
+    // is the largest stays in any case and comes first. Returns where they begin.
+    std::size_t shortlist(const PointTree::Node& node, std::size_t first) {
+      const std::size_t own = candidates.size();
+      least_mm = 0;
+      champion = own;
+      for (std::size_t k = first; k < own; ++k) propose(node, candidates[k]);
+      if (candidates.size() == own) return own;
+      if (least_mm > 0) std::swap(candidates[own], candidates[champion]);
+      const auto begin = candidates.begin() + static_cast<std::ptrdiff_t>(own);
+      candidates.erase(std::remove_if(begin + 1, candidates.end(),
+                                      [&](const Candidate& one) { return one.range.most_mm <= least_mm; }),
+                       candidates.end());
+      return own;
+    }
+
+    void propose(const PointTree::Node& node, const Candidate& parent) {
+      const Body& body = bodies[parent.body];
+      const double enough_mm = std::max(body.floor_mm(), least_mm);
+      if (parent.range.most_mm <= enough_mm) return;
+      DepthRange range = body.range_mm(node, enough_mm, memories[parent.body]);
+      if (range.most_mm <= enough_mm) return;
+      range.most_mm = std::min(parent.range.most_mm, range.most_mm);
+      if (body.parts > 0 && (node.child == 0 || body.is_coarse(node))) {
+        for (std::uint32_t k = 0; k < body.parts; ++k) propose(node, {body.first_part + k, range});
+        return;
+      }
+      if (range.least_mm > least_mm) {
+        least_mm = range.least_mm;
+        champion = candidates.size();
+      }
+      candidates.push_back({parent.body, range});
+    }
+
+    void look(const PointTree::Node& node, std::size_t own) {
+      std::sort(candidates.begin() + static_cast<std::ptrdiff_t>(own), candidates.end(),
+                [](const Candidate& a, const Candidate& b) {
+                  const double x = a.range.at_centre_mm, y = b.range.at_centre_mm;
+                  return x > y || (x >= y && a.body < b.body);
+                });
+      for (std::size_t k = own; k < candidates.size(); ++k) {
+        const Candidate& one = candidates[k];
+        const Body& body = bodies[one.body];
+        const double at_origin_mm = one.range.at_centre_mm - one.range.slope.dot(node.centre);
+        for (std::size_t i = node.first; i < node.last; ++i) {
+          const FieldPoint& point = field.points_[i];
+          const double enough_mm = std::max(body.floor_mm(), kUnseen * static_cast<double>(depth[i]));
+          if (at_origin_mm + one.range.slope.dot(point.at) <= enough_mm) continue;
+          depth[i] = std::max(depth[i], static_cast<float>(body.depth_mm(point, enough_mm, memories[one.body])));
+        }
+      }
+    }
+  };
+
+  const std::vector<FieldPoint>& points_;
   PointTree tree_;
-  std::vector<FieldPoint> sorted_;  ///< in the tree's order
-  std::vector<float> depth_;        ///< in the tree's order
-  std::vector<float> least_;        ///< by node: the smallest depth below
 };
 
 }  // namespace gouge

@@ -1,7 +1,7 @@
 #include "lib/field/point_tree.h"
 
 #include <algorithm>
-#include <numeric>
+#include <utility>
 
 namespace gouge {
 namespace {
@@ -10,36 +10,27 @@ constexpr std::size_t kBlocks = 64;
 
 }  // namespace
 
-PointTree::PointTree(const std::vector<Vec3>& points) : order_(points.size()) {
-  std::iota(order_.begin(), order_.end(), std::size_t{0});
-  if (points.empty()) return;
+void PointTree::split(std::size_t count) {
+  const std::size_t block = std::max(count / kBlocks, kLeafPoints);
   nodes_.resize(1);
-  fill(points, 0, 0, points.size(), std::max(points.size() / kBlocks, kLeafPoints), false);
-}
-
-void PointTree::fill(const std::vector<Vec3>& points, std::size_t at, std::size_t first, std::size_t last,
-                     std::size_t block, bool is_in_block) {
-  Box3 box;
-  for (std::size_t i = first; i < last; ++i) box.extend(points[order_[i]]);
-  nodes_[at] = {box, box.center(), 0.5 * box.diagonal().norm(), first, last, 0};
-  if (!is_in_block && last - first <= block) {
-    blocks_.push_back(at);
-    is_in_block = true;
+  nodes_[0].last = count;
+  std::vector<bool> is_below_block{false};
+  // Behind a node come its children: one pass, for new nodes are appended.
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const std::size_t first = nodes_[n].first, last = nodes_[n].last;
+    const bool is_below = is_below_block[n];
+    nodes_[n].is_block = !is_below && last - first <= block;
+    if (last - first <= kLeafPoints) continue;
+    const std::size_t middle = first + (last - first) / 2;
+    nodes_[n].child = nodes_.size();
+    const bool is_child_below = is_below || nodes_[n].is_block;
+    for (const auto& [from, to] : {std::pair(first, middle), std::pair(middle, last)}) {
+      Node& child = nodes_.emplace_back();
+      child.first = from;
+      child.last = to;
+      is_below_block.push_back(is_child_below);
+    }
   }
-  if (last - first <= kLeafPoints) return;
-  int axis = 0;
-  box.sizes().maxCoeff(&axis);
-  const std::size_t middle = first + (last - first) / 2;
-  const auto swept = [&](std::size_t i) { return order_.begin() + static_cast<std::ptrdiff_t>(i); };
-  std::nth_element(swept(first), swept(middle), swept(last), [&](std::size_t a, std::size_t b) {
-    const double xa = points[a][axis], xb = points[b][axis];
-    return xa < xb || (!(xb < xa) && a < b);
-  });
-  const std::size_t child = nodes_.size();
-  nodes_.resize(child + 2);
-  nodes_[at].child = child;
-  fill(points, child, first, middle, block, is_in_block);
-  fill(points, child + 1, middle, last, block, is_in_block);
 }
 
 }  // namespace gouge

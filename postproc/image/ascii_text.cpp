@@ -1,29 +1,11 @@
 #include "postproc/image/ascii_text.h"
 
-#include <cstdint>
 #include <optional>
+
+#include "lib/base/utf8.h"
 
 namespace gouge {
 namespace {
-
-struct CodePoint {
-  std::uint32_t value = 0;
-  std::size_t bytes = 1;
-};
-
-std::optional<CodePoint> decode(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint32_t>(static_cast<unsigned char>(text[i])); };
-  const std::uint32_t first = byte(at);
-  const std::size_t bytes = first < 0x80 ? 1 : first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (bytes == 1) return CodePoint{first, 1};
-  if (first < 0xC2 || first > 0xF4 || at + bytes > text.size()) return std::nullopt;
-  std::uint32_t value = first & (0xFFU >> (bytes + 1));
-  for (std::size_t k = 1; k < bytes; ++k) {
-    if ((byte(at + k) & 0xC0U) != 0x80U) return std::nullopt;
-    value = (value << 6U) | (byte(at + k) & 0x3FU);
-  }
-  return CodePoint{value, bytes};
-}
 
 // U+00C0 to U+017F without their accents, one character each; letters that need two are handled before.
 constexpr std::string_view kLatin =
@@ -31,7 +13,7 @@ constexpr std::string_view kLatin =
     "ouuuuypyAaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlLlLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUu"
     "UuUuUuUuUuWwYyYZzZzZzs";
 
-std::string ascii_of(std::uint32_t c) {
+std::string ascii_of(char32_t c) {
   switch (c) {
     case 0xA0:
       return " ";
@@ -95,7 +77,7 @@ std::string ascii_of(std::uint32_t c) {
 std::string ascii_text(std::string_view utf8) {
   std::string out;
   for (std::size_t at = 0; at < utf8.size();) {
-    const std::optional<CodePoint> c = decode(utf8, at);
+    const std::optional<CodePoint> c = decode_utf8(utf8, at);
     if (!c) {
       out += '?';
       ++at;

@@ -2,14 +2,14 @@
 
 #include <algorithm>
 
-#include "postproc/image/pixel_points.h"
+#include "postproc/image/gouge_witnesses.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kDistinctCosine = 0.643;  // of 50 degrees
-constexpr int kProbeWidth = 200;
-constexpr int kProbeHeight = 160;
+constexpr std::size_t kMostWitnesses = 400;
+constexpr double kClear = 0.01;  // of the parts' size: what lies as near to a point does not hide it
 
 struct Candidate {
   Vec3 toward;
@@ -41,41 +41,34 @@ std::vector<Candidate> candidates(const Vec3& axis) {
   return out;
 }
 
-// Area of gouged surface that is seen, on the surface and not on the picture, so that slanted views are not
-// put at a disadvantage.
-double gouged_area(const PictureScene& scene, const DepthField& field, const SurfaceBuffer& buffer) {
-  const std::vector<float> depth = depth_on_pixels(field, scene, buffer);
-  const double pixel = buffer.view.mm_per_pixel * buffer.view.mm_per_pixel;
+// How much of what is gouged is seen.
+double gouged_area(const CheckedToolpath& input, const std::vector<GougeWitness>& gouges, const Vec3& toward,
+                   double clear_mm) {
   double area = 0;
-  for (int y = 0; y < buffer.view.height; ++y) {
-    for (int x = 0; x < buffer.view.width; ++x) {
-      if (!(depth[buffer.index(x, y)] > 0)) continue;
-      area += pixel / std::max(0.3, normal_at(scene, buffer, x, y).dot(buffer.view.toward));
-    }
+  for (const GougeWitness& gouge : gouges) {
+    if (is_in_sight(input, gouge.at, toward, clear_mm)) area += gouge.weight;
   }
   return area;
 }
 
 }  // namespace
 
-std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene, const DepthField& field,
+std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
                                     const std::vector<PictureEvent>& events, std::size_t count) {
   const Vec3 axis = mean_axis(*input.toolpath);
-  const std::vector<Vec3> points = scene.part_points();
+  const std::vector<GougeWitness> gouges = gouge_witnesses(input, kMostWitnesses);
+  const double clear_mm = kClear * scene.part_size_mm();
   std::vector<Candidate> all = candidates(axis);
   double most_gouged = 0;
   for (std::size_t i = 0; i < all.size(); ++i) {
     Candidate& c = all[i];
-    View view = make_view(c.toward, Vec3::UnitZ(), kProbeWidth, kProbeHeight);
-    fit_view(view, points, 0.03);
-    const SurfaceBuffer buffer = draw_surface(scene, view);
-    c.gouged = gouged_area(scene, field, buffer);
+    c.gouged = gouged_area(input, gouges, c.toward, clear_mm);
     double weight = 0;
     double seen = 0;
     for (const PictureEvent& event : events) {
       const double share = 1.0 / event.number;
       weight += share;
-      if (is_visible(buffer, event.at, 2 * view.mm_per_pixel)) seen += share;
+      if (is_in_sight(input, event.at, c.toward, clear_mm)) seen += share;
     }
     most_gouged = std::max(most_gouged, c.gouged);
     c.score = weight > 0 ? 0.6 * seen / weight : 0;

@@ -2,7 +2,6 @@
 
 #include <vector>
 
-#include "lib/field/depth_field.h"
 #include "postproc/image/picture_events.h"
 #include "postproc/image/picture_scene.h"
 #include "postproc/image/view.h"
@@ -10,10 +9,9 @@
 namespace gouge {
 
 /// `count` directions to look at the part from, out of the faces and corners of a cube and the mean tool
-/// axis: the one that shows the most gouged surface and the worst events, then the best that differs by 50
+/// axis: the one that shows the most of what is gouged (gouge_witnesses.h) and the worst events, then the best that differs by 50
 /// degrees. Without gouges the usual view from above the tool and the one opposite.
 [[nodiscard]] std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
-                                                  const DepthField& field, const std::vector<PictureEvent>& events,
-                                                  std::size_t count);
+                                                  const std::vector<PictureEvent>& events, std::size_t count);
 
 }  // namespace gouge

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
+#include <vector>
 
 #include "postproc/image/event_scale.h"
 #include "postproc/image/glass.h"
+#include "postproc/image/gouge_witnesses.h"
 #include "postproc/image/pixel_points.h"
 #include "postproc/image/render_png.h"
 #include "postproc/image/shade.h"
@@ -15,6 +18,11 @@ namespace gouge {
 namespace {
 
 constexpr Area kCloseUp{152, 142, 830, 742};
+// A close-up may be seen from so many directions, on each of two heights; what gouges within this share of its height
+// about the finding is looked at, and what is nearer than one of so many pixels hides nothing.
+constexpr int kSides = 12;
+constexpr double kNear = 0.15;
+constexpr int kProbeWidth = 120, kProbeHeight = 108;
 
 // Of a finding of a head: the heads as far as they are shown, with the finding and the tool's tip; the part
 // too where a head is buried in it.
@@ -22,7 +30,7 @@ View head_view(const PictureSet& set, const PictureEvent& event, const Vec3& tow
   View view = make_view(toward, event.pose.axis, width, height);
   const double reach = head_reach_mm(set, event);
   FlatExtent extent;
-  const auto take = [&](const std::vector<Vec3>& points) {
+  const auto take = [&](std::span<const Vec3> points) {
     for (const Vec3& p : points) extent.take({(p - event.at).dot(view.right), (p - event.at).dot(view.up)}, reach);
   };
   take(head_corners(set, event));
@@ -33,7 +41,7 @@ View head_view(const PictureSet& set, const PictureEvent& event, const Vec3& tow
 }
 
 View tool_view(const PictureSet& set, const PictureEvent& event, const Vec3& toward, int width, int height) {
-  const double part_mm = part_size_mm(set);
+  const double part_mm = set.scene.part_size_mm();
   const double times = event.event.body == Body::cutter ? 8 : 5.5;
   const double reach = event.has_witness ? times * tool_size_mm(set, event) : 1.2 * part_mm;
   const double height_mm = std::clamp(reach, std::min(8 * event.depth_mm, reach), std::max(1.1 * part_mm, 1e-3));
@@ -49,37 +57,37 @@ View close_view(const PictureSet& set, const PictureEvent& event, const Vec3& to
   return event.head ? head_view(set, event, toward, width, height) : tool_view(set, event, toward, width, height);
 }
 
-// How much of what is seen within `near_mm` of the finding is gouged.
-double gouged_share(const PictureSet& set, const PictureEvent& event, const SurfaceBuffer& buffer, double near_mm) {
-  const std::vector<float> depth = depth_on_pixels(set.coarse, set.scene, buffer);
-  double gouged = 0;
-  for (int y = 0; y < buffer.view.height; ++y) {
-    for (int x = 0; x < buffer.view.width; ++x) {
-      const std::size_t i = buffer.index(x, y);
-      if (depth[i] > 0 && (buffer.point(x, y) - event.at).norm() < near_mm) gouged += 1;
-    }
+// How much of what is gouged about the finding is seen and faces the viewer.
+double gouged_share(const PictureSet& set, const std::vector<GougeWitness>& gouges, const Vec3& toward,
+                    double clear_mm) {
+  double seen = 0, all = 0;
+  for (const GougeWitness& gouge : gouges) {
+    const double facing = gouge.normal.dot(toward);
+    all += gouge.weight;
+    if (facing > 0 && is_in_sight(set.input, gouge.at, toward, clear_mm)) seen += facing * gouge.weight;
   }
-  const double radius = near_mm / buffer.view.mm_per_pixel;
-  return std::min(1.0, gouged / (std::numbers::pi * radius * radius));
+  return all > 0 ? seen / all : 0;
 }
 
 Vec3 best_direction(const PictureSet& set, const PictureEvent& event) {
   const Vec3 side = std::abs(event.pose.axis.x()) < 0.9 ? Vec3::UnitX() : Vec3::UnitY();
   const Vec3 e1 = event.pose.axis.cross(side).normalized();
   const Vec3 e2 = event.pose.axis.cross(e1);
+  const View like = close_view(set, event, event.pose.axis, kProbeWidth, kProbeHeight);
+  const double clear_mm = like.mm_per_pixel + 1e-3;
+  std::vector<GougeWitness> near;
+  for (const GougeWitness& gouge : set.gouges) {
+    if ((gouge.at - event.at).norm() < kNear * like.mm_per_pixel * kProbeHeight) near.push_back(gouge);
+  }
   Vec3 best = event.pose.axis;
   double best_score = -1;
-  // Large meshes are looked at from fewer sides.
-  const int sides = set.scene.faces.size() > 200000 ? 6 : 12;
   for (const double rise : {0.45, 0.8}) {
-    for (int k = 0; k < sides; ++k) {
-      const double angle = 2 * std::numbers::pi * (k + 0.5) / sides;
+    for (int k = 0; k < kSides; ++k) {
+      const double angle = 2 * std::numbers::pi * (k + 0.5) / kSides;
       const Vec3 around = std::cos(angle) * e1 + std::sin(angle) * e2;
       const Vec3 toward = std::cos(rise) * around + std::sin(rise) * event.pose.axis;
-      const View view = close_view(set, event, toward, 120, 108);
-      const SurfaceBuffer buffer = draw_surface(set.scene, view);
-      double score = is_visible(buffer, event.at, view.mm_per_pixel + 1e-3) ? 1 : 0;
-      score += 0.5 * gouged_share(set, event, buffer, 0.15 * view.mm_per_pixel * view.height);
+      double score = is_in_sight(set.input, event.at, toward, clear_mm) ? 1 : 0;
+      score += 0.5 * gouged_share(set, near, toward, clear_mm);
       if (event.has_witness) score += 0.3 * event.witness.normal.dot(toward);
       if (rise < 0.5) score += 0.05;
       if (score > best_score + 1e-9) {

@@ -13,6 +13,8 @@ Result<std::string> encode_png(const std::uint8_t* bgr, int width, int height) {
   image.width = static_cast<png_uint_32>(width);
   image.height = static_cast<png_uint_32>(height);
   image.format = PNG_FORMAT_BGR;
+  // A third of the time, for files 5 to 20 % larger.
+  image.flags = PNG_IMAGE_FLAG_FAST;
   // The largest size it can have: asking libpng for the true one would compress everything twice.
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');

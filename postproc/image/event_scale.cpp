@@ -32,24 +32,17 @@ double tool_size_mm(const PictureSet& set, const PictureEvent& event) {
   return std::max({body_radius(variants_of(set, event).bare, event.event.body), from_axis, 1.3 * event.depth_mm});
 }
 
-double part_size_mm(const PictureSet& set) {
-  if (set.scene.vertices.empty()) return 10;
-  Box3 box;
-  for (const Vec3& p : set.scene.part_points()) box.extend(p);
-  return box.diagonal().norm();
-}
-
 std::vector<Vec3> head_corners(const PictureSet& set, const PictureEvent& event) {
   std::vector<Vec3> corners{event.pose.tip};
   for (const HeadBody& head : set.input.heads) {
-    const Box3 box = head.surface.mesh.box();
+    const Box3 box = head.box;
     for (int k = 0; k < 8; ++k) corners.push_back(event.heads.point(box.corner(static_cast<Box3::CornerType>(k))));
   }
   return corners;
 }
 
 double head_reach_mm(const PictureSet& set, const PictureEvent& event) {
-  return std::max({kReach * part_size_mm(set), 4 * event.depth_mm, 1e-3});
+  return std::max({kReach * set.scene.part_size_mm(), 4 * event.depth_mm, 1e-3});
 }
 
 void FlatExtent::take(const Vec2& p, double reach) {

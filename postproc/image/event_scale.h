@@ -12,9 +12,6 @@ namespace gouge {
 /// Of a gouge of the tool: the radius of the body that gouges, or more when it is reached deep inside.
 [[nodiscard]] double tool_size_mm(const PictureSet& set, const PictureEvent& event);
 
-/// Across the parts.
-[[nodiscard]] double part_size_mm(const PictureSet& set);
-
 /// The heads of a finding in part coordinates: corners of a box about each, and the tool's tip.
 [[nodiscard]] std::vector<Vec3> head_corners(const PictureSet& set, const PictureEvent& event);
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <vector>
 
+#include "lib/base/parallel.h"
 #include "postproc/image/shade.h"
 #include "postproc/image/walk_line.h"
 
@@ -13,7 +16,8 @@ constexpr int kHead = static_cast<int>(Body::head);
 
 Colour glass_colour(const View& view, Vec3 normal, int body) {
   if (normal.dot(view.toward) < 0) normal = -normal;
-  const double light = std::min(1.15, 0.25 + light_on(view, normal));
+  const double light =
+      std::min(1.15, 0.25 + light_on(normal.dot(view.right), normal.dot(view.up), normal.dot(view.toward)));
   const Colour colour = body_colour(body);
   const auto lit = [&](unsigned char c) {
     return static_cast<unsigned char>(std::min(255.0, (0.35 * 255 + 0.65 * c) * light));
@@ -41,7 +45,7 @@ class Pane {
       blend_pixel(raster, x, y, body_colour(std::max({body, right, below})), is_hidden ? 0.5 : 0.85);
       return;
     }
-    blend_pixel(raster, x, y, glass_colour(part_.view, normal(x, y), body), is_hidden ? hidden_opacity() : opacity());
+    blend_pixel(raster, x, y, colour(x, y), is_hidden ? hidden_opacity() : opacity());
   }
 
   [[nodiscard]] const SurfaceBuffer& buffer() const { return buffer_; }
@@ -51,7 +55,7 @@ class Pane {
     return buffer_.face[i] == kNoFace ? -1 : body_of_face(buffer_.face[i]);
   }
   [[nodiscard]] virtual int body_of_face(std::uint32_t face) const = 0;
-  [[nodiscard]] virtual Vec3 normal(int x, int y) const = 0;
+  [[nodiscard]] virtual Colour colour(int x, int y) const = 0;
   [[nodiscard]] virtual double opacity() const = 0;
   [[nodiscard]] virtual double hidden_opacity() const = 0;
 
@@ -62,20 +66,26 @@ class Pane {
 class ToolPane : public Pane {
  public:
   ToolPane(const SurfaceBuffer& part, const ToolSurface& tool)
-      : Pane(part, draw_surface(tool.vertices, tool.faces, part.view)), tool_(tool) {}
+      : Pane(part, draw_surface(tool.vertices, tool.faces, part.view)), tool_(tool) {
+    colours_.reserve(tool.faces.size());
+    for (std::size_t f = 0; f < tool.faces.size(); ++f)
+      colours_.push_back(glass_colour(part.view, normal(f), static_cast<int>(tool.bodies[f])));
+  }
 
  private:
   [[nodiscard]] int body_of_face(std::uint32_t face) const override { return static_cast<int>(tool_.bodies[face]); }
-  [[nodiscard]] Vec3 normal(int x, int y) const override {
-    const FaceCorners& corners = tool_.faces[buffer().face[buffer().index(x, y)]];
+  [[nodiscard]] Vec3 normal(std::size_t face) const {
+    const FaceCorners& corners = tool_.faces[face];
     const Vec3& a = tool_.vertices[corners[0]];
     const Vec3 square = (tool_.vertices[corners[1]] - a).cross(tool_.vertices[corners[2]] - a);
     return square.norm() < 1e-12 ? buffer().view.toward : Vec3(square.normalized());
   }
+  [[nodiscard]] Colour colour(int x, int y) const override { return colours_[buffer().face[buffer().index(x, y)]]; }
   [[nodiscard]] double opacity() const override { return 0.34; }
   [[nodiscard]] double hidden_opacity() const override { return 0.10; }
 
   const ToolSurface& tool_;
+  std::vector<Colour> colours_;  ///< by face
 };
 
 /// Clearer than a tool: a head is large, and what it gouges lies behind it.
@@ -86,7 +96,9 @@ class HeadPane : public Pane {
 
  private:
   [[nodiscard]] int body_of_face(std::uint32_t) const override { return kHead; }
-  [[nodiscard]] Vec3 normal(int x, int y) const override { return normal_at(heads_, buffer(), x, y); }
+  [[nodiscard]] Colour colour(int x, int y) const override {
+    return glass_colour(buffer().view, normal_at(heads_, buffer(), x, y), kHead);
+  }
   [[nodiscard]] double opacity() const override { return 0.24; }
   [[nodiscard]] double hidden_opacity() const override { return 0.10; }
 
@@ -107,18 +119,21 @@ void draw_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& h
 
 void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool, const PictureScene& heads) {
   const ToolPane tool_pane(part, tool);
-  const HeadPane head_pane(part, heads);
-  for (int y = 0; y < raster.height; ++y) {
-    for (int x = 0; x < raster.width; ++x) {
-      const std::size_t i = part.index(x, y);
-      const bool is_head_nearer = head_pane.buffer().z[i] > tool_pane.buffer().z[i];
-      if (!is_head_nearer) head_pane.paint(raster, x, y);
-      tool_pane.paint(raster, x, y);
-      if (is_head_nearer) head_pane.paint(raster, x, y);
+  std::optional<HeadPane> head_pane;
+  if (!heads.faces.empty()) head_pane.emplace(part, heads);
+  for_each_chunk(static_cast<std::size_t>(raster.height), 64, 0, [&](std::size_t first, std::size_t last) {
+    for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y) {
+      for (int x = 0; x < raster.width; ++x) {
+        const std::size_t i = part.index(x, y);
+        const bool is_head_nearer = head_pane && head_pane->buffer().z[i] > tool_pane.buffer().z[i];
+        if (head_pane && !is_head_nearer) head_pane->paint(raster, x, y);
+        tool_pane.paint(raster, x, y);
+        if (is_head_nearer) head_pane->paint(raster, x, y);
+      }
     }
-  }
+  });
   for (const PictureScene::Edge& edge : heads.edges) {
-    draw_edge(raster, part, head_pane.buffer(), part.view.project(heads.vertices[edge.a]),
+    draw_edge(raster, part, head_pane->buffer(), part.view.project(heads.vertices[edge.a]),
               part.view.project(heads.vertices[edge.b]));
   }
 }

@@ -5,6 +5,7 @@
 #include <initializer_list>
 #include <utility>
 
+#include "lib/base/number_text.h"
 #include "postproc/image/path_overlay.h"
 #include "postproc/image/pixel_points.h"
 #include "postproc/image/shade.h"

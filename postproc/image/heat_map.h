@@ -2,6 +2,7 @@
 
 #include "lib/field/overcut_field.h"
 #include "postproc/image/choose_views.h"
+#include "postproc/image/gouge_witnesses.h"
 #include "postproc/image/page.h"
 #include "postproc/report/report_model.h"
 
@@ -12,14 +13,14 @@ struct PictureSet {
   const ReportModel& model;
   const CheckedToolpath& input;
   const PictureScene& scene;
-  const DepthField& field;   ///< for the pictures
-  const DepthField& coarse;  ///< fewer poses: for choosing views
+  const DepthField& field;
   const OvercutField& overcuts;
   std::vector<PictureEvent> events;
   ColourScale scale;          ///< of depths
   ColourScale surface_scale;  ///< of what colours the surface: overcuts, where there are any
   std::vector<Vec3> directions;
   PictureScene heads;  ///< in the tool's frame
+  std::vector<GougeWitness> gouges;
 };
 
 /// The part from the chosen views, coloured by overcut, or by depth where no move has one, with the worst

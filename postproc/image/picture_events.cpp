@@ -2,13 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "lib/check/path_motion.h"
+#include "lib/head/find_head.h"
 #include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"
-#include "lib/mesh/winding.h"
-#include "lib/penetration/closest_point.h"
 
 namespace gouge {
 namespace {
@@ -18,40 +16,14 @@ double scene_size(const Scene& scene) {
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
-bool is_in_solid(const Scene& scene, const Vec3& point) {
-  for (const std::vector<IndexedMesh>* meshes : {&scene.parts, &scene.fixtures}) {
-    for (const IndexedMesh& mesh : *meshes) {
-      if (mesh.box().contains(point) && is_inside({&mesh, 1}, point)) return true;
-    }
-  }
-  return false;
-}
-
-// The head in which the witness is deepest.
-std::size_t gouging_head(std::span<const HeadBody> heads, const Vec3& witness_tool) {
-  std::size_t best = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t h = 0; h < heads.size(); ++h) {
-    const double distance = closest_point(heads[h].surface, witness_tool)->signed_mm();
-    if (distance >= least) continue;
-    least = distance;
-    best = h;
-  }
-  return best;
-}
-
 void find_head(const CheckedToolpath& input, const Reason& reason, PictureEvent& one) {
   if (input.heads.empty()) return;
   if (one.has_witness && one.witness.body == Body::head) {
-    one.head = gouging_head(input.heads, one.heads.inverse().point(one.at));
+    one.head = deepest_head(input.heads, one.heads.inverse().point(one.at));
   } else if (!one.has_witness && reason.is(Reason::Kind::buried) && reason.body == Body::head) {
-    for (std::size_t h = 0; h < input.heads.size() && !one.head; ++h) {
-      for (const Vec3& core : input.heads[h].cores) {
-        const Vec3 at = one.heads.point(core);
-        if (one.head || !is_in_solid(*input.scene, at)) continue;
-        one.head = h;
-        one.at = at;
-      }
+    if (const auto buried = find_buried_core(input.heads, one.heads, *input.scene)) {
+      one.head = buried->head;
+      one.at = buried->at;
     }
   }
 }

@@ -96,6 +96,7 @@ PictureScene build_picture_scene(const Scene& scene) {
   std::uint32_t number = 0;
   for (const IndexedMesh& mesh : scene.parts) add_mesh(out, mesh, false, number++);
   out.part_vertices = out.vertices.size();
+  for (const Vec3& p : out.vertices) out.part_box.extend(p);
   for (const IndexedMesh& mesh : scene.fixtures) add_mesh(out, mesh, true, number++);
   smooth_normals(out);
   find_edges(out);
@@ -105,7 +106,7 @@ PictureScene build_picture_scene(const Scene& scene) {
 PictureScene build_picture_heads(std::span<const HeadBody> heads) {
   PictureScene out;
   std::uint32_t number = 0;
-  for (const HeadBody& head : heads) add_mesh(out, head.surface.mesh, false, number++);
+  for (const HeadBody& head : heads) add_mesh(out, head.surface.mesh(), false, number++);
   out.part_vertices = out.vertices.size();
   smooth_normals(out);
   find_edges(out);

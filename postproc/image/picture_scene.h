@@ -28,11 +28,12 @@ struct PictureScene {
   std::vector<Face> faces;  ///< parts first
   std::vector<Edge> edges;  ///< sharp edges and borders
   std::size_t part_vertices = 0;
+  Box3 part_box;
 
   /// Vertices of the parts: what a picture should show whole.
-  [[nodiscard]] std::vector<Vec3> part_points() const {
-    return {vertices.begin(), vertices.begin() + static_cast<std::ptrdiff_t>(part_vertices)};
-  }
+  [[nodiscard]] std::span<const Vec3> part_points() const { return std::span(vertices).first(part_vertices); }
+  /// Across the parts, mm; 10 without any.
+  [[nodiscard]] double part_size_mm() const { return part_box.isEmpty() ? 10 : part_box.diagonal().norm(); }
 };
 
 /// Cost     O(n log n) for n triangles.

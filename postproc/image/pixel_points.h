@@ -10,7 +10,7 @@
 namespace gouge {
 
 /// The surface points a picture is coloured by: one for neighbouring pixels (2 x 2) that lie on one piece of
-/// surface.
+/// surface. Neighbours in the list are neighbours in the picture.
 struct PixelPoints {
   struct Point {
     Vec3 at = Vec3::Zero();

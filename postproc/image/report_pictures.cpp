@@ -14,15 +14,18 @@ namespace {
 
 constexpr std::size_t kMostEvents = 6;
 constexpr std::size_t kViews = 2;
-constexpr std::size_t kCoarsePoses = 1000;
+constexpr std::size_t kMostWitnesses = 2000;
 
 struct Album {
-  std::vector<NamedFile> files;
+  const PicturesProgress& progress;
+  std::size_t total = 0;
+  std::vector<NamedFile> files{};
 
   [[nodiscard]] Outcome add(const Page& page, std::string name, std::string title, std::size_t move = kNone) {
     Result<std::string> png = render_png(page.drawing, page.rasters);
     if (!png) return png.error();
     files.push_back({std::move(name), std::move(*png), std::move(title), move});
+    if (progress) progress(files.size(), total);
     return Done{};
   }
 };
@@ -54,12 +57,11 @@ Outcome add_before_after(Album& album, const PictureSet& after, const CheckedToo
   model.toolpath = before_input.toolpath;
   model.result = before_input.result;
   const DepthField field(before_input);
-  const DepthField coarse(before_input, kCoarsePoses);
   const OvercutField overcuts(before_input, field);
   PictureSet before{
-      model,       before_input,        after.scene, field, coarse, overcuts, worst_events(before_input, kMostEvents),
-      after.scale, after.surface_scale, {},          {}};
-  before.directions = choose_directions(before_input, after.scene, coarse, before.events, 1);
+      model,       before_input,        after.scene, field, overcuts, worst_events(before_input, kMostEvents),
+      after.scale, after.surface_scale, {},          {},    {}};
+  before.directions = choose_directions(before_input, after.scene, before.events, 1);
   return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
 }
 
@@ -83,10 +85,9 @@ Outcome add_scene_pictures(Album& album, const PictureSet& set, const CheckedToo
 }  // namespace
 
 Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, const CheckedToolpath& input,
-                                                    const CheckedToolpath& before) {
+                                                    const CheckedToolpath& before, const PicturesProgress& progress) {
   const PictureScene scene = build_picture_scene(*input.scene);
   const DepthField field(input);
-  const DepthField coarse(input, kCoarsePoses);
   const OvercutField overcuts(input, field);
   const auto scale_to = [&](double worst_mm) {
     return make_colour_scale(model.options.tolerance_mm, worst_mm, model.toolpath->unit);
@@ -95,16 +96,18 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
                  input,
                  scene,
                  field,
-                 coarse,
                  overcuts,
                  worst_events(input, kMostEvents),
                  scale_to(worst_depth(model, input)),
                  scale_to(worst_on_surface(model, input)),
                  {},
-                 build_picture_heads(input.heads)};
-  Album album;
-  if (!scene.faces.empty()) {
-    set.directions = choose_directions(input, scene, coarse, set.events, kViews);
+                 build_picture_heads(input.heads),
+                 gouge_witnesses(input, kMostWitnesses)};
+  const bool has_before = model.has_correction && before.toolpath != nullptr && before.result != nullptr;
+  const std::size_t of_scene = scene.faces.empty() ? 0 : 1 + (has_before ? 1 : 0) + set.events.size();
+  Album album{progress, of_scene + 1};
+  if (of_scene > 0) {
+    set.directions = choose_directions(input, scene, set.events, kViews);
     if (Outcome done = add_scene_pictures(album, set, before); !done) return done.error();
   }
   if (Outcome done = album.add(draw_depth_strip(set), "depth_along_path.png", "Depth along the path"); !done) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "lib/base/result.h"
@@ -8,6 +10,9 @@
 #include "postproc/report/report_model.h"
 
 namespace gouge {
+
+/// Told how many pictures of how many there will be are done.
+using PicturesProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// The pictures of a report, PNG, 1600 x 1000: heat_map.png, depth_along_path.png, event_1.png to event_6.png
 /// for the worst findings, and before_after.png when the model has a correction with its path and verdicts
@@ -20,6 +25,7 @@ namespace gouge {
 /// Cost     Seconds; grows with the number of triangles and of gouging moves.
 [[nodiscard]] Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model,
                                                                   const CheckedToolpath& input,
-                                                                  const CheckedToolpath& before = {});
+                                                                  const CheckedToolpath& before = {},
+                                                                  const PicturesProgress& progress = {});
 
 }  // namespace gouge

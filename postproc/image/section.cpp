@@ -96,7 +96,7 @@ std::vector<SectionLine> cut_scene(const Scene& scene, const SectionPlane& plane
 std::vector<std::vector<SectionLine>> cut_heads(std::span<const HeadBody> heads, const RigidTransform& to_part,
                                                 const SectionPlane& plane) {
   std::vector<std::vector<SectionLine>> out(heads.size());
-  for (std::size_t h = 0; h < heads.size(); ++h) cut_mesh(heads[h].surface.mesh, to_part, plane, false, out[h]);
+  for (std::size_t h = 0; h < heads.size(); ++h) cut_mesh(heads[h].surface.mesh(), to_part, plane, false, out[h]);
   return out;
 }
 

@@ -69,12 +69,78 @@ class InsideOf {
   std::size_t next_ = 0;
 };
 
+/// The body of the tool that each pixel of a panel shows, -1 for none.
+class ToolBodies {
+ public:
+  ToolBodies(const SectionPanel& panel, double beside_mm, const CompiledTool& tool, int width, int height)
+      : panel_(panel),
+        beside2_(beside_mm * beside_mm),
+        tool_(tool),
+        ranges_{body_range(tool, Body::cutter), body_range(tool, Body::shank), body_range(tool, Body::holder)},
+        width_(width),
+        height_(height),
+        is_inside_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0) {
+    for (int y = 0; y < height; y += kSquare) {
+      for (int x = 0; x < width; x += kSquare) fill(x, y, kSquare);
+    }
+  }
+
+  [[nodiscard]] int at(int x, int y) const {
+    return is_inside_[index(x, y)] != 0 ? static_cast<int>(body_at(ranges_, place(x, y).y())) : -1;
+  }
+
+ private:
+  static constexpr int kSquare = 64;
+
+  [[nodiscard]] std::size_t index(int x, int y) const {
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
+  }
+  /// The middle of a pixel, or of a square of pixels (x and y in halves).
+  [[nodiscard]] Vec2 place(double x, double y) const {
+    return {panel_.centre.x() + (x + 0.5 - 0.5 * width_) / kSupersampling * panel_.mm_per_unit,
+            panel_.centre.y() - (y + 0.5 - 0.5 * height_) / kSupersampling * panel_.mm_per_unit};
+  }
+  [[nodiscard]] double distance_mm(const Vec2& p) const {
+    const double r = beside2_ > 0 ? std::sqrt(p.x() * p.x() + beside2_) : std::abs(p.x());
+    return evaluate(tool_, r, p.y()).signed_distance_mm;
+  }
+
+  // No pixel of a square is nearer to the boundary than its middle by more than it is far from the middle.
+  void fill(int x, int y, int side) {
+    if (x >= width_ || y >= height_) return;
+    const double middle = 0.5 * (side - 1);
+    const double distance = distance_mm(place(x + middle, y + middle));
+    const double reach = 1.5 * middle / kSupersampling * panel_.mm_per_unit;
+    if (side == 1 || std::abs(distance) > reach) {
+      if (distance >= 0) return;
+      for (int row = y; row < std::min(y + side, height_); ++row) {
+        const auto first = is_inside_.begin() + static_cast<std::ptrdiff_t>(index(x, row));
+        std::fill(first, first + (std::min(x + side, width_) - x), std::uint8_t{1});
+      }
+      return;
+    }
+    const int half = side / 2;
+    for (int k = 0; k < 4; ++k) fill(x + k % 2 * half, y + k / 2 * half, half);
+  }
+
+  const SectionPanel& panel_;
+  double beside2_;
+  const CompiledTool& tool_;
+  std::array<BodyRange, 3> ranges_;
+  int width_, height_;
+  std::vector<std::uint8_t> is_inside_;
+};
+
 void paint_pixel(Raster& raster, int x, int y, bool is_material, bool is_head, int tool_body) {
+  const bool is_tool = tool_body >= 0;
   if (is_material) {
     const bool is_hatch = (x + y) % 20 < 2;
-    blend_pixel(raster, x, y, is_hatch ? Colour{150, 158, 166, 1} : Colour{214, 218, 222, 1}, 1);
+    const Colour colour = is_hatch ? Colour{150, 158, 166, 1} : Colour{214, 218, 222, 1};
+    std::uint8_t* const pixel = raster.pixel(x, y);
+    pixel[0] = colour.r;
+    pixel[1] = colour.g;
+    pixel[2] = colour.b;
   }
-  const bool is_tool = tool_body >= 0;
   if ((is_tool || is_head) && is_material) return blend_pixel(raster, x, y, kAlarm, 0.62);
   if (is_head) blend_pixel(raster, x, y, body_colour(static_cast<int>(Body::head)), 0.26);
   if (is_tool) blend_pixel(raster, x, y, body_colour(tool_body), 0.26);
@@ -87,20 +153,14 @@ Raster paint_panel(const SectionPanel& panel, const Section& section, bool is_cl
   InsideOf material(panel, is_closed ? section.lines : std::vector<SectionLine>{}, height);
   std::vector<InsideOf> heads;
   for (const std::vector<SectionLine>& lines : section.heads) heads.emplace_back(panel, lines, height);
-  const std::array<BodyRange, 3> ranges{body_range(tool, Body::cutter), body_range(tool, Body::shank),
-                                        body_range(tool, Body::holder)};
-  const double beside2 = section.plane.beside_mm * section.plane.beside_mm;
+  const ToolBodies bodies(panel, section.plane.beside_mm, tool, width, height);
   for (int y = 0; y < height; ++y) {
     material.begin_row(y);
     for (InsideOf& head : heads) head.begin_row(y);
     for (int x = 0; x < width; ++x) {
-      const Vec2 p(panel.centre.x() + (x + 0.5 - 0.5 * width) / kSupersampling * panel.mm_per_unit,
-                   panel.centre.y() - (y + 0.5 - 0.5 * height) / kSupersampling * panel.mm_per_unit);
-      const double r = beside2 > 0 ? std::sqrt(p.x() * p.x() + beside2) : std::abs(p.x());
-      const bool is_tool = evaluate(tool, r, p.y()).signed_distance_mm < 0;
       bool is_head = false;
       for (InsideOf& head : heads) is_head = head.at(x) || is_head;
-      paint_pixel(raster, x, y, material.at(x), is_head, is_tool ? static_cast<int>(body_at(ranges, p.y())) : -1);
+      paint_pixel(raster, x, y, material.at(x), is_head, bodies.at(x, y));
     }
   }
   return raster;

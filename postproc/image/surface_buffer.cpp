@@ -108,20 +108,35 @@ SurfaceBuffer draw_surface(const PictureScene& scene, const View& view) {
   return draw_surface(scene.vertices, faces, view);
 }
 
-Vec3 normal_at(const PictureScene& scene, const SurfaceBuffer& buffer, int x, int y) {
-  const PictureScene::Face& face = scene.faces[buffer.face[buffer.index(x, y)]];
-  const Vec3 a = buffer.view.project(scene.vertices[face.corners[0]]);
-  const Vec3 b = buffer.view.project(scene.vertices[face.corners[1]]);
-  const Vec3 c = buffer.view.project(scene.vertices[face.corners[2]]);
+void NormalsAt::begin(std::uint32_t face) {
+  face_ = face;
+  const std::array<std::uint32_t, 3>& corners = scene_.faces[face].corners;
+  const Vec3 a = view_.project(scene_.vertices[corners[0]]);
+  const Vec3 b = view_.project(scene_.vertices[corners[1]]);
+  const Vec3 c = view_.project(scene_.vertices[corners[2]]);
   const double area = cross(a, b, c.x(), c.y());
-  const double u = std::clamp(cross(b, c, x + 0.5, y + 0.5) / area, 0.0, 1.0);
-  const double v = std::clamp(cross(c, a, x + 0.5, y + 0.5) / area, 0.0, 1.0);
-  Vec3 normal = u * face.normals[0].cast<double>() + v * face.normals[1].cast<double>() +
-                (1 - u - v) * face.normals[2].cast<double>();
+  u_ = cross(b, c, 0.5, 0.5) / area;
+  u_right_ = (b.y() - c.y()) / area;
+  u_down_ = (c.x() - b.x()) / area;
+  v_ = cross(c, a, 0.5, 0.5) / area;
+  v_right_ = (c.y() - a.y()) / area;
+  v_down_ = (a.x() - c.x()) / area;
+}
+
+Vec3 NormalsAt::operator()(std::uint32_t face, int x, int y) {
+  if (face != face_) begin(face);
+  const double u = std::clamp(u_ + x * u_right_ + y * u_down_, 0.0, 1.0);
+  const double v = std::clamp(v_ + x * v_right_ + y * v_down_, 0.0, 1.0);
+  const std::array<Eigen::Vector3f, 3>& normals = scene_.faces[face].normals;
+  Vec3 normal = u * normals[0].cast<double>() + v * normals[1].cast<double>() + (1 - u - v) * normals[2].cast<double>();
   const double length = normal.norm();
-  if (!(length > 0)) return buffer.view.toward;
+  if (!(length > 0)) return view_.toward;
   normal /= length;
-  return normal.dot(buffer.view.toward) < 0 ? Vec3(-normal) : normal;
+  return normal.dot(view_.toward) < 0 ? Vec3(-normal) : normal;
+}
+
+Vec3 normal_at(const PictureScene& scene, const SurfaceBuffer& buffer, int x, int y) {
+  return NormalsAt(scene, buffer.view)(buffer.face[buffer.index(x, y)], x, y);
 }
 
 bool is_visible(const SurfaceBuffer& buffer, const Vec3& point_part, double slack_mm) {

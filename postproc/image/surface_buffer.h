@@ -35,7 +35,24 @@ using FaceCorners = std::array<std::uint32_t, 3>;
                                          const View& view);
 [[nodiscard]] SurfaceBuffer draw_surface(const PictureScene& scene, const View& view);
 
-/// Interpolated unit normal of the seen face, turned towards the viewer.
+/// Interpolated unit normals of faces, turned towards the viewer. Quick for pixels of one face after another.
+class NormalsAt {
+ public:
+  NormalsAt(const PictureScene& scene, const View& view) : scene_(scene), view_(view) {}
+  /// At the middle of the pixel.
+  [[nodiscard]] Vec3 operator()(std::uint32_t face, int x, int y);
+
+ private:
+  void begin(std::uint32_t face);
+
+  const PictureScene& scene_;
+  const View& view_;
+  std::uint32_t face_ = kNoFace;
+  /// Shares of the first two corners: at the left top pixel, and what they gain to the right and down.
+  double u_ = 0, u_right_ = 0, u_down_ = 0, v_ = 0, v_right_ = 0, v_down_ = 0;
+};
+
+/// That of the seen face.
 [[nodiscard]] Vec3 normal_at(const PictureScene& scene, const SurfaceBuffer& buffer, int x, int y);
 
 /// Whether a surface point is seen and not hidden behind another face.

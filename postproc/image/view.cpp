@@ -20,7 +20,7 @@ View make_view(const Vec3& toward, const Vec3& up_hint, int width, int height) {
   return view;
 }
 
-void fit_view(View& view, const std::vector<Vec3>& points, double margin) {
+void fit_view(View& view, std::span<const Vec3> points, double margin) {
   constexpr double kFar = std::numeric_limits<double>::max();
   Vec3 low(kFar, kFar, kFar);
   Vec3 high = -low;

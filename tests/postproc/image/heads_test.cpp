@@ -6,7 +6,7 @@
 #include "lib/check/path_motion.h"
 #include "lib/field/depth_field.h"
 #include "lib/head/head_motion.h"
-#include "lib/penetration/closest_point.h"
+#include "lib/surface/surface.h"
 #include "postproc/image/depth_strip.h"
 #include "postproc/image/event_picture.h"
 #include "postproc/image/picture_events.h"
@@ -165,7 +165,7 @@ TEST(Heads, AreKnownByNameOfThePieceThatGouges) {
   const std::vector<PictureEvent> events = worst_events(small.input, 6);
   ASSERT_EQ(events.size(), 1U);
   EXPECT_EQ(events[0].head, std::optional<std::size_t>(1));
-  EXPECT_NEAR(closest_point(small.heads[1].surface, events[0].heads.inverse().point(events[0].at))->signed_mm(),
+  EXPECT_NEAR(small.heads[1].surface.closest_point(events[0].heads.inverse().point(events[0].at))->signed_mm(),
               -events[0].depth_mm, 1e-9);
 }
 
@@ -194,7 +194,7 @@ TEST(HeadField, IsTheDepthInTheHeadsAtEveryPoint) {
   const DepthField field(small.input);
   const std::vector<float> depth = field.depth_at(points);
   const auto deepest = [&](double so_far, const HeadBody& head, const Vec3& q) {
-    return std::max(so_far, -closest_point(head.surface, q)->signed_mm());
+    return std::max(so_far, -head.surface.closest_point(q)->signed_mm());
   };
   std::size_t gouged = 0;
   for (std::size_t i = 0; i < points.size(); ++i) {

@@ -101,12 +101,12 @@ TEST(HeatMap, IsColouredByOvercutAndSaysSo) {
                        plunge.input,
                        scene,
                        depths,
-                       depths,
                        overcuts,
                        worst_events(plunge.input, 6),
                        depth_scale,
                        make_colour_scale(0.01, 12, LengthUnit::mm),
                        {Vec3::UnitZ()},
+                       {},
                        {}};
   EXPECT_EQ(heat_map_title(set), "Overcut on the part");
   const Page page = draw_heat_map(set);

@@ -119,6 +119,30 @@ TEST(ReportPictures, AreTheOnesGuaranteedAndTheSameOnEveryRun) {
   EXPECT_EQ((*first)[1].move, small.result.events.front().worst_move);
 }
 
+TEST(ReportPictures, TellHowManyOfThemAreDone) {
+  const SmallScene small;
+  std::vector<std::size_t> told;
+  const auto listen = [&](std::size_t done, std::size_t total) {
+    told.push_back(done);
+    EXPECT_EQ(total, 3U);
+  };
+  ASSERT_TRUE(draw_report_pictures(small.model, small.input, {}, listen));
+  EXPECT_EQ(told, (std::vector<std::size_t>{1, 2, 3}));
+}
+
+TEST(GougeWitnesses, AreSeenFromWhereTheToolComesFromAndNotThroughThePart) {
+  const SmallScene small;
+  const std::vector<GougeWitness> gouges = gouge_witnesses(small.input, 100);
+  ASSERT_EQ(gouges.size(), small.result.counts.gouge);
+  for (const GougeWitness& gouge : gouges) {
+    EXPECT_GT(gouge.weight, 0);
+    EXPECT_TRUE(is_in_sight(small.input, gouge.at, Vec3::UnitZ(), 0.1));
+    EXPECT_TRUE(is_in_sight(small.input, gouge.at, Vec3(0.5, 0, 0.8).normalized(), 0.1));
+    EXPECT_FALSE(is_in_sight(small.input, gouge.at, -Vec3::UnitZ(), 0.1));
+  }
+  EXPECT_EQ(gouge_witnesses(small.input, 1).size(), 1U);
+}
+
 TEST(ReportPictures, ShowBeforeAndAfterForACorrection) {
   SmallScene before;
   SmallScene after;

@@ -18,7 +18,8 @@ Scene block_scene() {
 
 TEST(View, UnprojectsWhatItProjects) {
   View view = make_view({1, -2, 1.5}, Vec3::UnitZ(), 300, 200);
-  fit_view(view, {{0, 0, 0}, {40, 30, 10}}, 0.1);
+  const std::vector<Vec3> ends{{0, 0, 0}, {40, 30, 10}};
+  fit_view(view, ends, 0.1);
   const Vec3 p(12, 7, 3);
   const Vec3 q = view.project(p);
   EXPECT_LT((view.unproject(q.x(), q.y(), q.z()) - p).norm(), 1e-12);

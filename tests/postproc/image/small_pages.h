@@ -19,13 +19,13 @@ struct SmallPages {
             small.input,
             scene,
             field,
-            field,
             overcuts,
             worst_events(small.input, 6),
             make_colour_scale(0.01, 1, small.path.unit),
             make_colour_scale(0.01, 1, small.path.unit),
             {Vec3(1, -1, 1).normalized()},
-            build_picture_heads(small.input.heads)} {}
+            build_picture_heads(small.input.heads),
+            gouge_witnesses(small.input, 100)} {}
   PictureScene scene;
   DepthField field;
   OvercutField overcuts;

@@ -1,0 +1,36 @@
+#include "postproc/image/gouge_witnesses.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/check/path_motion.h"
+#include "lib/field/field_instants.h"
+#include "lib/hierarchy/sight.h"
+
+namespace gouge {
+
+std::vector<GougeWitness> gouge_witnesses(const CheckedToolpath& input, std::size_t most) {
+  std::vector<std::size_t> gouging;
+  const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
+  for (std::size_t i = 0; i < verdicts.size(); ++i) {
+    if (verdicts[i].state == MoveState::gouge && verdicts[i].witness) gouging.push_back(i);
+  }
+  std::vector<GougeWitness> out;
+  const std::size_t every = gouging.size() / std::max<std::size_t>(most, 1) + 1;
+  for (std::size_t k = 0; k < gouging.size(); k += every) {
+    const MoveVerdict& verdict = verdicts[gouging[k]];
+    const Motion motion = motion_of(*input.toolpath, gouging[k], input.options.rapid);
+    const double travel = motion.is_defined() ? path_length_mm(motion) : 0;
+    // A trace is about as wide as the root of its depth.
+    const double weight = std::max(travel, verdict.depth_mm) * std::sqrt(std::max(verdict.depth_mm, 0.0));
+    out.push_back({verdict.witness->point, verdict.witness->normal, weight});
+  }
+  return out;
+}
+
+bool is_in_sight(const CheckedToolpath& input, const Vec3& point, const Vec3& toward, double clear_mm) {
+  return !is_hidden(input.prepared->parts, point, toward, clear_mm) &&
+         !is_hidden(input.prepared->fixtures, point, toward, clear_mm);
+}
+
+}  // namespace gouge
