@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
 #include "lib/geom/vec.h"
@@ -13,19 +12,12 @@
 
 namespace gouge {
 
-enum class DirectionFamily {
-  cube,      ///< faces, corners and edges of a cube: k = 6, 14, 18, 26 (thesis 2.3.2.6)
-  platonic,  ///< face normals of octahedron 8, dodecahedron 12, icosahedron 20 (thesis 6.1.2)
-  coulomb,   ///< spread evenly by minimising the Coulomb energy: any even k from 6 to 128 (thesis 6.1.2)
-};
-
 struct DirectionSet {
   std::vector<Vec3> axes;  ///< unit
   [[nodiscard]] std::size_t k() const { return 2 * axes.size(); }
 };
 
-/// Nothing when the family has no set of that k. The same bits on every call.
-/// Cost  constant for cube and platonic; O(k^2) an iteration, a few thousand iterations, for coulomb.
-[[nodiscard]] std::optional<DirectionSet> make_directions(DirectionFamily family, std::size_t k);
+/// Faces, corners and edges of a cube (thesis 2.3.2.6). Requires k of 6, 14, 18 or 26. The same bits on every call.
+[[nodiscard]] DirectionSet cube_directions(std::size_t k);
 
 }  // namespace gouge

@@ -25,15 +25,6 @@ namespace gouge {
   return true;
 }
 
-/// Whether the projections `p` of a point, one for each axis, lie in every interval.
-[[nodiscard]] inline bool does_hold(const float* volume, const float* p, std::size_t stride) {
-  for (std::size_t i = 0; i < stride; i += 4) {
-    const Float4 at = load4(p + i);
-    if (any4((load4(volume + 2 * i) > at) | (at > load4(volume + 2 * i + 4)))) return false;
-  }
-  return true;
-}
-
 /// Grows `a` to hold `b`.
 inline void unite_intervals(float* a, const float* b, std::size_t stride) {
   for (std::size_t i = 0; i < 2 * stride; i += 8) {

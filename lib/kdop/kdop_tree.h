@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <functional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "lib/geom/vec.h"
@@ -51,8 +50,5 @@ using BoundItem = std::function<void(std::uint32_t item, float* intervals)>;
 
 /// Fills a new tree's spare slots and single-precision ends: `low - slack` and `high + slack`.
 void write_intervals(const DirectionSet& directions, std::span<const Vec3> points, double slack_mm, float* intervals);
-
-/// One line for every broken invariant: an item in no leaf or two, a child outside its parent.
-[[nodiscard]] std::vector<std::string> verify_kdop_tree(const KdopTree& tree);
 
 }  // namespace gouge

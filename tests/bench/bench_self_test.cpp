@@ -2,10 +2,10 @@
 
 #include <map>
 
-#include "lib/check/brute_force.h"
 #include "lib/tool/evaluate.h"
 #include "tests/bench/sphere_cover.h"
 #include "tests/bench/workload.h"
+#include "tests/support/brute_force.h"
 
 // What the benchmark takes for the truth, held against the library's slow reference and against itself.
 

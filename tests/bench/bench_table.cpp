@@ -100,7 +100,7 @@ std::string cell(std::optional<double> x, Wanted wanted, double limit) {
 }
 
 std::string wanted_text(Wanted wanted, double limit) {
-  if (limit <= 0) return "told";
+  if (limit <= 0) return "shown";
   return (wanted == Wanted::at_least ? ">= " : "<= ") + number(limit);
 }
 
@@ -173,20 +173,18 @@ void print_ratios(const Measured& m, const std::string& part) {
 
 void print_loading(const Measured& m) {
   const auto load_ms = m.value("loading.all", "cpu_time");
-  const auto embree = m.value("embree.build/wavy/ball/2000000", "cpu_time");
-  const auto embree_ms = embree ? std::optional<double>(*embree / 1000) : std::nullopt;
-  const auto bytes = m.value("loading.parse", "bytes_per_second");
+  const auto embree_ms = ratio(m.value("embree.build/wavy/ball/2000000", "cpu_time"), 1e3);
   std::printf("\n## Files, 2,000,000 triangles\n\n| what | wanted | measured |\n|---|---|---|\n");
   print_row("load, weld and tree / Embree's tree of medium quality", "<= 2",
             {cell(ratio(load_ms, embree_ms), Wanted::at_most, 2)});
-  print_row("load, weld and tree, ms", "told", {number(load_ms)});
-  print_row("of it reading and welding, ms", "told", {number(m.value("loading.read_and_weld", "cpu_time"))});
-  print_row("of it the tree, ms", "told", {number(m.value("loading.tree", "cpu_time"))});
-  print_row("Embree's tree, ms", "told", {number(embree_ms)});
+  print_row("load, weld and tree, ms", "shown", {number(load_ms)});
+  print_row("of it reading and welding, ms", "shown", {number(m.value("loading.read_and_weld", "cpu_time"))});
+  print_row("of it the tree, ms", "shown", {number(m.value("loading.tree", "cpu_time"))});
+  print_row("Embree's tree, ms", "shown", {number(embree_ms)});
   print_row("peak memory, bytes a triangle", "<= 120",
             {cell(m.value("loading.peak", "bytes_per_triangle"), Wanted::at_most, 120)});
   print_row("toolpath text, MB/s", ">= 150",
-            {cell(bytes ? std::optional<double>(*bytes / 1e6) : std::nullopt, Wanted::at_least, 150)});
+            {cell(ratio(m.value("loading.parse", "bytes_per_second"), 1e6), Wanted::at_least, 150)});
 }
 
 /// How the ratios of the part that was not tuned for compare with those of the other.
@@ -212,7 +210,7 @@ void print_unseen(const Measured& m) {
         [&](const std::string& part, const std::string& tool) { return dense_cost(m, part, tool); });
 }
 
-/// "12.3; 1+2 of 400": microseconds, then answers that missed a gouge and that invented one.
+/// "12.3; 1+2 of 400": microseconds, then results that missed a gouge and that invented one.
 std::string time_cell(const Measured& m, const std::string& name) {
   const auto rate = m.rate(name);
   if (!rate || *rate <= 0) return "-";

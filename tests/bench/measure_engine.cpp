@@ -33,6 +33,9 @@ void judge(benchmark::State& state, const CheckResult& result, const std::vector
 
 /// A path of a case with what checking it needs.
 struct Prepared {
+  Prepared(std::shared_ptr<const PeerCase> of, Toolpath along)
+      : c(std::move(of)), path(std::move(along)), scene(c->work.scene) {}
+
   std::shared_ptr<const PeerCase> c;
   Toolpath path;
   PreparedScene scene;
@@ -59,7 +62,7 @@ CheckResult time_path(benchmark::State& state, const Prepared& p, unsigned threa
 }
 
 std::shared_ptr<Prepared> prepare(const std::shared_ptr<const PeerCase>& c, Toolpath path) {
-  return std::make_shared<Prepared>(Prepared{c, std::move(path), prepare_scene(c->work.scene)});
+  return std::make_shared<Prepared>(c, std::move(path));
 }
 
 std::function<void(benchmark::State&)> prepare_moves(const std::shared_ptr<const PeerCase>& c) {

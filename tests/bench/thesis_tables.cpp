@@ -68,7 +68,7 @@ DepthBody standing_body(std::size_t width, IndexedMesh mesh, std::size_t leaf_tr
   options.depth_mm = kSceneDepth_mm;
   options.width = width;
   options.leaf_triangles = leaf_triangles;
-  return build_depth_body(std::move(mesh), options);
+  return build_depth_body(Surface(std::move(mesh)), options);
 }
 
 enum class BroadPhase { cells, trees };
@@ -77,7 +77,7 @@ void print_6a(const CellBody& cells, const PointBody& points, BroadPhase broad) 
   const DepthBody& body = cells.body;
   const double thesis_ms[3][2] = {{10, 14}, {6, 9}, {3, 4}};
   std::printf("Table 6.a  by %s: %zu triangles, %zu points, k = 26, leaves of 1 triangle and at most %zu points\n",
-              broad == BroadPhase::trees ? "trees" : "cells", body.mesh.triangles.size(), points.points.size(),
+              broad == BroadPhase::trees ? "trees" : "cells", body.mesh().triangles.size(), points.points.size(),
               points.options.leaf_points);
   std::printf("%-16s %-10s %-12s | %-10s %-22s %-10s\n", "", "points", "2001 (ms)", "points", "now, us: 5%  50%  95%",
               "2001/now");
@@ -103,7 +103,7 @@ void print_6b() {
   std::printf("\nTable 6.b  one volume from one orientation to another\n%-4s %-12s | %-9s %-8s\n", "k", "2001 (us)",
               "corners", "now (us)");
   for (std::size_t i = 0; i < 4; ++i) {
-    const DirectionSet directions = *make_directions(DirectionFamily::cube, ks[i]);
+    const DirectionSet directions = cube_directions(ks[i]);
     const PointBody points = moving_body(2, true, directions);
     TurnedAxes axes(directions);
     std::vector<float> intervals(2 * points.tree.stride);
@@ -189,7 +189,7 @@ void print_haptic() {
   std::printf(
       "\nHaptic rate: %zu triangles, 8 a leaf (built in %.1f s), %zu points\n%-16s %-9s us: 50%%  99%%  99.9%%  "
       "worst\n",
-      body.mesh.triangles.size(), (now_us() - start) / 1e6, make_moving_points().size(), "", "queries");
+      body.mesh().triangles.size(), (now_us() - start) / 1e6, make_moving_points().size(), "", "queries");
   const PointBody points = moving_body(2, true, body.options.directions);
   for (const PoseRange& range : table_6a_ranges()) {
     CellSearch finder(cells, points);

@@ -6,7 +6,7 @@
 #include <limits>
 #include <span>
 
-#include "lib/penetration/closest_point.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 namespace {
@@ -144,7 +144,7 @@ ClosestPoint CellSearch::nearest(const Asked& asked) {
   const NearFacets::Known known = near.at(asked.cell);
   if (known.facets.empty()) {
     ++counters.inside_tests;
-    return *closest_point(body_, asked.place);
+    return *body_.surface.closest_point(asked.place);
   }
   counters.primitive_pairs += known.facets.size();
   double best2 = std::numeric_limits<double>::infinity(), over_mm = 0;
@@ -173,12 +173,12 @@ ClosestPoint CellSearch::nearest(const Asked& asked) {
   }
   if (!known.is_complete) {
     ++counters.inside_tests;
-    return *closest_point(body_, asked.place, std::sqrt(best2) * kRoundUp + rim_mm_);
+    return *body_.surface.closest_point(asked.place, std::sqrt(best2) * kRoundUp + rim_mm_);
   }
   const std::uint32_t slot = near.slot(best);
-  if (!is_over) return signed_closest_point(body_, asked.place, slot, foot);
+  if (!is_over) return body_.surface.signed_closest_point(asked.place, body_.tree.order[slot], foot);
   const Vec3 normal = near.planes(best).normal();
-  return {asked.place - over_mm * normal, normal, std::abs(over_mm), over_mm < 0, body_.tree.order[slot], slot};
+  return {asked.place - over_mm * normal, normal, std::abs(over_mm), over_mm < 0, body_.tree.order[slot]};
 }
 
 void CellSearch::report(const Asked& asked, const ClosestPoint& foot) {
@@ -189,9 +189,10 @@ void CellSearch::report(const Asked& asked, const ClosestPoint& foot) {
   }
   const bool is_deeper = depth > body_.options.depth_mm;
   if (is_deeper && !options_.is_deeper_reported) return;
-  result_.contacts.push_back({{asked.place, foot.normal, depth, options_.body, body_.mesh.file_triangle[foot.triangle]},
-                              asked.point,
-                              is_deeper});
+  result_.contacts.push_back(
+      {{asked.place, foot.normal, depth, options_.body, body_.mesh().file_triangle[foot.triangle]},
+       asked.point,
+       is_deeper});
 }
 
 }  // namespace gouge

@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "lib/geom/rigid_transform.h"
-#include "lib/penetration/closest_point.h"
 #include "lib/penetration/depth_body.h"
 #include "lib/penetration/find_penetration.h"
 #include "lib/penetration/point_body.h"
+#include "lib/surface/surface.h"
 #include "tests/bench/penetration/clearance.h"
 #include "tests/bench/penetration/near_facets.h"
 

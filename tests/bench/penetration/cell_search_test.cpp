@@ -13,11 +13,11 @@ TEST(CellSearch, FindsWhatTheTreesFind) {
   for (const IndexedMesh& mesh : {shapes::slotted_block(), shapes::bumpy_sphere(), shapes::needle_fan(60)}) {
     DepthBodyOptions options;
     options.depth_mm = 1;
-    const DepthBody body = build_depth_body(mesh, options);
+    const DepthBody body = build_depth_body(Surface(IndexedMesh(mesh)), options);
     const CellBody cell_body(body);
     CellSearch cells(cell_body, points);
     PenetrationFinder trees(body, points);
-    RandomPoints random(body.mesh, 1, 4);
+    RandomPoints random(body.mesh(), 1, 4);
     std::size_t inside = 0, apart = 0;
     for (int i = 0; i < 200; ++i) {
       RigidTransform pose = random.pose(10);

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lib/penetration/closest_point.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 namespace {
@@ -23,7 +23,7 @@ std::size_t place_of(const std::array<int, 3>& block, const std::array<int, 3>& 
 }  // namespace
 
 /// Of blocks whose middle is outside by more than half their diagonal.
-Clearance::Clearance(const DepthBody& body) : low_(body.mesh.box().min()), high_(body.mesh.box().max()) {
+Clearance::Clearance(const DepthBody& body) : low_(body.mesh().box().min()), high_(body.mesh().box().max()) {
   const Vec3 size = high_ - low_;
   block_mm_ = std::max(body.depths.cell_mm(), size.maxCoeff() / kBlocks);
   for (int i = 0; i < 3; ++i)
@@ -32,7 +32,7 @@ Clearance::Clearance(const DepthBody& body) : low_(body.mesh.box().min()), high_
   for (int z = 0; z < counts_[2]; ++z) {
     for (int y = 0; y < counts_[1]; ++y) {
       for (int x = 0; x < counts_[0]; ++x) {
-        const auto foot = closest_point(body, low_ + block_mm_ * Vec3(x + 0.5, y + 0.5, z + 0.5));
+        const auto foot = body.surface.closest_point(low_ + block_mm_ * Vec3(x + 0.5, y + 0.5, z + 0.5));
         const double clear = foot && !foot->is_inside ? foot->distance_mm - half : 0;
         clear_.push_back(std::max(0.0F, static_cast<float>(clear * (1 - 1e-6))));
       }

@@ -9,8 +9,8 @@
 
 #include "lib/base/parallel.h"
 #include "lib/geom/point_triangle.h"
-#include "lib/penetration/closest_point.h"
 #include "lib/penetration/depth_body.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 namespace {
@@ -72,8 +72,10 @@ bool facets_within(const DepthBody& body, const Vec3& point, double radius_mm, s
 /// those facets on that may be nearest somewhere in it.
 class BrickFacets {
  public:
-  BrickFacets(const DepthBody& body, double within_mm)
+  /// `slot_of`: by triangle.
+  BrickFacets(const DepthBody& body, const std::vector<std::uint32_t>& slot_of, double within_mm)
       : body_(body),
+        slot_of_(slot_of),
         grid_(body.depths),
         within_mm_(within_mm),
         rounding_mm_(kRounding * static_cast<double>(body.slack_mm)) {}
@@ -100,7 +102,7 @@ class BrickFacets {
     const Vec3 centre = grid_.corner(low) + Vec3::Constant(half_mm);
     std::optional<ClosestPoint> foot;
     if (among == nullptr) {
-      foot = closest_point(body_, centre, within_mm_ + diagonal(half_mm));
+      foot = body_.surface.closest_point(centre, within_mm_ + diagonal(half_mm));
       if (!foot) return;
       gathered_.clear();
       const double reach = foot->distance_mm + 2 * diagonal(half_mm) + rounding_mm_;
@@ -112,7 +114,7 @@ class BrickFacets {
       if (nearest_mm > within_mm_ + diagonal(half_mm)) return;
     }
     if (cells == 1) {
-      if (among == nullptr) return add_list(low, {foot->slot}, 0);
+      if (among == nullptr) return add_list(low, {slot_of_[foot->triangle]}, 0);
       return add_cell(low, centre, half_mm, here, level);
     }
     const int n = cells / 2;
@@ -203,6 +205,7 @@ class BrickFacets {
   }
 
   const DepthBody& body_;
+  const std::vector<std::uint32_t>& slot_of_;
   const DepthGrid& grid_;
   double within_mm_, rounding_mm_;
   NearFacetsPart* part_ = nullptr;
@@ -222,9 +225,11 @@ NearFacets::NearFacets(const DepthBody& body) {
       for (int x = 0; x < grid.counts()[0]; x += kBrick) bricks.push_back({x, y, z});
     }
   }
+  std::vector<std::uint32_t> slot_of(body.tree.order.size());
+  for (std::uint32_t slot = 0; slot < slot_of.size(); ++slot) slot_of[body.tree.order[slot]] = slot;
   std::vector<NearFacetsPart> parts((bricks.size() + kChunk - 1) / kChunk);
   for_each_chunk(bricks.size(), kChunk, 0, [&](std::size_t first, std::size_t last) {
-    BrickFacets facets(body, kBand * body.options.depth_mm);
+    BrickFacets facets(body, slot_of, kBand * body.options.depth_mm);
     for (std::size_t i = first; i < last; ++i) facets.add_brick(bricks[i], parts[first / kChunk]);
   });
   first_.assign(grid.cell_count() + 1, 0);
@@ -248,7 +253,7 @@ void NearFacets::number_facets(const DepthBody& body) {
       if (facet_at[slot] == kNone) {
         facet_at[slot] = static_cast<std::uint32_t>(slots_.size());
         slots_.push_back(slot);
-        planes_.push_back(facet_planes(body.corners[slot], body.sign.face(body.tree.order[slot])));
+        planes_.push_back(facet_planes(body.corners[slot], body.surface.face_normal(body.tree.order[slot])));
       }
       lists_[at] = facet_at[slot];
     }

@@ -24,9 +24,9 @@ struct Tally {
 Tally expect_nearest(const IndexedMesh& mesh, double depth_mm, int points) {
   DepthBodyOptions options;
   options.depth_mm = depth_mm;
-  const DepthBody body = build_depth_body(mesh, options);
+  const DepthBody body = build_depth_body(Surface(IndexedMesh(mesh)), options);
   const NearFacets near(body);
-  RandomPoints random(body.mesh, 2 * depth_mm, 9);
+  RandomPoints random(body.mesh(), 2 * depth_mm, 9);
   const double rounding = 1e-9 + 1e-12 * mesh.box().max().cwiseAbs().maxCoeff();
   Tally tally;
   for (int i = 0; i < points; ++i) {
@@ -35,7 +35,7 @@ Tally expect_nearest(const IndexedMesh& mesh, double depth_mm, int points) {
     if (known.facets.empty()) continue;
     double least = std::numeric_limits<double>::infinity();
     for (const std::uint32_t facet : known.facets) least = std::min(least, distance_to(body, near.slot(facet), point));
-    const double truth = brute_force_closest_point(body.mesh, point).distance_mm;
+    const double truth = brute_force_closest_point(body.mesh(), point).distance_mm;
     EXPECT_GE(least, truth - rounding);
     if (known.is_complete) {
       EXPECT_LE(least, truth + rounding) << mesh.name << " " << point.transpose();

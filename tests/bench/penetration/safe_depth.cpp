@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "lib/geom/point_triangle.h"
+#include "tests/bench/penetration/normal_methods.h"
 
 namespace gouge {
 namespace {
@@ -59,8 +60,8 @@ class BallSearch {
   /// Facets that lean the same way end each other's cells by collapse; only opposed ones come from the other
   /// side.
   [[nodiscard]] bool is_obstacle(std::uint32_t triangle) const {
-    if (!(body_.sign.face(triangle).dot(*normal_) < -kOpposed)) return false;
-    for (const Corner c : body_.mesh.triangles[triangle]) {
+    if (!(body_.surface.face_normal(triangle).dot(*normal_) < -kOpposed)) return false;
+    for (const Corner c : body_.mesh().triangles[triangle]) {
       if (std::find(own_.begin(), own_.end(), c) != own_.end()) return false;
     }
     return true;
@@ -102,15 +103,15 @@ class BallSearch {
 
 SafeDepth largest_safe_depth(const DepthBody& body, double asked_mm) {
   SafeDepth safe{asked_mm, SafeDepthLimit::asked, 0};
-  for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
-    const double collapse = collapse_depth_mm(body.mesh, body.offsets, t);
+  for (std::uint32_t t = 0; t < body.mesh().triangles.size(); ++t) {
+    const double collapse = collapse_depth_mm(body.mesh(), body.offsets, t);
     if (collapse < safe.depth_mm) safe = {collapse, SafeDepthLimit::collapse, t};
   }
   BallSearch balls(body);
-  for (std::uint32_t t = 0; t < body.mesh.triangles.size(); ++t) {
-    const TriangleCorners& c = body.mesh.triangles[t];
-    const Corners facet = {body.mesh.vertices[c[0]], body.mesh.vertices[c[1]], body.mesh.vertices[c[2]]};
-    const bool is_nearer = balls.lower(facet, body.sign.face(t), c, safe.depth_mm);
+  for (std::uint32_t t = 0; t < body.mesh().triangles.size(); ++t) {
+    const TriangleCorners& c = body.mesh().triangles[t];
+    const Corners facet = {body.mesh().vertices[c[0]], body.mesh().vertices[c[1]], body.mesh().vertices[c[2]]};
+    const bool is_nearer = balls.lower(facet, body.surface.face_normal(t), c, safe.depth_mm);
     if (is_nearer) safe = {safe.depth_mm, SafeDepthLimit::obstacle, t};
   }
   return safe;

@@ -15,7 +15,7 @@ enum class SafeDepthLimit {
 struct SafeDepth {
   double depth_mm = 0;
   SafeDepthLimit limit = SafeDepthLimit::asked;
-  std::uint32_t triangle = 0;  ///< of body.mesh: where the limit is
+  std::uint32_t triangle = 0;  ///< of body.mesh(): where the limit is
 };
 
 /// The largest depth to which the surface can be offset before the offset meets itself, at most `asked_mm`:

@@ -1,15 +1,16 @@
 #include <gtest/gtest.h>
 
+#include "tests/bench/penetration/normal_methods.h"
 #include "tests/bench/penetration/safe_depth.h"
 #include "tests/support/solids.h"
 
 namespace gouge {
 namespace {
 
-DepthBody body_of(const IndexedMesh& mesh, NormalMethod normals = NormalMethod::planes) {
+DepthBody body_of(const IndexedMesh& mesh, decltype(&offset_by_planes) normals = &offset_by_planes) {
   DepthBodyOptions options;
-  options.normals = normals;
-  return build_depth_body(mesh, options);
+  options.offset_vertices = normals;
+  return build_depth_body(Surface(IndexedMesh(mesh)), options);
 }
 
 /// Whether an edge of one triangle passes through the inside of another.
@@ -30,9 +31,9 @@ bool do_cross(const std::array<Vec3, 3>& a, const std::array<Vec3, 3>& b) {
 
 bool does_offset_cross(const DepthBody& body, double depth) {
   std::vector<std::array<Vec3, 3>> offset;
-  for (const TriangleCorners& t : body.mesh.triangles) {
+  for (const TriangleCorners& t : body.mesh().triangles) {
     offset.emplace_back();
-    for (std::size_t k = 0; k < 3; ++k) offset.back()[k] = body.mesh.vertices[t[k]] - depth * body.offsets[t[k]].move;
+    for (std::size_t k = 0; k < 3; ++k) offset.back()[k] = body.mesh().vertices[t[k]] - depth * body.offsets[t[k]].move;
   }
   for (std::size_t i = 0; i < offset.size(); ++i) {
     for (std::size_t j = 0; j < offset.size(); ++j) {
@@ -57,7 +58,7 @@ TEST(SafeDepth, OfAFineMeshEndsWhereTheStripAtAnEdgeIsEatenUp) {
 }
 
 TEST(SafeDepth, OfASphereIsNearItsRadiusAndNotAboveIt) {
-  const SafeDepth safe = largest_safe_depth(body_of(shapes::sphere(10, 16, 32), NormalMethod::averaged), 100);
+  const SafeDepth safe = largest_safe_depth(body_of(shapes::sphere(10, 16, 32), &offset_averaged), 100);
   EXPECT_LE(safe.depth_mm, 10.2);
   EXPECT_GT(safe.depth_mm, 3) << static_cast<int>(safe.limit) << " at " << safe.triangle;
 }

@@ -14,7 +14,7 @@ Error error_of_mode(const IndexedMesh& mesh, double depth_mm, ThesisMode mode) {
   DepthBodyOptions options;
   options.depth_mm = depth_mm;
   options.coverage = Coverage::offset;
-  const DepthBody body = build_depth_body(mesh, options);
+  const DepthBody body = build_depth_body(Surface(IndexedMesh(mesh)), options);
   const ThesisModes modes(body);
   const std::vector<Vec3> points = shallow_points(mesh, depth_mm);
   std::vector<double> found;
@@ -37,10 +37,10 @@ TEST(ThesisModes, AreGoodOnASmoothPartWithinItsSafeDepth) {
 TEST(Bisectors, StandBetweenCoplanarFacesAndAtRightAngles) {
   DepthBodyOptions options;
   options.leaf_triangles = 4;
-  const DepthBody body = build_depth_body(shapes::cube(10), options);
+  const DepthBody body = build_depth_body(Surface(shapes::cube(10)), options);
   const ThesisModes modes(body);
   for (std::size_t place = 0; place < body.corners.size(); ++place) {
-    const Vec3& up = body.sign.face(body.tree.order[place]);
+    const Vec3 up = body.surface.face_normal(body.tree.order[place]);
     const Vec3 centre = (body.corners[place][0] + body.corners[place][1] + body.corners[place][2]) / 3.0;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& n = modes.bisectors(place)[k];

@@ -2,6 +2,7 @@
 
 #include "lib/kdop/kdop_tree.h"
 #include "tests/support/scatter.h"
+#include "tests/support/verify_kdop_tree.h"
 
 namespace gouge {
 namespace {
@@ -17,7 +18,7 @@ std::vector<Vec3> points_of(std::size_t count) {
 }
 
 KdopTree tree_of(const std::vector<Vec3>& points, std::size_t width, std::size_t leaf) {
-  const DirectionSet set = *make_directions(DirectionFamily::cube, 18);
+  const DirectionSet set = cube_directions(18);
   return build_kdop_tree(set, points, {width, leaf}, [&](std::uint32_t i, float* intervals) {
     write_intervals(set, std::span(points).subspan(i, 1), 1e-4, intervals);
   });
@@ -29,7 +30,7 @@ TEST(KdopTree, HoldsEveryItemOnceAndEveryChildInItsParent) {
       for (const std::size_t leaf : {1U, 3U, 20U}) {
         const std::vector<Vec3> points = points_of(count);
         const KdopTree tree = tree_of(points, width, leaf);
-        EXPECT_EQ(verify_kdop_tree(tree), std::vector<std::string>{}) << count << " " << width << " " << leaf;
+        EXPECT_EQ(test::verify_kdop_tree(tree), std::vector<std::string>{}) << count << " " << width << " " << leaf;
         for (const KdopNode& node : tree.nodes) {
           EXPECT_LE(node.children, width);
           if (node.children == 0) {
@@ -59,14 +60,14 @@ TEST(KdopTree, VerificationSeesABrokenTree) {
   const std::vector<Vec3> points = points_of(50);
   KdopTree tree = tree_of(points, 2, 4);
   tree.bounds_of(0)[high_slot(1)] = 0;
-  EXPECT_FALSE(verify_kdop_tree(tree).empty());
+  EXPECT_FALSE(test::verify_kdop_tree(tree).empty());
   tree = tree_of(points, 2, 4);
   tree.order[0] = tree.order[1];
-  EXPECT_FALSE(verify_kdop_tree(tree).empty());
+  EXPECT_FALSE(test::verify_kdop_tree(tree).empty());
 }
 
 TEST(Intervals, OverlapOnlyWhenTheyMeetAlongEveryAxis) {
-  const DirectionSet set = *make_directions(DirectionFamily::cube, 26);
+  const DirectionSet set = cube_directions(26);
   std::vector<float> a(2 * interval_stride(13)), b(a);
   // Two thin diagonal rods side by side: their boxes meet, their volumes do not.
   write_intervals(set, std::vector<Vec3>{Vec3(0, 0, 0), Vec3(10, 10, 0)}, 0, a.data());

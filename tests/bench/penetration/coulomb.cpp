@@ -1,4 +1,4 @@
-#include "lib/kdop/coulomb.h"
+#include "tests/bench/penetration/coulomb.h"
 
 #include <cmath>
 #include <numbers>

@@ -13,7 +13,7 @@ namespace gouge {
 ///
 /// Ensures  unit axes; for 3 axes the cube's faces, for 6 the icosahedron's corners, up to a rotation. Deviates the
 ///          energy is minimised among sets that are their own mirror image; free charges of k = 8 or 20 reach a little
-///          less, but have no interval test (directions.h).
+///          less, but have no interval test (lib/kdop/directions.h).
 /// Source   thesis 6.1.2, [Edmundson 92].
 [[nodiscard]] std::vector<Vec3> spread_axes(std::size_t count);
 

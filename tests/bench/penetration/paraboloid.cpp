@@ -1,4 +1,4 @@
-#include "lib/offset/paraboloid.h"
+#include "tests/bench/penetration/paraboloid.h"
 
 #include <Eigen/QR>
 #include <algorithm>
