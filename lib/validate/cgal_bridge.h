@@ -5,8 +5,8 @@
 #include "lib/validate/repair_mesh.h"
 #include "lib/validate/validate_mesh.h"
 
-// What cgal_bridge.cpp, the only file that includes CGAL, offers to this module. Exceptions of CGAL end there:
-// each function returns an error (code "cgal-failed") that has CGAL's reason as its message.
+// What cgal_self_intersections.cpp and cgal_repair.cpp, the only sources that include CGAL, offer to this module.
+// Exceptions of CGAL end there: each function returns an error (code "cgal-failed") instead.
 
 namespace gouge::detail {
 

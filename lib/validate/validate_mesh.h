@@ -8,7 +8,7 @@
 #include "lib/mesh/mesh_findings.h"
 
 // The whole judgement of a mesh: the counts of lib/mesh, and what needs exact arithmetic, done by CGAL 5.5
-// (Polygon Mesh Processing). CGAL stays behind cgal_bridge.cpp.
+// (Polygon Mesh Processing). CGAL stays behind cgal_bridge.h.
 
 namespace gouge {
 
