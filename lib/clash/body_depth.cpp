@@ -9,6 +9,7 @@
 #include "lib/clash/distance_bound.h"
 #include "lib/clash/local_maximum.h"
 #include "lib/clash/surface_query.h"
+#include "lib/hierarchy/lane_bound.h"
 
 namespace gouge {
 namespace {
@@ -22,8 +23,10 @@ constexpr double kGraze = 0.25;
 struct Region : SearchCandidate, ConvexRegion {
   enum class Kind : std::uint8_t { node, piece, cell };
   Kind kind = Kind::node;
-  std::uint32_t index = 0;    ///< node of the tree, or slot of the facet
-  std::uint32_t nearest = 0;  ///< slot of the facet nearest to the centre
+  bool is_leaf = false;       ///< of a node
+  std::uint32_t index = 0;    ///< node or leaf of the tree, or triangle
+  std::uint32_t nearest = 0;  ///< triangle nearest to the centre
+  double ball_mm = 0;         ///< of a node: nothing of it is farther from the centre
   bool is_over_face = false;  ///< and the centre lies over it, not beyond its outline
 };
 
@@ -33,10 +36,11 @@ class Search : private BestFirstSearch<Search, Region> {
       : of_(of), in_(in), shift_(shift), goal_(goal) {}
 
   BodyDepth run_all() {
-    if (of_.surface().tree.nodes.empty() || in_.surface().tree.nodes.empty()) return best_;
-    add_node(0);
-    Box3 box = of_.surface().mesh.box();
-    box = Box3(Vec3(box.min() + shift_), Vec3(box.max() + shift_)).intersection(in_.surface().mesh.box());
+    const BlockTree& tree = of_.surface().tree();
+    if (tree.nodes.empty() || in_.surface().tree().nodes.empty()) return best_;
+    add_node(LaneBound(tree), 0, false);
+    Box3 box = of_.surface().mesh().box();
+    box = Box3(Vec3(box.min() + shift_), Vec3(box.max() + shift_)).intersection(in_.surface().mesh().box());
     if (of_.is_solid() && !box.isEmpty()) add_cell(box);
     best_.depth_upper_mm = std::max(best_.depth_mm, run());
     best_.is_decided = is_decided();
@@ -48,7 +52,7 @@ class Search : private BestFirstSearch<Search, Region> {
   [[nodiscard]] bool is_exhausted() const { return best_.bounds >= goal_.budget; }
 
   void split(const Region& region) {
-    if (region.kind == Region::Kind::node) return split_node(region.index);
+    if (region.kind == Region::Kind::node) return region.is_leaf ? split_leaf(region.index) : split_node(region.index);
     if (region.kind == Region::Kind::cell) {
       for (const Box3& half : halves(region.box())) add_cell(half);
       return;
@@ -58,25 +62,32 @@ class Search : private BestFirstSearch<Search, Region> {
 
  private:
   void split_node(std::uint32_t index) {
-    const KdopTree& tree = of_.surface().tree;
-    const KdopNode& node = tree.nodes[index];
-    for (std::uint32_t k = 0; k < node.children; ++k) add_node(node.first + k);
-    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
+    const BlockTree& tree = of_.surface().tree();
+    const NodeBlock& node = tree.nodes[index];
+    for (std::size_t lane = 0; lane < node.count; ++lane)
+      add_node(LaneBound(tree, node, lane), node.child[lane], node.has_leaves);
+  }
+
+  void split_leaf(std::uint32_t index) {
+    const TriangleBlock& leaf = of_.surface().tree().leaves[index];
+    for (std::size_t k = 0; k < leaf.count; ++k) {
       ConvexRegion facet;
-      for (const Vec3& corner : of_.surface().corners[node.first + k]) facet.add(corner + shift_);
-      add_piece(node.first + k, facet);
+      for (const Vec3& corner : of_.surface().corners(leaf.triangle[k])) facet.add(corner + shift_);
+      add_piece(leaf.triangle[k], facet);
     }
   }
 
-  void add_node(std::uint32_t index) {
-    const float* const b = of_.surface().boxes.data() + 6 * std::size_t{index};
-    const Vec3 low(static_cast<double>(b[0]), static_cast<double>(b[1]), static_cast<double>(b[2]));
-    const Vec3 high(static_cast<double>(b[3]), static_cast<double>(b[4]), static_cast<double>(b[5]));
-    offer_bounded(region_of(Region::Kind::node, index, region_of_box(Box3(Vec3(low + shift_), Vec3(high + shift_)))));
+  void add_node(const LaneBound& bound, std::uint32_t index, bool is_leaf) {
+    ConvexRegion hull;
+    for (const Vec3& corner : bound.hull()) hull.add(corner + shift_);
+    Region region = region_of(Region::Kind::node, index, hull);
+    region.is_leaf = is_leaf;
+    region.ball_mm = bound.radius_mm;
+    offer_bounded(region);
   }
 
-  void add_piece(std::uint32_t slot, const ConvexRegion& piece) {
-    offer_bounded(region_of(Region::Kind::piece, slot, piece));
+  void add_piece(std::uint32_t triangle, const ConvexRegion& piece) {
+    offer_bounded(region_of(Region::Kind::piece, triangle, piece));
   }
 
   void add_cell(const Box3& box) { offer_bounded(region_of(Region::Kind::cell, 0, region_of_box(box))); }
@@ -92,12 +103,12 @@ class Search : private BestFirstSearch<Search, Region> {
   /// Offers the region with an upper bound of the depth in it, unless nothing of it counts.
   void offer_bounded(Region region) {
     const Vec3 centre = region.centre();
-    const double radius = region.radius_mm(centre);
+    const double radius = region.kind == Region::Kind::node ? region.ball_mm : region.radius_mm(centre);
     const ClosestPoint foot = measured(centre, region.kind);
     region.is_over_face = is_over(foot, centre);
     const double inside = -foot.signed_mm();
     if (inside < -radius - kRounding_mm) return;
-    region.nearest = foot.slot;
+    region.nearest = foot.triangle;
     region.upper_mm = inside + radius + kRounding_mm;
     if (region.upper_mm > threshold_mm()) {
       if (region.kind == Region::Kind::cell && !may_hold_maximum(centre, radius, foot)) return;
@@ -107,7 +118,7 @@ class Search : private BestFirstSearch<Search, Region> {
   }
 
   [[nodiscard]] bool is_over(const ClosestPoint& foot, const Vec3& point) const {
-    return closest_on_triangle(point, in_.surface().corners[foot.slot]).feature == TriangleFeature::face;
+    return closest_on_triangle(point, in_.surface().corners(foot.triangle)).feature == TriangleFeature::face;
   }
 
   /// The other surface as seen from a point, whose depth counts if it is in both bodies.
@@ -131,15 +142,15 @@ class Search : private BestFirstSearch<Search, Region> {
   }
 
   double bound(const Region& region, const Vec3& centre, double radius, const ClosestPoint& foot) {
-    std::array<std::uint32_t, kMostHullPoints + 1> slots{foot.slot};
+    std::array<std::uint32_t, kMostHullPoints + 1> facets{foot.triangle};
     std::size_t count = 1;
     for (const Vec3& point : region.points()) {
-      const std::uint32_t slot = measured(point, region.kind).slot;
-      if (std::find(slots.begin(), slots.begin() + static_cast<std::ptrdiff_t>(count), slot) ==
-          slots.begin() + static_cast<std::ptrdiff_t>(count))
-        slots[count++] = slot;
+      const std::uint32_t facet = measured(point, region.kind).triangle;
+      if (std::find(facets.begin(), facets.begin() + static_cast<std::ptrdiff_t>(count), facet) ==
+          facets.begin() + static_cast<std::ptrdiff_t>(count))
+        facets[count++] = facet;
     }
-    const double over = greatest_distance_mm(in_.surface(), region.points(), std::span(slots).first(count));
+    const double over = greatest_distance_mm(in_.surface(), region.points(), std::span(facets).first(count));
     return foot.is_inside ? over : std::min(over, grazing_bound(region, centre, radius, foot));
   }
 
@@ -163,7 +174,7 @@ class Search : private BestFirstSearch<Search, Region> {
   /// Cut along the outline of the nearest facet, if that leaves a fair part over it, else across the middle.
   [[nodiscard]] std::vector<ConvexRegion> parts_of(const Region& piece) const {
     if (piece.is_over_face) {
-      std::vector<ConvexRegion> parts = cut_along(piece, in_.surface().corners[piece.nearest]);
+      std::vector<ConvexRegion> parts = cut_along(piece, in_.surface().corners(piece.nearest));
       if (parts.size() > 1 && parts.front().area_mm2() >= kLeastShare * piece.area_mm2()) return parts;
     }
     return halves(piece);

@@ -72,8 +72,8 @@ class Finder {
  private:
   /// Surfaces that do not meet: each piece of one is wholly on one side of the other.
   void decide_apart() {
-    const PieceCounts of_a = sides_of(a_.surface().mesh, -shift_b_, b_.surface().mesh);
-    const PieceCounts of_b = sides_of(b_.surface().mesh, shift_b_, a_.surface().mesh);
+    const PieceCounts of_a = sides_of(a_.surface().mesh(), -shift_b_, b_.surface().mesh());
+    const PieceCounts of_b = sides_of(b_.surface().mesh(), shift_b_, a_.surface().mesh());
     if (of_a.inside + of_b.inside > 0) {
       if (of_b.inside == 0 && of_a.outside + of_a.unknown == 0) clash_.containment = Containment::a_in_b;
       if (of_a.inside == 0 && of_b.outside + of_b.unknown == 0) clash_.containment = Containment::b_in_a;
@@ -93,13 +93,14 @@ class Finder {
     } else if (clash_.depth_upper_mm <= options_.tolerance_mm + options_.resolution_mm) {
       clash_.state = ClashState::touching;
     } else if (!(clash_.depth_upper_mm < kUnknown_mm)) {
-      clash_.reason = "the surfaces meet, and " + open_surface() + " is not closed, so nothing says what is inside";
+      clash_.reason = "the surfaces meet, and " + no_solid() +
+                      " bounds no solid (it is open, inside out or doubled), so nothing says what is inside";
     } else {
       clash_.reason = "the surfaces lie on each other at too many points: the budget of bounds ran out";
     }
   }
 
-  [[nodiscard]] std::string open_surface() const { return (a_.is_solid() ? b_ : a_).surface().mesh.name; }
+  [[nodiscard]] std::string no_solid() const { return (a_.is_solid() ? b_ : a_).surface().mesh().name; }
 
   void measure() {
     const bool is_bounded = a_.is_solid() && b_.is_solid();
@@ -119,7 +120,7 @@ class Finder {
     if (!(found.depth_mm > 0)) return;
     const ClashBody& other = body == kOfA ? b_ : a_;
     Contact contact{found.point, found.normal, found.depth_mm, body,
-                    other.surface().mesh.file_triangle[found.triangle]};
+                    other.surface().mesh().file_triangle[found.triangle]};
     if (body == kOfA) {
       contact.point += shift_b_;
       contact.normal = -contact.normal;

@@ -32,7 +32,7 @@ struct Clash {
   Containment containment = Containment::none;  ///< of whole bodies whose surfaces do not meet
   ClosestPair closest;                          ///< of the surfaces; where they meet any pair nearer than 1e-6
   /// Largest distance of a point in both bodies to the surface of one of them: depth <= true depth <=
-  /// depth_upper. The upper bound is infinite where a body is not closed.
+  /// depth_upper. The upper bound is infinite where a surface bounds no solid.
   double depth_mm = 0, depth_upper_mm = 0;
   /// The deepest point of B in A (body 1) and of A in B (body 0), the deeper first, each with the direction
   /// in which B moves away; as far as there are such points.

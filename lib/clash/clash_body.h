@@ -1,26 +1,24 @@
 #pragma once
 
 #include <memory>
+#include <utility>
 
 #include "lib/clash/local_maximum.h"
-#include "lib/penetration/closest_point.h"
-#include "lib/penetration/depth_body.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
-/// One of two bodies whose overlap is looked for: an index over its surface, which may be shared, and what of
-/// it only the search for a depth needs.
+/// One of two bodies whose overlap is looked for: its surface, and what of it only the search for a depth needs.
 class ClashBody {
  public:
   /// `is_self_crossing`: triangles of the surface cross or overlap one another (lib/validate finds out). The
-  /// nearest facet does not show the side then; the winding number does, at O(n) a point. The surface must
-  /// outlive the body.
-  explicit ClashBody(const DepthBody& surface, bool is_self_crossing = false)
-      : surface_(surface), is_self_crossing_(is_self_crossing) {}
+  /// nearest facet does not show the side then; the winding number does, at O(n) a point.
+  explicit ClashBody(Surface surface, bool is_self_crossing = false)
+      : surface_(std::move(surface)), is_self_crossing_(is_self_crossing) {}
 
-  [[nodiscard]] const DepthBody& surface() const { return surface_; }
+  [[nodiscard]] const Surface& surface() const { return surface_; }
   [[nodiscard]] bool is_self_crossing() const { return is_self_crossing_; }
-  [[nodiscard]] bool is_solid() const { return surface_.is_solid; }
+  [[nodiscard]] bool is_solid() const { return surface_.is_solid(); }
 
   /// Made when first asked for, by one thread. Requires is_solid() and not is_self_crossing().
   [[nodiscard]] const LocalMaxima& maxima() const {
@@ -32,7 +30,7 @@ class ClashBody {
   [[nodiscard]] ClosestPoint closest_point(const Vec3& point) const;
 
  private:
-  const DepthBody& surface_;
+  Surface surface_;
   bool is_self_crossing_;
   mutable std::unique_ptr<LocalMaxima> maxima_;
 };

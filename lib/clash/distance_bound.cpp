@@ -38,22 +38,22 @@ double best_weight(const Distances& a, const Distances& b, std::size_t count) {
 
 }  // namespace
 
-double greatest_distance_mm(const DepthBody& surface, std::span<const Vec3> points,
-                            std::span<const std::uint32_t> slots) {
+double greatest_distance_mm(const Surface& surface, std::span<const Vec3> points,
+                            std::span<const std::uint32_t> facets) {
   std::array<Distances, kMostHullPoints + 1> rows{};
-  const std::size_t facets = std::min(slots.size(), rows.size());
+  const std::size_t count = std::min(facets.size(), rows.size());
   std::size_t best = 0;
-  for (std::size_t k = 0; k < facets; ++k) {
+  for (std::size_t k = 0; k < count; ++k) {
     for (std::size_t v = 0; v < points.size(); ++v)
-      rows[k][v] = std::sqrt(closest_on_triangle(points[v], surface.corners[slots[k]]).distance2_mm2);
+      rows[k][v] = std::sqrt(closest_on_triangle(points[v], surface.corners(facets[k])).distance2_mm2);
     if (largest(rows[k], points.size()) < largest(rows[best], points.size())) best = k;
   }
   Distances now = rows[best];
   double least = largest(now, points.size());
-  for (int mix = 0; mix < kMixes && facets > 1; ++mix) {
+  for (int mix = 0; mix < kMixes && count > 1; ++mix) {
     Distances next = now;
     double next_least = least;
-    for (std::size_t k = 0; k < facets; ++k) {
+    for (std::size_t k = 0; k < count; ++k) {
       const Distances tried = mixed(now, rows[k], best_weight(now, rows[k], points.size()));
       if (!(largest(tried, points.size()) < next_least)) continue;
       next = tried;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <span>
 
-#include "lib/penetration/depth_body.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
@@ -12,10 +12,10 @@ namespace gouge {
 /// the points; so is that of any weighted mean of such distances, and the distance to the surface is no
 /// larger than that mean.
 ///
-/// `slots`: the facets to use, at least one; those nearest to the points are the best choice.
+/// `facets`: those to use, at least one; those nearest to the points are the best choice.
 /// Ensures  exact (up to rounding) where the hull lies over one facet, or between two that oppose each other.
 inline constexpr std::size_t kMostHullPoints = 8;
-[[nodiscard]] double greatest_distance_mm(const DepthBody& surface, std::span<const Vec3> points,
-                                          std::span<const std::uint32_t> slots);
+[[nodiscard]] double greatest_distance_mm(const Surface& surface, std::span<const Vec3> points,
+                                          std::span<const std::uint32_t> facets);
 
 }  // namespace gouge

@@ -17,9 +17,9 @@ constexpr double kReach = 3;                    // points farther from the other
 /// The points of one body in the other, for shifts of the one.
 class PointsInside {
  public:
-  PointsInside(const DepthBody& points_of, const DepthBody& in, double depth_mm)
-      : body_(build_depth_body(in.mesh, options(depth_mm))),
-        points_(build_point_body(points_near(points_of.mesh, in.mesh.box(), depth_mm))),
+  PointsInside(const Surface& points_of, const Surface& in, double depth_mm)
+      : body_(build_depth_body(in, options(depth_mm))),
+        points_(build_point_body(points_near(points_of.mesh(), in.mesh().box(), depth_mm))),
         finder_(body_, points_) {}
 
   void add_contacts(const Vec3& shift, bool is_of_b, std::vector<Contact>& contacts) {
@@ -122,7 +122,7 @@ class Shifter {
 FreeShift find_free_shift(const ClashBody& a, const ClashBody& b, const Clash& found, const ClashOptions& options) {
   FreeShift boxes;
   boxes.is_weighted = false;
-  boxes.shift = shift_of_boxes(a.surface().mesh.box(), b.surface().mesh.box(), options.resolution_mm);
+  boxes.shift = shift_of_boxes(a.surface().mesh().box(), b.surface().mesh().box(), options.resolution_mm);
   boxes.state = find_clash(a, b, boxes.shift, options).state;
   if (!a.is_solid() || !b.is_solid()) return boxes;
   const std::optional<FreeShift> weighted = Shifter(a, b, found, options).run();

@@ -1,6 +1,9 @@
 #include "lib/clash/local_maximum.h"
 
+#include <utility>
+
 #include "lib/clash/surface_query.h"
+#include "lib/mesh/adjacency.h"
 
 namespace gouge {
 namespace {
@@ -15,13 +18,13 @@ constexpr int kTries = 10;
 
 }  // namespace
 
-LocalMaxima::LocalMaxima(const DepthBody& surface)
-    : surface_(surface), is_reflex_(surface.mesh.vertices.size(), false) {
-  const IndexedMesh& mesh = surface.mesh;
+LocalMaxima::LocalMaxima(Surface surface)
+    : surface_(std::move(surface)), is_reflex_(surface_.mesh().vertices.size(), false) {
+  const IndexedMesh& mesh = surface_.mesh();
   const MeshAdjacency adjacency(mesh);
   const auto is_convex = [&](std::span<const EdgeUse> uses) {
     if (uses.size() != 2) return false;
-    const Vec3 &own = surface.sign.face(uses[0].triangle), &other = surface.sign.face(uses[1].triangle);
+    const Vec3 own = face_normal(mesh, uses[0].triangle), other = face_normal(mesh, uses[1].triangle);
     if (!(own.squaredNorm() > 0 && other.squaredNorm() > 0)) return false;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3 across = mesh.corner(uses[1].triangle, k) - mesh.corner(uses[0].triangle, 0);
@@ -40,21 +43,21 @@ bool LocalMaxima::may_hold(const Vec3& centre, double radius, const ClosestPoint
   for (int i = 0; i < kTries; ++i) {
     if (!(sum.norm() > kLeastCosine)) return true;
     const Vec3 direction = sum.normalized();
-    const auto hit = find_in_cap(surface_, {centre, reach, direction, -radius},
-                                 [&](std::uint32_t slot) { return leads_away(slot, direction, centre, reach); });
+    const auto hit = find_in_cap(surface_, {centre, reach, direction, -radius}, [&](std::uint32_t triangle) {
+      return leads_away(triangle, direction, centre, reach);
+    });
     if (!hit) return false;
-    sum -= surface_.sign.face(surface_.tree.order[hit->slot]);
+    sum -= surface_.face_normal(hit->triangle);
   }
   return true;
 }
 
-bool LocalMaxima::leads_away(std::uint32_t slot, const Vec3& direction, const Vec3& centre, double reach) const {
-  const std::uint32_t triangle = surface_.tree.order[slot];
-  const double cosine = -surface_.sign.face(triangle).dot(direction);
+bool LocalMaxima::leads_away(std::uint32_t triangle, const Vec3& direction, const Vec3& centre, double reach) const {
+  const double cosine = -surface_.face_normal(triangle).dot(direction);
   if (cosine >= kVertexCosine) return true;
   if (!(cosine >= kLeastCosine)) return false;
-  for (const Corner corner : surface_.mesh.triangles[triangle]) {
-    const bool is_within = (surface_.mesh.vertices[corner] - centre).squaredNorm() <= reach * reach;
+  for (const Corner corner : surface_.mesh().triangles[triangle]) {
+    const bool is_within = (surface_.mesh().vertices[corner] - centre).squaredNorm() <= reach * reach;
     if (is_within && is_reflex_[corner]) return false;
   }
   return true;

@@ -3,16 +3,16 @@
 #include <cstdint>
 #include <vector>
 
-#include "lib/penetration/closest_point.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
 /// Where the distance from inside a solid to its surface may have a local maximum.
 class LocalMaxima {
  public:
-  /// The surface must outlive it. Requires surface.is_solid, and that the surface does not cross itself. Cost
+  /// Requires surface.is_solid(), and that the surface does not cross itself. Cost
   /// O(n).
-  explicit LocalMaxima(const DepthBody& surface);
+  explicit LocalMaxima(Surface surface);
 
   /// False when it is proved that no point of the solid within `radius_mm` of `centre` is a local maximum: a
   /// direction is found that leads away from all points of the surface that may be nearest to any of them.
@@ -20,9 +20,10 @@ class LocalMaxima {
   [[nodiscard]] bool may_hold(const Vec3& centre, double radius_mm, const ClosestPoint& foot) const;
 
  private:
-  [[nodiscard]] bool leads_away(std::uint32_t slot, const Vec3& direction, const Vec3& centre, double reach_mm) const;
+  [[nodiscard]] bool leads_away(std::uint32_t triangle, const Vec3& direction, const Vec3& centre,
+                                double reach_mm) const;
 
-  const DepthBody& surface_;
+  Surface surface_;
   std::vector<bool> is_reflex_;  // by vertex: on an edge with material on more than half of the way around it
 };
 

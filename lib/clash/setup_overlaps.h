@@ -1,11 +1,10 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
 #include <vector>
 
+#include "lib/check/prepared_scene.h"
 #include "lib/clash/clash.h"
-#include "lib/mesh/indexed_mesh.h"
 
 namespace gouge {
 
@@ -15,14 +14,14 @@ struct SetupOverlap {
   Clash clash;  ///< of the part (A) and the fixture (B): penetrating or not certified
 };
 
-/// Every fixture against every part, all in the same coordinates, in that order. `is_left_out`: by fixture.
+/// Every fixture of a scene against every part, in that order. `is_left_out`: by fixture.
 ///
 /// A side that the nearest facet of a point shows is confirmed by the winding number before a fixture is said to
 /// penetrate, since these meshes may cross themselves; where the two contradict each other it is not certified.
-/// Cost  nothing for bodies whose bounding boxes have no more than the tolerance in common; else an index over each
-///       mesh, once, and a search (body_depth.h).
-[[nodiscard]] std::vector<SetupOverlap> find_setup_overlaps(std::span<const IndexedMesh> parts,
-                                                            std::span<const IndexedMesh> fixtures,
+/// Requires scene.is_within_reach.
+/// Cost  nothing for bodies whose bounding boxes have no more than the tolerance in common; else the surfaces of the
+///       scene and a search (body_depth.h).
+[[nodiscard]] std::vector<SetupOverlap> find_setup_overlaps(const PreparedScene& scene,
                                                             const std::vector<bool>& is_left_out,
                                                             const ClashOptions& options);
 

@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "lib/geom/point_triangle.h"
+#include "lib/hierarchy/lane_bound.h"
 
 namespace gouge {
 namespace {
+
+constexpr double kRounding_mm = 1e-9;  // of a bound
 
 void take(const Vec3& a, const Vec3& b, ClosestPair& best) {
   const double distance = (b - a).norm();
@@ -41,77 +46,107 @@ std::array<Vec3, 2> on_plane(const Vec3& from, const Vec3& to, const std::array<
   return {point, closest_on_triangle(point, triangle).point};
 }
 
+Box3 box_around(const std::array<Vec3, 3>& triangle) {
+  Box3 box;
+  for (const Vec3& corner : triangle) box.extend(corner);
+  return box;
+}
+
 /// Depth-first over pairs of nodes, the nearer pair first.
 class Search {
  public:
-  Search(const DepthBody& a, const DepthBody& b, const Vec3& shift, double enough_mm)
+  Search(const Surface& a, const Surface& b, const Vec3& shift, double enough_mm)
       : a_(a), b_(b), shift_(shift), enough_mm_(enough_mm) {
     best_.distance_mm = std::numeric_limits<double>::infinity();
   }
 
   ClosestPair run() {
-    visit(0, 0);
+    visit(Node(a_.tree()), Node(b_.tree()));
     return best_;
   }
 
  private:
+  /// A node or a leaf of a tree, and what it lies in.
+  struct Node {
+    explicit Node(const BlockTree& tree) : bound(tree) {}
+    Node(const BlockTree& tree, const NodeBlock& parent, std::size_t lane)
+        : bound(tree, parent, lane), index(parent.child[lane]), is_leaf(parent.has_leaves) {}
+
+    LaneBound bound;
+    std::uint32_t index = 0;
+    bool is_leaf = false;
+  };
+
   [[nodiscard]] bool is_done() const { return best_.distance_mm <= enough_mm_; }
 
-  [[nodiscard]] double least_mm(std::uint32_t a, std::uint32_t b) const {
-    const float* const box_a = a_.boxes.data() + 6 * std::size_t{a};
-    const float* const box_b = b_.boxes.data() + 6 * std::size_t{b};
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) {
-      const double above = static_cast<double>(box_b[i]) + shift_[i] - static_cast<double>(box_a[i + 3]);
-      const double below = static_cast<double>(box_a[i]) - shift_[i] - static_cast<double>(box_b[i + 3]);
-      const double out = std::max({above, below, 0.0});
-      sum += out * out;
+  /// Bodies apart along any one direction are no nearer than that.
+  [[nodiscard]] double least_mm(const Node& a, const Node& b) const {
+    const Vec3 between = b.bound.center + shift_ - a.bound.center;
+    double least = 0;
+    for (const Vec3& direction : {between, a.bound.normal, b.bound.normal}) {
+      const double length = direction.norm();
+      if (!(length > 0)) continue;
+      const Vec3 unit = direction / length;
+      least = std::max(least, std::abs(unit.dot(between)) - a.bound.extent_mm(unit) - b.bound.extent_mm(unit));
     }
-    return std::sqrt(sum);
+    return std::max(0.0, least - kRounding_mm);
   }
 
-  static double size2(const DepthBody& body, std::uint32_t node) {
-    const float* const box = body.boxes.data() + 6 * std::size_t{node};
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += std::pow(static_cast<double>(box[i + 3] - box[i]), 2);
-    return sum;
-  }
-
-  void visit(std::uint32_t a, std::uint32_t b) {
-    const KdopNode &node_a = a_.tree.nodes[a], &node_b = b_.tree.nodes[b];
-    if (node_a.children == 0 && node_b.children == 0) return meet(node_a, node_b);
-    const bool opens_a = node_b.children == 0 || (node_a.children > 0 && size2(a_, a) >= size2(b_, b));
-    const KdopNode& opened = opens_a ? node_a : node_b;
-    std::array<std::pair<double, std::uint32_t>, 8> near;
-    for (std::uint32_t k = 0; k < opened.children; ++k) {
-      const std::uint32_t child = opened.first + k;
+  void visit(const Node& a, const Node& b) {
+    if (a.is_leaf && b.is_leaf) return meet(a_.tree().leaves[a.index], b_.tree().leaves[b.index]);
+    const bool opens_a = b.is_leaf || (!a.is_leaf && a.bound.radius_mm >= b.bound.radius_mm);
+    const BlockTree& tree = opens_a ? a_.tree() : b_.tree();
+    const NodeBlock& opened = tree.nodes[opens_a ? a.index : b.index];
+    std::array<std::pair<double, std::size_t>, kBlockLanes> near;
+    for (std::size_t lane = 0; lane < opened.count; ++lane) {
+      const Node child(tree, opened, lane);
       const double least = opens_a ? least_mm(child, b) : least_mm(a, child);
-      std::size_t at = k;
+      std::size_t at = lane;
       for (; at > 0 && near[at - 1].first > least; --at) near[at] = near[at - 1];
-      near[at] = {least, child};
+      near[at] = {least, lane};
     }
-    for (std::uint32_t k = 0; k < opened.children && !is_done(); ++k) {
+    for (std::size_t k = 0; k < opened.count && !is_done(); ++k) {
       if (near[k].first >= best_.distance_mm) return;
-      opens_a ? visit(near[k].second, b) : visit(a, near[k].second);
+      const Node child(tree, opened, near[k].second);
+      opens_a ? visit(child, b) : visit(a, child);
     }
   }
 
-  void meet(const KdopNode& a, const KdopNode& b) {
-    for (std::uint32_t i = 0; i < a.item_count; ++i) {
-      for (std::uint32_t j = 0; j < b.item_count && !is_done(); ++j) {
-        std::array<Vec3, 3> moved = b_.corners[b.first + j];
-        for (Vec3& corner : moved) corner += shift_;
-        const ClosestPair found = closest_points(a_.corners[a.first + i], moved);
-        if (found.distance_mm < best_.distance_mm) best_ = found;
-      }
+  struct FacetPair {
+    double least2 = 0;
+    std::size_t a = 0, b = 0;
+  };
+
+  /// The pairs of facets in the order of their boxes' distances.
+  void meet(const TriangleBlock& a, const TriangleBlock& b) {
+    std::array<std::array<Vec3, 3>, kBlockLanes> facets_b;
+    std::array<Box3, kBlockLanes> boxes_b;
+    for (std::size_t j = 0; j < b.count; ++j) {
+      facets_b[j] = b_.corners(b.triangle[j]);
+      for (Vec3& corner : facets_b[j]) corner += shift_;
+      boxes_b[j] = box_around(facets_b[j]);
+    }
+    pairs_.clear();
+    for (std::size_t i = 0; i < a.count; ++i) {
+      const Box3 box = box_around(a_.corners(a.triangle[i]));
+      for (std::size_t j = 0; j < b.count; ++j) pairs_.push_back({box.squaredExteriorDistance(boxes_b[j]), i, j});
+    }
+    std::sort(pairs_.begin(), pairs_.end(), [](const FacetPair& one, const FacetPair& other) {
+      return std::tie(one.least2, one.a, one.b) < std::tie(other.least2, other.a, other.b);
+    });
+    for (const FacetPair& pair : pairs_) {
+      if (is_done() || std::sqrt(pair.least2) - kRounding_mm >= best_.distance_mm) return;
+      const ClosestPair found = closest_points(a_.corners(a.triangle[pair.a]), facets_b[pair.b]);
+      if (found.distance_mm < best_.distance_mm) best_ = found;
     }
   }
 
-  const DepthBody& a_;
-  const DepthBody& b_;
+  const Surface& a_;
+  const Surface& b_;
   Vec3 shift_;
   double enough_mm_;
   ClosestPair best_;
+  std::vector<FacetPair> pairs_;
 };
 
 }  // namespace
@@ -131,7 +166,7 @@ ClosestPair closest_points(const std::array<Vec3, 3>& a, const std::array<Vec3, 
   return best;
 }
 
-ClosestPair surface_distance(const DepthBody& a, const DepthBody& b, const Vec3& shift, double enough_mm) {
+ClosestPair surface_distance(const Surface& a, const Surface& b, const Vec3& shift, double enough_mm) {
   return Search(a, b, shift, enough_mm).run();
 }
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "lib/penetration/depth_body.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
@@ -20,7 +20,6 @@ struct ClosestPair {
 /// triangles of both.
 /// Ensures  nowhere are they nearer than distance_mm - 1e-9, unless that is at most `enough_mm`, where the search ends.
 /// Cost     about O(log n) for surfaces apart; no more than the pairs of facets within their distance.
-[[nodiscard]] ClosestPair surface_distance(const DepthBody& a, const DepthBody& b, const Vec3& shift,
-                                           double enough_mm = 0);
+[[nodiscard]] ClosestPair surface_distance(const Surface& a, const Surface& b, const Vec3& shift, double enough_mm = 0);
 
 }  // namespace gouge

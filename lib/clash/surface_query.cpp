@@ -5,17 +5,15 @@
 #include "lib/geom/point_triangle.h"
 
 namespace gouge::detail {
+namespace {
 
-bool may_reach(const float* box, const BallCap& cap) {
-  double out2 = 0, highest = 0;
-  for (int i = 0; i < 3; ++i) {
-    const double low = static_cast<double>(box[i]) - cap.centre[i];
-    const double high = static_cast<double>(box[i + 3]) - cap.centre[i];
-    const double out = std::max({low, -high, 0.0});
-    out2 += out * out;
-    highest += cap.direction[i] * (cap.direction[i] > 0 ? high : low);
-  }
-  return out2 <= cap.radius_mm * cap.radius_mm && highest >= cap.from_mm;
+constexpr double kRounding_mm = 1e-9;  // of a bound
+
+}  // namespace
+
+bool may_reach(const LaneBound& bound, const BallCap& cap) {
+  const double highest = cap.direction.dot(bound.center - cap.centre) + bound.extent_mm(cap.direction);
+  return highest >= cap.from_mm - kRounding_mm && bound.least_distance_mm(cap.centre) <= cap.radius_mm + kRounding_mm;
 }
 
 std::optional<Vec3> nearest_in_cap(const std::array<Vec3, 3>& facet, const BallCap& cap) {

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
+#include <vector>
 
-#include "lib/penetration/depth_body.h"
+#include "lib/hierarchy/lane_bound.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
@@ -15,19 +18,20 @@ struct BallCap {
 };
 
 struct CapHit {
-  std::uint32_t slot = 0;     ///< of the facet, in body.tree.order
+  std::uint32_t triangle = 0;
   Vec3 point = Vec3::Zero();  ///< of it, in the cap, the nearest to the cap's centre
 };
 
-/// A facet that reaches into the cap and for which `is_allowed(slot)` is false; nothing when there is none.
+/// A facet that reaches into the cap and for which `is_allowed(triangle)` is false; nothing when there is none.
 /// Ensures  no facet that reaches into the cap by more than rounding is missed; always the same one.
 template <typename IsAllowed>
-[[nodiscard]] std::optional<CapHit> find_in_cap(const DepthBody& body, const BallCap& cap, const IsAllowed& is_allowed);
+[[nodiscard]] std::optional<CapHit> find_in_cap(const Surface& surface, const BallCap& cap,
+                                                const IsAllowed& is_allowed);
 
 namespace detail {
 
-/// Whether a node's box reaches into the cap.
-[[nodiscard]] bool may_reach(const float* box, const BallCap& cap);
+/// Whether what lies in a bound may reach into the cap.
+[[nodiscard]] bool may_reach(const LaneBound& bound, const BallCap& cap);
 
 /// The nearest point to the cap's centre of the part of a facet that is in the cap.
 [[nodiscard]] std::optional<Vec3> nearest_in_cap(const std::array<Vec3, 3>& facet, const BallCap& cap);
@@ -35,18 +39,23 @@ namespace detail {
 }  // namespace detail
 
 template <typename IsAllowed>
-std::optional<CapHit> find_in_cap(const DepthBody& body, const BallCap& cap, const IsAllowed& is_allowed) {
-  std::vector<std::uint32_t> open(body.tree.nodes.empty() ? 0 : 1, 0);
+std::optional<CapHit> find_in_cap(const Surface& surface, const BallCap& cap, const IsAllowed& is_allowed) {
+  const BlockTree& tree = surface.tree();
+  std::vector<std::uint32_t> open(tree.nodes.empty() ? 0 : 1, 0);
   while (!open.empty()) {
-    const std::uint32_t index = open.back();
+    const NodeBlock& node = tree.nodes[open.back()];
     open.pop_back();
-    if (!detail::may_reach(body.boxes.data() + 6 * std::size_t{index}, cap)) continue;
-    const KdopNode& node = body.tree.nodes[index];
-    for (std::uint32_t k = 0; k < node.children; ++k) open.push_back(node.first + k);
-    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
-      const std::uint32_t slot = node.first + k;
-      const std::optional<Vec3> point = detail::nearest_in_cap(body.corners[slot], cap);
-      if (point && !is_allowed(slot)) return CapHit{slot, *point};
+    for (std::size_t lane = 0; lane < node.count; ++lane) {
+      if (!detail::may_reach(LaneBound(tree, node, lane), cap)) continue;
+      if (!node.has_leaves) {
+        open.push_back(node.child[lane]);
+        continue;
+      }
+      const TriangleBlock& leaf = tree.leaves[node.child[lane]];
+      for (std::size_t k = 0; k < leaf.count; ++k) {
+        const std::optional<Vec3> point = detail::nearest_in_cap(surface.corners(leaf.triangle[k]), cap);
+        if (point && !is_allowed(leaf.triangle[k])) return CapHit{leaf.triangle[k], *point};
+      }
     }
   }
   return std::nullopt;

@@ -41,11 +41,7 @@ void refuse(Reason::Kind reason, MoveVerdict& verdict) {
 }  // namespace
 
 HeadChecker::HeadChecker(const std::vector<HeadBody>& heads, const PreparedScene& scene)
-    : heads_(heads), sides_(scene.sides()), parts_(scene.scene->parts.size()) {
-  for (std::size_t k = 0; k < parts_; ++k) surfaces_.push_back(&scene.surface(Against::part, k));
-  for (std::size_t k = 0; k < scene.scene->fixtures.size(); ++k)
-    surfaces_.push_back(&scene.surface(Against::fixture, k));
-}
+    : heads_(heads), sides_(scene.sides()), trees_{&scene.parts, &scene.fixtures} {}
 
 std::uint64_t HeadChecker::check(const Motion& motion, const CheckOptions& options, MoveVerdict& verdict) const {
   std::vector<double> uppers_mm;
@@ -65,7 +61,7 @@ std::uint64_t HeadChecker::sweep(const Motion& motion, const CheckOptions& optio
   std::uint64_t bounds = 0;
   for (const HeadBody& head : heads_) {
     const HeadResult found =
-        search_head(head_motion, head, surfaces_,
+        search_head(head_motion, head, trees_,
                     {options.tolerance_mm, options.resolution_mm, std::max(options.resolution_mm, options.gouge_gap_mm),
                      std::min(kMostBounds, options.budget_per_move)});
     bounds += found.bounds;
@@ -102,17 +98,16 @@ void HeadChecker::join(const HeadResult& found, const CheckOptions& options, Mov
 }
 
 void HeadChecker::take(const HeadResult& found, MoveVerdict& verdict) const {
-  const bool is_part = found.surface < parts_;
-  const std::size_t mesh = is_part ? found.surface : found.surface - parts_;
+  const BlockTree& tree = *trees_[found.tree];
   verdict.depth_mm = found.depth_mm;
   Witness w;
   w.t = found.t;
   w.point = found.point;
   w.normal = found.normal;
   w.body = Body::head;
-  w.against = is_part ? Against::part : Against::fixture;
-  w.mesh = static_cast<std::uint32_t>(mesh);
-  w.triangle = surfaces_[found.surface]->mesh.file_triangle[found.triangle];
+  w.against = found.tree == 0 ? Against::part : Against::fixture;
+  w.mesh = static_cast<std::uint32_t>(tree.mesh_of(found.triangle));
+  w.triangle = tree.file_triangle(found.triangle);
   verdict.witness = w;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "lib/check/prepared_scene.h"
@@ -9,7 +10,7 @@
 
 namespace gouge {
 
-/// Heads against the meshes of a scene, which must both outlive it. Asks for the surface of every mesh.
+/// Heads against the meshes of a scene, which must both outlive it.
 class HeadChecker {
  public:
   /// Requires scene.is_within_reach.
@@ -40,8 +41,7 @@ class HeadChecker {
 
   const std::vector<HeadBody>& heads_;
   const SceneSides& sides_;
-  std::size_t parts_;
-  std::vector<const DepthBody*> surfaces_;
+  std::array<const BlockTree*, 2> trees_;  ///< of the parts, of the fixtures
 };
 
 /// Checks bodies that move with the tool, and that its profile does not hold, along every move that the tool was

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "lib/base/parallel.h"
+#include "lib/hierarchy/lane_bound.h"
 #include "lib/offset/vertex_offsets.h"
 
 namespace gouge {
@@ -115,10 +116,10 @@ class PatchFinder {
 /// What stands lowest above one patch.
 class ClearAbove {
  public:
-  ClearAbove(const DepthBody& surface, const std::vector<std::uint32_t>& patch_of, FlatPatch& patch, std::uint32_t own,
+  ClearAbove(const Surface& surface, const std::vector<std::uint32_t>& patch_of, FlatPatch& patch, std::uint32_t own,
              const Box3& box)
       : surface_(surface), patch_of_(patch_of), patch_(patch), own_(own), box_(box) {
-    const double size = surface.mesh.box().diagonal().norm();
+    const double size = surface.mesh().box().diagonal().norm();
     patch.rim_mm = kRim * size;
     patch.clear_mm = box.diagonal().norm();
     for (int k = 0; k < 3; ++k) {
@@ -131,14 +132,17 @@ class ClearAbove {
 
  private:
   void visit(std::uint32_t index) {
-    const float* const bounds = surface_.boxes.data() + 6 * std::size_t{index};
-    for (int k = 0; k < 3; ++k) {
-      if (static_cast<double>(bounds[k]) > box_.max()[k] || static_cast<double>(bounds[k + 3]) < box_.min()[k]) return;
+    const BlockTree& tree = surface_.tree();
+    const NodeBlock& node = tree.nodes[index];
+    for (std::size_t lane = 0; lane < node.count; ++lane) {
+      if (!LaneBound(tree, node, lane).box().intersects(box_)) continue;
+      node.has_leaves ? visit_leaf(tree.leaves[node.child[lane]]) : visit(node.child[lane]);
     }
-    const KdopNode& node = surface_.tree.nodes[index];
-    for (std::uint32_t k = 0; k < node.children; ++k) visit(node.first + k);
-    for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
-      if (patch_of_[surface_.tree.order[node.first + k]] != own_) look_at(surface_.corners[node.first + k]);
+  }
+
+  void visit_leaf(const TriangleBlock& leaf) {
+    for (std::size_t k = 0; k < leaf.count; ++k) {
+      if (patch_of_[leaf.triangle[k]] != own_) look_at(surface_.corners(leaf.triangle[k]));
     }
   }
 
@@ -164,7 +168,7 @@ class ClearAbove {
     return kept;
   }
 
-  const DepthBody& surface_;
+  const Surface& surface_;
   const std::vector<std::uint32_t>& patch_of_;
   FlatPatch& patch_;
   std::uint32_t own_;
@@ -181,8 +185,8 @@ double FlatPatch::inside_mm(const Vec3& x) const {
 
 FlatPatches find_flat_patches(const IndexedMesh& mesh) { return PatchFinder(mesh).run(); }
 
-void measure_clear_above(const DepthBody& surface, FlatPatches& flat) {
-  const IndexedMesh& mesh = surface.mesh;
+void measure_clear_above(const Surface& surface, FlatPatches& flat) {
+  const IndexedMesh& mesh = surface.mesh();
   std::vector<Box3> boxes(flat.patches.size());
   std::vector<std::uint32_t> itself(mesh.triangles.size());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {

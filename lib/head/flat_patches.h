@@ -5,7 +5,7 @@
 
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/indexed_mesh.h"
-#include "lib/penetration/depth_body.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 
@@ -42,6 +42,6 @@ struct FlatPatches {
 
 /// Fills clear_mm of all patches and faces; it is at most the patch's size.
 /// Cost     a search of the tree for each.
-void measure_clear_above(const DepthBody& surface, FlatPatches& flat);
+void measure_clear_above(const Surface& surface, FlatPatches& flat);
 
 }  // namespace gouge

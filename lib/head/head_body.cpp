@@ -2,68 +2,62 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <utility>
 
-#include "lib/check/reach.h"
-#include "lib/penetration/closest_point.h"
+#include "lib/check/mesh_reach.h"
+#include "lib/mesh/union_find.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kTries = 200;
 
-/// Piece of surface each triangle belongs to, numbered from 0.
+/// Piece of surface each triangle belongs to, numbered from 0 as they come.
 std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
-  std::vector<std::uint32_t> vertex_piece(mesh.vertices.size());
-  std::iota(vertex_piece.begin(), vertex_piece.end(), 0U);
-  const auto root = [&](std::uint32_t v) {
-    while (vertex_piece[v] != v) v = vertex_piece[v] = vertex_piece[vertex_piece[v]];
-    return v;
-  };
+  UnionFind joined(mesh.vertices.size());
   for (const TriangleCorners& t : mesh.triangles) {
-    for (std::size_t k = 1; k < 3; ++k) {
-      const std::uint32_t a = root(t[0]), b = root(t[k]);
-      vertex_piece[std::max(a, b)] = std::min(a, b);
-    }
+    joined.join(t[0], t[1]);
+    joined.join(t[0], t[2]);
   }
-  std::vector<std::uint32_t> names, piece;
+  constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
+  std::vector<std::uint32_t> number(mesh.vertices.size(), kNew), piece;
+  piece.reserve(mesh.triangles.size());
+  std::uint32_t count = 0;
   for (const TriangleCorners& t : mesh.triangles) {
-    const std::uint32_t name = root(t[0]);
-    const auto known = std::find(names.begin(), names.end(), name);
-    piece.push_back(static_cast<std::uint32_t>(known - names.begin()));
-    if (known == names.end()) names.push_back(name);
+    std::uint32_t& own = number[joined.root(t[0])];
+    if (own == kNew) own = count++;
+    piece.push_back(own);
   }
   return piece;
 }
 
 }  // namespace
 
-Result<HeadBody> build_head_body(const IndexedMesh& mesh) {
-  if (!std::all_of(mesh.vertices.begin(), mesh.vertices.end(), is_within_reach)) {
-    return make_error("mesh-too-far",
-                      "reaches more than 100 m from the origin; expected a head within that; check --stl-units",
-                      mesh.name);
-  }
-  HeadBody head{build_distance_body(mesh), {}, {}, find_flat_patches(mesh)};
-  if (!head.surface.is_solid) {
+Result<HeadBody> build_head_body(IndexedMesh of) {
+  if (auto error = find_too_far(of, "head", "--stl-units")) return *std::move(error);
+  HeadBody head{Surface(std::move(of)), {}, {}, {}, {}};
+  const IndexedMesh& mesh = head.surface.mesh();
+  if (!head.surface.is_solid()) {
     return make_error("mesh-head-open",
                       "is not a closed solid facing outward; expected one, since what is inside the head must be "
                       "known; 'gougecheck mesh FILE --repair OUT.stl' reports what is wrong",
                       mesh.name);
   }
+  head.box = mesh.box();
+  head.flat = find_flat_patches(mesh);
   measure_clear_above(head.surface, head.flat);
   const std::vector<std::uint32_t> piece = pieces_of(mesh);
   const std::uint32_t pieces = *std::max_element(piece.begin(), piece.end()) + 1;
   head.cores.resize(pieces, Vec3::Zero());
   head.core_depths_mm.resize(pieces, 0);
-  const double size = mesh.box().diagonal().norm();
+  const double size = head.box.diagonal().norm();
   const std::size_t step = std::max<std::size_t>(1, mesh.triangles.size() / (kTries * pieces));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     if (t % step != 0 && head.core_depths_mm[piece[t]] > 0) continue;
     const Vec3 centre = (mesh.corner(t, 0) + mesh.corner(t, 1) + mesh.corner(t, 2)) / 3.0;
     for (double depth = 0.5 * size; depth > 1e-4 * size; depth *= 0.5) {
-      const Vec3 core = centre - depth * head.surface.sign.face(static_cast<std::uint32_t>(t));
-      const auto foot = closest_point(head.surface, core);
+      const Vec3 core = centre - depth * head.surface.face_normal(t);
+      const auto foot = head.surface.closest_point(core);
       if (!foot || !foot->is_inside || piece[foot->triangle] != piece[t]) continue;
       if (foot->distance_mm <= head.core_depths_mm[piece[t]]) continue;
       head.core_depths_mm[piece[t]] = foot->distance_mm;

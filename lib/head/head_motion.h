@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "lib/check/motion.h"
+#include "lib/check/motion_interval.h"
 #include "lib/geom/rigid_transform.h"
 
 namespace gouge {
@@ -35,6 +36,14 @@ class HeadMotion {
   const Motion& motion_;
   Eigen::Matrix3d start_;
   double twist_rad_ = 0;
+};
+
+/// A time interval of a head's motion, with the head's frames at its ends.
+struct HeadInterval : MotionInterval {
+  HeadInterval(const HeadMotion& motion, const MotionInterval& interval)
+      : MotionInterval(interval), to_tool0(motion.at(t0).inverse()), to_tool1(motion.at(t1).inverse()) {}
+
+  RigidTransform to_tool0, to_tool1;
 };
 
 }  // namespace gouge

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
+#include <span>
 
 #include "lib/base/best_first_search.h"
 #include "lib/head/head_body.h"
 #include "lib/head/head_motion.h"
+#include "lib/hierarchy/block_tree.h"
 
 namespace gouge {
 
@@ -17,8 +18,8 @@ struct HeadResult {
   double t = 0;
   Vec3 point = Vec3::Zero();    ///< of the surface, part coordinates
   Vec3 normal = Vec3::UnitZ();  ///< in which the head must move away by the depth
-  std::size_t surface = 0;      ///< which of those asked
-  std::uint32_t triangle = 0;   ///< index into that mesh's triangles
+  std::size_t tree = 0;         ///< which of those asked
+  std::uint32_t triangle = 0;   ///< of that tree
   std::uint64_t bounds = 0;
 };
 
@@ -27,10 +28,10 @@ struct HeadResult {
 /// distance is 1-Lipschitz, so over the interval and a ball about the point it is nowhere below half of (sum of both
 /// ends - path length) - radius.
 ///
-/// Requires resolution and gap > 0.
+/// `trees`: over the surfaces asked for. Requires resolution and gap > 0.
 /// Ensures  depth <= true depth <= depth_upper, at any budget.
 /// Source   space-time bounds, thesis 2.4.14; chord and bulge as in docs/algorithms/certified_sweep.md.
 [[nodiscard]] HeadResult search_head(const HeadMotion& motion, const HeadBody& head,
-                                     const std::vector<const DepthBody*>& surfaces, const SearchGoal& goal);
+                                     std::span<const BlockTree* const> trees, const SearchGoal& goal);
 
 }  // namespace gouge

@@ -13,6 +13,7 @@
 #include "lib/base/units.h"
 #include "lib/geom/pose.h"
 #include "lib/geom/rigid_transform.h"
+#include "lib/path/apt_cutter.h"
 #include "lib/path/curve.h"
 #include "lib/path/feed.h"
 #include "lib/path/small_index.h"
@@ -25,13 +26,9 @@ namespace gouge {
 enum class MoveKind : std::uint8_t { feed, rapid, arc, cycle };
 [[nodiscard]] const char* kind_name(MoveKind kind);
 
-/// The APT parameters of CUTTER/d,r,e,f,alpha,beta,h in mm and degrees (FORMATS: e and f are recomputed where
-/// alpha = beta = 0, because writers disagree about them).
-struct CutterStatement {
-  double d_mm = 0, r_mm = 0, e_mm = 0, f_mm = 0;
-  double alpha_deg = 0, beta_deg = 0;
-  double h_mm = 0;  ///< 0: not given
-  int given = 0;    ///< how many numbers the statement had
+/// As a file states it: e and f are recomputed where alpha = beta = 0; an h of 0 is not given.
+struct CutterStatement : AptCutter {
+  int given = 0;  ///< how many numbers the statement had
 };
 
 /// A tool as the toolpath knows it.

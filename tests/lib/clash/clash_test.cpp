@@ -99,9 +99,11 @@ TEST(Clash, AnOpenBodyIsFreeOnlyBeyondAllBoundsAndNeverCertifiedWithin) {
   const Clash within = clash_of(open, shapes::moved(shapes::cube(1), Vec3(5, 5, 5)));
   EXPECT_EQ(within.state, ClashState::not_certified);
   EXPECT_NE(within.reason.find("open edges"), std::string::npos) << within.reason;
-  const Clash touching = clash_of(open, shapes::moved(shapes::cube(10), Vec3(10, 0, 0)));
-  EXPECT_EQ(touching.state, ClashState::not_certified);
-  EXPECT_NE(touching.reason.find("not closed"), std::string::npos) << touching.reason;
+  for (const IndexedMesh& no_solid : {open, shapes::inside_out(shapes::cube(10))}) {
+    const Clash touching = clash_of(no_solid, shapes::moved(shapes::cube(10), Vec3(10, 0, 0)));
+    EXPECT_EQ(touching.state, ClashState::not_certified);
+    EXPECT_NE(touching.reason.find("bounds no solid"), std::string::npos) << touching.reason;
+  }
 }
 
 TEST(Clash, WhatAnOpenSurfaceReachesIntoAClosedBodyIsFoundAllTheSame) {
@@ -129,8 +131,8 @@ TEST(Clash, OfABodyThatCrossesItselfTheWindingNumberShowsTheSide) {
   const IndexedMesh pair =
       shapes::joined(shapes::box(Vec3(0, 0, 0), Vec3(10, 10, 10)), shapes::box(Vec3(6, -1, -1), Vec3(16, 11, 11)));
   const IndexedMesh pin = shapes::box(Vec3(6.4, 4.9, 4.9), Vec3(6.6, 5.1, 30));
-  const DepthBody a = test::index_of(pair), b = test::index_of(pin);
-  const Clash clash = find_clash(ClashBody(a, true), ClashBody(b), Vec3::Zero(), {});
+  const ClashBody a(Surface(pair), true), b{Surface(pin)};
+  const Clash clash = find_clash(a, b, Vec3::Zero(), {});
   EXPECT_EQ(clash.state, ClashState::penetrating);
   EXPECT_GE(clash.depth_upper_mm, clash.depth_mm);
 }

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <memory>
 #include <utility>
 
 #include "lib/clash/clash_body.h"
@@ -13,13 +12,6 @@
 
 namespace gouge::test {
 
-inline DepthBody index_of(const IndexedMesh& mesh) {
-  DepthBodyOptions options;
-  options.directions = *make_directions(DirectionFamily::cube, 6);
-  options.is_distance_only = true;
-  return build_depth_body(mesh, options);
-}
-
 inline IndexedMesh placed(IndexedMesh mesh, const Vec3& axis, double angle_rad, const Vec3& shift) {
   const Eigen::Matrix3d rotation = Eigen::AngleAxisd(angle_rad, axis.normalized()).toRotationMatrix();
   for (Vec3& vertex : mesh.vertices) vertex = rotation * vertex + shift;
@@ -27,12 +19,8 @@ inline IndexedMesh placed(IndexedMesh mesh, const Vec3& axis, double angle_rad, 
 }
 
 struct Pair {
-  Pair(const IndexedMesh& of_a, const IndexedMesh& of_b)
-      : surfaces(std::make_unique<std::pair<DepthBody, DepthBody>>(index_of(of_a), index_of(of_b))),
-        a(surfaces->first),
-        b(surfaces->second) {}
+  Pair(IndexedMesh of_a, IndexedMesh of_b) : a(Surface(std::move(of_a))), b(Surface(std::move(of_b))) {}
 
-  std::unique_ptr<std::pair<DepthBody, DepthBody>> surfaces;
   ClashBody a, b;
 };
 

@@ -12,7 +12,8 @@ const IndexedMesh kBlock = shapes::box(Vec3(0, 0, 0), Vec3(100, 60, 40));
 std::vector<SetupOverlap> overlaps(const std::vector<IndexedMesh>& parts, const std::vector<IndexedMesh>& fixtures,
                                    std::vector<bool> is_left_out = {}) {
   is_left_out.resize(fixtures.size(), false);
-  return find_setup_overlaps(parts, fixtures, is_left_out, {});
+  const Scene scene{parts, fixtures};
+  return find_setup_overlaps(PreparedScene(scene), is_left_out, {});
 }
 
 IndexedMesh jaw(double sunk) { return shapes::box(Vec3(10, -30, 5), Vec3(90, sunk, 30)); }

@@ -4,7 +4,7 @@
 
 #include "lib/head/check_heads.h"
 #include "lib/head/head_search.h"
-#include "lib/penetration/closest_point.h"
+#include "lib/surface/surface.h"
 #include "tests/support/paths.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
@@ -141,7 +141,7 @@ TEST(Heads, HaveACoreInEveryPiece) {
   ASSERT_EQ(head.cores.size(), 2U);
   for (std::size_t k = 0; k < 2; ++k) {
     EXPECT_GT(head.core_depths_mm[k], 0.5);
-    EXPECT_TRUE(closest_point(head.surface, head.cores[k])->is_inside);
+    EXPECT_TRUE(head.surface.closest_point(head.cores[k])->is_inside);
   }
 }
 
@@ -173,15 +173,14 @@ TEST(Heads, BoundsHoldAgainstSampling) {
   test::Scatter random(3);
   const IndexedMesh part = shapes::star_prism();
   const HeadBody head = *build_head_body(shapes::torus(20, 6, 24, 12));
-  DepthBodyOptions lean;
-  lean.is_distance_only = true;
-  const DepthBody surface = build_depth_body(part, lean);
+  const BlockTree tree = build_block_tree({&part, 1});
+  const std::array trees{&tree};
   std::size_t gouges = 0;
   for (int i = 0; i < 12; ++i) {
     const Motion motion(Pose{45 * random.direction(), random.direction()},
                         Pose{45 * random.direction(), random.direction()});
     const HeadMotion moving(motion);
-    const HeadResult reported = search_head(moving, head, {&surface}, {0.01, 0.02, 0.02, 20000});
+    const HeadResult reported = search_head(moving, head, trees, {0.01, 0.02, 0.02, 20000});
     double sampled = 0;
     for (std::size_t t = 0; t < part.triangles.size(); ++t) {
       for (int k = 0; k < 20; ++k) {
@@ -189,19 +188,18 @@ TEST(Heads, BoundsHoldAgainstSampling) {
         const Vec3 p = part.corner(t, 0) + u * (part.corner(t, 1) - part.corner(t, 0)) +
                        v * (part.corner(t, 2) - part.corner(t, 0));
         for (int s = 0; s <= 60; ++s) {
-          sampled =
-              std::max(sampled, -closest_point(head.surface, moving.at(s / 60.0).inverse().point(p))->signed_mm());
+          sampled = std::max(sampled, -head.surface.closest_point(moving.at(s / 60.0).inverse().point(p))->signed_mm());
         }
       }
     }
     EXPECT_LE(sampled, reported.depth_upper_mm + 1e-9);
     if (!reported.has_witness) continue;
     ++gouges;
-    EXPECT_NEAR(-closest_point(head.surface, moving.at(reported.t).inverse().point(reported.point))->signed_mm(),
+    EXPECT_NEAR(-head.surface.closest_point(moving.at(reported.t).inverse().point(reported.point))->signed_mm(),
                 reported.depth_mm, 1e-9);
     // Given way by the depth, the witness is on the head's boundary.
     const Vec3 freed = moving.at(reported.t).inverse().point(reported.point - reported.depth_mm * reported.normal);
-    EXPECT_NEAR(closest_point(head.surface, freed)->distance_mm, 0, 1e-9);
+    EXPECT_NEAR(head.surface.closest_point(freed)->distance_mm, 0, 1e-9);
   }
   EXPECT_GT(gouges, 3U);
 }

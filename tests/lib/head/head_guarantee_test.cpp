@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lib/head/check_heads.h"
-#include "lib/penetration/closest_point.h"
+#include "lib/surface/surface.h"
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/solids.h"
@@ -46,7 +46,7 @@ double sampled_depth(const HeadMotion& moving, const HeadBody& head, const Index
     const Vec3 p = a + u * (part.corner(t, 1) - a) + v * (part.corner(t, 2) - a);
     for (int s = 0; s <= 64; ++s) {
       const double at = i % 3 == 0 ? random.in(0, 1) : s / 64.0;
-      deepest = std::max(deepest, -closest_point(head.surface, moving.at(at).inverse().point(p))->signed_mm());
+      deepest = std::max(deepest, -head.surface.closest_point(moving.at(at).inverse().point(p))->signed_mm());
     }
   }
   return deepest;
@@ -57,22 +57,21 @@ Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const
   Scatter random(seed);
   const Result<HeadBody> head = build_head_body(head_mesh);
   EXPECT_TRUE(head.has_value()) << head_mesh.name;
-  DepthBodyOptions lean;
-  lean.is_distance_only = true;
-  const DepthBody surface = build_depth_body(part, lean);
+  const BlockTree tree = build_block_tree({&part, 1});
+  const std::array trees{&tree};
   Tally tally;
   for (int i = 0; i < motions(); ++i) {
     const Motion motion = make(random);
     if (!motion.is_defined()) continue;
     const HeadMotion moving(motion);
-    const HeadResult reported = search_head(moving, *head, {&surface}, goal);
+    const HeadResult reported = search_head(moving, *head, trees, goal);
     const double sampled = sampled_depth(moving, *head, part, reported, random);
     const double rounding = 1e-9 + 1e-14 * motion.start().tip.norm();
     EXPECT_LE(sampled, reported.depth_upper_mm + rounding) << head_mesh.name << ", motion " << i;
     EXPECT_LE(reported.depth_mm, reported.depth_upper_mm);
     if (reported.has_witness) {
       const double there =
-          -closest_point(head->surface, moving.at(reported.t).inverse().point(reported.point))->signed_mm();
+          -head->surface.closest_point(moving.at(reported.t).inverse().point(reported.point))->signed_mm();
       EXPECT_NEAR(there, reported.depth_mm, rounding);
     }
     ++tally.all;
