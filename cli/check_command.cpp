@@ -7,6 +7,7 @@
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
+#include "cli/setup_notes.h"
 #include "lib/base/exit_code.h"
 #include "lib/certify/check.h"
 
@@ -25,21 +26,16 @@ void add_check_options(CLI::App& command, JobArguments& arguments) {
 
 int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<JobOptions> options = understand(arguments);
-  if (!options) {
-    print(err, {options.error()});
-    return kExitUsage;
-  }
+  if (!options) return fail(err, {options.error()});
   JobOutputs outputs(arguments, {});
   if (const auto status = outputs.refuse(err)) return *status;
   LoadedJob loaded = load_job(arguments, *options);
-  if (!loaded.job) {
-    print(err, loaded.errors);
-    return is_usage(loaded.errors) ? kExitUsage : kExitInput;
-  }
-  const Job& job = *loaded.job;
+  if (!loaded.job) return fail(err, loaded.errors);
+  Job& job = *loaded.job;
   Progress progress(err, options->progress);
   progress.begin("checking moves");
   const PreparedScene scene = prepare_scene(job.scene, options->check.threads);
+  note_setup(job, arguments, scene);
   const CheckResult result =
       check(job.toolpath, job.setup(scene), [&](std::size_t done, std::size_t total) { progress.show(done, total); });
   progress.end();

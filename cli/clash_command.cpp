@@ -9,36 +9,26 @@
 #include "cli/length_text.h"
 #include "cli/output_file.h"
 #include "lib/base/exit_code.h"
-#include "lib/check/reach.h"
+#include "lib/check/mesh_reach.h"
 #include "lib/mesh/load_mesh.h"
 #include "lib/validate/validate_mesh.h"
 
 namespace gouge {
 namespace {
 
-int fail(std::ostream& err, const Diagnostic& error, int status) {
-  err << to_text(error) << "\n";
-  return status;
-}
-
 /// The options, understood. Errors (code usage): names the option, what was typed and what was expected.
 Result<std::pair<ClashOptions, RigidTransform>> understand(const ClashArguments& a) {
   std::pair<ClashOptions, RigidTransform> understood;
-  const auto wrong = [](const std::string& option, const std::string& typed, const std::string& expected) {
-    return make_error("usage", option + " '" + typed + "': expected " + expected);
-  };
-  const std::optional<double> tolerance = parse_length_mm(a.tolerance), resolution = parse_length_mm(a.resolution);
-  if (!tolerance || *tolerance < 0)
-    return wrong("--tolerance", a.tolerance,
-                 "a length of 0 or more in mm, or with a unit (0.0005in), and at most 100 m");
-  if (!resolution || *resolution < kFinestResolution_mm)
-    return wrong("--resolution", a.resolution, "a length of at least 0.000001 mm, what double precision can certify");
-  if (a.is_quiet && a.is_verbose) return make_error("usage", "-q and -v exclude each other; expected one of them");
+  const Result<double> tolerance = understand_length("--tolerance", a.tolerance, Least::zero);
+  if (!tolerance) return tolerance.error();
+  const Result<double> resolution = understand_length("--resolution", a.resolution, Least::finest_resolution);
+  if (!resolution) return resolution.error();
+  if (const auto error = find_contradiction(a)) return *error;
   understood.first.tolerance_mm = *tolerance;
   understood.first.resolution_mm = understood.first.gap_mm = *resolution;
   if (a.place_b.empty()) return understood;
-  const std::optional<RigidTransform> place = parse_place(a.place_b);
-  if (!place) return wrong("--place-b", a.place_b, "x,y,z or x,y,z,rx,ry,rz");
+  const Result<RigidTransform> place = understand_place("--place-b", a.place_b);
+  if (!place) return place.error();
   understood.second = *place;
   return understood;
 }
@@ -47,32 +37,14 @@ Result<LoadedMesh> load(const std::string& file, const ClashArguments& arguments
   const LengthUnit unit = unit_called(arguments.stl_units).value_or(LengthUnit::mm);
   Result<LoadedMesh> loaded = load_mesh(file, {unit, place}, arguments.input.most_bytes);
   if (!loaded) return loaded;
-  const Box3 box = loaded->mesh.box();
-  if (std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) > kFarthest_mm)
-    return make_error(
-        "mesh-too-far",
-        "reaches more than 100 m from the origin; expected a body within that; check --stl-units and --place-b", file);
+  if (auto error = find_too_far(loaded->mesh, "body", "--stl-units and --place-b")) return *std::move(error);
   return loaded;
 }
 
-void print_notes(std::ostream& err, const Diagnostics& notes, const ClashArguments& arguments) {
-  for (const Diagnostic& note : notes) {
-    if (arguments.is_verbose || (!arguments.is_quiet && note.severity == Severity::warning))
-      err << to_text(note) << "\n";
-  }
-}
-
-DepthBody index_of(LoadedMesh& loaded) {
-  DepthBodyOptions options;
-  options.directions = *make_directions(DirectionFamily::cube, 6);
-  options.is_distance_only = true;
-  return build_depth_body(std::move(loaded.mesh), options);
-}
-
 /// Whether its own surface leaves no doubt about the side of a point: only asked of bodies that may meet.
-bool is_crossing_itself(const DepthBody& body, const MeshFindings& findings, bool may_meet) {
-  if (!may_meet || !body.is_solid) return false;
-  const MeshValidation judged = validate_mesh(body.mesh, findings);
+bool is_crossing_itself(const Surface& surface, const MeshFindings& findings, bool may_meet) {
+  if (!may_meet || !surface.is_solid()) return false;
+  const MeshValidation judged = validate_mesh(surface.mesh(), findings);
   return judged.self_intersections.pairs > 0 || !judged.trouble.empty();
 }
 
@@ -104,8 +76,7 @@ void add_clash_options(CLI::App& command, ClashArguments& arguments) {
   command.add_option("--json", arguments.json_file, "Write the result as JSON (- for standard output alone)")
       ->type_name("FILE");
   add_input_limit(command, arguments.input);
-  command.add_flag("-q,--quiet", arguments.is_quiet, "Print no findings, only errors");
-  command.add_flag("-v,--verbose", arguments.is_verbose, "Print notes of both files and what the search took");
+  add_verbosity(command, arguments, "Print notes of both files and what the search took");
   command.footer(
       "Examples:\n  gougecheck clash part.stl jaw.stl\n  gougecheck clash vise.stl part.stl --place-b 0,0,12.5,0,0,90 "
       "--json clash.json\n\n"
@@ -118,19 +89,19 @@ void add_clash_options(CLI::App& command, ClashArguments& arguments) {
 
 int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& err) {
   const auto understood = understand(arguments);
-  if (!understood) return fail(err, understood.error(), kExitUsage);
+  if (!understood) return fail(err, {understood.error()});
   const OutputTable outputs = asked_for({{"--json", arguments.json_file}});
   if (const auto status = refuse_outputs({{"a mesh", arguments.a}, {"a mesh", arguments.b}}, outputs, err))
     return *status;
   Result<LoadedMesh> a = load(arguments.a, arguments, {}), b = load(arguments.b, arguments, understood->second);
   for (const Result<LoadedMesh>* loaded : {&a, &b}) {
-    if (!*loaded) return fail(err, loaded->error(), kExitInput);
+    if (!*loaded) return fail(err, {loaded->error()});
     print_notes(err, (*loaded)->notes, arguments);
   }
   const bool may_meet = a->mesh.box().intersects(b->mesh.box());
-  const DepthBody index_a = index_of(*a), index_b = index_of(*b);
-  const ClashBody body_a(index_a, is_crossing_itself(index_a, a->findings, may_meet));
-  const ClashBody body_b(index_b, is_crossing_itself(index_b, b->findings, may_meet));
+  const Surface surface_a(std::move(a->mesh)), surface_b(std::move(b->mesh));
+  const ClashBody body_a(surface_a, is_crossing_itself(surface_a, a->findings, may_meet));
+  const ClashBody body_b(surface_b, is_crossing_itself(surface_b, b->findings, may_meet));
   ClashReport report{arguments.a,       arguments.b, unit_called(arguments.stl_units).value_or(LengthUnit::mm),
                      understood->first, {},          {}};
   report.clash = find_clash(body_a, body_b, Vec3::Zero(), report.options);
@@ -139,7 +110,7 @@ int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& 
   if (arguments.is_verbose) err << "spent: " << report.clash.bounds << " bounds\n";
   if (!arguments.json_file.empty()) {
     if (const Outcome written = write_output(arguments.json_file, clash_json(report), out); !written)
-      return fail(err, written.error(), kExitInternal);
+      return fail(err, {written.error()}, kExitInternal);
   }
   if (!arguments.is_quiet && arguments.json_file != "-") out << clash_text(report);
   return status_of(report.clash.state);

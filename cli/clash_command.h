@@ -4,6 +4,7 @@
 #include <string>
 
 #include "cli/input_limit.h"
+#include "cli/print_diagnostics.h"
 
 namespace CLI {
 class App;
@@ -11,15 +12,13 @@ class App;
 
 namespace gouge {
 
-struct ClashArguments {
+struct ClashArguments : Verbosity {
   std::string a, b;
   InputLimit input;
   std::string stl_units = "mm";
   std::string place_b;  ///< empty: where its file has it
   std::string tolerance = "0.01", resolution = "0.001";
   std::string json_file;  ///< "-" writes to standard output alone
-  bool is_quiet = false;
-  bool is_verbose = false;
 };
 
 void add_clash_options(CLI::App& command, ClashArguments& arguments);

@@ -1,16 +1,14 @@
 #include "cli/clash_report.h"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// "(0, 0.6, 0.8)": a direction has no unit.
 std::string direction_text(const Vec3& direction) {
@@ -41,7 +39,8 @@ std::string finding(const ClashReport& r) {
 std::string depth_line(const ClashReport& r) {
   const std::string least = depth_text(r.clash.depth_mm, r.unit);
   if (!std::isfinite(r.clash.depth_upper_mm))
-    return "depth: at least " + least + "; how deep at most is not known, since one of the surfaces is not closed\n";
+    return "depth: at least " + least +
+           "; how deep at most is not known, since one of the surfaces bounds no solid (open, inside out or doubled)\n";
   return "depth: " + least + ", proved to be at most " + length_text(r.clash.depth_upper_mm, r.unit) + "\n";
 }
 
@@ -51,11 +50,6 @@ std::string shift_line(const ClashReport& r) {
                                             : std::string("the bounding boxes, which are apart then");
   return "shift: " + printable(r.b) + " by " + point_text(shift.shift, r.unit) + ", " +
          depth_text(shift.shift.norm(), r.unit) + ", is proved " + state_name(shift.state) + " (from " + how + ")\n";
-}
-
-/// Zero has no sign.
-Json point_json(const Vec3& v_mm, double mm) {
-  return Json::array({v_mm.x() / mm + 0.0, v_mm.y() / mm + 0.0, v_mm.z() / mm + 0.0});
 }
 
 Json number_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(); }
@@ -127,7 +121,7 @@ std::string clash_json(const ClashReport& r) {
                      {"state", state_name(r.shift->state)}};
   }
   json["reason"] = clash.reason.empty() ? Json() : Json(clash.reason);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace gouge

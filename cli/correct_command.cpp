@@ -11,6 +11,7 @@
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
+#include "cli/setup_notes.h"
 #include "lib/base/exit_code.h"
 #include "lib/correct/correct_path.h"
 #include "postproc/cldata/rewriting/list_written.h"
@@ -54,31 +55,22 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
 Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) {
   CorrectOptions options;
   options.strategy = arguments.strategy == "axis" ? Strategy::axis : Strategy::weighted;
-  const auto shift = parse_length_mm(arguments.max_shift);
-  if (!shift || !(*shift > 0)) {
-    return make_error("usage", "--max-shift '" + arguments.max_shift +
-                                   "': expected a length above 0 in mm, or with a unit, and at most 100 m");
-  }
+  const Result<double> shift = understand_length("--max-shift", arguments.max_shift, Least::above_zero);
+  if (!shift) return shift.error();
   options.max_shift_mm = *shift;
-  const auto clearance = parse_length_mm(arguments.rapid_clearance);
-  if (!clearance || !(*clearance >= 0)) {
-    return make_error("usage", "--rapid-clearance '" + arguments.rapid_clearance +
-                                   "': expected a length of at least 0 in mm, or with a unit, and at most 100 m");
-  }
+  const Result<double> clearance = understand_length("--rapid-clearance", arguments.rapid_clearance, Least::zero);
+  if (!clearance) return clearance.error();
   options.rapid_clearance_mm = *clearance;
-  if (!arguments.max_side_shift.empty()) {
-    options.max_side_shift_mm = parse_length_mm(arguments.max_side_shift);
-    if (!options.max_side_shift_mm || !(*options.max_side_shift_mm >= 0)) {
-      return make_error("usage", "--max-side-shift '" + arguments.max_side_shift +
-                                     "': expected a length of at least 0 in mm, or with a unit, and at most 100 m");
-    }
-  }
+  if (arguments.max_side_shift.empty()) return options;
+  const Result<double> side_shift = understand_length("--max-side-shift", arguments.max_side_shift, Least::zero);
+  if (!side_shift) return side_shift.error();
+  options.max_side_shift_mm = *side_shift;
   return options;
 }
 
 class CorrectRun {
  public:
-  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const Job& job, JobOutputs& outputs,
+  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, Job& job, JobOutputs& outputs,
              std::ostream& out, std::ostream& err)
       : arguments_(arguments),
         correct_(correct),
@@ -90,6 +82,7 @@ class CorrectRun {
 
   int run() {
     const PreparedScene scene = prepare_scene(job_.scene, job_.options.check.threads);
+    note_setup(job_, arguments_.job, scene);
     const CheckSetup setup = job_.setup(scene);
     progress_.begin("checking moves");
     const CheckResult before = check(job_.toolpath, setup, show());
@@ -111,7 +104,7 @@ class CorrectRun {
     };
     Result<LawfulCorrection> corrected = correct_lawfully(job_.toolpath, before, setup, correct, rewrite, show());
     progress_.end();
-    if (!corrected) return fail(corrected.error());
+    if (!corrected) return fail(err_, {corrected.error()}, kExitInternal);
     const Correction& correction = corrected->correction;
     const Toolpath& path = corrected->after.path;
     const CheckResult& after = corrected->after.result;
@@ -134,19 +127,13 @@ class CorrectRun {
 
   // Moving thousands of positions out of a part that lies elsewhere makes nothing of use.
   int refuse(const Diagnostic& misfit) {
-    print(err_, {make_error(misfit.code, misfit.message + "; nothing was written; --force corrects all the same",
-                            misfit.file)});
-    return kExitGouges;
-  }
-
-  int fail(const Diagnostic& error) {
-    print(err_, {error});
-    return kExitInternal;
+    const std::string message = misfit.message + "; nothing was written; --force corrects all the same";
+    return fail(err_, {make_error(misfit.code, message, misfit.file)}, kExitGouges);
   }
 
   const CorrectArguments& arguments_;
   const CorrectOptions& correct_;
-  const Job& job_;
+  Job& job_;
   JobOutputs& outputs_;
   std::ostream& out_;
   std::ostream& err_;
@@ -194,17 +181,11 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
 int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<JobOptions> options = understand(arguments.job);
   const Result<CorrectOptions> correct = understand_correction(arguments);
-  if (!options || !correct) {
-    print(err, {!options ? options.error() : correct.error()});
-    return kExitUsage;
-  }
+  if (!options || !correct) return fail(err, {!options ? options.error() : correct.error()});
   JobOutputs outputs(arguments.job, arguments.output);
   if (const auto status = outputs.refuse(err)) return *status;
-  const LoadedJob loaded = load_job(arguments.job, *options);
-  if (!loaded.job) {
-    print(err, loaded.errors);
-    return is_usage(loaded.errors) ? kExitUsage : kExitInput;
-  }
+  LoadedJob loaded = load_job(arguments.job, *options);
+  if (!loaded.job) return fail(err, loaded.errors);
   return CorrectRun(arguments, *correct, *loaded.job, outputs, out, err).run();
 }
 

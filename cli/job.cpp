@@ -6,10 +6,10 @@
 
 #include "cli/misplaced.h"
 #include "cli/resolve_tools.h"
-#include "cli/setup_notes.h"
 #include "lib/base/files.h"
 #include "lib/base/parallel.h"
 #include "lib/base/view_file.h"
+#include "lib/check/mesh_reach.h"
 #include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
 #include "lib/mesh/load_mesh.h"
@@ -33,10 +33,7 @@ class JobLoader {
     read_meshes(arguments_.fixtures, "fixture", job_.scene.fixtures, job_.fixtures, job_.options.place);
     read_heads();
     if (has_path && errors_.empty()) read_tools();
-    if (errors_.empty()) {
-      note_misplaced();
-      add_notes(find_setup_notes(job_, arguments_));
-    }
+    if (errors_.empty()) note_misplaced();
     loaded.errors = errors_;
     if (errors_.empty()) loaded.job = std::move(job_);
     return loaded;
@@ -56,7 +53,7 @@ class JobLoader {
     job_.toolpath = std::move(*outcome.toolpath);
     add_notes(job_.toolpath.notes);
     for (const Move& move : job_.toolpath.moves) {
-      if (move.end.tip.cwiseAbs().maxCoeff() <= kFarthest_mm) continue;
+      if (is_within_reach(move.end.tip)) continue;
       errors_.push_back(
           make_error("path-too-far",
                      "the position is more than 100 m from the origin; expected a path within that; check the units",
@@ -127,13 +124,8 @@ class JobLoader {
 
   void add_mesh(LoadedMesh&& loaded, const std::string& file, std::vector<IndexedMesh>& meshes,
                 std::vector<MeshFacts>& facts) {
-    const Box3 box = loaded.mesh.box();
-    if (std::max(box.min().cwiseAbs().maxCoeff(), box.max().cwiseAbs().maxCoeff()) > kFarthest_mm) {
-      errors_.push_back(make_error(
-          "mesh-too-far",
-          "reaches more than 100 m from the origin; expected a part within that; check --stl-units and --place", file));
-      return;
-    }
+    if (const auto error = find_too_far(loaded.mesh, "part", "--stl-units and --place"))
+      return errors_.push_back(*error);
     add_notes(loaded.notes);
     MeshFacts fact;
     fact.name = file;
@@ -262,10 +254,6 @@ LengthUnit Job::stl_unit(const JobArguments& arguments) const {
 
 LoadedJob load_job(const JobArguments& arguments, const JobOptions& options) {
   return JobLoader(arguments, options).run();
-}
-
-bool is_usage(const Diagnostics& errors) {
-  return std::any_of(errors.begin(), errors.end(), [](const Diagnostic& d) { return d.code == "usage"; });
 }
 
 Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes) {

@@ -48,9 +48,6 @@ struct LoadedJob {
 /// Reads toolpath, meshes and tools. All errors of one kind of input are reported, not the first alone.
 [[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options);
 
-/// Whether the command line is at fault rather than a file: --tool or --holder names what the library lacks.
-[[nodiscard]] bool is_usage(const Diagnostics& errors);
-
 /// The `bytes` of a corrected toolpath, to be called `file`, read as the path of `job`, which it was made from.
 /// Errors: those of the reader; they would be a fault of ours.
 [[nodiscard]] Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes);

@@ -87,13 +87,7 @@ void add_output_options(CLI::App& command, JobArguments& a) {
   command.add_option("--progress", a.progress, "Show progress on standard error")
       ->check(CLI::IsMember({"auto", "always", "never"}))
       ->capture_default_str();
-  command.add_flag("-q,--quiet", a.is_quiet, "Print no findings, only errors");
-  command.add_flag("-v,--verbose", a.is_verbose,
-                   "Print notes of all inputs, what the check spent and its peak memory (not with -q)");
-}
-
-Diagnostic usage(const std::string& option, const std::string& typed, const std::string& expected) {
-  return make_error("usage", option + " '" + typed + "': expected " + expected);
+  add_verbosity(command, a, "Print notes of all inputs, what the check spent and its peak memory (not with -q)");
 }
 
 }  // namespace
@@ -111,13 +105,14 @@ Result<JobOptions> understand(const JobArguments& a) {
   options.reading = *reading;
   for (const std::string& name : a.allowed_overlaps) {
     if (std::find(a.fixtures.begin(), a.fixtures.end(), name) == a.fixtures.end())
-      return usage("--allow-overlap", name, "a file of --fixture, named as there");
+      return usage_error("--allow-overlap", name, "a file of --fixture, named as there");
   }
   for (const std::string& name : a.tool_names) {
     if (name.find('=') != std::string::npos) continue;
     if (!options.reading.unnamed_tool.empty()) {
-      return usage("--tool", name,
-                   "N=NAME, as --tool " + options.reading.unnamed_tool + " is already for moves that name no tool");
+      return usage_error(
+          "--tool", name,
+          "N=NAME, as --tool " + options.reading.unnamed_tool + " is already for moves that name no tool");
     }
     options.reading.unnamed_tool = name;
   }
@@ -125,33 +120,26 @@ Result<JobOptions> understand(const JobArguments& a) {
     const char* name;
     const std::string& text;
     double& value;
-    bool is_zero_allowed;
-  } lengths[] = {{"--tolerance", a.tolerance, options.check.tolerance_mm, true},
-                 {"--stock-to-leave", a.stock_to_leave, options.check.stock_to_leave_mm, true},
-                 {"--near-miss", a.near_miss, options.check.near_miss_mm, true},
-                 {"--resolution", a.resolution, options.check.resolution_mm, false}};
+    Least least;
+  } lengths[] = {{"--tolerance", a.tolerance, options.check.tolerance_mm, Least::zero},
+                 {"--stock-to-leave", a.stock_to_leave, options.check.stock_to_leave_mm, Least::zero},
+                 {"--near-miss", a.near_miss, options.check.near_miss_mm, Least::zero},
+                 {"--resolution", a.resolution, options.check.resolution_mm, Least::finest_resolution}};
   for (const auto& length : lengths) {
-    const auto value = parse_length_mm(length.text);
-    if (!value || *value < 0 || (!length.is_zero_allowed && !(*value > 0))) {
-      return usage(length.name, length.text,
-                   std::string("a length ") + (length.is_zero_allowed ? "of 0 or more" : "above 0") +
-                       " in mm, or with a unit (0.0005in), and at most 100 m");
-    }
+    const Result<double> value = understand_length(length.name, length.text, length.least);
+    if (!value) return value.error();
     length.value = *value;
   }
-  if (options.check.resolution_mm < kFinestResolution_mm) {
-    return usage("--resolution", a.resolution, "at least 0.000001 mm, what double precision can certify");
-  }
-  if (a.is_quiet && a.is_verbose) return make_error("usage", "-q and -v exclude each other; expected one of them");
-  if (a.report_folder == "-") return usage("--report", a.report_folder, "a folder");
+  if (const auto error = find_contradiction(a)) return *error;
+  if (a.report_folder == "-") return usage_error("--report", a.report_folder, "a folder");
   if (!a.clearance.empty()) {
     if (const auto wrong = parse_clearance(a.clearance, options.check)) {
       return make_error("usage", "--clearance: " + *wrong);
     }
   }
   if (!a.place.empty()) {
-    const auto place = parse_place(a.place);
-    if (!place) return usage("--place", a.place, "x,y,z or x,y,z,rx,ry,rz: lengths of at most 100 m, then degrees");
+    const Result<RigidTransform> place = understand_place("--place", a.place);
+    if (!place) return place.error();
     options.place = *place;
   }
   options.check.rapid = a.rapid == "skip"     ? RapidMode::skip

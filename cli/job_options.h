@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cli/input_limit.h"
+#include "cli/print_diagnostics.h"
 #include "cli/progress.h"
 #include "cli/reading_options.h"
 #include "lib/base/result.h"
@@ -18,7 +19,7 @@ class App;
 namespace gouge {
 
 /// The options common to `check` and `correct`, as typed.
-struct JobArguments {
+struct JobArguments : Verbosity {
   std::string path;
   ReadingArguments reading;
   InputLimit input;
@@ -34,8 +35,6 @@ struct JobArguments {
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;
   bool is_extended_up = false;
-  bool is_quiet = false;
-  bool is_verbose = false;
 };
 
 /// The same, understood.

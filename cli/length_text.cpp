@@ -10,6 +10,8 @@
 namespace gouge {
 namespace {
 
+constexpr double kFinestResolution_mm = 1e-6;
+
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> parts;
   std::size_t begin = 0;
@@ -76,6 +78,28 @@ std::optional<RigidTransform> parse_place(const std::string& text) {
     place.rotation = turn(*degrees, Vec3::Unit(k)) * place.rotation;
   }
   return place;
+}
+
+Diagnostic usage_error(const std::string& option, const std::string& typed, const std::string& expected) {
+  return make_error("usage", option + " '" + typed + "': expected " + expected);
+}
+
+Result<double> understand_length(const std::string& option, const std::string& typed, Least least) {
+  const std::optional<double> length_mm = parse_length_mm(typed);
+  if (!length_mm || *length_mm < 0 || (least != Least::zero && !(*length_mm > 0))) {
+    return usage_error(option, typed,
+                       std::string("a length ") + (least == Least::zero ? "of 0 or more" : "above 0") +
+                           " in mm, or with a unit (0.0005in), and at most 100 m");
+  }
+  if (least == Least::finest_resolution && *length_mm < kFinestResolution_mm)
+    return usage_error(option, typed, "at least 0.000001 mm, what double precision can certify");
+  return *length_mm;
+}
+
+Result<RigidTransform> understand_place(const std::string& option, const std::string& typed) {
+  const std::optional<RigidTransform> place = parse_place(typed);
+  if (place) return *place;
+  return usage_error(option, typed, "x,y,z or x,y,z,rx,ry,rz: lengths of at most 100 m, then degrees");
 }
 
 std::optional<std::string> parse_clearance(const std::string& text, CheckOptions& options) {

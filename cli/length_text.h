@@ -4,15 +4,13 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/result.h"
 #include "lib/check/check_options.h"
 #include "lib/geom/rigid_transform.h"
 
 // Values of command-line options. Lengths are millimetres unless they carry a unit: 0.5, 0.5mm, 0.02in, 0.02inch.
 
 namespace gouge {
-
-/// The finest --resolution, which double precision can certify.
-inline constexpr double kFinestResolution_mm = 1e-6;
 
 /// The units an STL file may be in, as --stl-units takes them.
 [[nodiscard]] std::vector<std::string> unit_words();
@@ -22,6 +20,18 @@ inline constexpr double kFinestResolution_mm = 1e-6;
 
 /// "x,y,z" or "x,y,z,rx,ry,rz": lengths, then degrees about the fixed X, Y and Z axes in this order.
 [[nodiscard]] std::optional<RigidTransform> parse_place(const std::string& text);
+
+/// The least a length may be; above the finest resolution is what double precision can certify.
+enum class Least { zero, above_zero, finest_resolution };
+
+/// The length typed for `option`. Error (code usage): names the option, what was typed and what was expected.
+[[nodiscard]] Result<double> understand_length(const std::string& option, const std::string& typed, Least least);
+
+/// parse_place of what was typed for `option`. Error: as above.
+[[nodiscard]] Result<RigidTransform> understand_place(const std::string& option, const std::string& typed);
+
+/// "OPTION 'TYPED': expected EXPECTED", code usage.
+[[nodiscard]] Diagnostic usage_error(const std::string& option, const std::string& typed, const std::string& expected);
 
 /// "shank=0.5,holder=1" into the options. Returns what is wrong, or nothing.
 [[nodiscard]] std::optional<std::string> parse_clearance(const std::string& text, CheckOptions& options);

@@ -8,6 +8,7 @@
 #include "cli/length_text.h"
 #include "cli/mesh_info_text.h"
 #include "cli/output_file.h"
+#include "cli/print_diagnostics.h"
 #include "lib/base/exit_code.h"
 #include "lib/mesh/join_vertices.h"
 #include "lib/mesh/load_mesh.h"
@@ -15,11 +16,6 @@
 
 namespace gouge {
 namespace {
-
-int report(std::ostream& err, const Diagnostic& diagnostic, int status) {
-  err << to_text(diagnostic) << "\n";
-  return status;
-}
 
 int status_of(const MeshValidation& judged) {
   if (judged.is_sound()) return kExitClean;
@@ -37,11 +33,11 @@ std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mes
   options.fills_holes = arguments.fills_holes;
   options.unit = info.unit;
   Result<MeshRepair> repaired = repair_mesh(mesh, info.judged, options);
-  if (!repaired) return report(err, repaired.error(), kExitGouges);
+  if (!repaired) return fail(err, {repaired.error()}, kExitGouges);
   info.repair = std::move(*repaired);
   if (!info.repair->is_better()) return std::nullopt;
   const Outcome written = outputs.add(arguments.repair_file, info.repair->stl_bytes);
-  if (!written) return report(err, written.error(), kExitInternal);
+  if (!written) return fail(err, {written.error()}, kExitInternal);
   info.written_file = arguments.repair_file;
   return std::nullopt;
 }
@@ -51,7 +47,7 @@ bool deliver(const MeshArguments& arguments, const MeshInfo& info, PendingOutput
              std::ostream& err) {
   Outcome written = arguments.json_file.empty() ? Done{} : outputs.add(arguments.json_file, mesh_info_json(info));
   if (written) written = outputs.commit(out);
-  if (!written) report(err, written.error(), kExitInternal);
+  if (!written) print(err, {written.error()});
   if (written && arguments.json_file != "-") out << mesh_info_text(info);
   return written.has_value();
 }
@@ -87,19 +83,14 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
 int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& err) {
   MeshInfo info;
   info.unit = unit_called(arguments.stl_units).value_or(LengthUnit::mm);
-  const std::optional<double> weld_mm = arguments.weld.empty() ? 0.0 : parse_length_mm(arguments.weld);
-  if (!weld_mm || (!arguments.weld.empty() && !(*weld_mm > 0)))
-    return report(
-        err,
-        make_error("usage", "--weld '" + arguments.weld +
-                                "': expected a length above 0 in mm, or with a unit (0.0005in), and at most 100 m"),
-        kExitUsage);
+  Result<double> weld_mm = 0.0;
+  if (!arguments.weld.empty()) weld_mm = understand_length("--weld", arguments.weld, Least::above_zero);
+  if (!weld_mm) return fail(err, {weld_mm.error()});
   if (arguments.repair_file == "-")
-    return report(err, make_error("usage", "--repair '-': expected a file; a mesh does not go to standard output"),
-                  kExitUsage);
+    return fail(err, {usage_error("--repair", "-", "a file; a mesh does not go to standard output")});
   if (const auto status = refuse_outputs({{"the mesh", arguments.file}}, outputs_of(arguments), err)) return *status;
   Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.most_bytes);
-  if (!loaded) return report(err, loaded.error(), kExitInput);
+  if (!loaded) return fail(err, {loaded.error()});
   info.file = arguments.file;
   info.format = loaded->format;
   info.notes = loaded->notes;
@@ -107,7 +98,7 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   IndexedMesh mesh = std::move(loaded->mesh);
   if (*weld_mm > 0) {
     Result<JoinedMesh> joined = join_near_vertices(mesh, *weld_mm);
-    if (!joined) return report(err, joined.error(), kExitUsage);
+    if (!joined) return fail(err, {joined.error()}, kExitUsage);
     info.weld = MeshWeld{*weld_mm, joined->vertices_joined, joined->largest_shift_mm, joined->triangles_collapsed,
                          validate_mesh(joined->mesh, joined->findings)};
     mesh = std::move(joined->mesh);

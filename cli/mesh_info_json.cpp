@@ -1,21 +1,13 @@
-#include <nlohmann/json.hpp>
-
+#include "cli/json_text.h"
 #include "cli/mesh_info_text.h"
 
 namespace gouge {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-Json point_json(const Vec3& v_mm, LengthUnit unit) {
-  const double mm = mm_per(unit);
-  return Json::array({v_mm.x() / mm, v_mm.y() / mm, v_mm.z() / mm});
-}
-
 Json spot_json(const MeshSpot& spot, LengthUnit unit) {
   Json json = {{"count", spot.count}};
   if (spot.count > 0) {
-    json["first_at"] = point_json(spot.position_mm, unit);
+    json["first_at"] = point_json(spot.position_mm, mm_per(unit));
     json["first_triangle"] = spot.file_triangle + 1;
   }
   return json;
@@ -24,7 +16,7 @@ Json spot_json(const MeshSpot& spot, LengthUnit unit) {
 Json crossings_json(const SelfIntersections& found, LengthUnit unit) {
   Json json = {{"pairs", found.pairs}};
   if (found.pairs > 0) {
-    json["first_at"] = point_json(found.position_mm, unit);
+    json["first_at"] = point_json(found.position_mm, mm_per(unit));
     json["first_triangles"] = {found.first_triangle + 1, found.second_triangle + 1};
   }
   return json;
@@ -56,7 +48,7 @@ Json judged_json(const MeshValidation& judged, LengthUnit unit) {
                {"euler_number", found.euler_number()},
                {"pieces", found.components},
                {"inner_shells", found.cavities},
-               {"box", {point_json(found.box_mm.min(), unit), point_json(found.box_mm.max(), unit)}},
+               {"box", {point_json(found.box_mm.min(), mm), point_json(found.box_mm.max(), mm)}},
                {"area", found.area_mm2 / (mm * mm)}};
   json["volume"] = judged.volume_mm3 ? Json(*judged.volume_mm3 / (mm * mm * mm)) : Json();
   json["bounds_volume"] = judged.bounds_volume ? Json(*judged.bounds_volume) : Json();
@@ -104,7 +96,7 @@ std::string mesh_info_json(const MeshInfo& info) {
   for (const Diagnostic& note : info.notes) json["notes"].push_back({{"code", note.code}, {"message", note.message}});
   if (info.weld) json["weld"] = weld_json(*info.weld, info.unit);
   if (info.repair) json["repair"] = repair_json(info);
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace gouge

@@ -14,10 +14,6 @@ std::string row(const std::string& name, const std::string& value) {
   return "  " + padded(name, kLabelWidth - 1) + " " + printable(value) + "\n";
 }
 
-std::string counted(std::size_t count, const std::string& one) {
-  return std::to_string(count) + " " + one + (count == 1 ? "" : "s");
-}
-
 // Writes lengths, areas and volumes of the mesh in the unit of its file.
 class Lengths {
  public:
@@ -46,7 +42,7 @@ class Lengths {
 
   [[nodiscard]] std::string crossings(const SelfIntersections& found) const {
     if (found.pairs == 0) return "none";
-    return counted(found.pairs, "pair") + (found.pairs == 1 ? ", at (" : ", first at (") +
+    return count_text(found.pairs, "pair") + (found.pairs == 1 ? ", at (" : ", first at (") +
            vector(found.position_mm, ", ") + ") " + unit_name(unit_) + ", triangles " +
            std::to_string(found.first_triangle + 1) + " and " + std::to_string(found.second_triangle + 1);
   }
@@ -60,12 +56,12 @@ std::string size_rows(const MeshInfo& info, const Lengths& lengths) {
   const MeshFindings& found = info.judged.findings;
   std::string handles;
   if (found.handles().value_or(0) > 0)
-    handles = ", " + counted(static_cast<std::size_t>(*found.handles()), "through hole");
+    handles = ", " + count_text(static_cast<std::size_t>(*found.handles()), "through hole");
   std::string text;
   text += row("format", std::string(info.format == StlFormat::binary ? "binary" : "ASCII") + " STL, read as " +
                             unit_name(info.unit));
-  text += row("triangles", std::to_string(found.triangles) + " (" + counted(found.edges, "edge") + ", " +
-                               std::to_string(found.vertices) + (found.vertices == 1 ? " vertex)" : " vertices)"));
+  text += row("triangles", std::to_string(found.triangles) + " (" + count_text(found.edges, "edge") + ", " +
+                               count_text(found.vertices, "vertex", "vertices") + ")");
   text += row("pieces", std::to_string(found.components) + handles +
                             (found.cavities > 0 ? ", of them inner shells: " + std::to_string(found.cavities) : ""));
   text += row("size", lengths.vector(found.box_mm.sizes(), " x ") + " " + unit_name(info.unit) + ", from (" +
@@ -99,7 +95,7 @@ std::string defect_rows(const MeshValidation& judged, const Lengths& lengths) {
 std::string verdict(const MeshValidation& judged) {
   if (judged.is_sound()) return "sound: closed, manifold, facing outward, free of self-intersections";
   if (!judged.trouble.empty()) return "not decided: " + printable(judged.trouble);
-  return counted(judged.defects(), "defect");
+  return count_text(judged.defects(), "defect");
 }
 
 std::string meaning(const MeshValidation& judged) {
@@ -128,13 +124,13 @@ std::string repair_rows(const MeshInfo& info) {
   text += row("degenerate removed", std::to_string(steps.degenerate_removed));
   text += row("duplicates removed", std::to_string(steps.duplicates_removed));
   text += row("vertices split", std::to_string(steps.vertices_split));
-  text += row("borders stitched", counted(steps.borders_stitched, "pair"));
+  text += row("borders stitched", count_text(steps.borders_stitched, "pair"));
   text += row("without area removed",
               std::to_string(steps.collinear_removed) +
                   (steps.collinear_left > 0 ? ", " + std::to_string(steps.collinear_left) + " left" : ""));
-  text +=
-      row("holes filled", std::to_string(steps.holes_filled) + " (" + counted(steps.hole_triangles_added, "triangle") +
-                              " added), " + std::to_string(steps.holes_left) + " left");
+  text += row("holes filled", std::to_string(steps.holes_filled) + " (" +
+                                  count_text(steps.hole_triangles_added, "triangle") + " added), " +
+                                  std::to_string(steps.holes_left) + " left");
   text += row("triangles turned", std::to_string(steps.triangles_turned));
   if (steps.pieces_not_oriented > 0) {
     text += row("flat pieces",

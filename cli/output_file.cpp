@@ -8,6 +8,7 @@
 #include <optional>
 #include <ostream>
 
+#include "cli/print_diagnostics.h"
 #include "cli/standard_output.h"
 #include "lib/base/exit_code.h"
 
@@ -99,13 +100,9 @@ std::optional<int> refuse_outputs(const std::vector<InputOption>& inputs, const 
                                   std::ostream& err) {
   std::optional<Diagnostic> wrong = find_overwriting(inputs, outputs);
   if (const Result<bool> taken = is_stdout_taken(outputs); !taken) wrong = taken.error();
-  if (wrong) {
-    err << to_text(*wrong) << "\n";
-    return kExitUsage;
-  }
+  if (wrong) return fail(err, {*wrong});
   const Diagnostics unwritable = find_unwritable(outputs);
-  for (const Diagnostic& error : unwritable) err << to_text(error) << "\n";
-  if (!unwritable.empty()) return kExitInternal;
+  if (!unwritable.empty()) return fail(err, unwritable, kExitInternal);
   return std::nullopt;
 }
 

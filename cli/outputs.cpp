@@ -37,21 +37,6 @@ Diagnostics missing_letters(const ReportModel& model) {
 
 }  // namespace
 
-void print(std::ostream& err, const Diagnostics& diagnostics) {
-  for (const Diagnostic& d : diagnostics) err << to_text(d) << "\n";
-}
-
-void print_notes(std::ostream& err, const Diagnostics& notes, const JobArguments& arguments) {
-  constexpr std::size_t kMost = 10;
-  if (arguments.is_verbose) return print(err, notes);
-  if (arguments.is_quiet) return;
-  std::size_t warnings = 0;
-  for (const Diagnostic& d : notes) {
-    if (d.severity == Severity::warning && ++warnings <= kMost) err << to_text(d) << "\n";
-  }
-  if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
-}
-
 JobOutputs::JobOutputs(const JobArguments& arguments, const std::string& corrected)
     : arguments_(arguments), outputs_(outputs_of(arguments, corrected)) {
   const std::string folder = report_folder_of(outputs_);
@@ -63,8 +48,7 @@ std::optional<int> JobOutputs::refuse(std::ostream& err) {
   if (!report_) return std::nullopt;
   const Outcome opened = report_->open();
   if (opened) return std::nullopt;
-  print(err, {opened.error()});
-  return opened.error().code == "report-foreign" ? kExitUsage : kExitInternal;
+  return fail(err, {opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
 }
 
 bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,
@@ -95,12 +79,13 @@ Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, cons
 
 Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, const ReportModel& model,
                                  Progress& progress) {
-  progress.begin("drawing the report");
+  progress.begin("drawing pictures");
   CheckedToolpath before;
   if (model.has_correction)
     before = pictures_of(job, scene, *model.correction.toolpath_before, *model.correction.result_before);
   Result<std::vector<NamedFile>> drawn =
-      draw_report_pictures(model, pictures_of(job, scene, *model.toolpath, *model.result), before);
+      draw_report_pictures(model, pictures_of(job, scene, *model.toolpath, *model.result), before,
+                           [&](std::size_t done, std::size_t total) { progress.show(done, total); });
   if (!drawn) return drawn.error();
   std::vector<NamedFile> files = std::move(*drawn);
   files.push_back({"report.html", write_html(model, files), ""});

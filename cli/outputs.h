@@ -38,10 +38,4 @@ class JobOutputs {
   std::optional<ReportFolder> report_;
 };
 
-/// Prints diagnostics, one a line, as compilers do.
-void print(std::ostream& err, const Diagnostics& diagnostics);
-
-/// Warnings of the inputs; with -v notes as well, with -q nothing. More than a handful are counted.
-void print_notes(std::ostream& err, const Diagnostics& notes, const JobArguments& arguments);
-
 }  // namespace gouge

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/help_text.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
@@ -25,15 +26,6 @@ std::size_t edits_between(std::string_view a, std::string_view b) {
     }
   }
   return edits[a.size()][b.size()];
-}
-
-std::string listed(const std::vector<std::string>& words, const char* last) {
-  std::string text;
-  for (std::size_t i = 0; i < words.size(); ++i) {
-    const char* between = i == 0 ? "" : i + 1 == words.size() ? last : ", ";
-    text += between + words[i];
-  }
-  return text;
 }
 
 /// The command that was being read when the parse failed.

@@ -7,6 +7,7 @@
 #include "cli/output_file.h"
 #include "cli/path_info_text.h"
 #include "cli/picture_file.h"
+#include "cli/print_diagnostics.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "postproc/cldata/writing/write_toolpath.h"
@@ -15,15 +16,6 @@
 namespace gouge {
 namespace {
 
-int refuse(const Diagnostics& errors, std::ostream& err, int status = kExitInput) {
-  for (const Diagnostic& error : errors) err << to_text(error) << "\n";
-  return status;
-}
-
-void report(const Diagnostics& notes, std::ostream& err) {
-  for (const Diagnostic& note : notes) err << to_text(note) << "\n";
-}
-
 int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream& out, std::ostream& err) {
   const PathInfo info = describe_path(path);
   const Dialect dialect = dialect_called(path.dialect).value_or(Dialect{});
@@ -31,27 +23,27 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
   Outcome written = Done{};
   if (!arguments.json_file.empty()) written = write_output(arguments.json_file, path_info_json(path, info), out);
   if (arguments.json_file != "-") out << path_info_text(path, info, title);
-  report(path.notes, err);
-  return written ? kExitClean : refuse({written.error()}, err, kExitInternal);
+  print(err, path.notes);
+  return written ? kExitClean : fail(err, {written.error()}, kExitInternal);
 }
 
 int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostream& out, std::ostream& err) {
   Result<WrittenToolpath> written = WrittenToolpath{path.source, {}};
   if (!arguments.to.empty()) written = write_toolpath(path, *dialect_called(arguments.to));
-  if (!written) return refuse({written.error()}, err);
-  report(path.notes, err);
-  report(written->notes, err);
+  if (!written) return fail(err, {written.error()});
+  print(err, path.notes);
+  print(err, written->notes);
   const Outcome outcome = write_output(arguments.output, written->bytes, out);
-  return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
+  return outcome ? kExitClean : fail(err, {outcome.error()}, kExitInternal);
 }
 
 int run_plot(const PathArguments& arguments, const Toolpath& path, bool is_svg, std::ostream& err) {
-  report(path.notes, err);
-  if (!is_svg) report(find_missing_letters(path), err);
+  print(err, path.notes);
+  if (!is_svg) print(err, find_missing_letters(path));
   const Result<std::string> picture = plot_path(path, is_svg);
-  if (!picture) return refuse({picture.error()}, err, kExitInternal);
+  if (!picture) return fail(err, {picture.error()}, kExitInternal);
   const Outcome outcome = write_file(arguments.output, *picture);
-  return outcome ? kExitClean : refuse({outcome.error()}, err, kExitInternal);
+  return outcome ? kExitClean : fail(err, {outcome.error()}, kExitInternal);
 }
 
 constexpr const char* kStatus =
@@ -105,17 +97,17 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
 
 int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<ReadOptions> options = understand(arguments.reading);
-  if (!options) return refuse({options.error()}, err, kExitUsage);
+  if (!options) return fail(err, {options.error()});
   const bool is_plot = !arguments.is_info && !arguments.is_convert;
   const Result<bool> is_svg = is_plot ? is_svg_file(arguments.output) : false;
-  if (!is_svg) return refuse({is_svg.error()}, err, kExitUsage);
+  if (!is_svg) return fail(err, {is_svg.error()});
   if (const auto status = refuse_outputs({{"the toolpath", arguments.path}},
                                          asked_for({{"-o", arguments.output}, {"--json", arguments.json_file}}), err))
     return *status;
   Result<std::string> bytes = read_file(arguments.path, arguments.input.most_bytes);
-  if (!bytes) return refuse({bytes.error()}, err);
+  if (!bytes) return fail(err, {bytes.error()});
   const ReadOutcome outcome = read_toolpath(arguments.path, std::move(*bytes), *options);
-  if (!outcome.toolpath) return refuse(outcome.errors, err);
+  if (!outcome.toolpath) return fail(err, outcome.errors);
   if (arguments.is_info) return run_info(arguments, *outcome.toolpath, out, err);
   if (arguments.is_convert) return run_convert(arguments, *outcome.toolpath, out, err);
   return run_plot(arguments, *outcome.toolpath, *is_svg, err);

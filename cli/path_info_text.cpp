@@ -1,8 +1,8 @@
 #include "cli/path_info_text.h"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "cli/json_text.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 
@@ -20,10 +20,6 @@ std::string shown(double value) { return people_text(value, kShownDecimals); }
 
 std::string shown(const Vec3& point, double mm_per_unit) {
   return shown(point.x() / mm_per_unit) + ", " + shown(point.y() / mm_per_unit) + ", " + shown(point.z() / mm_per_unit);
-}
-
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
 }
 
 std::string tool_title(const PathTool& tool) {
@@ -56,15 +52,15 @@ std::string tools_text(const Toolpath& path, const PathInfo& info, double mm_per
   for (std::size_t i = 0; i < path.tools.size(); ++i) {
     const PathTool& tool = path.tools[i];
     text += row("tool " + tool_title(tool), cutter_text(tool, mm_per_unit) + "  (" +
-                                                counted(info.moves_of_tool[i], "move") + ", line " +
+                                                count_text(info.moves_of_tool[i], "move") + ", line " +
                                                 std::to_string(tool.line) + ")");
     if (!tool.name.empty()) text += row("", tool.name);
   }
-  if (info.moves_without_tool > 0) text += row("no tool named", counted(info.moves_without_tool, "move"));
+  if (info.moves_without_tool > 0) text += row("no tool named", count_text(info.moves_without_tool, "move"));
   for (std::size_t i = 0; i < path.operations.size(); ++i) {
     const Operation& operation = path.operations[i];
     text += row(i == 0 ? "operations" : "", (operation.name.empty() ? "(no name)" : operation.name) + "  (" +
-                                                counted(info.moves_of_operation[i], "move") + ", line " +
+                                                count_text(info.moves_of_operation[i], "move") + ", line " +
                                                 std::to_string(operation.line) + ")");
   }
   return text;
@@ -73,7 +69,7 @@ std::string tools_text(const Toolpath& path, const PathInfo& info, double mm_per
 std::string doubts_text(const Toolpath& path, const PathInfo& info) {
   std::size_t count = 0;
   for (const auto& reason : info.not_checkable) count += reason.second;
-  std::string text = row("cannot be checked", count == 0 ? "none" : counted(count, "move"));
+  std::string text = row("cannot be checked", count == 0 ? "none" : count_text(count, "move"));
   for (const auto& [reason, moves] : info.not_checkable) text += row("", std::to_string(moves) + ": " + reason);
   if (path.words_not_understood.empty()) return text + row("words not understood", "none");
   std::string words;
@@ -83,13 +79,9 @@ std::string doubts_text(const Toolpath& path, const PathInfo& info) {
   return text + row("words not understood", words);
 }
 
-std::vector<double> numbers(const Vec3& point, double mm_per_unit) {
-  return {point.x() / mm_per_unit, point.y() / mm_per_unit, point.z() / mm_per_unit};
-}
-
-nlohmann::ordered_json tool_json(const PathTool& tool, std::size_t moves, double mm_per_unit) {
-  nlohmann::ordered_json json;
-  json["number"] = tool.number ? nlohmann::ordered_json(*tool.number) : nlohmann::ordered_json(nullptr);
+Json tool_json(const PathTool& tool, std::size_t moves, double mm_per_unit) {
+  Json json;
+  json["number"] = tool.number ? Json(*tool.number) : Json(nullptr);
   json["name"] = tool.name;
   json["line"] = tool.line;
   json["moves"] = moves;
@@ -129,9 +121,8 @@ std::string path_info_text(const Toolpath& path, const PathInfo& info, const std
 }
 
 std::string path_info_json(const Toolpath& path, const PathInfo& info) {
-  using nlohmann::ordered_json;
   const double mm_per_unit = mm_per(path.unit);
-  ordered_json json;
+  Json json;
   json["file"] = path.file;
   json["dialect"] = path.dialect;
   json["unit"] = path.unit == LengthUnit::inch ? "inch" : "mm";
@@ -142,28 +133,28 @@ std::string path_info_json(const Toolpath& path, const PathInfo& info) {
   }
   json["positions_alone"] = info.alone;
   if (!info.box.isEmpty()) {
-    json["box"] = {{"from", numbers(info.box.min(), mm_per_unit)}, {"to", numbers(info.box.max(), mm_per_unit)}};
+    json["box"] = {{"from", point_json(info.box.min(), mm_per_unit)}, {"to", point_json(info.box.max(), mm_per_unit)}};
   }
   json["feed_length"] = info.feed_length_mm / mm_per_unit;
   json["rapid_length"] = info.rapid_length_mm / mm_per_unit;
   json["orientations"] = info.orientations;
   json["largest_turn_deg"] = info.largest_turn_deg;
   if (info.largest_turn_move != kNone) json["largest_turn_line"] = std::size_t{path.moves[info.largest_turn_move].line};
-  json["tools"] = ordered_json::array();
+  json["tools"] = Json::array();
   for (std::size_t i = 0; i < path.tools.size(); ++i) {
     json["tools"].push_back(tool_json(path.tools[i], info.moves_of_tool[i], mm_per_unit));
   }
   json["moves_without_tool"] = info.moves_without_tool;
-  json["operations"] = ordered_json::array();
+  json["operations"] = Json::array();
   for (std::size_t i = 0; i < path.operations.size(); ++i) {
     json["operations"].push_back(
         {{"name", path.operations[i].name}, {"line", path.operations[i].line}, {"moves", info.moves_of_operation[i]}});
   }
-  json["not_checkable"] = ordered_json::object();
+  json["not_checkable"] = Json::object();
   for (const auto& [reason, moves] : info.not_checkable) json["not_checkable"][reason] = moves;
-  json["words_not_understood"] = ordered_json::object();
+  json["words_not_understood"] = Json::object();
   for (const auto& [word, times] : path.words_not_understood) json["words_not_understood"][word] = times;
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+  return json_text(json);
 }
 
 }  // namespace gouge

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/length_text.h"
+
 namespace gouge {
 
 void add_reading_options(CLI::App& command, ReadingArguments& arguments) {
@@ -22,11 +24,9 @@ Result<ReadOptions> understand(const ReadingArguments& arguments) {
   ReadOptions options;
   if (!arguments.dialect.empty()) {
     options.dialect = dialect_called(arguments.dialect);
-    if (!options.dialect) {
-      return make_error("usage", "--dialect '" + arguments.dialect + "': expected one of " + dialect_names());
-    }
+    if (!options.dialect) return usage_error("--dialect", arguments.dialect, "one of " + dialect_names());
   }
-  if (!arguments.units.empty()) options.unit = arguments.units == "inch" ? LengthUnit::inch : LengthUnit::mm;
+  options.unit = unit_called(arguments.units);
   options.is_cutcom_centre = arguments.cutcom == "centre";
   return options;
 }

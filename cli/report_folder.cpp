@@ -9,6 +9,7 @@
 #include <cstring>
 #include <filesystem>
 
+#include "cli/help_text.h"
 #include "lib/base/files.h"
 
 namespace gouge {
@@ -18,13 +19,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* kPrefix = ".gougecheck-report-";  // of names a file has for a moment
 constexpr std::uintmax_t kLargestManifest = 1 << 16;
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text += (i == 0 ? "" : i + 1 == names.size() ? " and " : ", ") + names[i];
-  return text;
-}
 
 std::optional<ReportManifest> manifest_of(const std::string& path) {
   std::error_code error;
@@ -106,9 +100,9 @@ Outcome ReportFolder::look() {
   const std::string what_to_do =
       "; expected a folder without them: name another one, move them away, or let --force replace or remove them";
   if (manifest)
-    return foreign("a report would replace or remove " + listed(others) +
+    return foreign("a report would replace or remove " + listed(others, " and ") +
                    ", which no report wrote or which was changed since (" + kManifestName + ")" + what_to_do);
-  return foreign("a report would replace or remove " + listed(others) + ", and no " + kManifestName +
+  return foreign("a report would replace or remove " + listed(others, " and ") + ", and no " + kManifestName +
                  " says that a report wrote them: they are yours, or of an earlier version of gougecheck" + what_to_do);
 }
 

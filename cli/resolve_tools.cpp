@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "cli/help_text.h"
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
@@ -20,9 +21,9 @@ std::string name_of(const PathTool& tool) {
 }
 
 std::string names_in(const ToolLibrary& library) {
-  std::string names;
-  for (const ToolAssembly& tool : library.tools) names += (names.empty() ? "" : ", ") + label(tool);
-  return names.empty() ? "none" : names;
+  std::vector<std::string> names;
+  for (const ToolAssembly& tool : library.tools) names.push_back(label(tool));
+  return names.empty() ? "none" : listed(names);
 }
 
 std::string describe(const ToolAssembly& tool, LengthUnit unit) {

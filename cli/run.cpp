@@ -15,6 +15,7 @@
 #include "cli/mesh_command.h"
 #include "cli/parse_errors.h"
 #include "cli/path_command.h"
+#include "cli/print_diagnostics.h"
 #include "cli/standard_output.h"
 #include "cli/tool_command.h"
 #include "lib/base/exit_code.h"
@@ -52,9 +53,8 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
   if (!app.got_subcommand("check") && !app.got_subcommand("correct")) return true;
   const std::uint64_t threads = app.got_subcommand("check") ? arguments.check.threads : arguments.correct.job.threads;
   if (threads > kMostThreads) {
-    err << to_text(make_error("too-many-threads", "--threads '" + std::to_string(threads) + "': expected at most " +
-                                                      std::to_string(kMostThreads) + ", or 0 for all the machine has"))
-        << "\n";
+    print(err, {make_error("too-many-threads", "--threads '" + std::to_string(threads) + "': expected at most " +
+                                                   std::to_string(kMostThreads) + ", or 0 for all the machine has")});
     return false;
   }
   set_default_threads(static_cast<unsigned>(threads));
@@ -75,8 +75,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
 int after_printing(int status, std::ostream& out, std::ostream& err) {
   out.flush();
   if (out || status == kExitInternal || is_reader_gone()) return status;
-  err << to_text(describe_failed_output()) << "\n";
-  return kExitInternal;
+  return fail(err, {describe_failed_output()}, kExitInternal);
 }
 
 }  // namespace
@@ -101,13 +100,9 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       // --help and --version come as errors of status 0.
       if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), out, err);
       const std::optional<Diagnostic> empty = find_empty_value(app, words);
-      err << to_text(empty ? *empty : describe_parse_error(app, error)) << "\n";
-      return kExitUsage;
+      return fail(err, {empty ? *empty : describe_parse_error(app, error)});
     }
-    if (const std::optional<Diagnostic> empty = find_empty_value(app, words)) {
-      err << to_text(*empty) << "\n";
-      return kExitUsage;
-    }
+    if (const std::optional<Diagnostic> empty = find_empty_value(app, words)) return fail(err, {*empty});
     return after_printing(dispatch(app, arguments, out, err), out, err);
   } catch (const std::bad_alloc&) {
     err << "gougecheck: error: out of memory; nothing more was written [out-of-memory]\n";

@@ -22,7 +22,7 @@ std::string overlap_text(const Clash& clash, const std::string& part, const std:
 
 }  // namespace
 
-Diagnostics find_setup_notes(const Job& job, const JobArguments& arguments) {
+void note_setup(Job& job, const JobArguments& arguments, const PreparedScene& scene) {
   std::vector<bool> is_allowed;
   for (const MeshFacts& fixture : job.fixtures) {
     const auto& allowed = arguments.allowed_overlaps;
@@ -33,19 +33,17 @@ Diagnostics find_setup_notes(const Job& job, const JobArguments& arguments) {
   options.resolution_mm = job.options.check.resolution_mm;
   options.gap_mm = std::max(kGap_mm, options.resolution_mm);
   options.budget = kMostBounds;
-  Diagnostics notes;
-  for (const SetupOverlap& overlap : find_setup_overlaps(job.scene.parts, job.scene.fixtures, is_allowed, options)) {
+  for (const SetupOverlap& overlap : find_setup_overlaps(scene, is_allowed, options)) {
     const std::string &part = job.parts[overlap.part].name, &fixture = job.fixtures[overlap.fixture].name;
     if (overlap.clash.state == ClashState::penetrating) {
-      notes.push_back(
+      job.notes.push_back(
           make_warning(kFixtureOverlap, overlap_text(overlap.clash, part, fixture, job.toolpath.unit), fixture));
     } else {
-      notes.push_back(make_note(
+      job.notes.push_back(make_note(
           kFixtureUndecided,
           "whether the fixture penetrates the part " + part + " is not certified: " + overlap.clash.reason, fixture));
     }
   }
-  return notes;
 }
 
 }  // namespace gouge

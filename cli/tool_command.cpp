@@ -7,6 +7,7 @@
 
 #include "cli/output_file.h"
 #include "cli/picture_file.h"
+#include "cli/print_diagnostics.h"
 #include "cli/tool_text.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
@@ -20,11 +21,6 @@ namespace gouge {
 namespace {
 
 using Tools = std::vector<const ToolAssembly*>;
-
-int refuse(const Diagnostic& error, std::ostream& err) {
-  err << to_text(error) << "\n";
-  return error.code == "usage" ? kExitUsage : kExitInput;
-}
 
 Result<Tools> choose(const ToolLibrary& library, const std::string& wanted) {
   Tools chosen;
@@ -41,20 +37,17 @@ Result<Tools> choose(const ToolLibrary& library, const std::string& wanted) {
 
 int draw(const Tools& tools, LengthUnit unit, const std::string& path, std::ostream& err) {
   const Result<bool> is_svg = is_svg_file(path);
-  if (!is_svg) return refuse(is_svg.error(), err);
+  if (!is_svg) return fail(err, {is_svg.error()});
   const Result<Drawing> drawing = tools.size() == 1 ? draw_profile(*tools.front(), unit) : draw_sheet(tools, unit);
-  if (!drawing) return refuse(drawing.error(), err);
+  if (!drawing) return fail(err, {drawing.error()});
   const Result<std::string> bytes = *is_svg ? Result<std::string>(render_svg(*drawing)) : render_png(*drawing);
-  if (!bytes) return refuse(bytes.error(), err);
+  if (!bytes) return fail(err, {bytes.error()});
   std::vector<std::string> names;
   for (const ToolAssembly* tool : tools) names.push_back(tool->name);
-  if (!*is_svg) {
-    for (const Diagnostic& note : find_missing_letters(names)) err << to_text(note) << "\n";
-  }
+  if (!*is_svg) print(err, find_missing_letters(names));
   const Outcome written = write_file(path, *bytes);
   if (written) return kExitClean;
-  refuse(written.error(), err);
-  return kExitInternal;
+  return fail(err, {written.error()}, kExitInternal);
 }
 
 void add_library_option(CLI::App& command, ToolArguments& arguments, ToolAction action) {
@@ -101,18 +94,18 @@ int run_tool(const ToolArguments& arguments, std::ostream& out, std::ostream& er
   if (arguments.action == ToolAction::import) return run_tool_import(arguments.import, arguments.output, out, err);
   if (arguments.action == ToolAction::draw) {
     const Result<bool> is_svg = is_svg_file(arguments.output);
-    if (!is_svg) return refuse(is_svg.error(), err);
+    if (!is_svg) return fail(err, {is_svg.error()});
     if (const auto status =
             refuse_outputs({{"the tool library", arguments.tools_file}}, {{"-o", arguments.output}}, err))
       return *status;
   }
   const Result<std::string> bytes = read_file(arguments.tools_file, arguments.input.most_bytes);
-  if (!bytes) return refuse(bytes.error(), err);
+  if (!bytes) return fail(err, {bytes.error()});
   const Result<ToolLibrary> library = read_tool_library(arguments.tools_file, *bytes);
-  if (!library) return refuse(library.error(), err);
-  for (const Diagnostic& note : library->notes) err << to_text(note) << "\n";
+  if (!library) return fail(err, {library.error()});
+  print(err, library->notes);
   const Result<Tools> tools = choose(*library, arguments.tool);
-  if (!tools) return refuse(tools.error(), err);
+  if (!tools) return fail(err, {tools.error()});
   switch (arguments.action) {
     case ToolAction::list:
       out << tool_list_text(*library);

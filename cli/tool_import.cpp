@@ -6,6 +6,7 @@
 
 #include "cli/output_file.h"
 #include "cli/overwriting.h"
+#include "cli/print_diagnostics.h"
 #include "cli/tool_text.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
@@ -14,11 +15,6 @@
 
 namespace gouge {
 namespace {
-
-int refuse(const Diagnostic& error, std::ostream& err) {
-  err << to_text(error) << "\n";
-  return error.code == "usage" ? kExitUsage : kExitInput;
-}
 
 Result<std::vector<ToolSegment>> find_holder(const ToolImportArguments& arguments) {
   if (arguments.holder.empty()) return std::vector<ToolSegment>{};
@@ -100,25 +96,24 @@ int run_tool_import(const ToolImportArguments& arguments, const std::string& out
   const OutputTable outputs = {{"-o", output}};
   if (const auto status = refuse_outputs(inputs, outputs, err)) return *status;
   const Result<std::vector<ToolSegment>> holder = find_holder(arguments);
-  if (!holder) return refuse(holder.error(), err);
+  if (!holder) return fail(err, {holder.error()});
   const Result<std::string> bytes = read_file(arguments.file, arguments.input.most_bytes);
-  if (!bytes) return refuse(bytes.error(), err);
+  if (!bytes) return fail(err, {bytes.error()});
   ImportOptions options;
   options.holder = *holder;
   if (arguments.stickout_mm > 0) options.stickout_mm = arguments.stickout_mm;
-  if (!arguments.unit.empty()) options.unit = arguments.unit == "inch" ? LengthUnit::inch : LengthUnit::mm;
+  options.unit = unit_called(arguments.unit);
   const std::filesystem::path folder = std::filesystem::path(arguments.file).parent_path();
   options.read_beside = [&](const std::string& name) { return read_beside(folder, name, arguments.input, inputs); };
   const Result<ImportedTools> made = import_tools(arguments.file, *bytes, format_called(arguments.format), options);
-  if (!made) return refuse(made.error(), err);
-  if (const auto error = find_overwriting(inputs, outputs)) return refuse(*error, err);
+  if (!made) return fail(err, {made.error()});
+  if (const auto error = find_overwriting(inputs, outputs)) return fail(err, {*error});
   std::ostream& reported = output == "-" ? err : out;
   const bool is_empty = made->library.tools.empty() && made->library.holders.empty();
   if (!is_empty) {
     const Outcome written = write_output(output, write_tool_library(made->library), out);
     if (!written) {
-      refuse(written.error(), err);
-      return kExitInternal;
+      return fail(err, {written.error()}, kExitInternal);
     }
     reported << tool_list_text(made->library);
   }

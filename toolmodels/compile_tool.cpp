@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "lib/geom/cross.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/bsp.h"
 #include "toolmodels/elements.h"
@@ -13,8 +14,6 @@
 
 namespace gouge {
 namespace {
-
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 void set_extent(CompiledTool& tool) {
   tool.z_min_mm = tool.z_max_mm = tool.elements.front().a.y();

@@ -15,7 +15,8 @@
 namespace gouge {
 
 /// Requires  verify_profile(profile).empty(), or a profile without elements (gives a tool without elements).
-/// Ensures   (1) verify_tool is empty; (2) the contract of evaluate.h; (3) the contract of SupportRange.
+/// Ensures   (1) indices in range, every element owned by a leaf, unit normals, elements that join, extent and core that
+///           fit; (2) the contract of evaluate.h; (3) the contract of SupportRange.
 /// Cost      milliseconds for a tool of twenty elements.
 /// Source    Ho 1999, thesis 2.4.18, appendix C; docs/algorithms/tool_voronoi.md
 [[nodiscard]] CompiledTool compile_tool(const std::string& name, const Profile& profile);
@@ -26,9 +27,5 @@ namespace gouge {
 /// Errors    those of make_body_profiles, and of unite.
 [[nodiscard]] Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm,
                                                       double shank_clearance_mm, double holder_clearance_mm);
-
-/// Broken invariants of a compiled tool: indices in range, every element owned by some leaf, unit normals,
-/// elements that join, extent and core that fit. Empty for a sound tool.
-[[nodiscard]] std::vector<std::string> verify_tool(const CompiledTool& tool);
 
 }  // namespace gouge

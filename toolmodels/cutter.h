@@ -6,6 +6,7 @@
 
 #include "lib/base/diagnostic.h"
 #include "lib/base/result.h"
+#include "lib/path/apt_cutter.h"
 #include "toolmodels/profile.h"
 
 // The shapes of cutters by their catalogue dimensions. Lengths in mm, angles in degrees, tip at (0, 0),
@@ -31,17 +32,6 @@ struct BullNoseCutter {
 /// ball.
 struct TaperedCutter {
   double diameter_mm = 0, corner_radius_mm = 0, taper_angle_deg = 0, length_mm = 0;
-};
-
-/// CUTTER/d,r,e,f,alpha,beta,h. The bottom line runs from the tip at alpha against the tip plane, rising, or
-/// falling for a hollow bottom; the side leans outward by beta from the axis, or inward; d is the diameter at
-/// which these two lines meet, the corner arc of radius r touches both; e and f place its centre. They follow
-/// from d, r, alpha and beta, and writers disagree about them, so the geometry is built without them;
-/// `apt_contradiction` shows when they differ.
-struct AptCutter {
-  double d_mm = 0, r_mm = 0, e_mm = 0, f_mm = 0;
-  double alpha_deg = 0, beta_deg = 0;
-  double h_mm = 0;
 };
 
 /// A point with the included angle `point_angle_deg`, then straight.

@@ -55,6 +55,14 @@ Outcome check_corner_radius(double radius_mm, double diameter_mm) {
   return Done{};
 }
 
+Diagnostic too_short(double length_mm, const std::string& what, double at_least_mm) {
+  return make_error("tool-length-too-short", "length " + mm(length_mm) + " ends within " + what +
+                                                 ", which reaches up to z = " + mm(at_least_mm) +
+                                                 "; give a greater length");
+}
+
+Diagnostic contradict(const std::string& message) { return make_error("tool-dimensions-contradict", message); }
+
 void ContourMaker::line_to(const Vec2& to) {
   if (is_here(to)) {
     if (!profile_.elements.empty()) profile_.elements.back().b = at_ = to;

@@ -29,10 +29,7 @@ Outcome check_corner(const Corner& corner, const Vec2& low, const Vec2& high) {
                                                     mm(corner.radius_mm) + " would begin at r = " + mm(low.x()) +
                                                     " and end at r = " + mm(high.x()) +
                                                     "; give a larger diameter or a smaller corner radius");
-  if (corner.length_mm < high.y() - kAtTop * size)
-    return make_error("tool-length-too-short", "length " + mm(corner.length_mm) +
-                                                   " ends within the tip, which reaches up to z = " + mm(high.y()) +
-                                                   "; give a greater length");
+  if (corner.length_mm < high.y() - kAtTop * size) return too_short(corner.length_mm, "the tip", high.y());
   return Done{};
 }
 

@@ -11,14 +11,6 @@ namespace {
 
 double cotangent(double degrees) { return cosine(degrees) / sine(degrees); }
 
-Diagnostic too_short(double length_mm, const std::string& what, double at_least_mm) {
-  return make_error("tool-length-too-short", "length " + mm(length_mm) + " ends within " + what +
-                                                 ", which reaches up to z = " + mm(at_least_mm) +
-                                                 "; give a greater length");
-}
-
-Diagnostic contradict(const std::string& message) { return make_error("tool-dimensions-contradict", message); }
-
 bool is_below(double value, double limit) { return value < limit * (1 - kRelativeSlack); }
 
 Outcome check_slot_corners(const TSlotCutter& t) {

@@ -8,8 +8,6 @@
 namespace gouge::detail {
 namespace {
 
-Diagnostic contradict(const std::string& message) { return make_error("tool-dimensions-contradict", message); }
-
 // The flank of a barrel mill.
 struct Flank {
   Vec2 center;
@@ -66,12 +64,6 @@ Outcome check_circle_segment(double diameter_mm, double profile_radius_mm, doubl
   return Done{};
 }
 
-Diagnostic too_short(double length_mm, double at_least_mm) {
-  return make_error("tool-length-too-short", "length " + mm(length_mm) +
-                                                 " ends within the tip, which reaches up to z = " + mm(at_least_mm) +
-                                                 "; give a greater length");
-}
-
 }  // namespace
 
 double ball_height_mm(const LollipopCutter& t) {
@@ -107,7 +99,7 @@ Result<Profile> make_shape(const BarrelCutter& t) {
     const double x = flank.center.x() + std::sqrt(std::max(0.0, (reach - height) * (reach + height)));
     const Vec2 center(std::max(x, 0.0), c);
     const Vec2 touch = flank.center + flank.radius_mm * (center - flank.center).normalized();
-    if (touch.y() >= t.length_mm) return too_short(t.length_mm, touch.y());
+    if (touch.y() >= t.length_mm) return too_short(t.length_mm, "the tip", touch.y());
     contour.line_to({center.x(), 0});
     contour.arc_to(touch, center, c);
   } else {
@@ -126,7 +118,7 @@ Result<Profile> make_shape(const OvalCutter& t) {
   const Vec2 center(side - t.profile_radius_mm, r + std::sqrt(std::max(0.0, (reach - inset) * (reach + inset))));
   const Vec2 ball(0, r);
   const Vec2 touch = reach > 0 ? Vec2(center + t.profile_radius_mm / reach * (ball - center)) : Vec2(side, r);
-  if (touch.y() >= t.length_mm) return too_short(t.length_mm, touch.y());
+  if (touch.y() >= t.length_mm) return too_short(t.length_mm, "the tip", touch.y());
   ContourMaker contour(Vec2::Zero(), std::max(t.length_mm, t.diameter_mm));
   contour.arc_to(touch, ball, r);
   const Flank flank{center, t.profile_radius_mm};
@@ -146,7 +138,7 @@ Result<Profile> make_shape(const LensCutter& t) {
   const Vec2 top(0, big);
   const Vec2 center(inset, big - std::sqrt(std::max(0.0, (reach - inset) * (reach + inset))));
   const Vec2 touch = reach > 0 ? Vec2(top + big / reach * (center - top)) : Vec2(side, big);
-  if (center.y() >= t.length_mm) return too_short(t.length_mm, center.y());
+  if (center.y() >= t.length_mm) return too_short(t.length_mm, "the tip", center.y());
   ContourMaker contour(Vec2::Zero(), std::max(t.length_mm, t.diameter_mm));
   contour.arc_to(touch, top, big);
   if (c > 0 && reach > 0) contour.arc_to({side, center.y()}, center, c);

@@ -24,6 +24,11 @@ constexpr double kRelativeSlack = 1e-9;  ///< dimensions closer than this to a l
 [[nodiscard]] Outcome check_angle(const std::string& field, double value_deg, double low_deg, double high_deg);
 [[nodiscard]] Outcome check_corner_radius(double radius_mm, double diameter_mm);
 
+/// That the flutes end within `what`, such as "the tip".
+[[nodiscard]] Diagnostic too_short(double length_mm, const std::string& what, double at_least_mm);
+/// Dimensions that exclude each other.
+[[nodiscard]] Diagnostic contradict(const std::string& message);
+
 /// The contour from its parts, which must follow each other; parts of no length are left out.
 class ContourMaker {
  public:

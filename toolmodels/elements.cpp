@@ -5,6 +5,8 @@
 #include <numbers>
 #include <optional>
 
+#include "lib/geom/cross.h"
+
 namespace gouge {
 namespace {
 
@@ -14,8 +16,6 @@ constexpr double kSmoothTurn = 1e-7;
 constexpr double kStraightTurn = 1e-12;
 constexpr double kLargestShift = 1e-3;  // of the shorter element, by which a joint may be put right
 constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
-
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 BoundaryElement boundary(const ProfileElement& e) {
   BoundaryElement element;
@@ -106,6 +106,12 @@ void put_smooth_joints_right(std::vector<BoundaryElement>& elements) {
 }
 
 }  // namespace
+
+Vec2 normal_at(const BoundaryElement& e, const Vec2& point) {
+  if (e.kind == ElementKind::segment) return e.normal;
+  const Vec2 out = (point - e.center).normalized();
+  return e.is_reflex ? Vec2(-out) : out;
+}
 
 std::vector<BoundaryElement> make_elements(const Profile& profile) {
   std::vector<BoundaryElement> elements;

@@ -14,11 +14,9 @@ double tangent(double degrees) { return std::tan(degrees * (std::numbers::pi / 1
 std::string mm(double value) { return exact_text(std::round(value * 1e6) / 1e6) + " mm"; }
 
 // Highest point the corner can reach; what lies above is the side.
-double tip_height(const CutterStatement& c) {
-  return c.d_mm / 2 * tangent(std::clamp(c.alpha_deg, 0.0, 89.0)) + 2 * c.r_mm;
-}
+double tip_height(const AptCutter& c) { return c.d_mm / 2 * tangent(std::clamp(c.alpha_deg, 0.0, 89.0)) + 2 * c.r_mm; }
 
-double assumed_height(const CutterStatement& c) {
+double assumed_height(const AptCutter& c) {
   const double usual = std::max({5 * c.d_mm, 50.0, 2 * tip_height(c)});
   if (c.beta_deg >= 0 || c.beta_deg <= -89) return usual;
   return std::min(usual, 0.9 * (c.d_mm / 2) / tangent(-c.beta_deg));
@@ -49,14 +47,9 @@ Result<ToolFromPath> make_tool_from_path(const PathTool& tool, const std::vector
   made.tool.number = tool.number;
   made.tool.name = tool.name;
   made.tool.holder = holder;
-  const CutterStatement& c = *tool.cutter;
-  AptCutter cutter{.d_mm = c.d_mm,
-                   .r_mm = c.r_mm,
-                   .e_mm = c.e_mm,
-                   .f_mm = c.f_mm,
-                   .alpha_deg = c.alpha_deg,
-                   .beta_deg = c.beta_deg,
-                   .h_mm = c.h_mm > 0 ? c.h_mm : tool.flute_length_mm};
+  const AptCutter& c = *tool.cutter;
+  AptCutter cutter = c;
+  if (!(cutter.h_mm > 0)) cutter.h_mm = tool.flute_length_mm;
   const std::string who = "tool " + label(made.tool) + ": ";
   if (!(cutter.h_mm > 0) || ends_within_tip(cutter)) {
     cutter.h_mm = assumed_height(c);

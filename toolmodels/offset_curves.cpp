@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "lib/geom/cross.h"
+
 namespace gouge::detail {
 namespace {
 
 constexpr double kSmoothTurn = 1e-12;  // sine of the turn below which two normals are one
-
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 Vec2 mirrored(const Vec2& v) { return {-v.x(), v.y()}; }
 

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "lib/geom/cross.h"
 #include "toolmodels/elements.h"
 
 namespace gouge {
@@ -11,8 +12,6 @@ constexpr double kEndless = 1e300;
 constexpr double kSlack = 1e-12;            // of the size
 constexpr double kHorizontal = 1e-9;        // |n.r| below this: the plane is horizontal
 constexpr double kNearlyHorizontal = 1e-6;  // below this a foot may be bounded by a horizontal plane
-
-double cross(const Vec2& u, const Vec2& v) { return u.x() * v.y() - u.y() * v.x(); }
 
 // The tangent planes of one element: all have a normal between n0 and n1 and touch the circle about `center`
 // (radius 0 for a vertex, and for a segment, whose two normals are one).
@@ -44,18 +43,10 @@ class Support {
     if (e.kind == ElementKind::segment) return {e.normal, e.normal, e.a, 0};
     if (e.kind == ElementKind::arc)
       return {(e.a - e.center).normalized(), (e.b - e.center).normalized(), e.center, e.radius_mm};
-    const Vec2 n0 = i > 0 ? normal_at_end(elements_[i - 1]) : Vec2(0, -1);
-    const Vec2 n1 = i + 1 < elements_.size() ? normal_at_start(elements_[i + 1]) : Vec2(0, 1);
+    const Vec2 n0 = i > 0 ? normal_at(elements_[i - 1], elements_[i - 1].b) : Vec2(0, -1);
+    const Vec2 n1 = i + 1 < elements_.size() ? normal_at(elements_[i + 1], elements_[i + 1].a) : Vec2(0, 1);
     return {n0, n1, e.a, 0};
   }
-
-  static Vec2 normal_at(const BoundaryElement& e, const Vec2& point) {
-    if (e.kind == ElementKind::segment) return e.normal;
-    const Vec2 out = (point - e.center).normalized();
-    return e.is_reflex ? Vec2(-out) : out;
-  }
-  static Vec2 normal_at_start(const BoundaryElement& e) { return normal_at(e, e.a); }
-  static Vec2 normal_at_end(const BoundaryElement& e) { return normal_at(e, e.b); }
 
   // Whether the whole element stays behind every one of the planes.
   bool is_behind(const BoundaryElement& e, const Planes& planes) const {

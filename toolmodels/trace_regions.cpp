@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/tool/evaluate.h"
+#include "toolmodels/elements.h"
 
 namespace gouge {
 namespace {
@@ -12,12 +13,6 @@ namespace {
 struct Ray {
   Vec2 from, direction;
 };
-
-Vec2 normal_at(const BoundaryElement& e, const Vec2& point) {
-  if (e.kind == ElementKind::segment) return e.normal;
-  const Vec2 out = (point - e.center).normalized();
-  return e.is_reflex ? Vec2(-out) : out;
-}
 
 Vec2 turned(const Vec2& u, double angle) {
   const double c = std::cos(angle), s = std::sin(angle);

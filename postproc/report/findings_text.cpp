@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"

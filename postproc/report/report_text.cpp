@@ -70,10 +70,6 @@ const char* unit_words(LengthUnit unit) { return unit == LengthUnit::inch ? "inc
 
 std::string instant_text(double t) { return people_text(t, 4); }
 
-std::string count_text(std::size_t count, std::string_view noun) {
-  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
-}
-
 std::string straightened_text(const CorrectionFacts& correction) {
   return count_text(correction.curves, "curve") + " became " + count_text(correction.straight_moves, "straight move");
 }

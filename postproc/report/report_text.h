@@ -24,8 +24,6 @@ namespace gouge {
 [[nodiscard]] std::string instant_text(double t);
 /// "mm" or "inches": for headings, where "in in" would read badly.
 [[nodiscard]] const char* unit_words(LengthUnit unit);
-/// "1 move", "7 moves".
-[[nodiscard]] std::string count_text(std::size_t count, std::string_view noun);
 
 /// "2 curves became 79 straight moves".
 [[nodiscard]] std::string straightened_text(const CorrectionFacts& correction);

@@ -1,22 +1,38 @@
 #include "postproc/report/tightness.h"
 
 #include <algorithm>
+#include <optional>
 
+#include "lib/base/number_text.h"
+#include "lib/check/overcut_gap.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
 
-// Bounds are sums of many doubles; the resolution itself was asked of them.
+// Bounds are sums of many doubles; the gap itself was asked of them.
 constexpr double kRounding_mm = 1e-9;
 
-void add(Gaps& gaps, std::size_t move, double gap_mm, double resolution_mm) {
-  ++gaps.known;
-  if (gap_mm <= resolution_mm + kRounding_mm) return;
-  ++gaps.wide;
-  if (gap_mm <= gaps.widest_mm) return;
-  gaps.widest_mm = gap_mm;
-  gaps.widest_move = move;
+/// How far two bounds are apart, and how far they may be.
+struct Gap {
+  double mm = 0, asked_mm = 0;
+};
+
+// `gap_of` a verdict, where it has one.
+template <class GapOf>
+Gaps gaps_of(const ReportModel& model, const GapOf& gap_of) {
+  Gaps gaps;
+  for (std::size_t i = 0; i < model.result->verdicts.size(); ++i) {
+    const std::optional<Gap> gap = gap_of(model.result->verdicts[i]);
+    if (!gap) continue;
+    ++gaps.known;
+    if (gap->mm <= gap->asked_mm + kRounding_mm) continue;
+    ++gaps.wide;
+    if (gap->mm <= gaps.widest_mm) continue;
+    gaps.widest_mm = gap->mm;
+    gaps.widest_move = i;
+  }
+  return gaps;
 }
 
 }  // namespace
@@ -27,23 +43,17 @@ bool has_wide_depth(const ReportModel& model, const MoveVerdict& verdict) {
 }
 
 Gaps depth_gaps(const ReportModel& model) {
-  Gaps gaps;
-  const std::vector<MoveVerdict>& verdicts = model.result->verdicts;
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    if (verdicts[i].state == MoveState::gouge)
-      add(gaps, i, verdicts[i].depth_upper_mm - verdicts[i].depth_mm, model.options.resolution_mm);
-  }
-  return gaps;
+  const double asked_mm = model.options.resolution_mm;
+  return gaps_of(model, [&](const MoveVerdict& v) {
+    return v.state == MoveState::gouge ? std::optional(Gap{v.depth_upper_mm - v.depth_mm, asked_mm}) : std::nullopt;
+  });
 }
 
 Gaps overcut_gaps(const ReportModel& model) {
-  Gaps gaps;
-  const std::vector<MoveVerdict>& verdicts = model.result->verdicts;
-  for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    if (verdicts[i].overcut_mm)
-      add(gaps, i, verdicts[i].overcut_upper_mm - *verdicts[i].overcut_mm, model.options.resolution_mm);
-  }
-  return gaps;
+  return gaps_of(model, [](const MoveVerdict& v) {
+    if (!v.overcut_mm) return std::optional<Gap>();
+    return std::optional(Gap{v.overcut_upper_mm - *v.overcut_mm, overcut_gap_mm(*v.overcut_mm)});
+  });
 }
 
 double worst_overcut_upper_mm(const CheckResult& result) {

@@ -7,10 +7,11 @@
 
 namespace gouge {
 
-/// Numbers of gouging moves that are known less closely than the resolution.
+/// Numbers of gouging moves that are known less closely than is searched for: depths to the resolution, overcuts to
+/// overcut_gap_mm.
 struct Gaps {
   std::size_t known = 0;  ///< gouging moves with such a number
-  std::size_t wide = 0;   ///< those of them whose upper bound exceeds it by more than the resolution
+  std::size_t wide = 0;   ///< those of them whose upper bound exceeds it by more
   std::size_t widest_move = 0;
   double widest_mm = 0;
 };

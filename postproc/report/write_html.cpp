@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "lib/base/number_text.h"
 #include "postproc/report/findings_text.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/report_text.h"

@@ -5,11 +5,15 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <map>
 
 #include "lib/base/files.h"
+#include "postproc/image/report_pictures.h"
+#include "postproc/report/write_html.h"
+#include "tests/postproc/image/small_scene.h"
 #include "tests/support/other_user.h"
 
 namespace gouge {
@@ -185,6 +189,20 @@ TEST(ReportManifest, ReadIsAsWritten) {
   EXPECT_FALSE(read->is_complete);
   EXPECT_EQ(manifest.files.front().sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
   for (std::size_t cut = 0; cut + 2 < text.size(); ++cut) EXPECT_FALSE(read_manifest(text.substr(0, cut))) << cut;
+}
+
+// Else no later report replaces or removes it, or nobody sees it.
+TEST(ReportManifest, EveryPictureIsANameOfTheReportAndOnItsPage) {
+  const SmallScene small;
+  const Result<std::vector<NamedFile>> pictures = draw_report_pictures(small.model, small.input);
+  ASSERT_TRUE(pictures && !pictures->empty());
+  const std::string page = write_html(small.model, *pictures);
+  const std::vector<std::string>& names = names_of_report();
+  for (const NamedFile& picture : *pictures) {
+    EXPECT_NE(std::find(names.begin(), names.end(), picture.name), names.end()) << picture.name;
+    const std::string figure = "<figure id=\"" + picture.name.substr(0, picture.name.find('.')) + "\">";
+    EXPECT_NE(page.find(figure), std::string::npos) << picture.name;
+  }
 }
 
 }  // namespace

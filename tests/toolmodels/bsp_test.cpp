@@ -1,4 +1,5 @@
 #include "toolmodels/bsp.h"
+#include "tests/support/verify_tool.h"
 
 #include <gtest/gtest.h>
 
@@ -75,7 +76,7 @@ TEST_P(BspOfSample, GivesTheDistanceOfTheBruteForceForOffsetVariantToo) {
 }
 
 TEST_P(BspOfSample, ToolIsSound) {
-  for (const CompiledTool& form : variants_of(tool())) EXPECT_EQ(verify_tool(form), std::vector<std::string>{});
+  for (const CompiledTool& form : variants_of(tool())) EXPECT_EQ(test::verify_tool(form), std::vector<std::string>{});
 }
 
 // Nearest of a dense set of boundary points: independent of every formula of the elements.
@@ -176,7 +177,7 @@ TEST(Bsp, FreeProfilesWithConcaveArcsAndUndercuts) {
                   make_segment(Body::holder, {4, 28}, {0, 28})};
   ASSERT_EQ(verify_profile(cup), std::vector<std::string>{});
   const CompiledTool tool = compile_tool("cup", cup);
-  EXPECT_EQ(verify_tool(tool), std::vector<std::string>{});
+  EXPECT_EQ(test::verify_tool(tool), std::vector<std::string>{});
   expect_brute_force(tool, 2'000'000, 8);
 }
 
@@ -212,7 +213,7 @@ TEST(Bsp, RandomAssembliesGiveTheDistanceOfTheBruteForce) {
     if (!variants) continue;
     ++built;
     for (const CompiledTool* form : {&variants->bare, &variants->against_part}) {
-      EXPECT_EQ(verify_tool(*form), std::vector<std::string>{}) << k;
+      EXPECT_EQ(test::verify_tool(*form), std::vector<std::string>{}) << k;
       expect_brute_force(*form, 20'000, static_cast<std::uint64_t>(k));
     }
   }

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/tool/evaluate.h"
+#include "tests/support/verify_tool.h"
 #include "toolmodels/compile_tool.h"
 #include "toolmodels/cutter.h"
 
@@ -36,7 +37,7 @@ void expect_points(const Cutter& cutter, const std::vector<Vec2>& expected) {
 
 double depth(const Cutter& cutter, double r, double z) {
   const CompiledTool tool = compile_tool("", profile_of(cutter));
-  EXPECT_EQ(verify_tool(tool), std::vector<std::string>{});
+  EXPECT_EQ(test::verify_tool(tool), std::vector<std::string>{});
   return -evaluate(tool, r, z).signed_distance_mm;
 }
 

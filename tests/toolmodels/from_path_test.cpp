@@ -18,7 +18,7 @@ Result<ToolFromPath> tool_of(std::optional<int> number, const std::string& name,
 }
 
 TEST(FromPath, OneNumberIsAFlatCutterOfAssumedLength) {
-  const Result<ToolFromPath> made = tool_of(7, "", {.d_mm = 16, .given = 1}, {});
+  const Result<ToolFromPath> made = tool_of(7, "", {{.d_mm = 16}, 1}, {});
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(top_of(made->tool), 80);
   ASSERT_EQ(made->notes.size(), 1u);
@@ -27,15 +27,14 @@ TEST(FromPath, OneNumberIsAFlatCutterOfAssumedLength) {
 }
 
 TEST(FromPath, ShortToolsAreAssumedFiftyMillimetresLong) {
-  const Result<ToolFromPath> made = tool_of(7, "", {.d_mm = 2, .r_mm = 1, .given = 2}, {});
+  const Result<ToolFromPath> made = tool_of(7, "", {{.d_mm = 2, .r_mm = 1}, 2}, {});
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(top_of(made->tool), 50);
 }
 
 TEST(FromPath, AHeightWithinTheTipIsReplacedAndReported) {
   // CUTTER/.5,.25,0,0,0,0,.25 in inches, as a real file has it.
-  const Result<ToolFromPath> made =
-      tool_of(std::nullopt, "ball", {.d_mm = 12.7, .r_mm = 6.35, .h_mm = 6.35, .given = 7}, {});
+  const Result<ToolFromPath> made = tool_of(std::nullopt, "ball", {{.d_mm = 12.7, .r_mm = 6.35, .h_mm = 6.35}, 7}, {});
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(top_of(made->tool), 63.5);
   ASSERT_EQ(made->notes.size(), 1u);
@@ -44,7 +43,7 @@ TEST(FromPath, AHeightWithinTheTipIsReplacedAndReported) {
 }
 
 TEST(FromPath, AboveTheFlutesTheToolIsShank) {
-  const Result<ToolFromPath> made = tool_of(1, "", {.d_mm = 10, .h_mm = 60, .given = 7}, {}, 22);
+  const Result<ToolFromPath> made = tool_of(1, "", {{.d_mm = 10, .h_mm = 60}, 7}, {}, 22);
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(length_mm(made->tool.cutter), 22);
   ASSERT_EQ(made->tool.shank.size(), 1u);
@@ -54,21 +53,21 @@ TEST(FromPath, AboveTheFlutesTheToolIsShank) {
 }
 
 TEST(FromPath, TaperGoesOnAboveTheFlutes) {
-  const Result<ToolFromPath> made = tool_of(1, "", {.d_mm = 10, .beta_deg = 5, .h_mm = 60, .given = 7}, {}, 20);
+  const Result<ToolFromPath> made = tool_of(1, "", {{.d_mm = 10, .beta_deg = 5, .h_mm = 60}, 7}, {}, 20);
   const Result<Profile> whole = make_cutter_profile(AptCutter{10, 0, 0, 0, 0, 5, 60});
   ASSERT_TRUE(made.has_value());
   EXPECT_NEAR(made->tool.shank[0].upper_diameter_mm, 2 * whole->elements.back().a.x(), 1e-12);
 }
 
 TEST(FromPath, TheHolderStandsOnTop) {
-  const Result<ToolFromPath> made = tool_of(1, "", {.d_mm = 10, .h_mm = 60, .given = 7}, {{40, 50, 30}});
+  const Result<ToolFromPath> made = tool_of(1, "", {{.d_mm = 10, .h_mm = 60}, 7}, {{40, 50, 30}});
   ASSERT_TRUE(made.has_value());
   EXPECT_EQ(top_of(made->tool), 90);
   EXPECT_EQ(make_profile(made->tool)->elements.back().body, Body::holder);
 }
 
 TEST(FromPath, ContradictingNumbersAreReported) {
-  const CutterStatement cutter{.d_mm = 12, .r_mm = 2, .e_mm = 7, .f_mm = 2, .h_mm = 60, .given = 7};
+  const CutterStatement cutter{{.d_mm = 12, .r_mm = 2, .e_mm = 7, .f_mm = 2, .h_mm = 60}, 7};
   const Result<ToolFromPath> made = tool_of(1, "", cutter, {});
   ASSERT_TRUE(made.has_value());
   ASSERT_EQ(made->notes.size(), 1u);
@@ -76,16 +75,16 @@ TEST(FromPath, ContradictingNumbersAreReported) {
 }
 
 TEST(FromPath, ImpossibleNumbersAreAnErrorThatNamesTheTool) {
-  const Result<ToolFromPath> made = tool_of(4, "", {.d_mm = 10, .r_mm = 6, .given = 2}, {});
+  const Result<ToolFromPath> made = tool_of(4, "", {{.d_mm = 10, .r_mm = 6}, 2}, {});
   ASSERT_FALSE(made.has_value());
   EXPECT_EQ(made.error().message,
             "tool T4: cutter: corner_radius 6 mm is larger than half the diameter; at most 5 mm is possible");
-  EXPECT_FALSE(tool_of(4, "", {.given = 1}, {}).has_value()) << "CUTTER/0";
-  EXPECT_FALSE(tool_of(4, "", {.d_mm = -3, .given = 1}, {}).has_value());
+  EXPECT_FALSE(tool_of(4, "", {{}, 1}, {}).has_value()) << "CUTTER/0";
+  EXPECT_FALSE(tool_of(4, "", {{.d_mm = -3}, 1}, {}).has_value());
 }
 
 TEST(FromPath, NegativeTaperOfAssumedLengthDoesNotClose) {
-  EXPECT_TRUE(tool_of(4, "", {.d_mm = 10, .beta_deg = -10, .given = 7}, {}).has_value());
+  EXPECT_TRUE(tool_of(4, "", {{.d_mm = 10, .beta_deg = -10}, 7}, {}).has_value());
 }
 
 }  // namespace

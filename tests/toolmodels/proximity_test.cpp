@@ -10,6 +10,7 @@
 #include "lib/tool/evaluate_batch.h"
 #include "tests/support/random_tools.h"
 #include "tests/support/tool_points.h"
+#include "tests/support/verify_tool.h"
 #include "toolmodels/compile_tool.h"
 
 // The contract of evaluate.h on random tools of all kinds. GOUGE_PROXIMITY_POINTS=100000000 makes the long
@@ -86,7 +87,7 @@ TEST(Proximity, EveryRandomToolIsSound) {
   for (std::uint64_t seed = 0; seed < kTools; ++seed) {
     const test::RandomTool made = test::random_tool(seed);
     EXPECT_EQ(verify_profile(made.profile), std::vector<std::string>{}) << made.name;
-    EXPECT_EQ(verify_tool(compile_tool(made.name, made.profile)), std::vector<std::string>{}) << made.name;
+    EXPECT_EQ(test::verify_tool(compile_tool(made.name, made.profile)), std::vector<std::string>{}) << made.name;
   }
 }
 

@@ -1,4 +1,5 @@
 #include "toolmodels/tool_library.h"
+#include "tests/support/verify_tool.h"
 
 #include <gtest/gtest.h>
 
@@ -162,7 +163,7 @@ TEST(ToolLibrary, TheSampleLibraryShowsEveryShapeAndSurvivesARoundTrip) {
     shapes.insert(shape_name(tool.cutter));
     const Result<ToolVariants> variants = make_tool_variants(tool, 0.2, 0.5, 1);
     ASSERT_TRUE(variants.has_value()) << tool.name << ": " << variants.error().message;
-    EXPECT_EQ(verify_tool(variants->against_part), std::vector<std::string>{}) << tool.name;
+    EXPECT_EQ(test::verify_tool(variants->against_part), std::vector<std::string>{}) << tool.name;
   }
   EXPECT_EQ(shapes.size(), every_shape().size());
   const std::string text = write_tool_library(library);

@@ -2,21 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "toolmodels/cutter_shapes.h"
 
 namespace gouge {
 namespace {
 
 using enum Dimension;
+using detail::radians;
 using SegmentShape = ProfilePoint::SegmentShape;
 
-constexpr double kAgree_mm = 5e-3;  // files round to a few decimals
-
-double radians(double degrees) { return degrees * (std::numbers::pi / 180); }
-
-class SpecialMaker {
+class SpecialMaker : CatalogueMaker {
  public:
-  SpecialMaker(const Dimensions& d, Diagnostics& notes) : d_(d), notes_(notes) {}
+  using CatalogueMaker::CatalogueMaker;
 
   Result<Cutter> make(CatalogueShape shape) {
     switch (shape) {
@@ -44,17 +42,11 @@ class SpecialMaker {
   }
 
  private:
-  [[nodiscard]] double at(Dimension dimension) const { return d_.value_or(dimension, 0); }
-
   Outcome need(std::initializer_list<std::pair<Dimension, const char*>> dimensions) const {
     for (const auto& [dimension, what] : dimensions)
-      if (!(at(dimension) > 0))
-        return make_error("import-field", std::string("the file gives no ") + what + "; this shape needs one");
+      if (!(at(dimension) > 0)) return missing(what);
     return Done{};
   }
-
-  void guess(const std::string& message) { notes_.push_back(make_note("import-guess", message)); }
-  void contradiction(const std::string& message) { notes_.push_back(make_warning("import-contradiction", message)); }
 
   // Both names for the corner at the tip.
   [[nodiscard]] double lower_corner() const { return at(lower_radius) > 0 ? at(lower_radius) : at(corner_radius); }
@@ -206,9 +198,6 @@ class SpecialMaker {
     made.points.push_back({SegmentShape::straight, at(diameter) / 2, top, 0});
     return Cutter(made);
   }
-
-  const Dimensions& d_;
-  Diagnostics& notes_;
 };
 
 }  // namespace

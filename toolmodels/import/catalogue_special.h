@@ -4,6 +4,26 @@
 
 namespace gouge {
 
+/// What makers of cutters share: the dimensions of a file, and the notes on them.
+class CatalogueMaker {
+ public:
+  CatalogueMaker(const Dimensions& d, Diagnostics& notes) : d_(d), notes_(notes) {}
+
+ protected:
+  // Files round to a few decimals, in inches too; beyond this two numbers say different things.
+  static constexpr double kAgree_mm = 5e-3;
+
+  [[nodiscard]] double at(Dimension dimension) const { return d_.value_or(dimension, 0); }
+  [[nodiscard]] static Diagnostic missing(const std::string& what) {
+    return make_error("import-field", "the file gives no " + what + "; this shape needs one");
+  }
+  void guess(const std::string& message) { notes_.push_back(make_note("import-guess", message)); }
+  void contradiction(const std::string& message) { notes_.push_back(make_warning("import-contradiction", message)); }
+
+  const Dimensions& d_;
+  Diagnostics& notes_;
+};
+
 /// The shapes beyond end mills, drills and chamfers: slot and dovetail mills, lollipops, saws, radius mills,
 /// centre drills, circle segments. Requires signs that have been checked.
 ///

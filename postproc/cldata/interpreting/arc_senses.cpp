@@ -152,18 +152,18 @@ void ArcSenses::close_as(ArcSense sense) {
 void ArcSenses::write_notes() const {
   if (radius_errors_.count > 0) {
     in_.path.notes.push_back(make_warning("path-arc-radius",
-                                          counted(radius_errors_.count, "arc") +
+                                          count_text(radius_errors_.count, "arc") +
                                               " whose start, end and radius do not lie on one circle (off by up to " +
                                               fixed_text(worst_radius_error_mm_, 3) + " mm) not checked",
                                           in_.path.file, radius_errors_.first_line));
   }
   constexpr std::size_t kFewest = 3;
   if (reversing_arcs_ >= kFewest && reversing_arcs_ > 2 * smooth_arcs_) {
-    in_.path.notes.push_back(make_warning("path-arc-sense",
-                                          counted(reversing_arcs_, "arc") + " run back against the line before them, " +
-                                              std::to_string(smooth_arcs_) +
-                                              " go on smoothly: another dialect may have written this file (--dialect)",
-                                          in_.path.file));
+    in_.path.notes.push_back(make_warning(
+        "path-arc-sense",
+        count_text(reversing_arcs_, "arc") + " run back against the line before them, " + std::to_string(smooth_arcs_) +
+            " go on smoothly: another dialect may have written this file (--dialect)",
+        in_.path.file));
   }
 }
 

@@ -104,16 +104,16 @@ std::optional<Vec3> AxisState::read(std::size_t first) {
 
 void AxisState::write_length_note() const {
   if (renormalised_ == 0) return;
-  in_.path.notes.push_back(make_note(
-      "path-axis-length",
-      counted(renormalised_, "tool axis vector") + " not of length 1 (worst " + exact_text(worst_length_) + ") made so",
-      in_.path.file));
+  in_.path.notes.push_back(make_note("path-axis-length",
+                                     count_text(renormalised_, "tool axis vector") + " not of length 1 (worst " +
+                                         exact_text(worst_length_) + ") made so",
+                                     in_.path.file));
 }
 
 void AxisState::write_plain_note() const {
   if (plain_after_tilt_.count == 0) return;
   in_.path.notes.push_back(make_warning("path-plain-axis",
-                                        counted(plain_after_tilt_.count, "position") +
+                                        count_text(plain_after_tilt_.count, "position") +
                                             " of 3 numbers after one with a tilted axis: the file does not "
                                             "say which axis they have, so they are not checked",
                                         in_.path.file, plain_after_tilt_.first_line));

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "lib/base/number_text.h"
 #include "postproc/cldata/interpreting/reasons.h"
 
 namespace gouge {
@@ -27,7 +28,7 @@ void CutterCompensation::note_position() {
 
 void CutterCompensation::write_note() const {
   if (statements_.count == 0) return;
-  const std::string what = counted(statements_.count, "CUTCOM statement") + " on: ";
+  const std::string what = count_text(statements_.count, "CUTCOM statement") + " on: ";
   in_.path.notes.push_back(
       !was_ever_on_ ? make_note("path-cutcom", what + "positions are the cutter centre, as the file or the user says",
                                 in_.path.file, statements_.first_line)

@@ -3,6 +3,7 @@
 #include <span>
 #include <utility>
 
+#include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
@@ -85,20 +86,20 @@ void CycleState::write_notes() const {
   Diagnostics& notes = in_.path.notes;
   if (never_ended_.count > 0) {
     notes.push_back(make_warning("path-cycle",
-                                 counted(never_ended_.count, "cycle") +
+                                 count_text(never_ended_.count, "cycle") +
                                      " never ended by CYCLE/OFF: which positions are holes and which are "
                                      "motions of their own the file does not say, so they are not checked",
                                  in_.path.file, never_ended_.first_line));
   }
   if (never_begun_.count > 0) {
     notes.push_back(make_warning("path-cycle",
-                                 counted(never_begun_.count, "CYCLE/OFF statement") +
+                                 count_text(never_begun_.count, "CYCLE/OFF statement") +
                                      " without a cycle: the positions before it may be holes, so they are not checked",
                                  in_.path.file, never_begun_.first_line));
   }
   if (without_retract_.count > 0) {
     notes.push_back(make_note("path-cycle",
-                              counted(without_retract_.count, "cycle") +
+                              count_text(without_retract_.count, "cycle") +
                                   " without a retract height: taken to stay at the clearance between holes",
                               in_.path.file, without_retract_.first_line));
   }

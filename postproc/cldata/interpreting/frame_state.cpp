@@ -60,10 +60,10 @@ std::optional<RigidTransform> FrameState::make(const Vec3& origin, const Vec3& x
 
 void FrameState::write_note() const {
   if (csys_.count == 0) return;
-  in_.path.notes.push_back(make_note(
-      "path-csys",
-      counted(csys_.count, "CSYS statement") + " not applied: Creo writes positions in the machine coordinate system",
-      in_.path.file, csys_.first_line));
+  in_.path.notes.push_back(make_note("path-csys",
+                                     count_text(csys_.count, "CSYS statement") +
+                                         " not applied: Creo writes positions in the machine coordinate system",
+                                     in_.path.file, csys_.first_line));
 }
 
 const MotionFrame* FrameState::record(std::deque<MotionFrame>& frames) {

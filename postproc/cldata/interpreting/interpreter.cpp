@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "lib/base/number_text.h"
 #include "postproc/cldata/interpreting/emit.h"
 #include "postproc/cldata/interpreting/misreading.h"
 #include "postproc/cldata/interpreting/modal_states.h"
@@ -28,38 +29,16 @@ bool is_within_curve(Word word) { return word == Word::cntrl || word == Word::kn
 
 // Of words that say where the tool is, or that nothing follows.
 bool needs_frame(Word word) {
-  switch (word) {
-    case Word::go_to:
-    case Word::from:
-    case Word::godlta:
-    case Word::gohome:
-    case Word::indirv:
-    case Word::circle:
-    case Word::movarc:
-    case Word::nurbs:
-    case Word::tlon:
-    case Word::unread_motion:
-    case Word::fini:
-      return true;
-    default:
-      return false;
-  }
+  static constexpr WordSet kWords = {Word::go_to,  Word::from,          Word::godlta, Word::gohome,
+                                     Word::indirv, Word::circle,        Word::movarc, Word::nurbs,
+                                     Word::tlon,   Word::unread_motion, Word::fini};
+  return kWords.has(word);
 }
 
 bool has_arguments(Word word) {
-  switch (word) {
-    case Word::harmless:
-    case Word::free_text:
-    case Word::pprint:
-    case Word::comment:
-    case Word::tprint:
-    case Word::insert:
-    case Word::operation:
-    case Word::tool_path:
-      return false;
-    default:
-      return true;
-  }
+  static constexpr WordSet kWithout = {Word::harmless, Word::free_text, Word::pprint,    Word::comment,
+                                       Word::tprint,   Word::insert,    Word::operation, Word::tool_path};
+  return !kWithout.has(word);
 }
 
 void fail_too_long(StatementContext& in) {
@@ -81,7 +60,7 @@ void note_offsets(const StatementContext& in, const Tally& chosen) {
   if (chosen.count == 0) return;
   in.path.notes.push_back(make_note(
       "path-machine-text",
-      counted(chosen.count, "text") +
+      count_text(chosen.count, "text") +
           " for the machine's control that choose a work offset: taken as the one that positions are meant for",
       in.path.file, chosen.first_line));
 }
@@ -91,7 +70,7 @@ void note_words(Toolpath& path) {
   std::size_t count = 0;
   for (const auto& entry : path.words_not_understood) count += entry.second;
   path.notes.push_back(make_warning("path-words",
-                                    counted(count, "statement") +
+                                    count_text(count, "statement") +
                                         " with words that are not understood, taken to move nothing where no "
                                         "move is not checked for them; path info lists them",
                                     path.file));

@@ -60,28 +60,16 @@ bool is_step_alone(std::string_view text) {
 
 // Between these a line of numbers is a position, or part of one.
 bool is_among_positions(Word word) {
-  return word == Word::go_to || word == Word::godlta || word == Word::from || word == Word::circle ||
-         word == Word::movarc || word == Word::rapid || word == Word::fedrat || word == Word::unknown ||
-         word == Word::cntrl;
+  static constexpr WordSet kWords = {Word::go_to, Word::godlta, Word::from,    Word::circle, Word::movarc,
+                                     Word::rapid, Word::fedrat, Word::unknown, Word::cntrl};
+  return kWords.has(word);
 }
 
 // Words that say nothing without an argument.
 bool needs_arguments(Word word) {
-  switch (word) {
-    case Word::cycle:
-    case Word::load:
-    case Word::loadtl:
-    case Word::mode:
-    case Word::rotabl:
-    case Word::select:
-    case Word::setup:
-    case Word::tldata:
-    case Word::toolno:
-    case Word::trans:
-      return true;
-    default:
-      return false;
-  }
+  static constexpr WordSet kWords = {Word::cycle,  Word::load,  Word::loadtl, Word::mode,   Word::rotabl,
+                                     Word::select, Word::setup, Word::tldata, Word::toolno, Word::trans};
+  return kWords.has(word);
 }
 
 // A comma at the end goes on to something; but CAMWorks writes one after the seven numbers of a CUTTER.
@@ -94,27 +82,11 @@ bool is_cut_short(const Statement& statement, std::size_t arguments) {
 }
 
 bool moves_tool(Word word) {
-  switch (word) {
-    case Word::go_to:
-    case Word::godlta:
-    case Word::from:
-    case Word::gohome:
-    case Word::unread_motion:
-    case Word::circle:
-    case Word::movarc:
-    case Word::curve:
-    case Word::tlon:
-    case Word::nurbs:
-    case Word::cntrl:
-    case Word::knot:
-    case Word::indirv:
-    case Word::retrct:
-    case Word::repeat:
-    case Word::auxfun:
-      return true;
-    default:
-      return false;
-  }
+  static constexpr WordSet kWords = {Word::go_to,         Word::godlta, Word::from,   Word::gohome,
+                                     Word::unread_motion, Word::circle, Word::movarc, Word::curve,
+                                     Word::tlon,          Word::nurbs,  Word::cntrl,  Word::knot,
+                                     Word::indirv,        Word::retrct, Word::repeat, Word::auxfun};
+  return kWords.has(word);
 }
 
 bool has_effect(const MachineEffect& e) {

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "lib/base/number_text.h"
+
 namespace gouge {
 
 // The machine does not go home between two positions only because a FROM, a CUTTER or another sequence stands there.
@@ -44,7 +46,7 @@ void MotionChain::write_note() const {
   if (not_swept_.count == 0) return;
   in_.path.notes.push_back(make_note(
       "path-not-swept",
-      counted(not_swept_.count, "time") +
+      count_text(not_swept_.count, "time") +
           " the machine goes home or changes its tool, frame or sequence between two positions: nothing is swept there",
       in_.path.file, not_swept_.first_line));
 }

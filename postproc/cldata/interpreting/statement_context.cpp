@@ -25,10 +25,6 @@ bool is_number_word(std::string_view text) {
 
 }  // namespace
 
-std::string counted(std::size_t count, const std::string& what) {
-  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
-}
-
 void StatementContext::begin(const Statement& next) {
   statement_ = &next;
   make_room(path.statements);

@@ -13,9 +13,6 @@
 
 namespace gouge {
 
-/// "1 arc", "3 arcs": how notes count.
-[[nodiscard]] std::string counted(std::size_t count, const std::string& what);
-
 /// The statement being taken, the file it stands in, and what is wrong with either: what every state of the
 /// interpreter looks at.
 class StatementContext {

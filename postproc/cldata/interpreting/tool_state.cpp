@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "lib/base/number_text.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/text.h"
 
@@ -191,7 +192,7 @@ void ToolState::write_note() const {
   if (recomputed_.count == 0) return;
   in_.path.notes.push_back(make_note(
       "path-cutter-recomputed",
-      counted(recomputed_.count, "CUTTER statement") +
+      count_text(recomputed_.count, "CUTTER statement") +
           " with e and f other than d, r, alpha and beta give: these are taken, as CAM systems disagree about e and f",
       in_.path.file, recomputed_.first_line));
 }

@@ -75,6 +75,13 @@ bool has_argument(std::span<const Argument> arguments, std::string_view word) {
                      [&](const Argument& a) { return equals_ignoring_case(a.text, word); });
 }
 
+std::optional<double> number_after(std::span<const Argument> arguments, std::string_view word) {
+  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
+    if (equals_ignoring_case(arguments[i].text, word)) return arguments[i + 1].number;
+  }
+  return std::nullopt;
+}
+
 NumberCount count_numbers(std::span<const Argument> arguments) {
   NumberCount numbers;
   for (const Argument& argument : arguments) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -22,6 +23,9 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
 
 /// True where an argument is the word `word`, in any case.
 [[nodiscard]] bool has_argument(std::span<const Argument> arguments, std::string_view word);
+
+/// The argument behind the first word `word`, where it is a number.
+[[nodiscard]] std::optional<double> number_after(std::span<const Argument> arguments, std::string_view word);
 
 struct NumberCount {
   std::size_t count = 0;

@@ -4,6 +4,8 @@
 #include <cstddef>
 #include <utility>
 
+#include "lib/base/utf8.h"
+
 namespace gouge {
 namespace {
 
@@ -12,44 +14,12 @@ constexpr std::size_t kLongestQuote = 40;
 
 constexpr char capital(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
-unsigned byte_at(std::string_view text, std::size_t i) { return static_cast<unsigned char>(text[i]); }
-
-// Length of the well-formed UTF-8 sequence at `i`, or 0. Overlong forms, surrogates and numbers beyond
-// U+10FFFF are not well-formed: JSON writers refuse them.
-std::size_t utf8_length(std::string_view text, std::size_t i) {
-  const unsigned lead = byte_at(text, i);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xc2 ? 0
-                             : lead < 0xe0 ? 2
-                             : lead < 0xf0 ? 3
-                             : lead < 0xf5 ? 4
-                                           : 0;
-  if (length == 0 || i + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k) {
-    if ((byte_at(text, i + k) & 0xc0U) != 0x80U) return 0;
-  }
-  if (length < 3) return length;
-  const unsigned second = byte_at(text, i + 1);
-  const bool is_bad = (lead == 0xe0 && second < 0xa0) || (lead == 0xed && second >= 0xa0) ||
-                      (lead == 0xf0 && second < 0x90) || (lead == 0xf4 && second >= 0x90);
-  return is_bad ? 0 : length;
-}
-
-bool is_utf8(std::string_view text) {
-  for (std::size_t i = 0; i < text.size();) {
-    const std::size_t length = utf8_length(text, i);
-    if (length == 0) return false;
-    i += length;
-  }
-  return true;
-}
-
 std::string printable(std::string_view text, std::size_t longest) {
   std::string result;
   const bool is_latin1 = !is_utf8(text);
   for (std::size_t i = 0; i < text.size() && result.size() < longest;) {
-    const unsigned byte = byte_at(text, i);
-    const std::size_t length = is_latin1 ? 1 : utf8_length(text, i);
+    const unsigned byte = static_cast<unsigned char>(text[i]);
+    const std::size_t length = is_latin1 ? 1 : decode_utf8(text, i)->bytes;
     if (byte < 0x20 || byte == 0x7f || (is_latin1 && byte >= 0x80 && byte < 0xa0)) {
       // control characters are dropped
     } else if (is_latin1 && byte >= 0x80) {

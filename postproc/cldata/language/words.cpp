@@ -234,23 +234,10 @@ Word find_word_at_end(std::string_view token) {
 }
 
 bool changes_motion(Word word) {
-  switch (word) {
-    case Word::comment:
-    case Word::unknown:
-    case Word::harmless:
-    case Word::free_text:
-    case Word::pprint:
-    case Word::insert:
-    case Word::tprint:
-    case Word::operation:
-    case Word::part_program:
-    case Word::fedrat:
-    case Word::fini:
-    case Word::flute_length:
-      return false;
-    default:
-      return true;
-  }
+  static constexpr WordSet kOthers = {Word::comment,      Word::unknown, Word::harmless, Word::free_text,
+                                      Word::pprint,       Word::insert,  Word::tprint,   Word::operation,
+                                      Word::part_program, Word::fedrat,  Word::fini,     Word::flute_length};
+  return !kOthers.has(word);
 }
 
 Word find_intended_word(std::string_view major) {

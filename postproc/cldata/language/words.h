@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <string_view>
 
 // The major words of CL data that change what a motion means, and those known to change nothing about where
@@ -67,6 +68,23 @@ enum class Word : std::uint8_t {
   unread_frame,   // may turn or shift what follows, in a way that is not read
   unread_motion,  // moves the tool, in a way that is not read
   unread_tool     // defines a tool, in a way that is not read
+};
+
+/// Some of the words.
+class WordSet {
+ public:
+  constexpr WordSet(std::initializer_list<Word> words) {
+    for (const Word word : words) bits_ |= bit(word);
+  }
+  [[nodiscard]] constexpr bool has(Word word) const { return (bits_ & bit(word)) != 0; }
+
+ private:
+  static constexpr std::uint64_t bit(Word word) {
+    static_assert(static_cast<unsigned>(Word::unread_tool) < 64, "the last of the words");
+    return std::uint64_t{1} << static_cast<unsigned>(word);
+  }
+
+  std::uint64_t bits_ = 0;
 };
 
 /// The word a statement begins with; upper or lower case.

@@ -52,13 +52,6 @@ bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
   return numbers == 6 || numbers == 7 || numbers == 11 || has_angle;
 }
 
-std::optional<double> number_after(std::span<const Argument> arguments, std::string_view word) {
-  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
-    if (equals_ignoring_case(arguments[i].text, word)) return arguments[i + 1].number;
-  }
-  return std::nullopt;
-}
-
 std::optional<Vec3> vector_after(std::span<const Argument> arguments, std::string_view word) {
   for (std::size_t i = 0; i + 3 < arguments.size(); ++i) {
     if (!equals_ignoring_case(arguments[i].text, word)) continue;

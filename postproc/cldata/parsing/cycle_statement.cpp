@@ -40,16 +40,9 @@ constexpr std::size_t kLongestWord = 24;
 constexpr std::array<std::string_view, 11> kHeights = {"FEDTO", "DEPTH", "RAPTO", "CLEAR", "RTRCTO", "RETURN",
                                                        "MMPM",  "IPM",   "MMPR",  "IPR",   "PERMIN"};
 
-std::optional<double> after(Arguments arguments, std::string_view word) {
-  for (std::size_t i = 0; i + 1 < arguments.size(); ++i) {
-    if (equals_ignoring_case(arguments[i].text, word)) return arguments[i + 1].number;
-  }
-  return std::nullopt;
-}
-
 std::optional<double> after_either(Arguments arguments, std::string_view first, std::string_view second) {
-  const std::optional<double> value = after(arguments, first);
-  return value ? value : after(arguments, second);
+  const std::optional<double> value = number_after(arguments, first);
+  return value ? value : number_after(arguments, second);
 }
 
 // A word with no number after it means a height all the same, one that is not stated: RTRCTO,AUTO of NX.
@@ -62,10 +55,10 @@ struct Retract {
 // is a retract, not how high.
 Retract read_retract(Arguments arguments, std::string_view own) {
   Retract retract;
-  if (!own.empty()) retract.height = after(arguments, own);
+  if (!own.empty()) retract.height = number_after(arguments, own);
   const bool is_named = has_argument(arguments, "RTRCTO") || has_argument(arguments, "RETURN");
   retract.is_known = retract.height.has_value() || !is_named;
-  const std::optional<double> rtrcto = after(arguments, "RTRCTO"), back = after(arguments, "RETURN");
+  const std::optional<double> rtrcto = number_after(arguments, "RTRCTO"), back = number_after(arguments, "RETURN");
   if (rtrcto && back && std::abs(*rtrcto - *back) > 0) retract = {std::nullopt, false};
   return retract;
 }
@@ -191,7 +184,7 @@ bool has_only_known_words(CycleForm form, Arguments arguments) {
 // FEDTO is a height (negative below the position), RAPTO, or CLEAR in its place, and RTRCTO are heights above it.
 std::optional<DrillCycle> read_nx(Arguments arguments) {
   if (has_argument(arguments, "RAPTO") && has_argument(arguments, "CLEAR")) return std::nullopt;
-  const std::optional<double> bottom = after(arguments, "FEDTO");
+  const std::optional<double> bottom = number_after(arguments, "FEDTO");
   const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");
   if (!bottom || !clearance) return std::nullopt;
   return make(*clearance, *bottom, read_retract(arguments, "RTRCTO"));
@@ -199,8 +192,8 @@ std::optional<DrillCycle> read_nx(Arguments arguments) {
 
 // FEDTO is a depth below the position; CAMplete leaves a RAPTO of 0 out, and its CLEAR is no height above it.
 std::optional<DrillCycle> read_depth_words(Arguments arguments, bool is_clearance_optional) {
-  const std::optional<double> depth = after(arguments, "FEDTO");
-  std::optional<double> clearance = after(arguments, "RAPTO");
+  const std::optional<double> depth = number_after(arguments, "FEDTO");
+  std::optional<double> clearance = number_after(arguments, "RAPTO");
   if (!has_argument(arguments, "RAPTO") && is_clearance_optional) clearance = 0;
   if (!depth || *depth < 0 || !clearance) return std::nullopt;
   return make(*clearance, -*depth, read_retract(arguments, "RTRCTO"));
@@ -208,7 +201,7 @@ std::optional<DrillCycle> read_depth_words(Arguments arguments, bool is_clearanc
 
 // DEPTH below the position, CLEAR and RETURN above it.
 std::optional<DrillCycle> read_creo(Arguments arguments) {
-  const std::optional<double> depth = after(arguments, "DEPTH"), clearance = after(arguments, "CLEAR");
+  const std::optional<double> depth = number_after(arguments, "DEPTH"), clearance = number_after(arguments, "CLEAR");
   if (!depth || *depth < 0 || !clearance) return std::nullopt;
   return make(*clearance, -*depth, read_return(arguments));
 }
@@ -245,7 +238,7 @@ std::optional<DrillCycle> read_generic(Arguments arguments) {
   const std::optional<double> depth = after_either(arguments, "FEDTO", "DEPTH");
   const std::optional<double> clearance = after_either(arguments, "RAPTO", "CLEAR");
   if (!depth || !clearance) return std::nullopt;
-  const std::optional<double> rapto = after(arguments, "RAPTO"), clear = after(arguments, "CLEAR");
+  const std::optional<double> rapto = number_after(arguments, "RAPTO"), clear = number_after(arguments, "CLEAR");
   if (rapto && clear && std::abs(*rapto - *clear) > 0) return std::nullopt;
   const bool has_rtrcto = has_argument(arguments, "RTRCTO");
   return make(*clearance, -std::abs(*depth), has_rtrcto ? read_retract(arguments, "RTRCTO") : read_return(arguments));
@@ -260,8 +253,8 @@ constexpr std::array<std::string_view, 10> kNccsStraight = {"DRILL", "FACE", "DE
 // that diameter. RAPTO, which stays in force where it is left out, and RTRCTO are heights above the position. In
 // DEEP and THRU RTRCTO is where each peck goes back to, and the tool ends at the clearance.
 std::optional<DrillCycle> read_nccs(Arguments arguments) {
-  std::optional<double> depth = after(arguments, "FEDTO");
-  const std::optional<double> clearance = after(arguments, "RAPTO");
+  std::optional<double> depth = number_after(arguments, "FEDTO");
+  const std::optional<double> clearance = number_after(arguments, "RAPTO");
   if (!depth || !clearance || *depth < 0) return std::nullopt;
   const auto* const word = std::find_if(arguments.data(), arguments.data() + arguments.size(),
                                         [](const Argument& a) { return equals_ignoring_case(a.text, "FEDTO"); });
@@ -275,7 +268,7 @@ std::optional<DrillCycle> read_nccs(Arguments arguments) {
   const bool is_deep = equals_ignoring_case(arguments.front().text, "DEEP");
   const bool is_pecking = is_deep || equals_ignoring_case(arguments.front().text, "THRU");
   if (!is_pecking || !retract.height) return make(*clearance, -*depth, retract);
-  const double highest = is_deep ? std::abs(after(arguments, "STEP").value_or(0)) : *clearance;
+  const double highest = is_deep ? std::abs(number_after(arguments, "STEP").value_or(0)) : *clearance;
   if (*retract.height > highest) return std::nullopt;
   return make(*clearance, -*depth, {});
 }

@@ -87,7 +87,8 @@ bool is_name_alone(Tokens tokens) {
 bool take_heidenhain(Tokens tokens, MachineEffect& effect) {
   const Token& first = tokens.front();
   const Token second = tokens.size() > 1 ? tokens[1] : Token{};
-  const auto number = static_cast<int>(second.number.value_or(tokens.size() > 2 ? tokens[2].number.value_or(-1) : -1));
+  const double given = second.number.value_or(tokens.size() > 2 ? tokens[2].number.value_or(-1) : -1);
+  const auto number = static_cast<int>(std::clamp(given, -1.0, 10000.0));
   if (is(first, "CYCL")) {
     constexpr std::array<int, 6> kShifting = {7, 8, 10, 11, 19, 26};
     constexpr std::array<int, 4> kHarmless = {9, 13, 32, 14};

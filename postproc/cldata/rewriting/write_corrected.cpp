@@ -1,18 +1,16 @@
 #include "postproc/cldata/rewriting/write_corrected.h"
 
 #include <algorithm>
-#include <map>
-#include <string_view>
 #include <utility>
 
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/dialect.h"
-#include "postproc/cldata/language/text.h"
 #include "postproc/cldata/lexing/statement_at.h"
 #include "postproc/cldata/rewriting/arc_text.h"
 #include "postproc/cldata/rewriting/change_table.h"
 #include "postproc/cldata/rewriting/goto_text.h"
+#include "postproc/cldata/rewriting/replaced_statements.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
 #include "postproc/cldata/rewriting/write_corrected_nccs.h"
 #include "postproc/cldata/rewriting/write_corrected_nci.h"
@@ -30,7 +28,8 @@ class CorrectedWriter {
         goto_text_(path, read_),
         arc_text_(path, read_),
         is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
-        changes_(path.moves.size(), changes) {
+        changes_(path.moves.size(), changes),
+        replaced_(path) {
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
       if (changes_.is_straightened(i)) drop_curve(i);
     }
@@ -48,7 +47,6 @@ class CorrectedWriter {
   [[nodiscard]] std::optional<Diagnostic> find_stuck(std::size_t first, std::size_t last) const;
   [[nodiscard]] std::string rewritten(std::size_t first, std::size_t last);
   [[nodiscard]] std::string shifted_holes(std::size_t first, std::size_t last) const;
-  void append_source(std::string& text, std::size_t from, std::size_t to) const;
   [[nodiscard]] bool has_curve_left(std::size_t first, std::size_t last) const;
   [[nodiscard]] Pose local_end(std::size_t move) const;
   void begin_statement(const MotionRecord& record, bool is_new_block);
@@ -59,8 +57,6 @@ class CorrectedWriter {
     return record.numbers == 6 || (record.form == PositionForm::curve && is_axis_usual_ && !is_axis_modal_);
   }
   [[nodiscard]] std::string rapid_line(const MotionRecord& record) const;
-  [[nodiscard]] std::string_view bytes_of(std::size_t statement) const;
-  [[nodiscard]] bool begins_with(std::size_t statement, std::string_view word) const;
   [[nodiscard]] std::string insertions(std::size_t move);
   [[nodiscard]] std::string in_place(std::size_t first, std::size_t last);
   [[nodiscard]] std::string one_by_one(std::size_t first, std::size_t last);
@@ -73,9 +69,7 @@ class CorrectedWriter {
   ArcText arc_text_;
   bool is_axis_modal_;
   ChangeTable changes_;
-  // What statements become that have no position of their own: nothing, where they describe what is straightened; or
-  // what describes the arc, with the positions before it.
-  std::map<std::size_t, std::string> replaced_;
+  ReplacedStatements replaced_;
   std::vector<std::string> inserted_arcs_;  // what describes those of the move being written; nothing: straight
   bool is_axis_usual_ = false;              // the last position was written with its axis
   Vec3 axis_read_ = Vec3::UnitZ();          // the modal axis after the last position of the file read so far
@@ -92,11 +86,11 @@ Pose CorrectedWriter::local_end(std::size_t move) const {
 // CIRCLE, MOVARC or INDIRV before the position, KNOT and CNTRL after a NURBS.
 void CorrectedWriter::drop_curve(std::size_t move) {
   const MotionRecord& record = records_[move];
-  if (record.curve_statement != kNone) replaced_[record.curve_statement];
+  if (record.curve_statement != kNone) replaced_[record.curve_statement].clear();
   if (record.form != PositionForm::curve) return;
   for (std::size_t s = record.statement + 1; s < path_.statements.size(); ++s) {
     const Word word = statement_at(path_, s).word;
-    if (word == Word::knot || word == Word::cntrl) replaced_[s];
+    if (word == Word::knot || word == Word::cntrl) replaced_[s].clear();
     if (word != Word::knot && word != Word::cntrl && word != Word::comment) return;
   }
 }
@@ -146,7 +140,7 @@ std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
   replaced_[record.curve_statement] = *text;
   if (changes_.has_insertion(move)) {
     const std::size_t first = arc_text_.first_statement(move);
-    if (first != record.curve_statement) replaced_[first] = std::string(bytes_of(first));
+    if (first != record.curve_statement) replaced_[first] = std::string(replaced_.bytes_of(first));
     replaced_[first].insert(0, insertions(move));
   }
   if (record.form != PositionForm::curve) return std::nullopt;
@@ -154,21 +148,6 @@ std::optional<Diagnostic> CorrectedWriter::redescribe_arc(std::size_t move) {
   if (!tlon) return tlon.error();
   replaced_[record.statement] = *tlon;
   return std::nullopt;
-}
-
-void CorrectedWriter::append_source(std::string& text, std::size_t from, std::size_t to) const {
-  const std::string_view source = path_.source;
-  const auto first =
-      std::lower_bound(path_.statements.begin(), path_.statements.end(), from,
-                       [](const SourceStatement& statement, std::size_t byte) { return statement.first_byte < byte; });
-  auto next = replaced_.lower_bound(static_cast<std::size_t>(first - path_.statements.begin()));
-  for (; next != replaced_.end() && path_.statements[next->first].first_byte < to; ++next) {
-    const SourceStatement& span = path_.statements[next->first];
-    text += source.substr(from, span.first_byte - from);
-    text += next->second;
-    from = span.last_byte;
-  }
-  text += source.substr(from, to - from);
 }
 
 // A statement's positions share the arc that describes them: some straight and some round cannot be written.
@@ -219,18 +198,8 @@ std::string CorrectedWriter::framed(const MotionRecord& record, const WrittenPos
 }
 
 std::string CorrectedWriter::rapid_line(const MotionRecord& record) const {
-  const bool is_template = record.rapid_statement != kNone && begins_with(record.rapid_statement, "RAPID");
-  return goto_text_.with_line_end(is_template ? std::string(bytes_of(record.rapid_statement)) : "RAPID");
-}
-
-std::string_view CorrectedWriter::bytes_of(std::size_t statement) const {
-  const SourceStatement& span = path_.statements[statement];
-  return std::string_view(path_.source).substr(span.first_byte, span.last_byte - span.first_byte);
-}
-
-// False where a sequence number or label, which belongs to its statement alone, stands before the word.
-bool CorrectedWriter::begins_with(std::size_t statement, std::string_view word) const {
-  return starts_with_ignoring_case(trim(bytes_of(statement)), word);
+  const bool is_template = record.rapid_statement != kNone && replaced_.begins_with(record.rapid_statement, "RAPID");
+  return goto_text_.with_line_end(is_template ? std::string(replaced_.bytes_of(record.rapid_statement)) : "RAPID");
 }
 
 // The positions to visit before `move`, and, as RAPID holds for one motion only, a RAPID for each further
@@ -247,7 +216,7 @@ std::string CorrectedWriter::insertions(std::size_t move) {
     if (is_rapid && !is_rapid_pending) text += rapid_line(record);
     is_rapid_pending = false;
     const bool is_template =
-        record.form == PositionForm::go_to && record.points == 1 && begins_with(record.statement, "GOTO");
+        record.form == PositionForm::go_to && record.points == 1 && replaced_.begins_with(record.statement, "GOTO");
     const WrittenPosition position = written(record, record.frame->to_part.inverse().pose(pose), is_axis_kept(record));
     text +=
         framed(record, position,
@@ -375,11 +344,11 @@ Result<std::string> CorrectedWriter::write() {
       if (auto error = redescribe_arc(first)) return std::move(*error);
     }
     const SourceStatement& span = path_.statements[record.statement];
-    append_source(result, copied, span.first_byte);
+    replaced_.append_source(result, copied, span.first_byte);
     copied = span.last_byte;
     result += rewritten(first, last);
   }
-  append_source(result, copied, source.size());
+  replaced_.append_source(result, copied, source.size());
   return result;
 }
 

@@ -5,6 +5,7 @@
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/nccs/nccs_records.h"
+#include "postproc/cldata/rewriting/change_table.h"
 
 namespace gouge {
 namespace {
@@ -20,23 +21,12 @@ class NccsCorrector {
         source_(path.source),
         read_(read_motion_records(path)),
         records_(read_.of_move),
-        changes_(path.moves.size()) {
-    for (const PathChange& change : changes) changes_[change.move] = &change;
-  }
+        changes_(path.moves.size(), changes) {}
 
   Result<std::string> run();
 
  private:
   [[nodiscard]] std::string laid_out() const;
-  [[nodiscard]] bool is_straightened(std::size_t move) const {
-    return changes_[move] != nullptr && changes_[move]->is_straightened;
-  }
-  [[nodiscard]] bool has_new_end(std::size_t move) const {
-    return changes_[move] != nullptr && changes_[move]->new_end.has_value();
-  }
-  [[nodiscard]] bool has_insertion(std::size_t move) const {
-    return changes_[move] != nullptr && !changes_[move]->inserted_before.empty();
-  }
   [[nodiscard]] std::size_t first_word_of(std::size_t statement) const {
     return NccsWords::word_at(path_.statements[statement].first_byte);
   }
@@ -61,7 +51,7 @@ class NccsCorrector {
   NccsWords source_;
   MotionRecords read_;
   const std::vector<MotionRecord>& records_;  // of read_
-  std::vector<const PathChange*> changes_;
+  ChangeTable changes_;
   std::vector<std::size_t> dropped_;  // statements of circles that become straight, in order
   std::size_t next_dropped_ = 0;      // of those, not yet come by
   std::string words_;
@@ -69,7 +59,8 @@ class NccsCorrector {
 
 void NccsCorrector::drop_circles() {
   for (std::size_t i = 0; i < records_.size(); ++i) {
-    if (is_straightened(i) && records_[i].curve_statement != kNone) dropped_.push_back(records_[i].curve_statement);
+    if (changes_.is_straightened(i) && records_[i].curve_statement != kNone)
+      dropped_.push_back(records_[i].curve_statement);
   }
   std::sort(dropped_.begin(), dropped_.end());
   dropped_.erase(std::unique(dropped_.begin(), dropped_.end()), dropped_.end());
@@ -79,7 +70,8 @@ void NccsCorrector::drop_circles() {
 std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
   for (std::size_t i = 1; i < records_.size(); ++i) {
     const Move& move = path_.moves[i];
-    if (move.kind != MoveKind::arc || is_straightened(i) || !move.has_start || !has_new_end(i - 1)) continue;
+    if (move.kind != MoveKind::arc || changes_.is_straightened(i) || !move.has_start || !changes_.has_new_end(i - 1))
+      continue;
     return make_error("write-arc", "an arc that stays begins where a change ends; straighten it as well", path_.file,
                       move.line);
   }
@@ -90,21 +82,22 @@ std::optional<Diagnostic> NccsCorrector::find_broken_arc() const {
 bool NccsCorrector::needs_own_circle(std::size_t move) const {
   const Move& m = path_.moves[move];
   const bool is_round = m.curve_kind != CurveKind::none || !is_motion_known(m.not_checked_reason);
-  return m.kind == MoveKind::arc && is_round && !is_straightened(move) &&
+  return m.kind == MoveKind::arc && is_round && !changes_.is_straightened(move) &&
          std::binary_search(dropped_.begin(), dropped_.end(), records_[move].curve_statement);
 }
 
 Pose NccsCorrector::local_end(std::size_t move) const {
-  return records_[move].frame->to_part.inverse().pose(has_new_end(move) ? *changes_[move]->new_end
-                                                                        : path_.moves[move].end);
+  return records_[move].frame->to_part.inverse().pose(changes_.has_new_end(move) ? *changes_[move]->new_end
+                                                                                 : path_.moves[move].end);
 }
 
 bool NccsCorrector::needs_rewriting(std::size_t first, std::size_t last) const {
   for (std::size_t i = first; i < last; ++i) {
     // Left as it is, a continuation would go on along a circle put before the positions it continues.
-    if (has_new_end(i) || has_insertion(i) || is_straightened(i) || needs_own_circle(i)) return true;
+    if (changes_.has_new_end(i) || changes_.has_insertion(i) || changes_.is_straightened(i) || needs_own_circle(i))
+      return true;
   }
-  return records_[first].form == PositionForm::godlta && first > 0 && has_new_end(first - 1);
+  return records_[first].form == PositionForm::godlta && first > 0 && changes_.has_new_end(first - 1);
 }
 
 std::string NccsCorrector::numbers(const MotionRecord& record, const Pose& local, bool with_axis) const {
@@ -146,7 +139,7 @@ void NccsCorrector::add_position(const MotionRecord& record, const Pose& local, 
 
 void NccsCorrector::add_insertions(std::size_t move, std::uint16_t sequence) {
   const MotionRecord& record = records_[move];
-  if (!has_insertion(move)) return;
+  if (!changes_.has_insertion(move)) return;
   const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
   bool is_pending = record.is_rapid;
   for (const Pose& pose : changes_[move]->inserted_before) {
@@ -172,7 +165,7 @@ bool NccsCorrector::is_split(std::size_t first, std::size_t last, const NccsHead
   for (std::size_t i = first; i < last; ++i) {
     const bool is_new_axis = records_[i].numbers == 3 &&
                              (local_end(i).axis - records_[i].implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
-    if (is_new_axis || has_insertion(i) || is_straightened(i) || needs_own_circle(i)) return true;
+    if (is_new_axis || changes_.has_insertion(i) || changes_.is_straightened(i) || needs_own_circle(i)) return true;
   }
   return false;
 }
@@ -184,8 +177,8 @@ void NccsCorrector::split(std::size_t first, std::size_t last, const NccsHeader&
       const std::size_t circle = first_word_of(records_[i].curve_statement);
       copy(circle, circle + source_.header(circle).words);
     }
-    const bool is_stale = header.klass == NccsClass::kExpanded && has_insertion(i);
-    if (records_[i].form == PositionForm::go_to && !has_new_end(i) && !is_stale) {
+    const bool is_stale = header.klass == NccsClass::kExpanded && changes_.has_insertion(i);
+    if (records_[i].form == PositionForm::go_to && !changes_.has_new_end(i) && !is_stale) {
       copy_point(i, header);
     } else {
       add_position(records_[i], local_end(i), header.sequence);
@@ -198,7 +191,7 @@ void NccsCorrector::rewrite(std::size_t first, std::size_t last, const NccsHeade
   const std::size_t begin = first_word_of(records_[first].statement);
   words_ += source_.bytes(begin);
   for (std::size_t i = first; i < last; ++i) {
-    if (has_new_end(i)) {
+    if (changes_.has_new_end(i)) {
       words_ += numbers(records_[i], local_end(i), records_[i].numbers == 6);
     } else {
       const std::size_t from = begin + 1 + records_[i].first_argument;
@@ -224,7 +217,7 @@ Result<std::string> NccsCorrector::run() {
     last = first + 1;
     while (last < records_.size() && records_[last].statement == records_[first].statement) ++last;
     const bool is_hole_by_step = records_[first].form == PositionForm::cycle && records_[first].numbers == 0;
-    if (is_hole_by_step && first > 0 && has_new_end(first - 1)) {
+    if (is_hole_by_step && first > 0 && changes_.has_new_end(first - 1)) {
       return make_error("write-arc", "a hole is a step from a position that changes; keep that position", path_.file,
                         path_.moves[first].line);
     }

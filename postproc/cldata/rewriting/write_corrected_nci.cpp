@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "postproc/cldata/interpreting/motion_records.h"
+#include "postproc/cldata/rewriting/change_table.h"
 #include "postproc/cldata/rewriting/nci_text.h"
 
 namespace gouge {
@@ -16,8 +17,7 @@ bool is_plain(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCo
 class NciCorrector {
  public:
   NciCorrector(const Toolpath& path, const std::vector<PathChange>& changes)
-      : path_(path), read_(read_motion_records(path)), text_(path, read_), changes_(path.moves.size(), nullptr) {
-    for (const PathChange& change : changes) changes_[change.move] = &change;
+      : path_(path), read_(read_motion_records(path)), text_(path, read_), changes_(path.moves.size(), changes) {
     for (std::size_t i = 0; i < path.moves.size() && five_axis_ == kNone; ++i) note_five_axis(i);
   }
 
@@ -39,7 +39,7 @@ class NciCorrector {
   const Toolpath& path_;
   MotionRecords read_;
   NciText text_;
-  std::vector<const PathChange*> changes_;
+  ChangeTable changes_;
   std::size_t five_axis_ = kNone;  // the last move on a five-axis line, or the first one of the file
 };
 
@@ -54,7 +54,7 @@ std::optional<Diagnostic> NciCorrector::find_error(std::size_t move, const NciMo
   const PathChange& change = *changes_[move];
   const std::size_t next = move + 1;
   const bool meets_arc = next < path_.moves.size() && path_.moves[next].kind == MoveKind::arc &&
-                         path_.moves[next].has_start && (changes_[next] == nullptr || !changes_[next]->is_straightened);
+                         path_.moves[next].has_start && !changes_.is_straightened(next);
   if (change.new_end && meets_arc)
     return error("write-arc", move, "ends where an arc that stays begins; expected that arc straightened as well");
   if (pair.motion.form == NciForm::five_axis) return std::nullopt;
@@ -99,10 +99,8 @@ Result<std::string> NciCorrector::write() {
   result.reserve(path_.source.size() + path_.source.size() / 8);
   std::size_t copied = 0;
   for (std::size_t i = 0; i < path_.moves.size(); ++i) {
-    const PathChange* change = changes_[i];
-    const bool is_straightened =
-        change != nullptr && change->is_straightened && path_.moves[i].curve_kind != CurveKind::none;
-    if (is_straightened || (change != nullptr && (change->new_end || !change->inserted_before.empty()))) {
+    const bool is_straightened = changes_.is_straightened(i) && path_.moves[i].curve_kind != CurveKind::none;
+    if (is_straightened || changes_.has_new_end(i) || changes_.has_insertion(i)) {
       const NciMotionPair pair = text_.pair_of(i);
       if (auto error = find_error(i, pair)) return std::move(*error);
       result.append(path_.source, copied, pair.lines.first_byte - copied);

@@ -151,6 +151,16 @@ constexpr std::array<TextFormat, 11> kFormats = {{
      .cutter_separator = ","},
 }};
 
+std::string triple(const TextFormat& format, const Vec3& value, int count, std::size_t columns) {
+  std::string text;
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    if (i > 0) text += format.separator;
+    const std::string token = format.number_text(value[i], count);
+    text += format.is_aligned ? aligned(token, static_cast<std::size_t>(count) + columns) : token;
+  }
+  return text;
+}
+
 }  // namespace
 
 std::string TextFormat::number_text(double value, int count) const {
@@ -158,24 +168,10 @@ std::string TextFormat::number_text(double value, int count) const {
   return drops_zeros && count > 0 ? without_zeros(std::move(text)) : text;
 }
 
-std::string TextFormat::point(const Vec3& value) const {
-  std::string text;
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    if (i > 0) text += separator;
-    const std::string token = number_text(value[i], decimals);
-    text += is_aligned ? aligned(token, static_cast<std::size_t>(decimals) + kColumnsOfCoordinate) : token;
-  }
-  return text;
-}
+std::string TextFormat::point(const Vec3& value) const { return triple(*this, value, decimals, kColumnsOfCoordinate); }
 
 std::string TextFormat::direction(const Vec3& value) const {
-  std::string text;
-  for (Eigen::Index i = 0; i < 3; ++i) {
-    if (i > 0) text += separator;
-    const std::string token = number_text(value[i], axis_decimals);
-    text += is_aligned ? aligned(token, static_cast<std::size_t>(axis_decimals) + kColumnsOfAxis) : token;
-  }
-  return text;
+  return triple(*this, value, axis_decimals, kColumnsOfAxis);
 }
 
 const TextFormat& text_format(DialectKind kind) {

@@ -313,8 +313,7 @@ void PathWriter::write_move(std::size_t index) {
 // "3 arcs written ...", "1 arc written ...": `what` goes with both.
 void PathWriter::note(const char* code, std::size_t count, const std::string& noun, const std::string& what) {
   if (count == 0) return;
-  const std::string counted = std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-  written_.notes.push_back(make_warning(code, counted + " " + what, path_.file));
+  written_.notes.push_back(make_warning(code, count_text(count, noun) + " " + what, path_.file));
 }
 
 void PathWriter::note_losses() {

@@ -45,6 +45,7 @@ TEST(MachineText, ReportsWhatOtherControlsDo) {
   EXPECT_EQ(effects("CYCL DEF 7.0"), "s");
   EXPECT_EQ(effects("CYCL DEF 247 Q339=+1"), "o");
   EXPECT_EQ(effects("CYCL DEF 200 Q200=2"), "m");
+  EXPECT_EQ(effects("CYCL DEF 5000000000"), "m") << "more than an int holds";
   EXPECT_EQ(effects("TOOL CALL 5 Z S2000"), "t");
   EXPECT_EQ(effects("TOOL CALL S3000"), "");
   EXPECT_EQ(effects("ATRANS Z-50"), "s");

@@ -1,0 +1,47 @@
+#include "cli/print_diagnostics.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <ostream>
+
+#include "lib/base/exit_code.h"
+
+namespace gouge {
+
+void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose) {
+  command.add_flag("-q,--quiet", verbosity.is_quiet, "Print no findings, only errors");
+  command.add_flag("-v,--verbose", verbosity.is_verbose, on_verbose);
+}
+
+std::optional<Diagnostic> find_contradiction(const Verbosity& verbosity) {
+  if (!verbosity.is_quiet || !verbosity.is_verbose) return std::nullopt;
+  return make_error("usage", "-q and -v exclude each other; expected one of them");
+}
+
+void print(std::ostream& err, const Diagnostics& diagnostics) {
+  for (const Diagnostic& d : diagnostics) err << to_text(d) << "\n";
+}
+
+void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity) {
+  constexpr std::size_t kMost = 10;
+  if (verbosity.is_verbose) return print(err, notes);
+  if (verbosity.is_quiet) return;
+  std::size_t warnings = 0;
+  for (const Diagnostic& d : notes) {
+    if (d.severity == Severity::warning && ++warnings <= kMost) err << to_text(d) << "\n";
+  }
+  if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
+}
+
+int fail(std::ostream& err, const Diagnostics& errors, int status) {
+  print(err, errors);
+  return status;
+}
+
+int fail(std::ostream& err, const Diagnostics& errors) {
+  const bool is_usage =
+      std::any_of(errors.begin(), errors.end(), [](const Diagnostic& d) { return d.code == "usage"; });
+  return fail(err, errors, is_usage ? kExitUsage : kExitInput);
+}
+
+}  // namespace gouge

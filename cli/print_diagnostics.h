@@ -1,0 +1,42 @@
+#pragma once
+
+#include <iosfwd>
+#include <optional>
+#include <string>
+
+#include "lib/base/diagnostic.h"
+
+namespace CLI {
+class App;
+}
+
+// What a command says on standard error.
+
+namespace gouge {
+
+/// -q and -v of a command.
+struct Verbosity {
+  bool is_quiet = false;
+  bool is_verbose = false;
+};
+
+/// `on_verbose` is the help of -v.
+void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose);
+
+/// Both at once (code usage), or nothing.
+[[nodiscard]] std::optional<Diagnostic> find_contradiction(const Verbosity& verbosity);
+
+/// Prints diagnostics, one a line, as compilers do.
+void print(std::ostream& err, const Diagnostics& diagnostics);
+
+/// Warnings of the inputs; with -v notes as well, with -q nothing. More than a handful are counted.
+void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity);
+
+/// Prints `errors` and returns `status`.
+int fail(std::ostream& err, const Diagnostics& errors, int status);
+
+/// The same with the status of what was wrong: the command line where one of them has the code usage, as where --tool
+/// names what the library lacks; else an input.
+int fail(std::ostream& err, const Diagnostics& errors);
+
+}  // namespace gouge
