@@ -91,7 +91,7 @@ TEST(Repository, PartsOfAVerdictAreClosedToAllWhoCouldForgetTheOthers) {
   EXPECT_GE(closed, 5U);
   EXPECT_EQ(listed(check_closed_headers(repository(), modules())), "");
 }
-TEST(Repository, CgalAndOpenCvStayInOneSourceEach) { EXPECT_EQ(listed(check_heavy_libraries(repository())), ""); }
+TEST(Repository, CgalAndOpenCvStayInTheirSources) { EXPECT_EQ(listed(check_heavy_libraries(repository())), ""); }
 TEST(Repository, NothingBelowCliPrintsEndsOrThrows) { EXPECT_EQ(listed(check_banned_words(repository())), ""); }
 TEST(Repository, RandomNumbersAreTheSameEverywhere) { EXPECT_EQ(listed(check_random_numbers(repository())), ""); }
 TEST(Repository, FilesAreShortAndHeadersGuarded) { EXPECT_EQ(listed(check_shape(repository())), ""); }

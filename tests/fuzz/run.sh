@@ -33,7 +33,7 @@ for target in "$@"; do
   mkdir -p "$folder/$target"
   cpu=0 executions=0 findings=0
   while [ "$cpu" -lt "$seconds" ] && [ "$findings" = 0 ]; do
-    { time "$build/tests/fuzz/$target" -max_total_time=$((seconds - cpu + 5)) -timeout=60 -rss_limit_mb=2048 \
+    { time "$build/tests/fuzz/$target" -max_total_time=$((seconds - cpu + 5)) -timeout=300 -rss_limit_mb=2048 \
         -max_len="$most" -dict="$words" -print_final_stats=1 -artifact_prefix="$folder/found_$target-" \
         "$folder/$target" "${seeds[@]}" > "$folder/$target.log" 2>&1 || findings=1; } 2> "$folder/$target.time"
     read -r user system < <(tail -1 "$folder/$target.time")

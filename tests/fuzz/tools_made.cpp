@@ -5,6 +5,7 @@
 #include <string>
 
 #include "tests/fuzz/require.h"
+#include "tests/support/verify_tool.h"
 #include "toolmodels/compile_tool.h"
 
 namespace gouge::fuzz {
@@ -24,7 +25,8 @@ void require_sound(const ToolLibrary& library) {
     const Result<ToolVariants> variants =
         make_tool_variants(library.tools[i], i % 2 == 0 ? 0 : 0.3, 0, i % 2 == 0 ? 0 : 1);
     require(variants.has_value() || !variants.error().code.empty());
-    if (variants) require(verify_tool(variants->bare).empty() && verify_tool(variants->against_part).empty());
+    if (variants)
+      require(test::verify_tool(variants->bare).empty() && test::verify_tool(variants->against_part).empty());
   }
 }
 
