@@ -23,7 +23,7 @@ GOUGE_WIDE void meet_balls(const NodeBlock& node, const Sight& sight, LaneFlags&
     const float along = x * sight.toward[0] + y * sight.toward[1] + z * sight.toward[2];
     const float ax = x - along * sight.toward[0], ay = y - along * sight.toward[1], az = z - along * sight.toward[2];
     const float radius = node.radius_mm[i];
-    is_met[i] = (along + radius >= 0) & (ax * ax + ay * ay + az * az <= radius * radius) ? 1 : 0;
+    is_met[i] = ((along + radius >= 0) & (ax * ax + ay * ay + az * az <= radius * radius)) ? 1 : 0;
   }
 }
 
@@ -44,7 +44,7 @@ GOUGE_WIDE void meet_triangles(const TriangleBlock& leaf, const Sight& sight, La
     const float v = sign * (dx * qx + dy * qy + dz * qz);
     const float t = sign * (vx * qx + vy * qy + vz * qz);
     const float all = sign * volume;
-    is_met[i] = (all > 0) & (u >= 0) & (v >= 0) & (u + v <= all) & (t > 0) ? 1 : 0;
+    is_met[i] = ((all > 0) & (u >= 0) & (v >= 0) & (u + v <= all) & (t > 0)) ? 1 : 0;
   }
 }
 

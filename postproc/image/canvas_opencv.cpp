@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <new>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -233,7 +234,10 @@ Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedR
     for (const PlacedRaster& placed : underlay) painter.paint(placed);
     for (const auto& item : drawing.items) std::visit(painter, item);
     return painter.png();
-  } catch (const std::exception& failure) {
+  } catch (const std::bad_alloc&) {
+    throw;  // short of memory like any other part of the program, which has one message for it
+  } catch (const cv::Exception& failure) {
+    if (failure.code == cv::Error::StsNoMem) throw std::bad_alloc();
     return make_error("picture-not-encoded", std::string("the picture could not be painted: ") + failure.what());
   }
 }

@@ -2,6 +2,9 @@
 
 #include <png.h>
 
+#include <new>
+#include <string_view>
+
 // libpng's simplified interface: it gives its errors back as text, where the full one would jump over
 // destructors.
 
@@ -20,6 +23,8 @@ Result<std::string> encode_png(const std::uint8_t* bgr, int width, int height) {
   std::string bytes(size, '\0');
   constexpr int kRowsAsTheyAre = 0;
   if (png_image_write_to_memory(&image, bytes.data(), &size, 0, bgr, kRowsAsTheyAre, nullptr) == 0) {
+    // "out of memory" from libpng, "insufficient memory" from zlib.
+    if (std::string_view(image.message).find("memory") != std::string_view::npos) throw std::bad_alloc();
     return make_error("picture-not-encoded", std::string("the picture could not be encoded: ") + image.message);
   }
   bytes.resize(size);
