@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "lib/clash/surface_query.h"
-#include "lib/mesh/adjacency.h"
 
 namespace gouge {
 namespace {
@@ -21,19 +20,22 @@ constexpr int kTries = 10;
 LocalMaxima::LocalMaxima(Surface surface)
     : surface_(std::move(surface)), is_reflex_(surface_.mesh().vertices.size(), false) {
   const IndexedMesh& mesh = surface_.mesh();
-  const MeshAdjacency adjacency(mesh);
-  const auto is_convex = [&](std::span<const EdgeUse> uses) {
-    if (uses.size() != 2) return false;
-    const Vec3 own = face_normal(mesh, uses[0].triangle), other = face_normal(mesh, uses[1].triangle);
+  const auto is_convex = [&](const EdgeTriangles& edge) {
+    if (edge.count != 2) return false;
+    const Vec3 own = face_normal(mesh, edge.first[0]), other = face_normal(mesh, edge.first[1]);
     if (!(own.squaredNorm() > 0 && other.squaredNorm() > 0)) return false;
     for (std::size_t k = 0; k < 3; ++k) {
-      const Vec3 across = mesh.corner(uses[1].triangle, k) - mesh.corner(uses[0].triangle, 0);
+      const Vec3 across = mesh.corner(edge.first[1], k) - mesh.corner(edge.first[0], 0);
       if (own.dot(across) > kFlat * across.norm()) return false;
     }
     return true;
   };
-  for (const MeshEdge& edge : adjacency.edges()) {
-    if (!is_convex(adjacency.uses(edge))) is_reflex_[edge.low] = is_reflex_[edge.high] = true;
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      const EdgeTriangles edge = surface_.triangles_at_vertices().at_edge(mesh, a, b);
+      if (edge.first[0] == t && !is_convex(edge)) is_reflex_[a] = is_reflex_[b] = true;
+    }
   }
 }
 

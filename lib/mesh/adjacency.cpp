@@ -5,38 +5,8 @@
 #include <utility>
 
 namespace gouge {
-namespace {
 
-// Turns counts (stored one slot later) into the first index of each bucket.
-void counts_to_firsts(std::vector<std::uint32_t>& counts) {
-  std::partial_sum(counts.begin(), counts.end(), counts.begin());
-}
-
-}  // namespace
-
-MeshAdjacency::MeshAdjacency(const IndexedMesh& mesh) {
-  collect_triangles_of_vertices(mesh);
-  collect_edges(mesh);
-  for (std::uint32_t i = 0; i < edges_.size(); ++i) {
-    if (edges_[i].use_count == 1) boundary_edges_.push_back(i);
-    if (edges_[i].use_count > 2) non_manifold_edges_.push_back(i);
-  }
-}
-
-void MeshAdjacency::collect_triangles_of_vertices(const IndexedMesh& mesh) {
-  vertex_first_.assign(mesh.vertices.size() + 1, 0);
-  for (const TriangleCorners& corners : mesh.triangles) {
-    for (const Corner c : corners) ++vertex_first_[c + 1];
-  }
-  counts_to_firsts(vertex_first_);
-  vertex_triangles_.resize(3 * mesh.triangles.size());
-  std::vector<std::uint32_t> next(vertex_first_.begin(), vertex_first_.end() - 1);
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (const Corner c : mesh.triangles[t]) vertex_triangles_[next[c]++] = t;
-  }
-}
-
-void MeshAdjacency::collect_edges(const IndexedMesh& mesh) {
+MeshAdjacency::MeshAdjacency(const IndexedMesh& mesh) : around_(mesh) {
   const std::size_t triangle_count = mesh.triangles.size();
   const auto from = [&](std::size_t t, std::size_t k) { return mesh.triangles[t][k]; };
   const auto to = [&](std::size_t t, std::size_t k) { return mesh.triangles[t][(k + 1) % 3]; };
@@ -45,7 +15,7 @@ void MeshAdjacency::collect_edges(const IndexedMesh& mesh) {
   for (std::size_t t = 0; t < triangle_count; ++t) {
     for (std::size_t k = 0; k < 3; ++k) ++end[std::min(from(t, k), to(t, k)) + 1];
   }
-  counts_to_firsts(end);
+  std::partial_sum(end.begin(), end.end(), end.begin());
   std::vector<std::uint32_t> sides(3 * triangle_count);
   for (std::size_t t = 0; t < triangle_count; ++t) {
     for (std::size_t k = 0; k < 3; ++k) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "lib/mesh/indexed_mesh.h"
+#include "lib/mesh/vertex_triangles.h"
 
 // Which triangles meet at an edge and at a vertex (thesis 4.2, 4.5.2.3). Any mesh has an adjacency: an edge
 // may be used by one triangle or by many, in either direction.
@@ -45,25 +46,13 @@ class MeshAdjacency {
   }
 
   /// In increasing order.
-  [[nodiscard]] std::span<const std::uint32_t> triangles_of_vertex(Corner vertex) const {
-    return {vertex_triangles_.data() + vertex_first_[vertex], vertex_first_[vertex + 1] - vertex_first_[vertex]};
-  }
-
-  /// Edges used by one triangle, and by more than two; indices into edges(), increasing.
-  [[nodiscard]] const std::vector<std::uint32_t>& boundary_edges() const { return boundary_edges_; }
-  [[nodiscard]] const std::vector<std::uint32_t>& non_manifold_edges() const { return non_manifold_edges_; }
+  [[nodiscard]] std::span<const std::uint32_t> triangles_of_vertex(Corner vertex) const { return around_.at(vertex); }
 
  private:
-  void collect_triangles_of_vertices(const IndexedMesh& mesh);
-  void collect_edges(const IndexedMesh& mesh);
-
+  VertexTriangles around_;
   std::vector<MeshEdge> edges_;
   std::vector<EdgeUse> uses_;
   std::vector<std::array<std::uint32_t, 3>> triangle_edges_;
-  std::vector<std::uint32_t> vertex_first_;
-  std::vector<std::uint32_t> vertex_triangles_;
-  std::vector<std::uint32_t> boundary_edges_;
-  std::vector<std::uint32_t> non_manifold_edges_;
 };
 
 }  // namespace gouge

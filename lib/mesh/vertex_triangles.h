@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -7,6 +9,12 @@
 #include "lib/mesh/indexed_mesh.h"
 
 namespace gouge {
+
+/// The triangles with both ends of an edge.
+struct EdgeTriangles {
+  std::size_t count = 0;                 ///< 1 at a border, 2 where the surface is manifold
+  std::array<std::uint32_t, 2> first{};  ///< the lowest of them
+};
 
 /// The triangles at each vertex: the least from which all that is adjacent can be told.
 class VertexTriangles {
@@ -19,6 +27,9 @@ class VertexTriangles {
   [[nodiscard]] std::span<const std::uint32_t> at(Corner vertex) const {
     return {triangles_.data() + first_[vertex], first_[vertex + 1] - first_[vertex]};
   }
+  /// Requires the mesh it was made of. Cost: as many steps as triangles meet at the end with fewer; over all edges O(n)
+  /// for a surface of few handles, however many triangles meet at a vertex.
+  [[nodiscard]] EdgeTriangles at_edge(const IndexedMesh& mesh, Corner a, Corner b) const;
 
  private:
   std::vector<std::uint32_t> first_;      // per vertex, and one more

@@ -1,5 +1,6 @@
 #include "lib/surface/surface.h"
 
+#include <atomic>
 #include <cmath>
 #include <mutex>
 #include <utility>
@@ -12,31 +13,38 @@
 namespace gouge {
 
 struct Surface::Shared {
-  IndexedMesh own_mesh;
-  BlockTree own_tree;
+  IndexedMesh own_mesh{};
   const IndexedMesh* mesh = nullptr;
-  const BlockTree* tree = nullptr;
-  struct Sides {
-    bool is_solid = false;
-    SurfaceSign sign;  ///< of a solid
-  };
-  mutable std::once_flag are_sides_made;
-  mutable Sides made_sides;
+  const BlockTree* given_tree = nullptr;
+  unsigned threads = 0;
 
-  [[nodiscard]] const Sides& sides() const {
-    std::call_once(are_sides_made, [this] {
-      made_sides.is_solid = find_mesh_findings(*mesh).is_solid();
-      if (made_sides.is_solid) made_sides.sign = SurfaceSign(*mesh);
-    });
-    return made_sides;
-  }
+  /// Made by the first who asks.
+  template <class T>
+  struct OnDemand {
+    template <class Make>
+    const T& get(Make make) const {
+      if (!is_made.load(std::memory_order_acquire)) {  // cheaper than call_once, which has to ask a library
+        std::call_once(once, [&] {
+          value = make();
+          is_made.store(true, std::memory_order_release);
+        });
+      }
+      return value;
+    }
+    mutable std::once_flag once;
+    mutable std::atomic<bool> is_made = false;
+    mutable T value{};
+  };
+  OnDemand<BlockTree> own_tree{};
+  OnDemand<VertexTriangles> around{};
+  OnDemand<bool> is_solid{};
+  OnDemand<SurfaceSign> sign{};
 };
 
 Surface::Surface(const IndexedMesh& mesh, unsigned threads) {
   const auto shared = std::make_shared<Shared>();
   shared->mesh = &mesh;
-  shared->own_tree = build_block_tree({&mesh, 1}, threads);
-  shared->tree = &shared->own_tree;
+  shared->threads = threads;
   shared_ = shared;
 }
 
@@ -44,23 +52,30 @@ Surface::Surface(IndexedMesh&& mesh) {
   const auto shared = std::make_shared<Shared>();
   shared->own_mesh = std::move(mesh);
   shared->mesh = &shared->own_mesh;
-  shared->own_tree = build_block_tree({&shared->own_mesh, 1});
-  shared->tree = &shared->own_tree;
   shared_ = shared;
 }
 
 Surface::Surface(const IndexedMesh& mesh, const BlockTree& tree) {
   const auto shared = std::make_shared<Shared>();
   shared->mesh = &mesh;
-  shared->tree = &tree;
+  shared->given_tree = &tree;
   shared_ = shared;
 }
 
 const IndexedMesh& Surface::mesh() const { return *shared_->mesh; }
 
-const BlockTree& Surface::tree() const { return *shared_->tree; }
+const BlockTree& Surface::tree() const {
+  if (shared_->given_tree != nullptr) return *shared_->given_tree;
+  return shared_->own_tree.get([&] { return build_block_tree({shared_->mesh, 1}, shared_->threads); });
+}
 
-bool Surface::is_solid() const { return shared_->sides().is_solid; }
+const VertexTriangles& Surface::triangles_at_vertices() const {
+  return shared_->around.get([&] { return VertexTriangles(mesh()); });
+}
+
+bool Surface::is_solid() const {
+  return shared_->is_solid.get([&] { return find_mesh_findings(mesh()).is_solid(); });
+}
 
 std::optional<ClosestPoint> Surface::closest_point(const Vec3& point, double within_mm) const {
   const auto found = closest_triangle(tree(), point, within_mm);
@@ -74,8 +89,9 @@ ClosestPoint Surface::signed_closest_point(const Vec3& point, std::uint32_t tria
   result.triangle = triangle;
   result.distance_mm = std::sqrt(foot.distance2_mm2);
   const Vec3 displacement = point - foot.point;
-  if (const Shared::Sides& sides = shared_->sides(); sides.is_solid) {
-    const Vec3 outward = sides.sign.outward(triangle, foot.feature, foot.index);
+  if (is_solid()) {
+    const SurfaceSign& sign = shared_->sign.get([&] { return SurfaceSign(mesh(), triangles_at_vertices()); });
+    const Vec3 outward = sign.outward(triangle, foot.feature, foot.index);
     const double side = displacement.dot(outward);
     result.is_inside = outward.squaredNorm() > 0 ? side < 0 : is_inside({&mesh(), 1}, point);
   }

@@ -10,23 +10,26 @@
 #include "lib/hierarchy/block_tree.h"
 #include "lib/mesh/face_normal.h"
 #include "lib/mesh/indexed_mesh.h"
+#include "lib/mesh/vertex_triangles.h"
 #include "lib/surface/closest_point.h"
 
 namespace gouge {
 
-/// A mesh with what distances from it need: its index, and on demand what shows the side of a point. Small, and shared
-/// by its copies. Any number of threads may ask it.
+/// A mesh with its index and what shows the side of a point, each made once when first asked for. Small, and shared by
+/// its copies. Any number of threads may ask it.
 class Surface {
  public:
-  /// The mesh must outlive all copies. `threads` as in build_block_tree. Cost: its tree.
+  /// The mesh must outlive all copies. `threads` as in build_block_tree.
   explicit Surface(const IndexedMesh& mesh, unsigned threads = 0);
   /// Keeps the mesh.
   explicit Surface(IndexedMesh&& mesh);
-  /// `tree`: of that mesh alone. Both must outlive all copies. Cost: none.
+  /// `tree`: of that mesh alone. Both must outlive all copies.
   Surface(const IndexedMesh& mesh, const BlockTree& tree);
 
   [[nodiscard]] const IndexedMesh& mesh() const;
   [[nodiscard]] const BlockTree& tree() const;
+  /// 14 bytes a triangle. Cost of the first call O(n).
+  [[nodiscard]] const VertexTriangles& triangles_at_vertices() const;
   /// Closed, oriented, outward: inside means something. Cost of the first call O(n).
   [[nodiscard]] bool is_solid() const;
 

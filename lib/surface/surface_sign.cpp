@@ -9,15 +9,16 @@
 namespace gouge {
 namespace {
 
-bool has_edge(const TriangleCorners& t, Corner from, Corner to) {
+bool runs_along(const IndexedMesh& mesh, std::uint32_t triangle, Corner from, Corner to) {
+  const TriangleCorners& t = mesh.triangles[triangle];
   return (t[0] == from && t[1] == to) || (t[1] == from && t[2] == to) || (t[2] == from && t[0] == to);
 }
 
 }  // namespace
 
-SurfaceSign::SurfaceSign(const IndexedMesh& mesh) : mesh_(&mesh), around_(mesh) {
+SurfaceSign::SurfaceSign(const IndexedMesh& mesh, const VertexTriangles& around) : mesh_(&mesh), around_(&around) {
   for (Corner v = 0; v < mesh.vertices.size(); ++v) {
-    if (around_.at(v).size() > kMostAround) kept_.emplace_back(v, at_vertex(v));
+    if (around_->at(v).size() > kMostAround) kept_.emplace_back(v, at_vertex(v));
   }
 }
 
@@ -25,32 +26,26 @@ Vec3 SurfaceSign::outward(std::uint32_t triangle, TriangleFeature feature, std::
   if (feature == TriangleFeature::face) return face_normal(*mesh_, triangle);
   const Corner corner = mesh_->triangles[triangle][index];
   if (feature == TriangleFeature::edge) return at_edge(corner, mesh_->triangles[triangle][(index + 1) % 3]);
-  if (around_.at(corner).size() <= kMostAround) return at_vertex(corner);
+  if (around_->at(corner).size() <= kMostAround) return at_vertex(corner);
   const auto after = [](const std::pair<Corner, Vec3>& kept, Corner vertex) { return kept.first < vertex; };
   return std::lower_bound(kept_.begin(), kept_.end(), corner, after)->second;
 }
 
 /// The sum of its two faces' normals, if they run along it in opposite directions.
 Vec3 SurfaceSign::at_edge(Corner from, Corner to) const {
-  const bool is_fewer = around_.at(from).size() <= around_.at(to).size();
-  Vec3 sum = Vec3::Zero();
-  std::size_t forward = 0, backward = 0;
-  for (const std::uint32_t t : around_.at(is_fewer ? from : to)) {
-    const bool is_forward = has_edge(mesh_->triangles[t], from, to);
-    if (!is_forward && !has_edge(mesh_->triangles[t], to, from)) continue;
-    ++(is_forward ? forward : backward);
-    const Vec3 normal = face_normal(*mesh_, t);
-    if (!(normal.squaredNorm() > 0)) return Vec3::Zero();
-    sum += normal;
+  const EdgeTriangles edge = around_->at_edge(*mesh_, from, to);
+  if (edge.count != 2 || runs_along(*mesh_, edge.first[0], from, to) == runs_along(*mesh_, edge.first[1], from, to)) {
+    return Vec3::Zero();
   }
-  return forward == 1 && backward == 1 ? sum : Vec3(Vec3::Zero());
+  const Vec3 one = face_normal(*mesh_, edge.first[0]), other = face_normal(*mesh_, edge.first[1]);
+  return one.squaredNorm() > 0 && other.squaredNorm() > 0 ? Vec3(one + other) : Vec3(Vec3::Zero());
 }
 
 /// Unit, or zero where the normals cancel or the theorem does not hold.
 Vec3 SurfaceSign::at_vertex(Corner vertex) const {
   if (!is_plain(vertex)) return Vec3::Zero();
   Vec3 sum = Vec3::Zero();
-  for (const std::uint32_t t : around_.at(vertex)) {
+  for (const std::uint32_t t : around_->at(vertex)) {
     const Vec3 normal = face_normal(*mesh_, t);
     if (!(normal.squaredNorm() > 0)) return Vec3::Zero();
     sum += angle_at(*mesh_, t, vertex) * normal;
@@ -62,7 +57,7 @@ Vec3 SurfaceSign::at_vertex(Corner vertex) const {
 /// Whether each edge at the vertex has two triangles, one in either direction: each of its other ends then follows it
 /// in one triangle and comes before it in one.
 bool SurfaceSign::is_plain(Corner vertex) const {
-  const std::span<const std::uint32_t> around = around_.at(vertex);
+  const std::span<const std::uint32_t> around = around_->at(vertex);
   std::array<Corner, kMostAround> few_next, few_last;
   std::vector<Corner> many_next, many_last;
   if (around.size() > kMostAround) {

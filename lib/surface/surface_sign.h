@@ -14,16 +14,15 @@ namespace gouge {
 /// face, by the mean of both faces at an edge, by the angle-weighted mean at a vertex. Normals are computed where they
 /// are asked for.
 ///
-/// Source  J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal,
-/// IEEE
+/// Source  J. A. Baerentzen, H. Aanaes, Signed distance computation using the angle weighted pseudonormal, IEEE
 ///         Trans. Vis. Comput. Graph. 11 (2005): exact for a closed orientable 2-manifold.
 /// Deviates  features the theorem does not cover (edges of other than two triangles, neighbours without area,
 ///         vertices whose normals cancel) have no normal; there the winding number decides.
 class SurfaceSign {
  public:
   SurfaceSign() = default;
-  /// The mesh must outlive it. Requires triangles with three distinct corners. Cost O(n), 14 bytes a triangle.
-  explicit SurfaceSign(const IndexedMesh& mesh);
+  /// Mesh and triangles at its vertices must outlive it. Requires triangles with three distinct corners. Cost O(n).
+  SurfaceSign(const IndexedMesh& mesh, const VertexTriangles& around);
 
   /// Outward direction at a foot on `triangle`: zero where the winding number must be asked.
   /// Cost  as many steps as triangles meet at the foot, at most kMostAround.
@@ -38,7 +37,7 @@ class SurfaceSign {
   [[nodiscard]] bool is_plain(Corner vertex) const;
 
   const IndexedMesh* mesh_ = nullptr;
-  VertexTriangles around_;
+  const VertexTriangles* around_ = nullptr;
   std::vector<std::pair<Corner, Vec3>> kept_;  // by vertex
 };
 

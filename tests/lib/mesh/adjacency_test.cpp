@@ -18,8 +18,6 @@ TEST(Adjacency, ACubeHasEighteenEdgesEachWithTwoOppositeUses) {
     ASSERT_EQ(edge.use_count, 2U);
     EXPECT_NE(adjacency.uses(edge)[0].is_forward, adjacency.uses(edge)[1].is_forward);
   }
-  EXPECT_TRUE(adjacency.boundary_edges().empty());
-  EXPECT_TRUE(adjacency.non_manifold_edges().empty());
 }
 
 TEST(Adjacency, ClosedSurfacesOfGenusZeroObeyEuler) {
@@ -62,13 +60,31 @@ TEST(Adjacency, EdgesOfTrianglesAndTrianglesOfVerticesAgreeWithBruteForce) {
   }
 }
 
-TEST(Adjacency, BoundaryAndNonManifoldEdgesAreListed) {
-  const IndexedMesh open = shapes::open_cube();
-  EXPECT_EQ(MeshAdjacency(open).boundary_edges().size(), 4U);
-  const IndexedMesh touching = shapes::cubes_touching_at_edge();
-  const MeshAdjacency adjacency(touching);
-  ASSERT_EQ(adjacency.non_manifold_edges().size(), 1U);
-  EXPECT_EQ(adjacency.edges()[adjacency.non_manifold_edges()[0]].use_count, 4U);
+TEST(Adjacency, ABorderHasOneUseAndTwoCubesShareFour) {
+  const auto edges_with = [](const IndexedMesh& mesh, std::uint32_t uses) {
+    const MeshAdjacency adjacency(mesh);
+    return std::ranges::count(adjacency.edges(), uses, &MeshEdge::use_count);
+  };
+  EXPECT_EQ(edges_with(shapes::open_cube(), 1), 4);
+  EXPECT_EQ(edges_with(shapes::cubes_touching_at_edge(), 4), 1);
+}
+
+TEST(VertexTriangles, FindTheTrianglesOfAnEdgeFromEitherEnd) {
+  for (const IndexedMesh& mesh :
+       {shapes::open_cube(), shapes::cubes_touching_at_edge(), shapes::needle_fan(50), shapes::torus()}) {
+    const VertexTriangles around(mesh);
+    const MeshAdjacency adjacency(mesh);
+    for (const MeshEdge& edge : adjacency.edges()) {
+      for (const auto& [a, b] : {std::pair(edge.low, edge.high), std::pair(edge.high, edge.low)}) {
+        const EdgeTriangles found = around.at_edge(mesh, a, b);
+        ASSERT_EQ(found.count, edge.use_count);
+        EXPECT_EQ(found.first[0], adjacency.uses(edge)[0].triangle);
+        if (edge.use_count > 1) {
+          EXPECT_EQ(found.first[1], adjacency.uses(edge)[1].triangle);
+        }
+      }
+    }
+  }
 }
 
 }  // namespace

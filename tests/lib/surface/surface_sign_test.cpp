@@ -66,7 +66,8 @@ TEST(SurfaceSign, IsToTheLastBitThatOfTablesOfAllNormals) {
        {shapes::cube(), shapes::open_cube(), shapes::needle_fan(), shapes::torus(), shapes::bumpy_sphere(),
         shapes::cubes_touching_at_edge(), shapes::cubes_touching_at_vertex(), shapes::cubes_crossing(),
         shapes::inside_out(shapes::cube()), shapes::joined(shapes::cube(), shapes::cube()), with_flat_triangle()}) {
-    const SurfaceSign sign(mesh);
+    const VertexTriangles around(mesh);
+    const SurfaceSign sign(mesh, around);
     const Tables tables(mesh);
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
       EXPECT_EQ(sign.outward(t, TriangleFeature::face, 0), face_normal(mesh, t));
