@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <new>
 #include <opencv2/core.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -234,11 +233,10 @@ Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedR
     for (const PlacedRaster& placed : underlay) painter.paint(placed);
     for (const auto& item : drawing.items) std::visit(painter, item);
     return painter.png();
-  } catch (const std::bad_alloc&) {
-    throw;  // short of memory like any other part of the program, which has one message for it
   } catch (const cv::Exception& failure) {
-    if (failure.code == cv::Error::StsNoMem) throw std::bad_alloc();
-    return make_error("picture-not-encoded", std::string("the picture could not be painted: ") + failure.what());
+    const bool is_memory = failure.code == cv::Error::StsNoMem;
+    return make_error(is_memory ? "out-of-memory" : "picture-not-encoded",
+                      std::string("the picture could not be painted: ") + failure.what());
   }
 }
 

@@ -34,7 +34,9 @@ View head_view(const PictureSet& set, const PictureEvent& event, const Vec3& tow
     for (const Vec3& p : points) extent.take({(p - event.at).dot(view.right), (p - event.at).dot(view.up)}, reach);
   };
   take(head_corners(set, event));
-  if (!event.has_witness) take(set.scene.part_points());
+  if (!event.has_witness) {
+    for (const std::span<const Vec3> points : set.scene.part_points()) take(points);
+  }
   view.mm_per_pixel = extent.mm_per_unit(width, height);
   view.centre = event.at + extent.middle().x() * view.right + extent.middle().y() * view.up;
   return view;
@@ -115,17 +117,6 @@ void add_callout(Page& page, const Area& area, const Vec2& target, const Vec2& c
   page.text({box.middle().x(), box.y + 26}, words, 21, kAlarm, TextAnchor::middle, true);
 }
 
-// The heads where they are at the worst instant.
-PictureScene placed_heads(const PictureSet& set, const PictureEvent& event) {
-  PictureScene heads = set.heads;
-  for (Vec3& v : heads.vertices) v = event.heads.point(v);
-  const Eigen::Matrix3f turn = event.heads.rotation.cast<float>();
-  for (PictureScene::Face& face : heads.faces) {
-    for (Eigen::Vector3f& normal : face.normals) normal = turn * normal;
-  }
-  return heads;
-}
-
 }  // namespace
 
 void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words) {
@@ -135,7 +126,7 @@ void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, 
                                static_cast<int>(kCloseUp.height) * kSupersampling);
   const SurfaceBuffer buffer = draw_surface(set.scene, view);
   Raster raster = shade(set.scene, buffer, depth_on_pixels(set.field, set.scene, buffer), set.scale);
-  lay_glass(raster, buffer, tool_surface(variants.bare, event.pose), placed_heads(set, event));
+  lay_glass(raster, buffer, tool_surface(variants.bare, event.pose), PictureScene(set.input.heads, event.heads));
   page.rasters.push_back({static_cast<int>(kCloseUp.x), static_cast<int>(kCloseUp.y), std::move(raster)});
   const Vec2 target = on_page(kCloseUp, view.project(event.at));
   // A head's finding may be far from the tool, which must be seen as well.

@@ -2,7 +2,6 @@
 
 #include <png.h>
 
-#include <new>
 #include <string_view>
 
 // libpng's simplified interface: it gives its errors back as text, where the full one would jump over
@@ -24,8 +23,9 @@ Result<std::string> encode_png(const std::uint8_t* bgr, int width, int height) {
   constexpr int kRowsAsTheyAre = 0;
   if (png_image_write_to_memory(&image, bytes.data(), &size, 0, bgr, kRowsAsTheyAre, nullptr) == 0) {
     // "out of memory" from libpng, "insufficient memory" from zlib.
-    if (std::string_view(image.message).find("memory") != std::string_view::npos) throw std::bad_alloc();
-    return make_error("picture-not-encoded", std::string("the picture could not be encoded: ") + image.message);
+    const bool is_memory = std::string_view(image.message).find("memory") != std::string_view::npos;
+    return make_error(is_memory ? "out-of-memory" : "picture-not-encoded",
+                      std::string("the picture could not be encoded: ") + image.message);
   }
   bytes.resize(size);
   bytes.shrink_to_fit();

@@ -61,7 +61,7 @@ bool has_inside(const PictureSet& set) {
 Section cut(const PictureSet& set, const PictureEvent& event, double size_mm) {
   std::optional<Vec3> way_out;
   if (event.head && event.has_witness) way_out = event.witness.normal;
-  Section section = make_section(*set.input.scene, event.pose, event.at, size_mm, way_out);
+  Section section = make_section(*set.input.prepared, event.pose, event.at, size_mm, way_out);
   section.heads = cut_heads(set.input.heads, event.heads, section.plane);
   return section;
 }

@@ -33,7 +33,7 @@ class Pane {
   Pane(const Pane&) = delete;
   Pane& operator=(const Pane&) = delete;
 
-  void paint(Raster& raster, int x, int y) const {
+  void paint(Raster& raster, int x, int y, NormalsAt& head_normals) const {
     const std::size_t i = buffer_.index(x, y);
     const int right = x + 2 < raster.width ? body_of(buffer_.index(x + 2, y)) : body_of(i);
     const int below = y + 2 < raster.height ? body_of(buffer_.index(x, y + 2)) : body_of(i);
@@ -45,7 +45,7 @@ class Pane {
       blend_pixel(raster, x, y, body_colour(std::max({body, right, below})), is_hidden ? 0.5 : 0.85);
       return;
     }
-    blend_pixel(raster, x, y, colour(x, y), is_hidden ? hidden_opacity() : opacity());
+    blend_pixel(raster, x, y, colour(x, y, head_normals), is_hidden ? hidden_opacity() : opacity());
   }
 
   [[nodiscard]] const SurfaceBuffer& buffer() const { return buffer_; }
@@ -55,7 +55,7 @@ class Pane {
     return buffer_.face[i] == kNoFace ? -1 : body_of_face(buffer_.face[i]);
   }
   [[nodiscard]] virtual int body_of_face(std::uint32_t face) const = 0;
-  [[nodiscard]] virtual Colour colour(int x, int y) const = 0;
+  [[nodiscard]] virtual Colour colour(int x, int y, NormalsAt& head_normals) const = 0;
   [[nodiscard]] virtual double opacity() const = 0;
   [[nodiscard]] virtual double hidden_opacity() const = 0;
 
@@ -80,7 +80,9 @@ class ToolPane : public Pane {
     const Vec3 square = (tool_.vertices[corners[1]] - a).cross(tool_.vertices[corners[2]] - a);
     return square.norm() < 1e-12 ? buffer().view.toward : Vec3(square.normalized());
   }
-  [[nodiscard]] Colour colour(int x, int y) const override { return colours_[buffer().face[buffer().index(x, y)]]; }
+  [[nodiscard]] Colour colour(int x, int y, NormalsAt&) const override {
+    return colours_[buffer().face[buffer().index(x, y)]];
+  }
   [[nodiscard]] double opacity() const override { return 0.34; }
   [[nodiscard]] double hidden_opacity() const override { return 0.10; }
 
@@ -91,18 +93,15 @@ class ToolPane : public Pane {
 /// Clearer than a tool: a head is large, and what it gouges lies behind it.
 class HeadPane : public Pane {
  public:
-  HeadPane(const SurfaceBuffer& part, const PictureScene& heads)
-      : Pane(part, draw_surface(heads, part.view)), heads_(heads) {}
+  HeadPane(const SurfaceBuffer& part, const PictureScene& heads) : Pane(part, draw_surface(heads, part.view)) {}
 
  private:
   [[nodiscard]] int body_of_face(std::uint32_t) const override { return kHead; }
-  [[nodiscard]] Colour colour(int x, int y) const override {
-    return glass_colour(buffer().view, normal_at(heads_, buffer(), x, y), kHead);
+  [[nodiscard]] Colour colour(int x, int y, NormalsAt& head_normals) const override {
+    return glass_colour(buffer().view, head_normals(buffer().face[buffer().index(x, y)], x, y), kHead);
   }
   [[nodiscard]] double opacity() const override { return 0.24; }
   [[nodiscard]] double hidden_opacity() const override { return 0.10; }
-
-  const PictureScene& heads_;
 };
 
 void draw_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& head, const Vec3& a, const Vec3& b) {
@@ -120,21 +119,22 @@ void draw_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& h
 void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& tool, const PictureScene& heads) {
   const ToolPane tool_pane(part, tool);
   std::optional<HeadPane> head_pane;
-  if (!heads.faces.empty()) head_pane.emplace(part, heads);
+  if (heads.face_count() > 0) head_pane.emplace(part, heads);
   for_each_chunk(static_cast<std::size_t>(raster.height), 64, 0, [&](std::size_t first, std::size_t last) {
+    NormalsAt head_normals(heads, part.view);
     for (int y = static_cast<int>(first); y < static_cast<int>(last); ++y) {
       for (int x = 0; x < raster.width; ++x) {
         const std::size_t i = part.index(x, y);
         const bool is_head_nearer = head_pane && head_pane->buffer().z[i] > tool_pane.buffer().z[i];
-        if (head_pane && !is_head_nearer) head_pane->paint(raster, x, y);
-        tool_pane.paint(raster, x, y);
-        if (is_head_nearer) head_pane->paint(raster, x, y);
+        if (head_pane && !is_head_nearer) head_pane->paint(raster, x, y, head_normals);
+        tool_pane.paint(raster, x, y, head_normals);
+        if (is_head_nearer) head_pane->paint(raster, x, y, head_normals);
       }
     }
   });
-  for (const PictureScene::Edge& edge : heads.edges) {
-    draw_edge(raster, part, head_pane->buffer(), part.view.project(heads.vertices[edge.a]),
-              part.view.project(heads.vertices[edge.b]));
+  for (const PictureScene::Edge& edge : heads.edges()) {
+    draw_edge(raster, part, head_pane->buffer(), part.view.project(heads.vertex(edge.a)),
+              part.view.project(heads.vertex(edge.b)));
   }
 }
 

@@ -19,7 +19,6 @@ struct PictureSet {
   ColourScale scale;          ///< of depths
   ColourScale surface_scale;  ///< of what colours the surface: overcuts, where there are any
   std::vector<Vec3> directions;
-  PictureScene heads;  ///< in the tool's frame
   std::vector<GougeWitness> gouges;
 };
 

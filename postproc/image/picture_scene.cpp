@@ -1,116 +1,139 @@
 #include "postproc/image/picture_scene.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <numeric>
+
+#include "lib/hierarchy/triangles_within.h"
+#include "lib/mesh/vertex_triangles.h"
 
 namespace gouge {
 namespace {
 
-constexpr float kSmoothCosine = 0.819F;  // of 35 degrees
-constexpr std::size_t kLargestFan = 64;  // corners of a vertex looked at for its smooth normal
+constexpr double kSmoothCosine = 0.819;  // of 35 degrees
+constexpr std::size_t kLargestFan = 64;  // triangles of a vertex looked at for its smooth normal
 
 using Normal = Eigen::Vector3f;
-
-// Twice the area times the unit normal.
-Vec3 area_normal(const PictureScene& scene, std::size_t face) {
-  const auto& c = scene.faces[face].corners;
-  const Vec3& a = scene.vertices[c[0]];
-  return (scene.vertices[c[1]] - a).cross(scene.vertices[c[2]] - a);
-}
 
 Normal unit(const Vec3& v) {
   const double length = v.norm();
   return length > 0 ? Normal((v / length).cast<float>()) : Normal(0, 0, 1);
 }
 
-void add_mesh(PictureScene& scene, const IndexedMesh& mesh, bool is_fixture, std::uint32_t number) {
-  const auto first = static_cast<std::uint32_t>(scene.vertices.size());
-  scene.vertices.insert(scene.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-  for (const TriangleCorners& t : mesh.triangles) {
-    PictureScene::Face face;
-    face.corners = {first + t[0], first + t[1], first + t[2]};
-    face.is_fixture = is_fixture;
-    face.mesh = number;
-    scene.faces.push_back(face);
-  }
-}
-
-void smooth_normals(PictureScene& scene) {
-  std::vector<Vec3> weighted(scene.faces.size());
-  std::vector<Normal> flat(scene.faces.size());
-  std::vector<std::uint32_t> start(scene.vertices.size() + 1, 0);
-  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
-    weighted[f] = area_normal(scene, f);
-    flat[f] = unit(weighted[f]);
-    for (const std::uint32_t v : scene.faces[f].corners) ++start[v + 1];
-  }
-  for (std::size_t v = 0; v < scene.vertices.size(); ++v) start[v + 1] += start[v];
-  std::vector<std::uint32_t> fan(start.back());
-  std::vector<std::uint32_t> next(start.begin(), start.end() - 1);
-  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
-    for (const std::uint32_t v : scene.faces[f].corners) fan[next[v]++] = static_cast<std::uint32_t>(f);
-  }
-  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t v = scene.faces[f].corners[k];
-      Vec3 sum = Vec3::Zero();
-      const std::size_t last = std::min<std::size_t>(start[v + 1], start[v] + kLargestFan);
-      for (std::size_t i = start[v]; i < last; ++i) {
-        if (flat[fan[i]].dot(flat[f]) >= kSmoothCosine) sum += weighted[fan[i]];
-      }
-      scene.faces[f].normals[k] = sum.norm() > 0 ? unit(sum) : flat[f];
-    }
-  }
-}
-
-void find_edges(PictureScene& scene) {
-  struct Side {
-    std::uint32_t a, b, face;
-    bool operator<(const Side& o) const { return a != o.a ? a < o.a : b != o.b ? b < o.b : face < o.face; }
-  };
-  std::vector<Side> sides;
-  sides.reserve(scene.faces.size() * 3);
-  for (std::size_t f = 0; f < scene.faces.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const std::uint32_t a = scene.faces[f].corners[k];
-      const std::uint32_t b = scene.faces[f].corners[(k + 1) % 3];
-      sides.push_back({std::min(a, b), std::max(a, b), static_cast<std::uint32_t>(f)});
-    }
-  }
-  std::sort(sides.begin(), sides.end());
-  for (std::size_t i = 0; i < sides.size();) {
-    std::size_t j = i + 1;
-    while (j < sides.size() && sides[j].a == sides[i].a && sides[j].b == sides[i].b) ++j;
-    const bool is_smooth =
-        j - i == 2 &&
-        unit(area_normal(scene, sides[i].face)).dot(unit(area_normal(scene, sides[i + 1].face))) >= kSmoothCosine;
-    if (!is_smooth) scene.edges.push_back({sides[i].a, sides[i].b});
-    i = j;
-  }
-}
-
 }  // namespace
 
-PictureScene build_picture_scene(const Scene& scene) {
-  PictureScene out;
-  std::uint32_t number = 0;
-  for (const IndexedMesh& mesh : scene.parts) add_mesh(out, mesh, false, number++);
-  out.part_vertices = out.vertices.size();
-  for (const Vec3& p : out.vertices) out.part_box.extend(p);
-  for (const IndexedMesh& mesh : scene.fixtures) add_mesh(out, mesh, true, number++);
-  smooth_normals(out);
-  find_edges(out);
+std::array<Normal, 3> PictureScene::Mesh::normals(std::uint32_t triangle) const {
+  const Vec3 own = area_normal(triangle);
+  std::array<Normal, 3> out;
+  out.fill(unit(own));
+  for (std::size_t k = 0; k < 3; ++k) {
+    const std::span<const std::uint32_t> fan = around->at(triangles[triangle][k]);
+    Vec3 sum = Vec3::Zero();
+    for (const std::uint32_t t : fan.first(std::min(fan.size(), kLargestFan))) {
+      const Vec3 weighted = area_normal(t);
+      if (is_smooth_between(weighted, own, kSmoothCosine)) sum += weighted;
+    }
+    if (sum.norm() > 0) out[k] = unit(sum);
+  }
   return out;
 }
 
-PictureScene build_picture_heads(std::span<const HeadBody> heads) {
-  PictureScene out;
-  std::uint32_t number = 0;
-  for (const HeadBody& head : heads) add_mesh(out, head.surface.mesh(), false, number++);
-  out.part_vertices = out.vertices.size();
-  smooth_normals(out);
-  find_edges(out);
-  return out;
+PictureScene::PictureScene(const PreparedScene& scene) : prepared_(&scene) {
+  for (std::size_t m = 0; m < scene.scene->parts.size(); ++m) {
+    add(scene.surface(Against::part, m), scene.scene->parts[m].vertices);
+    part_points_.emplace_back(scene.scene->parts[m].vertices);
+    for (const Vec3& p : part_points_.back()) part_box_.extend(p);
+  }
+  first_fixture_face_ = face_count();
+  for (std::size_t m = 0; m < scene.scene->fixtures.size(); ++m) {
+    add(scene.surface(Against::fixture, m), scene.scene->fixtures[m].vertices);
+  }
+}
+
+PictureScene::PictureScene(std::span<const HeadBody> heads, const RigidTransform& to_part) {
+  for (const HeadBody& head : heads) {
+    std::vector<Vec3>& moved = moved_.emplace_back(head.surface.mesh().vertices);
+    for (Vec3& v : moved) v = to_part.point(v);
+    add(head.surface, moved);
+  }
+  first_fixture_face_ = face_count();
+}
+
+void PictureScene::add(const Surface& surface, std::span<const Vec3> vertices) {
+  const std::uint32_t first_face = face_count();
+  const std::uint32_t first_vertex =
+      meshes_.empty() ? 0 : meshes_.back().first_vertex + static_cast<std::uint32_t>(meshes_.back().vertices.size());
+  meshes_.push_back({vertices, surface.mesh().triangles, &surface.triangles_at_vertices(), first_vertex, first_face});
+  find_edges(meshes_.back(), surface.mesh());
+}
+
+void PictureScene::find_edges(const Mesh& mesh, const IndexedMesh& indices) {
+  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Corner a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+      const EdgeTriangles edge = mesh.around->at_edge(indices, a, b);
+      if (edge.first[0] != t) continue;  // found already
+      const bool is_smooth = edge.count == 2 && is_smooth_between(mesh.area_normal(edge.first[0]),
+                                                                  mesh.area_normal(edge.first[1]), kSmoothCosine);
+      if (!is_smooth) edges_.push_back({mesh.first_vertex + a, mesh.first_vertex + b});
+    }
+  }
+}
+
+std::uint32_t PictureScene::face_count() const {
+  return meshes_.empty() ? 0 : meshes_.back().first_face + static_cast<std::uint32_t>(meshes_.back().triangles.size());
+}
+
+std::uint32_t PictureScene::mesh_of(std::uint32_t face) const {
+  const auto after = std::upper_bound(meshes_.begin(), meshes_.end(), face,
+                                      [](std::uint32_t f, const Mesh& mesh) { return f < mesh.first_face; });
+  return static_cast<std::uint32_t>(after - meshes_.begin() - 1);
+}
+
+const PictureScene::Mesh& PictureScene::owner_of(std::uint32_t face) const { return meshes_[mesh_of(face)]; }
+
+std::array<Vec3, 3> PictureScene::corners(std::uint32_t face) const {
+  const Mesh& mesh = owner_of(face);
+  const TriangleCorners& c = mesh.triangles[face - mesh.first_face];
+  return {mesh.vertices[c[0]], mesh.vertices[c[1]], mesh.vertices[c[2]]};
+}
+
+std::array<Normal, 3> PictureScene::normals(std::uint32_t face) const {
+  const Mesh& mesh = owner_of(face);
+  return mesh.normals(face - mesh.first_face);
+}
+
+Vec3 PictureScene::area_normal(std::uint32_t face) const {
+  const Mesh& mesh = owner_of(face);
+  return mesh.area_normal(face - mesh.first_face);
+}
+
+std::vector<std::uint32_t> PictureScene::faces_in(const View& view) const {
+  const double across = view.right.dot(view.centre), along = view.up.dot(view.centre);
+  const double half_width = 0.5 * view.width * view.mm_per_pixel, half_height = 0.5 * view.height * view.mm_per_pixel;
+  const std::array<Slab, 2> seen{
+      {{view.right, across - half_width, across + half_width}, {view.up, along - half_height, along + half_height}}};
+  const auto shows_all = [&](const BlockTree& tree) {
+    return std::all_of(seen.begin(), seen.end(), [&](const Slab& slab) {
+      const double height = slab.normal.dot(tree.origin);
+      return height - tree.radius_mm >= slab.low_mm && height + tree.radius_mm <= slab.high_mm;
+    });
+  };
+  if (prepared_ == nullptr || !prepared_->is_within_reach || shows_all(prepared_->parts)) {
+    std::vector<std::uint32_t> all(face_count());
+    std::iota(all.begin(), all.end(), 0U);
+    return all;
+  }
+  std::vector<std::uint32_t> faces = triangles_within(prepared_->parts, seen);
+  for (const std::uint32_t t : triangles_within(prepared_->fixtures, seen)) faces.push_back(first_fixture_face_ + t);
+  return faces;
+}
+
+const Vec3& PictureScene::vertex(std::uint32_t index) const {
+  const auto after = std::upper_bound(meshes_.begin(), meshes_.end(), index,
+                                      [](std::uint32_t v, const Mesh& mesh) { return v < mesh.first_vertex; });
+  const Mesh& mesh = *(after - 1);
+  return mesh.vertices[index - mesh.first_vertex];
 }
 
 }  // namespace gouge

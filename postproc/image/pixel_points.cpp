@@ -73,7 +73,7 @@ std::vector<float> depth_on_pixels(const DepthField& field, const PictureScene& 
   const PixelPoints seen = pixel_points(buffer);
   std::vector<FieldPoint> points;
   points.reserve(seen.points.size());
-  for (const PixelPoints::Point& p : seen.points) points.push_back({p.at, scene.faces[p.face].is_fixture});
+  for (const PixelPoints::Point& p : seen.points) points.push_back({p.at, scene.is_fixture(p.face)});
   return seen.spread(field.depth_at(points));
 }
 
@@ -83,11 +83,10 @@ std::vector<float> overcut_on_pixels(const OvercutField& field, const PictureSce
   std::vector<OvercutField::Ray> rays;
   rays.reserve(seen.points.size());
   for (const PixelPoints::Point& p : seen.points) {
-    const PictureScene::Face& face = scene.faces[p.face];
-    const Vec3& a = scene.vertices[face.corners[0]];
-    const Vec3 normal = (scene.vertices[face.corners[1]] - a).cross(scene.vertices[face.corners[2]] - a);
+    const auto [a, b, c] = scene.corners(p.face);
+    const Vec3 normal = (b - a).cross(c - a);
     const double length = normal.norm();
-    rays.push_back({p.at, length > 0 ? Vec3(-normal / length) : Vec3(-Vec3::UnitZ()), face.mesh});
+    rays.push_back({p.at, length > 0 ? Vec3(-normal / length) : Vec3(-Vec3::UnitZ()), scene.mesh_of(p.face)});
   }
   return seen.spread(field.at(rays));
 }

@@ -60,7 +60,7 @@ Outcome add_before_after(Album& album, const PictureSet& after, const CheckedToo
   const OvercutField overcuts(before_input, field);
   PictureSet before{
       model,       before_input,        after.scene, field, overcuts, worst_events(before_input, kMostEvents),
-      after.scale, after.surface_scale, {},          {},    {}};
+      after.scale, after.surface_scale, {},          {}};
   before.directions = choose_directions(before_input, after.scene, before.events, 1);
   return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
 }
@@ -86,7 +86,7 @@ Outcome add_scene_pictures(Album& album, const PictureSet& set, const CheckedToo
 
 Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, const CheckedToolpath& input,
                                                     const CheckedToolpath& before, const PicturesProgress& progress) {
-  const PictureScene scene = build_picture_scene(*input.scene);
+  const PictureScene scene(*input.prepared);
   const DepthField field(input);
   const OvercutField overcuts(input, field);
   const auto scale_to = [&](double worst_mm) {
@@ -101,10 +101,9 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
                  scale_to(worst_depth(model, input)),
                  scale_to(worst_on_surface(model, input)),
                  {},
-                 build_picture_heads(input.heads),
                  gouge_witnesses(input, kMostWitnesses)};
   const bool has_before = model.has_correction && before.toolpath != nullptr && before.result != nullptr;
-  const std::size_t of_scene = scene.faces.empty() ? 0 : 1 + (has_before ? 1 : 0) + set.events.size();
+  const std::size_t of_scene = scene.face_count() == 0 ? 0 : 1 + (has_before ? 1 : 0) + set.events.size();
   Album album{progress, of_scene + 1};
   if (of_scene > 0) {
     set.directions = choose_directions(input, scene, set.events, kViews);

@@ -4,29 +4,43 @@
 #include <array>
 #include <cmath>
 
+#include "lib/hierarchy/triangles_within.h"
+
 namespace gouge {
 namespace {
 
 // Beyond this sine of its angle to the plane through the axis a direction would end off the outline in it.
 constexpr double kInPlane = 0.05;
 
-void cut_mesh(const IndexedMesh& mesh, const RigidTransform& to_part, const SectionPlane& plane, bool is_fixture,
-              std::vector<SectionLine>& out) {
-  const Vec3 normal = plane.pose.axis.cross(plane.u);
+Vec3 normal_of(const SectionPlane& plane) { return plane.pose.axis.cross(plane.u); }
+
+std::optional<SectionLine> cut_triangle(const std::array<Vec3, 3>& corners, const SectionPlane& plane) {
+  const Vec3 normal = normal_of(plane);
   // Points on the plane count as above it, so that every cut triangle has two cut sides.
   const auto height = [&](const Vec3& p) { return (p - plane.pose.tip).dot(normal) - plane.offset_mm; };
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    std::array<Vec2, 2> ends{Vec2::Zero(), Vec2::Zero()};
-    std::size_t found = 0;
-    for (std::size_t k = 0; k < 3 && found < 2; ++k) {
-      const Vec3 a = to_part.point(mesh.corner(t, k));
-      const Vec3 b = to_part.point(mesh.corner(t, (k + 1) % 3));
-      const double ha = height(a);
-      const double hb = height(b);
-      if ((ha >= 0) == (hb >= 0)) continue;
-      ends[found++] = plane.flat(Vec3(a + (b - a) * (ha / (ha - hb))));
+  std::array<Vec2, 2> ends{Vec2::Zero(), Vec2::Zero()};
+  std::size_t found = 0;
+  for (std::size_t k = 0; k < 3 && found < 2; ++k) {
+    const Vec3& a = corners[k];
+    const Vec3& b = corners[(k + 1) % 3];
+    const double ha = height(a);
+    const double hb = height(b);
+    if ((ha >= 0) == (hb >= 0)) continue;
+    ends[found++] = plane.flat(Vec3(a + (b - a) * (ha / (ha - hb))));
+  }
+  if (found < 2) return std::nullopt;
+  return SectionLine{ends[0], ends[1], false};
+}
+
+void cut_tree(const BlockTree& tree, const SectionPlane& plane, bool is_fixture, std::vector<SectionLine>& out) {
+  const Vec3 normal = normal_of(plane);
+  const double height = normal.dot(plane.pose.tip) + plane.offset_mm;
+  const Slab slab{normal, height, height};
+  for (const std::uint32_t triangle : triangles_within(tree, {&slab, 1})) {
+    if (auto line = cut_triangle(tree.corners(triangle), plane)) {
+      line->is_fixture = is_fixture;
+      out.push_back(*line);
     }
-    if (found == 2) out.push_back({ends[0], ends[1], is_fixture});
   }
 }
 
@@ -86,21 +100,28 @@ std::optional<std::array<Vec2, 2>> clipped(const Vec2& a, const Vec2& b, const A
   return std::array<Vec2, 2>{Vec2(a + t0 * d), Vec2(a + t1 * d)};
 }
 
-std::vector<SectionLine> cut_scene(const Scene& scene, const SectionPlane& plane) {
+std::vector<SectionLine> cut_scene(const PreparedScene& scene, const SectionPlane& plane) {
   std::vector<SectionLine> out;
-  for (const IndexedMesh& mesh : scene.parts) cut_mesh(mesh, {}, plane, false, out);
-  for (const IndexedMesh& mesh : scene.fixtures) cut_mesh(mesh, {}, plane, true, out);
+  cut_tree(scene.parts, plane, false, out);
+  cut_tree(scene.fixtures, plane, true, out);
   return out;
 }
 
 std::vector<std::vector<SectionLine>> cut_heads(std::span<const HeadBody> heads, const RigidTransform& to_part,
                                                 const SectionPlane& plane) {
   std::vector<std::vector<SectionLine>> out(heads.size());
-  for (std::size_t h = 0; h < heads.size(); ++h) cut_mesh(heads[h].surface.mesh(), to_part, plane, false, out[h]);
+  for (std::size_t h = 0; h < heads.size(); ++h) {
+    const Surface& surface = heads[h].surface;
+    for (std::size_t t = 0; t < surface.mesh().triangles.size(); ++t) {
+      std::array<Vec3, 3> corners = surface.corners(t);
+      for (Vec3& corner : corners) corner = to_part.point(corner);
+      if (const auto line = cut_triangle(corners, plane)) out[h].push_back(*line);
+    }
+  }
   return out;
 }
 
-Section make_section(const Scene& scene, const Pose& pose, const Vec3& point_part, double size_mm,
+Section make_section(const PreparedScene& scene, const Pose& pose, const Vec3& point_part, double size_mm,
                      const std::optional<Vec3>& way_out) {
   Section best;
   double most = -1;

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "lib/check/scene.h"
+#include "lib/check/prepared_scene.h"
 #include "lib/geom/pose.h"
 #include "lib/head/head_body.h"
 #include "postproc/image/page.h"
@@ -30,7 +30,7 @@ struct SectionLine {
   bool is_fixture = false;
 };
 /// Where the plane cuts the triangles.
-[[nodiscard]] std::vector<SectionLine> cut_scene(const Scene& scene, const SectionPlane& plane);
+[[nodiscard]] std::vector<SectionLine> cut_scene(const PreparedScene& scene, const SectionPlane& plane);
 
 /// The same of bodies that `to_part` places, one after another.
 [[nodiscard]] std::vector<std::vector<SectionLine>> cut_heads(std::span<const HeadBody> heads,
@@ -46,7 +46,7 @@ struct Section {
 ///
 /// Where `way_out` is given the section shows it, for a tool's way out lies in that plane but a head's may not:
 /// then the plane runs through the point and along the axis and the direction, beside the axis. Heads are not cut.
-[[nodiscard]] Section make_section(const Scene& scene, const Pose& pose, const Vec3& point_part, double size_mm,
+[[nodiscard]] Section make_section(const PreparedScene& scene, const Pose& pose, const Vec3& point_part, double size_mm,
                                    const std::optional<Vec3>& way_out = std::nullopt);
 
 /// The piece of a line inside a box, if any.

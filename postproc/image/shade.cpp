@@ -37,7 +37,7 @@ constexpr float kOcclusionReach = 40;  // pixels
 constexpr int kBlock = 2;              // pixels a side that share a light where they show one piece of surface
 constexpr int kBorder = 10;            // blocks a neighbour may be outside the picture
 constexpr float kNothing = -1e15F;     // as deep as where nothing is seen
-constexpr float kAlike = 0.998F;       // of faces so much in line no eye could tell the light apart
+constexpr double kAlike = 0.998;       // of faces so much in line no eye could tell the light apart
 
 /// The depth of the first pixel of every block, with a border of nothing.
 class BlockDepths {
@@ -152,9 +152,16 @@ class Shader {
     return lit * (1 - 0.55 * static_cast<double>(n.hidden[i]));
   }
 
-  [[nodiscard]] bool is_alike(std::uint32_t a, std::uint32_t b) const {
-    return a == b || (scene_.faces[a].is_fixture == scene_.faces[b].is_fixture &&
-                      scene_.faces[a].normals[0].dot(scene_.faces[b].normals[0]) > kAlike);
+  /// Pixels of one face mostly follow each other, so the last answer is kept.
+  [[nodiscard]] bool is_alike(std::uint32_t face, std::uint32_t lead) {
+    if (face == lead) return true;
+    if (face != compared_face_ || lead != compared_lead_) {
+      compared_face_ = face;
+      compared_lead_ = lead;
+      const bool is_one_kind = scene_.is_fixture(face) == scene_.is_fixture(lead);
+      is_alike_ = is_one_kind && is_smooth_between(scene_.area_normal(face), scene_.area_normal(lead), kAlike);
+    }
+    return is_alike_;
   }
 
   void paint_block(Raster& raster, int column, int row) {
@@ -191,8 +198,7 @@ class Shader {
   void colour(std::uint8_t* pixel, std::size_t i, double light) const {
     // Gouges with less contrast, so that a colour can be compared with the bar wherever it lies.
     if (depth(i) > 0) return put(pixel, scale_.at(depth(i)), 0.55 + 0.42 * light);
-    const bool is_fixture = scene_.faces[buffer_.face[i]].is_fixture;
-    put(pixel, is_fixture ? kFixtureGrey : kPartGrey, 0.12 + 0.97 * light);
+    put(pixel, scene_.is_fixture(buffer_.face[i]) ? kFixtureGrey : kPartGrey, 0.12 + 0.97 * light);
   }
 
   const PictureScene& scene_;
@@ -202,6 +208,8 @@ class Shader {
   const BlockDepths& blocks_;
   NormalsAt normals_at_;
   ViewNormals normals_, one_;
+  std::uint32_t compared_face_ = kNoFace, compared_lead_ = kNoFace;
+  bool is_alike_ = false;
 };
 
 void draw_edge(Raster& raster, const SurfaceBuffer& buffer, const Vec3& a, const Vec3& b) {
@@ -234,8 +242,8 @@ Raster shade(const PictureScene& scene, const SurfaceBuffer& buffer, const std::
     Shader shader(scene, buffer, depth_mm, scale, blocks);
     for (std::size_t row = first; row < last; ++row) shader.paint(raster, static_cast<int>(row));
   });
-  for (const PictureScene::Edge& edge : scene.edges) {
-    draw_edge(raster, buffer, buffer.view.project(scene.vertices[edge.a]), buffer.view.project(scene.vertices[edge.b]));
+  for (const PictureScene::Edge& edge : scene.edges()) {
+    draw_edge(raster, buffer, buffer.view.project(scene.vertex(edge.a)), buffer.view.project(scene.vertex(edge.b)));
   }
   return raster;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "lib/base/parallel.h"
 
@@ -66,31 +67,33 @@ void draw_face(SurfaceBuffer& buffer, const Vec3& a, const Vec3& b, const Vec3& 
   }
 }
 
-}  // namespace
-
-SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices, const std::vector<FaceCorners>& faces, const View& view) {
+/// `corners_of`: of a face, in part coordinates. `faces`: in increasing order.
+template <class CornersOf>
+SurfaceBuffer draw_faces(const View& view, const std::vector<std::uint32_t>& faces, const CornersOf& corners_of) {
   SurfaceBuffer buffer;
   buffer.view = view;
   const std::size_t pixels = static_cast<std::size_t>(view.width) * static_cast<std::size_t>(view.height);
   buffer.z.assign(pixels, std::numeric_limits<float>::lowest());
   buffer.face.assign(pixels, kNoFace);
-  std::vector<Vec3> projected(vertices.size());
-  for (std::size_t i = 0; i < vertices.size(); ++i) projected[i] = view.project(vertices[i]);
+  const auto projected = [&](std::uint32_t face) {
+    std::array<Vec3, 3> corners = corners_of(face);
+    for (Vec3& corner : corners) corner = view.project(corner);
+    return corners;
+  };
   const std::size_t bands = static_cast<std::size_t>((view.height + kBandRows - 1) / kBandRows);
   std::vector<std::vector<std::uint32_t>> band_faces(bands);
-  for (std::size_t f = 0; f < faces.size(); ++f) {
-    const RowRange rows = rows_of(projected[faces[f][0]], projected[faces[f][1]], projected[faces[f][2]], view.height);
+  for (const std::uint32_t f : faces) {
+    const auto [a, b, c] = projected(f);
+    const RowRange rows = rows_of(a, b, c, view.height);
     for (int band = rows.first / kBandRows; band * kBandRows <= rows.last; ++band) {
-      band_faces[static_cast<std::size_t>(band)].push_back(static_cast<std::uint32_t>(f));
+      band_faces[static_cast<std::size_t>(band)].push_back(f);
     }
   }
   for_each_chunk(bands, 1, 0, [&](std::size_t first, std::size_t last) {
     for (std::size_t band = first; band < last; ++band) {
       const int top = static_cast<int>(band) * kBandRows;
       for (const std::uint32_t f : band_faces[band]) {
-        const Vec3& a = projected[faces[f][0]];
-        const Vec3& b = projected[faces[f][1]];
-        const Vec3& c = projected[faces[f][2]];
+        const auto [a, b, c] = projected(f);
         RowRange rows = rows_of(a, b, c, view.height);
         rows.first = std::max(rows.first, top);
         rows.last = std::min(rows.last, top + kBandRows - 1);
@@ -101,19 +104,25 @@ SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices, const std::vector<
   return buffer;
 }
 
+}  // namespace
+
+SurfaceBuffer draw_surface(const std::vector<Vec3>& vertices, const std::vector<FaceCorners>& faces, const View& view) {
+  std::vector<std::uint32_t> all(faces.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return draw_faces(view, all, [&](std::uint32_t f) {
+    return std::array<Vec3, 3>{vertices[faces[f][0]], vertices[faces[f][1]], vertices[faces[f][2]]};
+  });
+}
+
 SurfaceBuffer draw_surface(const PictureScene& scene, const View& view) {
-  std::vector<FaceCorners> faces;
-  faces.reserve(scene.faces.size());
-  for (const PictureScene::Face& face : scene.faces) faces.push_back(face.corners);
-  return draw_surface(scene.vertices, faces, view);
+  return draw_faces(view, scene.faces_in(view), [&](std::uint32_t f) { return scene.corners(f); });
 }
 
 void NormalsAt::begin(std::uint32_t face) {
   face_ = face;
-  const std::array<std::uint32_t, 3>& corners = scene_.faces[face].corners;
-  const Vec3 a = view_.project(scene_.vertices[corners[0]]);
-  const Vec3 b = view_.project(scene_.vertices[corners[1]]);
-  const Vec3 c = view_.project(scene_.vertices[corners[2]]);
+  normals_ = scene_.normals(face);
+  const std::array<Vec3, 3> corners = scene_.corners(face);
+  const Vec3 a = view_.project(corners[0]), b = view_.project(corners[1]), c = view_.project(corners[2]);
   const double area = cross(a, b, c.x(), c.y());
   u_ = cross(b, c, 0.5, 0.5) / area;
   u_right_ = (b.y() - c.y()) / area;
@@ -127,16 +136,12 @@ Vec3 NormalsAt::operator()(std::uint32_t face, int x, int y) {
   if (face != face_) begin(face);
   const double u = std::clamp(u_ + x * u_right_ + y * u_down_, 0.0, 1.0);
   const double v = std::clamp(v_ + x * v_right_ + y * v_down_, 0.0, 1.0);
-  const std::array<Eigen::Vector3f, 3>& normals = scene_.faces[face].normals;
-  Vec3 normal = u * normals[0].cast<double>() + v * normals[1].cast<double>() + (1 - u - v) * normals[2].cast<double>();
+  Vec3 normal =
+      u * normals_[0].cast<double>() + v * normals_[1].cast<double>() + (1 - u - v) * normals_[2].cast<double>();
   const double length = normal.norm();
   if (!(length > 0)) return view_.toward;
   normal /= length;
   return normal.dot(view_.toward) < 0 ? Vec3(-normal) : normal;
-}
-
-Vec3 normal_at(const PictureScene& scene, const SurfaceBuffer& buffer, int x, int y) {
-  return NormalsAt(scene, buffer.view)(buffer.face[buffer.index(x, y)], x, y);
 }
 
 bool is_visible(const SurfaceBuffer& buffer, const Vec3& point_part, double slack_mm) {

@@ -48,12 +48,10 @@ class NormalsAt {
   const PictureScene& scene_;
   const View& view_;
   std::uint32_t face_ = kNoFace;
+  std::array<Eigen::Vector3f, 3> normals_{};  ///< of its corners
   /// Shares of the first two corners: at the left top pixel, and what they gain to the right and down.
   double u_ = 0, u_right_ = 0, u_down_ = 0, v_ = 0, v_right_ = 0, v_down_ = 0;
 };
-
-/// That of the seen face.
-[[nodiscard]] Vec3 normal_at(const PictureScene& scene, const SurfaceBuffer& buffer, int x, int y);
 
 /// Whether a surface point is seen and not hidden behind another face.
 [[nodiscard]] bool is_visible(const SurfaceBuffer& buffer, const Vec3& point_part, double slack_mm);

@@ -20,16 +20,18 @@ View make_view(const Vec3& toward, const Vec3& up_hint, int width, int height) {
   return view;
 }
 
-void fit_view(View& view, std::span<const Vec3> points, double margin) {
+void fit_view(View& view, std::span<const std::span<const Vec3>> points, double margin) {
   constexpr double kFar = std::numeric_limits<double>::max();
   Vec3 low(kFar, kFar, kFar);
   Vec3 high = -low;
-  for (const Vec3& p : points) {
-    const Vec3 q(p.dot(view.right), p.dot(view.up), p.dot(view.toward));
-    low = low.cwiseMin(q);
-    high = high.cwiseMax(q);
+  for (const std::span<const Vec3> some : points) {
+    for (const Vec3& p : some) {
+      const Vec3 q(p.dot(view.right), p.dot(view.up), p.dot(view.toward));
+      low = low.cwiseMin(q);
+      high = high.cwiseMax(q);
+    }
   }
-  if (points.empty()) low = high = Vec3::Zero();
+  if (!(low.x() <= high.x())) low = high = Vec3::Zero();
   const Vec3 middle = 0.5 * (low + high);
   view.centre = view.right * middle.x() + view.up * middle.y() + view.toward * middle.z();
   const double inner = 1 - 2 * margin;

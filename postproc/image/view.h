@@ -27,6 +27,6 @@ struct View {
 [[nodiscard]] View make_view(const Vec3& toward, const Vec3& up_hint, int width, int height);
 
 /// Moves and scales the view so that all points are seen with `margin` (a fraction of the side) left around.
-void fit_view(View& view, std::span<const Vec3> points, double margin);
+void fit_view(View& view, std::span<const std::span<const Vec3>> points, double margin);
 
 }  // namespace gouge

@@ -147,7 +147,7 @@ TEST(Heads, EndTheArrowOfTheirDepthOnTheirOutline) {
       for (const PictureEvent& event : worst_events(small.input, 6)) {
         if (event.event.body != Body::head) continue;
         is_found = true;
-        Section section = make_section(small.scene, event.pose, event.at, 30, event.witness.normal);
+        Section section = make_section(*small.prepared, event.pose, event.at, 30, event.witness.normal);
         section.heads = cut_heads(small.heads, event.heads, section.plane);
         const Vec3 foot = event.at - event.depth_mm * event.witness.normal;
         const double tall = (section.plane.flat(event.at) - section.plane.flat(foot)).norm();

@@ -93,21 +93,15 @@ TEST(OvercutField, IsEmptyForSurfacesThatAreNotClosed) {
 
 TEST(HeatMap, IsColouredByOvercutAndSaysSo) {
   const Plunge plunge(18);
-  const PictureScene scene = build_picture_scene(plunge.scene);
+  const PictureScene scene(*plunge.prepared);
   const DepthField depths(plunge.input);
   const OvercutField overcuts(plunge.input, depths);
   const ColourScale depth_scale = make_colour_scale(0.01, 3, LengthUnit::mm);
-  const PictureSet set{plunge.model,
-                       plunge.input,
-                       scene,
-                       depths,
-                       overcuts,
-                       worst_events(plunge.input, 6),
-                       depth_scale,
-                       make_colour_scale(0.01, 12, LengthUnit::mm),
-                       {Vec3::UnitZ()},
-                       {},
-                       {}};
+  const PictureSet set{plunge.model,    plunge.input,
+                       scene,           depths,
+                       overcuts,        worst_events(plunge.input, 6),
+                       depth_scale,     make_colour_scale(0.01, 12, LengthUnit::mm),
+                       {Vec3::UnitZ()}, {}};
   EXPECT_EQ(heat_map_title(set), "Overcut on the part");
   const Page page = draw_heat_map(set);
   std::string words;

@@ -18,10 +18,11 @@ class OverlayTest : public testing::Test {
  protected:
   OverlayTest() {
     block_.parts = {box_mesh("block.stl", {0, 0, 0}, {40, 30, 10})};
-    scene_ = build_picture_scene(block_);
+    const PreparedScene prepared(block_);
+    const PictureScene scene(prepared);
     View view = make_view(Vec3::UnitZ(), Vec3::UnitY(), 400, 300);
-    fit_view(view, scene_.part_points(), 0.1);
-    buffer_ = draw_surface(scene_, view);
+    fit_view(view, scene.part_points(), 0.1);
+    buffer_ = draw_surface(scene, view);
   }
 
   /// What is seen at a place of the top: "white", "blue" or "amber".
@@ -38,7 +39,6 @@ class OverlayTest : public testing::Test {
   }
 
   Scene block_;
-  PictureScene scene_;
   SurfaceBuffer buffer_;
 };
 

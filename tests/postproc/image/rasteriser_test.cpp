@@ -16,10 +16,15 @@ Scene block_scene() {
   return scene;
 }
 
+struct PreparedBlock {
+  Scene scene = block_scene();
+  PreparedScene prepared{scene};
+};
+
 TEST(View, UnprojectsWhatItProjects) {
   View view = make_view({1, -2, 1.5}, Vec3::UnitZ(), 300, 200);
   const std::vector<Vec3> ends{{0, 0, 0}, {40, 30, 10}};
-  fit_view(view, ends, 0.1);
+  fit_view(view, {{ends}}, 0.1);
   const Vec3 p(12, 7, 3);
   const Vec3 q = view.project(p);
   EXPECT_LT((view.unproject(q.x(), q.y(), q.z()) - p).norm(), 1e-12);
@@ -36,7 +41,7 @@ TEST(View, LooksAlongItsHintWithoutLosingItself) {
 TEST(View, FitsEveryPointInsideItsMargin) {
   View view = make_view({1, 1, 1}, Vec3::UnitZ(), 300, 200);
   const std::vector<Vec3> points = block_scene().parts[0].vertices;
-  fit_view(view, points, 0.1);
+  fit_view(view, {{points}}, 0.1);
   for (const Vec3& p : points) {
     const Vec3 q = view.project(p);
     EXPECT_GE(q.x(), 30 - 1e-9);
@@ -47,7 +52,8 @@ TEST(View, FitsEveryPointInsideItsMargin) {
 }
 
 TEST(SurfaceBuffer, ShowsTheNearestFaceAndNoGaps) {
-  const PictureScene scene = build_picture_scene(block_scene());
+  const PreparedBlock block;
+  const PictureScene scene(block.prepared);
   View view = make_view(Vec3::UnitZ(), Vec3::UnitY(), 400, 300);
   fit_view(view, scene.part_points(), 0.1);
   const SurfaceBuffer buffer = draw_surface(scene, view);
@@ -61,12 +67,32 @@ TEST(SurfaceBuffer, ShowsTheNearestFaceAndNoGaps) {
     }
   }
   EXPECT_EQ(buffer.face[buffer.index(2, 2)], kNoFace);
-  EXPECT_NEAR(normal_at(scene, buffer, 200, 150).z(), 1, 1e-6);
+  EXPECT_NEAR(NormalsAt(scene, view)(buffer.face[buffer.index(200, 150)], 200, 150).z(), 1, 1e-6);
   EXPECT_TRUE(is_visible(buffer, {20, 15, 10}, 0.01));
   EXPECT_FALSE(is_visible(buffer, {20, 15, 9}, 0.01));
 }
 
-TEST(PictureScene, FindsTheTwelveEdgesOfABlock) { EXPECT_EQ(build_picture_scene(block_scene()).edges.size(), 12U); }
+TEST(PictureScene, FindsTheTwelveEdgesOfABlock) {
+  const PreparedBlock block;
+  EXPECT_EQ(PictureScene(block.prepared).edges().size(), 12U);
+}
+
+TEST(PictureScene, KnowsWhoseEachFaceIs) {
+  Scene scene;
+  scene.parts = {box_mesh("a.stl", {0, 0, 0}, {40, 30, 10}), box_mesh("b.stl", {50, 0, 0}, {90, 30, 10})};
+  scene.fixtures = {box_mesh("jaw.stl", {0, -20, 0}, {40, 0, 10})};
+  const PreparedScene prepared(scene);
+  const PictureScene pictured(prepared);
+  ASSERT_EQ(pictured.face_count(), 36U);
+  for (std::uint32_t f = 0; f < 36; ++f) {
+    EXPECT_EQ(pictured.mesh_of(f), f / 12);
+    EXPECT_EQ(pictured.is_fixture(f), f >= 24);
+    const IndexedMesh& mesh = f < 24 ? scene.parts[f / 12] : scene.fixtures[0];
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_EQ(pictured.corners(f)[k], mesh.corner(f % 12, k));
+  }
+  EXPECT_EQ(pictured.vertex(17), scene.fixtures[0].vertices[1]);
+  EXPECT_EQ(pictured.part_points().size(), 2U);
+}
 
 TEST(ColourScale, GrowsSteadilyDarker) {
   for (const bool is_root : {false, true}) {
@@ -102,7 +128,7 @@ TEST(RoundNumbers, AreRoundAndOnTheRightSide) {
 
 TEST(Section, OfABlockIsARectangle) {
   const Pose pose{{20, 15, 8}, Vec3::UnitZ()};
-  const Section section = make_section(block_scene(), pose, {23, 15, 10}, 30);
+  const Section section = make_section(PreparedBlock().prepared, pose, {23, 15, 10}, 30);
   double length = 0;
   for (const SectionLine& line : section.lines) {
     length += (line.b - line.a).norm();
@@ -114,9 +140,9 @@ TEST(Section, OfABlockIsARectangle) {
 
 TEST(Section, StillShowsAPartWhoseFaceItRunsAlong) {
   const Pose pose{{20, 0, 8}, Vec3::UnitZ()};
-  EXPECT_GT(make_section(block_scene(), pose, {25, 0, 10}, 10).lines.size(), 3U);
+  EXPECT_GT(make_section(PreparedBlock().prepared, pose, {25, 0, 10}, 10).lines.size(), 3U);
   // A point on the axis leaves the plane open.
-  EXPECT_GT(make_section(block_scene(), pose, {20, 0, 10}, 10).lines.size(), 3U);
+  EXPECT_GT(make_section(PreparedBlock().prepared, pose, {20, 0, 10}, 10).lines.size(), 3U);
 }
 
 TEST(ToolOutline, ReachesFromTheTipToTheTopAndClosesTheSurface) {

@@ -12,7 +12,7 @@ namespace gouge {
 /// The pages of a small scene as drawings, for what they say.
 struct SmallPages {
   explicit SmallPages(const SmallScene& small)
-      : scene(build_picture_scene(small.scene)),
+      : scene(*small.prepared),
         field(small.input),
         overcuts(small.input, field),
         set{small.model,
@@ -24,7 +24,6 @@ struct SmallPages {
             make_colour_scale(0.01, 1, small.path.unit),
             make_colour_scale(0.01, 1, small.path.unit),
             {Vec3(1, -1, 1).normalized()},
-            build_picture_heads(small.input.heads),
             gouge_witnesses(small.input, 100)} {}
   PictureScene scene;
   DepthField field;
