@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "lib/check/path_motion.h"
 #include "lib/field/field_instants.h"
+#include "lib/geom/point_triangle.h"
 #include "lib/head/head_motion.h"
 #include "lib/mesh/mesh_box.h"
 
@@ -42,9 +44,9 @@ class PlacedHead {
   PlacedHead(const HeadBody& head, const RigidTransform& to_tool, double tolerance_mm)
       : head_(&head), box_(&head.box), to_tool_(&to_tool), tolerance_mm_(tolerance_mm) {}
 
-  /// The flat patch that was nearest to the last point asked about.
+  /// The triangle of the head that was nearest to the last point asked about.
   struct Memory {
-    const FlatPatch* patch = nullptr;
+    std::optional<std::uint32_t> triangle;
   };
   static constexpr std::uint32_t parts = 0, first_part = 0;
   [[nodiscard]] static bool is_coarse(const PointTree::Node&) { return false; }
@@ -57,12 +59,11 @@ class PlacedHead {
     // Nothing is deeper than half the head is thick; where the node is as large, the tree says no more.
     const double half_mm = 0.5 * box_->sizes().minCoeff();
     if (node.radius >= half_mm) return up_to(half_mm);
-    const double remembered_mm = most_over_patch(node, memory);
+    const double remembered_mm = most_from(node, memory);
     if (remembered_mm <= enough_mm) return up_to(remembered_mm);
     const ClosestPoint foot = nearest(centre, memory);
     const double least = -foot.signed_mm() - node.radius;
-    const double most =
-        std::min({node.radius - foot.signed_mm(), most_from(foot.point, node), most_over_patch(node, memory), half_mm});
+    const double most = std::min({node.radius - foot.signed_mm(), most_from(node, memory), half_mm});
     return {least > tolerance_mm_ ? least : 0, most, most, Vec3::Zero()};
   }
 
@@ -78,25 +79,18 @@ class PlacedHead {
 
   [[nodiscard]] ClosestPoint nearest(const Vec3& point, Memory& memory) const {
     const ClosestPoint foot = *head_->surface.closest_point(point);
-    memory.patch = &head_->flat.patches[head_->flat.patch_of[foot.triangle]];
+    memory.triangle = foot.triangle;
     return foot;
   }
 
-  // A point inside is not deeper than it is far from any point of the surface. From that of a node's middle:
-  [[nodiscard]] double most_from(const Vec3& foot, const PointTree::Node& node) const {
-    double far2 = 0;
-    for (int k = 0; k < 8; ++k) far2 = std::max(far2, (corner(node, k) - foot).squaredNorm());
-    return std::sqrt(far2);
+  // A point inside is not deeper than it is far from any part of the surface, such as what was nearest to its neighbour.
+  [[nodiscard]] double most_at(const Vec3& point, const Memory& memory) const {
+    if (!memory.triangle) return std::numeric_limits<double>::infinity();
+    return std::sqrt(closest_on_triangle(point, head_->surface.corners(*memory.triangle)).distance2_mm2);
   }
 
-  // From what lies above it on the flat patch that was nearest to the last one asked about, its neighbour:
-  [[nodiscard]] static double most_at(const Vec3& point, const Memory& memory) {
-    const FlatPatch* const patch = memory.patch;
-    if (patch == nullptr || patch->inside_mm(point) < 0) return std::numeric_limits<double>::infinity();
-    return std::abs(patch->height_mm(point)) + patch->off_mm;
-  }
-
-  [[nodiscard]] double most_over_patch(const PointTree::Node& node, const Memory& memory) const {
+  // That distance is convex, so a node's corners suffice.
+  [[nodiscard]] double most_from(const PointTree::Node& node, const Memory& memory) const {
     double most = 0;
     for (int k = 0; k < 8; ++k) most = std::max(most, most_at(corner(node, k), memory));
     return most;

@@ -35,7 +35,7 @@ std::vector<std::uint32_t> pieces_of(const IndexedMesh& mesh) {
 
 Result<HeadBody> build_head_body(IndexedMesh of) {
   if (auto error = find_too_far(of, "head", "--stl-units")) return *std::move(error);
-  HeadBody head{Surface(std::move(of)), {}, {}, {}, {}};
+  HeadBody head{Surface(std::move(of)), {}, {}, {}};
   const IndexedMesh& mesh = head.surface.mesh();
   if (!head.surface.is_solid()) {
     return make_error("mesh-head-open",
@@ -44,8 +44,6 @@ Result<HeadBody> build_head_body(IndexedMesh of) {
                       mesh.name);
   }
   head.box = mesh.box();
-  head.flat = find_flat_patches(mesh);
-  measure_clear_above(head.surface, head.flat);
   const std::vector<std::uint32_t> piece = pieces_of(mesh);
   const std::uint32_t pieces = *std::max_element(piece.begin(), piece.end()) + 1;
   head.cores.resize(pieces, Vec3::Zero());

@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "lib/base/result.h"
-#include "lib/head/flat_patches.h"
 #include "lib/mesh/mesh_findings.h"
 #include "lib/surface/surface.h"
 
@@ -17,7 +16,6 @@ struct HeadBody {
   /// For each piece of its surface a point inside it, the deepest of some hundred tries, and how deep it is.
   std::vector<Vec3> cores;
   std::vector<double> core_depths_mm;
-  FlatPatches flat;
 };
 
 /// Requires what build_mesh ensures, and a surface that does not cross itself: the nearest facet decides the

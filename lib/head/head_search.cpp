@@ -7,23 +7,22 @@
 #include <span>
 
 #include "lib/geom/triangle.h"
+#include "lib/head/plane_bound.h"
 #include "lib/hierarchy/lane_bound.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kUnknown_mm = std::numeric_limits<double>::infinity();
 constexpr double kRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
 
 /// A node or leaf of a tree or a piece of a facet, over a time interval.
 struct Candidate : SearchCandidate {
-  enum class Kind : std::uint8_t { node, leaf, facet };
+  enum class Kind : std::uint8_t { root, node, leaf, facet };
   Kind kind = Kind::node;
   bool is_time_next = false;
   std::uint32_t interval = 0, tree = 0, index = 0;  ///< of the node, leaf or triangle
-  /// Of a facet; else the centre of a ball around what it holds, and its radius.
-  std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
-  double radius_mm = 0;
+  std::uint32_t parent = 0, lane = 0;  ///< of a node or leaf but the root: the node whose child it is, and where there
+  std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of a facet
 };
 
 class Search : public BestFirstSearch<Search, Candidate> {
@@ -38,8 +37,11 @@ class Search : public BestFirstSearch<Search, Candidate> {
   HeadResult find() {
     for (std::uint32_t s = 0; s < intervals_.segments(); ++s) {
       for (std::uint32_t k = 0; k < trees_.size(); ++k) {
-        if (!trees_[k]->nodes.empty())
-          add_ball(s, k, Candidate::Kind::node, 0, trees_[k]->origin, trees_[k]->radius_mm);
+        Candidate root;
+        root.kind = Candidate::Kind::root;
+        root.interval = s;
+        root.tree = k;
+        if (!trees_[k]->nodes.empty()) add_node(root);
       }
     }
     result_.depth_upper_mm = std::max(run(), result_.depth_mm);
@@ -56,7 +58,9 @@ class Search : public BestFirstSearch<Search, Candidate> {
         if (c.kind == Candidate::Kind::facet) {
           add_piece(half + k, c.tree, c.index, c.piece);
         } else {
-          add_ball(half + k, c.tree, c.kind, c.index, c.piece[0], c.radius_mm);
+          Candidate part = c;
+          part.interval = half + k;
+          add_node(part);
         }
       }
     } else if (c.kind == Candidate::Kind::facet) {
@@ -77,104 +81,69 @@ class Search : public BestFirstSearch<Search, Candidate> {
       return;
     }
     const NodeBlock& node = tree.nodes[c.index];
-    for (std::size_t lane = 0; lane < node.count; ++lane) {
-      const LaneBound bound(tree, node, lane);
-      const Candidate::Kind kind = node.has_leaves ? Candidate::Kind::leaf : Candidate::Kind::node;
-      add_ball(c.interval, c.tree, kind, node.child[lane], bound.center, bound.radius_mm);
+    for (std::uint32_t lane = 0; lane < node.count; ++lane) {
+      Candidate child;
+      child.kind = node.has_leaves ? Candidate::Kind::leaf : Candidate::Kind::node;
+      child.interval = c.interval;
+      child.tree = c.tree;
+      child.index = node.child[lane];
+      child.parent = c.index;
+      child.lane = lane;
+      add_node(child);
     }
   }
 
-  /// Whether the ball stays out of the head's box at both ends of the interval, and between them: then nothing in it
-  /// enters the head, and no query is needed to know.
-  [[nodiscard]] bool is_beside(const HeadInterval& interval, const Vec3& centre, double radius) const {
-    const Vec3 q0 = interval.to_tool0.point(centre), q1 = interval.to_tool1.point(centre);
-    const double out0 = head_.box.exteriorDistance(q0), out1 = head_.box.exteriorDistance(q1);
-    if (!(out0 > 0 && out1 > 0)) return false;
-    return radius + 0.5 * (path_length_mm(interval, q0, q1) - out0 - out1) + kRounding_mm <= 0;
+  [[nodiscard]] LaneBound bound_of(const Candidate& c) const {
+    const BlockTree& tree = *trees_[c.tree];
+    return c.kind == Candidate::Kind::root ? LaneBound(tree) : LaneBound(tree, tree.nodes[c.parent], c.lane);
   }
 
-  /// Not below the length of the path of a point from q0 to q1, in the frame of the tool.
-  [[nodiscard]] double path_length_mm(const HeadInterval& interval, const Vec3& q0, const Vec3& q1) const {
-    if (!(interval.t1 > interval.t0)) return 0;
-    return (q1 - q0).norm() + 2 * motion_.bulge_mm(interval.t0, interval.t1, interval.segment, q0.norm());
+  [[nodiscard]] double bulge_mm(const HeadInterval& interval, double far_mm) const {
+    return interval.t1 > interval.t0 ? motion_.bulge_mm(interval.t0, interval.t1, interval.segment, far_mm) : 0;
   }
 
-  /// Upper bound of the depth over a ball of surface points and the whole interval.
-  double bound(const HeadInterval& interval, const Vec3& centre, double radius, double& path_length) {
-    ++result_.bounds;
-    const Vec3 q0 = interval.to_tool0.point(centre), q1 = interval.to_tool1.point(centre);
-    path_length = path_length_mm(interval, q0, q1);
-    const double s0 = signed_distance(q0);
-    if (!(interval.t1 > interval.t0)) return radius - s0 + kRounding_mm;
-    return radius + 0.5 * (path_length - s0 - signed_distance(q1)) + kRounding_mm;
-  }
-
-  /// Where all of the piece, at both ends of the interval and `bulge` around, lies over one flat patch of the
-  /// head, or over one face of it, and no higher than it is clear, what is above the plane is outside, and
-  /// what is below is no deeper than that: a linear function, so its corners suffice.
-  [[nodiscard]] double bound_by_face(const HeadInterval& interval, const std::array<Vec3, 3>& piece) const {
-    std::array<Vec3, 6> q;
-    double far = 0;
-    for (std::size_t k = 0; k < 3; ++k) {
-      q[k] = interval.to_tool0.point(piece[k]);
-      q[k + 3] = interval.to_tool1.point(piece[k]);
-      far = std::max(far, q[k].norm());
-    }
-    const Vec3 middle = (q[0] + q[1] + q[2] + q[3] + q[4] + q[5]) / 6.0;
-    const std::uint32_t face = head_.surface.closest_point(middle)->triangle;
-    const double bulge =
-        interval.t1 > interval.t0 ? motion_.bulge_mm(interval.t0, interval.t1, interval.segment, far) : 0;
-    const double patch = deepest_below(head_.flat.patches[head_.flat.patch_of[face]], q, bulge);
-    return std::min(patch, deepest_below(head_.flat.faces[face], q, bulge)) + bulge + kRounding_mm;
-  }
-
-  static double deepest_below(const FlatPatch& patch, const std::array<Vec3, 6>& q, double bulge) {
-    const double inside = std::max(bulge + kRounding_mm, patch.rim_mm);
-    double deepest = 0;
-    for (const Vec3& x : q) {
-      if (!(patch.inside_mm(x) >= inside)) return kUnknown_mm;
-      const double height = patch.height_mm(x);
-      // Higher than is known to be clear, the distance to the plane bounds the depth all the same.
-      deepest = std::max(deepest, height + bulge < patch.clear_mm ? -height : std::abs(height));
-    }
-    return deepest + 2 * patch.off_mm;
-  }
-
-  [[nodiscard]] double signed_distance(const Vec3& q) const { return head_.surface.closest_point(q)->signed_mm(); }
-
-  void add_ball(std::uint32_t interval, std::uint32_t tree, Candidate::Kind kind, std::uint32_t index,
-                const Vec3& centre, double radius) {
-    if (is_beside(intervals_[interval], centre, radius)) return;
-    Candidate c;
-    double path_length = 0;
-    c.upper_mm = bound(intervals_[interval], centre, radius, path_length);
-    c.kind = kind;
-    c.interval = interval;
-    c.tree = tree;
-    c.index = index;
-    c.piece[0] = centre;
-    c.radius_mm = radius;
-    c.is_time_next = path_length > 2 * radius && intervals_.can_halve(interval);
-    offer(c);
+  /// All of the candidate but its bound and what comes next is known.
+  void add_node(Candidate& c) {
+    const HeadInterval& interval = intervals_[c.interval];
+    const LaneBound held = bound_of(c);
+    const double far_mm = interval.to_tool0.point(held.center).norm() + held.radius_mm;
+    if (bound(c, NodeRegion(held, interval.to_tool0, interval.to_tool1, bulge_mm(interval, far_mm)))) offer(c);
   }
 
   void add_piece(std::uint32_t index, std::uint32_t tree, std::uint32_t triangle, const std::array<Vec3, 3>& piece) {
-    const Vec3 centre = (piece[0] + piece[1] + piece[2]) / 3.0;
-    double radius = 0;
-    for (const Vec3& corner : piece) radius = std::max(radius, (corner - centre).norm());
-    if (is_beside(intervals_[index], centre, radius)) return;
+    const HeadInterval& interval = intervals_[index];
+    std::array<Vec3, 6> corners;
+    double far_mm = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      corners[k] = interval.to_tool0.point(piece[k]);
+      corners[k + 3] = interval.to_tool1.point(piece[k]);
+      far_mm = std::max(far_mm, corners[k].norm());
+    }
     Candidate c;
-    double path_length = 0;
-    c.upper_mm = bound(intervals_[index], centre, radius, path_length);
+    c.kind = Candidate::Kind::facet;
     c.interval = index;
     c.tree = tree;
     c.index = triangle;
-    if (c.upper_mm > threshold_mm()) c.upper_mm = std::min(c.upper_mm, bound_by_face(intervals_[index], piece));
-    c.kind = Candidate::Kind::facet;
     c.piece = piece;
-    c.is_time_next = path_length > 2 * radius && intervals_.can_halve(index);
-    if (c.upper_mm > threshold_mm()) try_points(c, centre);
+    if (!bound(c, PieceRegion(corners, bulge_mm(interval, far_mm)))) return;
+    if (c.upper_mm > threshold_mm()) try_points(c, (piece[0] + piece[1] + piece[2]) / 3.0);
     offer(c);
+  }
+
+  /// False where the region stays out of the head's box. Else bounds its depth, first by the signed distance of its
+  /// middle, which changes by no more than the distance moved.
+  template <typename Region>
+  [[nodiscard]] bool bound(Candidate& c, const Region& region) {
+    if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kRounding_mm) return false;
+    ++result_.bounds;
+    const ClosestPoint foot = *head_.surface.closest_point(region.middle);
+    c.upper_mm = region.radius_mm - foot.signed_mm() + kRounding_mm;
+    if (c.upper_mm > threshold_mm()) {
+      if (const auto depth_mm = depth_by_plane(head_, region, foot, threshold_mm()))
+        c.upper_mm = std::min(c.upper_mm, *depth_mm);
+    }
+    c.is_time_next = region.travel_mm > 2 * region.size_mm && intervals_.can_halve(c.interval);
+    return true;
   }
 
   void try_points(const Candidate& c, const Vec3& centre) {

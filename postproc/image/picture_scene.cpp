@@ -111,12 +111,13 @@ Vec3 PictureScene::area_normal(std::uint32_t face) const {
 std::vector<std::uint32_t> PictureScene::faces_in(const View& view) const {
   const double across = view.right.dot(view.centre), along = view.up.dot(view.centre);
   const double half_width = 0.5 * view.width * view.mm_per_pixel, half_height = 0.5 * view.height * view.mm_per_pixel;
-  const std::array<Slab, 2> seen{
-      {{view.right, across - half_width, across + half_width}, {view.up, along - half_height, along + half_height}}};
+  const std::array<HalfSpace, 4> seen{{{view.right, across - half_width},
+                                       {-view.right, -across - half_width},
+                                       {view.up, along - half_height},
+                                       {-view.up, -along - half_height}}};
   const auto shows_all = [&](const BlockTree& tree) {
-    return std::all_of(seen.begin(), seen.end(), [&](const Slab& slab) {
-      const double height = slab.normal.dot(tree.origin);
-      return height - tree.radius_mm >= slab.low_mm && height + tree.radius_mm <= slab.high_mm;
+    return std::all_of(seen.begin(), seen.end(), [&](const HalfSpace& half) {
+      return half.direction.dot(tree.origin) - tree.radius_mm >= half.least_mm;
     });
   };
   if (prepared_ == nullptr || !prepared_->is_within_reach || shows_all(prepared_->parts)) {

@@ -35,8 +35,8 @@ std::optional<SectionLine> cut_triangle(const std::array<Vec3, 3>& corners, cons
 void cut_tree(const BlockTree& tree, const SectionPlane& plane, bool is_fixture, std::vector<SectionLine>& out) {
   const Vec3 normal = normal_of(plane);
   const double height = normal.dot(plane.pose.tip) + plane.offset_mm;
-  const Slab slab{normal, height, height};
-  for (const std::uint32_t triangle : triangles_within(tree, {&slab, 1})) {
+  const std::array<HalfSpace, 2> both{{{normal, height}, {-normal, -height}}};
+  for (const std::uint32_t triangle : triangles_within(tree, both)) {
     if (auto line = cut_triangle(tree.corners(triangle), plane)) {
       line->is_fixture = is_fixture;
       out.push_back(*line);

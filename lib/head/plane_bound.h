@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "lib/head/head_body.h"
+#include "lib/hierarchy/lane_bound.h"
+#include "lib/hierarchy/triangles_within.h"
+
+namespace gouge {
+
+/// From the lowest to the highest n . (x - middle) of a region, for a unit n in the tool's frame.
+struct HeadRange {
+  double low_mm = 0, high_mm = 0;
+};
+
+/// Part of a surface during a time interval, in the tool's frame: within `bulge_mm` of the convex hull of what it is at
+/// both ends of the interval.
+struct HeadRegion {
+  Vec3 middle = Vec3::Zero();
+  Vec3 longest = Vec3::Zero();  ///< the direction it extends in
+  double radius_mm = 0;         ///< no point of it is farther from the middle, at any time
+  double size_mm = 0;           ///< its radius at one instant
+  double travel_mm = 0;         ///< no point of it goes much farther
+  double bulge_mm = 0;
+};
+
+/// Of a piece of a facet, by its corners at both ends.
+struct PieceRegion : HeadRegion {
+  PieceRegion(const std::array<Vec3, 6>& corners, double bulge);
+  [[nodiscard]] HeadRange along(const Vec3& n) const;
+  /// Adds half-spaces along n that hold it: of the outline that it has seen along n.
+  void add_sides(const Vec3& n, std::vector<HalfSpace>& sides) const;
+  std::array<Vec3, 6> corners;
+};
+
+/// Of what a node of the part's tree holds, by its ball and disc. `bound` and both transforms must outlive it.
+struct NodeRegion : HeadRegion {
+  NodeRegion(const LaneBound& bound, const RigidTransform& to_tool0, const RigidTransform& to_tool1, double bulge);
+  [[nodiscard]] HeadRange along(const Vec3& n) const;
+  void add_sides(const Vec3& n, std::vector<HalfSpace>& sides) const;
+  const LaneBound& bound;
+  const RigidTransform &to_tool0, &to_tool1;
+  Vec3 center0, center1;
+};
+
+/// Upper bound of the depth of a region in a head, by a plane that the head does not rise above near the region.
+///
+/// Let no part of the head be in a prism that stands on the plane n . x = h, whose sides hold the region, and whose top
+/// is above it. Points of the region above the plane are outside then. From a point p below it, q = p + (h - n . p) n
+/// is on the prism's base, and points just above q are outside; so p is no deeper than h - n . p. The plane is the one
+/// through the head's closest point to the region's middle, square to the direction from there; the head is not in the
+/// prism if its surface is not and one point of the prism is outside.
+///
+/// `foot`: the head's closest point to the region's middle. `enough_mm`: a bound of this is as good as any smaller one;
+/// the plane is raised to it where the first does not hold.
+/// Ensures  nothing, or at least 0 and not below the depth of any point of the region.
+/// Cost     a search of the head's tree or two, and at most as many closest points.
+/// Source   docs/algorithms/shallow_penetration.md, section 7.
+[[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& region,
+                                                   const ClosestPoint& foot, double enough_mm);
+[[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region,
+                                                   const ClosestPoint& foot, double enough_mm);
+
+}  // namespace gouge
