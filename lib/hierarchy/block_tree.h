@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "lib/geom/vec.h"
@@ -38,11 +37,8 @@ struct BlockTree {
 };
 
 /// Requires that the meshes outlive the tree and hold fewer than 2^32 triangles together.
-/// Ensures  verify_tree(result).empty(); the same bytes at any number of threads (0: all).
+/// Ensures  every triangle in exactly one leaf, every bound holds; the same bytes at any number of threads (0: all).
 /// Cost     O(n log n) time, 47 bytes a triangle, 16 more while it is built.
 [[nodiscard]] BlockTree build_block_tree(std::span<const IndexedMesh> meshes, unsigned threads = 0);
-
-/// Broken invariants, one sentence each: every triangle in exactly one leaf, every bound holds.
-[[nodiscard]] std::vector<std::string> verify_tree(const BlockTree& tree);
 
 }  // namespace gouge

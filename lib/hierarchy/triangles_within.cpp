@@ -1,6 +1,7 @@
 #include "lib/hierarchy/triangles_within.h"
 
 #include <algorithm>
+#include <array>
 
 #include "lib/hierarchy/lane_bound.h"
 
@@ -34,34 +35,6 @@ bool visit_leaves(const BlockTree& tree, std::span<const HalfSpace> space, const
   return false;
 }
 
-/// A convex polygon that is cut: a triangle by up to twelve planes.
-struct Polygon {
-  std::array<Vec3, 16> corners;
-  std::size_t count = 0;
-
-  void cut(const HalfSpace& half) {
-    Polygon kept;
-    const double least_mm = half.least_mm - kRounding_mm;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 &a = corners[i], &b = corners[i + 1 < count ? i + 1 : 0];
-      const double in_a = half.direction.dot(a) - least_mm, in_b = half.direction.dot(b) - least_mm;
-      if (in_a >= 0) kept.corners[kept.count++] = a;
-      if ((in_a >= 0) != (in_b >= 0)) kept.corners[kept.count++] = a + in_a / (in_a - in_b) * (b - a);
-    }
-    *this = kept;
-  }
-};
-
-bool reaches_into(const std::array<Vec3, 3>& triangle, std::span<const HalfSpace> space) {
-  Polygon left;
-  std::copy(triangle.begin(), triangle.end(), left.corners.begin());
-  left.count = 3;
-  return std::all_of(space.begin(), space.end(), [&](const HalfSpace& half) {
-    left.cut(half);
-    return left.count > 0;
-  });
-}
-
 }  // namespace
 
 std::vector<std::uint32_t> triangles_within(const BlockTree& tree, std::span<const HalfSpace> space) {
@@ -75,9 +48,12 @@ std::vector<std::uint32_t> triangles_within(const BlockTree& tree, std::span<con
 }
 
 bool is_entered(const BlockTree& tree, std::span<const HalfSpace> space) {
+  std::array<HalfSpace, kMostHalfSpaces> wider;
+  const std::size_t count = std::min(space.size(), wider.size());
+  for (std::size_t i = 0; i < count; ++i) wider[i] = {space[i].direction, space[i].least_mm - kRounding_mm};
   return visit_leaves(tree, space, [&](const TriangleBlock& leaf) {
     for (std::size_t k = 0; k < leaf.count; ++k) {
-      if (reaches_into(tree.corners(leaf.triangle[k]), space)) return true;
+      if (is_any_within(tree.corners(leaf.triangle[k]), {wider.data(), count})) return true;
     }
     return false;
   });

@@ -115,7 +115,7 @@ class Search : public BestFirstSearch<Search, Cell> {
   }
 
   /// In the cell's own coordinates: along the axes of the frame, and the time.
-  [[nodiscard]] Affine in_cell(const HalfSpace& half) const {
+  [[nodiscard]] Affine in_cell(const DriftingHalfSpace& half) const {
     Affine plane{half.offset_mm, Vec4::Zero()};
     plane.gradient << -(frame_ * half.normal), half.drift_mm;
     return plane;

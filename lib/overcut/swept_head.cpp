@@ -49,8 +49,8 @@ SweptBound SweptHead::bound(const Vec3& centre, double radius, std::uint32_t ind
   return bound;
 }
 
-std::optional<HalfSpace> SweptHead::half_space(const Vec3& point, double s, const Vec3& centre, double radius,
-                                               std::uint32_t index) const {
+std::optional<DriftingHalfSpace> SweptHead::half_space(const Vec3& point, double s, const Vec3& centre, double radius,
+                                                       std::uint32_t index) const {
   const HeadInterval& interval = intervals_[index];
   const Vec3 near = (0.5 - s) * interval.to_tool0.point(point) + (0.5 + s) * interval.to_tool1.point(point);
   const auto foot = head_.surface.closest_point(near);

@@ -18,8 +18,8 @@ class SweptHead : public SweptSolid {
   std::uint32_t halve(std::uint32_t interval) override { return intervals_.halve(interval); }
   [[nodiscard]] SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const override;
   /// None where the head's surface over the cell is steep, or where the head goes on above it.
-  [[nodiscard]] std::optional<HalfSpace> half_space(const Vec3& point, double s, const Vec3& centre, double radius_mm,
-                                                    std::uint32_t interval) const override;
+  [[nodiscard]] std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
+                                                            double radius_mm, std::uint32_t interval) const override;
   [[nodiscard]] std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                           bool is_sharp_only) const override;
 

@@ -33,7 +33,7 @@ struct Chord {
 
 /// Points of the tool in the cell lie behind a plane that supports it. The directions of the plane at both ends differ
 /// by the turn; their mean serves, with half the difference at the cell's rim added.
-std::optional<HalfSpace> behind(const SupportPlane& plane, const Chord& chord, const ToolInterval& interval) {
+std::optional<DriftingHalfSpace> behind(const SupportPlane& plane, const Chord& chord, const ToolInterval& interval) {
   const double around = chord.radius_mm + chord.bulge_mm;
   const double z_lo = std::min(chord.q0.z(), chord.q1.z()) - around;
   const double z_hi = std::max(chord.q0.z(), chord.q1.z()) + around;
@@ -46,10 +46,10 @@ std::optional<HalfSpace> behind(const SupportPlane& plane, const Chord& chord, c
 
 /// The plane that touches the tool at the sample's foot; at a corner that only planes of some heights support, that of
 /// the side which the sample is farther in front of.
-std::optional<HalfSpace> behind(const CompiledTool& tool, const ToolSample& sample, const Chord& chord,
-                                const ToolInterval& interval) {
+std::optional<DriftingHalfSpace> behind(const CompiledTool& tool, const ToolSample& sample, const Chord& chord,
+                                        const ToolInterval& interval) {
   const SupportPlane plane = support_plane(tool, sample);
-  std::optional<HalfSpace> half = behind(plane, chord, interval);
+  std::optional<DriftingHalfSpace> half = behind(plane, chord, interval);
   const std::uint32_t corner = sample.nearest.element;
   if (half || tool.elements[corner].kind != ElementKind::vertex) return half;
   double farthest = -std::numeric_limits<double>::infinity();
@@ -61,7 +61,7 @@ std::optional<HalfSpace> behind(const CompiledTool& tool, const ToolSample& samp
     const SupportPlane other = support_plane(tool, beside);
     const double in_front = -other.depth_mm(sample.q);
     if (in_front <= farthest) continue;
-    if (const std::optional<HalfSpace> kept = behind(other, chord, interval)) {
+    if (const std::optional<DriftingHalfSpace> kept = behind(other, chord, interval)) {
       half = kept;
       farthest = in_front;
     }
@@ -108,8 +108,8 @@ SweptBound SweptTool::bound(const Vec3& centre, double radius, std::uint32_t ind
   return bound;
 }
 
-std::optional<HalfSpace> SweptTool::half_space(const Vec3& point, double s, const Vec3& centre, double radius,
-                                               std::uint32_t index) const {
+std::optional<DriftingHalfSpace> SweptTool::half_space(const Vec3& point, double s, const Vec3& centre, double radius,
+                                                       std::uint32_t index) const {
   const ToolInterval& interval = intervals_[index];
   const Vec3 q = (0.5 - s) * interval.f0.to_tool(point) + (0.5 + s) * interval.f1.to_tool(point);
   return behind(tool_, sample_tool(tool_, q), Chord(interval, centre, radius), interval);

@@ -24,8 +24,8 @@ class SweptTool : public SweptSolid {
   std::uint32_t halve(std::uint32_t interval) override { return intervals_.halve(interval); }
   /// To first order: by planes that support the tool (SupportRange).
   [[nodiscard]] SweptBound bound(const Vec3& centre, double radius_mm, std::uint32_t interval) const override;
-  [[nodiscard]] std::optional<HalfSpace> half_space(const Vec3& point, double s, const Vec3& centre, double radius_mm,
-                                                    std::uint32_t interval) const override;
+  [[nodiscard]] std::optional<DriftingHalfSpace> half_space(const Vec3& point, double s, const Vec3& centre,
+                                                            double radius_mm, std::uint32_t interval) const override;
   [[nodiscard]] std::vector<Box3> extents(const Eigen::Matrix3d& frame, std::uint32_t interval,
                                           bool is_sharp_only) const override;
 

@@ -1,40 +1,14 @@
 #include "lib/penetration/below_facets.h"
 
-#include <algorithm>
 #include <array>
 
 #include "lib/base/parallel.h"
+#include "lib/geom/half_space.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kChunk = 1024;
-
-struct HalfSpace {
-  Vec3 normal;
-  double offset;  ///< kept: normal . x <= offset
-};
-
-/// Whether anything of `triangle` is left after cutting; a point on a border is.
-template <std::size_t N>
-bool is_any_left(const std::array<Vec3, 3>& triangle, const std::array<HalfSpace, N>& spaces) {
-  std::array<Vec3, 3 + N> now{}, next{};
-  std::copy(triangle.begin(), triangle.end(), now.begin());
-  std::size_t count = 3;
-  for (const HalfSpace& space : spaces) {
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; ++i) {
-      const Vec3 &a = now[i], &b = now[(i + 1) % count];
-      const double out_a = space.normal.dot(a) - space.offset, out_b = space.normal.dot(b) - space.offset;
-      if (out_a <= 0) next[kept++] = a;
-      if ((out_a > 0) != (out_b > 0) && kept < next.size()) next[kept++] = a + (out_a / (out_a - out_b)) * (b - a);
-    }
-    count = kept;
-    if (count == 0) return false;
-    std::swap(now, next);
-  }
-  return true;
-}
 
 class Prism {
  public:
@@ -46,14 +20,14 @@ class Prism {
       box_.extend(facet[k]);
       box_.extend(Vec3(facet[k] - depth * up));
       const Vec3& opposite = facet[(k + 2) % 3];
-      const Vec3 across = (facet[(k + 1) % 3] - facet[k]).cross(up).normalized();
-      const double rim = across.dot(facet[k]);
+      const Vec3 inward = up.cross(facet[(k + 1) % 3] - facet[k]).normalized();
+      const double rim = inward.dot(facet[k]);
       // A little inside the rim, as feet on the face are: neighbours at right angles stay out.
-      spaces_[k] = {across, rim - 0.5 * kFaceRim * (rim - across.dot(opposite))};
+      prism_[k] = {inward, rim + 0.5 * kFaceRim * (inward.dot(opposite) - rim)};
     }
     const double top = up.dot(facet[0]);
-    spaces_[3] = {up, top - 1e-9 * depth};
-    spaces_[4] = {-up, -(top - depth)};
+    prism_[3] = {-up, -(top - 1e-9 * depth)};
+    prism_[4] = {up, top - depth};
   }
 
   [[nodiscard]] bool is_clear() const {
@@ -72,7 +46,7 @@ class Prism {
     }
     for (std::uint32_t k = 0; node.children == 0 && k < node.item_count; ++k) {
       const std::uint32_t other = node.first + k;
-      if (other != slot_ && is_any_left(body_.corners[other], spaces_)) return false;
+      if (other != slot_ && is_any_within(body_.corners[other], prism_)) return false;
     }
     return true;
   }
@@ -80,7 +54,7 @@ class Prism {
   const DepthBody& body_;
   std::uint32_t slot_;
   Box3 box_;
-  std::array<HalfSpace, 5> spaces_;
+  std::array<HalfSpace, 5> prism_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
+#include "tests/support/verify_block_tree.h"
 
 namespace gouge {
 namespace {
@@ -27,7 +28,7 @@ TEST(BlockTree, BoundsHoldOnShapesAndSoups) {
   for (const IndexedMesh& mesh : {shapes::cube(), shapes::sphere(), shapes::torus(), shapes::needle_fan(),
                                   random_soup(16, 1), random_soup(17, 2), random_soup(257, 3), random_soup(5000, 4)}) {
     const BlockTree tree = build_block_tree({&mesh, 1});
-    const auto broken = verify_tree(tree);
+    const auto broken = test::verify_tree(tree);
     EXPECT_TRUE(broken.empty()) << broken.front();
   }
 }
@@ -35,21 +36,21 @@ TEST(BlockTree, BoundsHoldOnShapesAndSoups) {
 TEST(BlockTree, BoundsHoldFarFromTheOrigin) {
   IndexedMesh mesh = random_soup(700, 5);
   for (Vec3& v : mesh.vertices) v = 1e-3 * v + Vec3(1e5, -2e5, 3e4);
-  EXPECT_TRUE(verify_tree(build_block_tree({&mesh, 1})).empty());
+  EXPECT_TRUE(test::verify_tree(build_block_tree({&mesh, 1})).empty());
 }
 
 TEST(BlockTree, VerifySeesABoundThatDoesNotHold) {
   const IndexedMesh mesh = shapes::sphere();
   BlockTree tree = build_block_tree({&mesh, 1});
   tree.nodes[0].radius_mm[0] *= 0.99F;
-  EXPECT_FALSE(verify_tree(tree).empty());
+  EXPECT_FALSE(test::verify_tree(tree).empty());
 }
 
 TEST(BlockTree, VerifySeesATriangleThatIsLeftOut) {
   const IndexedMesh mesh = shapes::sphere();
   BlockTree tree = build_block_tree({&mesh, 1});
   tree.leaves[0].count -= 1;
-  EXPECT_FALSE(verify_tree(tree).empty());
+  EXPECT_FALSE(test::verify_tree(tree).empty());
 }
 
 TEST(BlockTree, ManyMeshesAreOneTreeThatRemembersThem) {
@@ -67,7 +68,7 @@ TEST(BlockTree, EqualCentroidsStillSplit) {
   IndexedMesh mesh = shapes::tetrahedron();
   const IndexedMesh once = mesh;
   for (int k = 0; k < 100; ++k) mesh = shapes::joined(mesh, once);
-  EXPECT_TRUE(verify_tree(build_block_tree({&mesh, 1})).empty());
+  EXPECT_TRUE(test::verify_tree(build_block_tree({&mesh, 1})).empty());
 }
 
 TEST(BlockTree, TheNumberOfThreadsChangesNothing) {

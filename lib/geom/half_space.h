@@ -1,0 +1,42 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "lib/geom/vec.h"
+
+namespace gouge {
+
+/// What is on the side of a plane that `direction` points to: direction . x >= least_mm.
+struct HalfSpace {
+  Vec3 direction = Vec3::UnitZ();  ///< unit
+  double least_mm = 0;
+};
+
+inline constexpr std::size_t kMostHalfSpaces = 12;
+
+/// Whether anything of a triangle is in all half-spaces, at most kMostHalfSpaces of them; a point on a border is.
+/// Source  I. Sutherland, G. Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974).
+[[nodiscard]] inline bool is_any_within(const std::array<Vec3, 3>& triangle, std::span<const HalfSpace> space) {
+  // Each cut adds a corner at most; of what rounding bends one more.
+  std::array<Vec3, 2 * (3 + kMostHalfSpaces)> now, next;
+  std::copy(triangle.begin(), triangle.end(), now.begin());
+  std::size_t count = triangle.size();
+  for (const HalfSpace& half : space) {
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < count; ++i) {
+      const Vec3 &a = now[i], &b = now[i + 1 < count ? i + 1 : 0];
+      const double in_a = half.direction.dot(a) - half.least_mm, in_b = half.direction.dot(b) - half.least_mm;
+      if (in_a >= 0) next[kept++] = a;
+      if ((in_a >= 0) != (in_b >= 0) && kept < next.size()) next[kept++] = a + in_a / (in_a - in_b) * (b - a);
+    }
+    if (kept == 0) return false;
+    count = kept;
+    std::swap(now, next);
+  }
+  return true;
+}
+
+}  // namespace gouge
