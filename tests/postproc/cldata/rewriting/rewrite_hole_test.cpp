@@ -16,6 +16,7 @@ PathChange shifted(std::size_t move, const Vec3& by) {
   return change;
 }
 
+// They point into the path.
 std::vector<const Move*> moves_of(const Toolpath& path, std::size_t line) {
   std::vector<const Move*> moves;
   for (const Move& move : path.moves) {
@@ -47,8 +48,8 @@ TEST(RewriteHole, ItsPositionAloneChangesAndAllHeightsWithIt) {
   std::string expected = text;
   expected.replace(expected.find("GOTO/70.0000,0.0000,24.0000"), 27, "GOTO/70.2500,0.0000,24.5000");
   EXPECT_EQ(result, expected);
-  const std::vector<const Move*> after = moves_of(path_of(result), 4);
-  expect_vector(lowest(after) - lowest(second), 0.25, 0, 0.5, 1e-9);
+  const Toolpath after = path_of(result);
+  expect_vector(lowest(moves_of(after, 4)) - lowest(second), 0.25, 0, 0.5, 1e-9);
 }
 
 TEST(RewriteHole, OneOfAListMovesAlone) {
