@@ -1,51 +1,33 @@
 #include "lib/check/prepared_scene.h"
 
-#include <mutex>
-#include <optional>
-#include <vector>
-
 #include "lib/check/reach.h"
 
 namespace gouge {
+namespace {
 
-struct PreparedScene::OnDemand {
-  struct Slot {
-    std::once_flag once;
-    std::optional<Surface> surface;
-  };
+std::vector<Surface> surfaces_of(const std::vector<IndexedMesh>& meshes, const BlockTree& tree, unsigned threads) {
+  if (meshes.size() == 1) return {Surface(meshes[0], tree)};
+  std::vector<Surface> surfaces;
+  surfaces.reserve(meshes.size());
+  for (const IndexedMesh& mesh : meshes) surfaces.emplace_back(mesh, threads);
+  return surfaces;
+}
 
-  explicit OnDemand(const Scene& scene) : parts(scene.parts.size()), fixtures(scene.fixtures.size()), sides(scene) {}
-
-  std::vector<Slot> parts, fixtures;
-  SceneSides sides;  // its own indices are made when first needed
-};
+}  // namespace
 
 PreparedScene::PreparedScene(const Scene& of, unsigned threads)
     : scene(&of),
       is_within_reach(why_unfit(of) == Reason::Kind::none),
-      on_demand_(std::make_unique<OnDemand>(of)),
-      threads_(threads) {
+      part_surfaces_(surfaces_of(of.parts, parts, threads)),
+      fixture_surfaces_(surfaces_of(of.fixtures, fixtures, threads)),
+      sides_(of) {
   if (!is_within_reach) return;
   parts = build_block_tree(of.parts, threads);
   fixtures = build_block_tree(of.fixtures, threads);
 }
 
-PreparedScene::~PreparedScene() = default;
-
 const Surface& PreparedScene::surface(Against kind, std::size_t mesh) const {
-  const bool is_part = kind == Against::part;
-  OnDemand::Slot& slot = (is_part ? on_demand_->parts : on_demand_->fixtures)[mesh];
-  std::call_once(slot.once, [&] {
-    const std::vector<IndexedMesh>& meshes = is_part ? scene->parts : scene->fixtures;
-    if (meshes.size() == 1) {
-      slot.surface.emplace(meshes[mesh], is_part ? parts : fixtures);
-    } else {
-      slot.surface.emplace(meshes[mesh], threads_);
-    }
-  });
-  return *slot.surface;
+  return (kind == Against::part ? part_surfaces_ : fixture_surfaces_)[mesh];
 }
-
-const SceneSides& PreparedScene::sides() const { return on_demand_->sides; }
 
 }  // namespace gouge

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <memory>
+#include <vector>
 
 #include "lib/check/scene.h"
 #include "lib/check/scene_sides.h"
@@ -19,23 +19,21 @@ class PreparedScene {
   /// Stays where it is: its surfaces point into its trees.
   PreparedScene(const PreparedScene&) = delete;
   PreparedScene& operator=(const PreparedScene&) = delete;
-  ~PreparedScene();
 
   /// Distances from a mesh. Its index is that of the sweep where no other mesh is of that kind. Requires
   /// is_within_reach. Cost of the first call for a mesh: else its tree.
   [[nodiscard]] const Surface& surface(Against kind, std::size_t mesh) const;
 
   /// Inside and outside of parts and fixtures.
-  [[nodiscard]] const SceneSides& sides() const;
+  [[nodiscard]] const SceneSides& sides() const { return sides_; }
 
   const Scene* scene;
   BlockTree parts, fixtures;
   bool is_within_reach;  ///< no mesh reaches beyond kFarthest_mm
 
  private:
-  struct OnDemand;
-  std::unique_ptr<OnDemand> on_demand_;
-  unsigned threads_;
+  std::vector<Surface> part_surfaces_, fixture_surfaces_;
+  SceneSides sides_;
 };
 
 [[nodiscard]] inline PreparedScene prepare_scene(const Scene& scene, unsigned threads = 0) {

@@ -30,13 +30,9 @@ LocalMaxima::LocalMaxima(Surface surface)
     }
     return true;
   };
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Corner a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      const EdgeTriangles edge = surface_.triangles_at_vertices().at_edge(mesh, a, b);
-      if (edge.first[0] == t && !is_convex(edge)) is_reflex_[a] = is_reflex_[b] = true;
-    }
-  }
+  surface_.triangles_at_vertices().for_each_edge(mesh, [&](Corner a, Corner b, const EdgeTriangles& edge) {
+    if (!is_convex(edge)) is_reflex_[a] = is_reflex_[b] = true;
+  });
 }
 
 bool LocalMaxima::may_hold(const Vec3& centre, double radius, const ClosestPoint& foot) const {

@@ -20,8 +20,7 @@ inline constexpr std::size_t kMostHalfSpaces = 12;
 /// Whether anything of a triangle is in all half-spaces, at most kMostHalfSpaces of them; a point on a border is.
 /// Source  I. Sutherland, G. Hodgman, Reentrant polygon clipping, Comm. ACM 17 (1974).
 [[nodiscard]] inline bool is_any_within(const std::array<Vec3, 3>& triangle, std::span<const HalfSpace> space) {
-  // Each cut adds a corner at most; of what rounding bends one more.
-  std::array<Vec3, 2 * (3 + kMostHalfSpaces)> now, next;
+  std::array<Vec3, 2 * (3 + kMostHalfSpaces)> now, next;  // a cut adds one corner, or more where rounding bent it
   std::copy(triangle.begin(), triangle.end(), now.begin());
   std::size_t count = triangle.size();
   for (const HalfSpace& half : space) {
@@ -29,8 +28,9 @@ inline constexpr std::size_t kMostHalfSpaces = 12;
     for (std::size_t i = 0; i < count; ++i) {
       const Vec3 &a = now[i], &b = now[i + 1 < count ? i + 1 : 0];
       const double in_a = half.direction.dot(a) - half.least_mm, in_b = half.direction.dot(b) - half.least_mm;
+      if (kept + 2 > next.size()) return true;  // not proved to be outside
       if (in_a >= 0) next[kept++] = a;
-      if ((in_a >= 0) != (in_b >= 0) && kept < next.size()) next[kept++] = a + in_a / (in_a - in_b) * (b - a);
+      if ((in_a >= 0) != (in_b >= 0)) next[kept++] = a + in_a / (in_a - in_b) * (b - a);
     }
     if (kept == 0) return false;
     count = kept;

@@ -31,6 +31,18 @@ class VertexTriangles {
   /// for a surface of few handles, however many triangles meet at a vertex.
   [[nodiscard]] EdgeTriangles at_edge(const IndexedMesh& mesh, Corner a, Corner b) const;
 
+  /// Calls visit(a, b, edge) once for each edge, in the order of its first triangle. Requires and costs as at_edge.
+  template <typename Visit>
+  void for_each_edge(const IndexedMesh& mesh, const Visit& visit) const {
+    for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
+      for (std::size_t k = 0; k < 3; ++k) {
+        const Corner a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+        const EdgeTriangles edge = at_edge(mesh, a, b);
+        if (edge.first[0] == t) visit(a, b, edge);
+      }
+    }
+  }
+
  private:
   std::vector<std::uint32_t> first_;      // per vertex, and one more
   std::vector<std::uint32_t> triangles_;  // by vertex

@@ -49,7 +49,9 @@ class Measuring {
 
   /// Whatever is made once and shared is made by all threads, not within one.
   void prepare(std::size_t move) {
-    if (!surface_of(result_.verdicts[move]).is_solid()) return;
+    const Surface& surface = surface_of(result_.verdicts[move]);
+    if (!surface.is_solid()) return;
+    static_cast<void>(surface.tree());
     gouges_.push_back(move);
     const std::size_t tool = toolpath_.moves[move].tool;
     depth_bounds_.try_emplace(tool, tools_[tool]->bare);

@@ -68,16 +68,11 @@ void PictureScene::add(const Surface& surface, std::span<const Vec3> vertices) {
 }
 
 void PictureScene::find_edges(const Mesh& mesh, const IndexedMesh& indices) {
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Corner a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
-      const EdgeTriangles edge = mesh.around->at_edge(indices, a, b);
-      if (edge.first[0] != t) continue;  // found already
-      const bool is_smooth = edge.count == 2 && is_smooth_between(mesh.area_normal(edge.first[0]),
-                                                                  mesh.area_normal(edge.first[1]), kSmoothCosine);
-      if (!is_smooth) edges_.push_back({mesh.first_vertex + a, mesh.first_vertex + b});
-    }
-  }
+  mesh.around->for_each_edge(indices, [&](Corner a, Corner b, const EdgeTriangles& edge) {
+    const bool is_smooth = edge.count == 2 && is_smooth_between(mesh.area_normal(edge.first[0]),
+                                                                mesh.area_normal(edge.first[1]), kSmoothCosine);
+    if (!is_smooth) edges_.push_back({mesh.first_vertex + a, mesh.first_vertex + b});
+  });
 }
 
 std::uint32_t PictureScene::face_count() const {
