@@ -13,8 +13,10 @@
 namespace gouge {
 namespace {
 
-// Contacts steer a correction, they prove nothing; a tenth of their excess is close enough.
+// Contacts steer a correction, they prove nothing; a tenth of their excess is close enough, and those much smaller than
+// the largest so far, which the square of their excess weighs, are of no account.
 constexpr double kRelativeAccuracy = 0.1;
+constexpr double kNotable = 0.1;  // of the largest excess so far
 constexpr double kSmallestPiece_mm = 0.02;
 // Pieces looked at of one triangle: in hollow or undercut tools the bounds do not decide over a wide face.
 constexpr int kMostPieces = 1000;
@@ -32,7 +34,7 @@ class Collector {
     for (std::size_t i = 0; i < node.count; ++i) {
       const Vec3 center = tree_.origin + Vec3(node.center[0][i], node.center[1][i], node.center[2][i]);
       const ToolSample sample = sample_tool(tool_, frame_.to_tool(center));
-      if (excess(sample) + static_cast<double>(node.radius_mm[i]) <= 0) continue;
+      if (excess(sample) + static_cast<double>(node.radius_mm[i]) <= kNotable * largest_mm_) continue;
       if (node.has_leaves) {
         visit_leaf(tree_.leaves[node.child[i]]);
       } else {
@@ -49,30 +51,50 @@ class Collector {
       best_ = ToolContact{};
       pieces_ = 0;
       refine(tree_.corners(leaf.triangle[i]));
-      if (best_.excess_mm > 0) contacts_.push_back(best_);
+      if (best_.excess_mm <= 0) continue;
+      contacts_.push_back(best_);
+      largest_mm_ = std::max(largest_mm_, best_.excess_mm);
     }
   }
 
-  void try_point(const Vec3& p) {
+  ToolSample try_point(const Vec3& p) {
     const ToolSample sample = sample_tool(tool_, frame_.to_tool(p));
     const double found = excess(sample);
-    if (found <= best_.excess_mm) return;
-    best_ = {p, -(frame_.rows.transpose() * support_plane(tool_, sample).normal), found};
+    if (found > best_.excess_mm) best_ = {p, -(frame_.rows.transpose() * support_plane(tool_, sample).normal), found};
+    return sample;
   }
 
-  // The bound by planes knows at once that a face lying in a face is equally deep everywhere.
+  /// Everything up to here is of no account.
+  [[nodiscard]] double enough_mm() const {
+    return std::max(0.0, aim_) + std::max(best_.excess_mm * (1 + kRelativeAccuracy), kNotable * largest_mm_);
+  }
+
   void refine(const std::array<Vec3, 3>& t) {
     if (++pieces_ > kMostPieces) return;
-    const double reach = std::max(0.0, -aim_);
-    const double enough = std::max(0.0, aim_) + best_.excess_mm * (1 + kRelativeAccuracy);
-    const PieceBound bound = bound_piece(tool_, t, interval_, reach, enough);
-    if (bound.upper_mm <= enough) return;
-    try_point((t[0] + t[1] + t[2]) / 3.0);
+    const Vec3 centre = (t[0] + t[1] + t[2]) / 3.0;
+    double radius = 0;
+    for (const Vec3& corner : t) radius = std::max(radius, (corner - centre).norm());
+    const ToolSample middle = try_point(centre);
+    const double above = std::min(0.0, aim_);  // of the depth and the bound, which stops at the reach
+    if (radius - middle.nearest.signed_distance_mm - above <= enough_mm()) return;
+    if (is_as_deep_as_plane(t, middle, above)) return;
     for (const Vec3& corner : t) try_point(corner);
+    const double enough = enough_mm();
+    // The bound by planes knows at once that a face lying in a face is equally deep everywhere.
+    if (bound_piece(tool_, t, interval_, -above, enough).upper_mm <= enough) return;
     const std::size_t longest = longest_edge(t);
-    const bool is_close = bound.upper_mm <= std::max(0.0, aim_) + best_.excess_mm * (1 + kRelativeAccuracy);
-    if (is_close || (t[(longest + 1) % 3] - t[longest]).norm() <= kSmallestPiece_mm) return;
+    if ((t[(longest + 1) % 3] - t[longest]).norm() <= kSmallestPiece_mm) return;
     for (const std::array<Vec3, 3>& half : halves(t, longest)) refine(half);
+  }
+
+  // Over most small pieces the tool is as good as the plane that touches it next to the middle: deepest at a corner.
+  bool is_as_deep_as_plane(const std::array<Vec3, 3>& t, const ToolSample& middle, double above) {
+    const SupportPlane plane = support_plane(tool_, middle);
+    std::array<double, 3> depth{};
+    for (std::size_t k = 0; k < 3; ++k) depth[k] = plane.depth_mm(frame_.to_tool(t[k]));
+    const auto deepest = std::max_element(depth.begin(), depth.end());
+    try_point(t[static_cast<std::size_t>(deepest - depth.begin())]);
+    return *deepest - above <= enough_mm();
   }
 
   const ToolInterval& interval_;
@@ -82,6 +104,7 @@ class Collector {
   double aim_;
   std::vector<ToolContact>& contacts_;
   ToolContact best_;
+  double largest_mm_ = 0;  // of all triangles
   int pieces_ = 0;
 };
 
