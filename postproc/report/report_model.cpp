@@ -5,13 +5,14 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
+#include "lib/base/sha256.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
 
 namespace gouge {
 
 InputFile describe_input(std::string role, std::string name, std::string_view bytes) {
-  return {std::move(role), std::move(name), bytes.size(), "fnv1a64:" + hex_text(fnv1a64(bytes))};
+  return {std::move(role), std::move(name), bytes.size(), "sha256:" + sha256_of(bytes)};
 }
 
 OverallVerdict overall_verdict(const CheckResult& result) {

@@ -29,7 +29,7 @@ struct InputFile {
   std::string role;  ///< "toolpath", "part", "fixture", "head", "tools"
   std::string name;  ///< as the user named it
   std::uint64_t bytes = 0;
-  std::string checksum;  ///< "fnv1a64:" and 16 hexadecimal digits; distinguishes versions, no protection
+  std::string checksum;  ///< "sha256:" and 64 hexadecimal digits
 };
 [[nodiscard]] InputFile describe_input(std::string role, std::string name, std::string_view bytes);
 

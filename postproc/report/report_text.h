@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -48,9 +47,5 @@ namespace gouge {
 /// Broken UTF-8 replaced by U+FFFD.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
 [[nodiscard]] std::string base64(std::string_view bytes);
-
-[[nodiscard]] std::uint64_t fnv1a64(std::string_view bytes);
-/// 16 hexadecimal digits.
-[[nodiscard]] std::string hex_text(std::uint64_t value);
 
 }  // namespace gouge

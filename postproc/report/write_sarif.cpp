@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/base/number_text.h"
+#include "lib/base/sha256.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -42,9 +43,9 @@ std::string uri_of(const std::string& name) {
     if (is_plain) {
       uri += c;
     } else {
-      const std::string hex = hex_text(static_cast<unsigned char>(c));
-      uri += '%';
-      for (const char digit : hex.substr(14)) uri += digit >= 'a' ? static_cast<char>(digit - 'a' + 'A') : digit;
+      constexpr std::string_view kDigits = "0123456789ABCDEF";
+      const auto byte = static_cast<unsigned char>(c);
+      uri += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
     }
   }
   return uri;
@@ -106,7 +107,7 @@ class SarifReport {
     const Move& move = model_.toolpath->moves[move_index];
     const std::string key = std::string(state_name(state)) + '\n' + tool_key(*model_.toolpath, move.tool) + '\n' +
                             what + '\n' + statement_text(move);
-    const std::string hash = hex_text(fnv1a64(key));
+    const std::string hash = sha256_of(key).substr(0, 16);
     const std::size_t occurrence = ++seen_[hash];
     Json location = {{"artifactLocation", {{"uri", uri_of(model_.toolpath->file)}, {"index", 0}}}};
     if (move.line > 0) location["region"] = {{"startLine", std::size_t{move.line}}};
@@ -116,7 +117,7 @@ class SarifReport {
                         {"level", kRules.at(rule).level},
                         {"message", {{"text", valid_utf8(message)}}},
                         {"locations", Json::array({{{"physicalLocation", location}}})},
-                        {"partialFingerprints", {{"gougecheckFinding/v1", hash + ":" + std::to_string(occurrence)}}}});
+                        {"partialFingerprints", {{"gougecheckFinding/v2", hash + ":" + std::to_string(occurrence)}}}});
   }
 
   const ReportModel& model_;

@@ -21,7 +21,7 @@ TEST(WriteHtml, ReportsVerdictGuaranteeFindingsAndWhatWasNotChecked) {
       std::string::npos);
   EXPECT_NE(html.find("0.333 mm"), std::string::npos);
   EXPECT_NE(html.find("arcs, as yet, are not read"), std::string::npos);
-  EXPECT_NE(html.find("fnv1a64:"), std::string::npos);
+  EXPECT_NE(html.find("sha256:"), std::string::npos);
   EXPECT_NE(html.find("nowhere: its moves are not checked"), std::string::npos);
   EXPECT_EQ(count_of(html, "<table>"), count_of(html, "</table>"));
   EXPECT_EQ(count_of(html, "<tr>"), count_of(html, "</tr>"));

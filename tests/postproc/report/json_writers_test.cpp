@@ -175,7 +175,7 @@ TEST(WriteSarif, FingerprintsHoldWhenLinesMoveAndDifferBetweenFindings) {
     std::vector<std::string> all;
     const json log = json::parse(write_sarif(report.model));
     for (const json& result : log["runs"][0]["results"]) {
-      all.push_back(result["partialFingerprints"]["gougecheckFinding/v1"]);
+      all.push_back(result["partialFingerprints"]["gougecheckFinding/v2"]);
     }
     return all;
   };

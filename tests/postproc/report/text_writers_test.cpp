@@ -284,11 +284,6 @@ TEST(Base64, FollowsTheVectorsOfRfc4648) {
   EXPECT_EQ(base64("foobar"), "Zm9vYmFy");
 }
 
-TEST(Fnv1a64, FollowsItsPublishedVectors) {
-  EXPECT_EQ(hex_text(fnv1a64("")), "cbf29ce484222325");
-  EXPECT_EQ(hex_text(fnv1a64("foobar")), "85944171f73967e8");
-}
-
 TEST(DepthText, KeepsTwoDigitsOfSmallDepths) {
   EXPECT_EQ(depth_text(0.2134, LengthUnit::mm), "0.213 mm");
   EXPECT_EQ(depth_text(0.00012, LengthUnit::mm), "0.00012 mm");
