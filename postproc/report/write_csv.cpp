@@ -1,8 +1,11 @@
 #include "postproc/report/write_csv.h"
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "lib/base/number_text.h"
 #include "lib/base/utf8.h"
@@ -29,10 +32,11 @@ bool may_be_formula(std::string_view text) {
   return false;
 }
 
-// An apostrophe in front of what may be a formula, also behind the separators of other locales: there a row
+// Text from a file, which somebody else may have written for the spreadsheet that opens ours: an apostrophe in front of
+// what may be a formula, also behind the separators of other locales: there a row
 // is split at semicolons, tabs and line ends without regard to quotes that begin within it.
 std::string without_formula(std::string_view text) {
-  if (parse_number(text)) return std::string(text);
+  if (text.empty() || parse_number(text)) return std::string(text);
   std::string out;
   for (std::size_t at = 0; at < text.size(); ++at) {
     const bool begins_cell = at == 0 || std::string_view(";\t\r\n").find(text[at - 1]) != std::string_view::npos;
@@ -42,89 +46,115 @@ std::string without_formula(std::string_view text) {
   return out;
 }
 
-std::string quoted(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
-  std::string out = "\"";
-  for (const char c : text) {
-    out += c;
-    if (c == '"') out += '"';
-  }
-  return out + "\"";
-}
-
+/// Appends one row to a text.
 class Row {
  public:
+  explicit Row(std::string& out) : out_(out) {}
+  ~Row() { out_ += '\n'; }
+  Row(const Row&) = delete;
+  Row& operator=(const Row&) = delete;
+
+  /// A word of our own, which needs no quotes.
+  void word(std::string_view value) {
+    begin_cell();
+    out_ += value;
+  }
   void text(std::string_view value) {
-    if (!is_first_) line_ += ',';
-    is_first_ = false;
-    line_ += quoted(value);
+    if (value.find_first_of(",\"\r\n") == std::string_view::npos) return word(value);
+    begin_cell();
+    out_ += '"';
+    for (const char c : value) {
+      out_ += c;
+      if (c == '"') out_ += '"';
+    }
+    out_ += '"';
   }
-  // Text from a file, which somebody else may have written for the spreadsheet that opens ours.
-  void foreign(std::string_view value) { text(without_formula(value)); }
   // A bound that was never reached is no number, and a row has no word for it.
-  void number(double value) { text(std::isfinite(value) ? exact_text(value) : std::string()); }
-  void empty(int count) {
-    for (int i = 0; i < count; ++i) text("");
+  void number(double value) {
+    std::isfinite(value) ? word(exact_text(value)) : word({});
   }
-  [[nodiscard]] const std::string& line() const { return line_; }
+  void count(std::size_t value) {
+    std::array<char, 24> digits{};
+    const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    word({digits.data(), static_cast<std::size_t>(end - digits.data())});
+  }
+  void empty(int count) {
+    for (int i = 0; i < count; ++i) word({});
+  }
 
  private:
-  std::string line_;
+  void begin_cell() {
+    if (!is_first_) out_ += ',';
+    is_first_ = false;
+  }
+
+  std::string& out_;
   bool is_first_ = true;
 };
 
 void add_witness(Row& row, const Witness& witness, LengthUnit unit) {
   row.number(witness.t);
-  row.text(body_name(witness.body));
-  row.text(against_name(witness.against));
+  row.word(body_name(witness.body));
+  row.word(against_name(witness.against));
   for (int k = 0; k < 3; ++k) row.number(witness.point[k] / mm_per(unit));
   for (int k = 0; k < 3; ++k) row.number(witness.normal[k]);
 }
 
-std::string row_of(const ReportModel& model, std::size_t index) {
+/// Texts of the toolpath as they stand in cells, each made once.
+struct PathCells {
+  explicit PathCells(const Toolpath& path) {
+    for (std::size_t i = 0; i < path.tools.size(); ++i) tools.push_back(without_formula(tool_key(path, i)));
+    for (const Operation& operation : path.operations) operations.push_back(without_formula(operation.name));
+  }
+  [[nodiscard]] static std::string_view at(const std::vector<std::string>& cells, std::size_t index) {
+    return index < cells.size() ? std::string_view(cells[index]) : std::string_view();
+  }
+
+  std::vector<std::string> tools, operations;
+};
+
+void add_row(const ReportModel& model, const PathCells& cells, std::size_t index, std::string& out) {
   const Move& move = model.toolpath->moves[index];
   const MoveVerdict& verdict = model.result->verdicts[index];
   const LengthUnit unit = model.toolpath->unit;
-  Row row;
-  row.text(std::to_string(index));
-  row.text(std::to_string(move.line));
-  row.text(kind_name(move.kind));
-  row.foreign(tool_key(*model.toolpath, move.tool));
-  row.text(state_name(verdict.state));
+  const auto length = [unit](Row& row, double mm) { row.number(mm / mm_per(unit)); };
+  Row row(out);
+  row.count(index);
+  row.count(move.line);
+  row.word(kind_name(move.kind));
+  row.text(PathCells::at(cells.tools, move.tool));
+  row.word(state_name(verdict.state));
   const bool has_depth = verdict.state != MoveState::buried && verdict.state != MoveState::not_checked;
   if (has_depth) {
-    row.number(verdict.depth_mm / mm_per(unit));
-    row.number(verdict.depth_upper_mm / mm_per(unit));
+    length(row, verdict.depth_mm);
+    length(row, verdict.depth_upper_mm);
   } else {
     row.empty(2);
   }
-  const bool has_witness = has_depth && verdict.depth_mm > 0 && verdict.witness.has_value();
-  if (has_witness)
+  if (has_depth && verdict.depth_mm > 0 && verdict.witness) {
     add_witness(row, *verdict.witness, unit);
-  else
-    row.empty(9);
-  row.foreign(has_witness ? mesh_name(model, *verdict.witness) : std::string());
-  row.text(has_witness ? std::to_string(verdict.witness->triangle) : std::string());
-  row.foreign(operation_name(*model.toolpath, move.operation));
-  row.foreign(reason_text(verdict.reason));
-  if (verdict.clearance_mm)
-    row.number(*verdict.clearance_mm / mm_per(unit));
-  else
-    row.empty(1);
+    row.text(without_formula(mesh_name(model, *verdict.witness)));
+    row.count(verdict.witness->triangle);
+  } else {
+    row.empty(11);
+  }
+  row.text(PathCells::at(cells.operations, move.operation));
+  row.text(without_formula(reason_text(verdict.reason)));
+  verdict.clearance_mm ? length(row, *verdict.clearance_mm) : row.empty(1);
   if (verdict.overcut_mm) {
-    row.number(*verdict.overcut_mm / mm_per(unit));
-    row.number(verdict.overcut_upper_mm / mm_per(unit));
+    length(row, *verdict.overcut_mm);
+    length(row, verdict.overcut_upper_mm);
   } else {
     row.empty(2);
   }
-  return row.line() + "\n";
 }
 
 }  // namespace
 
 std::string write_csv(const ReportModel& model) {
+  const PathCells cells(*model.toolpath);
   std::string text(kHeader);
-  for (std::size_t i = 0; i < model.result->verdicts.size(); ++i) text += row_of(model, i);
+  for (std::size_t i = 0; i < model.result->verdicts.size(); ++i) add_row(model, cells, i, text);
   return text;
 }
 
