@@ -33,6 +33,8 @@ td { border-bottom: 1px solid var(--line); padding: 5px 12px 5px 0; vertical-ali
   min-width: 6.5em; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
 td.k { white-space: nowrap; } td.n, td.k { min-width: 0; }
+details { margin: 10px 0; } details:not([open]) { display: inline-block; margin: 4px 20px 4px 0; }
+summary { cursor: pointer; color: var(--link); font-size: 14px; font-variant-numeric: tabular-nums; }
 code { font-family: "DejaVu Sans Mono", Consolas, monospace; font-size: 13px; }
 a { color: var(--link); text-decoration: none; } a:hover { text-decoration: underline; }
 figure { margin: 16px 0 22px; } figure img { width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px;

@@ -1,29 +1,18 @@
 #include "postproc/report/write_html.h"
 
 #include <algorithm>
+#include <limits>
 #include <string_view>
 
 #include "lib/base/number_text.h"
 #include "postproc/report/findings_text.h"
 #include "postproc/report/html_style.h"
+#include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
 
 namespace gouge {
 namespace {
-
-constexpr std::size_t kMostRows = 200;
-
-std::string cell(const std::string& text, const char* css = "") {
-  return std::string("<td") + (*css != '\0' ? std::string(" class=\"") + css + "\"" : std::string()) + ">" +
-         xml_escaped(text) + "</td>";
-}
-
-std::string more_rows(std::size_t all, const char* columns) {
-  if (all <= kMostRows) return {};
-  return std::string("<tr><td class=\"soft\" colspan=\"") + columns + "\">and " + std::to_string(all - kMostRows) +
-         " more; the CSV and JSON files have them all</td></tr>\n";
-}
 
 std::string figure(const NamedFile& picture) {
   const std::string id = picture.name.substr(0, picture.name.find('.'));
@@ -151,11 +140,13 @@ class HtmlReport {
     if (verdict.witness) against += " " + mesh_name(model_, *verdict.witness);
     const std::string span = event.moves < 2 ? std::to_string(event.worst_move)
                                              : std::to_string(event.first_move) + "-" + std::to_string(event.last_move);
-    return "<tr><td><span class=\"state " + state + "\">" + state + "</span></td>" +
-           cell(std::to_string(move.line), "n") + cell(depth, "n") +
-           cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) + cell(against) +
-           cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") + cell(span, "n") +
-           cell(operation_name(*model_.toolpath, move.operation)) + "<td class=\"k\">" + link(event) + "</td></tr>\n";
+    return "<td><span class=\"state " + state + "\">" + state + "</span></td>" +
+           html_cell(std::to_string(move.line), "n") + html_cell(depth, "n") +
+           html_cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) +
+           html_cell(against) +
+           html_cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") +
+           html_cell(span, "n") + html_cell(operation_name(*model_.toolpath, move.operation)) + "<td class=\"k\">" +
+           link(event) + "</td>";
   }
 
   [[nodiscard]] std::string findings() const {
@@ -164,30 +155,25 @@ class HtmlReport {
       if (event.state != MoveState::not_checked && event.state != MoveState::not_certified) events.push_back(&event);
     }
     if (events.empty()) return {};
-    std::string out =
-        "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, in the order of "
-        "the path. Line, depth and position are those of its deepest move.</p>\n<div "
-        "class=\"wide\"><table><thead><tr><th>State</th><th class=\"n\">Line</th><th "
-        "class=\"n\">Depth</th><th>Body</th><th>Against</th><th>At, in ";
-    out += std::string(unit_words(unit_)) +
-           "</th><th class=\"n\">Moves</th><th>Operation</th><th></th></tr></thead><tbody>\n";
-    if (events.size() > kMostRows) keep_worst(events);
-    for (std::size_t i = 0; i < events.size() && i < kMostRows; ++i) out += finding_row(*events[i]);
-    std::size_t all = 0;
-    for (const Event& event : model_.result->events) {
-      all += event.state != MoveState::not_checked && event.state != MoveState::not_certified ? 1 : 0;
-    }
-    return out + more_rows(all, "9") + "</tbody></table></div>\n";
-  }
-
-  void keep_worst(std::vector<const Event*>& events) const {
     const auto depth = [&](const Event* event) {
-      return event->state == MoveState::buried ? 1e300 : model_.result->verdicts[event->worst_move].depth_mm;
+      const MoveVerdict& worst = model_.result->verdicts[event->worst_move];
+      if (event->state == MoveState::buried) return std::numeric_limits<double>::infinity();
+      return event->state == MoveState::near_miss ? -worst.clearance_mm.value_or(0) : worst.depth_mm;
     };
     std::stable_sort(events.begin(), events.end(), [&](const Event* a, const Event* b) { return depth(a) > depth(b); });
-    events.resize(kMostRows);
-    std::stable_sort(events.begin(), events.end(),
-                     [](const Event* a, const Event* b) { return a->first_move < b->first_move; });
+    HtmlTable table({{"State"},
+                     {"Line", "n"},
+                     {"Depth", "n"},
+                     {"Body"},
+                     {"Against"},
+                     {"At, in " + std::string(unit_words(unit_))},
+                     {"Moves", "n"},
+                     {"Operation"},
+                     {""}});
+    for (const Event* event : events) table.has_room() ? table.add(finding_row(*event)) : table.skip();
+    return "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, the worst "
+           "first. Line, depth and position are those of its deepest move.</p>\n" +
+           table.html();
   }
 
   [[nodiscard]] std::string open_queries() const {
@@ -195,18 +181,14 @@ class HtmlReport {
     const auto& words = model_.toolpath->words_not_understood;
     if (groups.empty() && words.empty()) return {};
     std::string out = "<h2>What was not checked</h2>\n";
-    if (!groups.empty()) {
-      out +=
-          "<div class=\"wide\"><table><thead><tr><th>State</th><th>Reason</th><th class=\"n\">Moves</th><th "
-          "class=\"n\">First line</th></tr></thead><tbody>\n";
-      for (const ReasonGroup& group : groups) {
-        const std::string state = state_name(group.state);
-        out += "<tr><td><span class=\"state " + state + "\">" + state + "</span></td>" + cell(group.reason) +
-               cell(std::to_string(group.moves), "n") +
-               cell(std::to_string(model_.toolpath->moves[group.first_move].line), "n") + "</tr>\n";
-      }
-      out += "</tbody></table></div>\n";
+    HtmlTable table({{"State"}, {"Reason"}, {"Moves", "n"}, {"First line", "n"}});
+    for (const ReasonGroup& group : groups) {
+      const std::string state = state_name(group.state);
+      table.add("<td><span class=\"state " + state + "\">" + state + "</span></td>" + html_cell(group.reason) +
+                html_cell(std::to_string(group.moves), "n") +
+                html_cell(std::to_string(model_.toolpath->moves[group.first_move].line), "n"));
     }
+    out += table.html();
     std::string list;
     for (const auto& [word, count] : words)
       list += (list.empty() ? "" : ", ") + word + " (" + std::to_string(count) + ")";
@@ -226,46 +208,45 @@ class HtmlReport {
                ? " Nothing was changed.</p>\n"
                : " " + count_text(c.written.size(), "record") +
                      " of the file changed, added or removed; every other one is the same to the byte.</p>\n";
-    if (!c.changes.empty()) {
-      out +=
-          "<div class=\"wide\"><table><thead><tr><th class=\"n\">Line</th><th "
-          "class=\"n\">Move</th><th>Strategy</th><th class=\"n\">Shift</th><th>Shift vector</th><th class=\"n\">Depth "
-          "before</th><th class=\"n\">Depth after</th><th class=\"n\">Iterations</th></tr></thead><tbody>\n";
-      for (std::size_t i = 0; i < c.changes.size() && i < kMostRows; ++i) {
-        const CorrectedRecord& r = c.changes[i];
-        out += "<tr>" + cell(std::to_string(r.line), "n") + cell(std::to_string(r.move), "n") + cell(r.strategy) +
-               cell(depth_text(r.shift_length_mm, unit_), "n") + cell(lengths_text(r.shift_mm, unit_), "k") +
-               cell(depth_text(r.depth_before_mm, unit_), "n") + cell(depth_text(r.depth_after_mm, unit_), "n") +
-               cell(std::to_string(r.iterations), "n") + "</tr>\n";
-      }
-      out += more_rows(c.changes.size(), "8") + "</tbody></table></div>\n";
-    }
-    return out + left_as_was();
+    HtmlTable table({{"Line", "n"},
+                     {"Move", "n"},
+                     {"Strategy"},
+                     {"Shift", "n"},
+                     {"Shift vector"},
+                     {"Depth before", "n"},
+                     {"Depth after", "n"},
+                     {"Iterations", "n"}});
+    for (const CorrectedRecord& r : c.changes) table.has_room() ? table.add(change_row(r)) : table.skip();
+    return out + table.html() + left_as_was();
+  }
+
+  [[nodiscard]] std::string change_row(const CorrectedRecord& r) const {
+    return html_cell(std::to_string(r.line), "n") + html_cell(std::to_string(r.move), "n") + html_cell(r.strategy) +
+           html_cell(depth_text(r.shift_length_mm, unit_), "n") + html_cell(lengths_text(r.shift_mm, unit_), "k") +
+           html_cell(depth_text(r.depth_before_mm, unit_), "n") + html_cell(depth_text(r.depth_after_mm, unit_), "n") +
+           html_cell(std::to_string(r.iterations), "n");
   }
 
   [[nodiscard]] std::string left_as_was() const {
     const std::vector<UncorrectedRecord>& left = model_.correction.uncorrected;
     if (left.empty()) return {};
-    std::string out =
-        "<h2>Left as it was</h2>\n<div class=\"wide\"><table><thead><tr><th class=\"n\">Line</th><th "
-        "class=\"n\">Move</th><th class=\"n\">Depth</th><th>Reason</th></tr></thead><tbody>\n";
-    for (std::size_t i = 0; i < left.size() && i < kMostRows; ++i) {
-      out += "<tr>" + cell(std::to_string(left[i].line), "n") + cell(std::to_string(left[i].move), "n") +
-             cell(left[i].depth_mm > 0 ? depth_text(left[i].depth_mm, unit_) : "-", "n") + cell(left[i].reason) +
-             "</tr>\n";
+    HtmlTable table({{"Line", "n"}, {"Move", "n"}, {"Depth", "n"}, {"Reason"}});
+    for (const UncorrectedRecord& one : left) {
+      const std::string depth = one.depth_mm > 0 ? depth_text(one.depth_mm, unit_) : "-";
+      table.has_room() ? table.add(html_cell(std::to_string(one.line), "n") + html_cell(std::to_string(one.move), "n") +
+                                   html_cell(depth, "n") + html_cell(one.reason))
+                       : table.skip();
     }
-    return out + more_rows(left.size(), "4") + "</tbody></table></div>\n";
+    return "<h2>Left as it was</h2>\n" + table.html();
   }
 
   [[nodiscard]] std::string inputs() const {
-    std::string out =
-        "<h2>Inputs</h2>\n<div class=\"wide\"><table><thead><tr><th>Role</th><th>File</th><th "
-        "class=\"n\">Bytes</th><th>Checksum</th></tr></thead><tbody>\n";
+    HtmlTable table({{"Role"}, {"File"}, {"Bytes", "n"}, {"Checksum"}});
     for (const InputFile& input : model_.inputs) {
-      out += "<tr>" + cell(input.role) + cell(input.name) + cell(std::to_string(input.bytes), "n") + "<td><code>" +
-             xml_escaped(input.checksum) + "</code></td></tr>\n";
+      table.add(html_cell(input.role) + html_cell(input.name) + html_cell(std::to_string(input.bytes), "n") +
+                "<td><code>" + xml_escaped(input.checksum) + "</code></td>");
     }
-    out += "</tbody></table></div>\n";
+    std::string out = "<h2>Inputs</h2>\n" + table.html();
     for (const std::vector<MeshFacts>* meshes : {&model_.parts, &model_.fixtures, &model_.heads}) {
       for (const MeshFacts& mesh : *meshes) {
         out += "<p>" + xml_escaped(mesh.name) + ": " + count_text(mesh.triangles, "triangle") +
@@ -292,23 +273,21 @@ class HtmlReport {
 
   [[nodiscard]] std::string tools() const {
     if (model_.tools.empty()) return {};
-    std::string out =
-        "<h2>Tools</h2>\n<div class=\"wide\"><table><thead><tr><th>Tool</th><th>Name</th><th>Shape</th><th>Defined "
-        "in</th></tr></thead><tbody>\n";
+    HtmlTable table({{"Tool"}, {"Name"}, {"Shape"}, {"Defined in"}});
     for (std::size_t i = 0; i < model_.tools.size(); ++i) {
       const ToolFacts& tool = model_.tools[i];
-      out += "<tr>" + cell(tool_label(*model_.toolpath, i), "k") + cell(tool.name) + cell(tool.description) +
-             cell(tool.defined_in.empty() ? "nowhere: its moves are not checked" : tool.defined_in) + "</tr>\n";
+      table.add(html_cell(tool_label(*model_.toolpath, i), "k") + html_cell(tool.name) + html_cell(tool.description) +
+                html_cell(tool.defined_in.empty() ? "nowhere: its moves are not checked" : tool.defined_in));
     }
-    return out + "</tbody></table></div>\n";
+    return "<h2>Tools</h2>\n" + table.html();
   }
 
   [[nodiscard]] std::string options() const {
     static constexpr const char* kRapid[] = {"straight", "dogleg", "skip"};
     const CheckOptions& o = model_.options;
-    std::string out = "<h2>Options in force</h2>\n<div class=\"wide\"><table><tbody>\n";
+    HtmlTable table({});
     const auto add = [&](const std::string& name, const std::string& value) {
-      out += "<tr>" + cell(name, "k") + cell(value) + "</tr>\n";
+      table.add(html_cell(name, "k") + html_cell(value));
     };
     add("tolerance", length_text(o.tolerance_mm, unit_));
     add("resolution", length_text(o.resolution_mm, unit_));
@@ -318,14 +297,14 @@ class HtmlReport {
     add("near miss", o.near_miss_mm > 0 ? length_text(o.near_miss_mm, unit_) : "not asked");
     add("rapid moves", kRapid[static_cast<std::size_t>(o.rapid)]);
     for (const OptionText& option : model_.more_options) add(option.name, option.value);
-    return out + "</tbody></table></div>\n";
+    return "<h2>Options in force</h2>\n" + table.html();
   }
 
   [[nodiscard]] std::string notes() const {
     if (model_.notes.empty()) return {};
-    std::string out = "<h2>Notes on the input</h2>\n<div class=\"wide\"><table><tbody>\n";
-    for (const Diagnostic& note : model_.notes) out += "<tr>" + cell(to_text(note)) + "</tr>\n";
-    return out + "</tbody></table></div>\n";
+    HtmlTable table({});
+    for (const Diagnostic& note : model_.notes) table.add(html_cell(to_text(note)));
+    return "<h2>Notes on the input</h2>\n" + table.html();
   }
 
   const ReportModel& model_;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "postproc/report/html_table.h"
 #include "postproc/report/write_html.h"
 #include "tests/postproc/report/small_report.h"
 
@@ -79,13 +80,24 @@ TEST(WriteHtml, LetsWideTablesScrollAndKeepsStatesOnOneLine) {
   EXPECT_EQ(count_of(html, ".state { display: inline-block; white-space: nowrap;"), 1U);
 }
 
-TEST(WriteHtml, ShowsTheWorstOfVeryManyFindings) {
+TEST(WriteHtml, ListsEveryFindingTheWorstFirstInPages) {
   SmallReport report;
   const Event event = report.result.events.front();
   for (std::size_t k = 0; k < 500; ++k) report.result.events.insert(report.result.events.begin(), event);
   const std::string html = write_html(report.model, {});
-  EXPECT_NE(html.find("and 303 more; the CSV and JSON files have them all"), std::string::npos);
-  EXPECT_NE(html.find("<span class=\"state buried\">"), std::string::npos);
+  EXPECT_EQ(count_of(html, "<details><summary>"), 2U);
+  EXPECT_EQ(count_of(html, "<summary>401 to 503 of 503</summary>"), 1U);
+  EXPECT_EQ(count_of(html, "<span class=\"state buried\">") + count_of(html, "<span class=\"state gouge\">"), 502U);
+  EXPECT_LT(html.find("<span class=\"state buried\">"), html.find("<span class=\"state gouge\">"));
+}
+
+TEST(HtmlTable, CountsTheRowsForWhichThereIsNoPage) {
+  HtmlTable table(std::vector<HtmlColumn>{{"Move", "n"}});
+  for (std::size_t k = 0; k < HtmlTable::kMostRows + 3; ++k) table.has_room() ? table.add("<td></td>") : table.skip();
+  const std::string html = table.html();
+  EXPECT_EQ(count_of(html, "<td></td>"), HtmlTable::kMostRows);
+  EXPECT_EQ(count_of(html, "<summary>19801 to 20000 of 20003</summary>"), 1U);
+  EXPECT_EQ(count_of(html, "and 3 more; the CSV and JSON files have them all"), 1U);
 }
 
 }  // namespace
