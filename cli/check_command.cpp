@@ -29,15 +29,16 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   if (!options) return fail(err, {options.error()});
   JobOutputs outputs(arguments, {});
   if (const auto status = outputs.refuse(err)) return *status;
-  LoadedJob loaded = load_job(arguments, *options);
+  Progress progress(err, options->progress);
+  LoadedJob loaded = load_job(arguments, *options, progress);
+  progress.end();
   if (!loaded.job) return fail(err, loaded.errors);
   Job& job = *loaded.job;
-  Progress progress(err, options->progress);
-  progress.begin("checking moves");
+  progress.begin("indexing the meshes");
   const PreparedScene scene = prepare_scene(job.scene, options->check.threads);
+  progress.begin("checking the set-up");
   note_setup(job, arguments, scene);
-  const CheckResult result =
-      check(job.toolpath, job.setup(scene), [&](std::size_t done, std::size_t total) { progress.show(done, total); });
+  const CheckResult result = check(job.toolpath, job.setup(scene), progress.call());
   progress.end();
   ReportModel model = job.report(arguments, job.toolpath, result, scene);
   const PathFit fit = find_path_fit(job.toolpath, result.verdicts, job.tools(), scene, options->check.threads);

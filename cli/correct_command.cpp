@@ -71,26 +71,26 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
 class CorrectRun {
  public:
   CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, Job& job, JobOutputs& outputs,
-             std::ostream& out, std::ostream& err)
+             Progress& progress, std::ostream& out, std::ostream& err)
       : arguments_(arguments),
         correct_(correct),
         job_(job),
         outputs_(outputs),
         out_(out),
         err_(err),
-        progress_(err, job.options.progress) {}
+        progress_(progress) {}
 
   int run() {
+    progress_.begin("indexing the meshes");
     const PreparedScene scene = prepare_scene(job_.scene, job_.options.check.threads);
+    progress_.begin("checking the set-up");
     note_setup(job_, arguments_.job, scene);
     const CheckSetup setup = job_.setup(scene);
-    progress_.begin("checking moves");
-    const CheckResult before = check(job_.toolpath, setup, show());
+    const CheckResult before = check(job_.toolpath, setup, progress_.call());
     progress_.end();
     const PathFit fit = find_path_fit(job_.toolpath, before.verdicts, setup.tools, scene, job_.options.check.threads);
     const std::optional<Diagnostic> misfit = describe_misfit(job_.toolpath, fit);
     if (misfit && is_beyond_correction(fit) && !arguments_.job.is_forced) return refuse(*misfit);
-    progress_.begin("correcting");
     CorrectOptions correct = correct_;
     const RewritableMoves rewritable = rewritable_moves(job_.toolpath);
     correct.rewritable = &rewritable;
@@ -99,10 +99,11 @@ class CorrectRun {
       Result<std::string> written = write_corrected(job_.toolpath, changes);
       if (!written) return written.error();
       text = std::move(*written);
-      progress_.begin("checking the corrected path");
+      progress_.begin("reading the corrected path");
       return read_again(job_, arguments_.output, text);
     };
-    Result<LawfulCorrection> corrected = correct_lawfully(job_.toolpath, before, setup, correct, rewrite, show());
+    Result<LawfulCorrection> corrected =
+        correct_lawfully(job_.toolpath, before, setup, correct, rewrite, progress_.call());
     progress_.end();
     if (!corrected) return fail(err_, {corrected.error()}, kExitInternal);
     const Correction& correction = corrected->correction;
@@ -121,10 +122,6 @@ class CorrectRun {
   }
 
  private:
-  ProgressCall show() {
-    return [this](std::size_t done, std::size_t total) { progress_.show(done, total); };
-  }
-
   // Moving thousands of positions out of a part that lies elsewhere makes nothing of use.
   int refuse(const Diagnostic& misfit) {
     const std::string message = misfit.message + "; nothing was written; --force corrects all the same";
@@ -137,7 +134,7 @@ class CorrectRun {
   JobOutputs& outputs_;
   std::ostream& out_;
   std::ostream& err_;
-  Progress progress_;
+  Progress& progress_;
 };
 
 }  // namespace
@@ -184,9 +181,11 @@ int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostre
   if (!options || !correct) return fail(err, {!options ? options.error() : correct.error()});
   JobOutputs outputs(arguments.job, arguments.output);
   if (const auto status = outputs.refuse(err)) return *status;
-  LoadedJob loaded = load_job(arguments.job, *options);
+  Progress progress(err, options->progress);
+  LoadedJob loaded = load_job(arguments.job, *options, progress);
+  progress.end();
   if (!loaded.job) return fail(err, loaded.errors);
-  return CorrectRun(arguments, *correct, *loaded.job, outputs, out, err).run();
+  return CorrectRun(arguments, *correct, *loaded.job, outputs, progress, out, err).run();
 }
 
 }  // namespace gouge

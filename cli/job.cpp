@@ -22,7 +22,8 @@ namespace {
 
 class JobLoader {
  public:
-  JobLoader(const JobArguments& arguments, const JobOptions& options) : arguments_(arguments) {
+  JobLoader(const JobArguments& arguments, const JobOptions& options, Progress& progress)
+      : arguments_(arguments), progress_(progress) {
     job_.options = options;
   }
 
@@ -41,6 +42,7 @@ class JobLoader {
 
  private:
   bool read_path() {
+    progress_.begin("reading " + arguments_.path);
     Result<std::string> bytes = read_file(arguments_.path, arguments_.input.most_bytes);
     if (!bytes) {
       errors_.push_back(bytes.error());
@@ -89,6 +91,7 @@ class JobLoader {
   void read_meshes(const std::vector<std::string>& files, const char* role, std::vector<IndexedMesh>& meshes,
                    std::vector<MeshFacts>& facts, const RigidTransform& place) {
     for (const std::string& file : files) {
+      progress_.begin("reading " + file);
       Result<FileView> view = view_file(file, arguments_.input.most_bytes);
       if (!view) {
         errors_.push_back(view.error());
@@ -141,6 +144,7 @@ class JobLoader {
   }
 
   void read_tools() {
+    progress_.begin("reading the tools");
     std::optional<ToolLibrary> library;
     if (!arguments_.tools_file.empty()) {
       const Result<std::string> bytes = read_file(arguments_.tools_file, arguments_.input.most_bytes);
@@ -199,6 +203,7 @@ class JobLoader {
   void add_notes(const Diagnostics& notes) { job_.notes.insert(job_.notes.end(), notes.begin(), notes.end()); }
 
   const JobArguments& arguments_;
+  Progress& progress_;
   Job job_;
   Diagnostics errors_;
 };
@@ -252,8 +257,8 @@ LengthUnit Job::stl_unit(const JobArguments& arguments) const {
   return unit_called(arguments.stl_units).value_or(LengthUnit::mm);
 }
 
-LoadedJob load_job(const JobArguments& arguments, const JobOptions& options) {
-  return JobLoader(arguments, options).run();
+LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress) {
+  return JobLoader(arguments, options, progress).run();
 }
 
 Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes) {

@@ -46,7 +46,7 @@ struct LoadedJob {
 };
 
 /// Reads toolpath, meshes and tools. All errors of one kind of input are reported, not the first alone.
-[[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options);
+[[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress);
 
 /// The `bytes` of a corrected toolpath, to be called `file`, read as the path of `job`, which it was made from.
 /// Errors: those of the reader; they would be a fault of ours.

@@ -69,6 +69,7 @@ Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, cons
   }
   for (const Output& output : outputs_) {
     if (output.write == nullptr) continue;
+    progress.begin("writing " + output.file);
     if (Outcome added = pending.add(output.file, output.write(model)); !added) return added;
   }
   if (report_) {
@@ -79,15 +80,14 @@ Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, cons
 
 Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, const ReportModel& model,
                                  Progress& progress) {
-  progress.begin("drawing pictures");
   CheckedToolpath before;
   if (model.has_correction)
     before = pictures_of(job, scene, *model.correction.toolpath_before, *model.correction.result_before);
   Result<std::vector<NamedFile>> drawn =
-      draw_report_pictures(model, pictures_of(job, scene, *model.toolpath, *model.result), before,
-                           [&](std::size_t done, std::size_t total) { progress.show(done, total); });
+      draw_report_pictures(model, pictures_of(job, scene, *model.toolpath, *model.result), before, progress.call());
   if (!drawn) return drawn.error();
   std::vector<NamedFile> files = std::move(*drawn);
+  progress.begin("writing the report");
   files.push_back({"report.html", write_html(model, files), ""});
   files.push_back({"result.json", write_json(model), ""});
   files.push_back({"moves.csv", write_csv(model), ""});

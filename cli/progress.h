@@ -1,15 +1,22 @@
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
 #include <iosfwd>
+#include <mutex>
 #include <string>
+#include <string_view>
+#include <thread>
+
+#include "lib/base/parallel.h"
 
 namespace gouge {
 
 enum class ProgressMode { automatic, always, never };
 
-/// One line on standard error that is drawn over and over while long work runs, and wiped at its end.
+/// One line on standard error that is drawn over and over while long work runs, and wiped at its end: the stage, how
+/// much of it is done and about how long the rest of it takes, or for how long it runs where nothing counts it.
 /// Automatic: only where standard error is a terminal. Silent for work shorter than a moment.
 class Progress {
  public:
@@ -18,17 +25,34 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// What is being done from now on: "checking moves".
-  void begin(const std::string& what);
-  void show(std::size_t done, std::size_t total);
+  /// What is being done from now on, as in "reading part.stl", with nothing that counts it.
+  void begin(std::string_view stage);
+  void show(std::string_view stage, std::size_t done, std::size_t total);
+  /// Wipes the line. To be called before anything else is printed.
   void end();
 
+  /// For work in libraries; empty where nothing is to be shown.
+  [[nodiscard]] ProgressCall call();
+
  private:
+  using Clock = std::chrono::steady_clock;
+
+  void enter(std::string_view stage);
+  void draw(Clock::time_point now);
+  void redraw_while_open(const std::stop_token& stop);
+
   std::ostream& err_;
   bool is_on_ = false;
+  std::mutex guard_;  // of all that follows
   bool is_drawn_ = false;
-  std::string what_;
-  std::chrono::steady_clock::time_point began_, drawn_;
+  std::string stage_;  // empty: nothing is being done
+  std::size_t done_ = 0, total_ = 0;
+  Clock::time_point began_, counted_, drawn_;
+  std::condition_variable_any closed_;
+  std::jthread ticker_;  // draws while nothing reports
 };
+
+/// "7 s", "3 min", "2.5 h": of a time left, never less than it seems.
+[[nodiscard]] std::string duration_text(double seconds);
 
 }  // namespace gouge

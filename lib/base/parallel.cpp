@@ -80,4 +80,18 @@ void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads,
   Crew(chunks, run).work(workers);
 }
 
+void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads, std::string_view stage,
+                    const ProgressCall& progress, const std::function<void(std::size_t, std::size_t)>& body) {
+  if (!progress) return for_each_chunk(count, chunk, threads, body);
+  progress(stage, 0, count);
+  std::mutex reported;
+  std::size_t done = 0;
+  for_each_chunk(count, chunk, threads, [&](std::size_t first, std::size_t last) {
+    body(first, last);
+    const std::scoped_lock lock(reported);
+    done += last - first;
+    progress(stage, done, count);
+  });
+}
+
 }  // namespace gouge

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <string_view>
 
 // Work cut into fixed chunks. What a chunk computes may not depend on which thread runs it or when, and
 // results are joined in index order, so any number of threads gives the same bytes.
@@ -15,5 +16,13 @@ namespace gouge {
 /// stopped.
 void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads,
                     const std::function<void(std::size_t, std::size_t)>& body);
+
+/// What long work reports of itself: the stage it is in, as in "checking moves", and how much of it is done. It comes
+/// from any thread, but never from two at once. Empty: nobody asks.
+using ProgressCall = std::function<void(std::string_view stage, std::size_t done, std::size_t total)>;
+
+/// for_each_chunk that reports before the first and after each chunk.
+void for_each_chunk(std::size_t count, std::size_t chunk, unsigned threads, std::string_view stage,
+                    const ProgressCall& progress, const std::function<void(std::size_t, std::size_t)>& body);
 
 }  // namespace gouge

@@ -9,9 +9,9 @@ namespace gouge {
 
 CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
   CheckResult result = check_path(path, setup.tools, setup.scene, setup.options, progress);
-  check_heads(path, setup.heads, setup.scene, setup.options, result);
+  check_heads(path, setup.heads, setup.scene, setup.options, result, progress);
   summarise(path, result);  // the overcut asks for the worst move of each event
-  measure_overcuts(path, setup.tools, setup.scene, setup.options, result, setup.heads);
+  measure_overcuts(path, setup.tools, setup.scene, setup.options, result, setup.heads, progress);
   return result;
 }
 

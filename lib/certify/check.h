@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lib/base/parallel.h"
 #include "lib/check/check_options.h"
 #include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"

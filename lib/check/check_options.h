@@ -2,12 +2,8 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 
 namespace gouge {
-
-/// Called after each finished chunk of moves: done and total, from any thread but never from two at once.
-using ProgressCall = std::function<void(std::size_t done, std::size_t total)>;
 
 enum class RapidMode { straight, dogleg, skip };
 

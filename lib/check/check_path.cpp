@@ -136,15 +136,8 @@ CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVar
   result.verdicts.resize(total);
   const PathChecker checker(toolpath, tools, scene, options);
   std::vector<std::uint64_t> bounds(total, 0);
-  std::mutex reported;
-  std::size_t done = 0;
-  for_each_chunk(total, kMovesPerChunk, options.threads, [&](std::size_t first, std::size_t last) {
-    checker.check(first, last, result.verdicts, bounds);
-    if (!progress) return;
-    const std::scoped_lock lock(reported);
-    done += last - first;
-    progress(done, total);
-  });
+  for_each_chunk(total, kMovesPerChunk, options.threads, "checking moves", progress,
+                 [&](std::size_t first, std::size_t last) { checker.check(first, last, result.verdicts, bounds); });
   if (scene.is_within_reach && why_unfit(options) == Reason::Kind::none)
     mark_buried(toolpath, tools, scene, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;

@@ -1,7 +1,6 @@
 #include "lib/correct/path_corrector.h"
 
 #include <algorithm>
-#include <mutex>
 
 #include "lib/base/parallel.h"
 #include "lib/check/depth_limit.h"
@@ -81,14 +80,14 @@ Correction PathCorrector::propose(const ProgressCall& progress) {
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     if (positions_[i].is_wanted && !positions_[i].is_worked) wanted.push_back(i);
   }
-  work(wanted, progress, [this](std::size_t i) { correct_position(i); });
+  work("correcting positions", wanted, progress, [this](std::size_t i) { correct_position(i); });
   do {
     choose_moves();
     wanted.clear();
     for (std::size_t i = 0; i < moves_.size(); ++i) {
       if (moves_[i].is_wanted && moves_[i].is_dirty) wanted.push_back(i);
     }
-    work(wanted, progress, [this](std::size_t i) { bridge_move(i); });
+    work("joining corrected positions", wanted, progress, [this](std::size_t i) { bridge_move(i); });
   } while (take_back());
   return gather();
 }
@@ -292,17 +291,12 @@ bool PathCorrector::take_back() {
   return is_any;
 }
 
-void PathCorrector::work(const std::vector<std::size_t>& wanted, const ProgressCall& progress,
+void PathCorrector::work(std::string_view stage, const std::vector<std::size_t>& wanted, const ProgressCall& progress,
                          const std::function<void(std::size_t)>& what) {
-  std::mutex reported;
-  std::size_t done = 0;
-  for_each_chunk(wanted.size(), kPositionsPerChunk, options_.threads, [&](std::size_t first, std::size_t last) {
-    for (std::size_t k = first; k < last; ++k) what(wanted[k]);
-    if (!progress) return;
-    const std::scoped_lock lock(reported);
-    done += last - first;
-    progress(done, wanted.size());
-  });
+  for_each_chunk(wanted.size(), kPositionsPerChunk, options_.threads, stage, progress,
+                 [&](std::size_t first, std::size_t last) {
+                   for (std::size_t k = first; k < last; ++k) what(wanted[k]);
+                 });
 }
 
 Correction PathCorrector::gather() const {

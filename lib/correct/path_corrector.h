@@ -56,7 +56,7 @@ class PathCorrector {
   [[nodiscard]] MoveVerdict verdict_before(std::size_t i) const;
   [[nodiscard]] bool take_back();
   [[nodiscard]] double depth_at(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
-  void work(const std::vector<std::size_t>& wanted, const ProgressCall& progress,
+  void work(std::string_view stage, const std::vector<std::size_t>& wanted, const ProgressCall& progress,
             const std::function<void(std::size_t)>& what);
   [[nodiscard]] Correction gather() const;
   void gather_records(std::size_t i, Correction& correction) const;

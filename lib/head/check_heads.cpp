@@ -191,7 +191,7 @@ void check_links(const Toolpath& toolpath, const HeadChecker& checker, const Che
 }  // namespace
 
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
-                 const CheckOptions& options, CheckResult& result) {
+                 const CheckOptions& options, CheckResult& result, const ProgressCall& progress) {
   if (heads.empty()) return;
   const Reason::Kind unfit = scene.is_within_reach ? why_unfit(options) : Reason::Kind::out_of_reach;
   if (unfit != Reason::Kind::none) {
@@ -201,13 +201,14 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
   const HeadChecker checker(heads, scene);
   std::vector<std::uint64_t> bounds(result.verdicts.size(), 0);
   std::vector<std::vector<double>> uppers_mm(result.verdicts.size());
-  for_each_chunk(result.verdicts.size(), kMovesPerChunk, options.threads, [&](std::size_t first, std::size_t last) {
+  const auto sweep = [&](std::size_t first, std::size_t last) {
     for (std::size_t i = first; i < last; ++i) {
       if (result.verdicts[i].state == MoveState::not_checked) continue;
       const Motion motion = motion_of(toolpath, i, options.rapid);
       bounds[i] = checker.sweep(motion, options, result.verdicts[i], uppers_mm[i]);
     }
-  });
+  };
+  for_each_chunk(result.verdicts.size(), kMovesPerChunk, options.threads, "checking heads", progress, sweep);
   checker.mark_buried(toolpath, options, uppers_mm, result.verdicts);
   check_links(toolpath, checker, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "lib/base/parallel.h"
 #include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
 #include "lib/head/head_body.h"
@@ -52,6 +53,6 @@ class HeadChecker {
 /// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness).
 /// Ensures  the same bits at any number of threads.
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
-                 const CheckOptions& options, CheckResult& result);
+                 const CheckOptions& options, CheckResult& result, const ProgressCall& progress = {});
 
 }  // namespace gouge

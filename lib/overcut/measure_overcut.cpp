@@ -23,15 +23,16 @@ class Measuring {
             const CheckOptions& options, const std::vector<HeadBody>& heads, CheckResult& result)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options), heads_(heads), result_(result) {}
 
-  void run() {
+  void run(const ProgressCall& progress) {
     is_worst_.resize(result_.verdicts.size(), false);
     for (const Event& event : result_.events) is_worst_[event.worst_move] = true;
     for (std::size_t i = 0; i < result_.verdicts.size(); ++i) {
       if (is_asked(i)) prepare(i);
     }
-    for_each_chunk(gouges_.size(), 4, options_.threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t k = first; k < last; ++k) measure(gouges_[k]);
-    });
+    for_each_chunk(gouges_.size(), 4, options_.threads, "measuring overcuts", progress,
+                   [&](std::size_t first, std::size_t last) {
+                     for (std::size_t k = first; k < last; ++k) measure(gouges_[k]);
+                   });
     result_.worst_overcut_mm = 0;
     for (const std::size_t i : gouges_)
       result_.worst_overcut_mm = std::max(result_.worst_overcut_mm, result_.verdicts[i].overcut_mm.value_or(0));
@@ -97,8 +98,8 @@ class Measuring {
 
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                       const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
-                      const std::vector<HeadBody>& heads) {
-  Measuring(toolpath, tools, scene, options, heads, result).run();
+                      const std::vector<HeadBody>& heads, const ProgressCall& progress) {
+  Measuring(toolpath, tools, scene, options, heads, result).run(progress);
 }
 
 }  // namespace gouge

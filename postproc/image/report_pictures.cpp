@@ -17,7 +17,7 @@ constexpr std::size_t kViews = 2;
 constexpr std::size_t kMostWitnesses = 2000;
 
 struct Album {
-  const PicturesProgress& progress;
+  const ProgressCall& progress;
   std::size_t total = 0;
   std::vector<NamedFile> files{};
 
@@ -25,8 +25,11 @@ struct Album {
     Result<std::string> png = render_png(page.drawing, page.rasters);
     if (!png) return png.error();
     files.push_back({std::move(name), std::move(*png), std::move(title), move});
-    if (progress) progress(files.size(), total);
+    report();
     return Done{};
+  }
+  void report() const {
+    if (progress) progress("drawing pictures", files.size(), total);
   }
 };
 
@@ -85,7 +88,7 @@ Outcome add_scene_pictures(Album& album, const PictureSet& set, const CheckedToo
 }  // namespace
 
 Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, const CheckedToolpath& input,
-                                                    const CheckedToolpath& before, const PicturesProgress& progress) {
+                                                    const CheckedToolpath& before, const ProgressCall& progress) {
   const PictureScene scene(*input.prepared);
   const DepthField field(input);
   const OvercutField overcuts(input, field);
@@ -105,6 +108,7 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
   const bool has_before = model.has_correction && before.toolpath != nullptr && before.result != nullptr;
   const std::size_t of_scene = scene.face_count() == 0 ? 0 : 1 + (has_before ? 1 : 0) + set.events.size();
   Album album{progress, of_scene + 1};
+  album.report();
   if (of_scene > 0) {
     set.directions = choose_directions(input, scene, set.events, kViews);
     if (Outcome done = add_scene_pictures(album, set, before); !done) return done.error();

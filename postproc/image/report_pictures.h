@@ -1,18 +1,14 @@
 #pragma once
 
-#include <cstddef>
-#include <functional>
 #include <vector>
 
+#include "lib/base/parallel.h"
 #include "lib/base/result.h"
 #include "lib/field/checked_toolpath.h"
 #include "postproc/report/named_file.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
-
-/// Told how many pictures of how many there will be are done.
-using PicturesProgress = std::function<void(std::size_t done, std::size_t total)>;
 
 /// The pictures of a report, PNG, 1600 x 1000: heat_map.png, depth_along_path.png, event_1.png to event_6.png
 /// for the worst findings, and before_after.png when the model has a correction with its path and verdicts
@@ -26,6 +22,6 @@ using PicturesProgress = std::function<void(std::size_t done, std::size_t total)
 [[nodiscard]] Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model,
                                                                   const CheckedToolpath& input,
                                                                   const CheckedToolpath& before = {},
-                                                                  const PicturesProgress& progress = {});
+                                                                  const ProgressCall& progress = {});
 
 }  // namespace gouge

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <iostream>
 #include <map>
 #include <memory>
 #include <vector>
@@ -18,7 +19,8 @@ namespace gouge::guarantee {
 inline Job load(const JobArguments& arguments) {
   const Result<JobOptions> options = understand(arguments);
   EXPECT_TRUE(options.has_value());
-  LoadedJob loaded = load_job(arguments, *options);
+  Progress progress(std::cerr, ProgressMode::never);
+  LoadedJob loaded = load_job(arguments, *options, progress);
   for (const Diagnostic& d : loaded.errors) ADD_FAILURE() << d.message;
   return loaded.job ? std::move(*loaded.job) : Job{};
 }
