@@ -13,10 +13,8 @@
 namespace gouge {
 namespace {
 
-// Contacts steer a correction, they prove nothing; a tenth of their excess is close enough, and those much smaller than
-// the largest so far, which the square of their excess weighs, are of no account.
+// Contacts steer a correction, they prove nothing; a tenth of their excess is close enough.
 constexpr double kRelativeAccuracy = 0.1;
-constexpr double kNotable = 0.1;  // of the largest excess so far
 constexpr double kSmallestPiece_mm = 0.02;
 // Pieces looked at of one triangle: in hollow or undercut tools the bounds do not decide over a wide face.
 constexpr int kMostPieces = 1000;
@@ -26,15 +24,21 @@ constexpr double kGap_mm = 0.05;
 class Collector {
  public:
   Collector(const ToolInterval& interval, const CompiledTool& tool, const BlockTree& tree, double aim,
-            std::vector<ToolContact>& contacts)
-      : interval_(interval), frame_(interval.f0), tool_(tool), tree_(tree), aim_(aim), contacts_(contacts) {}
+            double notable_mm, std::vector<ToolContact>& contacts)
+      : interval_(interval),
+        frame_(interval.f0),
+        tool_(tool),
+        tree_(tree),
+        aim_(aim),
+        notable_mm_(notable_mm),
+        contacts_(contacts) {}
 
   void visit(std::uint32_t index) {
     const NodeBlock& node = tree_.nodes[index];
     for (std::size_t i = 0; i < node.count; ++i) {
       const Vec3 center = tree_.origin + Vec3(node.center[0][i], node.center[1][i], node.center[2][i]);
       const ToolSample sample = sample_tool(tool_, frame_.to_tool(center));
-      if (excess(sample) + static_cast<double>(node.radius_mm[i]) <= kNotable * largest_mm_) continue;
+      if (excess(sample) + static_cast<double>(node.radius_mm[i]) <= notable_mm_) continue;
       if (node.has_leaves) {
         visit_leaf(tree_.leaves[node.child[i]]);
       } else {
@@ -51,9 +55,7 @@ class Collector {
       best_ = ToolContact{};
       pieces_ = 0;
       refine(tree_.corners(leaf.triangle[i]));
-      if (best_.excess_mm <= 0) continue;
-      contacts_.push_back(best_);
-      largest_mm_ = std::max(largest_mm_, best_.excess_mm);
+      if (best_.excess_mm > notable_mm_) contacts_.push_back(best_);
     }
   }
 
@@ -66,7 +68,7 @@ class Collector {
 
   /// Everything up to here is of no account.
   [[nodiscard]] double enough_mm() const {
-    return std::max(0.0, aim_) + std::max(best_.excess_mm * (1 + kRelativeAccuracy), kNotable * largest_mm_);
+    return std::max(0.0, aim_) + std::max(best_.excess_mm * (1 + kRelativeAccuracy), notable_mm_);
   }
 
   void refine(const std::array<Vec3, 3>& t) {
@@ -102,9 +104,9 @@ class Collector {
   const CompiledTool& tool_;
   const BlockTree& tree_;
   double aim_;
+  double notable_mm_;
   std::vector<ToolContact>& contacts_;
   ToolContact best_;
-  double largest_mm_ = 0;  // of all triangles
   int pieces_ = 0;
 };
 
@@ -126,13 +128,13 @@ std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedS
 }  // namespace
 
 std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
-                                       const CorrectionAim& aim) {
+                                       const CorrectionAim& aim, double notable_mm) {
   std::vector<ToolContact> contacts;
   const Motion alone(pose);
   const ToolInterval interval(alone, whole_segment(alone, 0));
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
     if (aimed.target.tree->nodes.empty()) continue;
-    Collector(interval, *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, contacts).visit(0);
+    Collector(interval, *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, notable_mm, contacts).visit(0);
   }
   return contacts;
 }

@@ -21,11 +21,11 @@ struct CorrectionAim {
   double clearance_mm = 0;  ///< of either, in bodies that must keep a clearance
 };
 
-/// One contact for every triangle that reaches notably deeper than the aim: its deepest point, to a tenth of its
-/// excess. What exceeds the aim by less than a tenth of the largest excess may be left out. In tree order.
-/// Cost O(triangles inside the tool).
+/// One contact for every triangle that exceeds the aim by more than `notable_mm` >= 0: its deepest point, to a tenth of
+/// its excess. In tree order. Cost O(triangles inside the tool).
 [[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool,
-                                                     const PreparedScene& scene, const CorrectionAim& aim);
+                                                     const PreparedScene& scene, const CorrectionAim& aim,
+                                                     double notable_mm = 0);
 
 /// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only
 /// when the aim is proven to be met to `accuracy_mm`.

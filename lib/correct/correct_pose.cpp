@@ -8,7 +8,9 @@ namespace {
 
 constexpr double kAccuracy_mm = 2e-4;
 constexpr double kSmallestStep_mm = 1e-3;  // keeps the lift from creeping where the surface runs along the axis
-constexpr double kMargin_mm = 2e-3;        // how much further than asked the weighted shift reaches
+// Contacts count by the square of their excess: those below this share of the largest are of no account.
+constexpr double kNotable = 0.1;
+constexpr double kMargin_mm = 2e-3;  // how much further than asked the weighted shift reaches
 
 }  // namespace
 
@@ -20,11 +22,11 @@ std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVarian
   const CorrectionAim further{aim.part_mm - kMargin_mm, aim.fixture_mm - kMargin_mm, aim.clearance_mm - kMargin_mm};
   CorrectedPose result{pose, Strategy::weighted, 0, 0};
   for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
-    const bool is_met = largest_excess(result.pose, tool, checker.scene(), aim, kAccuracy_mm) <= 0;
-    if (is_met) return result;
+    const double most = largest_excess(result.pose, tool, checker.scene(), aim, kAccuracy_mm);
+    if (most <= 0) return result;
     Vec3 sum = Vec3::Zero();
     double weight = 0;
-    for (const ToolContact& contact : find_contacts(result.pose, tool, checker.scene(), further)) {
+    for (const ToolContact& contact : find_contacts(result.pose, tool, checker.scene(), further, kNotable * most)) {
       sum += contact.excess_mm * contact.excess_mm * contact.normal;
       weight += contact.excess_mm;
     }
