@@ -60,7 +60,7 @@ class Builder {
     }
     reduce(all);
     descend(all);
-    return std::move(nodes_);
+    return is_too_large() ? std::vector<BspNode>{} : std::move(nodes_);
   }
 
  private:
@@ -254,8 +254,10 @@ class Builder {
 
   // ---- recursion
 
+  [[nodiscard]] bool is_too_large() const { return nodes_.size() > kMostBspNodes * elements_.size(); }
+
   std::int32_t descend(const Region& region) {
-    if (region.candidates.size() == 1) return ~static_cast<std::int32_t>(region.candidates.front());
+    if (region.candidates.size() == 1 || is_too_large()) return ~static_cast<std::int32_t>(region.candidates.front());
     const std::vector<Cut> cuts = find_cuts(region);
     std::optional<Region> negative, positive;
     const Cut* best = nullptr;
@@ -293,7 +295,8 @@ class Builder {
 }  // namespace
 
 std::vector<BspNode> build_bsp(const std::vector<BoundaryElement>& elements) {
-  return elements.size() < 2 ? std::vector<BspNode>{} : Builder(elements).build();
+  const bool has_tree = elements.size() > 1 && elements.size() <= kMostBspElements;
+  return has_tree ? Builder(elements).build() : std::vector<BspNode>{};
 }
 
 std::size_t bsp_depth(const std::vector<BspNode>& nodes) {
