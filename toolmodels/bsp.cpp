@@ -103,6 +103,8 @@ class Builder {
 
   // |distance of a| <= |distance of b| all over the region, a being valid there.
   bool dominates(Element a, Element b, const Region& region) const {
+    const std::size_t corners = region.cell.corners().size();
+    work_ += forms_[a].is_linear && forms_[b].is_linear ? corners : corners * corners;
     const auto is_below = [&](const DistanceForm& f) {
       const int side = region.element_side[b];
       return (side >= 0 && detail::is_everywhere_below(f, forms_[b], region.cell)) ||
@@ -254,7 +256,9 @@ class Builder {
 
   // ---- recursion
 
-  [[nodiscard]] bool is_too_large() const { return nodes_.size() > kMostBspNodes * elements_.size(); }
+  [[nodiscard]] bool is_too_large() const {
+    return nodes_.size() > kMostBspNodes * elements_.size() || work_ > kMostWork;
+  }
 
   std::int32_t descend(const Region& region) {
     if (region.candidates.size() == 1 || is_too_large()) return ~static_cast<std::int32_t>(region.candidates.front());
@@ -282,6 +286,8 @@ class Builder {
   }
 
   static constexpr std::size_t kFewCandidates = 5;  // more, and straight cuts are the better ones
+  static constexpr std::size_t kMostWork =
+      2'000'000;  // corners looked at: three times what the largest of 240 random tools takes
   static constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
 
   const std::vector<BoundaryElement>& elements_;
@@ -290,6 +296,7 @@ class Builder {
   std::vector<BspNode> nodes_;
   Vec2 low_ = Vec2::Zero(), high_ = Vec2::Zero();
   double size_ = 0;
+  mutable std::size_t work_ = 0;
 };
 
 }  // namespace

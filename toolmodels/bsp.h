@@ -8,7 +8,7 @@ namespace gouge {
 
 /// Cuts are straight or bisectors and go through all of a cell, so a contour of many teeth or a traced one is cut into
 /// far more cells than it has regions. Such a tool has a tree over its contour (contour_tree.h).
-inline constexpr std::size_t kMostBspElements = 64;
+inline constexpr std::size_t kMostBspElements = 40;
 inline constexpr std::size_t kMostBspNodes = 16;
 
 /// The BSP over the Voronoi diagram of the elements' contour, inside and outside.
