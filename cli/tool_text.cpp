@@ -72,6 +72,11 @@ std::string contour_text(const Profile& profile, LengthUnit unit) {
   return text;
 }
 
+std::string tree_text(const CompiledTool& tool) {
+  if (!tool.stretches.empty()) return "tree of " + std::to_string(tool.stretches.size()) + " stretches";
+  return "BSP of " + std::to_string(tool.nodes.size()) + " nodes, depth " + std::to_string(bsp_depth(tool.nodes));
+}
+
 }  // namespace
 
 std::string tool_list_text(const ToolLibrary& library) {
@@ -112,8 +117,8 @@ std::string tool_text(const ToolAssembly& tool, LengthUnit unit) {
   text += "  assembly  length " + in_unit(height_mm(tool), unit) + ", largest diameter " +
           in_unit(2 * compiled.r_max_mm, unit) + "\n";
   text += contour_text(*profile, unit);
-  text += "  compiled  " + std::to_string(compiled.elements.size()) + " boundary elements, BSP of " +
-          std::to_string(compiled.nodes.size()) + " nodes, depth " + std::to_string(bsp_depth(compiled.nodes)) + "\n";
+  text +=
+      "  compiled  " + std::to_string(compiled.elements.size()) + " boundary elements, " + tree_text(compiled) + "\n";
   return text;
 }
 

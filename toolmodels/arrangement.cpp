@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
+#include "toolmodels/box_tree.h"
 #include "toolmodels/offset_curves.h"
 
 namespace gouge::detail {
@@ -17,33 +19,48 @@ class CurveCutter {
   Arrangement run() {
     ends_.resize(curves_.size());
     for (std::size_t i = 0; i < curves_.size(); ++i) ends_[i] = {vertex(curves_[i].a), vertex(curves_[i].b)};
+    std::vector<Eigen::AlignedBox2d> boxes, points;
+    for (const ProfileElement& curve : curves_) boxes.push_back(box_around(curve, 5 * slack_));
+    const BoxTree curve_tree(boxes);
     for (std::size_t i = 0; i < curves_.size(); ++i) {
       for (const Vec2& p : axis_points(curves_[i], slack_)) vertex(p);
-      for (std::size_t j = i + 1; j < curves_.size(); ++j)
+      curve_tree.for_each_meeting(boxes[i], [&](std::size_t j) {
+        if (j <= i) return;
         for (const Vec2& p : meeting_points(curves_[i], curves_[j], slack_)) vertex(p);
+      });
     }
-    for (std::size_t i = 0; i < curves_.size(); ++i) cut(i);
+    for (const Vec2& v : made_.vertices) points.emplace_back(v);
+    const BoxTree vertex_tree(points);
+    for (std::size_t i = 0; i < curves_.size(); ++i) cut(i, boxes[i], vertex_tree);
     drop_shared();
     return std::move(made_);
   }
 
  private:
+  // The earliest vertex within the slack, or a new one.
   std::size_t vertex(Vec2 p) {
     if (std::abs(p.x()) <= slack_) p.x() = 0;
-    for (std::size_t i = 0; i < made_.vertices.size(); ++i)
-      if ((made_.vertices[i] - p).norm() <= 2 * slack_) return i;
+    // By the place along a direction in which hardly any two corners of a tool stand level.
+    const double place = std::cos(1.0) * p.x() + std::sin(1.0) * p.y();
+    std::size_t found = made_.vertices.size();
+    for (auto at = places_.lower_bound(place - 3 * slack_); at != places_.end() && at->first <= place + 3 * slack_;
+         ++at)
+      if (at->second < found && (made_.vertices[at->second] - p).norm() <= 2 * slack_) found = at->second;
+    if (found < made_.vertices.size()) return found;
+    places_.emplace(place, found);
     made_.vertices.push_back(p);
-    return made_.vertices.size() - 1;
+    return found;
   }
 
   // Looked for among all vertices, so that two curves along one another are cut at the same ones.
-  void cut(std::size_t i) {
+  void cut(std::size_t i, const Eigen::AlignedBox2d& box, const BoxTree& vertex_tree) {
     const ProfileElement& curve = curves_[i];
     const auto [first, last] = ends_[i];
     std::vector<std::pair<double, std::size_t>> cuts;
-    for (std::size_t v = 0; v < made_.vertices.size(); ++v)
-      if (v != first && v != last && passes(curve, made_.vertices[v], 4 * slack_))
+    vertex_tree.for_each_meeting(box, [&, from = first, to = last](std::size_t v) {
+      if (v != from && v != to && passes(curve, made_.vertices[v], 4 * slack_))
         cuts.emplace_back(length_along(curve, made_.vertices[v]), v);
+    });
     std::sort(cuts.begin(), cuts.end());
     cuts.emplace_back(curve_length(curve), last);
     std::size_t from = first;
@@ -60,20 +77,24 @@ class CurveCutter {
     if (middle(piece).x() > slack_) made_.pieces.push_back({piece, from, to});
   }
 
+  // Of two pieces between the same vertices.
   [[nodiscard]] bool coincide(const CurvePiece& p, const CurvePiece& q) const {
-    const bool has_same_ends = (p.from == q.from && p.to == q.to) || (p.from == q.to && p.to == q.from);
-    return has_same_ends && (middle(p.curve) - middle(q.curve)).norm() <= 4 * slack_;
+    return (middle(p.curve) - middle(q.curve)).norm() <= 4 * slack_;
   }
 
   void drop_shared() {
     std::vector<CurvePiece>& pieces = made_.pieces;
     std::vector<bool> is_dropped(pieces.size());
-    for (std::size_t i = 0; i < pieces.size(); ++i)
-      for (std::size_t j = i + 1; j < pieces.size(); ++j) {
+    std::map<std::pair<std::size_t, std::size_t>, std::vector<std::size_t>> between;
+    for (std::size_t j = 0; j < pieces.size(); ++j) {
+      std::vector<std::size_t>& earlier = between[std::minmax(pieces[j].from, pieces[j].to)];
+      for (const std::size_t i : earlier) {
         if (!coincide(pieces[i], pieces[j])) continue;
         is_dropped[j] = true;
         if (pieces[i].from != pieces[j].from) is_dropped[i] = true;
       }
+      earlier.push_back(j);
+    }
     std::vector<CurvePiece> kept;
     for (std::size_t i = 0; i < pieces.size(); ++i)
       if (!is_dropped[i]) kept.push_back(pieces[i]);
@@ -83,6 +104,7 @@ class CurveCutter {
   const std::vector<ProfileElement>& curves_;
   double slack_;
   Arrangement made_;
+  std::multimap<double, std::size_t> places_;  // of the vertices
   std::vector<std::pair<std::size_t, std::size_t>> ends_;
 };
 
@@ -98,7 +120,10 @@ double curvature(const ProfileElement& e) {
 
 class Walker {
  public:
-  explicit Walker(const Arrangement& arrangement) : vertices_(arrangement.vertices), pieces_(arrangement.pieces) {}
+  explicit Walker(const Arrangement& arrangement)
+      : vertices_(arrangement.vertices), pieces_(arrangement.pieces), leaving_(vertices_.size()) {
+    for (std::size_t i = 0; i < pieces_.size(); ++i) leaving_[pieces_[i].from].push_back(i);
+  }
 
   std::optional<std::vector<ProfileElement>> walk() {
     const std::optional<std::size_t> start = lowest_start();
@@ -139,9 +164,8 @@ class Walker {
     is_used_[piece] = true;
     const Vec2 arriving = end_direction(pieces_[piece].curve);
     std::vector<std::pair<double, std::size_t>> turns;
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-      if (pieces_[i].from == pieces_[piece].to && !is_used_[i])
-        turns.emplace_back(turn_between(arriving, start_direction(pieces_[i].curve)), i);
+    for (const std::size_t i : leaving_[pieces_[piece].to])
+      if (!is_used_[i]) turns.emplace_back(turn_between(arriving, start_direction(pieces_[i].curve)), i);
     std::sort(turns.begin(), turns.end(), [&](const auto& p, const auto& q) {
       if (std::abs(p.first - q.first) > 1e-7) return p.first > q.first;
       const double bend = curvature(pieces_[p.second].curve) - curvature(pieces_[q.second].curve);
@@ -164,6 +188,7 @@ class Walker {
 
   const std::vector<Vec2>& vertices_;
   const std::vector<CurvePiece>& pieces_;
+  std::vector<std::vector<std::size_t>> leaving_;  // by vertex, the pieces that start there
   std::vector<bool> is_used_;
   std::vector<Step> path_;
   double top_ = -1e300;

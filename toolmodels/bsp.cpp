@@ -60,7 +60,7 @@ class Builder {
     }
     reduce(all);
     descend(all);
-    return std::move(nodes_);
+    return is_too_large() ? std::vector<BspNode>{} : std::move(nodes_);
   }
 
  private:
@@ -103,6 +103,8 @@ class Builder {
 
   // |distance of a| <= |distance of b| all over the region, a being valid there.
   bool dominates(Element a, Element b, const Region& region) const {
+    const std::size_t corners = region.cell.corners().size();
+    work_ += forms_[a].is_linear && forms_[b].is_linear ? corners : corners * corners;
     const auto is_below = [&](const DistanceForm& f) {
       const int side = region.element_side[b];
       return (side >= 0 && detail::is_everywhere_below(f, forms_[b], region.cell)) ||
@@ -254,8 +256,12 @@ class Builder {
 
   // ---- recursion
 
+  [[nodiscard]] bool is_too_large() const {
+    return nodes_.size() > kMostBspNodes * elements_.size() || work_ > kMostWork;
+  }
+
   std::int32_t descend(const Region& region) {
-    if (region.candidates.size() == 1) return ~static_cast<std::int32_t>(region.candidates.front());
+    if (region.candidates.size() == 1 || is_too_large()) return ~static_cast<std::int32_t>(region.candidates.front());
     const std::vector<Cut> cuts = find_cuts(region);
     std::optional<Region> negative, positive;
     const Cut* best = nullptr;
@@ -280,6 +286,8 @@ class Builder {
   }
 
   static constexpr std::size_t kFewCandidates = 5;  // more, and straight cuts are the better ones
+  static constexpr std::size_t kMostWork =
+      2'000'000;  // corners looked at: three times what the largest of 240 random tools takes
   static constexpr std::size_t kNoLine = static_cast<std::size_t>(-1);
 
   const std::vector<BoundaryElement>& elements_;
@@ -288,12 +296,14 @@ class Builder {
   std::vector<BspNode> nodes_;
   Vec2 low_ = Vec2::Zero(), high_ = Vec2::Zero();
   double size_ = 0;
+  mutable std::size_t work_ = 0;
 };
 
 }  // namespace
 
 std::vector<BspNode> build_bsp(const std::vector<BoundaryElement>& elements) {
-  return elements.size() < 2 ? std::vector<BspNode>{} : Builder(elements).build();
+  const bool has_tree = elements.size() > 1 && elements.size() <= kMostBspElements;
+  return has_tree ? Builder(elements).build() : std::vector<BspNode>{};
 }
 
 std::size_t bsp_depth(const std::vector<BspNode>& nodes) {

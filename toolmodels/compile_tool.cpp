@@ -8,9 +8,9 @@
 #include "lib/geom/cross.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/bsp.h"
+#include "toolmodels/contour_tree.h"
 #include "toolmodels/elements.h"
 #include "toolmodels/unite.h"
-#include "toolmodels/voronoi.h"
 
 namespace gouge {
 namespace {
@@ -66,16 +66,6 @@ void set_core(CompiledTool& tool) {
   tool.core_depth_mm = depth_on_axis(tool, best);
 }
 
-// Within a crack or a blade narrower than rounding two elements tie that know opposite sides: only the tree's
-// cuts tell them apart, so a tool with a cusp goes without borders.
-void set_borders(CompiledTool& tool) {
-  for (const detail::DirectedLine& line : detail::make_domains(tool.elements).lines) {
-    const bool is_cusp = !tool.borders.empty() && tool.borders.back().direction.dot(line.direction) < -1 + 1e-12;
-    if (is_cusp) return tool.borders.clear();
-    tool.borders.push_back({line.through, line.direction, 0});
-  }
-}
-
 }  // namespace
 
 CompiledTool compile_tool(const std::string& name, const Profile& profile) {
@@ -84,8 +74,9 @@ CompiledTool compile_tool(const std::string& name, const Profile& profile) {
   tool.elements = make_elements(profile);
   if (tool.elements.empty()) return tool;
   set_support_ranges(profile, tool.elements);
+  tool.borders = make_borders(tool.elements);
   tool.nodes = build_bsp(tool.elements);
-  set_borders(tool);
+  if (tool.nodes.empty() && tool.elements.size() > 1) tool.stretches = make_contour_tree(tool.elements);
   set_extent(tool);
   set_core(tool);
   return tool;

@@ -4,12 +4,14 @@
 #include <cmath>
 #include <numbers>
 
+#include "toolmodels/box_tree.h"
 #include "toolmodels/offset_curves.h"
 
 namespace gouge {
 namespace {
 
 constexpr double kRelativeSlack = 1e-9;  // far above rounding, far below any dimension of a tool
+constexpr std::size_t kMostNamed = 100;  // a contour may cross itself as often as the square of its elements
 
 Vec2 direction_at(const ProfileElement& element, const Vec2& point) {
   const Vec2 out = (point - element.center) / element.radius_mm;
@@ -77,17 +79,25 @@ void verify_shape(const Profile& profile, double slack, std::vector<std::string>
   for (std::size_t i = 1; i + 1 < points.size(); ++i)
     if (points[i].x() <= (is_near_end(points[i]) ? 0 : slack))
       broken.push_back("the contour touches the axis between its ends");
-  for (std::size_t i = 0; i < owner.size(); ++i)
-    for (std::size_t j = i + 2; j < owner.size(); ++j)
-      if (do_cross(points[i], points[i + 1], points[j], points[j + 1]))
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (std::size_t i = 0; i < owner.size(); ++i) boxes.push_back(Eigen::AlignedBox2d(points[i]).extend(points[i + 1]));
+  const detail::BoxTree tree(boxes);
+  for (std::size_t i = 0; i < owner.size() && broken.size() < kMostNamed; ++i)
+    tree.for_each_meeting(boxes[i], [&](std::size_t j) {
+      if (j >= i + 2 && do_cross(points[i], points[i + 1], points[j], points[j + 1]))
         broken.push_back("elements " + std::to_string(owner[i]) + " and " + std::to_string(owner[j]) + " cross");
+    });
 }
 
 void verify_joints(const Profile& profile, double slack, std::vector<std::string>& broken) {
-  for (std::size_t i = 0; i + 1 < profile.elements.size(); ++i)
-    for (std::size_t j = 0; j < profile.elements.size(); ++j)
+  std::vector<Eigen::AlignedBox2d> boxes;
+  for (const ProfileElement& e : profile.elements) boxes.push_back(detail::box_around(e, 2 * slack));
+  const detail::BoxTree tree(boxes);
+  for (std::size_t i = 0; i + 1 < profile.elements.size() && broken.size() < kMostNamed; ++i)
+    tree.for_each_meeting(Eigen::AlignedBox2d(profile.elements[i].b), [&](std::size_t j) {
       if (j != i && j != i + 1 && detail::passes(profile.elements[j], profile.elements[i].b, slack))
         broken.push_back("element " + std::to_string(j) + " touches the end of element " + std::to_string(i));
+    });
 }
 
 }  // namespace

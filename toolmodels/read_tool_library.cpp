@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <optional>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "toolmodels/cutter_fields.h"
@@ -121,6 +123,7 @@ class Reader {
       else
         holder.segments = read_segments(entry["segments"], pointer + "/segments", who);
       check_holder(holder, pointer, who);
+      holders_.try_emplace(holder.name, library_.holders.size());
       library_.holders.push_back(std::move(holder));
     }
   }
@@ -195,12 +198,21 @@ class Reader {
       return;
     }
     const std::string name = value.get<std::string>();
-    const std::vector<ToolSegment>* holder = library_.holder_called(name);
+    const std::vector<ToolSegment>* holder = holder_called(name);
     if (holder != nullptr)
       tool.holder = *holder;
     else
       fail("library-field",
            who + ": holder \"" + name + "\" is neither among \"holders\" nor an earlier tool with a holder", pointer);
+  }
+
+  // As ToolLibrary finds it, which looks at one tool after the other.
+  const std::vector<ToolSegment>* holder_called(const std::string& name) const {
+    if (const auto holder = holders_.find(name); holder != holders_.end())
+      return &library_.holders[holder->second].segments;
+    const auto tool = by_name_.find(name);
+    return tool != by_name_.end() && !library_.tools[tool->second].holder.empty() ? &library_.tools[tool->second].holder
+                                                                                  : nullptr;
   }
 
   void read_cutter(const Json& value, const std::string& pointer, const std::string& tool_name, ToolAssembly& tool) {
@@ -286,12 +298,12 @@ class Reader {
   void add_tool(ToolAssembly&& tool, const std::string& pointer, const std::string& who) {
     if (const Result<BodyProfiles> bodies = make_body_profiles(tool); !bodies)
       return fail(bodies.error().code, bodies.error().message, pointer);
-    if (tool.number && library_.with_number(*tool.number) != nullptr)
+    if (tool.number && !numbers_.insert(*tool.number).second)
       return fail(
           "library-duplicate-number",
           who + ": number " + std::to_string(*tool.number) + " is already taken; give every tool a number of its own",
           pointer + "/number");
-    if (!tool.name.empty() && library_.with_name(tool.name) != nullptr)
+    if (!tool.name.empty() && !by_name_.try_emplace(tool.name, library_.tools.size()).second)
       library_.notes.push_back(make_warning(
           "library-duplicate-name", who + " has the name of an earlier tool; asked for by name, the first is taken",
           library_.file, lines_.at(pointer + "/name")));
@@ -310,6 +322,9 @@ class Reader {
 
   detail::JsonLines lines_;
   ToolLibrary library_;
+  std::unordered_set<int> numbers_;                       // taken
+  std::unordered_map<std::string, std::size_t> by_name_;  // the first tool of each name
+  std::unordered_map<std::string, std::size_t> holders_;  // the first holder of each name
   std::optional<Diagnostic> error_;
 };
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "toolmodels/box_tree.h"
+
 namespace gouge {
 namespace {
 
@@ -31,13 +33,30 @@ double widest_within(const Vec2& a, const Vec2& b, double low, double high) {
   return std::max(at(low), at(high));
 }
 
-double widest_at(const std::vector<Vec2>& points, double z) {
-  double widest = 0;
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    widest = std::max(widest, widest_within(points[i - 1], points[i], z - kSameHeight_mm, z + kSameHeight_mm));
+// An outline, asked for its widest point within a range of heights; negative where it has none.
+class Widths {
+ public:
+  explicit Widths(const std::vector<Vec2>& points) : points_(points), tree_(boxes_of(points)) {}
+
+  [[nodiscard]] double within(double low, double high) const {
+    double widest = -1;
+    tree_.for_each_meeting({Vec2(-1e300, low), Vec2(1e300, high)}, [&](std::size_t i) {
+      widest = std::max(widest, widest_within(points_[i], points_[i + 1], low, high));
+    });
+    return widest;
   }
-  return widest;
-}
+
+ private:
+  static std::vector<Eigen::AlignedBox2d> boxes_of(const std::vector<Vec2>& points) {
+    std::vector<Eigen::AlignedBox2d> boxes;
+    for (std::size_t i = 1; i < points.size(); ++i)
+      boxes.push_back(Eigen::AlignedBox2d(points[i - 1]).extend(points[i]));
+    return boxes;
+  }
+
+  const std::vector<Vec2>& points_;
+  detail::BoxTree tree_;
+};
 
 }  // namespace
 
@@ -54,11 +73,10 @@ double reach_beyond_mm(const Cutter& cutter, const Cutter& other) {
     }
   }
   double reach = 0;
+  const Widths own(points), other_widths(others);
   for (const double z : heights) {
-    double widest = 0;
-    for (std::size_t i = 1; i < points.size(); ++i)
-      widest = std::max(widest, widest_within(points[i - 1], points[i], z, z));
-    reach = std::max(reach, widest - widest_at(others, z));
+    const double beside = std::max(0.0, other_widths.within(z - kSameHeight_mm, z + kSameHeight_mm));
+    reach = std::max(reach, std::max(0.0, own.within(z, z)) - beside);
   }
   return reach;
 }

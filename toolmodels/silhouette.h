@@ -12,7 +12,7 @@ namespace gouge {
 /// Units    mm
 /// Ensures  0.001 mm along the axis counts as the same height, so that a bottom that is flat but for rounding is no
 ///          reach; arcs are compared as polygons, to within 1e-5 of their radius.
-/// Cost     some ten thousand comparisons for an ordinary cutter
+/// Cost     n log n for outlines of n corners
 [[nodiscard]] double reach_beyond_mm(const Cutter& cutter, const Cutter& other);
 
 }  // namespace gouge

@@ -3,6 +3,8 @@
 #include <optional>
 
 #include "lib/geom/cross.h"
+#include "toolmodels/bsp.h"
+#include "toolmodels/contour_tree.h"
 #include "toolmodels/elements.h"
 
 namespace gouge {
@@ -30,7 +32,9 @@ struct Planes {
 class Support {
  public:
   Support(const Profile& profile, std::vector<BoundaryElement>& elements)
-      : elements_(elements), slack_(kSlack * size_of(profile)) {}
+      : elements_(elements), slack_(kSlack * size_of(profile)), stretches_(make_contour_tree(elements)) {
+    if (elements.size() <= kMostBspElements) stretches_.assign(1, {0, static_cast<std::uint32_t>(elements.size())});
+  }
 
   void set_all() {
     for (std::size_t i = 0; i < elements_.size(); ++i)
@@ -63,21 +67,50 @@ class Support {
     return cross(planes.n1, u) >= 0 || cross(v, planes.n0) >= 0;
   }
 
+  // The height above a plane is convex, so it is largest at a corner of the box.
+  bool is_all_behind(const ContourStretch& s, const Planes& planes) const {
+    const Vec2 left(-s.along.y(), s.along.x());
+    for (const double u : {s.low.x(), s.high.x()})
+      for (const double v : {s.low.y(), s.high.y()})
+        if (!(planes.reach(s.origin + u * s.along + v * left) <= slack_)) return false;
+    return true;
+  }
+
+  [[nodiscard]] bool is_passed_over(const ContourStretch& s, const Planes& planes) const {
+    return stretches_.size() > 1 && is_all_behind(s, planes);
+  }
+
+  // The last element before number `end`, and the first from number `begin` on, that is not behind the planes.
+  std::optional<std::size_t> last_ahead(std::size_t stretch, std::size_t end, const Planes& planes) const {
+    const ContourStretch& s = stretches_[stretch];
+    if (s.first >= end || is_passed_over(s, planes)) return std::nullopt;
+    if (s.second == 0) {
+      for (std::size_t j = std::min<std::size_t>(s.last, end); j-- > s.first;)
+        if (!is_behind(elements_[j], planes)) return j;
+      return std::nullopt;
+    }
+    const auto later = last_ahead(s.second, end, planes);
+    return later ? later : last_ahead(stretch + 1, end, planes);
+  }
+  std::optional<std::size_t> first_ahead(std::size_t stretch, std::size_t begin, const Planes& planes) const {
+    const ContourStretch& s = stretches_[stretch];
+    if (s.last <= begin || is_passed_over(s, planes)) return std::nullopt;
+    if (s.second == 0) {
+      for (std::size_t j = std::max<std::size_t>(s.first, begin); j < s.last; ++j)
+        if (!is_behind(elements_[j], planes)) return j;
+      return std::nullopt;
+    }
+    const auto earlier = first_ahead(stretch + 1, begin, planes);
+    return earlier ? earlier : first_ahead(s.second, begin, planes);
+  }
+
   SupportRange range(std::size_t i) const {
     const Planes own = planes(i);
     if (own.n0.x() < kHorizontal && own.n1.x() < kHorizontal && own.n0.dot(own.n1) > 0)
       return own.n0.y() < 0 ? below_step(i) : above_step(i);
     SupportRange claim{-kEndless, kEndless, 0};
-    for (std::size_t j = i; j-- > 0;)
-      if (!is_behind(elements_[j], own)) {
-        claim.z_lo_mm = elements_[j].b.y();
-        break;
-      }
-    for (std::size_t j = i + 1; j < elements_.size(); ++j)
-      if (!is_behind(elements_[j], own)) {
-        claim.z_hi_mm = elements_[j].a.y();
-        break;
-      }
+    if (const auto j = last_ahead(0, i, own)) claim.z_lo_mm = elements_[*j].b.y();
+    if (const auto j = first_ahead(0, i + 1, own)) claim.z_hi_mm = elements_[*j].a.y();
     if (own.n0.x() < kNearlyHorizontal && own.n0.y() < 0) claim.r_min_mm = radius_below(i);
     if (own.n1.x() < kNearlyHorizontal && own.n1.y() > 0) claim.r_min_mm = std::max(claim.r_min_mm, radius_above(i));
     return claim;
@@ -129,6 +162,7 @@ class Support {
 
   std::vector<BoundaryElement>& elements_;
   double slack_;
+  std::vector<ContourStretch> stretches_;  // of few elements one, which is never passed over
 };
 
 // The lowest point of an element: an end, or for an arc the point below its centre.
@@ -184,9 +218,14 @@ void set_support_ranges(const Profile& profile, std::vector<BoundaryElement>& el
   if (!filled) return;
   std::vector<BoundaryElement> outer = make_elements(*filled);
   Support(*filled, outer).set_all();
-  for (std::size_t i = 0; i < elements.size(); ++i)
-    for (std::size_t j = 0; j < outer.size(); ++j)
-      if (has_same_planes(elements, i, outer, j)) elements[i].support = outer[j].support;
+  // Both contours run through the elements they share in one order, the filled one from some element on.
+  for (std::size_t i = 0, j = 0; i < elements.size(); ++i) {
+    std::size_t k = j;
+    while (k < outer.size() && !has_same_planes(elements, i, outer, k)) ++k;
+    if (k == outer.size()) continue;
+    elements[i].support = outer[k].support;
+    j = k + 1;
+  }
 }
 
 }  // namespace gouge

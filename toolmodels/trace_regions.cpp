@@ -22,6 +22,12 @@ Vec2 turned(const Vec2& u, double angle) {
 // Rays stand closer near the ends, where a bisector may run almost along them.
 double share(int i, int steps) { return 0.5 * (1 - std::cos(std::numbers::pi * i / steps)); }
 
+// Of many elements each is small in the picture.
+int steps_of(int usual, std::size_t elements) {
+  constexpr int kUsualElements = 64, kFewest = 4;
+  return std::max(kFewest, usual * kUsualElements / std::max(kUsualElements, static_cast<int>(elements)));
+}
+
 double angle_between(const Vec2& u, const Vec2& v) { return std::atan2(u.x() * v.y() - u.y() * v.x(), u.dot(v)); }
 
 class Tracer {
@@ -58,16 +64,16 @@ class Tracer {
     const BoundaryElement& e = tool_.elements[index];
     std::vector<Ray> list;
     if (e.kind == ElementKind::segment) {
-      constexpr int kSteps = 480;
-      for (int i = 0; i <= kSteps; ++i) list.push_back({e.a + share(i, kSteps) * (e.b - e.a), sign * e.normal});
+      const int steps = steps_of(480, tool_.elements.size());
+      for (int i = 0; i <= steps; ++i) list.push_back({e.a + share(i, steps) * (e.b - e.a), sign * e.normal});
       return list;
     }
-    constexpr int kSteps = 120;
+    const int steps = steps_of(120, tool_.elements.size());
     const Vec2 first = e.kind == ElementKind::arc ? normal_at(e, e.a) : normal_before(index);
     const Vec2 last = e.kind == ElementKind::arc ? normal_at(e, e.b) : normal_after(index);
     const double sweep = angle_between(first, last);
-    for (int i = 0; i <= kSteps; ++i) {
-      const Vec2 normal = turned(first, sweep * share(i, kSteps));
+    for (int i = 0; i <= steps; ++i) {
+      const Vec2 normal = turned(first, sweep * share(i, steps));
       const double side = e.is_reflex ? -1 : 1;
       const Vec2 from = e.kind == ElementKind::arc ? Vec2(e.center + side * e.radius_mm * normal) : e.a;
       list.push_back({from, sign * normal});
@@ -107,7 +113,7 @@ class Tracer {
     };
     if (is_nearest(limit)) return limit;
     double low = 0, high = limit;
-    for (int i = 0; i < 60; ++i) {
+    for (int i = 0; i < 60 && high - low > 0.01 * slack_; ++i) {
       const double middle = 0.5 * (low + high);
       (is_nearest(middle) ? low : high) = middle;
     }

@@ -5,6 +5,8 @@
 
 #include "lib/tool/evaluate.h"
 #include "toolmodels/arrangement.h"
+#include "toolmodels/bsp.h"
+#include "toolmodels/contour_tree.h"
 #include "toolmodels/elements.h"
 #include "toolmodels/offset_curves.h"
 
@@ -17,7 +19,7 @@ constexpr double kNudge = 3e-10;      // of the size: growth that breaks a tie n
 
 // A body as the distances to it are asked.
 struct Solid {
-  CompiledTool tool;  // elements alone: no tree is needed
+  CompiledTool tool;  // without a BSP: a few look-ups at each element do not pay for one
   double growth_mm = 0;
 };
 
@@ -45,7 +47,7 @@ Profile merge_neighbours(const std::vector<ProfileElement>& elements, double sla
 // Deeper than rounding in one of the offset bodies.
 bool is_covered(const Vec2& q, const std::vector<Solid>& solids, double slack) {
   return std::any_of(solids.begin(), solids.end(), [&](const Solid& solid) {
-    return evaluate_brute_force(solid.tool, q.x(), q.y()).signed_distance_mm < solid.growth_mm - slack;
+    return evaluate_by_stretches(solid.tool, q.x(), q.y()).signed_distance_mm < solid.growth_mm - slack;
   });
 }
 
@@ -58,7 +60,11 @@ std::optional<Profile> try_unite(const std::vector<OffsetBody>& bodies, double s
     const std::vector<ProfileElement> more = detail::offset_curves(*body.profile, growth);
     curves.insert(curves.end(), more.begin(), more.end());
     solids.push_back({{}, growth});
-    solids.back().tool.elements = make_elements(*body.profile);
+    CompiledTool& tool = solids.back().tool;
+    tool.elements = make_elements(*body.profile);
+    if (tool.elements.size() <= kMostBspElements) continue;
+    tool.borders = make_borders(tool.elements);
+    tool.stretches = make_contour_tree(tool.elements);
   }
   detail::Arrangement arrangement = detail::arrange(curves, kSlack * size);
   std::erase_if(arrangement.pieces, [&](const detail::CurvePiece& piece) {

@@ -11,7 +11,7 @@
 
 // The tool as the check sees it: a closed solid of revolution about the tool axis, described by the
 // boundary of its half profile in the (r, z) plane (r >= 0, z = 0 at the tip, z grows to the spindle, mm)
-// and a BSP over the 2D Voronoi diagram of that boundary. It is plain data; `toolmodels` compiles it from
+// and a BSP over the 2D Voronoi diagram of that boundary, or a tree over the boundary itself. It is plain data; `toolmodels` compiles it from
 // named dimensions, `evaluate.h` evaluates it.
 // Source: Ho 1999 as described in thesis 2.4.18 and appendix C.
 
@@ -70,12 +70,24 @@ struct DomainBorder {
   double offset = 0;
 };
 
+/// Consecutive elements in a box turned along the chord from the first one's start to the last one's end: every
+/// point of them is origin + u along + v left, left being `along` turned by +90 degrees, with (u, v) in [low, high].
+struct ContourStretch {
+  std::uint32_t first = 0, last = 0;  ///< elements [first, last)
+  std::uint32_t second = 0;           ///< its halves are the next stretch and this one; 0: it is not cut further
+  Vec2 origin = Vec2::Zero();
+  Vec2 along = Vec2::UnitX();  ///< unit
+  Vec2 low = Vec2::Zero(), high = Vec2::Zero();
+};
+
 struct CompiledTool {
   std::string name;
   std::vector<BoundaryElement> elements;
   /// borders[i] lies between elements[i] and elements[i + 1]; none when the contour turns back on itself.
   std::vector<DomainBorder> borders;
-  std::vector<BspNode> nodes;  ///< nodes[0] is the root; empty when there is a single element
+  std::vector<BspNode> nodes;  ///< nodes[0] is the root; empty when there is a single element, or there are stretches
+  /// A tree over the contour in place of the BSP, for tools of many elements: [0] is the root, children stand behind.
+  std::vector<ContourStretch> stretches;
   double z_min_mm = 0, z_max_mm = 0, r_max_mm = 0;
   /// A point on the axis (r = 0) deepest inside the cutter's part of the solid; of the whole solid when the
   /// axis is nowhere inside the cutter.

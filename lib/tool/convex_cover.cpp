@@ -15,6 +15,10 @@ constexpr double kTangent = 1e-7;   // sine of the turn between elements that st
 constexpr double kApart = 1e-7;     // points of a chain nearer than this part of the tool are one
 constexpr double kStraight = 1e-9;  // sine of the turn between lines that rounding may give
 constexpr double kEndless = std::numeric_limits<double>::infinity();
+// A contour of more lines and arcs than the first is covered by chords of it, as many as the second at the most if
+// chords over kMostHeld elements allow it.
+constexpr std::size_t kMostExact = 64, kMostChords = 256, kMostHeld = 64;
+constexpr double kFinest = 1e-5;  // of the tool's size: how far the contour may lie off its chords, doubled as needed
 
 Vec2 direction_at(const BoundaryElement& e, const Vec2& point) {
   if (e.kind == ElementKind::segment) return (e.b - e.a).normalized();
@@ -24,6 +28,43 @@ Vec2 direction_at(const BoundaryElement& e, const Vec2& point) {
 
 bool is_rising(const BoundaryElement& e) {
   return direction_at(e, e.a).y() >= -kTangent && direction_at(e, e.b).y() >= -kTangent && e.b.y() >= e.a.y();
+}
+
+/// How far a line or arc is from the segment between two points at most.
+double farthest_off(const BoundaryElement& e, const Vec2& from, const Vec2& to) {
+  const Vec2 chord = to - from;
+  const auto off = [&](const Vec2& p) {
+    const double t = chord.squaredNorm() > 0 ? std::clamp(chord.dot(p - from) / chord.squaredNorm(), 0.0, 1.0) : 0;
+    return (p - from - t * chord).norm();
+  };
+  const double rise = e.kind == ElementKind::arc ? (e.center + e.radius_mm * e.normal - 0.5 * (e.a + e.b)).norm() : 0.0;
+  return std::max(off(e.a), off(e.b)) + rise;
+}
+
+/// Chords of a contour as segments whose `radius_mm` says how far the contour lies off them. Level lines stay as they
+/// are: steps begin and end pieces.
+std::vector<BoundaryElement> chords_of(const std::vector<const BoundaryElement*>& curves, double most_off_mm) {
+  std::vector<BoundaryElement> chords;
+  for (std::size_t first = 0; first < curves.size();) {
+    BoundaryElement chord = *curves[first];
+    chord.kind = ElementKind::segment;
+    chord.is_reflex = false;
+    chord.radius_mm = farthest_off(*curves[first], chord.a, chord.b);
+    const auto is_level = [](const BoundaryElement& e) { return !(std::abs(e.b.y() - e.a.y()) > 0); };
+    std::size_t last = first + 1;
+    for (; last < curves.size() && last < first + kMostHeld; ++last) {
+      if (is_level(*curves[first]) || is_level(*curves[last])) break;
+      double off = 0;
+      for (std::size_t k = first; k <= last && off <= most_off_mm; ++k)
+        off = std::max(off, farthest_off(*curves[k], chord.a, curves[last]->b));
+      if (off > most_off_mm) break;
+      chord.b = curves[last]->b;
+      chord.radius_mm = off;
+    }
+    chords.push_back(chord);
+    first = last;
+  }
+  return chords;
 }
 
 /// Consecutive elements that one piece can hold.
@@ -71,6 +112,7 @@ class CoverMaker {
 
   ConvexCover make() {
     const bool is_stack = std::all_of(curves_.begin(), curves_.end(), [](const auto* e) { return is_rising(*e); });
+    if (curves_.size() > kMostExact) take_chords();
     if (is_stack) {
       add_runs();
     } else {
@@ -88,6 +130,15 @@ class CoverMaker {
 
  private:
   [[nodiscard]] bool is_level(const Vec2& a, const Vec2& b) const { return b.y() - a.y() <= 1e-12 * cover_.size_mm; }
+
+  // What holds for the chord holds for what lies off it by no more than its radius: distances change no faster.
+  void take_chords() {
+    double off = kFinest * cover_.size_mm;
+    for (chords_ = chords_of(curves_, off); chords_.size() > kMostChords && off < cover_.size_mm; off *= 2)
+      chords_ = chords_of(curves_, 2 * off);
+    curves_.clear();
+    for (const BoundaryElement& chord : chords_) curves_.push_back(&chord);
+  }
 
   void add_runs() {
     Run run;
@@ -166,7 +217,7 @@ class CoverMaker {
 
   // Contours that turn back in height: a cylinder for every stretch of heights between two corners.
   void add_cylinders() {
-    std::vector<double> heights;
+    std::vector<double> heights{tool_.z_min_mm, tool_.z_max_mm};
     for (const BoundaryElement* e : curves_) {
       heights.insert(heights.end(), {e->a.y(), e->b.y()});
       if (e->kind == ElementKind::arc)
@@ -192,20 +243,21 @@ class CoverMaker {
   }
 
   static double top_of(const BoundaryElement& e) {
-    return e.kind == ElementKind::arc ? e.center.y() + e.radius_mm : std::max(e.a.y(), e.b.y());
+    return e.kind == ElementKind::arc ? e.center.y() + e.radius_mm : std::max(e.a.y(), e.b.y()) + e.radius_mm;
   }
   static double bottom_of(const BoundaryElement& e) {
-    return e.kind == ElementKind::arc ? e.center.y() - e.radius_mm : std::min(e.a.y(), e.b.y());
+    return e.kind == ElementKind::arc ? e.center.y() - e.radius_mm : std::min(e.a.y(), e.b.y()) - e.radius_mm;
   }
   static double widest(const BoundaryElement& e) {
     const double ends = std::max(e.a.x(), e.b.x());
-    return e.kind == ElementKind::arc ? std::max(ends, e.center.x() + e.radius_mm) : ends;
+    return e.kind == ElementKind::arc ? std::max(ends, e.center.x() + e.radius_mm) : ends + e.radius_mm;
   }
 
   /// An upper bound of f over an element.
   static double farthest_out(const CoverPiece& piece, const BoundaryElement& e) {
     const double ends = std::max(cover_distance(piece, e.a), cover_distance(piece, e.b));
-    if (e.kind != ElementKind::arc || e.is_reflex) return ends;
+    if (e.kind == ElementKind::segment) return ends + e.radius_mm;
+    if (e.is_reflex) return ends;
     const double all_round = cover_distance(piece, e.center) + e.radius_mm;
     return std::max(ends, all_round);
   }
@@ -223,6 +275,7 @@ class CoverMaker {
 
   const CompiledTool& tool_;
   std::vector<const BoundaryElement*> curves_;
+  std::vector<BoundaryElement> chords_;  // in place of the tool's elements, if those are many
   std::vector<double> start_radius_, end_radius_;
   std::vector<bool> is_closed_;
   ConvexCover cover_;

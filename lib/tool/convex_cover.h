@@ -38,7 +38,8 @@ struct ConvexCover {
   double size_mm = 0;              ///< no point of the tool is farther from its tip
 };
 
-/// Cost linear in the number of elements, a few hundred for a tool of many arcs.
+/// Of a contour of many elements the cover stands off by more: it goes by chords, so that its pieces stay few.
+/// Cost linear in the number of elements, and in the square of pieces, which are some hundred at the most.
 [[nodiscard]] ConvexCover make_convex_cover(const CompiledTool& tool);
 
 /// f of a piece at (r, z).

@@ -54,6 +54,7 @@ ToolDistance result(const BoundaryElement& e, std::uint32_t index, const Vec2& q
 }  // namespace
 
 ToolDistance evaluate(const CompiledTool& tool, double r_mm, double z_mm) {
+  if (tool.nodes.empty() && tool.elements.size() > 1) return evaluate_by_stretches(tool, r_mm, z_mm);
   std::int32_t at = tool.nodes.empty() ? ~std::int32_t{0} : 0;
   while (at >= 0) {
     const BspNode& node = tool.nodes[static_cast<std::size_t>(at)];

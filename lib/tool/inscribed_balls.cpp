@@ -12,6 +12,7 @@ constexpr double kRounding = 1e-10;  // of the tool's size
 constexpr double kUpright = 1e-12;
 constexpr double kShrink = 0.97;  // where that takes long, a smaller ball will do
 constexpr int kMostShrinks = 30, kQuickShrinks = 10;
+constexpr std::size_t kMostStretches = 100'000;  // beyond, what would be cut further counts as having no ball
 
 /// Whether heights do not fall along the element.
 bool is_rising(const BoundaryElement& e) {
@@ -61,7 +62,7 @@ void InscribedBalls::cover(const CompiledTool& tool, const FootCell& cell) {
   // On the way from a foot to a depth of the radius the distance from the centre is largest at an end.
   const bool has_ball =
       ball.radius_mm > 0 && cell.farthest_mm(ball.center, ball.radius_mm) <= ball.radius_mm + slack_mm_;
-  if (has_ball || cell.width_mm(0) <= slack_mm_) {
+  if (has_ball || cell.width_mm(0) <= slack_mm_ || stretches_.size() >= kMostStretches) {
     stretches_.push_back({feet_of(cell), has_ball ? ball.radius_mm : 0});
     return;
   }

@@ -17,6 +17,8 @@ constexpr double kNearly = 0.01;          // of the depth: how nearly the larges
 constexpr double kFine = 0.02;            // of the bound: cells no wider are not cut
 constexpr std::size_t kAxisPoints = 128, kNeighbours = 4, kMostCells = 5'000;
 constexpr int kHalvings = 30, kMostJoints = 16;
+// Looks at a ball, and how many an evaluation counts for: a tool of many teeth ends here, with a bound that is larger.
+constexpr std::size_t kMostLooks = 10'000'000, kLooksOfEvaluation = 30;
 
 /// All that is nearer to `center` than `free_mm` lies deeper than the depth asked.
 struct Ball {
@@ -53,11 +55,13 @@ class ReachSearch {
 
  private:
   [[nodiscard]] double free_at(const Vec2& q) const {
+    looks_ += kLooksOfEvaluation;
     return -evaluate(form_, std::max(0.0, q.x()), q.y()).signed_distance_mm - depth_mm_ - kRounding * size_mm_;
   }
 
   /// What is deeper than asked of the largest ball that touches the boundary at the middle ray's foot, or nearly.
   [[nodiscard]] Ball own_ball(const FootCell& cell) const {
+    looks_ += 4 * kLooksOfEvaluation;
     const InscribedBall ball = inscribed_ball(form_, cell, cell.middle(), depth_mm_, kNearly * depth_mm_);
     if (!(ball.radius_mm > 0)) return {};
     return {ball.center, ball.radius_mm - depth_mm_ - kRounding * size_mm_};
@@ -129,7 +133,7 @@ class ReachSearch {
   /// Whether all of the straight line between two points is deeper than asked.
   [[nodiscard]] bool are_joined(const Ball& a, const Ball& b, int joints = kMostJoints) const {
     if (a.free_mm + b.free_mm > (a.center - b.center).norm()) return true;
-    if (joints == 0) return false;
+    if (joints == 0 || is_tired()) return false;
     Ball middle;
     middle.center = 0.5 * (a.center + b.center);
     middle.free_mm = free_at(middle.center);
@@ -139,7 +143,7 @@ class ReachSearch {
   /// From the points on the axis along the contour, both ways, until nothing more joins.
   void join() {
     for (Ball& ball : balls_) ball.is_joined = is_asked(ball);
-    for (bool is_new = true; is_new;) {
+    for (bool is_new = true; is_new && !is_tired();) {
       is_new = false;
       for (std::size_t i = 1; i < balls_.size(); ++i) is_new = take(balls_[i - 1], balls_[i]) || is_new;
       for (std::size_t i = balls_.size(); i-- > 1;) is_new = take(balls_[i], balls_[i - 1]) || is_new;
@@ -152,7 +156,12 @@ class ReachSearch {
     return to.is_joined = true;
   }
 
+  // What is not joined, for want of a joint or of looks left, bounds nothing.
+  [[nodiscard]] bool is_tired() const { return looks_ > kMostLooks; }
+
   bool join_any(Ball& ball) const {
+    if (is_tired()) return false;
+    looks_ += balls_.size();
     for (const Ball& other : balls_) {
       const bool is_touching = (other.center - ball.center).norm() < other.free_mm + ball.free_mm;
       if (other.is_joined && is_touching) return ball.is_joined = true;
@@ -179,6 +188,8 @@ class ReachSearch {
     };
     const std::size_t first = near > kNeighbours ? near - kNeighbours : 0;
     for (std::size_t i = first; i < std::min(balls_.size(), near + kNeighbours); ++i) use(balls_[i]);
+    if (is_tired()) return upper;
+    looks_ += balls_.size();
     for (std::size_t i = balls_.size(); i-- > 0 && upper > least_mm;) use(balls_[i]);  // the newest lie nearest
     const double width = cell.width_mm(0) + cell.width_mm(std::min(ray, depth_mm_));
     if (upper <= least_mm || width < kFine * upper || budget < 2) return upper;
@@ -214,6 +225,7 @@ class ReachSearch {
   double depth_mm_, enough_mm_, size_mm_;
   std::vector<CellBall> cells_;
   std::vector<Ball> balls_;
+  mutable std::size_t looks_ = 0;
 };
 
 }  // namespace

@@ -55,7 +55,8 @@ inline void verify_nodes(const CompiledTool& tool, std::vector<std::string>& bro
   verify_elements(tool, broken);
   verify_nodes(tool, broken);
   if (!broken.empty()) return broken;
-  if (tool.elements.size() > 1 && tool.nodes.empty()) return {"there are elements but no nodes"};
+  if (tool.elements.size() > 1 && tool.nodes.empty() == tool.stretches.empty())
+    return {"there are elements but neither nodes nor stretches, or both"};
   if (tool.z_min_mm >= tool.z_max_mm || tool.r_max_mm <= 0) broken.push_back("the extent is empty");
   const double depth = -evaluate(tool, tool.core.x(), tool.core.y()).signed_distance_mm;
   if (tool.core.x() > 0 || tool.core_depth_mm <= 0 || std::abs(depth - tool.core_depth_mm) > 0)

@@ -35,7 +35,7 @@ void Collector::leave_out(const std::string& who, const std::string& shape, std:
 }
 
 void Collector::assign_number(ToolAssembly& tool, std::size_t line) {
-  if (!tool.number || made_.library.with_number(*tool.number) == nullptr) return;
+  if (!tool.number || numbers_.insert(*tool.number).second) return;
   const std::string who = tool_label(tool.number, tool.name);
   const int number = *tool.number;
   tool.number.reset();

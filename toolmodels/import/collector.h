@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "toolmodels/import/catalogue_tool.h"
@@ -33,6 +34,7 @@ class Collector {
 
   const ImportOptions& options_;
   ImportedTools made_;
+  std::unordered_set<int> numbers_;  // taken
   bool is_all_inch_ = true;
 };
 

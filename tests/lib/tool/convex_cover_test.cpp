@@ -7,10 +7,12 @@
 #include <cstdlib>
 
 #include "lib/tool/evaluate.h"
+#include "tests/support/drawn_cutters.h"
 #include "tests/support/random_tools.h"
 #include "tests/support/scatter.h"
 #include "tests/support/tool_points.h"
 #include "tests/support/tools.h"
+#include "toolmodels/compile_tool.h"
 
 namespace gouge {
 namespace {
@@ -125,6 +127,20 @@ TEST(ConvexCover, TheCutterOfABallIsExact) {
       EXPECT_NEAR(cover_distance(piece, q), signed_distance(ball.bare, q), 1e-8);
     }
   }
+}
+
+// Of many points the cover goes by chords.
+TEST(ConvexCover, HoldsForCuttersOfManyPointsInFewPieces) {
+  test::Scatter random(21);
+  Claims claims;
+  for (const std::size_t count : {40u, 200u, 2000u}) {
+    for (const test::Drawn& drawn : test::drawn_cutters(count)) {
+      const CompiledTool tool = compile_tool(drawn.name, test::profile_of(drawn));
+      expect_claims_hold(tool, random, 3'000, claims);
+      EXPECT_LE(make_convex_cover(tool).pieces.size(), 600u) << drawn.name;
+    }
+  }
+  EXPECT_GT(std::min({claims.feet, claims.ends, claims.outside, claims.distance}), 1000u);
 }
 
 }  // namespace

@@ -1,0 +1,162 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "lib/tool/evaluate.h"
+#include "lib/tool/reach_bound.h"
+#include "tests/support/drawn_cutters.h"
+#include "tests/support/random_tools.h"
+#include "tests/support/tool_points.h"
+#include "tests/support/verify_tool.h"
+#include "toolmodels/bsp.h"
+#include "toolmodels/compile_tool.h"
+#include "toolmodels/contour_tree.h"
+#include "toolmodels/elements.h"
+
+// Cutters of many points: traced ones, and ones of many teeth. What they take grows with their points, and what they
+// answer is what every element together answers.
+
+namespace gouge {
+namespace {
+
+using test::Drawn;
+using test::profile_of;
+using test::random_teeth;
+using test::scalloped;
+using test::Scatter;
+using test::toothed;
+using test::traced;
+
+void expect_brute_force(const CompiledTool& tool, int points) {
+  Scatter random(11);
+  double worst = 0, worst_element = 0;
+  for (int i = 0; i < points; ++i) {
+    const Vec2 q = test::random_tool_point(random, tool);
+    const ToolDistance fast = evaluate(tool, q.x(), q.y());
+    const double slow = evaluate_brute_force(tool, q.x(), q.y()).signed_distance_mm;
+    const double scale = test::extent_mm(tool) + q.norm();
+    worst = std::max(worst, std::abs(fast.signed_distance_mm - slow) / scale);
+    worst_element = std::max(worst_element, (distance_to(tool.elements[fast.element], q) - std::abs(slow)) / scale);
+  }
+  EXPECT_LE(worst, 1e-12) << tool.name;
+  EXPECT_LE(worst_element, 1e-12) << tool.name;
+}
+
+class ManyPoints : public testing::TestWithParam<std::size_t> {};
+
+INSTANTIATE_TEST_SUITE_P(Counts, ManyPoints, testing::Values(20, 39, 51, 200, 2000));
+
+TEST_P(ManyPoints, TreesAreNoLargerThanAFewTimesTheContour) {
+  for (const Drawn& drawn : test::drawn_cutters(GetParam())) {
+    const CompiledTool tool = compile_tool(drawn.name, profile_of(drawn));
+    EXPECT_LE(tool.nodes.size(), (kMostBspNodes + 1) * tool.elements.size()) << drawn.name;
+    EXPECT_LE(tool.stretches.size(), tool.elements.size()) << drawn.name;
+    EXPECT_EQ(test::verify_tool(tool), std::vector<std::string>{}) << drawn.name;
+  }
+}
+
+TEST_P(ManyPoints, DistancesAreThoseOfAllElements) {
+  const int points = GetParam() > 1000 ? 4'000 : 20'000;
+  for (const Drawn& drawn : test::drawn_cutters(GetParam()))
+    expect_brute_force(compile_tool(drawn.name, profile_of(drawn)), points);
+}
+
+TEST_P(ManyPoints, GrownVariantsAreDistancesOfTheBareOneLessTheGrowth) {
+  if (GetParam() > 200) return;
+  const double growth = 0.25;
+  for (const Drawn& drawn : test::drawn_cutters(GetParam())) {
+    const Result<ToolVariants> variants =
+        make_tool_variants({1, drawn.name, ProfileCutter{drawn.points}, {}, {}}, growth, 0, 0);
+    ASSERT_TRUE(variants.has_value()) << drawn.name;
+    expect_brute_force(variants->against_part, 5'000);
+    // Outside of both, a point as far from the grown tool as from the bare one less the growth.
+    Scatter random(13);
+    for (int i = 0; i < 5'000; ++i) {
+      const Vec2 q = test::random_tool_point(random, variants->bare);
+      const double bare = evaluate(variants->bare, q.x(), q.y()).signed_distance_mm;
+      const double grown = evaluate(variants->against_part, q.x(), q.y()).signed_distance_mm;
+      if (!(grown > 0)) continue;
+      EXPECT_NEAR(grown, bare - growth, 1e-8 * (test::extent_mm(variants->bare) + q.norm())) << drawn.name;
+    }
+  }
+}
+
+// A tangent plane's range ends where the contour first comes before it: by looking at all of it.
+TEST(ManyPointsSupport, RangesAreThoseOfALookAtEveryElement) {
+  for (const Drawn& drawn : {traced(400, 0), toothed("rougher", 400, 4.4, 5, 0.75), random_teeth(400)}) {
+    const Profile profile = profile_of(drawn);
+    std::vector<BoundaryElement> elements = make_elements(profile);
+    set_support_ranges(profile, elements);
+    for (std::size_t i = 0; i < elements.size(); ++i) {
+      const BoundaryElement& e = elements[i];
+      if (e.kind != ElementKind::segment || e.normal.x() < 1e-6) continue;
+      const auto is_ahead = [&](const Vec2& p) { return e.normal.dot(p - e.a) > 1e-12 * size_of(profile); };
+      std::size_t first = i, last = i;
+      while (first > 0 && !is_ahead(elements[first - 1].a)) --first;
+      while (last + 1 < elements.size() && !is_ahead(elements[last + 1].b)) ++last;
+      EXPECT_EQ(e.support.z_lo_mm, first == 0 ? -1e300 : elements[first].a.y()) << drawn.name << " " << i;
+      EXPECT_EQ(e.support.z_hi_mm, last + 1 == elements.size() ? 1e300 : elements[last].b.y())
+          << drawn.name << " " << i;
+    }
+  }
+}
+
+TEST(ContourTree, BoxesHoldTheirElements) {
+  for (const Drawn& drawn : {traced(200, 0.003), scalloped(60), toothed("zigzag", 51, 3, 8, 0.3)}) {
+    const std::vector<BoundaryElement> elements = make_elements(profile_of(drawn));
+    const std::vector<ContourStretch> tree = make_contour_tree(elements);
+    for (const ContourStretch& stretch : tree)
+      for (std::size_t k = stretch.first; k < stretch.last; ++k) {
+        const BoundaryElement& e = elements[k];
+        std::vector<Vec2> points{e.a, e.b};
+        if (e.kind == ElementKind::arc) points.emplace_back(e.center + e.radius_mm * e.normal);
+        for (const Vec2& p : points) {
+          const Vec2 away = p - stretch.origin;
+          const Vec2 place(stretch.along.dot(away), stretch.along.x() * away.y() - stretch.along.y() * away.x());
+          EXPECT_TRUE((place.array() >= stretch.low.array() - 1e-12).all() &&
+                      (place.array() <= stretch.high.array() + 1e-12).all())
+              << drawn.name;
+        }
+      }
+  }
+}
+
+// On tools that have a BSP the tree of stretches says the same.
+TEST(ContourTree, AgreesWithTheBspOnOrdinaryTools) {
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+    const test::RandomTool made = test::random_tool(seed);
+    const CompiledTool tool = compile_tool(made.name, made.profile);
+    CompiledTool other = tool;
+    other.nodes.clear();
+    other.stretches = make_contour_tree(tool.elements);
+    Scatter random(seed);
+    for (int i = 0; i < 2'000; ++i) {
+      const Vec2 q = test::random_tool_point(random, tool);
+      EXPECT_NEAR(evaluate(tool, q.x(), q.y()).signed_distance_mm, evaluate(other, q.x(), q.y()).signed_distance_mm,
+                  1e-12 * (test::extent_mm(tool) + q.norm()))
+          << made.name << " at " << q.transpose();
+    }
+  }
+}
+
+// A thousand teeth: the search for a reach ends, with a bound that may be larger than the truth.
+TEST(ManyPointsReach, IsBoundedForATraceAndEndsForAThousandTeeth) {
+  const CompiledTool smooth = compile_tool("traced", profile_of(traced(2000, 0)));
+  EXPECT_LE(bound_reach(smooth, smooth, 0.01, 0.03), 0.03);
+  const CompiledTool rough = compile_tool("zigzag", profile_of(toothed("zigzag", 2000, 3, 8, 0.3)));
+  EXPECT_GE(bound_reach(rough, rough, 0.01, 0.03), 0.01);
+}
+
+// A million pairs cross, a hundred are named.
+TEST(ManyPointsRefused, AContourThatCrossesItselfEverywhereIsAnError) {
+  std::vector<ProfilePoint> points{test::at(0, 0)};
+  for (int i = 0; i < 2000; ++i) points.push_back(test::at(i % 2 == 0 ? 8 : 3, 10 + 5 * std::sin(0.7 * i)));
+  points.push_back(test::at(0, 30));
+  EXPECT_EQ(make_cutter_profile(ProfileCutter{points}).error().code, "tool-profile-broken");
+}
+
+}  // namespace
+}  // namespace gouge
