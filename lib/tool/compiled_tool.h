@@ -11,8 +11,8 @@
 
 // The tool as the check sees it: a closed solid of revolution about the tool axis, described by the
 // boundary of its half profile in the (r, z) plane (r >= 0, z = 0 at the tip, z grows to the spindle, mm)
-// and a BSP over the 2D Voronoi diagram of that boundary, or a tree over the boundary itself. It is plain data; `toolmodels` compiles it from
-// named dimensions, `evaluate.h` evaluates it.
+// and a BSP over the 2D Voronoi diagram of that boundary, or a tree over the boundary itself. It is plain data;
+// `toolmodels` compiles it from named dimensions, `evaluate.h` evaluates it.
 // Source: Ho 1999 as described in thesis 2.4.18 and appendix C.
 
 namespace gouge {
