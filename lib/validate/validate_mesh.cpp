@@ -1,6 +1,7 @@
 #include "lib/validate/validate_mesh.h"
 
 #include "lib/validate/cgal_bridge.h"
+#include "lib/validate/self_intersections.h"
 
 namespace gouge {
 
@@ -21,7 +22,13 @@ std::size_t MeshValidation::defects() const {
 MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings) {
   MeshValidation judged;
   judged.findings = findings;
-  const Result<SelfIntersections> crossings = detail::find_self_intersections(mesh);
+  const auto without_area = detail::find_triangles_without_area(mesh);
+  if (!without_area) {
+    judged.trouble = without_area.error().message;
+    return judged;
+  }
+  const Result<SelfIntersections> crossings =
+      detail::find_self_intersections(mesh, *without_area, findings.duplicate_triangles.count > 0);
   if (!crossings) {
     judged.trouble = crossings.error().message;
     return judged;
