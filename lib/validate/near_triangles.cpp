@@ -9,7 +9,7 @@ namespace gouge::detail {
 namespace {
 
 constexpr std::size_t kPartLeaves = 64;
-constexpr std::size_t kSortedAtOnce = 4096;  // leaves
+constexpr std::size_t kSortedWhole = 4096;  // leaves
 
 Box3 box_of(const IndexedMesh& mesh, std::uint32_t t) {
   Box3 box(mesh.corner(t, 0));
@@ -34,16 +34,43 @@ NearTriangles::NearTriangles(const IndexedMesh& mesh, const std::vector<std::uin
     sort(centres, all);
     reserve_large(leaves_, leaves);
     leaves_.resize(leaves);
-    for (std::size_t leaf = 0; leaf < leaves; ++leaf) fill(mesh, centres, leaf);
+    for_each_chunk(leaves, 1 << 12, 0, [&](std::size_t from, std::size_t to) {
+      for (std::size_t leaf = from; leaf < to; ++leaf) fill(mesh, centres, leaf);
+    });
   }
   boxes_.resize(2 * leaves - 1);
   bound(all);
   cut(all);
 }
 
-// Halves by the middle of the longest side of all centres.
-void NearTriangles::sort(std::vector<Centre>& centres, const Range& range) {
+// Ranges side by side as soon as there are many.
+void NearTriangles::sort(std::vector<Centre>& centres, const Range& all) {
+  std::vector<Range> small, large{all};
+  while (!large.empty()) {
+    const Range range = large.back();
+    large.pop_back();
+    if (range.size() <= kSortedWhole) {
+      small.push_back(range);
+      continue;
+    }
+    halve(centres, range);
+    large.push_back(range.left());
+    large.push_back(range.right());
+  }
+  for_each_chunk(small.size(), 1, 0, [&](std::size_t first, std::size_t last) {
+    for (std::size_t k = first; k < last; ++k) sort_whole(centres, small[k]);
+  });
+}
+
+void NearTriangles::sort_whole(std::vector<Centre>& centres, const Range& range) {
   if (range.size() < 2) return;
+  halve(centres, range);
+  sort_whole(centres, range.left());
+  sort_whole(centres, range.right());
+}
+
+// By the median along the longest side of the box of the centres.
+void NearTriangles::halve(std::vector<Centre>& centres, const Range& range) {
   const auto first = centres.begin() + static_cast<std::ptrdiff_t>(range.first * kLanes);
   const auto middle = centres.begin() + static_cast<std::ptrdiff_t>(range.middle() * kLanes);
   const auto last = centres.begin() + static_cast<std::ptrdiff_t>(std::min(range.last * kLanes, centres.size()));
@@ -56,8 +83,6 @@ void NearTriangles::sort(std::vector<Centre>& centres, const Range& range) {
     if (high[k] - low[k] > high[axis] - low[axis]) axis = k;
   }
   std::nth_element(first, middle, last, [axis](const Centre& a, const Centre& b) { return a.at[axis] < b.at[axis]; });
-  sort(centres, range.left());
-  sort(centres, range.right());
 }
 
 void NearTriangles::fill(const IndexedMesh& mesh, const std::vector<Centre>& centres, std::size_t leaf) {

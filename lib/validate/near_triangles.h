@@ -13,7 +13,7 @@ namespace gouge::detail {
 /// itself. Boxes are exact, so that a far corner does not make near triangles meet.
 class NearTriangles {
  public:
-  /// Requires a mesh that outlives it. Cost O(n log n); 57 bytes a triangle, 32 more meanwhile.
+  /// Requires finite coordinates. Cost O(n log n); 70 bytes a triangle, 32 more meanwhile.
   NearTriangles(const IndexedMesh& mesh, const std::vector<std::uint32_t>& triangles);
 
   /// Pairs come in this many parts, which may be looked at in any order and at once.
@@ -50,7 +50,9 @@ class NearTriangles {
     std::uint32_t triangle = 0;
   };
 
-  static void sort(std::vector<Centre>& centres, const Range& range);
+  static void sort(std::vector<Centre>& centres, const Range& all);
+  static void sort_whole(std::vector<Centre>& centres, const Range& range);
+  static void halve(std::vector<Centre>& centres, const Range& range);
   void fill(const IndexedMesh& mesh, const std::vector<Centre>& centres, std::size_t leaf);
   Box3 bound(const Range& range);
   void cut(const Range& range);
