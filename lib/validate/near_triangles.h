@@ -26,6 +26,12 @@ class NearTriangles {
     walk(parts_[part], {0, 0, leaves_.size()}, visit);
   }
 
+  /// Calls visit(t) for the triangles whose boxes meet a box, each once. Cost O(log n) and what there is to visit.
+  template <typename Visit>
+  void for_each_at(const Box3& box, const Visit& visit) const {
+    if (!leaves_.empty()) look_at({0, 0, leaves_.size()}, box, visit);
+  }
+
  private:
   static constexpr std::size_t kLanes = 8;
 
@@ -69,6 +75,22 @@ class NearTriangles {
     } else {
       walk(some, all.left(), visit);
       walk(some, all.right(), visit);
+    }
+  }
+
+  template <typename Visit>
+  void look_at(const Range& range, const Box3& box, const Visit& visit) const {
+    if (!boxes_[range.node].intersects(box)) return;
+    if (range.size() > 1) {
+      look_at(range.left(), box, visit);
+      look_at(range.right(), box, visit);
+      return;
+    }
+    const Leaf& leaf = leaves_[range.first];
+    for (std::size_t i = 0; i < leaf.count; ++i) {
+      const Vec3 low(leaf.low[0][i], leaf.low[1][i], leaf.low[2][i]);
+      const Vec3 high(leaf.high[0][i], leaf.high[1][i], leaf.high[2][i]);
+      if (Box3(low, high).intersects(box)) visit(leaf.triangle[i]);
     }
   }
 

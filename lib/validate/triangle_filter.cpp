@@ -1,5 +1,6 @@
 #include "lib/validate/triangle_filter.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -105,6 +106,18 @@ bool share_surely_one_side(const std::array<Vec3, 3>& t, const std::array<Vec3, 
     if (to_a.side(k) * to_b.side(k) < 0) return true;
   }
   return to_a.side_of(b) != 0;
+}
+
+RayMeeting meet_ray(const std::array<Vec3, 3>& t, const Vec3& p, int axis) {
+  const Vec3 a = t[0] - p, b = t[1] - p, c = t[2] - p;
+  const int first = Cross(a, b).side(axis), second = Cross(b, c).side(axis), third = Cross(c, a).side(axis);
+  const bool has_left = first > 0 || second > 0 || third > 0, has_right = first < 0 || second < 0 || third < 0;
+  if (has_left && has_right) return RayMeeting::none;  // the line through p passes beside it
+  if (std::max({t[0][axis], t[1][axis], t[2][axis]}) < p[axis]) return RayMeeting::none;
+  if (first == 0 || second == 0 || third == 0) return RayMeeting::unknown;
+  // The line passes through it, and its normal points along the axis where p is to the left of its sides.
+  const int below = -first * Cross(t[1] - t[0], t[2] - t[0]).side_of(p - t[0]);
+  return below > 0 ? RayMeeting::once : below < 0 ? RayMeeting::none : RayMeeting::unknown;
 }
 
 }  // namespace gouge::detail

@@ -23,4 +23,10 @@ namespace gouge::detail {
 /// must have area.
 [[nodiscard]] bool share_surely_one_side(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
 
+enum class RayMeeting { none, once, unknown };
+
+/// Whether the ray from p on along a coordinate axis (0 to 2), to infinity, meets the triangle. `none` and `once`, through
+/// its inside, are proved.
+[[nodiscard]] RayMeeting meet_ray(const std::array<Vec3, 3>& t, const Vec3& p, int axis);
+
 }  // namespace gouge::detail

@@ -2,8 +2,8 @@
 
 #include <utility>
 
+#include "lib/validate/bounded_volume.h"
 #include "lib/validate/cgal_bridge.h"
-#include "lib/validate/outward_pieces.h"
 #include "lib/validate/self_intersections.h"
 
 namespace gouge {
@@ -17,8 +17,8 @@ MeshValidation not_decided(MeshValidation judged, const Diagnostic& why) {
 // CGAL knows all cases, at ten times the memory of the mesh.
 Result<detail::VolumeFacts> find_volume(const IndexedMesh& mesh, std::size_t pieces, bool has_triangles_without_area) {
   if (!has_triangles_without_area) {
-    if (const auto is_outward = detail::face_all_pieces_outward(mesh, pieces))
-      return detail::VolumeFacts{*is_outward, detail::signed_volume(mesh)};
+    if (const auto does_bound = detail::does_bound_volume(mesh, pieces))
+      return detail::VolumeFacts{*does_bound, detail::signed_volume(mesh)};
   }
   return detail::find_volume_facts(mesh);
 }
