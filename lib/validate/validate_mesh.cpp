@@ -44,6 +44,7 @@ MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findin
   judged.findings = findings;
   const auto without_area = detail::find_triangles_without_area(mesh);
   if (!without_area) return not_decided(std::move(judged), without_area.error());
+  judged.has_triangles_without_area = !without_area->empty();
   const bool has_copies = findings.duplicate_triangles.count > 0;
   const Result<SelfIntersections> crossings = detail::find_self_intersections(mesh, *without_area, has_copies);
   if (!crossings) return not_decided(std::move(judged), crossings.error());
@@ -51,7 +52,7 @@ MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findin
   const bool has_meaning = findings.is_closed() && findings.is_manifold() && findings.is_consistently_oriented() &&
                            !has_copies && crossings->pairs == 0;
   if (!has_meaning) return judged;
-  const Result<detail::VolumeFacts> facts = find_volume(mesh, findings.components, !without_area->empty());
+  const Result<detail::VolumeFacts> facts = find_volume(mesh, findings.components, judged.has_triangles_without_area);
   if (!facts) return not_decided(std::move(judged), facts.error());
   judged.bounds_volume = facts->bounds_volume;
   judged.volume_mm3 = facts->volume_mm3;

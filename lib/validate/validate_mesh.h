@@ -23,6 +23,7 @@ struct SelfIntersections {
 struct MeshValidation {
   MeshFindings findings;
   SelfIntersections self_intersections;
+  bool has_triangles_without_area = false;  ///< exact, where findings.collinear_triangles allows for rounding
   /// Every piece faces the right way for its nesting: outer shells outward, cavities inward, and so on.
   /// Nothing when the query has no meaning: open, not manifold or crossing itself.
   std::optional<bool> bounds_volume;
