@@ -9,6 +9,7 @@
 #include "cli/mesh_info_text.h"
 #include "cli/output_file.h"
 #include "cli/print_diagnostics.h"
+#include "cli/progress.h"
 #include "lib/base/exit_code.h"
 #include "lib/mesh/join_vertices.h"
 #include "lib/mesh/load_mesh.h"
@@ -22,17 +23,30 @@ int status_of(const MeshValidation& judged) {
   return judged.trouble.empty() ? kExitGouges : kExitNotChecked;
 }
 
+ProgressCall shown_by(Progress& progress) {
+  return [&progress](std::size_t done, std::size_t total) { progress.show(done, total); };
+}
+
+MeshValidation judge(const IndexedMesh& mesh, const MeshFindings& findings, Progress& progress) {
+  progress.begin("finding self-intersections");
+  MeshValidation judged = validate_mesh(mesh, findings, shown_by(progress));
+  progress.end();
+  return judged;
+}
+
 OutputTable outputs_of(const MeshArguments& arguments) {
   return asked_for({{"--repair", arguments.repair_file}, {"--json", arguments.json_file}});
 }
 
 // The repair asked for, kept to be written when it is an improvement. Returns the exit status if it failed.
 std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mesh, MeshInfo& info,
-                          PendingOutputs& outputs, std::ostream& err) {
+                          PendingOutputs& outputs, Progress& progress, std::ostream& err) {
   RepairOptions options;
   options.fills_holes = arguments.fills_holes;
   options.unit = info.unit;
-  Result<MeshRepair> repaired = repair_mesh(mesh, info.judged, options);
+  progress.begin("judging the repaired mesh");
+  Result<MeshRepair> repaired = repair_mesh(mesh, info.judged, options, shown_by(progress));
+  progress.end();
   if (!repaired) return fail(err, {repaired.error()}, kExitGouges);
   info.repair = std::move(*repaired);
   if (!info.repair->is_better()) return std::nullopt;
@@ -71,6 +85,11 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
   command.add_flag("--fill-holes", arguments.fills_holes, "Let the repair add triangles where surface is missing")
       ->needs(repair);
   command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")->type_name("FILE");
+  command.add_option("--threads", arguments.threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
+      ->capture_default_str();
+  command.add_option("--progress", arguments.progress, "Show progress on standard error")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
   add_input_limit(command, arguments.input);
   command.footer(
       "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair repaired.stl --fill-holes\n"
@@ -94,18 +113,19 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   info.file = arguments.file;
   info.format = loaded->format;
   info.notes = loaded->notes;
-  info.judged = validate_mesh(loaded->mesh, loaded->findings);
+  Progress progress(err, understand_progress(arguments.progress));
+  info.judged = judge(loaded->mesh, loaded->findings, progress);
   IndexedMesh mesh = std::move(loaded->mesh);
   if (*weld_mm > 0) {
     Result<JoinedMesh> joined = join_near_vertices(mesh, *weld_mm);
     if (!joined) return fail(err, {joined.error()}, kExitUsage);
     info.weld = MeshWeld{*weld_mm, joined->vertices_joined, joined->largest_shift_mm, joined->triangles_collapsed,
-                         validate_mesh(joined->mesh, joined->findings)};
+                         judge(joined->mesh, joined->findings, progress)};
     mesh = std::move(joined->mesh);
   }
   std::optional<int> failed;
   PendingOutputs outputs;
-  if (!arguments.repair_file.empty()) failed = repair(arguments, mesh, info, outputs, err);
+  if (!arguments.repair_file.empty()) failed = repair(arguments, mesh, info, outputs, progress, err);
   if (failed == kExitInternal || !deliver(arguments, info, outputs, out, err)) return kExitInternal;
   if (failed) return *failed;
   return status_of(info.written_file.empty() ? info.judged : info.repair->after);

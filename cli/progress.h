@@ -9,6 +9,9 @@ namespace gouge {
 
 enum class ProgressMode { automatic, always, never };
 
+/// What --progress says: auto, always or never.
+[[nodiscard]] ProgressMode understand_progress(const std::string& word);
+
 /// One line on standard error that is drawn over and over while long work runs, and wiped at its end.
 /// Automatic: only where standard error is a terminal. Silent for work shorter than a moment.
 class Progress {
@@ -20,6 +23,7 @@ class Progress {
 
   /// What is being done from now on: "checking moves".
   void begin(const std::string& what);
+  /// With the time left, once there is something to tell it by.
   void show(std::size_t done, std::size_t total);
   void end();
 

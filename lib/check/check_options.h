@@ -1,13 +1,10 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <functional>
+
+#include "lib/base/progress_call.h"
 
 namespace gouge {
-
-/// Called after each finished chunk of moves: done and total, from any thread but never from two at once.
-using ProgressCall = std::function<void(std::size_t done, std::size_t total)>;
 
 enum class RapidMode { straight, dogleg, skip };
 

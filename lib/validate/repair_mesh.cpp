@@ -44,7 +44,8 @@ std::size_t count_turned(const IndexedMesh& before, const IndexedMesh& after) {
 
 }  // namespace
 
-Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& before, const RepairOptions& options) {
+Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& before, const RepairOptions& options,
+                               const ProgressCall& progress) {
   MeshRepair repair;
   repair.before = before;
   // In a sound mesh CGAL finds nothing to do but triangles without area.
@@ -63,7 +64,7 @@ Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& be
   if (!loaded) {
     return make_error("mesh-repair-failed", "nothing is left of the mesh after the repair", mesh.name);
   }
-  repair.after = validate_mesh(loaded->mesh, loaded->findings);
+  repair.after = validate_mesh(loaded->mesh, loaded->findings, progress);
   repair.mesh = std::move(loaded->mesh);
   repair.steps.triangles_turned = count_turned(mesh, repair.mesh);
   return repair;

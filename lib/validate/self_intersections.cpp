@@ -14,7 +14,7 @@
 namespace gouge::detail {
 namespace {
 
-constexpr std::size_t kPartsAtOnce = 256;
+constexpr std::size_t kPartsAtOnce = 64;
 
 std::array<Vec3, 3> points(const IndexedMesh& mesh, const TriangleCorners& t) {
   return {mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]};
@@ -113,11 +113,13 @@ Result<std::vector<std::uint32_t>> find_triangles_without_area(const IndexedMesh
 }
 
 Result<SelfIntersections> find_self_intersections(const IndexedMesh& mesh,
-                                                  const std::vector<std::uint32_t>& without_area, bool has_copies) {
+                                                  const std::vector<std::uint32_t>& without_area, bool has_copies,
+                                                  const ProgressCall& progress) {
   const NearTriangles near(mesh, without(has_copies ? originals(mesh) : all_triangles(mesh), without_area));
   SelfIntersections found;
   TrianglePair first;
   for (std::size_t part = 0; part < near.parts(); part += kPartsAtOnce) {
+    if (progress) progress(part, near.parts());
     const std::vector<TrianglePair> doubtful =
         doubtful_pairs(mesh, near, part, std::min(near.parts(), part + kPartsAtOnce));
     if (doubtful.empty()) continue;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "lib/base/progress_call.h"
 #include "lib/base/result.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/validate/validate_mesh.h"
@@ -18,11 +19,11 @@ namespace gouge::detail {
 /// Pairs of triangles that have more in common than their shared corners, but for triangles without area and copies of
 /// earlier ones (the same corners in any order). Exact; the same result at any number of threads.
 ///
-/// Requires find_triangles_without_area(mesh), and whether any triangle is a copy.
+/// Requires find_triangles_without_area(mesh), and whether any triangle is a copy. Calls progress from this thread.
 /// Cost     O(n log n) for the surfaces of parts; 80 bytes a triangle.
 /// Errors   cgal-failed.
 [[nodiscard]] Result<SelfIntersections> find_self_intersections(const IndexedMesh& mesh,
                                                                 const std::vector<std::uint32_t>& without_area,
-                                                                bool has_copies);
+                                                                bool has_copies, const ProgressCall& progress = {});
 
 }  // namespace gouge::detail

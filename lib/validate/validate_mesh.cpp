@@ -39,14 +39,15 @@ std::size_t MeshValidation::defects() const {
          findings.collinear_triangles.count + self_intersections.pairs + is_misnested;
 }
 
-MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings) {
+MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings, const ProgressCall& progress) {
   MeshValidation judged;
   judged.findings = findings;
   const auto without_area = detail::find_triangles_without_area(mesh);
   if (!without_area) return not_decided(std::move(judged), without_area.error());
   judged.has_triangles_without_area = !without_area->empty();
   const bool has_copies = findings.duplicate_triangles.count > 0;
-  const Result<SelfIntersections> crossings = detail::find_self_intersections(mesh, *without_area, has_copies);
+  const Result<SelfIntersections> crossings =
+      detail::find_self_intersections(mesh, *without_area, has_copies, progress);
   if (!crossings) return not_decided(std::move(judged), crossings.error());
   judged.self_intersections = *crossings;
   const bool has_meaning = findings.is_closed() && findings.is_manifold() && findings.is_consistently_oriented() &&

@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "lib/base/progress_call.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/mesh_findings.h"
 
@@ -46,6 +47,7 @@ struct MeshValidation {
 /// Cost     O(n log n) for the surfaces of parts: about a microsecond and 100 bytes a triangle. Ten times that where CGAL
 ///          must say what the surface bounds: where a triangle has no area, or a piece may lie in another.
 /// Errors   None: what CGAL cannot do is reported in `trouble`, and the mesh is not sound then.
-[[nodiscard]] MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings);
+[[nodiscard]] MeshValidation validate_mesh(const IndexedMesh& mesh, const MeshFindings& findings,
+                                           const ProgressCall& progress = {});
 
 }  // namespace gouge
