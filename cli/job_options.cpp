@@ -146,9 +146,7 @@ Result<JobOptions> understand(const JobArguments& a) {
                         : a.rapid == "dogleg" ? RapidMode::dogleg
                                               : RapidMode::straight;
   options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMostThreads));
-  options.progress = a.progress == "always"  ? ProgressMode::always
-                     : a.progress == "never" ? ProgressMode::never
-                                             : ProgressMode::automatic;
+  options.progress = understand_progress(a.progress);
   return options;
 }
 

@@ -9,6 +9,7 @@
 #include "cli/mesh_info_text.h"
 #include "cli/output_file.h"
 #include "cli/print_diagnostics.h"
+#include "cli/progress.h"
 #include "lib/base/exit_code.h"
 #include "lib/mesh/join_vertices.h"
 #include "lib/mesh/load_mesh.h"
@@ -28,11 +29,13 @@ OutputTable outputs_of(const MeshArguments& arguments) {
 
 // The repair asked for, kept to be written when it is an improvement. Returns the exit status if it failed.
 std::optional<int> repair(const MeshArguments& arguments, const IndexedMesh& mesh, MeshInfo& info,
-                          PendingOutputs& outputs, std::ostream& err) {
+                          PendingOutputs& outputs, Progress& progress, std::ostream& err) {
   RepairOptions options;
   options.fills_holes = arguments.fills_holes;
   options.unit = info.unit;
-  Result<MeshRepair> repaired = repair_mesh(mesh, info.judged, options);
+  progress.begin("repairing the mesh");
+  Result<MeshRepair> repaired = repair_mesh(mesh, info.judged, options, progress.call());
+  progress.end();
   if (!repaired) return fail(err, {repaired.error()}, kExitGouges);
   info.repair = std::move(*repaired);
   if (!info.repair->is_better()) return std::nullopt;
@@ -71,6 +74,11 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
   command.add_flag("--fill-holes", arguments.fills_holes, "Let the repair add triangles where surface is missing")
       ->needs(repair);
   command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")->type_name("FILE");
+  command.add_option("--threads", arguments.threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
+      ->capture_default_str();
+  command.add_option("--progress", arguments.progress, "Show progress on standard error")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
   add_input_limit(command, arguments.input);
   command.footer(
       "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair repaired.stl --fill-holes\n"
@@ -89,23 +97,30 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   if (arguments.repair_file == "-")
     return fail(err, {usage_error("--repair", "-", "a file; a mesh does not go to standard output")});
   if (const auto status = refuse_outputs({{"the mesh", arguments.file}}, outputs_of(arguments), err)) return *status;
+  Progress progress(err, understand_progress(arguments.progress));
+  progress.begin("reading " + arguments.file);
   Result<LoadedMesh> loaded = load_mesh(arguments.file, {info.unit, {}}, arguments.input.most_bytes);
+  progress.end();
   if (!loaded) return fail(err, {loaded.error()});
   info.file = arguments.file;
   info.format = loaded->format;
   info.notes = loaded->notes;
-  info.judged = validate_mesh(loaded->mesh, loaded->findings);
+  progress.begin("validating the mesh");
+  info.judged = validate_mesh(loaded->mesh, loaded->findings, progress.call());
   IndexedMesh mesh = std::move(loaded->mesh);
   if (*weld_mm > 0) {
+    progress.begin("joining vertices");
     Result<JoinedMesh> joined = join_near_vertices(mesh, *weld_mm);
+    progress.end();
     if (!joined) return fail(err, {joined.error()}, kExitUsage);
     info.weld = MeshWeld{*weld_mm, joined->vertices_joined, joined->largest_shift_mm, joined->triangles_collapsed,
-                         validate_mesh(joined->mesh, joined->findings)};
+                         validate_mesh(joined->mesh, joined->findings, progress.call())};
     mesh = std::move(joined->mesh);
   }
+  progress.end();
   std::optional<int> failed;
   PendingOutputs outputs;
-  if (!arguments.repair_file.empty()) failed = repair(arguments, mesh, info, outputs, err);
+  if (!arguments.repair_file.empty()) failed = repair(arguments, mesh, info, outputs, progress, err);
   if (failed == kExitInternal || !deliver(arguments, info, outputs, out, err)) return kExitInternal;
   if (failed) return *failed;
   return status_of(info.written_file.empty() ? info.judged : info.repair->after);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <iosfwd>
 #include <string>
 
@@ -19,6 +20,8 @@ struct MeshArguments {
   std::string repair_file;  ///< empty: no repair
   bool fills_holes = false;
   std::string json_file;  ///< "-" writes to standard output alone
+  std::string progress = "auto";
+  std::uint64_t threads = 0;  ///< 0: all
 };
 
 void add_mesh_options(CLI::App& command, MeshArguments& arguments);

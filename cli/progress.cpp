@@ -20,6 +20,10 @@ constexpr double kLeastElapsed_s = 1;  // before it a time left would be a guess
 
 }  // namespace
 
+ProgressMode understand_progress(std::string_view word) {
+  return word == "always" ? ProgressMode::always : word == "never" ? ProgressMode::never : ProgressMode::automatic;
+}
+
 std::string duration_text(double seconds) {
   if (seconds < 90) return fixed_text(std::ceil(seconds), 0) + " s";
   if (seconds < 90 * 60) return fixed_text(std::ceil(seconds / 60), 0) + " min";

@@ -50,8 +50,10 @@ void describe(CLI::App& app) {
 
 /// What --threads asks for, for everything the command does. False where that is more than can be.
 bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& err) {
-  if (!app.got_subcommand("check") && !app.got_subcommand("correct")) return true;
-  const std::uint64_t threads = app.got_subcommand("check") ? arguments.check.threads : arguments.correct.job.threads;
+  std::uint64_t threads = 0;
+  if (app.got_subcommand("check")) threads = arguments.check.threads;
+  if (app.got_subcommand("correct")) threads = arguments.correct.job.threads;
+  if (app.got_subcommand("mesh")) threads = arguments.mesh.threads;
   if (threads > kMostThreads) {
     print(err, {make_error("too-many-threads", "--threads '" + std::to_string(threads) + "': expected at most " +
                                                    std::to_string(kMostThreads) + ", or 0 for all the machine has")});

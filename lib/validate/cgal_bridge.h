@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstdint>
+#include <utility>
+#include <vector>
+
 #include "lib/base/result.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/validate/repair_mesh.h"
@@ -10,8 +14,18 @@
 
 namespace gouge::detail {
 
-/// Exact, whatever the mesh.
-[[nodiscard]] Result<SelfIntersections> find_self_intersections(const IndexedMesh& mesh);
+/// Of `triangles` those whose corners lie on one line. Exact.
+[[nodiscard]] Result<std::vector<std::uint32_t>> without_area(const IndexedMesh& mesh,
+                                                              const std::vector<std::uint32_t>& triangles);
+
+using TrianglePair = std::pair<std::uint32_t, std::uint32_t>;  ///< the lower triangle first
+
+/// Of `pairs` those that have more in common than their shared corners. Exact. Requires triangles with area.
+[[nodiscard]] Result<std::vector<TrianglePair>> crossing_pairs(const IndexedMesh& mesh,
+                                                               const std::vector<TrianglePair>& pairs);
+
+/// A point that two crossing triangles share, to rounding.
+[[nodiscard]] Result<Vec3> meeting_point(const IndexedMesh& mesh, const TrianglePair& pair);
 
 struct VolumeFacts {
   bool bounds_volume = false;

@@ -16,9 +16,11 @@
 #include <CGAL/boost/graph/copy_face_graph.h>
 
 #include <algorithm>
+#include <array>
 #include <exception>
 #include <iterator>
 #include <new>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,7 +35,7 @@ namespace pmp = CGAL::Polygon_mesh_processing;
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using SurfaceMesh = CGAL::Surface_mesh<Point>;
-using Polygon = std::vector<std::size_t>;
+using Polygon = std::array<std::size_t, 3>;
 
 // Below this many border edges a hole may fall back to CGAL's cubic search; above it that would take minutes.
 constexpr std::size_t kLongestCubicHole = 300;
@@ -61,15 +63,26 @@ class QuietCgal {
 
 Vec3 to_vec(const Point& p) { return {p.x(), p.y(), p.z()}; }
 
-SurfaceMesh to_surface_mesh(const std::vector<Point>& points, const std::vector<Polygon>& polygons) {
-  SurfaceMesh surface;
-  pmp::polygon_soup_to_polygon_mesh(points, polygons, surface);
-  return surface;
-}
-
 void to_soup(const IndexedMesh& mesh, std::vector<Point>& points, std::vector<Polygon>& polygons) {
+  points.reserve(mesh.vertices.size());
+  polygons.reserve(mesh.triangles.size());
   for (const Vec3& v : mesh.vertices) points.emplace_back(v.x(), v.y(), v.z());
   for (const TriangleCorners& t : mesh.triangles) polygons.push_back({t[0], t[1], t[2]});
+}
+
+// Nothing where the triangles do not form a manifold surface.
+std::optional<SurfaceMesh> to_surface_mesh(const IndexedMesh& mesh) {
+  SurfaceMesh surface;
+  const auto counted = [](std::size_t count) { return static_cast<SurfaceMesh::size_type>(count); };
+  surface.reserve(counted(mesh.vertices.size()), counted(3 * mesh.triangles.size() / 2),
+                  counted(mesh.triangles.size()));
+  for (const Vec3& v : mesh.vertices) surface.add_vertex({v.x(), v.y(), v.z()});
+  for (const TriangleCorners& t : mesh.triangles) {
+    const std::array<SurfaceMesh::Vertex_index, 3> corners{
+        SurfaceMesh::Vertex_index(t[0]), SurfaceMesh::Vertex_index(t[1]), SurfaceMesh::Vertex_index(t[2])};
+    if (CGAL::Euler::add_face(corners, surface) == SurfaceMesh::null_face()) return std::nullopt;
+  }
+  return surface;
 }
 
 IndexedMesh to_indexed_mesh(SurfaceMesh& surface, const std::string& name) {
@@ -235,13 +248,9 @@ Outcome run_guarded(const std::string& task, const std::function<void()>& work) 
 
 Result<VolumeFacts> find_volume_facts(const IndexedMesh& mesh) {
   return guarded<VolumeFacts>("find what they bound", [&]() -> Result<VolumeFacts> {
-    std::vector<Point> points;
-    std::vector<Polygon> polygons;
-    to_soup(mesh, points, polygons);
-    if (!pmp::is_polygon_soup_a_polygon_mesh(polygons)) {
-      return make_error("cgal-failed", "the triangles do not form a manifold surface");
-    }
-    SurfaceMesh surface = to_surface_mesh(points, polygons);
+    std::optional<SurfaceMesh> made = to_surface_mesh(mesh);
+    if (!made) return make_error("cgal-failed", "the triangles do not form a manifold surface");
+    SurfaceMesh& surface = *made;
     remove_faces_without_area(surface);  // they bound nothing, and CGAL cannot tell which way they face
     if (surface.number_of_faces() == 0 || !CGAL::is_closed(surface))
       return make_error("cgal-failed", "the surface is not closed");
@@ -263,7 +272,10 @@ Result<CgalRepair> repair_with_cgal(const IndexedMesh& mesh, bool fills_holes) {
     const std::size_t points_before = points.size();
     pmp::orient_polygon_soup(points, polygons);
     steps.vertices_split = points.size() - points_before;
-    SurfaceMesh surface = to_surface_mesh(points, polygons);
+    SurfaceMesh surface;
+    pmp::polygon_soup_to_polygon_mesh(points, polygons, surface);
+    points = {};
+    polygons = {};
     steps.borders_stitched = pmp::stitch_borders(surface);
     steps.collinear_removed = remove_faces_without_area(surface);
     steps.vertices_split += pmp::duplicate_non_manifold_vertices(surface);

@@ -1,5 +1,4 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/box_intersection_d.h>
 
 #include <algorithm>
 #include <optional>
@@ -16,19 +15,17 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using Segment = Kernel::Segment_3;
 using Triangle = Kernel::Triangle_3;
-using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::uint32_t>;
+
+Point to_point(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
 // Decides whether two triangles of a mesh have more in common than their shared corners.
 class TrianglePairs {
  public:
-  explicit TrianglePairs(const IndexedMesh& mesh) : mesh_(mesh) {
-    points_.reserve(mesh.vertices.size());
-    for (const Vec3& v : mesh.vertices) points_.emplace_back(v.x(), v.y(), v.z());
+  explicit TrianglePairs(const IndexedMesh& mesh) : mesh_(mesh) {}
+
+  [[nodiscard]] bool has_area(std::uint32_t t) const {
+    return !CGAL::collinear(corner(t, 0), corner(t, 1), corner(t, 2));
   }
-
-  [[nodiscard]] bool has_area(std::uint32_t t) const { return !CGAL::collinear(point(t, 0), point(t, 1), point(t, 2)); }
-
-  [[nodiscard]] CGAL::Bbox_3 box(std::uint32_t t) const { return triangle(t).bbox(); }
 
   [[nodiscard]] bool do_cross(std::uint32_t t, std::uint32_t u) const {
     const TriangleCorners a = shared_first(t, u);
@@ -40,10 +37,8 @@ class TrianglePairs {
         return CGAL::do_intersect(segment(a[1], a[2]), triangle(u)) ||
                CGAL::do_intersect(segment(b[1], b[2]), triangle(t));
       case 2: {  // folded onto each other
-        const Point& p = points_[a[0]];
-        const Point& q = points_[a[1]];
-        return CGAL::coplanar(p, q, points_[a[2]], points_[b[2]]) &&
-               CGAL::coplanar_orientation(p, q, points_[a[2]], points_[b[2]]) == CGAL::POSITIVE;
+        const Point p = point(a[0]), q = point(a[1]), r = point(a[2]), s = point(b[2]);
+        return CGAL::coplanar(p, q, r, s) && CGAL::coplanar_orientation(p, q, r, s) == CGAL::POSITIVE;
       }
       default:
         return false;
@@ -70,9 +65,10 @@ class TrianglePairs {
   }
 
  private:
-  [[nodiscard]] const Point& point(std::uint32_t t, std::size_t k) const { return points_[mesh_.triangles[t][k]]; }
-  [[nodiscard]] Triangle triangle(std::uint32_t t) const { return {point(t, 0), point(t, 1), point(t, 2)}; }
-  [[nodiscard]] Segment segment(Corner from, Corner to) const { return {points_[from], points_[to]}; }
+  [[nodiscard]] Point point(Corner c) const { return to_point(mesh_.vertices[c]); }
+  [[nodiscard]] Point corner(std::uint32_t t, std::size_t k) const { return to_point(mesh_.corner(t, k)); }
+  [[nodiscard]] Triangle triangle(std::uint32_t t) const { return {corner(t, 0), corner(t, 1), corner(t, 2)}; }
+  [[nodiscard]] Segment segment(Corner from, Corner to) const { return {point(from), point(to)}; }
 
   [[nodiscard]] Box3 mesh_box(std::uint32_t t) const {
     Box3 box(mesh_.corner(t, 0));
@@ -109,53 +105,36 @@ class TrianglePairs {
   }
 
   const IndexedMesh& mesh_;
-  std::vector<Point> points_;
 };
 
-// One triangle for each set of corners: the copies of a duplicated triangle say nothing new.
-std::vector<std::uint32_t> distinct_triangles(const IndexedMesh& mesh) {
-  std::vector<std::pair<TriangleCorners, std::uint32_t>> sorted;
-  sorted.reserve(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) {
-    TriangleCorners corners = mesh.triangles[t];
-    std::sort(corners.begin(), corners.end());
-    sorted.emplace_back(corners, t);
-  }
-  std::sort(sorted.begin(), sorted.end());
-  const auto last =
-      std::unique(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) { return a.first == b.first; });
-  std::vector<std::uint32_t> distinct;
-  for (auto it = sorted.begin(); it != last; ++it) distinct.push_back(it->second);
-  std::sort(distinct.begin(), distinct.end());
-  return distinct;
-}
+constexpr const char* kTask = "find self-intersections";
 
 }  // namespace
 
-Result<SelfIntersections> find_self_intersections(const IndexedMesh& mesh) {
-  return guarded<SelfIntersections>("find self-intersections", [&] {
+Result<std::vector<std::uint32_t>> without_area(const IndexedMesh& mesh, const std::vector<std::uint32_t>& triangles) {
+  return guarded<std::vector<std::uint32_t>>(kTask, [&] {
     const TrianglePairs pairs(mesh);
-    std::vector<Box> boxes;
-    for (const std::uint32_t t : distinct_triangles(mesh)) {
-      if (pairs.has_area(t)) boxes.emplace_back(pairs.box(t), t);
-    }
-    std::vector<const Box*> pointers;
-    for (const Box& box : boxes) pointers.push_back(&box);
-    SelfIntersections found;
-    std::pair<std::uint32_t, std::uint32_t> first;
-    const auto test = [&](const Box* one, const Box* other) {
-      const std::pair<std::uint32_t, std::uint32_t> pair = std::minmax({one->info(), other->info()});
-      if (!pairs.do_cross(pair.first, pair.second)) return;
-      if (found.pairs++ == 0 || pair < first) first = pair;
-    };
-    CGAL::box_self_intersection_d(pointers.begin(), pointers.end(), test);
-    if (found.pairs > 0) {
-      found.first_triangle = mesh.file_triangle[first.first];
-      found.second_triangle = mesh.file_triangle[first.second];
-      found.position_mm = pairs.meeting_point(first.first, first.second);
+    std::vector<std::uint32_t> found;
+    for (const std::uint32_t t : triangles) {
+      if (!pairs.has_area(t)) found.push_back(t);
     }
     return found;
   });
+}
+
+Result<std::vector<TrianglePair>> crossing_pairs(const IndexedMesh& mesh, const std::vector<TrianglePair>& pairs) {
+  return guarded<std::vector<TrianglePair>>(kTask, [&] {
+    const TrianglePairs exact(mesh);
+    std::vector<TrianglePair> found;
+    for (const TrianglePair& pair : pairs) {
+      if (exact.do_cross(pair.first, pair.second)) found.push_back(pair);
+    }
+    return found;
+  });
+}
+
+Result<Vec3> meeting_point(const IndexedMesh& mesh, const TrianglePair& pair) {
+  return guarded<Vec3>(kTask, [&] { return TrianglePairs(mesh).meeting_point(pair.first, pair.second); });
 }
 
 }  // namespace gouge::detail

@@ -29,6 +29,7 @@ Coordinates oriented(const IndexedMesh& mesh, const TriangleCorners& corners) {
 
 // Triangles of `after` that `before` has only the other way round.
 std::size_t count_turned(const IndexedMesh& before, const IndexedMesh& after) {
+  if (before.triangles == after.triangles && before.vertices == after.vertices) return 0;
   std::vector<Coordinates> known;
   known.reserve(before.triangles.size());
   for (const TriangleCorners& t : before.triangles) known.push_back(oriented(before, t));
@@ -43,21 +44,27 @@ std::size_t count_turned(const IndexedMesh& before, const IndexedMesh& after) {
 
 }  // namespace
 
-Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& before, const RepairOptions& options) {
-  Result<detail::CgalRepair> repaired = detail::repair_with_cgal(mesh, options.fills_holes);
-  if (!repaired) {
-    return make_error("mesh-repair-failed", "the mesh could not be repaired: " + repaired.error().message, mesh.name);
-  }
+Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& before, const RepairOptions& options,
+                               const ProgressCall& progress) {
   MeshRepair repair;
   repair.before = before;
-  repair.steps = repaired->steps;
+  // In a sound mesh CGAL finds nothing to do but triangles without area.
+  if (before.is_sound() && !before.has_triangles_without_area) {
+    repair.stl_bytes = binary_stl_bytes(mesh, options.unit);
+  } else {
+    const Result<detail::CgalRepair> repaired = detail::repair_with_cgal(mesh, options.fills_holes);
+    if (!repaired) {
+      return make_error("mesh-repair-failed", "the mesh could not be repaired: " + repaired.error().message, mesh.name);
+    }
+    repair.steps = repaired->steps;
+    repair.stl_bytes = binary_stl_bytes(repaired->mesh, options.unit);
+  }
   repair.steps.degenerate_removed = before.findings.degenerate_triangles.count;
-  repair.stl_bytes = binary_stl_bytes(repaired->mesh, options.unit);
   Result<LoadedMesh> loaded = load_mesh_bytes(repair.stl_bytes, mesh.name, {options.unit, {}});
   if (!loaded) {
     return make_error("mesh-repair-failed", "nothing is left of the mesh after the repair", mesh.name);
   }
-  repair.after = validate_mesh(loaded->mesh, loaded->findings);
+  repair.after = validate_mesh(loaded->mesh, loaded->findings, progress);
   repair.mesh = std::move(loaded->mesh);
   repair.steps.triangles_turned = count_turned(mesh, repair.mesh);
   return repair;

@@ -48,6 +48,6 @@ struct MeshRepair {
 /// Requires a mesh in the frame of its file (no placement), and its validation.
 /// Errors   mesh-repair-failed: CGAL gave up; the message has its reason.
 [[nodiscard]] Result<MeshRepair> repair_mesh(const IndexedMesh& mesh, const MeshValidation& before,
-                                             const RepairOptions& options);
+                                             const RepairOptions& options, const ProgressCall& progress = {});
 
 }  // namespace gouge

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lib/base/parallel.h"
+#include "lib/base/result.h"
+#include "lib/mesh/indexed_mesh.h"
+#include "lib/validate/validate_mesh.h"
+
+// Exact answers at the price of double precision: what the filters of triangle_filter.h cannot prove, and only that, is
+// asked of CGAL (docs/algorithms/self_intersections.md).
+
+namespace gouge::detail {
+
+/// Triangles whose corners lie on one line, in increasing order. Exact. Errors: cgal-failed.
+[[nodiscard]] Result<std::vector<std::uint32_t>> find_triangles_without_area(const IndexedMesh& mesh);
+
+/// Pairs of triangles that have more in common than their shared corners, but for triangles without area and copies of
+/// earlier ones (the same corners in any order). Exact; the same result at any number of threads.
+///
+/// Requires find_triangles_without_area(mesh), and whether any triangle is a copy. Calls progress from this thread.
+/// Cost     O(n log n) for the surfaces of parts; 80 bytes a triangle.
+/// Errors   cgal-failed.
+[[nodiscard]] Result<SelfIntersections> find_self_intersections(const IndexedMesh& mesh,
+                                                                const std::vector<std::uint32_t>& without_area,
+                                                                bool has_copies, const ProgressCall& progress = {});
+
+}  // namespace gouge::detail

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+
+#include "lib/geom/vec.h"
+
+// What double precision can prove of triangles. Each answer "true" is proved, whatever rounding did
+// (docs/algorithms/self_intersections.md, section 3); "false" says nothing, and exact arithmetic must decide. Lengths of
+// one unit and frame, each coordinate finite and at most 1e30. Cost: some 20 to 300 operations.
+
+namespace gouge::detail {
+
+/// The corners do not lie on one line.
+[[nodiscard]] bool surely_has_area(const std::array<Vec3, 3>& t);
+
+/// The triangles share no point. Corners in any order.
+[[nodiscard]] bool are_surely_apart(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
+
+/// The triangles share no point but their first corner, which is the same. Both must have area.
+[[nodiscard]] bool share_surely_one_corner(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
+
+/// The triangles share no point but the side between their first two corners, which are the same in this order. Both
+/// must have area.
+[[nodiscard]] bool share_surely_one_side(const std::array<Vec3, 3>& t, const std::array<Vec3, 3>& u);
+
+enum class RayMeeting { none, once, unknown };
+
+/// Whether the ray from p on along a coordinate axis (0 to 2), to infinity, meets the triangle. `none` and `once`, through
+/// its inside, are proved.
+[[nodiscard]] RayMeeting meet_ray(const std::array<Vec3, 3>& t, const Vec3& p, int axis);
+
+}  // namespace gouge::detail
