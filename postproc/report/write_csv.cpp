@@ -70,9 +70,7 @@ class Row {
     out_ += '"';
   }
   // A bound that was never reached is no number, and a row has no word for it.
-  void number(double value) {
-    std::isfinite(value) ? word(exact_text(value)) : word({});
-  }
+  void number(double value) { std::isfinite(value) ? word(exact_text(value)) : word({}); }
   void count(std::size_t value) {
     std::array<char, 24> digits{};
     const char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;

@@ -122,12 +122,13 @@ TEST(ReportPictures, AreTheOnesGuaranteedAndTheSameOnEveryRun) {
 TEST(ReportPictures, TellHowManyOfThemAreDone) {
   const SmallScene small;
   std::vector<std::size_t> told;
-  const auto listen = [&](std::size_t done, std::size_t total) {
+  const auto listen = [&](std::string_view stage, std::size_t done, std::size_t total) {
+    EXPECT_EQ(stage, "drawing pictures");
     told.push_back(done);
     EXPECT_EQ(total, 3U);
   };
   ASSERT_TRUE(draw_report_pictures(small.model, small.input, {}, listen));
-  EXPECT_EQ(told, (std::vector<std::size_t>{1, 2, 3}));
+  EXPECT_EQ(told, (std::vector<std::size_t>{0, 1, 2, 3}));
 }
 
 TEST(GougeWitnesses, AreSeenFromWhereTheToolComesFromAndNotThroughThePart) {
