@@ -68,8 +68,7 @@ void add_check_options(CLI::App& command, JobArguments& a) {
   command.add_option("--rapid", a.rapid, "How rapid moves run")
       ->check(CLI::IsMember({"straight", "dogleg", "skip"}))
       ->capture_default_str();
-  command.add_option("--threads", a.threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
-      ->capture_default_str();
+  add_threads_option(command, a.threads);
 }
 
 void add_output_options(CLI::App& command, JobArguments& a) {
@@ -84,13 +83,22 @@ void add_output_options(CLI::App& command, JobArguments& a) {
       ->type_name("FILE");
   command.add_option("--sarif", a.sarif_file, "Write SARIF 2.1.0 for code review tools")->type_name("FILE");
   command.add_option("--junit", a.junit_file, "Write JUnit XML for build servers")->type_name("FILE");
-  command.add_option("--progress", a.progress, "Show progress on standard error")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+  add_progress_option(command, a.progress);
   add_verbosity(command, a, "Print notes of all inputs, what the check spent and its peak memory (not with -q)");
 }
 
 }  // namespace
+
+void add_threads_option(CLI::App& command, std::uint32_t& threads) {
+  command.add_option("--threads", threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
+      ->capture_default_str();
+}
+
+void add_progress_option(CLI::App& command, std::string& progress) {
+  command.add_option("--progress", progress, "Show progress on standard error")
+      ->check(CLI::IsMember({"auto", "always", "never"}))
+      ->capture_default_str();
+}
 
 void add_job_options(CLI::App& command, JobArguments& arguments) {
   add_input_options(command, arguments);

@@ -46,6 +46,9 @@ struct JobOptions {
 };
 
 void add_job_options(CLI::App& command, JobArguments& arguments);
+/// --threads and --progress, as every command has them that may take long.
+void add_threads_option(CLI::App& command, std::uint32_t& threads);
+void add_progress_option(CLI::App& command, std::string& progress);
 
 /// Errors (code usage): names the option, what was typed and what was expected.
 [[nodiscard]] Result<JobOptions> understand(const JobArguments& arguments);

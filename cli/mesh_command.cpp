@@ -5,6 +5,7 @@
 #include <ostream>
 #include <utility>
 
+#include "cli/job_options.h"
 #include "cli/length_text.h"
 #include "cli/mesh_info_text.h"
 #include "cli/output_file.h"
@@ -74,11 +75,8 @@ void add_mesh_options(CLI::App& command, MeshArguments& arguments) {
   command.add_flag("--fill-holes", arguments.fills_holes, "Let the repair add triangles where surface is missing")
       ->needs(repair);
   command.add_option("--json", arguments.json_file, "Write the same as JSON; - for standard output")->type_name("FILE");
-  command.add_option("--threads", arguments.threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
-      ->capture_default_str();
-  command.add_option("--progress", arguments.progress, "Show progress on standard error")
-      ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+  add_threads_option(command, arguments.threads);
+  add_progress_option(command, arguments.progress);
   add_input_limit(command, arguments.input);
   command.footer(
       "Examples:\n  gougecheck mesh part.stl\n  gougecheck mesh part.stl --repair repaired.stl --fill-holes\n"

@@ -21,7 +21,7 @@ struct MeshArguments {
   bool fills_holes = false;
   std::string json_file;  ///< "-" writes to standard output alone
   std::string progress = "auto";
-  std::uint64_t threads = 0;  ///< 0: all
+  std::uint32_t threads = 0;  ///< 0: all
 };
 
 void add_mesh_options(CLI::App& command, MeshArguments& arguments);

@@ -69,12 +69,13 @@ Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, cons
   }
   for (const Output& output : outputs_) {
     if (output.write == nullptr) continue;
-    progress.begin("writing " + output.file);
+    progress.begin(output.file == "-" ? "writing" : "writing " + output.file);
     if (Outcome added = pending.add(output.file, output.write(model)); !added) return added;
   }
   if (report_) {
     if (Outcome put = report_->commit(); !put) return put;
   }
+  progress.end();  // what goes to standard output may share the terminal with it
   return pending.commit(out);
 }
 

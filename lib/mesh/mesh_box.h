@@ -13,4 +13,11 @@ namespace gouge {
   return all;
 }
 
+[[nodiscard]] inline Box3 box_of(const IndexedMesh& mesh, std::size_t triangle) {
+  Box3 box(mesh.corner(triangle, 0));
+  box.extend(mesh.corner(triangle, 1));
+  box.extend(mesh.corner(triangle, 2));
+  return box;
+}
+
 }  // namespace gouge

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <vector>
 
 #include "lib/mesh/opposite_half_edges.h"
@@ -89,12 +88,6 @@ class Nesting {
 
  private:
   static constexpr std::size_t kMostCorners = 12;
-
-  static std::vector<std::uint32_t> all_triangles(const IndexedMesh& mesh) {
-    std::vector<std::uint32_t> all(mesh.triangles.size());
-    std::iota(all.begin(), all.end(), 0U);
-    return all;
-  }
 
   /// A point lies in those that a ray from it crosses an odd number of times.
   std::optional<std::size_t> count(std::uint32_t piece, const Vec3& point, int axis) {

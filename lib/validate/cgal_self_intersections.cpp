@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/mesh/mesh_box.h"
 #include "lib/validate/cgal_bridge.h"
 #include "lib/validate/cgal_guard.h"
 
@@ -60,7 +61,7 @@ class TrianglePairs {
         if (const auto place = through_plane(mesh_.vertices[from], mesh_.vertices[to], other)) return *place;
       }
     }
-    Box3 common = mesh_box(t).intersection(mesh_box(u));
+    Box3 common = box_of(mesh_, t).intersection(box_of(mesh_, u));
     return common.center();
   }
 
@@ -69,13 +70,6 @@ class TrianglePairs {
   [[nodiscard]] Point corner(std::uint32_t t, std::size_t k) const { return to_point(mesh_.corner(t, k)); }
   [[nodiscard]] Triangle triangle(std::uint32_t t) const { return {corner(t, 0), corner(t, 1), corner(t, 2)}; }
   [[nodiscard]] Segment segment(Corner from, Corner to) const { return {point(from), point(to)}; }
-
-  [[nodiscard]] Box3 mesh_box(std::uint32_t t) const {
-    Box3 box(mesh_.corner(t, 0));
-    box.extend(mesh_.corner(t, 1));
-    box.extend(mesh_.corner(t, 2));
-    return box;
-  }
 
   [[nodiscard]] bool is_corner(Corner c, std::uint32_t t) const {
     const TriangleCorners& corners = mesh_.triangles[t];

@@ -1,9 +1,11 @@
 #include "lib/validate/near_triangles.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "lib/base/large_pages.h"
 #include "lib/base/parallel.h"
+#include "lib/mesh/mesh_box.h"
 
 namespace gouge::detail {
 namespace {
@@ -11,14 +13,13 @@ namespace {
 constexpr std::size_t kPartLeaves = 64;
 constexpr std::size_t kSortedWhole = 4096;  // leaves
 
-Box3 box_of(const IndexedMesh& mesh, std::uint32_t t) {
-  Box3 box(mesh.corner(t, 0));
-  box.extend(mesh.corner(t, 1));
-  box.extend(mesh.corner(t, 2));
-  return box;
-}
-
 }  // namespace
+
+std::vector<std::uint32_t> all_triangles(const IndexedMesh& mesh) {
+  std::vector<std::uint32_t> all(mesh.triangles.size());
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}
 
 NearTriangles::NearTriangles(const IndexedMesh& mesh, const std::vector<std::uint32_t>& triangles) {
   if (triangles.empty()) return;

@@ -9,6 +9,8 @@
 
 namespace gouge::detail {
 
+[[nodiscard]] std::vector<std::uint32_t> all_triangles(const IndexedMesh& mesh);
+
 /// Which triangles of a mesh have boxes that meet: a binary tree of boxes, eight triangles a leaf, walked against
 /// itself. Boxes are exact, so that a far corner does not make near triangles meet.
 class NearTriangles {

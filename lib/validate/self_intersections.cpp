@@ -71,12 +71,6 @@ std::vector<std::uint32_t> originals(const IndexedMesh& mesh) {
   return first;
 }
 
-std::vector<std::uint32_t> all_triangles(const IndexedMesh& mesh) {
-  std::vector<std::uint32_t> all(mesh.triangles.size());
-  for (std::uint32_t t = 0; t < all.size(); ++t) all[t] = t;
-  return all;
-}
-
 std::vector<std::uint32_t> without(const std::vector<std::uint32_t>& all, const std::vector<std::uint32_t>& some) {
   std::vector<std::uint32_t> left;
   left.reserve(all.size());

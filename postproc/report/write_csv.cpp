@@ -33,8 +33,8 @@ bool may_be_formula(std::string_view text) {
 }
 
 // Text from a file, which somebody else may have written for the spreadsheet that opens ours: an apostrophe in front of
-// what may be a formula, also behind the separators of other locales: there a row
-// is split at semicolons, tabs and line ends without regard to quotes that begin within it.
+// what may be a formula, also behind the separators of other locales, where a row is split at semicolons, tabs and line
+// ends without regard to quotes that begin within it.
 std::string without_formula(std::string_view text) {
   if (text.empty() || parse_number(text)) return std::string(text);
   std::string out;
