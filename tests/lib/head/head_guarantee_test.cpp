@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <numbers>
@@ -12,17 +13,23 @@
 
 // The bounds of heads against dense sampling, where they are hardest: fast turns with long arms, arcs whose
 // axis turns, faces that slide along faces, thin bodies, slots with walls in them, solids within cavities,
-// far from the origin. GOUGE_HEAD_MOTIONS sets how many motions each case gets (short by default).
+// far from the origin. GOUGE_HEAD_MOTIONS sets how many motions each case gets (short by default), GOUGE_HEAD_SAMPLES
+// at how many points of the part each is sampled, GOUGE_HEAD_CELLS how many cells its search gets.
 
 namespace gouge {
 namespace {
 
 using test::Scatter;
 
-int motions() {
-  const char* given = std::getenv("GOUGE_HEAD_MOTIONS");
-  return given == nullptr ? 12 : std::atoi(given);
+constexpr int kClimb = 100;  // steps
+
+int number_from(const char* variable, int otherwise) {
+  const char* given = std::getenv(variable);
+  return given == nullptr ? otherwise : std::atoi(given);
 }
+
+int motions() { return number_from("GOUGE_HEAD_MOTIONS", 12); }
+int samples() { return number_from("GOUGE_HEAD_SAMPLES", 400); }
 
 struct Tally {
   int deep = 0, clean = 0, tight = 0, all = 0;
@@ -30,26 +37,47 @@ struct Tally {
 
 using MakeMotion = std::function<Motion(Scatter&)>;
 
-/// Samples surface points, also those next to where the head was found deepest, over many instants.
+/// Samples surface points, also those next to where the head was found deepest, over many instants; from the deepest
+/// sample on it goes by random steps that lead deeper.
 double sampled_depth(const HeadMotion& moving, const HeadBody& head, const IndexedMesh& part,
                      const HeadResult& reported, Scatter& random) {
-  double deepest = 0;
-  for (int i = 0; i < 400; ++i) {
-    const std::size_t t = reported.has_witness && i % 2 == 0 ? reported.triangle : random.below(part.triangles.size());
-    double u = random.in(0, 1), v = random.in(0, 1);
-    if (u + v > 1) {
-      u = 1 - u;
-      v = 1 - v;
+  struct Sample {
+    std::size_t triangle = 0;
+    double u = 0, v = 0, t = 0, depth_mm = 0;
+  } deepest;
+  const auto offer = [&](Sample sample) {
+    const Vec3& a = part.corner(sample.triangle, 0);
+    const Vec3 p =
+        a + sample.u * (part.corner(sample.triangle, 1) - a) + sample.v * (part.corner(sample.triangle, 2) - a);
+    sample.depth_mm = -head.surface.closest_point(moving.at(sample.t).inverse().point(p))->signed_mm();
+    const bool is_deeper = sample.depth_mm > deepest.depth_mm;
+    if (is_deeper) deepest = sample;
+    return is_deeper;
+  };
+  for (int i = 0; i < samples(); ++i) {
+    Sample sample;
+    sample.triangle = reported.has_witness && i % 2 == 0 ? reported.triangle : random.below(part.triangles.size());
+    sample.u = random.in(0, 1);
+    sample.v = random.in(0, 1);
+    if (sample.u + sample.v > 1) {
+      sample.u = 1 - sample.u;
+      sample.v = 1 - sample.v;
     }
-    if (i % 7 == 0) v = 0;
-    const Vec3& a = part.corner(t, 0);
-    const Vec3 p = a + u * (part.corner(t, 1) - a) + v * (part.corner(t, 2) - a);
+    if (i % 7 == 0) sample.v = 0;
     for (int s = 0; s <= 64; ++s) {
-      const double at = i % 3 == 0 ? random.in(0, 1) : s / 64.0;
-      deepest = std::max(deepest, -head.surface.closest_point(moving.at(at).inverse().point(p))->signed_mm());
+      sample.t = i % 3 == 0 ? random.in(0, 1) : s / 64.0;
+      offer(sample);
     }
   }
-  return deepest;
+  double step = 0.1;
+  for (int i = 0; i < kClimb && deepest.depth_mm > 0; ++i) {
+    Sample next = deepest;
+    next.u = std::clamp(next.u + step * random.in(-1, 1), 0.0, 1.0);
+    next.v = std::clamp(next.v + step * random.in(-1, 1), 0.0, 1 - next.u);
+    next.t = std::clamp(next.t + 0.2 * step * random.in(-1, 1), 0.0, 1.0);
+    if (!offer(next)) step *= 0.9;
+  }
+  return deepest.depth_mm;
 }
 
 Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const MakeMotion& make,
@@ -82,7 +110,8 @@ Tally expect_bounds(const IndexedMesh& head_mesh, const IndexedMesh& part, const
   return tally;
 }
 
-constexpr SearchGoal kGoal{0.01, 0.01, 0.01, 20000};
+const auto kCells = static_cast<std::size_t>(number_from("GOUGE_HEAD_CELLS", 20000));
+const SearchGoal kGoal{0.01, 0.01, 0.01, kCells};
 
 TEST(HeadGuarantee, HoldsForFastTurnsWithLongArms) {
   // The head is 300 mm from the tip, so that a degree of turn is 5 mm of way.
@@ -185,7 +214,7 @@ TEST(HeadGuarantee, HoldsForAThinPlateAndForCavities) {
     return Motion({25 * random.point(1), random.direction()}, {25 * random.point(1), random.direction()});
   };
   expect_bounds(shapes::box(Vec3(-30, -20, 10), Vec3(30, 20, 10.02)), shapes::bumpy_sphere(), make,
-                {1e-3, 1e-3, 1e-3, 8000}, 5);
+                {1e-3, 1e-3, 1e-3, std::min(kCells, std::size_t{8000})}, 5);
   expect_bounds(shapes::hollow_cube(30), shapes::cube(12), make, kGoal, 6);
   expect_bounds(shapes::needle_fan(60), shapes::hollow_cube(20), make, kGoal, 7);
 }
@@ -198,7 +227,7 @@ TEST(HeadGuarantee, HoldsFarFromTheOrigin) {
         return Motion({far + 30 * random.point(1), random.direction()},
                       {far + 30 * random.point(1), random.direction()});
       },
-      {1e-4, 1e-4, 1e-4, 20000}, 8);
+      {1e-4, 1e-4, 1e-4, kCells}, 8);
 }
 
 TEST(HeadGuarantee, NeverCallsAHeadWithinASolidCleanThatTouchesNothing) {
