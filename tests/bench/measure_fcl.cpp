@@ -1,8 +1,6 @@
-#include <fcl/fcl.h>
-
 #include <memory>
-#include <vector>
 
+#include "tests/bench/fcl_model.h"
 #include "tests/bench/peer_support.h"
 
 // FCL: trees of oriented boxes on both sides, the tool tessellated to 0.01 mm, which of FCL's forms grows
@@ -15,33 +13,13 @@ namespace {
 constexpr double kChord_mm = 0.01;
 constexpr int kSteps = 10;
 
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
-
-std::shared_ptr<Model> make_model(const IndexedMesh& mesh) {
-  std::vector<fcl::Triangle> triangles;
-  for (const TriangleCorners& t : mesh.triangles) triangles.emplace_back(t[0], t[1], t[2]);
-  auto model = std::make_shared<Model>();
-  model->beginModel(static_cast<int>(triangles.size()), static_cast<int>(mesh.vertices.size()));
-  model->addSubModel(mesh.vertices, triangles);
-  model->endModel();
-  return model;
-}
-
-fcl::Transform3d transform_of(const Pose& pose, const Pose& like) {
-  // Turned from one fixed frame, so that the way between two poses has no spin about the tool's axis.
-  fcl::Transform3d t = fcl::Transform3d::Identity();
-  t.linear() = Eigen::Quaterniond::FromTwoVectors(like.axis, pose.axis).toRotationMatrix() * rotation_of(like.axis);
-  t.translation() = pose.tip;
-  return t;
-}
-
 struct FclScene {
-  std::shared_ptr<Model> part, tool;
+  std::shared_ptr<FclModel> part, tool;
 
   [[nodiscard]] bool is_hit(const Pose& pose) const {
     fcl::CollisionRequestd request;
     fcl::CollisionResultd result;
-    return fcl::collide(tool.get(), transform_of(pose, pose), part.get(), fcl::Transform3d::Identity(), request,
+    return fcl::collide(tool.get(), fcl_transform(pose, pose), part.get(), fcl::Transform3d::Identity(), request,
                         result) > 0;
   }
 
@@ -59,15 +37,15 @@ struct FclScene {
     request.ccd_solver_type = fcl::CCDC_CONSERVATIVE_ADVANCEMENT;
     fcl::ContinuousCollisionResultd result;
     const fcl::Transform3d still = fcl::Transform3d::Identity();
-    fcl::continuousCollide(tool.get(), transform_of(motion.start(), motion.start()),
-                           transform_of(motion.end(), motion.start()), part.get(), still, still, request, result);
+    fcl::continuousCollide(tool.get(), fcl_transform(motion.start(), motion.start()),
+                           fcl_transform(motion.end(), motion.start()), part.get(), still, still, request, result);
     return result.is_collide;
   }
 };
 
 std::shared_ptr<FclScene> make_scene(const PeerCase& c) {
   return std::make_shared<FclScene>(
-      FclScene{make_model(c.work.scene.parts[0]), make_model(tessellate_tool(c.work.tool, kChord_mm))});
+      FclScene{make_fcl_model(c.work.scene.parts[0]), make_fcl_model(tessellate_tool(c.work.tool, kChord_mm))});
 }
 
 std::function<void(benchmark::State&)> prepare_poses(const std::shared_ptr<const PeerCase>& c) {

@@ -56,7 +56,7 @@ Outcome write_scene_files(const std::string& folder, const WorkloadKey& key, con
   return Done{};
 }
 
-Outcome write_head_file(const std::string& file, double bottom_mm, int around, int steps) {
+IndexedMesh make_head(double bottom_mm, int around, int steps) {
   constexpr double kRadius_mm = 16, kRounding_mm = 6, kHeight_mm = 60, kQuarter = std::numbers::pi / 2;
   std::vector<std::array<double, 2>> contour = {{0, bottom_mm}};
   for (int i = 0; i <= steps; ++i) {
@@ -73,19 +73,25 @@ Outcome write_head_file(const std::string& file, double bottom_mm, int around, i
   const auto sides = static_cast<std::uint32_t>(around);
   IndexedMesh mesh;
   for (const auto& [r, z] : contour) {
-    for (int k = 0; k < around; ++k) {
+    for (int k = 0; k < (r > 0 ? around : 1); ++k) {
       const double a = 4 * kQuarter * k / around;
       mesh.vertices.push_back({r * std::cos(a), r * std::sin(a), z});
     }
   }
+  const auto vertex = [&](std::uint32_t ring, std::uint32_t k) {  // the first and the last ring are one vertex
+    return ring == 0 ? 0 : ring + 1 == rings ? 1 + (rings - 2) * sides : 1 + (ring - 1) * sides + k % sides;
+  };
   for (std::uint32_t i = 0; i + 1 < rings; ++i) {
     for (std::uint32_t k = 0; k < sides; ++k) {
-      const std::uint32_t next = (k + 1) % sides, low = i * sides, high = low + sides;
-      if (i > 0) mesh.triangles.push_back({low + k, low + next, high + next});
-      if (i + 2 < rings) mesh.triangles.push_back({low + k, high + next, high + k});
+      if (i > 0) mesh.triangles.push_back({vertex(i, k), vertex(i, k + 1), vertex(i + 1, k + 1)});
+      if (i + 2 < rings) mesh.triangles.push_back({vertex(i, k), vertex(i + 1, k + 1), vertex(i + 1, k)});
     }
   }
-  return write_file(file, binary_stl_bytes(mesh, LengthUnit::mm));
+  return mesh;
+}
+
+Outcome write_head_file(const std::string& file, double bottom_mm, int around, int steps) {
+  return write_file(file, binary_stl_bytes(make_head(bottom_mm, around, steps), LengthUnit::mm));
 }
 
 }  // namespace gouge::bench
