@@ -16,6 +16,7 @@ namespace {
 constexpr double kInTool_mm = 1e-9;  // a point this little outside the tool counts as in it: rounding of its foot
 constexpr double kSeed_mm = 1e-6;    // the witness of a move is that exact
 constexpr double kRounding_mm = 1e-9;
+constexpr double kRoundUp = 1 + 1e-12;
 constexpr double kNotable_mm = 0.1 * kOvercutGap_mm;
 constexpr double kNear_mm = 0.02;  // a climb ends when it looks no farther than that
 constexpr int kClimbs = 24;
@@ -32,6 +33,7 @@ struct Cell : SearchCandidate {
   /// The part's surface as seen from the centre.
   double inside_mm = 0;
   Vec3 outward = Vec3::UnitZ();
+  std::uint32_t triangle = 0;  ///< the closest
 };
 
 class Search : public BestFirstSearch<Search, Cell> {
@@ -93,10 +95,18 @@ class Search : public BestFirstSearch<Search, Cell> {
   }
 
  private:
+  /// `cell.triangle` is one near it, of the cell it is a half of.
   void look_at_part(Cell& cell) const {
-    const auto foot = part_.closest_point(cell.centre);
-    cell.inside_mm = foot ? -foot->signed_mm() : -std::numeric_limits<double>::infinity();
-    if (foot) cell.outward = foot->normal;
+    const ClosestPoint foot = closest_point(cell.centre, cell.triangle);
+    cell.inside_mm = -foot.signed_mm();
+    cell.outward = foot.normal;
+    cell.triangle = foot.triangle;
+  }
+
+  /// A triangle that is about as near as the closest makes the search for that one shorter.
+  [[nodiscard]] ClosestPoint closest_point(const Vec3& point, std::uint32_t near) const {
+    const double distance2_mm2 = closest_on_triangle(point, part_.corners(near)).distance2_mm2;
+    return *part_.closest_point(point, std::sqrt(distance2_mm2) * kRoundUp);
   }
 
   void add(Cell cell) {
@@ -147,10 +157,10 @@ class Search : public BestFirstSearch<Search, Cell> {
     double second_mm = 0;
     if (bound.upper > threshold_mm() + radius) return false;
     if (bound.upper > threshold_mm()) {
-      const auto foot = part_.closest_point(cell.centre + frame_.transpose() * bound.at.head<3>());
-      if (!foot || foot->normal.dot(cell.outward) > kSameNormal) return false;
-      second = foot->normal;
-      second_mm = second.dot(foot->point - cell.centre);
+      const ClosestPoint foot = closest_point(cell.centre + frame_.transpose() * bound.at.head<3>(), cell.triangle);
+      if (foot.normal.dot(cell.outward) > kSameNormal) return false;
+      second = foot.normal;
+      second_mm = second.dot(foot.point - cell.centre);
       program.limit(below(second_mm, second));
       bound = program.bound();
       if (bound.upper > threshold_mm()) return false;
