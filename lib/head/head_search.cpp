@@ -14,6 +14,7 @@ namespace gouge {
 namespace {
 
 constexpr double kRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
+constexpr double kRoundUp = 1 + 1e-12;
 
 /// A node or leaf of a tree or a piece of a facet, over a time interval.
 struct Candidate : SearchCandidate {
@@ -22,6 +23,7 @@ struct Candidate : SearchCandidate {
   bool is_time_next = false;
   std::uint32_t interval = 0, tree = 0, index = 0;  ///< of the node, leaf or triangle
   std::uint32_t parent = 0, lane = 0;  ///< of a node or leaf but the root: the node whose child it is, and where there
+  std::uint32_t facet = 0;             ///< of the head, the closest to the middle; first that of what it is a part of
   std::array<Vec3, 3> piece{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};  ///< of a facet
 };
 
@@ -56,7 +58,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
       const std::uint32_t half = intervals_.halve(c.interval);
       for (std::uint32_t k = 0; k < 2; ++k) {
         if (c.kind == Candidate::Kind::facet) {
-          add_piece(half + k, c.tree, c.index, c.piece);
+          add_piece(half + k, c.tree, c.index, c.piece, c.facet);
         } else {
           Candidate part = c;
           part.interval = half + k;
@@ -65,7 +67,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
       }
     } else if (c.kind == Candidate::Kind::facet) {
       for (const std::array<Vec3, 3>& half : halves(c.piece, longest_edge(c.piece)))
-        add_piece(c.interval, c.tree, c.index, half);
+        add_piece(c.interval, c.tree, c.index, half, c.facet);
     } else {
       open(c);
     }
@@ -77,7 +79,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     if (c.kind == Candidate::Kind::leaf) {
       const TriangleBlock& leaf = tree.leaves[c.index];
       for (std::size_t k = 0; k < leaf.count; ++k)
-        add_piece(c.interval, c.tree, leaf.triangle[k], tree.corners(leaf.triangle[k]));
+        add_piece(c.interval, c.tree, leaf.triangle[k], tree.corners(leaf.triangle[k]), c.facet);
       return;
     }
     const NodeBlock& node = tree.nodes[c.index];
@@ -89,6 +91,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
       child.index = node.child[lane];
       child.parent = c.index;
       child.lane = lane;
+      child.facet = c.facet;
       add_node(child);
     }
   }
@@ -110,7 +113,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
     if (bound(c, NodeRegion(held, interval.to_tool0, interval.to_tool1, bulge_mm(interval, far_mm)))) offer(c);
   }
 
-  void add_piece(std::uint32_t index, std::uint32_t tree, std::uint32_t triangle, const std::array<Vec3, 3>& piece) {
+  void add_piece(std::uint32_t index, std::uint32_t tree, std::uint32_t triangle, const std::array<Vec3, 3>& piece,
+                 std::uint32_t facet) {
     const HeadInterval& interval = intervals_[index];
     std::array<Vec3, 6> corners;
     double far_mm = 0;
@@ -125,6 +129,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     c.tree = tree;
     c.index = triangle;
     c.piece = piece;
+    c.facet = facet;
     if (!bound(c, PieceRegion(corners, bulge_mm(interval, far_mm)))) return;
     if (c.upper_mm > threshold_mm()) try_points(c, (piece[0] + piece[1] + piece[2]) / 3.0);
     offer(c);
@@ -136,7 +141,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kRounding_mm) return false;
     ++result_.bounds;
-    const ClosestPoint foot = *head_.surface.closest_point(region.middle);
+    const ClosestPoint foot = closest_point(region.middle, distance_to(c.facet, region.middle));
+    c.facet = foot.triangle;
     c.upper_mm = region.radius_mm - foot.signed_mm() + kRounding_mm;
     if (c.upper_mm > threshold_mm()) {
       if (const auto depth_mm = depth_by_plane(head_, region, foot, threshold_mm()))
@@ -146,18 +152,30 @@ class Search : public BestFirstSearch<Search, Candidate> {
     return true;
   }
 
+  /// A facet that is about as near as the closest makes the search for that one shorter.
+  [[nodiscard]] ClosestPoint closest_point(const Vec3& point, double within_mm) const {
+    return *head_.surface.closest_point(point, within_mm);
+  }
+  /// Not below the true distance.
+  [[nodiscard]] double distance_to(std::uint32_t facet, const Vec3& point) const {
+    return std::sqrt(closest_on_triangle(point, head_.surface.corners(facet)).distance2_mm2) * kRoundUp;
+  }
+
   void try_points(const Candidate& c, const Vec3& centre) {
     const HeadInterval& interval = intervals_[c.interval];
     for (const Vec3& p : {centre, c.piece[0], c.piece[1], c.piece[2]}) {
       for (const double t : {interval.t0, interval.t1}) {
         const RigidTransform& to_tool = t > interval.t0 ? interval.to_tool1 : interval.to_tool0;
-        const auto foot = head_.surface.closest_point(to_tool.point(p));
-        if (!foot->is_inside || foot->distance_mm <= result_.depth_mm) continue;
-        result_.depth_mm = foot->distance_mm;
+        const Vec3 q = to_tool.point(p);
+        const double distance_mm = distance_to(c.facet, q);
+        if (distance_mm <= result_.depth_mm) continue;
+        const ClosestPoint foot = closest_point(q, distance_mm);
+        if (!foot.is_inside || foot.distance_mm <= result_.depth_mm) continue;
+        result_.depth_mm = foot.distance_mm;
         result_.has_witness = true;
         result_.t = t;
         result_.point = p;
-        result_.normal = -to_tool.inverse().direction(foot->normal);
+        result_.normal = -to_tool.inverse().direction(foot.normal);
         result_.tree = c.tree;
         result_.triangle = c.index;
       }

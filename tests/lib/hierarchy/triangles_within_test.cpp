@@ -111,5 +111,25 @@ TEST(TrianglesWithin, OfNoTrianglesAreNone) {
   EXPECT_FALSE(is_entered(BlockTree{}, {}));
 }
 
+TEST(TrianglesWithin, MissesNoneFarAwayInATreeOfVeryDifferentSizes) {
+  Scatter random(13);
+  std::array<IndexedMesh, 2> meshes{shapes::sphere(), shapes::torus()};
+  for (Vec3& v : meshes[0].vertices) v = 1e-3 * v + Vec3(90'000, -50'000, 30'000);
+  for (Vec3& v : meshes[1].vertices) v += Vec3(91'000, -50'000, 30'000);
+  const BlockTree tree = build_block_tree(meshes);
+  const auto all = static_cast<std::uint32_t>(meshes[0].triangles.size());
+  for (int i = 0; i < 500; ++i) {
+    const auto about = static_cast<std::uint32_t>(random.below(all));
+    const Vec3 x = tree.corners(about)[0];
+    Space space;
+    for (int k = 0; k < 4; ++k) {
+      const Vec3 d = random.direction();
+      space.push_back({d, d.dot(x)});
+    }
+    EXPECT_TRUE(std::ranges::binary_search(triangles_within(tree, space), about));
+    EXPECT_TRUE(is_entered(tree, space));
+  }
+}
+
 }  // namespace
 }  // namespace gouge

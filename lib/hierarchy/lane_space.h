@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "lib/geom/half_space.h"
+#include "lib/hierarchy/block_tree.h"
+
+namespace gouge {
+
+/// The common part of half-spaces in the frame of a tree, asked sixteen lanes at a time, with the instructions the
+/// processor has and the same answer with any of them.
+class LaneSpace {
+ public:
+  /// Requires at most kMostHalfSpaces.
+  LaneSpace(const BlockTree& tree, std::span<const HalfSpace> space);
+
+  /// A bit for each lane of a node whose bound reaches into each half-space by itself, or comes near.
+  [[nodiscard]] std::uint32_t reached(const NodeBlock& node) const;
+  /// The same for the triangles of a leaf.
+  [[nodiscard]] std::uint32_t reached(const TriangleBlock& leaf) const;
+
+ private:
+  struct Half {
+    std::array<float, 3> direction{};
+    float least_mm = 0;
+  };
+  [[nodiscard]] std::span<const Half> halves() const { return {halves_.data(), count_}; }
+  static void find_reach(const NodeBlock& node, std::span<const Half> halves, Lanes& reach_mm);
+  static void find_reach(const TriangleBlock& leaf, std::span<const Half> halves, Lanes& reach_mm);
+
+  std::array<Half, kMostHalfSpaces> halves_;
+  std::size_t count_;
+};
+
+}  // namespace gouge
