@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
 constexpr double kRoundUp = 1 + 1e-12;
+constexpr double kSameNormal = 0.9999;  // cosine: a second plane as steep as the first bounds nothing more
 
 /// A node or leaf of a tree or a piece of a facet, over a time interval.
 struct Candidate : SearchCandidate {
@@ -144,10 +145,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     const ClosestPoint foot = closest_point(region.middle, distance_to(c.facet, region.middle));
     c.facet = foot.triangle;
     c.upper_mm = region.radius_mm - foot.signed_mm() + kRounding_mm;
-    if (c.upper_mm > threshold_mm()) {
-      if (const auto depth_mm = depth_by_plane(head_, region, foot, threshold_mm()))
-        c.upper_mm = std::min(c.upper_mm, *depth_mm);
-    }
+    if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
     c.is_time_next = region.travel_mm > 2 * region.size_mm && intervals_.can_halve(c.interval);
     return true;
   }
@@ -159,6 +157,25 @@ class Search : public BestFirstSearch<Search, Candidate> {
   /// Not below the true distance.
   [[nodiscard]] double distance_to(std::uint32_t facet, const Vec3& point) const {
     return std::sqrt(closest_on_triangle(point, head_.surface.corners(facet)).distance2_mm2) * kRoundUp;
+  }
+
+  template <typename Region>
+  void bound_by_plane(Candidate& c, const Region& region, const ClosestPoint& at, bool is_middle_inside) const {
+    const auto depth_mm = depth_by_plane(head_, region, HeadPlane(at), is_middle_inside, threshold_mm());
+    if (depth_mm) c.upper_mm = std::min(c.upper_mm, *depth_mm);
+  }
+
+  void bound_by_planes(Candidate& c, const NodeRegion& region, const ClosestPoint& foot) const {
+    bound_by_plane(c, region, foot, foot.is_inside);
+  }
+  /// Where the plane at the closest point to the middle leaves too much, as across an edge of the head, the one at the
+  /// closest point to where it leaves most may not.
+  void bound_by_planes(Candidate& c, const PieceRegion& region, const ClosestPoint& foot) const {
+    bound_by_plane(c, region, foot, foot.is_inside);
+    if (c.upper_mm <= threshold_mm()) return;
+    const Vec3 lowest = region.lowest(foot.normal);
+    const ClosestPoint other = closest_point(lowest, distance_to(c.facet, lowest));
+    if (other.normal.dot(foot.normal) < kSameNormal) bound_by_plane(c, region, other, foot.is_inside);
   }
 
   void try_points(const Candidate& c, const Vec3& centre) {

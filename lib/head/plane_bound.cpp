@@ -24,9 +24,9 @@ void add_slab(const Region& region, const Vec3& direction, std::vector<HalfSpace
 }
 
 template <typename Region>
-std::optional<double> depth_below(const HeadBody& head, const Region& region, const ClosestPoint& foot,
-                                  double enough_mm) {
-  const Vec3& n = foot.normal;
+std::optional<double> depth_below(const HeadBody& head, const Region& region, const HeadPlane& plane,
+                                  bool is_middle_inside, double enough_mm) {
+  const Vec3& n = plane.normal;
   const HeadRange height = region.along(n);
   std::vector<HalfSpace> prism(2);
   prism.reserve(kMostSides + 4);
@@ -38,10 +38,10 @@ std::optional<double> depth_below(const HeadBody& head, const Region& region, co
     prism[1] = {-n, -n.dot(region.middle) - top_mm};
     if (is_entered(head.surface.tree(), prism)) return false;
     // No surface in the prism: all of it is on one side. The middle shows which where it is in the prism.
-    if (base_mm <= 0) return !foot.is_inside;
+    if (base_mm <= 0) return !is_middle_inside;
     return !head.surface.closest_point(region.middle + 0.5 * (base_mm + top_mm) * n)->is_inside;
   };
-  const double touching_mm = std::max(0.0, kAbove_mm - foot.signed_mm() - height.low_mm);
+  const double touching_mm = std::max(0.0, kAbove_mm + n.dot(plane.through - region.middle) - height.low_mm);
   if (holds(touching_mm)) return touching_mm;
   if (touching_mm < enough_mm && holds(enough_mm)) return enough_mm;
   return std::nullopt;
@@ -111,14 +111,19 @@ void NodeRegion::add_sides(const Vec3& n, std::vector<HalfSpace>& sides) const {
   add_slab(*this, n.cross(u), sides);
 }
 
-std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& region, const ClosestPoint& foot,
-                                     double enough_mm) {
-  return depth_below(head, region, foot, enough_mm);
+Vec3 PieceRegion::lowest(const Vec3& n) const {
+  return *std::min_element(corners.begin(), corners.end(),
+                           [&](const Vec3& a, const Vec3& b) { return n.dot(a) < n.dot(b); });
 }
 
-std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region, const ClosestPoint& foot,
-                                     double enough_mm) {
-  return depth_below(head, region, foot, enough_mm);
+std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& region, const HeadPlane& plane,
+                                     bool is_middle_inside, double enough_mm) {
+  return depth_below(head, region, plane, is_middle_inside, enough_mm);
+}
+
+std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region, const HeadPlane& plane,
+                                     bool is_middle_inside, double enough_mm) {
+  return depth_below(head, region, plane, is_middle_inside, enough_mm);
 }
 
 }  // namespace gouge

@@ -32,6 +32,8 @@ struct PieceRegion : HeadRegion {
   [[nodiscard]] HeadRange along(const Vec3& n) const;
   /// Adds half-spaces along n that hold it: of the outline that it has seen along n.
   void add_sides(const Vec3& n, std::vector<HalfSpace>& sides) const;
+  /// The corner that is lowest along n.
+  [[nodiscard]] Vec3 lowest(const Vec3& n) const;
   std::array<Vec3, 6> corners;
 };
 
@@ -45,22 +47,31 @@ struct NodeRegion : HeadRegion {
   Vec3 center0, center1;
 };
 
+/// A plane of the tool's frame, its unit normal out of the head.
+struct HeadPlane {
+  Vec3 normal = Vec3::UnitZ();
+  Vec3 through = Vec3::Zero();
+
+  /// The one at a closest point of the head, square to the direction from there.
+  explicit HeadPlane(const ClosestPoint& foot) : normal(foot.normal), through(foot.point) {}
+};
+
 /// Upper bound of the depth of a region in a head, by a plane that the head does not rise above near the region.
 ///
 /// Let no part of the head be in a prism that stands on the plane n . x = h, whose sides hold the region, and whose top
 /// is above it. Points of the region above the plane are outside then. From a point p below it, q = p + (h - n . p) n
-/// is on the prism's base, and points just above q are outside; so p is no deeper than h - n . p. The plane is the one
-/// through the head's closest point to the region's middle, square to the direction from there; the head is not in the
-/// prism if its surface is not and one point of the prism is outside.
+/// is on the prism's base, and points just above q are outside; so p is no deeper than h - n . p. Any plane will do; one
+/// at the head's closest point to the region's middle, or to another point of it, is likely to hold. The head is not in
+/// the prism if its surface is not and one point of the prism is outside.
 ///
-/// `foot`: the head's closest point to the region's middle. `enough_mm`: a bound of this is as good as any smaller one;
-/// the plane is raised to it where the first does not hold.
+/// `is_middle_inside`: of the head. `enough_mm`: a bound of this is as good as any smaller one; the plane is raised to
+/// it where the given one does not hold.
 /// Ensures  nothing, or at least 0 and not below the depth of any point of the region.
 /// Cost     a search of the head's tree or two, and at most as many closest points.
 /// Source   docs/algorithms/shallow_penetration.md, section 7.
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const PieceRegion& region,
-                                                   const ClosestPoint& foot, double enough_mm);
+                                                   const HeadPlane& plane, bool is_middle_inside, double enough_mm);
 [[nodiscard]] std::optional<double> depth_by_plane(const HeadBody& head, const NodeRegion& region,
-                                                   const ClosestPoint& foot, double enough_mm);
+                                                   const HeadPlane& plane, bool is_middle_inside, double enough_mm);
 
 }  // namespace gouge

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "lib/head/check_heads.h"
@@ -213,6 +214,20 @@ TEST(Heads, GiveTheSameResultAtAnyNumberOfThreads) {
     EXPECT_EQ(one.verdicts[i].state, three.verdicts[i].state);
     EXPECT_EQ(one.verdicts[i].depth_mm, three.verdicts[i].depth_mm);
     EXPECT_EQ(one.verdicts[i].depth_upper_mm, three.verdicts[i].depth_upper_mm);
+  }
+}
+
+// A flat face that slides over a flat face, reaching past its edge: above it by a little, on it, below it. What is near
+// the edge of the head lies beside one face and under another.
+TEST(Heads, AFaceThatSlidesAlongAFaceTakesFewBounds) {
+  const IndexedMesh wall = shapes::box(Vec3(24, -50, -10), Vec3(60, 50, 70));
+  for (const double height_mm : {69.9, 69.995, 70.0, 70.000001, 70.005}) {
+    const IndexedMesh head = shapes::box(Vec3(-30, -30, height_mm), Vec3(30, 30, 130));
+    const CheckResult result = check({paths::upright(0, -30, 0), paths::upright(0, 30, 0)}, {head}, wall);
+    EXPECT_EQ(result.verdicts[1].state, height_mm < 69.99 ? MoveState::gouge : MoveState::clean) << height_mm;
+    EXPECT_GE(result.verdicts[1].depth_upper_mm, std::max(0.0, 70 - height_mm)) << height_mm;
+    EXPECT_LE(result.verdicts[1].depth_upper_mm, std::max(0.01, 70 - height_mm) + 0.001) << height_mm;
+    EXPECT_LT(result.evaluations, 2000U) << height_mm << ": 100,000 did not do without the second plane";
   }
 }
 

@@ -50,7 +50,9 @@ Tally try_pieces(const IndexedMesh& mesh, std::uint64_t seed) {
     const PieceRegion region(corners, 0.01 * spread);
     const ClosestPoint foot = *head.surface.closest_point(region.middle);
     const double enough_mm = random.in(0, 0.3) * spread;
-    const auto bound_mm = depth_by_plane(head, region, foot, enough_mm);
+    // Any plane will do: also that of another point.
+    const HeadPlane plane(random.is(0.5) ? foot : *head.surface.closest_point(corners[random.below(6)]));
+    const auto bound_mm = depth_by_plane(head, region, plane, foot.is_inside, enough_mm);
     if (!bound_mm) continue;
     ++tally.bounded;
     tally.raised += *bound_mm >= enough_mm ? 1 : 0;
@@ -92,7 +94,8 @@ TEST(PlaneBound, OfANodeIsNowhereExceeded) {
     to_tool0.shift = to - to_tool0.rotation * held.center + 0.05 * size * random.point(1);
     to_tool1.shift = to_tool0.shift + 0.05 * size * random.point(1);
     const NodeRegion region(held, to_tool0, to_tool1, 0);
-    const auto bound_mm = depth_by_plane(head, region, *head.surface.closest_point(region.middle), 0.05 * size);
+    const ClosestPoint foot = *head.surface.closest_point(region.middle);
+    const auto bound_mm = depth_by_plane(head, region, HeadPlane(foot), foot.is_inside, 0.05 * size);
     if (!bound_mm) continue;
     ++bounded;
     const std::array<Vec3, 8> hull = held.hull();
@@ -124,12 +127,14 @@ TEST(PlaneBound, IsExactUnderAFace) {
   };
   for (const double depth : {0.0, 0.01, 0.1}) {
     const PieceRegion region(piece_at(-depth * step), 0);
-    const auto bound_mm = depth_by_plane(head, region, *head.surface.closest_point(region.middle), 0);
+    const ClosestPoint foot = *head.surface.closest_point(region.middle);
+    const auto bound_mm = depth_by_plane(head, region, HeadPlane(foot), foot.is_inside, 0);
     ASSERT_TRUE(bound_mm.has_value());
     EXPECT_NEAR(*bound_mm, depth * step, 2e-6);
   }
   const PieceRegion above(piece_at(1e-4), 0);
-  EXPECT_EQ(depth_by_plane(head, above, *head.surface.closest_point(above.middle), 0), 0.0);
+  const ClosestPoint over = *head.surface.closest_point(above.middle);
+  EXPECT_EQ(depth_by_plane(head, above, HeadPlane(over), over.is_inside, 0), 0.0);
 }
 
 }  // namespace
