@@ -2,19 +2,51 @@
 
 #include <CLI/CLI.hpp>
 #include <ostream>
+#include <utility>
+#include <vector>
 
 #include "cli/job.h"
+#include "cli/length_text.h"
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
 #include "cli/peak_memory.h"
 #include "cli/setup_notes.h"
+#include "cli/stickouts.h"
 #include "lib/base/exit_code.h"
 #include "lib/certify/check.h"
 
 namespace gouge {
 
-void add_check_options(CLI::App& command, JobArguments& arguments) {
+namespace {
+
+Result<StickoutOptions> understand_stickout(const CheckArguments& arguments) {
+  const Result<double> step = understand_length("--stickout-step", arguments.stickout_step, Least::above_zero);
+  if (!step) return step.error();
+  const Result<double> most = understand_length("--stickout-limit", arguments.stickout_limit, Least::above_zero);
+  if (!most) return most.error();
+  constexpr double kMostSteps = 1e6;
+  if (*step > *most || *most > kMostSteps * *step)
+    return usage_error("--stickout-step", arguments.stickout_step,
+                       "a length up to --stickout-limit, and no less than a millionth of it");
+  return StickoutOptions{*step, *most};
+}
+
+}  // namespace
+
+void add_check_options(CLI::App& command, CheckArguments& check) {
+  JobArguments& arguments = check.job;
   add_job_options(command, arguments);
+  CLI::Option* const finds = command.add_flag(
+      "--find-stickout", check.finds_stickout,
+      "Find for every tool the least longer stick-out with which shank, holder and heads gouge no more");
+  command.add_option("--stickout-step", check.stickout_step, "Stick-outs to try are multiples of this")
+      ->type_name("LENGTH")
+      ->capture_default_str()
+      ->needs(finds);
+  command.add_option("--stickout-limit", check.stickout_limit, "How much longer a stick-out may be at most")
+      ->type_name("LENGTH")
+      ->capture_default_str()
+      ->needs(finds);
   command.add_flag("--force", arguments.is_forced,
                    "Let --report replace and remove files of a report's names that no report wrote, never an input");
   command.footer(
@@ -24,9 +56,12 @@ void add_check_options(CLI::App& command, JobArguments& arguments) {
       "wrong command line, 3 input invalid, 4 not fully checked, 5 internal or resource failure.");
 }
 
-int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& err) {
+int run_check(const CheckArguments& check_arguments, std::ostream& out, std::ostream& err) {
+  const JobArguments& arguments = check_arguments.job;
   const Result<JobOptions> options = understand(arguments);
   if (!options) return fail(err, {options.error()});
+  const Result<StickoutOptions> stickout = understand_stickout(check_arguments);
+  if (!stickout) return fail(err, {stickout.error()});
   JobOutputs outputs(arguments, {});
   if (const auto status = outputs.refuse(err)) return *status;
   Progress progress(err, options->progress);
@@ -39,8 +74,20 @@ int run_check(const JobArguments& arguments, std::ostream& out, std::ostream& er
   progress.begin("checking the set-up");
   note_setup(job, arguments, scene);
   const CheckResult result = check(job.toolpath, job.setup(scene), progress.call());
+  std::vector<StickoutFacts> stickouts;
+  if (check_arguments.finds_stickout) {
+    Result<std::vector<StickoutFacts>> found =
+        find_stickouts_of(job, scene, result, arguments.is_extended_up, *stickout, progress.call());
+    if (!found) {
+      progress.end();
+      return fail(err, {found.error()});
+    }
+    stickouts = std::move(*found);
+  }
   progress.end();
   ReportModel model = job.report(arguments, job.toolpath, result, scene);
+  if (check_arguments.finds_stickout) model.stickout_options = *stickout;
+  model.stickouts = std::move(stickouts);
   const PathFit fit = find_path_fit(job.toolpath, result.verdicts, job.tools(), scene, options->check.threads);
   if (const auto misfit = describe_misfit(job.toolpath, fit)) model.notes.push_back(*misfit);
   print_notes(err, model.notes, arguments);

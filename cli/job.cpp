@@ -163,12 +163,13 @@ class JobLoader {
     if (!is_any_defined) return errors_.push_back(no_tool());
     add_notes(resolved->notes);
     job_.tool_facts = std::move(resolved->facts);
-    for (const auto& assembly : resolved->assemblies) {
+    job_.assemblies = std::move(resolved->assemblies);
+    for (const auto& assembly : job_.assemblies) {
       job_.variants.emplace_back();
       if (!assembly) continue;
       const CheckOptions& c = job_.options.check;
       Result<ToolVariants> variants =
-          make_tool_variants(arguments_.is_extended_up ? without_end(*assembly) : *assembly, c.stock_to_leave_mm,
+          make_tool_variants(arguments_.is_extended_up ? job_.without_end(*assembly) : *assembly, c.stock_to_leave_mm,
                              c.shank_clearance_mm, c.holder_clearance_mm);
       if (!variants) return errors_.push_back(variants.error());
       job_.variants.back() = std::move(*variants);
@@ -181,13 +182,6 @@ class JobLoader {
       if (form) tool_mm = std::max(tool_mm, form->bare.r_max_mm + form->bare.z_max_mm);
     }
     if (const auto warning = find_misplaced(job_.toolpath, job_.scene, tool_mm, stl_unit())) add_notes({*warning});
-  }
-
-  // As high as the farthest point of the scene, and the widest radius more: its end is nearest to nothing.
-  [[nodiscard]] ToolAssembly without_end(const ToolAssembly& tool) const {
-    const Result<Profile> profile = make_profile(tool);
-    if (!profile) return tool;
-    return extended_up(tool, reach_mm(job_.toolpath, job_.scene) + compile_tool("", *profile).r_max_mm);
   }
 
   [[nodiscard]] Diagnostic no_tool() const {
@@ -214,6 +208,12 @@ std::vector<const ToolVariants*> Job::tools() const {
   std::vector<const ToolVariants*> all;
   for (const auto& form : variants) all.push_back(form ? &*form : nullptr);
   return all;
+}
+
+ToolAssembly Job::without_end(const ToolAssembly& tool) const {
+  const Result<Profile> profile = make_profile(tool);
+  if (!profile) return tool;
+  return extended_up(tool, reach_mm(toolpath, scene) + compile_tool("", *profile).r_max_mm);
 }
 
 CheckSetup Job::setup(const PreparedScene& prepared) const { return {tools(), heads, prepared, options.check}; }

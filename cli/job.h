@@ -8,6 +8,7 @@
 #include "cli/job_options.h"
 #include "lib/certify/check.h"
 #include "postproc/report/report_model.h"
+#include "toolmodels/assembly.h"
 
 namespace gouge {
 
@@ -16,8 +17,9 @@ struct Job {
   JobOptions options;
   Toolpath toolpath;
   Scene scene;
-  std::vector<HeadBody> heads;                        ///< in the tool's frame
-  std::vector<std::optional<ToolVariants>> variants;  ///< one per Toolpath::tools; empty where it has no definition
+  std::vector<HeadBody> heads;                          ///< in the tool's frame
+  std::vector<std::optional<ToolAssembly>> assemblies;  ///< one per Toolpath::tools; empty where it has no definition
+  std::vector<std::optional<ToolVariants>> variants;    ///< of these
   std::vector<InputFile> inputs;
   std::vector<MeshFacts> parts, fixtures, head_facts;
   std::vector<ToolFacts> tool_facts;
@@ -31,6 +33,9 @@ struct Job {
   Job& operator=(const Job&) = delete;
 
   [[nodiscard]] std::vector<const ToolVariants*> tools() const;
+  /// --extend-up for a tool of this job: as high as the farthest point of the scene, and the widest radius more: its end
+  /// is nearest to nothing.
+  [[nodiscard]] ToolAssembly without_end(const ToolAssembly& tool) const;
   /// `prepared` is the scene of the job; both must outlive the result.
   [[nodiscard]] CheckSetup setup(const PreparedScene& prepared) const;
   /// As asked for, else the toolpath's.

@@ -27,7 +27,7 @@ namespace gouge {
 namespace {
 
 struct Arguments {
-  JobArguments check;
+  CheckArguments check;
   CorrectArguments correct;
   ClashArguments clash;
   MeshArguments mesh;
@@ -51,7 +51,7 @@ void describe(CLI::App& app) {
 /// What --threads asks for, for everything the command does. False where that is more than can be.
 bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& err) {
   std::uint64_t threads = 0;
-  if (app.got_subcommand("check")) threads = arguments.check.threads;
+  if (app.got_subcommand("check")) threads = arguments.check.job.threads;
   if (app.got_subcommand("correct")) threads = arguments.correct.job.threads;
   if (app.got_subcommand("mesh")) threads = arguments.mesh.threads;
   if (threads > kMostThreads) {

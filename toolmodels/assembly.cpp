@@ -67,13 +67,13 @@ Outcome check_extensions(const ToolAssembly& tool) {
   return Done{};
 }
 
-bool is_held(const ToolAssembly& tool) { return !tool.extensions.empty() || !tool.holder.empty(); }
-
-double shank_end(const ToolAssembly& tool) {
-  double z = length_mm(tool.cutter);
-  for (const ToolSegment& s : tool.shank) z += s.length_mm;
-  return z;
+/// Their diameter at the top; 0 of flutes that have no profile.
+double flutes_width_mm(const Cutter& cutter) {
+  const Result<Profile> flutes = make_cutter_profile(cutter);
+  return flutes ? 2 * flutes->elements.back().a.x() : 0;
 }
+
+bool is_held(const ToolAssembly& tool) { return !tool.extensions.empty() || !tool.holder.empty(); }
 
 Outcome check_stickout(const ToolAssembly& tool) {
   if (Outcome good = detail::check_not_negative("stickout", tool.stickout_mm); !good)
@@ -81,7 +81,7 @@ Outcome check_stickout(const ToolAssembly& tool) {
   if (Outcome good = detail::check_not_negative("gauge_length", tool.gauge_length_mm); !good)
     return within(tool, "", good.error());
   if (!(tool.stickout_mm > 0)) return Done{};
-  const double flutes = length_mm(tool.cutter), end = shank_end(tool);
+  const double flutes = length_mm(tool.cutter), end = shank_end_mm(tool);
   if (tool.stickout_mm < flutes - kSame_mm)
     return within(
         tool, "",
@@ -137,7 +137,7 @@ std::string label(const ToolAssembly& tool) {
 std::vector<PositionedSegment> position_segments(const ToolAssembly& tool) { return Placer(tool).take(); }
 
 double stickout_mm(const ToolAssembly& tool) {
-  return tool.stickout_mm > 0 && is_held(tool) ? tool.stickout_mm : shank_end(tool);
+  return tool.stickout_mm > 0 && is_held(tool) ? tool.stickout_mm : shank_end_mm(tool);
 }
 
 double height_mm(const ToolAssembly& tool) {
@@ -168,6 +168,24 @@ Result<Profile> make_profile(const ToolAssembly& tool) {
   return united;
 }
 
+double shank_end_mm(const ToolAssembly& tool) {
+  double z = length_mm(tool.cutter);
+  for (const ToolSegment& s : tool.shank) z += s.length_mm;
+  return z;
+}
+
+ToolAssembly with_longer_stickout(const ToolAssembly& tool, double longer_mm) {
+  ToolAssembly longer = tool;
+  if (!(longer_mm > 0)) return longer;
+  const double wanted = is_held(tool) ? stickout_mm(tool) + longer_mm : shank_end_mm(tool) + longer_mm;
+  const double missing = wanted - shank_end_mm(tool);
+  const double width = tool.shank.empty() ? flutes_width_mm(tool.cutter) : tool.shank.back().upper_diameter_mm;
+  if (missing > 0 && width > 0) longer.shank.push_back({width, width, missing});
+  if (is_held(tool)) longer.stickout_mm = std::min(wanted, shank_end_mm(longer));
+  if (tool.gauge_length_mm > 0) longer.gauge_length_mm += longer_mm;
+  return longer;
+}
+
 ToolAssembly extended_up(const ToolAssembly& tool, double top_mm) {
   ToolAssembly longer = tool;
   const double height = height_mm(tool);
@@ -176,8 +194,8 @@ ToolAssembly extended_up(const ToolAssembly& tool, double top_mm) {
   double width = 0;
   if (!placed.empty()) {
     width = placed.back().segment.upper_diameter_mm;
-  } else if (const Result<Profile> flutes = make_cutter_profile(tool.cutter)) {
-    width = 2 * flutes->elements.back().a.x();
+  } else {
+    width = flutes_width_mm(tool.cutter);
   }
   if (!(width > 0)) return longer;
   const ToolSegment more{width, width, top_mm - height};

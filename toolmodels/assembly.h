@@ -76,6 +76,13 @@ struct PositionedSegment {
 ///          top than to its side. Proof: docs/tools.md.
 [[nodiscard]] ToolAssembly extended_up(const ToolAssembly& tool, double height_mm);
 
+/// The tool standing out `longer_mm` farther: extensions and holder go up, and the shank below them on, as wide as it
+/// ends where it is not long enough. A tool of flutes alone gets a shank.
+[[nodiscard]] ToolAssembly with_longer_stickout(const ToolAssembly& tool, double longer_mm);
+
+/// Flutes and shank, as far as what holds them may let them stand out; see ToolAssembly::stickout_mm.
+[[nodiscard]] double shank_end_mm(const ToolAssembly& tool);
+
 /// How messages and pictures call the tool: T3 "slot", T3, or "slot".
 [[nodiscard]] std::string label(const ToolAssembly& tool);
 

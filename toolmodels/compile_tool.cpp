@@ -66,27 +66,9 @@ void set_core(CompiledTool& tool) {
   tool.core_depth_mm = depth_on_axis(tool, best);
 }
 
-}  // namespace
-
-CompiledTool compile_tool(const std::string& name, const Profile& profile) {
-  CompiledTool tool;
-  tool.name = name;
-  tool.elements = make_elements(profile);
-  if (tool.elements.empty()) return tool;
-  set_support_ranges(profile, tool.elements);
-  tool.borders = make_borders(tool.elements);
-  tool.nodes = build_bsp(tool.elements);
-  if (tool.nodes.empty() && tool.elements.size() > 1) tool.stretches = make_contour_tree(tool.elements);
-  set_extent(tool);
-  set_core(tool);
-  return tool;
-}
-
-Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
-                                        double holder_clearance_mm) {
-  const Result<BodyProfiles> bodies = make_body_profiles(tool);
-  if (!bodies) return bodies.error();
-  const auto& [cutter, shank, holder] = *bodies;
+Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& bodies, double stock_to_leave_mm,
+                                 double shank_clearance_mm, double holder_clearance_mm) {
+  const auto& [cutter, shank, holder] = bodies;
   const Profile none;
   std::optional<Diagnostic> error;
   const auto compiled = [&](const std::vector<OffsetBody>& offset) {
@@ -111,6 +93,37 @@ Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_t
     return *error;
   }
   return variants;
+}
+
+}  // namespace
+
+CompiledTool compile_tool(const std::string& name, const Profile& profile) {
+  CompiledTool tool;
+  tool.name = name;
+  tool.elements = make_elements(profile);
+  if (tool.elements.empty()) return tool;
+  set_support_ranges(profile, tool.elements);
+  tool.borders = make_borders(tool.elements);
+  tool.nodes = build_bsp(tool.elements);
+  if (tool.nodes.empty() && tool.elements.size() > 1) tool.stretches = make_contour_tree(tool.elements);
+  set_extent(tool);
+  set_core(tool);
+  return tool;
+}
+
+Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm, double shank_clearance_mm,
+                                        double holder_clearance_mm) {
+  const Result<BodyProfiles> bodies = make_body_profiles(tool);
+  if (!bodies) return bodies.error();
+  return variants_of(tool, *bodies, stock_to_leave_mm, shank_clearance_mm, holder_clearance_mm);
+}
+
+Result<ToolVariants> make_non_cutting_variants(const ToolAssembly& tool, double shank_clearance_mm,
+                                               double holder_clearance_mm) {
+  Result<BodyProfiles> bodies = make_body_profiles(tool);
+  if (!bodies) return bodies.error();
+  bodies->at(static_cast<std::size_t>(Body::cutter)) = {};
+  return variants_of(tool, *bodies, 0, shank_clearance_mm, holder_clearance_mm);
 }
 
 }  // namespace gouge

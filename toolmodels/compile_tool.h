@@ -28,4 +28,9 @@ namespace gouge {
 [[nodiscard]] Result<ToolVariants> make_tool_variants(const ToolAssembly& tool, double stock_to_leave_mm,
                                                       double shank_clearance_mm, double holder_clearance_mm);
 
+/// The same of shank and holder alone, as if the tool had no cutter: no elements where it has neither.
+/// Errors    as make_tool_variants.
+[[nodiscard]] Result<ToolVariants> make_non_cutting_variants(const ToolAssembly& tool, double shank_clearance_mm,
+                                                             double holder_clearance_mm);
+
 }  // namespace gouge

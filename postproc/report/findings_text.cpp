@@ -5,6 +5,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "postproc/report/report_text.h"
+#include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
 
 namespace gouge {
@@ -116,6 +117,7 @@ std::string summary_text(const ReportModel& model) {
   const std::string overcut = overcut_gaps_text(model);
   if (!overcut.empty()) text += line("overcut: " + overcut);
   if (model.closeness) text += line("closest approach to the part: " + closeness_text(model));
+  text += stickout_lines(model);
   if (model.has_correction) text += correction_lines(model);
   return text + line("guarantee: " + guarantee_text(model));
 }

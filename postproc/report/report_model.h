@@ -15,6 +15,7 @@
 #include "lib/check/verdict.h"
 #include "lib/geom/vec.h"
 #include "lib/path/toolpath.h"
+#include "lib/stickout/find_stickout.h"
 
 // What every writer of a report shares, as plain data. Lengths are in mm here and turned into the toolpath's
 // unit when they are written. The model points at the toolpath and the verdicts; they must outlive it.
@@ -90,6 +91,12 @@ struct CorrectionFacts {
   const CheckResult* result_before = nullptr;  ///< its verdicts
 };
 
+/// What --find-stickout found of one tool.
+struct StickoutFacts {
+  ToolStickout found;
+  std::optional<double> shank_end_mm;  ///< how far its flutes and shank reach; none: not stated
+};
+
 struct OptionText {
   std::string name, value;
 };
@@ -106,7 +113,9 @@ struct ReportModel {
   Diagnostics notes;                       ///< warnings and notes of all inputs
   bool has_correction = false;
   CorrectionFacts correction;
-  double seconds = 0;                  ///< spent from the first file read to this report; only JUnit has it
+  double seconds = 0;  ///< spent from the first file read to this report; only JUnit has it
+  std::optional<StickoutOptions> stickout_options;  ///< none: not asked
+  std::vector<StickoutFacts> stickouts;
   std::optional<Closeness> closeness;  ///< none: not looked at, or nothing to look at
 };
 

@@ -9,6 +9,7 @@
 #include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
+#include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
 
 namespace gouge {
@@ -34,8 +35,8 @@ class HtmlReport {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
-           against() + banner() + numbers() + overview() + changes() + findings() + open_queries() + close_ups() +
-           inputs() + tools() + options() + notes() + "<footer>" + kProgramName + " " + kProgramVersion +
+           against() + banner() + numbers() + overview() + changes() + findings() + stickouts() + open_queries() +
+           close_ups() + inputs() + tools() + options() + notes() + "<footer>" + kProgramName + " " + kProgramVersion +
            "</footer>\n</main>\n</body>\n</html>\n";
   }
 
@@ -280,6 +281,22 @@ class HtmlReport {
                 html_cell(tool.defined_in.empty() ? "nowhere: its moves are not checked" : tool.defined_in));
     }
     return "<h2>Tools</h2>\n" + table.html();
+  }
+
+  [[nodiscard]] std::string stickouts() const {
+    if (model_.stickouts.empty()) return {};
+    HtmlTable table({{"Tool"}, {"Operation"}, {"Stick-out", "n"}, {"To be free of shank, holder and heads"}});
+    for (const StickoutFacts& tool : model_.stickouts) {
+      const auto add = [&](const std::string& operation, const StickoutNeed& need) {
+        table.add(html_cell(tool_label(*model_.toolpath, tool.found.tool), "k") + html_cell(operation) +
+                  html_cell(length_text(tool.found.now_mm, unit_), "n") +
+                  html_cell(stickout_need_text(model_, tool, need)));
+      };
+      add("all", tool.found.all);
+      for (const OperationStickout& operation : operations_in_need(tool))
+        add(stickout_operation_label(model_, operation.operation), operation.need);
+    }
+    return "<h2>Stick-out</h2>\n" + table.html();
   }
 
   [[nodiscard]] std::string options() const {

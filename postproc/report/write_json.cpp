@@ -39,6 +39,7 @@ class JsonReport {
     out["tools"] = tools();
     out["totals"] = totals();
     out["closeness"] = closeness();
+    out["stickout"] = stickout();
     out["events"] = events();
     out["reasons"] = reasons();
     out["moves"] = moves();
@@ -212,6 +213,35 @@ class JsonReport {
             {"positions", c.positions},
             {"nearest", distance(c.nearest_mm)},
             {"median", distance(c.median_mm)}};
+  }
+
+  [[nodiscard]] Json stickout_need(const StickoutNeed& need) const {
+    const bool has_move = need.move != kNone;
+    return {{"needed", need.stickout_mm ? length(*need.stickout_mm) : Json(nullptr)},
+            {"move", has_move ? Json(need.move) : Json(nullptr)},
+            {"line", has_move ? Json(std::size_t{model_.toolpath->moves[need.move].line}) : Json(nullptr)},
+            {"body", has_move ? Json(body_name(need.body)) : Json(nullptr)},
+            {"state", has_move ? Json(state_name(need.state)) : Json(nullptr)}};
+  }
+
+  [[nodiscard]] Json stickout() const {
+    if (!model_.stickout_options) return nullptr;
+    Json tools = Json::array();
+    for (const StickoutFacts& tool : model_.stickouts) {
+      Json operations = Json::array();
+      for (const OperationStickout& of : tool.found.operations) {
+        Json operation = {{"operation", text(operation_name(*model_.toolpath, of.operation))}};
+        operation.update(stickout_need(of.need));
+        operations.push_back(std::move(operation));
+      }
+      Json one = {{"tool", text(tool_key(*model_.toolpath, tool.found.tool))}, {"now", length(tool.found.now_mm)}};
+      one.update(stickout_need(tool.found.all));
+      one["operations"] = std::move(operations);
+      tools.push_back(std::move(one));
+    }
+    return {{"step", length(model_.stickout_options->step_mm)},
+            {"most_longer", length(model_.stickout_options->most_longer_mm)},
+            {"tools", std::move(tools)}};
   }
 
   [[nodiscard]] Json correction() const {

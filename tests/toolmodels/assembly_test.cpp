@@ -79,6 +79,50 @@ TEST(Assembly, MistakesNameTheFieldAndWhatIsAllowed) {
 }
 
 // A point of the scene that is no farther from the tip than `reach` sees the tool that goes on for ever.
+TEST(Assembly, ALongerStickoutRaisesWhatHoldsAndLengthensTheShankWhereItMust) {
+  const ToolAssembly tool = held();
+  for (const double by : {0.0, 5.0, 25.0}) {
+    const ToolAssembly longer = with_longer_stickout(tool, by);
+    ASSERT_EQ(error_of(longer), "none");
+    EXPECT_DOUBLE_EQ(stickout_mm(longer), 80 + by);
+    EXPECT_DOUBLE_EQ(height_mm(longer), 150 + by);
+    EXPECT_DOUBLE_EQ(shank_end_mm(longer), 80 + by) << "the shank went on, as wide as it ended";
+    EXPECT_EQ(longer.shank.size(), by > 0 ? 3U : 2U);
+  }
+  ToolAssembly stated = tool;
+  stated.stickout_mm = 60;
+  stated.gauge_length_mm = 130;
+  const ToolAssembly within = with_longer_stickout(stated, 12);
+  ASSERT_EQ(error_of(within), "none");
+  EXPECT_DOUBLE_EQ(stickout_mm(within), 72);
+  EXPECT_DOUBLE_EQ(shank_end_mm(within), 80) << "the shank in the holder comes out";
+  EXPECT_DOUBLE_EQ(within.gauge_length_mm, 142);
+  const ToolAssembly beyond = with_longer_stickout(stated, 33);
+  ASSERT_EQ(error_of(beyond), "none");
+  EXPECT_DOUBLE_EQ(stickout_mm(beyond), 93);
+  EXPECT_DOUBLE_EQ(shank_end_mm(beyond), 93);
+}
+
+TEST(Assembly, ALongerToolOfFlutesAloneGetsAShank) {
+  ToolAssembly flutes;
+  flutes.cutter = FlatCutter{10, 30};
+  const ToolAssembly longer = with_longer_stickout(flutes, 7);
+  ASSERT_EQ(error_of(longer), "none");
+  ASSERT_EQ(longer.shank.size(), 1U);
+  EXPECT_DOUBLE_EQ(longer.shank[0].upper_diameter_mm, 10);
+  EXPECT_DOUBLE_EQ(height_mm(longer), 37);
+}
+
+TEST(Assembly, WhatDoesNotCutIsTheToolWithoutItsCutter) {
+  const ToolVariants bodies = *make_non_cutting_variants(held(), 0, 0);
+  EXPECT_DOUBLE_EQ(bodies.bare.z_min_mm, 30);
+  EXPECT_DOUBLE_EQ(bodies.bare.z_max_mm, 150);
+  for (const BoundaryElement& element : bodies.bare.elements) EXPECT_NE(element.body, Body::cutter);
+  ToolAssembly flutes;
+  flutes.cutter = FlatCutter{10, 30};
+  EXPECT_TRUE(make_non_cutting_variants(flutes, 0, 0)->bare.elements.empty());
+}
+
 TEST(Assembly, ExtendedUpIsAsIfItHadNoEnd) {
   test::Scatter random(5);
   std::vector<ToolAssembly> tools = test::sample_tools();

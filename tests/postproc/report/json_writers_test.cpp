@@ -106,6 +106,27 @@ TEST(WriteJson, ReportsTheFilesOfHeads) {
   EXPECT_EQ(value["heads"][0]["triangles"], 12);
 }
 
+TEST(WriteJson, ReportsStickOuts) {
+  SmallReport report;
+  EXPECT_TRUE(json::parse(write_json(report.model))["stickout"].is_null()) << "not asked";
+  report.model.stickout_options = StickoutOptions{0.5, 100};
+  StickoutFacts tool;
+  tool.found.tool = 0;
+  tool.found.now_mm = 40;
+  tool.found.all = {52.5, 2, Body::holder};
+  tool.found.operations = {{0, {52.5, 2, Body::holder}}, {1, {40, kNone, Body::holder}}};
+  report.model.stickouts = {tool, tool};
+  report.model.stickouts[1].found.all = {std::nullopt, 3, Body::head};
+  const json value = json::parse(write_json(report.model));
+  EXPECT_EQ(schema_errors(value), std::vector<std::string>{});
+  const json& first = value["stickout"]["tools"][0];
+  EXPECT_EQ(first["tool"], "1");
+  EXPECT_EQ(first["needed"], 52.5);
+  EXPECT_EQ(first["line"], 12);
+  EXPECT_TRUE(first["operations"][1]["line"].is_null());
+  EXPECT_TRUE(value["stickout"]["tools"][1]["needed"].is_null());
+}
+
 TEST(WriteJson, SchemaCheckCanFail) {
   const SmallReport report;
   json value = json::parse(write_json(report.model));

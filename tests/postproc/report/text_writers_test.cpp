@@ -5,6 +5,7 @@
 
 #include "postproc/report/findings_text.h"
 #include "postproc/report/report_text.h"
+#include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
 #include "postproc/report/write_csv.h"
 #include "postproc/report/write_junit.h"
@@ -296,6 +297,31 @@ TEST(DepthText, KeepsTwoDigitsOfSmallDepths) {
   EXPECT_EQ(short_length_text(0.001, LengthUnit::inch), "0.0000394 in");
   EXPECT_EQ(short_length_text(0, LengthUnit::inch), "0 in");
   EXPECT_EQ(depth_text(12.5, LengthUnit::inch), "0.4921 in");
+}
+
+TEST(StickoutText, SaysHowLongAndWhatIsInTheWayOneStepBelow) {
+  SmallReport report;
+  EXPECT_EQ(stickout_lines(report.model), "");
+  report.model.stickout_options = StickoutOptions{1, 100};
+  StickoutFacts tool;
+  tool.found.now_mm = 40.5;
+  tool.found.all = {53, 2, Body::holder};
+  tool.found.operations = {{0, {53, 2, Body::holder}}, {1, {40.5, kNone, Body::holder}}};
+  report.model.stickouts = {tool};
+  EXPECT_EQ(stickout_lines(report.model),
+            "stick-out T1: 40.5 mm; 53 mm needed, 12.5 mm longer; at 52 mm the holder gouges, line 12\n"
+            "stick-out T1, finish <1>: 53 mm needed, 12.5 mm longer; at 52 mm the holder gouges, line 12\n");
+  report.model.stickouts[0].found.operations.clear();
+  report.model.stickouts[0].shank_end_mm = 50;
+  EXPECT_EQ(
+      stickout_lines(report.model),
+      "stick-out T1: 40.5 mm; 53 mm needed, 12.5 mm longer; at 52 mm the holder gouges, line 12; flutes and shank "
+      "reach 50 mm, so it takes a longer tool\n");
+  report.model.stickouts[0].found.all = {std::nullopt, 2, Body::head, MoveState::buried};
+  EXPECT_EQ(stickout_lines(report.model),
+            "stick-out T1: 40.5 mm; no stick-out up to 140.5 mm is enough: the head is inside a solid, line 12\n");
+  report.model.stickouts[0].found.all = {40.5, kNone, Body::holder};
+  EXPECT_EQ(stickout_lines(report.model), "stick-out T1: 40.5 mm; long enough\n");
 }
 
 }  // namespace
