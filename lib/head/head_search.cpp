@@ -13,8 +13,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
-constexpr double kRoundUp = 1 + 1e-12;
+constexpr double kRounding_mm = 1e-9;   // of coordinates up to 100 m and a few additions
 constexpr double kSameNormal = 0.9999;  // cosine: a second plane as steep as the first bounds nothing more
 
 /// A node or leaf of a tree or a piece of a facet, over a time interval.
@@ -142,7 +141,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kRounding_mm) return false;
     ++result_.bounds;
-    const ClosestPoint foot = closest_point(region.middle, distance_to(c.facet, region.middle));
+    const ClosestPoint foot = closest_point(region.middle, c.facet);
     c.facet = foot.triangle;
     c.upper_mm = region.radius_mm - foot.signed_mm() + kRounding_mm;
     if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
@@ -150,13 +149,8 @@ class Search : public BestFirstSearch<Search, Candidate> {
     return true;
   }
 
-  /// A facet that is about as near as the closest makes the search for that one shorter.
-  [[nodiscard]] ClosestPoint closest_point(const Vec3& point, double within_mm) const {
-    return *head_.surface.closest_point(point, within_mm);
-  }
-  /// Not below the true distance.
-  [[nodiscard]] double distance_to(std::uint32_t facet, const Vec3& point) const {
-    return std::sqrt(closest_on_triangle(point, head_.surface.corners(facet)).distance2_mm2) * kRoundUp;
+  [[nodiscard]] ClosestPoint closest_point(const Vec3& point, std::uint32_t near) const {
+    return *head_.surface.closest_point(point, head_.surface.distance_bound_mm(point, near));
   }
 
   template <typename Region>
@@ -174,7 +168,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     bound_by_plane(c, region, foot, foot.is_inside);
     if (c.upper_mm <= threshold_mm()) return;
     const Vec3 lowest = region.lowest(foot.normal);
-    const ClosestPoint other = closest_point(lowest, distance_to(c.facet, lowest));
+    const ClosestPoint other = closest_point(lowest, c.facet);
     if (other.normal.dot(foot.normal) < kSameNormal) bound_by_plane(c, region, other, foot.is_inside);
   }
 
@@ -184,9 +178,9 @@ class Search : public BestFirstSearch<Search, Candidate> {
       for (const double t : {interval.t0, interval.t1}) {
         const RigidTransform& to_tool = t > interval.t0 ? interval.to_tool1 : interval.to_tool0;
         const Vec3 q = to_tool.point(p);
-        const double distance_mm = distance_to(c.facet, q);
-        if (distance_mm <= result_.depth_mm) continue;
-        const ClosestPoint foot = closest_point(q, distance_mm);
+        const double within_mm = head_.surface.distance_bound_mm(q, c.facet);
+        if (within_mm <= result_.depth_mm) continue;
+        const ClosestPoint foot = *head_.surface.closest_point(q, within_mm);
         if (!foot.is_inside || foot.distance_mm <= result_.depth_mm) continue;
         result_.depth_mm = foot.distance_mm;
         result_.has_witness = true;

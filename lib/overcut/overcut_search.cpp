@@ -16,7 +16,6 @@ namespace {
 constexpr double kInTool_mm = 1e-9;  // a point this little outside the tool counts as in it: rounding of its foot
 constexpr double kSeed_mm = 1e-6;    // the witness of a move is that exact
 constexpr double kRounding_mm = 1e-9;
-constexpr double kRoundUp = 1 + 1e-12;
 constexpr double kNotable_mm = 0.1 * kOvercutGap_mm;
 constexpr double kNear_mm = 0.02;  // a climb ends when it looks no farther than that
 constexpr int kClimbs = 24;
@@ -103,10 +102,8 @@ class Search : public BestFirstSearch<Search, Cell> {
     cell.triangle = foot.triangle;
   }
 
-  /// A triangle that is about as near as the closest makes the search for that one shorter.
   [[nodiscard]] ClosestPoint closest_point(const Vec3& point, std::uint32_t near) const {
-    const double distance2_mm2 = closest_on_triangle(point, part_.corners(near)).distance2_mm2;
-    return *part_.closest_point(point, std::sqrt(distance2_mm2) * kRoundUp);
+    return *part_.closest_point(point, part_.distance_bound_mm(point, near));
   }
 
   void add(Cell cell) {
