@@ -73,16 +73,19 @@ class ToolSearch {
     most_ = static_cast<std::size_t>(std::max(1.0, std::floor(options.most_longer_mm / options.step_mm)));
   }
 
-  /// Nothing for a tool that has neither shank nor holder nor a head above it.
+  /// Nothing for a tool without moves, or that has neither shank nor holder nor a head above it.
   Result<std::optional<ToolStickout>> run(const CheckResult& result) {
+    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+      if (path_.moves[i].tool == tool_) moves_.push_back(i);
+    }
+    if (moves_.empty()) return std::optional<ToolStickout>();
     if (Outcome made = candidate(0); !made) return made.error();
     const bool has_bodies = !candidates_.at(0)->longer.bodies.bare.elements.empty();
     if (!has_bodies && setup_.heads.empty()) return std::optional<ToolStickout>();
     const CheckResult bodies = has_bodies ? check(path_, candidates_.at(0)->setup, progress_) : CheckResult();
     const CheckResult& before = has_bodies ? bodies : result;
     std::vector<std::size_t> hit;
-    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
-      if (path_.moves[i].tool != tool_) continue;
+    for (const std::size_t i : moves_) {
       const MoveVerdict& verdict = before.verdicts[i];
       was_uncertain_[i] = verdict.state == MoveState::not_certified;
       obstacles_[i] = Obstacle(verdict);
@@ -171,9 +174,9 @@ class ToolSearch {
     if (Outcome made = candidate(k); !made) return made.error();
     const CheckResult all = check(path_, candidates_.at(k)->setup, progress_);
     std::vector<std::size_t> hit;
-    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
+    for (const std::size_t i : moves_) {
       const MoveVerdict& verdict = all.verdicts[i];
-      if (path_.moves[i].tool != tool_ || verdict.state == MoveState::not_checked) continue;
+      if (verdict.state == MoveState::not_checked) continue;
       if (is_free(verdict) || (was_uncertain_[i] && !is_hit(verdict))) continue;
       obstacles_[i] = Obstacle(verdict);
       hit.push_back(i);
@@ -210,23 +213,19 @@ class ToolSearch {
     ToolStickout found;
     found.tool = tool_;
     found.now_mm = now_mm_;
-    std::vector<std::size_t> all;
     std::vector<std::pair<std::size_t, std::vector<std::size_t>>> by_operation;
-    for (std::size_t i = 0; i < path_.moves.size(); ++i) {
-      const Move& move = path_.moves[i];
-      if (move.tool != tool_) continue;
-      all.push_back(i);
-      if (by_operation.empty() || by_operation.back().first != move.operation)
-        by_operation.emplace_back(move.operation, std::vector<std::size_t>());
+    for (const std::size_t i : moves_) {
+      const std::size_t operation = path_.moves[i].operation;
+      if (by_operation.empty() || by_operation.back().first != operation)
+        by_operation.emplace_back(operation, std::vector<std::size_t>());
       by_operation.back().second.push_back(i);
     }
-    if (all.empty()) return std::optional<ToolStickout>();
     for (const auto& [operation, moves] : by_operation) {
       Result<StickoutNeed> need = need_of(moves);
       if (!need) return need.error();
       found.operations.push_back({operation, *need});
     }
-    Result<StickoutNeed> need = need_of(all);
+    Result<StickoutNeed> need = need_of(moves_);
     if (!need) return need.error();
     found.all = *need;
     return std::optional(found);
@@ -241,6 +240,7 @@ class ToolSearch {
   double now_mm_, first_mm_ = 0;
   std::size_t most_ = 1;
   CheckOptions check_options_;
+  std::vector<std::size_t> moves_;   // of the tool
   std::vector<std::size_t> needs_;   // by move: the least number found; most_ + 1: none
   std::vector<Obstacle> obstacles_;  // by move: where it was last not free
   std::vector<bool> was_uncertain_;  // by move
