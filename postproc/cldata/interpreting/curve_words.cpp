@@ -24,8 +24,6 @@ void take_unread_curve(States& s) {
   s.curve.describe(unreadable(s.in.because(Reasons::kCurve)));
 }
 
-void take_indirv(States& s) { s.curve.begin_tangent(); }
-
 void take_tlon(States& s) {
   const std::optional<TlonStatement> tlon =
       s.in.has("GOFWD") ? read_tlon(s.in.arguments, s.frame.mm_per_unit()) : std::nullopt;
@@ -49,11 +47,5 @@ void take_tlon(States& s) {
   if (is_doubtful) s.chain.lose_start(Reasons::kPlainAxis);
   s.curve.end_arc();
 }
-
-void take_nurbs(States& s) { s.nurbs.begin(); }
-
-void take_knots(States& s) { s.nurbs.take_knots(); }
-
-void take_control_point(States& s) { s.nurbs.take_control_point(); }
 
 }  // namespace gouge

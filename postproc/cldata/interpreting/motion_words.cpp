@@ -15,8 +15,7 @@ namespace {
 bool is_axis_name(const Argument& argument) {
   constexpr std::array<std::string_view, 12> kNames = {"X",     "Y",     "Z",     "A",     "B",     "C",
                                                        "XAXIS", "YAXIS", "ZAXIS", "AAXIS", "BAXIS", "CAXIS"};
-  return std::any_of(kNames.begin(), kNames.end(),
-                     [&](std::string_view name) { return equals_ignoring_case(argument.text, name); });
+  return is_one_of(argument.text, kNames);
 }
 
 void take_positions(States& s, PositionForm form) {
@@ -128,10 +127,6 @@ void take_fedrat(States& s) {
   distrust_numbers_of_feed(s);
   s.feed.take_fedrat(s.frame.mm_per_unit());
 }
-
-void take_multax(States& s) { s.axes.take_multax(); }
-
-void take_retrct(States& s) { s.chain.lose_start(Reasons::kAfterRetract); }
 
 // ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT.
 void take_cutcom(States& s) {
