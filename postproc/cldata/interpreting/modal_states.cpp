@@ -1,26 +1,12 @@
 #include "postproc/cldata/interpreting/modal_states.h"
 
 #include <array>
-#include <cstddef>
-#include <initializer_list>
 #include <string_view>
 
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
 namespace {
-
-// Words of a row, asked for at every statement of a file.
-class WordSet {
- public:
-  constexpr WordSet(std::initializer_list<Word> words) {
-    for (const Word word : words) has_[static_cast<std::size_t>(word)] = true;
-  }
-  [[nodiscard]] constexpr bool has(Word word) const { return has_[static_cast<std::size_t>(word)]; }
-
- private:
-  std::array<bool, 256> has_{};
-};
 
 // Words that begin something new: none of them is written while a cycle drills or before the end of an arc.
 constexpr WordSet kBeginsAnew = {Word::operation, Word::tool_path, Word::end_of_path, Word::from,        Word::gohome,

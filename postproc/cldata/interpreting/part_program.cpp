@@ -18,10 +18,7 @@ bool is_assignment(std::string_view major) {
   const std::size_t sign = major.find('=');
   if (sign == std::string_view::npos || sign == 0) return false;
   const std::string_view symbol = trim(major.substr(0, sign));
-  const auto is_symbol = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '(' || c == ')' ||
-           c == '_';
-  };
+  const auto is_symbol = [](char c) { return is_digit(c) || is_letter(c) || c == '(' || c == ')' || c == '_'; };
   return symbol.size() <= kLongestSymbol && std::all_of(symbol.begin(), symbol.end(), is_symbol);
 }
 
@@ -30,8 +27,7 @@ bool is_geometry(std::string_view value) {
   constexpr std::array<std::string_view, 20> kGeometry = {
       "POINT",  "LINE",   "PLANE",  "CIRCLE", "CYLNDR", "CONE",   "SPHERE", "ELLIPS", "HYPERB", "GCONIC",
       "LCONIC", "VECTOR", "MATRIX", "QADRIC", "TABCYL", "RLDSRF", "POLCON", "PATERN", "MACRO",  "SCURV"};
-  return std::any_of(kGeometry.begin(), kGeometry.end(),
-                     [&](std::string_view word) { return equals_ignoring_case(word, value); });
+  return is_one_of(value, kGeometry);
 }
 
 }  // namespace

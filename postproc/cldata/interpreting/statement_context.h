@@ -7,6 +7,7 @@
 
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/interpreting/named_reasons.h"
+#include "postproc/cldata/interpreting/tally.h"
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/statement.h"
@@ -42,6 +43,9 @@ class StatementContext {
     return reasons_.name(reason, word, line);
   }
   void count_unknown();
+  /// How often something was seen in the file: `noun` in the number that was counted, then `rest`. Nothing where it
+  /// never was.
+  void report(Severity severity, const char* code, const Tally& seen, std::string_view noun, std::string_view rest);
   void fail(std::string code, std::string message);
   /// The file is no CL data: of all errors this one is left, and reading further has no use.
   void refuse_part_program(std::string_view what) { refuse_part_program(what, line()); }

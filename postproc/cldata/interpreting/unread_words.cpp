@@ -106,11 +106,10 @@ bool is_misread(States& s) {
 void take_harmless(States& s) {
   const Statement& statement = s.in.statement();
   if (statement.is_decoded || statement.pieces.empty()) return;
-  const auto is_called = [&](std::string_view word) { return equals_ignoring_case(statement.major, word); };
-  if (std::any_of(kOfManyNumbers.begin(), kOfManyNumbers.end(), is_called)) return;
+  if (is_one_of(statement.major, kOfManyNumbers)) return;
   split_arguments(statement, s.in.arguments);
   const NumberCount numbers = count_numbers(s.in.arguments);
-  const std::size_t most = numbers.has_negative ? (is_called("SPINDL") ? 1 : 0) : 2;
+  const std::size_t most = numbers.has_negative ? (equals_ignoring_case(statement.major, "SPINDL") ? 1 : 0) : 2;
   if (numbers.count > most) take_unread_motion(s);
 }
 

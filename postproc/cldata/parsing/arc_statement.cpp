@@ -41,8 +41,7 @@ bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
     const std::string_view text = arguments[i].text;
     if (arguments[i].number) {
       ++numbers;
-    } else if (std::none_of(kWords.begin(), kWords.end(),
-                            [&](std::string_view word) { return equals_ignoring_case(text, word); })) {
+    } else if (!is_one_of(text, kWords)) {
       return false;
     } else if (equals_ignoring_case(text, "TIMES") || equals_ignoring_case(text, "ANGLE")) {
       if (++i >= arguments.size() || !arguments[i].number) return false;

@@ -18,11 +18,6 @@ constexpr double kFarthest_mm = 1e6;
 
 using Arguments = std::span<const Argument>;
 
-bool is_one_of(std::string_view text, std::span<const std::string_view> words) {
-  return std::any_of(words.begin(), words.end(),
-                     [text](std::string_view word) { return equals_ignoring_case(text, word); });
-}
-
 // Cycles whose tool goes straight down and straight up again.
 constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2", "BRKCHP", "CHIPBRK",
                                                         "TAP",   "RTAP",  "LTAP",  "RIGID",  "REAM",

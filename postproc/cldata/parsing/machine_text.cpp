@@ -18,11 +18,6 @@ namespace {
 using Token = MachineToken;
 using Tokens = std::span<const Token>;
 
-template <std::size_t size>
-bool is_one_of(std::string_view word, const std::array<std::string_view, size>& words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return equals_ignoring_case(word, w); });
-}
-
 bool is(const Token& token, std::string_view word) { return equals_ignoring_case(token.letters, word); }
 
 bool is_word_of(const Token& token, std::string_view letters) {
