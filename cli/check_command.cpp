@@ -6,7 +6,7 @@
 #include "cli/job.h"
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
-#include "cli/peak_memory.h"
+#include "cli/print_diagnostics.h"
 #include "cli/setup_notes.h"
 #include "lib/base/exit_code.h"
 #include "lib/certify/check.h"

@@ -3,10 +3,7 @@
 #include <algorithm>
 
 #include "postproc/report/report_model.h"
-#include "postproc/report/write_csv.h"
-#include "postproc/report/write_json.h"
-#include "postproc/report/write_junit.h"
-#include "postproc/report/write_sarif.h"
+#include "postproc/report/write_report.h"
 
 namespace gouge {
 namespace {

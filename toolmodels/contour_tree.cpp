@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 #include "toolmodels/voronoi.h"
 
 namespace gouge {

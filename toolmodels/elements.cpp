@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "lib/geom/cross.h"
+#include "lib/geom/vec.h"
 
 namespace gouge {
 namespace {

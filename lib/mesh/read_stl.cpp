@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "lib/base/number_text.h"
-#include "lib/base/view_file.h"
 #include "lib/mesh/ascii_stl.h"
 
 namespace gouge {
@@ -166,12 +165,6 @@ Result<TriangleSoup> parse_stl(std::string_view bytes, const std::string& name, 
                       name);
   }
   return parse_binary_stl(bytes, name, std::move(keep));
-}
-
-Result<TriangleSoup> read_stl(const std::string& path) {
-  const Result<FileView> file = view_file(path);
-  if (!file) return file.error();
-  return parse_stl(file->bytes, path, file->keep);
 }
 
 }  // namespace gouge

@@ -1,4 +1,4 @@
-#include "postproc/image/close_up.h"
+#include "postproc/image/heat_map.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "postproc/image/depth_strip.h"
+#include "postproc/image/heat_map.h"
 
 #include <algorithm>
 #include <cmath>

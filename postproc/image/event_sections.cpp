@@ -1,4 +1,4 @@
-#include "postproc/image/event_sections.h"
+#include "postproc/image/heat_map.h"
 
 #include <algorithm>
 #include <cmath>

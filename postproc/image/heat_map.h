@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "lib/field/overcut_field.h"
 #include "postproc/image/choose_views.h"
 #include "postproc/image/gouge_witnesses.h"
@@ -29,6 +31,22 @@ struct PictureSet {
 /// The part before (left) and after a correction (right), same views, same colours. `after` describes the
 /// corrected path, `before` the path as read.
 [[nodiscard]] Page draw_before_after(const PictureSet& before, const PictureSet& after);
+
+/// One finding close up: the part with the tool at the worst instant, and the section through the tool's axis
+/// and the deepest point, whole and enlarged with the depth as an arrow.
+[[nodiscard]] Page draw_event(const PictureSet& set, const PictureEvent& event);
+
+/// The left of a finding's page: part, tool and heads at its worst instant, `words` pointing at the point,
+/// with triad, scale and colours.
+void add_close_up(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words);
+
+/// The right of a finding's page: the section through the deepest point and the region enlarged, with the
+/// depth as an arrow called `words`. What is buried has no deepest point: one section of all of it.
+void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, const std::string& words);
+
+/// The depth of every move over its number: what is certain as bars in the colour of the body, what is not
+/// excluded as a pale band above, the tolerance as a line; unchecked and buried stretches stand out.
+[[nodiscard]] Page draw_depth_strip(const PictureSet& set);
 
 /// "Overcut on the part", or "Gouge depth on the part" where no move has one.
 [[nodiscard]] std::string heat_map_title(const PictureSet& set);

@@ -1,4 +1,4 @@
-#include "postproc/report/findings_text.h"
+#include "postproc/report/write_report.h"
 
 #include <algorithm>
 

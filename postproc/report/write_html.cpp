@@ -1,11 +1,10 @@
-#include "postproc/report/write_html.h"
+#include "postproc/report/write_report.h"
 
 #include <algorithm>
 #include <limits>
 #include <string_view>
 
 #include "lib/base/number_text.h"
-#include "postproc/report/findings_text.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"

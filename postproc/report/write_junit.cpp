@@ -1,4 +1,4 @@
-#include "postproc/report/write_junit.h"
+#include "postproc/report/write_report.h"
 
 #include <algorithm>
 #include <map>

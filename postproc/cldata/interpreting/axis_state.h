@@ -5,7 +5,6 @@
 #include "postproc/cldata/interpreting/doubts.h"
 #include "postproc/cldata/interpreting/position.h"
 #include "postproc/cldata/interpreting/statement_context.h"
-#include "postproc/cldata/interpreting/tally.h"
 
 namespace gouge {
 

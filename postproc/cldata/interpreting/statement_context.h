@@ -7,12 +7,20 @@
 
 #include "lib/path/toolpath.h"
 #include "postproc/cldata/interpreting/named_reasons.h"
-#include "postproc/cldata/interpreting/tally.h"
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/statement.h"
 
 namespace gouge {
+
+/// How often something was seen in a file, and the line of the first.
+struct Tally {
+  std::size_t count = 0, first_line = 0;
+
+  void add(std::size_t line) {
+    if (count++ == 0) first_line = line;
+  }
+};
 
 /// The statement being taken, the file it stands in, and what is wrong with either: what every state of the
 /// interpreter looks at.

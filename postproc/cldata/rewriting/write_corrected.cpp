@@ -12,9 +12,7 @@
 #include "postproc/cldata/rewriting/goto_text.h"
 #include "postproc/cldata/rewriting/replaced_statements.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
-#include "postproc/cldata/rewriting/write_corrected_nccs.h"
-#include "postproc/cldata/rewriting/write_corrected_nci.h"
-#include "postproc/cldata/rewriting/wrong_change.h"
+#include "postproc/cldata/rewriting/rewriters.h"
 
 namespace gouge {
 namespace {

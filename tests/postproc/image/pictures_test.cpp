@@ -5,8 +5,6 @@
 
 #include "lib/field/depth_field.h"
 #include "lib/tool/evaluate.h"
-#include "postproc/image/depth_strip.h"
-#include "postproc/image/event_picture.h"
 #include "postproc/image/heat_map.h"
 #include "postproc/image/picture_events.h"
 #include "postproc/image/render_png.h"
