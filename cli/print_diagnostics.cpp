@@ -61,8 +61,7 @@ int fail(std::ostream& err, const Diagnostics& errors, int status) {
 }
 
 int fail(std::ostream& err, const Diagnostics& errors) {
-  const bool is_usage =
-      std::any_of(errors.begin(), errors.end(), [](const Diagnostic& d) { return d.code == "usage"; });
+  const bool is_usage = std::ranges::any_of(errors, [](const Diagnostic& d) { return d.code == "usage"; });
   return fail(err, errors, is_usage ? kExitUsage : kExitInput);
 }
 

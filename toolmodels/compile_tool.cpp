@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "lib/geom/vec.h"
+#include "lib/geom/cross.h"
 #include "lib/tool/evaluate.h"
 #include "toolmodels/bsp.h"
 #include "toolmodels/contour_tree.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <limits>
 
-#include "lib/geom/vec.h"
+#include "lib/geom/cross.h"
 #include "toolmodels/voronoi.h"
 
 namespace gouge {

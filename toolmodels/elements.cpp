@@ -5,7 +5,7 @@
 #include <numbers>
 #include <optional>
 
-#include "lib/geom/vec.h"
+#include "lib/geom/cross.h"
 
 namespace gouge {
 namespace {

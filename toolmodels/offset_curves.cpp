@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "lib/geom/vec.h"
+#include "lib/geom/cross.h"
 
 namespace gouge::detail {
 namespace {

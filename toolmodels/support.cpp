@@ -2,7 +2,7 @@
 #include <cmath>
 #include <optional>
 
-#include "lib/geom/vec.h"
+#include "lib/geom/cross.h"
 #include "toolmodels/bsp.h"
 #include "toolmodels/contour_tree.h"
 #include "toolmodels/elements.h"

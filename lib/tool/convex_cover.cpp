@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "lib/geom/vec.h"
+#include "lib/geom/cross.h"
 
 namespace gouge {
 namespace {

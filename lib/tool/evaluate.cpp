@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "lib/geom/vec.h"
+#include "lib/geom/cross.h"
 
 namespace gouge {
 namespace {

@@ -96,8 +96,7 @@ class HtmlReport {
   }
 
   [[nodiscard]] const NamedFile* picture(std::string_view name) const {
-    const auto found =
-        std::find_if(pictures_.begin(), pictures_.end(), [&](const NamedFile& file) { return file.name == name; });
+    const auto found = std::ranges::find_if(pictures_, [&](const NamedFile& file) { return file.name == name; });
     return found == pictures_.end() ? nullptr : &*found;
   }
 

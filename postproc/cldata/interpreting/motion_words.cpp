@@ -102,8 +102,7 @@ void take_godlta(States& s) {
 // GOHOME without words.
 void take_gohome(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
-  const bool names_axes =
-      s.in.dialect.gohome_names_axes && std::all_of(arguments.begin(), arguments.end(), is_axis_name);
+  const bool names_axes = s.in.dialect.gohome_names_axes && std::ranges::all_of(arguments, is_axis_name);
   if (!arguments.empty() && !names_axes) return take_positions(s, PositionForm::gohome);
   s.feed.end_rapid();
   break_motion(s);

@@ -52,9 +52,8 @@ bool is_shifting_word(std::string_view word) {
   constexpr std::size_t kLongest = 24;
   std::string large;
   for (const char c : word.substr(0, kLongest)) large += static_cast<char>(is_letter(c) ? c & ~0x20 : c);
-  return std::find(kWords.begin(), kWords.end(), large) != kWords.end() ||
-         std::any_of(kParts.begin(), kParts.end(),
-                     [&](std::string_view part) { return large.find(part) != std::string::npos; });
+  return std::ranges::find(kWords, large) != kWords.end() ||
+         std::ranges::any_of(kParts, [&](std::string_view part) { return large.find(part) != std::string::npos; });
 }
 
 // A word of the source language makes a statement alone or before a slash or comma; else it only begins a

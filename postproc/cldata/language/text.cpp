@@ -67,8 +67,7 @@ bool equals_ignoring_case(std::string_view a, std::string_view b) {
 }
 
 bool is_one_of(std::string_view text, std::span<const std::string_view> words) {
-  return std::any_of(words.begin(), words.end(),
-                     [&](std::string_view word) { return equals_ignoring_case(text, word); });
+  return std::ranges::any_of(words, [&](std::string_view word) { return equals_ignoring_case(text, word); });
 }
 
 bool starts_with_ignoring_case(std::string_view text, std::string_view start) {
