@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {

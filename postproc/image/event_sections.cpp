@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "postproc/image/event_scale.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/image/section_panel.h"
 #include "postproc/report/report_text.h"
 

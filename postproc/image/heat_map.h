@@ -1,11 +1,14 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lib/field/overcut_field.h"
-#include "postproc/image/choose_views.h"
 #include "postproc/image/gouge_witnesses.h"
 #include "postproc/image/page.h"
+#include "postproc/image/picture_events.h"
+#include "postproc/image/picture_scene.h"
+#include "postproc/image/view.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {
@@ -56,5 +59,11 @@ void add_sections(Page& page, const PictureSet& set, const PictureEvent& event, 
 /// "worst 0.213 mm" and the like, for the badge of a page.
 [[nodiscard]] std::string badge_text(const ReportModel& model, const CheckResult& result);
 [[nodiscard]] Colour badge_colour(const CheckResult& result);
+
+/// `count` directions to look at the part from, out of the faces and corners of a cube and the mean tool
+/// axis: the one that shows the most of what is gouged (gouge_witnesses.h) and the worst events, then the best that differs by 50
+/// degrees. Without gouges the usual view from above the tool and the one opposite.
+[[nodiscard]] std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
+                                                  const std::vector<PictureEvent>& events, std::size_t count);
 
 }  // namespace gouge

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lib/base/printable_text.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "postproc/image/heat_map.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {

@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "postproc/cldata/interpreting/doubts.h"
-#include "postproc/cldata/interpreting/position.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/statement_context.h"
 
 namespace gouge {

@@ -6,7 +6,7 @@
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/dialect.h"
-#include "postproc/cldata/lexing/statement_at.h"
+#include "postproc/cldata/lexing/statement_reader.h"
 #include "postproc/cldata/rewriting/arc_text.h"
 #include "postproc/cldata/rewriting/change_table.h"
 #include "postproc/cldata/rewriting/goto_text.h"

@@ -7,7 +7,7 @@
 #include "lib/tool/evaluate.h"
 #include "postproc/image/heat_map.h"
 #include "postproc/image/picture_events.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/image/report_pictures.h"
 #include "tests/postproc/image/small_pages.h"
 #include "tests/postproc/image/small_scene.h"
