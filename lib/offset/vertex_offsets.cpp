@@ -25,9 +25,9 @@ std::vector<Vec3> distinct_normals(std::span<const Vec3> normals) {
   return kept;
 }
 
-PlaneOffset offset_of_planes(std::span<const Vec3> normals) {
+VertexOffset offset_of_planes(std::span<const Vec3> normals) {
   const std::vector<Vec3> planes = distinct_normals(normals);
-  PlaneOffset result;
+  VertexOffset result;
   if (planes.empty()) return result;
   if (planes.size() == 1) return {planes[0], PlaneCase::one_plane};
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
@@ -79,8 +79,7 @@ std::vector<VertexOffset> offset_by_planes(const IndexedMesh& mesh, const MeshAd
     for (const std::uint32_t t : adjacency.triangles_of_vertex(v)) {
       if (normals[t].squaredNorm() > 0) faces.push_back(normals[t]);
     }
-    const PlaneOffset offset = offset_of_planes(faces);
-    all.push_back({offset.move, offset.planes});
+    all.push_back(offset_of_planes(faces));
   }
   return all;
 }

@@ -26,23 +26,18 @@ enum class PlaneCase {
 /// How far an offset vertex may run, in multiples of the offset.
 inline constexpr double kLongestOffset = 20;
 
-struct PlaneOffset {
-  Vec3 move = Vec3::Zero();  ///< n_i . move = 1 for every plane, as far as the case allows
-  PlaneCase planes = PlaneCase::none;
+struct VertexOffset {
+  Vec3 move = Vec3::Zero();            ///< n_i . move = 1 for every plane, as far as the case allows
+  PlaneCase planes = PlaneCase::none;  ///< what the faces' planes determine; none: zero, at a vertex without a face
 };
 
 /// Moves the planes through a vertex with unit `normals` by 1 and finds where they meet now: the shortest
 /// solution of n_i . x = 1 in least squares.
 /// Source  thesis 4.5.2.3; the cases are those it calls degenerate.
-[[nodiscard]] PlaneOffset offset_of_planes(std::span<const Vec3> normals);
+[[nodiscard]] VertexOffset offset_of_planes(std::span<const Vec3> normals);
 
 /// The normals without repetitions (closer than 1e-9).
 [[nodiscard]] std::vector<Vec3> distinct_normals(std::span<const Vec3> normals);
-
-struct VertexOffset {
-  Vec3 move = Vec3::Zero();            ///< zero at a vertex without a face
-  PlaneCase planes = PlaneCase::none;  ///< what the faces' planes determine
-};
 
 /// One for each vertex: the planes of its faces are moved and meet again (offset_of_planes); longer than 1 at an edge.
 /// Cost    O(n).
