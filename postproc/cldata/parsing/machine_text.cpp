@@ -245,37 +245,19 @@ void take_code(double number, Tokens tokens, MachineEffect& effect) {
     effect.begins_steps = false;
     effect.ends_steps = true;
   }
-  switch (code_of(number)) {
-    case Code::harmless:
-      return;
-    case Code::path:
-      if (has_axes) move(tokens, effect);
-      return;
-    case Code::moves:
-      return move(tokens, effect);
-    case Code::shifts_with_axes:
-      // G92 with an S alone limits the spindle's speed, G50 alone ends scaling.
-      effect.shifts = effect.shifts || has_axes ||
-                      (number > 90 && std::ranges::none_of(tokens, [](const Token& t) { return is_word_of(t, "S"); }));
-      return;
-    case Code::shifts:
-      effect.shifts = true;
-      return;
-    case Code::length:
-      effect.changes_length = true;
-      return;
-    case Code::begins_cycle:
-      effect.begins_cycle = true;
-      return;
-    case Code::ends_cycle:
-      effect.ends_cycle = true;
-      return;
-    case Code::offset:
-      effect.chooses_offset = true;
-      return;
-    case Code::unknown:
-      effect.is_unknown = true;
-  }
+  const Code code = code_of(number);
+  if (code == Code::moves || (code == Code::path && has_axes)) move(tokens, effect);
+  // G92 with an S alone limits the spindle's speed, G50 alone ends scaling.
+  const auto has_no_speed = [&] {
+    return std::ranges::none_of(tokens, [](const Token& t) { return is_word_of(t, "S"); });
+  };
+  const bool shifts_axes = code == Code::shifts_with_axes && (has_axes || (number > 90 && has_no_speed()));
+  effect.shifts = effect.shifts || code == Code::shifts || shifts_axes;
+  effect.changes_length = effect.changes_length || code == Code::length;
+  effect.begins_cycle = effect.begins_cycle || code == Code::begins_cycle;
+  effect.ends_cycle = effect.ends_cycle || code == Code::ends_cycle;
+  effect.chooses_offset = effect.chooses_offset || code == Code::offset;
+  effect.is_unknown = effect.is_unknown || code == Code::unknown;
 }
 
 // The numbers of axes beside these are no position to go to.

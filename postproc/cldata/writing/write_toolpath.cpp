@@ -36,6 +36,8 @@ bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
   return true;
 }
 
+bool is_tilted(const Move& move) { return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt; }
+
 // The dialect cannot say the whole shape of this cutter.
 bool loses_shape(CutterForm form, const PathTool& tool) {
   if (!tool.cutter) return tool.stated_diameter_mm > 0 && form != CutterForm::diameter_alone;
@@ -138,8 +140,7 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
                       path_.file, retracted->line);
   }
   if (!target_.has_z_alone) return std::nullopt;
-  const auto tilted = std::ranges::find_if(
-      path_.moves, [](const Move& move) { return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt; });
+  const auto tilted = std::ranges::find_if(path_.moves, is_tilted);
   if (tilted == path_.moves.end()) return std::nullopt;
   return make_error("convert-dialect",
                     "camworks-clt has no tool axis, and this move's is not +Z; expected another dialect for --to",
@@ -156,8 +157,7 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   options.unit = path_.unit;
   options.name = name.substr(0, name.find('.'));
   options.is_on_centre = is_on_centre_;
-  options.is_tilted = std::ranges::any_of(
-      path_.moves, [](const Move& move) { return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt; });
+  options.is_tilted = std::ranges::any_of(path_.moves, is_tilted);
   const bool is_text = form_of(path_.dialect) != FileForm::nccs_records;
   if (is_text) {
     const GotoText source(path_, records_);
