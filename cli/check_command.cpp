@@ -9,7 +9,7 @@
 #include "cli/length_text.h"
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
-#include "cli/peak_memory.h"
+#include "cli/print_diagnostics.h"
 #include "cli/setup_notes.h"
 #include "cli/stickouts.h"
 #include "lib/base/exit_code.h"

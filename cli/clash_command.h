@@ -3,8 +3,8 @@
 #include <iosfwd>
 #include <string>
 
-#include "cli/input_limit.h"
 #include "cli/print_diagnostics.h"
+#include "cli/reading_options.h"
 
 namespace CLI {
 class App;

@@ -1,5 +1,6 @@
 #include "cli/clash_report.h"
 
+#include <array>
 #include <cmath>
 
 #include "cli/json_text.h"
@@ -67,17 +68,8 @@ Json contact_json(const Contact& contact, double mm) {
 }  // namespace
 
 const char* state_name(ClashState state) {
-  switch (state) {
-    case ClashState::free:
-      return "free";
-    case ClashState::touching:
-      return "touching";
-    case ClashState::penetrating:
-      return "penetrating";
-    case ClashState::not_certified:
-      break;
-  }
-  return "not-certified";
+  static constexpr std::array<const char*, 4> kNames = {"free", "touching", "penetrating", "not-certified"};
+  return kNames[static_cast<std::size_t>(state)];
 }
 
 std::string clash_text(const ClashReport& r) {

@@ -10,7 +10,7 @@
 #include "cli/length_text.h"
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
-#include "cli/peak_memory.h"
+#include "cli/print_diagnostics.h"
 #include "cli/setup_notes.h"
 #include "lib/base/exit_code.h"
 #include "lib/correct/correct_path.h"
@@ -33,8 +33,7 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
     facts.written.push_back({written_name(written.kind), written.line});
   for (const PathChange& change : correction.changes) {
     if (!change.is_straightened && change.inserted_arcs.empty()) continue;
-    const auto arcs = std::count_if(change.inserted_arcs.begin(), change.inserted_arcs.end(),
-                                    [](const auto& arc) { return arc.has_value(); });
+    const auto arcs = std::ranges::count_if(change.inserted_arcs, [](const auto& arc) { return arc.has_value(); });
     const std::size_t straight =
         change.inserted_before.size() + (change.is_straightened ? 1 : 0) - static_cast<std::size_t>(arcs);
     facts.curves += straight > 0 ? 1 : 0;

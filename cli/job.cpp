@@ -158,8 +158,8 @@ class JobLoader {
     Result<ResolvedTools> resolved =
         resolve_tools(job_.toolpath, library ? &*library : nullptr, arguments_.tool_names, arguments_.holder);
     if (!resolved) return errors_.push_back(resolved.error());
-    const bool is_any_defined = std::any_of(resolved->assemblies.begin(), resolved->assemblies.end(),
-                                            [](const auto& assembly) { return assembly.has_value(); });
+    const bool is_any_defined =
+        std::ranges::any_of(resolved->assemblies, [](const auto& assembly) { return assembly.has_value(); });
     if (!is_any_defined) return errors_.push_back(no_tool());
     add_notes(resolved->notes);
     job_.tool_facts = std::move(resolved->facts);
@@ -242,8 +242,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.tools = tool_facts;
   model.notes = notes;
   model.closeness = measure_closeness(path, tools(), prepared, result.verdicts, options.check.threads);
-  const bool is_known =
-      std::any_of(notes.begin(), notes.end(), [](const Diagnostic& note) { return note.code == kSceneMisplaced; });
+  const bool is_known = std::ranges::any_of(notes, [](const Diagnostic& note) { return note.code == kSceneMisplaced; });
   if (is_known) return model;
   const auto apart = model.closeness ? find_apart(path, *model.closeness) : std::nullopt;
   if (apart) model.notes.push_back(*apart);

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "cli/length_text.h"
-#include "lib/base/thread_limit.h"
+#include "lib/base/parallel.h"
 
 namespace gouge {
 namespace {

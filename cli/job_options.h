@@ -4,7 +4,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/input_limit.h"
 #include "cli/print_diagnostics.h"
 #include "cli/progress.h"
 #include "cli/reading_options.h"

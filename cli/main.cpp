@@ -1,12 +1,63 @@
-#include <iostream>
+#include <cxxabi.h>
+#include <unistd.h>
 
-#include "cli/last_resort.h"
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string_view>
+#include <typeinfo>
+
 #include "cli/run.h"
 #include "cli/standard_output.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/temporary_name.h"
 
 namespace {
 
-void before_all(int, char**, char**) { gouge::end_orderly_on_terminate(); }
+void report(std::string_view text) {
+  // Nobody is left to hear that this failed.
+  [[maybe_unused]] const ssize_t ignored = ::write(STDERR_FILENO, text.data(), text.size());
+}
+
+// An exception that nothing can catch any more (out of memory in a destructor of the JSON library, or in the static
+// initialiser of another one) ends the program with its message and kExitInternal, not with SIGABRT. Broken assertions
+// still abort: their core is the evidence of a bug. Allocates nothing, as there may be nothing to allocate.
+[[noreturn]] void end_orderly() noexcept {
+  const std::type_info* thrown = abi::__cxa_current_exception_type();
+  if (thrown != nullptr && (*thrown == typeid(std::bad_alloc) || *thrown == typeid(std::bad_array_new_length))) {
+    report("gougecheck: error: out of memory; nothing more was written [out-of-memory]\n");
+  } else {
+    report("gougecheck: error: internal failure: ");
+    report(thrown == nullptr ? "terminated" : thrown->name());
+    report(" [internal]\n");
+  }
+  gouge::remove_temporary_names();
+  ::_exit(gouge::kExitInternal);
+}
+
+// The second one, which comes when this handler returns, finds the usual action: whoever waits for the program sees
+// which signal ended it.
+void tidy_up_and_end(int signal) {
+  gouge::remove_temporary_names();
+  ::raise(signal);
+}
+
+// SIGINT (ctrl-C), SIGTERM and SIGHUP remove the temporary names of outputs before they end the program, as these
+// signals do; one that is ignored (nohup) stays so.
+void tidy_up_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction old {
+    }, own{};
+    if (::sigaction(signal, nullptr, &old) != 0 || old.sa_handler == SIG_IGN) continue;
+    own.sa_handler = tidy_up_and_end;
+    own.sa_flags = static_cast<int>(SA_RESETHAND);
+    ::sigfillset(&own.sa_mask);
+    ::sigaction(signal, &own, nullptr);
+  }
+}
+
+void before_all(int, char**, char**) { std::set_terminate(end_orderly); }
 
 // Before the constructors of the libraries, which may run out of memory as well.
 [[gnu::section(".preinit_array"), gnu::used]] void (*const kBeforeAll)(int, char**, char**) = before_all;
@@ -15,6 +66,6 @@ void before_all(int, char**, char**) { gouge::end_orderly_on_terminate(); }
 
 int main(int argc, char** argv) {
   gouge::prepare_standard_streams();
-  gouge::tidy_up_on_signals();
+  tidy_up_on_signals();
   return gouge::run(argc, argv, std::cout, std::cerr);
 }

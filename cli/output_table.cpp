@@ -3,10 +3,7 @@
 #include <algorithm>
 
 #include "postproc/report/report_model.h"
-#include "postproc/report/write_csv.h"
-#include "postproc/report/write_json.h"
-#include "postproc/report/write_junit.h"
-#include "postproc/report/write_sarif.h"
+#include "postproc/report/write_report.h"
 
 namespace gouge {
 namespace {
@@ -32,9 +29,8 @@ OutputTable asked_for(const OutputTable& outputs) {
 }
 
 Result<bool> is_stdout_taken(const OutputTable& outputs) {
-  const auto taken = std::count_if(outputs.begin(), outputs.end(), [](const Output& output) {
-    return output.kind == Output::Kind::file && output.file == "-";
-  });
+  const auto taken = std::ranges::count_if(
+      outputs, [](const Output& output) { return output.kind == Output::Kind::file && output.file == "-"; });
   if (taken > 1) return make_error("usage", "only one output can go to standard output (-)");
   return taken == 1;
 }

@@ -8,10 +8,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 #include "postproc/image/report_pictures.h"
-#include "postproc/report/findings_text.h"
-#include "postproc/report/write_csv.h"
-#include "postproc/report/write_html.h"
-#include "postproc/report/write_json.h"
+#include "postproc/report/write_report.h"
 
 namespace gouge {
 namespace {

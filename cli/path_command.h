@@ -3,7 +3,6 @@
 #include <iosfwd>
 #include <string>
 
-#include "cli/input_limit.h"
 #include "cli/reading_options.h"
 
 namespace CLI {

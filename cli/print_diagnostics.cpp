@@ -2,11 +2,26 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstddef>
+#include <fstream>
 #include <ostream>
+#include <string>
 
 #include "lib/base/exit_code.h"
 
 namespace gouge {
+namespace {
+
+// Not getrusage: its peak begins with that of the program which started this one.
+std::optional<std::size_t> peak_memory_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.compare(0, 6, "VmHWM:") == 0) return 1024 * std::stoull(line.substr(6));
+  }
+  return std::nullopt;
+}
+
+}  // namespace
 
 void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose) {
   command.add_flag("-q,--quiet", verbosity.is_quiet, "Print no findings, only errors");
@@ -33,14 +48,20 @@ void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& v
   if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
 }
 
+void print_peak_memory(std::ostream& err) {
+  constexpr std::size_t kMegabyte = 1000000;
+  if (const auto bytes = peak_memory_bytes()) {
+    err << "memory: " << (*bytes + kMegabyte - 1) / kMegabyte << " MB at the peak\n";
+  }
+}
+
 int fail(std::ostream& err, const Diagnostics& errors, int status) {
   print(err, errors);
   return status;
 }
 
 int fail(std::ostream& err, const Diagnostics& errors) {
-  const bool is_usage =
-      std::any_of(errors.begin(), errors.end(), [](const Diagnostic& d) { return d.code == "usage"; });
+  const bool is_usage = std::ranges::any_of(errors, [](const Diagnostic& d) { return d.code == "usage"; });
   return fail(err, errors, is_usage ? kExitUsage : kExitInput);
 }
 

@@ -32,6 +32,10 @@ void print(std::ostream& err, const Diagnostics& diagnostics);
 /// Warnings of the inputs; with -v notes as well, with -q nothing. More than a handful are counted.
 void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity);
 
+/// "memory: 178 MB at the peak", the most this process had in use at once, mapped files included; nothing where the
+/// system does not say. For people, never for a report: it differs from run to run.
+void print_peak_memory(std::ostream& err);
+
 /// Prints `errors` and returns `status`.
 int fail(std::ostream& err, const Diagnostics& errors, int status);
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/length_text.h"
+#include "lib/base/byte_size.h"
 
 namespace gouge {
 
@@ -29,6 +30,19 @@ Result<ReadOptions> understand(const ReadingArguments& arguments) {
   options.unit = unit_called(arguments.units);
   options.is_cutcom_centre = arguments.cutcom == "centre";
   return options;
+}
+
+void add_input_limit(CLI::App& command, InputLimit& limit) {
+  command
+      .add_option_function<std::string>(
+          "--max-input",
+          [&limit](const std::string& size) { limit.most_bytes = parse_byte_size(size).value_or(kMaxInputBytes); },
+          "Most that a file or pipe may hold that is read (B, kB, MB, GB, TB, KiB, MiB, GiB, TiB)")
+      ->type_name("SIZE")
+      ->default_str("8GB")
+      ->check([](const std::string& size) {
+        return parse_byte_size(size) ? std::string() : "expected a size above 0 with a unit or in bytes, such as 8GB";
+      });
 }
 
 }  // namespace gouge

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
+#include "lib/base/files.h"
 #include "lib/base/result.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 
@@ -20,5 +22,13 @@ void add_reading_options(CLI::App& command, ReadingArguments& arguments);
 
 /// Errors (code usage): a dialect that is not known.
 [[nodiscard]] Result<ReadOptions> understand(const ReadingArguments& arguments);
+
+/// --max-input of a command, in bytes: no file it reads may have more.
+struct InputLimit {
+  std::uint64_t most_bytes = kMaxInputBytes;
+};
+
+/// The parser refuses what is no size, so that `limit` is always usable.
+void add_input_limit(CLI::App& command, InputLimit& limit);
 
 }  // namespace gouge

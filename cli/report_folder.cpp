@@ -135,8 +135,7 @@ Outcome ReportFolder::put_manifest(const ReportManifest& manifest) {
 
 Outcome ReportFolder::remove_older() {
   for (const ManifestEntry& file : present_) {
-    const bool is_new =
-        std::any_of(new_.begin(), new_.end(), [&](const ManifestEntry& n) { return n.name == file.name; });
+    const bool is_new = std::ranges::any_of(new_, [&](const ManifestEntry& n) { return n.name == file.name; });
     if (!is_new && ::unlink(at(file.name).c_str()) != 0 && errno != ENOENT)
       return unwritable(at(file.name), std::strerror(errno));
   }

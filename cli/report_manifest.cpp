@@ -26,9 +26,7 @@ std::optional<ManifestEntry> read_entry(const nlohmann::json& json) {
 
 }  // namespace
 
-bool ReportManifest::has(const ManifestEntry& file) const {
-  return std::find(files.begin(), files.end(), file) != files.end();
-}
+bool ReportManifest::has(const ManifestEntry& file) const { return std::ranges::find(files, file) != files.end(); }
 
 std::string write_manifest(const ReportManifest& manifest) {
   Json files = Json::array();

@@ -19,8 +19,8 @@
 #include "cli/standard_output.h"
 #include "cli/tool_command.h"
 #include "lib/base/exit_code.h"
+#include "lib/base/parallel.h"
 #include "lib/base/printable_text.h"
-#include "lib/base/thread_limit.h"
 #include "postproc/report/report_model.h"
 
 namespace gouge {

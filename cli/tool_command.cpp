@@ -12,8 +12,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "postproc/image/font.h"
-#include "postproc/image/render_png.h"
-#include "postproc/image/render_svg.h"
+#include "postproc/image/render_drawing.h"
 #include "toolmodels/draw_profile.h"
 #include "toolmodels/tool_library.h"
 

@@ -3,7 +3,7 @@
 #include <iosfwd>
 #include <string>
 
-#include "cli/input_limit.h"
+#include "cli/reading_options.h"
 
 namespace CLI {
 class App;

@@ -25,10 +25,6 @@ Vec3 between(const Vec3& p, double vp, const Vec3& q, double vq) {
 ConvexCell::ConvexCell(double size_mm)
     : corners_{Vec3(0, 0, 1), Vec3(0, -1, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, size_mm_(size_mm) {}
 
-bool ConvexCell::is_bounded() const {
-  return std::all_of(corners_.begin(), corners_.end(), [](const Vec3& c) { return c.z() > 0; });
-}
-
 double ConvexCell::slack_at(const Vec3& c) const {
   if (!(c.z() > 0)) return kDirectionSlack;
   return kSlack * (size_mm_ + std::abs(c.x()) + std::abs(c.y()));

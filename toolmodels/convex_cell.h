@@ -27,7 +27,6 @@ class ConvexCell {
   explicit ConvexCell(double size_mm);
 
   [[nodiscard]] const std::vector<Vec3>& corners() const { return corners_; }
-  [[nodiscard]] bool is_bounded() const;
   [[nodiscard]] CellSides sides(const DirectedLine& line) const;
   /// The part on the negative (sign < 0) or positive side.
   [[nodiscard]] ConvexCell clipped(const DirectedLine& line, int sign) const;

@@ -14,13 +14,12 @@ std::optional<int> tool_number(std::string_view text) {
 }
 
 const ToolAssembly* ToolLibrary::with_number(int number) const {
-  const auto found =
-      std::find_if(tools.begin(), tools.end(), [&](const ToolAssembly& t) { return t.number == number; });
+  const auto found = std::ranges::find_if(tools, [&](const ToolAssembly& t) { return t.number == number; });
   return found == tools.end() ? nullptr : &*found;
 }
 
 const ToolAssembly* ToolLibrary::with_name(std::string_view name) const {
-  const auto found = std::find_if(tools.begin(), tools.end(), [&](const ToolAssembly& t) { return t.name == name; });
+  const auto found = std::ranges::find_if(tools, [&](const ToolAssembly& t) { return t.name == name; });
   return found == tools.end() ? nullptr : &*found;
 }
 

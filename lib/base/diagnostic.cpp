@@ -1,6 +1,7 @@
 #include "lib/base/diagnostic.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "lib/base/printable_text.h"
@@ -13,15 +14,8 @@ Diagnostic make(Severity severity, std::string&& code, std::string&& message, st
 }
 
 const char* word(Severity severity) {
-  switch (severity) {
-    case Severity::note:
-      return "note";
-    case Severity::warning:
-      return "warning";
-    case Severity::error:
-      break;
-  }
-  return "error";
+  static constexpr std::array<const char*, 3> kNames = {"note", "warning", "error"};
+  return kNames[static_cast<std::size_t>(severity)];
 }
 
 }  // namespace

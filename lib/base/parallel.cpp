@@ -7,8 +7,6 @@
 #include <thread>
 #include <vector>
 
-#include "lib/base/thread_limit.h"
-
 namespace gouge {
 namespace {
 

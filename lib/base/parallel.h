@@ -9,6 +9,12 @@
 
 namespace gouge {
 
+/// More threads than this are no use on any machine, and each takes memory before it does anything.
+inline constexpr unsigned kMostThreads = 1024;
+
+/// What 0 threads mean to for_each_chunk from now on; 0, as at first: all the machine has. With 1 no thread is started.
+void set_default_threads(unsigned threads);
+
 /// Calls `body(first, last)` once for each chunk of [0, count) with `chunk` items (the last one shorter).
 /// `threads` = 0 takes all the machine has, or what set_default_threads says; 1 runs in the calling thread,
 /// in order, as do chunks of a chunk. Where the system lets no more threads begin, those that run do all of

@@ -33,8 +33,6 @@ class Motion {
 
   [[nodiscard]] bool is_defined() const { return is_defined_; }
   [[nodiscard]] bool is_alone() const { return is_alone_; }
-  /// True when the tip runs straight in every segment.
-  [[nodiscard]] bool is_straight() const { return curve_ == CurveKind::none; }
   /// Pose at t in [0, 1]; t = 0 and 1 give the end poses bit for bit.
   [[nodiscard]] Pose at(double t) const;
   [[nodiscard]] std::span<const MotionSegment> segments() const {

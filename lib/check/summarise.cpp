@@ -1,6 +1,8 @@
 #include "lib/check/summarise.h"
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 
 namespace gouge {
 namespace {
@@ -49,31 +51,16 @@ std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<Mov
 }
 
 void count_states(CheckResult& result) {
+  // By MoveState.
+  static constexpr std::array<std::size_t StateCounts::*, 6> kCountOf = {
+      &StateCounts::clean,  &StateCounts::near_miss,   &StateCounts::gouge,
+      &StateCounts::buried, &StateCounts::not_checked, &StateCounts::not_certified};
   result.counts = {};
   result.worst_depth_mm = result.largest_gap_mm = 0;
   result.worst_move = static_cast<std::size_t>(-1);
   for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
     const MoveVerdict& v = result.verdicts[i];
-    switch (v.state) {
-      case MoveState::clean:
-        ++result.counts.clean;
-        break;
-      case MoveState::near_miss:
-        ++result.counts.near_miss;
-        break;
-      case MoveState::gouge:
-        ++result.counts.gouge;
-        break;
-      case MoveState::buried:
-        ++result.counts.buried;
-        break;
-      case MoveState::not_checked:
-        ++result.counts.not_checked;
-        break;
-      case MoveState::not_certified:
-        ++result.counts.not_certified;
-        break;
-    }
+    ++(result.counts.*kCountOf[static_cast<std::size_t>(v.state)]);
     if (v.state == MoveState::not_checked && v.reason.is(Reason::Kind::rapid_skipped)) ++result.counts.skipped;
     if (v.state != MoveState::gouge) continue;
     result.largest_gap_mm = std::max(result.largest_gap_mm, v.depth_upper_mm - v.depth_mm);

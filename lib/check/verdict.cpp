@@ -1,23 +1,13 @@
 #include "lib/check/verdict.h"
 
+#include <array>
+
 namespace gouge {
 
 const char* state_name(MoveState state) {
-  switch (state) {
-    case MoveState::clean:
-      return "clean";
-    case MoveState::near_miss:
-      return "near";
-    case MoveState::gouge:
-      return "gouge";
-    case MoveState::buried:
-      return "buried";
-    case MoveState::not_checked:
-      return "not-checked";
-    case MoveState::not_certified:
-      break;
-  }
-  return "not-certified";
+  static constexpr std::array<const char*, 6> kNames = {"clean",  "near",        "gouge",
+                                                        "buried", "not-checked", "not-certified"};
+  return kNames[static_cast<std::size_t>(state)];
 }
 
 const char* against_name(Against against) { return against == Against::part ? "part" : "fixture"; }

@@ -3,16 +3,82 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <span>
 
 #include "lib/clash/convex_region.h"
-#include "lib/clash/distance_bound.h"
 #include "lib/clash/local_maximum.h"
 #include "lib/clash/surface_query.h"
+#include "lib/geom/point_triangle.h"
 #include "lib/hierarchy/lane_bound.h"
+#include "lib/surface/surface.h"
 
 namespace gouge {
 namespace {
+
+constexpr int kMixes = 3;         // facets mixed with the best one after another
+constexpr int kWeightSteps = 24;  // of the search for each weight
+
+constexpr std::size_t kMostHullPoints = 8;
+
+/// Distances of the hull's points to one facet, or a weighted mean of several.
+using Distances = std::array<double, kMostHullPoints>;
+
+double largest(const Distances& d, std::size_t count) {
+  return *std::max_element(d.begin(), d.begin() + static_cast<std::ptrdiff_t>(count));
+}
+
+Distances mixed(const Distances& a, const Distances& b, double weight) {
+  Distances d;
+  for (std::size_t v = 0; v < d.size(); ++v) d[v] = (1 - weight) * a[v] + weight * b[v];
+  return d;
+}
+
+/// The weight of `b` with the smallest largest mean: that is convex in the weight.
+double best_weight(const Distances& a, const Distances& b, std::size_t count) {
+  double low = 0, high = 1;
+  for (int i = 0; i < kWeightSteps; ++i) {
+    const double left = low + (high - low) / 3, right = high - (high - low) / 3;
+    const bool is_left_better = largest(mixed(a, b, left), count) < largest(mixed(a, b, right), count);
+    (is_left_better ? high : low) = is_left_better ? right : left;
+  }
+  return 0.5 * (low + high);
+}
+
+/// Not below the distance to the surface of any point of the convex hull of `points`, of which there are at
+/// most kMostHullPoints: the distance to a facet is convex, so its largest value over the hull is at one of
+/// the points; so is that of any weighted mean of such distances, and the distance to the surface is no
+/// larger than that mean.
+///
+/// `facets`: those to use, at least one; those nearest to the points are the best choice.
+/// Ensures  exact (up to rounding) where the hull lies over one facet, or between two that oppose each other.
+double greatest_distance_mm(const Surface& surface, std::span<const Vec3> points,
+                            std::span<const std::uint32_t> facets) {
+  std::array<Distances, kMostHullPoints + 1> rows{};
+  const std::size_t count = std::min(facets.size(), rows.size());
+  std::size_t best = 0;
+  for (std::size_t k = 0; k < count; ++k) {
+    for (std::size_t v = 0; v < points.size(); ++v)
+      rows[k][v] = std::sqrt(closest_on_triangle(points[v], surface.corners(facets[k])).distance2_mm2);
+    if (largest(rows[k], points.size()) < largest(rows[best], points.size())) best = k;
+  }
+  Distances now = rows[best];
+  double least = largest(now, points.size());
+  for (int mix = 0; mix < kMixes && count > 1; ++mix) {
+    Distances next = now;
+    double next_least = least;
+    for (std::size_t k = 0; k < count; ++k) {
+      const Distances tried = mixed(now, rows[k], best_weight(now, rows[k], points.size()));
+      if (!(largest(tried, points.size()) < next_least)) continue;
+      next = tried;
+      next_least = largest(tried, points.size());
+    }
+    if (!(next_least < least)) break;
+    now = next;
+    least = next_least;
+  }
+  return least;
+}
 
 constexpr double kRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
 // A cut along the outline of a facet is worth it where the facet is no smaller than this share of the piece.

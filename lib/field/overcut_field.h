@@ -22,8 +22,6 @@ class OvercutField {
 
   /// No move has an overcut: depths are all there is to show.
   [[nodiscard]] bool is_empty() const { return largest_mm_ <= 0; }
-  /// Largest overcut of a move, mm.
-  [[nodiscard]] double largest_mm() const { return largest_mm_; }
 
   struct Ray {
     Vec3 at = Vec3::Zero();        ///< on the surface

@@ -45,11 +45,6 @@ double LaneBound::least_distance_mm(const Vec3& point) const {
   return std::max({0.0, t.norm() - radius_mm, (1 - kNormal) * std::sqrt(over * over + beyond * beyond)});
 }
 
-Box3 LaneBound::box() const {
-  const Vec3 half(extent_mm(Vec3::UnitX()), extent_mm(Vec3::UnitY()), extent_mm(Vec3::UnitZ()));
-  return {Vec3(center - half), Vec3(center + half)};
-}
-
 std::array<Vec3, 8> LaneBound::hull() const {
   const Vec3 up = normal.normalized(), across = up.unitOrthogonal();
   const double disc_mm = disc_radius_mm + kNormal * half_thickness_mm;

@@ -23,8 +23,6 @@ struct LaneBound {
   [[nodiscard]] double extent_mm(const Vec3& direction) const;
   /// No point of it is nearer to `point`.
   [[nodiscard]] double least_distance_mm(const Vec3& point) const;
-  /// The box along the coordinate axes that holds it.
-  [[nodiscard]] Box3 box() const;
   /// Those of a box around the cylinder, upright on its disc: it is within their convex hull.
   [[nodiscard]] std::array<Vec3, 8> hull() const;
 };

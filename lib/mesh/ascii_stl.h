@@ -6,7 +6,7 @@
 #include "lib/base/result.h"
 #include "lib/mesh/triangle_soup.h"
 
-// The ASCII half of read_stl; callers outside this module use read_stl.h.
+// The ASCII half of parse_stl; callers outside this module use read_stl.h.
 
 namespace gouge::detail {
 

@@ -1,16 +1,33 @@
 #pragma once
 
+#include <cstddef>
+
 #include "lib/base/result.h"
 #include "lib/base/units.h"
 #include "lib/geom/rigid_transform.h"
+#include "lib/geom/vec.h"
 #include "lib/mesh/indexed_mesh.h"
-#include "lib/mesh/mesh_spot.h"
 #include "lib/mesh/triangle_soup.h"
 
 // Triangle soup to indexed mesh (thesis 4.1.1, 4.2): one vertex for all corners with identical coordinates.
 // Corners that are merely near each other stay apart; the surface is exactly that of the file.
 
 namespace gouge {
+
+/// How often something was found in a mesh, and where the first one is.
+struct MeshSpot {
+  std::size_t count = 0;
+  Vec3 position_mm = Vec3::Zero();  ///< of the first: an edge's mid point, a triangle's centre, or the vertex;
+                                    ///< part coordinates; meaningful when count > 0
+  std::size_t file_triangle = 0;    ///< of the first: (one of) its triangle(s), index in the file from 0
+
+  void add(const Vec3& point, std::size_t triangle) {
+    if (count++ == 0) {
+      position_mm = point;
+      file_triangle = triangle;
+    }
+  }
+};
 
 /// How a body's file coordinates become part coordinates: scaled to mm first, then placed.
 struct MeshPlacement {

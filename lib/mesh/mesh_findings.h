@@ -9,7 +9,6 @@
 #include "lib/mesh/adjacency.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/mesh_builder.h"
-#include "lib/mesh/mesh_spot.h"
 
 // What can be said about a mesh by counting: the part of validation that every check runs. Whether the
 // surface crosses itself needs exact predicates and is lib/validate's business.

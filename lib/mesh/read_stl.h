@@ -29,7 +29,4 @@ namespace gouge {
 Result<TriangleSoup> parse_stl(std::string&& bytes, const std::string& name,
                                std::shared_ptr<const void> keep = nullptr) = delete;  ///< would not outlive it
 
-/// Reads the file and parses it. Errors: those of read_file and parse_stl.
-[[nodiscard]] Result<TriangleSoup> read_stl(const std::string& path);
-
 }  // namespace gouge

@@ -33,7 +33,6 @@ class CellProgram {
   void limit(const Affine& limit) {
     if (limit_count_ < kMostLimits) limits_[limit_count_++] = limit;
   }
-  [[nodiscard]] std::size_t plane_count() const { return plane_count_; }
   /// Proven: one of the half-spaces misses the box.
   [[nodiscard]] bool is_empty() const;
 

@@ -2,19 +2,71 @@
 
 #include <algorithm>
 #include <map>
+#include <memory>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "lib/base/parallel.h"
+#include "lib/check/motion.h"
+#include "lib/check/overcut_gap.h"
 #include "lib/check/path_motion.h"
-#include "lib/overcut/depth_bound.h"
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_head.h"
 #include "lib/overcut/swept_tool.h"
+#include "lib/surface/surface.h"
+#include "lib/tool/free_regions.h"
+#include "lib/tool/inscribed_balls.h"
 
 namespace gouge {
 namespace {
 
 constexpr std::size_t kCellsOfOthers = 2'000;  // of moves that are not the worst of their finding
+
+constexpr double kSlack_mm = 0.1 * kOvercutGap_mm;
+constexpr double kRegionRounding = 2e-5;  // of the height: what RegionFinder passes over, twice
+
+/// What is known of an overcut from the depth of the move.
+struct KnownOvercut {
+  double upper_mm = 0;            ///< outside of the zones no point of the tool is farther below the surface
+  std::vector<Box2> sharp_zones;  ///< of the tool's half plane
+};
+
+/// How far a tool reaches below a surface that comes only so deep into it. Except near sharp corners and where the
+/// tool is thin that is no more than the depth: the part of the tool that the surface does not reach is outside, and a
+/// ball inscribed there leads from every other point to the surface.
+/// Proof: docs/algorithms/overcut.md, section 2.
+class DepthBound {
+ public:
+  /// Cost: some thousand evaluations of the tool, which must outlive it.
+  explicit DepthBound(const CompiledTool& tool);
+
+  /// `depth_upper_mm`: nowhere during the motion is the surface of `part` deeper in the tool. Nothing where the depth
+  /// tells nothing: of a tool that turns back in height, or thinner than twice the depth, or with a core in the part.
+  /// Requires part.is_solid().
+  [[nodiscard]] std::optional<KnownOvercut> at(double depth_upper_mm, const Motion& motion, const Surface& part) const;
+
+ private:
+  const CompiledTool& tool_;
+  InscribedBalls balls_;
+  RegionFinder regions_;
+};
+
+DepthBound::DepthBound(const CompiledTool& tool) : tool_(tool), balls_(tool, kSlack_mm), regions_(tool) {}
+
+std::optional<KnownOvercut> DepthBound::at(double depth_upper_mm, const Motion& motion, const Surface& part) const {
+  if (!balls_.is_single_valued()) return std::nullopt;
+  const FreeRegions free = regions_.at(depth_upper_mm);
+  const Pose pose = motion.at(0);
+  const Vec3 across = pose.axis.unitOrthogonal();
+  const auto is_outside = [&](const FreeRegion& region) {
+    const Vec3 deepest = pose.tip + region.deepest.y() * pose.axis + region.deepest.x() * across;
+    return !part.closest_point(deepest)->is_inside;
+  };
+  if (free.regions.empty() || !std::all_of(free.regions.begin(), free.regions.end(), is_outside)) return std::nullopt;
+  const double deeper = depth_upper_mm + kRegionRounding * (tool_.z_max_mm - tool_.z_min_mm);
+  return KnownOvercut{depth_upper_mm + kSlack_mm, balls_.sharp_zones(deeper)};
+}
 
 /// Measures the overcuts of one path's gouging moves.
 class Measuring {

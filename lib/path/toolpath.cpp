@@ -1,19 +1,12 @@
 #include "lib/path/toolpath.h"
 
+#include <array>
+
 namespace gouge {
 
 const char* kind_name(MoveKind kind) {
-  switch (kind) {
-    case MoveKind::feed:
-      return "feed";
-    case MoveKind::rapid:
-      return "rapid";
-    case MoveKind::arc:
-      return "arc";
-    case MoveKind::cycle:
-      break;
-  }
-  return "cycle";
+  static constexpr std::array<const char*, 4> kNames = {"feed", "rapid", "arc", "cycle"};
+  return kNames[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace gouge

@@ -16,12 +16,26 @@
 #include "lib/path/apt_cutter.h"
 #include "lib/path/curve.h"
 #include "lib/path/feed.h"
-#include "lib/path/small_index.h"
 
 // The neutral toolpath: what a cutter-location file says, free of any dialect, in mm and part coordinates,
 // every move remembering the source line its statement begins on. Readers and writers: postproc/cldata.
 
 namespace gouge {
+
+inline constexpr std::size_t kNone = static_cast<std::size_t>(-1);
+
+/// A count or an index below 2^32 - 1, or kNone, in half the memory of the std::size_t it reads as: a toolpath
+/// has millions of them. Requires what it is given to be one; read_toolpath takes no file with more.
+class SmallIndex {
+ public:
+  constexpr SmallIndex(std::size_t value = 0) : value_(static_cast<std::uint32_t>(value)) {}
+  constexpr operator std::size_t() const { return value_ == kNoValue ? kNone : value_; }
+
+ private:
+  static constexpr std::uint32_t kNoValue = static_cast<std::uint32_t>(kNone);
+
+  std::uint32_t value_;
+};
 
 enum class MoveKind : std::uint8_t { feed, rapid, arc, cycle };
 [[nodiscard]] const char* kind_name(MoveKind kind);

@@ -6,7 +6,6 @@
 
 #include "lib/geom/rigid_transform.h"
 #include "lib/penetration/contact.h"
-#include "lib/penetration/counters.h"
 #include "lib/penetration/depth_body.h"
 #include "lib/penetration/narrow_phase.h"
 #include "lib/penetration/point_body.h"

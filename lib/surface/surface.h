@@ -7,13 +7,26 @@
 #include <optional>
 
 #include "lib/geom/point_triangle.h"
+#include "lib/geom/vec.h"
 #include "lib/hierarchy/block_tree.h"
 #include "lib/mesh/face_normal.h"
 #include "lib/mesh/indexed_mesh.h"
 #include "lib/mesh/vertex_triangles.h"
-#include "lib/surface/closest_point.h"
 
 namespace gouge {
+
+/// The nearest point of a surface to a point.
+struct ClosestPoint {
+  Vec3 point = Vec3::Zero();
+  Vec3 normal =
+      Vec3::UnitZ();           ///< unit; out of the body: along the line to or from the point, the facet's normal on it
+  double distance_mm = 0;      ///< never negative
+  bool is_inside = false;      ///< the point asked for lies in the solid; never where the surface is none
+  std::uint32_t triangle = 0;  ///< of the mesh
+
+  /// Negative inside.
+  [[nodiscard]] double signed_mm() const { return is_inside ? -distance_mm : distance_mm; }
+};
 
 /// A mesh with its index and what shows the side of a point, each made once when first asked for. Small, and shared by
 /// its copies. Any number of threads may ask it.

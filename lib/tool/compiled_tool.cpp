@@ -1,19 +1,12 @@
 #include "lib/tool/compiled_tool.h"
 
+#include <array>
+
 namespace gouge {
 
 const char* body_name(Body body) {
-  switch (body) {
-    case Body::cutter:
-      return "cutter";
-    case Body::shank:
-      return "shank";
-    case Body::holder:
-      return "holder";
-    case Body::head:
-      break;
-  }
-  return "head";
+  static constexpr std::array<const char*, 4> kNames = {"cutter", "shank", "holder", "head"};
+  return kNames[static_cast<std::size_t>(body)];
 }
 
 }  // namespace gouge

@@ -69,7 +69,7 @@ class Search {
     }
   }
 
-  // As signed_distances_by_loop does for the whole contour.
+  // Walks along the contour with the value of the last border: at least one element's domain holds every point.
   void look_at(const ContourStretch& stretch) {
     double behind = stretch.first > 0 ? side_of(tool_.borders[stretch.first - 1], q_) : 0;
     for (std::uint32_t k = stretch.first; k < stretch.last; ++k) {

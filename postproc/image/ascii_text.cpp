@@ -1,6 +1,8 @@
 #include "postproc/image/ascii_text.h"
 
 #include <optional>
+#include <string_view>
+#include <utility>
 
 #include "lib/base/utf8.h"
 
@@ -13,60 +15,19 @@ constexpr std::string_view kLatin =
     "ouuuuypyAaAaAaCcCcCcCcDdDdEeEeEeEeEeGgGgGgGgHhHhIiIiIiIiIiIiJjKkkLlLlLlLlLlNnNnNnnNnOoOoOoOoRrRrRrSsSsSsSsTtTtTtUu"
     "UuUuUuUuUuWwYyYZzZzZzs";
 
+// Characters that are written the same way.
+constexpr std::pair<std::u32string_view, const char*> kSigns[] = {
+    {U"\xA0", " "},         {U"\xB0", "deg"},        {U"\xB1", "+-"},
+    {U"\xB2", "^2"},        {U"\xB5\x3BC", "u"},     {U"\xB7\x2022", "."},
+    {U"\xC6", "AE"},        {U"\xE6", "ae"},         {U"\xDF", "ss"},
+    {U"\x152", "OE"},       {U"\x153", "oe"},        {U"\x2010\x2011\x2012\x2013\x2014\x2212", "-"},
+    {U"\x2018\x2019", "'"}, {U"\x201C\x201D", "\""}, {U"\x2026", "..."},
+    {U"\x2264", "<="},      {U"\x2265", ">="},       {U"\x2300\x2205", "D"},
+    {U"\x3B1", "alpha"},    {U"\x3B2", "beta"}};
+
 std::string ascii_of(char32_t c) {
-  switch (c) {
-    case 0xA0:
-      return " ";
-    case 0xB0:
-      return "deg";
-    case 0xB1:
-      return "+-";
-    case 0xB2:
-      return "^2";
-    case 0xB5:
-    case 0x3BC:
-      return "u";
-    case 0xB7:
-    case 0x2022:
-      return ".";
-    case 0xC6:
-      return "AE";
-    case 0xE6:
-      return "ae";
-    case 0xDF:
-      return "ss";
-    case 0x152:
-      return "OE";
-    case 0x153:
-      return "oe";
-    case 0x2010:
-    case 0x2011:
-    case 0x2012:
-    case 0x2013:
-    case 0x2014:
-    case 0x2212:
-      return "-";
-    case 0x2018:
-    case 0x2019:
-      return "'";
-    case 0x201C:
-    case 0x201D:
-      return "\"";
-    case 0x2026:
-      return "...";
-    case 0x2264:
-      return "<=";
-    case 0x2265:
-      return ">=";
-    case 0x2300:
-    case 0x2205:
-      return "D";
-    case 0x3B1:
-      return "alpha";
-    case 0x3B2:
-      return "beta";
-    default:
-      break;
+  for (const auto& [signs, text] : kSigns) {
+    if (signs.find(c) != std::u32string_view::npos) return text;
   }
   if (c >= 0xC0 && c < 0xC0 + kLatin.size()) return std::string(1, kLatin[c - 0xC0]);
   return "?";

@@ -7,7 +7,7 @@
 #include "postproc/image/ascii_text.h"
 #include "postproc/image/encode_png.h"
 #include "postproc/image/font.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 
 // The only file that knows OpenCV. Everything is painted kSupersampling times larger and averaged down.
 

@@ -1,4 +1,4 @@
-#include "postproc/image/choose_views.h"
+#include "postproc/image/heat_map.h"
 
 #include <algorithm>
 

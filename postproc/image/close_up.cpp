@@ -1,4 +1,4 @@
-#include "postproc/image/close_up.h"
+#include "postproc/image/heat_map.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include "postproc/image/glass.h"
 #include "postproc/image/gouge_witnesses.h"
 #include "postproc/image/pixel_points.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/image/shade.h"
 #include "postproc/image/tool_outline.h"
 

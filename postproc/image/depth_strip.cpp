@@ -1,9 +1,9 @@
-#include "postproc/image/depth_strip.h"
+#include "postproc/image/heat_map.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -151,8 +151,7 @@ class Strip {
       const double y = std::max(y_of(event.depth_mm) - 22, area_.y + 12);
       // Markers of neighbouring events move aside rather than cover each other.
       for (int k = 1; k < 40; ++k) {
-        const bool is_free =
-            std::none_of(used.begin(), used.end(), [&](double other) { return std::abs(other - x) < 27; });
+        const bool is_free = std::ranges::none_of(used, [&](double other) { return std::abs(other - x) < 27; });
         if (is_free) break;
         x = x_of(static_cast<double>(event.event.worst_move) + 0.5) + (k % 2 == 0 ? 1 : -1) * 14 * ((k + 1) / 2);
         x = std::clamp(x, area_.x + 12, area_.right() - 12);
@@ -208,8 +207,8 @@ void draw_legend(Page& page, const PictureSet& set, double y) {
   for (const Body body : {Body::cutter, Body::shank, Body::holder})
     entry(body_colour(static_cast<int>(body)), body_name(body));
   const std::vector<MoveVerdict>& verdicts = set.input.result->verdicts;
-  const bool has_head = std::any_of(verdicts.begin(), verdicts.end(),
-                                    [](const MoveVerdict& v) { return v.witness && v.witness->body == Body::head; });
+  const bool has_head =
+      std::ranges::any_of(verdicts, [](const MoveVerdict& v) { return v.witness && v.witness->body == Body::head; });
   if (has_head) entry(body_colour(static_cast<int>(Body::head)), body_name(Body::head));
   const StateCounts& n = set.input.result->counts;
   const std::string limit =

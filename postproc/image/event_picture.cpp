@@ -1,7 +1,5 @@
-#include "postproc/image/event_picture.h"
+#include "postproc/image/heat_map.h"
 
-#include "postproc/image/close_up.h"
-#include "postproc/image/event_sections.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {

@@ -1,10 +1,10 @@
-#include "postproc/image/event_sections.h"
+#include "postproc/image/heat_map.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "postproc/image/event_scale.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/image/section_panel.h"
 #include "postproc/report/report_text.h"
 

@@ -173,14 +173,9 @@ std::vector<std::string> caption_lines(const ReportModel& model, const Toolpath&
 }
 
 std::string badge_text(const ReportModel& model, const CheckResult& result) {
-  switch (overall_verdict(result)) {
-    case OverallVerdict::clean:
-      return "CLEAN";
-    case OverallVerdict::not_fully_checked:
-      return "NOT FULLY CHECKED";
-    case OverallVerdict::gouges:
-      break;
-  }
+  const OverallVerdict verdict = overall_verdict(result);
+  if (verdict == OverallVerdict::clean) return "CLEAN";
+  if (verdict == OverallVerdict::not_fully_checked) return "NOT FULLY CHECKED";
   if (!(result.worst_depth_mm > 0)) return "TOOL BURIED";
   const LengthUnit unit = model.toolpath->unit;
   const std::string worst = "WORST " + depth_text(result.worst_depth_mm, unit);
@@ -189,15 +184,9 @@ std::string badge_text(const ReportModel& model, const CheckResult& result) {
 }
 
 Colour badge_colour(const CheckResult& result) {
-  switch (overall_verdict(result)) {
-    case OverallVerdict::clean:
-      return kCalm;
-    case OverallVerdict::not_fully_checked:
-      return {166, 110, 12, 1};
-    case OverallVerdict::gouges:
-      break;
-  }
-  return kAlarm;
+  const OverallVerdict verdict = overall_verdict(result);
+  if (verdict == OverallVerdict::clean) return kCalm;
+  return verdict == OverallVerdict::gouges ? kAlarm : Colour{166, 110, 12, 1};
 }
 
 std::string heat_map_title(const PictureSet& set) {

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "lib/base/printable_text.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -180,8 +180,7 @@ void add_marker(Page& page, const Area& area, const Vec2& target, int number, bo
       const Area spot{centre.x() - kRadius - 3, centre.y() - kRadius - 3, 2 * kRadius + 6, 2 * kRadius + 6};
       const bool is_inside =
           spot.x >= area.x && spot.y >= area.y && spot.right() <= area.right() && spot.bottom() <= area.bottom();
-      const bool is_free =
-          std::none_of(page.taken.begin(), page.taken.end(), [&](const Area& other) { return overlaps(spot, other); });
+      const bool is_free = std::ranges::none_of(page.taken, [&](const Area& other) { return overlaps(spot, other); });
       if (!is_inside || !is_free) continue;
       best = centre;
       is_found = true;

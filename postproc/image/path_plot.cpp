@@ -8,8 +8,7 @@
 #include "lib/base/number_text.h"
 #include "lib/path/chords.h"
 #include "lib/path/path_info.h"
-#include "postproc/image/render_png.h"
-#include "postproc/image/render_svg.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/image/thin_lines.h"
 
 namespace gouge {

@@ -111,9 +111,8 @@ std::vector<std::uint32_t> PictureScene::faces_in(const View& view) const {
                                        {view.up, along - half_height},
                                        {-view.up, -along - half_height}}};
   const auto shows_all = [&](const BlockTree& tree) {
-    return std::all_of(seen.begin(), seen.end(), [&](const HalfSpace& half) {
-      return half.direction.dot(tree.origin) - tree.radius_mm >= half.least_mm;
-    });
+    return std::ranges::all_of(
+        seen, [&](const HalfSpace& half) { return half.direction.dot(tree.origin) - tree.radius_mm >= half.least_mm; });
   };
   if (prepared_ == nullptr || !prepared_->is_within_reach || shows_all(prepared_->parts)) {
     std::vector<std::uint32_t> all(face_count());

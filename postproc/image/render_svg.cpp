@@ -1,4 +1,4 @@
-#include "postproc/image/render_svg.h"
+#include "postproc/image/render_drawing.h"
 
 #include <algorithm>
 #include <array>

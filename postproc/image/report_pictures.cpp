@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "postproc/image/depth_strip.h"
-#include "postproc/image/event_picture.h"
 #include "postproc/image/heat_map.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {

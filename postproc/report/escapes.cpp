@@ -1,3 +1,4 @@
+#include <array>
 #include <cstddef>
 
 #include "lib/base/utf8.h"
@@ -16,26 +17,15 @@ std::string valid_utf8(std::string_view text) {
 }
 
 std::string xml_escaped(std::string_view text) {
+  constexpr std::string_view kMarkup = "&<>\"'";
+  constexpr std::array<std::string_view, 5> kEscaped = {"&amp;", "&lt;", "&gt;", "&quot;", "&#39;"};
   std::string out;
   for (const char c : valid_utf8(text)) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      case '\'':
-        out += "&#39;";
-        break;
-      default:
-        out += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
+    const std::size_t markup = kMarkup.find(c);
+    if (markup != std::string_view::npos) {
+      out += kEscaped[markup];
+    } else {
+      out += static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c;
     }
   }
   return out;

@@ -1,4 +1,4 @@
-#include "postproc/report/findings_text.h"
+#include "postproc/report/write_report.h"
 
 #include <algorithm>
 
@@ -42,8 +42,8 @@ std::string headline(const ReportModel& model) {
       break;
   }
   if (n.gouge == 0) return "gouges: the tool is buried in " + std::to_string(n.buried) + of_moves;
-  const auto gouges = std::count_if(result.events.begin(), result.events.end(),
-                                    [](const Event& event) { return event.state == MoveState::gouge; });
+  const auto gouges =
+      std::ranges::count_if(result.events, [](const Event& event) { return event.state == MoveState::gouge; });
   std::string text = "gouges: " + count_text(static_cast<std::size_t>(gouges), "finding") + " in " +
                      std::to_string(n.gouge) + of_moves;
   if (result.worst_move < result.verdicts.size()) {
@@ -74,8 +74,8 @@ std::string written_line(const CorrectionFacts& correction) {
   if (correction.written.empty()) return {};
   std::string text = "records:";
   for (const char* kind : {"changed", "added", "removed"}) {
-    const auto count = std::count_if(correction.written.begin(), correction.written.end(),
-                                     [&](const WrittenRecord& record) { return record.kind == kind; });
+    const auto count =
+        std::ranges::count_if(correction.written, [&](const WrittenRecord& record) { return record.kind == kind; });
     text += (text.back() == ':' ? " " : ", ") + std::to_string(count) + " " + kind;
   }
   return text + "; every other one is the same to the byte\n";
@@ -97,9 +97,8 @@ std::string correction_lines(const ReportModel& model) {
   if (moved > 0) text += " by up to " + depth_text(largest_mm, unit);
   text += ", " + std::to_string(inserted) + " inserted";
   if (correction.curves > 0) text += ", " + straightened_text(correction);
-  const auto changed =
-      static_cast<std::size_t>(std::count_if(correction.uncorrected.begin(), correction.uncorrected.end(),
-                                             [](const UncorrectedRecord& left) { return left.is_changed; }));
+  const auto changed = static_cast<std::size_t>(
+      std::ranges::count_if(correction.uncorrected, [](const UncorrectedRecord& left) { return left.is_changed; }));
   const std::size_t left = correction.uncorrected.size() - changed;
   text += ", " + std::to_string(left) + (left == 1 ? " left as it was" : " left as they were");
   if (changed > 0) text += ", " + std::to_string(changed) + " changed but not freed";

@@ -1,5 +1,6 @@
 #include "postproc/report/report_model.h"
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -22,27 +23,13 @@ OverallVerdict overall_verdict(const CheckResult& result) {
 }
 
 const char* verdict_name(OverallVerdict verdict) {
-  switch (verdict) {
-    case OverallVerdict::clean:
-      return "clean";
-    case OverallVerdict::gouges:
-      return "gouges";
-    case OverallVerdict::not_fully_checked:
-      break;
-  }
-  return "not-fully-checked";
+  static constexpr std::array<const char*, 3> kNames = {"clean", "gouges", "not-fully-checked"};
+  return kNames[static_cast<std::size_t>(verdict)];
 }
 
 ExitCode exit_status(OverallVerdict verdict) {
-  switch (verdict) {
-    case OverallVerdict::clean:
-      return kExitClean;
-    case OverallVerdict::gouges:
-      return kExitGouges;
-    case OverallVerdict::not_fully_checked:
-      break;
-  }
-  return kExitNotChecked;
+  static constexpr std::array<ExitCode, 3> kStatus = {kExitClean, kExitGouges, kExitNotChecked};
+  return kStatus[static_cast<std::size_t>(verdict)];
 }
 
 std::string guarantee_text(const ReportModel& model) {

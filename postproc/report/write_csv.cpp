@@ -1,4 +1,4 @@
-#include "postproc/report/write_csv.h"
+#include "postproc/report/write_report.h"
 
 #include <array>
 #include <charconv>

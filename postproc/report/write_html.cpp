@@ -1,11 +1,10 @@
-#include "postproc/report/write_html.h"
+#include "postproc/report/write_report.h"
 
 #include <algorithm>
 #include <limits>
 #include <string_view>
 
 #include "lib/base/number_text.h"
-#include "postproc/report/findings_text.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
@@ -98,8 +97,7 @@ class HtmlReport {
   }
 
   [[nodiscard]] const NamedFile* picture(std::string_view name) const {
-    const auto found =
-        std::find_if(pictures_.begin(), pictures_.end(), [&](const NamedFile& file) { return file.name == name; });
+    const auto found = std::ranges::find_if(pictures_, [&](const NamedFile& file) { return file.name == name; });
     return found == pictures_.end() ? nullptr : &*found;
   }
 

@@ -1,4 +1,4 @@
-#include "postproc/report/write_json.h"
+#include "postproc/report/write_report.h"
 
 #include <array>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "postproc/report/write_junit.h"
+#include "postproc/report/write_report.h"
 
 #include <algorithm>
 #include <map>
@@ -22,24 +22,14 @@ struct Case {
 void count_move(Case& one, const CheckResult& result, std::size_t index) {
   const MoveVerdict& verdict = result.verdicts[index];
   ++one.moves;
-  switch (verdict.state) {
-    case MoveState::gouge:
-      ++one.gouging;
-      if (one.worst_move == kNone || verdict.depth_mm > result.verdicts[one.worst_move].depth_mm) {
-        one.worst_move = index;
-      }
-      break;
-    case MoveState::buried:
-      ++one.buried;
-      break;
-    case MoveState::not_checked:
-    case MoveState::not_certified:
-      ++one.open;
-      if (one.first_open == kNone) one.first_open = index;
-      break;
-    case MoveState::clean:
-    case MoveState::near_miss:
-      break;
+  if (verdict.state == MoveState::gouge) {
+    ++one.gouging;
+    if (one.worst_move == kNone || verdict.depth_mm > result.verdicts[one.worst_move].depth_mm) one.worst_move = index;
+  } else if (verdict.state == MoveState::buried) {
+    ++one.buried;
+  } else if (verdict.state == MoveState::not_checked || verdict.state == MoveState::not_certified) {
+    ++one.open;
+    if (one.first_open == kNone) one.first_open = index;
   }
 }
 

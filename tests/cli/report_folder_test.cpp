@@ -12,7 +12,7 @@
 
 #include "lib/base/files.h"
 #include "postproc/image/report_pictures.h"
-#include "postproc/report/write_html.h"
+#include "postproc/report/write_report.h"
 #include "tests/postproc/image/small_scene.h"
 #include "tests/support/other_user.h"
 

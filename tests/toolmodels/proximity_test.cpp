@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "lib/tool/evaluate.h"
-#include "lib/tool/evaluate_batch.h"
 #include "tests/support/random_tools.h"
 #include "tests/support/tool_points.h"
 #include "tests/support/verify_tool.h"
@@ -105,36 +104,6 @@ TEST(Proximity, DistanceIsOneLipschitzAndContinuousAcrossBisectors) {
       const double change =
           std::abs(evaluate(tool, p.x(), p.y()).signed_distance_mm - evaluate(tool, q.x(), q.y()).signed_distance_mm);
       ASSERT_LE(change, (p - q).norm() + 1e-12 * (size + p.norm())) << made.name << " at " << p.transpose();
-    }
-  }
-}
-
-// Both ways for tools of every size, whichever of them signed_distances takes; and one point at a time.
-TEST(Proximity, ManyPointsAtOnceGetTheResultsOfOneAtATime) {
-  for (std::uint64_t seed = 0; seed < kTools; ++seed) {
-    const test::RandomTool made = test::random_tool(seed);
-    const CompiledTool tool = compile_tool(made.name, made.profile);
-    Scatter random(seed + 7000);
-    std::vector<double> r, z;
-    for (int i = 0; i < 1001; ++i) {
-      const Vec2 q = test::random_tool_point(random, tool);
-      r.push_back(q.x());
-      z.push_back(q.y());
-    }
-    std::vector<double> chosen(r.size()), looped(r.size());
-    signed_distances(tool, r, z, chosen);
-    if (tool.borders.empty())
-      looped = chosen;
-    else
-      signed_distances_by_loop(tool, r, z, looped);
-    for (std::size_t i = 0; i < r.size(); ++i) {
-      const double one = evaluate(tool, r[i], z[i]).signed_distance_mm;
-      const double slack = 1e-12 * (test::extent_mm(tool) + Vec2(r[i], z[i]).norm());
-      ASSERT_NEAR(chosen[i], one, slack) << made.name << " at " << r[i] << ' ' << z[i];
-      ASSERT_NEAR(looped[i], one, slack) << made.name << " at " << r[i] << ' ' << z[i];
-      double alone = 0;
-      signed_distances(tool, {&r[i], 1}, {&z[i], 1}, {&alone, 1});
-      ASSERT_EQ(alone, chosen[i]) << made.name << ": depends on its neighbours";
     }
   }
 }

@@ -30,30 +30,17 @@ class CutterMaker : CatalogueMaker {
 
  private:
   Result<Cutter> dispatch(CatalogueShape shape) {
-    switch (shape) {
-      case CatalogueShape::flat:
-        return flat();
-      case CatalogueShape::ball:
-        return ball();
-      case CatalogueShape::bull_nose:
-        return bull_nose();
-      case CatalogueShape::tapered:
-        return tapered();
-      case CatalogueShape::tapered_ball:
-        return tapered_ball();
-      case CatalogueShape::chamfer:
-        return chamfer();
-      case CatalogueShape::drill:
-        return drill();
-      case CatalogueShape::face:
-        return face();
-      case CatalogueShape::full:
-        return full();
-      case CatalogueShape::five_numbers:
-        return five_numbers();
-      default:
-        return make_special_cutter(shape, d_, notes_);
-    }
+    if (shape == CatalogueShape::flat) return flat();
+    if (shape == CatalogueShape::ball) return ball();
+    if (shape == CatalogueShape::bull_nose) return bull_nose();
+    if (shape == CatalogueShape::tapered) return tapered();
+    if (shape == CatalogueShape::tapered_ball) return tapered_ball();
+    if (shape == CatalogueShape::chamfer) return chamfer();
+    if (shape == CatalogueShape::drill) return drill();
+    if (shape == CatalogueShape::face) return face();
+    if (shape == CatalogueShape::full) return full();
+    if (shape == CatalogueShape::five_numbers) return five_numbers();
+    return make_special_cutter(shape, d_, notes_);
   }
 
   Outcome check_signs() const {

@@ -17,28 +17,16 @@ class SpecialMaker : CatalogueMaker {
   using CatalogueMaker::CatalogueMaker;
 
   Result<Cutter> make(CatalogueShape shape) {
-    switch (shape) {
-      case CatalogueShape::slot:
-        return slot();
-      case CatalogueShape::saw:
-        return saw();
-      case CatalogueShape::dovetail:
-        return dovetail();
-      case CatalogueShape::lollipop:
-        return lollipop();
-      case CatalogueShape::radius:
-        return radius();
-      case CatalogueShape::center_drill:
-        return center_drill();
-      case CatalogueShape::barrel:
-        return barrel();
-      case CatalogueShape::oval:
-        return oval();
-      case CatalogueShape::lens:
-        return lens();
-      default:
-        return taper_segment();
-    }
+    if (shape == CatalogueShape::slot) return slot();
+    if (shape == CatalogueShape::saw) return saw();
+    if (shape == CatalogueShape::dovetail) return dovetail();
+    if (shape == CatalogueShape::lollipop) return lollipop();
+    if (shape == CatalogueShape::radius) return radius();
+    if (shape == CatalogueShape::center_drill) return center_drill();
+    if (shape == CatalogueShape::barrel) return barrel();
+    if (shape == CatalogueShape::oval) return oval();
+    if (shape == CatalogueShape::lens) return lens();
+    return taper_segment();
   }
 
  private:

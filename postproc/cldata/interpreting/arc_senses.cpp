@@ -150,13 +150,9 @@ void ArcSenses::close_as(ArcSense sense) {
 }
 
 void ArcSenses::write_notes() const {
-  if (radius_errors_.count > 0) {
-    in_.path.notes.push_back(make_warning("path-arc-radius",
-                                          count_text(radius_errors_.count, "arc") +
-                                              " whose start, end and radius do not lie on one circle (off by up to " +
-                                              fixed_text(worst_radius_error_mm_, 3) + " mm) not checked",
-                                          in_.path.file, radius_errors_.first_line));
-  }
+  in_.report(Severity::warning, "path-arc-radius", radius_errors_, "arc",
+             " whose start, end and radius do not lie on one circle (off by up to " +
+                 fixed_text(worst_radius_error_mm_, 3) + " mm) not checked");
   constexpr std::size_t kFewest = 3;
   if (reversing_arcs_ >= kFewest && reversing_arcs_ > 2 * smooth_arcs_) {
     in_.path.notes.push_back(make_warning(

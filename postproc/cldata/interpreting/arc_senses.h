@@ -5,9 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "postproc/cldata/interpreting/position.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/statement_context.h"
-#include "postproc/cldata/interpreting/tally.h"
 #include "postproc/cldata/parsing/arc_statement.h"
 
 namespace gouge {

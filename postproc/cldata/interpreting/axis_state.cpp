@@ -111,12 +111,9 @@ void AxisState::write_length_note() const {
 }
 
 void AxisState::write_plain_note() const {
-  if (plain_after_tilt_.count == 0) return;
-  in_.path.notes.push_back(make_warning("path-plain-axis",
-                                        count_text(plain_after_tilt_.count, "position") +
-                                            " of 3 numbers after one with a tilted axis: the file does not "
-                                            "say which axis they have, so they are not checked",
-                                        in_.path.file, plain_after_tilt_.first_line));
+  in_.report(Severity::warning, "path-plain-axis", plain_after_tilt_, "position",
+             " of 3 numbers after one with a tilted axis: the file does not say which axis they have, so they are not "
+             "checked");
 }
 
 }  // namespace gouge

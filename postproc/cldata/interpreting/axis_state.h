@@ -3,9 +3,8 @@
 #include <optional>
 
 #include "postproc/cldata/interpreting/doubts.h"
-#include "postproc/cldata/interpreting/position.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/statement_context.h"
-#include "postproc/cldata/interpreting/tally.h"
 
 namespace gouge {
 

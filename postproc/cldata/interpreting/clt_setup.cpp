@@ -20,9 +20,8 @@ constexpr std::array<std::string_view, 3> kTables = {"AAXIS", "BAXIS", "CAXIS"};
 std::optional<CltSetup::TableTurn> CltSetup::turn_of(std::span<const Argument> arguments) {
   if (arguments.size() != 4 || !arguments[0].number || !equals_ignoring_case(arguments[2].text, "TABLE"))
     return std::nullopt;
-  const auto* const axis = std::find_if(kTables.begin(), kTables.end(), [&](std::string_view word) {
-    return equals_ignoring_case(word, arguments[1].text);
-  });
+  const auto* const axis = std::ranges::find_if(
+      kTables, [&](std::string_view word) { return equals_ignoring_case(word, arguments[1].text); });
   const bool is_clockwise = equals_ignoring_case(arguments[3].text, "CLW");
   if (axis == kTables.end() || (!is_clockwise && !equals_ignoring_case(arguments[3].text, "CCLW"))) return std::nullopt;
   return TableTurn{*axis, is_clockwise ? -*arguments[0].number : *arguments[0].number};
@@ -33,7 +32,7 @@ std::optional<CltSetup::TableTurn> CltSetup::turn_of(std::span<const Argument> a
 Eigen::Matrix3d CltSetup::axes() const {
   Eigen::Matrix3d setup = Eigen::Matrix3d::Identity();
   for (const TableTurn& turn : turns_) {
-    const auto axis = static_cast<Eigen::Index>(std::find(kTables.begin(), kTables.end(), turn.axis) - kTables.begin());
+    const auto axis = static_cast<Eigen::Index>(std::ranges::find(kTables, turn.axis) - kTables.begin());
     setup = setup * Eigen::AngleAxisd(turn.angle, Vec3::Unit(axis)).toRotationMatrix();
   }
   return setup;

@@ -4,15 +4,6 @@
 // Curves, which the positions behind them end.
 
 namespace gouge {
-namespace {
-
-ArcStatement unreadable(const char* problem) {
-  ArcStatement arc;
-  arc.problem = problem;
-  return arc;
-}
-
-}  // namespace
 
 // CIRCLE and MOVARC describe the arc to the next position; a list of positions runs on along it.
 void take_arc(States& s) { s.curve.describe(read_arc(s.in.dialect, s.in.arguments, s.frame.mm_per_unit())); }
@@ -21,10 +12,8 @@ void take_arc(States& s) { s.curve.describe(read_arc(s.in.dialect, s.in.argument
 void take_unread_curve(States& s) {
   const bool is_on = s.in.has("ON");
   if (is_on || s.in.has("OFF")) return switch_doubt(s, Doubt::spline, is_on, Reasons::kCurve);
-  s.curve.describe(unreadable(s.in.because(Reasons::kCurve)));
+  s.curve.describe(unreadable_arc(s.in.because(Reasons::kCurve)));
 }
-
-void take_indirv(States& s) { s.curve.begin_tangent(); }
 
 void take_tlon(States& s) {
   const std::optional<TlonStatement> tlon =
@@ -42,18 +31,12 @@ void take_tlon(States& s) {
   // The arc keeps the axis of the position before it.
   position.axis_local = is_start_known && s.axes.is_multax_on() ? here.axis : s.axes.implied();
   s.curve.describe_end(is_start_known ? arc_of_tlon(*tlon, here.tip, s.curve.tangent())
-                                      : unreadable(ArcProblems::kStart));
+                                      : unreadable_arc(ArcProblems::kStart));
   const bool is_doubtful = !s.axes.is_multax_on() && s.axes.is_doubtful(position);
   position.doubt = is_doubtful ? Reasons::kPlainAxis : nullptr;
   emit(s, position);
   if (is_doubtful) s.chain.lose_start(Reasons::kPlainAxis);
   s.curve.end_arc();
 }
-
-void take_nurbs(States& s) { s.nurbs.begin(); }
-
-void take_knots(States& s) { s.nurbs.take_knots(); }
-
-void take_control_point(States& s) { s.nurbs.take_control_point(); }
 
 }  // namespace gouge

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "postproc/cldata/interpreting/statement_context.h"
-#include "postproc/cldata/interpreting/tally.h"
 #include "postproc/cldata/language/cutcom.h"
 
 namespace gouge {

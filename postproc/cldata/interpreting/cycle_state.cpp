@@ -3,7 +3,6 @@
 #include <span>
 #include <utility>
 
-#include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
@@ -83,26 +82,14 @@ std::optional<std::pair<std::size_t, std::size_t>> CycleState::doubt() {
 }
 
 void CycleState::write_notes() const {
-  Diagnostics& notes = in_.path.notes;
-  if (never_ended_.count > 0) {
-    notes.push_back(make_warning("path-cycle",
-                                 count_text(never_ended_.count, "cycle") +
-                                     " never ended by CYCLE/OFF: which positions are holes and which are "
-                                     "motions of their own the file does not say, so they are not checked",
-                                 in_.path.file, never_ended_.first_line));
-  }
-  if (never_begun_.count > 0) {
-    notes.push_back(make_warning("path-cycle",
-                                 count_text(never_begun_.count, "CYCLE/OFF statement") +
-                                     " without a cycle: the positions before it may be holes, so they are not checked",
-                                 in_.path.file, never_begun_.first_line));
-  }
-  if (without_retract_.count > 0) {
-    notes.push_back(make_note("path-cycle",
-                              count_text(without_retract_.count, "cycle") +
-                                  " without a retract height: taken to stay at the clearance between holes",
-                              in_.path.file, without_retract_.first_line));
-  }
+  in_.report(
+      Severity::warning, "path-cycle", never_ended_, "cycle",
+      " never ended by CYCLE/OFF: which positions are holes and which are motions of their own the file does not "
+      "say, so they are not checked");
+  in_.report(Severity::warning, "path-cycle", never_begun_, "CYCLE/OFF statement",
+             " without a cycle: the positions before it may be holes, so they are not checked");
+  in_.report(Severity::note, "path-cycle", without_retract_, "cycle",
+             " without a retract height: taken to stay at the clearance between holes");
 }
 
 }  // namespace gouge

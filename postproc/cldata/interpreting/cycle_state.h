@@ -7,7 +7,6 @@
 
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/interpreting/statement_context.h"
-#include "postproc/cldata/interpreting/tally.h"
 #include "postproc/cldata/parsing/cycle_statement.h"
 
 namespace gouge {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "postproc/cldata/interpreting/position.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/statement_context.h"
 #include "postproc/cldata/parsing/arc_statement.h"
 

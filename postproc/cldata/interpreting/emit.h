@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
-#include "postproc/cldata/interpreting/position.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/interpreting/states.h"
 

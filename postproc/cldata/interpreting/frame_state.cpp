@@ -59,11 +59,8 @@ std::optional<RigidTransform> FrameState::make(const Vec3& origin, const Vec3& x
 }
 
 void FrameState::write_note() const {
-  if (csys_.count == 0) return;
-  in_.path.notes.push_back(make_note("path-csys",
-                                     count_text(csys_.count, "CSYS statement") +
-                                         " not applied: Creo writes positions in the machine coordinate system",
-                                     in_.path.file, csys_.first_line));
+  in_.report(Severity::note, "path-csys", csys_, "CSYS statement",
+             " not applied: Creo writes positions in the machine coordinate system");
 }
 
 const MotionFrame* FrameState::record(std::deque<MotionFrame>& frames) {

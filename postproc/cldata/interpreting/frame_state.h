@@ -6,7 +6,6 @@
 #include "lib/geom/rigid_transform.h"
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/statement_context.h"
-#include "postproc/cldata/interpreting/tally.h"
 
 namespace gouge {
 

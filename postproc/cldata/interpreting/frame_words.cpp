@@ -26,8 +26,7 @@ bool is_identity(std::span<const Argument> arguments) {
 }
 
 bool is_all_zero(std::span<const Argument> arguments) {
-  return std::all_of(arguments.begin(), arguments.end(),
-                     [](const Argument& a) { return a.number && std::abs(*a.number) <= 0; });
+  return std::ranges::all_of(arguments, [](const Argument& a) { return a.number && std::abs(*a.number) <= 0; });
 }
 
 // Rows of three components of an axis and one of the origin.
@@ -135,14 +134,13 @@ void take_mcsys(States& s) {
 // But for CAMWorks CLT angles may be absolute or relative, and of one of several tables, so nothing undoes them.
 void take_rotabl(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
-  if (std::none_of(arguments.begin(), arguments.end(), may_be_number)) {
+  if (std::ranges::none_of(arguments, may_be_number)) {
     distrust(s, Word::rotabl);
     return s.in.count_unknown();
   }
   if (s.in.dialect.has_setups && s.setup.take_turn()) return;
-  const bool is_turned = std::any_of(arguments.begin(), arguments.end(), [](const Argument& a) {
-    return a.number ? std::abs(*a.number) > 0 : may_be_number(a);
-  });
+  const bool is_turned = std::ranges::any_of(
+      arguments, [](const Argument& a) { return a.number ? std::abs(*a.number) > 0 : may_be_number(a); });
   if (is_turned) doubt_frame(s, Reasons::kTurned);
 }
 

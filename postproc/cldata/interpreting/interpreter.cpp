@@ -56,15 +56,6 @@ void fail_run_on(StatementContext& in, std::string_view hidden) {
               "; expected one statement a line: a line end is missing, or a $ continues a statement that has ended");
 }
 
-void note_offsets(const StatementContext& in, const Tally& chosen) {
-  if (chosen.count == 0) return;
-  in.path.notes.push_back(make_note(
-      "path-machine-text",
-      count_text(chosen.count, "text") +
-          " for the machine's control that choose a work offset: taken as the one that positions are meant for",
-      in.path.file, chosen.first_line));
-}
-
 void note_words(Toolpath& path) {
   if (path.words_not_understood.empty()) return;
   std::size_t count = 0;
@@ -128,7 +119,8 @@ void Interpreter::write_notes() {
   States& s = states_;
   s.axes.write_length_note();
   s.cutcom.write_note();
-  note_offsets(s.in, s.offsets_chosen);
+  s.in.report(Severity::note, "path-machine-text", s.offsets_chosen, "text",
+              " for the machine's control that choose a work offset: taken as the one that positions are meant for");
   s.setup.write_note();
   s.chain.write_note();
   s.cycle.write_notes();

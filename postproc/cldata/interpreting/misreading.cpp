@@ -148,51 +148,23 @@ bool take_misread(States& s, std::string_view text) {
 
 void distrust(States& s, Word word) {
   const auto doubt = [&](Doubt which, const char* reason) { s.doubts.set(which, s.in.because(reason)); };
-  switch (word) {
-    case Word::cutter:
-    case Word::tldata:
-    case Word::unread_tool:
-      s.tool.forget_cutter();
-      return doubt(Doubt::cutter, Reasons::kUnreadTool);
-    case Word::tool_path:
-      doubt(Doubt::loading, Reasons::kUnreadTool);
-      return doubt(Doubt::unread_frame, Reasons::kUnreadFrame);
-    case Word::load:
-    case Word::loadtl:
-    case Word::toolno:
-    case Word::turret:
-      return doubt(Doubt::loading, Reasons::kUnreadTool);
-    case Word::csys:
-    case Word::mcs:
-    case Word::mcsys:
-    case Word::msys:
-    case Word::mode:
-    case Word::prefun:
-    case Word::repeat:
-    case Word::rotabl:
-    case Word::select:
-    case Word::setup:
-    case Word::syn:
-    case Word::tlaxis:
-    case Word::trans:
-    case Word::trntyp:
-    case Word::units:
-    case Word::unread_frame:
-      return doubt(Doubt::unread_frame, Reasons::kUnreadFrame);
-    case Word::multax:
-      return doubt(Doubt::multax, Reasons::kMultax);
-    case Word::cycle:
-      return s.cycle.begin_unknown();
-    case Word::cutcom:
-      return s.cutcom.begin();
-    case Word::cntrl:
-    case Word::knot:
-      return distrust_curve(s.in.path.moves);
-    case Word::rapid:
-      return s.chain.lose_start(Reasons::kAfterUnread);
-    default:
-      return;
+  static constexpr WordSet kCutters = {Word::cutter, Word::tldata, Word::unread_tool};
+  static constexpr WordSet kLoads = {Word::tool_path, Word::load, Word::loadtl, Word::toolno, Word::turret};
+  static constexpr WordSet kFrames = {Word::tool_path, Word::csys,        Word::mcs,    Word::mcsys,  Word::msys,
+                                      Word::mode,      Word::prefun,      Word::repeat, Word::rotabl, Word::select,
+                                      Word::setup,     Word::syn,         Word::tlaxis, Word::trans,  Word::trntyp,
+                                      Word::units,     Word::unread_frame};
+  if (kCutters.has(word)) {
+    s.tool.forget_cutter();
+    doubt(Doubt::cutter, Reasons::kUnreadTool);
   }
+  if (kLoads.has(word)) doubt(Doubt::loading, Reasons::kUnreadTool);
+  if (kFrames.has(word)) doubt(Doubt::unread_frame, Reasons::kUnreadFrame);
+  if (word == Word::multax) doubt(Doubt::multax, Reasons::kMultax);
+  if (word == Word::cycle) s.cycle.begin_unknown();
+  if (word == Word::cutcom) s.cutcom.begin();
+  if (word == Word::cntrl || word == Word::knot) distrust_curve(s.in.path.moves);
+  if (word == Word::rapid) s.chain.lose_start(Reasons::kAfterUnread);
 }
 
 void distrust_numbers_of_feed(States& s) {

@@ -1,26 +1,12 @@
 #include "postproc/cldata/interpreting/modal_states.h"
 
 #include <array>
-#include <cstddef>
-#include <initializer_list>
 #include <string_view>
 
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
 namespace {
-
-// Words of a row, asked for at every statement of a file.
-class WordSet {
- public:
-  constexpr WordSet(std::initializer_list<Word> words) {
-    for (const Word word : words) has_[static_cast<std::size_t>(word)] = true;
-  }
-  [[nodiscard]] constexpr bool has(Word word) const { return has_[static_cast<std::size_t>(word)]; }
-
- private:
-  std::array<bool, 256> has_{};
-};
 
 // Words that begin something new: none of them is written while a cycle drills or before the end of an arc.
 constexpr WordSet kBeginsAnew = {Word::operation, Word::tool_path, Word::end_of_path, Word::from,        Word::gohome,
@@ -34,16 +20,11 @@ constexpr WordSet kCurves = {Word::circle, Word::movarc, Word::curve, Word::indi
 constexpr WordSet kNoArcEnd = {Word::cycle, Word::retrct, Word::fini, Word::unread_motion};
 constexpr WordSet kNewRun = {Word::cutter, Word::tldata,    Word::loadtl,    Word::load,        Word::toolno,
                              Word::turret, Word::operation, Word::tool_path, Word::end_of_path, Word::from};
-constexpr WordSet kPosition = {Word::go_to, Word::godlta};
-constexpr WordSet kFeedOrBlock = {Word::fedrat, Word::tool_path};
-constexpr WordSet kOperation = {Word::operation};
-constexpr WordSet kBlock = {Word::tool_path};
-constexpr WordSet kFrame = {Word::msys};
 
 struct ModalRule {
   ModalState state;
   ModalEffect effect;
-  const WordSet& words;
+  WordSet words;
 };
 
 using enum ModalEffect;
@@ -57,12 +38,12 @@ constexpr auto kRules = std::to_array<ModalRule>({
     {ModalState::start_tangent, contradicts, kBeginsAnew},
     {ModalState::start_tangent, contradicts, kCurves},
     {ModalState::start_tangent, contradicts, kNoArcEnd},
-    {ModalState::start_tangent, contradicts, kPosition},
-    {ModalState::rapid, ends, kFeedOrBlock},
-    {ModalState::cutter_centre, ends, kOperation},
+    {ModalState::start_tangent, contradicts, {Word::go_to, Word::godlta}},
+    {ModalState::rapid, ends, {Word::fedrat, Word::tool_path}},
+    {ModalState::cutter_centre, ends, {Word::operation}},
     {ModalState::motion_run, ends, kNewRun},
-    {ModalState::between_blocks, contradicts, kFrame},
-    {ModalState::between_blocks, ends, kBlock},
+    {ModalState::between_blocks, contradicts, {Word::msys}},
+    {ModalState::between_blocks, ends, {Word::tool_path}},
 });
 
 // FEDRAT behind a hole: it says that the cycle has ended where CAM systems write none in their cycles.

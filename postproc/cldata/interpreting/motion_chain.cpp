@@ -2,8 +2,6 @@
 
 #include <utility>
 
-#include "lib/base/number_text.h"
-
 namespace gouge {
 
 // The machine does not go home between two positions only because a FROM, a CUTTER or another sequence stands there.
@@ -43,12 +41,9 @@ void MotionChain::stand(const Pose& end, const char* reason) {
 }
 
 void MotionChain::write_note() const {
-  if (not_swept_.count == 0) return;
-  in_.path.notes.push_back(make_note(
-      "path-not-swept",
-      count_text(not_swept_.count, "time") +
-          " the machine goes home or changes its tool, frame or sequence between two positions: nothing is swept there",
-      in_.path.file, not_swept_.first_line));
+  in_.report(
+      Severity::note, "path-not-swept", not_swept_, "time",
+      " the machine goes home or changes its tool, frame or sequence between two positions: nothing is swept there");
 }
 
 }  // namespace gouge

@@ -3,7 +3,6 @@
 #include <optional>
 
 #include "postproc/cldata/interpreting/statement_context.h"
-#include "postproc/cldata/interpreting/tally.h"
 
 namespace gouge {
 

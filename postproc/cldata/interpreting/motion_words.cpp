@@ -15,8 +15,7 @@ namespace {
 bool is_axis_name(const Argument& argument) {
   constexpr std::array<std::string_view, 12> kNames = {"X",     "Y",     "Z",     "A",     "B",     "C",
                                                        "XAXIS", "YAXIS", "ZAXIS", "AAXIS", "BAXIS", "CAXIS"};
-  return std::any_of(kNames.begin(), kNames.end(),
-                     [&](std::string_view name) { return equals_ignoring_case(argument.text, name); });
+  return is_one_of(argument.text, kNames);
 }
 
 void take_positions(States& s, PositionForm form) {
@@ -103,8 +102,7 @@ void take_godlta(States& s) {
 // GOHOME without words.
 void take_gohome(States& s) {
   const std::vector<Argument>& arguments = s.in.arguments;
-  const bool names_axes =
-      s.in.dialect.gohome_names_axes && std::all_of(arguments.begin(), arguments.end(), is_axis_name);
+  const bool names_axes = s.in.dialect.gohome_names_axes && std::ranges::all_of(arguments, is_axis_name);
   if (!arguments.empty() && !names_axes) return take_positions(s, PositionForm::gohome);
   s.feed.end_rapid();
   break_motion(s);
@@ -128,10 +126,6 @@ void take_fedrat(States& s) {
   distrust_numbers_of_feed(s);
   s.feed.take_fedrat(s.frame.mm_per_unit());
 }
-
-void take_multax(States& s) { s.axes.take_multax(); }
-
-void take_retrct(States& s) { s.chain.lose_start(Reasons::kAfterRetract); }
 
 // ADJUST is about fixture registers; its OFF says nothing of LEFT and RIGHT.
 void take_cutcom(States& s) {

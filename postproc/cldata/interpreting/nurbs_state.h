@@ -6,7 +6,7 @@
 
 #include "postproc/cldata/interpreting/axis_state.h"
 #include "postproc/cldata/interpreting/frame_state.h"
-#include "postproc/cldata/interpreting/position.h"
+#include "postproc/cldata/interpreting/motion_records.h"
 
 namespace gouge {
 

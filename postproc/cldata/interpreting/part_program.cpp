@@ -18,11 +18,8 @@ bool is_assignment(std::string_view major) {
   const std::size_t sign = major.find('=');
   if (sign == std::string_view::npos || sign == 0) return false;
   const std::string_view symbol = trim(major.substr(0, sign));
-  const auto is_symbol = [](char c) {
-    return (c >= '0' && c <= '9') || (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z') || c == '(' || c == ')' ||
-           c == '_';
-  };
-  return symbol.size() <= kLongestSymbol && std::all_of(symbol.begin(), symbol.end(), is_symbol);
+  const auto is_symbol = [](char c) { return is_digit(c) || is_letter(c) || c == '(' || c == ')' || c == '_'; };
+  return symbol.size() <= kLongestSymbol && std::ranges::all_of(symbol, is_symbol);
 }
 
 // The word of what an assignment gives to its symbol: PL1=PLANE/..
@@ -30,8 +27,7 @@ bool is_geometry(std::string_view value) {
   constexpr std::array<std::string_view, 20> kGeometry = {
       "POINT",  "LINE",   "PLANE",  "CIRCLE", "CYLNDR", "CONE",   "SPHERE", "ELLIPS", "HYPERB", "GCONIC",
       "LCONIC", "VECTOR", "MATRIX", "QADRIC", "TABCYL", "RLDSRF", "POLCON", "PATERN", "MACRO",  "SCURV"};
-  return std::any_of(kGeometry.begin(), kGeometry.end(),
-                     [&](std::string_view word) { return equals_ignoring_case(word, value); });
+  return is_one_of(value, kGeometry);
 }
 
 }  // namespace
@@ -56,9 +52,8 @@ bool PartProgram::take_assignment() {
 void PartProgram::refuse_assignments() {
   if (first_line_ == 0) return;
   const std::vector<Move>& moves = in_.path.moves;
-  const bool has_position = std::any_of(moves.begin(), moves.end(), [](const Move& move) {
-    return kind_of(move.not_checked_reason) != ReasonKind::may_be_unread;
-  });
+  const bool has_position = std::ranges::any_of(
+      moves, [](const Move& move) { return kind_of(move.not_checked_reason) != ReasonKind::may_be_unread; });
   if (has_position || in_.has_errors()) in_.refuse_part_program(first_, first_line_);
 }
 

@@ -32,8 +32,7 @@ bool is_of(std::string_view reason, std::string_view text) {
 
 ReasonKind kind_of(std::string_view reason) {
   if (reason.empty()) return ReasonKind::none;
-  const auto* const row =
-      std::find_if(kKinds.begin(), kKinds.end(), [&](const Row& known) { return is_of(reason, known.text); });
+  const auto* const row = std::ranges::find_if(kKinds, [&](const Row& known) { return is_of(reason, known.text); });
   return row == kKinds.end() ? ReasonKind::not_understood : row->kind;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
 
 namespace gouge {
@@ -15,9 +16,7 @@ constexpr double kShareThatDecides = 0.02;  // of a file, to expect the same of 
 constexpr double kFirstGrowth = 4, kLeastGrowth = 1.125, kMargin = 1.01;
 constexpr const char* kOtherWords = "(other words)";
 
-bool begins_with_letter(std::string_view text) {
-  return !text.empty() && ((text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= 'a' && text[0] <= 'z'));
-}
+bool begins_with_letter(std::string_view text) { return !text.empty() && is_letter(text.front()); }
 
 bool is_number_word(std::string_view text) {
   return starts_with_ignoring_case(text, "nan") || starts_with_ignoring_case(text, "inf");
@@ -62,6 +61,12 @@ void StatementContext::count_unknown() {
   auto& words = path.words_not_understood;
   if (words.size() >= kUnknownWordsListed && !words.contains(word)) word = kOtherWords;
   ++words[word];
+}
+
+void StatementContext::report(Severity severity, const char* code, const Tally& seen, std::string_view noun,
+                              std::string_view rest) {
+  if (seen.count == 0) return;
+  path.notes.push_back({severity, code, path.file, seen.first_line, count_text(seen.count, noun) + std::string(rest)});
 }
 
 void StatementContext::fail(std::string code, std::string message) {

@@ -13,6 +13,15 @@
 
 namespace gouge {
 
+/// How often something was seen in a file, and the line of the first.
+struct Tally {
+  std::size_t count = 0, first_line = 0;
+
+  void add(std::size_t line) {
+    if (count++ == 0) first_line = line;
+  }
+};
+
 /// The statement being taken, the file it stands in, and what is wrong with either: what every state of the
 /// interpreter looks at.
 class StatementContext {
@@ -42,6 +51,9 @@ class StatementContext {
     return reasons_.name(reason, word, line);
   }
   void count_unknown();
+  /// How often something was seen in the file: `noun` in the number that was counted, then `rest`. Nothing where it
+  /// never was.
+  void report(Severity severity, const char* code, const Tally& seen, std::string_view noun, std::string_view rest);
   void fail(std::string code, std::string message);
   /// The file is no CL data: of all errors this one is left, and reading further has no use.
   void refuse_part_program(std::string_view what) { refuse_part_program(what, line()); }

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+#include <string>
+#include <utility>
+
 #include "lib/base/units.h"
 #include "postproc/cldata/interpreting/arc_senses.h"
 #include "postproc/cldata/interpreting/axis_state.h"
@@ -10,15 +14,76 @@
 #include "postproc/cldata/interpreting/cycle_state.h"
 #include "postproc/cldata/interpreting/described_curve.h"
 #include "postproc/cldata/interpreting/doubts.h"
-#include "postproc/cldata/interpreting/feed_state.h"
 #include "postproc/cldata/interpreting/frame_state.h"
 #include "postproc/cldata/interpreting/motion_chain.h"
 #include "postproc/cldata/interpreting/nurbs_state.h"
-#include "postproc/cldata/interpreting/operation_state.h"
 #include "postproc/cldata/interpreting/part_program.h"
+#include "postproc/cldata/interpreting/statement_context.h"
 #include "postproc/cldata/interpreting/tool_state.h"
+#include "postproc/cldata/parsing/feed_statement.h"
 
 namespace gouge {
+
+/// FEDRAT, which holds until the next one, and RAPID, which holds for one motion. One that the file never follows by a
+/// motion says nothing.
+class FeedState {
+ public:
+  explicit FeedState(StatementContext& in) : in_(in) {}
+
+  // One without a unit after one per revolution: of which kind it is no file says.
+  void take_fedrat(double mm_per_unit) {
+    if (switches_inverse_time(in_.arguments)) return;
+    feed_ = read_feed(in_.arguments, mm_per_unit);
+    if (has_feed_per_turn_ && !has_feed_unit(in_.arguments)) feed_ = {0, FeedUnit::not_understood};
+    has_feed_per_turn_ = has_feed_per_turn_ || feed_.unit == FeedUnit::per_revolution;
+  }
+  void begin_rapid() {
+    is_rapid_ = true;
+    rapid_statement_ = in_.index();
+  }
+  void end_rapid() { is_rapid_ = false; }
+  void begin_block() { feed_ = {}; }
+
+  [[nodiscard]] const Feed& feed() const { return feed_; }
+  [[nodiscard]] bool is_rapid() const { return is_rapid_; }
+  /// The last RAPID, or kNone.
+  [[nodiscard]] std::size_t rapid_statement() const { return rapid_statement_; }
+
+ private:
+  StatementContext& in_;
+  Feed feed_;
+  bool has_feed_per_turn_ = false;  // a FEDRAT stated one: what one without a unit means is then not known
+  bool is_rapid_ = false;
+  std::size_t rapid_statement_ = kNone;
+};
+
+/// The operation of the positions that follow. One without a position is none.
+class OperationState {
+ public:
+  explicit OperationState(StatementContext& in) : in_(in) {}
+
+  void name(std::string text) {
+    name_ = std::move(text);
+    line_ = in_.line();
+    is_new_ = true;
+  }
+  /// At a motion: its operation in Toolpath::operations, or kNone.
+  [[nodiscard]] std::size_t resolve() {
+    if (!std::exchange(is_new_, false)) return index_;
+    index_ = in_.path.operations.size();
+    in_.make_room(in_.path.operations);
+    in_.path.operations.push_back({name_, line_});
+    return index_;
+  }
+  [[nodiscard]] std::size_t index() const { return index_; }
+
+ private:
+  StatementContext& in_;
+  std::string name_;
+  std::size_t line_ = 0;
+  bool is_new_ = false;
+  std::size_t index_ = kNone;
+};
 
 /// All that a statement may look at or change. Each state says in its own file what holds where the file never ends it.
 struct States {

@@ -81,8 +81,7 @@ void ToolState::take_tldata(double mm_per_unit) {
   const std::string_view type = in_.arguments.front().text;
   const bool is_drill = equals_ignoring_case(type, "DRILL");
   forget_cutter();
-  const bool is_turning = std::any_of(kTurningTypes.begin(), kTurningTypes.end(),
-                                      [&](std::string_view t) { return equals_ignoring_case(type, t); });
+  const bool is_turning = is_one_of(type, kTurningTypes);
   doubts_.set(Doubt::turning, is_turning ? in_.because(Reasons::kTurning) : nullptr);
   if (is_turning) return;
   CutterOutcome outcome;
@@ -189,12 +188,9 @@ bool ToolState::resolve() {
 }
 
 void ToolState::write_note() const {
-  if (recomputed_.count == 0) return;
-  in_.path.notes.push_back(make_note(
-      "path-cutter-recomputed",
-      count_text(recomputed_.count, "CUTTER statement") +
-          " with e and f other than d, r, alpha and beta give: these are taken, as CAM systems disagree about e and f",
-      in_.path.file, recomputed_.first_line));
+  in_.report(
+      Severity::note, "path-cutter-recomputed", recomputed_, "CUTTER statement",
+      " with e and f other than d, r, alpha and beta give: these are taken, as CAM systems disagree about e and f");
 }
 
 }  // namespace gouge

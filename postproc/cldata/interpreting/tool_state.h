@@ -10,7 +10,6 @@
 
 #include "postproc/cldata/interpreting/doubts.h"
 #include "postproc/cldata/interpreting/statement_context.h"
-#include "postproc/cldata/interpreting/tally.h"
 #include "postproc/cldata/parsing/cutter_statement.h"
 
 namespace gouge {

@@ -25,10 +25,6 @@ void change_number(States& s, int number) {
 
 }  // namespace
 
-void take_cutter(States& s) { s.tool.take_cutter(s.frame.mm_per_unit(), s.previous_word == Word::insert); }
-
-void take_tldata(States& s) { s.tool.take_tldata(s.frame.mm_per_unit()); }
-
 void take_tool_number(States& s) {
   const bool is_turning = s.in.has("TURN");
   if (is_turning) s.doubts.set(Doubt::turning, s.in.because(Reasons::kTurning));
@@ -61,11 +57,5 @@ void take_load(States& s) {
   if (!number) return s.in.fail("path-statement", "LOAD/TOOL without a tool number; expected LOAD/TOOL,number");
   change_number(s, *number);
 }
-
-void take_flute_length(States& s) { s.tool.take_flute_length(s.frame.mm_per_unit()); }
-
-void take_turret(States& s) { s.doubts.set(Doubt::turning, s.in.because(Reasons::kTurning)); }
-
-void take_tool_name(States& s) { s.tool.take_name(s.in.first_piece()); }
 
 }  // namespace gouge

@@ -52,9 +52,8 @@ bool is_shifting_word(std::string_view word) {
   constexpr std::size_t kLongest = 24;
   std::string large;
   for (const char c : word.substr(0, kLongest)) large += static_cast<char>(is_letter(c) ? c & ~0x20 : c);
-  return std::find(kWords.begin(), kWords.end(), large) != kWords.end() ||
-         std::any_of(kParts.begin(), kParts.end(),
-                     [&](std::string_view part) { return large.find(part) != std::string::npos; });
+  return std::ranges::find(kWords, large) != kWords.end() ||
+         std::ranges::any_of(kParts, [&](std::string_view part) { return large.find(part) != std::string::npos; });
 }
 
 // A word of the source language makes a statement alone or before a slash or comma; else it only begins a
@@ -106,11 +105,10 @@ bool is_misread(States& s) {
 void take_harmless(States& s) {
   const Statement& statement = s.in.statement();
   if (statement.is_decoded || statement.pieces.empty()) return;
-  const auto is_called = [&](std::string_view word) { return equals_ignoring_case(statement.major, word); };
-  if (std::any_of(kOfManyNumbers.begin(), kOfManyNumbers.end(), is_called)) return;
+  if (is_one_of(statement.major, kOfManyNumbers)) return;
   split_arguments(statement, s.in.arguments);
   const NumberCount numbers = count_numbers(s.in.arguments);
-  const std::size_t most = numbers.has_negative ? (is_called("SPINDL") ? 1 : 0) : 2;
+  const std::size_t most = numbers.has_negative ? (equals_ignoring_case(statement.major, "SPINDL") ? 1 : 0) : 2;
   if (numbers.count > most) take_unread_motion(s);
 }
 

@@ -2,7 +2,7 @@
 
 #include "postproc/cldata/interpreting/states.h"
 
-// What each word does: one function for each, and one table from word to function.
+// What each word does: one function for each that asks more than one state, and one table from word to function.
 
 namespace gouge {
 
@@ -18,30 +18,19 @@ void take_godlta(States& s);
 void take_gohome(States& s);
 void take_rapid(States& s);
 void take_fedrat(States& s);
-void take_multax(States& s);
-void take_retrct(States& s);
 void take_cutcom(States& s);
 
 // curve_words.cpp
 void take_arc(States& s);
 void take_unread_curve(States& s);
-void take_indirv(States& s);
 void take_tlon(States& s);
-void take_nurbs(States& s);
-void take_knots(States& s);
-void take_control_point(States& s);
 
 // cycle_words.cpp
 void take_cycle(States& s);
 
 // tool_words.cpp
-void take_cutter(States& s);
-void take_tldata(States& s);
 void take_tool_number(States& s);
 void take_load(States& s);
-void take_flute_length(States& s);
-void take_turret(States& s);
-void take_tool_name(States& s);
 
 // control_words.cpp
 void take_insert(States& s);

@@ -66,13 +66,12 @@ void split_arguments(const Statement& statement, std::vector<Argument>& argument
 }
 
 const Argument* find_word_argument(std::span<const Argument> arguments) {
-  const auto it = std::find_if(arguments.begin(), arguments.end(), [](const Argument& a) { return !a.number; });
+  const auto it = std::ranges::find_if(arguments, [](const Argument& a) { return !a.number; });
   return it == arguments.end() ? nullptr : &*it;
 }
 
 bool has_argument(std::span<const Argument> arguments, std::string_view word) {
-  return std::any_of(arguments.begin(), arguments.end(),
-                     [&](const Argument& a) { return equals_ignoring_case(a.text, word); });
+  return std::ranges::any_of(arguments, [&](const Argument& a) { return equals_ignoring_case(a.text, word); });
 }
 
 std::optional<double> number_after(std::span<const Argument> arguments, std::string_view word) {
@@ -93,7 +92,7 @@ NumberCount count_numbers(std::span<const Argument> arguments) {
 }
 
 bool has_damaged_argument(std::span<const Argument> arguments) {
-  return std::any_of(arguments.begin(), arguments.end(), [](const Argument& argument) {
+  return std::ranges::any_of(arguments, [](const Argument& argument) {
     return !argument.number && argument.text.find_first_not_of("+-.0123456789") == std::string_view::npos;
   });
 }
@@ -104,7 +103,7 @@ bool has_repeated_word(std::span<const Argument> arguments) {
   for (const Argument& argument : arguments) {
     if (argument.number || argument.text.empty()) continue;
     const auto is_same = [&](std::string_view word) { return equals_ignoring_case(word, argument.text); };
-    if (words.size() == kMostWords || std::any_of(words.begin(), words.end(), is_same)) return true;
+    if (words.size() == kMostWords || std::ranges::any_of(words, is_same)) return true;
     words.push_back(argument.text);
   }
   return false;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace gouge {
@@ -9,17 +11,8 @@ enum class CutcomSide : std::uint8_t { none, left, right, unknown };
 
 /// The word that says it.
 [[nodiscard]] constexpr const char* cutcom_word(CutcomSide side) {
-  switch (side) {
-    case CutcomSide::none:
-      return "OFF";
-    case CutcomSide::left:
-      return "LEFT";
-    case CutcomSide::right:
-      return "RIGHT";
-    case CutcomSide::unknown:
-      break;
-  }
-  return "ON";
+  constexpr std::array<const char*, 4> kWords = {"OFF", "LEFT", "RIGHT", "ON"};
+  return kWords[static_cast<std::size_t>(side)];
 }
 
 }  // namespace gouge

@@ -147,8 +147,7 @@ constexpr std::array<Dialect, 13> kDialects = {{
 std::span<const Dialect> all_dialects() { return kDialects; }
 
 const Dialect& dialect_of(DialectKind kind) {
-  const auto* const it =
-      std::find_if(kDialects.begin(), kDialects.end(), [&](const Dialect& d) { return d.kind == kind; });
+  const auto* const it = std::ranges::find_if(kDialects, [&](const Dialect& d) { return d.kind == kind; });
   return it == kDialects.end() ? kDialects.back() : *it;
 }
 

@@ -66,6 +66,10 @@ bool equals_ignoring_case(std::string_view a, std::string_view b) {
   return a.size() == b.size() && compare_ignoring_case(a, b) == 0;
 }
 
+bool is_one_of(std::string_view text, std::span<const std::string_view> words) {
+  return std::ranges::any_of(words, [&](std::string_view word) { return equals_ignoring_case(text, word); });
+}
+
 bool starts_with_ignoring_case(std::string_view text, std::string_view start) {
   return text.size() >= start.size() && compare_ignoring_case(text.substr(0, start.size()), start) == 0;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -32,6 +33,8 @@ inline constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
 /// < 0, 0, > 0 as `a` sorts before, equal to or after `b`, letters compared as capitals.
 [[nodiscard]] int compare_ignoring_case(std::string_view a, std::string_view b);
 [[nodiscard]] bool equals_ignoring_case(std::string_view a, std::string_view b);
+/// As equals_ignoring_case.
+[[nodiscard]] bool is_one_of(std::string_view text, std::span<const std::string_view> words);
 [[nodiscard]] bool starts_with_ignoring_case(std::string_view text, std::string_view start);
 
 /// True where one character of one is missing, wrong or too many in the other, or two neighbours are in each other's

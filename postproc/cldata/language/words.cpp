@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
 #include <utility>
 
 #include "postproc/cldata/language/text.h"
@@ -11,29 +12,29 @@ namespace {
 
 using Entry = std::pair<std::string_view, Word>;
 
-constexpr auto kWords = std::to_array<Entry>({
-    {"AIR", Word::harmless},
-    {"APPLY", Word::harmless},
-    {"ARCSLP", Word::harmless},
-    {"AUTOPS", Word::harmless},
+// Words that leave positions alone.
+constexpr auto kHarmless = std::to_array<std::string_view>(
+    {"AIR",    "APPLY",  "ARCSLP", "AUTOPS", "BEGIN",  "BOX",    "BREAK", "CLAMP",  "CLEARP", "CLPRNT",
+     "CLRSRF", "COOLNT", "DELAY",  "DISPLY", "DWELL",  "FLUSH",  "INTOL", "LEADER", "LINTOL", "MACHIN",
+     "MATERL", "MCHTOL", "NOPOST", "OPSKIP", "OPSTOP", "OUTTOL", "PAINT", "PITCH",  "PPFUN",  "PRINT",
+     "REWIND", "SELCTL", "SEQNO",  "SPINDL", "STOP",   "SWITCH", "TCP",   "TMARK",  "TOLER",  "UNLOAD"});
+// Words of the APT source language.
+constexpr auto kOfPrograms = std::to_array<std::string_view>(
+    {"CALL", "DNTCUT", "DO",    "GO",     "GOBACK", "GODOWN", "GOFWD",  "GOLFT", "GORGT",
+     "GOUP", "IF",     "INDEX", "INDIRP", "JUMPTO", "LOOPND", "LOOPST", "MACRO", "POCKET",
+     "PSIS", "RESERV", "TLLFT", "TLOFPS", "TLONPS", "TLRGT",  "TRANTO", "ZSURF"});
+// Words that may turn or shift what follows.
+constexpr auto kOfFrames = std::to_array<std::string_view>(
+    {"COORD", "COUPLE", "DEFSUB", "ENDSUB", "MIRROR", "REFSYS", "REVERS", "SCALE", "TRACUT", "WORKPL"});
+
+constexpr auto kOthers = std::to_array<Entry>({
     {"AUXFUN", Word::auxfun},
-    {"BEGIN", Word::harmless},
-    {"BOX", Word::harmless},
-    {"BREAK", Word::harmless},
     {"BSPLIN", Word::curve},
-    {"CALL", Word::part_program},
     {"CALSUB", Word::repeat},
     {"CAMERA", Word::camera},
     {"CIRCLE", Word::circle},
-    {"CLAMP", Word::harmless},
-    {"CLEARP", Word::harmless},
-    {"CLPRNT", Word::harmless},
-    {"CLRSRF", Word::harmless},
     {"CNTRL", Word::cntrl},
-    {"COOLNT", Word::harmless},
-    {"COORD", Word::unread_frame},
     {"COPY", Word::repeat},
-    {"COUPLE", Word::unread_frame},
     {"CSI_PATH_TOLERANCE", Word::harmless},
     {"CSI_SET_EXTENSION_LENGTH", Word::harmless},
     {"CSI_SET_FLUTE_LENGTH", Word::flute_length},
@@ -42,131 +43,84 @@ constexpr auto kWords = std::to_array<Entry>({
     {"CUTCOM", Word::cutcom},
     {"CUTTER", Word::cutter},
     {"CYCLE", Word::cycle},
-    {"DEFSUB", Word::unread_frame},
-    {"DELAY", Word::harmless},
-    {"DISPLY", Word::harmless},
-    {"DNTCUT", Word::part_program},
-    {"DO", Word::part_program},
-    {"DWELL", Word::harmless},
     {"END", Word::fini},
     {"END-OF-PATH", Word::end_of_path},
-    {"ENDSUB", Word::unread_frame},
     {"FEDRAT", Word::fedrat},
     {"FINI", Word::fini},
-    {"FLUSH", Word::harmless},
     {"FROM", Word::from},
-    {"GO", Word::part_program},
-    {"GOBACK", Word::part_program},
     {"GOCLER", Word::retrct},
     {"GODLTA", Word::godlta},
-    {"GODOWN", Word::part_program},
-    {"GOFWD", Word::part_program},
     {"GOHOME", Word::gohome},
-    {"GOLFT", Word::part_program},
-    {"GORGT", Word::part_program},
     {"GOTO", Word::go_to},
-    {"GOUP", Word::part_program},
     {"HELIX", Word::curve},
     {"HOME", Word::unread_motion},
-    {"IF", Word::part_program},
     {"INCLUD", Word::unread_motion},
     {"INCLUDE", Word::unread_motion},
-    {"INDEX", Word::part_program},
-    {"INDIRP", Word::part_program},
     {"INDIRV", Word::indirv},
     {"INSERT", Word::insert},
-    {"INTOL", Word::harmless},
-    {"JUMPTO", Word::part_program},
     {"KNOT", Word::knot},
-    {"LEADER", Word::harmless},
     {"LETTER", Word::free_text},
-    {"LINTOL", Word::harmless},
     {"LOAD", Word::load},
     {"LOADTL", Word::loadtl},
-    {"LOOPND", Word::part_program},
-    {"LOOPST", Word::part_program},
-    {"MACHIN", Word::harmless},
-    {"MACRO", Word::part_program},
-    {"MATERL", Word::harmless},
-    {"MCHTOL", Word::harmless},
     {"MCS", Word::mcs},
     {"MCSYS", Word::mcsys},
-    {"MIRROR", Word::unread_frame},
     {"MODE", Word::mode},
     {"MOVARC", Word::movarc},
     {"MOVE_ATTRIB", Word::harmless},
     {"MSYS", Word::msys},
     {"MULTAX", Word::multax},
-    {"NOPOST", Word::harmless},
     {"NURBS", Word::nurbs},
     {"OPFEATEND", Word::free_text},
     {"OPFEATSTART", Word::operation},
     {"OPNAME", Word::operation},
-    {"OPSKIP", Word::harmless},
-    {"OPSTOP", Word::harmless},
     {"ORIGIN", Word::trans},
-    {"OUTTOL", Word::harmless},
-    {"PAINT", Word::harmless},
     {"PARTNO", Word::free_text},
-    {"PITCH", Word::harmless},
-    {"POCKET", Word::part_program},
     {"POSITN", Word::unread_motion},
-    {"PPFUN", Word::harmless},
     {"PPRINT", Word::pprint},
     {"PPWORD", Word::ppword},
     {"PREFUN", Word::prefun},
-    {"PRINT", Word::harmless},
-    {"PSIS", Word::part_program},
     {"RAPID", Word::rapid},
-    {"REFSYS", Word::unread_frame},
     {"REMARK", Word::free_text},
-    {"RESERV", Word::part_program},
     {"RETRCT", Word::retrct},
-    {"REVERS", Word::unread_frame},
-    {"REWIND", Word::harmless},
     {"ROTABL", Word::rotabl},
     {"ROTATE", Word::rotabl},
     {"ROTHED", Word::rotabl},
-    {"SCALE", Word::unread_frame},
-    {"SELCTL", Word::harmless},
     {"SELECT", Word::select},
-    {"SEQNO", Word::harmless},
     {"SETUP", Word::setup},
-    {"SPINDL", Word::harmless},
     {"SPLINE", Word::curve},
-    {"STOP", Word::harmless},
-    {"SWITCH", Word::harmless},
     {"SYN", Word::syn},
-    {"TCP", Word::harmless},
     {"THREAD", Word::curve},
     {"TITLES", Word::free_text},
     {"TLAXIS", Word::tlaxis},
     {"TLDATA", Word::tldata},
-    {"TLLFT", Word::part_program},
-    {"TLOFPS", Word::part_program},
     {"TLON", Word::tlon},
-    {"TLONPS", Word::part_program},
-    {"TLRGT", Word::part_program},
-    {"TMARK", Word::harmless},
-    {"TOLER", Word::harmless},
     {"TOOLNO", Word::toolno},
     {"TOOLPATH", Word::tool_path},
     {"TPRINT", Word::tprint},
-    {"TRACUT", Word::unread_frame},
     {"TRANS", Word::trans},
-    {"TRANTO", Word::part_program},
     {"TRNTYP", Word::trntyp},
     {"TURRET", Word::turret},
     {"UNIT", Word::units},
     {"UNITS", Word::units},
-    {"UNLOAD", Word::harmless},
-    {"WORKPL", Word::unread_frame},
     {"ZERO", Word::setup},
-    {"ZSURF", Word::part_program},
 });
 
-static_assert(std::is_sorted(kWords.begin(), kWords.end(),
-                             [](const Entry& a, const Entry& b) { return a.first < b.first; }));
+constexpr std::size_t kWordCount = kHarmless.size() + kOfPrograms.size() + kOfFrames.size() + kOthers.size();
+
+// All of them, sorted.
+constexpr std::array<Entry, kWordCount> kWords = [] {
+  std::array<Entry, kWordCount> all;
+  std::size_t count = 0;
+  const auto add = [&](std::span<const std::string_view> names, Word word) {
+    for (const std::string_view name : names) all[count++] = {name, word};
+  };
+  add(kHarmless, Word::harmless);
+  add(kOfPrograms, Word::part_program);
+  add(kOfFrames, Word::unread_frame);
+  std::copy(kOthers.begin(), kOthers.end(), all.begin() + count);
+  std::sort(all.begin(), all.end(), [](const Entry& a, const Entry& b) { return a.first < b.first; });
+  return all;
+}();
 
 // Of those that never begin a statement the ones that matter to motion.
 constexpr auto kMinorWords =
@@ -216,10 +170,7 @@ bool may_be_misspelt(const Entry& entry, std::string_view major) {
 
 }  // namespace
 
-bool is_minor_word(std::string_view word) {
-  return std::any_of(kMinorWords.begin(), kMinorWords.end(),
-                     [&](std::string_view minor) { return equals_ignoring_case(minor, word); });
-}
+bool is_minor_word(std::string_view word) { return is_one_of(word, kMinorWords); }
 
 Word find_word_at_end(std::string_view token) {
   constexpr std::size_t kLong = 4;

@@ -1,8 +1,6 @@
-#include "postproc/cldata/lexing/statement_at.h"
+#include "postproc/cldata/lexing/statement_reader.h"
 
 #include <string_view>
-
-#include "postproc/cldata/lexing/statement_reader.h"
 
 namespace gouge {
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include "lib/path/toolpath.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/statement.h"
 #include "postproc/cldata/lexing/lexer.h"
@@ -34,5 +35,10 @@ class StatementReader {
   NciStatements nci_;
   NccsStatements nccs_;
 };
+
+/// Statement `index` of Toolpath::statements, read once more from the path's bytes, into which its views
+/// point. Of a pair of lines of Mastercam NCI, which says several statements, the position. Without pieces
+/// where there is none.
+[[nodiscard]] Statement statement_at(const Toolpath& path, std::size_t index);
 
 }  // namespace gouge

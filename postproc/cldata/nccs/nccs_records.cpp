@@ -1,6 +1,7 @@
 #include "postproc/cldata/nccs/nccs_records.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 namespace gouge {
@@ -23,22 +24,11 @@ void append16(std::string& text, std::uint16_t value) {
 }
 
 bool is_known_class(std::uint16_t klass) {
-  switch (klass) {
-    case NccsClass::kSourceLine:
-    case NccsClass::kSourceNumber:
-    case NccsClass::kPost:
-    case NccsClass::kCircle:
-    case NccsClass::kMotion:
-    case NccsClass::kExpanded:
-    case NccsClass::kTool:
-    case NccsClass::kShownTool:
-    case NccsClass::kHeader:
-    case NccsClass::kMode:
-    case NccsClass::kFini:
-      return true;
-    default:
-      return false;
-  }
+  static constexpr std::array<std::uint16_t, 11> kKnown = {
+      NccsClass::kSourceLine, NccsClass::kSourceNumber, NccsClass::kPost, NccsClass::kCircle,
+      NccsClass::kMotion,     NccsClass::kExpanded,     NccsClass::kTool, NccsClass::kShownTool,
+      NccsClass::kHeader,     NccsClass::kMode,         NccsClass::kFini};
+  return std::find(kKnown.begin(), kKnown.end(), klass) != kKnown.end();
 }
 
 // A file without the header record: its first records are of classes that are known, each as long as it says, up to the

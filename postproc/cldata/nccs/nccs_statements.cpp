@@ -31,17 +31,9 @@ bool is_plausible(double value) {
 }
 
 Word motion_word(std::uint16_t subclass) {
-  switch (subclass) {
-    case kPoints:
-    case kMorePoints:
-      return Word::go_to;
-    case kFrom:
-      return Word::from;
-    case kStep:
-      return Word::godlta;
-    default:
-      return Word::unread_motion;
-  }
+  if (subclass == kPoints || subclass == kMorePoints) return Word::go_to;
+  if (subclass == kFrom) return Word::from;
+  return subclass == kStep ? Word::godlta : Word::unread_motion;
 }
 
 std::string_view motion_name(std::uint16_t subclass) {

@@ -24,12 +24,6 @@ constexpr double kAngleError_rad = 0.01;
 constexpr double kLeastTangency = 0.02;  // cosine between tangent and radius that rounding can make
 constexpr double kMostTurns = 1000;
 
-ArcStatement failed(const char* problem) {
-  ArcStatement statement;
-  statement.problem = problem;
-  return statement;
-}
-
 // Centre and vector; with the radius; with what NX and CAMplete write behind it. Any other number of them is a comma
 // lost or a number twice, and what stands behind it is read as something else. Readers of records make their own lists.
 bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
@@ -41,8 +35,7 @@ bool has_known_form(ArcForm form, std::span<const Argument> arguments) {
     const std::string_view text = arguments[i].text;
     if (arguments[i].number) {
       ++numbers;
-    } else if (std::none_of(kWords.begin(), kWords.end(),
-                            [&](std::string_view word) { return equals_ignoring_case(text, word); })) {
+    } else if (!is_one_of(text, kWords)) {
       return false;
     } else if (equals_ignoring_case(text, "TIMES") || equals_ignoring_case(text, "ANGLE")) {
       if (++i >= arguments.size() || !arguments[i].number) return false;
@@ -101,14 +94,21 @@ double positive(double angle) { return angle <= 0 ? angle + 2 * kPi : angle; }
 
 }  // namespace
 
+ArcStatement unreadable_arc(std::string_view problem) {
+  ArcStatement arc;
+  arc.problem = problem;
+  return arc;
+}
+
 ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit) {
   ArcStatement statement;
   if (has_repeated_word(arguments) || has_damaged_argument(arguments) || !has_known_form(dialect.arc_form, arguments))
-    return failed(ArcProblems::kForm);
-  if (!read_circle(arguments, statement)) return failed(ArcProblems::kForm);
-  if (dialect.arc_form == ArcForm::nci && has_argument(arguments, "ZXPLAN")) return failed(ArcProblems::kXzPlane);
+    return unreadable_arc(ArcProblems::kForm);
+  if (!read_circle(arguments, statement)) return unreadable_arc(ArcProblems::kForm);
+  if (dialect.arc_form == ArcForm::nci && has_argument(arguments, "ZXPLAN"))
+    return unreadable_arc(ArcProblems::kXzPlane);
   const double length = statement.axis.norm();
-  if (!(std::abs(length - 1) <= kAxisLengthError)) return failed(ArcProblems::kForm);
+  if (!(std::abs(length - 1) <= kAxisLengthError)) return unreadable_arc(ArcProblems::kForm);
   statement.axis /= length;
   statement.center *= mm_per_unit;
   if (statement.radius_mm) *statement.radius_mm *= mm_per_unit;
@@ -116,16 +116,16 @@ ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> argument
   const bool has_word = has_argument(arguments, "CLOCKWISE") || has_argument(arguments, "COUNTERCLOCKWISE");
   const bool has_sense =
       statement.sense != ArcSense::unknown || (dialect.arc_form == ArcForm::ncl && dialect.form == FileForm::text);
-  if (has_word && has_sense) return failed(ArcProblems::kBothSenses);
-  if (!read_sense_word(arguments, statement)) return failed(ArcProblems::kBothSenses);
+  if (has_word && has_sense) return unreadable_arc(ArcProblems::kBothSenses);
+  if (!read_sense_word(arguments, statement)) return unreadable_arc(ArcProblems::kBothSenses);
 
   std::optional<double> sweep_deg = number_after(arguments, "ANGLE");
   if (dialect.arc_form == ArcForm::with_sweep && arguments.size() > 7) sweep_deg = arguments[7].number;
-  if (sweep_deg && *sweep_deg < 0) return failed(ArcProblems::kForm);
+  if (sweep_deg && *sweep_deg < 0) return unreadable_arc(ArcProblems::kForm);
   if (sweep_deg && *sweep_deg > 0) statement.sweep_rad = *sweep_deg * kPi / 180;
   if (has_argument(arguments, "TIMES")) {
     const double times = number_after(arguments, "TIMES").value_or(0);
-    if (!(times >= 1 && times <= kMostTurns) || std::floor(times) < times) return failed(ArcProblems::kForm);
+    if (!(times >= 1 && times <= kMostTurns) || std::floor(times) < times) return unreadable_arc(ArcProblems::kForm);
     statement.turns = static_cast<int>(times);
   }
   return statement;
@@ -164,10 +164,10 @@ std::optional<TlonStatement> read_tlon(std::span<const Argument> arguments, doub
 
 ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std::optional<Vec3>& tangent) {
   const Vec3 radial = start - tlon.center;
-  if (!(radial.norm() > kSamePoint_mm)) return failed(ArcProblems::kPoint);
-  if (!tangent || !(tangent->norm() > 0)) return failed(ArcProblems::kTangent);
+  if (!(radial.norm() > kSamePoint_mm)) return unreadable_arc(ArcProblems::kPoint);
+  if (!tangent || !(tangent->norm() > 0)) return unreadable_arc(ArcProblems::kTangent);
   const Vec3 direction = tangent->normalized();
-  if (std::abs(direction.dot(radial.normalized())) > kLeastTangency) return failed(ArcProblems::kTangent);
+  if (std::abs(direction.dot(radial.normalized())) > kLeastTangency) return unreadable_arc(ArcProblems::kTangent);
   ArcStatement statement;
   statement.center = tlon.center;
   statement.axis = radial.cross(direction).normalized();
@@ -179,7 +179,7 @@ ArcStatement arc_of_tlon(const TlonStatement& tlon, const Vec3& start, const std
   const bool is_beyond_half = fit.arc.sweep_rad > kPi;
   if (is_beyond_half != tlon.is_beyond_half && std::abs(fit.arc.sweep_rad - kPi) > kAngleError_rad &&
       fit.arc.sweep_rad < 2 * kPi - kAngleError_rad) {
-    return failed(ArcProblems::kHalf);
+    return unreadable_arc(ArcProblems::kHalf);
   }
   return statement;
 }

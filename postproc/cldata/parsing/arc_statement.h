@@ -44,6 +44,9 @@ struct ArcStatement {
   std::string_view problem;  ///< one of ArcProblems: then the rest says nothing; empty: none
 };
 
+/// One of which nothing is known but `problem`.
+[[nodiscard]] ArcStatement unreadable_arc(std::string_view problem);
+
 /// CIRCLE/ or MOVARC/ in the sense of `dialect`.
 [[nodiscard]] ArcStatement read_arc(const Dialect& dialect, std::span<const Argument> arguments, double mm_per_unit);
 

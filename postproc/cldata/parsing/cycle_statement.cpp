@@ -18,11 +18,6 @@ constexpr double kFarthest_mm = 1e6;
 
 using Arguments = std::span<const Argument>;
 
-bool is_one_of(std::string_view text, std::span<const std::string_view> words) {
-  return std::any_of(words.begin(), words.end(),
-                     [text](std::string_view word) { return equals_ignoring_case(text, word); });
-}
-
 // Cycles whose tool goes straight down and straight up again.
 constexpr std::array<std::string_view, 14> kStraight = {"DRILL", "DEEP",  "DEEP2", "BRKCHP", "CHIPBRK",
                                                         "TAP",   "RTAP",  "LTAP",  "RIGID",  "REAM",
@@ -88,7 +83,7 @@ bool is_damaged_height(const Argument& argument) {
     if (is_letter(c)) letters += c;
   }
   const bool is_run_in = letters.size() != argument.text.size();
-  return std::any_of(kHeightWords.begin(), kHeightWords.end(), [&](std::string_view word) {
+  return std::ranges::any_of(kHeightWords, [&](std::string_view word) {
     return is_one_letter_off(letters, word) || (is_run_in && equals_ignoring_case(letters, word));
   });
 }
@@ -103,8 +98,7 @@ bool contradicts_itself(CycleForm form, Arguments arguments) {
       has_argument(arguments, "OFF") || has_argument(arguments, "NOMORE")) {
     return true;
   }
-  if (has_damaged_argument(arguments) || std::any_of(arguments.begin(), arguments.end(), is_damaged_height))
-    return true;
+  if (has_damaged_argument(arguments) || std::ranges::any_of(arguments, is_damaged_height)) return true;
   // Their numbers have positions, not words, or are read one by one.
   if (form == CycleForm::clt || form == CycleForm::ncl) return false;
   for (std::size_t i = 0; i + 2 < arguments.size(); ++i) {
@@ -172,9 +166,8 @@ bool has_only_known_words(CycleForm form, Arguments arguments) {
   while (at < arguments.size()) {
     const std::size_t count = numbers_after(arguments, at);
     const bool is_kind = form != CycleForm::ncl && is_one_of(arguments[at].text, kStraight);
-    const auto word = std::find_if(words.begin(), words.end(), [&](const CycleWord& known) {
-      return equals_ignoring_case(arguments[at].text, known.word);
-    });
+    const auto word = std::ranges::find_if(
+        words, [&](const CycleWord& known) { return equals_ignoring_case(arguments[at].text, known.word); });
     if (word == words.end() ? !(is_kind && count == 0) : (count < word->least || count > word->most)) return false;
     at += 1 + count;
   }
@@ -327,8 +320,7 @@ std::optional<std::vector<Argument>> changed_cycle(Arguments cycle, Arguments ch
     for (std::size_t before = 0; before < i; before += 2) {
       if (replaces(word, changes[before].text)) return std::nullopt;
     }
-    const auto old =
-        std::find_if(changed.begin(), changed.end(), [&](const Argument& a) { return replaces(word, a.text); });
+    const auto old = std::ranges::find_if(changed, [&](const Argument& a) { return replaces(word, a.text); });
     if (old != changed.end()) {
       const bool had_value =
           old + 1 != changed.end() && ((old + 1)->number || equals_ignoring_case((old + 1)->text, "AUTO"));

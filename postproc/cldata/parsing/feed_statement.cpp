@@ -38,7 +38,7 @@ constexpr std::array<UnitWord, 10> kUnits = {{{"MMPM", FeedUnit::per_minute, 1},
 
 const UnitWord* feed_unit_called(std::string_view word) {
   const auto* const it =
-      std::find_if(kUnits.begin(), kUnits.end(), [&](const UnitWord& u) { return equals_ignoring_case(word, u.word); });
+      std::ranges::find_if(kUnits, [&](const UnitWord& u) { return equals_ignoring_case(word, u.word); });
   return it == kUnits.end() ? nullptr : it;
 }
 
@@ -64,7 +64,7 @@ std::optional<std::size_t> find_unit_word(Arguments arguments) {
 Feed read_feed(Arguments arguments, double mm_per_unit) {
   const auto is_number = [](const Argument& a) { return a.number.has_value(); };
   if (count_numbers(arguments).count != 1) return kNotUnderstood;
-  const double number = *std::find_if(arguments.begin(), arguments.end(), is_number)->number;
+  const double number = *std::ranges::find_if(arguments, is_number)->number;
   const std::optional<std::size_t> at = find_unit_word(arguments);
   if (at == arguments.size()) return kNotUnderstood;
   return feed_of(number, at ? *feed_unit_called(arguments[*at].text) : UnitWord{"", FeedUnit::per_minute, 0},
@@ -76,8 +76,7 @@ bool switches_inverse_time(Arguments arguments) {
 }
 
 bool has_feed_unit(Arguments arguments) {
-  return std::any_of(arguments.begin(), arguments.end(),
-                     [](const Argument& a) { return feed_unit_called(a.text) != nullptr; });
+  return std::ranges::any_of(arguments, [](const Argument& a) { return feed_unit_called(a.text) != nullptr; });
 }
 
 Feed read_cycle_feed(Arguments arguments, double mm_per_unit) {

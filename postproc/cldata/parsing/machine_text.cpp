@@ -18,11 +18,6 @@ namespace {
 using Token = MachineToken;
 using Tokens = std::span<const Token>;
 
-template <std::size_t size>
-bool is_one_of(std::string_view word, const std::array<std::string_view, size>& words) {
-  return std::any_of(words.begin(), words.end(), [&](std::string_view w) { return equals_ignoring_case(word, w); });
-}
-
 bool is(const Token& token, std::string_view word) { return equals_ignoring_case(token.letters, word); }
 
 bool is_word_of(const Token& token, std::string_view letters) {
@@ -41,7 +36,7 @@ bool turns_something(const Token& t) {
 }
 
 bool has_position(Tokens tokens) {
-  return std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
+  return std::ranges::any_of(tokens, [](const Token& t) {
     return is_linear_axis(t) || is_word_of(t, "ABCIJK") || turns_something(t) ||
            (t.number && (is(t, "PR") || is(t, "PA")));
   });
@@ -49,7 +44,7 @@ bool has_position(Tokens tokens) {
 
 void move(Tokens tokens, MachineEffect& effect) {
   effect.moves = true;
-  effect.shifts = effect.shifts || std::any_of(tokens.begin(), tokens.end(), turns_something);
+  effect.shifts = effect.shifts || std::ranges::any_of(tokens, turns_something);
 }
 
 // Words that may stand in a block beside its addresses.
@@ -57,7 +52,7 @@ constexpr std::array<std::string_view, 8> kBesideAddresses = {"FMAX", "F", "MAX"
 
 // A block of addresses, and nothing that makes it a sentence.
 bool is_block(Tokens tokens) {
-  return std::all_of(tokens.begin(), tokens.end(), [](const Token& t) {
+  return std::ranges::all_of(tokens, [](const Token& t) {
     const bool is_address = !t.letters.empty() && t.letters.size() <= 2 && t.number;
     return is_address || (t.letters.size() == 1 && !t.number) || is_one_of(t.letters, kBesideAddresses);
   });
@@ -93,8 +88,8 @@ bool take_heidenhain(Tokens tokens, MachineEffect& effect) {
     constexpr std::array<int, 6> kShifting = {7, 8, 10, 11, 19, 26};
     constexpr std::array<int, 4> kHarmless = {9, 13, 32, 14};
     effect.chooses_offset = number == 247;
-    effect.shifts = std::find(kShifting.begin(), kShifting.end(), number) != kShifting.end();
-    const bool is_harmless = std::find(kHarmless.begin(), kHarmless.end(), number) != kHarmless.end();
+    effect.shifts = std::ranges::find(kShifting, number) != kShifting.end();
+    const bool is_harmless = std::ranges::find(kHarmless, number) != kHarmless.end();
     effect.moves = is(second, "CALL") || (!effect.chooses_offset && !effect.shifts && !is_harmless);
     return true;
   }
@@ -250,50 +245,31 @@ void take_code(double number, Tokens tokens, MachineEffect& effect) {
     effect.begins_steps = false;
     effect.ends_steps = true;
   }
-  switch (code_of(number)) {
-    case Code::harmless:
-      return;
-    case Code::path:
-      if (has_axes) move(tokens, effect);
-      return;
-    case Code::moves:
-      return move(tokens, effect);
-    case Code::shifts_with_axes:
-      // G92 with an S alone limits the spindle's speed, G50 alone ends scaling.
-      effect.shifts = effect.shifts || has_axes ||
-                      (number > 90 &&
-                       std::none_of(tokens.begin(), tokens.end(), [](const Token& t) { return is_word_of(t, "S"); }));
-      return;
-    case Code::shifts:
-      effect.shifts = true;
-      return;
-    case Code::length:
-      effect.changes_length = true;
-      return;
-    case Code::begins_cycle:
-      effect.begins_cycle = true;
-      return;
-    case Code::ends_cycle:
-      effect.ends_cycle = true;
-      return;
-    case Code::offset:
-      effect.chooses_offset = true;
-      return;
-    case Code::unknown:
-      effect.is_unknown = true;
-  }
+  const Code code = code_of(number);
+  if (code == Code::moves || (code == Code::path && has_axes)) move(tokens, effect);
+  // G92 with an S alone limits the spindle's speed, G50 alone ends scaling.
+  const auto has_no_speed = [&] {
+    return std::ranges::none_of(tokens, [](const Token& t) { return is_word_of(t, "S"); });
+  };
+  const bool shifts_axes = code == Code::shifts_with_axes && (has_axes || (number > 90 && has_no_speed()));
+  effect.shifts = effect.shifts || code == Code::shifts || shifts_axes;
+  effect.changes_length = effect.changes_length || code == Code::length;
+  effect.begins_cycle = effect.begins_cycle || code == Code::begins_cycle;
+  effect.ends_cycle = effect.ends_cycle || code == Code::ends_cycle;
+  effect.chooses_offset = effect.chooses_offset || code == Code::offset;
+  effect.is_unknown = effect.is_unknown || code == Code::unknown;
 }
 
 // The numbers of axes beside these are no position to go to.
 bool takes_axes(double number) {
   constexpr std::array<double, 12> kTakers = {4, 10, 51, 51.1, 52, 65, 66, 68, 68.2, 68.3, 92, 5.1};
-  return std::any_of(kTakers.begin(), kTakers.end(), [&](double code) { return std::abs(number - code) < 0.05; });
+  return std::ranges::any_of(kTakers, [&](double code) { return std::abs(number - code) < 0.05; });
 }
 
 void take_auxiliary(double number, MachineEffect& effect) {
   constexpr std::array<double, 6> kCalls = {89, 97, 98, 99, 140, 198};
   const auto is_code = [&](double code) { return std::abs(number - code) < 0.05; };
-  effect.moves = effect.moves || std::any_of(kCalls.begin(), kCalls.end(), is_code);
+  effect.moves = effect.moves || std::ranges::any_of(kCalls, is_code);
   effect.shifts = effect.shifts || is_code(129);
   effect.changes_tool = effect.changes_tool || is_code(6);
 }
@@ -302,10 +278,10 @@ void take_auxiliary(double number, MachineEffect& effect) {
 bool is_sentence(Tokens tokens) {
   constexpr std::array<std::string_view, 4> kJumps = {"GOTO", "GOTOF", "GOTOB", "WHILE"};
   if (is_one_of(tokens.front().letters, kJumps)) return false;
-  const bool has_macro = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
+  const bool has_macro = std::ranges::any_of(tokens, [](const Token& t) {
     return t.other != '\0' && std::string_view("#[]=*<>{}$").find(t.other) != std::string_view::npos;
   });
-  return !has_macro && tokens.size() > 1 && std::any_of(tokens.begin(), tokens.end(), [](const Token& t) {
+  return !has_macro && tokens.size() > 1 && std::ranges::any_of(tokens, [](const Token& t) {
     return t.letters.size() > 1 && (!t.number || t.letters.size() > 2) && !is_one_of(t.letters, kBesideAddresses);
   });
 }
@@ -329,8 +305,8 @@ void take_addresses(Tokens tokens, bool is_whole, MachineEffect& effect) {
     for (const Token& token : tokens) {
       if (is_word_of(token, "M")) take_auxiliary(*token.number, effect);
     }
-    const bool has_axis = std::any_of(tokens.begin(), tokens.end(),
-                                      [](const Token& t) { return is_linear_axis(t) || is_word_of(t, "ABC"); });
+    const bool has_axis =
+        std::ranges::any_of(tokens, [](const Token& t) { return is_linear_axis(t) || is_word_of(t, "ABC"); });
     if (has_axis && !are_axes_taken) move(tokens, effect);
   }
   const bool is_odd = !is_whole || (!has_code && is_call(tokens));
@@ -355,12 +331,12 @@ MachineEffect read_machine_text(std::string_view text, bool may_be_name) {
   if (take_path_word(tokens, effect) || take_heidenhain(tokens, effect) || take_siemens(tokens, text, effect))
     return effect;
   effect = {};
-  const bool is_whole = is_block(tokens) && std::all_of(tokens.begin(), tokens.end(), [&](const Token& t) {
+  const bool is_whole = is_block(tokens) && std::ranges::all_of(tokens, [&](const Token& t) {
                           return !may_be_name || t.is_glued || !t.number;
                         });
   if (is_whole || !may_be_name) take_addresses(tokens, is_whole, effect);
   // The number of a tool length or an offset, whichever code it belongs to.
-  const bool has_offset = std::any_of(tokens.begin(), tokens.end(), [](const Token& t) { return is_word_of(t, "DH"); });
+  const bool has_offset = std::ranges::any_of(tokens, [](const Token& t) { return is_word_of(t, "DH"); });
   if (is_whole && !may_be_name && has_offset) effect.changes_length = true;
   if (may_be_name) effect.is_unknown = false;
   return effect;

@@ -26,8 +26,7 @@ bool is_part_of(const Statement& statement, Word word, std::string_view before) 
 
 // Of "GODLTA" in "GODLTA-50", or all of `token`.
 std::size_t glued_length(std::string_view token) {
-  const auto letters =
-      static_cast<std::size_t>(std::find_if_not(token.begin(), token.end(), is_letter) - token.begin());
+  const auto letters = static_cast<std::size_t>(std::ranges::find_if_not(token, is_letter) - token.begin());
   return takes_position(find_word(token.substr(0, letters))) ? letters : token.size();
 }
 

@@ -5,16 +5,73 @@
 #include <cstddef>
 #include <string_view>
 #include <utility>
+#include <vector>
 
+#include "lib/base/units.h"
 #include "postproc/cldata/interpreting/interpreter.h"
+#include "postproc/cldata/language/arguments.h"
+#include "postproc/cldata/language/dialect.h"
 #include "postproc/cldata/language/text.h"
+#include "postproc/cldata/language/unit_words.h"
 #include "postproc/cldata/lexing/statement_reader.h"
 #include "postproc/cldata/reading/foreign_file.h"
 #include "postproc/cldata/reading/recognise_dialect.h"
-#include "postproc/cldata/reading/unit_guess.h"
 
 namespace gouge {
 namespace {
+
+/// The unit a file's positions start in, and why.
+struct UnitGuess {
+  LengthUnit unit = LengthUnit::mm;
+  enum class Source {
+    stated,     ///< by UNITS or UNIT before the first position
+    option,     ///< by the user
+    feed_word,  ///< suggested by a word of FEDRAT or CYCLE (MMPM, IPM)
+    dialect,    ///< the dialect's writer gives no unit and means mm
+    assumed     ///< nothing says
+  } source = Source::assumed;
+};
+
+constexpr std::size_t kStatementsLookedAt = 20000;
+
+bool is_position(Word word) {
+  return word == Word::go_to || word == Word::from || word == Word::gohome || word == Word::tlon;
+}
+
+bool names_unit(Word word) { return word == Word::units || word == Word::fedrat || word == Word::cycle; }
+
+UnitGuess otherwise(UnitGuess guess, const Dialect& dialect) {
+  if (guess.source == UnitGuess::Source::assumed && dialect.is_mm_unless_stated)
+    guess.source = UnitGuess::Source::dialect;
+  return guess;
+}
+
+/// UNITS or UNIT where the file states it before its first position, else what the feed words of FEDRAT and
+/// CYCLE suggest, else what the dialect means, else mm.
+UnitGuess find_unit(std::string_view bytes, const Dialect& dialect) {
+  UnitGuess guess;
+  StatementReader reader(bytes, dialect.form);
+  Statement statement;
+  std::vector<Argument> arguments;
+  bool has_position = false;
+  for (std::size_t i = 0; i < kStatementsLookedAt && reader.next(statement); ++i) {
+    if (is_position(statement.word)) {
+      has_position = true;
+      if (guess.source != UnitGuess::Source::assumed) return guess;
+    }
+    if (!names_unit(statement.word)) continue;
+    split_arguments(statement, arguments);
+    for (const Argument& argument : arguments) {
+      if (statement.word == Word::units) {
+        const auto unit = unit_of_word(argument.text);
+        if (unit && !has_position) return {*unit, UnitGuess::Source::stated};
+      } else if (guess.source == UnitGuess::Source::assumed) {
+        if (const auto unit = unit_of_feed_word(argument.text)) guess = {*unit, UnitGuess::Source::feed_word};
+      }
+    }
+  }
+  return otherwise(guess, dialect);
+}
 
 constexpr std::size_t kShortestPosition = std::string_view("GOTO/1,1,1").size();
 constexpr std::size_t kLongestFile = (std::size_t{1} << 32U) - 2;  // whose bytes a SmallIndex counts

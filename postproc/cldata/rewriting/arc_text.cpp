@@ -8,7 +8,7 @@
 #include "postproc/cldata/language/arguments.h"
 #include "postproc/cldata/language/text.h"
 #include "postproc/cldata/lexing/lexer.h"
-#include "postproc/cldata/lexing/statement_at.h"
+#include "postproc/cldata/lexing/statement_reader.h"
 #include "postproc/cldata/parsing/arc_statement.h"
 
 namespace gouge {
@@ -149,17 +149,9 @@ std::optional<ArcText::ArgumentIndices> ArcText::indices_of(const Statement& sta
 // Between the statements of one arc: nothing that would mean something else once a position is put before
 // them.
 bool ArcText::is_quiet_between(std::size_t first, std::size_t last) const {
+  static constexpr WordSet kQuiet = {Word::comment, Word::harmless, Word::free_text, Word::pprint, Word::fedrat};
   for (std::size_t s = first + 1; s < last; ++s) {
-    switch (statement_at(path_, s).word) {
-      case Word::comment:
-      case Word::harmless:
-      case Word::free_text:
-      case Word::pprint:
-      case Word::fedrat:
-        break;
-      default:
-        return false;
-    }
+    if (!kQuiet.has(statement_at(path_, s).word)) return false;
   }
   return true;
 }

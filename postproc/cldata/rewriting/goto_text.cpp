@@ -4,7 +4,7 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/cldata/language/text.h"
-#include "postproc/cldata/lexing/statement_at.h"
+#include "postproc/cldata/lexing/statement_reader.h"
 
 namespace gouge {
 namespace {

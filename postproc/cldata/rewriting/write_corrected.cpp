@@ -6,15 +6,13 @@
 #include "postproc/cldata/interpreting/motion_records.h"
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/dialect.h"
-#include "postproc/cldata/lexing/statement_at.h"
+#include "postproc/cldata/lexing/statement_reader.h"
 #include "postproc/cldata/rewriting/arc_text.h"
 #include "postproc/cldata/rewriting/change_table.h"
 #include "postproc/cldata/rewriting/goto_text.h"
 #include "postproc/cldata/rewriting/replaced_statements.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
-#include "postproc/cldata/rewriting/write_corrected_nccs.h"
-#include "postproc/cldata/rewriting/write_corrected_nci.h"
-#include "postproc/cldata/rewriting/wrong_change.h"
+#include "postproc/cldata/rewriting/rewriters.h"
 
 namespace gouge {
 namespace {

@@ -1,4 +1,4 @@
-#include "postproc/cldata/rewriting/write_corrected_nccs.h"
+#include "postproc/cldata/rewriting/rewriters.h"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "postproc/cldata/rewriting/write_corrected_nci.h"
+#include "postproc/cldata/rewriting/rewriters.h"
 
 #include <optional>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "postproc/cldata/rewriting/wrong_change.h"
+#include "postproc/cldata/rewriting/rewriters.h"
 
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/dialect.h"

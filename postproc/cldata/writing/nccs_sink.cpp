@@ -1,6 +1,9 @@
 #include "postproc/cldata/writing/nccs_sink.h"
 
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <cstdint>
 
 namespace gouge {
 namespace {
@@ -20,17 +23,8 @@ struct PostCode {
 
 std::uint16_t minor_code(CutcomSide side) {
   constexpr std::uint16_t kLeft = 8, kRight = 24, kOn = 71, kOff = 72;
-  switch (side) {
-    case CutcomSide::none:
-      return kOff;
-    case CutcomSide::left:
-      return kLeft;
-    case CutcomSide::right:
-      return kRight;
-    case CutcomSide::unknown:
-      break;
-  }
-  return kOn;
+  constexpr std::array<std::uint16_t, 4> kCodes = {kOff, kLeft, kRight, kOn};
+  return kCodes[static_cast<std::size_t>(side)];
 }
 
 // `text` in whole words, filled with blanks.

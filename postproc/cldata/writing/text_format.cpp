@@ -175,8 +175,7 @@ std::string TextFormat::direction(const Vec3& value) const {
 }
 
 const TextFormat& text_format(DialectKind kind) {
-  const auto* const row =
-      std::find_if(kFormats.begin(), kFormats.end(), [&](const TextFormat& format) { return format.kind == kind; });
+  const auto* const row = std::ranges::find_if(kFormats, [&](const TextFormat& format) { return format.kind == kind; });
   return row == kFormats.end() ? kFormats.front() : *row;
 }
 

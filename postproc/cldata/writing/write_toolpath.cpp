@@ -36,6 +36,8 @@ bool are_on_centre(const Toolpath& path, const MotionRecords& records) {
   return true;
 }
 
+bool is_tilted(const Move& move) { return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt; }
+
 // The dialect cannot say the whole shape of this cutter.
 bool loses_shape(CutterForm form, const PathTool& tool) {
   if (!tool.cutter) return tool.stated_diameter_mm > 0 && form != CutterForm::diameter_alone;
@@ -116,8 +118,8 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
                           "), so they cannot be written in another way; without --to the file is copied as it is",
                       path_.file, first->line);
   }
-  const auto tapping = std::find_if(records_.of_move.begin(), records_.of_move.end(),
-                                    [](const MotionRecord& record) { return record.is_tapping; });
+  const auto tapping =
+      std::ranges::find_if(records_.of_move, [](const MotionRecord& record) { return record.is_tapping; });
   if (!target_.has_positions_alone && tapping != records_.of_move.end()) {
     const auto index = static_cast<std::size_t>(tapping - records_.of_move.begin());
     return make_error("convert-cycle",
@@ -131,16 +133,14 @@ std::optional<Diagnostic> PathWriter::find_obstacle() const {
                       "--to, or --cutcom centre where they are the cutter centre",
                       path_.file);
   }
-  const auto retracted = std::find_if(path_.moves.begin(), path_.moves.end(), is_after_retract);
+  const auto retracted = std::ranges::find_if(path_.moves, is_after_retract);
   if (target_.has_positions_alone && retracted != path_.moves.end()) {
     return make_error("convert-dialect",
                       "goto-list cannot say that the tool retracts before this move; expected another dialect for --to",
                       path_.file, retracted->line);
   }
   if (!target_.has_z_alone) return std::nullopt;
-  const auto tilted = std::find_if(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
-    return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
-  });
+  const auto tilted = std::ranges::find_if(path_.moves, is_tilted);
   if (tilted == path_.moves.end()) return std::nullopt;
   return make_error("convert-dialect",
                     "camworks-clt has no tool axis, and this move's is not +Z; expected another dialect for --to",
@@ -157,9 +157,7 @@ std::unique_ptr<MotionSink> PathWriter::make_sink() const {
   options.unit = path_.unit;
   options.name = name.substr(0, name.find('.'));
   options.is_on_centre = is_on_centre_;
-  options.is_tilted = std::any_of(path_.moves.begin(), path_.moves.end(), [](const Move& move) {
-    return (move.end.axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() > kTilt;
-  });
+  options.is_tilted = std::ranges::any_of(path_.moves, is_tilted);
   const bool is_text = form_of(path_.dialect) != FileForm::nccs_records;
   if (is_text) {
     const GotoText source(path_, records_);
@@ -330,7 +328,7 @@ void PathWriter::note_losses() {
   note("convert-feed", unstated_feeds_, "feed move", "without a feed, as in the input: it states none before them");
   note("convert-cutcom", lost_cutcoms_, "CUTCOM statement", "left out: the dialect cannot say it");
   const auto count_tools = [&](auto is_lost) {
-    return static_cast<std::size_t>(std::count_if(path_.tools.begin(), path_.tools.end(), is_lost));
+    return static_cast<std::size_t>(std::ranges::count_if(path_.tools, is_lost));
   };
   note("convert-tools", count_tools([&](const PathTool& tool) { return loses_shape(target_.cutter_form, tool); }),
        "tool", "without the whole shape, which the dialect cannot say; give it in a tool library");

@@ -19,7 +19,7 @@ class Offsetter {
     for (const std::uint32_t t : adjacency_.triangles_of_vertex(vertex)) {
       if (normals_[t].squaredNorm() > 0) faces_.push_back(normals_[t]);
     }
-    const PlaneOffset planes = offset_of_planes(faces_);
+    const VertexOffset planes = offset_of_planes(faces_);
     if (planes.planes == PlaneCase::none) return {};
     const Vec3 average = averaged(vertex, planes);
     if (!is_paraboloid) return {average, planes.planes};
@@ -28,7 +28,7 @@ class Offsetter {
   }
 
  private:
-  [[nodiscard]] Vec3 averaged(Corner vertex, const PlaneOffset& planes) const {
+  [[nodiscard]] Vec3 averaged(Corner vertex, const VertexOffset& planes) const {
     const bool is_equiangular = planes.planes != PlaneCase::many_planes && planes.planes != PlaneCase::knife;
     if (is_equiangular) return planes.move.normalized();
     const Vec3 weighted = angle_weighted_normal(mesh_, adjacency_, normals_, vertex);

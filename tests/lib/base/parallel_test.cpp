@@ -13,8 +13,6 @@
 #include <thread>
 #include <vector>
 
-#include "lib/base/thread_limit.h"
-
 namespace gouge {
 namespace {
 

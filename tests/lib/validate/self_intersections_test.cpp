@@ -9,7 +9,6 @@
 #include <set>
 
 #include "lib/base/parallel.h"
-#include "lib/base/thread_limit.h"
 #include "lib/mesh/mesh_builder.h"
 #include "lib/validate/cgal_bridge.h"
 #include "tests/support/scatter.h"

@@ -6,7 +6,7 @@
 #include <numeric>
 
 #include "postproc/image/page.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 
 namespace gouge {
 namespace {

@@ -5,11 +5,9 @@
 
 #include "lib/field/depth_field.h"
 #include "lib/tool/evaluate.h"
-#include "postproc/image/depth_strip.h"
-#include "postproc/image/event_picture.h"
 #include "postproc/image/heat_map.h"
 #include "postproc/image/picture_events.h"
-#include "postproc/image/render_png.h"
+#include "postproc/image/render_drawing.h"
 #include "postproc/image/report_pictures.h"
 #include "tests/postproc/image/small_pages.h"
 #include "tests/postproc/image/small_scene.h"

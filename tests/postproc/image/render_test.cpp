@@ -1,8 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "postproc/image/ascii_text.h"
-#include "postproc/image/render_png.h"
-#include "postproc/image/render_svg.h"
+#include "postproc/image/render_drawing.h"
 
 namespace gouge {
 namespace {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "postproc/report/html_table.h"
-#include "postproc/report/write_html.h"
+#include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
 
 namespace gouge {

@@ -6,8 +6,7 @@
 #include <set>
 
 #include "lib/base/files.h"
-#include "postproc/report/write_json.h"
-#include "postproc/report/write_sarif.h"
+#include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
 #include "tests/support/source_folder.h"
 

@@ -3,12 +3,10 @@
 #include <limits>
 #include <sstream>
 
-#include "postproc/report/findings_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
-#include "postproc/report/write_csv.h"
-#include "postproc/report/write_junit.h"
+#include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
 
 namespace gouge {

@@ -21,4 +21,8 @@ namespace gouge {
 /// Width that render_png gives a text, in picture units.
 [[nodiscard]] double text_width(const std::string& text, double size, bool is_bold = false);
 
+/// The drawing as an SVG 1.1 document, one user unit a picture unit.
+/// Points that are not finite are left out; text is escaped and keeps its UTF-8.
+[[nodiscard]] std::string render_svg(const Drawing& drawing);
+
 }  // namespace gouge
