@@ -71,6 +71,10 @@ void PathCorrector::keep_position(std::size_t i, const std::string& reason) {
   if (positions_[i].corrected) positions_[i].failure = reason;
   positions_[i].corrected.reset();
   positions_[i].is_worked = true;
+  mark_moves_at(i);
+}
+
+void PathCorrector::mark_moves_at(std::size_t i) {
   moves_[i].is_dirty = true;
   if (i + 1 < moves_.size()) moves_[i + 1].is_dirty = true;
 }
@@ -81,6 +85,10 @@ Correction PathCorrector::propose(const ProgressCall& progress) {
     if (positions_[i].is_wanted && !positions_[i].is_worked) wanted.push_back(i);
   }
   work("correcting positions", wanted, progress, [this](std::size_t i) { correct_position(i); });
+  // Not within that: neighbours share a move, and different threads may have them.
+  for (const std::size_t i : wanted) {
+    if (positions_[i].corrected) mark_moves_at(i);
+  }
   do {
     choose_moves();
     wanted.clear();
@@ -145,8 +153,6 @@ void PathCorrector::correct_position(std::size_t i) {
     return;
   }
   work.depth_after_mm = depth_at(work.corrected->pose, move.kind, tool);
-  moves_[i].is_dirty = true;
-  if (i + 1 < moves_.size()) moves_[i + 1].is_dirty = true;
 }
 
 double PathCorrector::depth_at(const Pose& pose, MoveKind kind, const ToolVariants& tool) const {

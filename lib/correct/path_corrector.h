@@ -40,6 +40,7 @@ class PathCorrector {
   };
 
   void keep_position(std::size_t i, const std::string& reason);
+  void mark_moves_at(std::size_t i);
   [[nodiscard]] bool is_chained(std::size_t i) const;
   [[nodiscard]] std::string reason_to_leave(std::size_t i) const;
   [[nodiscard]] Pose end_of(std::size_t i) const;
