@@ -207,17 +207,20 @@ TEST(DistanceKernel, IsNeverAboveTheDistanceAndOftenNearIt) {
       EXPECT_GE(static_cast<double>(within), nearest - slack);
       within = 1e30F;
       nearest = std::numeric_limits<double>::infinity();
+      // What is left out of the query here: single precision in what is computed of a triangle.
+      const double triangle_slack =
+          slack + DistanceQuery::kTriangleRounding * ((rounded - tree.origin).norm() + tree.radius_mm);
       const TriangleBlock& leaf = tree.leaves[random.next() % tree.leaves.size()];
       static_cast<void>(fastest_distance_kernel().triangles(leaf, query, within, least));
       for (std::size_t k = 0; k < leaf.count; ++k) {
         const auto corners = tree.corners(leaf.triangle[k]);
         const double truth = std::sqrt(closest_on_triangle(rounded, corners).distance2_mm2);
-        EXPECT_LE(static_cast<double>(least[k]), truth + slack);
+        EXPECT_LE(static_cast<double>(least[k]), truth + triangle_slack);
         nearest = std::min(nearest, truth);
         ++all;
-        if (static_cast<double>(least[k]) >= 0.999 * truth - slack) ++tight;
+        if (static_cast<double>(least[k]) >= 0.999 * truth - triangle_slack) ++tight;
       }
-      EXPECT_GE(static_cast<double>(within), nearest - slack);
+      EXPECT_GE(static_cast<double>(within), nearest - triangle_slack);
     }
   }
   EXPECT_GT(tight, all * 9 / 10);
