@@ -141,16 +141,12 @@ class Search : public BestFirstSearch<Search, Candidate> {
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
     if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kRounding_mm) return false;
     ++result_.bounds;
-    const ClosestPoint foot = closest_point(region.middle, c.facet);
+    const ClosestPoint foot = head_.surface.closest_point_from(region.middle, c.facet);
     c.facet = foot.triangle;
     c.upper_mm = region.radius_mm - foot.signed_mm() + kRounding_mm;
     if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
     c.is_time_next = region.travel_mm > 2 * region.size_mm && intervals_.can_halve(c.interval);
     return true;
-  }
-
-  [[nodiscard]] ClosestPoint closest_point(const Vec3& point, std::uint32_t near) const {
-    return *head_.surface.closest_point(point, head_.surface.distance_bound_mm(point, near));
   }
 
   template <typename Region>
@@ -168,7 +164,7 @@ class Search : public BestFirstSearch<Search, Candidate> {
     bound_by_plane(c, region, foot, foot.is_inside);
     if (c.upper_mm <= threshold_mm()) return;
     const Vec3 lowest = region.lowest(foot.normal);
-    const ClosestPoint other = closest_point(lowest, c.facet);
+    const ClosestPoint other = head_.surface.closest_point_from(lowest, c.facet);
     if (other.normal.dot(foot.normal) < kSameNormal) bound_by_plane(c, region, other, foot.is_inside);
   }
 
@@ -178,9 +174,9 @@ class Search : public BestFirstSearch<Search, Candidate> {
       for (const double t : {interval.t0, interval.t1}) {
         const RigidTransform& to_tool = t > interval.t0 ? interval.to_tool1 : interval.to_tool0;
         const Vec3 q = to_tool.point(p);
-        const double within_mm = head_.surface.distance_bound_mm(q, c.facet);
-        if (within_mm <= result_.depth_mm) continue;
-        const ClosestPoint foot = *head_.surface.closest_point(q, within_mm);
+        const double near2_mm2 = closest_on_triangle(q, head_.surface.corners(c.facet)).distance2_mm2;
+        if (near2_mm2 <= result_.depth_mm * result_.depth_mm) continue;
+        const ClosestPoint foot = head_.surface.closest_point_from(q, c.facet);
         if (!foot.is_inside || foot.distance_mm <= result_.depth_mm) continue;
         result_.depth_mm = foot.distance_mm;
         result_.has_witness = true;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "lib/hierarchy/distance_kernel.h"
 
@@ -26,6 +27,9 @@ class Search {
         static_cast<float>((slack_mm + tree.rounding_mm + DistanceQuery::kTriangleRounding * farthest_mm) * kRoundUp);
     take(within_mm * within_mm);
   }
+
+  /// Begins at a triangle instead of with none.
+  void begin_at(std::uint32_t near) { offer(near); }
 
   std::optional<ClosestTriangle> run() {
     if (tree_.nodes.empty()) return std::nullopt;
@@ -97,6 +101,12 @@ class Search {
 
 std::optional<ClosestTriangle> closest_triangle(const BlockTree& tree, const Vec3& point_part, double within_mm) {
   return Search(tree, point_part, within_mm).run();
+}
+
+ClosestTriangle closest_triangle_from(const BlockTree& tree, const Vec3& point_part, std::uint32_t near) {
+  Search search(tree, point_part, std::numeric_limits<double>::infinity());
+  search.begin_at(near);
+  return *search.run();
 }
 
 }  // namespace gouge

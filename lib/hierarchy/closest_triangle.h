@@ -25,4 +25,7 @@ struct ClosestTriangle {
 [[nodiscard]] std::optional<ClosestTriangle> closest_triangle(
     const BlockTree& tree, const Vec3& point_part, double within_mm = std::numeric_limits<double>::infinity());
 
+/// The same without a limit, searched from a triangle of the tree: quicker where `near` is about as near as the nearest.
+[[nodiscard]] ClosestTriangle closest_triangle_from(const BlockTree& tree, const Vec3& point_part, std::uint32_t near);
+
 }  // namespace gouge

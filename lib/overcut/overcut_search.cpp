@@ -96,14 +96,10 @@ class Search : public BestFirstSearch<Search, Cell> {
  private:
   /// `cell.triangle` is one near it, of the cell it is a half of.
   void look_at_part(Cell& cell) const {
-    const ClosestPoint foot = closest_point(cell.centre, cell.triangle);
+    const ClosestPoint foot = part_.closest_point_from(cell.centre, cell.triangle);
     cell.inside_mm = -foot.signed_mm();
     cell.outward = foot.normal;
     cell.triangle = foot.triangle;
-  }
-
-  [[nodiscard]] ClosestPoint closest_point(const Vec3& point, std::uint32_t near) const {
-    return *part_.closest_point(point, part_.distance_bound_mm(point, near));
   }
 
   void add(Cell cell) {
@@ -154,7 +150,8 @@ class Search : public BestFirstSearch<Search, Cell> {
     double second_mm = 0;
     if (bound.upper > threshold_mm() + radius) return false;
     if (bound.upper > threshold_mm()) {
-      const ClosestPoint foot = closest_point(cell.centre + frame_.transpose() * bound.at.head<3>(), cell.triangle);
+      const ClosestPoint foot =
+          part_.closest_point_from(cell.centre + frame_.transpose() * bound.at.head<3>(), cell.triangle);
       if (foot.normal.dot(cell.outward) > kSameNormal) return false;
       second = foot.normal;
       second_mm = second.dot(foot.point - cell.centre);

@@ -83,9 +83,9 @@ std::optional<ClosestPoint> Surface::closest_point(const Vec3& point, double wit
   return signed_closest_point(point, found->triangle, found->foot);
 }
 
-double Surface::distance_bound_mm(const Vec3& point, std::uint32_t triangle) const {
-  constexpr double kRoundUp = 1 + 1e-12;
-  return std::sqrt(closest_on_triangle(point, corners(triangle)).distance2_mm2) * kRoundUp;
+ClosestPoint Surface::closest_point_from(const Vec3& point, std::uint32_t near) const {
+  const ClosestTriangle found = closest_triangle_from(tree(), point, near);
+  return signed_closest_point(point, found.triangle, found.foot);
 }
 
 ClosestPoint Surface::signed_closest_point(const Vec3& point, std::uint32_t triangle, const TrianglePoint& foot) const {

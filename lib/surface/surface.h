@@ -61,9 +61,9 @@ class Surface {
   [[nodiscard]] std::optional<ClosestPoint> closest_point(
       const Vec3& point, double within_mm = std::numeric_limits<double>::infinity()) const;
 
-  /// No less than the distance to one triangle, and no more than rounding makes it: as closest_point's `within_mm` it
-  /// makes that search shorter where the triangle is about as near as the closest.
-  [[nodiscard]] double distance_bound_mm(const Vec3& point, std::uint32_t triangle) const;
+  /// The same without a limit, searched from one triangle: quicker where it is about as near as the closest.
+  /// Requires a mesh with triangles.
+  [[nodiscard]] ClosestPoint closest_point_from(const Vec3& point, std::uint32_t near) const;
 
   /// The same once a triangle is known to be nearest, with its foot.
   [[nodiscard]] ClosestPoint signed_closest_point(const Vec3& point, std::uint32_t triangle,
