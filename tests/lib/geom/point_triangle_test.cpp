@@ -35,7 +35,7 @@ Vec3 random_point(const Triangle& t, test::Scatter& random) {
 long double excess(const Vec3& p, const Triangle& t, const Vec3& foot) {
   const Exact at = p.cast<long double>(), way = foot.cast<long double>() - at;
   const long double distance = way.norm();
-  if (distance == 0) return 0;
+  if (!(distance > 0)) return 0;
   long double least = distance;
   for (const Vec3& corner : t) least = std::min(least, (corner.cast<long double>() - at).dot(way) / distance);
   return distance - std::max(least, 0.0L);
