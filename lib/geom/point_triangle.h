@@ -82,7 +82,7 @@ inline TrianglePoint closest_on_sliver(const Vec3& p, const std::array<Vec3, 3>&
 ///
 /// Degenerate  A triangle without area is its edges; one without extent its first corner. Never NaN for
 ///             finite input.
-/// Rounding    The distance is that of a point of the triangle, at most a few 1e-12 of the coordinates' differences above
+/// Rounding    The distance is that of a point of the triangle, at most 1e-11 of the coordinates' differences above
 ///             the least, however narrow the triangle.
 /// Cost        Constant, no allocation.
 /// Source      C. Ericson, Real-Time Collision Detection (2005), 5.1.5: regions of the triangle by dot

@@ -53,7 +53,7 @@ TEST(PointTriangle, IsAPointOfTheTriangleAndNoneIsNearerHoweverNarrowItIs) {
       coordinates = std::max<long double>(coordinates, corner.cwiseAbs().maxCoeff());
     }
     // A foot has coordinates of the part's frame: its last place turns the way to it.
-    const long double place = 4e-15L * coordinates + 2e-12L * size;
+    const long double place = 4e-15L * coordinates + 1e-11L * size;
     const long double distance = (found.point - p).cast<long double>().norm();
     const long double turned = distance > 0 ? place * size / distance : 0;
     ASSERT_LE(excess(p, t, found.point), place + std::min(distance, turned)) << i;
