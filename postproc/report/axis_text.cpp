@@ -34,10 +34,16 @@ std::string turn_line(const ReportModel& model, const AxisFacts& axes) {
     return turn_rate_text(q.turn_rad_per_mm.value, unit, DegreeSign::word);
   };
   const std::string line = line_of_move(*model.toolpath, axes.after.turn_rad_per_mm.move);
+  const std::size_t spots = axes.after.turns_on_the_spot, spots_before = axes.before.turns_on_the_spot;
+  const std::string on_the_spot =
+      spots + spots_before == 0
+          ? std::string()
+          : ", " + count_text(spots, "turn") + " on the spot (before " + std::to_string(spots_before) + ")";
   return "axis turns: up to " + rate(axes.after) + (line.empty() ? "" : " at " + line) + " (before " +
          rate(axes.before) + "), " + angle_text(axes.after.turn_rad.value, DegreeSign::word) + " in a move (before " +
          angle_text(axes.before.turn_rad.value, DegreeSign::word) + "), J " + bending_text(axes.after.bending, unit) +
-         " rad^2/" + unit_name(unit) + "^3 (before " + bending_text(axes.before.bending, unit) + ")\n";
+         " rad^2/" + unit_name(unit) + "^3 (before " + bending_text(axes.before.bending, unit) + ")" + on_the_spot +
+         "\n";
 }
 
 std::string tilt_line(const ReportModel& model, const AxisTilts& tilts) {

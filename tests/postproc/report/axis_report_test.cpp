@@ -97,6 +97,7 @@ TEST(AxisSection, CountsTurnsOnTheSpotAndTheRunsItDoesNotDraw) {
   report.path.moves[60].end.tip = report.path.moves[59].end.tip;
   report.measure();
   report.model.correction.axes->tilts.runs_left_out = 3;
+  EXPECT_EQ(count_of(summary_text(report.model), "), 1 turn on the spot (before 0)\n"), 1U);
   const std::string html = axis_section(report.model);
   EXPECT_EQ(count_of(html, "<td>Turns on the spot, the largest of them</td><td class=\"n\">0</td><td class=\"n\">1, "),
             1U);
