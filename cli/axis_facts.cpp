@@ -12,7 +12,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kSlowest = 0.001;  // of degrees a minute: 120 days for half a turn
+constexpr double kSlowest = 0.001;                             // of degrees a minute: 120 days for half a turn
 constexpr double kRadPerSecond = std::numbers::pi / 180 / 60;  // of a degree a minute
 
 std::vector<std::size_t> origins_of(const Toolpath& before, const std::vector<PathChange>& changes) {

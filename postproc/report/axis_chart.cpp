@@ -64,7 +64,7 @@ class AxisChart {
   }
 
   [[nodiscard]] std::string svg() {
-    if (!(length_ > kLeastLength)) return {};
+    if (!(length_ > kLeastLength) || !std::isfinite(length_)) return {};
     keep_what_shows();
     const std::string size = number(kWidth) + " " + number(kHeight);
     std::string out = "<svg class=\"axes\" viewBox=\"0 0 " + size + "\" role=\"img\" aria-label=\"Lead and side tilt " +

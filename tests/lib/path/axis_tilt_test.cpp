@@ -106,6 +106,29 @@ TEST(AxisTilt, OfALongMoveBesideTheRunIsCutToTheMargin) {
   EXPECT_NEAR(place_at(tilts.runs[0], 4).lead_after_rad, 0.1, 1e-12);
 }
 
+TEST(AxisTilt, FollowsAnArcAndEndsAtRapids) {
+  // A half circle between rapids, at whose end the axis leans outwards: to the right of a feed to the left.
+  Toolpath before;
+  for (const Vec3& tip : {Vec3(10, -5, 0), Vec3(10, 0, 0), Vec3(-10, 0, 0), Vec3(-10, -5, 0)})
+    before.moves.push_back(feed_to(tip, Vec3::UnitZ(), tip.y() >= 0 || tip.x() < 0));
+  before.moves[1].kind = before.moves[3].kind = MoveKind::rapid;
+  before.moves[2].kind = MoveKind::arc;
+  before.moves[2].curve_kind = CurveKind::arc;
+  before.arcs.push_back({Vec3::Zero(), Vec3::UnitZ(), std::numbers::pi});
+  Toolpath after = before;
+  after.moves[2].end.axis = leaning(-0.2);
+  const AxisTilts tilts = find_axis_tilts(before, after, same(after));
+  ASSERT_EQ(tilts.runs.size(), 1U);
+  const TiltedRun& run = tilts.runs[0];
+  EXPECT_EQ(run.begin_mm, 0) << "no margin in a rapid";
+  EXPECT_GT(run.curve.size(), 10U) << "chords of the arc";
+  const double half = 10 * std::numbers::pi;
+  EXPECT_NEAR(run.end_mm, half + 5, 0.2) << "the rapid behind turns the axis back";
+  // Half way round the feed leads against X, where the axis leans by half as much.
+  EXPECT_NEAR(place_at(run, half / 2).lead_after_rad, 0.1, 2e-3);
+  EXPECT_NEAR(place_at(run, half / 2).side_after_rad, 0, 5e-3);
+}
+
 TEST(AxisTilt, KeepsTheLongestRuns) {
   const Toolpath before = upright(400);
   Toolpath after = before;

@@ -127,6 +127,10 @@ TEST(AxisChart, OfARunOfNoLengthIsNone) {
   TiltedRun run;
   run.curve = {{0, 0, 0, 0, 0}, {0, 0, 0, 0.1, 0}};
   EXPECT_EQ(axis_chart(run, LengthUnit::mm), "");
+  run.curve[1].length_mm = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(axis_chart(run, LengthUnit::mm), "");
+  run.curve[1].length_mm = 1e300;
+  EXPECT_NE(axis_chart(run, LengthUnit::mm), "");
 }
 
 }  // namespace
