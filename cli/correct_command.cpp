@@ -6,6 +6,7 @@
 #include <ostream>
 #include <utility>
 
+#include "cli/axis_facts.h"
 #include "cli/job.h"
 #include "cli/length_text.h"
 #include "cli/outputs.h"
@@ -69,10 +70,11 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
 
 class CorrectRun {
  public:
-  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, Job& job, JobOutputs& outputs,
-             Progress& progress, std::ostream& out, std::ostream& err)
+  CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const RotaryLimit& limit, Job& job,
+             JobOutputs& outputs, Progress& progress, std::ostream& out, std::ostream& err)
       : arguments_(arguments),
         correct_(correct),
+        limit_(limit),
         job_(job),
         outputs_(outputs),
         out_(out),
@@ -112,6 +114,8 @@ class CorrectRun {
     model.has_correction = true;
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
     model.correction.output_bytes = text;
+    model.correction.axes = measure_axes(job_.toolpath, correction.changes, path, limit_);
+    if (limit_) model.more_options.push_back({"max-rotary-speed", arguments_.max_rotary_speed});
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
     const bool is_written = outputs_.write(job_, scene, model, progress_, out_, err_);
@@ -129,6 +133,7 @@ class CorrectRun {
 
   const CorrectArguments& arguments_;
   const CorrectOptions& correct_;
+  const RotaryLimit& limit_;
   Job& job_;
   JobOutputs& outputs_;
   std::ostream& out_;
@@ -162,6 +167,10 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
                   "How far rapids that must change keep off, where there is room within --max-shift")
       ->type_name("LENGTH")
       ->capture_default_str();
+  command
+      .add_option("--max-rotary-speed", arguments.max_rotary_speed,
+                  "Report the feed time also for an axis that turns no faster; it changes no correction")
+      ->type_name("DEG/MIN");
   command.add_flag("--force", arguments.job.is_forced,
                    "Correct also a path that plainly does not fit the part (units, placement, axis sign); let --report "
                    "replace and remove files of a report's names that no report wrote, never an input");
@@ -178,13 +187,15 @@ int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostre
   const Result<JobOptions> options = understand(arguments.job);
   const Result<CorrectOptions> correct = understand_correction(arguments);
   if (!options || !correct) return fail(err, {!options ? options.error() : correct.error()});
+  const Result<RotaryLimit> limit = understand_rotary_limit(arguments.max_rotary_speed);
+  if (!limit) return fail(err, {limit.error()});
   JobOutputs outputs(arguments.job, arguments.output);
   if (const auto status = outputs.refuse(err)) return *status;
   Progress progress(err, options->progress);
   LoadedJob loaded = load_job(arguments.job, *options, progress);
   progress.end();
   if (!loaded.job) return fail(err, loaded.errors);
-  return CorrectRun(arguments, *correct, *loaded.job, outputs, progress, out, err).run();
+  return CorrectRun(arguments, *correct, *limit, *loaded.job, outputs, progress, out, err).run();
 }
 
 }  // namespace gouge

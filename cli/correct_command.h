@@ -13,6 +13,7 @@ struct CorrectArguments {
   std::string max_shift = "20";
   std::string max_side_shift;  ///< empty: by the depth
   std::string rapid_clearance = "1";
+  std::string max_rotary_speed;  ///< empty: no limit
 };
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments);

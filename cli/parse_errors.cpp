@@ -79,11 +79,15 @@ class Command {
   [[nodiscard]] static std::string kind_of_value(const CLI::Option& option) {
     const std::string type = option.get_type_name();
     if (const std::vector<std::string> words = choices_in(type); !words.empty()) return listed(words, " or ");
-    constexpr std::pair<std::string_view, const char*> kKinds[] = {
-        {"FILE", "a file"},    {"FOLDER", "a folder"},
-        {"NAME", "a name"},    {"LENGTH", "a length"},
-        {"SIZE", "a size"},    {"UINT", "a whole number of 0 or more"},
-        {"FLOAT", "a number"}, {"FLOAT:POSITIVE", "a number above 0"}};
+    constexpr std::pair<std::string_view, const char*> kKinds[] = {{"FILE", "a file"},
+                                                                   {"FOLDER", "a folder"},
+                                                                   {"NAME", "a name"},
+                                                                   {"LENGTH", "a length"},
+                                                                   {"SIZE", "a size"},
+                                                                   {"UINT", "a whole number of 0 or more"},
+                                                                   {"FLOAT", "a number"},
+                                                                   {"FLOAT:POSITIVE", "a number above 0"},
+                                                                   {"DEG/MIN", "degrees a minute"}};
     for (const auto& [name, kind] : kKinds) {
       if (type == name) return kind;
     }

@@ -8,13 +8,6 @@ namespace {
 
 constexpr double kMostChords = 10000;
 
-Vec3 axis_between(const Vec3& from, const Vec3& to, double t) {
-  const double sine = from.cross(to).norm();
-  const double angle = std::atan2(sine, from.dot(to));
-  if (!(sine > 1e-12)) return t < 1 ? from : to;
-  return (from * (std::sin((1 - t) * angle) / sine) + to * (std::sin(t * angle) / sine)).normalized();
-}
-
 std::size_t count_for(double chords) {
   return static_cast<std::size_t>(std::clamp(std::ceil(chords), 1.0, kMostChords));
 }
@@ -51,6 +44,13 @@ void append_spline(const PathSpline& spline, const Pose& start, const Pose& end,
 }
 
 }  // namespace
+
+Vec3 axis_between(const Vec3& from, const Vec3& to, double t) {
+  const double sine = from.cross(to).norm();
+  const double angle = std::atan2(sine, from.dot(to));
+  if (!(sine > 1e-12)) return t < 1 ? from : to;
+  return (from * (std::sin((1 - t) * angle) / sine) + to * (std::sin(t * angle) / sine)).normalized();
+}
 
 std::vector<Pose> chords_of(const Toolpath& path, std::size_t index, double error_mm) {
   const Move& move = path.moves[index];

@@ -14,16 +14,6 @@ using AxisKey = std::array<double, 3>;
 // Adding zero turns -0 into 0, so that both count as one orientation.
 AxisKey key_of(const Vec3& axis) { return {axis.x() + 0.0, axis.y() + 0.0, axis.z() + 0.0}; }
 
-double length_of(const Toolpath& path, std::size_t index) {
-  const Move& move = path.moves[index];
-  const Pose& start = path.start_of(index);
-  if (move.curve_kind == CurveKind::arc) {
-    return arc_length_mm(path.arcs[move.curve], start.tip, move.end.tip);
-  }
-  if (move.curve_kind == CurveKind::spline) return spline_length_mm(path.splines[move.curve]);
-  return (move.end.tip - start.tip).norm();
-}
-
 void extend(Box3& box, const Toolpath& path, std::size_t index) {
   const Move& move = path.moves[index];
   box.extend(move.end.tip);
@@ -42,7 +32,7 @@ void count_motion(const Toolpath& path, std::size_t index, PathInfo& info) {
     info.largest_turn_deg = turn;
     info.largest_turn_move = index;
   }
-  const double length = length_of(path, index);
+  const double length = move_length_mm(path, index);
   const bool is_curve = move.curve_kind != CurveKind::none;
   if (move.kind == MoveKind::feed || is_curve) info.feed_length_mm += length;
   if (move.kind == MoveKind::rapid) info.rapid_length_mm += length;
@@ -50,8 +40,18 @@ void count_motion(const Toolpath& path, std::size_t index, PathInfo& info) {
 
 }  // namespace
 
-double angle_between_deg(const Vec3& a, const Vec3& b) {
-  return 2 * std::atan2((a - b).norm(), (a + b).norm()) * 180 / std::numbers::pi;
+double angle_between_rad(const Vec3& a, const Vec3& b) { return 2 * std::atan2((a - b).norm(), (a + b).norm()); }
+
+double angle_between_deg(const Vec3& a, const Vec3& b) { return angle_between_rad(a, b) * 180 / std::numbers::pi; }
+
+double move_length_mm(const Toolpath& path, std::size_t index) {
+  const Move& move = path.moves[index];
+  const Pose& start = path.start_of(index);
+  if (move.curve_kind == CurveKind::arc) {
+    return arc_length_mm(path.arcs[move.curve], start.tip, move.end.tip);
+  }
+  if (move.curve_kind == CurveKind::spline) return spline_length_mm(path.splines[move.curve]);
+  return (move.end.tip - start.tip).norm();
 }
 
 PathInfo describe_path(const Toolpath& path) {

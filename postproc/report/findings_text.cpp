@@ -4,6 +4,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
+#include "postproc/report/axis_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
@@ -84,13 +85,10 @@ std::string written_line(const CorrectionFacts& correction) {
 std::string correction_lines(const ReportModel& model) {
   const CorrectionFacts& correction = model.correction;
   const LengthUnit unit = model.toolpath->unit;
-  std::size_t inserted = 0;
+  const std::size_t inserted = inserted_positions(correction);
   double largest_mm = 0;
   for (const CorrectedRecord& change : correction.changes) {
-    if (change.strategy == "inserted")
-      ++inserted;
-    else
-      largest_mm = std::max(largest_mm, change.shift_length_mm);
+    if (change.strategy != "inserted") largest_mm = std::max(largest_mm, change.shift_length_mm);
   }
   const std::size_t moved = correction.changes.size() - inserted;
   std::string text = "corrected: " + count_text(moved, "position") + " moved";
@@ -103,7 +101,7 @@ std::string correction_lines(const ReportModel& model) {
   text += ", " + std::to_string(left) + (left == 1 ? " left as it was" : " left as they were");
   if (changed > 0) text += ", " + std::to_string(changed) + " changed but not freed";
   if (!correction.output_file.empty()) text += "; written to " + correction.output_file;
-  return line(text) + written_line(correction);
+  return line(text) + written_line(correction) + (correction.axes ? axis_lines(model) : std::string());
 }
 
 }  // namespace

@@ -40,6 +40,14 @@ a { color: var(--link); text-decoration: none; } a:hover { text-decoration: unde
 figure { margin: 16px 0 22px; } figure img { width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px;
   display: block; }
 figcaption { color: var(--soft); font-size: 13.5px; padding-top: 5px; }
+figure svg { width: 100%; height: auto; display: block; }
+.axes text { font-size: 13px; fill: var(--soft); font-variant-numeric: tabular-nums; }
+.axes .name { fill: var(--ink); font-weight: 600; font-size: 13.5px; }
+.axes .grid, .axes .zero, .axes .frame { stroke: var(--line); fill: none; } .axes .zero { stroke: var(--soft); opacity: .6; }
+.axes .tilted { fill: var(--ground); }
+.axes .gap { fill: var(--link); opacity: .14; stroke: none; }
+.axes .before, .axes .after { fill: none; stroke-width: 2; stroke-linejoin: round; }
+.axes .before { stroke: var(--soft); stroke-dasharray: 7 4; } .axes .after { stroke: var(--link); stroke-width: 2.4; }
 .state { display: inline-block; white-space: nowrap; padding: 0 8px; border-radius: 9px; color: #fff;
   font-size: 12.5px; background: var(--soft); }
 .state.gouge, .state.buried { background: var(--alarm); } .state.not-checked, .state.not-certified { background: var(--open); }

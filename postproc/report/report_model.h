@@ -14,6 +14,8 @@
 #include "lib/check/closeness.h"
 #include "lib/check/verdict.h"
 #include "lib/geom/vec.h"
+#include "lib/path/axis_quality.h"
+#include "lib/path/axis_tilt.h"
 #include "lib/path/toolpath.h"
 #include "lib/stickout/find_stickout.h"
 
@@ -75,6 +77,19 @@ struct WrittenRecord {
   std::size_t line = 0;  ///< of the file before the correction; of one that was added: after it
 };
 
+/// How smoothly the tool axis turns before and after a correction. Moves are those of the path before in `before`, and
+/// of the corrected one in `after` and `tilts`.
+struct AxisFacts {
+  AxisQuality before, after;
+  AxisTilts tilts;
+  std::optional<double> max_rotary_deg_per_min;  ///< none: not given
+
+  /// False where the axis stands and no limit was given: then people need not read of it.
+  [[nodiscard]] bool is_of_interest() const {
+    return before.has_turns() || after.has_turns() || tilts.positions > 0 || max_rotary_deg_per_min;
+  }
+};
+
 struct CorrectionFacts {
   std::string output_file;                  ///< empty: none was written
   std::string_view output_bytes;            ///< the corrected toolpath, as it goes there
@@ -87,6 +102,7 @@ struct CorrectionFacts {
   std::vector<CorrectedRecord> changes;
   std::vector<UncorrectedRecord> uncorrected;
   std::vector<WrittenRecord> written;          ///< every other record is the same to the byte
+  std::optional<AxisFacts> axes;               ///< none: not measured
   const Toolpath* toolpath_before = nullptr;   ///< the path as read
   const CheckResult* result_before = nullptr;  ///< its verdicts
 };

@@ -70,6 +70,11 @@ const char* unit_words(LengthUnit unit) { return unit == LengthUnit::inch ? "inc
 
 std::string instant_text(double t) { return people_text(t, 4); }
 
+std::size_t inserted_positions(const CorrectionFacts& correction) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      correction.changes, [](const CorrectedRecord& change) { return change.strategy == "inserted"; }));
+}
+
 std::string straightened_text(const CorrectionFacts& correction) {
   return count_text(correction.curves, "curve") + " became " + count_text(correction.straight_moves, "straight move");
 }

@@ -24,6 +24,8 @@ namespace gouge {
 /// "mm" or "inches": for headings, where "in in" would read badly.
 [[nodiscard]] const char* unit_words(LengthUnit unit);
 
+/// How many of its changes are positions that the path did not have.
+[[nodiscard]] std::size_t inserted_positions(const CorrectionFacts& correction);
 /// "2 curves became 79 straight moves".
 [[nodiscard]] std::string straightened_text(const CorrectionFacts& correction);
 

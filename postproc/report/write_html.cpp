@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "lib/base/number_text.h"
+#include "postproc/report/axis_html.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
@@ -34,9 +35,9 @@ class HtmlReport {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
-           against() + banner() + numbers() + overview() + changes() + findings() + stickouts() + open_queries() +
-           close_ups() + inputs() + tools() + options() + notes() + "<footer>" + kProgramName + " " + kProgramVersion +
-           "</footer>\n</main>\n</body>\n</html>\n";
+           against() + banner() + numbers() + overview() + changes() + axis_section(model_) + findings() + stickouts() +
+           open_queries() + close_ups() + inputs() + tools() + options() + notes() + "<footer>" + kProgramName + " " +
+           kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
   }
 
  private:

@@ -244,6 +244,53 @@ class JsonReport {
             {"tools", std::move(tools)}};
   }
 
+  // Per length to the power given, in the toolpath's unit.
+  [[nodiscard]] Json per_length(double value, int power) const { return value * std::pow(mm_per(unit_), power) + 0.0; }
+
+  // A feed of next to nothing takes no time that a number says.
+  [[nodiscard]] static Json seconds(const std::optional<double>& time) {
+    return time && std::isfinite(*time) ? Json(*time) : Json(nullptr);
+  }
+
+  [[nodiscard]] static Json move_of(const LargestOfMoves& largest) {
+    return largest.move == kNone ? Json(nullptr) : Json(largest.move);
+  }
+  [[nodiscard]] static Json line_of(const LargestOfMoves& largest, const Toolpath& path) {
+    return largest.move < path.moves.size() ? Json(std::size_t{path.moves[largest.move].line}) : Json(nullptr);
+  }
+
+  [[nodiscard]] Json axis_quality(const AxisQuality& q, const Toolpath& path) const {
+    const auto turn = [&](const LargestOfMoves& largest, int power) -> Json {
+      return {{"rad", per_length(largest.value, power)}, {"move", move_of(largest)}, {"line", line_of(largest, path)}};
+    };
+    return {{"largest_turn_per_length", turn(q.turn_rad_per_mm, 1)},
+            {"largest_turn", turn(q.turn_rad, 0)},
+            {"turns_on_the_spot", q.turns_on_the_spot},
+            {"largest_turn_on_the_spot", turn(q.turn_on_the_spot_rad, 0)},
+            {"bending", per_length(q.bending, 3)},
+            {"feed_seconds", seconds(q.feed_seconds)},
+            {"feed_seconds_with_max_rotary_speed", seconds(q.limited_feed_seconds)},
+            {"moves_without_feed", q.moves_without_feed}};
+  }
+
+  [[nodiscard]] Json quality(const CorrectionFacts& c) const {
+    if (!c.axes) return nullptr;
+    const AxisTilts& tilts = c.axes->tilts;
+    const std::size_t inserted = inserted_positions(c);
+    const Toolpath& before = c.toolpath_before ? *c.toolpath_before : *model_.toolpath;
+    return {
+        {"before", axis_quality(c.axes->before, before)},
+        {"after", axis_quality(c.axes->after, *model_.toolpath)},
+        {"max_rotary_speed_deg_per_min",
+         c.axes->max_rotary_deg_per_min ? Json(*c.axes->max_rotary_deg_per_min) : Json(nullptr)},
+        {"largest_tilt",
+         {{"rad", tilts.tilt_rad.value},
+          {"move", move_of(tilts.tilt_rad)},
+          {"line", line_of(tilts.tilt_rad, *model_.toolpath)}}},
+        {"positions", {{"moved", c.changes.size() - inserted}, {"inserted", inserted}, {"tilted", tilts.positions}}},
+        {"tilted_runs", tilts.runs.size() + tilts.runs_left_out}};
+  }
+
   [[nodiscard]] Json correction() const {
     const CorrectionFacts& c = model_.correction;
     Json changes = Json::array();
@@ -272,6 +319,7 @@ class JsonReport {
             {"max_shift", c.max_shift_mm > 0 ? length(c.max_shift_mm) : Json(nullptr)},
             {"max_side_shift", c.max_side_shift_mm ? length(*c.max_side_shift_mm) : Json(nullptr)},
             {"rapid_clearance", length(c.rapid_clearance_mm)},
+            {"quality", quality(c)},
             {"straightened", {{"curves", c.curves}, {"straight_moves", c.straight_moves}}},
             {"changes", changes},
             {"uncorrected", left},

@@ -56,6 +56,10 @@ TEST(ParseErrors, AValueThatCannotBeIsReportedWithWhatCan) {
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--cutcom", "left"}), "--cutcom 'left': expected centre");
   EXPECT_EQ(said({"tool", "import", "a.json", "-o", "b.json", "--stickout", "-3"}),
             "--stickout '-3': expected a number above 0");
+  for (const char* speed : {"0", "-5", "fast", "1e999", "600deg"}) {
+    EXPECT_EQ(said({"correct", "a.apt", "--part", "p.stl", "-o", "b.apt", "--max-rotary-speed", speed}),
+              "--max-rotary-speed '" + std::string(speed) + "': expected degrees a minute, at least 0.001");
+  }
   EXPECT_TRUE(said({"path", "convert", "a.apt", "-o", "b", "--to", "fanuc"})
                   .starts_with("--to 'fanuc': expected one of nx-clsf, "));
 }

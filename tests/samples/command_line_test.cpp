@@ -96,6 +96,29 @@ TEST(CommandLine, AToolpathOnStandardOutputIsAlone) {
   EXPECT_FALSE(std::filesystem::exists(sample.path + "/-"));
 }
 
+TEST(CommandLine, ACorrectionReportsHowTheAxisTurns) {
+  const SampleFolder swing = open_sample("between_swing");
+  const auto correct = [](const SampleFolder& sample, const std::vector<std::string>& options) {
+    std::vector<std::string> all = {"-o", "corrected.apt", "--json", "result.json"};
+    all.insert(all.end(), options.begin(), options.end());
+    return run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), all));
+  };
+  const Outcome ran = correct(swing, {"--max-rotary-speed", "600"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_NE(ran.out.find("\naxis turns: up to "), std::string::npos) << ran.out;
+  const nlohmann::json report = nlohmann::json::parse(text_of(swing.path + "/result.json"));
+  EXPECT_EQ(report["options"]["more"]["max-rotary-speed"], "600");
+  const nlohmann::json& quality = report["correction"]["quality"];
+  EXPECT_EQ(quality["before"]["turns_on_the_spot"], 1) << "60 degrees at 10 degrees a second";
+  EXPECT_NEAR(quality["before"]["feed_seconds_with_max_rotary_speed"].get<double>(), 6, 1e-3);
+  EXPECT_GT(quality["after"]["feed_seconds"].get<double>(), quality["before"]["feed_seconds"].get<double>());
+  EXPECT_EQ(quality["positions"]["tilted"], 0) << "positions were lifted along axes that the motion passes";
+  const SampleFolder upright = open_sample("between_rib");
+  const Outcome silent = correct(upright, {});
+  EXPECT_EQ(silent.out.find("axis turns"), std::string::npos) << silent.out;
+  EXPECT_EQ(silent.out.find("feed time"), std::string::npos) << silent.out;
+}
+
 TEST(CommandLine, AToolpathMayComeAfterTheOptionsThatAreRepeatable) {
   const SampleFolder sample = open_sample("between_rib");
   const Outcome ran =

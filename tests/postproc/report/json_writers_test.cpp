@@ -8,6 +8,7 @@
 #include "lib/base/files.h"
 #include "postproc/report/write_report.h"
 #include "tests/postproc/report/small_report.h"
+#include "tests/postproc/report/tilted_report.h"
 #include "tests/support/source_folder.h"
 
 namespace gouge {
@@ -124,6 +125,36 @@ TEST(WriteJson, ReportsStickOuts) {
   EXPECT_EQ(first["line"], 12);
   EXPECT_TRUE(first["operations"][1]["line"].is_null());
   EXPECT_TRUE(value["stickout"]["tools"][1]["needed"].is_null());
+}
+
+TEST(WriteJson, ReportsHowTheAxisTurns) {
+  TiltedReport report;
+  json value = json::parse(write_json(report.model));
+  EXPECT_EQ(schema_errors(value), std::vector<std::string>{});
+  const json& quality = value["correction"]["quality"];
+  const AxisFacts& axes = *report.model.correction.axes;
+  EXPECT_EQ(quality["after"]["bending"].get<double>(), axes.after.bending);
+  EXPECT_EQ(quality["after"]["largest_turn_per_length"]["rad"].get<double>(), axes.after.turn_rad_per_mm.value);
+  EXPECT_EQ(quality["after"]["largest_turn_per_length"]["line"], 90);
+  EXPECT_EQ(quality["before"]["largest_turn_per_length"]["move"], 80);
+  EXPECT_EQ(quality["before"]["largest_turn_on_the_spot"]["line"], nullptr);
+  EXPECT_EQ(quality["before"]["feed_seconds"].get<double>(), axes.before.feed_seconds);
+  EXPECT_EQ(quality["after"]["feed_seconds_with_max_rotary_speed"].get<double>(), axes.after.limited_feed_seconds);
+  EXPECT_EQ(quality["max_rotary_speed_deg_per_min"], 600);
+  EXPECT_EQ(quality["largest_tilt"]["move"], 60);
+  EXPECT_EQ(quality["positions"], (json{{"moved", 1}, {"inserted", 1}, {"tilted", 39}}));
+  EXPECT_EQ(quality["tilted_runs"], 1);
+  report.path.unit = LengthUnit::inch;
+  report.model.correction.axes->max_rotary_deg_per_min.reset();
+  report.model.correction.axes->after.limited_feed_seconds.reset();
+  report.model.correction.axes->before.feed_seconds = std::numeric_limits<double>::infinity();
+  value = json::parse(write_json(report.model));
+  EXPECT_EQ(schema_errors(value), std::vector<std::string>{});
+  EXPECT_DOUBLE_EQ(value["correction"]["quality"]["after"]["bending"].get<double>(), axes.after.bending * 16387.064);
+  report.model.correction.axes.reset();
+  value = json::parse(write_json(report.model));
+  EXPECT_EQ(schema_errors(value), std::vector<std::string>{});
+  EXPECT_TRUE(value["correction"]["quality"].is_null()) << "not measured";
 }
 
 TEST(WriteJson, SchemaCheckCanFail) {

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "lib/path/toolpath.h"
+
+// How smoothly the tool axis turns along a path, and what that costs in time: docs/algorithms/correction.md, "Quality".
+
+namespace gouge {
+
+/// The largest value over moves and the first move that has it.
+struct LargestOfMoves {
+  double value = 0;
+  std::size_t move = kNone;  ///< kNone: `value` is 0
+
+  void take(double of_move, std::size_t index);
+};
+
+/// Of the feed moves of a path: those that have a start and run at no rapid.
+struct AxisQuality {
+  LargestOfMoves turn_rad_per_mm;     ///< the turn by the length of the tip's path; turns on the spot have none
+  LargestOfMoves turn_rad;            ///< in one move, on the spot or not
+  std::size_t turns_on_the_spot = 0;  ///< moves of at most kSpot_mm that turn
+  LargestOfMoves turn_on_the_spot_rad;
+  /// J, the discrete integral of |u''|^2 in rad^2/mm^3, u the unit axis over the length of the tip's path: the sum over
+  /// neighbouring feed moves of |du(i+1)/ds(i+1) - du(i)/ds(i)|^2 * 2 / (ds(i) + ds(i+1)).
+  double bending = 0;
+  double feed_seconds = 0;                     ///< at the programmed feeds
+  std::optional<double> limited_feed_seconds;  ///< and no faster than the rotary limit; none: no limit is given
+  std::size_t moves_without_feed = 0;          ///< in neither time: no feed per minute is known
+
+  /// No file says where a tip is more closely than this.
+  static constexpr double kSpot_mm = 0.001;
+  /// Axes as near as this are the same but for the digits of a file.
+  static constexpr double kSameAxis_rad = 1e-5;
+
+  [[nodiscard]] bool has_turns() const { return turn_rad.value > kSameAxis_rad; }
+};
+
+/// `max_rotary_rad_per_s` limits the turn of the axis itself, above 0: each move takes the longer of its time at the
+/// programmed feed and its turn at the limit. A machine whose axes turn further than the tool's is slower than that.
+///
+/// J joins moves that follow one another without a rapid or a gap. A move of at most kSpot_mm is left out of it: where
+/// it does not turn, its neighbours follow one another; where it turns, J would be infinite, so J ends and begins anew.
+/// An even turn of w rad/mm on a great circle has w^4 a mm, the least that a unit axis can have.
+/// Cost: one pass over the moves.
+[[nodiscard]] AxisQuality measure_axis_quality(const Toolpath& path,
+                                               std::optional<double> max_rotary_rad_per_s = std::nullopt);
+
+}  // namespace gouge

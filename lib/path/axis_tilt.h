@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "lib/path/axis_quality.h"
+#include "lib/path/toolpath.h"
+
+// How far the axes of a corrected path lean away from the programmed ones, position by position and along the path:
+// docs/algorithms/correction.md, "Quality".
+
+namespace gouge {
+
+/// Axes of one place of a corrected path. Both are measured from one direction for the whole run, the mean of its
+/// programmed axes: `lead` is the angle forward, towards the feed, `side` the one to the left of the feed, seen from
+/// the spindle. Where the feed leads along that direction, forward is any direction across it.
+struct TiltPlace {
+  double length_mm = 0;  ///< of the corrected path from the begin of its run's curve
+  double lead_before_rad = 0, side_before_rad = 0;
+  double lead_after_rad = 0, side_after_rad = 0;
+};
+
+/// Neighbouring moves of the corrected path whose axes are not the programmed ones.
+struct TiltedRun {
+  std::size_t first = 0, last = 0;  ///< moves [first, last)
+  LargestOfMoves tilt_rad;          ///< at the end of that move
+  double begin_mm = 0, end_mm = 0;  ///< where they begin and end on the curve, between margins of programmed moves
+  std::vector<TiltPlace> curve;     ///< two places of one length where the feed turns a corner
+};
+
+struct AxisTilts {
+  LargestOfMoves tilt_rad;      ///< angle between corrected and programmed axis; the move is one of the corrected path
+  std::size_t positions = 0;    ///< whose axes are not the programmed ones
+  std::vector<TiltedRun> runs;  ///< the longest ones, in path order
+  std::size_t runs_left_out = 0;  ///< shorter than those
+
+  /// An axis is not the programmed one from here on: coarser than the digits of any file.
+  static constexpr double kLeast_rad = 1e-3;
+};
+
+/// Tilts of `after`. Its move k came of move `origins[k]` of `before`: those of one move follow one another, and the
+/// last of them ends where, but for the correction, that move ends.
+///
+/// The programmed axis at the end of a move is that of the same move; of an inserted position, that of the programmed
+/// motion at its nearest place. Of all places no further than twice the nearest one and 0.01 mm, the one with the
+/// axis nearest to the position's counts: an inserted position that was shifted, and not tilted, is then found where
+/// it came from.
+/// Moves apart by up to 2 mm of the path are one run.
+///
+/// Requires as many origins as moves, or none: then nothing is tilted.
+/// Cost     one pass over the moves; chords to 0.01 mm of programmed curves into which positions were inserted.
+[[nodiscard]] AxisTilts find_axis_tilts(const Toolpath& before, const Toolpath& after,
+                                        const std::vector<std::size_t>& origins, std::size_t most_runs = 12);
+
+}  // namespace gouge
