@@ -1,4 +1,4 @@
-#include "lib/correct/contacts.h"
+#include "lib/contact/contacts.h"
 
 #include <algorithm>
 #include <array>
@@ -54,7 +54,10 @@ class Collector {
     for (std::size_t i = 0; i < leaf.count; ++i) {
       best_ = ToolContact{};
       pieces_ = 0;
-      refine(tree_.corners(leaf.triangle[i]));
+      const std::array<Vec3, 3> corners = tree_.corners(leaf.triangle[i]);
+      refine(corners);
+      const Vec3 across = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+      if (across.norm() > 0) best_.face = across.normalized();
       if (best_.excess_mm > notable_mm_) contacts_.push_back(best_);
     }
   }
@@ -62,7 +65,8 @@ class Collector {
   ToolSample try_point(const Vec3& p) {
     const ToolSample sample = sample_tool(tool_, frame_.to_tool(p));
     const double found = excess(sample);
-    if (found > best_.excess_mm) best_ = {p, -(frame_.rows.transpose() * support_plane(tool_, sample).normal), found};
+    if (found > best_.excess_mm)
+      best_ = {p, -(frame_.rows.transpose() * support_plane(tool_, sample).normal), found, Vec3::Zero()};
     return sample;
   }
 
@@ -125,34 +129,50 @@ std::vector<AimedTarget> aimed_targets(const ToolVariants& tool, const PreparedS
   return all;
 }
 
+double excess_of(const Motion& alone, const AimedTarget& aimed, double accuracy_mm) {
+  constexpr std::uint64_t kBudget = 1'000'000;
+  const double reach = std::max(0.0, -aimed.aim_mm);
+  const double allowed = std::max(0.0, aimed.aim_mm);
+  const SearchResult result =
+      sweep_and_search(alone, {aimed.target}, {{allowed, accuracy_mm, kGap_mm, kBudget}, reach});
+  const double excess = std::max(0.0, result.value_mm - allowed);
+  return result.is_decided ? excess : std::max(excess, accuracy_mm);
+}
+
 }  // namespace
+
+std::vector<ToolContact> find_contacts(const Pose& pose, const CompiledTool& tool, const BlockTree& tree, double aim_mm,
+                                       double notable_mm) {
+  std::vector<ToolContact> contacts;
+  if (tree.nodes.empty() || tool.elements.empty()) return contacts;
+  const Motion alone(pose);
+  const ToolInterval interval(alone, whole_segment(alone, 0));
+  Collector(interval, tool, tree, aim_mm, notable_mm, contacts).visit(0);
+  return contacts;
+}
 
 std::vector<ToolContact> find_contacts(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
                                        const CorrectionAim& aim, double notable_mm) {
   std::vector<ToolContact> contacts;
-  const Motion alone(pose);
-  const ToolInterval interval(alone, whole_segment(alone, 0));
   for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
-    if (aimed.target.tree->nodes.empty()) continue;
-    Collector(interval, *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, notable_mm, contacts).visit(0);
+    const auto found = find_contacts(pose, *aimed.target.tool, *aimed.target.tree, aimed.aim_mm, notable_mm);
+    contacts.insert(contacts.end(), found.begin(), found.end());
   }
   return contacts;
 }
 
 double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene, const CorrectionAim& aim,
                       double accuracy_mm) {
-  constexpr std::uint64_t kBudget = 1'000'000;
   double most = 0;
   const Motion alone(pose);
-  for (const AimedTarget& aimed : aimed_targets(tool, scene, aim)) {
-    const double reach = std::max(0.0, -aimed.aim_mm);
-    const double allowed = std::max(0.0, aimed.aim_mm);
-    const SearchResult result =
-        sweep_and_search(alone, {aimed.target}, {{allowed, accuracy_mm, kGap_mm, kBudget}, reach});
-    if (result.value_mm > allowed) most = std::max(most, result.value_mm - allowed);
-    if (!result.is_decided) most = std::max(most, accuracy_mm);
-  }
+  for (const AimedTarget& aimed : aimed_targets(tool, scene, aim))
+    most = std::max(most, excess_of(alone, aimed, accuracy_mm));
   return most;
+}
+
+double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene, double aim_mm,
+                      double accuracy_mm) {
+  return excess_of(Motion(pose), {{&tool, &scene.parts, Against::part}, aim_mm}, accuracy_mm);
 }
 
 }  // namespace gouge

@@ -1,4 +1,4 @@
-#include "lib/correct/contacts.h"
+#include "lib/contact/contacts.h"
 
 #include <gtest/gtest.h>
 

@@ -11,6 +11,7 @@ struct ToolContact {
   Vec3 point = Vec3::Zero();    ///< part coordinates, mm
   Vec3 normal = Vec3::UnitZ();  ///< unit direction in which the tool must move away
   double excess_mm = 0;         ///< how much further than the aim allows
+  Vec3 face = Vec3::Zero();     ///< unit normal of the triangle it is on; zero where that has no area
 };
 
 /// How deep surface points may lie in the tool after a correction. Below the check's tolerance, so that
@@ -27,9 +28,17 @@ struct CorrectionAim {
                                                      const PreparedScene& scene, const CorrectionAim& aim,
                                                      double notable_mm = 0);
 
+/// The same of one tool and the triangles of one tree.
+[[nodiscard]] std::vector<ToolContact> find_contacts(const Pose& pose, const CompiledTool& tool, const BlockTree& tree,
+                                                     double aim_mm, double notable_mm = 0);
+
 /// How much the deepest point exceeds the aim at a pose: never more than the truth, and not much less. 0 only
 /// when the aim is proven to be met to `accuracy_mm`.
 [[nodiscard]] double largest_excess(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene,
                                     const CorrectionAim& aim, double accuracy_mm);
+
+/// The same of one tool against the parts.
+[[nodiscard]] double largest_excess(const Pose& pose, const CompiledTool& tool, const PreparedScene& scene,
+                                    double aim_mm, double accuracy_mm);
 
 }  // namespace gouge
