@@ -87,6 +87,8 @@ Result<ToolVariants> variants_of(const ToolAssembly& tool, const BodyProfiles& b
                                                 : variants.against_fixture;
   variants.with_clearance = compiled({{shank_clearance_mm > 0 ? &shank : &none, shank_clearance_mm},
                                       {holder_clearance_mm > 0 ? &holder : &none, holder_clearance_mm}});
+  const bool is_alone = shank.elements.empty() && holder.elements.empty();
+  variants.cutting = is_alone ? variants.against_part : compiled({{&cutter, stock_to_leave_mm}});
   variants.non_cutting = compiled({offset_shank, offset_holder});
   if (error) {
     error->message = "tool " + label(tool) + ": " + error->message;

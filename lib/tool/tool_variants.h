@@ -13,6 +13,7 @@ struct ToolVariants {
   CompiledTool against_fixture;  ///< shank and holder offset by their clearances
   /// Bodies that have a clearance, alone, offset: any depth in it is a gouge. No elements: none has one.
   CompiledTool with_clearance;
+  CompiledTool cutting;                    ///< the cutter alone, offset by stock to leave: what touches the part
   CompiledTool non_cutting;                ///< shank and holder as offset above: for near misses. May be empty.
   SureDepths part_depths, fixture_depths;  ///< of the variants against_part and against_fixture
 
