@@ -27,7 +27,7 @@ class MotionChecker {
   [[nodiscard]] bool is_clean(const Motion& motion, MoveKind kind, const ToolVariants& tool,
                               const CheckOptions& options, bool is_start_outside = false) const;
 
-  /// As deep as it is, not only whether that is too deep: tolerance 0.
+  /// As deep as it is, not only whether that is too deep: tolerance 0. Whether it is inside a solid is not asked.
   [[nodiscard]] MoveVerdict measure(const Pose& pose, MoveKind kind, const ToolVariants& tool) const;
 
   /// How much deeper than `allowed_mm` the heads are at a pose, as HeadChecker::excess_at; 0 where there are none.

@@ -108,7 +108,8 @@ class FitFinder {
       const ToolVariants& tool = *tools_[move.tool];
       const double depth = is_in_part(verdict) ? verdict.depth_mm : 0;
       const bool is_buried = verdict.state == MoveState::buried;
-      const bool is_deep = is_buried || depth >= kDeep * tool.bare.core_depth_mm;
+      const bool is_deep = is_buried || (depth >= kDeep * tool.bare.core_depth_mm &&
+                                         (verdict.witness->body == Body::cutter || is_cutter_deep(move.end, tool)));
       cuts_.push_back(i);
       fit_.deep += is_deep ? 1U : 0U;
       fit_.gouging += is_gouging(i) ? 1U : 0U;
@@ -117,6 +118,16 @@ class FitFinder {
       deep += is_deep ? 1U : 0U;
     }
     fit_.positions = cuts_.size();
+  }
+
+  /// A holder may collide on a path that fits well.
+  [[nodiscard]] bool is_cutter_deep(const Pose& pose, const ToolVariants& tool) const {
+    const Vec3 core = pose.tip + tool.bare.core.y() * pose.axis;
+    if (scene_.sides().side_of({{core}, {pose.axis}}).side == Side::inside) return true;
+    const double deep = kDeep * tool.bare.core_depth_mm;
+    const SearchTarget part{&tool.cutting, &scene_.parts, Against::part};
+    const double gap = kAccuracy * deep;
+    return sweep_and_search(Motion(pose), {part}, {{deep, gap, gap, kBudget}, 0}).value_mm > deep;
   }
 
   [[nodiscard]] bool is_gouging(std::size_t move) const {
