@@ -1,0 +1,196 @@
+#include "lib/tilt/smooth_tilts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "lib/base/parallel.h"
+#include "lib/tilt/tilt_curve.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kInward_rad = 0.5 * kDegree;   // steps in which a tilt is drawn in
+constexpr double kExact_rad = 0.01 * kDegree;   // how exactly its least value is found
+constexpr double kBeyond_rad = 0.03 * kDegree;  // how much further than needed the curve may tilt
+constexpr double kMore_rad = 0.01 * kDegree;    // given back at first where a motion between two is refused
+constexpr int kFewAtATime = 30;                 // rounds in which only the worst position of a stretch gets an anchor
+constexpr std::size_t kMostLetGo = 40;          // anchors that are tried without,
+constexpr std::size_t kMostLooks = 20'000;      // as long as that looks at no more positions
+constexpr std::size_t kChunk = 8;
+
+class Smoother {
+ public:
+  Smoother(const TiltSpace& space, const TiltSequence& proven, const OpenEnds& open, unsigned threads)
+      : space_(space), proven_(proven), open_(open), threads_(threads) {
+    for (std::size_t i = 0; i < space.size(); ++i) ways_mm_.push_back(space[i].way_mm);
+  }
+
+  TiltSequence run() {
+    draw_in();
+    kept_.assign(space_.size(), kFree);
+    if (!open_.first) kept_.front() = kProven;
+    if (!open_.last) kept_.back() = kProven;
+    for (int round = 0;; ++round) {
+      const TiltSequence tilts = curve();
+      const std::vector<char> is_refused = refused(tilts);
+      if (std::ranges::none_of(is_refused, [](char refused) { return refused != 0; })) break;
+      add_anchors(tilts, is_refused, round < kFewAtATime);
+    }
+    let_go();
+    return curve();
+  }
+
+ private:
+  // What a position keeps to: nothing, the tilt drawn in, by and by more of the proven one, and that itself.
+  static constexpr int kFree = 0, kDrawnIn = 1, kProven = 7;
+
+  void draw_in() {
+    drawn_in_ = proven_;
+    for_each_chunk(space_.size(), kChunk, threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) drawn_in_[i] = drawn_in(i);
+    });
+    for (const Tilt& tilt : drawn_in_) largest_rad_ = std::max(largest_rad_, tilt.norm());
+  }
+
+  [[nodiscard]] Tilt drawn_in(std::size_t i) const {
+    const double angle = proven_[i].norm();
+    if (!(angle > 0)) return proven_[i];
+    const Tilt way = proven_[i] / angle;
+    double good = angle, bad = angle;
+    while (good > 0) {
+      bad = std::max(0.0, good - kInward_rad);
+      if (!space_.is_free(i, bad * way)) break;
+      good = bad;
+    }
+    while (good - bad > kExact_rad) {
+      const double middle = 0.5 * (good + bad);
+      (space_.is_free(i, middle * way) ? good : bad) = middle;
+    }
+    return good * way;
+  }
+
+  [[nodiscard]] Tilt wanted(std::size_t i) const {
+    if (kept_[i] <= kDrawnIn) return drawn_in_[i];
+    const Tilt back = proven_[i] - drawn_in_[i];
+    const double more_rad = kMore_rad * std::pow(3, kept_[i] - kDrawnIn);
+    return kept_[i] == kProven || back.norm() <= more_rad ? proven_[i]
+                                                          : Tilt(drawn_in_[i] + more_rad * back.normalized());
+  }
+
+  [[nodiscard]] TiltSequence curve() const {
+    std::vector<TiltAnchor> anchors;
+    for (std::size_t i = 0; i < space_.size(); ++i) {
+      // Of positions at one place the curve has one value.
+      const bool is_apart = anchors.empty() || ways_mm_[i] > ways_mm_[anchors.back().position];
+      if (kept_[i] != kFree && is_apart) anchors.push_back({i, wanted(i)});
+    }
+    if (anchors.empty()) anchors.push_back({0, Tilt::Zero()});
+    TiltSequence tilts = curve_through(anchors, ways_mm_, !open_.first, !open_.last);
+    for (std::size_t i = 0; i < space_.size(); ++i) {
+      if (kept_[i] != kFree) tilts[i] = wanted(i);
+    }
+    const bool is_one_way = space_.task().options.freedom != TiltFreedom::both;
+    if (is_one_way) {
+      // Both ends and all anchors lie on one line, so the curve does but for rounding.
+      const Eigen::Index other = space_.task().options.freedom == TiltFreedom::lead ? 1 : 0;
+      for (Tilt& tilt : tilts) tilt[other] = 0;
+    }
+    return tilts;
+  }
+
+  enum Refused : char { kNothing, kPosition, kMotion };
+
+  [[nodiscard]] std::vector<char> refused(const TiltSequence& tilts) const {
+    std::vector<char> is_refused(space_.size(), kNothing);
+    for_each_chunk(space_.size(), kChunk, threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) is_refused[i] = is_position_free(i, tilts) ? kNothing : kPosition;
+    });
+    if (std::ranges::any_of(is_refused, [](char r) { return r != kNothing; })) return is_refused;
+    for_each_chunk(space_.size() - 1, kChunk, threads_, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        if (!space_.is_free_between(i, tilts[i], i + 1, tilts[i + 1])) is_refused[i] = kMotion;
+      }
+    });
+    return is_refused;
+  }
+
+  [[nodiscard]] bool is_position_free(std::size_t i, const TiltSequence& tilts) const {
+    if (kept_[i] == kDrawnIn || kept_[i] == kProven) return true;
+    if (kept_[i] != kFree) return space_.is_free(i, tilts[i]);
+    return tilts[i].norm() <= largest_rad_ + kBeyond_rad && space_.is_free(i, tilts[i]);
+  }
+
+  void add_anchors(const TiltSequence& tilts, const std::vector<char>& is_refused, bool is_worst_alone) {
+    for (std::size_t first = 0, last = 0; first < space_.size(); first = last) {
+      for (last = first; last < space_.size() && is_refused[last] == is_refused[first]; ++last) {
+      }
+      if (is_refused[first] == kNothing) continue;
+      if (is_refused[first] == kMotion) {
+        for (std::size_t i = first; i < last; ++i) keep_more_of(i, tilts);
+      } else if (is_worst_alone) {
+        keep_more(worst_of(tilts, first, last));
+      } else {
+        for (std::size_t i = first; i < last; ++i) keep_more(i);
+      }
+    }
+  }
+
+  /// Of the ends of a motion the one that is tilted less: there more of it may do.
+  void keep_more_of(std::size_t i, const TiltSequence& tilts) {
+    const std::size_t less = tilts[i].norm() < tilts[i + 1].norm() ? i : i + 1, other = i + i + 1 - less;
+    keep_more(kept_[less] < kProven ? less : other);
+  }
+
+  void keep_more(std::size_t i) { kept_[i] = std::min(kept_[i] + 1, kProven); }
+
+  /// Farthest from what is wanted there; of equal ones that in their middle.
+  [[nodiscard]] std::size_t worst_of(const TiltSequence& tilts, std::size_t first, std::size_t last) const {
+    constexpr double kSame = 0.999;
+    const auto miss = [&](std::size_t i) { return (tilts[i] - wanted(i)).norm(); };
+    double most = 0;
+    for (std::size_t i = first; i < last; ++i) most = std::max(most, miss(i));
+    std::size_t from = first;
+    while (miss(from) < kSame * most) ++from;
+    std::size_t to = from;
+    while (to + 1 < last && miss(to + 1) >= kSame * most) ++to;
+    return (from + to) / 2;
+  }
+
+  void let_go() {
+    std::size_t tried = 0;
+    double least = roughness(curve(), ways_mm_);
+    const std::size_t most = std::min(kMostLetGo, 1 + kMostLooks / space_.size());
+    for (std::size_t i = 1; i + 1 < space_.size() && tried < most; ++i) {
+      if (kept_[i] == kFree) continue;
+      ++tried;
+      const int was = kept_[i];
+      kept_[i] = kFree;
+      const TiltSequence tilts = curve();
+      const double now = roughness(tilts, ways_mm_);
+      if (now < least && std::ranges::none_of(refused(tilts), [](char r) { return r != kNothing; })) {
+        least = now;
+      } else {
+        kept_[i] = was;
+      }
+    }
+  }
+
+  const TiltSpace& space_;
+  const TiltSequence& proven_;
+  OpenEnds open_;
+  unsigned threads_;
+  std::vector<double> ways_mm_;
+  TiltSequence drawn_in_;
+  double largest_rad_ = 0;  // of the tilts drawn in
+  std::vector<int> kept_;
+};
+
+}  // namespace
+
+TiltSequence smooth_tilts(const TiltSpace& space, const TiltSequence& proven, const OpenEnds& open, unsigned threads) {
+  return Smoother(space, proven, open, threads).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "lib/tilt/tilt_lattice.h"
+
+namespace gouge {
+
+/// A smooth sequence of tilts near a proven one, as proven as that.
+///
+/// First each tilt of the sequence is drawn in towards none as far as all on the way there is free, to 0.01 degrees.
+/// Then the smoothest curve is sought that needs no more than that: it begins untilted; where it is not free, or tilted
+/// further than any of the drawn-in tilts, the drawn-in tilt of the worst position becomes an anchor, and the smoothest
+/// curve through all anchors is tried; where that was an anchor already, the proven tilt; at the end anchors that are
+/// not needed are let go. Every position and every motion of the result is certified.
+///
+/// Requires a sequence as find_tilts gives it.
+/// Ensures  free as TiltSpace says, everywhere; the same at any number of threads.
+/// Cost     some ten times the checks of all positions.
+[[nodiscard]] TiltSequence smooth_tilts(const TiltSpace& space, const TiltSequence& proven, const OpenEnds& open,
+                                        unsigned threads);
+
+}  // namespace gouge

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lib/tilt/tilt_space.h"
+
+namespace gouge {
+
+/// Tilts of all positions of a run, one each.
+using TiltSequence = std::vector<Tilt>;
+
+/// Which ends of a run may be tilted themselves: those where the path begins or ends. The others stay as programmed.
+struct OpenEnds {
+  bool first = false, last = false;
+};
+
+struct LatticeResult {
+  std::optional<TiltSequence> sequence;
+  /// Where there is none: a position at which no tilt that was looked at is free, or none, as they are free everywhere
+  /// but no way leads from each to the next.
+  std::optional<std::size_t> blocked;
+};
+
+/// A sequence of tilts that is certified free at every position and on every motion between two that follow each other.
+///
+/// Tilts of a square lattice over all that is allowed, coarse at first, finer about what the coarse one found or where it
+/// found nothing. Layers are positions of the run, few at first; dynamic programming finds the cheapest way through them:
+/// sum of |tilt|^2 ds / blend^2 + |change of tilt|^2 / ds. Then, lazily, that way alone is proved: every position and
+/// motion of it. A position where it is not free becomes a layer of its own, a motion that is not is struck out, and the
+/// way is sought again.
+/// `doubtful`: a position where no tilt may be free; it is looked at before all others. Where it is not, that is said at
+/// once.
+/// Ensures  the same sequence at any number of threads.
+/// Cost     some hundred checks of a position for each layer.
+/// Source   layers of postures: Plakhotnik and Lauwers 2014; only the winner's motions are proved: Dellin and Srinivasa
+///          2016 (LazySP).
+[[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, const OpenEnds& open, unsigned threads,
+                                       std::optional<std::size_t> doubtful);
+
+}  // namespace gouge

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "lib/geom/vec.h"
+
+namespace gouge {
+
+/// Which way a tool axis may be tilted: any way, forward and back in the feed direction, or to its sides alone.
+enum class TiltFreedom : std::uint8_t { both, lead, side };
+
+/// Tool axes no farther than `half_angle_rad` from `axis`, a unit vector.
+struct AxisCone {
+  Vec3 axis = Vec3::UnitZ();
+  double half_angle_rad = 0;
+};
+
+/// What a tilt keeps to, at every instant of the motions.
+struct TiltOptions {
+  double max_tilt_rad = std::numbers::pi / 6;  ///< from the programmed axis
+  TiltFreedom freedom = TiltFreedom::both;
+  std::optional<AxisCone> cone;  ///< none: any axis
+  /// How fast the axis may turn on a motion that the programmed axis does not turn faster on.
+  double max_turn_rad_per_mm = std::numeric_limits<double>::infinity();
+  double max_turn_step_rad = std::numeric_limits<double>::infinity();  ///< and on one motion
+  double blend_mm = 10;  ///< way of the tip over which the tilt comes and goes, where the path has it
+  /// How far the tip may rise off the part where the cutter would gouge when tilted: what it leaves uncut.
+  double max_raise_mm = 1;
+};
+
+}  // namespace gouge

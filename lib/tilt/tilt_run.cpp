@@ -1,0 +1,279 @@
+#include "lib/tilt/tilt_run.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "lib/base/parallel.h"
+#include "lib/check/path_motion.h"
+#include "lib/contact/contacts.h"
+
+namespace gouge {
+namespace {
+
+// How near the cutter is to what it touches: first what a finishing cut leaves, then what a roughing cut may.
+constexpr std::array kContacts_mm = {0.05, 1.0};
+constexpr std::array kShares = {0.5, 0.8, 0.95};  // of the tolerance, how deep the cutter may be at a position
+constexpr double kAccuracy_mm = 2e-4;
+constexpr double kArm_mm = 10;  // at which a turn of the programmed axis counts as way
+constexpr double kNoWay_mm = 1e-9;
+
+/// A position of a chain before anything is measured there.
+struct Station {
+  std::size_t move = 0;
+  double t = 1;
+  double way_mm = 0;
+  bool is_reached_clean = true;
+};
+
+/// Where on the way of a chain, in mm.
+struct Stretch {
+  double begin_mm = 0, end_mm = 0;
+  std::size_t first_move = 0, last_move = 0;
+};
+
+bool is_tiltable(const TiltJob& job, std::size_t i) {
+  const Move& move = job.path.moves[i];
+  const bool is_straight = move.kind == MoveKind::feed ||
+                           (move.kind == MoveKind::rapid && job.checker.options().rapid == RapidMode::straight);
+  const MoveState state = job.result.verdicts[i].state;
+  const bool is_told = state == MoveState::clean || state == MoveState::near_miss || state == MoveState::gouge;
+  return is_straight && is_told && move.curve_kind == CurveKind::none && move.not_checked_reason.empty() &&
+         move.tool != kNone && job.tools[move.tool] != nullptr;
+}
+
+/// Moves of one tool, each beginning where the one before it ends.
+class Chain {
+ public:
+  Chain(const TiltJob& job, std::size_t first, std::size_t last, const std::vector<bool>& is_near, double spacing_mm)
+      : job_(job), last_move_(last - 1) {
+    for (std::size_t i = first; i < last; ++i) add_stations(i, is_near[i] ? spacing_mm : 1e300);
+  }
+
+  void add_runs(std::vector<TiltRun>& runs) const {
+    for (const Stretch& stretch : stretches()) runs.push_back(run_over(stretch));
+  }
+
+ private:
+  void add_stations(std::size_t i, double spacing_mm) {
+    const Move& move = job_.path.moves[i];
+    const bool is_gouge = job_.is_wanted[i];
+    if (!move.has_start) {
+      stations_.push_back({i, 1, 0, !is_gouge});
+      return;
+    }
+    if (stations_.empty()) stations_.push_back({i, 0, 0, true});
+    const Motion motion(job_.path.start_of(i), move.end);
+    const double way = stations_.back().way_mm;
+    const double length = (motion.end().tip - motion.start().tip).norm() + kArm_mm * motion.angle_rad();
+    const int pieces = 1 + static_cast<int>(length / spacing_mm);
+    bool is_any = false;
+    const std::size_t first = stations_.size();
+    for (int k = 1; k <= pieces; ++k) {
+      const double t = k == pieces ? 1.0 : static_cast<double>(k) / pieces;
+      const Motion piece(motion.at(t - 1.0 / pieces), motion.at(t));
+      const bool is_clean = !is_gouge || (pieces > 1 && job_.checker.is_clean(piece, move.kind, *job_.tools[move.tool],
+                                                                              job_.checker.options(), true));
+      is_any = is_any || !is_clean;
+      stations_.push_back({i, t, way + t * length, is_clean});
+    }
+    if (!is_gouge || is_any) return;
+    for (std::size_t k = first; k < stations_.size(); ++k) stations_[k].is_reached_clean = false;
+  }
+
+  /// What is not clean, with the blend at both sides, where that overlaps as one.
+  [[nodiscard]] std::vector<Stretch> stretches() const {
+    const double blend = job_.options.blend_mm;
+    std::vector<Stretch> all;
+    for (std::size_t k = 0; k < stations_.size(); ++k) {
+      const Station& at = stations_[k];
+      if (at.is_reached_clean) continue;
+      const double begin = stations_[k > 0 ? k - 1 : 0].way_mm - blend, end = at.way_mm + blend;
+      if (all.empty() || begin > all.back().end_mm) {
+        all.push_back({begin, end, at.move, at.move});
+      } else {
+        all.back().end_mm = end;
+        all.back().last_move = at.move;
+      }
+    }
+    return all;
+  }
+
+  [[nodiscard]] TiltRun run_over(const Stretch& stretch) const {
+    const auto by_way = [](const Station& station) { return station.way_mm; };
+    // The last one before the stretch, and the first one after it.
+    const auto behind = std::ranges::upper_bound(stations_, stretch.begin_mm + kNoWay_mm, {}, by_way);
+    const auto begin = behind == stations_.begin() ? behind : behind - 1;
+    auto end = std::ranges::lower_bound(stations_, stretch.end_mm - kNoWay_mm, {}, by_way);
+    if (end == stations_.end()) --end;
+    TiltRun run;
+    run.tool = job_.path.moves[begin->move].tool;
+    run.first_wanted = stretch.first_move;
+    run.last_wanted = stretch.last_move;
+    const std::vector<Move>& moves = job_.path.moves;
+    run.open.first = begin->way_mm > stretch.begin_mm + kNoWay_mm && !moves[begin->move].has_start;
+    const bool is_last = last_move_ + 1 == moves.size() || !moves[last_move_ + 1].has_start;
+    run.open.last = end->way_mm < stretch.end_mm - kNoWay_mm && is_last;
+    for (auto at = begin; at <= end; ++at) run.positions.push_back(position_at(*at, begin->way_mm));
+    return run;
+  }
+
+  [[nodiscard]] TiltPosition position_at(const Station& station, double begin_mm) const {
+    const Move& move = job_.path.moves[station.move];
+    TiltPosition at;
+    at.move = station.move;
+    at.t = station.t;
+    at.way_mm = station.way_mm - begin_mm;
+    at.kind = move.kind;
+    at.programmed = move.end;
+    if (station.t < 1) at.programmed = Motion(job_.path.start_of(station.move), move.end).at(station.t);
+    at.is_reached_clean = station.is_reached_clean;
+    return at;
+  }
+
+  const TiltJob& job_;
+  std::size_t last_move_;
+  std::vector<Station> stations_;
+};
+
+/// Of the part where the cutter is in it or near it. A corner of the tool that touches a face has no normal of its own:
+/// there the face's counts, as far as the tool reaches no deeper below its plane.
+Vec3 normal_at(const ToolContact& contact, double depth_mm, const Pose& pose, const CompiledTool& cutter) {
+  constexpr double kSameDepth_mm = 0.01;
+  const Vec3& face = contact.face;
+  if (!(face.norm() > 0)) return contact.normal;
+  const double along = -face.dot(pose.axis), away = (face + along * pose.axis).norm();
+  const double reach = Vec2(away, along).dot(support_stretch(cutter, {away, along}).a);
+  const double below = reach - face.dot(pose.tip - contact.point);
+  return std::abs(below - depth_mm) <= kSameDepth_mm ? face : contact.normal;
+}
+
+/// The contact of the cutter, if it has one.
+std::optional<Vec3> contact_normal(const Pose& pose, const ToolVariants& tool, const BlockTree& parts) {
+  for (const double within_mm : kContacts_mm) {
+    const std::vector<ToolContact> contacts = find_contacts(pose, tool.cutting, parts, -within_mm);
+    const auto deepest = std::ranges::max_element(contacts, {}, &ToolContact::excess_mm);
+    if (deepest != contacts.end()) return normal_at(*deepest, deepest->excess_mm - within_mm, pose, tool.cutting);
+  }
+  return std::nullopt;
+}
+
+class Measurer {
+ public:
+  Measurer(const TiltJob& job, TiltRun& run) : job_(job), run_(run), tool_(*job.tools[run.tool]) {}
+
+  void run() {
+    std::vector<std::optional<Vec3>> normals(run_.positions.size());
+    for_each_chunk(normals.size(), 4, job_.checker.options().threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        TiltPosition& at = run_.positions[i];
+        at.tolerance_share = share_at(at.programmed);
+        if (at.kind != MoveKind::rapid) normals[i] = contact_normal(at.programmed, tool_, job_.checker.scene().parts);
+      }
+    });
+    set_pivots(normals);
+    set_directions();
+  }
+
+ private:
+  [[nodiscard]] double share_at(const Pose& pose) const {
+    const double tolerance = job_.checker.options().tolerance_mm;
+    const auto is_enough = [&](double share) {
+      return largest_excess(pose, tool_.cutting, job_.checker.scene(), share * tolerance, kAccuracy_mm) <= 0;
+    };
+    const auto found = std::ranges::find_if(kShares, is_enough);
+    return found == kShares.end() ? kShares.back() : *found;
+  }
+
+  /// Where the cutter touches nothing, the nearest contact of the run is kept to: else the tip would leap where one
+  /// begins or ends.
+  void set_pivots(const std::vector<std::optional<Vec3>>& normals) {
+    const std::size_t count = normals.size();
+    std::vector<std::size_t> nearest(count, kNone);
+    const auto spread = [&](std::size_t i, std::size_t& last) {
+      if (normals[i]) last = i;
+      const auto away = [&](std::size_t k) {
+        return k == kNone ? 1e300 : std::abs(run_.positions[i].way_mm - run_.positions[k].way_mm);
+      };
+      if (away(last) < away(nearest[i])) nearest[i] = last;
+    };
+    std::size_t last = kNone;
+    for (std::size_t i = 0; i < count; ++i) spread(i, last);
+    last = kNone;
+    for (std::size_t i = count; i-- > 0;) spread(i, last);
+    for (std::size_t i = 0; i < count; ++i) {
+      TiltPosition& at = run_.positions[i];
+      at.pivot = nearest[i] == kNone ? ContactPivot(at.programmed)
+                                     : ContactPivot(at.programmed, tool_.cutting, *normals[nearest[i]]);
+    }
+  }
+
+  /// Turned no more than the axis turns; for lead or side alone along the feed.
+  void set_directions() {
+    std::vector<TiltPosition>& all = run_.positions;
+    Vec3 first = all.front().programmed.axis.unitOrthogonal();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const Vec3& axis = all[i].programmed.axis;
+      const Vec3& before = all[i > 0 ? i - 1 : 0].programmed.axis;
+      first = Eigen::Quaterniond::FromTwoVectors(before, axis) * first;
+      if (job_.options.freedom != TiltFreedom::both) {
+        const Vec3 feed = all[std::min(i + 1, all.size() - 1)].programmed.tip - all[i > 0 ? i - 1 : 0].programmed.tip;
+        const Vec3 across = feed - feed.dot(axis) * axis;
+        if (across.norm() > 1e-3 * feed.norm() && across.norm() > 1e-6) first = across;
+      }
+      first = (first - first.dot(axis) * axis).normalized();
+      all[i].first = first;
+      all[i].second = axis.cross(first);
+    }
+  }
+
+  const TiltJob& job_;
+  TiltRun& run_;
+  const ToolVariants& tool_;
+};
+
+}  // namespace
+
+std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted, double way_mm) {
+  std::vector<bool> is_near = is_wanted;
+  double away = 1e300;
+  const auto length = [&](std::size_t i) { return motion_of(path, i, RapidMode::straight).path_length_mm(0, 1, 0); };
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (is_wanted[i]) away = 0;
+    if (!path.moves[i].has_start) away = is_wanted[i] ? 0 : 1e300;
+    if (is_wanted[i] || away > way_mm) continue;
+    is_near[i] = true;
+    away += length(i);
+  }
+  away = 1e300;
+  for (std::size_t i = path.moves.size(); i-- > 0;) {
+    if (is_wanted[i]) {
+      away = 0;
+    } else if (away <= way_mm) {
+      is_near[i] = true;
+      away += path.moves[i].has_start ? length(i) : 1e300;
+    }
+    if (!path.moves[i].has_start) away = 1e300;
+  }
+  return is_near;
+}
+
+std::vector<TiltRun> find_tilt_runs(const TiltJob& job, double spacing_mm) {
+  const std::vector<bool> is_near = moves_near(job.path, job.is_wanted, job.options.blend_mm);
+  const std::vector<Move>& moves = job.path.moves;
+  std::vector<TiltRun> runs;
+  for (std::size_t first = 0, last = 0; first < moves.size(); first = last) {
+    last = first + 1;
+    if (!is_tiltable(job, first)) continue;
+    const auto continues = [&](std::size_t i) {
+      return moves[i].has_start && is_tiltable(job, i) && moves[i].tool == moves[first].tool;
+    };
+    bool is_any = job.is_wanted[first];
+    for (; last < moves.size() && continues(last); ++last) is_any = is_any || job.is_wanted[last];
+    if (is_any) Chain(job, first, last, is_near, spacing_mm).add_runs(runs);
+  }
+  for (TiltRun& run : runs) Measurer(job, run).run();
+  return runs;
+}
+
+}  // namespace gouge

@@ -1,0 +1,157 @@
+#include "lib/tilt/tilt_space.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "lib/contact/contacts.h"
+#include "lib/path/path_info.h"
+#include "lib/tool/evaluate.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kAir_mm = 2e-3;  // shank and holder keep so much more than asked: motions bend between positions
+constexpr double kAccuracy_mm = 2e-4;
+constexpr double kSurely_mm = 1e-6;  // beyond rounding
+constexpr double kAnyGap_mm = 1e6;   // how deep a gouge is does not matter
+constexpr std::size_t kMostRefusing = 24;
+constexpr int kMostRaises = 12;
+constexpr double kLimitMargin_rad = 2e-4;  // positions keep so much of the limits for what lies between them
+constexpr double kSure_rad = 1e-7;
+constexpr int kMostHalvings = 24;
+constexpr double kOnTheSpot_mm = 1e-6;
+// Of the tolerance, for the motions between positions: what is left is for the digits of the file.
+constexpr double kMotionShare = 0.8, kMostShare = 0.97;
+
+}  // namespace
+
+Vec3 TiltPosition::axis_for(const Tilt& tilt) const {
+  const double angle = tilt.norm();
+  if (!(angle > 0)) return programmed.axis;
+  const Vec3 towards = (tilt.x() * first + tilt.y() * second) / angle;
+  return (std::cos(angle) * programmed.axis + std::sin(angle) * towards).normalized();
+}
+
+TiltSpace::TiltSpace(std::vector<TiltPosition> positions, const TiltTask& task)
+    : positions_(std::move(positions)), task_(task) {}
+
+CheckOptions TiltSpace::options_for(double tolerance_share) const {
+  CheckOptions options = task_.checker->options();
+  options.tolerance_mm *= tolerance_share;
+  options.near_miss_mm = 0;
+  return options;
+}
+
+std::optional<Pose> TiltSpace::pose(std::size_t i, const Tilt& tilt) const {
+  const TiltPosition& at = positions_[i];
+  if (!(tilt.norm() > 0)) return at.programmed;
+  Pose pose{at.programmed.tip, at.axis_for(tilt)};
+  pose.tip = at.pivot.tip_for(pose.axis);
+  if (!task_.may_raise) return pose;
+  const double aim = at.tolerance_share * task_.checker->options().tolerance_mm;
+  double raised_mm = 0;
+  for (int k = 0; k < kMostRaises; ++k) {
+    const double excess = largest_excess(pose, task_.tool->cutting, task_.checker->scene(), aim, kAccuracy_mm);
+    if (excess <= 0) return pose;
+    raised_mm += excess + kAccuracy_mm;
+    if (raised_mm > task_.options.max_raise_mm) return std::nullopt;
+    pose.tip += (excess + kAccuracy_mm) * at.pivot.normal();
+  }
+  return std::nullopt;
+}
+
+bool TiltSpace::is_refused(const Pose& pose, const CheckOptions& options, RefusingPoints& refusing) const {
+  const double allowed = options.tolerance_mm + options.resolution_mm + kSurely_mm;
+  const auto found = std::ranges::find_if(refusing, [&](const Witness& in) {
+    const CompiledTool& tool = in.against == Against::part ? task_.tool->against_part : task_.tool->against_fixture;
+    return signed_distance_mm(tool, pose, in.point) < -allowed;
+  });
+  if (found == refusing.end()) return false;
+  std::rotate(refusing.begin(), found, found + 1);
+  return true;
+}
+
+bool TiltSpace::is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusing) const {
+  const TiltPosition& at = positions_[i];
+  if (tilt.norm() > task_.options.max_tilt_rad - kLimitMargin_rad) return false;
+  const auto& cone = task_.options.cone;
+  if (cone && angle_between_rad(at.axis_for(tilt), cone->axis) > cone->half_angle_rad - kLimitMargin_rad) return false;
+  const std::optional<Pose> pose = this->pose(i, tilt);
+  if (!pose) return false;
+  CheckOptions options = options_for(at.tolerance_share);
+  if (refusing != nullptr && is_refused(*pose, options, *refusing)) return false;
+  options.near_miss_mm = kAir_mm;
+  options.gouge_gap_mm = kAnyGap_mm;
+  // From an end of the run, which is outside, clean motions lead to every position of a proven sequence.
+  const MoveVerdict verdict = task_.checker->check(Motion(*pose), at.kind, *task_.tool, options, true);
+  const bool is_of_tool = verdict.witness && verdict.witness->body != Body::head;
+  if (refusing != nullptr && verdict.state == MoveState::gouge && is_of_tool) {
+    refusing->insert(refusing->begin(), *verdict.witness);
+    if (refusing->size() > kMostRefusing) refusing->pop_back();
+  }
+  return verdict.state == MoveState::clean;
+}
+
+bool TiltSpace::may_turn(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const {
+  const TiltOptions& limits = task_.options;
+  if (std::isinf(limits.max_turn_rad_per_mm) && std::isinf(limits.max_turn_step_rad)) return true;
+  const double turn = angle_between_rad(positions_[i].axis_for(from), positions_[k].axis_for(to));
+  const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[k].programmed.axis);
+  const double way_mm = positions_[k].way_mm - positions_[i].way_mm;
+  const double allowed =
+      std::min(limits.max_turn_step_rad, limits.max_turn_rad_per_mm * std::max(way_mm, kOnTheSpot_mm));
+  return turn <= std::max(allowed, programmed);
+}
+
+bool TiltSpace::stays_within_limits(std::size_t i, const Pose& from, std::size_t k, const Pose& to) const {
+  const Motion programmed(positions_[i].programmed, positions_[k].programmed), tilted(from, to);
+  const TiltOptions& limits = task_.options;
+  // Between two instants an angle between axes is at most the mean of both and of what the axes turn.
+  const auto stays = [&](const auto& self, double t0, double t1, int level) -> bool {
+    const double turn = (t1 - t0) * (programmed.angle_rad() + tilted.angle_rad());
+    const Vec3 a0 = tilted.at(t0).axis, a1 = tilted.at(t1).axis;
+    const auto is_within = [&](double angle0, double angle1, double limit) {
+      return 0.5 * (angle0 + angle1 + turn) <= limit + kSure_rad;
+    };
+    const double tilt0 = angle_between_rad(a0, programmed.at(t0).axis),
+                 tilt1 = angle_between_rad(a1, programmed.at(t1).axis);
+    bool is_sure = is_within(tilt0, tilt1, limits.max_tilt_rad);
+    double most = std::max(tilt0, tilt1) - limits.max_tilt_rad;
+    if (limits.cone) {
+      const double off0 = angle_between_rad(a0, limits.cone->axis), off1 = angle_between_rad(a1, limits.cone->axis);
+      is_sure = is_sure && is_within(off0, off1, limits.cone->half_angle_rad);
+      most = std::max({most, off0 - limits.cone->half_angle_rad, off1 - limits.cone->half_angle_rad});
+    }
+    if (is_sure) return true;
+    if (most > kSure_rad || level == kMostHalvings) return false;
+    const double middle = 0.5 * (t0 + t1);
+    return self(self, t0, middle, level + 1) && self(self, middle, t1, level + 1);
+  };
+  return stays(stays, 0, 1, 0);
+}
+
+bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const {
+  const auto is_untilted = [](const Tilt& tilt) { return !(tilt.norm() > 0); };
+  if (is_untilted(from) && is_untilted(to)) {
+    const auto first = positions_.begin() + static_cast<std::ptrdiff_t>(i),
+               last = first + static_cast<std::ptrdiff_t>(k - i);
+    return std::all_of(first + 1, last + 1, [](const TiltPosition& p) { return p.is_reached_clean; });
+  }
+  if (!may_turn(i, from, k, to)) return false;
+  const std::optional<Pose> start = pose(i, from), end = pose(k, to);
+  if (!start || !end) return false;
+  const Motion motion(*start, *end);
+  if (!motion.is_defined() || !stays_within_limits(i, *start, k, *end)) return false;
+  return std::ranges::any_of(std::array{kMotionShare, kMostShare}, [&](double share) {
+    return task_.checker->is_clean(motion, positions_[k].kind, *task_.tool, options_for(share), true);
+  });
+}
+
+MoveVerdict TiltSpace::verdict(std::size_t i, const Tilt& tilt) const {
+  const std::optional<Pose> at = pose(i, tilt);
+  return task_.checker->measure(at.value_or(positions_[i].programmed), positions_[i].kind, *task_.tool);
+}
+
+}  // namespace gouge

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "lib/certify/motion_checker.h"
+#include "lib/tilt/contact_pivot.h"
+#include "lib/tilt/tilt_options.h"
+
+namespace gouge {
+
+/// By how much a tool axis is tilted, rad: about the square of TiltPosition::second towards the first, as x, and towards
+/// the second, as y. Its length is the angle from the programmed axis.
+using Tilt = Vec2;
+
+/// A position of a run whose tool axis may be tilted: the end of a move, or an instant of it.
+struct TiltPosition {
+  std::size_t move = 0;  ///< of the path
+  double t = 1;          ///< instant of that move; 1: its end
+  double way_mm = 0;     ///< of the tip from the run's beginning, and 10 mm for each radian that the axis turns
+  MoveKind kind = MoveKind::feed;
+  Pose programmed;
+  Vec3 first = Vec3::UnitX(), second = Vec3::UnitY();  ///< unit, square to the axis and to each other
+  ContactPivot pivot{Pose{}};
+  double tolerance_share = 0;     ///< of the tolerance: how deep the cutter may be in the part here
+  bool is_reached_clean = false;  ///< the programmed motion from the position before is clean
+
+  [[nodiscard]] Vec3 axis_for(const Tilt& tilt) const;
+};
+
+/// What every tilt of a run is held against.
+struct TiltTask {
+  const ToolVariants* tool = nullptr;
+  const MotionChecker* checker = nullptr;
+  TiltOptions options;
+  /// The tip rises off the part where the tilted cutter would gouge it.
+  bool may_raise = false;
+};
+
+/// Points of the part and the fixtures that were in the tool at tilts that were refused. Most are in it at others too,
+/// which is seen at once; what is found is the same without.
+using RefusingPoints = std::vector<Witness>;
+
+/// Which tilts are free at the positions of a run, and which turns between them. It answers the same whoever asks, from
+/// any thread.
+class TiltSpace {
+ public:
+  /// What `task` refers to must outlive it.
+  TiltSpace(std::vector<TiltPosition> positions, const TiltTask& task);
+
+  [[nodiscard]] std::size_t size() const { return positions_.size(); }
+  [[nodiscard]] const TiltPosition& operator[](std::size_t i) const { return positions_[i]; }
+  [[nodiscard]] const TiltTask& task() const { return task_; }
+
+  /// Where the tool stands: the contact kept, and raised where it must be and may. Without tilt as programmed, bit for
+  /// bit. Nothing where raising does not help.
+  [[nodiscard]] std::optional<Pose> pose(std::size_t i, const Tilt& tilt) const;
+
+  /// Whether the tool is certified free there, with a margin for the motions beside it, and within the limits.
+  /// `refusing`, where given, is asked first and learns.
+  [[nodiscard]] bool is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusing = nullptr) const;
+
+  /// Whether the motion from position i with one tilt to position k > i with another is certified clean and within the
+  /// limits at every instant. Requires that both are free or programmed.
+  [[nodiscard]] bool is_free_between(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
+
+  /// Whether the axis may turn so far on that way.
+  [[nodiscard]] bool may_turn(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
+
+  /// What is in the way of the tool at a tilt, and how deep.
+  [[nodiscard]] MoveVerdict verdict(std::size_t i, const Tilt& tilt) const;
+
+ private:
+  [[nodiscard]] bool stays_within_limits(std::size_t i, const Pose& from, std::size_t k, const Pose& to) const;
+  [[nodiscard]] CheckOptions options_for(double tolerance_share) const;
+  [[nodiscard]] bool is_refused(const Pose& pose, const CheckOptions& options, RefusingPoints& refusing) const;
+
+  std::vector<TiltPosition> positions_;
+  TiltTask task_;
+};
+
+}  // namespace gouge
