@@ -1,13 +1,10 @@
 #include "lib/correct/correct_path.h"
 
 #include <algorithm>
-#include <memory>
 
-#include "lib/correct/keep_arcs.h"
 #include "lib/correct/laws.h"
-#include "lib/correct/path_corrector.h"
 #include "lib/correct/plan_holes.h"
-#include "lib/correct/straighten.h"
+#include "lib/correct/proposer.h"
 
 namespace gouge {
 namespace {
@@ -15,80 +12,6 @@ namespace {
 constexpr int kRounds = 6;  // in which what is worse is taken back, before everything is
 constexpr const char* kLeftForLaws = "a change here would make a move of the written file worse";
 constexpr const char* kUnwritable = "the file's records do not allow this change: ";
-
-/// Proposes for a path whose curves become straight moves where they must.
-class Proposer {
- public:
-  Proposer(const Toolpath& path, const CheckResult& result, const CheckSetup& setup, const CorrectOptions& correct)
-      : path_(path), result_(result), tools_(setup.tools), checker_(setup), correct_(correct) {
-    if (correct.rewritable != nullptr) can_keep_arc_ = correct.rewritable->arc;
-    if (correct.rewritable != nullptr) can_split_ = correct.rewritable->split;
-    can_split_.resize(path.moves.size(), false);
-    straight_ = straighten(path, result, tools_, checker_);
-    corrector_ = std::make_unique<PathCorrector>(straight_ ? straight_->path : path,
-                                                 straight_ ? straight_->result : result, tools_, checker_, correct);
-    holes_ = plan_holes(path, result, tools_, checker_, correct);
-  }
-
-  Correction propose(const ProgressCall& progress) {
-    Correction correction = corrector_->propose(progress);
-    if (straight_) {
-      correction = restore_curves(*straight_, path_, result_, std::move(correction));
-      if (!can_keep_arc_.empty()) keep_arcs({path_, tools_, checker_, correct_, can_keep_arc_, can_split_}, correction);
-    }
-    add_holes(correction);
-    return correction;
-  }
-
-  /// What was proposed as an arc becomes straight from now on. False where it was not.
-  [[nodiscard]] bool give_up_arc(const std::vector<PathChange>& changes, std::size_t move) {
-    const bool was_arc = std::any_of(changes.begin(), changes.end(),
-                                     [move](const PathChange& c) { return c.move == move && c.has_arc(); });
-    if (was_arc) can_keep_arc_[move] = false;
-    return was_arc;
-  }
-
-  void keep(std::size_t move, const std::string& reason) {
-    std::erase_if(holes_, [move](const HolePlan& hole) { return move + 1 >= hole.first && move <= hole.last; });
-    if (!straight_) return corrector_->keep(move, reason);
-    const std::vector<std::size_t>& origin = straight_->origin;
-    for (auto piece = std::lower_bound(origin.begin(), origin.end(), move); piece != origin.end() && *piece == move;
-         ++piece)
-      corrector_->keep(static_cast<std::size_t>(piece - origin.begin()), reason);
-  }
-
-  void keep_all(const std::string& reason) {
-    for (std::size_t i = 0; i < path_.moves.size(); ++i) keep(i, reason);
-  }
-
- private:
-  void add_holes(Correction& correction) const {
-    for (const HolePlan& hole : holes_) {
-      const auto is_of_it = [&hole](const auto& thing) { return thing.move >= hole.first && thing.move < hole.last; };
-      if (std::any_of(correction.changes.begin(), correction.changes.end(), is_of_it)) continue;
-      PathChange change;
-      change.move = hole.first;
-      change.hole_shift_mm = hole.shift_mm;
-      correction.changes.push_back(change);
-      correction.records.push_back(
-          {hole.first, Strategy::axis, false, hole.shift_mm, hole.depth_before_mm, hole.depth_after_mm, 1});
-      std::erase_if(correction.uncorrected, is_of_it);
-    }
-    const auto by_move = [](const auto& a, const auto& b) { return a.move < b.move; };
-    std::stable_sort(correction.changes.begin(), correction.changes.end(), by_move);
-    std::stable_sort(correction.records.begin(), correction.records.end(), by_move);
-  }
-
-  const Toolpath& path_;
-  const CheckResult& result_;
-  const std::vector<const ToolVariants*>& tools_;
-  MotionChecker checker_;
-  const CorrectOptions& correct_;
-  std::vector<HolePlan> holes_;
-  std::vector<bool> can_keep_arc_, can_split_;
-  std::optional<StraightenedPath> straight_;
-  std::unique_ptr<PathCorrector> corrector_;
-};
 
 /// Where nothing says which change cannot be written: those of the line named.
 std::vector<std::size_t> moves_of_line(const Toolpath& path, const std::vector<PathChange>& changes, std::size_t line) {
@@ -135,13 +58,13 @@ std::vector<Uncorrected> list_remaining(const Toolpath& path, const CheckResult&
 
 Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
                         const CorrectOptions& correct, const ProgressCall& progress) {
-  return Proposer(toolpath, result, setup, correct).propose(progress);
+  return Proposer(toolpath, result, setup, correct, progress).propose(progress);
 }
 
 Result<LawfulCorrection> correct_lawfully(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
                                           const CorrectOptions& correct, const RewritePath& rewrite,
                                           const ProgressCall& progress) {
-  Proposer proposer(toolpath, result, setup, correct);
+  Proposer proposer(toolpath, result, setup, correct, progress);
   for (int round = 0;; ++round) {
     Correction correction = proposer.propose(progress);
     Result<Toolpath> changed = rewrite(correction.changes);

@@ -9,6 +9,7 @@
 #include "lib/certify/check.h"
 #include "lib/correct/correct_pose.h"
 #include "lib/path/path_change.h"
+#include "lib/tilt/tilt_options.h"
 
 // Takes a path out of its gouges and makes nothing worse. What proves that is not the search for the changes: the
 // written file is read and checked again like any other, and a change that does not hold its own there is not made.
@@ -16,7 +17,9 @@
 namespace gouge {
 
 struct CorrectOptions {
-  Strategy strategy = Strategy::weighted;
+  BodyStrategies strategies;
+  TiltOptions tilt;
+  bool may_add_axes = false;  ///< to a file that states none: it runs on machines of three axes
   double max_shift_mm = 20;
   std::optional<double> max_side_shift_mm;  ///< none: kSideShiftsPerDepth times the depth (free_pose.h)
   double rapid_clearance_mm = 1;  ///< how far a rapid that must change keeps off, where there is room; at least 0
@@ -32,6 +35,7 @@ struct ChangeRecord {
   double depth_before_mm = 0;    ///< at the position (inserted: of the motion there)
   double depth_after_mm = 0;
   int iterations = 0;
+  double tilt_rad = 0;  ///< between the axis as it was there and as it is
 };
 
 /// A move that still gouges, or is buried, and why.
@@ -52,12 +56,13 @@ struct Correction {
 /// was.
 ///
 /// Requires `result` from check() with the same path and setup.
-/// Ensures  (1) only positions at the ends of gouging moves are moved, and only when they are themselves too deep.
-///          (2) no position moves further than max_shift, nor further than max_side_shift across the tool axis; the
-///          tool axis of a position is never changed.
+/// Ensures  (1) But for tilts only positions at the ends of gouging moves are moved, and only when they are themselves
+///          too deep; none further than max_shift, nor further than max_side_shift across the tool axis.
+///          (2) The tool axis changes in the runs of lib/tilt alone: about moves of which a body gouges whose strategy
+///          is to tilt.
 ///          (3) the same proposal at any number of threads.
-/// Source   thesis 5.3 (weighted, iterated); lifting, inserting and taking back are ours:
-///          docs/algorithms/correction.md.
+/// Source   thesis 5.3 (weighted, iterated); tilting, lifting, inserting and taking back are ours:
+///          docs/algorithms/correction.md, docs/algorithms/tilting.md.
 [[nodiscard]] Correction correct_path(const Toolpath& toolpath, const CheckResult& result, const CheckSetup& setup,
                                       const CorrectOptions& correct, const ProgressCall& progress = {});
 

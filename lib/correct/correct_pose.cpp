@@ -14,7 +14,10 @@ constexpr double kMargin_mm = 2e-3;  // how much further than asked the weighted
 
 }  // namespace
 
-const char* strategy_name(Strategy strategy) { return strategy == Strategy::weighted ? "weighted" : "axis"; }
+const char* strategy_name(Strategy strategy) {
+  constexpr std::array kNames = {"weighted", "axis", "tilt"};
+  return kNames.at(static_cast<std::size_t>(strategy));
+}
 
 std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool, const MotionChecker& checker,
                                               const PoseLimits& limits) {

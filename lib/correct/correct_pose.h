@@ -1,17 +1,28 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
 #include "lib/certify/motion_checker.h"
-#include "lib/correct/contacts.h"
+#include "lib/contact/contacts.h"
 
-// Strategies that bring one pose out of the surface by moving the tip; the tool axis stays as it is.
+// Strategies that bring one pose out of the surface by moving the tip; the tool axis stays as it is. Tilts are of runs of
+// positions (lib/tilt); what no tilt frees is lifted along the axis.
 
 namespace gouge {
 
-enum class Strategy { weighted, axis };
+enum class Strategy { weighted, axis, tilt };
 [[nodiscard]] const char* strategy_name(Strategy strategy);
+
+/// Which strategy cures a gouge of which body.
+struct BodyStrategies {
+  /// The least change that works: a cutter is shifted, what is above it is tilted away.
+  std::array<Strategy, 4> of = {Strategy::weighted, Strategy::tilt, Strategy::tilt, Strategy::tilt};
+
+  [[nodiscard]] Strategy operator[](Body body) const { return of[static_cast<std::size_t>(body)]; }
+  [[nodiscard]] static BodyStrategies all(Strategy strategy) { return {{strategy, strategy, strategy, strategy}}; }
+};
 
 struct PoseLimits {
   CorrectionAim aim;             ///< what must be met at the end

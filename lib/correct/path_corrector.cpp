@@ -120,6 +120,22 @@ void PathCorrector::choose_positions() {
   }
 }
 
+/// Of the body that a move gouges with.
+Strategy PathCorrector::strategy_of(std::size_t i) const {
+  const MoveVerdict& verdict = result_.verdicts[i];
+  return correct_.strategies[verdict.witness ? verdict.witness->body : Body::cutter];
+}
+
+/// Of the deeper gouge beside a position.
+Strategy PathCorrector::strategy_at(std::size_t i) const {
+  const auto depth = [this](std::size_t move) {
+    const MoveVerdict& verdict = result_.verdicts[move];
+    return verdict.state == MoveState::gouge ? verdict.depth_mm : -1;
+  };
+  const bool has_next = i + 1 < path_.moves.size() && is_chained(i + 1);
+  return strategy_of(has_next && depth(i + 1) > depth(i) ? i + 1 : i);
+}
+
 void PathCorrector::correct_position(std::size_t i) {
   PositionWork& work = positions_[i];
   work.is_worked = true;
@@ -138,7 +154,7 @@ void PathCorrector::correct_position(std::size_t i) {
   work.failure = reason_to_leave(i);
   if (!work.failure.empty()) return;
   const auto freed = [&](const PoseLimits& limits) {
-    return free_pose(correct_.strategy, move.end, work.depth_before_mm, move.kind, tool, checker_, limits,
+    return free_pose(strategy_at(i), move.end, work.depth_before_mm, move.kind, tool, checker_, limits,
                      correct_.max_side_shift_mm);
   };
   FreedPose found;
@@ -204,7 +220,7 @@ BridgeTask PathCorrector::task_of(std::size_t i) const {
   task.options.near_miss_mm = state == MoveState::clean ? options_.near_miss_mm : 0;
   task.options.tolerance_mm = kBridgeShare * options_.tolerance_mm;
   task.limits = limits_for(*task.tool);
-  task.strategy = correct_.strategy;
+  task.strategy = strategy_of(i);
   task.rapid_clearance_mm = correct_.rapid_clearance_mm;
   task.largest_side_mm = correct_.max_side_shift_mm;
   task.keeps_to_mm = options_.tolerance_mm;

@@ -48,6 +48,8 @@ class PathCorrector {
   [[nodiscard]] bool has_new_end(std::size_t i) const;
   void choose_positions();
   void correct_position(std::size_t i);
+  [[nodiscard]] Strategy strategy_of(std::size_t i) const;
+  [[nodiscard]] Strategy strategy_at(std::size_t i) const;
   void choose_moves();
   void bridge_move(std::size_t i);
   [[nodiscard]] PoseLimits limits_for(const ToolVariants& tool) const;

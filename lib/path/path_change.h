@@ -45,6 +45,7 @@ struct PathChange {
 struct RewritableMoves {
   std::vector<bool> arc;    ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
   std::vector<bool> split;  ///< and PathChange::inserted_arcs: the arc can become several
+  bool has_axes = false;    ///< the file states tool axes
   std::vector<bool> hole;   ///< PathChange::hole_shift_mm can be written; true for the first move of a hole alone
 };
 

@@ -1,5 +1,7 @@
 #include "postproc/cldata/rewriting/rewritable_moves.h"
 
+#include <algorithm>
+
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/dialect.h"
 
@@ -25,6 +27,14 @@ bool is_shiftable(const Toolpath& path, const std::vector<MotionRecord>& records
   return !is_step_next && !is_arc_next;
 }
 
+bool states_axes(const Toolpath& path, const std::vector<MotionRecord>& records) {
+  constexpr std::size_t kPointAndAxis = 6;
+  const bool is_any_tilted = std::any_of(path.moves.begin(), path.moves.end(),
+                                         [](const Move& move) { return !move.end.axis.isApprox(Vec3::UnitZ(), 1e-9); });
+  return is_any_tilted || std::any_of(records.begin(), records.end(),
+                                      [](const MotionRecord& record) { return record.numbers >= kPointAndAxis; });
+}
+
 }  // namespace
 
 RewritableMoves rewritable_moves(const Toolpath& path) {
@@ -35,7 +45,9 @@ RewritableMoves rewritable_moves(const Toolpath& path) {
 RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read, const ArcText& arcs) {
   const std::vector<MotionRecord>& records = read.of_move;
   const std::vector<bool> none(records.size(), false);
-  RewritableMoves can{none, none, none};
+  RewritableMoves can;
+  can.arc = can.split = can.hole = none;
+  can.has_axes = form_of(path.dialect) == FileForm::nccs_records || states_axes(path, records);
   if (form_of(path.dialect) != FileForm::text) return can;
   for (std::size_t first = 0, last = 0; first < records.size(); first = last) {
     last = first + 1;

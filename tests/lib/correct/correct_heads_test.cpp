@@ -39,6 +39,7 @@ Correction propose(const Case& c, const std::vector<HeadBody>& heads) {
   const Toolpath path = paths::through(c.poses);
   CorrectOptions correct;
   correct.max_shift_mm = c.max_shift_mm;
+  correct.strategies = BodyStrategies::all(Strategy::weighted);
   const OwnSetup own(&kTool, scene, {}, heads);
   return correct_path(path, gouge::check(path, own.setup), own.setup, correct);
 }

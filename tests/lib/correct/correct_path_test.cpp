@@ -92,7 +92,7 @@ Case two_dips() {
 TEST(CorrectPath, ChangesTheTwoDipsAndNothingElse) {
   for (const Strategy strategy : {Strategy::weighted, Strategy::axis}) {
     Case c = two_dips();
-    c.correct.strategy = strategy;
+    c.correct.strategies = BodyStrategies::all(strategy);
     const Correction correction = propose(c);
     EXPECT_EQ(changed_moves(correction), (std::set<std::size_t>{4, 9}));
     for (const PathChange& change : correction.changes) EXPECT_TRUE(change.inserted_before.empty());
@@ -220,6 +220,7 @@ TEST(CorrectPath, AToleranceOf0GetsCleanToo) {
 TEST(CorrectPath, AnEnteredClearanceGetsCleanToo) {
   // The holder (16 mm, from z = 50) must stay 1 mm from a wall at x = 17.2; one position is too near.
   Case c;
+  c.correct.strategies = BodyStrategies::all(Strategy::weighted);
   c.tool = tools::variants(tools::assembly(BallCutter{10, 30}), 0, 0, 1);
   c.options.holder_clearance_mm = 1;
   c.scene.parts = {shapes::box(Vec3(-30, -60, -20), Vec3(12, 60, 0)),
@@ -319,6 +320,7 @@ TEST(CorrectPath, OneAndTwoThreadsProposeTheSameBits) {
 // the shifted start to the end the ball would cut a second pin, beside the programmed motion, less deep than the first.
 TEST(CorrectPath, CutsNothingNewOnAMoveThatStaysAGouge) {
   Case c;
+  c.correct.strategies = BodyStrategies::all(Strategy::weighted);
   c.tool = tools::ball(6);
   const IndexedMesh pin = shapes::box({20, 3.05, -1}, {21, 3.6, 50});
   c.scene.parts = {shapes::box({-30, -30, -20}, {90, 30, 0}), shapes::box({-3, -20, -1}, {3, -2, 60}),

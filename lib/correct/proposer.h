@@ -1,0 +1,55 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lib/correct/path_corrector.h"
+#include "lib/correct/plan_holes.h"
+#include "lib/correct/reworked_path.h"
+#include "lib/tilt/plan_tilts.h"
+
+namespace gouge {
+
+/// Proposes changes of a path, one kind upon the other: curves that must change become chords, runs are tilted, positions
+/// of what then still gouges are shifted, arcs come back where they can, and holes are lifted.
+class Proposer {
+ public:
+  /// All must outlive it.
+  Proposer(const Toolpath& path, const CheckResult& result, const CheckSetup& setup, const CorrectOptions& correct,
+           const ProgressCall& progress);
+
+  Correction propose(const ProgressCall& progress);
+
+  /// What was proposed as an arc becomes straight from now on. False where it was not.
+  [[nodiscard]] bool give_up_arc(const std::vector<PathChange>& changes, std::size_t move);
+
+  /// Where the move is of a tilted run, that run is tilted no more; else the move stays as it is.
+  void keep(std::size_t move, const std::string& reason);
+  void keep_all(const std::string& reason);
+
+ private:
+  void plan_tilting(const ProgressCall& progress);
+  void rework();
+  [[nodiscard]] bool give_up_tilt(std::size_t move, const std::string& reason);
+  void keep_pieces(std::size_t move, const std::string& reason);
+  void add_tilts(Correction& correction) const;
+  void add_holes(Correction& correction) const;
+
+  const Toolpath& path_;
+  const CheckResult& result_;
+  const std::vector<const ToolVariants*>& tools_;
+  MotionChecker checker_;
+  const CorrectOptions& correct_;
+  std::vector<HolePlan> holes_;
+  std::vector<bool> can_keep_arc_, can_split_;
+  std::optional<ReworkedPath> straight_;  // curves as chords; none: it has none that must change
+  std::optional<ReworkedPath> tilted_;    // and runs tilted; none: no run is
+  TiltPlan plan_;                         // of the straight path
+  std::unique_ptr<PathCorrector> corrector_;
+  std::vector<std::pair<std::size_t, std::string>> kept_;
+};
+
+}  // namespace gouge

@@ -1,0 +1,111 @@
+#include "lib/correct/reworked_path.h"
+
+#include <algorithm>
+
+namespace gouge {
+
+bool is_curve(const Move& move) {
+  return move.curve_kind != CurveKind::none && move.has_start && move.not_checked_reason.empty();
+}
+
+Toolpath without_moves(const Toolpath& path) {
+  Toolpath bare;
+  bare.file = path.file;
+  bare.tools = path.tools;
+  bare.operations = path.operations;
+  bare.arcs = path.arcs;
+  bare.splines = path.splines;
+  return bare;
+}
+
+void ReworkedPath::add(const Move& move, std::size_t from, bool tilted, const MoveVerdict& verdict) {
+  path.moves.push_back(move);
+  origin.push_back(from);
+  is_tilted.push_back(tilted);
+  result.verdicts.push_back(verdict);
+}
+
+namespace {
+
+constexpr double kSamePose = 1e-9;
+
+bool is_same(const Pose& a, const Pose& b) {
+  return (a.tip - b.tip).cwiseAbs().maxCoeff() <= kSamePose && (a.axis - b.axis).cwiseAbs().maxCoeff() <= kSamePose;
+}
+
+/// A move of the path as it was, with what its pieces became.
+struct Whole {
+  PathChange change;
+  bool is_changed = false, was_curve = false;
+};
+
+// Positions of one statement share the arc that describes them: they stay or go together.
+std::vector<PathChange> chosen_changes(const Toolpath& path, std::vector<Whole> wholes) {
+  const auto shares = [&](std::size_t a, std::size_t b) {
+    return wholes[a].was_curve && wholes[b].was_curve &&
+           path.moves[wholes[a].change.move].statement == path.moves[wholes[b].change.move].statement;
+  };
+  for (std::size_t i = 1; i < wholes.size(); ++i) {
+    const Whole& before = wholes[i - 1];
+    const bool is_start_moved = before.is_changed && before.change.new_end.has_value();
+    if (wholes[i].was_curve && (is_start_moved || (before.is_changed && shares(i - 1, i)))) wholes[i].is_changed = true;
+  }
+  for (std::size_t i = wholes.size(); i-- > 1;) {
+    if (wholes[i].is_changed && shares(i - 1, i)) wholes[i - 1].is_changed = true;
+  }
+  std::vector<PathChange> changes;
+  for (Whole& whole : wholes) {
+    if (whole.is_changed) changes.push_back(std::move(whole.change));
+  }
+  return changes;
+}
+
+}  // namespace
+
+Correction restore_moves(const ReworkedPath& reworked, const Toolpath& path, const CheckResult& result,
+                         Correction correction) {
+  std::vector<const PathChange*> change_of(reworked.path.moves.size(), nullptr);
+  for (const PathChange& change : correction.changes) change_of[change.move] = &change;
+  Correction restored;
+  std::vector<Whole> wholes;
+  for (std::size_t first = 0, last = 0; first < reworked.origin.size(); first = last) {
+    Whole whole;
+    PathChange& all = whole.change;
+    all.move = reworked.origin[first];
+    for (last = first; last < reworked.origin.size() && reworked.origin[last] == all.move; ++last) {
+      const PathChange* change = change_of[last];
+      whole.is_changed = whole.is_changed || change != nullptr || reworked.is_tilted[last];
+      if (change != nullptr) {
+        all.inserted_before.insert(all.inserted_before.end(), change->inserted_before.begin(),
+                                   change->inserted_before.end());
+      }
+      const bool has_new_end = change != nullptr && change->new_end;
+      const Pose& end = has_new_end ? *change->new_end : reworked.path.moves[last].end;
+      const bool is_last = last + 1 == reworked.origin.size() || reworked.origin[last + 1] != all.move;
+      if (!is_last) all.inserted_before.push_back(end);
+      if (is_last && (has_new_end || !is_same(end, path.moves[all.move].end))) all.new_end = end;
+    }
+    whole.was_curve = is_curve(path.moves[all.move]) && reworked.path.moves[first].curve_kind == CurveKind::none;
+    whole.is_changed = whole.is_changed || all.new_end.has_value();
+    all.is_straightened = whole.was_curve;
+    wholes.push_back(std::move(whole));
+  }
+  restored.changes = chosen_changes(path, std::move(wholes));
+  for (ChangeRecord& record : correction.records) {
+    const std::size_t piece = record.move;
+    record.move = reworked.origin[piece];
+    const bool is_within = piece + 1 < reworked.origin.size() && reworked.origin[piece + 1] == record.move;
+    record.is_inserted = record.is_inserted || is_within;
+    restored.records.push_back(record);
+  }
+  for (Uncorrected& left : correction.uncorrected) {
+    left.move = reworked.origin[left.move];
+    const bool is_reported = !restored.uncorrected.empty() && restored.uncorrected.back().move == left.move;
+    if (is_reported) continue;
+    if (result.verdicts[left.move].state == MoveState::gouge) left.depth_mm = result.verdicts[left.move].depth_mm;
+    restored.uncorrected.push_back(left);
+  }
+  return restored;
+}
+
+}  // namespace gouge
