@@ -1,6 +1,5 @@
 #include "cli/correct_command.h"
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <optional>
 #include <ostream>
@@ -8,7 +7,6 @@
 
 #include "cli/axis_facts.h"
 #include "cli/job.h"
-#include "cli/length_text.h"
 #include "cli/outputs.h"
 #include "cli/path_misfit.h"
 #include "cli/print_diagnostics.h"
@@ -26,7 +24,7 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
                          const Toolpath& before, const CheckResult& result, const Toolpath& after) {
   CorrectionFacts facts;
   facts.output_file = arguments.output;
-  facts.strategy = arguments.strategy;
+  facts.strategy = strategies_text(arguments);
   facts.max_shift_mm = options.max_shift_mm;
   facts.max_side_shift_mm = options.max_side_shift_mm;
   facts.rapid_clearance_mm = options.rapid_clearance_mm;
@@ -43,29 +41,15 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   facts.toolpath_before = &before;
   facts.result_before = &result;
   for (const ChangeRecord& r : correction.records) {
-    facts.changes.push_back({r.move, before.moves[r.move].line, r.is_inserted ? "inserted" : strategy_name(r.strategy),
-                             r.shift_mm, r.shift_mm.norm(), r.depth_before_mm, r.depth_after_mm, r.iterations});
+    const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt;
+    facts.changes.push_back({r.move, before.moves[r.move].line,
+                             is_between_shifts ? "inserted" : strategy_name(r.strategy), r.is_inserted, r.shift_mm,
+                             r.shift_mm.norm(), r.tilt_rad, r.depth_before_mm, r.depth_after_mm, r.iterations});
   }
   for (const Uncorrected& u : correction.uncorrected) {
     facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason, u.is_changed});
   }
   return facts;
-}
-
-Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) {
-  CorrectOptions options;
-  options.strategy = arguments.strategy == "axis" ? Strategy::axis : Strategy::weighted;
-  const Result<double> shift = understand_length("--max-shift", arguments.max_shift, Least::above_zero);
-  if (!shift) return shift.error();
-  options.max_shift_mm = *shift;
-  const Result<double> clearance = understand_length("--rapid-clearance", arguments.rapid_clearance, Least::zero);
-  if (!clearance) return clearance.error();
-  options.rapid_clearance_mm = *clearance;
-  if (arguments.max_side_shift.empty()) return options;
-  const Result<double> side_shift = understand_length("--max-side-shift", arguments.max_side_shift, Least::zero);
-  if (!side_shift) return side_shift.error();
-  options.max_side_shift_mm = *side_shift;
-  return options;
 }
 
 class CorrectRun {
@@ -142,46 +126,6 @@ class CorrectRun {
 };
 
 }  // namespace
-
-void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
-  add_job_options(command, arguments.job);
-  command
-      .add_option("-o,--output", arguments.output,
-                  "The corrected toolpath, in the same dialect (- for standard output alone)")
-      ->type_name("FILE")
-      ->required();
-  command
-      .add_option("--strategy", arguments.strategy,
-                  "weighted: shift by the contacts' weighted mean, else along the axis; axis: lift alone")
-      ->check(CLI::IsMember({"weighted", "axis"}))
-      ->capture_default_str();
-  command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command
-      .add_option("--max-side-shift", arguments.max_side_shift,
-                  "Furthest a position may be moved across its tool axis (default: its depth times 2)")
-      ->type_name("LENGTH");
-  command
-      .add_option("--rapid-clearance", arguments.rapid_clearance,
-                  "How far rapids that must change keep off, where there is room within --max-shift")
-      ->type_name("LENGTH")
-      ->capture_default_str();
-  command
-      .add_option("--max-rotary-speed", arguments.max_rotary_speed,
-                  "Report the feed time also for an axis that turns no faster; it changes no correction")
-      ->type_name("DEG/MIN");
-  command.add_flag("--force", arguments.job.is_forced,
-                   "Correct also a path that plainly does not fit the part (units, placement, axis sign); let --report "
-                   "replace and remove files of a report's names that no report wrote, never an input");
-  command.footer(
-      "Example:\n"
-      "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"
-      "The corrected file is read and checked again like any other; records that need no change stay byte for byte.\n"
-      "No move that was clean becomes anything else, none becomes deeper or buried.\n"
-      "Exit status 1: gouges remain, listed with the reason; or the path does not fit the part, and nothing was "
-      "written.");
-}
 
 int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err) {
   const Result<JobOptions> options = understand(arguments.job);

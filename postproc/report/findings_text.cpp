@@ -88,7 +88,7 @@ std::string correction_lines(const ReportModel& model) {
   const std::size_t inserted = inserted_positions(correction);
   double largest_mm = 0;
   for (const CorrectedRecord& change : correction.changes) {
-    if (change.strategy != "inserted") largest_mm = std::max(largest_mm, change.shift_length_mm);
+    if (!change.is_inserted) largest_mm = std::max(largest_mm, change.shift_length_mm);
   }
   const std::size_t moved = correction.changes.size() - inserted;
   std::string text = "corrected: " + count_text(moved, "position") + " moved";

@@ -54,11 +54,13 @@ struct ToolFacts {
 
 /// A record of the toolpath that was changed or added.
 struct CorrectedRecord {
-  std::size_t move = 0;  ///< of the path before the correction
-  std::size_t line = 0;  ///< of the file before the correction
-  std::string strategy;  ///< "weighted", "axis", "inserted"
+  std::size_t move = 0;      ///< of the path before the correction
+  std::size_t line = 0;      ///< of the file before the correction
+  std::string strategy;      ///< "weighted", "axis", "tilt"; of a position inserted for a shift "inserted"
+  bool is_inserted = false;  ///< a position between the programmed ones; else one of these
   Vec3 shift_mm = Vec3::Zero();
   double shift_length_mm = 0;
+  double tilt_rad = 0;
   double depth_before_mm = 0, depth_after_mm = 0;
   int iterations = 0;
 };

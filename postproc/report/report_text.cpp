@@ -71,8 +71,8 @@ const char* unit_words(LengthUnit unit) { return unit == LengthUnit::inch ? "inc
 std::string instant_text(double t) { return people_text(t, 4); }
 
 std::size_t inserted_positions(const CorrectionFacts& correction) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      correction.changes, [](const CorrectedRecord& change) { return change.strategy == "inserted"; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(correction.changes, [](const CorrectedRecord& change) { return change.is_inserted; }));
 }
 
 std::string straightened_text(const CorrectionFacts& correction) {

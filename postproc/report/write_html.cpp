@@ -6,6 +6,7 @@
 
 #include "lib/base/number_text.h"
 #include "postproc/report/axis_html.h"
+#include "postproc/report/axis_text.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
@@ -213,6 +214,7 @@ class HtmlReport {
                      {"Strategy"},
                      {"Shift", "n"},
                      {"Shift vector"},
+                     {"Tilt", "n"},
                      {"Depth before", "n"},
                      {"Depth after", "n"},
                      {"Iterations", "n"}});
@@ -223,6 +225,7 @@ class HtmlReport {
   [[nodiscard]] std::string change_row(const CorrectedRecord& r) const {
     return html_cell(std::to_string(r.line), "n") + html_cell(std::to_string(r.move), "n") + html_cell(r.strategy) +
            html_cell(depth_text(r.shift_length_mm, unit_), "n") + html_cell(lengths_text(r.shift_mm, unit_), "k") +
+           html_cell(r.tilt_rad > 0 ? angle_text(r.tilt_rad, DegreeSign::sign) : "", "n") +
            html_cell(depth_text(r.depth_before_mm, unit_), "n") + html_cell(depth_text(r.depth_after_mm, unit_), "n") +
            html_cell(std::to_string(r.iterations), "n");
   }

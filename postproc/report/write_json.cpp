@@ -298,8 +298,10 @@ class JsonReport {
       changes.push_back({{"move", r.move},
                          {"line", r.line},
                          {"strategy", text(r.strategy)},
+                         {"is_inserted", r.is_inserted},
                          {"shift", lengths(r.shift_mm)},
                          {"shift_length", length(r.shift_length_mm)},
+                         {"tilt_rad", r.tilt_rad},
                          {"depth_before", length(r.depth_before_mm)},
                          {"depth_after", length(r.depth_after_mm)},
                          {"iterations", r.iterations}});

@@ -103,7 +103,7 @@ TEST(CommandLine, ACorrectionReportsHowTheAxisTurns) {
     all.insert(all.end(), options.begin(), options.end());
     return run_gougecheck(sample.path, sample.arguments("correct", sample.toolpath(), all));
   };
-  const Outcome ran = correct(swing, {"--max-rotary-speed", "600"});
+  const Outcome ran = correct(swing, {"--max-rotary-speed", "600", "--strategy", "axis"});
   EXPECT_EQ(ran.exit_status, 0) << ran.err;
   EXPECT_NE(ran.out.find("\naxis turns: up to "), std::string::npos) << ran.out;
   const nlohmann::json report = nlohmann::json::parse(text_of(swing.path + "/result.json"));

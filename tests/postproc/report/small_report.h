@@ -70,8 +70,8 @@ struct SmallReport {
     model.has_correction = true;
     model.correction.output_file = "out.apt";
     model.correction.strategy = "weighted";
-    model.correction.changes = {{1, 11, "weighted", {0, 0, 0.25}, 0.25, 0.25, 0, 3},
-                                {2, 12, "inserted", {0, 0, 0.3}, 0.3, 0.3333, 0, 1}};
+    model.correction.changes = {{1, 11, "weighted", false, {0, 0, 0.25}, 0.25, 0, 0.25, 0, 3},
+                                {2, 12, "inserted", true, {0, 0, 0.3}, 0.3, 0, 0.3333, 0, 1}};
     model.correction.uncorrected = {{4, 14, 0.8, "the shift would exceed 0.5 mm"}};
     model.correction.toolpath_before = &path;
     model.correction.result_before = &result;

@@ -1,0 +1,205 @@
+#include "cli/correct_options.h"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <numbers>
+#include <utility>
+
+#include "cli/length_text.h"
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+constexpr double kMostTilt = 89, kMostCone = 180, kMostTurn = 1e6;
+
+constexpr const char* kExpectedStrategy =
+    "auto, tilt, weighted or axis, for all bodies or after cutter=, shank=, holder= or head= for one";
+
+Result<double> understand_degrees(const std::string& option, const std::string& typed, double most) {
+  const auto value = parse_number(typed);
+  if (value && *value > 0 && *value <= most) return *value * kDegree;
+  return usage_error(option, typed, "degrees above 0 and at most " + people_text(most, 0));
+}
+
+/// The strategy called `name` for `body`; nothing where there is none.
+std::optional<Strategy> strategy_called(const std::string& name, std::size_t body) {
+  if (name == "auto") return BodyStrategies{}.of[body];
+  for (const Strategy strategy : {Strategy::weighted, Strategy::axis, Strategy::tilt}) {
+    if (name == strategy_name(strategy)) return strategy;
+  }
+  return std::nullopt;
+}
+
+Result<BodyStrategies> understand_strategies(const std::vector<std::string>& typed) {
+  constexpr std::array kBodies = {Body::cutter, Body::shank, Body::holder, Body::head};
+  BodyStrategies strategies;
+  for (const std::string& one : typed) {
+    const std::size_t equals = one.find('=');
+    const std::string wanted = equals == std::string::npos ? "" : one.substr(0, equals);
+    const std::string name = equals == std::string::npos ? one : one.substr(equals + 1);
+    bool is_any = false;
+    for (const Body body : kBodies) {
+      if (!wanted.empty() && wanted != body_name(body)) continue;
+      const auto index = static_cast<std::size_t>(body);
+      const auto strategy = strategy_called(name, index);
+      // A cutter that gouges is inside the surface that it shall keep to: no tilt about the contact frees it.
+      if (!strategy || (wanted == "cutter" && *strategy == Strategy::tilt))
+        return usage_error("--strategy", one, strategy ? "weighted or axis for the cutter" : kExpectedStrategy);
+      strategies.of[index] = body == Body::cutter && *strategy == Strategy::tilt ? Strategy::weighted : *strategy;
+      is_any = true;
+    }
+    if (!is_any) return usage_error("--strategy", one, kExpectedStrategy);
+  }
+  return strategies;
+}
+
+Result<AxisCone> understand_cone(const std::string& typed) {
+  const auto wrong = [&] {
+    return usage_error("--axis-cone", typed, "I,J,K,DEGREES: a direction and an angle above 0 and at most 180");
+  };
+  std::array<double, 4> numbers{};
+  std::size_t begin = 0;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const std::size_t end = k + 1 < numbers.size() ? typed.find(',', begin) : typed.size();
+    if (end == std::string::npos) return wrong();
+    const auto value = parse_number(typed.substr(begin, end - begin));
+    if (!value) return wrong();
+    numbers[k] = *value;
+    begin = end + 1;
+  }
+  const Vec3 axis(numbers[0], numbers[1], numbers[2]);
+  if (!(axis.norm() > 1e-6) || !(axis.norm() < 1e6) || !(numbers[3] > 0) || numbers[3] > kMostCone) return wrong();
+  return AxisCone{axis.normalized(), numbers[3] * kDegree};
+}
+
+Result<TiltOptions> understand_tilt(const CorrectArguments& arguments) {
+  TiltOptions tilt;
+  const Result<double> most = understand_degrees("--max-tilt", arguments.max_tilt, kMostTilt);
+  if (!most) return most.error();
+  tilt.max_tilt_rad = *most;
+  if (arguments.tilt == "lead") tilt.freedom = TiltFreedom::lead;
+  if (arguments.tilt == "side") tilt.freedom = TiltFreedom::side;
+  if (!arguments.axis_cone.empty()) {
+    const Result<AxisCone> cone = understand_cone(arguments.axis_cone);
+    if (!cone) return cone.error();
+    tilt.cone = *cone;
+  }
+  if (!arguments.max_turn.empty()) {
+    const Result<double> turn = understand_degrees("--max-turn", arguments.max_turn, kMostTurn);
+    if (!turn) return turn.error();
+    tilt.max_turn_rad_per_mm = *turn;
+  }
+  if (!arguments.max_turn_step.empty()) {
+    const Result<double> step = understand_degrees("--max-turn-step", arguments.max_turn_step, kMostCone);
+    if (!step) return step.error();
+    tilt.max_turn_step_rad = *step;
+  }
+  const Result<double> blend = understand_length("--blend", arguments.blend, Least::above_zero);
+  if (!blend) return blend.error();
+  tilt.blend_mm = *blend;
+  return tilt;
+}
+
+void add_tilt_options(CLI::App& command, CorrectArguments& arguments) {
+  command.add_option("--max-tilt", arguments.max_tilt, "Furthest the tool axis may be tilted from the programmed one")
+      ->type_name("DEG")
+      ->capture_default_str();
+  command
+      .add_option("--tilt", arguments.tilt,
+                  "Which way: lead, forward and back in the feed direction; side, to its sides; both")
+      ->check(CLI::IsMember({"lead", "side", "both"}))
+      ->capture_default_str();
+  command
+      .add_option("--axis-cone", arguments.axis_cone,
+                  "Tilted tool axes stay within DEG of the direction I,J,K: what the machine can reach")
+      ->type_name("I,J,K,DEG");
+  command
+      .add_option("--max-turn", arguments.max_turn, "Fastest the tool axis may turn, unless programmed to turn faster")
+      ->type_name("DEG/MM");
+  command.add_option("--max-turn-step", arguments.max_turn_step, "Furthest the tool axis may turn in one record")
+      ->type_name("DEG");
+  command
+      .add_option("--blend", arguments.blend, "Way of the tip over which a tilt comes and goes, where the path has it")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command.add_flag("--allow-multax", arguments.may_add_axes,
+                   "Tilt also in a file that states no tool axes; it then runs on five axes alone");
+}
+
+}  // namespace
+
+Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) {
+  CorrectOptions options;
+  const Result<BodyStrategies> strategies = understand_strategies(arguments.strategies);
+  if (!strategies) return strategies.error();
+  options.strategies = *strategies;
+  const Result<TiltOptions> tilt = understand_tilt(arguments);
+  if (!tilt) return tilt.error();
+  options.tilt = *tilt;
+  options.may_add_axes = arguments.may_add_axes;
+  const Result<double> shift = understand_length("--max-shift", arguments.max_shift, Least::above_zero);
+  if (!shift) return shift.error();
+  options.max_shift_mm = *shift;
+  const Result<double> clearance = understand_length("--rapid-clearance", arguments.rapid_clearance, Least::zero);
+  if (!clearance) return clearance.error();
+  options.rapid_clearance_mm = *clearance;
+  if (arguments.max_side_shift.empty()) return options;
+  const Result<double> side_shift = understand_length("--max-side-shift", arguments.max_side_shift, Least::zero);
+  if (!side_shift) return side_shift.error();
+  options.max_side_shift_mm = *side_shift;
+  return options;
+}
+
+std::string strategies_text(const CorrectArguments& arguments) {
+  std::string text;
+  for (const std::string& one : arguments.strategies) text += (text.empty() ? "" : ", ") + one;
+  return text.empty() ? "auto" : text;
+}
+
+void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
+  add_job_options(command, arguments.job);
+  command
+      .add_option("-o,--output", arguments.output,
+                  "The corrected toolpath, in the same dialect (- for standard output alone)")
+      ->type_name("FILE")
+      ->required();
+  command
+      .add_option(
+          "--strategy", arguments.strategies,
+          "auto: shift the cutter (weighted), tilt shank, holder and heads away, else lift along the axis; tilt; "
+          "weighted: shift by the contacts' weighted mean, else along the axis; axis: lift alone; or for one "
+          "body: holder=tilt. May be repeated (default: auto)")
+      ->type_name("[BODY=]NAME")
+      ->allow_extra_args(false);
+  command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  command
+      .add_option("--max-side-shift", arguments.max_side_shift,
+                  "Furthest a position may be moved across its tool axis (default: its depth times 2)")
+      ->type_name("LENGTH");
+  command
+      .add_option("--rapid-clearance", arguments.rapid_clearance,
+                  "How far rapids that must change keep off, where there is room within --max-shift")
+      ->type_name("LENGTH")
+      ->capture_default_str();
+  add_tilt_options(command, arguments);
+  command
+      .add_option("--max-rotary-speed", arguments.max_rotary_speed,
+                  "Report the feed time also for an axis that turns no faster; it changes no correction")
+      ->type_name("DEG/MIN");
+  command.add_flag("--force", arguments.job.is_forced,
+                   "Correct also a path that plainly does not fit the part (units, placement, axis sign); let --report "
+                   "replace and remove files of a report's names that no report wrote, never an input");
+  command.footer(
+      "Example:\n"
+      "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"
+      "The corrected file is read and checked again like any other; records that need no change stay byte for byte.\n"
+      "No move that was clean becomes anything else, none becomes deeper or buried.\n"
+      "Exit status 1: gouges remain, listed with the reason; or the path does not fit the part, and nothing was "
+      "written.");
+}
+
+}  // namespace gouge

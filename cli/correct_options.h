@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cli/job_options.h"
+#include "lib/correct/correct_path.h"
+
+namespace gouge {
+
+/// The options of `correct`, as typed.
+struct CorrectArguments {
+  JobArguments job;
+  std::string output;
+  std::vector<std::string> strategies;  ///< "tilt", or "holder=tilt" for one body
+  std::string max_shift = "20";
+  std::string max_side_shift;  ///< empty: by the depth
+  std::string rapid_clearance = "1";
+  std::string max_tilt = "30", tilt = "both", axis_cone, max_turn, max_turn_step, blend = "10";
+  bool may_add_axes = false;
+  std::string max_rotary_speed;  ///< empty: no limit
+};
+
+void add_correct_options(CLI::App& command, CorrectArguments& arguments);
+
+/// Errors (code usage): names the option, what was typed and what was expected.
+[[nodiscard]] Result<CorrectOptions> understand_correction(const CorrectArguments& arguments);
+
+/// As a report names them: "auto", "axis", "cutter=axis, holder=tilt".
+[[nodiscard]] std::string strategies_text(const CorrectArguments& arguments);
+
+}  // namespace gouge
