@@ -50,9 +50,10 @@ double corner_radius_mm(const CompiledTool& tool) {
   return corner == tool.elements.end() ? 0 : corner->radius_mm;
 }
 
-Contact contact_of(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
+/// Of a form of the tool.
+Contact contact_of(const Pose& pose, const ToolVariants& tool, const CompiledTool& form, const PreparedScene& scene) {
   const double touch = touch_mm(tool);
-  const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
+  const SearchTarget part{&form, &scene.parts, Against::part};
   const SearchResult result =
       sweep_and_search(Motion(pose), {part}, {{0, kAccuracy * touch, kAccuracy * touch, kBudget}, touch});
   if (result.value_mm > 2 * touch) return Contact::gouging;
@@ -99,6 +100,7 @@ class FitFinder {
   };
 
   void gather() {
+    std::vector<std::size_t> above;
     for (std::size_t i = 0; i < path_.moves.size(); ++i) {
       const Move& move = path_.moves[i];
       const MoveVerdict& verdict = verdicts_[i];
@@ -117,16 +119,29 @@ class FitFinder {
       ++all;
       deep += is_deep ? 1U : 0U;
     }
+    add_deep_cutters(above);
     fit_.positions = cuts_.size();
   }
 
-  /// A holder may collide on a path that fits well.
+  /// Of positions where what is above the cutter collides, which it may on a path that fits well, some are asked for the
+  /// cutter, each for those before it too.
+  void add_deep_cutters(const std::vector<std::size_t>& above) {
+    const std::size_t stride = 1 + above.size() / kInsideLooks;
+    for (std::size_t first = 0; first < above.size(); first += stride) {
+      const std::size_t last = std::min(first + stride, above.size());
+      const Move& asked = path_.moves[above[last - 1]];
+      if (!is_cutter_deep(asked.end, *tools_[asked.tool])) continue;
+      fit_.deep += last - first;
+      for (std::size_t k = first; k < last; ++k) ++operations_[path_.moves[above[k]].operation].second;
+    }
+  }
+
   [[nodiscard]] bool is_cutter_deep(const Pose& pose, const ToolVariants& tool) const {
-    const Vec3 core = pose.tip + tool.bare.core.y() * pose.axis;
-    if (scene_.sides().side_of({{core}, {pose.axis}}).side == Side::inside) return true;
-    const double deep = kDeep * tool.bare.core_depth_mm;
+    // With no surface near it the cutter may be deep inside.
+    if (contact_of(pose, tool, tool.cutting, scene_) == Contact::apart)
+      return scene_.sides().side_of({{pose.tip + tool.bare.core.y() * pose.axis}, {pose.axis}}).side == Side::inside;
+    const double deep = kDeep * tool.bare.core_depth_mm, gap = kAccuracy * deep;
     const SearchTarget part{&tool.cutting, &scene_.parts, Against::part};
-    const double gap = kAccuracy * deep;
     return sweep_and_search(Motion(pose), {part}, {{deep, gap, gap, kBudget}, 0}).value_mm > deep;
   }
 
@@ -159,7 +174,10 @@ class FitFinder {
     std::size_t touching = 0;
     const std::size_t count = std::min(samples_.size(), 2 * kFirstSamples);
     for (std::size_t i = 0; i < count; ++i)
-      touching += contact_of(samples_[i].pose, *samples_[i].tool, scene_) != Contact::apart ? 1U : 0U;
+      touching +=
+          contact_of(samples_[i].pose, *samples_[i].tool, samples_[i].tool->against_part, scene_) != Contact::apart
+              ? 1U
+              : 0U;
     return static_cast<double>(touching) <= kApart * static_cast<double>(count);
   }
 
@@ -239,7 +257,7 @@ class FitFinder {
       }
       const Vec3& tip = samples[i].pose.tip;
       if (!is_within_reach(tip)) return std::nullopt;
-      const Contact contact = contact_of(samples[i].pose, *samples[i].tool, scene);
+      const Contact contact = contact_of(samples[i].pose, *samples[i].tool, samples[i].tool->against_part, scene);
       if (contact == Contact::touching) touching.push_back(&samples[i]);
       gouging += contact == Contact::gouging ? 1U : 0U;
     }

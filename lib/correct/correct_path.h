@@ -32,7 +32,7 @@ struct ChangeRecord {
   Strategy strategy = Strategy::weighted;
   bool is_inserted = false;
   Vec3 shift_mm = Vec3::Zero();  ///< inserted: from where the motion was at that instant
-  double depth_before_mm = 0;    ///< at the position (inserted: of the motion there)
+  double depth_before_mm = 0;    ///< at the position (inserted or tilted: of the motion there)
   double depth_after_mm = 0;
   int iterations = 0;
   double tilt_rad = 0;  ///< between the axis as it was there and as it is

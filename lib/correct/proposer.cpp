@@ -123,7 +123,7 @@ void Proposer::add_tilts(Correction& correction) const {
       const bool is_end =
           p.is_end && (!straight_ || p.move + 1 == straight_->origin.size() || origin(p.move + 1) != origin(p.move));
       correction.records.push_back({origin(p.move), Strategy::tilt, !is_end, p.pose.tip - p.programmed.tip,
-                                    checker_.measure(p.programmed, move.kind, tool).depth_mm,
+                                    result_.verdicts[origin(p.move)].depth_mm,
                                     checker_.measure(p.pose, move.kind, tool).depth_mm, 0, p.tilt_rad});
     }
   }

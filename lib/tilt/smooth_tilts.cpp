@@ -15,6 +15,7 @@ constexpr double kInward_rad = 0.5 * kDegree;   // steps in which a tilt is draw
 constexpr double kExact_rad = 0.01 * kDegree;   // how exactly its least value is found
 constexpr double kBeyond_rad = 0.03 * kDegree;  // how much further than needed the curve may tilt
 constexpr double kMore_rad = 0.01 * kDegree;    // given back at first where a motion between two is refused
+constexpr double kDigit_rad = 0x1p-27;          // about 7e-9
 constexpr int kFewAtATime = 30;                 // rounds in which only the worst position of a stretch gets an anchor
 constexpr std::size_t kMostLetGo = 40;          // anchors that are tried without,
 constexpr std::size_t kMostLooks = 20'000;      // as long as that looks at no more positions
@@ -23,7 +24,7 @@ constexpr std::size_t kChunk = 8;
 class Smoother {
  public:
   Smoother(const TiltSpace& space, const TiltSequence& proven, const OpenEnds& open, unsigned threads)
-      : space_(space), proven_(proven), open_(open), threads_(threads) {
+      : space_(space), proven_(proven), open_(open), threads_(threads), proofs_(space) {
     for (std::size_t i = 0; i < space.size(); ++i) ways_mm_.push_back(space[i].way_mm);
   }
 
@@ -88,6 +89,8 @@ class Smoother {
     }
     if (anchors.empty()) anchors.push_back({0, Tilt::Zero()});
     TiltSequence tilts = curve_through(anchors, ways_mm_, !open_.first, !open_.last);
+    // To digits that no file has, so that where an anchor far away changes next to nothing it changes nothing.
+    for (Tilt& tilt : tilts) tilt = (tilt / kDigit_rad).array().round() * kDigit_rad;
     for (std::size_t i = 0; i < space_.size(); ++i) {
       if (kept_[i] != kFree) tilts[i] = wanted(i);
     }
@@ -102,7 +105,7 @@ class Smoother {
 
   enum Refused : char { kNothing, kPosition, kMotion };
 
-  [[nodiscard]] std::vector<char> refused(const TiltSequence& tilts) const {
+  [[nodiscard]] std::vector<char> refused(const TiltSequence& tilts) {
     std::vector<char> is_refused(space_.size(), kNothing);
     for_each_chunk(space_.size(), kChunk, threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) is_refused[i] = is_position_free(i, tilts) ? kNothing : kPosition;
@@ -110,16 +113,16 @@ class Smoother {
     if (std::ranges::any_of(is_refused, [](char r) { return r != kNothing; })) return is_refused;
     for_each_chunk(space_.size() - 1, kChunk, threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        if (!space_.is_free_between(i, tilts[i], i + 1, tilts[i + 1])) is_refused[i] = kMotion;
+        if (!proofs_.is_free_after(i, tilts[i], tilts[i + 1])) is_refused[i] = kMotion;
       }
     });
     return is_refused;
   }
 
-  [[nodiscard]] bool is_position_free(std::size_t i, const TiltSequence& tilts) const {
+  [[nodiscard]] bool is_position_free(std::size_t i, const TiltSequence& tilts) {
     if (kept_[i] == kDrawnIn || kept_[i] == kProven) return true;
-    if (kept_[i] != kFree) return space_.is_free(i, tilts[i]);
-    return tilts[i].norm() <= largest_rad_ + kBeyond_rad && space_.is_free(i, tilts[i]);
+    if (kept_[i] != kFree) return proofs_.is_free(i, tilts[i]);
+    return tilts[i].norm() <= largest_rad_ + kBeyond_rad && proofs_.is_free(i, tilts[i]);
   }
 
   void add_anchors(const TiltSequence& tilts, const std::vector<char>& is_refused, bool is_worst_alone) {
@@ -185,6 +188,7 @@ class Smoother {
   TiltSequence drawn_in_;
   double largest_rad_ = 0;  // of the tilts drawn in
   std::vector<int> kept_;
+  TiltProofs proofs_;
 };
 
 }  // namespace

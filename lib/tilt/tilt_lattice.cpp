@@ -29,7 +29,7 @@ class Lattice {
   /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`.
   Lattice(const TiltSpace& space, const OpenEnds& open, int steps, unsigned threads, const TiltSequence* near,
           double reach_rad)
-      : space_(space), open_(open), threads_(threads), near_(near), reach_rad_(reach_rad) {
+      : space_(space), open_(open), threads_(threads), near_(near), reach_rad_(reach_rad), proofs_(space) {
     const TiltOptions& options = space.task().options;
     step_rad_ = options.max_tilt_rad / steps;
     const int across = options.freedom == TiltFreedom::both ? steps : 0;
@@ -176,9 +176,9 @@ class Lattice {
     std::vector<char> is_refused(space_.size(), 0);
     for_each_chunk(space_.size(), 8, threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
-        if (!is_layer_[i] && !space_.is_free(i, sequence[i])) {
+        if (!is_layer_[i] && !proofs_.is_free(i, sequence[i])) {
           is_refused[i] = kPosition;
-        } else if (i + 1 < space_.size() && !space_.is_free_between(i, sequence[i], i + 1, sequence[i + 1])) {
+        } else if (i + 1 < space_.size() && !proofs_.is_free_after(i, sequence[i], sequence[i + 1])) {
           is_refused[i] = kMotion;
         }
       }
@@ -210,6 +210,7 @@ class Lattice {
   std::vector<bool> is_layer_;
   std::vector<std::size_t> layers_, new_layers_;
   std::set<Struck> struck_;
+  TiltProofs proofs_;
   mutable std::vector<Node> last_chosen_;
 };
 

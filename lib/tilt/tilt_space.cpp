@@ -154,4 +154,19 @@ MoveVerdict TiltSpace::verdict(std::size_t i, const Tilt& tilt) const {
   return task_.checker->measure(at.value_or(positions_[i].programmed), positions_[i].kind, *task_.tool);
 }
 
+bool TiltProofs::is_free(std::size_t i, const Tilt& tilt) {
+  if (free_at_[i] == tilt) return true;
+  if (!space_.is_free(i, tilt)) return false;
+  free_at_[i] = tilt;
+  return true;
+}
+
+bool TiltProofs::is_free_after(std::size_t i, const Tilt& from, const Tilt& to) {
+  auto& known = free_after_[i];
+  if (known && known->first == from && known->second == to) return true;
+  if (!space_.is_free_between(i, from, i + 1, to)) return false;
+  known = {from, to};
+  return true;
+}
+
 }  // namespace gouge

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "lib/certify/motion_checker.h"
@@ -78,6 +79,22 @@ class TiltSpace {
 
   std::vector<TiltPosition> positions_;
   TiltTask task_;
+};
+
+/// What was last found free at each position of a run, and on the motion from it to the next, so that a sequence that
+/// changes in places is proved in these places alone. Different positions may be asked for from different threads.
+class TiltProofs {
+ public:
+  explicit TiltProofs(const TiltSpace& space) : space_(space), free_at_(space.size()), free_after_(space.size()) {}
+
+  [[nodiscard]] bool is_free(std::size_t i, const Tilt& tilt);
+  /// From position i to the next.
+  [[nodiscard]] bool is_free_after(std::size_t i, const Tilt& from, const Tilt& to);
+
+ private:
+  const TiltSpace& space_;
+  std::vector<std::optional<Tilt>> free_at_;
+  std::vector<std::optional<std::pair<Tilt, Tilt>>> free_after_;
 };
 
 }  // namespace gouge
