@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "lib/check/motion.h"
 #include "lib/correct/plan_holes.h"
 
 namespace gouge {
@@ -98,7 +99,7 @@ class LawsCheck {
   }
 
  private:
-  /// Piece `k` of straight move `i` is the programmed motion, or leads from its new start to the old one, or from its
+  /// Piece `k` of straight move `i` is the programmed motion or a part of it, or leads from its new start to the old one, or from its
   /// old end to the new one. Elsewhere a motion that still gouges could cut what it did not cut before, less deep than
   /// its deepest point.
   [[nodiscard]] bool is_programmed_or_shift(std::size_t i, std::size_t k, const MovesAfter& span) const {
@@ -107,9 +108,20 @@ class LawsCheck {
     const bool begins_at_start = is_near(b.start_of(k), a.start_of(i)),
                ends_at_end = is_near(b.moves[k].end, a.moves[i].end);
     if (begins_at_start && ends_at_end) return true;
+    if (a.moves[i].kind == MoveKind::feed && is_on_programmed(i, b.start_of(k)) && is_on_programmed(i, b.moves[k].end))
+      return true;
     const bool is_first = k == span.first, is_last = k + 1 == span.last;
     return (is_first && !is_last && is_near(b.moves[k].end, a.start_of(i))) ||
            (is_last && !is_first && is_near(b.start_of(k), a.moves[i].end));
+  }
+
+  /// Whether the tool passes there on straight move `i`: a straight motion between two such positions is a part of it.
+  [[nodiscard]] bool is_on_programmed(std::size_t i, const Pose& pose) const {
+    const Motion motion(before_.path->start_of(i), before_.path->moves[i].end);
+    const Vec3 along = motion.end().tip - motion.start().tip;
+    if (!motion.is_defined() || !(along.norm() > 0)) return false;
+    const double t = std::clamp((pose.tip - motion.start().tip).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return is_near(motion.at(t), pose);
   }
 
   const CheckedPath& before_;

@@ -15,6 +15,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kStepsPerBlend = 8;
 constexpr double kMostSpacing_mm = 5, kLeastSpacing_mm = 0.2;
 constexpr int kFinerSpacings = 2;                  // how often a run is tried again with half the spacing
+constexpr int kSlowerBlends = 5;                   // how often the blend is doubled where the tool turns too fast
 constexpr double kStraight_rad = 0.005 * kDegree;  // an added position whose tilt is that of its neighbours is left out
 constexpr double kSame_rad = 1e-9;
 
@@ -34,6 +35,7 @@ class RunPlanner {
       const LatticeResult found = find_tilts(space, run_.open, job_.checker.options().threads, doubtful);
       if (found.sequence) {
         const TiltSequence tilts = smooth_tilts(space, *found.sequence, run_.open, job_.checker.options().threads);
+        if (!keeps_turns(space, tilts)) return false;
         gather(space, tilts);
         return true;
       }
@@ -46,9 +48,22 @@ class RunPlanner {
 
   SmoothedRun tilted;
   std::string reason;
-  bool is_blocked = false;  ///< at some position no tilt is free
+  bool is_blocked = false;                       ///< at some position no tilt is free
+  bool is_too_fast = false, is_too_far = false;  ///< there are tilts, but they turn faster or further than allowed
 
  private:
+  bool keeps_turns(const TiltSpace& space, const TiltSequence& tilts) {
+    const TiltOptions& limits = job_.options;
+    for (std::size_t i = 0; i + 1 < space.size(); ++i) {
+      if (space.may_turn(i, tilts[i], i + 1, tilts[i + 1])) continue;
+      const double turn = angle_between_rad(space[i].axis_for(tilts[i]), space[i + 1].axis_for(tilts[i + 1]));
+      (turn > limits.max_turn_step_rad ? is_too_far : is_too_fast) = true;
+    }
+    if (is_too_fast) reason = "the tool would have to turn faster than --max-turn allows";
+    if (is_too_far) reason = "the tool would have to turn further in a record than --max-turn-step allows";
+    return !is_too_fast && !is_too_far;
+  }
+
   void gather(const TiltSpace& space, const TiltSequence& tilts) {
     tilted.first_wanted = run_.first_wanted;
     tilted.last_wanted = run_.last_wanted;
@@ -78,7 +93,7 @@ class RunPlanner {
       const double share = (space[k].way_mm - space[from].way_mm) / whole;
       if ((tilts[k] - tilts[from] - share * (tilts[to] - tilts[from])).norm() > kStraight_rad) return false;
     }
-    return space.is_free_between(from, tilts[from], to, tilts[to]);
+    return space.may_turn(from, tilts[from], to, tilts[to]) && space.is_free_between(from, tilts[from], to, tilts[to]);
   }
 
   [[nodiscard]] std::string why_not(const TiltSpace& space, const LatticeResult& found) const {
@@ -109,33 +124,53 @@ class RunPlanner {
   const TiltRun& run_;
 };
 
-}  // namespace
-
-TiltPlan plan_tilts(const TiltJob& job, const ProgressCall& progress) {
+/// A plan, and which limits of turns runs of it do not keep.
+struct Attempt {
   TiltPlan plan;
+  bool is_too_fast = false, is_too_far = false;
+};
+
+/// With positions `spacing_mm` apart, and where that leads nowhere closer.
+Attempt attempt(const TiltJob& job, double spacing_mm, const ProgressCall& progress) {
+  Attempt made;
+  TiltPlan& plan = made.plan;
   std::vector<bool> is_left = job.is_wanted;
-  double spacing = spacing_mm(job.options);
-  for (int round = 0; round <= kFinerSpacings; ++round, spacing /= 2) {
+  for (int round = 0; round <= kFinerSpacings; ++round, spacing_mm /= 2) {
     const std::vector<TiltRun> runs =
-        find_tilt_runs({job.path, job.result, job.tools, job.checker, job.options, is_left}, spacing);
+        find_tilt_runs({job.path, job.result, job.tools, job.checker, job.options, is_left}, spacing_mm);
     std::erase_if(plan.failed, [&](const UntiltedRun& run) { return is_left[run.first_wanted]; });
     for (std::size_t r = 0; r < runs.size(); ++r) {
       if (progress) progress("tilting the tool", r, runs.size());
       RunPlanner planner(job, runs[r]);
-      if (planner.plan()) {
-        plan.runs.push_back(std::move(planner.tilted));
-        for (std::size_t i = runs[r].first_wanted; i <= runs[r].last_wanted; ++i) is_left[i] = false;
-      } else {
-        plan.failed.push_back({runs[r].first_wanted, runs[r].last_wanted, planner.reason});
-        // There no finer positions help.
-        for (std::size_t i = runs[r].first_wanted; i <= runs[r].last_wanted && planner.is_blocked; ++i)
-          is_left[i] = false;
-      }
+      const bool is_planned = planner.plan();
+      if (is_planned) plan.runs.push_back(std::move(planner.tilted));
+      if (!is_planned) plan.failed.push_back({runs[r].first_wanted, runs[r].last_wanted, planner.reason});
+      made.is_too_fast = made.is_too_fast || planner.is_too_fast;
+      made.is_too_far = made.is_too_far || planner.is_too_far;
+      const bool is_done = is_planned || planner.is_blocked || planner.is_too_fast || planner.is_too_far;
+      for (std::size_t i = runs[r].first_wanted; i <= runs[r].last_wanted && is_done; ++i) is_left[i] = false;
     }
     if (runs.empty()) break;
   }
   std::ranges::sort(plan.runs, {}, &SmoothedRun::first_wanted);
-  return plan;
+  return made;
+}
+
+}  // namespace
+
+TiltPlan plan_tilts(const TiltJob& job, const ProgressCall& progress) {
+  TiltOptions options = job.options;
+  double spacing = spacing_mm(options);
+  std::optional<TiltPlan> best;
+  for (int k = 0; k <= kSlowerBlends; ++k) {
+    Attempt made = attempt({job.path, job.result, job.tools, job.checker, options, job.is_wanted}, spacing, progress);
+    if (!best || made.plan.failed.size() < best->failed.size()) best = std::move(made.plan);
+    // A longer blend turns slower, and positions closer to each other turn less from one to the next.
+    if (!made.is_too_fast && !made.is_too_far) break;
+    if (made.is_too_fast) options.blend_mm *= 2;
+    if (made.is_too_far) spacing = std::max(spacing / 2, kLeastSpacing_mm / 4);
+  }
+  return *best;
 }
 
 }  // namespace gouge

@@ -136,7 +136,7 @@ class Lattice {
       for (std::uint32_t b = 0; b < to.size(); ++b) {
         for (std::uint32_t a = 0; a < from.size(); ++a) {
           const double total = so_far[a] + cost(i, nodes_[from[a]], k, nodes_[to[b]]);
-          if (!(total < best[b]) || !space_.may_turn(i, nodes_[from[a]], k, nodes_[to[b]])) continue;
+          if (!(total < best[b])) continue;
           if (!struck_.empty() && struck_.contains({i, k, from[a], to[b]})) continue;
           best[b] = total;
           came_from[l][b] = a;
@@ -221,10 +221,8 @@ LatticeResult find_tilts(const TiltSpace& space, const OpenEnds& open, unsigned 
   LatticeResult found;
   for (int level = 0, steps = kCoarseSteps; level < kLevels; ++level, steps *= 2) {
     found = Lattice(space, open, steps, threads, nullptr, 0).find(doubtful);
-    // Where no way leads between, positions closer to each other help more than more tilts, but for limits of turns.
-    const TiltOptions& options = space.task().options;
-    const bool is_turn_limited = std::isfinite(options.max_turn_rad_per_mm) || std::isfinite(options.max_turn_step_rad);
-    if (!found.sequence && !found.blocked && !is_turn_limited) break;
+    // Where no way leads between, positions closer to each other help more than more tilts.
+    if (!found.sequence && !found.blocked) break;
     if (found.blocked) doubtful = found.blocked;
     if (!found.sequence) continue;
     const double reach_rad = kTube * space.task().options.max_tilt_rad / steps;

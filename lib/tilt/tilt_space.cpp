@@ -96,10 +96,11 @@ bool TiltSpace::is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusin
 
 bool TiltSpace::may_turn(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const {
   const TiltOptions& limits = task_.options;
-  if (std::isinf(limits.max_turn_rad_per_mm) && std::isinf(limits.max_turn_step_rad)) return true;
+  if (!limits.has_turn_limit()) return true;
   const double turn = angle_between_rad(positions_[i].axis_for(from), positions_[k].axis_for(to));
   const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[k].programmed.axis);
-  const double way_mm = positions_[k].way_mm - positions_[i].way_mm;
+  const auto start = pose(i, from), end = pose(k, to);
+  const double way_mm = start && end ? (end->tip - start->tip).norm() : 0;
   const double allowed =
       std::min(limits.max_turn_step_rad, limits.max_turn_rad_per_mm * std::max(way_mm, kOnTheSpot_mm));
   return turn <= std::max(allowed, programmed);
@@ -139,7 +140,6 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
                last = first + static_cast<std::ptrdiff_t>(k - i);
     return std::all_of(first + 1, last + 1, [](const TiltPosition& p) { return p.is_reached_clean; });
   }
-  if (!may_turn(i, from, k, to)) return false;
   const std::optional<Pose> start = pose(i, from), end = pose(k, to);
   if (!start || !end) return false;
   const Motion motion(*start, *end);

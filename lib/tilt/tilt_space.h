@@ -63,10 +63,11 @@ class TiltSpace {
   [[nodiscard]] bool is_free(std::size_t i, const Tilt& tilt, RefusingPoints* refusing = nullptr) const;
 
   /// Whether the motion from position i with one tilt to position k > i with another is certified clean and within the
-  /// limits at every instant. Requires that both are free or programmed.
+  /// limits of the axis at every instant. Requires that both are free or programmed.
   [[nodiscard]] bool is_free_between(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
-  /// Whether the axis may turn so far on that way.
+  /// Whether the axis may turn so far on that way. That is not part of being free: how fast a tilt comes and goes is a
+  /// matter of the whole run.
   [[nodiscard]] bool may_turn(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const;
 
   /// What is in the way of the tool at a tilt, and how deep.
