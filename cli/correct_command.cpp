@@ -12,6 +12,7 @@
 #include "cli/print_diagnostics.h"
 #include "cli/setup_notes.h"
 #include "lib/base/exit_code.h"
+#include "lib/base/number_text.h"
 #include "lib/correct/correct_path.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
@@ -100,6 +101,7 @@ class CorrectRun {
     model.correction.output_bytes = text;
     model.correction.axes = measure_axes(job_.toolpath, correction.changes, path, limit_);
     if (limit_) model.more_options.push_back({"max-rotary-speed", arguments_.max_rotary_speed});
+    add_not_tilted(correction.not_tilted, model.notes);
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
     const bool is_written = outputs_.write(job_, scene, model, progress_, out_, err_);
@@ -109,6 +111,17 @@ class CorrectRun {
   }
 
  private:
+  /// One for each run that is not tilted, the first as a warning: it is a correction, but not the one asked for.
+  void add_not_tilted(const std::vector<NotTilted>& runs, Diagnostics& notes) const {
+    for (std::size_t k = 0; k < runs.size(); ++k) {
+      const std::size_t first = job_.toolpath.moves[runs[k].first].line, last = job_.toolpath.moves[runs[k].last].line;
+      std::string message =
+          "lifted where that helps, not tilted, down to line " + std::to_string(last) + ": " + runs[k].reason;
+      if (k == 0 && runs.size() > 1) message += "; and " + count_text(runs.size() - 1, "more run") + " (-v)";
+      notes.push_back((k == 0 ? make_warning : make_note)("not-tilted", message, job_.toolpath.file, first));
+    }
+  }
+
   // Moving thousands of positions out of a part that lies elsewhere makes nothing of use.
   int refuse(const Diagnostic& misfit) {
     const std::string message = misfit.message + "; nothing was written; --force corrects all the same";

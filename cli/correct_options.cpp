@@ -15,7 +15,9 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMostTilt = 89, kMostCone = 180, kMostTurn = 1e6;
 
 constexpr const char* kExpectedStrategy =
-    "auto, tilt, weighted or axis, for all bodies or after cutter=, shank=, holder= or head= for one";
+    "auto, tilt, normal, weighted, axis or direction=I,J,K, for all bodies or after cutter=, shank=, holder= or head= for "
+    "one";
+constexpr std::string_view kDirection = "direction=";
 
 Result<double> understand_degrees(const std::string& option, const std::string& typed, double most) {
   const auto value = parse_number(typed);
@@ -26,27 +28,53 @@ Result<double> understand_degrees(const std::string& option, const std::string& 
 /// The strategy called `name` for `body`; nothing where there is none.
 std::optional<Strategy> strategy_called(const std::string& name, std::size_t body) {
   if (name == "auto") return BodyStrategies{}.of[body];
-  for (const Strategy strategy : {Strategy::weighted, Strategy::axis, Strategy::tilt}) {
+  for (const Strategy strategy : {Strategy::weighted, Strategy::axis, Strategy::tilt, Strategy::normal}) {
     if (name == strategy_name(strategy)) return strategy;
   }
-  return std::nullopt;
+  return name.starts_with(kDirection) ? std::optional(Strategy::direction) : std::nullopt;
+}
+
+/// `count` numbers with commas between.
+std::optional<std::vector<double>> numbers_of(const std::string& typed, std::size_t count) {
+  std::vector<double> numbers;
+  for (std::size_t begin = 0; numbers.size() < count;) {
+    const std::size_t end = numbers.size() + 1 < count ? typed.find(',', begin) : typed.size();
+    if (end == std::string::npos || end < begin) return std::nullopt;
+    const auto value = parse_number(typed.substr(begin, end - begin));
+    if (!value) return std::nullopt;
+    numbers.push_back(*value);
+    begin = end + 1;
+  }
+  return numbers;
+}
+
+std::optional<Vec3> direction_of(const std::vector<double>& numbers) {
+  const Vec3 vector(numbers[0], numbers[1], numbers[2]);
+  return vector.norm() > 1e-6 && vector.norm() < 1e6 ? std::optional<Vec3>(vector.normalized()) : std::nullopt;
 }
 
 Result<BodyStrategies> understand_strategies(const std::vector<std::string>& typed) {
   constexpr std::array kBodies = {Body::cutter, Body::shank, Body::holder, Body::head};
   BodyStrategies strategies;
   for (const std::string& one : typed) {
-    const std::size_t equals = one.find('=');
+    const std::size_t equals = one.starts_with(kDirection) ? std::string::npos : one.find('=');
     const std::string wanted = equals == std::string::npos ? "" : one.substr(0, equals);
     const std::string name = equals == std::string::npos ? one : one.substr(equals + 1);
     bool is_any = false;
+    if (equals == 0) return usage_error("--strategy", one, kExpectedStrategy);
     for (const Body body : kBodies) {
       if (!wanted.empty() && wanted != body_name(body)) continue;
       const auto index = static_cast<std::size_t>(body);
       const auto strategy = strategy_called(name, index);
       // A cutter that gouges is inside the surface that it shall keep to: no tilt about the contact frees it.
       if (!strategy || (wanted == "cutter" && *strategy == Strategy::tilt))
-        return usage_error("--strategy", one, strategy ? "weighted or axis for the cutter" : kExpectedStrategy);
+        return usage_error("--strategy", one, strategy ? "no tilt for the cutter: it shifts" : kExpectedStrategy);
+      if (*strategy == Strategy::direction) {
+        const auto numbers = numbers_of(name.substr(kDirection.size()), 3);
+        const auto direction = numbers ? direction_of(*numbers) : std::nullopt;
+        if (!direction) return usage_error("--strategy", one, "three numbers of a direction, as in direction=0,0,1");
+        strategies.direction = *direction;
+      }
       strategies.of[index] = body == Body::cutter && *strategy == Strategy::tilt ? Strategy::weighted : *strategy;
       is_any = true;
     }
@@ -59,19 +87,11 @@ Result<AxisCone> understand_cone(const std::string& typed) {
   const auto wrong = [&] {
     return usage_error("--axis-cone", typed, "I,J,K,DEGREES: a direction and an angle above 0 and at most 180");
   };
-  std::array<double, 4> numbers{};
-  std::size_t begin = 0;
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    const std::size_t end = k + 1 < numbers.size() ? typed.find(',', begin) : typed.size();
-    if (end == std::string::npos) return wrong();
-    const auto value = parse_number(typed.substr(begin, end - begin));
-    if (!value) return wrong();
-    numbers[k] = *value;
-    begin = end + 1;
-  }
-  const Vec3 axis(numbers[0], numbers[1], numbers[2]);
-  if (!(axis.norm() > 1e-6) || !(axis.norm() < 1e6) || !(numbers[3] > 0) || numbers[3] > kMostCone) return wrong();
-  return AxisCone{axis.normalized(), numbers[3] * kDegree};
+  const auto numbers = numbers_of(typed, 4);
+  const auto axis = numbers ? direction_of(*numbers) : std::nullopt;
+  const double degrees = numbers ? numbers->back() : 0;
+  if (!axis || !(degrees > 0) || degrees > kMostCone) return wrong();
+  return AxisCone{*axis, degrees * kDegree};
 }
 
 Result<TiltOptions> understand_tilt(const CorrectArguments& arguments) {

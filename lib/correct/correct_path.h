@@ -46,10 +46,17 @@ struct Uncorrected {
   bool is_changed = false;  ///< its own record was changed all the same, for a neighbour's sake or to gouge less
 };
 
+/// Moves [first, last] that should have been tilted, and why they are not: they are lifted, or left.
+struct NotTilted {
+  std::size_t first = 0, last = 0;
+  std::string reason;
+};
+
 struct Correction {
   std::vector<PathChange> changes;  ///< in path order, for write_corrected
   std::vector<ChangeRecord> records;
   std::vector<Uncorrected> uncorrected;
+  std::vector<NotTilted> not_tilted;
 };
 
 /// The changes as they are proposed. Each motion that they touch has been checked by itself and is no worse than it

@@ -12,33 +12,72 @@ constexpr double kSmallestStep_mm = 1e-3;  // keeps the lift from creeping where
 constexpr double kNotable = 0.1;
 constexpr double kMargin_mm = 2e-3;  // how much further than asked the weighted shift reaches
 
+/// To the first place along `way` where tool and heads meet the aim.
+std::optional<CorrectedPose> lift_along(const Vec3& way, Strategy strategy, const Pose& pose, const ToolVariants& tool,
+                                        const MotionChecker& checker, const PoseLimits& limits) {
+  CorrectedPose result{pose, strategy, 0, 0};
+  for (;; ++result.iterations) {
+    const double excess = std::max(largest_excess(result.pose, tool, checker.scene(), limits.aim, kAccuracy_mm),
+                                   head_excess(result.pose, checker, limits));
+    if (excess <= 0) return result;
+    if (!std::isfinite(excess)) return std::nullopt;
+    result.shift_mm += std::max(excess, kSmallestStep_mm);
+    if (result.shift_mm > limits.largest_shift_mm) return std::nullopt;
+    result.pose.tip = pose.tip + result.shift_mm * way;
+  }
+}
+
+/// How far the contacts of a pose ask the tip to go.
+using ShiftOfContacts = Vec3 (*)(const std::vector<ToolContact>& contacts);
+
+Vec3 weighted_mean(const std::vector<ToolContact>& contacts) {
+  Vec3 sum = Vec3::Zero();
+  double weight = 0;
+  for (const ToolContact& contact : contacts) {
+    sum += contact.excess_mm * contact.excess_mm * contact.normal;
+    weight += contact.excess_mm;
+  }
+  return weight > 0 ? Vec3(sum / weight) : Vec3::Zero();
+}
+
+Vec3 of_deepest(const std::vector<ToolContact>& contacts) {
+  const auto deepest = std::ranges::max_element(contacts, {}, &ToolContact::excess_mm);
+  return deepest == contacts.end() ? Vec3::Zero() : Vec3(deepest->excess_mm * deepest->normal);
+}
+
+/// Again and again, until the aim is met.
+std::optional<CorrectedPose> iterate(ShiftOfContacts shift_of, Strategy strategy, const Pose& pose,
+                                     const ToolVariants& tool, const MotionChecker& checker, const PoseLimits& limits) {
+  const CorrectionAim& aim = limits.aim;
+  const CorrectionAim further{aim.part_mm - kMargin_mm, aim.fixture_mm - kMargin_mm, aim.clearance_mm - kMargin_mm};
+  CorrectedPose result{pose, strategy, 0, 0};
+  for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
+    const double most = largest_excess(result.pose, tool, checker.scene(), aim, kAccuracy_mm);
+    if (most <= 0) return result;
+    const Vec3 shift = shift_of(find_contacts(result.pose, tool, checker.scene(), further, kNotable * most));
+    if (!(shift.norm() > 0)) return std::nullopt;
+    result.pose.tip += shift;
+    result.shift_mm = (result.pose.tip - pose.tip).norm();
+    if (result.shift_mm > limits.largest_shift_mm) return std::nullopt;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 const char* strategy_name(Strategy strategy) {
-  constexpr std::array kNames = {"weighted", "axis", "tilt"};
+  constexpr std::array kNames = {"weighted", "axis", "tilt", "normal", "direction"};
   return kNames.at(static_cast<std::size_t>(strategy));
 }
 
 std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool, const MotionChecker& checker,
                                               const PoseLimits& limits) {
-  const CorrectionAim& aim = limits.aim;
-  const CorrectionAim further{aim.part_mm - kMargin_mm, aim.fixture_mm - kMargin_mm, aim.clearance_mm - kMargin_mm};
-  CorrectedPose result{pose, Strategy::weighted, 0, 0};
-  for (; result.iterations <= limits.largest_iterations; ++result.iterations) {
-    const double most = largest_excess(result.pose, tool, checker.scene(), aim, kAccuracy_mm);
-    if (most <= 0) return result;
-    Vec3 sum = Vec3::Zero();
-    double weight = 0;
-    for (const ToolContact& contact : find_contacts(result.pose, tool, checker.scene(), further, kNotable * most)) {
-      sum += contact.excess_mm * contact.excess_mm * contact.normal;
-      weight += contact.excess_mm;
-    }
-    if (!(weight > 0)) return std::nullopt;
-    result.pose.tip += sum / weight;
-    result.shift_mm = (result.pose.tip - pose.tip).norm();
-    if (result.shift_mm > limits.largest_shift_mm) return std::nullopt;
-  }
-  return std::nullopt;
+  return iterate(weighted_mean, Strategy::weighted, pose, tool, checker, limits);
+}
+
+std::optional<CorrectedPose> correct_along_normal(const Pose& pose, const ToolVariants& tool,
+                                                  const MotionChecker& checker, const PoseLimits& limits) {
+  return iterate(of_deepest, Strategy::normal, pose, tool, checker, limits);
 }
 
 double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits) {
@@ -47,25 +86,28 @@ double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLim
 
 std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolVariants& tool,
                                                 const MotionChecker& checker, const PoseLimits& limits) {
-  CorrectedPose result{pose, Strategy::axis, 0, 0};
-  for (;; ++result.iterations) {
-    const double excess = std::max(largest_excess(result.pose, tool, checker.scene(), limits.aim, kAccuracy_mm),
-                                   head_excess(result.pose, checker, limits));
-    if (excess <= 0) return result;
-    if (!std::isfinite(excess)) return std::nullopt;
-    result.shift_mm += std::max(excess, kSmallestStep_mm);
-    if (result.shift_mm > limits.largest_shift_mm) return std::nullopt;
-    result.pose.tip = pose.tip + result.shift_mm * pose.axis;
-  }
+  return lift_along(pose.axis, Strategy::axis, pose, tool, checker, limits);
+}
+
+std::optional<CorrectedPose> correct_along_direction(const Pose& pose, const ToolVariants& tool,
+                                                     const MotionChecker& checker, const PoseLimits& limits) {
+  return lift_along(limits.direction, Strategy::direction, pose, tool, checker, limits);
+}
+
+std::optional<CorrectedPose> correct_as(Strategy wanted, const Pose& pose, const ToolVariants& tool,
+                                        const MotionChecker& checker, const PoseLimits& limits) {
+  std::optional<CorrectedPose> result;
+  if (wanted == Strategy::weighted) result = correct_weighted(pose, tool, checker, limits);
+  if (wanted == Strategy::normal) result = correct_along_normal(pose, tool, checker, limits);
+  if (wanted == Strategy::direction) result = correct_along_direction(pose, tool, checker, limits);
+  if (wanted == Strategy::axis) result = correct_along_axis(pose, tool, checker, limits);
+  return result && head_excess(result->pose, checker, limits) <= 0 ? result : std::nullopt;
 }
 
 std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolVariants& tool,
                                           const MotionChecker& checker, const PoseLimits& limits) {
-  if (wanted == Strategy::weighted) {
-    const auto result = correct_weighted(pose, tool, checker, limits);
-    if (result && head_excess(result->pose, checker, limits) <= 0) return result;
-  }
-  return correct_along_axis(pose, tool, checker, limits);
+  const auto result = correct_as(wanted, pose, tool, checker, limits);
+  return result || wanted == Strategy::axis ? result : correct_along_axis(pose, tool, checker, limits);
 }
 
 }  // namespace gouge

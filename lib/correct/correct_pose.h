@@ -12,7 +12,7 @@
 
 namespace gouge {
 
-enum class Strategy { weighted, axis, tilt };
+enum class Strategy { weighted, axis, tilt, normal, direction };
 [[nodiscard]] const char* strategy_name(Strategy strategy);
 
 /// Which strategy cures a gouge of which body.
@@ -20,14 +20,19 @@ struct BodyStrategies {
   /// The least change that works: a cutter is shifted, what is above it is tilted away.
   std::array<Strategy, 4> of = {Strategy::weighted, Strategy::tilt, Strategy::tilt, Strategy::tilt};
 
+  Vec3 direction = Vec3::UnitZ();  ///< of Strategy::direction, unit
+
   [[nodiscard]] Strategy operator[](Body body) const { return of[static_cast<std::size_t>(body)]; }
-  [[nodiscard]] static BodyStrategies all(Strategy strategy) { return {{strategy, strategy, strategy, strategy}}; }
+  [[nodiscard]] static BodyStrategies all(Strategy strategy) {
+    return {{strategy, strategy, strategy, strategy}, Vec3::UnitZ()};
+  }
 };
 
 struct PoseLimits {
   CorrectionAim aim;             ///< what must be met at the end
   double largest_shift_mm = 20;  ///< a tip further from where it was is no correction
   int largest_iterations = 60;
+  Vec3 direction = Vec3::UnitZ();  ///< of Strategy::direction, unit
 };
 
 struct CorrectedPose {
@@ -43,6 +48,11 @@ struct CorrectedPose {
 [[nodiscard]] std::optional<CorrectedPose> correct_weighted(const Pose& pose, const ToolVariants& tool,
                                                             const MotionChecker& checker, const PoseLimits& limits);
 
+/// Shifts by the excess of the deepest contact along its normal, again and again: on a smooth surface the shortest way
+/// out. Nothing when it does not converge within the limits.
+[[nodiscard]] std::optional<CorrectedPose> correct_along_normal(const Pose& pose, const ToolVariants& tool,
+                                                                const MotionChecker& checker, const PoseLimits& limits);
+
 /// How much deeper than the aim heads are at a pose; infinite when one is buried or that is not decided.
 [[nodiscard]] double head_excess(const Pose& pose, const MotionChecker& checker, const PoseLimits& limits);
 
@@ -51,7 +61,16 @@ struct CorrectedPose {
 [[nodiscard]] std::optional<CorrectedPose> correct_along_axis(const Pose& pose, const ToolVariants& tool,
                                                               const MotionChecker& checker, const PoseLimits& limits);
 
-/// `wanted` first, then along the axis. Heads are freed along the axis alone.
+/// The same along limits.direction.
+[[nodiscard]] std::optional<CorrectedPose> correct_along_direction(const Pose& pose, const ToolVariants& tool,
+                                                                   const MotionChecker& checker,
+                                                                   const PoseLimits& limits);
+
+/// `wanted` alone: nothing where it finds no place, or leaves a head too deep, or is to tilt.
+[[nodiscard]] std::optional<CorrectedPose> correct_as(Strategy wanted, const Pose& pose, const ToolVariants& tool,
+                                                      const MotionChecker& checker, const PoseLimits& limits);
+
+/// `wanted` first, then along the axis.
 [[nodiscard]] std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolVariants& tool,
                                                         const MotionChecker& checker, const PoseLimits& limits);
 

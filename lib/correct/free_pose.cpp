@@ -41,9 +41,8 @@ FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind
   const bool is_head_in = head_excess(pose, checker, limits) > 0;
   FreedPose freed;
   freed.reason = is_head_in ? kHeadStays : kTooFar;
-  if (wanted == Strategy::weighted) {
-    const auto shifted = correct_weighted(pose, tool, checker, limits);
-    if (shifted && head_excess(shifted->pose, checker, limits) <= 0) {
+  if (wanted != Strategy::axis) {
+    if (const auto shifted = correct_as(wanted, pose, tool, checker, limits)) {
       const bool is_aside = side_shift_mm(shifted->pose.tip - pose.tip, pose.axis) > side;
       freed.reason = is_aside ? kSideways : why_not_shift(pose, shifted->pose, kind, tool, checker);
       if (freed.reason == nullptr) return {shifted, nullptr};

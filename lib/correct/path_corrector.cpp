@@ -54,6 +54,7 @@ PathCorrector::PathCorrector(const Toolpath& path, const CheckResult& result,
     : path_(path), result_(result), tools_(tools), checker_(checker), options_(checker.options()), correct_(correct) {
   limits_.aim = {aim_of(options_.tolerance_mm), -kAir_mm, -kAir_mm};
   limits_.largest_shift_mm = correct.max_shift_mm;
+  limits_.direction = correct.strategies.direction;
   positions_.resize(path_.moves.size());
   moves_.resize(path_.moves.size());
   choose_positions();

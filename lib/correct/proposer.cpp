@@ -129,6 +129,7 @@ void Proposer::add_tilts(Correction& correction) const {
   }
   sort_by_move(correction.records);
   for (const UntiltedRun& run : plan_.failed) {
+    correction.not_tilted.push_back({origin(run.first_wanted), origin(run.last_wanted), run.reason});
     for (Uncorrected& left : correction.uncorrected) {
       if (left.move >= origin(run.first_wanted) && left.move <= origin(run.last_wanted))
         left.reason = run.reason + "; " + left.reason;

@@ -11,6 +11,7 @@ bool is_curve(const Move& move) {
 Toolpath without_moves(const Toolpath& path) {
   Toolpath bare;
   bare.file = path.file;
+  bare.unit = path.unit;
   bare.tools = path.tools;
   bare.operations = path.operations;
   bare.arcs = path.arcs;

@@ -1,6 +1,9 @@
 #include "lib/tilt/contact_pivot.h"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
+#include <utility>
 
 #include "lib/geom/cross.h"
 
@@ -55,22 +58,48 @@ SupportStretch support_stretch(const CompiledTool& tool, const Vec2& direction) 
   return best;
 }
 
-ContactPivot::ContactPivot(const Pose& programmed, const CompiledTool& cutter, const Vec3& normal)
-    : programmed_(programmed), cutter_(&cutter), normal_(normal) {
-  const Split before(-normal, programmed.axis);
-  touched_ = support_stretch(cutter, {before.away, before.along});
+ContactPivot::ContactPivot(const Pose& programmed, const CompiledTool& cutter, std::vector<Vec3> normals)
+    : programmed_(programmed), cutter_(&cutter) {
+  std::ranges::stable_sort(normals, std::greater<>(), [&](const Vec3& normal) { return normal.dot(programmed.axis); });
+  for (const Vec3& normal : normals) {
+    const Split before(-normal, programmed.axis);
+    contacts_.push_back({normal, support_stretch(cutter, {before.away, before.along})});
+  }
+  const auto lowest = std::ranges::find_if(cutter.elements, [](const BoundaryElement& e) {
+    return e.kind != ElementKind::vertex && e.body == Body::cutter;
+  });
+  if (lowest == cutter.elements.end() || lowest->kind != ElementKind::arc || lowest->is_reflex) return;
+  const double slack = kAsFar * lowest->radius_mm;
+  if (std::abs(lowest->center.x()) <= slack && lowest->center.y() > 0) ball_mm_ = lowest->center.y();
 }
 
-Vec3 ContactPivot::tip_for(const Vec3& axis) const {
-  if (cutter_ == nullptr) return programmed_.tip;
-  const Split now(-normal_, axis), before(-normal_, programmed_.axis);
+Vec3 ContactPivot::kept_at(const Contact& contact, const Vec3& axis) const {
+  const Split now(-contact.normal, axis), before(-contact.normal, programmed_.axis);
   const SupportStretch touching = support_stretch(*cutter_, {now.away, now.along});
-  const Vec2 was = nearest_on(touched_, 0.5 * (touching.a + touching.b));
+  const Vec2 was = nearest_on(contact.touched, 0.5 * (touching.a + touching.b));
   const Vec2 is = nearest_on(touching, was);
   // A face that is square to the axis touches all around it: there the contact is on the side of the other one.
   const Vec3 side_was = before.away > 0 ? before.outward : Split(now.outward, programmed_.axis).outward;
   const Vec3 side_is = now.away > 0 ? now.outward : Split(before.outward, axis).outward;
   return programmed_.tip + was.x() * side_was + was.y() * programmed_.axis - is.x() * side_is - is.y() * axis;
+}
+
+double ContactPivot::reach(const Contact& contact, const Pose& pose) const {
+  const Split into(-contact.normal, pose.axis);
+  const Vec2 direction(into.away, into.along);
+  return direction.dot(support_stretch(*cutter_, direction).a) - contact.normal.dot(pose.tip);
+}
+
+Vec3 ContactPivot::tip_for(const Vec3& axis) const {
+  if (ball_mm_ > 0) return programmed_.tip + ball_mm_ * (programmed_.axis - axis);
+  if (contacts_.empty()) return programmed_.tip;
+  constexpr int kRounds = 4;
+  Pose pose{kept_at(contacts_.front(), axis), axis};
+  for (int round = 0; round < kRounds && contacts_.size() > 1; ++round) {
+    for (const Contact& contact : contacts_)
+      pose.tip += std::max(0.0, reach(contact, pose) - reach(contact, programmed_)) * contact.normal;
+  }
+  return pose.tip;
 }
 
 }  // namespace gouge

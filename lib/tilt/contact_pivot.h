@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "lib/geom/pose.h"
 #include "lib/tool/compiled_tool.h"
 
@@ -14,29 +16,39 @@ struct SupportStretch {
 [[nodiscard]] SupportStretch support_stretch(const CompiledTool& tool, const Vec2& direction);
 
 /// What stays where it is when the tool is tilted at a position: the point where the cutter touches the part, and with
-/// it the surface it cuts there. Of a ball that is its centre; of any other profile the point whose normal is that of
-/// the part. Without a contact the tip stays.
+/// it the surface it cuts there. Of a tip that is a ball that is its centre, whatever it touches; of any other profile the
+/// point whose normal is that of the part. Without a contact the tip stays.
 class ContactPivot {
  public:
-  explicit ContactPivot(const Pose& programmed) : programmed_(programmed), normal_(programmed.axis) {}
-  /// `cutter` must outlive it. `normal`: of the part at the contact, unit, outward.
-  ContactPivot(const Pose& programmed, const CompiledTool& cutter, const Vec3& normal);
+  /// Without a contact.
+  explicit ContactPivot(const Pose& programmed) : programmed_(programmed) {}
+  /// `cutter` must outlive it. `normals`: of the part at the contacts, unit, outward; one that is along the tool axis
+  /// counts more than one across.
+  ContactPivot(const Pose& programmed, const CompiledTool& cutter, std::vector<Vec3> normals);
 
-  /// Outward from the part at the contact; without one the programmed axis.
-  [[nodiscard]] const Vec3& normal() const { return normal_; }
+  /// Outward from the part at the contact that counts most; without one the programmed axis.
+  [[nodiscard]] const Vec3& normal() const { return contacts_.empty() ? programmed_.axis : contacts_.front().normal; }
 
   /// Where the tip goes when the axis becomes `axis`, a unit vector.
   ///
-  /// Ensures  the cutter reaches exactly as far against the part's normal as before, and where one point of it alone
+  /// Ensures  the cutter reaches exactly as far against the first normal as before, and where one point of it alone
   ///          does, at the same point of the part. Where several do, as with a flat end on a flat floor, the one of them
-  ///          stays that the tilted cutter touches with.
+  ///          stays that the tilted cutter touches with. Against other normals, as of a wall beside that floor, it
+  ///          reaches no farther than before, as far as a few shifts along them do.
   [[nodiscard]] Vec3 tip_for(const Vec3& axis) const;
 
  private:
+  struct Contact {
+    Vec3 normal = Vec3::UnitZ();
+    SupportStretch touched;
+  };
+  [[nodiscard]] Vec3 kept_at(const Contact& contact, const Vec3& axis) const;
+  [[nodiscard]] double reach(const Contact& contact, const Pose& pose) const;
+
   Pose programmed_;
   const CompiledTool* cutter_ = nullptr;
-  Vec3 normal_ = Vec3::UnitZ();
-  SupportStretch touched_;
+  std::vector<Contact> contacts_;
+  double ball_mm_ = 0;  // the centre's height above the tip; 0: the tip is no ball
 };
 
 }  // namespace gouge

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "lib/base/number_text.h"
+#include "lib/base/units.h"
 #include "lib/path/path_info.h"
 #include "lib/tilt/smooth_tilts.h"
 
@@ -114,10 +115,12 @@ class RunPlanner {
         if (verdict.state == MoveState::gouge && verdict.depth_mm < least.depth_mm) least = verdict;
       }
     }
+    const LengthUnit unit = job_.path.unit;
     const Body body = least.witness ? least.witness->body : Body::holder;
     return "no tilt within --max-tilt " + most + " frees line " + std::to_string(job_.path.moves[at.move].line) +
-           ": at the best one looked at the " + body_name(body) + " is " + people_text(least.depth_mm, 3) +
-           " mm too deep";
+           ": at the best one looked at the " + body_name(body) + " is " +
+           people_text(least.depth_mm / mm_per(unit), unit == LengthUnit::mm ? 3 : 4) + " " + unit_name(unit) +
+           " too deep";
   }
 
   const TiltJob& job_;

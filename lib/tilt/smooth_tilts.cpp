@@ -31,6 +31,9 @@ class Smoother {
   TiltSequence run() {
     draw_in();
     kept_.assign(space_.size(), kFree);
+    for (std::size_t i = 0; i < space_.size(); ++i) {
+      if (space_[i].is_fixed) kept_[i] = kProven;
+    }
     if (!open_.first) kept_.front() = kProven;
     if (!open_.last) kept_.back() = kProven;
     for (int round = 0;; ++round) {
@@ -166,7 +169,7 @@ class Smoother {
     double least = roughness(curve(), ways_mm_);
     const std::size_t most = std::min(kMostLetGo, 1 + kMostLooks / space_.size());
     for (std::size_t i = 1; i + 1 < space_.size() && tried < most; ++i) {
-      if (kept_[i] == kFree) continue;
+      if (kept_[i] == kFree || space_[i].is_fixed) continue;
       ++tried;
       const int was = kept_[i];
       kept_[i] = kFree;

@@ -75,6 +75,9 @@ class Lattice {
     const std::size_t last = space_.size() - 1;
     add_layer(0);
     add_layer(last);
+    for (std::size_t i = 0; i < space_.size(); ++i) {
+      if (space_[i].is_fixed) add_layer(i);
+    }
     std::size_t pieces = 1;
     while (pieces < kFirstLayers && pieces < space_.size()) pieces *= 2;
     for (std::size_t step = pieces; step > 1; step /= 2) {
@@ -107,7 +110,7 @@ class Lattice {
   }
 
   void look_at(std::size_t i) {
-    const bool is_fixed = (i == 0 && !open_.first) || (i + 1 == space_.size() && !open_.last);
+    const bool is_fixed = space_[i].is_fixed || (i == 0 && !open_.first) || (i + 1 == space_.size() && !open_.last);
     RefusingPoints refusing;
     for (Node n = 0; n < nodes_.size() && (!is_fixed || n == 0); ++n) {
       if (near_ != nullptr && (nodes_[n] - (*near_)[i]).norm() > reach_rad_) continue;

@@ -10,7 +10,8 @@ namespace gouge {
 /// Tilts of all positions of a run, one each.
 using TiltSequence = std::vector<Tilt>;
 
-/// Which ends of a run may be tilted themselves: those where the path begins or ends. The others stay as programmed.
+/// Which ends of a run may be tilted themselves: those where the path begins or ends, and collides. The others stay as
+/// programmed.
 struct OpenEnds {
   bool first = false, last = false;
 };

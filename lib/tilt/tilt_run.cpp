@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "lib/base/parallel.h"
 #include "lib/check/path_motion.h"
@@ -11,7 +12,8 @@
 namespace gouge {
 namespace {
 
-// How near the cutter is to what it touches: first what a finishing cut leaves, then what a roughing cut may.
+// How near the cutter is to what it touches: what a finishing cut leaves, or, where a run has no such place, a roughing
+// cut.
 constexpr std::array kContacts_mm = {0.05, 1.0};
 constexpr std::array kShares = {0.5, 0.8, 0.95};  // of the tolerance, how deep the cutter may be at a position
 constexpr double kAccuracy_mm = 2e-4;
@@ -111,11 +113,17 @@ class Chain {
     run.first_wanted = stretch.first_move;
     run.last_wanted = stretch.last_move;
     const std::vector<Move>& moves = job_.path.moves;
-    run.open.first = begin->way_mm > stretch.begin_mm + kNoWay_mm && !moves[begin->move].has_start;
+    run.open.first = !moves[begin->move].has_start && !is_clean_at(*begin);
     const bool is_last = last_move_ + 1 == moves.size() || !moves[last_move_ + 1].has_start;
-    run.open.last = end->way_mm < stretch.end_mm - kNoWay_mm && is_last;
+    run.open.last = end + 1 == stations_.end() && is_last && !is_clean_at(*end);
     for (auto at = begin; at <= end; ++at) run.positions.push_back(position_at(*at, begin->way_mm));
     return run;
+  }
+
+  [[nodiscard]] bool is_clean_at(const Station& station) const {
+    const Move& move = job_.path.moves[station.move];
+    return job_.checker.is_clean(Motion(position_at(station, 0).programmed), move.kind, *job_.tools[move.tool],
+                                 job_.checker.options(), true);
   }
 
   [[nodiscard]] TiltPosition position_at(const Station& station, double begin_mm) const {
@@ -148,14 +156,22 @@ Vec3 normal_at(const ToolContact& contact, double depth_mm, const Pose& pose, co
   return std::abs(below - depth_mm) <= kSameDepth_mm ? face : contact.normal;
 }
 
-/// The contact of the cutter, if it has one.
-std::optional<Vec3> contact_normal(const Pose& pose, const ToolVariants& tool, const BlockTree& parts) {
-  for (const double within_mm : kContacts_mm) {
-    const std::vector<ToolContact> contacts = find_contacts(pose, tool.cutting, parts, -within_mm);
-    const auto deepest = std::ranges::max_element(contacts, {}, &ToolContact::excess_mm);
-    if (deepest != contacts.end()) return normal_at(*deepest, deepest->excess_mm - within_mm, pose, tool.cutting);
+/// Normals of the contacts of the cutter, the deepest first; none where nothing is as near. One normal stands for all
+/// that are about the same.
+std::vector<Vec3> contact_normals(const Pose& pose, const ToolVariants& tool, const BlockTree& parts,
+                                  double within_mm) {
+  constexpr double kSameNormal = 0.94, kAsDeep_mm = 0.05;
+  constexpr std::size_t kMostNormals = 4;
+  std::vector<Vec3> normals;
+  std::vector<ToolContact> contacts = find_contacts(pose, tool.cutting, parts, -within_mm);
+  std::ranges::stable_sort(contacts, std::greater<>(), &ToolContact::excess_mm);
+  for (const ToolContact& contact : contacts) {
+    if (contact.excess_mm < contacts.front().excess_mm - kAsDeep_mm || normals.size() == kMostNormals) break;
+    const Vec3 normal = normal_at(contact, contact.excess_mm - within_mm, pose, tool.cutting);
+    if (std::ranges::none_of(normals, [&](const Vec3& known) { return known.dot(normal) > kSameNormal; }))
+      normals.push_back(normal);
   }
-  return std::nullopt;
+  return normals;
 }
 
 class Measurer {
@@ -163,19 +179,28 @@ class Measurer {
   Measurer(const TiltJob& job, TiltRun& run) : job_(job), run_(run), tool_(*job.tools[run.tool]) {}
 
   void run() {
-    std::vector<std::optional<Vec3>> normals(run_.positions.size());
-    for_each_chunk(normals.size(), 4, job_.checker.options().threads, [&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) {
-        TiltPosition& at = run_.positions[i];
-        at.tolerance_share = share_at(at.programmed);
-        if (at.kind != MoveKind::rapid) normals[i] = contact_normal(at.programmed, tool_, job_.checker.scene().parts);
-      }
-    });
+    each_position(
+        [this](std::size_t i) { run_.positions[i].tolerance_share = share_at(run_.positions[i].programmed); });
+    std::vector<std::vector<Vec3>> normals(run_.positions.size());
+    for (const double within_mm : kContacts_mm) {
+      each_position([&](std::size_t i) {
+        const TiltPosition& at = run_.positions[i];
+        if (at.kind != MoveKind::rapid)
+          normals[i] = contact_normals(at.programmed, tool_, job_.checker.scene().parts, within_mm);
+      });
+      if (std::ranges::any_of(normals, [](const auto& some) { return !some.empty(); })) break;
+    }
     set_pivots(normals);
     set_directions();
   }
 
  private:
+  void each_position(const std::function<void(std::size_t)>& what) const {
+    for_each_chunk(run_.positions.size(), 4, job_.checker.options().threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) what(i);
+    });
+  }
+
   [[nodiscard]] double share_at(const Pose& pose) const {
     const double tolerance = job_.checker.options().tolerance_mm;
     const auto is_enough = [&](double share) {
@@ -187,11 +212,11 @@ class Measurer {
 
   /// Where the cutter touches nothing, the nearest contact of the run is kept to: else the tip would leap where one
   /// begins or ends.
-  void set_pivots(const std::vector<std::optional<Vec3>>& normals) {
+  void set_pivots(const std::vector<std::vector<Vec3>>& normals) {
     const std::size_t count = normals.size();
     std::vector<std::size_t> nearest(count, kNone);
     const auto spread = [&](std::size_t i, std::size_t& last) {
-      if (normals[i]) last = i;
+      if (!normals[i].empty()) last = i;
       const auto away = [&](std::size_t k) {
         return k == kNone ? 1e300 : std::abs(run_.positions[i].way_mm - run_.positions[k].way_mm);
       };
@@ -203,8 +228,8 @@ class Measurer {
     for (std::size_t i = count; i-- > 0;) spread(i, last);
     for (std::size_t i = 0; i < count; ++i) {
       TiltPosition& at = run_.positions[i];
-      at.pivot = nearest[i] == kNone ? ContactPivot(at.programmed)
-                                     : ContactPivot(at.programmed, tool_.cutting, *normals[nearest[i]]);
+      at.pivot =
+          ContactPivot(at.programmed, tool_.cutting, nearest[i] == kNone ? std::vector<Vec3>() : normals[nearest[i]]);
     }
   }
 
@@ -220,11 +245,21 @@ class Measurer {
         const Vec3 feed = all[std::min(i + 1, all.size() - 1)].programmed.tip - all[i > 0 ? i - 1 : 0].programmed.tip;
         const Vec3 across = feed - feed.dot(axis) * axis;
         if (across.norm() > 1e-3 * feed.norm() && across.norm() > 1e-6) first = across;
+        all[i].is_fixed = is_corner(i);
       }
       first = (first - first.dot(axis) * axis).normalized();
       all[i].first = first;
       all[i].second = axis.cross(first);
     }
+  }
+
+  /// Where the feed turns at once, lead and side change places: there the axis stays as programmed.
+  [[nodiscard]] bool is_corner(std::size_t i) const {
+    constexpr double kSameFeed = 0.98;  // 11 degrees
+    if (i == 0 || i + 1 == run_.positions.size()) return false;
+    const Vec3 here = run_.positions[i].programmed.tip;
+    const Vec3 into = here - run_.positions[i - 1].programmed.tip, out = run_.positions[i + 1].programmed.tip - here;
+    return into.dot(out) < kSameFeed * into.norm() * out.norm();
   }
 
   const TiltJob& job_;

@@ -12,6 +12,7 @@
 namespace gouge {
 namespace {
 
+constexpr double kBend = 0.5;     // of the tolerance
 constexpr double kAir_mm = 2e-3;  // shank and holder keep so much more than asked: motions bend between positions
 constexpr double kAccuracy_mm = 2e-4;
 constexpr double kSurely_mm = 1e-6;  // beyond rounding
@@ -133,6 +134,15 @@ bool TiltSpace::stays_within_limits(std::size_t i, const Pose& from, std::size_t
   return stays(stays, 0, 1, 0);
 }
 
+/// While the axis turns by an angle on a straight way of the tip, a point of the tool at a distance from the tip leaves
+/// its own straight way by distance * angle^2 / 8: so much the cut surface may be off in between.
+bool TiltSpace::bends_too_far(std::size_t i, std::size_t k, const Motion& motion) const {
+  const double programmed = angle_between_rad(positions_[i].programmed.axis, positions_[k].programmed.axis);
+  const double allowed_mm = kBend * task_.checker->options().tolerance_mm;
+  const double angle = std::sqrt(8 * allowed_mm / std::max(task_.tool->cutting.r_max_mm, 1e-3));
+  return motion.angle_rad() > std::max(programmed, angle);
+}
+
 bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, const Tilt& to) const {
   const auto is_untilted = [](const Tilt& tilt) { return !(tilt.norm() > 0); };
   if (is_untilted(from) && is_untilted(to)) {
@@ -143,7 +153,7 @@ bool TiltSpace::is_free_between(std::size_t i, const Tilt& from, std::size_t k, 
   const std::optional<Pose> start = pose(i, from), end = pose(k, to);
   if (!start || !end) return false;
   const Motion motion(*start, *end);
-  if (!motion.is_defined() || !stays_within_limits(i, *start, k, *end)) return false;
+  if (!motion.is_defined() || bends_too_far(i, k, motion) || !stays_within_limits(i, *start, k, *end)) return false;
   return std::ranges::any_of(std::array{kMotionShare, kMostShare}, [&](double share) {
     return task_.checker->is_clean(motion, positions_[k].kind, *task_.tool, options_for(share), true);
   });

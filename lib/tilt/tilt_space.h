@@ -25,6 +25,7 @@ struct TiltPosition {
   Vec3 first = Vec3::UnitX(), second = Vec3::UnitY();  ///< unit, square to the axis and to each other
   ContactPivot pivot{Pose{}};
   double tolerance_share = 0;     ///< of the tolerance: how deep the cutter may be in the part here
+  bool is_fixed = false;          ///< it is not tilted
   bool is_reached_clean = false;  ///< the programmed motion from the position before is clean
 
   [[nodiscard]] Vec3 axis_for(const Tilt& tilt) const;
@@ -75,6 +76,7 @@ class TiltSpace {
 
  private:
   [[nodiscard]] bool stays_within_limits(std::size_t i, const Pose& from, std::size_t k, const Pose& to) const;
+  [[nodiscard]] bool bends_too_far(std::size_t i, std::size_t k, const Motion& motion) const;
   [[nodiscard]] CheckOptions options_for(double tolerance_share) const;
   [[nodiscard]] bool is_refused(const Pose& pose, const CheckOptions& options, RefusingPoints& refusing) const;
 

@@ -218,6 +218,9 @@ class LawBook {
     const Move& old = c_.before->moves[i];
     const ToolVariants* tool = c_.setup->tools[old.tool];
     const Pose to = c_.after->moves[first_[i + 1] - 1].end;
+    // A tilt about the contact is no shift: tilt_law_test.cpp looks at those.
+    constexpr double kDigitsOfAxis = 1e-5;
+    if ((to.axis - old.end.axis).norm() > kDigitsOfAxis) return;
     const Vec3 displacement = to.tip - old.end.tip;
     const double start = depth_at(old.end, *tool);
     if (displacement.norm() > c_.max_shift_mm + kRounding_mm)

@@ -26,6 +26,8 @@ class CorrectedWriter {
         goto_text_(path, read_),
         arc_text_(path, read_),
         is_axis_modal_(dialect_called(path.dialect).value_or(Dialect{}).is_axis_modal),
+        has_no_axes_(!is_axis_modal_ &&
+                     std::ranges::none_of(records_, [](const MotionRecord& r) { return r.numbers == 6; })),
         changes_(path.moves.size(), changes),
         replaced_(path) {
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
@@ -66,6 +68,7 @@ class CorrectedWriter {
   GotoText goto_text_;
   ArcText arc_text_;
   bool is_axis_modal_;
+  bool has_no_axes_;  // no position of the file has one, and none keeps that of another
   ChangeTable changes_;
   ReplacedStatements replaced_;
   std::vector<std::string> inserted_arcs_;  // what describes those of the move being written; nothing: straight
@@ -187,10 +190,11 @@ WrittenPosition CorrectedWriter::written(const MotionRecord& record, const Pose&
   return position;
 }
 
-// Under MULTAX/OFF six numbers are two positions, so a position with an axis switches it on for itself.
+// Under MULTAX/OFF six numbers are two positions, so a position with an axis switches it on for itself; so it does in a
+// file without axes, where a position of three numbers behind it would be in doubt.
 std::string CorrectedWriter::framed(const MotionRecord& record, const WrittenPosition& position,
                                     std::string text) const {
-  if (!record.is_multax_off || !position.axis || record.numbers == 6) return text;
+  if (!(record.is_multax_off || has_no_axes_) || !position.axis || record.numbers == 6) return text;
   return goto_text_.with_line_end("MULTAX/ON") + goto_text_.with_line_end(std::move(text)) +
          goto_text_.with_line_end("MULTAX/OFF");
 }
