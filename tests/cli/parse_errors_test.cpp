@@ -60,6 +60,20 @@ TEST(ParseErrors, AValueThatCannotBeIsReportedWithWhatCan) {
     EXPECT_EQ(said({"correct", "a.apt", "--part", "p.stl", "-o", "b.apt", "--max-rotary-speed", speed}),
               "--max-rotary-speed '" + std::string(speed) + "': expected degrees a minute, at least 0.001");
   }
+  const auto corrects = [](const char* option, const char* value) {
+    return said({"correct", "a.apt", "--part", "p.stl", "-o", "b.apt", option, value});
+  };
+  for (const char* strategy :
+       {"lift", "holder=lift", "arm=tilt", "=tilt", "cutter=tilt", "direction=1,2", "direction=0,0,0"})
+    EXPECT_TRUE(corrects("--strategy", strategy).starts_with("--strategy '" + std::string(strategy) + "': expected "));
+  for (const char* cone : {"0,0,1", "0,0,0,10", "0,0,1,0", "0,0,1,181", "a,0,1,10", "0,0,1,10,2"})
+    EXPECT_TRUE(corrects("--axis-cone", cone).starts_with("--axis-cone '" + std::string(cone) + "': expected I,J,K,"));
+  for (const char* option : {"--max-tilt", "--max-turn", "--max-turn-step"}) {
+    for (const char* value : {"0", "-1", "nan", "1e9", "5deg"})
+      EXPECT_TRUE(
+          corrects(option, value).starts_with(std::string(option) + " '" + value + "': expected degrees above 0"));
+  }
+  EXPECT_TRUE(corrects("--blend", "0").starts_with("--blend '0': expected "));
   EXPECT_TRUE(said({"path", "convert", "a.apt", "-o", "b", "--to", "fanuc"})
                   .starts_with("--to 'fanuc': expected one of nx-clsf, "));
 }

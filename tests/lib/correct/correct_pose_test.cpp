@@ -136,10 +136,33 @@ TEST(AlongAxis, AFlatCutterLeansOnItsRim) {
   EXPECT_LE(depth_of(lifted->pose, tools::flat(), scene), kAim_mm + 2e-4);
 }
 
+TEST(AlongNormal, OfAPlaneIsTheShortestWayOut) {
+  const Vec3 n = Vec3(0.3, -0.2, 1).normalized();
+  const Scene scene{{plane(n)}, {}};
+  // A ball whose centre is 4.7 mm above the plane.
+  const Pose pose{4.7 * n - 5 * Vec3::UnitZ(), Vec3::UnitZ()};
+  const auto corrected = correct_along_normal(pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits());
+  ASSERT_TRUE(corrected.has_value());
+  EXPECT_NEAR(corrected->shift_mm, 0.3 - kAim_mm, 0.01);
+  EXPECT_GT((corrected->pose.tip - pose.tip).normalized().dot(n), 0.999);
+}
+
+TEST(AlongDirection, GoesThatWayAndNoFurtherThanItMust) {
+  const Vec3 n = Vec3(0.3, -0.2, 1).normalized();
+  const Scene scene{{plane(n)}, {}};
+  const Pose pose{4.7 * n - 5 * Vec3::UnitZ(), Vec3::UnitZ()};
+  PoseLimits along = limits();
+  along.direction = Vec3(1, 0, 1).normalized();
+  const auto corrected = correct_along_direction(pose, tools::ball(), OwnSetup(nullptr, scene).checker(), along);
+  ASSERT_TRUE(corrected.has_value());
+  EXPECT_GT((corrected->pose.tip - pose.tip).normalized().dot(along.direction), 1 - 1e-9);
+  EXPECT_NEAR(corrected->shift_mm, (0.3 - kAim_mm) / along.direction.dot(n), 0.01);
+}
+
 TEST(Limits, AShiftBeyondTheLargestIsNoCorrection) {
   const Scene scene{{plane(Vec3::UnitZ())}, {}};
   const Pose pose{Vec3(0, 0, -0.3), Vec3::UnitZ()};
-  for (const Strategy strategy : {Strategy::weighted, Strategy::axis}) {
+  for (const Strategy strategy : {Strategy::weighted, Strategy::axis, Strategy::normal, Strategy::direction}) {
     EXPECT_FALSE(
         correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.25)).has_value());
     const auto corrected =
@@ -152,7 +175,7 @@ TEST(Limits, AShiftBeyondTheLargestIsNoCorrection) {
 TEST(Limits, APoseThatMeetsTheAimStaysBitForBit) {
   const Scene scene{{plane(Vec3::UnitZ())}, {}};
   const Pose pose{Vec3(0.1, 0.2, -0.004), Vec3::UnitZ()};
-  for (const Strategy strategy : {Strategy::weighted, Strategy::axis}) {
+  for (const Strategy strategy : {Strategy::weighted, Strategy::axis, Strategy::normal, Strategy::direction}) {
     const auto corrected = correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits());
     ASSERT_TRUE(corrected.has_value());
     EXPECT_EQ(corrected->pose.tip, pose.tip);
@@ -164,6 +187,9 @@ TEST(Limits, APoseThatMeetsTheAimStaysBitForBit) {
 TEST(Strategies, HaveTheNamesOfTheCommandLine) {
   EXPECT_STREQ(strategy_name(Strategy::weighted), "weighted");
   EXPECT_STREQ(strategy_name(Strategy::axis), "axis");
+  EXPECT_STREQ(strategy_name(Strategy::tilt), "tilt");
+  EXPECT_STREQ(strategy_name(Strategy::normal), "normal");
+  EXPECT_STREQ(strategy_name(Strategy::direction), "direction");
 }
 
 }  // namespace

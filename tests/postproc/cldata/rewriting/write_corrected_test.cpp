@@ -32,6 +32,16 @@ TEST(WriteCorrected, KeepsColumnsWhereTheFileHasThem) {
             "GOTO  /    8.00000, -100.00000,    9.00000,-1.000000, 0.000000, 0.000000\n");
 }
 
+// Behind it a position of three numbers would be in doubt.
+TEST(WriteCorrected, FramesAnAxisInAFileThatHasNone) {
+  const Toolpath path = path_of("UNITS/MM\nGOTO/1.0,2.0,3.0\nGOTO/4.0,5.0,6.0\nGOTO/7.0,8.0,9.0\nFINI\n");
+  const Vec3 axis(0.6, 0, 0.8);
+  EXPECT_EQ(
+      written(path, {{1, Pose{Vec3(4, 5, 7), axis}, {}, false}}),
+      "UNITS/MM\nGOTO/1.0,2.0,3.0\nMULTAX/ON\nGOTO/4.0,5.0,7.0000,0.600000000,0.000000000,0.800000000\nMULTAX/OFF\n"
+      "GOTO/7.0,8.0,9.0\nFINI\n");
+}
+
 TEST(WriteCorrected, WritesEnoughDecimalsForACorrection) {
   const Toolpath path = path_of("GOTO/1,2,3\nGOTO/4,5,6\n");
   EXPECT_EQ(written(path, {lift(path, 1, 0.0123)}), "GOTO/1,2,3\nGOTO/4,5,6.0123\n");
