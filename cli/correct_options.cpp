@@ -15,8 +15,8 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMostTilt = 89, kMostCone = 180, kMostTurn = 1e6;
 
 constexpr const char* kExpectedStrategy =
-    "auto, tilt, normal, weighted, axis or direction=I,J,K, for all bodies or after cutter=, shank=, holder= or head= for "
-    "one";
+    "auto, tilt, normal, weighted, axis or direction=I,J,K, for all bodies or after cutter=, shank=, holder= or head= "
+    "for one";
 constexpr std::string_view kDirection = "direction=";
 
 Result<double> understand_degrees(const std::string& option, const std::string& typed, double most) {
@@ -32,20 +32,6 @@ std::optional<Strategy> strategy_called(const std::string& name, std::size_t bod
     if (name == strategy_name(strategy)) return strategy;
   }
   return name.starts_with(kDirection) ? std::optional(Strategy::direction) : std::nullopt;
-}
-
-/// `count` numbers with commas between.
-std::optional<std::vector<double>> numbers_of(const std::string& typed, std::size_t count) {
-  std::vector<double> numbers;
-  for (std::size_t begin = 0; numbers.size() < count;) {
-    const std::size_t end = numbers.size() + 1 < count ? typed.find(',', begin) : typed.size();
-    if (end == std::string::npos || end < begin) return std::nullopt;
-    const auto value = parse_number(typed.substr(begin, end - begin));
-    if (!value) return std::nullopt;
-    numbers.push_back(*value);
-    begin = end + 1;
-  }
-  return numbers;
 }
 
 std::optional<Vec3> direction_of(const std::vector<double>& numbers) {
@@ -70,7 +56,7 @@ Result<BodyStrategies> understand_strategies(const std::vector<std::string>& typ
       if (!strategy || (wanted == "cutter" && *strategy == Strategy::tilt))
         return usage_error("--strategy", one, strategy ? "no tilt for the cutter: it shifts" : kExpectedStrategy);
       if (*strategy == Strategy::direction) {
-        const auto numbers = numbers_of(name.substr(kDirection.size()), 3);
+        const auto numbers = parse_numbers(name.substr(kDirection.size()), 3);
         const auto direction = numbers ? direction_of(*numbers) : std::nullopt;
         if (!direction) return usage_error("--strategy", one, "three numbers of a direction, as in direction=0,0,1");
         strategies.direction = *direction;
@@ -87,7 +73,7 @@ Result<AxisCone> understand_cone(const std::string& typed) {
   const auto wrong = [&] {
     return usage_error("--axis-cone", typed, "I,J,K,DEGREES: a direction and an angle above 0 and at most 180");
   };
-  const auto numbers = numbers_of(typed, 4);
+  const auto numbers = parse_numbers(typed, 4);
   const auto axis = numbers ? direction_of(*numbers) : std::nullopt;
   const double degrees = numbers ? numbers->back() : 0;
   if (!axis || !(degrees > 0) || degrees > kMostCone) return wrong();

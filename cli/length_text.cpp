@@ -63,6 +63,16 @@ std::optional<double> parse_length_mm(const std::string& text) {
   return value ? within_reach(*value) : std::nullopt;
 }
 
+std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count) {
+  std::vector<double> numbers;
+  for (const std::string& part : split(text, ',')) {
+    const auto number = parse_number(part);
+    if (!number) return std::nullopt;
+    numbers.push_back(*number);
+  }
+  return numbers.size() == count ? std::optional(numbers) : std::nullopt;
+}
+
 std::optional<RigidTransform> parse_place(const std::string& text) {
   const std::vector<std::string> parts = split(text, ',');
   if (parts.size() != 3 && parts.size() != 6) return std::nullopt;

@@ -18,6 +18,9 @@ namespace gouge {
 /// Nothing also for lengths beyond 100 m, which is as far as a check reaches (kFarthest_mm).
 [[nodiscard]] std::optional<double> parse_length_mm(const std::string& text);
 
+/// "1,0,-2.5": so many numbers, commas between.
+[[nodiscard]] std::optional<std::vector<double>> parse_numbers(const std::string& text, std::size_t count);
+
 /// "x,y,z" or "x,y,z,rx,ry,rz": lengths, then degrees about the fixed X, Y and Z axes in this order.
 [[nodiscard]] std::optional<RigidTransform> parse_place(const std::string& text);
 

@@ -139,7 +139,7 @@ class FitFinder {
   [[nodiscard]] bool is_cutter_deep(const Pose& pose, const ToolVariants& tool) const {
     // With no surface near it the cutter may be deep inside.
     if (contact_of(pose, tool, tool.cutting, scene_) == Contact::apart)
-      return scene_.sides().side_of({{pose.tip + tool.bare.core.y() * pose.axis}, {pose.axis}}).side == Side::inside;
+      return is_core_inside(pose, tool, *scene_.scene);
     const double deep = kDeep * tool.bare.core_depth_mm, gap = kAccuracy * deep;
     const SearchTarget part{&tool.cutting, &scene_.parts, Against::part};
     return sweep_and_search(Motion(pose), {part}, {{deep, gap, gap, kBudget}, 0}).value_mm > deep;

@@ -99,8 +99,8 @@ class LawsCheck {
   }
 
  private:
-  /// Piece `k` of straight move `i` is the programmed motion or a part of it, or leads from its new start to the old one, or from its
-  /// old end to the new one. Elsewhere a motion that still gouges could cut what it did not cut before, less deep than
+  /// Piece `k` of straight move `i` is the programmed motion or a part of it, or leads from its new start to the old
+  /// one, or from its old end to the new one. Elsewhere a motion that still gouges could cut what it did not cut before, less deep than
   /// its deepest point.
   [[nodiscard]] bool is_programmed_or_shift(std::size_t i, std::size_t k, const MovesAfter& span) const {
     const Toolpath &a = *before_.path, &b = *after_.path;

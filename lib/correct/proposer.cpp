@@ -91,12 +91,13 @@ void Proposer::keep_all(const std::string& reason) {
   for (std::size_t i = 0; i < path_.moves.size(); ++i) keep(i, reason);
 }
 
+std::size_t Proposer::origin_of(std::size_t i) const { return straight_ ? straight_->origin[i] : i; }
+
 bool Proposer::give_up_tilt(std::size_t move, const std::string& reason) {
-  const auto origin = [this](std::size_t i) { return straight_ ? straight_->origin[i] : i; };
   const auto is_of_move = [&](const SmoothedRun& run) {
     // A move whose start is tilted is of the run too.
     return std::ranges::any_of(run.positions, [&](const TiltedPosition& p) {
-      return origin(p.move) == move || (p.is_end && origin(p.move) + 1 == move);
+      return origin_of(p.move) == move || (p.is_end && origin_of(p.move) + 1 == move);
     });
   };
   const auto found = std::ranges::find_if(plan_.runs, is_of_move);
@@ -115,23 +116,21 @@ void Proposer::keep_pieces(std::size_t move, const std::string& reason) {
 }
 
 void Proposer::add_tilts(Correction& correction) const {
-  const auto origin = [this](std::size_t i) { return straight_ ? straight_->origin[i] : i; };
   for (const SmoothedRun& run : plan_.runs) {
     for (const TiltedPosition& p : run.positions) {
-      const Move& move = path_.moves[origin(p.move)];
+      const Move& move = path_.moves[origin_of(p.move)];
       const ToolVariants& tool = *tools_[move.tool];
-      const bool is_end =
-          p.is_end && (!straight_ || p.move + 1 == straight_->origin.size() || origin(p.move + 1) != origin(p.move));
-      correction.records.push_back({origin(p.move), Strategy::tilt, !is_end, p.pose.tip - p.programmed.tip,
-                                    result_.verdicts[origin(p.move)].depth_mm,
+      const bool is_end = p.is_end && (!straight_ || p.move + 1 == straight_->origin.size() ||
+                                       origin_of(p.move + 1) != origin_of(p.move));
+      correction.records.push_back({origin_of(p.move), Strategy::tilt, !is_end, p.pose.tip - p.programmed.tip,
+                                    result_.verdicts[origin_of(p.move)].depth_mm,
                                     checker_.measure(p.pose, move.kind, tool).depth_mm, 0, p.tilt_rad});
     }
   }
-  sort_by_move(correction.records);
   for (const UntiltedRun& run : plan_.failed) {
-    correction.not_tilted.push_back({origin(run.first_wanted), origin(run.last_wanted), run.reason});
+    correction.not_tilted.push_back({origin_of(run.first_wanted), origin_of(run.last_wanted), run.reason});
     for (Uncorrected& left : correction.uncorrected) {
-      if (left.move >= origin(run.first_wanted) && left.move <= origin(run.last_wanted))
+      if (left.move >= origin_of(run.first_wanted) && left.move <= origin_of(run.last_wanted))
         left.reason = run.reason + "; " + left.reason;
     }
   }

@@ -33,6 +33,8 @@ class Proposer {
  private:
   void plan_tilting(const ProgressCall& progress);
   void rework();
+  /// Of a move of the plan: which move of the path it is a piece of.
+  [[nodiscard]] std::size_t origin_of(std::size_t i) const;
   [[nodiscard]] bool give_up_tilt(std::size_t move, const std::string& reason);
   void keep_pieces(std::size_t move, const std::string& reason);
   void add_tilts(Correction& correction) const;

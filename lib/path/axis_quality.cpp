@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lib/path/bending_sum.h"
 #include "lib/path/path_info.h"
 
 namespace gouge {
@@ -25,8 +26,9 @@ class QualityPass {
       if (is_feed_move(path_.moves[i]))
         add(i);
       else
-        has_last_ = false;
+        bending_.interrupt();
     }
+    quality_.bending = bending_.value();
     return quality_;
   }
 
@@ -39,19 +41,12 @@ class QualityPass {
     add_time(path_.moves[i], length_mm, turn_rad);
     if (length_mm > AxisQuality::kSpot_mm) {
       quality_.turn_rad_per_mm.take(turn_rad / length_mm, i);
-      add_bending((to - from) / length_mm, length_mm);
+      bending_.add((to - from) / length_mm, length_mm);
     } else if (turn_rad > AxisQuality::kSameAxis_rad) {
       ++quality_.turns_on_the_spot;
       quality_.turn_on_the_spot_rad.take(turn_rad, i);
-      has_last_ = false;
+      bending_.interrupt();
     }
-  }
-
-  void add_bending(const Vec3& slope, double length_mm) {
-    if (has_last_) quality_.bending += (slope - last_slope_).squaredNorm() * 2 / (last_length_mm_ + length_mm);
-    last_slope_ = slope;
-    last_length_mm_ = length_mm;
-    has_last_ = true;
   }
 
   void add_time(const Move& move, double length_mm, double turn_rad) {
@@ -67,9 +62,7 @@ class QualityPass {
   const Toolpath& path_;
   const std::optional<double>& max_rotary_rad_per_s_;
   AxisQuality quality_;
-  Vec3 last_slope_ = Vec3::Zero();
-  double last_length_mm_ = 0;
-  bool has_last_ = false;
+  BendingSum<3> bending_;
 };
 
 }  // namespace

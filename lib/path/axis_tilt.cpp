@@ -5,9 +5,9 @@
 #include <numeric>
 
 #include "lib/path/chords.h"
+#include "lib/path/draw_tilt_curve.h"
 #include "lib/path/path_info.h"
 #include "lib/path/programmed_axis.h"
-#include "lib/path/tilt_curve.h"
 
 namespace gouge {
 namespace {

@@ -33,9 +33,9 @@ class RunPlanner {
     std::optional<std::size_t> doubtful;
     for (const bool may_raise : {false, true}) {
       const TiltSpace space(run_.positions, {job_.tools[run_.tool], &job_.checker, job_.options, may_raise});
-      const LatticeResult found = find_tilts(space, run_.open, job_.checker.options().threads, doubtful);
+      const LatticeResult found = find_tilts(space, job_.checker.options().threads, doubtful);
       if (found.sequence) {
-        const TiltSequence tilts = smooth_tilts(space, *found.sequence, run_.open, job_.checker.options().threads);
+        const TiltSequence tilts = smooth_tilts(space, *found.sequence, job_.checker.options().threads);
         if (!keeps_turns(space, tilts)) return false;
         gather(space, tilts);
         return true;

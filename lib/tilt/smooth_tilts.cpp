@@ -23,8 +23,8 @@ constexpr std::size_t kChunk = 8;
 
 class Smoother {
  public:
-  Smoother(const TiltSpace& space, const TiltSequence& proven, const OpenEnds& open, unsigned threads)
-      : space_(space), proven_(proven), open_(open), threads_(threads), proofs_(space) {
+  Smoother(const TiltSpace& space, const TiltSequence& proven, unsigned threads)
+      : space_(space), proven_(proven), threads_(threads), proofs_(space) {
     for (std::size_t i = 0; i < space.size(); ++i) ways_mm_.push_back(space[i].way_mm);
   }
 
@@ -34,12 +34,10 @@ class Smoother {
     for (std::size_t i = 0; i < space_.size(); ++i) {
       if (space_[i].is_fixed) kept_[i] = kProven;
     }
-    if (!open_.first) kept_.front() = kProven;
-    if (!open_.last) kept_.back() = kProven;
     for (int round = 0;; ++round) {
       const TiltSequence tilts = curve();
       const std::vector<char> is_refused = refused(tilts);
-      if (std::ranges::none_of(is_refused, [](char refused) { return refused != 0; })) break;
+      if (is_free(is_refused)) break;
       add_anchors(tilts, is_refused, round < kFewAtATime);
     }
     let_go();
@@ -91,7 +89,7 @@ class Smoother {
       if (kept_[i] != kFree && is_apart) anchors.push_back({i, wanted(i)});
     }
     if (anchors.empty()) anchors.push_back({0, Tilt::Zero()});
-    TiltSequence tilts = curve_through(anchors, ways_mm_, !open_.first, !open_.last);
+    TiltSequence tilts = curve_through(anchors, ways_mm_, space_[0].is_fixed, space_[space_.size() - 1].is_fixed);
     // To digits that no file has, so that where an anchor far away changes next to nothing it changes nothing.
     for (Tilt& tilt : tilts) tilt = (tilt / kDigit_rad).array().round() * kDigit_rad;
     for (std::size_t i = 0; i < space_.size(); ++i) {
@@ -108,12 +106,16 @@ class Smoother {
 
   enum Refused : char { kNothing, kPosition, kMotion };
 
+  [[nodiscard]] static bool is_free(const std::vector<char>& is_refused) {
+    return std::ranges::all_of(is_refused, [](char refused) { return refused == kNothing; });
+  }
+
   [[nodiscard]] std::vector<char> refused(const TiltSequence& tilts) {
     std::vector<char> is_refused(space_.size(), kNothing);
     for_each_chunk(space_.size(), kChunk, threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) is_refused[i] = is_position_free(i, tilts) ? kNothing : kPosition;
     });
-    if (std::ranges::any_of(is_refused, [](char r) { return r != kNothing; })) return is_refused;
+    if (!is_free(is_refused)) return is_refused;
     for_each_chunk(space_.size() - 1, kChunk, threads_, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         if (!proofs_.is_free_after(i, tilts[i], tilts[i + 1])) is_refused[i] = kMotion;
@@ -175,7 +177,7 @@ class Smoother {
       kept_[i] = kFree;
       const TiltSequence tilts = curve();
       const double now = roughness(tilts, ways_mm_);
-      if (now < least && std::ranges::none_of(refused(tilts), [](char r) { return r != kNothing; })) {
+      if (now < least && is_free(refused(tilts))) {
         least = now;
       } else {
         kept_[i] = was;
@@ -185,7 +187,6 @@ class Smoother {
 
   const TiltSpace& space_;
   const TiltSequence& proven_;
-  OpenEnds open_;
   unsigned threads_;
   std::vector<double> ways_mm_;
   TiltSequence drawn_in_;
@@ -196,8 +197,8 @@ class Smoother {
 
 }  // namespace
 
-TiltSequence smooth_tilts(const TiltSpace& space, const TiltSequence& proven, const OpenEnds& open, unsigned threads) {
-  return Smoother(space, proven, open, threads).run();
+TiltSequence smooth_tilts(const TiltSpace& space, const TiltSequence& proven, unsigned threads) {
+  return Smoother(space, proven, threads).run();
 }
 
 }  // namespace gouge

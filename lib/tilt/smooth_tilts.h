@@ -15,7 +15,6 @@ namespace gouge {
 /// Requires a sequence as find_tilts gives it.
 /// Ensures  free as TiltSpace says, everywhere; the same at any number of threads.
 /// Cost     some ten times the checks of all positions.
-[[nodiscard]] TiltSequence smooth_tilts(const TiltSpace& space, const TiltSequence& proven, const OpenEnds& open,
-                                        unsigned threads);
+[[nodiscard]] TiltSequence smooth_tilts(const TiltSpace& space, const TiltSequence& proven, unsigned threads);
 
 }  // namespace gouge

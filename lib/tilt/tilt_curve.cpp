@@ -1,6 +1,6 @@
 #include "lib/tilt/tilt_curve.h"
 
-#include <algorithm>
+#include "lib/path/bending_sum.h"
 
 namespace gouge {
 namespace {
@@ -68,19 +68,15 @@ TiltSequence curve_through(const std::vector<TiltAnchor>& anchors, const std::ve
 }
 
 double roughness(const TiltSequence& tilts, const std::vector<double>& ways_mm) {
-  double sum = 0, ds_before = 0;
-  Tilt rise_before = Tilt::Zero();
+  BendingSum<2> bending;
   std::size_t last = 0;
   for (std::size_t i = 1; i < tilts.size(); ++i) {
     const double ds = ways_mm[i] - ways_mm[last];
     if (!(ds > 0)) continue;
-    const Tilt rise = (tilts[i] - tilts[last]) / ds;
-    if (ds_before > 0) sum += (rise - rise_before).squaredNorm() * 2 / (ds + ds_before);
-    rise_before = rise;
-    ds_before = ds;
+    bending.add((tilts[i] - tilts[last]) / ds, ds);
     last = i;
   }
-  return sum;
+  return bending.value();
 }
 
 }  // namespace gouge

@@ -23,8 +23,7 @@ struct TiltAnchor {
 [[nodiscard]] TiltSequence curve_through(const std::vector<TiltAnchor>& anchors, const std::vector<double>& ways_mm,
                                          bool is_first_level, bool is_last_level);
 
-/// sum over i of |dw(i+1)/ds(i+1) - dw(i)/ds(i)|^2 * 2 / (ds(i) + ds(i+1)), rad^2/mm^3: the discrete integral of the
-/// squared second derivative. Where two ways are the same the later is left out.
+/// BendingSum of a sequence, rad^2/mm^3. Where two ways are the same the later is left out.
 [[nodiscard]] double roughness(const TiltSequence& tilts, const std::vector<double>& ways_mm);
 
 }  // namespace gouge

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <set>
-#include <tuple>
 
 #include "lib/base/parallel.h"
 
@@ -27,16 +25,15 @@ constexpr double kLeastWay_mm = 1e-3;  // positions that are closer count as so 
 class Lattice {
  public:
   /// `near`: null, or the sequence that tilts may be no farther from than `reach_rad`.
-  Lattice(const TiltSpace& space, const OpenEnds& open, int steps, unsigned threads, const TiltSequence* near,
-          double reach_rad)
-      : space_(space), open_(open), threads_(threads), near_(near), reach_rad_(reach_rad), proofs_(space) {
+  Lattice(const TiltSpace& space, int steps, unsigned threads, const TiltSequence* near, double reach_rad)
+      : space_(space), threads_(threads), near_(near), reach_rad_(reach_rad), proofs_(space) {
     const TiltOptions& options = space.task().options;
-    step_rad_ = options.max_tilt_rad / steps;
+    // A little inwards, where the largest tilts are still within their margin.
+    const double step_rad = options.max_tilt_rad / steps * 0.999;
     const int across = options.freedom == TiltFreedom::both ? steps : 0;
     for (int x = -steps; x <= steps; ++x) {
       for (int y = -across; y <= across; ++y) {
-        // A little inwards, where the largest tilts are still within their margin.
-        const Tilt tilt = step_rad_ * 0.999 * Tilt(x, y);
+        const Tilt tilt = step_rad * Tilt(x, y);
         if (tilt.norm() <= options.max_tilt_rad)
           nodes_.push_back(options.freedom == TiltFreedom::side ? Tilt(tilt.y(), tilt.x()) : tilt);
       }
@@ -110,7 +107,7 @@ class Lattice {
   }
 
   void look_at(std::size_t i) {
-    const bool is_fixed = space_[i].is_fixed || (i == 0 && !open_.first) || (i + 1 == space_.size() && !open_.last);
+    const bool is_fixed = space_[i].is_fixed;
     RefusingPoints refusing;
     for (Node n = 0; n < nodes_.size() && (!is_fixed || n == 0); ++n) {
       if (near_ != nullptr && (nodes_[n] - (*near_)[i]).norm() > reach_rad_) continue;
@@ -127,7 +124,7 @@ class Lattice {
     return 0.5 * way * (from.squaredNorm() + to.squaredNorm()) / (blend * blend) + (to - from).squaredNorm() / way;
   }
 
-  [[nodiscard]] std::optional<TiltSequence> cheapest() const {
+  [[nodiscard]] std::optional<TiltSequence> cheapest() {
     constexpr double kNever = std::numeric_limits<double>::infinity();
     std::vector<double> so_far(free_[layers_.front()].size(), 0);
     std::vector<std::vector<std::uint32_t>> came_from(layers_.size());
@@ -203,34 +200,31 @@ class Lattice {
   }
 
   const TiltSpace& space_;
-  OpenEnds open_;
   unsigned threads_;
   const TiltSequence* near_;
   double reach_rad_;
-  double step_rad_ = 0;
   std::vector<Tilt> nodes_;              // the smallest first
   std::vector<std::vector<Node>> free_;  // of each layer
   std::vector<bool> is_layer_;
   std::vector<std::size_t> layers_, new_layers_;
   std::set<Struck> struck_;
   TiltProofs proofs_;
-  mutable std::vector<Node> last_chosen_;
+  std::vector<Node> last_chosen_;
 };
 
 }  // namespace
 
-LatticeResult find_tilts(const TiltSpace& space, const OpenEnds& open, unsigned threads,
-                         std::optional<std::size_t> doubtful) {
+LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful) {
   LatticeResult found;
   for (int level = 0, steps = kCoarseSteps; level < kLevels; ++level, steps *= 2) {
-    found = Lattice(space, open, steps, threads, nullptr, 0).find(doubtful);
+    found = Lattice(space, steps, threads, nullptr, 0).find(doubtful);
     // Where no way leads between, positions closer to each other help more than more tilts.
     if (!found.sequence && !found.blocked) break;
     if (found.blocked) doubtful = found.blocked;
     if (!found.sequence) continue;
     const double reach_rad = kTube * space.task().options.max_tilt_rad / steps;
     LatticeResult finer =
-        Lattice(space, open, kFinerPerStep * steps, threads, &*found.sequence, reach_rad).find(std::nullopt);
+        Lattice(space, kFinerPerStep * steps, threads, &*found.sequence, reach_rad).find(std::nullopt);
     if (finer.sequence) found = std::move(finer);
     break;
   }

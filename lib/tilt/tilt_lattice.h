@@ -10,12 +10,6 @@ namespace gouge {
 /// Tilts of all positions of a run, one each.
 using TiltSequence = std::vector<Tilt>;
 
-/// Which ends of a run may be tilted themselves: those where the path begins or ends, and collides. The others stay as
-/// programmed.
-struct OpenEnds {
-  bool first = false, last = false;
-};
-
 struct LatticeResult {
   std::optional<TiltSequence> sequence;
   /// Where there is none: a position at which no tilt that was looked at is free, or none, as they are free everywhere
@@ -36,7 +30,6 @@ struct LatticeResult {
 /// Cost     some hundred checks of a position for each layer.
 /// Source   layers of postures: Plakhotnik and Lauwers 2014; only the winner's motions are proved: Dellin and Srinivasa
 ///          2016 (LazySP).
-[[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, const OpenEnds& open, unsigned threads,
-                                       std::optional<std::size_t> doubtful);
+[[nodiscard]] LatticeResult find_tilts(const TiltSpace& space, unsigned threads, std::optional<std::size_t> doubtful);
 
 }  // namespace gouge

@@ -26,13 +26,14 @@ struct TiltOptions {
   /// How fast the axis may turn on a motion that the programmed axis does not turn faster on.
   double max_turn_rad_per_mm = std::numeric_limits<double>::infinity();
   double max_turn_step_rad = std::numeric_limits<double>::infinity();  ///< and on one motion
+  double blend_mm = 10;  ///< way of the tip over which the tilt comes and goes, where the path has it
+  /// How far the tip may rise off the part where the cutter would gouge when tilted: what it leaves uncut.
+  double max_raise_mm = 1;
+
   [[nodiscard]] bool has_turn_limit() const {
     return max_turn_rad_per_mm < std::numeric_limits<double>::infinity() ||
            max_turn_step_rad < std::numeric_limits<double>::infinity();
   }
-  double blend_mm = 10;  ///< way of the tip over which the tilt comes and goes, where the path has it
-  /// How far the tip may rise off the part where the cutter would gouge when tilted: what it leaves uncut.
-  double max_raise_mm = 1;
 };
 
 }  // namespace gouge

@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "lib/base/parallel.h"
-#include "lib/check/path_motion.h"
 #include "lib/contact/contacts.h"
+#include "lib/path/path_info.h"
 
 namespace gouge {
 namespace {
@@ -113,10 +113,12 @@ class Chain {
     run.first_wanted = stretch.first_move;
     run.last_wanted = stretch.last_move;
     const std::vector<Move>& moves = job_.path.moves;
-    run.open.first = !moves[begin->move].has_start && !is_clean_at(*begin);
-    const bool is_last = last_move_ + 1 == moves.size() || !moves[last_move_ + 1].has_start;
-    run.open.last = end + 1 == stations_.end() && is_last && !is_clean_at(*end);
     for (auto at = begin; at <= end; ++at) run.positions.push_back(position_at(*at, begin->way_mm));
+    const bool begins_path = !moves[begin->move].has_start;
+    const bool ends_path =
+        end + 1 == stations_.end() && (last_move_ + 1 == moves.size() || !moves[last_move_ + 1].has_start);
+    run.positions.front().is_fixed = !begins_path || is_clean_at(*begin);
+    run.positions.back().is_fixed = !ends_path || is_clean_at(*end);
     return run;
   }
 
@@ -245,7 +247,7 @@ class Measurer {
         const Vec3 feed = all[std::min(i + 1, all.size() - 1)].programmed.tip - all[i > 0 ? i - 1 : 0].programmed.tip;
         const Vec3 across = feed - feed.dot(axis) * axis;
         if (across.norm() > 1e-3 * feed.norm() && across.norm() > 1e-6) first = across;
-        all[i].is_fixed = is_corner(i);
+        all[i].is_fixed = all[i].is_fixed || is_corner(i);
       }
       first = (first - first.dot(axis) * axis).normalized();
       all[i].first = first;
@@ -270,25 +272,25 @@ class Measurer {
 }  // namespace
 
 std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_wanted, double way_mm) {
+  constexpr double kFar_mm = 1e300;
   std::vector<bool> is_near = is_wanted;
-  double away = 1e300;
-  const auto length = [&](std::size_t i) { return motion_of(path, i, RapidMode::straight).path_length_mm(0, 1, 0); };
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    if (is_wanted[i]) away = 0;
-    if (!path.moves[i].has_start) away = is_wanted[i] ? 0 : 1e300;
-    if (is_wanted[i] || away > way_mm) continue;
-    is_near[i] = true;
-    away += length(i);
-  }
-  away = 1e300;
-  for (std::size_t i = path.moves.size(); i-- > 0;) {
+  double away_mm = kFar_mm;
+  const auto visit = [&](std::size_t i) {
     if (is_wanted[i]) {
-      away = 0;
-    } else if (away <= way_mm) {
+      away_mm = 0;
+    } else if (away_mm <= way_mm) {
       is_near[i] = true;
-      away += path.moves[i].has_start ? length(i) : 1e300;
+      if (path.moves[i].has_start) away_mm += move_length_mm(path, i);
     }
-    if (!path.moves[i].has_start) away = 1e300;
+  };
+  for (std::size_t i = 0; i < path.moves.size(); ++i) {
+    if (!path.moves[i].has_start) away_mm = kFar_mm;
+    visit(i);
+  }
+  away_mm = kFar_mm;
+  for (std::size_t i = path.moves.size(); i-- > 0;) {
+    visit(i);
+    if (!path.moves[i].has_start) away_mm = kFar_mm;
   }
   return is_near;
 }

@@ -23,8 +23,7 @@ struct TiltJob {
 struct TiltRun {
   std::size_t tool = 0;
   std::size_t first_wanted = 0, last_wanted = 0;  ///< moves that gouge
-  std::vector<TiltPosition> positions;  ///< in path order; those at both ends stay as programmed, but for open ones
-  OpenEnds open;                        ///< where the path begins or ends with a collision
+  std::vector<TiltPosition> positions;  ///< in path order; fixed at both ends, but where the path ends in a collision
 };
 
 /// The runs of a path, in its order and apart from each other. Positions are at most `spacing_mm` of the tip's way apart.

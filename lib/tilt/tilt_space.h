@@ -25,7 +25,7 @@ struct TiltPosition {
   Vec3 first = Vec3::UnitX(), second = Vec3::UnitY();  ///< unit, square to the axis and to each other
   ContactPivot pivot{Pose{}};
   double tolerance_share = 0;     ///< of the tolerance: how deep the cutter may be in the part here
-  bool is_fixed = false;          ///< it is not tilted
+  bool is_fixed = false;          ///< it stays as programmed
   bool is_reached_clean = false;  ///< the programmed motion from the position before is clean
 
   [[nodiscard]] Vec3 axis_for(const Tilt& tilt) const;

@@ -99,7 +99,8 @@ TEST(ClosestTriangle, IsThatOfAllTrianglesToTheLastBitTheLowestOfTies) {
       const auto found = closest_triangle(tree, point);
       const ClosestTriangle truth = by_brute_force(mesh, point);
       ASSERT_TRUE(found);
-      // From any triangle, near or far; also where the nearest known so far is nearer than what single precision makes of it.
+      // From any triangle, near or far; also where the nearest known so far is nearer than what single precision
+      // makes of it.
       const auto near = static_cast<std::uint32_t>(from.below(mesh.triangles.size()));
       for (const std::uint32_t begin : {near, truth.triangle}) {
         const ClosestTriangle again = closest_triangle_from(tree, point, begin);

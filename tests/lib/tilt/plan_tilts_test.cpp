@@ -35,6 +35,13 @@ double least_tilt(double distance_mm) { return std::acos(distance_mm / std::hypo
 
 IndexedMesh floor_plate() { return shapes::box(Vec3(-200, -200, -10), Vec3(200, 200, 0)); }
 
+/// Of all runs.
+std::vector<TiltedPosition> positions_of(const TiltPlan& plan) {
+  std::vector<TiltedPosition> all;
+  for (const SmoothedRun& run : plan.runs) all.insert(all.end(), run.positions.begin(), run.positions.end());
+  return all;
+}
+
 struct Bench {
   ToolVariants tool;
   Scene scene;
@@ -75,11 +82,9 @@ struct Bench {
     std::vector<Pose> poses;
     for (std::size_t i = 0; i < path.moves.size(); ++i) {
       Pose end = path.moves[i].end;
-      for (const SmoothedRun& run : plan.runs) {
-        for (const TiltedPosition& p : run.positions) {
-          if (p.move == i && !p.is_end) poses.push_back(p.pose);
-          if (p.move == i && p.is_end) end = p.pose;
-        }
+      for (const TiltedPosition& p : positions_of(plan)) {
+        if (p.move == i && !p.is_end) poses.push_back(p.pose);
+        if (p.move == i && p.is_end) end = p.pose;
       }
       poses.push_back(end);
     }
@@ -89,9 +94,7 @@ struct Bench {
 
 double largest_tilt(const TiltPlan& plan) {
   double most = 0;
-  for (const SmoothedRun& run : plan.runs) {
-    for (const TiltedPosition& p : run.positions) most = std::max(most, p.tilt_rad);
-  }
+  for (const TiltedPosition& p : positions_of(plan)) most = std::max(most, p.tilt_rad);
   return most;
 }
 
@@ -116,14 +119,12 @@ TEST(PlanTilts, BesideAWallIsTheLeastTiltThatFreesTheHolder) {
     const TiltPlan plan = bench.plan();
     expect_clean(bench, plan);
     const double least = least_tilt(wall);
-    for (const SmoothedRun& run : plan.runs) {
-      for (const TiltedPosition& p : run.positions) {
-        if (p.programmed.tip.z() > 0 || std::abs(p.programmed.tip.y()) > 35) continue;
-        EXPECT_GT(p.tilt_rad, least - 0.1 * kDegree) << wall;
-        EXPECT_LT(p.tilt_rad, least + 0.1 * kDegree) << wall;
-        // The ball stays where it was: it cuts the same surface.
-        EXPECT_NEAR((p.pose.tip + 5 * p.pose.axis - p.programmed.tip - 5 * p.programmed.axis).norm(), 0, 1e-9);
-      }
+    for (const TiltedPosition& p : positions_of(plan)) {
+      if (p.programmed.tip.z() > 0 || std::abs(p.programmed.tip.y()) > 35) continue;
+      EXPECT_GT(p.tilt_rad, least - 0.1 * kDegree) << wall;
+      EXPECT_LT(p.tilt_rad, least + 0.1 * kDegree) << wall;
+      // The ball stays where it was: it cuts the same surface.
+      EXPECT_NEAR((p.pose.tip + 5 * p.pose.axis - p.programmed.tip - 5 * p.programmed.axis).norm(), 0, 1e-9);
     }
   }
 }
@@ -179,11 +180,9 @@ TEST(PlanTilts, LeansOneWayAndThenTheOtherWhereWallsStandOnBothSides) {
   const TiltPlan plan = bench.plan();
   expect_clean(bench, plan);
   double to_left = 0, to_right = 0;
-  for (const SmoothedRun& run : plan.runs) {
-    for (const TiltedPosition& p : run.positions) {
-      to_left = std::max(to_left, -p.pose.axis.x());
-      to_right = std::max(to_right, p.pose.axis.x());
-    }
+  for (const TiltedPosition& p : positions_of(plan)) {
+    to_left = std::max(to_left, -p.pose.axis.x());
+    to_right = std::max(to_right, p.pose.axis.x());
   }
   EXPECT_GT(to_left, std::sin(least_tilt(8)) - 0.01);
   EXPECT_GT(to_right, std::sin(least_tilt(8)) - 0.01);
@@ -255,9 +254,7 @@ TEST(PlanTilts, RaisesTheTipWhereTheTiltedCutterWouldGouge) {
   const TiltPlan plan = bench.plan();
   expect_clean(bench, plan);
   double highest = 0;
-  for (const SmoothedRun& run : plan.runs) {
-    for (const TiltedPosition& p : run.positions) highest = std::max(highest, p.pose.tip.z() - p.programmed.tip.z());
-  }
+  for (const TiltedPosition& p : positions_of(plan)) highest = std::max(highest, p.pose.tip.z() - p.programmed.tip.z());
   EXPECT_GT(highest, 0.1);
 }
 

@@ -39,7 +39,8 @@ TEST(TiltCurve, IsTheSmoothestThroughItsAnchors) {
     const TiltSequence curve = curve_through(anchors, ways, true, true);
     const double least = roughness(curve, ways);
     for (int k = 0; k < 20; ++k) {
-      // But for the ends, of whose curvature the sum leaves out a half. A bump between two anchors, level at both: another curve through all of them.
+      // A bump between two anchors, level at both: another curve through all of them, and rougher, but for the ends,
+      // of whose curvature the sum leaves out a half.
       const std::size_t a = random.below(anchors.size() - 1);
       const std::size_t from = anchors[a].position, to = anchors[a + 1].position;
       TiltSequence other = curve;

@@ -1,4 +1,4 @@
-#include "lib/path/tilt_curve.h"
+#include "lib/path/draw_tilt_curve.h"
 
 #include <algorithm>
 #include <cmath>
