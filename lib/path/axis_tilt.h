@@ -13,7 +13,8 @@ namespace gouge {
 
 /// Axes of one place of a corrected path. Both are measured from one direction for the whole run, the mean of its
 /// programmed axes: `lead` is the angle forward, towards the feed, `side` the one to the left of the feed, seen from
-/// the spindle. Where the feed leads along that direction, forward is any direction across it.
+/// the spindle. A plunge, which leads within some 17 degrees along that direction, is seen in the forward direction of
+/// the feed before it, or behind it.
 struct TiltPlace {
   double length_mm = 0;  ///< of the corrected path from the begin of its run's curve
   double lead_before_rad = 0, side_before_rad = 0;

@@ -13,6 +13,8 @@ constexpr double kError_mm = 0.05;
 constexpr double kLeastMargin_mm = 1, kMostMargin_mm = 10, kMarginOfLength = 0.1;
 constexpr double kCosOfCorner = 0.9;  // of about 26 degrees: below, the feed bends, above it turns a corner
 constexpr double kNoDirection = 1e-9;
+constexpr double kPlunge =
+    0.3;  // sine of some 17 degrees: a tip that goes nearer to the axis plunges, its feed has no side
 
 /// A place of the curve: what leads to it is straight.
 struct Place {
@@ -117,12 +119,12 @@ class TiltCurve {
     up_ = sum.norm() > kNoDirection ? sum.normalized() : places_.front().programmed;
   }
 
-  /// Where the tip goes from place i - 1 to i, seen along the reference; zero where it goes nowhere.
+  /// Where the tip goes from place i - 1 to i, seen along the reference; zero where it goes nowhere, or plunges.
   [[nodiscard]] Vec3 forward_to(std::size_t i) const {
     const Vec3 along = places_[i].tip - places_[i - 1].tip;
     const Vec3 across = along - along.dot(up_) * up_;
-    return across.norm() > 1e-3 * along.norm() && across.norm() > kNoDirection ? Vec3(across.normalized())
-                                                                               : Vec3(Vec3::Zero());
+    return across.norm() > kPlunge * along.norm() && across.norm() > kNoDirection ? Vec3(across.normalized())
+                                                                                  : Vec3(Vec3::Zero());
   }
 
   [[nodiscard]] TiltPlace angles_at(const Place& place, const Vec3& forward) const {

@@ -50,6 +50,29 @@ TEST(AxisTilt, OfAnUnchangedPathIsNone) {
   EXPECT_TRUE(find_axis_tilts(path, path, {}).runs.empty());
 }
 
+// The tip moves aside while the tool tilts about a contact: that is no feed.
+TEST(AxisTilt, FadesInOnAPlungeAsItGoesOnBehindIt) {
+  Toolpath before;
+  for (int i = 0; i <= 10; ++i) before.moves.push_back(feed_to(Vec3(0, 0, 10 - i), Vec3::UnitZ(), i > 0));
+  for (int i = 1; i <= 10; ++i) before.moves.push_back(feed_to(Vec3(0, i, 0), Vec3::UnitZ()));
+  Toolpath after = before;
+  for (std::size_t i = 0; i < after.moves.size(); ++i) {
+    Pose& end = after.moves[i].end;
+    end.axis = leaning(-0.03 * static_cast<double>(std::min(i, std::size_t{10})));
+    end.tip += 5 * (Vec3::UnitZ() - end.axis);
+  }
+  const AxisTilts tilts = find_axis_tilts(before, after, same(after));
+  ASSERT_EQ(tilts.runs.size(), 1U);
+  // -X is left of a feed along Y.
+  double last = 0;
+  for (const TiltPlace& place : tilts.runs[0].curve) {
+    EXPECT_NEAR(place.lead_after_rad, 0, 1e-9);
+    EXPECT_GE(place.side_after_rad, last - 1e-9);
+    last = place.side_after_rad;
+  }
+  EXPECT_NEAR(last, 0.3, 1e-9);
+}
+
 TEST(AxisTilt, IsSplitIntoLeadAndSideOfTheFeed) {
   const Toolpath before = upright(21);
   Toolpath after = before;
