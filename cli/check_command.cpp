@@ -56,7 +56,8 @@ void add_check_options(CLI::App& command, CheckArguments& check) {
       "wrong command line, 3 input invalid, 4 not fully checked, 5 internal or resource failure.");
 }
 
-int run_check(const CheckArguments& check_arguments, std::ostream& out, std::ostream& err) {
+int run_check(const CheckArguments& check_arguments, const JobContext& context) {
+  std::ostream& err = context.err;
   const JobArguments& arguments = check_arguments.job;
   const Result<JobOptions> options = understand(arguments);
   if (!options) return fail(err, {options.error()});
@@ -65,12 +66,12 @@ int run_check(const CheckArguments& check_arguments, std::ostream& out, std::ost
   JobOutputs outputs(arguments, {});
   if (const auto status = outputs.refuse(err)) return *status;
   Progress progress(err, options->progress);
-  LoadedJob loaded = load_job(arguments, *options, progress);
+  LoadedJob loaded = load_job(arguments, *options, progress, context.scenes);
   progress.end();
   if (!loaded.job) return fail(err, loaded.errors);
   Job& job = *loaded.job;
   progress.begin("indexing the meshes");
-  const PreparedScene scene = prepare_scene(job.scene, options->check.threads);
+  const PreparedScene& scene = job.files->prepared(options->check.threads);
   progress.begin("checking the set-up");
   note_setup(job, arguments, scene);
   const CheckResult result = check(job.toolpath, job.setup(scene), progress.call());
@@ -94,9 +95,10 @@ int run_check(const CheckArguments& check_arguments, std::ostream& out, std::ost
   if (arguments.is_verbose) {
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";
   }
-  const bool is_written = outputs.write(job, scene, model, progress, out, err);
+  const bool is_written = outputs.write(job, scene, model, progress, context.out, err);
   if (arguments.is_verbose) print_peak_memory(err);
   if (!is_written) return kExitInternal;
+  if (context.on_result) context.on_result(model);
   return exit_status(overall_verdict(result));
 }
 

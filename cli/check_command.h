@@ -1,8 +1,8 @@
 #pragma once
 
-#include <iosfwd>
 #include <string>
 
+#include "cli/job_context.h"
 #include "cli/job_options.h"
 
 namespace gouge {
@@ -16,6 +16,6 @@ struct CheckArguments {
 void add_check_options(CLI::App& command, CheckArguments& arguments);
 
 /// `gougecheck check`. Returns the exit status.
-[[nodiscard]] int run_check(const CheckArguments& arguments, std::ostream& out, std::ostream& err);
+[[nodiscard]] int run_check(const CheckArguments& arguments, const JobContext& context);
 
 }  // namespace gouge

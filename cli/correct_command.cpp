@@ -56,19 +56,19 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
 class CorrectRun {
  public:
   CorrectRun(const CorrectArguments& arguments, const CorrectOptions& correct, const RotaryLimit& limit, Job& job,
-             JobOutputs& outputs, Progress& progress, std::ostream& out, std::ostream& err)
+             JobOutputs& outputs, Progress& progress, const JobContext& context)
       : arguments_(arguments),
         correct_(correct),
         limit_(limit),
         job_(job),
         outputs_(outputs),
-        out_(out),
-        err_(err),
+        context_(context),
+        err_(context.err),
         progress_(progress) {}
 
   int run() {
     progress_.begin("indexing the meshes");
-    const PreparedScene scene = prepare_scene(job_.scene, job_.options.check.threads);
+    const PreparedScene& scene = job_.files->prepared(job_.options.check.threads);
     progress_.begin("checking the set-up");
     note_setup(job_, arguments_.job, scene);
     const CheckSetup setup = job_.setup(scene);
@@ -104,9 +104,10 @@ class CorrectRun {
     add_not_tilted(correction.not_tilted, model.notes);
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
-    const bool is_written = outputs_.write(job_, scene, model, progress_, out_, err_);
+    const bool is_written = outputs_.write(job_, scene, model, progress_, context_.out, err_);
     if (arguments_.job.is_verbose) print_peak_memory(err_);
     if (!is_written) return kExitInternal;
+    if (context_.on_result) context_.on_result(model);
     return exit_status(overall_verdict(after));
   }
 
@@ -133,14 +134,15 @@ class CorrectRun {
   const RotaryLimit& limit_;
   Job& job_;
   JobOutputs& outputs_;
-  std::ostream& out_;
+  const JobContext& context_;
   std::ostream& err_;
   Progress& progress_;
 };
 
 }  // namespace
 
-int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err) {
+int run_correct(const CorrectArguments& arguments, const JobContext& context) {
+  std::ostream& err = context.err;
   const Result<JobOptions> options = understand(arguments.job);
   const Result<CorrectOptions> correct = understand_correction(arguments);
   if (!options || !correct) return fail(err, {!options ? options.error() : correct.error()});
@@ -149,10 +151,10 @@ int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostre
   JobOutputs outputs(arguments.job, arguments.output);
   if (const auto status = outputs.refuse(err)) return *status;
   Progress progress(err, options->progress);
-  LoadedJob loaded = load_job(arguments.job, *options, progress);
+  LoadedJob loaded = load_job(arguments.job, *options, progress, context.scenes);
   progress.end();
   if (!loaded.job) return fail(err, loaded.errors);
-  return CorrectRun(arguments, *correct, *limit, *loaded.job, outputs, progress, out, err).run();
+  return CorrectRun(arguments, *correct, *limit, *loaded.job, outputs, progress, context).run();
 }
 
 }  // namespace gouge

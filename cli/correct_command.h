@@ -1,12 +1,11 @@
 #pragma once
 
-#include <iosfwd>
-
 #include "cli/correct_options.h"
+#include "cli/job_context.h"
 
 namespace gouge {
 
 /// `gougecheck correct`. Returns the exit status.
-[[nodiscard]] int run_correct(const CorrectArguments& arguments, std::ostream& out, std::ostream& err);
+[[nodiscard]] int run_correct(const CorrectArguments& arguments, const JobContext& context);
 
 }  // namespace gouge

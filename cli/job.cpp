@@ -1,19 +1,13 @@
 #include "cli/job.h"
 
 #include <algorithm>
-#include <array>
 #include <optional>
 
 #include "cli/misplaced.h"
 #include "cli/resolve_tools.h"
 #include "lib/base/files.h"
-#include "lib/base/parallel.h"
-#include "lib/base/view_file.h"
-#include "lib/check/mesh_reach.h"
 #include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
-#include "lib/mesh/load_mesh.h"
-#include "lib/validate/validate_mesh.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "toolmodels/compile_tool.h"
 
@@ -27,12 +21,10 @@ class JobLoader {
     job_.options = options;
   }
 
-  LoadedJob run() {
+  LoadedJob run(const SceneSource& scenes) {
     LoadedJob loaded;
     const bool has_path = read_path();
-    read_meshes(arguments_.parts, "part", job_.scene.parts, job_.parts, job_.options.place);
-    read_meshes(arguments_.fixtures, "fixture", job_.scene.fixtures, job_.fixtures, job_.options.place);
-    read_heads();
+    read_scene(scenes);
     if (has_path && errors_.empty()) read_tools();
     if (errors_.empty()) note_misplaced();
     loaded.errors = errors_;
@@ -67,80 +59,14 @@ class JobLoader {
 
   [[nodiscard]] LengthUnit stl_unit() const { return job_.stl_unit(arguments_); }
 
-  void read_heads() {
-    std::vector<IndexedMesh> meshes;
-    read_meshes(arguments_.heads, "head", meshes, job_.head_facts, RigidTransform());
-    for (const IndexedMesh& mesh : meshes) {
-      for (const IndexedMesh& piece : head_pieces(mesh)) add_head(piece);
-    }
-  }
-
-  void add_head(const IndexedMesh& piece) {
-    Result<HeadBody> head = build_head_body(piece);
-    if (!head) return errors_.push_back(head.error());
-    const MeshValidation judged = validate_mesh(piece, find_mesh_findings(piece));
-    if (judged.self_intersections.pairs > 0 || !judged.trouble.empty()) {
-      return errors_.push_back(make_error("mesh-head-crosses",
-                                          "crosses itself, so what is inside the head is not defined; expected a plain "
-                                          "solid; 'gougecheck mesh FILE' reports where",
-                                          piece.name));
-    }
-    job_.heads.push_back(std::move(*head));
-  }
-
-  void read_meshes(const std::vector<std::string>& files, const char* role, std::vector<IndexedMesh>& meshes,
-                   std::vector<MeshFacts>& facts, const RigidTransform& place) {
-    for (const std::string& file : files) {
-      progress_.begin("reading " + file);
-      Result<FileView> view = view_file(file, arguments_.input.most_bytes);
-      if (!view) {
-        errors_.push_back(view.error());
-        continue;
-      }
-      Result<LoadedMesh> loaded = describe_and_load(role, file, std::move(*view), {stl_unit(), place});
-      if (!loaded) {
-        errors_.push_back(loaded.error());
-        continue;
-      }
-      add_mesh(std::move(*loaded), file, meshes, facts);
-    }
-  }
-
-  // The checksum of a large file takes as long as its welding: side by side where there are threads for both. Each
-  // lets go of the file when it is done with it.
-  Result<LoadedMesh> describe_and_load(const char* role, const std::string& file, FileView view,
-                                       const MeshPlacement& placement) {
-    InputFile input;
-    std::optional<Result<LoadedMesh>> loaded;
-    std::array<FileView, 2> views{view, std::move(view)};
-    for_each_chunk(2, 1, job_.options.check.threads, [&](std::size_t task, std::size_t) {
-      FileView mine = std::move(views[task]);
-      if (task == 0) {
-        input = describe_input(role, file, mine.bytes);
-      } else {
-        loaded = load_mesh_view(std::move(mine), file, placement);
-      }
-    });
-    job_.inputs.push_back(std::move(input));
-    return std::move(*loaded);
-  }
-
-  void add_mesh(LoadedMesh&& loaded, const std::string& file, std::vector<IndexedMesh>& meshes,
-                std::vector<MeshFacts>& facts) {
-    if (const auto error = find_too_far(loaded.mesh, "part", "--stl-units and --place"))
-      return errors_.push_back(*error);
-    add_notes(loaded.notes);
-    MeshFacts fact;
-    fact.name = file;
-    fact.triangles = loaded.mesh.triangles.size();
-    fact.vertices = loaded.mesh.vertices.size();
-    fact.dropped = loaded.findings.degenerate_triangles.count;
-    fact.is_closed = loaded.findings.is_watertight();
-    for (const Diagnostic& d : loaded.notes) {
-      if (d.severity == Severity::warning) fact.meaning += (fact.meaning.empty() ? "" : "; ") + d.message;
-    }
-    facts.push_back(fact);
-    meshes.push_back(std::move(loaded.mesh));
+  void read_scene(const SceneSource& scenes) {
+    const JobArguments& a = arguments_;
+    job_.files = scenes({a.parts, a.fixtures, a.heads, stl_unit(), job_.options.place, a.place, a.input.most_bytes,
+                         job_.options.check.threads},
+                        progress_);
+    errors_.insert(errors_.end(), job_.files->errors.begin(), job_.files->errors.end());
+    job_.inputs.insert(job_.inputs.end(), job_.files->inputs.begin(), job_.files->inputs.end());
+    add_notes(job_.files->notes);
   }
 
   void read_tools() {
@@ -181,7 +107,7 @@ class JobLoader {
     for (const auto& form : job_.variants) {
       if (form) tool_mm = std::max(tool_mm, form->bare.r_max_mm + form->bare.z_max_mm);
     }
-    if (const auto warning = find_misplaced(job_.toolpath, job_.scene, tool_mm, stl_unit())) add_notes({*warning});
+    if (const auto warning = find_misplaced(job_.toolpath, job_.scene(), tool_mm, stl_unit())) add_notes({*warning});
   }
 
   [[nodiscard]] Diagnostic no_tool() const {
@@ -213,10 +139,10 @@ std::vector<const ToolVariants*> Job::tools() const {
 ToolAssembly Job::without_end(const ToolAssembly& tool) const {
   const Result<Profile> profile = make_profile(tool);
   if (!profile) return tool;
-  return extended_up(tool, reach_mm(toolpath, scene) + compile_tool("", *profile).r_max_mm);
+  return extended_up(tool, reach_mm(toolpath, scene()) + compile_tool("", *profile).r_max_mm);
 }
 
-CheckSetup Job::setup(const PreparedScene& prepared) const { return {tools(), heads, prepared, options.check}; }
+CheckSetup Job::setup(const PreparedScene& prepared) const { return {tools(), heads(), prepared, options.check}; }
 
 ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, const CheckResult& result,
                         const PreparedScene& prepared) const {
@@ -236,9 +162,9 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   for (const std::string& name : arguments.tool_names) model.more_options.push_back({"tool", name});
   model.toolpath = &path;
   model.result = &result;
-  model.parts = parts;
-  model.fixtures = fixtures;
-  model.heads = head_facts;
+  model.parts = files->parts;
+  model.fixtures = files->fixtures;
+  model.heads = files->head_facts;
   model.tools = tool_facts;
   model.notes = notes;
   model.closeness = measure_closeness(path, tools(), prepared, result.verdicts, options.check.threads);
@@ -246,7 +172,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   if (is_known) return model;
   const auto apart = model.closeness ? find_apart(path, *model.closeness) : std::nullopt;
   if (apart) model.notes.push_back(*apart);
-  const auto too_large = find_too_large(path, scene, result.verdicts, stl_unit(arguments));
+  const auto too_large = find_too_large(path, scene(), result.verdicts, stl_unit(arguments));
   if (too_large) model.notes.push_back(*too_large);
   return model;
 }
@@ -256,8 +182,9 @@ LengthUnit Job::stl_unit(const JobArguments& arguments) const {
   return unit_called(arguments.stl_units).value_or(LengthUnit::mm);
 }
 
-LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress) {
-  return JobLoader(arguments, options, progress).run();
+LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress,
+                   const SceneSource& scenes) {
+  return JobLoader(arguments, options, progress).run(scenes);
 }
 
 Result<Toolpath> read_again(const Job& job, const std::string& file, std::string bytes) {

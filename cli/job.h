@@ -1,11 +1,13 @@
 #pragma once
 
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "cli/job_options.h"
+#include "cli/scene_files.h"
 #include "lib/certify/check.h"
 #include "postproc/report/report_model.h"
 #include "toolmodels/assembly.h"
@@ -16,12 +18,10 @@ namespace gouge {
 struct Job {
   JobOptions options;
   Toolpath toolpath;
-  Scene scene;
-  std::vector<HeadBody> heads;                          ///< in the tool's frame
+  std::shared_ptr<const SceneFiles> files;              ///< what stands still, and heads; other jobs may share it
   std::vector<std::optional<ToolAssembly>> assemblies;  ///< one per Toolpath::tools; empty where it has no definition
   std::vector<std::optional<ToolVariants>> variants;    ///< of these
   std::vector<InputFile> inputs;
-  std::vector<MeshFacts> parts, fixtures, head_facts;
   std::vector<ToolFacts> tool_facts;
   Diagnostics notes;
   std::chrono::steady_clock::time_point began = std::chrono::steady_clock::now();  ///< of the work on it
@@ -32,6 +32,8 @@ struct Job {
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
+  [[nodiscard]] const Scene& scene() const { return files->scene; }
+  [[nodiscard]] const std::vector<HeadBody>& heads() const { return files->heads; }
   [[nodiscard]] std::vector<const ToolVariants*> tools() const;
   /// --extend-up for a tool of this job: as high as the farthest point of the scene, and the widest radius more: its end
   /// is nearest to nothing.
@@ -50,8 +52,10 @@ struct LoadedJob {
   Diagnostics errors;
 };
 
-/// Reads toolpath, meshes and tools. All errors of one kind of input are reported, not the first alone.
-[[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress);
+/// Reads toolpath and tools, and takes the meshes from `scenes`. All errors of one kind of input are reported, not the
+/// first alone.
+[[nodiscard]] LoadedJob load_job(const JobArguments& arguments, const JobOptions& options, Progress& progress,
+                                 const SceneSource& scenes = load_scene);
 
 /// The `bytes` of a corrected toolpath, to be called `file`, read as the path of `job`, which it was made from.
 /// Errors: those of the reader; they would be a fault of ours.

@@ -17,12 +17,12 @@ CheckedToolpath pictures_of(const Job& job, const PreparedScene& scene, const To
                             const CheckResult& result) {
   CheckedToolpath input;
   input.toolpath = &path;
-  input.scene = &job.scene;
+  input.scene = &job.scene();
   input.prepared = &scene;
   input.tools = job.tools();
   input.result = &result;
   input.options = job.options.check;
-  input.heads = job.heads;
+  input.heads = job.heads();
   return input;
 }
 

@@ -65,8 +65,8 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
 
 int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out, std::ostream& err) {
   if (!set_threads(app, arguments, err)) return kExitInternal;
-  if (app.got_subcommand("check")) return run_check(arguments.check, out, err);
-  if (app.got_subcommand("correct")) return run_correct(arguments.correct, out, err);
+  if (app.got_subcommand("check")) return run_check(arguments.check, {out, err});
+  if (app.got_subcommand("correct")) return run_correct(arguments.correct, {out, err});
   if (app.got_subcommand("clash")) return run_clash(arguments.clash, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
   if (app.got_subcommand("tool")) return run_tool(arguments.tool, out, err);

@@ -24,7 +24,7 @@ std::string overlap_text(const Clash& clash, const std::string& part, const std:
 
 void note_setup(Job& job, const JobArguments& arguments, const PreparedScene& scene) {
   std::vector<bool> is_allowed;
-  for (const MeshFacts& fixture : job.fixtures) {
+  for (const MeshFacts& fixture : job.files->fixtures) {
     const auto& allowed = arguments.allowed_overlaps;
     is_allowed.push_back(std::find(allowed.begin(), allowed.end(), fixture.name) != allowed.end());
   }
@@ -34,7 +34,7 @@ void note_setup(Job& job, const JobArguments& arguments, const PreparedScene& sc
   options.gap_mm = std::max(kGap_mm, options.resolution_mm);
   options.budget = kMostBounds;
   for (const SetupOverlap& overlap : find_setup_overlaps(scene, is_allowed, options)) {
-    const std::string &part = job.parts[overlap.part].name, &fixture = job.fixtures[overlap.fixture].name;
+    const std::string &part = job.files->parts[overlap.part].name, &fixture = job.files->fixtures[overlap.fixture].name;
     if (overlap.clash.state == ClashState::penetrating) {
       job.notes.push_back(
           make_warning(kFixtureOverlap, overlap_text(overlap.clash, part, fixture, job.toolpath.unit), fixture));

@@ -30,7 +30,7 @@ Result<std::vector<StickoutFacts>> find_stickouts_of(const Job& job, const Prepa
     Result<ToolVariants> bodies = make_non_cutting_variants(is_extended_up ? job.without_end(longer) : longer,
                                                             check.shank_clearance_mm, check.holder_clearance_mm);
     if (!bodies) return bodies.error();
-    Result<std::vector<HeadBody>> heads = moved_up(job.heads, longer_mm);
+    Result<std::vector<HeadBody>> heads = moved_up(job.heads(), longer_mm);
     if (!heads) return heads.error();
     return LongerTool{std::move(*bodies), std::move(*heads)};
   };

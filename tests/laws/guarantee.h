@@ -26,7 +26,7 @@ inline Job load(const JobArguments& arguments) {
 }
 
 inline CheckResult check_job(const Job& job) {
-  const PreparedScene scene = prepare_scene(job.scene);
+  const PreparedScene scene = prepare_scene(job.scene());
   return check(job.toolpath, job.setup(scene));
 }
 
@@ -93,7 +93,7 @@ inline void expect_witnesses(const Job& job, const CheckResult& result) {
     }
     if (!v.witness) continue;
     const reference::Movement movement = reference::movement(job.toolpath, i);
-    for (const std::string& d : doubts(*v.witness, v.depth_mm, movement, *contours, job.scene)) {
+    for (const std::string& d : doubts(*v.witness, v.depth_mm, movement, *contours, job.scene())) {
       ADD_FAILURE() << "line " << move.line << ", move " << i << ", told " << v.depth_mm << " mm: " << d;
     }
   }
@@ -124,7 +124,7 @@ inline void expect_nothing_deeper(const Job& job, const CheckResult& result, std
     const Move& move = job.toolpath.moves[i];
     const Contours contours(*job.variants[move.tool]);
     const reference::Found found =
-        reference::deepest(contours.part, contours.fixture, reference::movement(job.toolpath, i), job.scene,
+        reference::deepest(contours.part, contours.fixture, reference::movement(job.toolpath, i), job.scene(),
                            is_gouge ? v.depth_mm - 0.005 : v.depth_upper_mm);
     gouges += is_gouge ? 1 : 0;
     seen += is_gouge && found.depth_mm > v.depth_mm - 0.001 ? 1 : 0;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <iosfwd>
+
+#include "cli/scene_files.h"
+
+namespace gouge {
+
+struct ReportModel;
+
+/// What surrounds one run of `check` or `correct`: where it prints, where its meshes come from, and who wants to know
+/// the result beside its outputs.
+struct JobContext {
+  std::ostream& out;
+  std::ostream& err;
+  SceneSource scenes = load_scene;
+  /// Called once all outputs stand; not where there is no result, or one of them could not be written. Empty: nobody.
+  std::function<void(const ReportModel&)> on_result = {};
+};
+
+}  // namespace gouge
