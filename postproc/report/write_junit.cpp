@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "postproc/report/findings.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -57,7 +58,7 @@ std::string case_name(const ReportModel& model, const Case& one) {
   return (operation.empty() ? "toolpath" : operation) + ", " + tool_label(*model.toolpath, one.tool);
 }
 
-std::string failure(const ReportModel& model, const Case& one) {
+std::string failure_message(const ReportModel& model, const Case& one) {
   std::string message;
   if (one.gouging > 0) {
     message = "gouge " + depth_text(model.result->verdicts[one.worst_move].depth_mm, model.toolpath->unit) +
@@ -67,63 +68,106 @@ std::string failure(const ReportModel& model, const Case& one) {
   if (one.buried > 0) {
     message += (message.empty() ? "" : "; ") + std::string("tool buried in ") + count_text(one.buried, "move");
   }
-  std::string out = "   <failure type=\"" + std::string(one.gouging > 0 ? "gouge" : "buried") + "\" message=\"" +
-                    xml_escaped(message) + "\">";
+  return message;
+}
+
+std::string failure_text(const ReportModel& model, const Case& one) {
+  std::string text;
   for (const Event* event : one.events) {
-    out += xml_escaped(model.toolpath->file + ":" + std::to_string(model.toolpath->moves[event->worst_move].line) +
-                       ": " + event_text(model, *event) + span_text(*event)) +
-           "\n";
+    text += model.toolpath->file + ":" + std::to_string(model.toolpath->moves[event->worst_move].line) + ": " +
+            event_text(model, *event) + span_text(*event) + "\n";
   }
-  return out + "</failure>\n";
+  return text;
 }
 
-std::string skipped(const ReportModel& model, const Case& one) {
-  return "   <skipped message=\"" +
-         xml_escaped(std::to_string(one.open) + " of " + count_text(one.moves, "move") +
-                     " not checked or not certified: " + reason_text(model.result->verdicts[one.first_open].reason)) +
-         "\"/>\n";
+JunitCase case_of(const ReportModel& model, const Case& one) {
+  JunitCase made;
+  made.name = case_name(model, one);
+  made.moves = one.moves;
+  if (one.gouging + one.buried > 0) {
+    made.failure_type = one.gouging > 0 ? "gouge" : "buried";
+    made.failure_message = failure_message(model, one);
+    made.failure_text = failure_text(model, one);
+  } else if (one.open > 0) {
+    made.skipped_message =
+        std::to_string(one.open) + " of " + count_text(one.moves, "move") +
+        " not checked or not certified: " + reason_text(model.result->verdicts[one.first_open].reason);
+  }
+  return made;
 }
-
-std::string seconds_text(double seconds) { return fixed_text(seconds, 3); }
 
 // Build servers show it, but it fails no test.
 std::string beside_the_verdict(const ReportModel& model) {
   std::string text;
-  for (const std::string& reservation : reservations(model)) text += "note: " + xml_escaped(reservation) + "\n";
+  for (const std::string& reservation : reservations(model)) text += "note: " + reservation + "\n";
   for (const Diagnostic& note : model.notes) {
-    if (note.severity == Severity::warning) text += xml_escaped(to_text(note)) + "\n";
+    if (note.severity == Severity::warning) text += to_text(note) + "\n";
   }
-  return text.empty() ? text : "  <system-out>" + text + "</system-out>\n";
+  return text;
+}
+
+std::string seconds_text(double seconds) { return fixed_text(seconds, 3); }
+
+// Line by line, as an escaped line end is a blank.
+std::string lines_escaped(const std::string& text) {
+  std::string escaped;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::size_t end = std::min(text.find('\n', at), text.size());
+    escaped += xml_escaped(text.substr(at, end - at)) + "\n";
+    at = end + 1;
+  }
+  return escaped;
+}
+
+std::string attribute(const char* name, const std::string& value) {
+  return " " + std::string(name) + "=\"" + xml_escaped(value) + "\"";
+}
+
+std::string case_xml(const JunitSuite& suite, const JunitCase& one) {
+  const double seconds_per_move = suite.seconds / static_cast<double>(std::max<std::size_t>(suite.moves, 1));
+  std::string xml = "  <testcase" + attribute("classname", suite.toolpath) + attribute("name", one.name) +
+                    attribute("time", seconds_text(seconds_per_move * static_cast<double>(one.moves))) + ">\n";
+  if (!one.failure_type.empty()) {
+    xml += "   <failure" + attribute("type", one.failure_type) + attribute("message", one.failure_message) + ">" +
+           lines_escaped(one.failure_text) + "</failure>\n";
+  }
+  if (!one.skipped_message.empty()) xml += "   <skipped" + attribute("message", one.skipped_message) + "/>\n";
+  if (!one.error_message.empty()) xml += "   <error" + attribute("message", one.error_message) + "/>\n";
+  return xml + "  </testcase>\n";
+}
+
+std::string suite_xml(const JunitSuite& suite) {
+  const auto count = [&](auto has) { return std::to_string(std::ranges::count_if(suite.cases, has)); };
+  std::string xml = " <testsuite" + attribute("name", suite.name) +
+                    attribute("tests", std::to_string(suite.cases.size())) +
+                    attribute("failures", count([](const JunitCase& one) { return !one.failure_type.empty(); })) +
+                    attribute("errors", count([](const JunitCase& one) { return !one.error_message.empty(); })) +
+                    attribute("skipped", count([](const JunitCase& one) { return !one.skipped_message.empty(); })) +
+                    attribute("time", seconds_text(suite.seconds)) + ">\n";
+  for (const JunitCase& one : suite.cases) xml += case_xml(suite, one);
+  if (!suite.beside.empty()) xml += "  <system-out>" + lines_escaped(suite.beside) + "</system-out>\n";
+  return xml + " </testsuite>\n";
 }
 
 }  // namespace
 
-std::string write_junit(const ReportModel& model) {
-  const double seconds_per_move =
-      model.seconds / static_cast<double>(std::max<std::size_t>(model.result->verdicts.size(), 1));
-  const std::vector<Case> cases = cases_of(model);
-  std::size_t failures = 0;
-  std::size_t skips = 0;
-  std::string body;
-  for (const Case& one : cases) {
-    body += "  <testcase classname=\"" + xml_escaped(model.toolpath->file) + "\" name=\"" +
-            xml_escaped(case_name(model, one)) + "\" time=\"" +
-            seconds_text(seconds_per_move * static_cast<double>(one.moves)) + "\">\n";
-    if (one.gouging + one.buried > 0) {
-      ++failures;
-      body += failure(model, one);
-    } else if (one.open > 0) {
-      ++skips;
-      body += skipped(model, one);
-    }
-    body += "  </testcase>\n";
-  }
-  const std::string counts = "tests=\"" + std::to_string(cases.size()) + "\" failures=\"" + std::to_string(failures) +
-                             "\" errors=\"0\" skipped=\"" + std::to_string(skips) + "\" time=\"" +
-                             seconds_text(model.seconds) + "\"";
-  return "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n <testsuite name=\"" +
-         xml_escaped(std::string(kProgramName) + " " + model.toolpath->file) + "\" " + counts + ">\n" + body +
-         beside_the_verdict(model) + " </testsuite>\n</testsuites>\n";
+JunitSuite junit_suite_of(const ReportModel& model) {
+  JunitSuite suite{model.toolpath->file,
+                   std::string(kProgramName) + " " + model.toolpath->file,
+                   model.seconds,
+                   model.result->verdicts.size(),
+                   {},
+                   beside_the_verdict(model)};
+  for (const Case& one : cases_of(model)) suite.cases.push_back(case_of(model, one));
+  return suite;
 }
+
+std::string write_junit(const std::vector<JunitSuite>& suites) {
+  std::string xml = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites>\n";
+  for (const JunitSuite& suite : suites) xml += suite_xml(suite);
+  return xml + "</testsuites>\n";
+}
+
+std::string write_junit(const ReportModel& model) { return write_junit(std::vector{junit_suite_of(model)}); }
 
 }  // namespace gouge

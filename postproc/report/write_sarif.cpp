@@ -4,8 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "lib/base/number_text.h"
-#include "lib/base/sha256.h"
+#include "postproc/report/findings.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -53,29 +52,26 @@ std::string uri_of(const std::string& name) {
 
 class SarifReport {
  public:
-  explicit SarifReport(const ReportModel& model) : model_(model) {}
+  explicit SarifReport(const std::vector<SarifJob>& jobs) : jobs_(jobs) {}
 
   [[nodiscard]] Json build() {
-    for (const Event& event : model_.result->events) {
-      if (event.state == MoveState::not_checked || event.state == MoveState::not_certified) continue;
-      const std::string what = event_text(model_, event) + span_text(event);
-      add(event.state, what, event.worst_move, std::string(body_name(event.body)) + against_name(event.against));
-    }
-    for (const ReasonGroup& group : group_reasons(*model_.result)) {
-      add(group.state, group_text(group), group.first_move, group.reason);
-    }
-    Json rules = Json::array();
+    Json rules = Json::array(), invocations = Json::array(), artifacts = Json::array();
     for (const Rule& rule : kRules) {
       rules.push_back({{"id", state_name(rule.state)},
                        {"shortDescription", {{"text", rule.meaning}}},
                        {"defaultConfiguration", {{"level", rule.level}}}});
     }
+    for (std::size_t job = 0; job < jobs_.size(); ++job) {
+      invocations.push_back({{"executionSuccessful", is_verdict(jobs_[job].exit_status)},
+                             {"exitCode", jobs_[job].exit_status},
+                             {"toolExecutionNotifications", notifications(jobs_[job].warnings)}});
+      artifacts.push_back({{"location", {{"uri", uri_of(jobs_[job].toolpath)}}}});
+      for (const Finding& finding : jobs_[job].findings) add(finding, job);
+    }
     Json run;
     run["tool"] = {{"driver", {{"name", kProgramName}, {"version", kProgramVersion}, {"rules", rules}}}};
-    run["invocations"] = Json::array({{{"executionSuccessful", true},
-                                       {"exitCode", static_cast<int>(exit_status(overall_verdict(*model_.result)))},
-                                       {"toolExecutionNotifications", notifications()}}});
-    run["artifacts"] = Json::array({{{"location", {{"uri", uri_of(model_.toolpath->file)}}}}});
+    run["invocations"] = invocations;
+    run["artifacts"] = artifacts;
     run["columnKind"] = "utf16CodeUnits";
     run["results"] = results_;
     return {{"$schema", "https://json.schemastore.org/sarif-2.1.0.json"},
@@ -84,49 +80,51 @@ class SarifReport {
   }
 
  private:
-  [[nodiscard]] Json notifications() const {
+  [[nodiscard]] static bool is_verdict(int status) {
+    return status == kExitClean || status == kExitGouges || status == kExitNotChecked;
+  }
+
+  [[nodiscard]] static Json notifications(const Diagnostics& diagnostics) {
     Json all = Json::array();
-    for (const Diagnostic& note : model_.notes) {
-      if (note.severity != Severity::warning) continue;
-      all.push_back({{"level", "warning"},
+    for (const Diagnostic& note : diagnostics) {
+      all.push_back({{"level", note.severity == Severity::error ? "error" : "warning"},
                      {"message", {{"text", valid_utf8(to_text(note))}}},
                      {"descriptor", {{"id", valid_utf8(note.code)}}}});
     }
     return all;
   }
 
-  [[nodiscard]] std::string statement_text(const Move& move) const {
-    const Toolpath& path = *model_.toolpath;
-    if (move.statement >= path.statements.size()) return {};
-    const SourceStatement& s = path.statements[move.statement];
-    if (s.first_byte > s.last_byte || s.last_byte > path.source.size()) return {};
-    return path.source.substr(s.first_byte, s.last_byte - s.first_byte);
+  void add(const Finding& finding, std::size_t job) {
+    const std::size_t occurrence = ++seen_[finding.fingerprint];
+    Json location = {{"artifactLocation", {{"uri", uri_of(jobs_[job].toolpath)}, {"index", job}}}};
+    if (finding.line > 0) location["region"] = {{"startLine", finding.line}};
+    const std::size_t rule = rule_index(finding.state);
+    results_.push_back(
+        {{"ruleId", state_name(finding.state)},
+         {"ruleIndex", rule},
+         {"level", kRules.at(rule).level},
+         {"message", {{"text", valid_utf8(finding.message)}}},
+         {"locations", Json::array({{{"physicalLocation", location}}})},
+         {"partialFingerprints", {{"gougecheckFinding/v2", finding.fingerprint + ":" + std::to_string(occurrence)}}}});
   }
 
-  void add(MoveState state, const std::string& message, std::size_t move_index, const std::string& what) {
-    const Move& move = model_.toolpath->moves[move_index];
-    const std::string key = std::string(state_name(state)) + '\n' + tool_key(*model_.toolpath, move.tool) + '\n' +
-                            what + '\n' + statement_text(move);
-    const std::string hash = sha256_of(key).substr(0, 16);
-    const std::size_t occurrence = ++seen_[hash];
-    Json location = {{"artifactLocation", {{"uri", uri_of(model_.toolpath->file)}, {"index", 0}}}};
-    if (move.line > 0) location["region"] = {{"startLine", std::size_t{move.line}}};
-    const std::size_t rule = rule_index(state);
-    results_.push_back({{"ruleId", state_name(state)},
-                        {"ruleIndex", rule},
-                        {"level", kRules.at(rule).level},
-                        {"message", {{"text", valid_utf8(message)}}},
-                        {"locations", Json::array({{{"physicalLocation", location}}})},
-                        {"partialFingerprints", {{"gougecheckFinding/v2", hash + ":" + std::to_string(occurrence)}}}});
-  }
-
-  const ReportModel& model_;
+  const std::vector<SarifJob>& jobs_;
   Json results_ = Json::array();
   std::map<std::string, std::size_t> seen_;
 };
 
 }  // namespace
 
-std::string write_sarif(const ReportModel& model) { return SarifReport(model).build().dump(1) + "\n"; }
+SarifJob sarif_job_of(const ReportModel& model) {
+  SarifJob job{model.toolpath->file, exit_status(overall_verdict(*model.result)), {}, list_findings(model)};
+  for (const Diagnostic& note : model.notes) {
+    if (note.severity == Severity::warning) job.warnings.push_back(note);
+  }
+  return job;
+}
+
+std::string write_sarif(const std::vector<SarifJob>& jobs) { return SarifReport(jobs).build().dump(1) + "\n"; }
+
+std::string write_sarif(const ReportModel& model) { return write_sarif(std::vector{sarif_job_of(model)}); }
 
 }  // namespace gouge

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/check/verdict.h"
+#include "lib/geom/vec.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+
+/// One finding as plain data, apart from the model it was made of. Lengths are in the toolpath's unit.
+struct Finding {
+  MoveState state = MoveState::gouge;
+  std::size_t line = 0;  ///< of its worst move; 0: none
+  std::size_t move = 0;  ///< its worst one; of what was not checked the first
+  std::size_t moves = 0;
+  std::string tool;                             ///< number, else name
+  std::string body, against;                    ///< "holder", the mesh's name; empty where there is no witness
+  std::optional<double> depth, depth_upper, t;  ///< none where nothing measured it
+  std::optional<Vec3> point;
+  std::string message;      ///< without its location
+  std::string fingerprint;  ///< 16 digits, the same wherever the line moves, as long as statement, tool and body stay
+};
+
+/// Every event in the order of the path, then every reason why moves were not checked or not certified.
+[[nodiscard]] std::vector<Finding> list_findings(const ReportModel& model);
+
+/// What one run adds to a SARIF file.
+struct SarifJob {
+  std::string toolpath;  ///< as the user named it
+  int exit_status = 0;
+  Diagnostics warnings;
+  std::vector<Finding> findings;
+};
+[[nodiscard]] SarifJob sarif_job_of(const ReportModel& model);
+/// SARIF 2.1.0 of one run or many: one invocation and one artifact each, the findings in their order.
+[[nodiscard]] std::string write_sarif(const std::vector<SarifJob>& jobs);
+
+/// One test case of JUnit: an operation with one tool.
+struct JunitCase {
+  std::string name;
+  std::size_t moves = 0;
+  std::string failure_type, failure_message, failure_text;  ///< empty type: none
+  std::string skipped_message;                              ///< empty: not skipped
+  std::string error_message;                                ///< empty: none
+};
+
+/// What one run adds to a JUnit file. `seconds` is divided among the cases by their moves.
+struct JunitSuite {
+  std::string toolpath;  ///< as the user named it
+  std::string name;      ///< of the suite
+  double seconds = 0;
+  std::size_t moves = 0;
+  std::vector<JunitCase> cases;
+  std::string beside;  ///< warnings and notes, a line each
+};
+[[nodiscard]] JunitSuite junit_suite_of(const ReportModel& model);
+[[nodiscard]] std::string write_junit(const std::vector<JunitSuite>& suites);
+
+}  // namespace gouge
