@@ -20,12 +20,14 @@ namespace fs = std::filesystem;
 constexpr const char* kPrefix = ".gougecheck-report-";  // of names a file has for a moment
 constexpr std::uintmax_t kLargestManifest = 1 << 16;
 
-std::optional<ReportManifest> manifest_of(const std::string& path) {
+// None where the file is no manifest of ours. Errors: one that cannot be read may be ours or not.
+Result<std::optional<ReportManifest>> manifest_of(const std::string& path) {
   std::error_code error;
   const std::uintmax_t bytes = fs::file_size(path, error);
-  if (error || bytes > kLargestManifest) return std::nullopt;
+  if (!error && bytes > kLargestManifest) return std::optional<ReportManifest>();
   const Result<std::string> text = read_file(path);
-  return text ? read_manifest(*text) : std::nullopt;
+  if (!text) return text.error();
+  return read_manifest(*text);
 }
 
 Outcome unwritable(const std::string& path, const std::string& why) {
@@ -78,10 +80,14 @@ Outcome ReportFolder::look() {
   std::error_code ignored;
   present_.clear();
   const fs::file_status status = fs::symlink_status(at(kManifestName), ignored);
-  const std::optional<ReportManifest> manifest =
-      fs::is_regular_file(status) ? manifest_of(at(kManifestName)) : std::nullopt;
+  std::optional<ReportManifest> manifest;
+  if (fs::is_regular_file(status)) {
+    Result<std::optional<ReportManifest>> read = manifest_of(at(kManifestName));
+    if (!read) return read.error();
+    manifest = std::move(*read);
+  }
   std::vector<std::string> others;
-  for (const std::string& name : names_of_report()) {
+  for (const std::string& name : names_) {
     const fs::file_status found = fs::symlink_status(at(name), ignored);
     if (!fs::exists(found)) continue;
     if (!fs::is_regular_file(found))
@@ -93,8 +99,9 @@ Outcome ReportFolder::look() {
       continue;
     }
     Result<ManifestEntry> file = describe_file(folder_, name);
-    if (!file || !manifest || !manifest->has(*file)) others.push_back(name);
-    if (file) present_.push_back(std::move(*file));
+    if (!file) return file.error();
+    if (!manifest || !manifest->has(*file)) others.push_back(name);
+    present_.push_back(std::move(*file));
   }
   if (others.empty() || is_forced_) return Done{};
   const std::string what_to_do =

@@ -17,7 +17,9 @@ namespace gouge {
 /// manifest knows every file of the report in it. Order of calls: open, stage, commit.
 class ReportFolder {
  public:
-  ReportFolder(std::string folder, bool is_forced) : folder_(std::move(folder)), is_forced_(is_forced) {}
+  /// `names`: those it may write, of which no other file of the folder is; they must outlive it.
+  ReportFolder(std::string folder, bool is_forced, const std::vector<std::string>& names = names_of_report())
+      : folder_(std::move(folder)), is_forced_(is_forced), names_(names) {}
   ReportFolder(const ReportFolder&) = delete;
   ReportFolder& operator=(const ReportFolder&) = delete;
   /// Without commit() the folder is as it was, and was not made.
@@ -47,6 +49,7 @@ class ReportFolder {
 
   std::string folder_;
   bool is_forced_;
+  const std::vector<std::string>& names_;
   int lock_ = -1;                       // the folder, locked
   std::vector<std::string> made_;       // folders made for it, the outermost first
   std::vector<ManifestEntry> present_;  // files under names of the report, as they are

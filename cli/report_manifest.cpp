@@ -87,4 +87,10 @@ const std::vector<std::string>& names_of_report() {
   return kNames;
 }
 
+const std::vector<std::string>& names_of_batch() {
+  static const std::vector<std::string> kNames = {"index.html", "summary.csv",    "summary.json",
+                                                  "junit.xml",  "findings.sarif", kManifestName};
+  return kNames;
+}
+
 }  // namespace gouge

@@ -44,4 +44,7 @@ struct ReportManifest {
 /// manifest. No other file of a folder is the report's.
 [[nodiscard]] const std::vector<std::string>& names_of_report();
 
+/// The same for the folder of a batch: index.html, the summaries, SARIF, JUnit, and the manifest.
+[[nodiscard]] const std::vector<std::string>& names_of_batch();
+
 }  // namespace gouge

@@ -232,6 +232,7 @@ Result<std::string> render_png(const Drawing& drawing, const std::vector<PlacedR
                     drawing.background);
     for (const PlacedRaster& placed : underlay) painter.paint(placed);
     for (const auto& item : drawing.items) std::visit(painter, item);
+    if (const auto trouble = installed_font().trouble()) return *trouble;
     return painter.png();
   } catch (const cv::Exception& failure) {
     const bool is_memory = failure.code == cv::Error::StsNoMem;

@@ -3,8 +3,11 @@
 #include <ft2build.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
+#include <cstdlib>
+#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <set>
@@ -13,7 +16,9 @@
 #include "lib/base/utf8.h"
 #include FT_FREETYPE_H
 #include FT_ADVANCES_H
+#include FT_MODULE_H
 #include FT_OUTLINE_H
+#include FT_SYSTEM_H
 
 // The only file that knows FreeType.
 
@@ -92,19 +97,30 @@ class Pen {
 class Font::Files {
  public:
   Files(const std::vector<std::string>& regular_files, const std::vector<std::string>& bold_files) {
-    if (FT_Init_FreeType(&library_) != 0) library_ = nullptr;
+    if (FT_New_Library(&memory_, &library_) == 0) {
+      FT_Add_Default_Modules(library_);
+    } else {
+      library_ = nullptr;
+    }
     for (const std::string& file : regular_files) open(file, regular_);
     for (const std::string& file : bold_files) open(file, bold_);
     bold_.insert(bold_.end(), regular_.begin(), regular_.end());
   }
   ~Files() {
     for (FT_Face face : all_) FT_Done_Face(face);
-    if (library_ != nullptr) FT_Done_FreeType(library_);
+    if (library_ != nullptr) FT_Done_Library(library_);
   }
   Files(const Files&) = delete;
   Files& operator=(const Files&) = delete;
 
   [[nodiscard]] bool is_empty() const { return all_.empty(); }
+
+  [[nodiscard]] std::optional<Diagnostic> trouble() const {
+    if (is_short_of_memory_) return make_error("out-of-memory", "the letters of a picture could not be drawn");
+    if (unreadable_.empty()) return std::nullopt;
+    return make_error("file-unreadable", "the font is there, but cannot be read, so no picture can have its letters",
+                      unreadable_);
+  }
 
   [[nodiscard]] std::pair<FT_Face, FT_UInt> find(char32_t letter, bool is_bold) const {
     for (FT_Face face : is_bold ? bold_ : regular_) {
@@ -145,8 +161,12 @@ class Font::Files {
 
  private:
   void open(const std::string& file, std::vector<FT_Face>& faces) {
+    if (library_ == nullptr) return;
     FT_Face face = nullptr;
-    if (library_ == nullptr || FT_New_Face(library_, file.c_str(), 0, &face) != 0) return;
+    const FT_Error failure = FT_New_Face(library_, file.c_str(), 0, &face);
+    std::error_code ignored;
+    if (failure == FT_Err_Cannot_Open_Resource && std::filesystem::exists(file, ignored)) unreadable_ = file;
+    if (failure != 0) return;
     all_.push_back(face);
     if (face->units_per_EM > 0 && FT_Select_Charmap(face, FT_ENCODING_UNICODE) == 0) faces.push_back(face);
   }
@@ -163,8 +183,22 @@ class Font::Files {
     return static_cast<double>(units.x) / face->units_per_EM;
   }
 
+  // FreeType goes on without what it has no memory for where it can (kerning, a glyph): the picture would be another
+  // one, and nobody would know.
+  static void* resize(FT_Memory memory, void* block, long bytes) {
+    void* const got = std::realloc(block, static_cast<std::size_t>(bytes));
+    if (got == nullptr && bytes > 0) static_cast<Files*>(memory->user)->is_short_of_memory_ = true;
+    return got;
+  }
+  static void* allocate(FT_Memory memory, long bytes) { return resize(memory, nullptr, bytes); }
+  static void release(FT_Memory, void* block) { std::free(block); }
+  static void* reallocate(FT_Memory memory, long, long bytes, void* block) { return resize(memory, block, bytes); }
+
+  FT_MemoryRec_ memory_{this, allocate, release, reallocate};
   FT_Library library_ = nullptr;
   std::vector<FT_Face> all_, regular_, bold_;
+  std::atomic<bool> is_short_of_memory_ = false;
+  std::string unreadable_;  // a font file; empty: none
 };
 
 Font::Font(const std::vector<std::string>& regular_files, const std::vector<std::string>& bold_files)
@@ -173,6 +207,8 @@ Font::Font(const std::vector<std::string>& regular_files, const std::vector<std:
 Font::~Font() = default;
 
 bool Font::has_letters() const { return !files_->is_empty(); }
+
+std::optional<Diagnostic> Font::trouble() const { return files_->trouble(); }
 
 bool Font::has_letter(char32_t letter) const {
   const std::lock_guard lock(files_->mutex);

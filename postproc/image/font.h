@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -29,6 +30,10 @@ class Font {
   ~Font();
   Font(const Font&) = delete;
   Font& operator=(const Font&) = delete;
+
+  /// Why what was drawn or measured until now may lack letters: memory ran out, or a file that is there cannot be read.
+  /// Codes: out-of-memory, file-unreadable.
+  [[nodiscard]] std::optional<Diagnostic> trouble() const;
 
   /// Whether any file could be read. Without, every letter is a box.
   [[nodiscard]] bool has_letters() const;

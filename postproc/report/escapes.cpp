@@ -47,4 +47,20 @@ std::string base64(std::string_view bytes) {
   return out;
 }
 
+std::string uri_of(const std::string& file) {
+  std::string uri = !file.empty() && file[0] == '/' ? "file://" : "";
+  for (const char c : file) {
+    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                          std::string_view("-._~/").find(c) != std::string_view::npos;
+    if (is_plain) {
+      uri += c;
+    } else {
+      constexpr std::string_view kDigits = "0123456789ABCDEF";
+      const auto byte = static_cast<unsigned char>(c);
+      uri += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
+    }
+  }
+  return uri;
+}
+
 }  // namespace gouge

@@ -46,6 +46,8 @@ namespace gouge {
 
 /// For XML and HTML text and attributes. Bytes that are not UTF-8 become U+FFFD, control characters blanks.
 [[nodiscard]] std::string xml_escaped(std::string_view text);
+/// A file as a relative reference of RFC 3986, as the user named it; absolute paths become file URIs.
+[[nodiscard]] std::string uri_of(const std::string& file);
 /// Broken UTF-8 replaced by U+FFFD.
 [[nodiscard]] std::string valid_utf8(std::string_view text);
 [[nodiscard]] std::string base64(std::string_view bytes);

@@ -33,23 +33,6 @@ std::size_t rule_index(MoveState state) {
   return 0;
 }
 
-// A relative reference of RFC 3986, as the user named the file; absolute paths become file URIs.
-std::string uri_of(const std::string& name) {
-  std::string uri = !name.empty() && name[0] == '/' ? "file://" : "";
-  for (const char c : name) {
-    const bool is_plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
-                          std::string_view("-._~/").find(c) != std::string_view::npos;
-    if (is_plain) {
-      uri += c;
-    } else {
-      constexpr std::string_view kDigits = "0123456789ABCDEF";
-      const auto byte = static_cast<unsigned char>(c);
-      uri += {'%', kDigits[byte >> 4U], kDigits[byte & 15U]};
-    }
-  }
-  return uri;
-}
-
 class SarifReport {
  public:
   explicit SarifReport(const std::vector<SarifJob>& jobs) : jobs_(jobs) {}

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "postproc/batch/job_result.h"
+
+namespace gouge {
+
+/// What `batch` prints: a table of its jobs, the worst first, and one line that counts them. Names from outside are made
+/// printable. `most`: rows at most; those left out are counted.
+[[nodiscard]] std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most);
+
+/// "0.213 mm at line 123", or nothing.
+[[nodiscard]] std::string deepest_text(const JobResult& job);
+
+}  // namespace gouge

@@ -1,0 +1,77 @@
+#include "postproc/batch/job_result.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string_view>
+
+#include "lib/base/exit_code.h"
+
+namespace gouge {
+
+std::size_t JobResult::moves() const {
+  return counts.clean + counts.near_miss + counts.gouge + counts.buried + counts.not_checked + counts.not_certified;
+}
+
+const char* JobResult::verdict() const {
+  if (!status) return "not-run";
+  if (*status == kExitClean) return verdict_name(OverallVerdict::clean);
+  if (*status == kExitNotChecked) return verdict_name(OverallVerdict::not_fully_checked);
+  // `correct` refuses with it what plainly does not fit; then nothing was looked at to the end.
+  if (*status == kExitGouges && !unit.empty()) return verdict_name(OverallVerdict::gouges);
+  return "failed";
+}
+
+int severity_of(std::optional<int> status) {
+  constexpr std::array kFromWorst = {kExitInternal, kExitUsage, kExitInput, kExitGouges, kExitNotChecked, kExitClean};
+  const auto* const found = std::ranges::find(kFromWorst, status.value_or(kExitNotChecked));
+  return found == kFromWorst.end() ? -1 : static_cast<int>(found - kFromWorst.begin());
+}
+
+int batch_status(const std::vector<JobResult>& jobs) {
+  int worst = kExitClean;
+  for (const JobResult& job : jobs) {
+    if (severity_of(job.status) < severity_of(worst)) worst = job.status.value_or(kExitNotChecked);
+  }
+  return worst;
+}
+
+std::vector<std::size_t> worst_first(const std::vector<JobResult>& jobs) {
+  std::vector<std::size_t> order(jobs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    const int of_a = severity_of(jobs[a].status), of_b = severity_of(jobs[b].status);
+    return of_a != of_b ? of_a < of_b : jobs[a].deepest_mm > jobs[b].deepest_mm;
+  });
+  return order;
+}
+
+std::string verdict_counts(const std::vector<JobResult>& jobs) {
+  std::string text;
+  for (const std::string_view verdict : {"failed", "gouges", "not-fully-checked", "clean", "not-run"}) {
+    const auto count = std::ranges::count_if(jobs, [&](const JobResult& job) { return job.verdict() == verdict; });
+    if (count == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(verdict);
+  }
+  return text;
+}
+
+void take_report(const ReportModel& model, JobResult& result) {
+  const LengthUnit unit = model.toolpath->unit;
+  result.unit = unit_name(unit);
+  result.counts = model.result->counts;
+  if (result.counts.gouge > 0) {
+    result.deepest_mm = model.result->worst_depth_mm;
+    result.deepest = result.deepest_mm / mm_per(unit);
+    result.deepest_line = model.toolpath->moves[model.result->worst_move].line;
+  }
+  const SarifJob sarif = sarif_job_of(model);
+  result.findings = sarif.findings;
+  result.warnings = sarif.warnings;
+  const JunitSuite suite = junit_suite_of(model);
+  result.cases = suite.cases;
+  result.beside = suite.beside;
+  result.inputs = model.inputs;
+}
+
+}  // namespace gouge

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "postproc/report/findings.h"
+
+namespace gouge {
+
+/// A file that a job has written.
+struct JobOutput {
+  std::string file;  ///< below the folder of the batch, or as the job names it
+  std::uint64_t bytes = 0;
+  std::string sha256;
+
+  bool operator==(const JobOutput&) const = default;
+};
+
+/// What one job of a batch came to. Lengths are in the unit of its toolpath.
+struct JobResult {
+  std::string name, command;
+  std::string toolpath;           ///< as the job names it
+  std::optional<int> status;      ///< the exit status of its command; none: it has not run
+  std::string unit;               ///< of the toolpath; empty: it could not be read
+  StateCounts counts;             ///< of its moves
+  std::optional<double> deepest;  ///< gouge; none: there is none
+  double deepest_mm = 0;          ///< the same
+  std::size_t deepest_line = 0;   ///< of the toolpath
+  std::vector<Finding> findings;
+  std::vector<JunitCase> cases;
+  std::string beside;    ///< notes and warnings beside the verdict, a line each
+  Diagnostics warnings;  ///< of a job without a result its errors
+  std::vector<InputFile> inputs;
+  std::vector<JobOutput> outputs;
+  std::string report;    ///< its report.html below the folder of the batch; empty: none
+  std::string key;       ///< SHA-256 of all that the result depends on; empty: it may not be used again
+  std::string messages;  ///< what its command said on standard error
+  // What may differ between two runs of the same job.
+  double seconds = 0;
+  double memory_mb = 0;  ///< at the peak of the process until its end
+  std::string host;
+  int rank = 0;
+
+  [[nodiscard]] std::size_t moves() const;
+  /// "clean", "gouges", "not-fully-checked", "failed" or "not-run".
+  [[nodiscard]] const char* verdict() const;
+};
+
+/// Order of exit statuses from the worst: 5, 2, 3, 1, 4, 0. A job that has not run counts as 4.
+[[nodiscard]] int severity_of(std::optional<int> status);
+
+/// The exit status of a batch: that of its worst job.
+[[nodiscard]] int batch_status(const std::vector<JobResult>& jobs);
+
+/// Indices of `jobs`, the worst first: by status, then by depth, then in their order.
+[[nodiscard]] std::vector<std::size_t> worst_first(const std::vector<JobResult>& jobs);
+
+/// How many jobs there are of each verdict: "3 clean, 2 gouges, 1 failed".
+[[nodiscard]] std::string verdict_counts(const std::vector<JobResult>& jobs);
+
+/// Takes over everything of a report that a batch keeps.
+void take_report(const ReportModel& model, JobResult& result);
+
+}  // namespace gouge

@@ -1,0 +1,39 @@
+#include "postproc/report/csv_row.h"
+
+#include <optional>
+
+#include "lib/base/utf8.h"
+
+namespace gouge {
+namespace {
+
+// Whether a spreadsheet might take the text for a formula: =, +, - or @, also in full width, behind blanks,
+// quotes and the apostrophe that hides one; tabs and carriage returns begin a cell of their own in some.
+bool may_be_formula(std::string_view text) {
+  using namespace std::string_view_literals;
+  for (std::size_t at = 0; at < text.size();) {
+    const std::optional<CodePoint> c = decode_utf8(text, at);
+    if (!c) return false;
+    if (U"=+-@\t\r\n\uFF1D\uFF0B\uFF0D\uFF20\u2212"sv.find(c->value) != std::u32string_view::npos) return true;
+    if (U" \"'\u00A0\u200B\u3000\uFEFF"sv.find(c->value) == std::u32string_view::npos) return false;
+    at += c->bytes;
+  }
+  return false;
+}
+
+}  // namespace
+
+// Also behind the separators of other locales, where a row is split at semicolons, tabs and line ends without regard to
+// quotes that begin within it.
+std::string without_formula(std::string_view text) {
+  if (text.empty() || parse_number(text)) return std::string(text);
+  std::string out;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    const bool begins_cell = at == 0 || std::string_view(";\t\r\n").find(text[at - 1]) != std::string_view::npos;
+    if (begins_cell && may_be_formula(text.substr(at))) out += '\'';
+    out += text[at];
+  }
+  return out;
+}
+
+}  // namespace gouge

@@ -1,0 +1,166 @@
+#include "postproc/store/job_rows.h"
+
+#include <functional>
+#include <string_view>
+#include <utility>
+
+namespace gouge {
+namespace {
+
+std::int64_t whole(std::size_t number) { return static_cast<std::int64_t>(number); }
+std::size_t size(std::int64_t number) { return static_cast<std::size_t>(number); }
+Cell cell(const std::optional<double>& number) { return number ? Cell(*number) : Cell(nullptr); }
+
+constexpr std::pair<MoveState, std::size_t StateCounts::*> kCounts[] = {
+    {MoveState::clean, &StateCounts::clean},
+    {MoveState::near_miss, &StateCounts::near_miss},
+    {MoveState::gouge, &StateCounts::gouge},
+    {MoveState::buried, &StateCounts::buried},
+    {MoveState::not_checked, &StateCounts::not_checked},
+    {MoveState::not_certified, &StateCounts::not_certified}};
+constexpr std::string_view kSkipped = "skipped";
+
+void insert_findings(Database& database, std::int64_t job, const std::vector<Finding>& findings) {
+  for (std::size_t k = 0; k < findings.size(); ++k) {
+    const Finding& f = findings[k];
+    const auto at = [&](int axis) { return f.point ? Cell((*f.point)[axis]) : Cell(nullptr); };
+    database.run(
+        "INSERT INTO findings VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)",
+        {job, whole(k), state_name(f.state), whole(f.line), whole(f.move), whole(f.moves), f.tool, f.body, f.against,
+         cell(f.depth), cell(f.depth_upper), cell(f.t), at(0), at(1), at(2), f.message, f.fingerprint});
+  }
+}
+
+void insert_lists(Database& database, std::int64_t job, const JobResult& result) {
+  for (std::size_t k = 0; k < result.cases.size(); ++k) {
+    const JunitCase& one = result.cases[k];
+    database.run("INSERT INTO cases VALUES(?,?,?,?,?,?,?,?,?)",
+                 {job, whole(k), one.name, whole(one.moves), one.failure_type, one.failure_message, one.failure_text,
+                  one.skipped_message, one.error_message});
+  }
+  for (std::size_t k = 0; k < result.warnings.size(); ++k) {
+    const Diagnostic& one = result.warnings[k];
+    database.run("INSERT INTO warnings VALUES(?,?,?,?,?,?,?)",
+                 {job, whole(k), std::int64_t{static_cast<int>(one.severity)}, one.code, one.file, whole(one.line),
+                  one.message});
+  }
+  for (std::size_t k = 0; k < result.inputs.size(); ++k) {
+    const InputFile& one = result.inputs[k];
+    database.run("INSERT INTO inputs VALUES(?,?,?,?,?,?)",
+                 {job, whole(k), one.role, one.name, whole(one.bytes), one.checksum});
+  }
+  for (std::size_t k = 0; k < result.outputs.size(); ++k) {
+    const JobOutput& one = result.outputs[k];
+    database.run("INSERT INTO outputs VALUES(?,?,?,?,?)", {job, whole(k), one.file, whole(one.bytes), one.sha256});
+  }
+}
+
+std::optional<MoveState> state_called(const std::string& name) {
+  for (const auto& [state, count] : kCounts) {
+    if (name == state_name(state)) return state;
+  }
+  return std::nullopt;
+}
+
+Finding finding_of(const Row& row) {
+  Finding f;
+  f.state = state_called(row.text(2)).value_or(MoveState::not_checked);
+  f.line = size(row.integer(3));
+  f.move = size(row.integer(4));
+  f.moves = size(row.integer(5));
+  f.tool = row.text(6);
+  f.body = row.text(7);
+  f.against = row.text(8);
+  f.depth = row.optional_number(9);
+  f.depth_upper = row.optional_number(10);
+  f.t = row.optional_number(11);
+  if (!row.is_null(12)) f.point = Vec3(row.number(12), row.number(13), row.number(14));
+  f.message = row.text(15);
+  f.fingerprint = row.text(16);
+  return f;
+}
+
+void read_job(const Row& row, JobResult& job) {
+  job.command = row.text(2);
+  job.toolpath = row.text(3);
+  job.status = static_cast<int>(row.integer(4));
+  job.unit = row.text(6);
+  job.deepest = row.optional_number(9);
+  job.deepest_mm = row.number(10);
+  job.deepest_line = size(row.integer(11));
+  job.report = row.text(12);
+  job.key = row.text(13);
+  job.beside = row.text(14);
+  job.messages = row.text(15);
+  job.seconds = row.number(16);
+  job.memory_mb = row.number(17);
+  job.host = row.text(18);
+  job.rank = static_cast<int>(row.integer(19));
+}
+
+void read_count(const Row& row, JobResult& job) {
+  const std::string state = row.text(1);
+  if (state == kSkipped) job.counts.skipped = size(row.integer(2));
+  for (const auto& [known, count] : kCounts) {
+    if (state == state_name(known)) job.counts.*count = size(row.integer(2));
+  }
+}
+
+}  // namespace
+
+void insert_job(Database& database, std::int64_t job, const JobResult& r) {
+  database.run("INSERT INTO jobs VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)", {job,
+                                                                                    r.name,
+                                                                                    r.command,
+                                                                                    r.toolpath,
+                                                                                    std::int64_t{r.status.value_or(0)},
+                                                                                    r.verdict(),
+                                                                                    r.unit,
+                                                                                    whole(r.moves()),
+                                                                                    whole(r.findings.size()),
+                                                                                    cell(r.deepest),
+                                                                                    r.deepest_mm,
+                                                                                    whole(r.deepest_line),
+                                                                                    r.report,
+                                                                                    r.key,
+                                                                                    r.beside,
+                                                                                    r.messages,
+                                                                                    r.seconds,
+                                                                                    r.memory_mb,
+                                                                                    r.host,
+                                                                                    std::int64_t{r.rank}});
+  for (const auto& [state, count] : kCounts)
+    database.run("INSERT INTO counts VALUES(?,?,?)", {job, state_name(state), whole(r.counts.*count)});
+  database.run("INSERT INTO counts VALUES(?,?,?)", {job, kSkipped, whole(r.counts.skipped)});
+  insert_findings(database, job, r.findings);
+  insert_lists(database, job, r);
+}
+
+void read_jobs(Database& database, std::vector<JobResult>& jobs) {
+  const auto each = [&](std::string_view sql, const std::function<void(const Row&, JobResult&)>& use) {
+    database.each(sql, {}, [&](const Row& row) {
+      const std::int64_t job = row.integer(0);
+      if (job >= 0 && size(job) < jobs.size()) use(row, jobs[size(job)]);
+    });
+  };
+  each("SELECT * FROM jobs ORDER BY job", read_job);
+  each("SELECT * FROM counts", read_count);
+  each("SELECT * FROM findings ORDER BY job, finding",
+       [](const Row& row, JobResult& job) { job.findings.push_back(finding_of(row)); });
+  each("SELECT * FROM cases ORDER BY job, number", [](const Row& row, JobResult& job) {
+    job.cases.push_back(
+        {row.text(2), size(row.integer(3)), row.text(4), row.text(5), row.text(6), row.text(7), row.text(8)});
+  });
+  each("SELECT * FROM warnings ORDER BY job, number", [](const Row& row, JobResult& job) {
+    job.warnings.push_back(
+        {static_cast<Severity>(row.integer(2)), row.text(3), row.text(4), size(row.integer(5)), row.text(6)});
+  });
+  each("SELECT * FROM inputs ORDER BY job, number", [](const Row& row, JobResult& job) {
+    job.inputs.push_back({row.text(2), row.text(3), static_cast<std::uint64_t>(row.integer(4)), row.text(5)});
+  });
+  each("SELECT * FROM outputs ORDER BY job, number", [](const Row& row, JobResult& job) {
+    job.outputs.push_back({row.text(2), static_cast<std::uint64_t>(row.integer(3)), row.text(4)});
+  });
+}
+
+}  // namespace gouge

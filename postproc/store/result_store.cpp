@@ -1,0 +1,169 @@
+#include "postproc/store/result_store.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "postproc/store/job_rows.h"
+#include "postproc/store/tables.h"
+
+namespace gouge {
+namespace {
+
+std::int64_t number_of(Database& database, std::string_view sql) {
+  std::int64_t number = 0;
+  database.each(sql, {}, [&](const Row& row) { number = row.integer(0); });
+  return number;
+}
+
+Diagnostic too_new(const std::string& path) {
+  return make_error("store-newer",
+                    "was written by a later version of gougecheck; expected one of this version: use that program, or "
+                    "name another folder",
+                    path);
+}
+
+Diagnostic foreign(const std::string& path) {
+  return make_error("store-foreign", "is a database, but no store of a batch; move it away, or name another folder",
+                    path);
+}
+
+}  // namespace
+
+Result<ResultStore> ResultStore::open(const std::string& path) {
+  Result<Database> database = Database::open(path);
+  if (!database) return database.error();
+  ResultStore store(std::move(*database));
+  if (Outcome prepared = store.prepare(path); !prepared) return prepared.error();
+  return store;
+}
+
+Outcome ResultStore::prepare(const std::string& path) {
+  const std::int64_t application = number_of(database_, "PRAGMA application_id");
+  const std::int64_t version = number_of(database_, "PRAGMA user_version");
+  const std::int64_t tables = number_of(database_, "SELECT count(*) FROM sqlite_master");
+  if (database_.error()) return *database_.error();
+  if (tables == 0) {
+    make_tables();
+  } else if (application != kStoreApplication) {
+    return foreign(path);
+  } else if (version != kStoreVersion) {
+    return too_new(path);
+  }
+  is_interrupted_ = number_of(database_, "SELECT count(*) FROM runs WHERE is_ended = 0") > 0;
+  read_done();
+  if (database_.error()) return *database_.error();
+  return Done{};
+}
+
+void ResultStore::make_tables() {
+  // What fails in here is asked for by the caller.
+  [[maybe_unused]] const Outcome made = database_.change([&] {
+    database_.run("PRAGMA application_id = " + std::to_string(kStoreApplication));
+    database_.run("PRAGMA user_version = " + std::to_string(kStoreVersion));
+    for (const std::string_view sql : kCreateTables) database_.run(sql);
+  });
+}
+
+void ResultStore::read_done() {
+  done_.clear();
+  std::map<std::int64_t, std::size_t> at;
+  database_.each("SELECT job, name, key, status FROM jobs ORDER BY job", {}, [&](const Row& row) {
+    at[row.integer(0)] = done_.size();
+    done_.push_back({row.text(1), row.text(2), static_cast<int>(row.integer(3)), {}});
+  });
+  database_.each("SELECT job, file, bytes, sha256 FROM outputs ORDER BY job, number", {}, [&](const Row& row) {
+    const auto job = at.find(row.integer(0));
+    if (job == at.end()) return;
+    done_[job->second].outputs.push_back({row.text(1), static_cast<std::uint64_t>(row.integer(2)), row.text(3)});
+  });
+}
+
+Outcome ResultStore::begin(const BatchIdentity& batch) {
+  const Outcome begun = database_.change([&] {
+    renumber(batch);
+    database_.run("DELETE FROM runs");
+    database_.run("INSERT INTO runs VALUES(1, ?, ?, ?, 0)", {batch.version, batch.build, batch.list});
+  });
+  if (!begun) return begun;
+  read_done();
+  if (database_.error()) return *database_.error();
+  return Done{};
+}
+
+// By way of negative numbers, as no two jobs may have the same one in between.
+void ResultStore::renumber(const BatchIdentity& batch) {
+  std::map<std::string, std::int64_t> now;
+  for (std::size_t job = 0; job < batch.names.size(); ++job) now[batch.names[job]] = static_cast<std::int64_t>(job);
+  std::vector<std::pair<std::int64_t, std::string>> before;
+  database_.each("SELECT job, name FROM jobs", {},
+                 [&](const Row& row) { before.emplace_back(row.integer(0), row.text(1)); });
+  bool is_moved = false;
+  const auto move = [&](std::int64_t from, std::int64_t to) {
+    database_.run("UPDATE jobs SET job = ? WHERE job = ?", {to, from});
+    for (const std::string_view table : kTablesOfJob)
+      database_.run("UPDATE " + std::string(table) + " SET job = ? WHERE job = ?", {to, from});
+  };
+  for (const auto& [job, name] : before) {
+    const auto place = now.find(name);
+    if (place == now.end()) {
+      remove(job);
+    } else if (place->second != job) {
+      move(job, -1 - place->second);
+      is_moved = true;
+    }
+  }
+  if (is_moved) {
+    for (const auto& [name, job] : now) move(-1 - job, job);
+  }
+  database_.run("DELETE FROM names");
+  for (const auto& [name, job] : now) database_.run("INSERT INTO names VALUES(?, ?)", {job, name});
+}
+
+void ResultStore::remove(std::int64_t job) {
+  database_.run("DELETE FROM jobs WHERE job = ?", {job});
+  for (const std::string_view table : kTablesOfJob)
+    database_.run("DELETE FROM " + std::string(table) + " WHERE job = ?", {job});
+}
+
+Outcome ResultStore::put(std::size_t job, const JobResult& result) {
+  return database_.change([&] {
+    remove(static_cast<std::int64_t>(job));
+    insert_job(database_, static_cast<std::int64_t>(job), result);
+  });
+}
+
+Outcome ResultStore::drop(std::size_t job) {
+  return database_.change([&] { remove(static_cast<std::int64_t>(job)); });
+}
+
+Result<std::vector<JobResult>> ResultStore::all() {
+  std::vector<JobResult> jobs;
+  database_.each("SELECT name FROM names ORDER BY job", {}, [&](const Row& row) {
+    jobs.emplace_back();
+    jobs.back().name = row.text(0);
+  });
+  read_jobs(database_, jobs);
+  if (database_.error()) return *database_.error();
+  return jobs;
+}
+
+Result<BatchIdentity> ResultStore::identity() {
+  BatchIdentity batch;
+  database_.each("SELECT version, build, list FROM runs", {}, [&](const Row& row) {
+    batch.version = row.text(0);
+    batch.build = row.text(1);
+    batch.list = row.text(2);
+  });
+  database_.each("SELECT name FROM names ORDER BY job", {},
+                 [&](const Row& row) { batch.names.push_back(row.text(0)); });
+  if (database_.error()) return *database_.error();
+  return batch;
+}
+
+Outcome ResultStore::end() {
+  return database_.change([&] { database_.run("UPDATE runs SET is_ended = 1"); });
+}
+
+}  // namespace gouge

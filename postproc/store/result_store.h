@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "postproc/batch/job_result.h"
+#include "postproc/store/database.h"
+
+namespace gouge {
+
+/// What a batch runs, as its store knows it.
+struct BatchIdentity {
+  std::string version;             ///< of the program
+  std::string build;               ///< SHA-256 of its executable
+  std::string list;                ///< SHA-256 of the job list as it was understood
+  std::vector<std::string> names;  ///< of the jobs, in their order
+};
+
+/// Of a job that has a result in the store.
+struct StoredJob {
+  std::string name, key;
+  int status = 0;
+  std::vector<JobOutput> outputs;
+};
+
+/// results.sqlite of a batch (docs/formats/batch_store.md): the results of its jobs, each committed when it is there.
+class ResultStore {
+ public:
+  /// Makes the file and its tables where there are none. Errors: store-newer (of a later version of the program),
+  /// store-foreign (a database that is no store of a batch), those of Database.
+  [[nodiscard]] static Result<ResultStore> open(const std::string& path);
+
+  /// Whether a batch was begun here and not ended, and how many of its jobs are done.
+  [[nodiscard]] bool is_interrupted() const { return is_interrupted_; }
+  [[nodiscard]] std::size_t jobs_done() const { return done_.size(); }
+
+  /// Begins a run of these jobs: results of jobs of other names are dropped, those of the same name are kept under
+  /// their new number.
+  [[nodiscard]] Outcome begin(const BatchIdentity& batch);
+  /// Jobs with a result.
+  [[nodiscard]] const std::vector<StoredJob>& stored() const { return done_; }
+
+  /// Puts `result` in place of what the store has of the job, in one transaction.
+  [[nodiscard]] Outcome put(std::size_t job, const JobResult& result);
+  /// Drops what the store has of a job that is to run again.
+  [[nodiscard]] Outcome drop(std::size_t job);
+  /// One for each job, in order; those that have not run have a name alone.
+  [[nodiscard]] Result<std::vector<JobResult>> all();
+  /// Of the batch that was begun last; empty names where there is none.
+  [[nodiscard]] Result<BatchIdentity> identity();
+  /// The batch is whole: every job that was to run has run, and its files stand.
+  [[nodiscard]] Outcome end();
+
+ private:
+  explicit ResultStore(Database database) : database_(std::move(database)) {}
+  [[nodiscard]] Outcome prepare(const std::string& path);
+  void make_tables();
+  void read_done();
+  void remove(std::int64_t job);
+  void renumber(const BatchIdentity& batch);
+  void insert(std::int64_t job, const JobResult& result);
+
+  Database database_;
+  bool is_interrupted_ = false;
+  std::vector<StoredJob> done_;
+};
+
+}  // namespace gouge
