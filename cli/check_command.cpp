@@ -56,6 +56,12 @@ void add_check_options(CLI::App& command, CheckArguments& check) {
       "wrong command line, 3 input invalid, 4 not fully checked, 5 internal or resource failure.");
 }
 
+std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments) {
+  if (const Result<JobOptions> options = understand(arguments.job); !options) return options.error();
+  if (const Result<StickoutOptions> stickout = understand_stickout(arguments); !stickout) return stickout.error();
+  return std::nullopt;
+}
+
 int run_check(const CheckArguments& check_arguments, const JobContext& context) {
   std::ostream& err = context.err;
   const JobArguments& arguments = check_arguments.job;

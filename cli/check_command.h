@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/job_context.h"
@@ -14,6 +15,9 @@ struct CheckArguments {
 };
 
 void add_check_options(CLI::App& command, CheckArguments& arguments);
+
+/// The first value that is not what its option expects, before anything is read. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_wrong_value(const CheckArguments& arguments);
 
 /// `gougecheck check`. Returns the exit status.
 [[nodiscard]] int run_check(const CheckArguments& arguments, const JobContext& context);

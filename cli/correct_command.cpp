@@ -24,7 +24,7 @@ namespace {
 CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options, const Correction& correction,
                          const Toolpath& before, const CheckResult& result, const Toolpath& after) {
   CorrectionFacts facts;
-  facts.output_file = arguments.output;
+  facts.output_file = arguments.reported_output();
   facts.strategy = strategies_text(arguments);
   facts.max_shift_mm = options.max_shift_mm;
   facts.max_side_shift_mm = options.max_side_shift_mm;
@@ -86,7 +86,7 @@ class CorrectRun {
       if (!written) return written.error();
       text = std::move(*written);
       progress_.begin("reading the corrected path");
-      return read_again(job_, arguments_.output, text);
+      return read_again(job_, arguments_.reported_output(), text);
     };
     Result<LawfulCorrection> corrected =
         correct_lawfully(job_.toolpath, before, setup, correct, rewrite, progress_.call());
@@ -140,6 +140,14 @@ class CorrectRun {
 };
 
 }  // namespace
+
+std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments) {
+  if (const Result<JobOptions> options = understand(arguments.job); !options) return options.error();
+  if (const Result<CorrectOptions> correct = understand_correction(arguments); !correct) return correct.error();
+  if (const Result<RotaryLimit> limit = understand_rotary_limit(arguments.max_rotary_speed); !limit)
+    return limit.error();
+  return std::nullopt;
+}
 
 int run_correct(const CorrectArguments& arguments, const JobContext& context) {
   std::ostream& err = context.err;

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <optional>
+
 #include "cli/correct_options.h"
 #include "cli/job_context.h"
 
 namespace gouge {
+
+/// The first value that is not what its option expects, before anything is read. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_wrong_value(const CorrectArguments& arguments);
 
 /// `gougecheck correct`. Returns the exit status.
 [[nodiscard]] int run_correct(const CorrectArguments& arguments, const JobContext& context);

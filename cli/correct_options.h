@@ -12,6 +12,7 @@ namespace gouge {
 struct CorrectArguments {
   JobArguments job;
   std::string output;
+  std::string output_name;              ///< as reports call it; empty: as it was typed
   std::vector<std::string> strategies;  ///< "tilt", or "holder=tilt" for one body
   std::string max_shift = "20";
   std::string max_side_shift;  ///< empty: by the depth
@@ -19,6 +20,8 @@ struct CorrectArguments {
   std::string max_tilt = "30", tilt = "both", axis_cone, max_turn, max_turn_step, blend = "10";
   bool may_add_axes = false;
   std::string max_rotary_speed;  ///< empty: no limit
+
+  [[nodiscard]] const std::string& reported_output() const { return output_name.empty() ? output : output_name; }
 };
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments);

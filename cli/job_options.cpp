@@ -9,14 +9,17 @@
 namespace gouge {
 namespace {
 
-void add_input_options(CLI::App& command, JobArguments& a) {
+void add_path(CLI::App& command, JobArguments& a) {
   command.add_option("PATH", a.path, "Toolpath: CL data of any dialect, recognized by its content")
       ->type_name("FILE")
       ->required();
+}
+
+void add_input_options(CLI::App& command, JobArguments& a, bool needs_part) {
   add_reading_options(command, a.reading);
   command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")
       ->type_name("FILE")
-      ->required()
+      ->required(needs_part)
       ->allow_extra_args(false);
   command.add_option("--fixture", a.fixtures, "Fixture that must not be touched (STL; repeatable)")
       ->type_name("FILE")
@@ -100,9 +103,14 @@ void add_progress_option(CLI::App& command, std::string& progress) {
       ->capture_default_str();
 }
 
-void add_job_options(CLI::App& command, JobArguments& arguments) {
-  add_input_options(command, arguments);
+void add_common_job_options(CLI::App& command, JobArguments& arguments, bool needs_part) {
+  add_input_options(command, arguments, needs_part);
   add_check_options(command, arguments);
+}
+
+void add_job_options(CLI::App& command, JobArguments& arguments) {
+  add_path(command, arguments);
+  add_common_job_options(command, arguments, true);
   add_output_options(command, arguments);
 }
 

@@ -45,6 +45,8 @@ struct JobOptions {
 };
 
 void add_job_options(CLI::App& command, JobArguments& arguments);
+/// Of these what says how one path is checked: all but PATH itself and outputs, for commands that check many.
+void add_common_job_options(CLI::App& command, JobArguments& arguments, bool needs_part);
 /// --threads and --progress, as every command has them that may take long.
 void add_threads_option(CLI::App& command, std::uint32_t& threads);
 void add_progress_option(CLI::App& command, std::string& progress);

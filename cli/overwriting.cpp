@@ -99,4 +99,6 @@ std::optional<Diagnostic> find_overwriting(const std::vector<InputOption>& input
   return std::nullopt;
 }
 
+std::string canonical_place(const std::string& name) { return path_of(name).string(); }
+
 }  // namespace gouge

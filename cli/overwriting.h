@@ -23,4 +23,7 @@ struct InputOption {
 [[nodiscard]] std::optional<Diagnostic> find_overwriting(const std::vector<InputOption>& inputs,
                                                          const OutputTable& outputs);
 
+/// Where a name leads, also where nothing stands yet: the same text for every name of a place, links followed.
+[[nodiscard]] std::string canonical_place(const std::string& name);
+
 }  // namespace gouge

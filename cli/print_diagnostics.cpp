@@ -10,19 +10,6 @@
 #include "lib/base/exit_code.h"
 
 namespace gouge {
-namespace {
-
-// Not getrusage: its peak begins with that of the program which started this one.
-std::optional<std::size_t> peak_memory_bytes() {
-  std::ifstream status("/proc/self/status");
-  for (std::string line; std::getline(status, line);) {
-    if (line.compare(0, 6, "VmHWM:") == 0) return 1024 * std::stoull(line.substr(6));
-  }
-  return std::nullopt;
-}
-
-}  // namespace
-
 void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose) {
   command.add_flag("-q,--quiet", verbosity.is_quiet, "Print no findings, only errors");
   command.add_flag("-v,--verbose", verbosity.is_verbose, on_verbose);
@@ -46,6 +33,15 @@ void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& v
     if (d.severity == Severity::warning && ++warnings <= kMost) err << to_text(d) << "\n";
   }
   if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
+}
+
+// Not getrusage: its peak begins with that of the program which started this one.
+std::optional<std::size_t> peak_memory_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.compare(0, 6, "VmHWM:") == 0) return 1024 * std::stoull(line.substr(6));
+  }
+  return std::nullopt;
 }
 
 void print_peak_memory(std::ostream& err) {

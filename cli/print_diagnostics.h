@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <iosfwd>
 #include <optional>
 #include <string>
@@ -31,6 +32,9 @@ void print(std::ostream& err, const Diagnostics& diagnostics);
 
 /// Warnings of the inputs; with -v notes as well, with -q nothing. More than a handful are counted.
 void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity);
+
+/// The most this process had in use at once, mapped files included; none where the system does not say.
+[[nodiscard]] std::optional<std::size_t> peak_memory_bytes();
 
 /// "memory: 178 MB at the peak", the most this process had in use at once, mapped files included; nothing where the
 /// system does not say. For people, never for a report: it differs from run to run.

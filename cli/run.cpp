@@ -8,6 +8,7 @@
 #include <ostream>
 #include <span>
 
+#include "cli/batch_command.h"
 #include "cli/check_command.h"
 #include "cli/clash_command.h"
 #include "cli/correct_command.h"
@@ -29,6 +30,7 @@ namespace {
 struct Arguments {
   CheckArguments check;
   CorrectArguments correct;
+  BatchArguments batch;
   ClashArguments clash;
   MeshArguments mesh;
   PathArguments path;
@@ -53,6 +55,7 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
   std::uint64_t threads = 0;
   if (app.got_subcommand("check")) threads = arguments.check.job.threads;
   if (app.got_subcommand("correct")) threads = arguments.correct.job.threads;
+  if (app.got_subcommand("batch")) threads = arguments.batch.job.threads;
   if (app.got_subcommand("mesh")) threads = arguments.mesh.threads;
   if (threads > kMostThreads) {
     print(err, {make_error("too-many-threads", "--threads '" + std::to_string(threads) + "': expected at most " +
@@ -67,6 +70,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   if (!set_threads(app, arguments, err)) return kExitInternal;
   if (app.got_subcommand("check")) return run_check(arguments.check, {out, err});
   if (app.got_subcommand("correct")) return run_correct(arguments.correct, {out, err});
+  if (app.got_subcommand("batch")) return run_batch(arguments.batch, out, err);
   if (app.got_subcommand("clash")) return run_clash(arguments.clash, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
   if (app.got_subcommand("tool")) return run_tool(arguments.tool, out, err);
@@ -90,6 +94,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     add_check_options(*app.add_subcommand("check", "Find gouges; report"), arguments.check);
     add_correct_options(*app.add_subcommand("correct", "Write a corrected toolpath and check it again"),
                         arguments.correct);
+    add_batch_options(*app.add_subcommand("batch", "Check or correct many toolpaths; resumed where it stopped"),
+                      arguments.batch);
     add_clash_options(*app.add_subcommand("clash", "Find out whether two bodies of a set-up penetrate, and how deep"),
                       arguments.clash);
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
@@ -105,6 +111,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
       return fail(err, {empty ? *empty : describe_parse_error(app, error)});
     }
     if (const std::optional<Diagnostic> empty = find_empty_value(app, words)) return fail(err, {*empty});
+    if (app.got_subcommand("batch")) take_words(*app.get_subcommand("batch"), arguments.batch);
     return after_printing(dispatch(app, arguments, out, err), out, err);
   } catch (const std::bad_alloc&) {
     err << "gougecheck: error: out of memory; nothing more was written [out-of-memory]\n";

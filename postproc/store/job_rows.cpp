@@ -136,11 +136,10 @@ void insert_job(Database& database, std::int64_t job, const JobResult& r) {
   insert_lists(database, job, r);
 }
 
-void read_jobs(Database& database, std::vector<JobResult>& jobs) {
+void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& places, std::vector<JobResult>& jobs) {
   const auto each = [&](std::string_view sql, const std::function<void(const Row&, JobResult&)>& use) {
     database.each(sql, {}, [&](const Row& row) {
-      const std::int64_t job = row.integer(0);
-      if (job >= 0 && size(job) < jobs.size()) use(row, jobs[size(job)]);
+      if (const auto place = places.find(row.integer(0)); place != places.end()) use(row, jobs[place->second]);
     });
   };
   each("SELECT * FROM jobs ORDER BY job", read_job);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <vector>
 
 #include "postproc/batch/job_result.h"
@@ -13,7 +14,8 @@ namespace gouge {
 /// Requires that the store has no row of `job`.
 void insert_job(Database& database, std::int64_t job, const JobResult& result);
 
-/// Fills in those of `jobs`, counted from 0, that have a result. Rows of other jobs are passed over.
-void read_jobs(Database& database, std::vector<JobResult>& jobs);
+/// Fills in those of `jobs` that have a result. `places`: which of them a job of that number is; rows of other jobs are
+/// passed over.
+void read_jobs(Database& database, const std::map<std::int64_t, std::size_t>& places, std::vector<JobResult>& jobs);
 
 }  // namespace gouge

@@ -84,7 +84,8 @@ Outcome ResultStore::begin(const BatchIdentity& batch) {
   const Outcome begun = database_.change([&] {
     renumber(batch);
     database_.run("DELETE FROM runs");
-    database_.run("INSERT INTO runs VALUES(1, ?, ?, ?, 0)", {batch.version, batch.build, batch.list});
+    database_.run("INSERT INTO runs VALUES(1, ?, ?, ?, ?, 0)",
+                  {batch.version, batch.build, batch.list, static_cast<std::int64_t>(batch.jobs)});
   });
   if (!begun) return begun;
   read_done();
@@ -95,7 +96,8 @@ Outcome ResultStore::begin(const BatchIdentity& batch) {
 // By way of negative numbers, as no two jobs may have the same one in between.
 void ResultStore::renumber(const BatchIdentity& batch) {
   std::map<std::string, std::int64_t> now;
-  for (std::size_t job = 0; job < batch.names.size(); ++job) now[batch.names[job]] = static_cast<std::int64_t>(job);
+  for (std::size_t k = 0; k < batch.names.size(); ++k)
+    now[batch.names[k]] = static_cast<std::int64_t>(batch.numbers[k]);
   std::vector<std::pair<std::int64_t, std::string>> before;
   database_.each("SELECT job, name FROM jobs", {},
                  [&](const Row& row) { before.emplace_back(row.integer(0), row.text(1)); });
@@ -140,11 +142,13 @@ Outcome ResultStore::drop(std::size_t job) {
 
 Result<std::vector<JobResult>> ResultStore::all() {
   std::vector<JobResult> jobs;
-  database_.each("SELECT name FROM names ORDER BY job", {}, [&](const Row& row) {
+  std::map<std::int64_t, std::size_t> places;
+  database_.each("SELECT job, name FROM names ORDER BY job", {}, [&](const Row& row) {
+    places[row.integer(0)] = jobs.size();
     jobs.emplace_back();
-    jobs.back().name = row.text(0);
+    jobs.back().name = row.text(1);
   });
-  read_jobs(database_, jobs);
+  read_jobs(database_, places, jobs);
   if (database_.error()) return *database_.error();
   return jobs;
 }

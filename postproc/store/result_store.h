@@ -12,10 +12,12 @@ namespace gouge {
 
 /// What a batch runs, as its store knows it.
 struct BatchIdentity {
-  std::string version;             ///< of the program
-  std::string build;               ///< SHA-256 of its executable
-  std::string list;                ///< SHA-256 of the job list as it was understood
-  std::vector<std::string> names;  ///< of the jobs, in their order
+  std::string version;               ///< of the program
+  std::string build;                 ///< SHA-256 of its executable
+  std::string list;                  ///< SHA-256 of the job list as it was understood
+  std::size_t jobs = 0;              ///< of the list
+  std::vector<std::size_t> numbers;  ///< of those that are run here, ascending
+  std::vector<std::string> names;    ///< of these
 };
 
 /// Of a job that has a result in the store.
@@ -46,7 +48,7 @@ class ResultStore {
   [[nodiscard]] Outcome put(std::size_t job, const JobResult& result);
   /// Drops what the store has of a job that is to run again.
   [[nodiscard]] Outcome drop(std::size_t job);
-  /// One for each job, in order; those that have not run have a name alone.
+  /// One for each job that is run here, in order; those that have not run have a name alone.
   [[nodiscard]] Result<std::vector<JobResult>> all();
   /// Of the batch that was begun last; empty names where there is none.
   [[nodiscard]] Result<BatchIdentity> identity();

@@ -15,7 +15,7 @@ inline constexpr std::string_view kTablesOfJob[] = {"counts", "findings", "cases
 /// docs/formats/batch_store.md says what each column means.
 inline constexpr std::string_view kCreateTables[] = {
     "CREATE TABLE runs(run INTEGER PRIMARY KEY, version TEXT NOT NULL, build TEXT NOT NULL, list TEXT NOT NULL, "
-    "is_ended INTEGER NOT NULL)",
+    "jobs INTEGER NOT NULL, is_ended INTEGER NOT NULL)",
     "CREATE TABLE names(job INTEGER PRIMARY KEY, name TEXT NOT NULL UNIQUE)",
     "CREATE TABLE jobs(job INTEGER PRIMARY KEY, name TEXT NOT NULL, command TEXT NOT NULL, path TEXT NOT NULL, "
     "status INTEGER NOT NULL, verdict TEXT NOT NULL, unit TEXT NOT NULL, moves INTEGER NOT NULL, findings INTEGER NOT "

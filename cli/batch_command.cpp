@@ -1,0 +1,276 @@
+#include "cli/batch_command.h"
+
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <ostream>
+#include <thread>
+
+#include "cli/batch_run.h"
+#include "cli/output_file.h"
+#include "cli/report_folder.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
+#include "lib/base/sha256.h"
+#include "postproc/batch/batch_page.h"
+#include "postproc/batch/batch_text.h"
+#include "postproc/batch/write_summary.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kStoreName = "results.sqlite";
+constexpr std::size_t kMostRows = 50;  // of the table on a terminal
+
+bool is_job_list(const BatchArguments& arguments) {
+  return arguments.files.size() == 1 && fs::path(arguments.files.front()).extension() == ".json";
+}
+
+std::uint64_t usable_memory() {
+  const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGE_SIZE);
+  constexpr std::uint64_t kIfUnknown = 4'000'000'000;
+  if (pages <= 0 || size <= 0) return kIfUnknown;
+  return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3;
+}
+
+Result<Shard> understand_shard(const std::string& text) {
+  if (text.empty()) return Shard{};
+  const std::size_t slash = text.find('/');
+  const auto index = parse_integer(text.substr(0, slash));
+  const auto count = slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
+  if (!index || !count || *index < 1 || *count < *index || *count > 1'000'000)
+    return make_error("usage", "--shard '" + printable(text) + "': expected I/N, share I of N, such as 2/8");
+  return Shard{static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
+}
+
+/// One run of the command, step by step. Every step that fails prints why and leaves the exit status.
+class Batch {
+ public:
+  Batch(const BatchArguments& arguments, std::ostream& out, std::ostream& err)
+      : arguments_(arguments), out_(out), err_(err), place_{arguments.folder, !arguments.is_without_reports} {}
+
+  int run() {
+    if (const auto wrong = find_contradiction(arguments_)) return fail(err_, {*wrong});
+    const Result<Shard> shard = understand_shard(arguments_.shard);
+    if (!shard) return fail(err_, {shard.error()});
+    shard_ = *shard;
+    if (const auto status = read_jobs()) return *status;
+    if (arguments_.is_rehearsal) return list();
+    if (const auto status = open()) return *status;
+    const std::vector<std::size_t> numbers = jobs_to_run();
+    BatchOptions options{arguments_.folder, jobs_at_once(), memory_bytes(), stop_on()};
+    Progress progress(err_, understand_progress(arguments_.progress));
+    BatchRun batch(jobs_, texts_, options, *store_, progress);
+    if (const Outcome ran = batch.run(numbers); !ran) return fail(err_, {ran.error()}, kExitInternal);
+    return finish(numbers.size(), batch.is_stopped());
+  }
+
+ private:
+  std::optional<int> read_jobs() {
+    if (is_job_list(arguments_) && !arguments_.words.empty()) {
+      const std::string option = arguments_.words.front().substr(0, arguments_.words.front().find('='));
+      return fail(err_, {make_error("usage", option + " is an option of a job; expected it in the job list, as \"" +
+                                                 option.substr(2) + "\" in \"defaults\" or in a job")});
+    }
+    Result<std::vector<BatchJob>> jobs = is_job_list(arguments_)
+                                             ? read_job_list(arguments_.files.front(), place_)
+                                             : list_jobs(arguments_.files, arguments_.words, place_);
+    if (!jobs) return fail(err_, {jobs.error()});
+    jobs_ = std::move(*jobs);
+    for (BatchJob& job : jobs_) {
+      if (arguments_.is_forced) job.job().is_forced = true;
+    }
+    if (const auto wrong = find_jobs_in_the_way(jobs_)) return fail(err_, {*wrong});
+    return std::nullopt;
+  }
+
+  int list() const {
+    for (std::size_t number = 0; number < jobs_.size(); ++number) {
+      if (!shard_.has(number)) continue;
+      const BatchJob& job = jobs_[number];
+      out_ << printable(job.name) << ": " << job.command();
+      for (const std::string& word : job.words) out_ << ' ' << printable(word);
+      out_ << '\n';
+    }
+    return kExitClean;
+  }
+
+  std::optional<int> open() {
+    if (const Outcome made = make_folder(arguments_.folder); !made) return fail(err_, {made.error()}, kExitInternal);
+    folder_.emplace(arguments_.folder, arguments_.is_forced, names_of_batch());
+    if (const Outcome opened = folder_->open(); !opened)
+      return fail(err_, {opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
+    Result<ResultStore> store = ResultStore::open(arguments_.folder + "/" + kStoreName);
+    if (!store) return fail(err_, {store.error()}, kExitInternal);
+    store_.emplace(std::move(*store));
+    if (store_->is_interrupted() && !arguments_.is_resumed && !arguments_.is_fresh) {
+      return fail(err_,
+                  {make_error("usage",
+                              "a batch in this folder was interrupted, with " + count_text(store_->jobs_done(), "job") +
+                                  " done; expected --resume, which goes on from there, or --fresh, which begins "
+                                  "anew",
+                              arguments_.folder)});
+    }
+    return begin();
+  }
+
+  std::optional<int> begin() {
+    const std::string build = sha256_of_program();
+    BatchIdentity identity{kProgramVersion, build, {}, jobs_.size(), {}, {}};
+    Sha256 list;
+    for (std::size_t number = 0; number < jobs_.size(); ++number) {
+      texts_.push_back(job_text(jobs_[number], std::string(kProgramVersion) + ' ' + build));
+      list.add(texts_.back());
+      if (!shard_.has(number)) continue;
+      identity.numbers.push_back(number);
+      identity.names.push_back(jobs_[number].name);
+    }
+    identity.list = list.finish();
+    if (const Outcome begun = store_->begin(identity); !begun) return fail(err_, {begun.error()}, kExitInternal);
+    return std::nullopt;
+  }
+
+  static std::string sha256_of_program() {
+    FileHashes hashes;
+    return hashes.of("/proc/self/exe");
+  }
+
+  std::vector<std::size_t> jobs_to_run() {
+    std::map<std::string, const StoredJob*> stored;
+    for (const StoredJob& job : store_->stored()) stored[job.name] = &job;
+    FileHashes hashes;
+    std::vector<std::size_t> numbers;
+    for (std::size_t number = 0; number < jobs_.size(); ++number) {
+      if (!shard_.has(number)) continue;
+      const auto known = stored.find(jobs_[number].name);
+      const bool is_done = !arguments_.is_fresh && known != stored.end() && !known->second->key.empty() &&
+                           known->second->status != kExitInternal &&
+                           known->second->key == job_key(jobs_[number], texts_[number], hashes) &&
+                           are_as_written(known->second->outputs, arguments_.folder);
+      if (!is_done) numbers.push_back(number);
+      taken_ += is_done ? 1 : 0;
+    }
+    return numbers;
+  }
+
+  [[nodiscard]] std::size_t jobs_at_once() const {
+    if (arguments_.jobs > 0) return std::min<std::size_t>(arguments_.jobs, kMostThreads);
+    const std::uint32_t threads = arguments_.job.threads;
+    return threads > 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
+  }
+
+  [[nodiscard]] std::uint64_t memory_bytes() const {
+    return arguments_.memory_gb > 0 ? static_cast<std::uint64_t>(arguments_.memory_gb * 1e9) : usable_memory();
+  }
+
+  [[nodiscard]] StopOn stop_on() const {
+    if (arguments_.stop_on.empty()) return StopOn::nothing;
+    return arguments_.stop_on == "gouge" ? StopOn::gouge : StopOn::error;
+  }
+
+  int finish(std::size_t ran, bool is_stopped) {
+    const Result<std::vector<JobResult>> read = store_->all();
+    if (!read) return fail(err_, {read.error()}, kExitInternal);
+    const std::vector<JobResult>& results = *read;
+    Outcome written = folder_->stage({{"index.html", write_batch_page(results), ""},
+                                      {"summary.csv", write_summary_csv(results), ""},
+                                      {"summary.json", write_summary_json(results), ""},
+                                      {"junit.xml", write_batch_junit(results), ""},
+                                      {"findings.sarif", write_batch_sarif(results), ""}});
+    if (written) written = folder_->commit();
+    if (written && !is_stopped) written = store_->end();
+    if (!written) return fail(err_, {written.error()}, kExitInternal);
+    if (!arguments_.is_quiet) {
+      const bool is_terminal = ::isatty(STDOUT_FILENO) == 1;
+      out_ << batch_text(results, is_terminal ? kMostRows : results.size());
+      if (taken_ > 0) out_ << count_text(taken_, "job") << " taken from the store, " << ran << " run\n";
+      if (is_stopped) out_ << "stopped as asked; --resume runs the rest\n";
+      out_ << "report: " << printable(arguments_.folder) << "/index.html\n";
+    }
+    return batch_status(results);
+  }
+
+  const BatchArguments& arguments_;
+  std::ostream& out_;
+  std::ostream& err_;
+  BatchFolder place_;
+  Shard shard_;
+  std::vector<BatchJob> jobs_;
+  std::vector<std::string> texts_;
+  std::optional<ReportFolder> folder_;
+  std::optional<ResultStore> store_;
+  std::size_t taken_ = 0;
+};
+
+}  // namespace
+
+void add_batch_options(CLI::App& command, BatchArguments& a) {
+  command
+      .add_option(
+          "JOBS", a.files,
+          "A job list (JOBS.json, docs/formats/batch.md), or toolpaths that are all checked with the options of "
+          "check given here")
+      ->type_name("FILE")
+      ->required();
+  command
+      .add_option("-o,--output", a.folder,
+                  "Folder for the results: index.html, summary.csv, summary.json, junit.xml, findings.sarif, "
+                  "results.sqlite, reports/, corrected/")
+      ->type_name("FOLDER")
+      ->required();
+  command.add_option("--jobs", a.jobs, "Jobs to run at once at most (0: as many as threads)")->capture_default_str();
+  command.add_flag("--resume", a.is_resumed, "Go on with a batch that was interrupted; what is done stays");
+  command.add_flag("--fresh", a.is_fresh, "Run every job again, also those whose inputs and options have not changed");
+  command.add_flag("--dry-run", a.is_rehearsal, "List the jobs and their options; write nothing");
+  command.add_flag("--no-reports", a.is_without_reports, "Write no report of any job, only the summary of all");
+  command.add_option("--stop-on", a.stop_on, "Begin no more jobs after one that failed, or also after one that gouges")
+      ->check(CLI::IsMember({"error", "gouge"}));
+  command
+      .add_option("--memory", a.memory_gb, "Memory in GB that jobs may need together (default: 3/4 of the machine's)")
+      ->type_name("FLOAT:POSITIVE")
+      ->check(CLI::PositiveNumber);
+  command.add_option("--shard", a.shard, "Run share I of N of the jobs alone; 'gougecheck merge' joins the folders")
+      ->type_name("I/N");
+  command.add_flag("--force", a.is_forced,
+                   "Let outputs replace files of their names that no batch or report wrote, never an input");
+  add_common_job_options(command, a.job, false);
+  add_progress_option(command, a.progress);
+  add_verbosity(command, a, "Print notes as well (not with -q)");
+  command.footer(
+      "Examples:\n"
+      "  gougecheck batch ops/*.apt --part part.stl --tools tools.json -o night\n"
+      "  gougecheck batch jobs.json -o night --resume\n\n"
+      "A job list:\n"
+      "  {\"defaults\": {\"part\": \"part.stl\", \"tools\": \"tools.json\"},\n"
+      "   \"jobs\": [{\"name\": \"op10\", \"path\": \"op10.apt\"},\n"
+      "            {\"path\": \"finish/*.apt\", \"command\": \"correct\"}]}\n\n"
+      "Exit status: that of the worst job, in the order 5, 2, 3, 1, 4, 0; see 'gougecheck check --help'.");
+}
+
+void take_words(const CLI::App& command, BatchArguments& arguments) {
+  constexpr std::string_view kOwn[] = {"output",     "jobs",     "resume", "fresh",   "dry-run",
+                                       "no-reports", "stop-on",  "memory", "shard",   "force",
+                                       "threads",    "progress", "quiet",  "verbose", "help"};
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string& name = option->get_lnames().front();
+    if (std::ranges::find(kOwn, name) != std::end(kOwn)) continue;
+    if (option->get_items_expected_max() == 0) {
+      arguments.words.push_back("--" + name);
+      continue;
+    }
+    for (const std::string& value : option->results()) arguments.words.push_back("--" + name + "=" + value);
+  }
+}
+
+int run_batch(const BatchArguments& arguments, std::ostream& out, std::ostream& err) {
+  return Batch(arguments, out, err).run();
+}
+
+}  // namespace gouge

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/batch_job.h"
+#include "cli/batch_list.h"
+#include "cli/progress.h"
+#include "postproc/store/result_store.h"
+
+namespace gouge {
+
+enum class StopOn { nothing, error, gouge };
+
+struct BatchOptions {
+  std::string folder;
+  std::size_t jobs_at_once = 1;
+  std::uint64_t memory_bytes = 0;  ///< that all running jobs may need together, as estimated
+  StopOn stop_on = StopOn::nothing;
+};
+
+/// Runs jobs side by side and commits each result to the store as soon as it is there. Jobs of one scene run next to
+/// each other, large jobs first; one that is larger than a fair share of all work runs alone, with all threads.
+class BatchRun {
+ public:
+  /// All must outlive it. `texts`: job_text of each job.
+  BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::string>& texts, const BatchOptions& options,
+           ResultStore& store, Progress& progress);
+
+  /// Runs the jobs of these numbers. Errors: of the store; jobs that were running end first, no other begins.
+  [[nodiscard]] Outcome run(const std::vector<std::size_t>& numbers);
+  /// Whether jobs were left because of --stop-on.
+  [[nodiscard]] bool is_stopped() const { return is_stopped_; }
+
+ private:
+  struct Size {
+    std::uint64_t path_bytes = 0, memory_bytes = 0;
+  };
+
+  [[nodiscard]] static Size size_of(const JobArguments& arguments);
+  [[nodiscard]] std::vector<std::size_t> in_order(std::vector<std::size_t> numbers) const;
+  void run_one(std::size_t number);
+  void commit(std::size_t number, const JobResult& result);
+  void enter(std::uint64_t bytes);
+  void leave(std::uint64_t bytes);
+
+  const std::vector<BatchJob>& jobs_;
+  const std::vector<std::string>& texts_;
+  const BatchOptions& options_;
+  ResultStore& store_;
+  Progress& progress_;
+  SceneStore scenes_;
+  std::vector<Size> sizes_;
+  std::mutex guard_;  // of all that follows, and of the store
+  std::condition_variable room_;
+  std::uint64_t in_use_ = 0;
+  std::size_t running_ = 0, done_ = 0, all_ = 0, moves_ = 0;
+  std::chrono::steady_clock::time_point began_;
+  std::optional<Diagnostic> failure_;
+  std::atomic<bool> is_stopped_ = false;
+};
+
+}  // namespace gouge

@@ -1,0 +1,117 @@
+#include "cli/job_words.h"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "cli/correct_command.h"
+#include "cli/help_text.h"
+#include "cli/parse_errors.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::string_view kOfBatch[] = {"threads", "progress", "quiet", "verbose", "report"};
+
+/// A program of one command, with places for its values.
+struct CommandParser {
+  explicit CommandParser(const std::string& command) {
+    program.name(kProgramName);
+    program.require_subcommand(1);
+    if (command == "check") {
+      add_check_options(*program.add_subcommand("check"), check);
+    } else {
+      add_correct_options(*program.add_subcommand("correct"), correct);
+    }
+  }
+  [[nodiscard]] const CLI::App& command() const { return *program.get_subcommands({}).front(); }
+
+  CLI::App program;
+  CheckArguments check;
+  CorrectArguments correct;
+};
+
+// One for each command, as making one costs more than a small job list.
+const CLI::App& table_of(const std::string& command) {
+  static const CommandParser check("check"), correct("correct");
+  return (command == "check" ? check : correct).command();
+}
+
+Diagnostic wrong(const std::string& message) { return make_error("jobs-option", message); }
+
+std::string kind_of(const nlohmann::json& value) {
+  if (value.is_object()) return "an object";
+  if (value.is_array()) return "a list";
+  if (value.is_null()) return "null";
+  return value.is_boolean() ? "true or false" : value.is_string() ? "a text" : "a number";
+}
+
+Diagnostic unknown(const std::string& command, const std::string& key) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : table_of(command).get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back(name);
+  }
+  const std::string nearest = nearest_name(key, names);
+  return wrong("\"" + key + "\" is no option of " + command + "; expected the long name of one without its --" +
+               (nearest.empty() ? "; see gougecheck " + command + " --help" : "; did you mean \"" + nearest + "\"?"));
+}
+
+}  // namespace
+
+std::string JobWords::located(const std::string& file) const {
+  if (folder_.empty() || file.empty() || file.front() == '/') return file;
+  return (std::filesystem::path(folder_) / file).string();
+}
+
+Outcome JobWords::add(const std::string& key, const nlohmann::json& value) {
+  if (std::ranges::find(kOfBatch, key) != std::end(kOfBatch))
+    return wrong("\"" + key + "\" is an option of the batch, not of a job; say it on the command line");
+  const CLI::Option* option = table_of(command_).get_option_no_throw("--" + key);
+  if (option == nullptr || key == "help") return unknown(command_, key);
+  const bool is_flag = option->get_items_expected_max() == 0;
+  if (is_flag) {
+    if (!value.is_boolean()) return wrong("\"" + key + "\" is " + kind_of(value) + "; expected true or false");
+    if (value.get<bool>()) words_.push_back("--" + key);
+    return Done{};
+  }
+  if (value.is_array()) {
+    if (option->get_items_expected_max() == 1)
+      return wrong("\"" + key + "\" is a list; expected one value, as the option may be given once");
+    for (const nlohmann::json& one : value) {
+      if (one.is_array()) return wrong("\"" + key + "\" holds a list; expected texts or numbers");
+      if (Outcome added = add(key, one); !added) return added;
+    }
+    return Done{};
+  }
+  if (!value.is_string() && !value.is_number())
+    return wrong("\"" + key + "\" is " + kind_of(value) + "; expected a text or a number");
+  const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+  if (text.empty()) return wrong("\"" + key + "\" is empty; expected a value, or leave it out");
+  const std::string type = option->get_type_name();
+  const bool is_file = type == "FILE" || type == "FIXTURE";
+  if (text == "-" && type == "FILE")
+    return wrong("\"" + key + "\" is -; expected a file: standard output is the batch's");
+  words_.push_back("--" + key + "=" + (is_file ? located(text) : text));
+  return Done{};
+}
+
+Result<CommandArguments> parse_command(const std::string& command, const std::vector<std::string>& words) {
+  CommandParser parser(command);
+  std::vector<std::string> reversed(words.rbegin(), words.rend());
+  reversed.push_back(command);
+  try {
+    parser.program.parse(std::move(reversed));
+  } catch (const CLI::ParseError& error) {
+    return describe_parse_error(parser.program, error);
+  }
+  const std::optional<Diagnostic> error =
+      command == "check" ? find_wrong_value(parser.check) : find_wrong_value(parser.correct);
+  if (error) return *error;
+  if (command == "check") return CommandArguments(std::move(parser.check));
+  return CommandArguments(std::move(parser.correct));
+}
+
+}  // namespace gouge
