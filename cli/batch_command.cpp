@@ -8,6 +8,7 @@
 #include <ostream>
 #include <thread>
 
+#include "cli/batch_files.h"
 #include "cli/batch_run.h"
 #include "cli/output_file.h"
 #include "cli/report_folder.h"
@@ -16,17 +17,11 @@
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/sha256.h"
-#include "postproc/batch/batch_page.h"
-#include "postproc/batch/batch_text.h"
-#include "postproc/batch/write_summary.h"
 
 namespace gouge {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr const char* kStoreName = "results.sqlite";
-constexpr std::size_t kMostRows = 50;  // of the table on a terminal
 
 bool is_job_list(const BatchArguments& arguments) {
   return arguments.files.size() == 1 && fs::path(arguments.files.front()).extension() == ".json";
@@ -178,17 +173,11 @@ class Batch {
     const Result<std::vector<JobResult>> read = store_->all();
     if (!read) return fail(err_, {read.error()}, kExitInternal);
     const std::vector<JobResult>& results = *read;
-    Outcome written = folder_->stage({{"index.html", write_batch_page(results), ""},
-                                      {"summary.csv", write_summary_csv(results), ""},
-                                      {"summary.json", write_summary_json(results), ""},
-                                      {"junit.xml", write_batch_junit(results), ""},
-                                      {"findings.sarif", write_batch_sarif(results), ""}});
-    if (written) written = folder_->commit();
+    Outcome written = write_batch_files(*folder_, results);
     if (written && !is_stopped) written = store_->end();
     if (!written) return fail(err_, {written.error()}, kExitInternal);
     if (!arguments_.is_quiet) {
-      const bool is_terminal = ::isatty(STDOUT_FILENO) == 1;
-      out_ << batch_text(results, is_terminal ? kMostRows : results.size());
+      print_batch(out_, results);
       if (taken_ > 0) out_ << count_text(taken_, "job") << " taken from the store, " << ran << " run\n";
       if (is_stopped) out_ << "stopped as asked; --resume runs the rest\n";
       out_ << "report: " << printable(arguments_.folder) << "/index.html\n";

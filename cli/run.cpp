@@ -13,6 +13,7 @@
 #include "cli/clash_command.h"
 #include "cli/correct_command.h"
 #include "cli/help_text.h"
+#include "cli/merge_command.h"
 #include "cli/mesh_command.h"
 #include "cli/parse_errors.h"
 #include "cli/path_command.h"
@@ -32,6 +33,7 @@ struct Arguments {
   CorrectArguments correct;
   BatchArguments batch;
   ClashArguments clash;
+  MergeArguments merge;
   MeshArguments mesh;
   PathArguments path;
   ToolArguments tool;
@@ -72,6 +74,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   if (app.got_subcommand("correct")) return run_correct(arguments.correct, {out, err});
   if (app.got_subcommand("batch")) return run_batch(arguments.batch, out, err);
   if (app.got_subcommand("clash")) return run_clash(arguments.clash, out, err);
+  if (app.got_subcommand("merge")) return run_merge(arguments.merge, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
   if (app.got_subcommand("tool")) return run_tool(arguments.tool, out, err);
   return run_path(arguments.path, out, err);
@@ -98,6 +101,7 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
                       arguments.batch);
     add_clash_options(*app.add_subcommand("clash", "Find out whether two bodies of a set-up penetrate, and how deep"),
                       arguments.clash);
+    add_merge_options(*app.add_subcommand("merge", "Join the results of the shards of a batch"), arguments.merge);
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
     add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), arguments.path);
     add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), arguments.tool);

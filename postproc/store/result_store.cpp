@@ -155,13 +155,16 @@ Result<std::vector<JobResult>> ResultStore::all() {
 
 Result<BatchIdentity> ResultStore::identity() {
   BatchIdentity batch;
-  database_.each("SELECT version, build, list FROM runs", {}, [&](const Row& row) {
+  database_.each("SELECT version, build, list, jobs FROM runs", {}, [&](const Row& row) {
     batch.version = row.text(0);
     batch.build = row.text(1);
     batch.list = row.text(2);
+    batch.jobs = static_cast<std::size_t>(row.integer(3));
   });
-  database_.each("SELECT name FROM names ORDER BY job", {},
-                 [&](const Row& row) { batch.names.push_back(row.text(0)); });
+  database_.each("SELECT job, name FROM names ORDER BY job", {}, [&](const Row& row) {
+    batch.numbers.push_back(static_cast<std::size_t>(row.integer(0)));
+    batch.names.push_back(row.text(1));
+  });
   if (database_.error()) return *database_.error();
   return batch;
 }
