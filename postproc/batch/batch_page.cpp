@@ -16,7 +16,7 @@ th button { font: inherit; color: inherit; background: none; border: 0; padding:
 th button:hover { color: var(--link); } th[aria-sort=ascending] button::after { content: " \25B2"; }
 th[aria-sort=descending] button::after { content: " \25BC"; }
 #filter { font: inherit; width: 100%; max-width: 26em; padding: 6px 10px; border: 1px solid var(--line); border-radius: 5px; }
-#shown { margin-left: 14px; } td.picture { min-width: 0; width: 108px; padding: 4px 12px 4px 0; }
+#shown { margin-left: 14px; } td:nth-child(2) { min-width: 15em; } td.picture { min-width: 0; width: 108px; padding: 4px 12px 4px 0; }
 td.picture img { width: 96px; height: 60px; object-fit: cover; border: 1px solid var(--line); border-radius: 3px; display: block; }
 .state.gouges, .state.failed { background: var(--alarm); } .state.clean { background: var(--calm); }
 .state.not-fully-checked { background: var(--open); } .banner.failed { background: var(--alarm); }
@@ -66,10 +66,9 @@ std::string name_cell(const JobResult& job) {
 }
 
 std::string remark(const JobResult& job) {
-  for (const Diagnostic& one : job.warnings) {
-    if (one.severity == Severity::error) return to_text(one);
-  }
-  return job.warnings.empty() ? std::string() : to_text(job.warnings.front());
+  const std::vector<std::string> all = job.remarks();
+  if (all.empty()) return {};
+  return all.front() + (all.size() > 1 ? "; and " + std::to_string(all.size() - 1) + " more" : "");
 }
 
 std::string row_of(const JobResult& job, std::size_t rank) {

@@ -19,8 +19,8 @@ TableRow row_of(const JobResult& job) {
   if (!job.status) return {printable(job.name), job.verdict(), "", "", "", ""};
   std::string deepest = deepest_text(job);
   if (job.unit.empty()) {
-    const auto error = std::ranges::find(job.warnings, Severity::error, &Diagnostic::severity);
-    deepest = error == job.warnings.end() ? "status " + std::to_string(*job.status) : to_text(*error);
+    const std::vector<std::string> remarks = job.remarks();
+    deepest = remarks.empty() ? "status " + std::to_string(*job.status) : remarks.front();
   }
   return {printable(job.name),    job.verdict(),     std::to_string(job.moves()), std::to_string(job.findings.size()),
           time_text(job.seconds), printable(deepest)};

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <numeric>
+#include <sstream>
 #include <string_view>
 
 #include "lib/base/exit_code.h"
@@ -11,6 +13,17 @@ namespace gouge {
 
 std::size_t JobResult::moves() const {
   return counts.clean + counts.near_miss + counts.gouge + counts.buried + counts.not_checked + counts.not_certified;
+}
+
+std::vector<std::string> JobResult::remarks() const {
+  std::vector<std::string> remarks;
+  for (const Diagnostic& warning : warnings) remarks.push_back(to_text(warning));
+  if (!unit.empty()) return remarks;
+  std::istringstream lines(messages);
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) remarks.push_back(line);
+  }
+  return remarks;
 }
 
 const char* JobResult::verdict() const {
@@ -65,9 +78,9 @@ void take_report(const ReportModel& model, JobResult& result) {
     result.deepest = result.deepest_mm / mm_per(unit);
     result.deepest_line = model.toolpath->moves[model.result->worst_move].line;
   }
-  const SarifJob sarif = sarif_job_of(model);
-  result.findings = sarif.findings;
-  result.warnings = sarif.warnings;
+  result.findings = list_findings(model);
+  std::ranges::copy_if(model.notes, std::back_inserter(result.warnings),
+                       [](const Diagnostic& note) { return note.severity == Severity::warning; });
   const JunitSuite suite = junit_suite_of(model);
   result.cases = suite.cases;
   result.beside = suite.beside;

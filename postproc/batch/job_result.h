@@ -45,6 +45,8 @@ struct JobResult {
   int rank = 0;
 
   [[nodiscard]] std::size_t moves() const;
+  /// Its warnings as text; of a job without a result what its command said of its errors.
+  [[nodiscard]] std::vector<std::string> remarks() const;
   /// "clean", "gouges", "not-fully-checked", "failed" or "not-run".
   [[nodiscard]] const char* verdict() const;
 };

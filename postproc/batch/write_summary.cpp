@@ -59,7 +59,7 @@ Json outputs_of(const JobResult& job) {
 Json object_of(const JobResult& job) {
   const StateCounts& n = job.counts;
   Json messages = Json::array();
-  for (const Diagnostic& one : job.warnings) messages.push_back(valid_utf8(to_text(one)));
+  for (const std::string& one : job.remarks()) messages.push_back(valid_utf8(one));
   Json object = {{"job", valid_utf8(job.name)},
                  {"command", job.command},
                  {"path", valid_utf8(job.toolpath)},
@@ -96,9 +96,7 @@ JunitCase case_without_result(const JobResult& job) {
     one.skipped_message = "the job has not run";
   } else {
     one.error_message = "exit status " + std::to_string(*job.status);
-    for (const Diagnostic& error : job.warnings) {
-      if (error.severity == Severity::error) one.error_message += "; " + to_text(error);
-    }
+    for (const std::string& remark : job.remarks()) one.error_message += "; " + remark;
   }
   return one;
 }
@@ -125,7 +123,13 @@ std::string write_summary_json(const std::vector<JobResult>& jobs) {
 std::string write_batch_sarif(const std::vector<JobResult>& jobs) {
   std::vector<SarifJob> all;
   for (const JobResult& job : jobs) {
-    if (job.status) all.push_back({job.toolpath, *job.status, job.warnings, job.findings});
+    if (!job.status) continue;
+    SarifJob one{job.toolpath, *job.status, {}, job.findings};
+    for (const Diagnostic& warning : job.warnings) one.notes.push_back(sarif_note_of(warning));
+    if (job.unit.empty()) {
+      for (const std::string& remark : job.remarks()) one.notes.push_back({"error", "job-failed", remark});
+    }
+    all.push_back(std::move(one));
   }
   return write_sarif(all);
 }

@@ -28,11 +28,17 @@ struct Finding {
 /// Every event in the order of the path, then every reason why moves were not checked or not certified.
 [[nodiscard]] std::vector<Finding> list_findings(const ReportModel& model);
 
+/// What is said of a run beside its findings.
+struct SarifNote {
+  std::string level, code, text;
+};
+[[nodiscard]] SarifNote sarif_note_of(const Diagnostic& diagnostic);
+
 /// What one run adds to a SARIF file.
 struct SarifJob {
   std::string toolpath;  ///< as the user named it
   int exit_status = 0;
-  Diagnostics warnings;
+  std::vector<SarifNote> notes;
   std::vector<Finding> findings;
 };
 [[nodiscard]] SarifJob sarif_job_of(const ReportModel& model);

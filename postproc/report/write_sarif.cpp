@@ -47,7 +47,7 @@ class SarifReport {
     for (std::size_t job = 0; job < jobs_.size(); ++job) {
       invocations.push_back({{"executionSuccessful", is_verdict(jobs_[job].exit_status)},
                              {"exitCode", jobs_[job].exit_status},
-                             {"toolExecutionNotifications", notifications(jobs_[job].warnings)}});
+                             {"toolExecutionNotifications", notifications(jobs_[job].notes)}});
       artifacts.push_back({{"location", {{"uri", uri_of(jobs_[job].toolpath)}}}});
       for (const Finding& finding : jobs_[job].findings) add(finding, job);
     }
@@ -67,11 +67,11 @@ class SarifReport {
     return status == kExitClean || status == kExitGouges || status == kExitNotChecked;
   }
 
-  [[nodiscard]] static Json notifications(const Diagnostics& diagnostics) {
+  [[nodiscard]] static Json notifications(const std::vector<SarifNote>& notes) {
     Json all = Json::array();
-    for (const Diagnostic& note : diagnostics) {
-      all.push_back({{"level", note.severity == Severity::error ? "error" : "warning"},
-                     {"message", {{"text", valid_utf8(to_text(note))}}},
+    for (const SarifNote& note : notes) {
+      all.push_back({{"level", note.level},
+                     {"message", {{"text", valid_utf8(note.text)}}},
                      {"descriptor", {{"id", valid_utf8(note.code)}}}});
     }
     return all;
@@ -98,10 +98,14 @@ class SarifReport {
 
 }  // namespace
 
+SarifNote sarif_note_of(const Diagnostic& diagnostic) {
+  return {diagnostic.severity == Severity::error ? "error" : "warning", diagnostic.code, to_text(diagnostic)};
+}
+
 SarifJob sarif_job_of(const ReportModel& model) {
   SarifJob job{model.toolpath->file, exit_status(overall_verdict(*model.result)), {}, list_findings(model)};
   for (const Diagnostic& note : model.notes) {
-    if (note.severity == Severity::warning) job.warnings.push_back(note);
+    if (note.severity == Severity::warning) job.notes.push_back(sarif_note_of(note));
   }
   return job;
 }

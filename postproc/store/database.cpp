@@ -93,13 +93,16 @@ Result<Database> Database::open(const std::string& path) {
     database.state_->fail(result);
     return *database.error();
   }
-  // One process alone, so that a write-ahead log needs no shared memory and works on network drives too. Synchronous:
-  // what is committed stands also after the power fails.
-  for (const char* setting : {"PRAGMA locking_mode=EXCLUSIVE", "PRAGMA journal_mode=WAL", "PRAGMA synchronous=FULL",
-                              "BEGIN EXCLUSIVE", "COMMIT"})
-    database.run(setting);
+  database.run("PRAGMA locking_mode=EXCLUSIVE");
   if (database.error()) return *database.error();
   return database;
+}
+
+void Database::begin_writing() {
+  // One process alone, so that a write-ahead log needs no shared memory and works on network drives too. Synchronous:
+  // what is committed stands also after the power fails.
+  for (const char* setting : {"PRAGMA journal_mode=WAL", "PRAGMA synchronous=FULL", "BEGIN EXCLUSIVE", "COMMIT"})
+    run(setting);
 }
 
 void Database::run(std::string_view sql, const std::vector<Cell>& values) {

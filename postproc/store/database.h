@@ -43,6 +43,8 @@ class Database {
   Database& operator=(Database&&) = delete;
   ~Database();
 
+  /// To be called once, before the first change: an open file that is only read stays as it is.
+  void begin_writing();
   void run(std::string_view sql, const std::vector<Cell>& values = {});
   void each(std::string_view sql, const std::vector<Cell>& values, const std::function<void(const Row&)>& use);
   /// Runs `changes` in one transaction: all of them, or none. Errors: those of open.

@@ -44,13 +44,10 @@ Outcome ResultStore::prepare(const std::string& path) {
   const std::int64_t version = number_of(database_, "PRAGMA user_version");
   const std::int64_t tables = number_of(database_, "SELECT count(*) FROM sqlite_master");
   if (database_.error()) return *database_.error();
-  if (tables == 0) {
-    make_tables();
-  } else if (application != kStoreApplication) {
-    return foreign(path);
-  } else if (version != kStoreVersion) {
-    return too_new(path);
-  }
+  has_tables_ = tables > 0;
+  if (!has_tables_) return Done{};
+  if (application != kStoreApplication) return foreign(path);
+  if (version != kStoreVersion) return too_new(path);
   is_interrupted_ = number_of(database_, "SELECT count(*) FROM runs WHERE is_ended = 0") > 0;
   read_done();
   if (database_.error()) return *database_.error();
@@ -58,12 +55,10 @@ Outcome ResultStore::prepare(const std::string& path) {
 }
 
 void ResultStore::make_tables() {
-  // What fails in here is asked for by the caller.
-  [[maybe_unused]] const Outcome made = database_.change([&] {
-    database_.run("PRAGMA application_id = " + std::to_string(kStoreApplication));
-    database_.run("PRAGMA user_version = " + std::to_string(kStoreVersion));
-    for (const std::string_view sql : kCreateTables) database_.run(sql);
-  });
+  database_.run("PRAGMA application_id = " + std::to_string(kStoreApplication));
+  database_.run("PRAGMA user_version = " + std::to_string(kStoreVersion));
+  for (const std::string_view sql : kCreateTables) database_.run(sql);
+  has_tables_ = true;
 }
 
 void ResultStore::read_done() {
@@ -81,7 +76,9 @@ void ResultStore::read_done() {
 }
 
 Outcome ResultStore::begin(const BatchIdentity& batch) {
+  database_.begin_writing();
   const Outcome begun = database_.change([&] {
+    if (!has_tables_) make_tables();
     renumber(batch);
     database_.run("DELETE FROM runs");
     database_.run("INSERT INTO runs VALUES(1, ?, ?, ?, ?, 0)",
@@ -155,6 +152,7 @@ Result<std::vector<JobResult>> ResultStore::all() {
 
 Result<BatchIdentity> ResultStore::identity() {
   BatchIdentity batch;
+  if (!has_tables_) return batch;
   database_.each("SELECT version, build, list, jobs FROM runs", {}, [&](const Row& row) {
     batch.version = row.text(0);
     batch.build = row.text(1);
@@ -170,7 +168,10 @@ Result<BatchIdentity> ResultStore::identity() {
 }
 
 Outcome ResultStore::end() {
-  return database_.change([&] { database_.run("UPDATE runs SET is_ended = 1"); });
+  const Outcome ended = database_.change([&] { database_.run("UPDATE runs SET is_ended = 1"); });
+  // One file, which programs that may not write beside it can read.
+  if (ended) database_.run("PRAGMA journal_mode=DELETE");
+  return ended;
 }
 
 }  // namespace gouge

@@ -30,7 +30,7 @@ struct StoredJob {
 /// results.sqlite of a batch (docs/formats/batch_store.md): the results of its jobs, each committed when it is there.
 class ResultStore {
  public:
-  /// Makes the file and its tables where there are none. Errors: store-newer (of a later version of the program),
+  /// Makes an empty file where there is none; what is there stays as it is until begin. Errors: store-newer (of a later version of the program),
   /// store-foreign (a database that is no store of a batch), those of Database.
   [[nodiscard]] static Result<ResultStore> open(const std::string& path);
 
@@ -65,6 +65,7 @@ class ResultStore {
   void insert(std::int64_t job, const JobResult& result);
 
   Database database_;
+  bool has_tables_ = false;
   bool is_interrupted_ = false;
   std::vector<StoredJob> done_;
 };

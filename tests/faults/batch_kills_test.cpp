@@ -1,0 +1,67 @@
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+
+#include "tests/faults/campaign.h"
+#include "tests/faults/trial.h"
+#include "tests/samples/batch_folder.h"
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+#include "tests/support/scatter.h"
+
+// A batch that is ended by signals at random instants, again and again, and resumed until it is whole, leaves what an
+// undisturbed one leaves: no job lost, none twice, the same bytes. GOUGE_KILLS says how many signals, GOUGE_SEED which.
+
+namespace gouge::testing_faults {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSignals[] = {SIGKILL, SIGTERM, SIGKILL, SIGINT};
+
+std::size_t hidden_files(const std::string& folder) {
+  std::size_t count = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    count += entry.path().filename().string().starts_with(".gougecheck") ? 1U : 0U;
+  return count;
+}
+
+TEST(BatchKills, AreResumedToWhatAnUndisturbedBatchLeaves) {
+  const std::string folder = testing_samples::fresh_folder();
+  ASSERT_EQ(testing_samples::run_make_samples(folder).exit_status, 0);
+  testing_samples::write_job_list(folder, {"needles", "between_rib", "thin_post", "sunk_jaw", "between_swing"});
+  const std::vector<std::string> undisturbed = {"batch", "jobs.json", "-o", "whole", "-q"};
+  const Ending whole = run_program(folder, undisturbed, {});
+  ASSERT_EQ(whole.exit_status, 1) << whole.err;
+  const auto expected = testing_samples::batch_files(folder + "/whole");
+
+  test::Scatter random(static_cast<std::uint64_t>(number_asked("GOUGE_SEED", 17)));
+  const long kills = number_asked("GOUGE_KILLS", 6);
+  long killed = 0, batches = 0;
+  for (long i = 0; i < kills; ++i) {
+    Misfortune misfortune;
+    misfortune.signal = kSignals[i % 4];
+    misfortune.after_s = whole.seconds * random.in(0, 0.7);
+    const std::vector<std::string> jobs = {"batch", "jobs.json", "-o",     "killed",
+                                           "-q",    "--resume",  "--jobs", std::to_string(1 + i % 3)};
+    const Ending ending = run_program(folder, jobs, misfortune);
+    const bool is_killed = ending.signal == misfortune.signal;
+    ASSERT_TRUE(is_killed || ending.exit_status == 1) << ending.exit_status << " " << ending.err;
+    killed += is_killed ? 1 : 0;
+    // Some go on being killed where they were resumed.
+    if (is_killed && random.in(0, 1) < 0.5) continue;
+    const Ending resumed = run_program(folder, jobs, {});
+    ASSERT_EQ(resumed.exit_status, 1) << resumed.err;
+    ASSERT_EQ(testing_samples::difference(expected, testing_samples::batch_files(folder + "/killed")), "")
+        << "kill " << i << ", signal " << misfortune.signal << " after " << misfortune.after_s << " s";
+    EXPECT_EQ(hidden_files(folder + "/killed"), 0U);
+    ++batches;
+    fs::remove_all(folder + "/killed");
+  }
+  std::printf("batch: %ld of %ld ended by a signal, %ld batches resumed to their end\n", killed, kills, batches);
+  EXPECT_TRUE(kills < 3 || killed > 0);
+}
+
+}  // namespace
+}  // namespace gouge::testing_faults

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+// The folder of a batch as tests compare it.
+
+namespace gouge::testing_samples {
+
+/// Writes FOLDER/jobs.json: a check and a correction of each of `samples`, which stand below `folder`, as make_samples
+/// leaves them. Even ones have no report.
+void write_job_list(const std::string& folder, const std::vector<std::string>& samples);
+
+/// Every file of a batch by its name, without what may differ between two runs of the same jobs: the columns seconds,
+/// memory_mb, host and rank, JUnit's times, and the manifest, which has the hashes of these. The store is its rows,
+/// sorted.
+[[nodiscard]] std::map<std::string, std::string> batch_files(const std::string& folder);
+
+/// Names that differ or are on one side alone, for messages; empty where both are the same.
+[[nodiscard]] std::string difference(const std::map<std::string, std::string>& a,
+                                     const std::map<std::string, std::string>& b);
+
+}  // namespace gouge::testing_samples

@@ -1,0 +1,255 @@
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "tests/samples/batch_folder.h"
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+// gougecheck batch and merge as their users run them.
+
+namespace gouge::testing_samples {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const std::vector<std::string> kSamples = {"pocket", "between_rib", "thin_post", "needles", "sunk_jaw", "between_head"};
+
+std::string samples_with_list(const std::vector<std::string>& samples = kSamples) {
+  const std::string folder = fresh_folder();
+  EXPECT_EQ(run_make_samples(folder).exit_status, 0);
+  write_job_list(folder, samples);
+  return folder;
+}
+
+Outcome batch(const std::string& folder, std::vector<std::string> more) {
+  more.insert(more.begin(), "batch");
+  return run_gougecheck(folder, more);
+}
+
+Json summary_of(const std::string& folder) { return Json::parse(text_of(folder + "/summary.json")); }
+
+TEST(Batch, SaysOfEveryJobWhatItsOwnCommandSays) {
+  const std::string folder = samples_with_list();
+  const Outcome ran = batch(folder, {"jobs.json", "-o", "out"});
+  EXPECT_EQ(ran.exit_status, 1) << ran.out << ran.err;
+  EXPECT_EQ(ran.err, "");
+  const Json summary = summary_of(folder + "/out");
+  EXPECT_EQ(summary.at("exit_status"), 1);
+  ASSERT_EQ(summary.at("jobs").size(), 2 * kSamples.size());
+  for (std::size_t k = 0; k < kSamples.size(); ++k) {
+    const Json known = Json::parse(text_of(folder + "/" + kSamples[k] + "/expected.json"));
+    const Json &checked = summary.at("jobs").at(2 * k), &corrected = summary.at("jobs").at(2 * k + 1);
+    EXPECT_EQ(checked.at("job"), kSamples[k]);
+    EXPECT_EQ(checked.at("status"), known.at("check_exit")) << kSamples[k];
+    EXPECT_EQ(corrected.at("status"), known.at("correct_exit")) << kSamples[k];
+    EXPECT_EQ(checked.at("moves"), known.at("moves")) << kSamples[k];
+    EXPECT_NE(ran.out.find("\n" + kSamples[k]), std::string::npos) << ran.out;
+  }
+}
+
+// What a job leaves is to the byte what its command alone leaves.
+TEST(Batch, LeavesTheReportsAndPathsThatTheCommandsLeave) {
+  const std::string folder = samples_with_list({"pocket"});
+  ASSERT_EQ(batch(folder, {"jobs.json", "-o", "out"}).exit_status, 1);
+  ASSERT_EQ(run_gougecheck(folder, {"check", "pocket/pocket.apt", "--part", "pocket/part.stl", "--fixture",
+                                    "pocket/clamp.stl", "--tools", "pocket/tools.json", "--report", "alone"})
+                .exit_status,
+            1);
+  const std::string reports = folder + "/out/reports/pocket";
+  for (const auto& entry : fs::directory_iterator(folder + "/alone")) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(text_of(reports + "/" + name) == text_of(entry.path().string())) << name;
+  }
+  ASSERT_EQ(run_gougecheck(folder, {"correct", "pocket/pocket.apt", "--part", "pocket/part.stl", "--fixture",
+                                    "pocket/clamp.stl", "--tools", "pocket/tools.json", "-o", "alone.apt"})
+                .exit_status,
+            0);
+  EXPECT_EQ(text_of(folder + "/out/corrected/pocket corrected.apt"), text_of(folder + "/alone.apt"));
+}
+
+TEST(Batch, IsTheSameAtAnyNumberOfJobsAndThreadsAndInShards) {
+  const std::string folder = samples_with_list();
+  ASSERT_EQ(batch(folder, {"jobs.json", "-o", "one", "--jobs", "1", "--threads", "1"}).exit_status, 1);
+  const auto expected = batch_files(folder + "/one");
+  ASSERT_TRUE(expected.contains("index.html") && expected.contains("findings.sarif") &&
+              expected.contains("reports/pocket/report.html"));
+  for (const std::vector<std::string>& how :
+       {std::vector<std::string>{"--jobs", "5"}, {"--jobs", "1", "--threads", "3"}, {"--memory", "0.05"}}) {
+    std::vector<std::string> more = {"jobs.json", "-o", "other", "--fresh"};
+    more.insert(more.end(), how.begin(), how.end());
+    ASSERT_EQ(batch(folder, more).exit_status, 1);
+    EXPECT_EQ(difference(expected, batch_files(folder + "/other")), "") << how.front();
+  }
+  for (const std::string shard : {"1", "2", "3"}) {
+    const int status = batch(folder, {"jobs.json", "-o", "shard" + shard, "--shard", shard + "/3"}).exit_status;
+    EXPECT_TRUE(status == 0 || status == 1);
+  }
+  const Outcome merged = run_gougecheck(folder, {"merge", "shard3", "shard1", "shard2", "-o", "merged"});
+  EXPECT_EQ(merged.exit_status, 1) << merged.err;
+  EXPECT_EQ(difference(expected, batch_files(folder + "/merged")), "");
+  const Outcome incomplete = run_gougecheck(folder, {"merge", "shard3", "shard1", "-o", "half"});
+  EXPECT_EQ(incomplete.exit_status, 3);
+  EXPECT_NE(incomplete.err.find("4 of 12 jobs"), std::string::npos) << incomplete.err;
+  EXPECT_FALSE(fs::exists(folder + "/half"));
+}
+
+TEST(Batch, RunsAgainWhatHasChangedAndNothingElse) {
+  const std::string folder = samples_with_list({"pocket", "needles"});
+  ASSERT_EQ(batch(folder, {"jobs.json", "-o", "out"}).exit_status, 1);
+  const auto first = batch_files(folder + "/out");
+  const auto again = [&](const std::string& expected) {
+    const Outcome ran = batch(folder, {"jobs.json", "-o", "out"});
+    EXPECT_NE(ran.out.find("\n" + expected), std::string::npos) << ran.out << ran.err;
+  };
+  again("4 jobs taken from the store, 0 run\n");
+  EXPECT_EQ(difference(first, batch_files(folder + "/out")), "");
+  std::ofstream(folder + "/pocket/pocket.apt", std::ios::app) << "$$ later\n";
+  again("2 jobs taken from the store, 2 run\n");
+  fs::remove(folder + "/out/corrected/needles corrected.apt");
+  again("3 jobs taken from the store, 1 run\n");
+  EXPECT_TRUE(fs::exists(folder + "/out/corrected/needles corrected.apt"));
+  Json list = Json::parse(text_of(folder + "/jobs.json"));
+  list["jobs"][2]["tolerance"] = 0.02;
+  std::swap(list["jobs"][0], list["jobs"][3]);
+  write_text(folder + "/jobs.json", list.dump());
+  again("3 jobs taken from the store, 1 run\n");
+  EXPECT_EQ(summary_of(folder + "/out").at("jobs").at(0).at("job"), "needles corrected");
+  list["jobs"].erase(1);
+  write_text(folder + "/jobs.json", list.dump());
+  again("3 jobs taken from the store, 0 run\n");
+  EXPECT_EQ(summary_of(folder + "/out").at("jobs").size(), 3U);
+}
+
+TEST(Batch, GoesOnWhenAJobFailsUnlessAskedNotTo) {
+  const std::string folder = samples_with_list({"needles", "thin_post"});
+  Json list = Json::parse(text_of(folder + "/jobs.json"));
+  list["jobs"][0]["part"] = {"gone.stl"};
+  write_text(folder + "/jobs.json", list.dump());
+  const Outcome ran = batch(folder, {"jobs.json", "-o", "out", "--jobs", "1"});
+  EXPECT_EQ(ran.exit_status, 3);
+  EXPECT_NE(ran.out.find("4 jobs: 1 failed, 1 gouges, 2 clean\n"), std::string::npos) << ran.out;
+  const Json failed = summary_of(folder + "/out").at("jobs").at(0);
+  EXPECT_EQ(failed.at("verdict"), "failed");
+  EXPECT_NE(failed.at("messages").dump().find("gone.stl"), std::string::npos) << failed;
+  EXPECT_NE(text_of(folder + "/out/junit.xml").find("<error message="), std::string::npos);
+  EXPECT_NE(text_of(folder + "/out/index.html").find("gone.stl"), std::string::npos);
+  const Outcome stopped = batch(folder, {"jobs.json", "-o", "stopped", "--jobs", "1", "--stop-on", "gouge"});
+  EXPECT_NE(stopped.out.find("stopped as asked"), std::string::npos) << stopped.out;
+  EXPECT_NE(stopped.out.find("not-run"), std::string::npos) << stopped.out;
+  const Outcome resumed = batch(folder, {"jobs.json", "-o", "stopped", "--resume"});
+  EXPECT_EQ(resumed.out.find("not-run"), std::string::npos) << resumed.out;
+  EXPECT_EQ(difference(batch_files(folder + "/out"), batch_files(folder + "/stopped")), "");
+}
+
+TEST(Batch, ChecksToolpathsNamedOnTheCommandLine) {
+  const std::string folder = samples_with_list({"needles"});
+  fs::copy_file(folder + "/needles/needles.apt", folder + "/needles/second.apt");
+  const Outcome ran =
+      run_script(folder, "$GOUGECHECK batch needles/*.apt --part needles/part.stl --tools needles/tools.json -o out");
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_EQ(summary_of(folder + "/out").at("jobs").size(), 2U);
+  const Outcome listed =
+      batch(folder, {"needles/needles.apt", "--part", "needles/part.stl", "-o", "none", "--dry-run"});
+  EXPECT_EQ(listed.out, "needles: check --part=needles/part.stl needles/needles.apt\n");
+  EXPECT_FALSE(fs::exists(folder + "/none"));
+}
+
+struct WrongList {
+  const char* text;
+  const char* said;
+};
+
+TEST(Batch, WrongListsAreRefusedWithTheirLineBeforeAnythingBegins) {
+  const std::string folder = samples_with_list({"needles"});
+  const WrongList wrong_lists[] = {
+      {"{\"jobs\": [\n{\"path\": \"a.apt\", \"part\": \"p.stl\",\n \"tolerence\": 1}]}",
+       "wrong.json:3: error: job a.apt: \"tolerence\" is no option of check"},
+      {"{\"jobs\": [\n{\"path\": \"a.apt\", \"part\": \"p.stl\",\n \"tolerance\": \"wide\"}]}",
+       "wrong.json:2: error: job a: --tolerance 'wide'"},
+      {"{\"jobs\": [\n{\"path\": \"a.apt\"}]}", "wrong.json:2: error: job a: "},
+      {"{\"jobs\": [\n{\"part\": \"p.stl\"}]}", "wrong.json:2: error: a job has no \"path\""},
+      {"{\"jobs\": [\n{\"path\": \"x*.apt\", \"part\": \"p.stl\"}]}", "wrong.json:2: error: no file is like"},
+      {"{\"jobs\": [{\"path\": \"a.apt\", \"part\": \"p.stl\"},\n{\"path\": \"b/a.apt\", \"part\": \"p.stl\"}]}",
+       "wrong.json:2: error: a second job is called a, as that of line 1"},
+      {"{\"jobs\": [{\"name\": \"../x\", \"path\": \"a.apt\", \"part\": \"p.stl\"}]}", "cannot be"},
+      {"{\"jobs\": [{\"path\": \"a.apt\", \"part\": \"p.stl\", \"threads\": 2}]}", "is an option of the batch"},
+      {"{\"jobs\": [{\"path\": \"a.apt\", \"part\": \"p.stl\", \"json\": \"a.apt\"}]}",
+       "--json 'a.apt' is the toolpath of job a"},
+      {"{\"jobs\": [{\"path\": \"a.apt\", \"part\": \"p.stl\", \"csv\": \"-\"}]}", "standard output is the batch's"},
+      {"{\"jobs\": [{\"path\": \"a.apt\", \"part\": \"p.stl\", \"command\": \"mesh\"}]}", "expected check or correct"},
+      {"{\"jobs\": []}", "at least one job"},
+      {"{\"job\": []}", "has no \"job\""},
+      {"[1]", "expected a job list"},
+      {"{\"jobs\": [", "this is not JSON"}};
+  for (const WrongList& wrong : wrong_lists) {
+    write_text(folder + "/wrong.json", wrong.text);
+    const Outcome ran = batch(folder, {"wrong.json", "-o", "out"});
+    EXPECT_TRUE(ran.exit_status == 2 || ran.exit_status == 3) << wrong.text;
+    const std::string said = std::string(wrong.said) == "cannot be" ? "begins with ." : wrong.said;
+    EXPECT_NE(ran.err.find(said), std::string::npos) << wrong.text << "\n" << ran.err;
+    EXPECT_FALSE(fs::exists(folder + "/out")) << wrong.text;
+  }
+}
+
+TEST(Batch, LeavesWhatIsNotItsOwnAlone) {
+  const std::string folder = samples_with_list({"needles"});
+  fs::create_directories(folder + "/out");
+  write_text(folder + "/out/summary.csv", "mine\n");
+  const Outcome ran = batch(folder, {"jobs.json", "-o", "out"});
+  EXPECT_EQ(ran.exit_status, 2);
+  EXPECT_NE(ran.err.find("summary.csv"), std::string::npos) << ran.err;
+  EXPECT_EQ(text_of(folder + "/out/summary.csv"), "mine\n");
+  EXPECT_FALSE(fs::exists(folder + "/out/results.sqlite"));
+  fs::remove(folder + "/out/summary.csv");
+  write_text(folder + "/out/results.sqlite", "mine too, and long enough to be taken for a file of somebody else's\n");
+  const Outcome foreign = batch(folder, {"jobs.json", "-o", "out"});
+  EXPECT_EQ(foreign.exit_status, 5);
+  EXPECT_NE(foreign.err.find("is no store of a batch"), std::string::npos) << foreign.err;
+  EXPECT_EQ(text_of(folder + "/out/results.sqlite").substr(0, 8), "mine too");
+}
+
+TEST(Batch, SaysThatItsFolderCannotBeWritten) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  const std::string folder = samples_with_list({"needles"});
+  fs::create_directories(folder + "/out");
+  ::chmod((folder + "/out").c_str(), 0555);
+  const Outcome ran = batch(folder, {"jobs.json", "-o", "out"});
+  EXPECT_EQ(ran.exit_status, 5) << ran.err;
+  ::chmod((folder + "/out").c_str(), 0755);
+}
+
+TEST(Batch, OfALaterVersionIsLeftAsItIs) {
+  const std::string folder = samples_with_list({"needles"});
+  ASSERT_EQ(batch(folder, {"jobs.json", "-o", "out", "--no-reports"}).exit_status, 0);
+  ASSERT_EQ(
+      run_script(folder, "printf '\\0\\0\\0\\143' | dd of=out/results.sqlite bs=1 seek=60 conv=notrunc 2>/dev/null")
+          .exit_status,
+      0);
+  const std::string before = text_of(folder + "/out/results.sqlite");
+  const Outcome ran = batch(folder, {"jobs.json", "-o", "out"});
+  EXPECT_EQ(ran.exit_status, 5);
+  EXPECT_NE(ran.err.find("later version"), std::string::npos) << ran.err;
+  EXPECT_TRUE(text_of(folder + "/out/results.sqlite") == before);
+}
+
+TEST(Batch, OfTwoInOneFolderTheSecondIsRefused) {
+  const std::string folder = samples_with_list({"pocket", "needles", "thin_post"});
+  const Outcome ran = run_script(folder,
+                                 "$GOUGECHECK batch jobs.json -o out -q & first=$!\n"
+                                 "while [ ! -s out/results.sqlite ]; do :; done\n"
+                                 "$GOUGECHECK batch jobs.json -o out; echo second $?\n"
+                                 "wait $first; echo first $?\n");
+  EXPECT_NE(ran.out.find("first 1\n"), std::string::npos) << ran.out;
+  if (ran.out.find("second 5\n") != std::string::npos) {
+    EXPECT_NE(ran.err.find("-busy"), std::string::npos) << ran.err;
+  }
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
