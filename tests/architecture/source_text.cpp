@@ -29,8 +29,9 @@ std::size_t end_of_raw_literal(std::string_view text, std::size_t i) {
 }
 
 bool is_message_code(const std::string& word) {
-  static const std::array<const char*, 11> kKinds = {"cgal-", "cutter-", "file-",    "folder-", "library-", "mesh-",
-                                                     "path-", "stl-",    "picture-", "tool-",   "write-"};
+  static const std::array<const char*, 15> kKinds = {"cgal-",    "cutter-", "file-",  "folder-", "jobs-",
+                                                     "library-", "merge-",  "mesh-",  "path-",   "picture-",
+                                                     "report-",  "stl-",    "store-", "tool-",   "write-"};
   static const std::set<std::string> kOptionNames = {"stl-units", "tool-library"};
   if (kOptionNames.count(word) != 0 || word.empty() || word.back() == '-') return false;
   for (const char c : word) {
