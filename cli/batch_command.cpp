@@ -51,37 +51,65 @@ class Batch {
       : arguments_(arguments), out_(out), err_(err), place_{arguments.folder, !arguments.is_without_reports} {}
 
   int run() {
-    if (const auto wrong = find_contradiction(arguments_)) return fail(err_, {*wrong});
-    const Result<Shard> shard = understand_shard(arguments_.shard);
-    if (!shard) return fail(err_, {shard.error()});
-    shard_ = *shard;
-    if (const auto status = read_jobs()) return *status;
-    if (arguments_.is_rehearsal) return list();
-    if (const auto status = open()) return *status;
-    const std::vector<std::size_t> numbers = jobs_to_run();
-    BatchOptions options{arguments_.folder, jobs_at_once(), memory_bytes(), stop_on()};
-    Progress progress(err_, understand_progress(arguments_.progress));
-    BatchRun batch(jobs_, texts_, options, *store_, progress);
-    if (const Outcome ran = batch.run(numbers); !ran) return fail(err_, {ran.error()}, kExitInternal);
-    return finish(numbers.size(), batch.is_stopped());
+    Result<std::unique_ptr<Ranks>> ranks = make_ranks();
+    if (!ranks) return fail(err_, {ranks.error()});
+    ranks_ = std::move(*ranks);
+    // Every process reads the list; the first one alone writes what belongs to all.
+    int status = prepare().value_or(kExitClean);
+    if (ranks_->is_first() && status == kExitClean && !arguments_.is_rehearsal) status = open().value_or(kExitClean);
+    if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
+    if (arguments_.is_rehearsal) return ranks_->is_first() ? list() : kExitClean;
+    if (!ranks_->is_first()) status = open_own_store().value_or(kExitClean);
+    if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
+    const BatchOptions options{arguments_.folder, jobs_at_once(), memory_bytes(), stop_on()};
+    Progress progress(err_, ranks_->is_first() ? understand_progress(arguments_.progress) : ProgressMode::never);
+    BatchRun batch(jobs_, texts_, options, *store_, progress, *ranks_);
+    BatchPlan plan = ranks_->is_first() ? batch.plan(jobs_to_run()) : BatchPlan();
+    ranks_->share(plan.alone);
+    ranks_->share(plan.together);
+    const Outcome ran = batch.run(plan);
+    if (!ran) status = fail(err_, {ran.error()}, kExitInternal);
+    if (!ranks_->is_first()) store_.reset();
+    const bool is_stopped = ranks_->largest(batch.is_stopped() ? 1 : 0) != 0;
+    if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
+    if (ranks_->is_first()) status = finish(plan.alone.size() + plan.together.size(), is_stopped);
+    // mpirun ends all processes when one ends with another status than 0: the first speaks for all, as the last.
+    const int worst = ranks_->largest(status);
+    return ranks_->is_first() ? worst : kExitClean;
   }
 
  private:
+  std::optional<int> prepare() {
+    if (const auto wrong = find_contradiction(arguments_)) return refuse(*wrong);
+    const Result<Shard> shard = understand_shard(arguments_.shard);
+    if (!shard) return refuse(shard.error());
+    shard_ = *shard;
+    if (const auto status = read_jobs()) return status;
+    identify();
+    return std::nullopt;
+  }
+
+  // All processes find the same, so the first says it.
+  int refuse(const Diagnostic& error) {
+    if (ranks_->is_first()) return fail(err_, {error});
+    return error.code == "usage" ? kExitUsage : kExitInput;
+  }
+
   std::optional<int> read_jobs() {
     if (is_job_list(arguments_) && !arguments_.words.empty()) {
       const std::string option = arguments_.words.front().substr(0, arguments_.words.front().find('='));
-      return fail(err_, {make_error("usage", option + " is an option of a job; expected it in the job list, as \"" +
-                                                 option.substr(2) + "\" in \"defaults\" or in a job")});
+      return refuse(make_error("usage", option + " is an option of a job; expected it in the job list, as \"" +
+                                            option.substr(2) + "\" in \"defaults\" or in a job"));
     }
     Result<std::vector<BatchJob>> jobs = is_job_list(arguments_)
                                              ? read_job_list(arguments_.files.front(), place_)
                                              : list_jobs(arguments_.files, arguments_.words, place_);
-    if (!jobs) return fail(err_, {jobs.error()});
+    if (!jobs) return refuse(jobs.error());
     jobs_ = std::move(*jobs);
     for (BatchJob& job : jobs_) {
       if (arguments_.is_forced) job.job().is_forced = true;
     }
-    if (const auto wrong = find_jobs_in_the_way(jobs_)) return fail(err_, {*wrong});
+    if (const auto wrong = find_jobs_in_the_way(jobs_)) return refuse(*wrong);
     return std::nullopt;
   }
 
@@ -112,23 +140,65 @@ class Batch {
                                   "anew",
                               arguments_.folder)});
     }
-    return begin();
+    if (const Outcome begun = store_->begin(identity_); !begun) return fail(err_, {begun.error()}, kExitInternal);
+    if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
+    return std::nullopt;
   }
 
-  std::optional<int> begin() {
+  // Of another process than the first, which takes its results in at the end.
+  std::optional<int> open_own_store() {
+    Result<ResultStore> store = ResultStore::open(store_of_rank(ranks_->rank()));
+    if (!store) return fail(err_, {store.error()}, kExitInternal);
+    store_.emplace(std::move(*store));
+    if (const Outcome begun = store_->begin(identity_); !begun) return fail(err_, {begun.error()}, kExitInternal);
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::string store_of_rank(int rank) const {
+    return arguments_.folder + "/results-rank-" + std::to_string(rank) + ".sqlite";
+  }
+
+  // Results of other processes, of this run or of one that was interrupted, into the store; then their stores go.
+  Outcome take_in_ranks() {
+    constexpr int kMostRanks = 100'000;
+    std::error_code ignored;
+    for (int rank = 1; rank < kMostRanks && (rank < ranks_->count() || fs::exists(store_of_rank(rank), ignored));
+         ++rank) {
+      const std::string file = store_of_rank(rank);
+      if (!fs::exists(file, ignored)) continue;
+      if (Outcome taken = take_in(file); !taken) return taken;
+      fs::remove(file, ignored);
+    }
+    return Done{};
+  }
+
+  Outcome take_in(const std::string& file) {
+    Result<ResultStore> store = ResultStore::open(file);
+    if (!store) return store.error();
+    const Result<BatchIdentity> its = store->identity();
+    if (!its) return its.error();
+    if (its->list != identity_.list) return Done{};
+    const Result<std::vector<JobResult>> results = store->all();
+    if (!results) return results.error();
+    for (std::size_t k = 0; k < results->size(); ++k) {
+      if (!(*results)[k].status) continue;
+      if (Outcome put = store_->put(its->numbers[k], (*results)[k]); !put) return put;
+    }
+    return store_->refresh();
+  }
+
+  void identify() {
     const std::string build = sha256_of_program();
-    BatchIdentity identity{kProgramVersion, build, {}, jobs_.size(), {}, {}};
+    identity_ = {kProgramVersion, build, {}, jobs_.size(), {}, {}};
     Sha256 list;
     for (std::size_t number = 0; number < jobs_.size(); ++number) {
       texts_.push_back(job_text(jobs_[number], std::string(kProgramVersion) + ' ' + build));
       list.add(texts_.back());
       if (!shard_.has(number)) continue;
-      identity.numbers.push_back(number);
-      identity.names.push_back(jobs_[number].name);
+      identity_.numbers.push_back(number);
+      identity_.names.push_back(jobs_[number].name);
     }
-    identity.list = list.finish();
-    if (const Outcome begun = store_->begin(identity); !begun) return fail(err_, {begun.error()}, kExitInternal);
-    return std::nullopt;
+    identity_.list = list.finish();
   }
 
   static std::string sha256_of_program() {
@@ -170,6 +240,7 @@ class Batch {
   }
 
   int finish(std::size_t ran, bool is_stopped) {
+    if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
     const Result<std::vector<JobResult>> read = store_->all();
     if (!read) return fail(err_, {read.error()}, kExitInternal);
     const std::vector<JobResult>& results = *read;
@@ -185,6 +256,7 @@ class Batch {
     return batch_status(results);
   }
 
+  std::unique_ptr<Ranks> ranks_;
   const BatchArguments& arguments_;
   std::ostream& out_;
   std::ostream& err_;
@@ -192,6 +264,7 @@ class Batch {
   Shard shard_;
   std::vector<BatchJob> jobs_;
   std::vector<std::string> texts_;
+  BatchIdentity identity_;
   std::optional<ReportFolder> folder_;
   std::optional<ResultStore> store_;
   std::size_t taken_ = 0;

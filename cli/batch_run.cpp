@@ -23,8 +23,8 @@ std::uint64_t bytes_of(const std::string& file) {
 }  // namespace
 
 BatchRun::BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::string>& texts,
-                   const BatchOptions& options, ResultStore& store, Progress& progress)
-    : jobs_(jobs), texts_(texts), options_(options), store_(store), progress_(progress) {
+                   const BatchOptions& options, ResultStore& store, Progress& progress, Ranks& ranks)
+    : jobs_(jobs), texts_(texts), options_(options), store_(store), progress_(progress), ranks_(ranks) {
   for (const BatchJob& job : jobs) sizes_.push_back(size_of(job.job()));
 }
 
@@ -54,38 +54,56 @@ std::vector<std::size_t> BatchRun::in_order(std::vector<std::size_t> numbers) co
   return numbers;
 }
 
-Outcome BatchRun::run(const std::vector<std::size_t>& numbers) {
-  all_ = numbers.size();
-  began_ = std::chrono::steady_clock::now();
+BatchPlan BatchRun::plan(const std::vector<std::size_t>& numbers) const {
   std::uint64_t work = 0;
-  for (const std::size_t number : numbers) {
-    work += sizes_[number].path_bytes;
-    scenes_.expect(jobs_[number].job());
-  }
-  std::vector<std::size_t> alone, together;
-  const std::size_t at_once = std::min(options_.jobs_at_once, std::max<std::size_t>(numbers.size(), 1));
+  for (const std::size_t number : numbers) work += sizes_[number].path_bytes;
+  const std::size_t at_once = std::min(options_.jobs_at_once * static_cast<std::size_t>(ranks_.count()),
+                                       std::max<std::size_t>(numbers.size(), 1));
+  BatchPlan plan;
   for (const std::size_t number : in_order(numbers)) {
     const bool is_large = sizes_[number].path_bytes > work / at_once;
-    (is_large || options_.jobs_at_once == 1 || numbers.size() == 1 ? alone : together).push_back(number);
+    (is_large || options_.jobs_at_once == 1 || numbers.size() == 1 ? plan.alone : plan.together).push_back(number);
+  }
+  return plan;
+}
+
+Outcome BatchRun::run(const BatchPlan& plan) {
+  all_ = plan.alone.size() + plan.together.size();
+  began_ = std::chrono::steady_clock::now();
+  for (const auto* numbers : {&plan.alone, &plan.together}) {
+    for (const std::size_t number : *numbers) scenes_.expect(jobs_[number].job());
   }
   progress_.show("jobs", 0, all_);
-  for (const std::size_t number : alone) run_one(number);
-  for_each_chunk(together.size(), 1, static_cast<unsigned>(at_once),
-                 [&](std::size_t first, std::size_t) { run_one(together[first]); });
+  while (const auto number = take(0, plan.alone)) run_one(*number);
+  const std::size_t workers = std::min(options_.jobs_at_once, plan.together.size());
+  for_each_chunk(workers, 1, static_cast<unsigned>(workers), [&](std::size_t, std::size_t) {
+    while (const auto number = take(1, plan.together)) run_one(*number);
+  });
   progress_.end();
   if (failure_) return *failure_;
   return Done{};
 }
 
+// What another process was given before is no longer expected here.
+std::optional<std::size_t> BatchRun::take(int list, const std::vector<std::size_t>& numbers) {
+  const std::scoped_lock lock(taking_);
+  const std::size_t place = std::min(ranks_.take(list), numbers.size());
+  std::size_t& seen = seen_.at(static_cast<std::size_t>(list));
+  for (; seen < place; ++seen) scenes_.release(jobs_[numbers[seen]].job());
+  if (place == numbers.size()) return std::nullopt;
+  ++seen;
+  return numbers[place];
+}
+
 void BatchRun::run_one(std::size_t number) {
-  if (is_stopped_) return;
-  enter(sizes_[number].memory_bytes);
+  const JobArguments& arguments = jobs_[number].job();
+  const Room room(*this, sizes_[number].memory_bytes);
   if (!is_stopped_) {
-    const JobResult result = run_job(jobs_[number], texts_[number], options_.folder, scenes_);
+    JobResult result = run_job(jobs_[number], texts_[number], options_.folder, scenes_);
+    result.rank = ranks_.rank();
     commit(number, result);
   }
-  scenes_.release(jobs_[number].job());
-  leave(sizes_[number].memory_bytes);
+  scenes_.release(arguments);
 }
 
 void BatchRun::commit(std::size_t number, const JobResult& result) {
@@ -109,20 +127,21 @@ void BatchRun::commit(std::size_t number, const JobResult& result) {
 }
 
 // A job that needs more than there is runs alone.
-void BatchRun::enter(std::uint64_t bytes) {
-  std::unique_lock lock(guard_);
-  room_.wait(lock, [&] { return running_ == 0 || in_use_ + bytes <= options_.memory_bytes; });
-  ++running_;
-  in_use_ += bytes;
+BatchRun::Room::Room(BatchRun& batch, std::uint64_t bytes) : batch_(batch), bytes_(bytes) {
+  std::unique_lock lock(batch_.guard_);
+  batch_.room_.wait(lock,
+                    [&] { return batch_.running_ == 0 || batch_.in_use_ + bytes_ <= batch_.options_.memory_bytes; });
+  ++batch_.running_;
+  batch_.in_use_ += bytes_;
 }
 
-void BatchRun::leave(std::uint64_t bytes) {
+BatchRun::Room::~Room() {
   {
-    const std::scoped_lock lock(guard_);
-    --running_;
-    in_use_ -= bytes;
+    const std::scoped_lock lock(batch_.guard_);
+    --batch_.running_;
+    batch_.in_use_ -= bytes_;
   }
-  room_.notify_all();
+  batch_.room_.notify_all();
 }
 
 }  // namespace gouge

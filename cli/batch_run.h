@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <condition_variable>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "cli/batch_job.h"
 #include "cli/batch_list.h"
 #include "cli/progress.h"
+#include "cli/ranks.h"
 #include "postproc/store/result_store.h"
 
 namespace gouge {
@@ -24,16 +26,25 @@ struct BatchOptions {
   StopOn stop_on = StopOn::nothing;
 };
 
+/// In which order jobs begin.
+struct BatchPlan {
+  std::vector<std::size_t> alone;     ///< one after the other, each with all threads of its process
+  std::vector<std::size_t> together;  ///< side by side, each with one thread
+};
+
 /// Runs jobs side by side and commits each result to the store as soon as it is there. Jobs of one scene run next to
 /// each other, large jobs first; one that is larger than a fair share of all work runs alone, with all threads.
 class BatchRun {
  public:
   /// All must outlive it. `texts`: job_text of each job.
   BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::string>& texts, const BatchOptions& options,
-           ResultStore& store, Progress& progress);
+           ResultStore& store, Progress& progress, Ranks& ranks);
 
-  /// Runs the jobs of these numbers. Errors: of the store; jobs that were running end first, no other begins.
-  [[nodiscard]] Outcome run(const std::vector<std::size_t>& numbers);
+  /// How the jobs of these numbers are run.
+  [[nodiscard]] BatchPlan plan(const std::vector<std::size_t>& numbers) const;
+  /// Runs those jobs of the plan that are this process's. Errors: of the store; jobs that were running end first, no
+  /// other begins.
+  [[nodiscard]] Outcome run(const BatchPlan& plan);
   /// Whether jobs were left because of --stop-on.
   [[nodiscard]] bool is_stopped() const { return is_stopped_; }
 
@@ -44,17 +55,32 @@ class BatchRun {
 
   [[nodiscard]] static Size size_of(const JobArguments& arguments);
   [[nodiscard]] std::vector<std::size_t> in_order(std::vector<std::size_t> numbers) const;
+  [[nodiscard]] std::optional<std::size_t> take(int list, const std::vector<std::size_t>& numbers);
   void run_one(std::size_t number);
   void commit(std::size_t number, const JobResult& result);
-  void enter(std::uint64_t bytes);
-  void leave(std::uint64_t bytes);
+
+  /// Memory that a job needs while it runs; waits until there is so much.
+  class Room {
+   public:
+    Room(BatchRun& batch, std::uint64_t bytes);
+    Room(const Room&) = delete;
+    Room& operator=(const Room&) = delete;
+    ~Room();
+
+   private:
+    BatchRun& batch_;
+    std::uint64_t bytes_;
+  };
 
   const std::vector<BatchJob>& jobs_;
   const std::vector<std::string>& texts_;
   const BatchOptions& options_;
   ResultStore& store_;
   Progress& progress_;
+  Ranks& ranks_;
   SceneStore scenes_;
+  std::mutex taking_;
+  std::array<std::size_t, 2> seen_{};  // of each list of the plan: so many were given to some process
   std::vector<Size> sizes_;
   std::mutex guard_;  // of all that follows, and of the store
   std::condition_variable room_;

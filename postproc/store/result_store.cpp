@@ -84,10 +84,7 @@ Outcome ResultStore::begin(const BatchIdentity& batch) {
     database_.run("INSERT INTO runs VALUES(1, ?, ?, ?, ?, 0)",
                   {batch.version, batch.build, batch.list, static_cast<std::int64_t>(batch.jobs)});
   });
-  if (!begun) return begun;
-  read_done();
-  if (database_.error()) return *database_.error();
-  return Done{};
+  return begun ? refresh() : begun;
 }
 
 // By way of negative numbers, as no two jobs may have the same one in between.
@@ -133,8 +130,10 @@ Outcome ResultStore::put(std::size_t job, const JobResult& result) {
   });
 }
 
-Outcome ResultStore::drop(std::size_t job) {
-  return database_.change([&] { remove(static_cast<std::int64_t>(job)); });
+Outcome ResultStore::refresh() {
+  read_done();
+  if (database_.error()) return *database_.error();
+  return Done{};
 }
 
 Result<std::vector<JobResult>> ResultStore::all() {

@@ -46,8 +46,8 @@ class ResultStore {
 
   /// Puts `result` in place of what the store has of the job, in one transaction.
   [[nodiscard]] Outcome put(std::size_t job, const JobResult& result);
-  /// Drops what the store has of a job that is to run again.
-  [[nodiscard]] Outcome drop(std::size_t job);
+  /// Reads anew which jobs are done.
+  [[nodiscard]] Outcome refresh();
   /// One for each job that is run here, in order; those that have not run have a name alone.
   [[nodiscard]] Result<std::vector<JobResult>> all();
   /// Of the batch that was begun last; empty names where there is none.

@@ -52,7 +52,8 @@ TEST(BatchKills, AreResumedToWhatAnUndisturbedBatchLeaves) {
     // Some go on being killed where they were resumed.
     if (is_killed && random.in(0, 1) < 0.5) continue;
     const Ending resumed = run_program(folder, jobs, {});
-    ASSERT_EQ(resumed.exit_status, 1) << resumed.err;
+    ASSERT_EQ(resumed.exit_status, 1) << "signal " << resumed.signal << " after " << resumed.seconds
+                                      << " s: " << resumed.err;
     ASSERT_EQ(testing_samples::difference(expected, testing_samples::batch_files(folder + "/killed")), "")
         << "kill " << i << ", signal " << misfortune.signal << " after " << misfortune.after_s << " s";
     EXPECT_EQ(hidden_files(folder + "/killed"), 0U);

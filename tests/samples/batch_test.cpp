@@ -160,6 +160,49 @@ TEST(Batch, ChecksToolpathsNamedOnTheCommandLine) {
   EXPECT_FALSE(fs::exists(folder + "/none"));
 }
 
+#ifdef GOUGE_MPI
+constexpr bool kHasMpi = true;
+#else
+constexpr bool kHasMpi = false;
+#endif
+
+// As root too, on fewer cores than ranks, and on machines without a network.
+const std::string kMpirun =
+    "export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+    "OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_plm_rsh_agent=\n";
+
+TEST(Batch, IsTheSameUnderMpirunAndAfterARankIsKilled) {
+  if (!kHasMpi) GTEST_SKIP() << "built without MPI (Debian: libopenmpi-dev, openmpi-bin)";
+  const std::string folder = samples_with_list();
+  ASSERT_EQ(batch(folder, {"jobs.json", "-o", "one"}).exit_status, 1);
+  const auto expected = batch_files(folder + "/one");
+  for (const std::string ranks : {"1", "3"}) {
+    const Outcome ran =
+        run_script(folder, kMpirun + "mpirun -n " + ranks + " $GOUGECHECK batch jobs.json -o ranks" + ranks);
+    EXPECT_EQ(ran.exit_status, 1) << ran.err;
+    EXPECT_EQ(difference(expected, batch_files(folder + "/ranks" + ranks)), "");
+    EXPECT_NE(ran.out.find("12 jobs: "), std::string::npos) << ran.out;
+    EXPECT_EQ(ran.out.find("12 jobs: "), ran.out.rfind("12 jobs: ")) << "said once";
+  }
+  const Outcome killed =
+      run_script(folder, kMpirun +
+                             "mpirun -n 3 $GOUGECHECK batch jobs.json -o killed -q & all=$!\n"
+                             "while [ ! -e killed/results-rank-2.sqlite ]; do sleep 0.01; done; sleep 0.3\n"
+                             "kill -9 $(pgrep -f 'batch jobs.json -o killed -q' -P $all | tail -n 1)\n"
+                             "wait $all; echo killed $?\n"
+                             "mpirun -n 2 $GOUGECHECK batch jobs.json -o killed -q --resume; echo resumed $?");
+  EXPECT_NE(killed.out.find("resumed 1\n"), std::string::npos) << killed.out << killed.err;
+  EXPECT_EQ(difference(expected, batch_files(folder + "/killed")), "");
+}
+
+TEST(Batch, SaysThatMpirunIsOfNoUseWithoutMpi) {
+  if (kHasMpi) GTEST_SKIP() << "built with MPI";
+  const std::string folder = samples_with_list({"needles"});
+  const Outcome ran = run_script(folder, "OMPI_COMM_WORLD_SIZE=2 $GOUGECHECK batch jobs.json -o out");
+  EXPECT_EQ(ran.exit_status, 2);
+  EXPECT_NE(ran.err.find("built without MPI"), std::string::npos) << ran.err;
+}
+
 struct WrongList {
   const char* text;
   const char* said;

@@ -1,0 +1,48 @@
+#include "cli/ranks.h"
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+
+#include "cli/ranks_mpi.h"
+#include "lib/base/number_text.h"
+
+namespace gouge {
+namespace {
+
+class OneProcess : public Ranks {
+ public:
+  [[nodiscard]] int rank() const override { return 0; }
+  [[nodiscard]] int count() const override { return 1; }
+  [[nodiscard]] std::size_t take(int list) override { return next_.at(static_cast<std::size_t>(list))++; }
+  void share(std::vector<std::size_t>&) override {}
+  [[nodiscard]] int largest(int value) override { return value; }
+
+ private:
+  std::array<std::atomic<std::size_t>, 2> next_{};
+};
+
+// How many processes mpirun started, by Open MPI's and by MPICH's word; 0: it was not mpirun.
+long long processes_started() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"}) {
+    if (const char* size = std::getenv(name)) return parse_integer(size).value_or(0);
+  }
+  return 0;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Ranks>> make_ranks() {
+  const long long processes = processes_started();
+  if (processes > 1) {
+    if (auto ranks = make_mpi_ranks()) return ranks;
+  }
+  if (processes > 1)
+    return make_error("usage",
+                      "mpirun started " + std::to_string(processes) +
+                          " processes of a program that was built without MPI; expected a build with -DGOUGE_MPI=ON, "
+                          "or one process: --shard divides the jobs as well");
+  return std::unique_ptr<Ranks>(std::make_unique<OneProcess>());
+}
+
+}  // namespace gouge

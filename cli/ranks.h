@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "lib/base/result.h"
+
+namespace gouge {
+
+/// The processes that run one batch together; with mpirun several, else this one alone. Numbers, ranks and lists are the
+/// same for all who call in the same order; take() may be called from several threads, all else from one.
+class Ranks {
+ public:
+  Ranks() = default;
+  Ranks(const Ranks&) = delete;
+  Ranks& operator=(const Ranks&) = delete;
+  virtual ~Ranks() = default;
+
+  [[nodiscard]] virtual int rank() const = 0;
+  [[nodiscard]] virtual int count() const = 0;
+  /// The next of 0, 1, 2, ... that no process was given of list 0 or 1.
+  [[nodiscard]] virtual std::size_t take(int list) = 0;
+  /// Gives all processes what rank 0 has.
+  virtual void share(std::vector<std::size_t>& numbers) = 0;
+  /// The largest of what the processes have, once all of them have called.
+  [[nodiscard]] virtual int largest(int value) = 0;
+
+  [[nodiscard]] bool is_first() const { return rank() == 0; }
+};
+
+/// Those of mpirun, if that is what started this process; else this one alone. Errors: usage, where mpirun started
+/// several processes of a program that was built without MPI, which would all do the same.
+[[nodiscard]] Result<std::unique_ptr<Ranks>> make_ranks();
+
+}  // namespace gouge
