@@ -6,10 +6,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
+#include <set>
 #include <thread>
 
 #include "cli/batch_files.h"
 #include "cli/batch_run.h"
+#include "cli/batch_watch.h"
 #include "cli/output_file.h"
 #include "cli/report_folder.h"
 #include "lib/base/exit_code.h"
@@ -67,16 +69,20 @@ class Batch {
     BatchPlan plan = ranks_->is_first() ? batch.plan(jobs_to_run()) : BatchPlan();
     ranks_->share(plan.alone);
     ranks_->share(plan.together);
+    for (const auto* numbers : {&plan.alone, &plan.together}) ran_.insert(numbers->begin(), numbers->end());
     const Outcome ran = batch.run(plan);
     if (!ran) status = fail(err_, {ran.error()}, kExitInternal);
     if (!ranks_->is_first()) store_.reset();
     const bool is_stopped = ranks_->largest(batch.is_stopped() ? 1 : 0) != 0;
     if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
-    if (ranks_->is_first()) status = finish(plan.alone.size() + plan.together.size(), is_stopped);
+    if (ranks_->is_first()) status = finish(is_stopped);
     // mpirun ends all processes when one ends with another status than 0: the first speaks for all, as the last.
     const int worst = ranks_->largest(status);
     return ranks_->is_first() ? worst : kExitClean;
   }
+
+  /// Whether the jobs have run, whatever came of them, and the results stand.
+  [[nodiscard]] bool is_done() const { return is_done_; }
 
  private:
   std::optional<int> prepare() {
@@ -239,7 +245,7 @@ class Batch {
     return arguments_.stop_on == "gouge" ? StopOn::gouge : StopOn::error;
   }
 
-  int finish(std::size_t ran, bool is_stopped) {
+  int finish(bool is_stopped) {
     if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
     const Result<std::vector<JobResult>> read = store_->all();
     if (!read) return fail(err_, {read.error()}, kExitInternal);
@@ -247,9 +253,10 @@ class Batch {
     Outcome written = write_batch_files(*folder_, results);
     if (written && !is_stopped) written = store_->end();
     if (!written) return fail(err_, {written.error()}, kExitInternal);
+    is_done_ = true;
     if (!arguments_.is_quiet) {
-      print_batch(out_, results);
-      if (taken_ > 0) out_ << count_text(taken_, "job") << " taken from the store, " << ran << " run\n";
+      print_batch(out_, arguments_.watch.empty() ? results : results_of(ran_, results));
+      if (taken_ > 0) out_ << count_text(taken_, "job") << " taken from the store, " << ran_.size() << " run\n";
       if (is_stopped) out_ << "stopped as asked; --resume runs the rest\n";
       out_ << "report: " << printable(arguments_.folder) << "/index.html\n";
     }
@@ -257,6 +264,16 @@ class Batch {
   }
 
   std::unique_ptr<Ranks> ranks_;
+  // Of a shard or not, results are in the order of the jobs that are run here.
+  [[nodiscard]] std::vector<JobResult> results_of(const std::set<std::size_t>& numbers,
+                                                  const std::vector<JobResult>& all) const {
+    std::vector<JobResult> some;
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      if (numbers.contains(identity_.numbers[k])) some.push_back(all[k]);
+    }
+    return some;
+  }
+
   const BatchArguments& arguments_;
   std::ostream& out_;
   std::ostream& err_;
@@ -268,6 +285,8 @@ class Batch {
   std::optional<ReportFolder> folder_;
   std::optional<ResultStore> store_;
   std::size_t taken_ = 0;
+  std::set<std::size_t> ran_;
+  bool is_done_ = false;
 };
 
 }  // namespace
@@ -278,8 +297,7 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
           "JOBS", a.files,
           "A job list (JOBS.json, docs/formats/batch.md), or toolpaths that are all checked with the options of "
           "check given here")
-      ->type_name("FILE")
-      ->required();
+      ->type_name("FILE");
   command
       .add_option("-o,--output", a.folder,
                   "Folder for the results: index.html, summary.csv, summary.json, junit.xml, findings.sarif, "
@@ -299,6 +317,11 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
       ->check(CLI::PositiveNumber);
   command.add_option("--shard", a.shard, "Run share I of N of the jobs alone; 'gougecheck merge' joins the folders")
       ->type_name("I/N");
+  command
+      .add_option("--watch", a.watch,
+                  "Check the toolpaths of a folder (or like 'hot/*.apt') now, and each that is written there, until "
+                  "ctrl-C")
+      ->type_name("FOLDER");
   command.add_flag("--force", a.is_forced,
                    "Let outputs replace files of their names that no batch or report wrote, never an input");
   add_common_job_options(command, a.job, false);
@@ -316,9 +339,9 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
 }
 
 void take_words(const CLI::App& command, BatchArguments& arguments) {
-  constexpr std::string_view kOwn[] = {"output",     "jobs",     "resume", "fresh",   "dry-run",
-                                       "no-reports", "stop-on",  "memory", "shard",   "force",
-                                       "threads",    "progress", "quiet",  "verbose", "help"};
+  constexpr std::string_view kOwn[] = {"output",   "jobs",   "resume",  "fresh", "dry-run", "no-reports",
+                                       "stop-on",  "memory", "shard",   "watch", "force",   "threads",
+                                       "progress", "quiet",  "verbose", "help"};
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || option->get_lnames().empty()) continue;
     const std::string& name = option->get_lnames().front();
@@ -332,7 +355,22 @@ void take_words(const CLI::App& command, BatchArguments& arguments) {
 }
 
 int run_batch(const BatchArguments& arguments, std::ostream& out, std::ostream& err) {
-  return Batch(arguments, out, err).run();
+  if (arguments.watch.empty() == arguments.files.empty())
+    return fail(err, {make_error("usage",
+                                 "gougecheck batch needs JOBS or --watch, and not both; see gougecheck batch --help")});
+  if (arguments.watch.empty()) return Batch(arguments, out, err).run();
+  // Each run takes what has not changed from the store, so that only what is new is checked.
+  int status = kExitClean;
+  const Outcome watched = watch_toolpaths(arguments.watch, [&](const std::vector<std::string>& files) {
+    BatchArguments now = arguments;
+    now.files = files;
+    now.is_resumed = true;
+    Batch batch(now, out, err);
+    status = batch.run();
+    out.flush();
+    return batch.is_done() && out.good();
+  });
+  return watched ? status : fail(err, {watched.error()});
 }
 
 }  // namespace gouge

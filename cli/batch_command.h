@@ -21,7 +21,7 @@ struct BatchArguments : Verbosity {
   std::vector<std::string> files;  ///< a job list, or toolpaths
   JobArguments job;                ///< how toolpaths are checked; `job.threads` of the whole batch
   std::vector<std::string> words;  ///< the options of `job` that were given
-  std::string folder, progress = "auto", stop_on, shard;
+  std::string folder, progress = "auto", stop_on, shard, watch;
   std::uint32_t jobs = 0;
   double memory_gb = 0;
   bool is_resumed = false, is_fresh = false, is_rehearsal = false, is_without_reports = false, is_forced = false;

@@ -255,16 +255,20 @@ Result<std::vector<BatchJob>> read_job_list(const std::string& file, const Batch
 
 Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
                                         const std::vector<std::string>& words, const BatchFolder& folder) {
+  std::map<std::string, std::size_t> stems;
+  for (const std::string& path : toolpaths) ++stems[fs::path(path).stem().string()];
   std::vector<BatchJob> jobs;
   std::map<std::string, std::string> files;
   for (const std::string& path : toolpaths) {
-    const std::string name = fs::path(path).stem().string();
+    const std::string stem = fs::path(path).stem().string();
+    const std::string name = stems[stem] == 1 ? stem : fs::path(path).filename().string();
     if (const auto why = why_no_name(name))
       return make_error("usage", "the name of a job, '" + printable(name) + "', " + *why +
                                      "; expected a file name that can name a folder, or a job list with names");
     const auto [other, is_new] = files.try_emplace(name, path);
     if (!is_new)
-      return make_error("usage", "two jobs would be called " + name + ": " + other->second + " and " + path +
+      return make_error("usage", "two jobs would be called " + printable(name) + ": " + printable(other->second) +
+                                     " and " + printable(path) +
                                      "; expected files of different names, or a job list with names");
     Result<BatchJob> job = make_job(name, "check", words, path);
     if (!job) return job.error();

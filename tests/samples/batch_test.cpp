@@ -203,6 +203,26 @@ TEST(Batch, SaysThatMpirunIsOfNoUseWithoutMpi) {
   EXPECT_NE(ran.err.find("built without MPI"), std::string::npos) << ran.err;
 }
 
+// A CAM system writes a file in pieces, and a program beside it has one with another ending for a while.
+TEST(Batch, WatchesAFolderAndChecksWhatIsWrittenThere) {
+  const std::string folder = samples_with_list({"needles", "thin_post"});
+  const Outcome ran = run_script(
+      folder,
+      "mkdir hot; cp needles/needles.apt hot/first.apt\n"
+      "$GOUGECHECK batch --watch hot --part needles/part.stl --tools needles/tools.json -o out > log & watch=$!\n"
+      "wait_for() { for i in $(seq 300); do grep -q \"$1\" out/summary.csv 2>/dev/null && return; sleep 0.1; done; echo no $1; }\n"
+      "wait_for '^first,'\n"
+      "head -c 2000 needles/needles.apt > hot/second.apt; cp needles/needles.apt hot/third.apt.tmp; sleep 0.5\n"
+      "tail -c +2001 needles/needles.apt >> hot/second.apt\n"
+      "wait_for '^second,'; kill -TERM $watch; wait $watch; echo ended $?; cat log");
+  EXPECT_NE(ran.out.find("ended 143\n"), std::string::npos) << ran.out << ran.err;
+  EXPECT_EQ(ran.out.find("no ^"), std::string::npos) << ran.out;
+  const Json jobs = summary_of(folder + "/out").at("jobs");
+  ASSERT_EQ(jobs.size(), 2U);
+  EXPECT_EQ(jobs.at(1).at("moves"), jobs.at(0).at("moves")) << "the whole file";
+  EXPECT_NE(ran.out.find("1 job taken from the store, 1 run\n"), std::string::npos) << ran.out;
+}
+
 struct WrongList {
   const char* text;
   const char* said;
