@@ -186,10 +186,11 @@ class Batch {
     if (its->list != identity_.list) return Done{};
     const Result<std::vector<JobResult>> results = store->all();
     if (!results) return results.error();
+    std::vector<ResultStore::Numbered> done;
     for (std::size_t k = 0; k < results->size(); ++k) {
-      if (!(*results)[k].status) continue;
-      if (Outcome put = store_->put(its->numbers[k], (*results)[k]); !put) return put;
+      if ((*results)[k].status) done.emplace_back(its->numbers[k], (*results)[k]);
     }
+    if (Outcome put = store_->put(done); !put) return put;
     return store_->refresh();
   }
 

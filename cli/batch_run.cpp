@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <system_error>
+#include <thread>
+#include <utility>
 
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
@@ -74,12 +77,16 @@ Outcome BatchRun::run(const BatchPlan& plan) {
     for (const std::size_t number : *numbers) scenes_.expect(jobs_[number].job());
   }
   progress_.show("jobs", 0, all_);
-  while (const auto number = take(0, plan.alone)) run_one(*number);
-  const std::size_t workers = std::min(options_.jobs_at_once, plan.together.size());
-  for_each_chunk(workers, 1, static_cast<unsigned>(workers), [&](std::size_t, std::size_t) {
-    while (const auto number = take(1, plan.together)) run_one(*number);
-  });
+  {
+    const Writer writer(*this);
+    while (const auto number = take(0, plan.alone)) run_one(*number);
+    const std::size_t workers = std::min(options_.jobs_at_once, plan.together.size());
+    for_each_chunk(workers, 1, static_cast<unsigned>(workers), [&](std::size_t, std::size_t) {
+      while (const auto number = take(1, plan.together)) run_one(*number);
+    });
+  }
   progress_.end();
+  write_queued();
   if (failure_) return *failure_;
   return Done{};
 }
@@ -101,29 +108,70 @@ void BatchRun::run_one(std::size_t number) {
   if (!is_stopped_) {
     JobResult result = run_job(jobs_[number], texts_[number], options_.folder, scenes_);
     result.rank = ranks_.rank();
-    commit(number, result);
+    note(number, std::move(result));
+    if (!has_writer_) write_queued();
   }
   scenes_.release(arguments);
 }
 
-void BatchRun::commit(std::size_t number, const JobResult& result) {
+void BatchRun::note(std::size_t number, JobResult&& result) {
   const std::scoped_lock lock(guard_);
-  if (failure_) return;
-  if (const Outcome put = store_.put(number, result); !put) {
-    failure_ = put.error();
-    is_stopped_ = true;
-    return;
-  }
   const int severity = severity_of(result.status);
   if ((options_.stop_on != StopOn::nothing && severity <= severity_of(kExitInput)) ||
       (options_.stop_on == StopOn::gouge && severity <= severity_of(kExitGouges)))
     is_stopped_ = true;
   ++done_;
   moves_ += result.moves();
+  queued_.emplace_back(number, std::move(result));
+  news_.notify_one();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   const std::string rate =
       seconds > 1 ? fixed_text(static_cast<double>(moves_) / seconds, 0) + " moves/s, jobs" : "jobs";
   progress_.show(rate, done_, all_);
+}
+
+// A disk takes milliseconds to make sure of a result: other jobs run meanwhile, and what they bring goes together.
+void BatchRun::write_until_closed() {
+  std::unique_lock lock(guard_);
+  while (!is_closed_) {
+    news_.wait(lock, [&] { return is_closed_ || !queued_.empty(); });
+    lock.unlock();
+    write_queued();
+    lock.lock();
+  }
+}
+
+void BatchRun::write_queued() {
+  const std::scoped_lock writing(writing_);
+  std::vector<ResultStore::Numbered> results;
+  {
+    const std::scoped_lock lock(guard_);
+    if (failure_ || queued_.empty()) return;
+    results.swap(queued_);
+  }
+  const Outcome put = store_.put(results);
+  if (put) return;
+  const std::scoped_lock lock(guard_);
+  failure_ = put.error();
+  is_stopped_ = true;
+}
+
+// Where no thread may begin, each job writes its own result.
+BatchRun::Writer::Writer(BatchRun& batch) : batch_(batch) {
+  try {
+    thread_ = std::thread([this] { batch_.write_until_closed(); });
+    batch_.has_writer_ = true;
+  } catch (const std::system_error&) {
+  }
+}
+
+BatchRun::Writer::~Writer() {
+  {
+    const std::scoped_lock lock(batch_.guard_);
+    batch_.is_closed_ = true;
+  }
+  batch_.news_.notify_one();
+  if (thread_.joinable()) thread_.join();
 }
 
 // A job that needs more than there is runs alone.

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "cli/batch_job.h"
@@ -32,7 +33,7 @@ struct BatchPlan {
   std::vector<std::size_t> together;  ///< side by side, each with one thread
 };
 
-/// Runs jobs side by side and commits each result to the store as soon as it is there. Jobs of one scene run next to
+/// Runs jobs side by side and commits each result to the store as soon as it is there, while others run. Jobs of one scene run next to
 /// each other, large jobs first; one that is larger than a fair share of all work runs alone, with all threads.
 class BatchRun {
  public:
@@ -57,7 +58,22 @@ class BatchRun {
   [[nodiscard]] std::vector<std::size_t> in_order(std::vector<std::size_t> numbers) const;
   [[nodiscard]] std::optional<std::size_t> take(int list, const std::vector<std::size_t>& numbers);
   void run_one(std::size_t number);
-  void commit(std::size_t number, const JobResult& result);
+  void note(std::size_t number, JobResult&& result);
+  void write_queued();
+  void write_until_closed();
+
+  /// Writes queued results while it lives.
+  class Writer {
+   public:
+    explicit Writer(BatchRun& batch);
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    ~Writer();
+
+   private:
+    BatchRun& batch_;
+    std::thread thread_;
+  };
 
   /// Memory that a job needs while it runs; waits until there is so much.
   class Room {
@@ -82,8 +98,12 @@ class BatchRun {
   std::mutex taking_;
   std::array<std::size_t, 2> seen_{};  // of each list of the plan: so many were given to some process
   std::vector<Size> sizes_;
-  std::mutex guard_;  // of all that follows, and of the store
-  std::condition_variable room_;
+  std::mutex writing_;  // of the store
+  std::mutex guard_;    // of all that follows
+  std::condition_variable room_, news_;
+  std::vector<ResultStore::Numbered> queued_;
+  bool is_closed_ = false;
+  bool has_writer_ = false;  // set before any job begins
   std::uint64_t in_use_ = 0;
   std::size_t running_ = 0, done_ = 0, all_ = 0, moves_ = 0;
   std::chrono::steady_clock::time_point began_;

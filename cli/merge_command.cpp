@@ -139,7 +139,7 @@ class Merge {
     for (std::size_t k = 0; k < results_.size(); ++k) {
       if (!results_[k].status) continue;
       if (Outcome copied = copy_outputs(k); !copied) return copied;
-      if (Outcome put = store->put(whole_->numbers[k], results_[k]); !put) return put;
+      if (Outcome put = store->put({{whole_->numbers[k], results_[k]}}); !put) return put;
     }
     if (Outcome written = write_batch_files(folder, results_); !written) return written;
     return store->end();

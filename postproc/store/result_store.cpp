@@ -123,10 +123,12 @@ void ResultStore::remove(std::int64_t job) {
     database_.run("DELETE FROM " + std::string(table) + " WHERE job = ?", {job});
 }
 
-Outcome ResultStore::put(std::size_t job, const JobResult& result) {
+Outcome ResultStore::put(const std::vector<Numbered>& results) {
   return database_.change([&] {
-    remove(static_cast<std::int64_t>(job));
-    insert_job(database_, static_cast<std::int64_t>(job), result);
+    for (const auto& [job, result] : results) {
+      remove(static_cast<std::int64_t>(job));
+      insert_job(database_, static_cast<std::int64_t>(job), result);
+    }
   });
 }
 

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "postproc/batch/job_result.h"
@@ -44,8 +45,10 @@ class ResultStore {
   /// Jobs with a result.
   [[nodiscard]] const std::vector<StoredJob>& stored() const { return done_; }
 
-  /// Puts `result` in place of what the store has of the job, in one transaction.
-  [[nodiscard]] Outcome put(std::size_t job, const JobResult& result);
+  /// The result of a job and its number in the list.
+  using Numbered = std::pair<std::size_t, JobResult>;
+  /// Puts `results` in place of what the store has of these jobs, all in one transaction.
+  [[nodiscard]] Outcome put(const std::vector<Numbered>& results);
   /// Reads anew which jobs are done.
   [[nodiscard]] Outcome refresh();
   /// One for each job that is run here, in order; those that have not run have a name alone.
