@@ -136,11 +136,13 @@ class Merge {
     if (!before->list.empty() && before->list != whole_->list && !arguments_.is_forced)
       return unfit(arguments_.folder, "holds another batch; name another folder, or let --force replace it");
     if (Outcome begun = store->begin(*whole_); !begun) return begun;
+    std::vector<ResultStore::Numbered> done;
     for (std::size_t k = 0; k < results_.size(); ++k) {
       if (!results_[k].status) continue;
       if (Outcome copied = copy_outputs(k); !copied) return copied;
-      if (Outcome put = store->put({{whole_->numbers[k], results_[k]}}); !put) return put;
+      done.emplace_back(whole_->numbers[k], results_[k]);
     }
+    if (Outcome put = store->put(done); !put) return put;
     if (Outcome written = write_batch_files(folder, results_); !written) return written;
     return store->end();
   }
