@@ -1,4 +1,5 @@
 #include <cxxabi.h>
+#include <execinfo.h>
 #include <unistd.h>
 
 #include <csignal>
@@ -36,6 +37,13 @@ void report(std::string_view text) {
   ::_exit(gouge::kExitInternal);
 }
 
+// glibc loads what it unwinds the stack of an ending thread with when it first needs it, and aborts where there is no
+// memory for that: better now.
+void load_unwinder() {
+  void* frame = nullptr;
+  ::backtrace(&frame, 1);
+}
+
 // The second one, which comes when this handler returns, finds the usual action: whoever waits for the program sees
 // which signal ended it.
 void tidy_up_and_end(int signal) {
@@ -65,6 +73,7 @@ void before_all(int, char**, char**) { std::set_terminate(end_orderly); }
 }  // namespace
 
 int main(int argc, char** argv) {
+  load_unwinder();
   gouge::prepare_standard_streams();
   tidy_up_on_signals();
   return gouge::run(argc, argv, std::cout, std::cerr);
