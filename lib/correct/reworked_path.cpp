@@ -116,12 +116,18 @@ Correction restore_moves(const ReworkedPath& reworked, const Toolpath& path, con
         all.inserted_before.insert(all.inserted_before.end(), change->inserted_before.begin(),
                                    change->inserted_before.end());
       }
+      // What a later stage inserted before the end of a piece is reached as that piece is.
+      const bool is_rapid =
+          reworked.path.moves[last].kind == MoveKind::rapid && path.moves[all.move].kind != MoveKind::rapid;
+      all.at_rapid.resize(all.inserted_before.size(), is_rapid);
       const bool has_new_end = change != nullptr && change->new_end;
       const Pose& end = has_new_end ? *change->new_end : reworked.path.moves[last].end;
       const bool is_last = last + 1 == reworked.origin.size() || reworked.origin[last + 1] != all.move;
       if (!is_last) all.inserted_before.push_back(end);
+      all.at_rapid.push_back(is_rapid);
       if (is_last && (has_new_end || !is_same(end, path.moves[all.move].end))) all.new_end = end;
     }
+    if (std::ranges::find(all.at_rapid, true) == all.at_rapid.end()) all.at_rapid.clear();
     whole.was_curve = is_curve(path.moves[all.move]) && reworked.path.moves[first].curve_kind == CurveKind::none;
     whole.is_changed = whole.is_changed || all.new_end.has_value();
     all.is_straightened = whole.was_curve;

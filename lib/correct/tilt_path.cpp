@@ -4,12 +4,15 @@
 
 namespace gouge {
 
-std::vector<bool> moves_to_tilt(const Toolpath& path, const CheckResult& result, const BodyStrategies& strategies) {
+std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckResult& result,
+                           const BodyStrategies& strategies) {
   std::vector<bool> is_wanted(path.moves.size(), false);
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const MoveVerdict& verdict = result.verdicts[i];
-    is_wanted[i] =
-        verdict.state == MoveState::gouge && verdict.witness && strategies[verdict.witness->body] == Strategy::tilt;
+    const bool is_buried = verdict.state == MoveState::buried && wanted == Strategy::trim;
+    const bool is_gouge = verdict.state == MoveState::gouge && verdict.witness;
+    if (!is_buried && !is_gouge) continue;
+    is_wanted[i] = strategies[is_buried ? verdict.reason.body : verdict.witness->body] == wanted;
   }
   return is_wanted;
 }

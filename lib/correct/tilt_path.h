@@ -8,9 +8,10 @@
 
 namespace gouge {
 
-/// Gouges of bodies whose strategy is to tilt, one entry a move.
-[[nodiscard]] std::vector<bool> moves_to_tilt(const Toolpath& path, const CheckResult& result,
-                                              const BodyStrategies& strategies);
+/// Gouges of bodies whose strategy is `wanted`, one entry a move. What is buried only leaving it out frees: it counts
+/// for that.
+[[nodiscard]] std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckResult& result,
+                                         const BodyStrategies& strategies);
 
 /// A path with the positions of a plan: `plan` is of `straight`, or of `path` where there is none, and moves of the
 /// result are pieces of the moves of `path`.

@@ -15,7 +15,7 @@ namespace gouge {
 /// Ensures  (1) Without changes the bytes are those of the file. (2) Statements that need no change are
 ///              byte-identical. (3) Read again, the file has the changed positions (rounded to the file's
 ///              decimals, to at least 4 in mm and 5 in inch files), inserted ones as moves of their own of
-///              the same kind, tool and operation, and all other moves as before. (4) A straightened arc or
+///              the same kind (or rapids, where at_rapid says so), tool and operation, and all other moves as before. (4) A straightened arc or
 ///              spline is the file's own straight positions instead; the statement that described it is gone.
 ///              (5) An arc with new_arc is one arc still: of its CIRCLE, MOVARC, INDIRV and TLON only the numbers
 ///              change, in the file's own way of writing arcs, and positions inserted before it stand before all of
