@@ -42,10 +42,15 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   facts.toolpath_before = &before;
   facts.result_before = &result;
   for (const ChangeRecord& r : correction.records) {
-    const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt;
+    const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt && r.strategy != Strategy::trim;
     facts.changes.push_back({r.move, before.moves[r.move].line,
                              is_between_shifts ? "inserted" : strategy_name(r.strategy), r.is_inserted, r.shift_mm,
-                             r.shift_mm.norm(), r.tilt_rad, r.depth_before_mm, r.depth_after_mm, r.iterations});
+                             r.shift_mm.norm(), r.tilt_rad, r.depth_before_mm, r.depth_after_mm, r.iterations,
+                             r.strategy == Strategy::trim});
+  }
+  for (const Uncut& u : correction.uncut) {
+    facts.uncut.push_back(
+        {u.first, u.last, before.moves[u.first].line, before.moves[u.last].line, u.positions, u.length_mm});
   }
   for (const Uncorrected& u : correction.uncorrected) {
     facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason, u.is_changed});

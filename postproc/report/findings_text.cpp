@@ -88,13 +88,14 @@ std::string correction_lines(const ReportModel& model) {
   const std::size_t inserted = inserted_positions(correction);
   double largest_mm = 0;
   for (const CorrectedRecord& change : correction.changes) {
-    if (!change.is_inserted) largest_mm = std::max(largest_mm, change.shift_length_mm);
+    if (!change.is_inserted && !change.is_uncut) largest_mm = std::max(largest_mm, change.shift_length_mm);
   }
-  const std::size_t moved = correction.changes.size() - inserted;
+  const std::size_t moved = moved_positions(correction);
   std::string text = "corrected: " + count_text(moved, "position") + " moved";
   if (moved > 0) text += " by up to " + depth_text(largest_mm, unit);
   text += ", " + std::to_string(inserted) + " inserted";
   if (correction.curves > 0) text += ", " + straightened_text(correction);
+  if (!correction.uncut.empty()) text += ", " + uncut_text(correction, unit);
   const auto changed = static_cast<std::size_t>(
       std::ranges::count_if(correction.uncorrected, [](const UncorrectedRecord& left) { return left.is_changed; }));
   const std::size_t left = correction.uncorrected.size() - changed;

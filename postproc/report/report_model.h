@@ -56,13 +56,14 @@ struct ToolFacts {
 struct CorrectedRecord {
   std::size_t move = 0;      ///< of the path before the correction
   std::size_t line = 0;      ///< of the file before the correction
-  std::string strategy;      ///< "weighted", "axis", "tilt"; of a position inserted for a shift "inserted"
+  std::string strategy;      ///< "weighted", "axis", "tilt", "trim"; of a position inserted for a shift "inserted"
   bool is_inserted = false;  ///< a position between the programmed ones; else one of these
   Vec3 shift_mm = Vec3::Zero();
   double shift_length_mm = 0;
   double tilt_rad = 0;
   double depth_before_mm = 0, depth_after_mm = 0;
   int iterations = 0;
+  bool is_uncut = false;  ///< above a stretch that is left out, or on the way there
 };
 
 struct UncorrectedRecord {
@@ -71,6 +72,14 @@ struct UncorrectedRecord {
   double depth_mm = 0;  ///< that is left
   std::string reason;
   bool is_changed = false;  ///< its own record was changed all the same
+};
+
+/// A stretch that is left out: the tool passes above it.
+struct UncutRecord {
+  std::size_t first_move = 0, last_move = 0;  ///< of the path before the correction
+  std::size_t first_line = 0, last_line = 0;
+  std::size_t positions = 0;  ///< programmed ones that are not visited
+  double length_mm = 0;       ///< of the programmed feeds
 };
 
 /// A statement of the corrected file that is not as it was.
@@ -103,6 +112,7 @@ struct CorrectionFacts {
   std::size_t straight_moves = 0;  ///< ... and how many, those of `changes` among them
   std::vector<CorrectedRecord> changes;
   std::vector<UncorrectedRecord> uncorrected;
+  std::vector<UncutRecord> uncut;
   std::vector<WrittenRecord> written;          ///< every other record is the same to the byte
   std::optional<AxisFacts> axes;               ///< none: not measured
   const Toolpath* toolpath_before = nullptr;   ///< the path as read

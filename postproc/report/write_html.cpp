@@ -209,6 +209,7 @@ class HtmlReport {
                ? " Nothing was changed.</p>\n"
                : " " + count_text(c.written.size(), "record") +
                      " of the file changed, added or removed; every other one is the same to the byte.</p>\n";
+    if (!c.uncut.empty()) out += "<p class=\"but\">" + xml_escaped(uncut_text(c, unit_)) + ".</p>\n" + uncut_table();
     HtmlTable table({{"Line", "n"},
                      {"Move", "n"},
                      {"Strategy"},
@@ -220,6 +221,21 @@ class HtmlReport {
                      {"Iterations", "n"}});
     for (const CorrectedRecord& r : c.changes) table.has_room() ? table.add(change_row(r)) : table.skip();
     return out + table.html() + left_as_was();
+  }
+
+  [[nodiscard]] std::string uncut_table() const {
+    HtmlTable table({{"Lines left out", "n"}, {"Moves", "n"}, {"Positions", "n"}, {"Length", "n"}});
+    const auto span = [](std::size_t first, std::size_t last) {
+      return first == last ? std::to_string(first) : std::to_string(first) + "-" + std::to_string(last);
+    };
+    for (const UncutRecord& r : model_.correction.uncut) {
+      table.has_room()
+          ? table.add(html_cell(span(r.first_line, r.last_line), "n") +
+                      html_cell(span(r.first_move, r.last_move), "n") + html_cell(std::to_string(r.positions), "n") +
+                      html_cell(length_text(r.length_mm, unit_), "n"))
+          : table.skip();
+    }
+    return table.html();
   }
 
   [[nodiscard]] std::string change_row(const CorrectedRecord& r) const {

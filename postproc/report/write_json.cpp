@@ -278,17 +278,30 @@ class JsonReport {
     const AxisTilts& tilts = c.axes->tilts;
     const std::size_t inserted = inserted_positions(c);
     const Toolpath& before = c.toolpath_before ? *c.toolpath_before : *model_.toolpath;
-    return {
-        {"before", axis_quality(c.axes->before, before)},
-        {"after", axis_quality(c.axes->after, *model_.toolpath)},
-        {"max_rotary_speed_deg_per_min",
-         c.axes->max_rotary_deg_per_min ? Json(*c.axes->max_rotary_deg_per_min) : Json(nullptr)},
-        {"largest_tilt",
-         {{"rad", tilts.tilt_rad.value},
-          {"move", move_of(tilts.tilt_rad)},
-          {"line", line_of(tilts.tilt_rad, *model_.toolpath)}}},
-        {"positions", {{"moved", c.changes.size() - inserted}, {"inserted", inserted}, {"tilted", tilts.positions}}},
-        {"tilted_runs", tilts.runs.size() + tilts.runs_left_out}};
+    return {{"before", axis_quality(c.axes->before, before)},
+            {"after", axis_quality(c.axes->after, *model_.toolpath)},
+            {"max_rotary_speed_deg_per_min",
+             c.axes->max_rotary_deg_per_min ? Json(*c.axes->max_rotary_deg_per_min) : Json(nullptr)},
+            {"largest_tilt",
+             {{"rad", tilts.tilt_rad.value},
+              {"move", move_of(tilts.tilt_rad)},
+              {"line", line_of(tilts.tilt_rad, *model_.toolpath)}}},
+            {"positions", {{"moved", moved_positions(c)}, {"inserted", inserted}, {"tilted", tilts.positions}}},
+            {"tilted_runs", tilts.runs.size() + tilts.runs_left_out}};
+  }
+
+  [[nodiscard]] Json uncut(const CorrectionFacts& c) const {
+    Json stretches = Json::array();
+    for (const UncutRecord& r : c.uncut) {
+      stretches.push_back({{"first_move", r.first_move},
+                           {"last_move", r.last_move},
+                           {"first_line", r.first_line},
+                           {"last_line", r.last_line},
+                           {"positions", r.positions},
+                           {"length", length(r.length_mm)}});
+    }
+    const UncutTotal total = uncut_total(c);
+    return {{"positions", total.positions}, {"length", length(total.length_mm)}, {"stretches", stretches}};
   }
 
   [[nodiscard]] Json correction() const {
@@ -323,6 +336,7 @@ class JsonReport {
             {"rapid_clearance", length(c.rapid_clearance_mm)},
             {"quality", quality(c)},
             {"straightened", {{"curves", c.curves}, {"straight_moves", c.straight_moves}}},
+            {"uncut", uncut(c)},
             {"changes", changes},
             {"uncorrected", left},
             {"written", written}};

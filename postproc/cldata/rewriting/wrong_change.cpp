@@ -31,11 +31,12 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     const std::size_t at_rapid = change.at_rapid.size();
     const bool may_be_rapid = move.kind == MoveKind::feed || (move.kind == MoveKind::arc && change.is_straightened);
     if (at_rapid != 0 && (at_rapid != change.inserted_before.size() + 1 || !may_be_rapid)) {
-      return make_error("write-move",
-                        name + " has " + std::to_string(at_rapid) + " entries of what is reached at rapid for " +
-                            std::to_string(change.inserted_before.size()) +
-                            " inserted positions; expected one each and one for its end, and only of a feed or a straightened curve",
-                        path.file, move.line);
+      return make_error(
+          "write-move",
+          name + " has " + std::to_string(at_rapid) + " entries of what is reached at rapid for " +
+              std::to_string(change.inserted_before.size()) +
+              " inserted positions; expected one each and one for its end, and only of a feed or a straightened curve",
+          path.file, move.line);
     }
     if (at_rapid != 0 && !is_rapid_sayable) {
       return make_error("write-move", name + " is to be reached at rapid, which this dialect cannot say of one motion",
