@@ -15,11 +15,77 @@
 #include "lib/base/number_text.h"
 #include "lib/correct/correct_path.h"
 #include "postproc/cldata/rewriting/list_written.h"
+#include "postproc/cldata/rewriting/record_texts.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
 #include "postproc/cldata/rewriting/write_corrected.h"
 
 namespace gouge {
 namespace {
+
+/// The bytes of each change, each statement's once: those of a list of positions are long.
+class ChangeTexts {
+ public:
+  ChangeTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
+              const std::vector<WrittenStatement>& written)
+      : texts_(before, changes, after, written), change_of_(before.moves.size(), nullptr) {
+    for (const PathChange& change : changes) change_of_[change.move] = &change;
+  }
+
+  /// To be asked for in the order of the records.
+  void put_into(CorrectedRecord& record, const ChangeRecord& of) {
+    if (change_of_[of.move] == nullptr) return;
+    if (of.move != move_) next_ = 0;
+    move_ = of.move;
+    const PathChange& change = *change_of_[of.move];
+    std::optional<std::size_t> place = change.inserted_before.size();
+    if (of.is_inserted) place = find(change, of.pose);
+    if (change.has_arc()) place.reset();
+    record.new_record = once(place ? texts_.after(of.move, *place) : texts_.after(of.move), last_new_);
+    // An inserted position replaces nothing.
+    if (!place || !of.is_inserted) record.old_record = once(texts_.before(of.move), last_old_);
+  }
+
+ private:
+  std::optional<std::size_t> find(const PathChange& change, const Pose& pose) {
+    for (std::size_t k = next_; k < change.inserted_before.size(); ++k) {
+      const Pose& there = change.inserted_before[k];
+      if (there.tip != pose.tip || there.axis != pose.axis) continue;
+      next_ = k + 1;
+      return k;
+    }
+    return std::nullopt;
+  }
+
+  static std::optional<std::string_view> once(const std::optional<std::string_view>& text, const char*& last) {
+    if (!text || text->data() == last) return std::nullopt;
+    last = text->data();
+    return text;
+  }
+
+  RecordTexts texts_;
+  std::vector<const PathChange*> change_of_;
+  std::size_t move_ = kNone, next_ = 0;  // the move asked for last, and the first of its positions not yet asked for
+  const char *last_old_ = nullptr, *last_new_ = nullptr;
+};
+
+CorrectedRecord corrected_record(const ChangeRecord& r, const Toolpath& before, ChangeTexts& texts) {
+  CorrectedRecord record;
+  record.move = r.move;
+  record.line = before.moves[r.move].line;
+  record.is_uncut = r.strategy == Strategy::trim;
+  const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt && !record.is_uncut;
+  record.strategy = is_between_shifts ? "inserted" : strategy_name(r.strategy);
+  record.is_inserted = r.is_inserted;
+  record.shift_mm = r.shift_mm;
+  record.shift_length_mm = r.shift_mm.norm();
+  record.tilt_rad = r.tilt_rad;
+  record.depth_before_mm = r.depth_before_mm;
+  record.depth_after_mm = r.depth_after_mm;
+  record.iterations = r.iterations;
+  if (r.cause != kNone) record.cause = r.cause;
+  texts.put_into(record, r);
+  return record;
+}
 
 CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options, const Correction& correction,
                          const Toolpath& before, const CheckResult& result, const Toolpath& after) {
@@ -29,8 +95,8 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   facts.max_shift_mm = options.max_shift_mm;
   facts.max_side_shift_mm = options.max_side_shift_mm;
   facts.rapid_clearance_mm = options.rapid_clearance_mm;
-  for (const WrittenStatement& written : list_written(before, correction.changes, after))
-    facts.written.push_back({written_name(written.kind), written.line});
+  const std::vector<WrittenStatement> all = list_written(before, correction.changes, after);
+  for (const WrittenStatement& written : all) facts.written.push_back({written_name(written.kind), written.line});
   for (const PathChange& change : correction.changes) {
     if (!change.is_straightened && change.inserted_arcs.empty()) continue;
     const auto arcs = std::ranges::count_if(change.inserted_arcs, [](const auto& arc) { return arc.has_value(); });
@@ -41,13 +107,8 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   }
   facts.toolpath_before = &before;
   facts.result_before = &result;
-  for (const ChangeRecord& r : correction.records) {
-    const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt && r.strategy != Strategy::trim;
-    facts.changes.push_back({r.move, before.moves[r.move].line,
-                             is_between_shifts ? "inserted" : strategy_name(r.strategy), r.is_inserted, r.shift_mm,
-                             r.shift_mm.norm(), r.tilt_rad, r.depth_before_mm, r.depth_after_mm, r.iterations,
-                             r.strategy == Strategy::trim});
-  }
+  ChangeTexts texts(before, correction.changes, after, all);
+  for (const ChangeRecord& r : correction.records) facts.changes.push_back(corrected_record(r, before, texts));
   for (const Uncut& u : correction.uncut) {
     facts.uncut.push_back(
         {u.first, u.last, before.moves[u.first].line, before.moves[u.last].line, u.positions, u.length_mm});

@@ -35,7 +35,9 @@ struct ChangeRecord {
   double depth_before_mm = 0;    ///< at the position (inserted or tilted: of the motion there)
   double depth_after_mm = 0;
   int iterations = 0;
-  double tilt_rad = 0;  ///< between the axis as it was there and as it is
+  double tilt_rad = 0;        ///< between the axis as it was there and as it is
+  Pose pose;                  ///< where the position is now; of an arc that stays one, its end
+  std::size_t cause = kNone;  ///< the move of the path as it was whose gouge it cures; kNone: none is beside it
 };
 
 /// A move that still gouges, or is buried, and why.

@@ -1,6 +1,7 @@
 #include "lib/correct/proposer.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "lib/correct/keep_arcs.h"
 #include "lib/correct/straighten.h"
@@ -115,7 +116,30 @@ Correction Proposer::propose(const ProgressCall& progress) {
   add_tilts(correction);
   add_trims(correction);
   add_holes(correction);
+  // A position is changed for the gouge of its own move or of one beside it.
+  for (ChangeRecord& record : correction.records) {
+    if (record.cause == kNone) record.cause = deepest(record.move, record.move);
+    const std::size_t before = record.move > 0 ? record.move - 1 : 0;
+    if (record.cause == kNone) record.cause = deepest(before, std::min(record.move + 1, path_.moves.size() - 1));
+  }
   return correction;
+}
+
+// What is buried is deeper than anything that has a depth.
+std::size_t Proposer::deepest(std::size_t first, std::size_t last) const {
+  std::size_t found = kNone;
+  double most_mm = -1;
+  for (std::size_t i = first; i <= last; ++i) {
+    const MoveVerdict& verdict = result_.verdicts[i];
+    const bool is_buried = verdict.state == MoveState::buried;
+    if (!is_buried && verdict.state != MoveState::gouge) continue;
+    const double depth_mm = is_buried ? std::numeric_limits<double>::infinity() : verdict.depth_mm;
+    if (depth_mm > most_mm) {
+      found = i;
+      most_mm = depth_mm;
+    }
+  }
+  return found;
 }
 
 bool Proposer::give_up_arc(const std::vector<PathChange>& changes, std::size_t move) {
@@ -179,6 +203,7 @@ void Proposer::keep_pieces(std::size_t move, const std::string& reason) {
 
 void Proposer::add_tilts(Correction& correction) const {
   for (const SmoothedRun& run : plan_.runs) {
+    const std::size_t cause = deepest(origin_of(run.first_wanted), origin_of(run.last_wanted));
     for (const TiltedPosition& p : run.positions) {
       const Move& move = path_.moves[origin_of(p.move)];
       const ToolVariants& tool = *tools_[move.tool];
@@ -186,7 +211,7 @@ void Proposer::add_tilts(Correction& correction) const {
                                        origin_of(p.move + 1) != origin_of(p.move));
       correction.records.push_back({origin_of(p.move), Strategy::tilt, !is_end, p.pose.tip - p.programmed.tip,
                                     result_.verdicts[origin_of(p.move)].depth_mm,
-                                    checker_.measure(p.pose, move.kind, tool).depth_mm, 0, p.tilt_rad});
+                                    checker_.measure(p.pose, move.kind, tool).depth_mm, 0, p.tilt_rad, p.pose, cause});
     }
   }
   for (const UntiltedRun& run : plan_.failed) {
@@ -203,6 +228,7 @@ void Proposer::add_trims(Correction& correction) const {
   const auto origin = [&](std::size_t i) { return base != nullptr ? base->origin[i] : i; };
   for (const Trim& trim : trims_.trims) {
     const std::size_t first = origin(trim.begin.move), last = origin(trim.end.move);
+    const std::size_t cause = deepest(first, last);
     correction.uncut.push_back({first, last, trim.uncut_positions, trim.uncut_mm});
     for (std::size_t k = 0; k < trim.positions.size(); ++k) {
       const NewPosition& p = trim.positions[k];
@@ -213,7 +239,7 @@ void Proposer::add_trims(Correction& correction) const {
       correction.records.push_back({move, Strategy::trim, !is_end, p.pose.tip - was.tip,
                                     result_.verdicts[move].depth_mm,
                                     checker_.measure(p.pose, p.kind, *tools_[path_.moves[move].tool]).depth_mm, 0,
-                                    angle_between_rad(p.pose.axis, was.axis)});
+                                    angle_between_rad(p.pose.axis, was.axis), p.pose, cause});
     }
   }
   for (const Untrimmed& failed : trims_.failed) {
@@ -231,8 +257,16 @@ void Proposer::add_holes(Correction& correction) const {
     change.move = hole.first;
     change.hole_shift_mm = hole.shift_mm;
     correction.changes.push_back(change);
-    correction.records.push_back(
-        {hole.first, Strategy::axis, false, hole.shift_mm, hole.depth_before_mm, hole.depth_after_mm, 1});
+    correction.records.push_back({hole.first,
+                                  Strategy::axis,
+                                  false,
+                                  hole.shift_mm,
+                                  hole.depth_before_mm,
+                                  hole.depth_after_mm,
+                                  1,
+                                  0,
+                                  {path_.moves[hole.first].end.tip + hole.shift_mm, path_.moves[hole.first].end.axis},
+                                  deepest(hole.first, hole.last - 1)});
     std::erase_if(correction.uncorrected, is_of_it);
   }
   sort_by_move(correction.changes);

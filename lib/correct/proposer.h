@@ -40,6 +40,8 @@ class Proposer {
   [[nodiscard]] const ReworkedPath* last() const;
   /// Before stretches are left out.
   [[nodiscard]] const ReworkedPath* untrimmed() const;
+  /// Which of the moves [first, last] of the path gouges deepest; kNone: none does.
+  [[nodiscard]] std::size_t deepest(std::size_t first, std::size_t last) const;
   /// Of a move of the plan: which move of the path it is a piece of.
   [[nodiscard]] std::size_t origin_of(std::size_t i) const;
   [[nodiscard]] bool give_up_tilt(std::size_t move, const std::string& reason);

@@ -218,7 +218,8 @@ class HtmlReport {
                      {"Tilt", "n"},
                      {"Depth before", "n"},
                      {"Depth after", "n"},
-                     {"Iterations", "n"}});
+                     {"Iterations", "n"},
+                     {"Cause"}});
     for (const CorrectedRecord& r : c.changes) table.has_room() ? table.add(change_row(r)) : table.skip();
     return out + table.html() + left_as_was();
   }
@@ -243,7 +244,16 @@ class HtmlReport {
            html_cell(depth_text(r.shift_length_mm, unit_), "n") + html_cell(lengths_text(r.shift_mm, unit_), "k") +
            html_cell(r.tilt_rad > 0 ? angle_text(r.tilt_rad, DegreeSign::sign) : "", "n") +
            html_cell(depth_text(r.depth_before_mm, unit_), "n") + html_cell(depth_text(r.depth_after_mm, unit_), "n") +
-           html_cell(std::to_string(r.iterations), "n");
+           html_cell(std::to_string(r.iterations), "n") + html_cell(cause(r));
+  }
+
+  [[nodiscard]] std::string cause(const CorrectedRecord& r) const {
+    const CorrectionFacts& c = model_.correction;
+    if (!r.cause || c.result_before == nullptr) return {};
+    const MoveVerdict& verdict = c.result_before->verdicts[*r.cause];
+    if (!verdict.witness) return std::string(body_name(verdict.reason.body)) + " inside a solid";
+    return std::string(body_name(verdict.witness->body)) + " against " + against_name(verdict.witness->against) + " " +
+           mesh_name(model_, *verdict.witness);
   }
 
   [[nodiscard]] std::string left_as_was() const {

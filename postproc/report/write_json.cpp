@@ -290,6 +290,21 @@ class JsonReport {
             {"tilted_runs", tilts.runs.size() + tilts.runs_left_out}};
   }
 
+  // What the change cures: of a buried move no surface is named.
+  [[nodiscard]] Json cause(const CorrectionFacts& c, const CorrectedRecord& r) const {
+    if (!r.cause || c.result_before == nullptr) return nullptr;
+    const MoveVerdict& verdict = c.result_before->verdicts[*r.cause];
+    const Toolpath& before = c.toolpath_before ? *c.toolpath_before : *model_.toolpath;
+    const bool has_witness = verdict.witness.has_value();
+    return {{"move", *r.cause},
+            {"line", std::size_t{before.moves[*r.cause].line}},
+            {"state", state_name(verdict.state)},
+            {"depth", length(verdict.depth_mm)},
+            {"body", body_name(has_witness ? verdict.witness->body : verdict.reason.body)},
+            {"against", has_witness ? Json(against_name(verdict.witness->against)) : Json(nullptr)},
+            {"mesh", has_witness ? text(mesh_name(model_, *verdict.witness)) : Json(nullptr)}};
+  }
+
   [[nodiscard]] Json uncut(const CorrectionFacts& c) const {
     Json stretches = Json::array();
     for (const UncutRecord& r : c.uncut) {
@@ -317,7 +332,10 @@ class JsonReport {
                          {"tilt_rad", r.tilt_rad},
                          {"depth_before", length(r.depth_before_mm)},
                          {"depth_after", length(r.depth_after_mm)},
-                         {"iterations", r.iterations}});
+                         {"iterations", r.iterations},
+                         {"cause", cause(c, r)},
+                         {"old_record", r.old_record ? text(*r.old_record) : Json(nullptr)},
+                         {"new_record", r.new_record ? text(*r.new_record) : Json(nullptr)}});
     }
     Json left = Json::array();
     for (const UncorrectedRecord& r : c.uncorrected) {

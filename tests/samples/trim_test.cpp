@@ -58,6 +58,35 @@ TEST(Trim, LeavesTheStretchOutInWhichTheFreeformsHolderMeetsTheWall) {
   EXPECT_EQ(again.exit_status, 0) << again.out << again.err;
 }
 
+// Old records in the file as it was, new ones in the corrected one, each once and in order; and why.
+TEST(Trim, EveryChangeCarriesItsRecordsAndItsCause) {
+  const SampleFolder sample = open_sample("freeform");
+  for (const std::string strategy : {"holder=trim", "auto", "axis"}) {
+    const Corrected corrected = correct(sample, {"--strategy", strategy});
+    const std::string before = text_of(sample.path + "/" + sample.toolpath());
+    const std::string after = text_of(sample.path + "/corrected.apt");
+    std::size_t at_before = 0, at_after = 0, holders = 0;
+    ASSERT_GT(corrected.correction().at("changes").size(), 100U);
+    for (const Json& change : corrected.correction().at("changes")) {
+      const Json& cause = change.at("cause");
+      ASSERT_FALSE(cause.is_null());
+      EXPECT_EQ(cause.at("mesh"), "part.stl");
+      holders += cause.at("body") == "holder" ? 1U : 0U;
+      EXPECT_EQ(change.at("old_record").is_null(), change.at("is_inserted").get<bool>());
+      if (!change.at("old_record").is_null()) {
+        at_before = before.find(change.at("old_record").get<std::string>(), at_before);
+        ASSERT_NE(at_before, std::string::npos) << change;
+      }
+      const std::string written = change.at("new_record");
+      at_after = after.find(written, at_after);
+      ASSERT_NE(at_after, std::string::npos) << change;
+      EXPECT_NE(written.find("GOTO/"), std::string::npos);
+      at_after += written.size();
+    }
+    EXPECT_GT(holders, 90U);
+  }
+}
+
 TEST(Trim, OfTheHeadLeavesOutWhereItMeetsThePost) {
   const SampleFolder sample = open_sample("between_head");
   const Corrected trimmed = correct(sample, {"--strategy", "head=trim"});
