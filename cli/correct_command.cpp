@@ -166,7 +166,7 @@ class CorrectRun {
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
     model.correction.output_bytes = text;
     model.correction.axes = measure_axes(job_.toolpath, correction.changes, path, limit_);
-    if (limit_) model.more_options.push_back({"max-rotary-speed", arguments_.max_rotary_speed});
+    for (OptionText& limit : limits_in_force(arguments_)) model.more_options.push_back(std::move(limit));
     add_not_tilted(correction.not_tilted, model.notes);
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);

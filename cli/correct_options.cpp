@@ -159,6 +159,20 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
   return options;
 }
 
+std::vector<OptionText> limits_in_force(const CorrectArguments& arguments) {
+  std::vector<OptionText> limits = {
+      {"max-tilt", arguments.max_tilt}, {"tilt", arguments.tilt}, {"blend", arguments.blend}};
+  const auto add = [&](const char* name, const std::string& typed) {
+    if (!typed.empty()) limits.push_back({name, typed});
+  };
+  add("axis-cone", arguments.axis_cone);
+  add("max-turn", arguments.max_turn);
+  add("max-turn-step", arguments.max_turn_step);
+  add("allow-multax", arguments.may_add_axes ? "yes" : "");
+  add("max-rotary-speed", arguments.max_rotary_speed);
+  return limits;
+}
+
 std::string strategies_text(const CorrectArguments& arguments) {
   std::string text;
   for (const std::string& one : arguments.strategies) text += (text.empty() ? "" : ", ") + one;

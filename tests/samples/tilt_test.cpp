@@ -48,6 +48,26 @@ TEST(Tilt, OfTheFreeformsLastPassFreesTheHolderAndKeepsTheBallsCentre) {
   EXPECT_EQ(changes_by(lifted, "tilt"), 0U);
 }
 
+TEST(Tilt, LimitsInForceStandInTheReport) {
+  const SampleFolder sample = open_sample("freeform");
+  correct(sample, {});
+  const auto more = [&] { return Json::parse(text_of(sample.path + "/result.json")).at("options").at("more"); };
+  EXPECT_EQ(more(), Json({{"max-tilt", "30"}, {"tilt", "both"}, {"blend", "10"}}));
+  correct(sample, {"--max-tilt", "20", "--tilt", "side", "--blend", "0.5in", "--axis-cone", "0,0,1,60", "--max-turn",
+                   "4", "--max-turn-step", "9", "--max-rotary-speed", "3600", "--allow-multax", "--report", "r"});
+  EXPECT_EQ(more(), Json({{"max-tilt", "20"},
+                          {"tilt", "side"},
+                          {"blend", "0.5in"},
+                          {"axis-cone", "0,0,1,60"},
+                          {"max-turn", "4"},
+                          {"max-turn-step", "9"},
+                          {"max-rotary-speed", "3600"},
+                          {"allow-multax", "yes"}}));
+  const std::string html = text_of(sample.path + "/r/report.html");
+  for (const char* shown : {"axis-cone", "0,0,1,60", "max-turn-step", "0.5in"})
+    EXPECT_NE(html.find(shown), std::string::npos) << shown;
+}
+
 TEST(Tilt, ThatIsNotFoundIsSaidAndLifted) {
   const SampleFolder sample = open_sample("freeform");
   const Corrected lifted = correct(sample, {"--max-tilt", "0.5"});
