@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "lib/correct/keep_arcs.h"
-#include "lib/correct/straighten.h"
 #include "lib/correct/tilt_path.h"
 #include "lib/path/path_info.h"
 
@@ -33,22 +32,13 @@ Proposer::Proposer(const Toolpath& path, const CheckResult& result, const CheckS
 }
 
 void Proposer::plan_tilting(const ProgressCall& progress) {
-  const std::vector<bool> is_wanted = moves_to(Strategy::tilt, path_, result_, correct_.strategies);
   const bool has_axes = correct_.rewritable == nullptr || correct_.rewritable->has_axes || correct_.may_add_axes;
-  const bool is_any = std::ranges::find(is_wanted, true) != is_wanted.end();
-  const auto near = is_any && has_axes ? moves_near(path_, is_wanted, correct_.tilt.blend_mm) : std::vector<bool>();
-  straight_ = straighten(path_, result_, tools_, checker_, near);
-  if (!is_any) return;
-  const ReworkedPath* const base = straight_ ? &*straight_ : nullptr;
-  const Toolpath& path = base != nullptr ? base->path : path_;
-  const CheckResult& result = base != nullptr ? base->result : result_;
-  const std::vector<bool> is_wanted_here = moves_to(Strategy::tilt, path, result, correct_.strategies);
-  if (has_axes) {
-    plan_ = plan_tilts({path, result, tools_, checker_, correct_.tilt, is_wanted_here}, progress);
-    return;
-  }
-  for (std::size_t i = 0; i < is_wanted_here.size(); ++i) {
-    if (is_wanted_here[i]) plan_.failed.push_back({i, i, kNoAxes});
+  TiltProposal proposal =
+      propose_tilts({path_, result_, tools_, checker_, correct_.strategies, correct_.tilt, has_axes}, progress);
+  straight_ = std::move(proposal.straight);
+  plan_ = std::move(proposal.plan);
+  for (std::size_t i = 0; i < proposal.is_wanted.size() && !has_axes; ++i) {
+    if (proposal.is_wanted[i]) plan_.failed.push_back({i, i, kNoAxes});
   }
 }
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "lib/correct/straighten.h"
+
 namespace gouge {
 
 std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckResult& result,
@@ -15,6 +17,21 @@ std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckRes
     is_wanted[i] = strategies[is_buried ? verdict.reason.body : verdict.witness->body] == wanted;
   }
   return is_wanted;
+}
+
+TiltProposal propose_tilts(const TiltRequest& request, const ProgressCall& progress) {
+  const auto& [path, result, tools, checker, strategies, options, may_tilt] = request;
+  TiltProposal proposal;
+  const std::vector<bool> is_wanted = moves_to(Strategy::tilt, path, result, strategies);
+  const bool is_any = std::ranges::find(is_wanted, true) != is_wanted.end();
+  const auto near = is_any && may_tilt ? moves_near(path, is_wanted, options.blend_mm) : std::vector<bool>();
+  proposal.straight = straighten(path, result, tools, checker, near);
+  if (!is_any) return proposal;
+  const Toolpath& base = proposal.straight ? proposal.straight->path : path;
+  const CheckResult& verdicts = proposal.straight ? proposal.straight->result : result;
+  proposal.is_wanted = moves_to(Strategy::tilt, base, verdicts, strategies);
+  if (may_tilt) proposal.plan = plan_tilts({base, verdicts, tools, checker, options, proposal.is_wanted}, progress);
+  return proposal;
 }
 
 ReworkedPath tilt_path(const Toolpath& path, const CheckResult& result, const std::optional<ReworkedPath>& straight,

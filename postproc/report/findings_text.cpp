@@ -5,6 +5,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "postproc/report/axis_text.h"
+#include "postproc/report/cure_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
@@ -122,11 +123,13 @@ std::string summary_text(const ReportModel& model) {
 
 std::string findings_text(const ReportModel& model) {
   std::string text;
-  for (const Event& event : model.result->events) {
+  for (std::size_t k = 0; k < model.result->events.size(); ++k) {
+    const Event& event = model.result->events[k];
     if (event.state != MoveState::gouge && event.state != MoveState::buried && event.state != MoveState::near_miss) {
       continue;
     }
     text += line(line_prefix(model, event.worst_move) + event_text(model, event) + span_text(event));
+    if (const FindingCures* cures = cures_of(model, k)) text += line("  cured by " + cure_text(model, *cures));
   }
   for (const ReasonGroup& group : group_reasons(*model.result)) {
     text += line(line_prefix(model, group.first_move) + group_text(group));

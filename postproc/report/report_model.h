@@ -13,6 +13,7 @@
 #include "lib/check/check_options.h"
 #include "lib/check/closeness.h"
 #include "lib/check/verdict.h"
+#include "lib/cure/find_cures.h"
 #include "lib/geom/vec.h"
 #include "lib/path/axis_quality.h"
 #include "lib/path/axis_tilt.h"
@@ -148,7 +149,9 @@ struct ReportModel {
   double seconds = 0;  ///< spent from the first file read to this report; only JUnit has it
   std::optional<StickoutOptions> stickout_options;  ///< none: not asked
   std::vector<StickoutFacts> stickouts;
-  std::optional<Closeness> closeness;  ///< none: not looked at, or nothing to look at
+  std::optional<CureOptions> cure_options;  ///< none: not asked
+  std::vector<FindingCures> cures;          ///< by event, in their order
+  std::optional<Closeness> closeness;       ///< none: not looked at, or nothing to look at
 };
 
 enum class OverallVerdict { clean, gouges, not_fully_checked };

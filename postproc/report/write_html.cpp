@@ -7,6 +7,7 @@
 #include "lib/base/number_text.h"
 #include "postproc/report/axis_html.h"
 #include "postproc/report/axis_text.h"
+#include "postproc/report/cure_text.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
@@ -146,8 +147,15 @@ class HtmlReport {
            html_cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) +
            html_cell(against) +
            html_cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") +
-           html_cell(span, "n") + html_cell(operation_name(*model_.toolpath, move.operation)) + "<td class=\"k\">" +
-           link(event) + "</td>";
+           html_cell(span, "n") + html_cell(operation_name(*model_.toolpath, move.operation)) + cures_cell(event) +
+           "<td class=\"k\">" + link(event) + "</td>";
+  }
+
+  [[nodiscard]] std::string cures_cell(const Event& event) const {
+    if (!model_.cure_options) return {};
+    const auto index = static_cast<std::size_t>(&event - model_.result->events.data());
+    const FindingCures* const cures = cures_of(model_, index);
+    return html_cell(cures != nullptr ? cure_text(model_, *cures) : std::string());
   }
 
   [[nodiscard]] std::string findings() const {
@@ -162,15 +170,12 @@ class HtmlReport {
       return event->state == MoveState::near_miss ? -worst.clearance_mm.value_or(0) : worst.depth_mm;
     };
     std::stable_sort(events.begin(), events.end(), [&](const Event* a, const Event* b) { return depth(a) > depth(b); });
-    HtmlTable table({{"State"},
-                     {"Line", "n"},
-                     {"Depth", "n"},
-                     {"Body"},
-                     {"Against"},
-                     {"At, in " + std::string(unit_words(unit_))},
-                     {"Moves", "n"},
-                     {"Operation"},
-                     {""}});
+    std::vector<HtmlColumn> columns = {{"State"},      {"Line", "n"}, {"Depth", "n"},
+                                       {"Body"},       {"Against"},   {"At, in " + std::string(unit_words(unit_))},
+                                       {"Moves", "n"}, {"Operation"}};
+    if (model_.cure_options) columns.push_back({"Cured by"});
+    columns.push_back({""});
+    HtmlTable table(columns);
     for (const Event* event : events) table.has_room() ? table.add(finding_row(*event)) : table.skip();
     return "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, the worst "
            "first. Line, depth and position are those of its deepest move.</p>\n" +

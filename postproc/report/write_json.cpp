@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "postproc/report/cure_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
 
@@ -40,6 +41,7 @@ class JsonReport {
     out["totals"] = totals();
     out["closeness"] = closeness();
     out["stickout"] = stickout();
+    out["cures"] = cure_options();
     out["events"] = events();
     out["reasons"] = reasons();
     out["moves"] = moves();
@@ -155,7 +157,8 @@ class JsonReport {
 
   [[nodiscard]] Json events() const {
     Json all = Json::array();
-    for (const Event& event : model_.result->events) {
+    for (std::size_t k = 0; k < model_.result->events.size(); ++k) {
+      const Event& event = model_.result->events[k];
       all.push_back({{"state", state_name(event.state)},
                      {"first_move", event.first_move},
                      {"last_move", event.last_move},
@@ -164,9 +167,33 @@ class JsonReport {
                      {"line", std::size_t{model_.toolpath->moves[event.worst_move].line}},
                      {"tool", text(tool_key(*model_.toolpath, event.tool))},
                      {"body", body_name(event.body)},
-                     {"against", against_name(event.against)}});
+                     {"against", against_name(event.against)},
+                     {"cures", cures(k)}});
     }
     return all;
+  }
+
+  [[nodiscard]] Json cures(std::size_t event) const {
+    const FindingCures* const found = cures_of(model_, event);
+    if (found == nullptr) return nullptr;
+    const LiftCure& lift = found->lift;
+    return {{"tilt",
+             {{"rad", found->tilt.tilt_rad ? Json(*found->tilt.tilt_rad) : Json(nullptr)},
+              {"reason", found->tilt.tilt_rad ? Json(nullptr) : text(found->tilt.reason)}}},
+            {"lift",
+             {{"length", lift.lift_mm ? length(*lift.lift_mm) : Json(nullptr)},
+              {"move", lift.move},
+              {"line", std::size_t{model_.toolpath->moves[lift.move].line}},
+              {"body", body_name(lift.body)},
+              {"state", state_name(lift.state)}}}};
+  }
+
+  [[nodiscard]] Json cure_options() const {
+    if (!model_.cure_options) return nullptr;
+    return {{"lift_step", length(model_.cure_options->lift_step_mm)},
+            {"most_lift", length(model_.cure_options->most_lift_mm)},
+            {"max_tilt_rad", model_.cure_options->tilt.max_tilt_rad},
+            {"blend", length(model_.cure_options->tilt.blend_mm)}};
   }
 
   [[nodiscard]] Json reasons() const {
