@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/support/paths.h"
+#include "tests/support/scatter.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tools.h"
 #include "tests/support/whole_check.h"
@@ -143,6 +144,37 @@ TEST(FindLift, OutOfASolid) {
   const LiftCure cure = problem.solve(200);
   ASSERT_TRUE(cure.lift_mm);
   EXPECT_NEAR(*cure.lift_mm, 170, 0.011 + kStep_mm);
+}
+
+// Random posts and leaning tools against every lift in turn.
+TEST(FindLift, IsTheLeastOfAllLiftsOneAfterTheOther) {
+  constexpr double kCoarse_mm = 0.5, kMost_mm = 24;
+  std::size_t found = 0, none = 0;
+  for (unsigned seed = 0; seed < 24; ++seed) {
+    test::Scatter scatter(seed);
+    Problem problem;
+    problem.options.threads = 1;
+    const double x = scatter.in(6, 18), y = scatter.in(-10, 10), top = scatter.in(45, 78);
+    problem.scene.parts = {shapes::box(Vec3(x, y, -10), Vec3(x + 20, y + scatter.in(1, 30), top))};
+    if (seed % 3 == 0) problem.scene.parts.push_back(shapes::box(Vec3(-60, -40, 66), Vec3(-12, 40, 69)));
+    const auto axis = [&] { return scatter.axis(0.15); };
+    const Vec3 lean = axis();
+    problem.path = paths::through({{Vec3(0, -25, 0), lean}, {Vec3(0, 25, 0), seed % 2 == 0 ? lean : axis()}});
+    if (problem.bad_moves().empty()) continue;
+    const OwnSetup own(&problem.tool, problem.scene, problem.options);
+    const LiftCure cure = find_lift(problem.path, problem.bad_moves(), own.setup, kCoarse_mm, kMost_mm);
+    std::optional<double> least;
+    for (int k = 1; k * kCoarse_mm <= kMost_mm + 1e-9 && !least; ++k) {
+      if (problem.is_free(k * kCoarse_mm)) least = k * kCoarse_mm;
+    }
+    ASSERT_EQ(cure.lift_mm.has_value(), least.has_value()) << seed;
+    ++(least ? found : none);
+    if (least) {
+      EXPECT_NEAR(*cure.lift_mm, *least, 1e-9) << seed;
+    }
+  }
+  EXPECT_GT(found, 8U);
+  EXPECT_GT(none, 0U);
 }
 
 }  // namespace
