@@ -1,6 +1,7 @@
 #include "cli/correct_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -14,10 +15,13 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
 #include "lib/correct/correct_path.h"
+#include "lib/tilt/contact_pivot.h"
 #include "postproc/cldata/rewriting/list_written.h"
 #include "postproc/cldata/rewriting/record_texts.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
 #include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/report/axis_text.h"
+#include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
@@ -168,6 +172,7 @@ class CorrectRun {
     model.correction.axes = measure_axes(job_.toolpath, correction.changes, path, limit_);
     for (OptionText& limit : limits_in_force(arguments_)) model.more_options.push_back(std::move(limit));
     add_not_tilted(correction.not_tilted, model.notes);
+    add_left_stock(correction.records, model.notes);
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
     const bool is_written = outputs_.write(job_, scene, model, progress_, out_, err_);
@@ -185,6 +190,30 @@ class CorrectRun {
           "lifted where that helps, not tilted, down to line " + std::to_string(last) + ": " + runs[k].reason;
       if (k == 0 && runs.size() > 1) message += "; and " + count_text(runs.size() - 1, "more run") + " (-v)";
       notes.push_back((k == 0 ? make_warning : make_note)("not-tilted", message, job_.toolpath.file, first));
+    }
+  }
+
+  /// A warning for each tool with a flat end that was tilted: what it cut square to its axis it now touches with its edge.
+  void add_left_stock(const std::vector<ChangeRecord>& records, Diagnostics& notes) const {
+    const Toolpath& path = job_.toolpath;
+    for (std::size_t tool = 0; tool < path.tools.size(); ++tool) {
+      const ChangeRecord* first = nullptr;
+      double most_rad = 0;
+      for (const ChangeRecord& record : records) {
+        if (record.strategy != Strategy::tilt || path.moves[record.move].tool != tool) continue;
+        if (first == nullptr) first = &record;
+        most_rad = std::max(most_rad, record.tilt_rad);
+      }
+      if (first == nullptr || !job_.variants[tool]) continue;
+      const SupportStretch end = support_stretch(job_.variants[tool]->cutting, {0, -1});
+      const double left_mm = 2 * std::max(end.a.x(), end.b.x()) * std::sin(most_rad);
+      if (left_mm <= job_.options.check.tolerance_mm) continue;
+      notes.push_back(make_warning(
+          "tilt-leaves-stock",
+          tool_label(path, tool) + " has a flat end and is tilted by up to " + angle_text(most_rad, DegreeSign::word) +
+              ": where it cut square to its axis its edge alone does now, which leaves up to " +
+              depth_text(left_mm, path.unit) + " more; no check of gouges sees that",
+          path.file, path.moves[first->move].line));
     }
   }
 
