@@ -193,7 +193,8 @@ class CorrectRun {
     }
   }
 
-  /// A warning for each tool with a flat end that was tilted: what it cut square to its axis it now touches with its edge.
+  /// A warning for each tool with a flat end that was tilted: what it cut square to its axis it now touches with its
+  /// edge.
   void add_left_stock(const std::vector<ChangeRecord>& records, Diagnostics& notes) const {
     const Toolpath& path = job_.toolpath;
     for (std::size_t tool = 0; tool < path.tools.size(); ++tool) {

@@ -73,10 +73,10 @@ struct Correction {
 /// was.
 ///
 /// Requires `result` from check() with the same path and setup.
-/// Ensures  (1) But for tilts and what is left out only positions at the ends of gouging moves are moved, and only when they are
-///          themselves too deep; none further than max_shift, nor further than max_side_shift across the tool axis.
-///          (2) The tool axis changes in the runs of lib/tilt alone: about moves of which a body gouges whose strategy
-///          is to tilt; and where a stretch is left out, above it (lib/correct/plan_trims.h).
+/// Ensures  (1) But for tilts and what is left out only positions at the ends of gouging moves are moved, and only when
+///          they are themselves too deep; none further than max_shift, nor further than max_side_shift across the tool
+///          axis. (2) The tool axis changes in the runs of lib/tilt alone: about moves of which a body gouges whose
+///          strategy is to tilt; and where a stretch is left out, above it (lib/correct/plan_trims.h).
 ///          (3) the same proposal at any number of threads.
 /// Source   thesis 5.3 (weighted, iterated); tilting, lifting, inserting and taking back are ours:
 ///          docs/algorithms/correction.md, docs/algorithms/tilting.md.

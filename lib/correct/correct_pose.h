@@ -7,8 +7,8 @@
 #include "lib/certify/motion_checker.h"
 #include "lib/contact/contacts.h"
 
-// Strategies that bring one pose out of the surface by moving the tip; the tool axis stays as it is. Tilts are of runs of
-// positions (lib/tilt); what no tilt frees is lifted along the axis. What is trimmed is left out (plan_trims.h).
+// Strategies that bring one pose out of the surface by moving the tip; the tool axis stays as it is. Tilts are of runs
+// of positions (lib/tilt); what no tilt frees is lifted along the axis. What is trimmed is left out (plan_trims.h).
 
 namespace gouge {
 

@@ -190,8 +190,8 @@ class TrimChain {
     return places;
   }
 
-  /// The first of `places` from `next` on from which the tool may retract by the lift. What is in the way of a lift is in the
-  /// way of every longer one.
+  /// The first of `places` from `next` on from which the tool may retract by the lift. What is in the way of a lift is
+  /// in the way of every longer one.
   [[nodiscard]] bool find_retract(const std::vector<PathPlace>& places, std::size_t& next, double lift_mm) const {
     for (; next < places.size(); ++next) {
       const Pose low = pose(places[next]);

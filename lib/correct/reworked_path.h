@@ -7,8 +7,8 @@
 
 namespace gouge {
 
-/// A path some moves of which became others: curves became chords, straight moves were tilted, or left out, and cut into
-/// pieces.
+/// A path some moves of which became others: curves became chords, straight moves were tilted, or left out, and cut
+/// into pieces.
 struct ReworkedPath {
   Toolpath path;                    ///< moves, arcs and splines only; no source
   std::vector<std::size_t> origin;  ///< of each of its moves: which move of the path as it was. They do not fall.

@@ -10,8 +10,8 @@ namespace gouge {
 /// How far some moves must be lifted along the tool axis.
 struct LiftCure {
   std::optional<double> lift_mm;  ///< the least multiple of the step found; none: none up to the most
-  /// What is in the way one step below, or at the most: the move, the body and how, a gouge, buried, or not certified to
-  /// be neither.
+  /// What is in the way one step below, or at the most: the move, the body and how, a gouge, buried, or not certified
+  /// to be neither.
   std::size_t move = kNone;
   Body body = Body::holder;
   MoveState state = MoveState::gouge;

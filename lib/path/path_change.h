@@ -32,8 +32,8 @@ struct PathChange {
   /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which say how the
   /// end of the move itself is reached.
   std::vector<std::optional<PathArc>> inserted_arcs = {};
-  /// Of a feed, or a curve that becomes straight: which of `inserted_before` and, behind them, whether its own end is reached at rapid. One entry each and
-  /// one for the end, or none at all: none is.
+  /// Of a feed, or a curve that becomes straight: which of `inserted_before` and, behind them, whether its own end is
+  /// reached at rapid. One entry each and one for the end, or none at all: none is.
   std::vector<bool> at_rapid = {};
 
   /// Whether the k-th of `inserted_before`, or the end of the move behind them, becomes a rapid.

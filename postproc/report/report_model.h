@@ -65,8 +65,8 @@ struct CorrectedRecord {
   double depth_before_mm = 0, depth_after_mm = 0;
   int iterations = 0;
   std::optional<std::size_t> cause = {};  ///< the move of the path before whose gouge this cures
-  /// The bytes in both files; nothing where another change has them already, where nothing was there (inserted), and for
-  /// binary files.
+  /// The bytes in both files; nothing where another change has them already, where nothing was there (inserted), and
+  /// for binary files.
   std::optional<std::string_view> old_record = {}, new_record = {};
   bool is_uncut = false;  ///< above a stretch that is left out, or on the way there
 };

@@ -1,5 +1,5 @@
-// What a tilt leaves of the cut: no point of the part that the programmed path finished is left higher by the tilted one
-// than the tolerance and 0.01 mm. The swept cutter is measured against points of the surface by sampled motions, by
+// What a tilt leaves of the cut: no point of the part that the programmed path finished is left higher by the tilted
+// one than the tolerance and 0.01 mm. The swept cutter is measured against points of the surface by sampled motions, by
 // means of its own: the distance of a point to the cutter's contour, nothing of lib/tilt.
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -207,8 +207,8 @@ TEST(FinishedSurface, OfABallOnAFloorIsAsFinishedAsBefore) {
   }
 }
 
-// What the law does not hold for, as docs/algorithms/tilting.md says: a flat or bull-nose end that stood square on a floor
-// touches it with its edge alone once it leans.
+// What the law does not hold for, as docs/algorithms/tilting.md says: a flat or bull-nose end that stood square on a
+// floor touches it with its edge alone once it leans.
 TEST(FinishedSurface, OfAFlatEndOnAFloorIsFinishedAtItsEdgeAlone) {
   for (const ToolVariants& tool : {tools::flat(10), tools::bull(10, 2)}) {
     const Finish finish = floor_finish(tool, 0, 0);

@@ -94,6 +94,27 @@ TEST(Trim, OfTheHeadLeavesOutWhereItMeetsThePost) {
   EXPECT_EQ(trimmed.correction().at("uncut").at("stretches").size(), 1U);
 }
 
+// Binary records cannot say rapid of one motion: the crossing is a feed, and certified as one.
+TEST(Trim, OfBinaryRecordsCrossesAsFeed) {
+  const SampleFolder sample = open_sample("freeform");
+  const Outcome converted =
+      run_gougecheck(sample.path, {"path", "convert", sample.toolpath(), "--to", "nccs-binary", "-o", "pass.cl"});
+  ASSERT_EQ(converted.exit_status, 0) << converted.err;
+  std::vector<std::string> arguments =
+      sample.arguments("correct", "pass.cl", {"--strategy", "trim", "-o", "trimmed.cl", "--json", "result.json"});
+  const Outcome ran = run_gougecheck(sample.path, arguments);
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  const Json report = Json::parse(text_of(sample.path + "/result.json"));
+  EXPECT_GT(report.at("correction").at("uncut").at("positions"), 100);
+  for (const Json& change : report.at("correction").at("changes")) {
+    EXPECT_TRUE(change.at("old_record").is_null());
+    EXPECT_TRUE(change.at("new_record").is_null());
+  }
+  run_gougecheck(sample.path, sample.arguments("check", "pass.cl", {"--json", "before.json"}));
+  EXPECT_EQ(report.at("toolpath").at("moves_by_kind").at("rapid"),
+            Json::parse(text_of(sample.path + "/before.json")).at("toolpath").at("moves_by_kind").at("rapid"));
+}
+
 // Only what leaving out frees may be left out, and the tolerance of all others holds: nothing is worse anywhere.
 TEST(Trim, OfEverySampleIsCleanOrListsWhatItIsNot) {
   for (const std::string& name : sample_names()) {

@@ -12,8 +12,8 @@
 #include "tests/support/whole_check.h"
 
 // A ball cutter of 10 mm in a holder of 32 mm that reaches 50 mm above the tip, on a floor at z = 0 along y, and a wall
-// 12 mm beside it from y = -30 to 30, as high as a test says. The holder, 16 mm of radius, is in the wall from y = -30 -
-// sqrt(16^2 - 12^2) = -40.583 on.
+// 12 mm beside it from y = -30 to 30, as high as a test says. The holder, 16 mm of radius, is in the wall from y = -30
+// - sqrt(16^2 - 12^2) = -40.583 on.
 
 namespace gouge {
 namespace {

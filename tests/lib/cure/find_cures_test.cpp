@@ -42,8 +42,8 @@ struct AlongWall {
   }
 };
 
-// The tool turns about the centre of its ball, 5 mm above the floor. Leaning away by a, the rim of the holder, 16 mm off
-// the axis and 45 mm above that centre, is at x = 16 cos a - 45 sin a, below the top of the wall at x = 12.
+// The tool turns about the centre of its ball, 5 mm above the floor. Leaning away by a, the rim of the holder, 16 mm
+// off the axis and 45 mm above that centre, is at x = 16 cos a - 45 sin a, below the top of the wall at x = 12.
 TEST(FindCures, OfAHolderBesideAWallAreATiltAndALift) {
   const AlongWall wall(55);
   const std::vector<FindingCures> found = wall.solve();
