@@ -14,6 +14,7 @@
 #include "cli/stickouts.h"
 #include "lib/base/exit_code.h"
 #include "lib/certify/check.h"
+#include "lib/cure/find_cures.h"
 
 namespace gouge {
 
@@ -36,6 +37,8 @@ Result<StickoutOptions> understand_stickout(const CheckArguments& arguments) {
 void add_check_options(CLI::App& command, CheckArguments& check) {
   JobArguments& arguments = check.job;
   add_job_options(command, arguments);
+  command.add_flag("--find-cures", check.finds_cures,
+                   "Find for every gouge of shank, holder or head the tilt and the least lift that free it");
   CLI::Option* const finds = command.add_flag(
       "--find-stickout", check.finds_stickout,
       "Find for every tool the least longer stick-out with which shank, holder and heads gouge no more");
@@ -91,10 +94,16 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
     }
     stickouts = std::move(*found);
   }
+  const CureOptions cure_options;
+  std::vector<FindingCures> cures;
+  if (check_arguments.finds_cures)
+    cures = find_cures(job.toolpath, result, job.setup(scene), cure_options, progress.call());
   progress.end();
   ReportModel model = job.report(arguments, job.toolpath, result, scene);
   if (check_arguments.finds_stickout) model.stickout_options = *stickout;
   model.stickouts = std::move(stickouts);
+  if (check_arguments.finds_cures) model.cure_options = cure_options;
+  model.cures = std::move(cures);
   const PathFit fit = find_path_fit(job.toolpath, result.verdicts, job.tools(), scene, options->check.threads);
   if (const auto misfit = describe_misfit(job.toolpath, fit)) model.notes.push_back(*misfit);
   print_notes(err, model.notes, arguments);

@@ -10,6 +10,7 @@ namespace gouge {
 
 struct CheckArguments {
   JobArguments job;
+  bool finds_cures = false;
   bool finds_stickout = false;
   std::string stickout_step = "1", stickout_limit = "200";
 };

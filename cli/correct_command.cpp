@@ -1,6 +1,7 @@
 #include "cli/correct_command.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <ostream>
 #include <utility>
@@ -14,12 +15,81 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
 #include "lib/correct/correct_path.h"
+#include "lib/tilt/contact_pivot.h"
 #include "postproc/cldata/rewriting/list_written.h"
+#include "postproc/cldata/rewriting/record_texts.h"
 #include "postproc/cldata/rewriting/rewritable_moves.h"
 #include "postproc/cldata/rewriting/write_corrected.h"
+#include "postproc/report/axis_text.h"
+#include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
+
+/// The bytes of each change, each statement's once: those of a list of positions are long.
+class ChangeTexts {
+ public:
+  ChangeTexts(const Toolpath& before, const std::vector<PathChange>& changes, const Toolpath& after,
+              const std::vector<WrittenStatement>& written)
+      : texts_(before, changes, after, written), change_of_(before.moves.size(), nullptr) {
+    for (const PathChange& change : changes) change_of_[change.move] = &change;
+  }
+
+  /// To be asked for in the order of the records.
+  void put_into(CorrectedRecord& record, const ChangeRecord& of) {
+    if (change_of_[of.move] == nullptr) return;
+    if (of.move != move_) next_ = 0;
+    move_ = of.move;
+    const PathChange& change = *change_of_[of.move];
+    std::optional<std::size_t> place = change.inserted_before.size();
+    if (of.is_inserted) place = find(change, of.pose);
+    if (change.has_arc()) place.reset();
+    record.new_record = once(place ? texts_.after(of.move, *place) : texts_.after(of.move), last_new_);
+    // An inserted position replaces nothing.
+    if (!place || !of.is_inserted) record.old_record = once(texts_.before(of.move), last_old_);
+  }
+
+ private:
+  std::optional<std::size_t> find(const PathChange& change, const Pose& pose) {
+    for (std::size_t k = next_; k < change.inserted_before.size(); ++k) {
+      const Pose& there = change.inserted_before[k];
+      if (there.tip != pose.tip || there.axis != pose.axis) continue;
+      next_ = k + 1;
+      return k;
+    }
+    return std::nullopt;
+  }
+
+  static std::optional<std::string_view> once(const std::optional<std::string_view>& text, const char*& last) {
+    if (!text || text->data() == last) return std::nullopt;
+    last = text->data();
+    return text;
+  }
+
+  RecordTexts texts_;
+  std::vector<const PathChange*> change_of_;
+  std::size_t move_ = kNone, next_ = 0;  // the move asked for last, and the first of its positions not yet asked for
+  const char *last_old_ = nullptr, *last_new_ = nullptr;
+};
+
+CorrectedRecord corrected_record(const ChangeRecord& r, const Toolpath& before, ChangeTexts& texts) {
+  CorrectedRecord record;
+  record.move = r.move;
+  record.line = before.moves[r.move].line;
+  record.is_uncut = r.strategy == Strategy::trim;
+  const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt && !record.is_uncut;
+  record.strategy = is_between_shifts ? "inserted" : strategy_name(r.strategy);
+  record.is_inserted = r.is_inserted;
+  record.shift_mm = r.shift_mm;
+  record.shift_length_mm = r.shift_mm.norm();
+  record.tilt_rad = r.tilt_rad;
+  record.depth_before_mm = r.depth_before_mm;
+  record.depth_after_mm = r.depth_after_mm;
+  record.iterations = r.iterations;
+  if (r.cause != kNone) record.cause = r.cause;
+  texts.put_into(record, r);
+  return record;
+}
 
 CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions& options, const Correction& correction,
                          const Toolpath& before, const CheckResult& result, const Toolpath& after) {
@@ -29,8 +99,8 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   facts.max_shift_mm = options.max_shift_mm;
   facts.max_side_shift_mm = options.max_side_shift_mm;
   facts.rapid_clearance_mm = options.rapid_clearance_mm;
-  for (const WrittenStatement& written : list_written(before, correction.changes, after))
-    facts.written.push_back({written_name(written.kind), written.line});
+  const std::vector<WrittenStatement> all = list_written(before, correction.changes, after);
+  for (const WrittenStatement& written : all) facts.written.push_back({written_name(written.kind), written.line});
   for (const PathChange& change : correction.changes) {
     if (!change.is_straightened && change.inserted_arcs.empty()) continue;
     const auto arcs = std::ranges::count_if(change.inserted_arcs, [](const auto& arc) { return arc.has_value(); });
@@ -41,11 +111,11 @@ CorrectionFacts facts_of(const CorrectArguments& arguments, const CorrectOptions
   }
   facts.toolpath_before = &before;
   facts.result_before = &result;
-  for (const ChangeRecord& r : correction.records) {
-    const bool is_between_shifts = r.is_inserted && r.strategy != Strategy::tilt;
-    facts.changes.push_back({r.move, before.moves[r.move].line,
-                             is_between_shifts ? "inserted" : strategy_name(r.strategy), r.is_inserted, r.shift_mm,
-                             r.shift_mm.norm(), r.tilt_rad, r.depth_before_mm, r.depth_after_mm, r.iterations});
+  ChangeTexts texts(before, correction.changes, after, all);
+  for (const ChangeRecord& r : correction.records) facts.changes.push_back(corrected_record(r, before, texts));
+  for (const Uncut& u : correction.uncut) {
+    facts.uncut.push_back(
+        {u.first, u.last, before.moves[u.first].line, before.moves[u.last].line, u.positions, u.length_mm});
   }
   for (const Uncorrected& u : correction.uncorrected) {
     facts.uncorrected.push_back({u.move, before.moves[u.move].line, u.depth_mm, u.reason, u.is_changed});
@@ -100,8 +170,9 @@ class CorrectRun {
     model.correction = facts_of(arguments_, correct_, correction, job_.toolpath, before, path);
     model.correction.output_bytes = text;
     model.correction.axes = measure_axes(job_.toolpath, correction.changes, path, limit_);
-    if (limit_) model.more_options.push_back({"max-rotary-speed", arguments_.max_rotary_speed});
+    for (OptionText& limit : limits_in_force(arguments_)) model.more_options.push_back(std::move(limit));
     add_not_tilted(correction.not_tilted, model.notes);
+    add_left_stock(correction.records, model.notes);
     if (misfit) model.notes.push_back(*misfit);
     print_notes(err_, model.notes, arguments_.job);
     const bool is_written = outputs_.write(job_, scene, model, progress_, context_.out, err_);
@@ -120,6 +191,31 @@ class CorrectRun {
           "lifted where that helps, not tilted, down to line " + std::to_string(last) + ": " + runs[k].reason;
       if (k == 0 && runs.size() > 1) message += "; and " + count_text(runs.size() - 1, "more run") + " (-v)";
       notes.push_back((k == 0 ? make_warning : make_note)("not-tilted", message, job_.toolpath.file, first));
+    }
+  }
+
+  /// A warning for each tool with a flat end that was tilted: what it cut square to its axis it now touches with its
+  /// edge.
+  void add_left_stock(const std::vector<ChangeRecord>& records, Diagnostics& notes) const {
+    const Toolpath& path = job_.toolpath;
+    for (std::size_t tool = 0; tool < path.tools.size(); ++tool) {
+      const ChangeRecord* first = nullptr;
+      double most_rad = 0;
+      for (const ChangeRecord& record : records) {
+        if (record.strategy != Strategy::tilt || path.moves[record.move].tool != tool) continue;
+        if (first == nullptr) first = &record;
+        most_rad = std::max(most_rad, record.tilt_rad);
+      }
+      if (first == nullptr || !job_.variants[tool]) continue;
+      const SupportStretch end = support_stretch(job_.variants[tool]->cutting, {0, -1});
+      const double left_mm = 2 * std::max(end.a.x(), end.b.x()) * std::sin(most_rad);
+      if (left_mm <= job_.options.check.tolerance_mm) continue;
+      notes.push_back(make_warning(
+          "tilt-leaves-stock",
+          tool_label(path, tool) + " has a flat end and is tilted by up to " + angle_text(most_rad, DegreeSign::word) +
+              ": where it cut square to its axis its edge alone does now, which leaves up to " +
+              depth_text(left_mm, path.unit) + " more; no check of gouges sees that",
+          path.file, path.moves[first->move].line));
     }
   }
 

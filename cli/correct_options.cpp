@@ -15,7 +15,7 @@ constexpr double kDegree = std::numbers::pi / 180;
 constexpr double kMostTilt = 89, kMostCone = 180, kMostTurn = 1e6;
 
 constexpr const char* kExpectedStrategy =
-    "auto, tilt, normal, weighted, axis or direction=I,J,K, for all bodies or after cutter=, shank=, holder= or head= "
+    "auto, tilt, normal, weighted, axis, trim or direction=I,J,K, for all bodies or after cutter=, shank=, holder= or head= "
     "for one";
 constexpr std::string_view kDirection = "direction=";
 
@@ -28,7 +28,8 @@ Result<double> understand_degrees(const std::string& option, const std::string& 
 /// The strategy called `name` for `body`; nothing where there is none.
 std::optional<Strategy> strategy_called(const std::string& name, std::size_t body) {
   if (name == "auto") return BodyStrategies{}.of[body];
-  for (const Strategy strategy : {Strategy::weighted, Strategy::axis, Strategy::tilt, Strategy::normal}) {
+  for (const Strategy strategy :
+       {Strategy::weighted, Strategy::axis, Strategy::tilt, Strategy::normal, Strategy::trim}) {
     if (name == strategy_name(strategy)) return strategy;
   }
   return name.starts_with(kDirection) ? std::optional(Strategy::direction) : std::nullopt;
@@ -158,6 +159,20 @@ Result<CorrectOptions> understand_correction(const CorrectArguments& arguments) 
   return options;
 }
 
+std::vector<OptionText> limits_in_force(const CorrectArguments& arguments) {
+  std::vector<OptionText> limits = {
+      {"max-tilt", arguments.max_tilt}, {"tilt", arguments.tilt}, {"blend", arguments.blend}};
+  const auto add = [&](const char* name, const std::string& typed) {
+    if (!typed.empty()) limits.push_back({name, typed});
+  };
+  add("axis-cone", arguments.axis_cone);
+  add("max-turn", arguments.max_turn);
+  add("max-turn-step", arguments.max_turn_step);
+  add("allow-multax", arguments.may_add_axes ? "yes" : "");
+  add("max-rotary-speed", arguments.max_rotary_speed);
+  return limits;
+}
+
 std::string strategies_text(const CorrectArguments& arguments) {
   std::string text;
   for (const std::string& one : arguments.strategies) text += (text.empty() ? "" : ", ") + one;
@@ -175,8 +190,9 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
       .add_option(
           "--strategy", arguments.strategies,
           "auto: shift the cutter (weighted), tilt shank, holder and heads away, else lift along the axis; tilt; "
-          "weighted: shift by the contacts' weighted mean, else along the axis; axis: lift alone; or for one "
-          "body: holder=tilt. May be repeated (default: auto)")
+          "weighted: shift by the contacts' weighted mean, else along the axis; axis: lift alone; trim: leave the "
+          "gouging stretch out (retract, cross, come down again); or for one body: holder=tilt. May be repeated "
+          "(default: auto)")
       ->type_name("[BODY=]NAME")
       ->allow_extra_args(false);
   command.add_option("--max-shift", arguments.max_shift, "Furthest a position may be moved")
@@ -187,8 +203,10 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
                   "Furthest a position may be moved across its tool axis (default: its depth times 2)")
       ->type_name("LENGTH");
   command
-      .add_option("--rapid-clearance", arguments.rapid_clearance,
-                  "How far rapids that must change keep off, where there is room within --max-shift")
+      .add_option(
+          "--rapid-clearance", arguments.rapid_clearance,
+          "How far rapids that must change, and crossings above what is left out, keep off, where there is room "
+          "within --max-shift")
       ->type_name("LENGTH")
       ->capture_default_str();
   add_tilt_options(command, arguments);

@@ -5,6 +5,7 @@
 
 #include "cli/job_options.h"
 #include "lib/correct/correct_path.h"
+#include "postproc/report/report_model.h"
 
 namespace gouge {
 
@@ -28,6 +29,10 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments);
 
 /// Errors (code usage): names the option, what was typed and what was expected.
 [[nodiscard]] Result<CorrectOptions> understand_correction(const CorrectArguments& arguments);
+
+/// What bounds a correction beside the facts of CorrectionFacts, for the options of a report, as typed: those of tilts
+/// that hold whatever was typed, all others where they were given.
+[[nodiscard]] std::vector<OptionText> limits_in_force(const CorrectArguments& arguments);
 
 /// As a report names them: "auto", "axis", "cutter=axis, holder=tilt".
 [[nodiscard]] std::string strategies_text(const CorrectArguments& arguments);

@@ -5,12 +5,11 @@
 #include <utility>
 
 #include "lib/correct/bridger.h"
+#include "lib/correct/lifts.h"
 
 namespace gouge {
 namespace {
 
-constexpr double kFirstLift_mm = 0.25;
-constexpr double kLiftGrowth = 1.4;
 constexpr double kGap_mm = 0.02;       // how well the worst instant of a gouging motion is found
 constexpr double kStraight_mm = 1e-3;  // how far off its neighbours' straight path a position may be left out
 constexpr double kStraightAxis = 1e-5;
@@ -70,7 +69,7 @@ std::optional<BridgeNodes> Bridger::corner(const BridgeNode& u, const BridgeNode
 /// The crossing keeps `clearance_mm`; what leads up to it and down again does not.
 std::optional<BridgeNodes> Bridger::over(const BridgeNode& from, const BridgeNode& to, double clearance_mm) {
   const MoveVerdict direct = check(motion_between(from.pose(), to.pose()));
-  for (double lift = kFirstLift_mm; lift <= task_.limits.largest_shift_mm; lift *= kLiftGrowth) {
+  for (const double lift : lifts_up_to(task_.limits.largest_shift_mm)) {
     const Pose up = lifted(from.pose(), lift), down = lifted(to.pose(), lift);
     const bool is_free = is_clean(from.pose(), up) && is_clean(down, to.pose());
     if (is_free && is_clean(up, down, clearance_mm)) {

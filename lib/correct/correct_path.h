@@ -35,7 +35,9 @@ struct ChangeRecord {
   double depth_before_mm = 0;    ///< at the position (inserted or tilted: of the motion there)
   double depth_after_mm = 0;
   int iterations = 0;
-  double tilt_rad = 0;  ///< between the axis as it was there and as it is
+  double tilt_rad = 0;        ///< between the axis as it was there and as it is
+  Pose pose;                  ///< where the position is now; of an arc that stays one, its end
+  std::size_t cause = kNone;  ///< the move of the path as it was whose gouge it cures; kNone: none is beside it
 };
 
 /// A move that still gouges, or is buried, and why.
@@ -52,21 +54,29 @@ struct NotTilted {
   std::string reason;
 };
 
+/// A stretch of moves [first, last] that is left out: the tool passes above it.
+struct Uncut {
+  std::size_t first = 0, last = 0;
+  std::size_t positions = 0;  ///< programmed ones that are not visited
+  double length_mm = 0;       ///< of the programmed feeds
+};
+
 struct Correction {
   std::vector<PathChange> changes;  ///< in path order, for write_corrected
   std::vector<ChangeRecord> records;
   std::vector<Uncorrected> uncorrected;
   std::vector<NotTilted> not_tilted;
+  std::vector<Uncut> uncut;  ///< in path order
 };
 
 /// The changes as they are proposed. Each motion that they touch has been checked by itself and is no worse than it
 /// was.
 ///
 /// Requires `result` from check() with the same path and setup.
-/// Ensures  (1) But for tilts only positions at the ends of gouging moves are moved, and only when they are themselves
-///          too deep; none further than max_shift, nor further than max_side_shift across the tool axis.
-///          (2) The tool axis changes in the runs of lib/tilt alone: about moves of which a body gouges whose strategy
-///          is to tilt.
+/// Ensures  (1) But for tilts and what is left out only positions at the ends of gouging moves are moved, and only when
+///          they are themselves too deep; none further than max_shift, nor further than max_side_shift across the tool
+///          axis. (2) The tool axis changes in the runs of lib/tilt alone: about moves of which a body gouges whose
+///          strategy is to tilt; and where a stretch is left out, above it (lib/correct/plan_trims.h).
 ///          (3) the same proposal at any number of threads.
 /// Source   thesis 5.3 (weighted, iterated); tilting, lifting, inserting and taking back are ours:
 ///          docs/algorithms/correction.md, docs/algorithms/tilting.md.

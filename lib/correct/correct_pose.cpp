@@ -66,7 +66,7 @@ std::optional<CorrectedPose> iterate(ShiftOfContacts shift_of, Strategy strategy
 }  // namespace
 
 const char* strategy_name(Strategy strategy) {
-  constexpr std::array kNames = {"weighted", "axis", "tilt", "normal", "direction"};
+  constexpr std::array kNames = {"weighted", "axis", "tilt", "normal", "direction", "trim"};
   return kNames.at(static_cast<std::size_t>(strategy));
 }
 

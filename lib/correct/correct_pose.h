@@ -7,12 +7,12 @@
 #include "lib/certify/motion_checker.h"
 #include "lib/contact/contacts.h"
 
-// Strategies that bring one pose out of the surface by moving the tip; the tool axis stays as it is. Tilts are of runs of
-// positions (lib/tilt); what no tilt frees is lifted along the axis.
+// Strategies that bring one pose out of the surface by moving the tip; the tool axis stays as it is. Tilts are of runs
+// of positions (lib/tilt); what no tilt frees is lifted along the axis. What is trimmed is left out (plan_trims.h).
 
 namespace gouge {
 
-enum class Strategy { weighted, axis, tilt, normal, direction };
+enum class Strategy { weighted, axis, tilt, normal, direction, trim };
 [[nodiscard]] const char* strategy_name(Strategy strategy);
 
 /// Which strategy cures a gouge of which body.
@@ -66,7 +66,7 @@ struct CorrectedPose {
                                                                    const MotionChecker& checker,
                                                                    const PoseLimits& limits);
 
-/// `wanted` alone: nothing where it finds no place, or leaves a head too deep, or is to tilt.
+/// `wanted` alone: nothing where it finds no place, or leaves a head too deep, or is to tilt or to trim.
 [[nodiscard]] std::optional<CorrectedPose> correct_as(Strategy wanted, const Pose& pose, const ToolVariants& tool,
                                                       const MotionChecker& checker, const PoseLimits& limits);
 

@@ -17,7 +17,7 @@ constexpr int kPlaces = 16;
 constexpr int kGrowths = 3;
 
 /// One record for the whole arc, by the deepest of those of its pieces.
-void join_records(std::size_t move, const Vec3& shift, bool is_inserted, Correction& correction) {
+void join_records(std::size_t move, const Vec3& shift, const Pose& end, bool is_inserted, Correction& correction) {
   std::vector<ChangeRecord>& all = correction.records;
   const auto of_move = [move](const ChangeRecord& record) { return record.move == move; };
   const auto first = std::find_if(all.begin(), all.end(), of_move);
@@ -31,6 +31,7 @@ void join_records(std::size_t move, const Vec3& shift, bool is_inserted, Correct
   }
   joined.is_inserted = is_inserted;
   joined.shift_mm = shift;
+  joined.pose = end;
   const auto slot = static_cast<std::size_t>(first - all.begin());
   std::erase_if(all, of_move);
   all.insert(all.begin() + static_cast<std::ptrdiff_t>(slot), joined);
@@ -75,7 +76,7 @@ class ArcKeeper {
     change.is_straightened = false;
     change.inserted_before.clear();
     change.new_arc = arc;
-    join_records(change.move, task.new_end.tip - task.end.tip, false, correction_);
+    join_records(change.move, task.new_end.tip - task.end.tip, task.new_end, false, correction_);
     return true;
   }
 
@@ -85,7 +86,7 @@ class ArcKeeper {
     std::optional<std::vector<ArcPiece>> pieces = split_arc(task, change.inserted_before, k_.checker);
     if (!pieces) return false;
     const Vec3 shift = task.new_end.tip - task.end.tip;
-    join_records(change.move, shift, !change.new_end, correction_);
+    join_records(change.move, shift, task.new_end, !change.new_end, correction_);
     change.new_arc = pieces->back().arc;
     change.is_straightened = !change.new_arc;
     pieces->pop_back();
@@ -151,6 +152,7 @@ class ArcKeeper {
     for (ChangeRecord& record : correction_.records) {
       if (record.move != move || record.is_inserted) continue;
       record.shift_mm = pose.tip - k_.path.moves[move].end.tip;
+      record.pose = pose;
       record.depth_after_mm = k_.checker.measure(pose, k_.path.moves[move].kind, tool_of(move)).depth_mm;
     }
   }

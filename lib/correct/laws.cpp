@@ -82,7 +82,10 @@ class LawsCheck {
     if (own.tool != old.tool || own.not_checked_reason != old.not_checked_reason) return false;
     const bool may_end_elsewhere = change != nullptr && (change->new_end || change->hole_shift_mm);
     if (!may_end_elsewhere && !is_same(own.end, old.end)) return false;
-    if (own.kind != old.kind && !(change != nullptr && change->is_straightened)) return false;
+    const bool is_rapid_asked = change != nullptr && change->is_end_at_rapid();
+    if (is_rapid_asked ? own.kind != MoveKind::rapid
+                       : own.kind != old.kind && !(change != nullptr && change->is_straightened))
+      return false;
     if (change != nullptr && change->has_arc() && !turns_as_asked(*change, b, span)) return false;
     const MoveVerdict& was = before_.result->verdicts[i];
     if (is_same_motion(a, i, b, span.last - 1) && span.last - span.first == 1)

@@ -340,12 +340,12 @@ void PathCorrector::gather_records(std::size_t i, Correction& correction) const 
   for (const BridgePose& stop : moves_[i].inserted) {
     const double after = depth_at(stop.corrected.pose, path_.moves[i].kind, *tools_[path_.moves[i].tool]);
     correction.records.push_back({i, stop.corrected.strategy, true, stop.corrected.pose.tip - stop.before.tip,
-                                  stop.depth_before_mm, after, stop.corrected.iterations});
+                                  stop.depth_before_mm, after, stop.corrected.iterations, 0, stop.corrected.pose});
   }
   const PositionWork& p = positions_[i];
   if (!p.corrected) return;
   correction.records.push_back({i, p.corrected->strategy, false, p.corrected->pose.tip - path_.moves[i].end.tip,
-                                p.depth_before_mm, p.depth_after_mm, p.corrected->iterations});
+                                p.depth_before_mm, p.depth_after_mm, p.corrected->iterations, 0, p.corrected->pose});
 }
 
 void PathCorrector::gather_failure(std::size_t i, Correction& correction) const {

@@ -1,10 +1,11 @@
 #include "lib/correct/proposer.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "lib/correct/keep_arcs.h"
-#include "lib/correct/straighten.h"
 #include "lib/correct/tilt_path.h"
+#include "lib/path/path_info.h"
 
 namespace gouge {
 namespace {
@@ -31,43 +32,104 @@ Proposer::Proposer(const Toolpath& path, const CheckResult& result, const CheckS
 }
 
 void Proposer::plan_tilting(const ProgressCall& progress) {
-  const std::vector<bool> is_wanted = moves_to_tilt(path_, result_, correct_.strategies);
   const bool has_axes = correct_.rewritable == nullptr || correct_.rewritable->has_axes || correct_.may_add_axes;
-  const bool is_any = std::ranges::find(is_wanted, true) != is_wanted.end();
-  const auto near = is_any && has_axes ? moves_near(path_, is_wanted, correct_.tilt.blend_mm) : std::vector<bool>();
-  straight_ = straighten(path_, result_, tools_, checker_, near);
-  if (!is_any) return;
-  const ReworkedPath* const base = straight_ ? &*straight_ : nullptr;
-  const Toolpath& path = base != nullptr ? base->path : path_;
-  const CheckResult& result = base != nullptr ? base->result : result_;
-  const std::vector<bool> is_wanted_here = moves_to_tilt(path, result, correct_.strategies);
-  if (has_axes) {
-    plan_ = plan_tilts({path, result, tools_, checker_, correct_.tilt, is_wanted_here}, progress);
-    return;
-  }
-  for (std::size_t i = 0; i < is_wanted_here.size(); ++i) {
-    if (is_wanted_here[i]) plan_.failed.push_back({i, i, kNoAxes});
+  TiltProposal proposal =
+      propose_tilts({path_, result_, tools_, checker_, correct_.strategies, correct_.tilt, has_axes}, progress);
+  straight_ = std::move(proposal.straight);
+  plan_ = std::move(proposal.plan);
+  for (std::size_t i = 0; i < proposal.is_wanted.size() && !has_axes; ++i) {
+    if (proposal.is_wanted[i]) plan_.failed.push_back({i, i, kNoAxes});
   }
 }
 
 void Proposer::rework() {
   tilted_.reset();
   if (!plan_.runs.empty()) tilted_ = tilt_path(path_, result_, straight_, plan_, tools_, checker_);
-  const ReworkedPath* const last = tilted_ ? &*tilted_ : straight_ ? &*straight_ : nullptr;
-  corrector_ = std::make_unique<PathCorrector>(last != nullptr ? last->path : path_,
-                                               last != nullptr ? last->result : result_, tools_, checker_, correct_);
+  plan_trimming();
+  const ReworkedPath* const base = last();
+  corrector_ = std::make_unique<PathCorrector>(base != nullptr ? base->path : path_,
+                                               base != nullptr ? base->result : result_, tools_, checker_, correct_);
   for (const auto& [move, reason] : kept_) keep_pieces(move, reason);
+  for (const Untrimmed& failed : trims_.failed) {
+    for (std::size_t i = failed.first; i <= failed.last; ++i)
+      keep_pieces(untrimmed() != nullptr ? untrimmed()->origin[i] : i, failed.reason);
+  }
+}
+
+const ReworkedPath* Proposer::untrimmed() const { return tilted_ ? &*tilted_ : straight_ ? &*straight_ : nullptr; }
+const ReworkedPath* Proposer::last() const { return trimmed_ ? &*trimmed_ : untrimmed(); }
+
+// Rapids are lifted over what is in their way whatever the strategy: that leaves nothing uncut.
+void Proposer::plan_trimming() {
+  trimmed_.reset();
+  trims_ = TrimPlan();
+  const ReworkedPath* const base = untrimmed();
+  const Toolpath& path = base != nullptr ? base->path : path_;
+  const CheckResult& result = base != nullptr ? base->result : result_;
+  std::vector<bool> is_wanted = moves_to(Strategy::trim, path, result, correct_.strategies);
+  std::vector<Untrimmed> given_up;
+  for (std::size_t i = 0; i < is_wanted.size(); ++i) {
+    if (!is_wanted[i]) continue;
+    is_wanted[i] = path.moves[i].kind != MoveKind::rapid;
+    const std::size_t origin = base != nullptr ? base->origin[i] : i;
+    const auto refused = not_trimmed_.find(origin);
+    if (refused == not_trimmed_.end()) continue;
+    is_wanted[i] = false;
+    given_up.push_back({i, i, refused->second});
+  }
+  if (std::ranges::find(is_wanted, true) != is_wanted.end()) {
+    const bool can_write_rapids = correct_.rewritable != nullptr && correct_.rewritable->has_rapids;
+    trims_ = plan_trims({path, result, tools_, checker_, is_wanted, correct_.max_shift_mm, correct_.rapid_clearance_mm,
+                         can_write_rapids});
+  }
+  trims_.failed.insert(trims_.failed.end(), given_up.begin(), given_up.end());
+  if (trims_.trims.empty()) return;
+  std::vector<NewPosition> positions;
+  for (const Trim& trim : trims_.trims) positions.insert(positions.end(), trim.positions.begin(), trim.positions.end());
+  trimmed_ = with_positions(path_, result_, base, positions, tools_, checker_);
 }
 
 Correction Proposer::propose(const ProgressCall& progress) {
   Correction correction = corrector_->propose(progress);
-  if (tilted_ || straight_) {
-    correction = restore_moves(tilted_ ? *tilted_ : *straight_, path_, result_, std::move(correction));
-    if (!can_keep_arc_.empty()) keep_arcs({path_, tools_, checker_, correct_, can_keep_arc_, can_split_}, correction);
+  if (last() != nullptr) {
+    correction = restore_moves(*last(), path_, result_, std::move(correction));
+    if (!can_keep_arc_.empty()) {
+      // What is partly left out is no arc any more.
+      std::vector<bool> can_keep = can_keep_arc_;
+      for (const Trim& trim : trims_.trims) {
+        for (const NewPosition& p : trim.positions)
+          can_keep[untrimmed() ? untrimmed()->origin[p.move] : p.move] = false;
+      }
+      keep_arcs({path_, tools_, checker_, correct_, can_keep, can_split_}, correction);
+    }
   }
   add_tilts(correction);
+  add_trims(correction);
   add_holes(correction);
+  // A position is changed for the gouge of its own move or of one beside it.
+  for (ChangeRecord& record : correction.records) {
+    if (record.cause == kNone) record.cause = deepest(record.move, record.move);
+    const std::size_t before = record.move > 0 ? record.move - 1 : 0;
+    if (record.cause == kNone) record.cause = deepest(before, std::min(record.move + 1, path_.moves.size() - 1));
+  }
   return correction;
+}
+
+// What is buried is deeper than anything that has a depth.
+std::size_t Proposer::deepest(std::size_t first, std::size_t last) const {
+  std::size_t found = kNone;
+  double most_mm = -1;
+  for (std::size_t i = first; i <= last; ++i) {
+    const MoveVerdict& verdict = result_.verdicts[i];
+    const bool is_buried = verdict.state == MoveState::buried;
+    if (!is_buried && verdict.state != MoveState::gouge) continue;
+    const double depth_mm = is_buried ? std::numeric_limits<double>::infinity() : verdict.depth_mm;
+    if (depth_mm > most_mm) {
+      found = i;
+      most_mm = depth_mm;
+    }
+  }
+  return found;
 }
 
 bool Proposer::give_up_arc(const std::vector<PathChange>& changes, std::size_t move) {
@@ -79,7 +141,7 @@ bool Proposer::give_up_arc(const std::vector<PathChange>& changes, std::size_t m
 
 void Proposer::keep(std::size_t move, const std::string& reason) {
   std::erase_if(holes_, [move](const HolePlan& hole) { return move + 1 >= hole.first && move <= hole.last; });
-  if (give_up_tilt(move, reason)) return rework();
+  if (give_up_trim(move, reason) || give_up_tilt(move, reason)) return rework();
   kept_.emplace_back(move, reason);
   keep_pieces(move, reason);
 }
@@ -87,6 +149,7 @@ void Proposer::keep(std::size_t move, const std::string& reason) {
 void Proposer::keep_all(const std::string& reason) {
   for (SmoothedRun& run : plan_.runs) plan_.failed.push_back({run.first_wanted, run.last_wanted, reason});
   plan_.runs.clear();
+  for (std::size_t i = 0; i < path_.moves.size(); ++i) not_trimmed_.emplace(i, reason);
   rework();
   for (std::size_t i = 0; i < path_.moves.size(); ++i) keep(i, reason);
 }
@@ -107,9 +170,22 @@ bool Proposer::give_up_tilt(std::size_t move, const std::string& reason) {
   return true;
 }
 
+bool Proposer::give_up_trim(std::size_t move, const std::string& reason) {
+  const ReworkedPath* const base = untrimmed();
+  const auto origin = [&](std::size_t i) { return base != nullptr ? base->origin[i] : i; };
+  bool is_any = false;
+  for (const Trim& trim : trims_.trims) {
+    // A move whose start is above the path is of it too.
+    if (move < origin(trim.begin.move) || move > origin(trim.end.move)) continue;
+    is_any = true;
+    for (std::size_t i = origin(trim.begin.move); i <= origin(trim.end.move); ++i) not_trimmed_.emplace(i, reason);
+  }
+  return is_any;
+}
+
 void Proposer::keep_pieces(std::size_t move, const std::string& reason) {
-  if (!tilted_ && !straight_) return corrector_->keep(move, reason);
-  const std::vector<std::size_t>& origin = (tilted_ ? tilted_ : straight_)->origin;
+  if (last() == nullptr) return corrector_->keep(move, reason);
+  const std::vector<std::size_t>& origin = last()->origin;
   for (auto piece = std::lower_bound(origin.begin(), origin.end(), move); piece != origin.end() && *piece == move;
        ++piece)
     corrector_->keep(static_cast<std::size_t>(piece - origin.begin()), reason);
@@ -117,6 +193,7 @@ void Proposer::keep_pieces(std::size_t move, const std::string& reason) {
 
 void Proposer::add_tilts(Correction& correction) const {
   for (const SmoothedRun& run : plan_.runs) {
+    const std::size_t cause = deepest(origin_of(run.first_wanted), origin_of(run.last_wanted));
     for (const TiltedPosition& p : run.positions) {
       const Move& move = path_.moves[origin_of(p.move)];
       const ToolVariants& tool = *tools_[move.tool];
@@ -124,7 +201,7 @@ void Proposer::add_tilts(Correction& correction) const {
                                        origin_of(p.move + 1) != origin_of(p.move));
       correction.records.push_back({origin_of(p.move), Strategy::tilt, !is_end, p.pose.tip - p.programmed.tip,
                                     result_.verdicts[origin_of(p.move)].depth_mm,
-                                    checker_.measure(p.pose, move.kind, tool).depth_mm, 0, p.tilt_rad});
+                                    checker_.measure(p.pose, move.kind, tool).depth_mm, 0, p.tilt_rad, p.pose, cause});
     }
   }
   for (const UntiltedRun& run : plan_.failed) {
@@ -132,6 +209,32 @@ void Proposer::add_tilts(Correction& correction) const {
     for (Uncorrected& left : correction.uncorrected) {
       if (left.move >= origin_of(run.first_wanted) && left.move <= origin_of(run.last_wanted))
         left.reason = run.reason + "; " + left.reason;
+    }
+  }
+}
+
+void Proposer::add_trims(Correction& correction) const {
+  const ReworkedPath* const base = untrimmed();
+  const auto origin = [&](std::size_t i) { return base != nullptr ? base->origin[i] : i; };
+  for (const Trim& trim : trims_.trims) {
+    const std::size_t first = origin(trim.begin.move), last = origin(trim.end.move);
+    const std::size_t cause = deepest(first, last);
+    correction.uncut.push_back({first, last, trim.uncut_positions, trim.uncut_mm});
+    for (std::size_t k = 0; k < trim.positions.size(); ++k) {
+      const NewPosition& p = trim.positions[k];
+      const std::size_t move = origin(p.move);
+      const bool is_end =
+          p.is_end && (base == nullptr || p.move + 1 == base->origin.size() || origin(p.move + 1) != move);
+      const Pose& was = trim.programmed[k];
+      correction.records.push_back({move, Strategy::trim, !is_end, p.pose.tip - was.tip,
+                                    result_.verdicts[move].depth_mm,
+                                    checker_.measure(p.pose, p.kind, *tools_[path_.moves[move].tool]).depth_mm, 0,
+                                    angle_between_rad(p.pose.axis, was.axis), p.pose, cause});
+    }
+  }
+  for (const Untrimmed& failed : trims_.failed) {
+    for (Uncorrected& left : correction.uncorrected) {
+      if (left.move >= origin(failed.first) && left.move <= origin(failed.last)) left.reason = failed.reason;
     }
   }
 }
@@ -144,8 +247,16 @@ void Proposer::add_holes(Correction& correction) const {
     change.move = hole.first;
     change.hole_shift_mm = hole.shift_mm;
     correction.changes.push_back(change);
-    correction.records.push_back(
-        {hole.first, Strategy::axis, false, hole.shift_mm, hole.depth_before_mm, hole.depth_after_mm, 1});
+    correction.records.push_back({hole.first,
+                                  Strategy::axis,
+                                  false,
+                                  hole.shift_mm,
+                                  hole.depth_before_mm,
+                                  hole.depth_after_mm,
+                                  1,
+                                  0,
+                                  {path_.moves[hole.first].end.tip + hole.shift_mm, path_.moves[hole.first].end.axis},
+                                  deepest(hole.first, hole.last - 1)});
     std::erase_if(correction.uncorrected, is_of_it);
   }
   sort_by_move(correction.changes);

@@ -19,11 +19,47 @@ Toolpath without_moves(const Toolpath& path) {
   return bare;
 }
 
-void ReworkedPath::add(const Move& move, std::size_t from, bool tilted, const MoveVerdict& verdict) {
+void ReworkedPath::add(const Move& move, std::size_t from, bool moved, const MoveVerdict& verdict) {
   path.moves.push_back(move);
   origin.push_back(from);
-  is_tilted.push_back(tilted);
+  is_moved.push_back(moved);
   result.verdicts.push_back(verdict);
+}
+
+ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, const ReworkedPath* base,
+                            const std::vector<NewPosition>& positions, const std::vector<const ToolVariants*>& tools,
+                            const MotionChecker& checker) {
+  const std::vector<Move>& moves = base != nullptr ? base->path.moves : path.moves;
+  const std::vector<MoveVerdict>& verdicts = base != nullptr ? base->result.verdicts : result.verdicts;
+  const CheckOptions& options = checker.options();
+  ReworkedPath moved;
+  moved.path = without_moves(path);
+  const auto add = [&](const Move& move, std::size_t origin) {
+    const bool is_dogleg = move.kind == MoveKind::rapid && options.rapid == RapidMode::dogleg;
+    const Motion motion = move.has_start ? Motion(moved.path.moves.back().end, move.end, is_dogleg) : Motion(move.end);
+    moved.add(move, origin, true, checker.check(motion, move.kind, *tools[move.tool], options, true));
+  };
+  auto next = positions.begin();
+  bool is_start_moved = false;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    const std::size_t origin = base != nullptr ? base->origin[i] : i;
+    const Move& move = moves[i];
+    if ((next == positions.end() || next->move != i) && !(is_start_moved && move.has_start)) {
+      is_start_moved = false;
+      moved.add(move, origin, base != nullptr && base->is_moved[i], verdicts[i]);
+      continue;
+    }
+    is_start_moved = false;
+    for (; next != positions.end() && next->move == i; ++next) {
+      Move piece = move;
+      piece.end = next->pose;
+      piece.kind = next->kind;
+      add(piece, origin);
+      is_start_moved = next->is_end;
+    }
+    if (!is_start_moved) add(move, origin);
+  }
+  return moved;
 }
 
 namespace {
@@ -75,17 +111,23 @@ Correction restore_moves(const ReworkedPath& reworked, const Toolpath& path, con
     all.move = reworked.origin[first];
     for (last = first; last < reworked.origin.size() && reworked.origin[last] == all.move; ++last) {
       const PathChange* change = change_of[last];
-      whole.is_changed = whole.is_changed || change != nullptr || reworked.is_tilted[last];
+      whole.is_changed = whole.is_changed || change != nullptr || reworked.is_moved[last];
       if (change != nullptr) {
         all.inserted_before.insert(all.inserted_before.end(), change->inserted_before.begin(),
                                    change->inserted_before.end());
       }
+      // What a later stage inserted before the end of a piece is reached as that piece is.
+      const bool is_rapid =
+          reworked.path.moves[last].kind == MoveKind::rapid && path.moves[all.move].kind != MoveKind::rapid;
+      all.at_rapid.resize(all.inserted_before.size(), is_rapid);
       const bool has_new_end = change != nullptr && change->new_end;
       const Pose& end = has_new_end ? *change->new_end : reworked.path.moves[last].end;
       const bool is_last = last + 1 == reworked.origin.size() || reworked.origin[last + 1] != all.move;
       if (!is_last) all.inserted_before.push_back(end);
+      all.at_rapid.push_back(is_rapid);
       if (is_last && (has_new_end || !is_same(end, path.moves[all.move].end))) all.new_end = end;
     }
+    if (std::ranges::find(all.at_rapid, true) == all.at_rapid.end()) all.at_rapid.clear();
     whole.was_curve = is_curve(path.moves[all.move]) && reworked.path.moves[first].curve_kind == CurveKind::none;
     whole.is_changed = whole.is_changed || all.new_end.has_value();
     all.is_straightened = whole.was_curve;

@@ -2,20 +2,38 @@
 
 #include <vector>
 
+#include "lib/certify/motion_checker.h"
 #include "lib/correct/correct_path.h"
 
 namespace gouge {
 
-/// A path some moves of which became others: curves became chords, straight moves were tilted and cut into pieces.
+/// A path some moves of which became others: curves became chords, straight moves were tilted, or left out, and cut
+/// into pieces.
 struct ReworkedPath {
   Toolpath path;                    ///< moves, arcs and splines only; no source
   std::vector<std::size_t> origin;  ///< of each of its moves: which move of the path as it was. They do not fall.
-  std::vector<bool> is_tilted;      ///< of each of its moves: it is not on the path as it was
+  std::vector<bool> is_moved;       ///< of each of its moves: it is not on the path as it was
   CheckResult result;               ///< verdicts of its moves; no events
 
   /// One more move.
-  void add(const Move& move, std::size_t from, bool tilted, const MoveVerdict& verdict);
+  void add(const Move& move, std::size_t from, bool moved, const MoveVerdict& verdict);
 };
+
+/// A position that a straight move goes to: in place of its end, or on the way to it.
+struct NewPosition {
+  std::size_t move = 0;
+  bool is_end = true;  ///< the last of its move, and in place of its end
+  Pose pose;
+  MoveKind kind = MoveKind::feed;  ///< how it is reached
+};
+
+/// A path with `positions`, in path order, in place of what their moves were.
+///
+/// `base`: the path was reworked before: `positions` are of its moves; null: of `path` itself.
+/// Ensures  every move that is not as it was in the base is checked by itself.
+[[nodiscard]] ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, const ReworkedPath* base,
+                                          const std::vector<NewPosition>& positions,
+                                          const std::vector<const ToolVariants*>& tools, const MotionChecker& checker);
 
 [[nodiscard]] bool is_curve(const Move& move);
 

@@ -1,50 +1,50 @@
 #include "lib/correct/tilt_path.h"
 
+#include <algorithm>
+
+#include "lib/correct/straighten.h"
+
 namespace gouge {
 
-std::vector<bool> moves_to_tilt(const Toolpath& path, const CheckResult& result, const BodyStrategies& strategies) {
+std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckResult& result,
+                           const BodyStrategies& strategies) {
   std::vector<bool> is_wanted(path.moves.size(), false);
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const MoveVerdict& verdict = result.verdicts[i];
-    is_wanted[i] =
-        verdict.state == MoveState::gouge && verdict.witness && strategies[verdict.witness->body] == Strategy::tilt;
+    const bool is_buried = verdict.state == MoveState::buried && wanted == Strategy::trim;
+    const bool is_gouge = verdict.state == MoveState::gouge && verdict.witness;
+    if (!is_buried && !is_gouge) continue;
+    is_wanted[i] = strategies[is_buried ? verdict.reason.body : verdict.witness->body] == wanted;
   }
   return is_wanted;
+}
+
+TiltProposal propose_tilts(const TiltRequest& request, const ProgressCall& progress) {
+  const auto& [path, result, tools, checker, strategies, options, may_tilt] = request;
+  TiltProposal proposal;
+  const std::vector<bool> is_wanted = moves_to(Strategy::tilt, path, result, strategies);
+  const bool is_any = std::ranges::find(is_wanted, true) != is_wanted.end();
+  const auto near = is_any && may_tilt ? moves_near(path, is_wanted, options.blend_mm) : std::vector<bool>();
+  proposal.straight = straighten(path, result, tools, checker, near);
+  if (!is_any) return proposal;
+  const Toolpath& base = proposal.straight ? proposal.straight->path : path;
+  const CheckResult& verdicts = proposal.straight ? proposal.straight->result : result;
+  proposal.is_wanted = moves_to(Strategy::tilt, base, verdicts, strategies);
+  if (may_tilt) proposal.plan = plan_tilts({base, verdicts, tools, checker, options, proposal.is_wanted}, progress);
+  return proposal;
 }
 
 ReworkedPath tilt_path(const Toolpath& path, const CheckResult& result, const std::optional<ReworkedPath>& straight,
                        const TiltPlan& plan, const std::vector<const ToolVariants*>& tools,
                        const MotionChecker& checker) {
-  const std::vector<Move>& moves = straight ? straight->path.moves : path.moves;
-  const std::vector<MoveVerdict>& verdicts = straight ? straight->result.verdicts : result.verdicts;
-  std::vector<std::vector<const TiltedPosition*>> positions(moves.size());
+  const ReworkedPath* const base = straight ? &*straight : nullptr;
+  const std::vector<Move>& moves = base != nullptr ? base->path.moves : path.moves;
+  std::vector<NewPosition> positions;
   for (const SmoothedRun& run : plan.runs) {
-    for (const TiltedPosition& p : run.positions) positions[p.move].push_back(&p);
+    for (const TiltedPosition& p : run.positions) positions.push_back({p.move, p.is_end, p.pose, moves[p.move].kind});
   }
-  ReworkedPath tilted;
-  tilted.path = without_moves(path);
-  const auto add = [&](const Move& move, std::size_t origin) {
-    const Motion motion = move.has_start ? Motion(tilted.path.moves.back().end, move.end) : Motion(move.end);
-    tilted.add(move, origin, true, checker.check(motion, move.kind, *tools[move.tool], checker.options(), true));
-  };
-  for (std::size_t i = 0; i < moves.size(); ++i) {
-    const std::size_t origin = straight ? straight->origin[i] : i;
-    const Move& move = moves[i];
-    const bool is_start_moved = move.has_start && i > 0 && !positions[i - 1].empty() && positions[i - 1].back()->is_end;
-    if (positions[i].empty() && !is_start_moved) {
-      tilted.add(move, origin, straight && straight->is_tilted[i], verdicts[i]);
-      continue;
-    }
-    Move piece = move;
-    for (const TiltedPosition* const p : positions[i]) {
-      if (p->is_end) continue;
-      piece.end = p->pose;
-      add(piece, origin);
-    }
-    piece.end = !positions[i].empty() && positions[i].back()->is_end ? positions[i].back()->pose : move.end;
-    add(piece, origin);
-  }
-  return tilted;
+  std::ranges::stable_sort(positions, {}, &NewPosition::move);
+  return with_positions(path, result, base, positions, tools, checker);
 }
 
 }  // namespace gouge

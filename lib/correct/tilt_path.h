@@ -8,9 +8,33 @@
 
 namespace gouge {
 
-/// Gouges of bodies whose strategy is to tilt, one entry a move.
-[[nodiscard]] std::vector<bool> moves_to_tilt(const Toolpath& path, const CheckResult& result,
-                                              const BodyStrategies& strategies);
+/// Gouges of bodies whose strategy is `wanted`, one entry a move. What is buried only leaving it out frees: it counts
+/// for that.
+[[nodiscard]] std::vector<bool> moves_to(Strategy wanted, const Toolpath& path, const CheckResult& result,
+                                         const BodyStrategies& strategies);
+
+/// A path whose runs are to be tilted, and how. All must outlive the call.
+struct TiltRequest {
+  const Toolpath& path;
+  const CheckResult& result;
+  const std::vector<const ToolVariants*>& tools;
+  const MotionChecker& checker;
+  const BodyStrategies& strategies;
+  const TiltOptions& options;
+  bool may_tilt = true;  ///< false: curves become chords as far as they must, and what would be tilted has no run
+};
+
+struct TiltProposal {
+  std::optional<ReworkedPath> straight;  ///< curves as chords; none: it has none that must change
+  std::vector<bool> is_wanted;           ///< moves of the straight path to tilt; empty: none
+  TiltPlan plan;                         ///< of the straight path
+
+  /// Of a move of the plan: which move of the path it is a piece of.
+  [[nodiscard]] std::size_t origin_of(std::size_t i) const { return straight ? straight->origin[i] : i; }
+};
+
+/// Tilts for all gouges of bodies whose strategy is to tilt.
+[[nodiscard]] TiltProposal propose_tilts(const TiltRequest& request, const ProgressCall& progress);
 
 /// A path with the positions of a plan: `plan` is of `straight`, or of `path` where there is none, and moves of the
 /// result are pieces of the moves of `path`.

@@ -32,6 +32,13 @@ struct PathChange {
   /// entry each, or none at all: all straight. Only of an arc, beside `new_arc` or `is_straightened`, which say how the
   /// end of the move itself is reached.
   std::vector<std::optional<PathArc>> inserted_arcs = {};
+  /// Of a feed, or a curve that becomes straight: which of `inserted_before` and, behind them, whether its own end is
+  /// reached at rapid. One entry each and one for the end, or none at all: none is.
+  std::vector<bool> at_rapid = {};
+
+  /// Whether the k-th of `inserted_before`, or the end of the move behind them, becomes a rapid.
+  [[nodiscard]] bool is_at_rapid(std::size_t k) const { return k < at_rapid.size() && at_rapid[k]; }
+  [[nodiscard]] bool is_end_at_rapid() const { return is_at_rapid(inserted_before.size()); }
 
   /// True where some piece of what the move becomes is an arc of the change's own.
   [[nodiscard]] bool has_arc() const {
@@ -46,6 +53,7 @@ struct RewritableMoves {
   std::vector<bool> arc;    ///< PathChange::new_arc can be written; elsewhere the arc can only be straightened
   std::vector<bool> split;  ///< and PathChange::inserted_arcs: the arc can become several
   bool has_axes = false;    ///< the file states tool axes
+  bool has_rapids = false;  ///< PathChange::at_rapid can be written: the dialect says rapid of one motion
   std::vector<bool> hole;   ///< PathChange::hole_shift_mm can be written; true for the first move of a hole alone
 };
 

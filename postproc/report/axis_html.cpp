@@ -76,7 +76,7 @@ class AxisSection {
     };
     const std::size_t inserted = inserted_positions(model_.correction);
     after_alone("Positions moved, inserted",
-                std::to_string(model_.correction.changes.size() - inserted) + ", " + std::to_string(inserted));
+                std::to_string(moved_positions(model_.correction)) + ", " + std::to_string(inserted));
     const AxisTilts& tilts = axes_.tilts;
     if (tilts.positions == 0) return;
     after_alone("Positions with a tilted axis", std::to_string(tilts.positions));

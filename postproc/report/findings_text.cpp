@@ -5,6 +5,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "postproc/report/axis_text.h"
+#include "postproc/report/cure_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
@@ -88,13 +89,14 @@ std::string correction_lines(const ReportModel& model) {
   const std::size_t inserted = inserted_positions(correction);
   double largest_mm = 0;
   for (const CorrectedRecord& change : correction.changes) {
-    if (!change.is_inserted) largest_mm = std::max(largest_mm, change.shift_length_mm);
+    if (!change.is_inserted && !change.is_uncut) largest_mm = std::max(largest_mm, change.shift_length_mm);
   }
-  const std::size_t moved = correction.changes.size() - inserted;
+  const std::size_t moved = moved_positions(correction);
   std::string text = "corrected: " + count_text(moved, "position") + " moved";
   if (moved > 0) text += " by up to " + depth_text(largest_mm, unit);
   text += ", " + std::to_string(inserted) + " inserted";
   if (correction.curves > 0) text += ", " + straightened_text(correction);
+  if (!correction.uncut.empty()) text += ", " + uncut_text(correction, unit);
   const auto changed = static_cast<std::size_t>(
       std::ranges::count_if(correction.uncorrected, [](const UncorrectedRecord& left) { return left.is_changed; }));
   const std::size_t left = correction.uncorrected.size() - changed;
@@ -121,11 +123,13 @@ std::string summary_text(const ReportModel& model) {
 
 std::string findings_text(const ReportModel& model) {
   std::string text;
-  for (const Event& event : model.result->events) {
+  for (std::size_t k = 0; k < model.result->events.size(); ++k) {
+    const Event& event = model.result->events[k];
     if (event.state != MoveState::gouge && event.state != MoveState::buried && event.state != MoveState::near_miss) {
       continue;
     }
     text += line(line_prefix(model, event.worst_move) + event_text(model, event) + span_text(event));
+    if (const FindingCures* cures = cures_of(model, k)) text += line("  cured by " + cure_text(model, *cures));
   }
   for (const ReasonGroup& group : group_reasons(*model.result)) {
     text += line(line_prefix(model, group.first_move) + group_text(group));

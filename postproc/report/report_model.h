@@ -13,6 +13,7 @@
 #include "lib/check/check_options.h"
 #include "lib/check/closeness.h"
 #include "lib/check/verdict.h"
+#include "lib/cure/find_cures.h"
 #include "lib/geom/vec.h"
 #include "lib/path/axis_quality.h"
 #include "lib/path/axis_tilt.h"
@@ -56,13 +57,18 @@ struct ToolFacts {
 struct CorrectedRecord {
   std::size_t move = 0;      ///< of the path before the correction
   std::size_t line = 0;      ///< of the file before the correction
-  std::string strategy;      ///< "weighted", "axis", "tilt"; of a position inserted for a shift "inserted"
+  std::string strategy;      ///< "weighted", "axis", "tilt", "trim"; of a position inserted for a shift "inserted"
   bool is_inserted = false;  ///< a position between the programmed ones; else one of these
   Vec3 shift_mm = Vec3::Zero();
   double shift_length_mm = 0;
   double tilt_rad = 0;
   double depth_before_mm = 0, depth_after_mm = 0;
   int iterations = 0;
+  std::optional<std::size_t> cause = {};  ///< the move of the path before whose gouge this cures
+  /// The bytes in both files; nothing where another change has them already, where nothing was there (inserted), and
+  /// for binary files.
+  std::optional<std::string_view> old_record = {}, new_record = {};
+  bool is_uncut = false;  ///< above a stretch that is left out, or on the way there
 };
 
 struct UncorrectedRecord {
@@ -71,6 +77,14 @@ struct UncorrectedRecord {
   double depth_mm = 0;  ///< that is left
   std::string reason;
   bool is_changed = false;  ///< its own record was changed all the same
+};
+
+/// A stretch that is left out: the tool passes above it.
+struct UncutRecord {
+  std::size_t first_move = 0, last_move = 0;  ///< of the path before the correction
+  std::size_t first_line = 0, last_line = 0;
+  std::size_t positions = 0;  ///< programmed ones that are not visited
+  double length_mm = 0;       ///< of the programmed feeds
 };
 
 /// A statement of the corrected file that is not as it was.
@@ -103,6 +117,7 @@ struct CorrectionFacts {
   std::size_t straight_moves = 0;  ///< ... and how many, those of `changes` among them
   std::vector<CorrectedRecord> changes;
   std::vector<UncorrectedRecord> uncorrected;
+  std::vector<UncutRecord> uncut;
   std::vector<WrittenRecord> written;          ///< every other record is the same to the byte
   std::optional<AxisFacts> axes;               ///< none: not measured
   const Toolpath* toolpath_before = nullptr;   ///< the path as read
@@ -134,7 +149,9 @@ struct ReportModel {
   double seconds = 0;  ///< spent from the first file read to this report; only JUnit has it
   std::optional<StickoutOptions> stickout_options;  ///< none: not asked
   std::vector<StickoutFacts> stickouts;
-  std::optional<Closeness> closeness;  ///< none: not looked at, or nothing to look at
+  std::optional<CureOptions> cure_options;  ///< none: not asked
+  std::vector<FindingCures> cures;          ///< by event, in their order
+  std::optional<Closeness> closeness;       ///< none: not looked at, or nothing to look at
 };
 
 enum class OverallVerdict { clean, gouges, not_fully_checked };

@@ -75,6 +75,28 @@ std::size_t inserted_positions(const CorrectionFacts& correction) {
       std::ranges::count_if(correction.changes, [](const CorrectedRecord& change) { return change.is_inserted; }));
 }
 
+std::size_t moved_positions(const CorrectionFacts& correction) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      correction.changes, [](const CorrectedRecord& change) { return !change.is_inserted && !change.is_uncut; }));
+}
+
+UncutTotal uncut_total(const CorrectionFacts& correction) {
+  UncutTotal total;
+  for (const UncutRecord& stretch : correction.uncut) {
+    total.positions += stretch.positions;
+    total.length_mm += stretch.length_mm;
+  }
+  return total;
+}
+
+std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit) {
+  if (correction.uncut.empty()) return {};
+  const UncutTotal total = uncut_total(correction);
+  const std::size_t stretches = correction.uncut.size();
+  return count_text(total.positions, "position") + " and " + length_text(total.length_mm, unit) + " left uncut in " +
+         std::to_string(stretches) + (stretches == 1 ? " stretch" : " stretches");
+}
+
 std::string straightened_text(const CorrectionFacts& correction) {
   return count_text(correction.curves, "curve") + " became " + count_text(correction.straight_moves, "straight move");
 }

@@ -26,6 +26,17 @@ namespace gouge {
 
 /// How many of its changes are positions that the path did not have.
 [[nodiscard]] std::size_t inserted_positions(const CorrectionFacts& correction);
+/// Of programmed positions, those that are not left uncut.
+[[nodiscard]] std::size_t moved_positions(const CorrectionFacts& correction);
+
+/// Sums over all stretches left out.
+struct UncutTotal {
+  std::size_t positions = 0;
+  double length_mm = 0;
+};
+[[nodiscard]] UncutTotal uncut_total(const CorrectionFacts& correction);
+/// "12 positions and 81.2 mm left uncut in 1 stretch"; empty where nothing is.
+[[nodiscard]] std::string uncut_text(const CorrectionFacts& correction, LengthUnit unit);
 /// "2 curves became 79 straight moves".
 [[nodiscard]] std::string straightened_text(const CorrectionFacts& correction);
 

@@ -7,6 +7,7 @@
 #include "lib/base/number_text.h"
 #include "postproc/report/axis_html.h"
 #include "postproc/report/axis_text.h"
+#include "postproc/report/cure_text.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
@@ -146,8 +147,15 @@ class HtmlReport {
            html_cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) +
            html_cell(against) +
            html_cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") +
-           html_cell(span, "n") + html_cell(operation_name(*model_.toolpath, move.operation)) + "<td class=\"k\">" +
-           link(event) + "</td>";
+           html_cell(span, "n") + html_cell(operation_name(*model_.toolpath, move.operation)) + cures_cell(event) +
+           "<td class=\"k\">" + link(event) + "</td>";
+  }
+
+  [[nodiscard]] std::string cures_cell(const Event& event) const {
+    if (!model_.cure_options) return {};
+    const auto index = static_cast<std::size_t>(&event - model_.result->events.data());
+    const FindingCures* const cures = cures_of(model_, index);
+    return html_cell(cures != nullptr ? cure_text(model_, *cures) : std::string());
   }
 
   [[nodiscard]] std::string findings() const {
@@ -162,15 +170,12 @@ class HtmlReport {
       return event->state == MoveState::near_miss ? -worst.clearance_mm.value_or(0) : worst.depth_mm;
     };
     std::stable_sort(events.begin(), events.end(), [&](const Event* a, const Event* b) { return depth(a) > depth(b); });
-    HtmlTable table({{"State"},
-                     {"Line", "n"},
-                     {"Depth", "n"},
-                     {"Body"},
-                     {"Against"},
-                     {"At, in " + std::string(unit_words(unit_))},
-                     {"Moves", "n"},
-                     {"Operation"},
-                     {""}});
+    std::vector<HtmlColumn> columns = {{"State"},      {"Line", "n"}, {"Depth", "n"},
+                                       {"Body"},       {"Against"},   {"At, in " + std::string(unit_words(unit_))},
+                                       {"Moves", "n"}, {"Operation"}};
+    if (model_.cure_options) columns.push_back({"Cured by"});
+    columns.push_back({""});
+    HtmlTable table(columns);
     for (const Event* event : events) table.has_room() ? table.add(finding_row(*event)) : table.skip();
     return "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, the worst "
            "first. Line, depth and position are those of its deepest move.</p>\n" +
@@ -209,6 +214,7 @@ class HtmlReport {
                ? " Nothing was changed.</p>\n"
                : " " + count_text(c.written.size(), "record") +
                      " of the file changed, added or removed; every other one is the same to the byte.</p>\n";
+    if (!c.uncut.empty()) out += "<p class=\"but\">" + xml_escaped(uncut_text(c, unit_)) + ".</p>\n" + uncut_table();
     HtmlTable table({{"Line", "n"},
                      {"Move", "n"},
                      {"Strategy"},
@@ -217,9 +223,25 @@ class HtmlReport {
                      {"Tilt", "n"},
                      {"Depth before", "n"},
                      {"Depth after", "n"},
-                     {"Iterations", "n"}});
+                     {"Iterations", "n"},
+                     {"Cause"}});
     for (const CorrectedRecord& r : c.changes) table.has_room() ? table.add(change_row(r)) : table.skip();
     return out + table.html() + left_as_was();
+  }
+
+  [[nodiscard]] std::string uncut_table() const {
+    HtmlTable table({{"Lines left out", "n"}, {"Moves", "n"}, {"Positions", "n"}, {"Length", "n"}});
+    const auto span = [](std::size_t first, std::size_t last) {
+      return first == last ? std::to_string(first) : std::to_string(first) + "-" + std::to_string(last);
+    };
+    for (const UncutRecord& r : model_.correction.uncut) {
+      table.has_room()
+          ? table.add(html_cell(span(r.first_line, r.last_line), "n") +
+                      html_cell(span(r.first_move, r.last_move), "n") + html_cell(std::to_string(r.positions), "n") +
+                      html_cell(length_text(r.length_mm, unit_), "n"))
+          : table.skip();
+    }
+    return table.html();
   }
 
   [[nodiscard]] std::string change_row(const CorrectedRecord& r) const {
@@ -227,7 +249,16 @@ class HtmlReport {
            html_cell(depth_text(r.shift_length_mm, unit_), "n") + html_cell(lengths_text(r.shift_mm, unit_), "k") +
            html_cell(r.tilt_rad > 0 ? angle_text(r.tilt_rad, DegreeSign::sign) : "", "n") +
            html_cell(depth_text(r.depth_before_mm, unit_), "n") + html_cell(depth_text(r.depth_after_mm, unit_), "n") +
-           html_cell(std::to_string(r.iterations), "n");
+           html_cell(std::to_string(r.iterations), "n") + html_cell(cause(r));
+  }
+
+  [[nodiscard]] std::string cause(const CorrectedRecord& r) const {
+    const CorrectionFacts& c = model_.correction;
+    if (!r.cause || c.result_before == nullptr) return {};
+    const MoveVerdict& verdict = c.result_before->verdicts[*r.cause];
+    if (!verdict.witness) return std::string(body_name(verdict.reason.body)) + " inside a solid";
+    return std::string(body_name(verdict.witness->body)) + " against " + against_name(verdict.witness->against) + " " +
+           mesh_name(model_, *verdict.witness);
   }
 
   [[nodiscard]] std::string left_as_was() const {

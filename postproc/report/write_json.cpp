@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "postproc/report/cure_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/tightness.h"
 
@@ -40,6 +41,7 @@ class JsonReport {
     out["totals"] = totals();
     out["closeness"] = closeness();
     out["stickout"] = stickout();
+    out["cures"] = cure_options();
     out["events"] = events();
     out["reasons"] = reasons();
     out["moves"] = moves();
@@ -155,7 +157,8 @@ class JsonReport {
 
   [[nodiscard]] Json events() const {
     Json all = Json::array();
-    for (const Event& event : model_.result->events) {
+    for (std::size_t k = 0; k < model_.result->events.size(); ++k) {
+      const Event& event = model_.result->events[k];
       all.push_back({{"state", state_name(event.state)},
                      {"first_move", event.first_move},
                      {"last_move", event.last_move},
@@ -164,9 +167,33 @@ class JsonReport {
                      {"line", std::size_t{model_.toolpath->moves[event.worst_move].line}},
                      {"tool", text(tool_key(*model_.toolpath, event.tool))},
                      {"body", body_name(event.body)},
-                     {"against", against_name(event.against)}});
+                     {"against", against_name(event.against)},
+                     {"cures", cures(k)}});
     }
     return all;
+  }
+
+  [[nodiscard]] Json cures(std::size_t event) const {
+    const FindingCures* const found = cures_of(model_, event);
+    if (found == nullptr) return nullptr;
+    const LiftCure& lift = found->lift;
+    return {{"tilt",
+             {{"rad", found->tilt.tilt_rad ? Json(*found->tilt.tilt_rad) : Json(nullptr)},
+              {"reason", found->tilt.tilt_rad ? Json(nullptr) : text(found->tilt.reason)}}},
+            {"lift",
+             {{"length", lift.lift_mm ? length(*lift.lift_mm) : Json(nullptr)},
+              {"move", lift.move},
+              {"line", std::size_t{model_.toolpath->moves[lift.move].line}},
+              {"body", body_name(lift.body)},
+              {"state", state_name(lift.state)}}}};
+  }
+
+  [[nodiscard]] Json cure_options() const {
+    if (!model_.cure_options) return nullptr;
+    return {{"lift_step", length(model_.cure_options->lift_step_mm)},
+            {"most_lift", length(model_.cure_options->most_lift_mm)},
+            {"max_tilt_rad", model_.cure_options->tilt.max_tilt_rad},
+            {"blend", length(model_.cure_options->tilt.blend_mm)}};
   }
 
   [[nodiscard]] Json reasons() const {
@@ -278,17 +305,45 @@ class JsonReport {
     const AxisTilts& tilts = c.axes->tilts;
     const std::size_t inserted = inserted_positions(c);
     const Toolpath& before = c.toolpath_before ? *c.toolpath_before : *model_.toolpath;
-    return {
-        {"before", axis_quality(c.axes->before, before)},
-        {"after", axis_quality(c.axes->after, *model_.toolpath)},
-        {"max_rotary_speed_deg_per_min",
-         c.axes->max_rotary_deg_per_min ? Json(*c.axes->max_rotary_deg_per_min) : Json(nullptr)},
-        {"largest_tilt",
-         {{"rad", tilts.tilt_rad.value},
-          {"move", move_of(tilts.tilt_rad)},
-          {"line", line_of(tilts.tilt_rad, *model_.toolpath)}}},
-        {"positions", {{"moved", c.changes.size() - inserted}, {"inserted", inserted}, {"tilted", tilts.positions}}},
-        {"tilted_runs", tilts.runs.size() + tilts.runs_left_out}};
+    return {{"before", axis_quality(c.axes->before, before)},
+            {"after", axis_quality(c.axes->after, *model_.toolpath)},
+            {"max_rotary_speed_deg_per_min",
+             c.axes->max_rotary_deg_per_min ? Json(*c.axes->max_rotary_deg_per_min) : Json(nullptr)},
+            {"largest_tilt",
+             {{"rad", tilts.tilt_rad.value},
+              {"move", move_of(tilts.tilt_rad)},
+              {"line", line_of(tilts.tilt_rad, *model_.toolpath)}}},
+            {"positions", {{"moved", moved_positions(c)}, {"inserted", inserted}, {"tilted", tilts.positions}}},
+            {"tilted_runs", tilts.runs.size() + tilts.runs_left_out}};
+  }
+
+  // What the change cures: of a buried move no surface is named.
+  [[nodiscard]] Json cause(const CorrectionFacts& c, const CorrectedRecord& r) const {
+    if (!r.cause || c.result_before == nullptr) return nullptr;
+    const MoveVerdict& verdict = c.result_before->verdicts[*r.cause];
+    const Toolpath& before = c.toolpath_before ? *c.toolpath_before : *model_.toolpath;
+    const bool has_witness = verdict.witness.has_value();
+    return {{"move", *r.cause},
+            {"line", std::size_t{before.moves[*r.cause].line}},
+            {"state", state_name(verdict.state)},
+            {"depth", length(verdict.depth_mm)},
+            {"body", body_name(has_witness ? verdict.witness->body : verdict.reason.body)},
+            {"against", has_witness ? Json(against_name(verdict.witness->against)) : Json(nullptr)},
+            {"mesh", has_witness ? text(mesh_name(model_, *verdict.witness)) : Json(nullptr)}};
+  }
+
+  [[nodiscard]] Json uncut(const CorrectionFacts& c) const {
+    Json stretches = Json::array();
+    for (const UncutRecord& r : c.uncut) {
+      stretches.push_back({{"first_move", r.first_move},
+                           {"last_move", r.last_move},
+                           {"first_line", r.first_line},
+                           {"last_line", r.last_line},
+                           {"positions", r.positions},
+                           {"length", length(r.length_mm)}});
+    }
+    const UncutTotal total = uncut_total(c);
+    return {{"positions", total.positions}, {"length", length(total.length_mm)}, {"stretches", stretches}};
   }
 
   [[nodiscard]] Json correction() const {
@@ -304,7 +359,10 @@ class JsonReport {
                          {"tilt_rad", r.tilt_rad},
                          {"depth_before", length(r.depth_before_mm)},
                          {"depth_after", length(r.depth_after_mm)},
-                         {"iterations", r.iterations}});
+                         {"iterations", r.iterations},
+                         {"cause", cause(c, r)},
+                         {"old_record", r.old_record ? text(*r.old_record) : Json(nullptr)},
+                         {"new_record", r.new_record ? text(*r.new_record) : Json(nullptr)}});
     }
     Json left = Json::array();
     for (const UncorrectedRecord& r : c.uncorrected) {
@@ -323,6 +381,7 @@ class JsonReport {
             {"rapid_clearance", length(c.rapid_clearance_mm)},
             {"quality", quality(c)},
             {"straightened", {{"curves", c.curves}, {"straight_moves", c.straight_moves}}},
+            {"uncut", uncut(c)},
             {"changes", changes},
             {"uncorrected", left},
             {"written", written}};

@@ -34,6 +34,7 @@ struct Figures {
   std::size_t kept_samples = 0, left_path_samples = 0;
   std::size_t listed_samples = 0;  // of left_path_samples, on moves that are listed as left
   std::size_t added = 0;           // positions
+  std::size_t uncut = 0;           // stretches
 };
 
 class LawBook {
@@ -212,9 +213,15 @@ class LawBook {
     return false;
   }
 
+  /// Left out on purpose: its positions are no shifted ones, and the path is not kept to. That every motion of it is as
+  /// lawful as others (a, b, c) is asked all the same.
+  bool is_uncut(std::size_t i) const {
+    return std::ranges::any_of(c_.correction->uncut, [i](const Uncut& u) { return i >= u.first && i <= u.last; });
+  }
+
   // (d) and the bounds of (e), at many places of the straight shift.
   void shift(std::size_t i, Figures&) {
-    if (changes_[i] == nullptr || !changes_[i]->new_end) return;
+    if (changes_[i] == nullptr || !changes_[i]->new_end || is_uncut(i)) return;
     const Move& old = c_.before->moves[i];
     const ToolVariants* tool = c_.setup->tools[old.tool];
     const Pose to = c_.after->moves[first_[i + 1] - 1].end;
@@ -239,6 +246,7 @@ class LawBook {
 
   // (e): where the programmed motion is clean for a while, the new one runs along it.
   void keeps_its_path(std::size_t i, Figures& figures) {
+    if (is_uncut(i)) return;
     const Move& old = c_.before->moves[i];
     const bool is_changed =
         changes_[i] != nullptr || (i > 0 && old.has_start && changes_[i - 1] != nullptr && changes_[i - 1]->new_end);

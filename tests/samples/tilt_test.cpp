@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <nlohmann/json.hpp>
 
 #include "tests/samples/program.h"
@@ -46,6 +47,78 @@ TEST(Tilt, OfTheFreeformsLastPassFreesTheHolderAndKeepsTheBallsCentre) {
   const Corrected lifted = correct(sample, {"--strategy", "holder=axis"});
   EXPECT_EQ(lifted.ran.exit_status, 0) << lifted.ran.err;
   EXPECT_EQ(changes_by(lifted, "tilt"), 0U);
+}
+
+TEST(Tilt, LimitsInForceStandInTheReport) {
+  const SampleFolder sample = open_sample("freeform");
+  correct(sample, {});
+  const auto more = [&] { return Json::parse(text_of(sample.path + "/result.json")).at("options").at("more"); };
+  EXPECT_EQ(more(), Json({{"max-tilt", "30"}, {"tilt", "both"}, {"blend", "10"}}));
+  correct(sample, {"--max-tilt", "20", "--tilt", "side", "--blend", "0.5in", "--axis-cone", "0,0,1,60", "--max-turn",
+                   "4", "--max-turn-step", "9", "--max-rotary-speed", "3600", "--allow-multax", "--report", "r"});
+  EXPECT_EQ(more(), Json({{"max-tilt", "20"},
+                          {"tilt", "side"},
+                          {"blend", "0.5in"},
+                          {"axis-cone", "0,0,1,60"},
+                          {"max-turn", "4"},
+                          {"max-turn-step", "9"},
+                          {"max-rotary-speed", "3600"},
+                          {"allow-multax", "yes"}}));
+  const std::string html = text_of(sample.path + "/r/report.html");
+  for (const char* shown : {"axis-cone", "0,0,1,60", "max-turn-step", "0.5in"})
+    EXPECT_NE(html.find(shown), std::string::npos) << shown;
+}
+
+/// A box as an STL file of text.
+std::string box_text(const std::array<double, 3>& low, const std::array<double, 3>& high) {
+  // Of each face two triangles, corners numbered by bits: x 1, y 2, z 4.
+  constexpr std::array<std::array<int, 3>, 12> kFaces{{{0, 2, 1},
+                                                       {1, 2, 3},
+                                                       {4, 5, 6},
+                                                       {5, 7, 6},
+                                                       {0, 1, 4},
+                                                       {1, 5, 4},
+                                                       {2, 6, 3},
+                                                       {3, 6, 7},
+                                                       {0, 4, 2},
+                                                       {2, 4, 6},
+                                                       {1, 3, 5},
+                                                       {3, 7, 5}}};
+  std::string text = "solid box\n";
+  for (const auto& face : kFaces) {
+    text += "facet normal 0 0 0\nouter loop\n";
+    for (const int corner : face) {
+      text += "vertex";
+      for (int k = 0; k < 3; ++k)
+        text += " " + std::to_string(((corner >> k) & 1) != 0 ? high.at(static_cast<std::size_t>(k))
+                                                              : low.at(static_cast<std::size_t>(k)));
+      text += "\n";
+    }
+    text += "endloop\nendfacet\n";
+  }
+  return text + "endsolid box\n";
+}
+
+// The edge of a flat end does what its face did: nothing gouges, and the floor is left higher.
+TEST(Tilt, OfAFlatEndWarnsOfWhatItLeaves) {
+  const std::string folder = fresh_folder();
+  write_text(folder + "/floor.stl", box_text({-200, -200, -10}, {200, 200, 0}));
+  write_text(folder + "/wall.stl", box_text({13, -30, -5}, {60, 30, 90}));
+  std::string path = "MULTAX/ON\nLOADTL/1\nGOTO/0,-80,120,0,0,1\n";
+  for (int y = -80; y <= 80; y += 4) path += "GOTO/0," + std::to_string(y) + ",0,0,0,1\n";
+  write_text(folder + "/pass.apt", path);
+  for (const std::string shape : {"flat", "ball"}) {
+    write_text(folder + "/tools.json", R"({"units":"mm","tools":[{"number":1,"cutter":{"shape":")" + shape +
+                                           R"(","diameter":10,"length":30},
+      "shank":[{"lower_diameter":10,"upper_diameter":10,"length":20}],
+      "holder":[{"lower_diameter":32,"upper_diameter":32,"length":40}]}]})");
+    const Outcome ran = run_gougecheck(folder, {"correct", "pass.apt", "--part", "floor.stl", "--part", "wall.stl",
+                                                "--tools", "tools.json", "-o", "tilted.apt"});
+    EXPECT_EQ(ran.exit_status, 0) << ran.err;
+    const bool is_warned = ran.err.find("T1 has a flat end and is tilted by up to ") != std::string::npos &&
+                           ran.err.find("[tilt-leaves-stock]") != std::string::npos;
+    EXPECT_EQ(is_warned, shape == "flat") << ran.err;
+  }
 }
 
 TEST(Tilt, ThatIsNotFoundIsSaidAndLifted) {

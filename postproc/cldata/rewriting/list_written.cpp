@@ -34,9 +34,10 @@ class Comparison {
   }
   [[nodiscard]] bool is_same(std::size_t a, std::size_t b) const { return bytes(before_, a) == bytes(after_, b); }
 
-  void add(WrittenKind kind, std::size_t statement) {
-    const Toolpath& path = kind == WrittenKind::added ? after_ : before_;
-    written_.push_back({kind, path.statements[statement].line});
+  void add(WrittenKind kind, std::size_t before, std::size_t after) {
+    const std::size_t line =
+        kind == WrittenKind::added ? after_.statements[after].line : before_.statements[before].line;
+    written_.push_back({kind, line, before, after});
   }
 
   /// The statements that a move is read from in both files.
@@ -44,12 +45,12 @@ class Comparison {
     if (a == kNone || b == kNone || b < next_after_) return;  // a list of positions: the statement is done with
     if (a < next_before_) {                                   // one statement became several
       between(next_before_, b);
-      add(WrittenKind::added, b);
+      add(WrittenKind::added, kNone, b);
       next_after_ = b + 1;
       return;
     }
     between(a, b);
-    if (!is_same(a, b)) add(WrittenKind::changed, a);
+    if (!is_same(a, b)) add(WrittenKind::changed, a, b);
     next_before_ = a + 1;
     next_after_ = b + 1;
   }
@@ -89,9 +90,9 @@ class Comparison {
         ++i;
         ++k;
       } else if (k == m || (is_both && is_small && at(i + 1, k) >= at(i, k + 1))) {
-        add(WrittenKind::removed, next_before_ + i++);
+        add(WrittenKind::removed, next_before_ + i++, kNone);
       } else {
-        add(WrittenKind::added, next_after_ + k++);
+        add(WrittenKind::added, kNone, next_after_ + k++);
       }
     }
   }
@@ -108,7 +109,7 @@ std::vector<WrittenStatement> of_changes(const Toolpath& path, const std::vector
   std::sort(lines.begin(), lines.end());
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   std::vector<WrittenStatement> written;
-  for (const std::size_t line : lines) written.push_back({WrittenKind::changed, line});
+  for (const std::size_t line : lines) written.push_back({WrittenKind::changed, line, kNone, kNone});
   return written;
 }
 

@@ -14,7 +14,8 @@ enum class WrittenKind { changed, added, removed };
 /// A statement of a corrected file that is not as it was.
 struct WrittenStatement {
   WrittenKind kind = WrittenKind::changed;
-  std::size_t line = 0;  ///< of the file as it was; of one that was added: of the corrected file
+  std::size_t line = 0;                       ///< of the file as it was; of one that was added: of the corrected file
+  std::size_t before = kNone, after = kNone;  ///< the statement of each file; kNone: it has none there, or it is binary
 };
 
 /// Every statement by whose bytes the two files differ, in order; all others are the same to the byte and in the same

@@ -4,6 +4,7 @@
 
 #include "postproc/cldata/interpreting/reasons.h"
 #include "postproc/cldata/language/dialect.h"
+#include "postproc/cldata/rewriting/rewriters.h"
 
 namespace gouge {
 namespace {
@@ -48,6 +49,7 @@ RewritableMoves rewritable_moves(const Toolpath& path, const MotionRecords& read
   RewritableMoves can;
   can.arc = can.split = can.hole = none;
   can.has_axes = form_of(path.dialect) == FileForm::nccs_records || states_axes(path, records);
+  can.has_rapids = can_say_rapid(path.dialect);
   if (form_of(path.dialect) != FileForm::text) return can;
   for (std::size_t first = 0, last = 0; first < records.size(); first = last) {
     last = first + 1;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "lib/base/diagnostic.h"
@@ -12,6 +13,9 @@
 // What write_corrected is made of.
 
 namespace gouge {
+
+/// Whether files of the dialect say RAPID of one motion, so that a feed can become a rapid.
+[[nodiscard]] bool can_say_rapid(std::string_view dialect);
 
 /// What is wrong with a list of changes whatever the file's statements are: a move named twice, changes that exclude
 /// each other, arcs where the dialect cannot rewrite any. Nothing: write_corrected may look at the statements.

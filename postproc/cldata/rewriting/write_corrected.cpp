@@ -205,17 +205,18 @@ std::string CorrectedWriter::rapid_line(const MotionRecord& record) const {
 }
 
 // The positions to visit before `move`, and, as RAPID holds for one motion only, a RAPID for each further
-// one.
+// one, and for the move itself where it becomes one.
 std::string CorrectedWriter::insertions(std::size_t move) {
   const MotionRecord& record = records_[move];
   const bool is_rapid = path_.moves[move].kind == MoveKind::rapid;
   bool is_rapid_pending = record.is_rapid;
   std::string text;
-  if (!changes_.has_insertion(move)) return text;
-  for (std::size_t k = 0; k < changes_[move]->inserted_before.size(); ++k) {
-    const Pose& pose = changes_[move]->inserted_before[k];
-    if (!changes_[move]->inserted_arcs.empty()) text += inserted_arcs_[k];
-    if (is_rapid && !is_rapid_pending) text += rapid_line(record);
+  if (changes_[move] == nullptr) return text;
+  const PathChange& change = *changes_[move];
+  for (std::size_t k = 0; k < change.inserted_before.size(); ++k) {
+    const Pose& pose = change.inserted_before[k];
+    if (!change.inserted_arcs.empty()) text += inserted_arcs_[k];
+    if ((is_rapid && !is_rapid_pending) || change.is_at_rapid(k)) text += rapid_line(record);
     is_rapid_pending = false;
     const bool is_template =
         record.form == PositionForm::go_to && record.points == 1 && replaced_.begins_with(record.statement, "GOTO");
@@ -225,7 +226,8 @@ std::string CorrectedWriter::insertions(std::size_t move) {
                is_template ? goto_text_.with_line_end(goto_text_.replaced(record.statement, record.numbers, {position}))
                            : goto_text_.fresh(position));
   }
-  if (record.is_rapid) text += rapid_line(record);
+  const bool is_rapid_spent = record.is_rapid && changes_.has_insertion(move);
+  if (is_rapid_spent || change.is_end_at_rapid()) text += rapid_line(record);
   return text;
 }
 
@@ -289,7 +291,10 @@ std::string CorrectedWriter::rewritten(std::size_t first, std::size_t last) {
     return replaced_[record.statement];
   }
   bool is_split = record.form == PositionForm::godlta || record.form == PositionForm::curve;
-  for (std::size_t i = first; i < last; ++i) is_split = is_split || (record.points > 1 && changes_.has_insertion(i));
+  for (std::size_t i = first; i < last; ++i) {
+    const bool has_own_word = changes_.has_insertion(i) || (changes_[i] != nullptr && changes_[i]->is_end_at_rapid());
+    is_split = is_split || (record.points > 1 && has_own_word);
+  }
   return is_split ? one_by_one(first, last) : in_place(first, last);
 }
 

@@ -15,13 +15,14 @@ namespace gouge {
 /// Ensures  (1) Without changes the bytes are those of the file. (2) Statements that need no change are
 ///              byte-identical. (3) Read again, the file has the changed positions (rounded to the file's
 ///              decimals, to at least 4 in mm and 5 in inch files), inserted ones as moves of their own of
-///              the same kind, tool and operation, and all other moves as before. (4) A straightened arc or
-///              spline is the file's own straight positions instead; the statement that described it is gone.
-///              (5) An arc with new_arc is one arc still: of its CIRCLE, MOVARC, INDIRV and TLON only the numbers
-///              change, in the file's own way of writing arcs, and positions inserted before it stand before all of
-///              these; those that inserted_arcs reaches on an arc have its statement with other numbers before them.
-///              (6) Of a hole that is shifted the numbers of its position change and nothing else; its moves, and the
-///              path to the next hole, follow from there. rewritable_moves.h says where (5) and (6) can be had.
+///              the same kind (or rapids, where at_rapid says so), tool and operation, and all other moves as before.
+///              (4) A straightened arc or spline is the file's own straight positions instead; the statement that
+///              described it is gone. (5) An arc with new_arc is one arc still: of its CIRCLE, MOVARC, INDIRV and TLON
+///              only the numbers change, in the file's own way of writing arcs, and positions inserted before it stand
+///              before all of these; those that inserted_arcs reaches on an arc have its statement with other numbers
+///              before them. (6) Of a hole that is shifted the numbers of its position change and nothing else; its
+///              moves, and the path to the next hole, follow from there. rewritable_moves.h says where (5) and (6) can
+///              be had.
 /// Errors   write-move (no such move, one named twice, or changes that exclude each other), write-arc (what is not in
 ///          RewritableMoves; an arc that its ends do not lie on, or whose dialect would say it in other
 ///          words; an arc or spline whose statement's other positions are not straightened with it; one that

@@ -4,10 +4,16 @@
 #include "postproc/cldata/language/dialect.h"
 
 namespace gouge {
+
+bool can_say_rapid(std::string_view dialect) {
+  return form_of(dialect) == FileForm::text && !dialect_called(dialect).value_or(Dialect{}).has_positions_alone;
+}
+
 namespace {
 
 std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<PathChange>& changes) {
   std::vector<bool> is_named(path.moves.size(), false);
+  const bool is_rapid_sayable = can_say_rapid(path.dialect);
   for (const PathChange& change : changes) {
     const std::string name = "move " + std::to_string(change.move);
     if (change.move >= path.moves.size() || is_named[change.move]) {
@@ -21,6 +27,20 @@ std::optional<Diagnostic> check_changes(const Toolpath& path, const std::vector<
     const bool changes_it = change.new_end || !change.inserted_before.empty();
     if (change.hole_shift_mm && (changes_it || change.is_straightened || change.new_arc)) {
       return make_error("write-move", name + " has a shifted hole and another change; expected one of both", path.file);
+    }
+    const std::size_t at_rapid = change.at_rapid.size();
+    const bool may_be_rapid = move.kind == MoveKind::feed || (move.kind == MoveKind::arc && change.is_straightened);
+    if (at_rapid != 0 && (at_rapid != change.inserted_before.size() + 1 || !may_be_rapid)) {
+      return make_error(
+          "write-move",
+          name + " has " + std::to_string(at_rapid) + " entries of what is reached at rapid for " +
+              std::to_string(change.inserted_before.size()) +
+              " inserted positions; expected one each and one for its end, and only of a feed or a straightened curve",
+          path.file, move.line);
+    }
+    if (at_rapid != 0 && !is_rapid_sayable) {
+      return make_error("write-move", name + " is to be reached at rapid, which this dialect cannot say of one motion",
+                        path.file, move.line);
     }
     const std::size_t arcs = change.inserted_arcs.size();
     if (arcs != 0 && (arcs != change.inserted_before.size() || move.curve_kind != CurveKind::arc)) {

@@ -190,6 +190,7 @@ TEST(Strategies, HaveTheNamesOfTheCommandLine) {
   EXPECT_STREQ(strategy_name(Strategy::tilt), "tilt");
   EXPECT_STREQ(strategy_name(Strategy::normal), "normal");
   EXPECT_STREQ(strategy_name(Strategy::direction), "direction");
+  EXPECT_STREQ(strategy_name(Strategy::trim), "trim");
 }
 
 }  // namespace

@@ -95,6 +95,52 @@ TEST(WriteJson, ObeysItsSchema) {
   EXPECT_EQ(schema_errors(json::parse(write_json(report.model))), std::vector<std::string>{});
 }
 
+TEST(WriteJson, ChangesCarryTheirCauseAndTheirRecordsAndSaysWhatIsUncut) {
+  SmallReport report;
+  report.add_correction();
+  std::vector<CorrectedRecord>& changes = report.model.correction.changes;
+  changes[0].cause = 1;
+  changes[0].old_record = "GOTO/1,2,3\n";
+  changes[0].new_record = "GOTO/1,2,3.25\n";
+  report.set_gouge(1, 0.25);
+  report.model.correction.uncut = {{3, 5, 13, 15, 2, 12.5}, {7, 7, 17, 17, 0, 4}};
+  const json value = json::parse(write_json(report.model));
+  EXPECT_EQ(schema_errors(value), std::vector<std::string>{});
+  const json& first = value["correction"]["changes"][0];
+  EXPECT_EQ(first["old_record"], "GOTO/1,2,3\n");
+  EXPECT_EQ(first["new_record"], "GOTO/1,2,3.25\n");
+  EXPECT_EQ(first["cause"]["line"], 11);
+  EXPECT_EQ(first["cause"]["body"], "cutter");
+  EXPECT_EQ(first["cause"]["against"], "part");
+  EXPECT_EQ(first["cause"]["mesh"], "part.stl");
+  EXPECT_TRUE(value["correction"]["changes"][1]["cause"].is_null());
+  EXPECT_TRUE(value["correction"]["changes"][1]["old_record"].is_null());
+  EXPECT_EQ(value["correction"]["uncut"]["positions"], 2);
+  EXPECT_EQ(value["correction"]["uncut"]["length"], 16.5);
+  EXPECT_EQ(value["correction"]["uncut"]["stretches"][0]["last_line"], 15);
+}
+
+TEST(WriteJson, HasTheCuresOfFindings) {
+  SmallReport report;
+  ASSERT_GE(report.result.events.size(), 2U);
+  EXPECT_TRUE(json::parse(write_json(report.model))["cures"].is_null()) << "not asked";
+  report.model.cure_options = CureOptions();
+  report.model.cures = {{0, {0.1, ""}, {2.5, 1, Body::holder, MoveState::gouge}},
+                        {1, {std::nullopt, "none there"}, {std::nullopt, 2, Body::head, MoveState::buried}}};
+  const json value = json::parse(write_json(report.model));
+  EXPECT_EQ(schema_errors(value), std::vector<std::string>{});
+  const json& first = value["events"][0]["cures"];
+  EXPECT_EQ(first["tilt"]["rad"], 0.1);
+  EXPECT_TRUE(first["tilt"]["reason"].is_null());
+  EXPECT_EQ(first["lift"]["length"], 2.5);
+  EXPECT_EQ(first["lift"]["body"], "holder");
+  const json& second = value["events"][1]["cures"];
+  EXPECT_TRUE(second["tilt"]["rad"].is_null());
+  EXPECT_EQ(second["tilt"]["reason"], "none there");
+  EXPECT_TRUE(second["lift"]["length"].is_null());
+  EXPECT_EQ(second["lift"]["state"], "buried");
+}
+
 TEST(WriteJson, ReportsTheFilesOfHeads) {
   SmallReport report;
   EXPECT_EQ(json::parse(write_json(report.model))["heads"], json::array());

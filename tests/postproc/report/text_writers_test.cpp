@@ -3,6 +3,7 @@
 #include <limits>
 #include <sstream>
 
+#include "postproc/report/cure_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
 #include "postproc/report/tightness.h"
@@ -320,6 +321,33 @@ TEST(StickoutText, SaysHowLongAndWhatIsInTheWayOneStepBelow) {
             "stick-out T1: 40.5 mm; no stick-out up to 140.5 mm is enough: the head is inside a solid, line 12\n");
   report.model.stickouts[0].found.all = {40.5, kNone, Body::holder};
   EXPECT_EQ(stickout_lines(report.model), "stick-out T1: 40.5 mm; long enough\n");
+}
+
+TEST(CureText, SaysTheTiltRoundedUpAndTheLiftOrWhyThereIsNone) {
+  SmallReport report;
+  EXPECT_EQ(cures_of(report.model, 0), nullptr);
+  report.model.cure_options = CureOptions();
+  report.model.cures = {{0, {0.1, ""}, {2.5, 1, Body::holder, MoveState::gouge}},
+                        {1, {std::nullopt, "none there"}, {std::nullopt, 2, Body::head, MoveState::gouge}}};
+  EXPECT_EQ(cure_text(report.model, *cures_of(report.model, 0)),
+            "a tilt of up to 5.73 deg; a lift of 2.5 mm along the tool axis");
+  EXPECT_EQ(cure_text(report.model, *cures_of(report.model, 1)),
+            "no tilt (none there); no lift up to 100 mm along the tool axis (the head, line 12)");
+  EXPECT_EQ(cures_of(report.model, 2), nullptr);
+  EXPECT_NE(findings_text(report.model).find("\n  cured by a tilt of up to 5.73 deg; "), std::string::npos);
+}
+
+TEST(SummaryText, SaysWhatIsLeftUncutAndCountsItNotAsMoved) {
+  SmallReport report;
+  report.add_correction();
+  report.model.correction.uncut = {{3, 5, 13, 15, 2, 12.5}};
+  EXPECT_NE(summary_text(report.model)
+                .find("1 position moved by up to 0.250 mm, 1 inserted, 2 positions and 12.5 mm "
+                      "left uncut in 1 stretch"),
+            std::string::npos)
+      << summary_text(report.model);
+  report.model.correction.changes[0].is_uncut = true;
+  EXPECT_NE(summary_text(report.model).find("0 positions moved, 1 inserted"), std::string::npos);
 }
 
 }  // namespace

@@ -32,6 +32,39 @@ TEST(WriteCorrected, KeepsColumnsWhereTheFileHasThem) {
             "GOTO  /    8.00000, -100.00000,    9.00000,-1.000000, 0.000000, 0.000000\n");
 }
 
+TEST(WriteCorrected, AFeedBecomesARapidWithAWordOfItsOwn) {
+  const Toolpath path = path_of("FEDRAT/100,MMPM\nGOTO/1.,2.,3.\nGOTO/4.,5.,6.\nGOTO/7.,8.,9.\n");
+  PathChange change = lift(path, 1, 10);
+  change.inserted_before = {{Vec3(1, 2, 13), Vec3::UnitZ()}, {Vec3(2, 3, 15), Vec3::UnitZ()}};
+  change.at_rapid = {false, true, true};
+  const std::string text = written(path, {change});
+  EXPECT_EQ(text,
+            "FEDRAT/100,MMPM\nGOTO/1.,2.,3.\nGOTO/1.,2.,13.\nRAPID\nGOTO/2.,3.,15.\nRAPID\nGOTO/4.,5.,16.\n"
+            "GOTO/7.,8.,9.\n");
+  const Toolpath again = path_of(text);
+  ASSERT_EQ(again.moves.size(), 5U);
+  EXPECT_EQ(again.moves[1].kind, MoveKind::feed);
+  EXPECT_EQ(again.moves[2].kind, MoveKind::rapid);
+  EXPECT_EQ(again.moves[3].kind, MoveKind::rapid);
+  EXPECT_EQ(again.moves[4].kind, MoveKind::feed);
+  EXPECT_DOUBLE_EQ(again.moves[4].feed_mm, 100);
+}
+
+TEST(WriteCorrected, EntriesOfWhatIsARapidAreOneForEachPositionOfAFeed) {
+  const Toolpath path = path_of("GOTO/1.,2.,3.\nGOTO/4.,5.,6.\nRAPID\nGOTO/7.,8.,9.\n");
+  PathChange change = lift(path, 1, 10);
+  change.at_rapid = {true, true};
+  const Result<std::string> two = write_corrected(path, {change});
+  ASSERT_FALSE(two);
+  EXPECT_NE(two.error().message.find("2 entries of what is reached at rapid for 0 inserted positions"),
+            std::string::npos);
+  PathChange rapid = lift(path, 2, 10);
+  rapid.at_rapid = {true};
+  const Result<std::string> of_rapid = write_corrected(path, {rapid});
+  ASSERT_FALSE(of_rapid);
+  EXPECT_NE(of_rapid.error().message.find("only of a feed"), std::string::npos);
+}
+
 // Behind it a position of three numbers would be in doubt.
 TEST(WriteCorrected, FramesAnAxisInAFileThatHasNone) {
   const Toolpath path = path_of("UNITS/MM\nGOTO/1.0,2.0,3.0\nGOTO/4.0,5.0,6.0\nGOTO/7.0,8.0,9.0\nFINI\n");

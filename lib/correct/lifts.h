@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+namespace gouge {
+
+/// The lifts along the tool axis that are tried one after the other, in mm: a quarter of a millimetre, and each 1.4
+/// times as far as the one before, up to `most_mm`.
+[[nodiscard]] inline std::vector<double> lifts_up_to(double most_mm) {
+  constexpr double kFirst_mm = 0.25, kGrowth = 1.4;
+  std::vector<double> lifts;
+  for (double lift = kFirst_mm; lift <= most_mm; lift *= kGrowth) lifts.push_back(lift);
+  return lifts;
+}
+
+}  // namespace gouge

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/cure/find_lift.h"
+#include "lib/tilt/tilt_options.h"
+
+// What would cure a collision of what does not cut, finding by finding: the smallest tilt found, and the least lift.
+
+namespace gouge {
+
+struct CureOptions {
+  double lift_step_mm = 0.01;  ///< lifts are multiples of this
+  double most_lift_mm = 100;   ///< none is sought beyond
+  TiltOptions tilt;
+};
+
+/// The tilt that frees a finding.
+struct TiltCure {
+  std::optional<double> tilt_rad;  ///< the largest along its run; none: none found
+  std::string reason;              ///< why none was
+};
+
+struct FindingCures {
+  std::size_t event = 0;  ///< index into CheckResult::events
+  TiltCure tilt;
+  LiftCure lift;
+};
+
+/// Cures of every gouge and every buried finding of shank, holder and heads, in the order of the events.
+///
+/// `result` from check() with the same path and setup.
+/// Ensures  (1) The lift is that of find_lift for all moves of the finding. (2) The tilt is that of the runs that
+///          plan_tilts gives for the whole path, as `correct` would: about the contact, coming and going over the
+///          blend. It is given only where check() of the path so tilted finds every move of the finding, and every
+///          other one that the run changed, clean or near. (3) The same at any number of threads.
+/// Cost     that of planning all tilts, a check of the path, and of find_lift for each finding.
+[[nodiscard]] std::vector<FindingCures> find_cures(const Toolpath& path, const CheckResult& result,
+                                                   const CheckSetup& setup, const CureOptions& options,
+                                                   const ProgressCall& progress = {});
+
+}  // namespace gouge

@@ -1,0 +1,208 @@
+#include "lib/cure/find_lift.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/parallel.h"
+#include "lib/certify/motion_checker.h"
+#include "lib/check/path_motion.h"
+#include "lib/path/chords.h"
+
+namespace gouge {
+namespace {
+
+constexpr std::size_t kMovesPerChunk = 8;
+constexpr int kStepsByDepth = 64;     // before lifts double
+constexpr double kChordShare = 0.25;  // of the tolerance, how far chords may be off their curve
+constexpr double kLeastChordError_mm = 2e-4;
+constexpr double kSameAxis = 1e-9;
+
+bool is_free(const MoveVerdict& verdict) {
+  return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
+}
+
+Pose lifted(const Pose& pose, double lift_mm) { return {pose.tip + lift_mm * pose.axis, pose.axis}; }
+
+/// What keeps moves from being free at a lift.
+struct Block {
+  std::size_t move = kNone;  // of the path as it was
+  Body body = Body::holder;
+  MoveState state = MoveState::gouge;
+  double depth_mm = 0;
+};
+
+class LiftSearch {
+ public:
+  LiftSearch(const Toolpath& path, const std::vector<std::size_t>& moves, const CheckSetup& setup, double step_mm,
+             double most_mm)
+      : path_(path),
+        moves_(moves),
+        options_(setup.options),
+        setup_{setup.tools, setup.heads, setup.scene, options_},
+        checker_(setup_),
+        step_mm_(step_mm),
+        most_(static_cast<std::size_t>(std::max(1.0, std::floor(most_mm / step_mm + 1e-9)))),
+        chord_error_mm_(std::max(kChordShare * setup.options.tolerance_mm, kLeastChordError_mm)) {
+    options_.near_miss_mm = 0;
+  }
+
+  LiftCure run() {
+    std::size_t low = 0, k = 1;  // not free at low
+    below_.move = moves_.front();
+    for (int step = 0;; ++step) {
+      std::optional<Block> block = find_block(k);
+      if (!block) {
+        k = lowest_free(low, k);
+        block = find_block_for_sure(k);
+        if (!block) return {static_cast<double>(k) * step_mm_, below_.move, below_.body, below_.state};
+      }
+      below_ = *block;
+      if (k == most_) return {std::nullopt, below_.move, below_.body, below_.state};
+      low = k;
+      k = std::min(next_after(k, *block, step), most_);
+    }
+  }
+
+ private:
+  /// A lift by less than what is missing does not free it.
+  [[nodiscard]] std::size_t next_after(std::size_t k, const Block& block, int step) const {
+    if (step >= kStepsByDepth) return 2 * k;
+    const double missing = block.depth_mm - options_.tolerance_mm - options_.resolution_mm;
+    const auto steps = static_cast<std::size_t>(std::max(0.0, std::floor(missing / step_mm_)));
+    return k + std::max<std::size_t>(1, block.state == MoveState::gouge ? steps : k);
+  }
+
+  /// Free at `high`, not at `low`: one that is free, and the one below is not.
+  std::size_t lowest_free(std::size_t low, std::size_t high) {
+    for (std::size_t k = high - 1; high - low > 1; k = low + (high - low) / 2) {
+      if (const std::optional<Block> block = find_block(k)) {
+        below_ = *block;
+        low = k;
+      } else {
+        high = k;
+      }
+    }
+    return high;
+  }
+
+  [[nodiscard]] LiftedMoves at(std::size_t k) const {
+    return lift_moves(path_, moves_, static_cast<double>(k) * step_mm_, chord_error_mm_);
+  }
+
+  [[nodiscard]] static Block block_of(std::size_t move, const MoveVerdict& verdict) {
+    return {move, verdict.witness ? verdict.witness->body : verdict.reason.body, verdict.state, verdict.depth_mm};
+  }
+
+  /// The deepest of the moves at a lift; the first one that is buried or not certified before all others.
+  static void take_worse(std::optional<Block>& worst, const Block& block) {
+    const auto rank = [](const Block& b) { return b.state == MoveState::gouge ? 0 : 1; };
+    const bool is_worse =
+        !worst || rank(block) > rank(*worst) || (rank(block) == rank(*worst) && block.depth_mm > worst->depth_mm);
+    if (is_worse) worst = block;
+  }
+
+  [[nodiscard]] std::optional<Block> find_block(std::size_t k) const {
+    const LiftedMoves moved = at(k);
+    const std::vector<Move>& moves = moved.path.moves;
+    std::vector<MoveVerdict> verdicts(moves.size());
+    for_each_chunk(moves.size(), kMovesPerChunk, options_.threads, [&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        const Motion motion = motion_of(moved.path, i, options_.rapid);
+        if (!motion.is_defined()) verdicts[i].state = MoveState::not_certified;
+        if (motion.is_defined())
+          verdicts[i] = checker_.check(motion, moves[i].kind, *setup_.tools[moves[i].tool], options_);
+      }
+    });
+    std::optional<Block> worst;
+    for (std::size_t i = 0; i < moves.size(); ++i) {
+      if (!is_free(verdicts[i])) take_worse(worst, block_of(origin_of(moved, i), verdicts[i]));
+    }
+    return worst;
+  }
+
+  /// The same by check(), which knows the path to each move.
+  [[nodiscard]] std::optional<Block> find_block_for_sure(std::size_t k) const {
+    const LiftedMoves moved = at(k);
+    const CheckResult result = check(moved.path, setup_);
+    std::optional<Block> worst;
+    for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
+      if (!is_free(result.verdicts[i])) take_worse(worst, block_of(origin_of(moved, i), result.verdicts[i]));
+    }
+    return worst;
+  }
+
+  // A position alone is the start of the move behind it.
+  [[nodiscard]] static std::size_t origin_of(const LiftedMoves& moved, std::size_t i) {
+    return moved.origin[i] == kNone ? moved.origin[i + 1] : moved.origin[i];
+  }
+
+  const Toolpath& path_;
+  const std::vector<std::size_t>& moves_;
+  CheckOptions options_;
+  CheckSetup setup_;
+  MotionChecker checker_;
+  double step_mm_;
+  std::size_t most_;
+  double chord_error_mm_;
+  Block below_;
+};
+
+bool keeps_axis(const Toolpath& path, std::size_t i) {
+  return (path.start_of(i).axis - path.moves[i].end.axis).norm() <= kSameAxis;
+}
+
+}  // namespace
+
+LiftedMoves lift_moves(const Toolpath& path, const std::vector<std::size_t>& moves, double lift_mm,
+                       double chord_error_mm) {
+  LiftedMoves all;
+  all.path.file = path.file;
+  all.path.unit = path.unit;
+  all.path.tools = path.tools;
+  const auto add = [&](Move move, const Pose& end, std::size_t origin) {
+    move.end = lifted(end, lift_mm);
+    move.operation = kNone;
+    move.statement = kNone;
+    move.is_linked = false;
+    all.path.moves.push_back(move);
+    all.origin.push_back(origin);
+  };
+  for (std::size_t k = 0; k < moves.size(); ++k) {
+    const std::size_t i = moves[k];
+    Move move = path.moves[i];
+    const bool goes_on = k > 0 && moves[k - 1] + 1 == i;
+    if (move.has_start && !goes_on) {
+      Move alone = move;
+      alone.has_start = false;
+      alone.curve_kind = CurveKind::none;
+      add(alone, path.start_of(i), kNone);
+    }
+    const bool is_curve = move.curve_kind != CurveKind::none && move.has_start;
+    if (is_curve && !keeps_axis(path, i)) {
+      move.curve_kind = CurveKind::none;
+      for (const Pose& to : chords_of(path, i, chord_error_mm)) add(move, to, i);
+      continue;
+    }
+    const Vec3 shift = lift_mm * move.end.axis;
+    if (is_curve && move.curve_kind == CurveKind::arc) {
+      all.path.arcs.push_back(path.arcs[move.curve]);
+      all.path.arcs.back().center += shift;
+      move.curve = all.path.arcs.size() - 1;
+    } else if (is_curve) {
+      all.path.splines.push_back(path.splines[move.curve]);
+      for (SplinePiece& piece : all.path.splines.back().pieces) {
+        for (Vec3& control : piece.control) control += shift;
+      }
+      move.curve = all.path.splines.size() - 1;
+    }
+    add(move, path.moves[i].end, i);
+  }
+  return all;
+}
+
+LiftCure find_lift(const Toolpath& path, const std::vector<std::size_t>& moves, const CheckSetup& setup, double step_mm,
+                   double most_mm) {
+  return LiftSearch(path, moves, setup, step_mm, most_mm).run();
+}
+
+}  // namespace gouge

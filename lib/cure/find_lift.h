@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "lib/certify/check.h"
+
+namespace gouge {
+
+/// How far some moves must be lifted along the tool axis.
+struct LiftCure {
+  std::optional<double> lift_mm;  ///< the least multiple of the step found; none: none up to the most
+  /// What is in the way one step below, or at the most: the move, the body and how, a gouge, buried, or not certified
+  /// to be neither.
+  std::size_t move = kNone;
+  Body body = Body::holder;
+  MoveState state = MoveState::gouge;
+};
+
+/// Moves of a path at some height: lifted along the tool axis of each position. What follows without a gap stays one
+/// motion after the other; a curve keeps its form, or, where the axis turns along it, becomes chords within
+/// `chord_error_mm`.
+struct LiftedMoves {
+  Toolpath path;                    ///< no source
+  std::vector<std::size_t> origin;  ///< of each move: of the path as it was; kNone: a position alone where others begin
+};
+[[nodiscard]] LiftedMoves lift_moves(const Toolpath& path, const std::vector<std::size_t>& moves, double lift_mm,
+                                     double chord_error_mm);
+
+/// The least lift, a multiple of `step_mm` up to `most_mm`, with which check() of the moves finds no gouge, nothing
+/// buried and nothing uncertain, of any body.
+///
+/// Requires moves in path order, not all of them free as they are.
+/// Ensures  the named move is not proved free one step below. As long as the depth is that of a distance, which a lift
+///          by less than it leaves above 0, nothing less is free either: lifts go by what is missing. After 64 of these
+///          they double, and are halved back.
+/// Cost     a check of the moves for each lift tried, some ten; a whole check at the end.
+[[nodiscard]] LiftCure find_lift(const Toolpath& path, const std::vector<std::size_t>& moves, const CheckSetup& setup,
+                                 double step_mm, double most_mm);
+
+}  // namespace gouge
