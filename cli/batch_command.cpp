@@ -2,8 +2,8 @@
 
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <ostream>
 #include <set>
@@ -36,16 +36,6 @@ std::uint64_t usable_memory() {
   return static_cast<std::uint64_t>(pages) * static_cast<std::uint64_t>(size) / 4 * 3;
 }
 
-Result<Shard> understand_shard(const std::string& text) {
-  if (text.empty()) return Shard{};
-  const std::size_t slash = text.find('/');
-  const auto index = parse_integer(text.substr(0, slash));
-  const auto count = slash == std::string::npos ? std::nullopt : parse_integer(text.substr(slash + 1));
-  if (!index || !count || *index < 1 || *count < *index || *count > 1'000'000)
-    return make_error("usage", "--shard '" + printable(text) + "': expected I/N, share I of N, such as 2/8");
-  return Shard{static_cast<std::size_t>(*index), static_cast<std::size_t>(*count)};
-}
-
 /// One run of the command, step by step. Every step that fails prints why and leaves the exit status.
 class Batch {
  public:
@@ -73,9 +63,9 @@ class Batch {
     const Outcome ran = batch.run(plan);
     if (!ran) status = fail(err_, {ran.error()}, kExitInternal);
     if (!ranks_->is_first()) store_.reset();
-    const bool is_stopped = ranks_->largest(batch.is_stopped() ? 1 : 0) != 0;
+    is_stopped_ = ranks_->largest(batch.is_stopped() || is_stopped_ ? 1 : 0) != 0;
     if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
-    if (ranks_->is_first()) status = finish(is_stopped);
+    if (ranks_->is_first()) status = finish();
     // mpirun ends all processes when one ends with another status than 0: the first speaks for all, as the last.
     const int worst = ranks_->largest(status);
     return ranks_->is_first() ? worst : kExitClean;
@@ -90,6 +80,8 @@ class Batch {
     const Result<Shard> shard = understand_shard(arguments_.shard);
     if (!shard) return refuse(shard.error());
     shard_ = *shard;
+    if (!std::isfinite(arguments_.memory_gb))
+      return refuse(make_error("usage", "--memory: expected a number of GB above 0"));
     if (const auto status = read_jobs()) return status;
     identify();
     return std::nullopt;
@@ -115,7 +107,9 @@ class Batch {
     for (BatchJob& job : jobs_) {
       if (arguments_.is_forced) job.job().is_forced = true;
     }
-    if (const auto wrong = find_jobs_in_the_way(jobs_)) return refuse(*wrong);
+    if (const auto wrong =
+            find_jobs_in_the_way(jobs_, place_, is_job_list(arguments_) ? arguments_.files.front() : std::string()))
+      return refuse(*wrong);
     return std::nullopt;
   }
 
@@ -146,9 +140,55 @@ class Batch {
                                   "anew",
                               arguments_.folder)});
     }
+    if (const auto wrong = find_other_shard()) return fail(err_, {*wrong});
+    if (const auto wrong = find_foreign()) return fail(err_, {*wrong}, kExitUsage);
     if (const Outcome begun = store_->begin(identity_); !begun) return fail(err_, {begun.error()}, kExitInternal);
     if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
     return std::nullopt;
+  }
+
+  // Its results would be dropped.
+  std::optional<Diagnostic> find_other_shard() {
+    const Result<BatchIdentity> its = store_->identity();
+    if (!its) return its.error();
+    if (its->list != identity_.list || its->numbers == identity_.numbers || arguments_.is_fresh) return std::nullopt;
+    return make_error(
+        "usage",
+        "the folder has another share of these jobs; expected a folder for each --shard, or --fresh, which "
+        "drops what is there",
+        arguments_.folder);
+  }
+
+  // Corrected toolpaths that stand where a job's is to be written, and that no batch wrote there. In a batch that was
+  // interrupted they are its own: it found none before it began.
+  std::optional<Diagnostic> find_foreign() const {
+    if (arguments_.is_forced || store_->is_interrupted()) return std::nullopt;
+    const std::map<std::string, const StoredJob*> stored = stored_jobs();
+    std::error_code ignored;
+    for (const std::size_t number : identity_.numbers) {
+      const BatchJob& job = jobs_[number];
+      const std::string name = BatchFolder::corrected_name(job), file = arguments_.folder + "/" + name;
+      if (job.output() != file || !fs::exists(fs::symlink_status(file, ignored))) continue;
+      const auto known = stored.find(job.name);
+      const bool is_own =
+          known != stored.end() && std::ranges::any_of(known->second->outputs, [&](const JobOutput& output) {
+            return output.file == name && are_as_written({output}, arguments_.folder);
+          });
+      if (is_own) continue;
+      return make_error(
+          "report-foreign",
+          "the batch would replace " + printable(name) +
+              ", which no batch wrote or which was changed since; expected a folder without it: name another "
+              "one, move it away, or let --force replace it",
+          arguments_.folder);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::map<std::string, const StoredJob*> stored_jobs() const {
+    std::map<std::string, const StoredJob*> stored;
+    for (const StoredJob& job : store_->stored()) stored[job.name] = &job;
+    return stored;
   }
 
   // Of another process than the first, which takes its results in at the end.
@@ -214,21 +254,34 @@ class Batch {
   }
 
   std::vector<std::size_t> jobs_to_run() {
-    std::map<std::string, const StoredJob*> stored;
-    for (const StoredJob& job : store_->stored()) stored[job.name] = &job;
+    const std::map<std::string, const StoredJob*> stored = stored_jobs();
     FileHashes hashes;
     std::vector<std::size_t> numbers;
-    for (std::size_t number = 0; number < jobs_.size(); ++number) {
-      if (!shard_.has(number)) continue;
+    for (const std::size_t number : identity_.numbers) {
       const auto known = stored.find(jobs_[number].name);
       const bool is_done = !arguments_.is_fresh && known != stored.end() && !known->second->key.empty() &&
                            known->second->status != kExitInternal &&
                            known->second->key == job_key(jobs_[number], texts_[number], hashes) &&
                            are_as_written(known->second->outputs, arguments_.folder);
-      if (!is_done) numbers.push_back(number);
-      taken_ += is_done ? 1 : 0;
+      if (is_done) {
+        ++taken_;
+        is_stopped_ = is_stopped_ || is_reason_to_stop(stop_on(), known->second->status);
+        continue;
+      }
+      numbers.push_back(number);
+      if (known != stored.end()) remove_corrected(*known->second);
     }
+    if (is_stopped_) numbers.clear();
     return numbers;
+  }
+
+  // A job that fails now must not leave the path that it once wrote.
+  void remove_corrected(const StoredJob& job) const {
+    std::error_code ignored;
+    for (const JobOutput& output : job.outputs) {
+      if (output.file.starts_with("corrected/") && are_as_written({output}, arguments_.folder))
+        fs::remove(arguments_.folder + "/" + output.file, ignored);
+    }
   }
 
   [[nodiscard]] std::size_t jobs_at_once() const {
@@ -246,25 +299,43 @@ class Batch {
     return arguments_.stop_on == "gouge" ? StopOn::gouge : StopOn::error;
   }
 
-  int finish(bool is_stopped) {
+  int finish() {
     if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
     const Result<std::vector<JobResult>> read = store_->all();
     if (!read) return fail(err_, {read.error()}, kExitInternal);
     const std::vector<JobResult>& results = *read;
+    const bool is_whole = std::ranges::all_of(results, [](const JobResult& job) { return job.status.has_value(); });
+    warn_of_two_contents(results);
     Outcome written = write_batch_files(*folder_, results);
-    if (written && !is_stopped) written = store_->end();
+    if (written && is_whole) written = store_->end();
     if (!written) return fail(err_, {written.error()}, kExitInternal);
     is_done_ = true;
     if (!arguments_.is_quiet) {
       print_batch(out_, arguments_.watch.empty() ? results : results_of(ran_, results));
       if (taken_ > 0) out_ << count_text(taken_, "job") << " taken from the store, " << ran_.size() << " run\n";
-      if (is_stopped) out_ << "stopped as asked; --resume runs the rest\n";
+      if (is_stopped_ && !is_whole) out_ << "stopped as asked; --resume runs the rest\n";
       out_ << "report: " << printable(arguments_.folder) << "/index.html\n";
     }
     return batch_status(results);
   }
 
   std::unique_ptr<Ranks> ranks_;
+  // A file that changed while the batch ran: each verdict is that of the content its job read.
+  void warn_of_two_contents(const std::vector<JobResult>& results) const {
+    std::map<std::string, std::string> contents;
+    for (const JobResult& job : results) {
+      for (const InputFile& input : job.inputs) {
+        const auto [first, is_new] = contents.try_emplace(input.name, input.checksum);
+        if (is_new || first->second == input.checksum) continue;
+        print(err_, {make_warning("jobs-input-changed",
+                                  "changed while the batch ran, so jobs were checked against different contents of it; "
+                                  "run the batch again, which runs those that are of the old one",
+                                  input.name)});
+        return;
+      }
+    }
+  }
+
   // Of a shard or not, results are in the order of the jobs that are run here.
   [[nodiscard]] std::vector<JobResult> results_of(const std::set<std::size_t>& numbers,
                                                   const std::vector<JobResult>& all) const {
@@ -287,73 +358,10 @@ class Batch {
   std::optional<ResultStore> store_;
   std::size_t taken_ = 0;
   std::set<std::size_t> ran_;
-  bool is_done_ = false;
+  bool is_done_ = false, is_stopped_ = false;
 };
 
 }  // namespace
-
-void add_batch_options(CLI::App& command, BatchArguments& a) {
-  command
-      .add_option(
-          "JOBS", a.files,
-          "A job list (JOBS.json, docs/formats/batch.md), or toolpaths that are all checked with the options of "
-          "check given here")
-      ->type_name("FILE");
-  command
-      .add_option("-o,--output", a.folder,
-                  "Folder for the results: index.html, summary.csv, summary.json, junit.xml, findings.sarif, "
-                  "results.sqlite, reports/, corrected/")
-      ->type_name("FOLDER")
-      ->required();
-  command.add_option("--jobs", a.jobs, "Jobs to run at once at most (0: as many as threads)")->capture_default_str();
-  command.add_flag("--resume", a.is_resumed, "Go on with a batch that was interrupted; what is done stays");
-  command.add_flag("--fresh", a.is_fresh, "Run every job again, also those whose inputs and options have not changed");
-  command.add_flag("--dry-run", a.is_rehearsal, "List the jobs and their options; write nothing");
-  command.add_flag("--no-reports", a.is_without_reports, "Write no report of any job, only the summary of all");
-  command.add_option("--stop-on", a.stop_on, "Begin no more jobs after one that failed, or also after one that gouges")
-      ->check(CLI::IsMember({"error", "gouge"}));
-  command
-      .add_option("--memory", a.memory_gb, "Memory in GB that jobs may need together (default: 3/4 of the machine's)")
-      ->type_name("FLOAT:POSITIVE")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--shard", a.shard, "Run share I of N of the jobs alone; 'gougecheck merge' joins the folders")
-      ->type_name("I/N");
-  command
-      .add_option("--watch", a.watch,
-                  "Check the toolpaths of a folder (or like 'hot/*.apt') now, and each that is written there, until "
-                  "ctrl-C")
-      ->type_name("FOLDER");
-  command.add_flag("--force", a.is_forced,
-                   "Let outputs replace files of their names that no batch or report wrote, never an input");
-  add_common_job_options(command, a.job, false);
-  add_progress_option(command, a.progress);
-  add_verbosity(command, a, "Print notes as well (not with -q)");
-  command.footer(
-      "Examples:\n"
-      "  gougecheck batch ops/*.apt --part part.stl --tools tools.json -o night\n"
-      "  gougecheck batch jobs.json -o night --resume\n\n"
-      "A job list:\n"
-      "  {\"defaults\": {\"part\": \"part.stl\", \"tools\": \"tools.json\"},\n"
-      "   \"jobs\": [{\"name\": \"op10\", \"path\": \"op10.apt\"},\n"
-      "            {\"path\": \"finish/*.apt\", \"command\": \"correct\"}]}\n\n"
-      "Exit status: that of the worst job, in the order 5, 2, 3, 1, 4, 0; see 'gougecheck check --help'.");
-}
-
-void take_words(const CLI::App& command, BatchArguments& arguments) {
-  constexpr std::string_view kOwn[] = {"output",   "jobs",   "resume",  "fresh", "dry-run", "no-reports",
-                                       "stop-on",  "memory", "shard",   "watch", "force",   "threads",
-                                       "progress", "quiet",  "verbose", "help"};
-  for (const CLI::Option* option : command.get_options()) {
-    if (option->count() == 0 || option->get_lnames().empty()) continue;
-    const std::string& name = option->get_lnames().front();
-    if (std::ranges::find(kOwn, name) != std::end(kOwn)) continue;
-    if (option->get_items_expected_max() == 0) {
-      arguments.words.push_back("--" + name);
-      continue;
-    }
-    for (const std::string& value : option->results()) arguments.words.push_back("--" + name + "=" + value);
-  }
-}
 
 int run_batch(const BatchArguments& arguments, std::ostream& out, std::ostream& err) {
   if (arguments.watch.empty() == arguments.files.empty())

@@ -72,7 +72,10 @@ class OutputLister {
 
   void add(const std::string& file) {
     const fs::path path(file);
-    const Result<ManifestEntry> entry = describe(path);
+    std::error_code ignored;
+    // What went into a pipe or a device cannot be looked at again.
+    const Result<ManifestEntry> entry =
+        fs::is_regular_file(path, ignored) ? describe(path) : make_error("file-unreadable", "is no plain file", file);
     if (!entry) {
       is_whole_ = false;
       return;

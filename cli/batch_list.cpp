@@ -9,6 +9,7 @@
 
 #include "cli/job_words.h"
 #include "cli/overwriting.h"
+#include "cli/report_manifest.h"
 #include "lib/base/files.h"
 #include "lib/base/printable_text.h"
 #include "toolmodels/json_file.h"
@@ -27,11 +28,16 @@ std::optional<std::string> why_no_name(const std::string& name) {
   if (name.size() > kLongestName) return "has more than " + std::to_string(kLongestName) + " bytes";
   if (name.front() == '.' || name.front() == '-') return std::string("begins with ") + name.front();
   if (name.find('/') != std::string::npos) return "holds a /";
+  if (name.front() == ' ' || name.back() == ' ') return "begins or ends with a blank";
   if (printable(name) != name) return "holds characters that cannot be printed";
   return std::nullopt;
 }
 
-bool is_pattern(const std::string& file) { return file.find_first_of("*?[") != std::string::npos; }
+// A file that is there is itself, as browsers write "path [1].apt".
+bool is_pattern(const std::string& file) {
+  std::error_code ignored;
+  return file.find_first_of("*?[") != std::string::npos && !fs::exists(file, ignored);
+}
 
 std::vector<std::string> files_like(const std::string& pattern) {
   glob_t found{};
@@ -65,7 +71,8 @@ Result<BatchJob> make_job(std::string name, const std::string& command, std::vec
   std::vector<std::string> line = job.words;
   const bool has_output = std::ranges::any_of(line, [](const std::string& w) { return w.starts_with("--output="); });
   if (command == "correct" && !has_output) line.push_back(std::string("--output=") + kNoOutput);
-  line.insert(line.end(), {"--", path});
+  if (path.starts_with('-')) line.emplace_back("--");
+  line.push_back(path);
   job.words.push_back(path);
   Result<CommandArguments> parsed = parse_command(command, line);
   if (!parsed) return parsed.error();
@@ -81,7 +88,8 @@ class JobListReader {
       : file_(std::move(file)), base_(fs::path(file_).parent_path().string()), folder_(folder) {}
 
   Result<std::vector<BatchJob>> run() {
-    const Result<std::string> bytes = read_file(file_);
+    constexpr std::uint64_t kMostBytes = 256'000'000;
+    const Result<std::string> bytes = read_file(file_, kMostBytes);
     if (!bytes) return bytes.error();
     Result<detail::JsonFile> json =
         detail::parse_json(file_, *bytes, {"jobs-syntax", "jobs-duplicate-key", "a job list"});
@@ -230,6 +238,78 @@ class JobListReader {
   std::vector<BatchJob> jobs_;
 };
 
+/// Looks for files that one job writes and another one, or the batch itself, reads or writes.
+class CollisionSearch {
+ public:
+  CollisionSearch(const std::vector<BatchJob>& jobs, const BatchFolder& folder, const std::string& list)
+      : jobs_(jobs), folder_(folder), list_(list) {}
+
+  std::optional<Diagnostic> find() {
+    if (!list_.empty()) inputs_.emplace(place(list_), "the job list itself");
+    for (const BatchJob& job : jobs_) {
+      if (const auto wrong = add_inputs(job)) return wrong;
+    }
+    for (const BatchJob& job : jobs_) {
+      for (const Output& output : outputs_of(job.job(), job.output())) {
+        if (output.file.empty()) continue;
+        if (const auto wrong = add_output(job, output)) return wrong;
+      }
+    }
+    return std::nullopt;
+  }
+
+ private:
+  const std::string& place(const std::string& file) {
+    std::string& at = known_[file];
+    if (at.empty()) at = canonical_place(file);
+    return at;
+  }
+
+  // What can be read once is no input of two.
+  std::optional<Diagnostic> add_inputs(const BatchJob& job) {
+    for (const InputOption& input : inputs_of(job.job())) {
+      if (input.file.empty()) continue;
+      const auto [other, is_new] = inputs_.try_emplace(place(input.file), input.what + " of job " + job.name);
+      std::error_code ignored;
+      if (is_new || !fs::exists(input.file, ignored) || fs::is_regular_file(input.file, ignored) ||
+          fs::is_directory(input.file, ignored))
+        continue;
+      return make_error("usage", "job " + printable(job.name) + ": " + printable(input.file) + " is " + other->second +
+                                     " as well, and no plain file, so it can be read but once; name a file");
+    }
+    return std::nullopt;
+  }
+
+  std::optional<Diagnostic> add_output(const BatchJob& job, const Output& output) {
+    const std::string said =
+        "job " + printable(job.name) + ": " + output.option + " '" + printable(output.file) + "' is ";
+    const bool is_report = output.kind == Output::Kind::report_folder;
+    const bool is_ours = is_report || output.file == folder_.path + "/" + BatchFolder::corrected_name(job);
+    const std::string below = place(folder_.path) + "/";
+    if (!is_ours && (place(output.file) + "/").starts_with(below))
+      return make_error("usage", said + "in the folder of the batch, where it alone writes; name a place outside");
+    std::vector<std::string> files = {output.file};
+    if (is_report) {
+      for (const std::string& name : names_of_report()) files.push_back(output.file + "/" + name);
+    }
+    for (const std::string& file : files) {
+      const auto input = inputs_.find(place(file));
+      if (input == inputs_.end()) continue;
+      return make_error("usage", said + (is_report ? "where " + file + " stands, " : "") + input->second +
+                                     "; name another " + (is_report ? "folder" : "file"));
+    }
+    const auto [other, is_new] = outputs_.try_emplace(place(output.file), output.option + " of job " + job.name);
+    if (!is_new) return make_error("usage", said + other->second + " as well; name another file");
+    return std::nullopt;
+  }
+
+  const std::vector<BatchJob>& jobs_;
+  const BatchFolder& folder_;
+  const std::string& list_;
+  std::map<std::string, std::string> inputs_, outputs_;  // by where a name leads: what it is
+  std::map<std::string, std::string> known_;
+};
+
 }  // namespace
 
 JobArguments& BatchJob::job() {
@@ -255,6 +335,9 @@ Result<std::vector<BatchJob>> read_job_list(const std::string& file, const Batch
 
 Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
                                         const std::vector<std::string>& words, const BatchFolder& folder) {
+  if (std::ranges::none_of(words, [](const std::string& word) { return word.starts_with("--part="); }))
+    return make_error("usage",
+                      "toolpaths need --part; a job list, which says it of each job, is one file called *.json");
   std::map<std::string, std::size_t> stems;
   for (const std::string& path : toolpaths) ++stems[fs::path(path).stem().string()];
   std::vector<BatchJob> jobs;
@@ -278,30 +361,9 @@ Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpath
   return jobs;
 }
 
-std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs) {
-  std::map<std::string, std::string> inputs, outputs;  // by where a name leads: what it is
-  std::map<std::string, std::string> known;
-  const auto place = [&](const std::string& file) -> const std::string& {
-    std::string& at = known[file];
-    if (at.empty()) at = canonical_place(file);
-    return at;
-  };
-  for (const BatchJob& job : jobs) {
-    for (const InputOption& input : inputs_of(job.job())) {
-      if (!input.file.empty()) inputs.try_emplace(place(input.file), input.what + " of job " + job.name);
-    }
-  }
-  for (const BatchJob& job : jobs) {
-    for (const Output& output : outputs_of(job.job(), job.output())) {
-      if (output.file.empty()) continue;
-      const std::string said = "job " + job.name + ": " + output.option + " '" + output.file + "' is ";
-      const auto input = inputs.find(place(output.file));
-      if (input != inputs.end()) return make_error("usage", said + input->second + "; name another file");
-      const auto [other, is_new] = outputs.try_emplace(place(output.file), output.option + " of job " + job.name);
-      if (!is_new) return make_error("usage", said + other->second + " as well; name another file");
-    }
-  }
-  return std::nullopt;
+std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs, const BatchFolder& folder,
+                                               const std::string& list) {
+  return CollisionSearch(jobs, folder, list).find();
 }
 
 }  // namespace gouge

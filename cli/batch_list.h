@@ -45,8 +45,10 @@ struct BatchFolder {
 [[nodiscard]] Result<std::vector<BatchJob>> list_jobs(const std::vector<std::string>& toolpaths,
                                                       const std::vector<std::string>& words, const BatchFolder& folder);
 
-/// What speaks against running these jobs together: an output of one that is an input or an output of another. Code:
-/// usage.
-[[nodiscard]] std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs);
+/// What speaks against running these jobs together: an output of one that is an input or an output of another, that is
+/// the job list (empty: there is none), or that lies in the folder of the batch without being its own; a pipe that two
+/// are to read. Code: usage.
+[[nodiscard]] std::optional<Diagnostic> find_jobs_in_the_way(const std::vector<BatchJob>& jobs,
+                                                             const BatchFolder& folder, const std::string& list);
 
 }  // namespace gouge

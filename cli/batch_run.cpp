@@ -25,6 +25,12 @@ std::uint64_t bytes_of(const std::string& file) {
 
 }  // namespace
 
+bool is_reason_to_stop(StopOn what, std::optional<int> status) {
+  const int severity = severity_of(status);
+  return (what != StopOn::nothing && severity <= severity_of(kExitInput)) ||
+         (what == StopOn::gouge && severity <= severity_of(kExitGouges));
+}
+
 BatchRun::BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::string>& texts,
                    const BatchOptions& options, ResultStore& store, Progress& progress, Ranks& ranks)
     : jobs_(jobs), texts_(texts), options_(options), store_(store), progress_(progress), ranks_(ranks) {
@@ -116,10 +122,7 @@ void BatchRun::run_one(std::size_t number) {
 
 void BatchRun::note(std::size_t number, JobResult&& result) {
   const std::scoped_lock lock(guard_);
-  const int severity = severity_of(result.status);
-  if ((options_.stop_on != StopOn::nothing && severity <= severity_of(kExitInput)) ||
-      (options_.stop_on == StopOn::gouge && severity <= severity_of(kExitGouges)))
-    is_stopped_ = true;
+  if (is_reason_to_stop(options_.stop_on, result.status)) is_stopped_ = true;
   ++done_;
   moves_ += result.moves();
   queued_.emplace_back(number, std::move(result));

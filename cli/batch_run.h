@@ -20,6 +20,9 @@ namespace gouge {
 
 enum class StopOn { nothing, error, gouge };
 
+/// Whether no other job is to begin after one that ended so.
+[[nodiscard]] bool is_reason_to_stop(StopOn what, std::optional<int> status);
+
 struct BatchOptions {
   std::string folder;
   std::size_t jobs_at_once = 1;

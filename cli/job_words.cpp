@@ -52,7 +52,9 @@ std::string kind_of(const nlohmann::json& value) {
 Diagnostic unknown(const std::string& command, const std::string& key) {
   std::vector<std::string> names;
   for (const CLI::Option* option : table_of(command).get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back(name);
+    for (const std::string& name : option->get_lnames()) {
+      if (name != "help") names.push_back(name);
+    }
   }
   const std::string nearest = nearest_name(key, names);
   return wrong("\"" + key + "\" is no option of " + command + "; expected the long name of one without its --" +

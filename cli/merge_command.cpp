@@ -73,7 +73,7 @@ class Merge {
     if (const auto wrong = find_contradiction(arguments_)) return fail(err_, {*wrong});
     if (const auto wrong = read()) return fail(err_, {*wrong});
     if (const Outcome merged = write(); !merged) {
-      const bool is_usage = merged.error().code == "report-foreign" || merged.error().code == "merge-unfit";
+      const bool is_usage = merged.error().code == "report-foreign" || merged.error().code == "usage";
       return fail(err_, {merged.error()}, is_usage ? kExitUsage : kExitInternal);
     }
     if (!arguments_.is_quiet) {
@@ -100,6 +100,8 @@ class Merge {
                                                   " of the list are in none of the folders, the first is number " +
                                                   std::to_string(missing + 1) + "; expected those of all shards");
     }
+    if (const auto wrong = find_two_contents()) return wrong;
+    if (const auto wrong = find_changed_output()) return wrong;
     for (const auto& [number, place] : from_) {
       const auto& [share, index] = place;
       whole_->numbers.push_back(number);
@@ -125,6 +127,62 @@ class Merge {
     return std::nullopt;
   }
 
+  // No single run reads two contents of one file: then some verdicts are of another part than others.
+  [[nodiscard]] std::optional<Diagnostic> find_two_contents() const {
+    std::map<std::string, std::pair<std::string, const Share*>> contents;
+    for (const Share& share : shares_) {
+      for (const JobResult& job : share.results) {
+        for (const InputFile& input : job.inputs) {
+          const auto [first, is_new] = contents.try_emplace(input.name, input.checksum, &share);
+          if (is_new || first->second.first == input.checksum) continue;
+          return unfit(share.folder,
+                       "its " + input.role + " " + printable(input.name) + " had another content than in " +
+                           first->second.second->folder +
+                           "; expected the same files for all shards: run the shard again whose file was the "
+                           "wrong one");
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<Diagnostic> find_changed_output() const {
+    for (const Share& share : shares_) {
+      for (const JobResult& job : share.results) {
+        for (const JobOutput& output : job.outputs) {
+          if (output.file.starts_with('/') || are_as_written({output}, share.folder)) continue;
+          return unfit(share.folder, "the file " + printable(output.file) + " of job " + printable(job.name) +
+                                         " is gone or was changed; run that shard again");
+        }
+      }
+    }
+    return std::nullopt;
+  }
+
+  // Files that stand where a job's are to be put, and that no batch wrote there.
+  [[nodiscard]] std::optional<Diagnostic> find_foreign(const ResultStore& store) const {
+    if (arguments_.is_forced || store.is_interrupted()) return std::nullopt;
+    std::map<std::string, JobOutput> known;
+    for (const StoredJob& job : store.stored()) {
+      for (const JobOutput& output : job.outputs) known[output.file] = output;
+    }
+    std::error_code ignored;
+    for (const JobResult& job : results_) {
+      for (const JobOutput& output : job.outputs) {
+        if (output.file.starts_with('/') || !fs::exists(arguments_.folder + "/" + output.file, ignored)) continue;
+        const auto its = known.find(output.file);
+        if (its != known.end() && are_as_written({its->second}, arguments_.folder)) continue;
+        return make_error(
+            "report-foreign",
+            "the file " + printable(output.file) +
+                " is there and was not written by a batch, or was changed since; expected a folder without "
+                "it: name another one, move it away, or let --force replace it",
+            arguments_.folder);
+      }
+    }
+    return std::nullopt;
+  }
+
   Outcome write() {
     if (Outcome made = make_folder(arguments_.folder); !made) return made;
     ReportFolder folder(arguments_.folder, arguments_.is_forced, names_of_batch());
@@ -134,7 +192,9 @@ class Merge {
     const Result<BatchIdentity> before = store->identity();
     if (!before) return before.error();
     if (!before->list.empty() && before->list != whole_->list && !arguments_.is_forced)
-      return unfit(arguments_.folder, "holds another batch; name another folder, or let --force replace it");
+      return make_error("usage", "holds another batch; name another folder, or let --force replace it",
+                        arguments_.folder);
+    if (const auto foreign = find_foreign(*store)) return *foreign;
     if (Outcome begun = store->begin(*whole_); !begun) return begun;
     std::vector<ResultStore::Numbered> done;
     for (std::size_t k = 0; k < results_.size(); ++k) {
@@ -151,9 +211,6 @@ class Merge {
     const std::string& from = shares_[from_.at(whole_->numbers[k]).first].folder;
     for (const JobOutput& output : results_[k].outputs) {
       if (output.file.starts_with('/')) continue;
-      if (!are_as_written({output}, from))
-        return unfit(from, "the file " + output.file + " of job " + printable(results_[k].name) +
-                               " is gone or was changed; run that shard again");
       if (Outcome put = put_copy(from + "/" + output.file, arguments_.folder + "/" + output.file); !put) return put;
     }
     return Done{};

@@ -76,7 +76,7 @@ std::string row_of(const JobResult& job, std::size_t rank) {
   const std::string state = "<span class=\"state " + verdict + "\">" + verdict + "</span>";
   std::string row = picture_cell(job) + name_cell(job) + sorted_by(std::to_string(rank), state, "k");
   if (!job.status) return row + "<td></td><td></td><td></td><td></td>";
-  row += html_cell(std::to_string(job.moves()), "n") + html_cell(std::to_string(job.findings.size()), "n");
+  row += html_cell(std::to_string(job.moves()), "n") + html_cell(std::to_string(job.gouge_findings()), "n");
   row += sorted_by(job.deepest ? exact_text(job.deepest_mm) : "", xml_escaped(deepest_text(job)), "n");
   return row + html_cell(remark(job));
 }
@@ -94,7 +94,7 @@ std::string numbers(const std::vector<JobResult>& jobs) {
   std::size_t moves = 0, findings = 0, gouging = 0;
   for (const JobResult& job : jobs) {
     moves += job.moves();
-    findings += job.findings.size();
+    findings += job.gouge_findings();
     gouging += job.counts.gouge + job.counts.buried;
   }
   const auto box = [](const std::string& value, const char* what, const char* css) {

@@ -22,7 +22,7 @@ TableRow row_of(const JobResult& job) {
     const std::vector<std::string> remarks = job.remarks();
     deepest = remarks.empty() ? "status " + std::to_string(*job.status) : remarks.front();
   }
-  return {printable(job.name),    job.verdict(),     std::to_string(job.moves()), std::to_string(job.findings.size()),
+  return {printable(job.name),    job.verdict(),     std::to_string(job.moves()), std::to_string(job.gouge_findings()),
           time_text(job.seconds), printable(deepest)};
 }
 

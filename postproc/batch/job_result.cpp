@@ -15,6 +15,12 @@ std::size_t JobResult::moves() const {
   return counts.clean + counts.near_miss + counts.gouge + counts.buried + counts.not_checked + counts.not_certified;
 }
 
+std::size_t JobResult::gouge_findings() const {
+  return static_cast<std::size_t>(std::ranges::count_if(findings, [](const Finding& finding) {
+    return finding.state == MoveState::gouge || finding.state == MoveState::buried;
+  }));
+}
+
 std::vector<std::string> JobResult::remarks() const {
   std::vector<std::string> remarks;
   for (const Diagnostic& warning : warnings) remarks.push_back(to_text(warning));

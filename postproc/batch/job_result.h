@@ -45,6 +45,8 @@ struct JobResult {
   int rank = 0;
 
   [[nodiscard]] std::size_t moves() const;
+  /// How many of its findings are gouges or a buried tool.
+  [[nodiscard]] std::size_t gouge_findings() const;
   /// Its warnings as text; of a job without a result what its command said of its errors.
   [[nodiscard]] std::vector<std::string> remarks() const;
   /// "clean", "gouges", "not-fully-checked", "failed" or "not-run".

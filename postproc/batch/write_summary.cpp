@@ -18,7 +18,7 @@ constexpr std::string_view kColumns =
 void add_counts(CsvRow& row, const JobResult& job) {
   const StateCounts& n = job.counts;
   for (const std::size_t count :
-       {job.moves(), n.clean, n.near_miss, n.gouge, n.buried, n.not_checked, n.not_certified, job.findings.size()})
+       {job.moves(), n.clean, n.near_miss, n.gouge, n.buried, n.not_checked, n.not_certified, job.gouge_findings()})
     row.count(count);
 }
 
@@ -75,7 +75,7 @@ Json object_of(const JobResult& job) {
                    {"not_checked", n.not_checked},
                    {"not_certified", n.not_certified},
                    {"skipped", n.skipped}}},
-                 {"findings", job.findings.size()},
+                 {"findings", job.gouge_findings()},
                  {"deepest", job.deepest ? Json(*job.deepest) : Json(nullptr)},
                  {"deepest_line", job.deepest ? Json(job.deepest_line) : Json(nullptr)},
                  {"report", job.report.empty() ? Json(nullptr) : Json(valid_utf8(job.report))},

@@ -22,7 +22,7 @@ const char* code_of(int result) {
 std::string message_of(int result, const std::string& said) {
   const int kind = result & 0xff;
   if (kind == SQLITE_BUSY || kind == SQLITE_LOCKED)
-    return "another gougecheck is at work in this folder; expected one at a time, or a folder for each";
+    return "another program has it open: a gougecheck at work in this folder, or a query; expected one at a time";
   if (kind == SQLITE_NOTADB) return "is no store of a batch; move it away, or name another folder";
   if (kind == SQLITE_CORRUPT) return "is damaged (" + said + "); move it away, and the batch begins anew";
   if (kind == SQLITE_FULL) return "the disk is full; what was committed is kept, and --resume goes on from there";
@@ -93,6 +93,8 @@ Result<Database> Database::open(const std::string& path) {
     database.state_->fail(result);
     return *database.error();
   }
+  constexpr int kPatience_ms = 2000;  // with somebody who looks into the store
+  sqlite3_busy_timeout(opened, kPatience_ms);
   database.run("PRAGMA locking_mode=EXCLUSIVE");
   if (database.error()) return *database.error();
   return database;

