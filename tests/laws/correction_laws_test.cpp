@@ -107,7 +107,7 @@ TEST(CorrectionLaws, HoldForRandomProgramsThatAreTrimmed) {
 /// Corrects this toolpath as the program does and holds the laws against what was written.
 void hold_for(const JobArguments& arguments) {
   const Job job = guarantee::load(arguments);
-  const PreparedScene scene = prepare_scene(job.scene);
+  const PreparedScene scene = prepare_scene(job.scene());
   const CheckSetup setup = job.setup(scene);
   const CheckResult before = check(job.toolpath, setup);
   const auto rewrite = [&](const std::vector<PathChange>& changes) -> Result<Toolpath> {

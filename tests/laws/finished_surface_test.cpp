@@ -147,7 +147,7 @@ TEST(FinishedSurface, OfTheFreeformsTiltedPassIsAsFinishedAsBefore) {
   for (const auto& part : sample.parts) arguments.parts.push_back(own + part.file);
   const Job job = guarantee::load(arguments);
   std::filesystem::remove_all(folder);
-  const PreparedScene scene = prepare_scene(job.scene);
+  const PreparedScene scene = prepare_scene(job.scene());
   const Result<LawfulCorrection> corrected = correct_without_file(job.toolpath, job.setup(scene), {});
   ASSERT_TRUE(corrected.has_value());
   const Span span = tilted_span(job.toolpath, corrected->correction);
@@ -156,7 +156,7 @@ TEST(FinishedSurface, OfTheFreeformsTiltedPassIsAsFinishedAsBefore) {
   const CompiledTool& cutter = job.tools()[0]->cutting;
   std::vector<SurfacePoint> points;
   test::Scatter scatter(1);
-  for (const IndexedMesh& mesh : job.scene.parts) {
+  for (const IndexedMesh& mesh : job.scene().parts) {
     for (const auto& triangle : mesh.triangles) {
       const Vec3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
       const Vec3 normal = (b - a).cross(c - a).normalized();

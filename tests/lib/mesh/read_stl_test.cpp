@@ -242,7 +242,8 @@ TEST(ReadStl, EveryPrefixOfAFileIsReadOrRefusedWithoutHarm) {
 
 TEST(ReadStl, ReadsTwoMillionBinaryTriangles) {
   const IndexedMesh sheet = shapes::sheet(100, 100, 0, 1000, 1000);
-  const auto soup = parse_stl(binary_stl_bytes(sheet, LengthUnit::mm), "part.stl");
+  const std::string bytes = binary_stl_bytes(sheet, LengthUnit::mm);
+  const auto soup = parse_stl(bytes, "part.stl");
   ASSERT_TRUE(soup.has_value());
   EXPECT_EQ(soup->triangles.size(), 2000000U);
 }
