@@ -41,7 +41,6 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
       ->check(CLI::IsMember({"error", "gouge"}));
   command
       .add_option("--memory", a.memory_gb, "Memory in GB that jobs may need together (default: 3/4 of the machine's)")
-      ->type_name("FLOAT:POSITIVE")
       ->check(CLI::PositiveNumber);
   command.add_option("--shard", a.shard, "Run share I of N of the jobs alone; 'gougecheck merge' joins the folders")
       ->type_name("I/N");

@@ -39,7 +39,7 @@ TEST(ParseErrors, AnUnknownOptionIsNamedWithTheOneThatWasMeant) {
 }
 
 TEST(ParseErrors, AnUnknownCommandIsNamedWithTheCommandsThereAre) {
-  const std::string expected = "; expected check, correct, clash, mesh, path or tool";
+  const std::string expected = "; expected check, correct, batch, clash, merge, mesh, path or tool";
   EXPECT_EQ(said({"chekc", "x"}), "'chekc' is no command of gougecheck" + expected + "; did you mean check?");
   EXPECT_EQ(said({"simulate"}), "'simulate' is no command of gougecheck" + expected);
   EXPECT_EQ(said({}), "no command after gougecheck" + expected);
