@@ -149,6 +149,12 @@ bool are_as_written(const std::vector<JobOutput>& outputs, const std::string& fo
   });
 }
 
+bool is_below(const std::string& file) {
+  const fs::path path(file);
+  return !file.empty() && path.is_relative() &&
+         std::ranges::none_of(path, [](const fs::path& step) { return step == ".." || step == "."; });
+}
+
 JobResult run_job(const BatchJob& job, const std::string& text, const std::string& folder, SceneStore& scenes) {
   const auto began = std::chrono::steady_clock::now();
   JobResult result;

@@ -31,6 +31,9 @@ class FileHashes {
 /// Whether all of `outputs`, below `folder` where they are relative, are there and as they were written.
 [[nodiscard]] bool are_as_written(const std::vector<JobOutput>& outputs, const std::string& folder);
 
+/// Whether the name of an output leads below the folder it is relative to: a store may come from somebody else.
+[[nodiscard]] bool is_below(const std::string& file);
+
 /// Runs one job to its end, whatever it meets, and describes what came of it. `text`: its job_text.
 [[nodiscard]] JobResult run_job(const BatchJob& job, const std::string& text, const std::string& folder,
                                 SceneStore& scenes);

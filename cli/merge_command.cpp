@@ -150,7 +150,8 @@ class Merge {
     for (const Share& share : shares_) {
       for (const JobResult& job : share.results) {
         for (const JobOutput& output : job.outputs) {
-          if (output.file.starts_with('/') || are_as_written({output}, share.folder)) continue;
+          if (output.file.starts_with('/') || (is_below(output.file) && are_as_written({output}, share.folder)))
+            continue;
           return unfit(share.folder, "the file " + printable(output.file) + " of job " + printable(job.name) +
                                          " is gone or was changed; run that shard again");
         }

@@ -1,5 +1,6 @@
 #include "tests/samples/batch_folder.h"
 
+#include <gtest/gtest.h>
 #include <sqlite3.h>
 
 #include <algorithm>
@@ -104,6 +105,13 @@ std::map<std::string, std::string> batch_files(const std::string& folder) {
     files[name] = std::move(bytes);
   }
   return files;
+}
+
+void change_store(const std::string& file, const std::string& sql) {
+  sqlite3* store = nullptr;
+  EXPECT_EQ(sqlite3_open_v2(file.c_str(), &store, SQLITE_OPEN_READWRITE, nullptr), SQLITE_OK);
+  EXPECT_EQ(sqlite3_exec(store, sql.c_str(), nullptr, nullptr, nullptr), SQLITE_OK);
+  sqlite3_close(store);
 }
 
 std::string difference(const std::map<std::string, std::string>& a, const std::map<std::string, std::string>& b) {

@@ -17,6 +17,9 @@ void write_job_list(const std::string& folder, const std::vector<std::string>& s
 /// sorted.
 [[nodiscard]] std::map<std::string, std::string> batch_files(const std::string& folder);
 
+/// Runs `sql` on a store, as somebody else may.
+void change_store(const std::string& file, const std::string& sql);
+
 /// Names that differ or are on one side alone, for messages; empty where both are the same.
 [[nodiscard]] std::string difference(const std::map<std::string, std::string>& a,
                                      const std::map<std::string, std::string>& b);

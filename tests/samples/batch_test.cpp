@@ -322,6 +322,19 @@ TEST(Batch, JoinsNoSharesThatReadDifferentContentsOfOneFile) {
   EXPECT_NE(other.err.find("another share"), std::string::npos) << other.err;
 }
 
+// A store may come from somebody else, and name files that are none of the batch.
+TEST(Batch, JoinsNoFilesFromOutsideOfAShare) {
+  const std::string folder = samples_with_list({"needles"});
+  ASSERT_EQ(batch(folder, {"jobs.json", "-o", "s"}).exit_status, 0);
+  write_text(folder + "/secret", "x");
+  const std::string hash = "2d711642b726b04401627ca9fbac32f5c8530fb1903cc4db02258717921a4881";
+  change_store(folder + "/s/results.sqlite", "INSERT INTO outputs VALUES(0, 99, '../secret', 1, '" + hash + "')");
+  const Outcome merged = run_gougecheck(folder, {"merge", "s", "-o", "m/m"});
+  EXPECT_EQ(merged.exit_status, 3) << merged.out << merged.err;
+  EXPECT_NE(merged.err.find("../secret"), std::string::npos) << merged.err;
+  EXPECT_FALSE(fs::exists(folder + "/m"));
+}
+
 TEST(Batch, TakesAFileForItselfBeforeItTakesItForAPattern) {
   const std::string folder = samples_with_list({"needles", "thin_post"});
   fs::copy_file(folder + "/needles/needles.apt", folder + "/x1.apt");
