@@ -54,6 +54,9 @@ std::vector<std::string> reservations(const ReportModel& model) {
   for (const Diagnostic& note : model.notes) {
     if (note.code == kSceneMisplaced) all.push_back(note.message);
   }
+  // "Clean" is what is left of the path, not the part.
+  if (std::string uncut = uncut_text(model.correction, model.toolpath->unit); !uncut.empty())
+    all.push_back(std::move(uncut));
   if (std::string gaps = depth_gaps_text(model); !gaps.empty()) all.push_back(std::move(gaps));
   std::string bare;
   std::size_t count = 0;
