@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <ctime>
 #include <filesystem>
 #include <map>
@@ -31,7 +32,7 @@ double seconds_of(const timespec& time) {
 
 /// What of a file changes when it is written.
 struct Stamp {
-  double time_s = 0;
+  std::int64_t time_ns = 0;
   off_t bytes = 0;
 
   bool operator==(const Stamp&) const = default;
@@ -94,7 +95,7 @@ class Watch {
       struct stat file {};
       if (is_passed_over(name) || ::fnmatch(pattern_.c_str(), name.c_str(), 0) != 0) continue;
       if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) continue;
-      const Stamp stamp{seconds_of(file.st_mtim), file.st_size};
+      const Stamp stamp{file.st_mtim.tv_sec * std::int64_t{1'000'000'000} + file.st_mtim.tv_nsec, file.st_size};
       const auto before = seen_.find(path);
       // By our own clock: a copy keeps the time of what it is a copy of.
       const double since_s = before != seen_.end() && before->second.stamp == stamp ? before->second.since_s : now_s;
