@@ -4,8 +4,11 @@
 #include <mpi.h>
 
 #include <array>
+#include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <mutex>
+#include <thread>
 #endif
 
 // The only file that knows MPI.
@@ -15,23 +18,30 @@ namespace gouge {
 #ifdef GOUGE_MPI
 namespace {
 
-// Numbers are handed out by a counter at rank 0 that every process adds to by itself: no process has to answer.
+constexpr int kAsk = 1, kAnswer = 2;  // tags of messages
+constexpr std::int64_t kNoMore = -1;  // instead of a list: this process asks no more
+constexpr std::chrono::microseconds kPause{200};
+
+/// Numbers are handed out by a thread of rank 0, which answers while the others of that process work. Whoever waits
+/// sleeps in between: MPI itself would keep a core busy.
 class MpiRanks : public Ranks {
  public:
   MpiRanks() {
     int provided = 0;
-    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_SERIALIZED, &provided);
+    MPI_Init_thread(nullptr, nullptr, MPI_THREAD_MULTIPLE, &provided);
     MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
     MPI_Comm_size(MPI_COMM_WORLD, &count_);
-    MPI_Win_create(counters_.data(), static_cast<MPI_Aint>(sizeof counters_), sizeof(std::int64_t), MPI_INFO_NULL,
-                   MPI_COMM_WORLD, &window_);
-    MPI_Win_lock_all(0, window_);
+    is_dealt_ = largest(provided < MPI_THREAD_MULTIPLE ? 1 : 0) != 0;
+    if (is_dealt_) {
+      for (auto& first : next_) first = rank_;
+    }
+    if (!is_dealt_ && rank_ == 0) server_ = std::thread([this] { answer(); });
   }
   MpiRanks(const MpiRanks&) = delete;
   MpiRanks& operator=(const MpiRanks&) = delete;
   ~MpiRanks() override {
-    MPI_Win_unlock_all(window_);
-    MPI_Win_free(&window_);
+    if (!is_dealt_ && rank_ != 0) MPI_Send(&kNoMore, 1, MPI_INT64_T, 0, kAsk, MPI_COMM_WORLD);
+    if (server_.joinable()) server_.join();
     MPI_Finalize();
   }
 
@@ -40,33 +50,74 @@ class MpiRanks : public Ranks {
 
   [[nodiscard]] std::size_t take(int list) override {
     const std::scoped_lock lock(guard_);
-    const std::int64_t one = 1;
-    std::int64_t taken = 0;
-    MPI_Fetch_and_op(&one, &taken, MPI_INT64_T, 0, list, MPI_SUM, window_);
-    MPI_Win_flush(0, window_);
-    return static_cast<std::size_t>(taken);
+    if (is_dealt_ || rank_ == 0) return next(list, is_dealt_ ? count_ : 1);
+    const std::int64_t asked = list;
+    std::int64_t answer = 0;
+    MPI_Send(&asked, 1, MPI_INT64_T, 0, kAsk, MPI_COMM_WORLD);
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Irecv(&answer, 1, MPI_INT64_T, 0, kAnswer, MPI_COMM_WORLD, &request);
+    wait(request);
+    return static_cast<std::size_t>(answer);
   }
 
   void share(std::vector<std::size_t>& numbers) override {
     std::uint64_t count = numbers.size();
-    MPI_Bcast(&count, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD);
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Ibcast(&count, 1, MPI_UINT64_T, 0, MPI_COMM_WORLD, &request);
+    wait(request);
     std::vector<std::uint64_t> sent(numbers.begin(), numbers.end());
     sent.resize(count);
-    MPI_Bcast(sent.data(), static_cast<int>(count), MPI_UINT64_T, 0, MPI_COMM_WORLD);
+    MPI_Ibcast(sent.data(), static_cast<int>(count), MPI_UINT64_T, 0, MPI_COMM_WORLD, &request);
+    wait(request);
     numbers.assign(sent.begin(), sent.end());
   }
 
   [[nodiscard]] int largest(int value) override {
     int most = value;
-    MPI_Allreduce(&value, &most, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD);
+    MPI_Request request = MPI_REQUEST_NULL;
+    MPI_Iallreduce(&value, &most, 1, MPI_INT, MPI_MAX, MPI_COMM_WORLD, &request);
+    wait(request);
     return most;
   }
 
  private:
+  static void wait(MPI_Request& request) {
+    for (int is_done = 0;;) {
+      MPI_Test(&request, &is_done, MPI_STATUS_IGNORE);
+      if (is_done != 0) return;
+      std::this_thread::sleep_for(kPause);
+    }
+  }
+
+  std::size_t next(int list, int step) {
+    return static_cast<std::size_t>(next_.at(static_cast<std::size_t>(list)).fetch_add(step));
+  }
+
+  void answer() {
+    for (int asking = count_ - 1; asking > 0;) {
+      int is_there = 0;
+      MPI_Status status;
+      MPI_Iprobe(MPI_ANY_SOURCE, kAsk, MPI_COMM_WORLD, &is_there, &status);
+      if (is_there == 0) {
+        std::this_thread::sleep_for(kPause);
+        continue;
+      }
+      std::int64_t list = kNoMore;
+      MPI_Recv(&list, 1, MPI_INT64_T, status.MPI_SOURCE, kAsk, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+      if (list == kNoMore) {
+        --asking;
+        continue;
+      }
+      const auto number = static_cast<std::int64_t>(next(static_cast<int>(list), 1));
+      MPI_Send(&number, 1, MPI_INT64_T, status.MPI_SOURCE, kAnswer, MPI_COMM_WORLD);
+    }
+  }
+
   int rank_ = 0, count_ = 1;
-  std::array<std::int64_t, 2> counters_{};
-  MPI_Win window_ = MPI_WIN_NULL;
+  bool is_dealt_ = false;  // in turn, as MPI has no threads here: rank 0 has those of numbers 0, n, 2n, ...
+  std::array<std::atomic<std::int64_t>, 2> next_{};
   std::mutex guard_;
+  std::thread server_;
 };
 
 }  // namespace
