@@ -12,7 +12,6 @@
 #include "cli/batch_files.h"
 #include "cli/batch_run.h"
 #include "cli/batch_watch.h"
-#include "cli/output_file.h"
 #include "cli/report_folder.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
@@ -159,30 +158,15 @@ class Batch {
         arguments_.folder);
   }
 
-  // Corrected toolpaths that stand where a job's is to be written, and that no batch wrote there. In a batch that was
-  // interrupted they are its own: it found none before it began.
-  std::optional<Diagnostic> find_foreign() const {
-    if (arguments_.is_forced || store_->is_interrupted()) return std::nullopt;
-    const std::map<std::string, const StoredJob*> stored = stored_jobs();
-    std::error_code ignored;
+  // Corrected toolpaths of somebody else's that jobs would replace; of a report its own command sees to it.
+  [[nodiscard]] std::optional<Diagnostic> find_foreign() const {
+    if (arguments_.is_forced) return std::nullopt;
+    std::vector<std::string> files;
     for (const std::size_t number : identity_.numbers) {
-      const BatchJob& job = jobs_[number];
-      const std::string name = BatchFolder::corrected_name(job), file = arguments_.folder + "/" + name;
-      if (job.output() != file || !fs::exists(fs::symlink_status(file, ignored))) continue;
-      const auto known = stored.find(job.name);
-      const bool is_own =
-          known != stored.end() && std::ranges::any_of(known->second->outputs, [&](const JobOutput& output) {
-            return output.file == name && are_as_written({output}, arguments_.folder);
-          });
-      if (is_own) continue;
-      return make_error(
-          "report-foreign",
-          "the batch would replace " + printable(name) +
-              ", which no batch wrote or which was changed since; expected a folder without it: name another "
-              "one, move it away, or let --force replace it",
-          arguments_.folder);
+      const std::string name = BatchFolder::corrected_name(jobs_[number]);
+      if (jobs_[number].output() == arguments_.folder + "/" + name) files.push_back(name);
     }
-    return std::nullopt;
+    return find_foreign_output(files, arguments_.folder, *store_);
   }
 
   [[nodiscard]] std::map<std::string, const StoredJob*> stored_jobs() const {
@@ -224,11 +208,11 @@ class Batch {
     const Result<BatchIdentity> its = store->identity();
     if (!its) return its.error();
     if (its->list != identity_.list) return Done{};
-    const Result<std::vector<JobResult>> results = store->all();
+    Result<std::vector<JobResult>> results = store->all();
     if (!results) return results.error();
     std::vector<ResultStore::Numbered> done;
     for (std::size_t k = 0; k < results->size(); ++k) {
-      if ((*results)[k].status) done.emplace_back(its->numbers[k], (*results)[k]);
+      if ((*results)[k].status) done.emplace_back(its->numbers[k], std::move((*results)[k]));
     }
     if (Outcome put = store_->put(done); !put) return put;
     return store_->refresh();
@@ -322,18 +306,12 @@ class Batch {
   std::unique_ptr<Ranks> ranks_;
   // A file that changed while the batch ran: each verdict is that of the content its job read.
   void warn_of_two_contents(const std::vector<JobResult>& results) const {
-    std::map<std::string, std::string> contents;
-    for (const JobResult& job : results) {
-      for (const InputFile& input : job.inputs) {
-        const auto [first, is_new] = contents.try_emplace(input.name, input.checksum);
-        if (is_new || first->second == input.checksum) continue;
-        print(err_, {make_warning("jobs-input-changed",
-                                  "changed while the batch ran, so jobs were checked against different contents of it; "
-                                  "run the batch again, which runs those that are of the old one",
-                                  input.name)});
-        return;
-      }
-    }
+    const std::optional<TwoContents> two = find_two_contents(results);
+    if (!two) return;
+    print(err_, {make_warning("jobs-input-changed",
+                              "changed while the batch ran, so jobs were checked against different contents of it; "
+                              "run the batch again, which runs those that are of the old one",
+                              two->input.name)});
   }
 
   // Of a shard or not, results are in the order of the jobs that are run here.

@@ -7,7 +7,6 @@
 #include <string_view>
 
 #include "cli/correct_command.h"
-#include "cli/help_text.h"
 #include "cli/parse_errors.h"
 #include "postproc/report/report_model.h"
 

@@ -16,7 +16,6 @@
 #include "lib/base/files.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
-#include "postproc/store/result_store.h"
 
 namespace gouge {
 namespace {
@@ -100,15 +99,14 @@ class Merge {
                                                   " of the list are in none of the folders, the first is number " +
                                                   std::to_string(missing + 1) + "; expected those of all shards");
     }
-    if (const auto wrong = find_two_contents()) return wrong;
-    if (const auto wrong = find_changed_output()) return wrong;
     for (const auto& [number, place] : from_) {
       const auto& [share, index] = place;
       whole_->numbers.push_back(number);
       whole_->names.push_back(shares_[share].identity.names[index]);
       results_.push_back(shares_[share].results[index]);
     }
-    return std::nullopt;
+    if (const auto wrong = find_other_content()) return wrong;
+    return find_changed_output();
   }
 
   std::optional<Diagnostic> add(Share&& share) {
@@ -128,22 +126,18 @@ class Merge {
   }
 
   // No single run reads two contents of one file: then some verdicts are of another part than others.
-  [[nodiscard]] std::optional<Diagnostic> find_two_contents() const {
-    std::map<std::string, std::pair<std::string, const Share*>> contents;
-    for (const Share& share : shares_) {
-      for (const JobResult& job : share.results) {
-        for (const InputFile& input : job.inputs) {
-          const auto [first, is_new] = contents.try_emplace(input.name, input.checksum, &share);
-          if (is_new || first->second.first == input.checksum) continue;
-          return unfit(share.folder,
-                       "its " + input.role + " " + printable(input.name) + " had another content than in " +
-                           first->second.second->folder +
-                           "; expected the same files for all shards: run the shard again whose file was the "
-                           "wrong one");
-        }
-      }
-    }
-    return std::nullopt;
+  [[nodiscard]] std::optional<Diagnostic> find_other_content() const {
+    const std::optional<TwoContents> two = find_two_contents(results_);
+    if (!two) return std::nullopt;
+    return unfit(folder_of(two->second),
+                 "its " + two->input.role + " " + printable(two->input.name) + " had another content than in " +
+                     folder_of(two->first) +
+                     "; expected the same files for all shards: run the shard again whose file was "
+                     "the wrong one");
+  }
+
+  [[nodiscard]] const std::string& folder_of(std::size_t result) const {
+    return shares_[from_.at(whole_->numbers[result]).first].folder;
   }
 
   [[nodiscard]] std::optional<Diagnostic> find_changed_output() const {
@@ -160,30 +154,6 @@ class Merge {
     return std::nullopt;
   }
 
-  // Files that stand where a job's are to be put, and that no batch wrote there.
-  [[nodiscard]] std::optional<Diagnostic> find_foreign(const ResultStore& store) const {
-    if (arguments_.is_forced || store.is_interrupted()) return std::nullopt;
-    std::map<std::string, JobOutput> known;
-    for (const StoredJob& job : store.stored()) {
-      for (const JobOutput& output : job.outputs) known[output.file] = output;
-    }
-    std::error_code ignored;
-    for (const JobResult& job : results_) {
-      for (const JobOutput& output : job.outputs) {
-        if (output.file.starts_with('/') || !fs::exists(arguments_.folder + "/" + output.file, ignored)) continue;
-        const auto its = known.find(output.file);
-        if (its != known.end() && are_as_written({its->second}, arguments_.folder)) continue;
-        return make_error(
-            "report-foreign",
-            "the file " + printable(output.file) +
-                " is there and was not written by a batch, or was changed since; expected a folder without "
-                "it: name another one, move it away, or let --force replace it",
-            arguments_.folder);
-      }
-    }
-    return std::nullopt;
-  }
-
   Outcome write() {
     if (Outcome made = make_folder(arguments_.folder); !made) return made;
     ReportFolder folder(arguments_.folder, arguments_.is_forced, names_of_batch());
@@ -195,7 +165,14 @@ class Merge {
     if (!before->list.empty() && before->list != whole_->list && !arguments_.is_forced)
       return make_error("usage", "holds another batch; name another folder, or let --force replace it",
                         arguments_.folder);
-    if (const auto foreign = find_foreign(*store)) return *foreign;
+    std::vector<std::string> files;
+    for (const JobResult& job : results_) {
+      for (const JobOutput& output : job.outputs) {
+        if (!output.file.starts_with('/')) files.push_back(output.file);
+      }
+    }
+    const auto foreign = find_foreign_output(files, arguments_.folder, *store);
+    if (foreign && !arguments_.is_forced) return *foreign;
     if (Outcome begun = store->begin(*whole_); !begun) return begun;
     std::vector<ResultStore::Numbered> done;
     for (std::size_t k = 0; k < results_.size(); ++k) {
@@ -209,7 +186,7 @@ class Merge {
   }
 
   Outcome copy_outputs(std::size_t k) {
-    const std::string& from = shares_[from_.at(whole_->numbers[k]).first].folder;
+    const std::string& from = folder_of(k);
     for (const JobOutput& output : results_[k].outputs) {
       if (output.file.starts_with('/')) continue;
       if (Outcome put = put_copy(from + "/" + output.file, arguments_.folder + "/" + output.file); !put) return put;

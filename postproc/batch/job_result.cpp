@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <map>
 #include <numeric>
 #include <sstream>
 #include <string_view>
+#include <utility>
 
 #include "lib/base/exit_code.h"
 
@@ -73,6 +75,17 @@ std::string verdict_counts(const std::vector<JobResult>& jobs) {
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(verdict);
   }
   return text;
+}
+
+std::optional<TwoContents> find_two_contents(const std::vector<JobResult>& jobs) {
+  std::map<std::string, std::pair<std::string, std::size_t>> contents;
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    for (const InputFile& input : jobs[k].inputs) {
+      const auto [first, is_new] = contents.try_emplace(input.name, input.checksum, k);
+      if (!is_new && first->second.first != input.checksum) return TwoContents{input, first->second.second, k};
+    }
+  }
+  return std::nullopt;
 }
 
 void take_report(const ReportModel& model, JobResult& result) {

@@ -65,6 +65,15 @@ struct JobResult {
 /// How many jobs there are of each verdict: "3 clean, 2 gouges, 1 failed".
 [[nodiscard]] std::string verdict_counts(const std::vector<JobResult>& jobs);
 
+/// A file of which two jobs read different contents.
+struct TwoContents {
+  InputFile input;                    ///< as the second one read it
+  std::size_t first = 0, second = 0;  ///< indices of the jobs
+};
+
+/// The first such file; none where every verdict is of the same contents.
+[[nodiscard]] std::optional<TwoContents> find_two_contents(const std::vector<JobResult>& jobs);
+
 /// Takes over everything of a report that a batch keeps.
 void take_report(const ReportModel& model, JobResult& result);
 
