@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "lib/base/word_list.h"
+
 namespace CLI {
 class FormatterBase;
 }
@@ -14,9 +16,6 @@ namespace gouge {
 /// `text` in lines of at most `width` characters, broken at blanks, each but the first after `indent` blanks, which
 /// count. Line breaks of the text stay, and lines that begin with a blank are examples and stay as they are.
 [[nodiscard]] std::string wrapped(std::string_view text, std::size_t width, std::size_t indent);
-
-/// "a, b and c" with `last` = " and ".
-[[nodiscard]] std::string listed(const std::vector<std::string>& words, std::string_view last = ", ");
 
 /// Lays out --help in 80 columns, whatever the length of the texts.
 [[nodiscard]] std::shared_ptr<CLI::FormatterBase> make_help_formatter();

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "cli/misplaced.h"
-#include "cli/resolve_tools.h"
+#include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
 #include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"

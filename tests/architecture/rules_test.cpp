@@ -33,6 +33,9 @@ TEST(Modules, UpwardSidewaysUnknownAndCircularImportsAreRefused) {
             (Complaints{"toolmodels: imports postproc/report, which does not lie below it"}));
   EXPECT_EQ(check_modules({room("cli", {"samples"}), room("samples", {})}),
             (Complaints{"cli: imports samples, which does not lie below it"}));
+  EXPECT_EQ(check_modules({room("cli/tools", {}), room("cli", {"cli/tools"})}), Complaints{});
+  EXPECT_EQ(check_modules({room("cli/tools", {"cli"}), room("cli", {})}),
+            (Complaints{"cli/tools: imports cli, which does not lie below it"}));
   EXPECT_EQ(check_modules({room("cli", {"lib/nowhere"})}),
             (Complaints{"cli: imports lib/nowhere, which is no module"}));
   EXPECT_EQ(check_modules({room("lib/a", {"lib/b"}), room("lib/b", {"lib/a"}), room("lib/c", {})}),
@@ -135,6 +138,8 @@ TEST(TypeNames, OfTwoHeadersAreTwo) {
   EXPECT_EQ(check_type_names({{"lib/a.h", head + "struct A {\n};\nstruct C;\n"},
                               {"lib/b.h", head + "class A final : public C {\n};\nstruct C;\n"}}),
             (Complaints{"lib/b.h:3: defines A again, after lib/a.h"}));
+  EXPECT_EQ(check_type_names({{"lib/a.h", head + "class X_EXPORT A {\n"}, {"lib/b.h", head + "class X_EXPORT B {\n"}}),
+            Complaints{});
   EXPECT_EQ(
       check_type_names({{"lib/a.h", head + "struct A {\n"}, {"lib/b.h", "namespace gouge::detail {\nstruct A {\n"}}),
       Complaints{});

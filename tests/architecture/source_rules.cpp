@@ -36,7 +36,7 @@ std::string layer_of(const std::string& room) { return room.substr(0, room.find(
 bool may_import(const std::string& from, const std::string& to) {
   const std::string above = layer_of(from), below = layer_of(to);
   if (below == "lib") return true;
-  if (above == "cli") return below == "toolmodels" || below == "postproc";
+  if (above == "cli") return below == "toolmodels" || below == "postproc" || starts_with(to, "cli/");
   return above == below && above != "lib" && above != "samples";
 }
 
@@ -240,7 +240,7 @@ Complaints check_stray_text(const std::vector<SourceFile>& files) {
 }
 
 Complaints check_type_names(const std::vector<SourceFile>& files) {
-  static const std::regex kDefinition(R"(^(?:struct|class|enum class|enum) (\w+)[^;()]*\{.*$)");
+  static const std::regex kDefinition(R"(^(?:struct|class|enum class|enum) (?:[A-Z_]+_EXPORT )?(\w+(?:::\w+)*)[^;()]*\{.*$)");
   static const std::regex kNamespace(R"(^namespace ([\w:]+) \{)");
   std::map<std::string, std::string> first;
   Complaints complaints;

@@ -13,7 +13,7 @@ namespace gouge::architecture {
 using Complaints = std::vector<std::string>;
 
 /// Rooms import one way: no circles; lib imports only lib; toolmodels and postproc do not know each other;
-/// nobody imports cli or samples; every import is a module.
+/// nobody imports cli or samples, but what lies in folders of cli is for cli; every import is a module.
 [[nodiscard]] Complaints check_modules(const std::vector<Module>& modules);
 
 /// Every quoted #include of a file in a module names a file of that module or of one it imports.

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/resolve_tools.h"
+#include "cli/tools/resolve_tools.h"
 #include "lib/certify/check.h"
 #include "postproc/cldata/reading/read_toolpath.h"
 #include "tests/support/shapes.h"

@@ -1,12 +1,12 @@
-#include "cli/resolve_tools.h"
+#include "cli/tools/resolve_tools.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "cli/help_text.h"
 #include "lib/base/number_text.h"
+#include "lib/base/word_list.h"
 #include "postproc/cldata/language/dialect.h"
 #include "postproc/report/report_text.h"
 #include "toolmodels/from_path.h"

@@ -1,4 +1,4 @@
-#include "cli/resolve_tools.h"
+#include "cli/tools/resolve_tools.h"
 
 #include <gtest/gtest.h>
 
