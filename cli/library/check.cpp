@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include <gougecheck/check.h>
+
+#include "cli/library/checked_path.h"
+#include "lib/correct/correct_path.h"
+#include "postproc/cldata/rewriting/rewritable_moves.h"
+#include "postproc/cldata/rewriting/write_corrected.h"
+
+namespace gougecheck {
+namespace {
+
+constexpr double kDegree = std::numbers::pi / 180;
+
+Report run(CheckedPath checked) {
+  gouge::CheckResult result = gouge::check(checked.path.content().path, checked.setup());
+  return make_report(std::move(checked), std::move(result));
+}
+
+gouge::BodyStrategies to_strategies(const std::string& name) {
+  using gouge::Strategy;
+  if (name == "auto") return {};
+  for (const Strategy strategy :
+       {Strategy::weighted, Strategy::axis, Strategy::tilt, Strategy::normal, Strategy::trim}) {
+    if (name != gouge::strategy_name(strategy)) continue;
+    gouge::BodyStrategies all = gouge::BodyStrategies::all(strategy);
+    // A cutter that gouges is inside the surface that it shall keep to: no tilt about the contact frees it.
+    if (strategy == Strategy::tilt) all.of[static_cast<std::size_t>(gouge::Body::cutter)] = Strategy::weighted;
+    return all;
+  }
+  raise(gouge::make_error("usage", "strategy '" + name + "': expected auto, weighted, normal, axis, tilt or trim"));
+}
+
+double above_zero(const char* name, double value, double most) {
+  if (value > 0 && value <= most) return value;
+  raise(gouge::make_error("usage", std::string(name) + ": expected a number above 0 and at most " +
+                                       std::to_string(static_cast<int>(most))));
+}
+
+gouge::CorrectOptions to_correct_options(const CorrectOptions& how) {
+  constexpr double kFarthest_mm = 100'000, kMostTilt_deg = 89;
+  gouge::CorrectOptions options;
+  options.strategies = to_strategies(how.strategy);
+  options.max_shift_mm = above_zero("max_shift", how.max_shift, kFarthest_mm);
+  if (how.max_side_shift) options.max_side_shift_mm = above_zero("max_side_shift", *how.max_side_shift, kFarthest_mm);
+  options.tilt.max_tilt_rad = above_zero("max_tilt", how.max_tilt, kMostTilt_deg) * kDegree;
+  if (!(how.rapid_clearance >= 0 && how.rapid_clearance <= kFarthest_mm))
+    raise(gouge::make_error("usage", "rapid_clearance: expected a length of at least 0"));
+  options.rapid_clearance_mm = how.rapid_clearance;
+  return options;
+}
+
+Correction run_correction(CheckedPath checked, const CorrectOptions& how) {
+  gouge::CorrectOptions options = to_correct_options(how);
+  const gouge::Toolpath& path = checked.path.content().path;
+  const gouge::RewritableMoves rewritable = gouge::rewritable_moves(path);
+  options.rewritable = &rewritable;
+  const gouge::CheckSetup setup = checked.setup();
+  gouge::CheckResult before = gouge::check(path, setup);
+  const auto rewrite = [&](const std::vector<gouge::PathChange>& changes) -> gouge::Result<gouge::Toolpath> {
+    gouge::Result<std::string> bytes = gouge::write_corrected(path, changes);
+    if (!bytes) return bytes.error();
+    return PathAccess::from_bytes(path.file, std::move(*bytes), path.dialect).content().path;
+  };
+  gouge::LawfulCorrection corrected = value_or_raise(gouge::correct_lawfully(path, before, setup, options, rewrite));
+  CheckedPath after = checked;
+  after.path = PathAccess::from(std::move(corrected.after.path), false);
+  const Path written = after.path;
+  Correction result{written,
+                    make_report(std::move(checked), std::move(before)),
+                    make_report(std::move(after), std::move(corrected.after.result)),
+                    {},
+                    {}};
+  for (const gouge::ChangeRecord& r : corrected.correction.records) {
+    result.changes.push_back(
+        {r.move, r.is_inserted, to_array(r.shift_mm), r.tilt_rad / kDegree, r.depth_before_mm, r.depth_after_mm});
+  }
+  for (const gouge::Uncorrected& u : corrected.correction.uncorrected)
+    result.uncorrected.push_back({u.move, u.depth_mm, u.reason});
+  return result;
+}
+
+/// A correction rewrites the statements of a file: those of a path from memory are made here.
+Path with_statements(const Path& path) {
+  return path.content().is_from_memory ? PathAccess::from_bytes(path.name(), path.text(), "apt") : path;
+}
+
+}  // namespace
+
+Report check(const Path& path, const Scene& scene, const Tool& tool, const CheckOptions& options) {
+  return run(prepare(path, scene, tool, options));
+}
+
+Report check(const Path& path, const Scene& scene, const ToolLibrary& tools, const CheckOptions& options) {
+  return run(prepare(path, scene, tools, options));
+}
+
+Correction correct(const Path& path, const Scene& scene, const Tool& tool, const CheckOptions& options,
+                   const CorrectOptions& how) {
+  return run_correction(prepare(with_statements(path), scene, tool, options), how);
+}
+
+Correction correct(const Path& path, const Scene& scene, const ToolLibrary& tools, const CheckOptions& options,
+                   const CorrectOptions& how) {
+  return run_correction(prepare(with_statements(path), scene, tools, options), how);
+}
+
+}  // namespace gougecheck

@@ -1,0 +1,173 @@
+#include "cli/library/checked_path.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "cli/tools/resolve_tools.h"
+#include "lib/base/number_text.h"
+#include "lib/check/closeness.h"
+#include "lib/check/reach.h"
+#include "toolmodels/compile_tool.h"
+
+namespace gougecheck {
+namespace {
+
+constexpr double kFinestResolution_mm = 1e-6;
+
+const std::vector<gouge::HeadBody>& no_heads() {
+  static const std::vector<gouge::HeadBody> kNone;
+  return kNone;
+}
+
+double length(const char* name, double value, double least = 0) {
+  if (value >= least && value <= gouge::kFarthest_mm) return value;
+  const std::string found = std::isfinite(value) ? gouge::exact_text(value) : std::string("no number");
+  raise(gouge::make_error(
+      "usage", std::string(name) + ": " + found + "; expected " + gouge::exact_text(least) + " to 100000 mm"));
+}
+
+gouge::MeshFacts facts_of(const Mesh& mesh) {
+  const Mesh::Content& content = mesh.content();
+  gouge::MeshFacts facts;
+  facts.name = mesh.name();
+  facts.triangles = content.mesh().triangles.size();
+  facts.vertices = content.mesh().vertices.size();
+  facts.dropped = content.findings.degenerate_triangles.count;
+  facts.is_closed = content.findings.is_watertight();
+  for (const gouge::Diagnostic& note : content.notes) {
+    if (note.severity == gouge::Severity::warning) facts.meaning += (facts.meaning.empty() ? "" : "; ") + note.message;
+  }
+  return facts;
+}
+
+/// The path with a tool for moves for which its file names none.
+Path with_every_tool_named(const Path& path) {
+  const std::vector<gouge::Move>& moves = path.content().path.moves;
+  const auto is_unnamed = [](const gouge::Move& move) { return move.tool == gouge::kNone; };
+  if (std::none_of(moves.begin(), moves.end(), is_unnamed)) return path;
+  gouge::Toolpath named = path.content().path;
+  const std::size_t tool = named.tools.size();
+  named.tools.emplace_back().name = "tool";
+  for (gouge::Move& move : named.moves) {
+    if (is_unnamed(move)) move.tool = tool;
+  }
+  return PathAccess::from(std::move(named), path.content().is_from_memory);
+}
+
+gouge::ToolFacts facts_of(const gouge::ToolAssembly& tool) {
+  gouge::ToolFacts facts;
+  facts.name = gouge::label(tool);
+  facts.defined_in = "memory";
+  facts.description = gouge::shape_name(tool.cutter);
+  facts.has_holder = !tool.holder.empty();
+  return facts;
+}
+
+}  // namespace
+
+std::vector<const gouge::ToolVariants*> PathTools::pointers() const {
+  std::vector<const gouge::ToolVariants*> all;
+  for (const auto& form : variants) all.push_back(form ? &*form : nullptr);
+  return all;
+}
+
+gouge::CheckOptions to_check_options(const CheckOptions& options) {
+  gouge::CheckOptions result;
+  result.tolerance_mm = length("tolerance", options.tolerance);
+  result.resolution_mm = length("resolution", options.resolution, kFinestResolution_mm);
+  result.stock_to_leave_mm = length("stock_to_leave", options.stock_to_leave);
+  result.shank_clearance_mm = length("shank_clearance", options.shank_clearance);
+  result.holder_clearance_mm = length("holder_clearance", options.holder_clearance);
+  result.near_miss_mm = length("near_miss", options.near_miss);
+  result.rapid = static_cast<gouge::RapidMode>(options.rapids);
+  result.threads = std::min(options.threads, gouge::kMostThreads);
+  return result;
+}
+
+gouge::ToolVariants compile(const gouge::ToolAssembly& tool, const gouge::CheckOptions& options) {
+  return value_or_raise(gouge::make_tool_variants(tool, options.stock_to_leave_mm, options.shank_clearance_mm,
+                                                  options.holder_clearance_mm));
+}
+
+CheckedPath prepare(const Path& path, const Scene& scene, const Tool& tool, const CheckOptions& options) {
+  Path named = with_every_tool_named(path);
+  const gouge::Toolpath& toolpath = named.content().path;
+  std::vector<bool> is_used(toolpath.tools.size(), false);
+  for (const gouge::Move& move : toolpath.moves) is_used[move.tool] = true;
+  const auto used = std::count(is_used.begin(), is_used.end(), true);
+  if (used > 1) {
+    raise(gouge::make_error("tool-ambiguous",
+                            "the path calls " + std::to_string(used) +
+                                " tools and one was given; expected a library that has them by number or name",
+                            toolpath.file));
+  }
+  const gouge::ToolAssembly& assembly = tool.content().assembly;
+  const gouge::CheckOptions understood = to_check_options(options);
+  auto tools = std::make_shared<PathTools>();
+  tools->variants.assign(toolpath.tools.size(), compile(assembly, understood));
+  tools->facts.assign(toolpath.tools.size(), facts_of(assembly));
+  return {std::move(named), scene, std::move(tools), understood};
+}
+
+CheckedPath prepare(const Path& path, const Scene& scene, const ToolLibrary& library, const CheckOptions& options) {
+  const gouge::Toolpath& toolpath = path.content().path;
+  const gouge::CheckOptions understood = to_check_options(options);
+  gouge::ResolvedTools resolved = value_or_raise(gouge::resolve_tools(toolpath, &library.content().library, {}, {}));
+  auto tools = std::make_shared<PathTools>();
+  for (const auto& assembly : resolved.assemblies) {
+    tools->variants.emplace_back();
+    if (assembly) tools->variants.back() = compile(*assembly, understood);
+  }
+  if (std::ranges::none_of(tools->variants, [](const auto& form) { return form.has_value(); })) {
+    raise(gouge::make_error("no-tool",
+                            "no tool of the path is defined, so nothing can be checked; expected one of its number or "
+                            "name in the library, or CUTTER or TLDATA in the path",
+                            toolpath.file));
+  }
+  tools->facts = std::move(resolved.facts);
+  tools->notes = std::move(resolved.notes);
+  tools->file = library.content().file;
+  return {path, scene, std::move(tools), understood};
+}
+
+gouge::CheckSetup CheckedPath::setup() const {
+  return {tools->pointers(), no_heads(), scene.content().index->prepared(options.threads), options};
+}
+
+gouge::ReportModel CheckedPath::model(const gouge::CheckResult& result) const {
+  gouge::ReportModel model;
+  const gouge::Toolpath& toolpath = path.content().path;
+  if (!path.content().is_from_memory)
+    model.inputs.push_back(gouge::describe_input("toolpath", toolpath.file, toolpath.source));
+  model.options = options;
+  model.toolpath = &toolpath;
+  model.result = &result;
+  model.notes = toolpath.notes;
+  for (const Mesh& part : scene.parts()) model.parts.push_back(facts_of(part));
+  for (const Mesh& fixture : scene.fixtures()) model.fixtures.push_back(facts_of(fixture));
+  for (const auto& meshes : {scene.parts(), scene.fixtures()}) {
+    for (const Mesh& mesh : meshes)
+      model.notes.insert(model.notes.end(), mesh.content().notes.begin(), mesh.content().notes.end());
+  }
+  model.tools = tools->facts;
+  model.notes.insert(model.notes.end(), tools->notes.begin(), tools->notes.end());
+  model.closeness =
+      gouge::measure_closeness(toolpath, tools->pointers(), setup().scene, result.verdicts, options.threads);
+  return model;
+}
+
+std::vector<std::string> CheckedPath::inputs() const {
+  std::vector<std::string> files;
+  if (!path.content().is_from_memory) files.push_back(path.name());
+  for (const auto& meshes : {scene.parts(), scene.fixtures()}) {
+    for (const Mesh& mesh : meshes) {
+      if (!mesh.content().file.empty()) files.push_back(mesh.content().file);
+    }
+  }
+  if (!tools->file.empty()) files.push_back(tools->file);
+  return files;
+}
+
+}  // namespace gougecheck

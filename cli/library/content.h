@@ -1,0 +1,99 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <gougecheck/check.h>
+
+#include "lib/base/diagnostic.h"
+#include "lib/base/result.h"
+#include "lib/check/prepared_scene.h"
+#include "lib/mesh/mesh_findings.h"
+#include "lib/path/toolpath.h"
+#include "toolmodels/tool_library.h"
+
+// What the public classes hold, for the sources of this module. A Result becomes a value or an Error here, and nowhere
+// below.
+
+namespace gougecheck {
+
+[[noreturn]] void raise(const gouge::Diagnostic& error);
+
+template <class T>
+T value_or_raise(gouge::Result<T>&& result) {
+  if (!result) raise(result.error());
+  return std::move(*result);
+}
+
+[[nodiscard]] Note to_note(const gouge::Diagnostic& diagnostic);
+[[nodiscard]] std::vector<Note> to_notes(const gouge::Diagnostics& diagnostics);
+
+[[nodiscard]] inline gouge::Vec3 to_vector(const Vec3& v) { return {v[0], v[1], v[2]}; }
+[[nodiscard]] inline Vec3 to_array(const gouge::Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+/// A pose of numbers a check can use: unit axis. Nothing otherwise.
+[[nodiscard]] std::optional<gouge::Pose> to_pose(const Vec3& tip, const Vec3& axis);
+
+/// Meshes with all that checks make of them, once, when first asked for and from any thread. Stays where it is.
+class SceneIndex {
+ public:
+  explicit SceneIndex(gouge::Scene scene) : scene_(std::move(scene)) {}
+
+  [[nodiscard]] const gouge::Scene& scene() const { return scene_; }
+  /// `threads` as in for_each_chunk.
+  [[nodiscard]] const gouge::PreparedScene& prepared(unsigned threads) const {
+    std::call_once(once_, [&] { prepared_.emplace(scene_, threads); });
+    return *prepared_;
+  }
+
+ private:
+  gouge::Scene scene_;
+  mutable std::once_flag once_;
+  mutable std::optional<gouge::PreparedScene> prepared_;
+};
+
+struct Mesh::Content {
+  explicit Content(gouge::IndexedMesh mesh) : index(gouge::Scene{{std::move(mesh)}, {}}) {}
+
+  [[nodiscard]] const gouge::IndexedMesh& mesh() const { return index.scene().parts.front(); }
+
+  SceneIndex index;  // of the mesh as the only part
+  gouge::MeshFindings findings;
+  gouge::Diagnostics notes;
+  std::string file;  // empty: from memory
+};
+
+struct Scene::Content {
+  std::vector<Mesh> parts, fixtures;
+  std::shared_ptr<const SceneIndex> index;
+};
+
+struct Tool::Content {
+  gouge::ToolAssembly assembly;
+};
+
+struct ToolLibrary::Content {
+  gouge::ToolLibrary library;
+  std::string file;  // empty: from memory
+};
+
+struct Path::Content {
+  gouge::Toolpath path;
+  bool is_from_memory = false;
+  std::vector<Vec3> tips, axes;
+  std::vector<MoveKind> kinds;
+  std::vector<std::uint32_t> lines;
+};
+
+/// For those who make paths of other paths.
+struct PathAccess {
+  [[nodiscard]] static Path from(gouge::Toolpath path, bool is_from_memory);
+  /// The bytes of a file called `name`, in `dialect` where it is known.
+  [[nodiscard]] static Path from_bytes(const std::string& name, std::string bytes, const std::string& dialect = {});
+};
+
+}  // namespace gougecheck

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gougecheck/types.h>
+
+namespace gougecheck {
+
+/// A triangulated surface, taken exactly as it is given: a part, a fixture, or a body of a clash. Immutable; copies
+/// share it, and so the index that the first check makes of it.
+class GOUGECHECK_EXPORT Mesh {
+ public:
+  /// Vertices with identical coordinates become one, as in an STL file; triangles with two identical corners are left
+  /// out. The arrays are copied.
+  /// Throws   Error: an index beyond the vertices, a coordinate that is no number or beyond 100 m, no triangle left.
+  Mesh(std::span<const Vec3> vertices, std::span<const Triangle> faces, std::string name = "mesh");
+
+  /// `unit`: um, mm, cm, m or inch.
+  /// Throws   Error: those of docs/errors.md for STL files.
+  [[nodiscard]] static Mesh read_stl(const std::string& file, const std::string& unit = "mm");
+
+  /// After joining; valid as long as a copy of the mesh lives.
+  [[nodiscard]] std::span<const Vec3> vertices() const;
+  [[nodiscard]] std::span<const Triangle> faces() const;
+  /// By face: its index among the triangles as given.
+  [[nodiscard]] std::span<const std::uint32_t> given_face() const;
+  [[nodiscard]] const std::string& name() const;
+
+  /// It separates inside from outside: a buried tool is found, and depths of bodies mean something.
+  [[nodiscard]] bool is_solid() const;
+  /// What was noticed: open edges, wrong orientations, triangles left out.
+  [[nodiscard]] std::vector<Note> notes() const;
+
+  struct Content;
+  [[nodiscard]] const Content& content() const { return *content_; }
+
+ private:
+  friend class Scene;
+  explicit Mesh(std::shared_ptr<const Content> content);
+  std::shared_ptr<const Content> content_;
+};
+
+/// What stands still: parts, which must not be cut into, and fixtures, which must not be touched. Immutable; copies
+/// share the index, which is made at the first check, from any thread.
+class GOUGECHECK_EXPORT Scene {
+ public:
+  /// Of one part. The index stays with the mesh: a scene of the same mesh costs nothing.
+  Scene(const Mesh& part);  // NOLINT: a part is a scene
+  explicit Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures = {});
+
+  [[nodiscard]] std::span<const Mesh> parts() const;
+  [[nodiscard]] std::span<const Mesh> fixtures() const;
+
+  struct Content;
+  [[nodiscard]] const Content& content() const { return *content_; }
+
+ private:
+  std::shared_ptr<const Content> content_;
+};
+
+}  // namespace gougecheck

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <gougecheck/types.h>
+
+namespace gougecheck {
+
+enum class MoveKind : std::uint8_t { feed, rapid, arc, cycle };
+
+/// A toolpath. Move 0 is the first position alone; each other move is the motion from the position before: the tip on
+/// the straight line, or the arc of its file, the axis on the great circle. Immutable.
+class GOUGECHECK_EXPORT Path {
+ public:
+  /// From memory. `tips`: where the tip is; `axes`: from tip to spindle, of any length but 0, as many as tips, or one
+  /// for all; `rapids`: which moves are rapid, one each, or none at all. The arrays are copied.
+  /// Throws   Error: no positions, numbers of them that differ, an axis without length, a coordinate that is no number
+  ///          or beyond 100 m.
+  Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<const bool> rapids = {},
+       std::string name = "path");
+
+  /// CL data of any dialect, recognised by its content.
+  /// Throws   Error: the first error of the file (docs/formats/apt_cl.md).
+  [[nodiscard]] static Path read(const std::string& file);
+
+  [[nodiscard]] std::size_t size() const;  ///< moves
+  [[nodiscard]] const std::string& name() const;
+  [[nodiscard]] std::span<const Vec3> tips() const;  ///< ends of the moves; valid as long as a copy of the path lives
+  [[nodiscard]] std::span<const Vec3> axes() const;  ///< unit
+  [[nodiscard]] std::span<const MoveKind> kinds() const;
+  [[nodiscard]] std::span<const std::uint32_t> lines() const;  ///< of the file, from 1; of a path from memory the move
+  [[nodiscard]] std::vector<Note> notes() const;               ///< what the reader had to say
+
+  /// The bytes of its file; of a path from memory, APT that reads back as the same positions.
+  [[nodiscard]] std::string text() const;
+
+  struct Content;
+  [[nodiscard]] const Content& content() const { return *content_; }
+
+ private:
+  explicit Path(std::shared_ptr<const Content> content);
+  friend struct PathAccess;
+  std::shared_ptr<const Content> content_;
+};
+
+}  // namespace gougecheck

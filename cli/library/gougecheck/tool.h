@@ -1,0 +1,68 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <gougecheck/types.h>
+
+namespace gougecheck {
+
+/// A cylinder or frustum of a shank or holder, each standing on the one below.
+struct ToolSegment {
+  double lower_diameter = 0, upper_diameter = 0, length = 0;
+};
+
+/// A tool assembly: one solid of revolution about the tool axis, z = 0 at the tip, z grows to the spindle. Immutable.
+class GOUGECHECK_EXPORT Tool {
+ public:
+  /// By the names of docs/formats/tool_library.md: Tool("ball", {{"diameter", 10}, {"length", 30}}).
+  /// Throws   Error: a shape or dimension that there is not, is missing, or contradicts another.
+  Tool(std::string_view shape, const std::map<std::string, double>& dimensions,
+       const std::vector<ToolSegment>& shank = {}, const std::vector<ToolSegment>& holder = {});
+
+  /// From the JSON of one tool ({"units": "mm", "cutter": {...}, ...}) or of a library; `name`: which of its tools, a
+  /// name or number; empty: its only one.
+  /// Throws   Error: those of the tool library; library-which where it has several, or none of that name.
+  [[nodiscard]] static Tool from_json(std::string_view json, std::string_view name = {});
+
+  [[nodiscard]] const std::string& name() const;
+  [[nodiscard]] bool has_holder() const;
+  [[nodiscard]] double height() const;  ///< tip to top
+  /// As a tool library file that reads back as the same tool.
+  [[nodiscard]] std::string to_json() const;
+
+  struct Content;
+  [[nodiscard]] const Content& content() const { return *content_; }
+
+ private:
+  explicit Tool(std::shared_ptr<const Content> content);
+  friend class ToolLibrary;
+  std::shared_ptr<const Content> content_;
+};
+
+/// The tools of paths that call several, by number or name. Immutable.
+class GOUGECHECK_EXPORT ToolLibrary {
+ public:
+  /// Throws   Error: those of the tool library.
+  [[nodiscard]] static ToolLibrary read(const std::string& file);
+  [[nodiscard]] static ToolLibrary from_json(std::string_view json, const std::string& name = "tools");
+
+  [[nodiscard]] std::vector<Tool> tools() const;
+  /// By name, or by number written 3 or T3. Throws Error, library-which, where there is none.
+  [[nodiscard]] Tool tool(std::string_view name) const;
+
+  struct Content;
+  [[nodiscard]] const Content& content() const { return *content_; }
+
+ private:
+  explicit ToolLibrary(std::shared_ptr<const Content> content);
+  std::shared_ptr<const Content> content_;
+};
+
+/// Every word that Tool takes as a shape.
+[[nodiscard]] GOUGECHECK_EXPORT std::vector<std::string> tool_shapes();
+
+}  // namespace gougecheck

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include <gougecheck/export.h>
+
+// What all headers share. Lengths are in mm, points in part coordinates, angles in degrees.
+
+namespace gougecheck {
+
+/// A point or direction: x, y, z. An array of them is what NumPy calls a C-contiguous float64 array of shape (n, 3).
+using Vec3 = std::array<double, 3>;
+
+/// Indices into the vertices, counter-clockwise seen from outside.
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// x -> rotation * x + shift. The rotation is stored by rows and must be a proper one.
+struct Transform {
+  std::array<double, 9> rotation = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  Vec3 shift = {0, 0, 0};
+};
+
+/// What a user should know of an input or a result; never an error.
+struct Note {
+  bool is_warning = false;
+  std::string code;  ///< stable, as in docs/errors.md
+  std::string text;  ///< "file:line: warning: ... [code]"
+};
+
+/// Every error of this library: input that cannot be used. what() is one line: file, line, what was found, what was
+/// expected.
+class GOUGECHECK_EXPORT Error : public std::runtime_error {
+ public:
+  Error(std::string code, const std::string& what, std::string file = {}, std::size_t line = 0);
+  ~Error() override;
+
+  /// Stable and kebab-case, as in docs/errors.md.
+  [[nodiscard]] const std::string& code() const { return code_; }
+  [[nodiscard]] const std::string& file() const { return file_; }  ///< empty: no file is concerned
+  [[nodiscard]] std::size_t line() const { return line_; }         ///< counted from 1; 0: no line is
+
+ private:
+  std::string code_, file_;
+  std::size_t line_;
+};
+
+}  // namespace gougecheck

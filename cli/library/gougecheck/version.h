@@ -1,0 +1,15 @@
+#pragma once
+
+#include <gougecheck/export.h>
+
+#define GOUGECHECK_VERSION_MAJOR 0
+#define GOUGECHECK_VERSION_MINOR 1
+#define GOUGECHECK_VERSION_PATCH 0
+#define GOUGECHECK_VERSION_STRING "0.1.0"
+
+namespace gougecheck {
+
+/// Of the library that runs, where the macros are those of the headers. Equal in major and minor number where they fit.
+[[nodiscard]] GOUGECHECK_EXPORT const char* version();
+
+}  // namespace gougecheck

@@ -1,0 +1,102 @@
+#include <gougecheck/mesh.h>
+
+#include <algorithm>
+
+#include "cli/library/content.h"
+#include "lib/base/number_text.h"
+#include "lib/check/mesh_reach.h"
+#include "lib/mesh/load_mesh.h"
+
+namespace gougecheck {
+namespace {
+
+constexpr const char* kAdvice = "the coordinates and the unit";
+
+[[noreturn]] void refuse_corner(const std::string& name, std::size_t face, std::uint32_t corner, std::size_t vertices) {
+  raise(gouge::make_error("mesh-corner",
+                          "face " + std::to_string(face) + " names vertex " + std::to_string(corner) +
+                              "; expected 0 to " + std::to_string(vertices) + " - 1, one of the vertices given",
+                          name));
+}
+
+gouge::TriangleSoup soup_of(std::span<const Vec3> vertices, std::span<const Triangle> faces, const std::string& name) {
+  std::vector<gouge::TrianglePoints> triangles;
+  triangles.reserve(faces.size());
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    gouge::TrianglePoints points;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (faces[i][k] >= vertices.size()) refuse_corner(name, i, faces[i][k], vertices.size());
+      points[k] = to_vector(vertices[faces[i][k]]);
+      if (!points[k].allFinite())
+        raise(gouge::make_error("mesh-not-finite",
+                                "vertex " + std::to_string(faces[i][k]) + " is not three finite numbers", name));
+    }
+    triangles.push_back(points);
+  }
+  gouge::TriangleSoup soup;
+  soup.name = name;
+  soup.triangles = gouge::TriangleList(std::move(triangles));
+  return soup;
+}
+
+void require_reach(const gouge::IndexedMesh& mesh) {
+  if (const auto error = gouge::find_too_far(mesh, "mesh", kAdvice)) raise(*error);
+}
+
+}  // namespace
+
+Mesh::Mesh(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+Mesh::Mesh(std::span<const Vec3> vertices, std::span<const Triangle> faces, std::string name) {
+  gouge::BuiltMesh built = value_or_raise(gouge::build_mesh(soup_of(vertices, faces, name)));
+  require_reach(built.mesh);
+  gouge::MeshFindings findings = gouge::find_mesh_findings(built);
+  auto content = std::make_shared<Content>(std::move(built.mesh));
+  content->notes = gouge::describe(findings, name);
+  content->findings = std::move(findings);
+  content_ = std::move(content);
+}
+
+Mesh Mesh::read_stl(const std::string& file, const std::string& unit) {
+  const auto known = gouge::unit_called(unit);
+  if (!known) raise(gouge::make_error("usage", "unit '" + unit + "': expected um, mm, cm, m or inch", file));
+  gouge::LoadedMesh loaded = value_or_raise(gouge::load_mesh(file, {*known, {}}));
+  require_reach(loaded.mesh);
+  auto content = std::make_shared<Content>(std::move(loaded.mesh));
+  content->findings = std::move(loaded.findings);
+  content->notes = std::move(loaded.notes);
+  content->file = file;
+  return Mesh(std::move(content));
+}
+
+std::span<const Vec3> Mesh::vertices() const {
+  static_assert(sizeof(gouge::Vec3) == sizeof(Vec3) && alignof(gouge::Vec3) == alignof(Vec3));
+  const auto& vertices = content_->mesh().vertices;
+  return {reinterpret_cast<const Vec3*>(vertices.data()), vertices.size()};
+}
+
+std::span<const Triangle> Mesh::faces() const { return content_->mesh().triangles; }
+std::span<const std::uint32_t> Mesh::given_face() const { return content_->mesh().file_triangle; }
+const std::string& Mesh::name() const { return content_->mesh().name; }
+bool Mesh::is_solid() const { return content_->findings.is_solid(); }
+std::vector<Note> Mesh::notes() const { return to_notes(content_->notes); }
+
+Scene::Scene(const Mesh& part) {
+  const std::shared_ptr<const Mesh::Content> mesh = part.content_;
+  content_ = std::make_shared<Content>(Content{{part}, {}, std::shared_ptr<const SceneIndex>(mesh, &mesh->index)});
+}
+
+Scene::Scene(std::vector<Mesh> parts, std::vector<Mesh> fixtures) {
+  gouge::Scene scene;
+  for (const Mesh& part : parts) scene.parts.push_back(part.content().mesh());
+  for (const Mesh& fixture : fixtures) scene.fixtures.push_back(fixture.content().mesh());
+  if (parts.empty() && fixtures.empty())
+    raise(gouge::make_error("usage", "a scene without meshes: expected at least one part or fixture"));
+  auto index = std::make_shared<const SceneIndex>(std::move(scene));
+  content_ = std::make_shared<Content>(Content{std::move(parts), std::move(fixtures), std::move(index)});
+}
+
+std::span<const Mesh> Scene::parts() const { return content_->parts; }
+std::span<const Mesh> Scene::fixtures() const { return content_->fixtures; }
+
+}  // namespace gougecheck

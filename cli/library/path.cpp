@@ -1,0 +1,124 @@
+#include <gougecheck/path.h>
+
+#include <algorithm>
+
+#include "cli/library/content.h"
+#include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/check/reach.h"
+#include "postproc/cldata/reading/read_toolpath.h"
+
+namespace gougecheck {
+namespace {
+
+[[noreturn]] void refuse_position(const std::string& name, std::size_t position, const Vec3& axis) {
+  const bool is_axis_wrong = !to_pose({0, 0, 0}, axis);
+  const std::string what = is_axis_wrong ? "the axis has no length that is a number"
+                                         : "the tip is not three numbers within 100 m of the origin";
+  raise(gouge::make_error(is_axis_wrong ? "path-axis" : "path-too-far",
+                          "position " + std::to_string(position) + ": " + what, name));
+}
+
+void require_reach(const gouge::Toolpath& path) {
+  for (const gouge::Move& move : path.moves) {
+    if (gouge::is_within_reach(move.end.tip)) continue;
+    raise(gouge::make_error(
+        "path-too-far", "the position is more than 100 m from the origin; expected a path within that; check the units",
+        path.file, move.line));
+  }
+}
+
+void append(std::string& text, const gouge::Vec3& v) {
+  for (int k = 0; k < 3; ++k) {
+    text += k == 0 ? "" : ",";
+    text += gouge::exact_text(v[k]);
+  }
+}
+
+/// Positions and axes to the last digit; without feeds, which a path from memory does not have.
+std::string apt_text(const gouge::Toolpath& path) {
+  std::string text = "UNITS/MM\nMULTAX\nLOADTL/1\n";
+  for (const gouge::Move& move : path.moves) {
+    if (move.kind == gouge::MoveKind::rapid) text += "RAPID\n";
+    text += "GOTO/";
+    append(text, move.end.tip);
+    text += ',';
+    append(text, move.end.axis);
+    text += '\n';
+  }
+  return text + "FINI\n";
+}
+
+}  // namespace
+
+Path::Path(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+Path::Path(std::span<const Vec3> tips, std::span<const Vec3> axes, std::span<const bool> rapids, std::string name) {
+  const std::size_t count = tips.size();
+  if (count == 0) raise(gouge::make_error("path-no-motion", "the path has no position; expected at least one", name));
+  if ((axes.size() != count && axes.size() != 1) || (!rapids.empty() && rapids.size() != count)) {
+    raise(gouge::make_error("path-count",
+                            std::to_string(count) + " tips, " + std::to_string(axes.size()) + " axes and " +
+                                std::to_string(rapids.size()) +
+                                " rapids; expected as many axes as tips, or one, and as many rapids, or none",
+                            name));
+  }
+  gouge::Toolpath path;
+  path.file = std::move(name);
+  path.dialect = "apt";
+  path.is_unit_stated = true;
+  path.tools.emplace_back().name = "tool";
+  path.moves.resize(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3& axis = axes[axes.size() == 1 ? 0 : i];
+    const auto pose = to_pose(tips[i], axis);
+    if (!pose) refuse_position(path.file, i, axis);
+    gouge::Move& move = path.moves[i];
+    move.end = *pose;
+    move.line = i + 1;
+    move.tool = 0;
+    move.has_start = i > 0;
+    if (!rapids.empty() && rapids[i]) {
+      move.kind = gouge::MoveKind::rapid;
+      move.feed_unit = gouge::FeedUnit::rapid;
+    }
+  }
+  content_ = PathAccess::from(std::move(path), true).content_;
+}
+
+Path Path::read(const std::string& file) {
+  return PathAccess::from_bytes(file, value_or_raise(gouge::read_file(file)));
+}
+
+Path PathAccess::from_bytes(const std::string& name, std::string bytes, const std::string& dialect) {
+  gouge::ReadOptions options;
+  options.dialect = gouge::dialect_called(dialect);
+  gouge::ReadOutcome outcome = gouge::read_toolpath(name, std::move(bytes), options);
+  if (!outcome.toolpath) raise(outcome.errors.front());
+  require_reach(*outcome.toolpath);
+  return from(std::move(*outcome.toolpath), false);
+}
+
+Path PathAccess::from(gouge::Toolpath path, bool is_from_memory) {
+  auto content = std::make_shared<Path::Content>();
+  content->path = std::move(path);
+  content->is_from_memory = is_from_memory;
+  for (const gouge::Move& move : content->path.moves) {
+    content->tips.push_back(to_array(move.end.tip));
+    content->axes.push_back(to_array(move.end.axis));
+    content->kinds.push_back(static_cast<MoveKind>(move.kind));
+    content->lines.push_back(static_cast<std::uint32_t>(std::size_t{move.line}));
+  }
+  return Path(std::move(content));
+}
+
+std::size_t Path::size() const { return content_->tips.size(); }
+const std::string& Path::name() const { return content_->path.file; }
+std::span<const Vec3> Path::tips() const { return content_->tips; }
+std::span<const Vec3> Path::axes() const { return content_->axes; }
+std::span<const MoveKind> Path::kinds() const { return content_->kinds; }
+std::span<const std::uint32_t> Path::lines() const { return content_->lines; }
+std::vector<Note> Path::notes() const { return to_notes(content_->path.notes); }
+std::string Path::text() const { return content_->is_from_memory ? apt_text(content_->path) : content_->path.source; }
+
+}  // namespace gougecheck

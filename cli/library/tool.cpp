@@ -1,0 +1,113 @@
+#include <gougecheck/tool.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "cli/library/content.h"
+#include "lib/base/files.h"
+#include "lib/base/word_list.h"
+
+namespace gougecheck {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json segments_json(const std::vector<ToolSegment>& segments) {
+  ordered_json all = ordered_json::array();
+  for (const ToolSegment& s : segments)
+    all.push_back({{"lower_diameter", s.lower_diameter}, {"upper_diameter", s.upper_diameter}, {"length", s.length}});
+  return all;
+}
+
+gouge::ToolLibrary library_of(const ordered_json& tool, const ordered_json& units) {
+  const ordered_json library = {{"units", units}, {"tools", ordered_json::array({tool})}};
+  return value_or_raise(gouge::read_tool_library("tool", library.dump()));
+}
+
+std::string names_in(const gouge::ToolLibrary& library) {
+  std::vector<std::string> names;
+  for (const gouge::ToolAssembly& tool : library.tools) names.push_back(gouge::label(tool));
+  return gouge::listed(names);
+}
+
+const gouge::ToolAssembly& tool_called(const gouge::ToolLibrary& library, std::string_view name) {
+  if (name.empty() && library.tools.size() == 1) return library.tools.front();
+  if (const gouge::ToolAssembly* tool = name.empty() ? nullptr : library.called(name)) return *tool;
+  const std::string asked = name.empty() ? "several tools and no name" : "no tool called '" + std::string(name) + "'";
+  raise(gouge::make_error("library-which", asked + "; expected the name or number of one of " + names_in(library),
+                          library.file));
+}
+
+}  // namespace
+
+Tool::Tool(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+Tool::Tool(std::string_view shape, const std::map<std::string, double>& dimensions,
+           const std::vector<ToolSegment>& shank, const std::vector<ToolSegment>& holder) {
+  ordered_json cutter = {{"shape", shape}};
+  for (const auto& [name, value] : dimensions) cutter[name] = value;
+  ordered_json tool = {{"name", shape}, {"cutter", cutter}};
+  if (!shank.empty()) tool["shank"] = segments_json(shank);
+  if (!holder.empty()) tool["holder"] = segments_json(holder);
+  gouge::ToolLibrary library = library_of(tool, "mm");
+  // A dimension that the shape does not have would be left out, and the tool another one than was meant.
+  for (const gouge::Diagnostic& note : library.notes) {
+    if (note.code == "library-unknown-key") raise(gouge::make_error("library-field", note.message, "tool"));
+  }
+  content_ = std::make_shared<Content>(Content{std::move(library.tools.front())});
+}
+
+Tool Tool::from_json(std::string_view json, std::string_view name) {
+  const ordered_json read = ordered_json::parse(json, nullptr, false);
+  gouge::ToolLibrary library;
+  if (read.is_object() && read.contains("cutter") && !read.contains("tools")) {
+    ordered_json tool = read;
+    tool.erase("units");
+    if (!tool.contains("name") && !tool.contains("number")) tool["name"] = "tool";
+    library = library_of(tool, read.contains("units") ? read["units"] : ordered_json());
+  } else {
+    library = value_or_raise(gouge::read_tool_library("tools", json));
+  }
+  return Tool(std::make_shared<Content>(Content{tool_called(library, name)}));
+}
+
+const std::string& Tool::name() const { return content_->assembly.name; }
+bool Tool::has_holder() const { return !content_->assembly.holder.empty(); }
+double Tool::height() const { return gouge::height_mm(content_->assembly); }
+
+std::string Tool::to_json() const {
+  gouge::ToolLibrary library;
+  library.tools = {content_->assembly};
+  return gouge::write_tool_library(library);
+}
+
+ToolLibrary::ToolLibrary(std::shared_ptr<const Content> content) : content_(std::move(content)) {}
+
+ToolLibrary ToolLibrary::read(const std::string& file) {
+  const std::string bytes = value_or_raise(gouge::read_file(file));
+  return ToolLibrary(std::make_shared<Content>(Content{value_or_raise(gouge::read_tool_library(file, bytes)), file}));
+}
+
+ToolLibrary ToolLibrary::from_json(std::string_view json, const std::string& name) {
+  return ToolLibrary(std::make_shared<Content>(Content{value_or_raise(gouge::read_tool_library(name, json)), {}}));
+}
+
+std::vector<Tool> ToolLibrary::tools() const {
+  std::vector<Tool> all;
+  for (const gouge::ToolAssembly& tool : content_->library.tools)
+    all.push_back(Tool(std::make_shared<Tool::Content>(Tool::Content{tool})));
+  return all;
+}
+
+Tool ToolLibrary::tool(std::string_view name) const {
+  return Tool(std::make_shared<Tool::Content>(Tool::Content{tool_called(content_->library, name)}));
+}
+
+std::vector<std::string> tool_shapes() {
+  std::vector<std::string> names;
+  for (const gouge::Cutter& cutter : gouge::every_shape()) names.emplace_back(gouge::shape_name(cutter));
+  return names;
+}
+
+}  // namespace gougecheck

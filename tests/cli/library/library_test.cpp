@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+
+#include <gougecheck/check.h>
+#include <gougecheck/penetration.h>
+#include <gougecheck/version.h>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <iterator>
+
+#include "tests/cli/library/block.h"
+
+// What other programs see, against answers known by hand.
+
+namespace gougecheck {
+namespace {
+
+Tool ball() { return {"ball", {{"diameter", 10}, {"length", 30}}, {{10, 10, 20}}, {{32, 32, 40}}}; }
+
+Path crossing() {
+  const std::vector<Vec3> tips = {{-10, 10, 0.5}, {50, 10, 0.5}, {50, 12, 5}, {50, 12, -0.25}, {-10, 12, -0.25}};
+  return {tips, kUp};
+}
+
+std::string text_of(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+TEST(Version, IsThatOfTheProject) {
+  EXPECT_STREQ(version(), GOUGE_PROJECT_VERSION);
+  EXPECT_EQ(std::string(GOUGECHECK_VERSION_STRING), std::to_string(GOUGECHECK_VERSION_MAJOR) + "." +
+                                                        std::to_string(GOUGECHECK_VERSION_MINOR) + "." +
+                                                        std::to_string(GOUGECHECK_VERSION_PATCH));
+}
+
+TEST(LibraryMesh, JoinsVerticesAndNamesFacesAsGiven) {
+  const std::vector<Vec3> vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}};
+  const std::vector<Triangle> faces = {{0, 0, 1}, {0, 1, 2}, {3, 4, 2}};
+  const Mesh mesh(vertices, faces);
+  EXPECT_EQ(mesh.vertices().size(), 4U);
+  ASSERT_EQ(mesh.faces().size(), 2U);
+  EXPECT_EQ(mesh.given_face()[1], 2U);
+  EXPECT_FALSE(mesh.is_solid());
+  EXPECT_FALSE(mesh.notes().empty());
+  EXPECT_TRUE(block().is_solid());
+}
+
+TEST(LibraryCheck, FindsTheGougeItsDepthAndItsWitness) {
+  const Report report = check(crossing(), block(), ball());
+  ASSERT_EQ(report.size(), 5U);
+  EXPECT_EQ(report.verdict(), Verdict::gouges);
+  EXPECT_EQ(report.count(State::clean), 4U);
+  EXPECT_EQ(report.state()[4], State::gouge);
+  EXPECT_NEAR(report.depth()[4], 0.25, 1e-3);
+  EXPECT_LE(report.depth()[4], 0.25 + 1e-9);
+  EXPECT_GE(report.depth_upper()[4], 0.25 - 1e-9);
+  EXPECT_NEAR(report.point()[4][2], 0, 1e-9);
+  EXPECT_NEAR(report.normal()[4][2], 1, 0.1);
+  EXPECT_TRUE(report.triangle()[4] == 2 || report.triangle()[4] == 3) << "the top";
+  EXPECT_EQ(report.mesh()[4], 0);
+  EXPECT_EQ(report.is_fixture()[4], 0);
+  EXPECT_EQ(report.triangle()[1], -1);
+  EXPECT_TRUE(std::isnan(report.t()[1]));
+  EXPECT_NE(report.text().find("gouge: 0.250 mm cutter"), std::string::npos) << report.text();
+}
+
+TEST(LibraryCheck, TellsBuriedFromClean) {
+  const std::vector<Vec3> tips = {{20, 10, -8}};
+  const Tool small("ball", {{"diameter", 1}, {"length", 2}});
+  const Report report = check(Path(tips, kUp), block(), small);
+  EXPECT_EQ(report.state()[0], State::buried);
+  EXPECT_TRUE(std::isnan(report.depth()[0]));
+  EXPECT_EQ(report.verdict(), Verdict::gouges);
+  EXPECT_FALSE(report.reason(0).empty());
+}
+
+TEST(LibraryCheck, KnowsFixturesAndClearances) {
+  const Scene scene({block(-50)}, {block()});
+  CheckOptions options;
+  const Report report = check(crossing(), scene, ball(), options);
+  EXPECT_EQ(report.is_fixture()[4], 1);
+  options.tolerance = 0.3;
+  EXPECT_TRUE(check(crossing(), scene, ball(), options).is_clean());
+}
+
+TEST(LibraryCheck, IsTheSameAtAnyNumberOfThreads) {
+  CheckOptions one, four;
+  one.threads = 1;
+  four.threads = 4;
+  const Report a = check(crossing(), block(), ball(), one), b = check(crossing(), block(), ball(), four);
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_EQ(a.state()[i], b.state()[i]);
+    EXPECT_EQ(a.depth()[i], b.depth()[i]);
+    EXPECT_EQ(a.depth_upper()[i], b.depth_upper()[i]);
+  }
+}
+
+TEST(LibraryReport, IsWrittenInTheFormOfItsExtension) {
+  const Report report = check(crossing(), block(), ball());
+  const std::string folder = testing::TempDir();
+  for (const char* extension : {".json", ".csv", ".sarif", ".xml", ".html", ".txt"}) {
+    const std::string file = folder + "gougecheck_report" + extension;
+    report.write(file);
+    EXPECT_FALSE(text_of(file).empty()) << extension;
+    std::remove(file.c_str());
+  }
+}
+
+TEST(LibraryPath, OfMemoryReadsBackFromItsText) {
+  const std::vector<Vec3> tips = {{0.1, 1.0 / 3, -7e-5}, {1e3, 2, 3}}, axes = {{0, 0, 2}, {1, 1, 1}};
+  const bool rapids[] = {false, true};
+  const Path path(tips, axes, rapids);
+  const std::string file = testing::TempDir() + "gougecheck_path.apt";
+  std::ofstream(file, std::ios::binary) << path.text();
+  const Path read = Path::read(file);
+  ASSERT_EQ(read.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_EQ(read.tips()[i], path.tips()[i]);
+    for (std::size_t k = 0; k < 3; ++k) EXPECT_NEAR(read.axes()[i][k], path.axes()[i][k], 1e-15);
+    EXPECT_EQ(read.kinds()[i], path.kinds()[i]);
+  }
+  std::remove(file.c_str());
+}
+
+TEST(LibraryTool, IsTheSameFromItsJson) {
+  EXPECT_EQ(Tool::from_json(ball().to_json()).to_json(), ball().to_json());
+  EXPECT_EQ(ball().height(), 90);
+  EXPECT_TRUE(ball().has_holder());
+  const Tool alone = Tool::from_json(R"({"units":"inch","cutter":{"shape":"flat","diameter":1,"length":2}})");
+  EXPECT_DOUBLE_EQ(alone.height(), 50.8);
+  EXPECT_GE(tool_shapes().size(), 17U);
+}
+
+TEST(LibraryDepth, IsThatOfEachPositionAlone) {
+  const DepthQuery query(block(), ball());
+  EXPECT_EQ(query.at({20, 10, 1}, {0, 0, 1}).depth, 0);
+  EXPECT_EQ(query.at({20, 10, 1}, {0, 0, 1}).state, State::clean);
+  const std::vector<Vec3> tips = {{20, 10, 1}, {20, 10, -0.5}, {20, 10, -2}};
+  const std::vector<Contact> contacts = query.at(tips, kUp, 2);
+  ASSERT_EQ(contacts.size(), 3U);
+  EXPECT_EQ(contacts[0].depth, 0);
+  EXPECT_NEAR(contacts[1].depth, 0.5, 1e-3);
+  EXPECT_NEAR(contacts[2].depth, 2, 1e-3);
+  EXPECT_LE(contacts[2].depth_upper - contacts[2].depth, 0.001 + 1e-12);
+  EXPECT_EQ(contacts[2].body, Body::cutter);
+}
+
+TEST(LibraryCorrection, LiftsWhatGougesAndChecksItAgain) {
+  const Correction correction = correct(crossing(), block(), ball());
+  EXPECT_FALSE(correction.before.is_clean());
+  EXPECT_TRUE(correction.after.is_clean()) << correction.after.text();
+  EXPECT_FALSE(correction.changes.empty());
+  EXPECT_TRUE(correction.uncorrected.empty());
+  EXPECT_EQ(correction.path.tips()[1], crossing().tips()[1]) << "a clean move stays";
+}
+
+TEST(LibraryPenetration, OfTwoCubesTurned) {
+  const double c = std::sqrt(0.5);
+  Transform pose{{c, -c, 0, c, c, 0, 0, 0, 1}, {60, 10, 0}};
+  EXPECT_EQ(penetration(block(), block(), pose).state, ClashState::free);
+  PenetrationOptions options;
+  options.find_shift = true;
+  const Penetration same = penetration(block(), block(0), {}, options);
+  EXPECT_EQ(same.state, ClashState::penetrating);
+  EXPECT_LE(same.depth, 5);
+  EXPECT_GE(same.depth_upper, 5 - 1e-9);
+  ASSERT_TRUE(same.shift.has_value());
+  pose = {};
+  pose.shift = *same.shift;
+  const ClashState after = penetration(block(), block(), pose).state;
+  EXPECT_TRUE(after == ClashState::free || after == ClashState::touching);
+}
+
+}  // namespace
+}  // namespace gougecheck
