@@ -2,8 +2,10 @@
 # Builds everything and runs all tests. Run it from any folder, as root or with sudo at hand. Ends in one line:
 # N passed, N failed, N skipped. The exit status is 0 only when tests ran and none failed.
 set -u
-MORE_PACKAGES="clang-format"
+MORE_PACKAGES="clang-format pkg-config pybind11-dev python3-dev python3-numpy python3-pytest python3-matplotlib"
 . "$(dirname "${BASH_SOURCE[0]}")/../samples/setup.sh"
+grep -q '^GOUGE_PYTHON:BOOL=ON' "$BUILD/CMakeCache.txt" ||
+  quietly configure cmake -S "$ROOT" --preset release -DGOUGE_PYTHON=ON -DPython_EXECUTABLE=/usr/bin/python3
 build
 
 JUNIT="$ROOT/build/tests.xml"

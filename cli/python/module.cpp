@@ -1,0 +1,58 @@
+#include <gougecheck/types.h>
+#include <gougecheck/version.h>
+#include <pybind11/pybind11.h>
+
+#include "cli/python/bindings.h"
+
+namespace gougecheck::python {
+namespace {
+
+namespace py = pybind11;
+
+py::str note_text(const Note& note) { return note.text; }
+
+}  // namespace
+
+void bind_errors(py::module_& module) {
+  // A ValueError with code, file and line beside the message.
+  static PyObject* const error = PyErr_NewExceptionWithDoc(
+      "gougecheck.Error",
+      "Input that cannot be used. Attributes: code (stable, as in docs/errors.md), file (str, "
+      "empty where no file is concerned) and line (int, from 1; 0 where there is none).",
+      PyExc_ValueError, nullptr);
+  module.attr("Error") = py::handle(error);
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const gougecheck::Error& e) {
+      py::object instance = py::reinterpret_borrow<py::object>(error)(e.what());
+      instance.attr("code") = e.code();
+      instance.attr("file") = e.file();
+      instance.attr("line") = e.line();
+      PyErr_SetObject(error, instance.ptr());
+    }
+  });
+  py::class_<Note>(module, "Note", "Something to know about an input or a result; never an error.")
+      .def_readonly("is_warning", &Note::is_warning)
+      .def_readonly("code", &Note::code, "Stable, as in docs/errors.md.")
+      .def_readonly("text", &Note::text, "One line: file, line, what was noticed.")
+      .def("__str__", &note_text)
+      .def("__repr__", [](const Note& note) { return "<gougecheck.Note " + note.code + ">"; });
+}
+
+}  // namespace gougecheck::python
+
+PYBIND11_MODULE(_core, module) {
+  using namespace gougecheck::python;
+  pybind11::options options;
+  options.disable_function_signatures();
+  module.attr("__version__") = gougecheck::version();
+  bind_errors(module);
+  bind_meshes(module);
+  bind_tools(module);
+  bind_paths(module);
+  bind_reports(module);
+  bind_checks(module);
+  bind_depths(module);
+  bind_penetration(module);
+}

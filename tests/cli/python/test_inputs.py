@@ -1,0 +1,127 @@
+"""Arrays in: read where they are, or refused by a clear TypeError."""
+
+import gc
+import os
+import sys
+
+import numpy as np
+import pytest
+
+import gougecheck
+from shapes import FACES, TIPS, UP, VERTICES
+
+
+@pytest.mark.parametrize("wrong", [
+    VERTICES.astype(np.float32), VERTICES.T, np.asfortranarray(VERTICES), VERTICES[::2], VERTICES[:, :2], VERTICES[0],
+    VERTICES.tolist(), None, VERTICES.astype(">f8")])
+def test_vertices_of_another_kind_are_a_type_error(wrong):
+    with pytest.raises(TypeError, match="vertices: expected a C-contiguous float64 array of shape .*ascontiguousarray"):
+        gougecheck.Mesh(wrong, FACES)
+
+
+def test_the_remedy_of_the_message_works():
+    wrong = np.asfortranarray(VERTICES.astype(np.float32))
+    mesh = gougecheck.Mesh(np.ascontiguousarray(wrong, dtype=float), FACES)
+    assert np.array_equal(mesh.vertices[mesh.faces], VERTICES[FACES])
+
+
+@pytest.mark.parametrize("kind", [np.int32, np.int64, np.uint32, np.uint64])
+def test_faces_of_any_integer(kind):
+    assert gougecheck.Mesh(VERTICES, FACES.astype(kind)).is_solid
+
+
+@pytest.mark.parametrize("wrong", [FACES.astype(float), FACES.T, FACES.tolist(), FACES.astype(np.int8)])
+def test_faces_of_another_kind_are_a_type_error(wrong):
+    with pytest.raises(TypeError, match="faces: expected"):
+        gougecheck.Mesh(VERTICES, wrong)
+
+
+def test_indices_out_of_range():
+    faces = FACES.copy()
+    faces[3, 1] = -1
+    with pytest.raises(IndexError, match="row 3 has the index -1"):
+        gougecheck.Mesh(VERTICES, faces)
+    faces[3, 1] = 8
+    with pytest.raises(gougecheck.Error, match="face 3 names vertex 8") as caught:
+        gougecheck.Mesh(VERTICES, faces)
+    assert caught.value.code == "mesh-corner"
+    assert isinstance(caught.value, ValueError)
+
+
+def test_tips_and_axes():
+    path = gougecheck.Path(TIPS, UP)
+    assert np.array_equal(path.tips, TIPS)
+    assert np.array_equal(path.axes, np.tile(UP, (5, 1)))
+    with pytest.raises(TypeError, match="tips: "):
+        gougecheck.Path(TIPS.astype(int), UP)
+    with pytest.raises(TypeError, match="axes: .* or \\(3,\\)"):
+        gougecheck.Path(TIPS, [0, 0, 1])
+    with pytest.raises(TypeError, match="rapids: "):
+        gougecheck.Path(TIPS, UP, np.zeros(5))
+    with pytest.raises(gougecheck.Error, match="path-count"):
+        gougecheck.Path(TIPS, np.tile(UP, (4, 1)))
+    with pytest.raises(gougecheck.Error, match="position 2: the axis"):
+        gougecheck.Path(TIPS, np.array([UP, UP, UP * 0, UP, UP]))
+
+
+def test_tools_by_shape_and_from_json():
+    tool = gougecheck.Tool.bull_nose(diameter=16, corner_radius=2, length=25, shank=[(16, 16, 20)])
+    assert tool.height == 45 and not tool.has_holder
+    assert gougecheck.Tool.from_json(tool.to_json()).to_json() == tool.to_json()
+    with pytest.raises(gougecheck.Error, match="corner_radius") as caught:
+        gougecheck.Tool.bull_nose(diameter=16, length=25)
+    assert caught.value.code == "library-field"
+    with pytest.raises(gougecheck.Error, match="taper"):
+        gougecheck.Tool.ball(diameter=16, length=25, taper=3)
+
+
+def test_views_are_read_only_and_keep_their_owner():
+    mesh = gougecheck.Mesh(VERTICES, FACES)
+    vertices = mesh.vertices
+    owner = vertices.base
+    assert owner is mesh
+    del mesh, owner
+    gc.collect()
+    assert np.array_equal(np.sort(vertices, axis=0), np.sort(VERTICES, axis=0))
+    with pytest.raises(ValueError, match="read-only"):
+        vertices[0, 0] = 1
+    assert vertices.flags.c_contiguous and vertices.dtype == np.float64
+    again = gougecheck.Mesh(vertices, FACES)  # views go in as they come out
+    assert np.array_equal(np.sort(again.vertices, axis=0), np.sort(vertices, axis=0))
+
+
+def test_reading_a_toolpath(tmp_path):
+    file = tmp_path / "path.apt"
+    file.write_bytes(gougecheck.Path(TIPS, UP).text)
+    path = gougecheck.read_toolpath(file)
+    assert np.array_equal(path.tips, TIPS) and len(path) == 5
+    assert path.lines[0] == 4
+    file.write_text("GOTO/1,2\n")
+    with pytest.raises(gougecheck.Error) as caught:
+        gougecheck.read_toolpath(file)
+    assert caught.value.line == 1 and caught.value.file == os.fspath(file)
+    with pytest.raises(gougecheck.Error, match="file-not-found"):
+        gougecheck.read_toolpath(tmp_path / "none.apt")
+
+
+def test_stubs_are_those_of_the_module():
+    """Every public name of the module is in the stub, and the other way round."""
+    import ast
+
+    stub = ast.parse(open(os.path.join(os.path.dirname(gougecheck.__file__), "__init__.pyi")).read())
+    stubbed = {node.name: node for node in stub.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
+    names = {name for name in gougecheck.__all__ if name != "__version__"}
+    assert set(stubbed) == names
+    for name, node in stubbed.items():
+        if not isinstance(node, ast.ClassDef) or name in ("Error", "State", "Body"):
+            continue
+        members = {m.name for m in node.body if isinstance(m, ast.FunctionDef) and not m.name.startswith("__")}
+        real = {m for m in vars(getattr(gougecheck, name)) if not m.startswith("_")}
+        assert members == real, name
+
+
+def test_everything_has_a_docstring():
+    for name in gougecheck.__all__:
+        if name != "__version__":
+            assert getattr(gougecheck, name).__doc__, name
+    assert sys.modules["gougecheck"].__doc__
