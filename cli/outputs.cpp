@@ -44,8 +44,10 @@ std::optional<int> JobOutputs::refuse(std::ostream& err) {
   if (const auto status = refuse_outputs(inputs_of(arguments_), outputs_, err)) return status;
   if (!report_) return std::nullopt;
   const Outcome opened = report_->open();
-  if (opened) return std::nullopt;
-  return fail(err, {opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
+  if (!opened) return fail(err, {opened.error()}, opened.error().code == "report-foreign" ? kExitUsage : kExitInternal);
+  const Outcome loaded = load_pictures();
+  if (!loaded) return fail(err, {loaded.error()}, kExitInternal);
+  return std::nullopt;
 }
 
 bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportModel& model, Progress& progress,

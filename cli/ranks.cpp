@@ -4,8 +4,8 @@
 #include <atomic>
 #include <cstdlib>
 
-#include "cli/ranks_mpi.h"
 #include "lib/base/number_text.h"
+#include "lib/base/shared_module.h"
 
 namespace gouge {
 namespace {
@@ -30,18 +30,26 @@ long long processes_started() {
   return 0;
 }
 
+#ifdef GOUGE_MPI
+Result<std::unique_ptr<Ranks>> make_mpi_ranks(long long) {
+  const Result<void*> make = find_function("gougecheck_mpi.so", "gougecheck_mpi_ranks");
+  if (!make) return make.error();
+  return std::unique_ptr<Ranks>(reinterpret_cast<Ranks* (*)()>(*make)());
+}
+#else
+Result<std::unique_ptr<Ranks>> make_mpi_ranks(long long processes) {
+  return make_error("usage",
+                    "mpirun started " + std::to_string(processes) +
+                        " processes of a program that was built without MPI; expected a build with -DGOUGE_MPI=ON, "
+                        "or one process: --shard divides the jobs as well");
+}
+#endif
+
 }  // namespace
 
 Result<std::unique_ptr<Ranks>> make_ranks() {
   const long long processes = processes_started();
-  if (processes > 1) {
-    if (auto ranks = make_mpi_ranks()) return ranks;
-  }
-  if (processes > 1)
-    return make_error("usage",
-                      "mpirun started " + std::to_string(processes) +
-                          " processes of a program that was built without MPI; expected a build with -DGOUGE_MPI=ON, "
-                          "or one process: --shard divides the jobs as well");
+  if (processes > 1) return make_mpi_ranks(processes);
   return std::unique_ptr<Ranks>(std::make_unique<OneProcess>());
 }
 

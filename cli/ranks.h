@@ -30,7 +30,7 @@ class Ranks {
 };
 
 /// Those of mpirun, if that is what started this process; else this one alone. Errors: usage, where mpirun started
-/// several processes of a program that was built without MPI, which would all do the same.
+/// several processes of a program that was built without MPI, which would all do the same; module-missing.
 [[nodiscard]] Result<std::unique_ptr<Ranks>> make_ranks();
 
 }  // namespace gouge

@@ -1,6 +1,3 @@
-#include "cli/ranks_mpi.h"
-
-#ifdef GOUGE_MPI
 #include <mpi.h>
 
 #include <array>
@@ -9,13 +6,12 @@
 #include <cstdint>
 #include <mutex>
 #include <thread>
-#endif
 
-// The only file that knows MPI.
+#include "cli/ranks.h"
+
+// The only file that knows MPI; a shared module of its own.
 
 namespace gouge {
-
-#ifdef GOUGE_MPI
 namespace {
 
 constexpr int kAsk = 1, kAnswer = 2;  // tags of messages
@@ -121,10 +117,7 @@ class MpiRanks : public Ranks {
 };
 
 }  // namespace
-
-std::unique_ptr<Ranks> make_mpi_ranks() { return std::make_unique<MpiRanks>(); }
-#else
-std::unique_ptr<Ranks> make_mpi_ranks() { return nullptr; }
-#endif
-
 }  // namespace gouge
+
+/// The processes of MPI_COMM_WORLD; the caller's to delete. To be called once in a process.
+extern "C" __attribute__((visibility("default"))) gouge::Ranks* gougecheck_mpi_ranks() { return new gouge::MpiRanks; }

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-// Pixels as plain data, so that only canvas_opencv.cpp needs to know OpenCV.
+// Pixels as plain data.
 
 namespace gouge {
 

@@ -85,6 +85,12 @@ Outcome add_scene_pictures(Album& album, const PictureSet& set, const CheckedToo
 
 }  // namespace
 
+Outcome load_pictures() {
+  const Result<const MaskPainter*> painter = mask_painter();
+  if (!painter) return painter.error();
+  return Done{};
+}
+
 Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, const CheckedToolpath& input,
                                                     const CheckedToolpath& before, const ProgressCall& progress) {
   const PictureScene scene(*input.prepared);

@@ -10,6 +10,10 @@
 
 namespace gouge {
 
+/// Loads what draws pictures (mask_painter.h), so that it is known before the work whether they can be drawn.
+/// Errors   module-missing, out-of-memory.
+[[nodiscard]] Outcome load_pictures();
+
 /// The pictures of a report, PNG, 1600 x 1000: heat_map.png, depth_along_path.png, event_1.png to event_6.png
 /// for the worst findings, and before_after.png when the model has a correction with its path and verdicts
 /// before.

@@ -22,6 +22,7 @@ choose() {
     fuzz_import_nx) words=$here/tools.dict most=8000 seeds=("$here/../corpus/tool/nx/metric") ;;
     fuzz_import_freecad) words=$here/tools.dict most=8000 seeds=("$here/../corpus/tool/freecad") ;;
     fuzz_import_fusion) words=$here/tools.dict most=8000 seeds=("$here/../corpus/tool") ;;
+    fuzz_job_list) words=$here/jobs.dict most=2000 seeds=() ;;
     fuzz_options | fuzz_command_line) words=$here/options.dict most=1000 seeds=() ;;
   esac
   [ ! -d "$here/corpus/$1" ] || seeds+=("$here/corpus/$1")

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "lib/base/result.h"
+
+// What only some runs need (OpenCV for pictures, MPI under mpirun) lives in shared modules of the program's own, so that
+// the others need not load the libraries behind it.
+
+namespace gouge {
+
+/// The address of `function` in the shared module `file` (a name without a folder), which is loaded if it is not yet and
+/// stays so. It is looked for where the run path of the program says: beside it in a build, in the folder of its
+/// libraries once installed. Cost: that of loading the libraries the module needs, the first time.
+/// Errors   module-missing, with the system's reason; out-of-memory.
+[[nodiscard]] Result<void*> find_function(const std::string& file, const std::string& function);
+
+}  // namespace gouge

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "lib/base/result.h"
+
+// What pictures take from OpenCV. It is in a shared module of its own, loaded by the first picture: the library
+// brings a dozen others that a check without pictures has no use for.
+
+namespace gouge {
+
+/// Grey levels, rows from the top: how much of a colour is laid on where.
+struct Mask {
+  int width = 0, height = 0;
+  std::vector<std::uint8_t> grey;
+
+  Mask(int w, int h) : width(w), height(h), grey(static_cast<std::size_t>(w) * static_cast<std::size_t>(h)) {}
+};
+
+/// From the centre of the mask's left top pixel, in 1 / kMaskUnits of a pixel.
+struct MaskPoint {
+  int x = 0, y = 0;
+};
+inline constexpr int kMaskUnitBits = 4;
+inline constexpr int kMaskUnits = 1 << kMaskUnitBits;
+
+/// Paints smoothed lines, areas and strokes of letters into masks. The same calls give the same bytes; calls from several
+/// threads do not disturb each other. Errors of all: out-of-memory, picture-not-encoded.
+class MaskPainter {
+ public:
+  MaskPainter() = default;
+  MaskPainter(const MaskPainter&) = delete;
+  MaskPainter& operator=(const MaskPainter&) = delete;
+  virtual ~MaskPainter() = default;
+
+  /// Open lines through the points of each stroke, `thickness` pixels wide.
+  virtual Outcome draw(Mask& mask, const std::vector<std::vector<MaskPoint>>& strokes, int thickness) const = 0;
+  virtual Outcome fill(Mask& mask, const std::vector<MaskPoint>& outline) const = 0;
+
+  /// ASCII text in strokes; (x, y) is the pixel its base line begins at.
+  virtual Outcome write(Mask& mask, const std::string& ascii, int x, int y, double scale, int thickness) const = 0;
+  /// In pixels; 0 where there is no memory to measure it.
+  [[nodiscard]] virtual double width(const std::string& ascii, double scale) const = 0;
+
+  /// Three bytes a pixel, `factor` times smaller in each direction, each pixel the mean of those it covers.
+  virtual Outcome shrink(const std::vector<std::uint8_t>& from, int width, int height, int factor,
+                         std::vector<std::uint8_t>& to) const = 0;
+};
+
+/// OpenCV's, loaded by the first call. Errors: module-missing, out-of-memory.
+[[nodiscard]] Result<const MaskPainter*> mask_painter();
+
+}  // namespace gouge
