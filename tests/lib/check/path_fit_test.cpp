@@ -59,6 +59,8 @@ Pose turned(const Pose& pose, double degrees, const Vec3& about) {
 struct Case {
   const char* explanation;
   std::function<Pose(Pose)> mistake;
+
+  friend void PrintTo(const Case& one, std::ostream* out) { *out << one.explanation; }
 };
 
 class UsualMistake : public ::testing::TestWithParam<Case> {};

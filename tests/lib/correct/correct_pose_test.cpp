@@ -44,6 +44,10 @@ double depth_of(const Pose& pose, const ToolVariants& tool, const Scene& scene) 
 struct Vee {
   double between_normals_deg;
   double depth_mm;
+
+  friend void PrintTo(const Vee& vee, std::ostream* out) {
+    *out << vee.between_normals_deg << " degrees, " << vee.depth_mm << " mm";
+  }
 };
 
 class BallInAVee : public ::testing::TestWithParam<Vee> {};
