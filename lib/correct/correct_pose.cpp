@@ -104,10 +104,4 @@ std::optional<CorrectedPose> correct_as(Strategy wanted, const Pose& pose, const
   return result && head_excess(result->pose, checker, limits) <= 0 ? result : std::nullopt;
 }
 
-std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolVariants& tool,
-                                          const MotionChecker& checker, const PoseLimits& limits) {
-  const auto result = correct_as(wanted, pose, tool, checker, limits);
-  return result || wanted == Strategy::axis ? result : correct_along_axis(pose, tool, checker, limits);
-}
-
 }  // namespace gouge

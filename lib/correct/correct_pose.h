@@ -70,8 +70,4 @@ struct CorrectedPose {
 [[nodiscard]] std::optional<CorrectedPose> correct_as(Strategy wanted, const Pose& pose, const ToolVariants& tool,
                                                       const MotionChecker& checker, const PoseLimits& limits);
 
-/// `wanted` first, then along the axis.
-[[nodiscard]] std::optional<CorrectedPose> correct_pose(Strategy wanted, const Pose& pose, const ToolVariants& tool,
-                                                        const MotionChecker& checker, const PoseLimits& limits);
-
 }  // namespace gouge

@@ -22,7 +22,7 @@ inline constexpr double kSideShiftsPerDepth = 2;
 /// How far a shift leads away from the tool axis: along the axis the tool keeps to the programmed cut.
 [[nodiscard]] double side_shift_mm(const Vec3& shift, const Vec3& axis);
 
-/// correct_pose, held to the laws of a shift: `wanted` first, then along the axis.
+/// correct_as, held to the laws of a shift: `wanted` first, then along the axis.
 ///
 /// `largest_side_mm`: none allows kSideShiftsPerDepth times the depth.
 [[nodiscard]] FreedPose free_pose(Strategy wanted, const Pose& pose, double depth_mm, MoveKind kind,

@@ -95,13 +95,13 @@ TEST(Weighted, APlaneTakesOneOrTwoIterations) {
   EXPECT_GT((corrected->pose.tip - pose.tip).normalized().dot(n), 0.995);
 }
 
-TEST(Weighted, ATooNarrowSlotIsGivenUpAndTheAxisTakesOver) {
+TEST(Weighted, ATooNarrowSlotIsGivenUpWhereTheAxisLeadsOut) {
   const Scene slot{
       {shapes::box(Vec3(-40, -40, -20), Vec3(-4.5, 40, 0)), shapes::box(Vec3(4.5, -40, -20), Vec3(40, 40, 0))}, {}};
   const Pose pose{Vec3(0, 0, -3), Vec3::UnitZ()};
   const ToolVariants flat = tools::flat();
   EXPECT_FALSE(correct_weighted(pose, flat, OwnSetup(nullptr, slot).checker(), limits()).has_value());
-  const auto lifted = correct_pose(Strategy::weighted, pose, flat, OwnSetup(nullptr, slot).checker(), limits());
+  const auto lifted = correct_as(Strategy::axis, pose, flat, OwnSetup(nullptr, slot).checker(), limits());
   ASSERT_TRUE(lifted.has_value());
   EXPECT_EQ(lifted->strategy, Strategy::axis);
   EXPECT_NEAR(lifted->pose.tip.z(), 0, 0.006);
@@ -168,9 +168,9 @@ TEST(Limits, AShiftBeyondTheLargestIsNoCorrection) {
   const Pose pose{Vec3(0, 0, -0.3), Vec3::UnitZ()};
   for (const Strategy strategy : {Strategy::weighted, Strategy::axis, Strategy::normal, Strategy::direction}) {
     EXPECT_FALSE(
-        correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.25)).has_value());
+        correct_as(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.25)).has_value());
     const auto corrected =
-        correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.31));
+        correct_as(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.31));
     ASSERT_TRUE(corrected.has_value());
     EXPECT_LE(corrected->shift_mm, 0.31);
   }
@@ -180,7 +180,7 @@ TEST(Limits, APoseThatMeetsTheAimStaysBitForBit) {
   const Scene scene{{plane(Vec3::UnitZ())}, {}};
   const Pose pose{Vec3(0.1, 0.2, -0.004), Vec3::UnitZ()};
   for (const Strategy strategy : {Strategy::weighted, Strategy::axis, Strategy::normal, Strategy::direction}) {
-    const auto corrected = correct_pose(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits());
+    const auto corrected = correct_as(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits());
     ASSERT_TRUE(corrected.has_value());
     EXPECT_EQ(corrected->pose.tip, pose.tip);
     EXPECT_EQ(corrected->iterations, 0);
