@@ -12,7 +12,7 @@
 #include "cli/report_manifest.h"
 #include "lib/base/files.h"
 #include "lib/base/printable_text.h"
-#include "toolmodels/json_file.h"
+#include "lib/json/json_file.h"
 
 namespace gouge {
 namespace {
@@ -91,8 +91,7 @@ class JobListReader {
     constexpr std::uint64_t kMostBytes = 256'000'000;
     const Result<std::string> bytes = read_file(file_, kMostBytes);
     if (!bytes) return bytes.error();
-    Result<detail::JsonFile> json =
-        detail::parse_json(file_, *bytes, {"jobs-syntax", "jobs-duplicate-key", "a job list"});
+    Result<JsonFile> json = parse_json(file_, *bytes, {"jobs-syntax", "jobs-duplicate-key", "a job list"});
     if (!json) return json.error();
     lines_ = &json->lines;
     read(json->root);
@@ -232,7 +231,7 @@ class JobListReader {
 
   std::string file_, base_;
   const BatchFolder& folder_;
-  const detail::JsonLines* lines_ = nullptr;
+  const JsonLines* lines_ = nullptr;
   std::optional<Diagnostic> error_;
   std::map<std::string, std::size_t> lines_of_;
   std::vector<BatchJob> jobs_;

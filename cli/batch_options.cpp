@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string_view>
 
+#include "cli/baseline.h"
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 
@@ -52,6 +53,7 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
   command.add_flag("--force", a.is_forced,
                    "Let outputs replace files of their names that no batch or report wrote, never an input");
   add_common_job_options(command, a.job, false);
+  add_baseline_option(command, a.job.baseline_file);
   add_progress_option(command, a.progress);
   add_verbosity(command, a, "Print notes as well (not with -q)");
   command.footer(

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/baseline.h"
 #include "cli/job.h"
 #include "cli/length_text.h"
 #include "cli/outputs.h"
@@ -37,6 +38,7 @@ Result<StickoutOptions> understand_stickout(const CheckArguments& arguments) {
 void add_check_options(CLI::App& command, CheckArguments& check) {
   JobArguments& arguments = check.job;
   add_job_options(command, arguments);
+  add_baseline_option(command, arguments.baseline_file);
   command.add_flag("--find-cures", check.finds_cures,
                    "Find for every gouge of shank, holder or head the tilt and the least lift that free it");
   CLI::Option* const finds = command.add_flag(
@@ -74,6 +76,8 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   if (!stickout) return fail(err, {stickout.error()});
   JobOutputs outputs(arguments, {});
   if (const auto status = outputs.refuse(err)) return *status;
+  const Result<LoadedBaseline> baseline = load_baseline(arguments.baseline_file, arguments.input);
+  if (!baseline) return fail(err, {baseline.error()});
   Progress progress(err, options->progress);
   LoadedJob loaded = load_job(arguments, *options, progress, context.scenes);
   progress.end();
@@ -106,6 +110,7 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   model.cures = std::move(cures);
   const PathFit fit = find_path_fit(job.toolpath, result.verdicts, job.tools(), scene, options->check.threads);
   if (const auto misfit = describe_misfit(job.toolpath, fit)) model.notes.push_back(*misfit);
+  baseline->apply(model);
   print_notes(err, model.notes, arguments);
   if (arguments.is_verbose) {
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";
@@ -114,7 +119,7 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   if (arguments.is_verbose) print_peak_memory(err);
   if (!is_written) return kExitInternal;
   if (context.on_result) context.on_result(model);
-  return exit_status(overall_verdict(result));
+  return exit_status(overall_verdict(model));
 }
 
 }  // namespace gouge

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "cli/identity.h"
 #include "cli/misplaced.h"
 #include "cli/tools/resolve_tools.h"
 #include "lib/base/files.h"
@@ -90,6 +91,7 @@ class JobLoader {
     add_notes(resolved->notes);
     job_.tool_facts = std::move(resolved->facts);
     job_.assemblies = std::move(resolved->assemblies);
+    identify_tools();
     for (const auto& assembly : job_.assemblies) {
       job_.variants.emplace_back();
       if (!assembly) continue;
@@ -99,6 +101,12 @@ class JobLoader {
                              c.shank_clearance_mm, c.holder_clearance_mm);
       if (!variants) return errors_.push_back(variants.error());
       job_.variants.back() = std::move(*variants);
+    }
+  }
+
+  void identify_tools() {
+    for (std::size_t i = 0; i < job_.assemblies.size(); ++i) {
+      if (job_.assemblies[i]) identify_tool(*job_.assemblies[i], arguments_.is_extended_up, job_.tool_facts[i]);
     }
   }
 
@@ -150,6 +158,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   model.inputs = inputs;
   model.options = options.check;
+  model.placement = placement_identity(options.place, stl_unit(arguments));
   if (!arguments.place.empty()) model.more_options.push_back({"place", arguments.place});
   if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
   if (!arguments.reading.dialect.empty()) model.more_options.push_back({"dialect", arguments.reading.dialect});

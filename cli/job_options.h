@@ -30,6 +30,7 @@ struct JobArguments : Verbosity {
   std::string tolerance = "0.01", stock_to_leave = "0", clearance, near_miss = "0", resolution = "0.001";
   std::string rapid = "straight", progress = "auto";
   std::uint32_t threads = 0;
+  std::string baseline_file;  ///< of `check`: findings that were accepted
   std::string report_folder, json_file, csv_file, sarif_file, junit_file;
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;

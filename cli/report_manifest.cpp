@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lib/base/sha256.h"
+#include "lib/json/json_file.h"
 #include "postproc/report/report_model.h"
-#include "toolmodels/json_file.h"
 
 namespace gouge {
 namespace {
@@ -41,7 +41,7 @@ std::string write_manifest(const ReportManifest& manifest) {
 }
 
 std::optional<ReportManifest> read_manifest(std::string_view text) {
-  const Result<detail::JsonFile> read = detail::parse_json(kManifestName, text, {"manifest", "manifest", "a manifest"});
+  const Result<JsonFile> read = parse_json(kManifestName, text, {"manifest", "manifest", "a manifest"});
   if (!read) return std::nullopt;
   const nlohmann::json& json = read->root;
   if (!json.is_object() || json.value("format", Json()) != kFormat || json.value("format_version", Json()) != kVersion)

@@ -8,9 +8,11 @@
 #include <ostream>
 #include <span>
 
+#include "cli/accept_command.h"
 #include "cli/batch_command.h"
 #include "cli/check_command.h"
 #include "cli/clash_command.h"
+#include "cli/compare_command.h"
 #include "cli/correct_command.h"
 #include "cli/help_text.h"
 #include "cli/merge_command.h"
@@ -29,10 +31,12 @@ namespace gouge {
 namespace {
 
 struct Arguments {
+  AcceptArguments accept;
   CheckArguments check;
   CorrectArguments correct;
   BatchArguments batch;
   ClashArguments clash;
+  CompareArguments compare;
   MergeArguments merge;
   MeshArguments mesh;
   PathArguments path;
@@ -74,6 +78,8 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   if (app.got_subcommand("correct")) return run_correct(arguments.correct, {out, err});
   if (app.got_subcommand("batch")) return run_batch(arguments.batch, out, err);
   if (app.got_subcommand("clash")) return run_clash(arguments.clash, out, err);
+  if (app.got_subcommand("accept")) return run_accept(arguments.accept, out, err);
+  if (app.got_subcommand("compare")) return run_compare(arguments.compare, out, err);
   if (app.got_subcommand("merge")) return run_merge(arguments.merge, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
   if (app.got_subcommand("tool")) return run_tool(arguments.tool, out, err);
@@ -101,6 +107,11 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
                       arguments.batch);
     add_clash_options(*app.add_subcommand("clash", "Find out whether two bodies of a set-up penetrate, and how deep"),
                       arguments.clash);
+    add_compare_options(*app.add_subcommand("compare", "Say what changed from one result to another"),
+                        arguments.compare);
+    add_accept_options(
+        *app.add_subcommand("accept", "Accept findings, so that a check with --baseline counts them apart"),
+        arguments.accept);
     add_merge_options(*app.add_subcommand("merge", "Join the results of the shards of a batch"), arguments.merge);
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
     add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), arguments.path);

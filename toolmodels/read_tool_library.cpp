@@ -4,9 +4,9 @@
 #include <unordered_set>
 #include <vector>
 
+#include "lib/json/json_file.h"
 #include "toolmodels/cutter_fields.h"
 #include "toolmodels/cutter_shapes.h"
-#include "toolmodels/json_file.h"
 #include "toolmodels/tool_library.h"
 
 namespace gouge {
@@ -26,7 +26,7 @@ const char* type_word(const Json& value) {
 // readers below need not ask after each step.
 class Reader {
  public:
-  Reader(std::string file, detail::JsonLines lines) : lines_(std::move(lines)) { library_.file = std::move(file); }
+  Reader(std::string file, JsonLines lines) : lines_(std::move(lines)) { library_.file = std::move(file); }
 
   Result<ToolLibrary> read(const Json& root) {
     read_root(root);
@@ -320,7 +320,7 @@ class Reader {
     library_.tools.push_back(std::move(tool));
   }
 
-  detail::JsonLines lines_;
+  JsonLines lines_;
   ToolLibrary library_;
   std::unordered_set<int> numbers_;                       // taken
   std::unordered_map<std::string, std::size_t> by_name_;  // the first tool of each name
@@ -331,8 +331,7 @@ class Reader {
 }  // namespace
 
 Result<ToolLibrary> read_tool_library(const std::string& file, std::string_view bytes) {
-  Result<detail::JsonFile> json =
-      detail::parse_json(file, bytes, {"library-syntax", "library-duplicate-key", "a tool library"});
+  Result<JsonFile> json = parse_json(file, bytes, {"library-syntax", "library-duplicate-key", "a tool library"});
   if (!json) return json.error();
   return Reader(file, std::move(json->lines)).read(json->root);
 }

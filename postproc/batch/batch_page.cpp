@@ -85,7 +85,13 @@ std::string banner(const std::vector<JobResult>& jobs) {
   const bool any_failed = std::ranges::any_of(jobs, [](const JobResult& job) { return severity_of(job.status) < 3; });
   const int status = batch_status(jobs);
   const char* css = any_failed ? "failed" : status == 1 ? "gouges" : status == 0 ? "clean" : "not-fully-checked";
-  const char* word = any_failed ? "Jobs failed" : status == 1 ? "Gouges" : status == 0 ? "Clean" : "Not fully checked";
+  const bool any_accepted = std::ranges::any_of(
+      jobs, [](const JobResult& job) { return job.verdict() == std::string_view("accepted-gouges"); });
+  const char* word = any_failed     ? "Jobs failed"
+                     : status == 1  ? "Gouges"
+                     : status == 4  ? "Not fully checked"
+                     : any_accepted ? "Accepted gouges"
+                                    : "Clean";
   return std::string("<div class=\"banner ") + css + "\"><strong>" + word + "</strong><div>" +
          xml_escaped(count_text(jobs.size(), "job") + ": " + verdict_counts(jobs)) + "</div></div>\n";
 }

@@ -36,7 +36,8 @@ std::vector<std::string> JobResult::remarks() const {
 
 const char* JobResult::verdict() const {
   if (!status) return "not-run";
-  if (*status == kExitClean) return verdict_name(OverallVerdict::clean);
+  if (*status == kExitClean)
+    return verdict_name(gouge_findings() > 0 ? OverallVerdict::accepted_gouges : OverallVerdict::clean);
   if (*status == kExitNotChecked) return verdict_name(OverallVerdict::not_fully_checked);
   // `correct` refuses with it what plainly does not fit; then nothing was looked at to the end.
   if (*status == kExitGouges && !unit.empty()) return verdict_name(OverallVerdict::gouges);
@@ -69,7 +70,8 @@ std::vector<std::size_t> worst_first(const std::vector<JobResult>& jobs) {
 
 std::string verdict_counts(const std::vector<JobResult>& jobs) {
   std::string text;
-  for (const std::string_view verdict : {"failed", "gouges", "not-fully-checked", "clean", "not-run"}) {
+  for (const std::string_view verdict :
+       {"failed", "gouges", "not-fully-checked", "accepted-gouges", "clean", "not-run"}) {
     const auto count = std::ranges::count_if(jobs, [&](const JobResult& job) { return job.verdict() == verdict; });
     if (count == 0) continue;
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + std::string(verdict);

@@ -49,7 +49,7 @@ struct JobResult {
   [[nodiscard]] std::size_t gouge_findings() const;
   /// Its warnings as text; of a job without a result what its command said of its errors.
   [[nodiscard]] std::vector<std::string> remarks() const;
-  /// "clean", "gouges", "not-fully-checked", "failed" or "not-run".
+  /// "clean", "accepted-gouges", "gouges", "not-fully-checked", "failed" or "not-run".
   [[nodiscard]] const char* verdict() const;
 };
 

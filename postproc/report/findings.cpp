@@ -1,25 +1,25 @@
 #include "postproc/report/findings.h"
 
+#include <algorithm>
+#include <limits>
+
 #include "lib/base/sha256.h"
+#include "postproc/report/baseline_text.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
-
-std::string statement_text(const Toolpath& path, const Move& move) {
-  if (move.statement >= path.statements.size()) return {};
-  const SourceStatement& s = path.statements[move.statement];
-  if (s.first_byte > s.last_byte || s.last_byte > path.source.size()) return {};
-  return path.source.substr(s.first_byte, s.last_byte - s.first_byte);
-}
 
 class FindingList {
  public:
   explicit FindingList(const ReportModel& model) : model_(model), per_mm_(1 / mm_per(model.toolpath->unit)) {}
 
   std::vector<Finding> build() {
-    for (const Event& event : model_.result->events) {
-      if (event.state != MoveState::not_checked && event.state != MoveState::not_certified) add(event);
+    for (std::size_t k = 0; k < model_.result->events.size(); ++k) {
+      const Event& event = model_.result->events[k];
+      if (event.state == MoveState::not_checked || event.state == MoveState::not_certified) continue;
+      add(event);
+      add_acceptance(k);
     }
     for (const ReasonGroup& group : group_reasons(*model_.result)) {
       Finding& finding = begin(group.state, group.first_move, group.reason);
@@ -37,8 +37,9 @@ class FindingList {
     finding.move = move;
     finding.line = path.moves[move].line;
     finding.tool = tool_key(path, path.moves[move].tool);
+    if (model_.baseline.is_given()) finding.baseline_state = "new";
     finding.fingerprint = sha256_of(std::string(state_name(state)) + '\n' + finding.tool + '\n' + what + '\n' +
-                                    statement_text(path, path.moves[move]))
+                                    std::string(statement_text(path, path.moves[move])))
                               .substr(0, 16);
     findings_.push_back(std::move(finding));
     return findings_.back();
@@ -61,12 +62,42 @@ class FindingList {
     finding.point = verdict.witness->point * per_mm_;
   }
 
+  void add_acceptance(std::size_t event) {
+    if (event >= model_.baseline.events.size()) return;
+    const EventAcceptance& acceptance = model_.baseline.events[event];
+    Finding& finding = findings_.back();
+    if (!acceptance.why_not.empty()) finding.baseline_state = "updated";
+    if (acceptance.is_accepted) finding.baseline_state = "unchanged";
+    for (const std::string& remark : acceptance_remarks(model_, event)) {
+      if (acceptance.is_accepted) finding.justification += (finding.justification.empty() ? "" : "; ") + remark;
+      finding.message += "; " + remark;
+    }
+  }
+
   const ReportModel& model_;
   double per_mm_;
   std::vector<Finding> findings_;
 };
 
 }  // namespace
+
+std::vector<std::size_t> finding_numbers(const CheckResult& result) {
+  const auto depth = [&](std::size_t k) {
+    const Event& event = result.events[k];
+    const MoveVerdict& worst = result.verdicts[event.worst_move];
+    if (event.state == MoveState::buried) return std::numeric_limits<double>::infinity();
+    return event.state == MoveState::near_miss ? -worst.clearance_mm.value_or(0) : worst.depth_mm;
+  };
+  std::vector<std::size_t> order;
+  for (std::size_t k = 0; k < result.events.size(); ++k) {
+    const MoveState state = result.events[k].state;
+    if (state != MoveState::not_checked && state != MoveState::not_certified) order.push_back(k);
+  }
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return depth(a) > depth(b); });
+  std::vector<std::size_t> numbers(result.events.size(), 0);
+  for (std::size_t i = 0; i < order.size(); ++i) numbers[order[i]] = i + 1;
+  return numbers;
+}
 
 std::vector<Finding> list_findings(const ReportModel& model) { return FindingList(model).build(); }
 

@@ -23,7 +23,14 @@ struct Finding {
   std::optional<Vec3> point;
   std::string message;      ///< without its location
   std::string fingerprint;  ///< 16 digits, the same wherever the line moves, as long as statement, tool and body stay
+  /// "new", "updated" (something else was accepted there) or "unchanged" (accepted); empty: no --baseline.
+  std::string baseline_state;
+  std::string justification;  ///< of what is accepted: who accepted it and why
 };
+
+/// The number of each of CheckResult::events as a finding, from 1: buried tools, then gouges, the deepest first, then near
+/// misses, those alike in the order of the path; 0 for what is no finding.
+[[nodiscard]] std::vector<std::size_t> finding_numbers(const CheckResult& result);
 
 /// Every event in the order of the path, then every reason why moves were not checked or not certified.
 [[nodiscard]] std::vector<Finding> list_findings(const ReportModel& model);

@@ -5,6 +5,7 @@
 #include "lib/base/number_text.h"
 #include "lib/base/printable_text.h"
 #include "postproc/report/axis_text.h"
+#include "postproc/report/baseline_text.h"
 #include "postproc/report/cure_text.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/stickout_text.h"
@@ -30,30 +31,40 @@ std::string bodies(const ReportModel& model) {
   return text;
 }
 
+// Of all gouges, accepted or not.
+std::string deepest_words(const ReportModel& model) {
+  const CheckResult& result = *model.result;
+  if (result.worst_move >= result.verdicts.size()) return {};
+  return ", the deepest " + depth_text(result.worst_depth_mm, model.toolpath->unit) + " at line " +
+         std::to_string(model.toolpath->moves[result.worst_move].line);
+}
+
 std::string headline(const ReportModel& model) {
   const CheckResult& result = *model.result;
   const StateCounts& n = result.counts;
   const std::string of_moves = " of " + count_text(result.verdicts.size(), "move");
-  switch (overall_verdict(result)) {
+  switch (overall_verdict(model)) {
+    case OverallVerdict::accepted_gouges:
+      return accepted_words(model) + ": no other gouge in " + count_text(result.verdicts.size(), "move") +
+             deepest_words(model);
     case OverallVerdict::clean:
       return "clean: no gouge in " + count_text(result.verdicts.size(), "move");
     case OverallVerdict::not_fully_checked:
-      return "not fully checked: no gouge found, but " + std::to_string(n.not_checked - n.skipped + n.not_certified) +
-             of_moves + " could not be checked or certified";
+      return std::string("not fully checked: no ") + (n.gouge > 0 ? "other " : "") + "gouge found, but " +
+             std::to_string(n.not_checked - n.skipped + n.not_certified) + of_moves +
+             " could not be checked or certified" + (n.gouge > 0 ? "; " + accepted_words(model) : "");
     case OverallVerdict::gouges:
       break;
   }
+  const std::size_t accepted = model.baseline.accepted_findings();
   if (n.gouge == 0) return "gouges: the tool is buried in " + std::to_string(n.buried) + of_moves;
   const auto gouges =
       std::ranges::count_if(result.events, [](const Event& event) { return event.state == MoveState::gouge; });
   std::string text = "gouges: " + count_text(static_cast<std::size_t>(gouges), "finding") + " in " +
-                     std::to_string(n.gouge) + of_moves;
-  if (result.worst_move < result.verdicts.size()) {
-    text += ", the deepest " + depth_text(result.worst_depth_mm, model.toolpath->unit) + " at line " +
-            std::to_string(model.toolpath->moves[result.worst_move].line);
-  }
+                     std::to_string(n.gouge) + of_moves + deepest_words(model);
   // On shallow gouges both measures agree; where the tool is deeper in than it is thick, only overcut shows it.
   if (result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm) text += ", overcut " + overcut_range_text(model);
+  if (accepted > 0) text += "; " + std::to_string(accepted) + " of these findings accepted";
   if (n.buried > 0) text += "; the tool is buried in " + count_text(n.buried, "move");
   return text;
 }
@@ -115,6 +126,7 @@ std::string summary_text(const ReportModel& model) {
   text += line("moves: " + counts_line(model.result->counts));
   const std::string overcut = overcut_gaps_text(model);
   if (!overcut.empty()) text += line("overcut: " + overcut);
+  text += baseline_lines(model);
   if (model.closeness) text += line("closest approach to the part: " + closeness_text(model));
   text += stickout_lines(model);
   if (model.has_correction) text += correction_lines(model);
@@ -128,7 +140,9 @@ std::string findings_text(const ReportModel& model) {
     if (event.state != MoveState::gouge && event.state != MoveState::buried && event.state != MoveState::near_miss) {
       continue;
     }
-    text += line(line_prefix(model, event.worst_move) + event_text(model, event) + span_text(event));
+    text += line(line_prefix(model, event.worst_move) + (model.baseline.is_accepted(k) ? "accepted " : "") +
+                 event_text(model, event) + span_text(event));
+    for (const std::string& remark : acceptance_remarks(model, k)) text += line("  " + remark);
     if (const FindingCures* cures = cures_of(model, k)) text += line("  cured by " + cure_text(model, *cures));
   }
   for (const ReasonGroup& group : group_reasons(*model.result)) {

@@ -18,7 +18,7 @@ p { margin: 6px 0; }
 .banner { display: flex; align-items: center; gap: 22px; margin: 22px 0 10px; padding: 18px 24px; border-radius: 5px;
   color: #fff; }
 .banner.gouges { background: var(--alarm); } .banner.clean { background: var(--calm); }
-.banner.not-fully-checked { background: var(--open); }
+.banner.not-fully-checked, .banner.accepted-gouges { background: var(--open); }
 .banner strong { font-size: 25px; line-height: 1.2; white-space: nowrap; }
 .but { border-left: 4px solid var(--open); background: #fff6e0; padding: 8px 14px; margin: 10px 0; }
 .promise { border-left: 4px solid var(--line); padding: 4px 14px; margin: 14px 0; color: var(--soft); }

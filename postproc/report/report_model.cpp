@@ -22,13 +22,27 @@ OverallVerdict overall_verdict(const CheckResult& result) {
   return n.not_checked > n.skipped || n.not_certified > 0 ? OverallVerdict::not_fully_checked : OverallVerdict::clean;
 }
 
+OverallVerdict overall_verdict(const ReportModel& model) {
+  const OverallVerdict verdict = overall_verdict(*model.result);
+  if (verdict != OverallVerdict::gouges || !model.baseline.is_given()) return verdict;
+  for (std::size_t k = 0; k < model.result->events.size(); ++k) {
+    const MoveState state = model.result->events[k].state;
+    if (state == MoveState::buried) return verdict;
+    if (state == MoveState::gouge && !model.baseline.is_accepted(k)) return verdict;
+  }
+  const StateCounts& n = model.result->counts;
+  if (n.buried > 0 || n.gouge != model.baseline.accepted_moves) return verdict;
+  const bool is_open = n.not_checked > n.skipped || n.not_certified > 0;
+  return is_open ? OverallVerdict::not_fully_checked : OverallVerdict::accepted_gouges;
+}
+
 const char* verdict_name(OverallVerdict verdict) {
-  static constexpr std::array<const char*, 3> kNames = {"clean", "gouges", "not-fully-checked"};
+  static constexpr std::array<const char*, 4> kNames = {"clean", "gouges", "not-fully-checked", "accepted-gouges"};
   return kNames[static_cast<std::size_t>(verdict)];
 }
 
 ExitCode exit_status(OverallVerdict verdict) {
-  static constexpr std::array<ExitCode, 3> kStatus = {kExitClean, kExitGouges, kExitNotChecked};
+  static constexpr std::array<ExitCode, 4> kStatus = {kExitClean, kExitGouges, kExitNotChecked, kExitClean};
   return kStatus[static_cast<std::size_t>(verdict)];
 }
 

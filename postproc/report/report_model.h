@@ -19,6 +19,7 @@
 #include "lib/path/axis_tilt.h"
 #include "lib/path/toolpath.h"
 #include "lib/stickout/find_stickout.h"
+#include "postproc/report/baseline_facts.h"
 
 // What every writer of a report shares, as plain data. Lengths are in mm here and turned into the toolpath's
 // unit when they are written. The model points at the toolpath and the verdicts; they must outlive it.
@@ -48,9 +49,11 @@ struct MeshFacts {
 /// One entry per Toolpath::tools, in its order.
 struct ToolFacts {
   std::string name;
-  std::string defined_in;   ///< "tools.json", "path.apt:12"; empty: nowhere, so it could not be checked
-  std::string description;  ///< for people: "ball D10, holder D32"; may be empty
-  bool has_holder = true;   ///< false: none is given, so none was checked
+  std::string defined_in;         ///< "tools.json", "path.apt:12"; empty: nowhere, so it could not be checked
+  std::string description;        ///< for people: "ball D10, holder D32"; may be empty
+  bool has_holder = true;         ///< false: none is given, so none was checked
+  std::string identity = {};      ///< the same for tools of the same dimensions, 32 digits; empty: not defined
+  std::vector<Body> bodies = {};  ///< of those that are checked
 };
 
 /// A record of the toolpath that was changed or added.
@@ -137,6 +140,7 @@ struct OptionText {
 struct ReportModel {
   std::vector<InputFile> inputs;
   CheckOptions options;
+  std::string placement;                   ///< the same for equal units and places of STL files, 32 digits
   std::vector<OptionText> more_options;    ///< in force beside `options`: "place", "stl-units", ...
   const Toolpath* toolpath = nullptr;      ///< what was checked; for a correction the corrected path
   const CheckResult* result = nullptr;     ///< its verdicts
@@ -151,14 +155,17 @@ struct ReportModel {
   std::vector<StickoutFacts> stickouts;
   std::optional<CureOptions> cure_options;  ///< none: not asked
   std::vector<FindingCures> cures;          ///< by event, in their order
-  std::optional<Closeness> closeness;       ///< none: not looked at, or nothing to look at
+  BaselineFacts baseline;
+  std::optional<Closeness> closeness;  ///< none: not looked at, or nothing to look at
 };
 
-enum class OverallVerdict { clean, gouges, not_fully_checked };
+enum class OverallVerdict { clean, gouges, not_fully_checked, accepted_gouges };
 
 /// Gouges and buried tools come first, then anything not checked that was not left out on request.
 [[nodiscard]] OverallVerdict overall_verdict(const CheckResult& result);
-/// clean, gouges, not-fully-checked
+/// The same where gouges may be accepted: those that are come last of all that is not clean.
+[[nodiscard]] OverallVerdict overall_verdict(const ReportModel& model);
+/// clean, gouges, not-fully-checked, accepted-gouges
 [[nodiscard]] const char* verdict_name(OverallVerdict verdict);
 /// The exit status of `check` and `correct`.
 [[nodiscard]] ExitCode exit_status(OverallVerdict verdict);

@@ -123,6 +123,13 @@ std::string operation_name(const Toolpath& toolpath, std::size_t operation) {
   return operation < toolpath.operations.size() ? toolpath.operations[operation].name : std::string();
 }
 
+std::string_view statement_text(const Toolpath& path, const Move& move) {
+  if (move.statement >= path.statements.size()) return {};
+  const SourceStatement& s = path.statements[move.statement];
+  if (s.first_byte > s.last_byte || s.last_byte > path.source.size()) return {};
+  return std::string_view(path.source).substr(s.first_byte, s.last_byte - s.first_byte);
+}
+
 std::string event_text(const ReportModel& model, const Event& event) {
   const LengthUnit unit = model.toolpath->unit;
   const MoveVerdict& verdict = model.result->verdicts[event.worst_move];

@@ -47,6 +47,8 @@ struct UncutTotal {
 /// Name of the mesh a witness lies on; empty when the model does not say.
 [[nodiscard]] std::string mesh_name(const ReportModel& model, const Witness& witness);
 [[nodiscard]] std::string operation_name(const Toolpath& toolpath, std::size_t operation);
+/// The bytes of a move's statement, line end included; empty where the path does not say.
+[[nodiscard]] std::string_view statement_text(const Toolpath& toolpath, const Move& move);
 
 /// One finding without its location: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".
 [[nodiscard]] std::string event_text(const ReportModel& model, const Event& event);

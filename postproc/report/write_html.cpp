@@ -1,13 +1,14 @@
 #include "postproc/report/write_report.h"
 
 #include <algorithm>
-#include <limits>
 #include <string_view>
 
 #include "lib/base/number_text.h"
 #include "postproc/report/axis_html.h"
 #include "postproc/report/axis_text.h"
+#include "postproc/report/baseline_text.h"
 #include "postproc/report/cure_text.h"
+#include "postproc/report/findings.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
@@ -29,7 +30,7 @@ std::string lengths_text(const Vec3& v, LengthUnit unit) { return point_text(v, 
 class HtmlReport {
  public:
   HtmlReport(const ReportModel& model, const std::vector<NamedFile>& pictures)
-      : model_(model), pictures_(pictures), unit_(model.toolpath->unit) {}
+      : model_(model), pictures_(pictures), unit_(model.toolpath->unit), numbers_(finding_numbers(*model.result)) {}
 
   [[nodiscard]] std::string build() const {
     const std::string title = xml_escaped(std::string(model_.has_correction ? "Gouge correction: " : "Gouge check: ") +
@@ -56,10 +57,12 @@ class HtmlReport {
   }
 
   [[nodiscard]] std::string banner() const {
-    const OverallVerdict verdict = overall_verdict(*model_.result);
-    const char* word = verdict == OverallVerdict::clean    ? "Clean"
-                       : verdict == OverallVerdict::gouges ? "Gouges"
-                                                           : "Not fully checked";
+    const OverallVerdict verdict = overall_verdict(model_);
+    const std::string accepted = accepted_words(model_);
+    const char* word = verdict == OverallVerdict::accepted_gouges ? accepted.c_str()
+                       : verdict == OverallVerdict::clean         ? "Clean"
+                       : verdict == OverallVerdict::gouges        ? "Gouges"
+                                                                  : "Not fully checked";
     // The second line of the summary is the headline; its first word is what the banner says already.
     const std::string summary = summary_text(model_);
     const std::size_t first = summary.find('\n') + 1;
@@ -75,11 +78,23 @@ class HtmlReport {
     std::string out;
     for (const std::string& reservation : reservations(model_))
       out += "<p class=\"but\">Note: " + xml_escaped(reservation) + ".</p>\n";
+    out += acceptances();
     const std::string overcut = overcut_gaps_text(model_);
     if (!overcut.empty()) out += "<p class=\"soft\">Overcut: " + xml_escaped(overcut) + ".</p>\n";
     const std::string closeness = closeness_text(model_);
     if (closeness.empty()) return out;
     return out + "<p class=\"soft\">Closest approach to the part: " + xml_escaped(closeness) + ".</p>\n";
+  }
+
+  [[nodiscard]] std::string acceptances() const {
+    if (!model_.baseline.is_given()) return {};
+    std::string out = "<p class=\"soft\">Acceptances of " + xml_escaped(model_.baseline.file) + ": " +
+                      baseline_counts(model_) + ".</p>\n";
+    for (const BaselineEntry& entry : model_.baseline.entries) {
+      if (entry.use == BaselineEntry::Use::voided)
+        out += "<p class=\"but\">Void: " + xml_escaped(entry.finding + ": " + entry.why) + ".</p>\n";
+    }
+    return out;
   }
 
   [[nodiscard]] std::string numbers() const {
@@ -130,7 +145,15 @@ class HtmlReport {
     return {};
   }
 
+  [[nodiscard]] std::string acceptance(std::size_t event) const {
+    std::string out = model_.baseline.is_accepted(event) ? " <span class=\"state\">accepted</span>" : "";
+    for (const std::string& remark : acceptance_remarks(model_, event))
+      out += "<div class=\"soft\">" + xml_escaped(remark) + "</div>";
+    return out;
+  }
+
   [[nodiscard]] std::string finding_row(const Event& event) const {
+    const auto index = static_cast<std::size_t>(&event - model_.result->events.data());
     const MoveVerdict& verdict = model_.result->verdicts[event.worst_move];
     const Move& move = model_.toolpath->moves[event.worst_move];
     const std::string state = state_name(event.state);
@@ -142,8 +165,8 @@ class HtmlReport {
     if (verdict.witness) against += " " + mesh_name(model_, *verdict.witness);
     const std::string span = event.moves < 2 ? std::to_string(event.worst_move)
                                              : std::to_string(event.first_move) + "-" + std::to_string(event.last_move);
-    return "<td><span class=\"state " + state + "\">" + state + "</span></td>" +
-           html_cell(std::to_string(move.line), "n") + html_cell(depth, "n") +
+    return html_cell(std::to_string(numbers_[index]), "n") + "<td><span class=\"state " + state + "\">" + state +
+           "</span>" + acceptance(index) + "</td>" + html_cell(std::to_string(move.line), "n") + html_cell(depth, "n") +
            html_cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) +
            html_cell(against) +
            html_cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") +
@@ -164,15 +187,18 @@ class HtmlReport {
       if (event.state != MoveState::not_checked && event.state != MoveState::not_certified) events.push_back(&event);
     }
     if (events.empty()) return {};
-    const auto depth = [&](const Event* event) {
-      const MoveVerdict& worst = model_.result->verdicts[event->worst_move];
-      if (event->state == MoveState::buried) return std::numeric_limits<double>::infinity();
-      return event->state == MoveState::near_miss ? -worst.clearance_mm.value_or(0) : worst.depth_mm;
-    };
-    std::stable_sort(events.begin(), events.end(), [&](const Event* a, const Event* b) { return depth(a) > depth(b); });
-    std::vector<HtmlColumn> columns = {{"State"},      {"Line", "n"}, {"Depth", "n"},
-                                       {"Body"},       {"Against"},   {"At, in " + std::string(unit_words(unit_))},
-                                       {"Moves", "n"}, {"Operation"}};
+    std::ranges::sort(events, {}, [&](const Event* event) {
+      return numbers_[static_cast<std::size_t>(event - model_.result->events.data())];
+    });
+    std::vector<HtmlColumn> columns = {{"No.", "n"},
+                                       {"State"},
+                                       {"Line", "n"},
+                                       {"Depth", "n"},
+                                       {"Body"},
+                                       {"Against"},
+                                       {"At, in " + std::string(unit_words(unit_))},
+                                       {"Moves", "n"},
+                                       {"Operation"}};
     if (model_.cure_options) columns.push_back({"Cured by"});
     columns.push_back({""});
     HtmlTable table(columns);
@@ -360,6 +386,7 @@ class HtmlReport {
   const ReportModel& model_;
   const std::vector<NamedFile>& pictures_;
   LengthUnit unit_;
+  std::vector<std::size_t> numbers_;  // of findings
 };
 
 }  // namespace

@@ -4,8 +4,12 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "lib/path/motion_key.h"
 #include "postproc/report/cure_text.h"
+#include "postproc/report/findings.h"
+#include "postproc/report/identity_json.h"
 #include "postproc/report/report_text.h"
+#include "postproc/report/stickout_json.h"
 #include "postproc/report/tightness.h"
 
 namespace gouge {
@@ -21,8 +25,7 @@ class JsonReport {
   explicit JsonReport(const ReportModel& model) : model_(model), unit_(model.toolpath->unit) {}
 
   [[nodiscard]] Json build() const {
-    const CheckResult& result = *model_.result;
-    const OverallVerdict verdict = overall_verdict(result);
+    const OverallVerdict verdict = overall_verdict(model_);
     Json out;
     out["format"] = "gougecheck-report";
     out["format_version"] = 1;
@@ -33,6 +36,7 @@ class JsonReport {
     out["unit"] = unit_name(unit_);
     out["inputs"] = inputs();
     out["options"] = options();
+    out["placement"] = text(model_.placement);
     out["toolpath"] = toolpath();
     out["parts"] = meshes(model_.parts);
     out["fixtures"] = meshes(model_.fixtures);
@@ -40,22 +44,21 @@ class JsonReport {
     out["tools"] = tools();
     out["totals"] = totals();
     out["closeness"] = closeness();
-    out["stickout"] = stickout();
+    out["stickout"] = stickout_json(model_);
     out["cures"] = cure_options();
+    out["baseline"] = baseline_json(model_);
     out["events"] = events();
     out["reasons"] = reasons();
     out["moves"] = moves();
     out["correction"] = model_.has_correction ? correction() : Json(nullptr);
     out["notes"] = notes();
+    out["runs"] = runs_json(*model_.toolpath);
+    out["motions"] = motions_json(*model_.toolpath);
     return out;
   }
 
  private:
-  // A bound that was never reached has no number.
-  [[nodiscard]] Json length(double length_mm) const {
-    const double value = length_mm / mm_per(unit_);
-    return std::isfinite(value) ? Json(value + 0.0) : Json(nullptr);
-  }
+  [[nodiscard]] Json length(double length_mm) const { return length_json(length_mm, unit_); }
   [[nodiscard]] Json lengths(const Vec3& v) const { return Json::array({length(v.x()), length(v.y()), length(v.z())}); }
 
   [[nodiscard]] Json inputs() const {
@@ -113,12 +116,17 @@ class JsonReport {
     Json all = Json::array();
     for (std::size_t i = 0; i < model_.toolpath->tools.size(); ++i) {
       const PathTool& tool = model_.toolpath->tools[i];
-      const ToolFacts facts = i < model_.tools.size() ? model_.tools[i] : ToolFacts{tool.name, "", ""};
+      const ToolFacts facts = i < model_.tools.size() ? model_.tools[i] : ToolFacts{tool.name, "", "", true, "", {}};
+      Json bodies = Json::array();
+      for (const Body body : facts.bodies) bodies.push_back(body_name(body));
       all.push_back({{"number", tool.number ? Json(*tool.number) : Json(nullptr)},
                      {"name", text(facts.name)},
                      {"defined_in", text(facts.defined_in)},
                      {"description", text(facts.description)},
-                     {"line", tool.line}});
+                     {"line", tool.line},
+                     {"key", text(tool_key(*model_.toolpath, i))},
+                     {"identity", facts.identity.empty() ? Json(nullptr) : Json(facts.identity)},
+                     {"bodies", std::move(bodies)}});
     }
     return all;
   }
@@ -157,17 +165,21 @@ class JsonReport {
 
   [[nodiscard]] Json events() const {
     Json all = Json::array();
+    const std::vector<std::size_t> numbers = finding_numbers(*model_.result);
     for (std::size_t k = 0; k < model_.result->events.size(); ++k) {
       const Event& event = model_.result->events[k];
-      all.push_back({{"state", state_name(event.state)},
+      all.push_back({{"number", numbers[k] > 0 ? Json(numbers[k]) : Json(nullptr)},
+                     {"state", state_name(event.state)},
                      {"first_move", event.first_move},
                      {"last_move", event.last_move},
                      {"moves", event.moves},
                      {"worst_move", event.worst_move},
                      {"line", std::size_t{model_.toolpath->moves[event.worst_move].line}},
                      {"tool", text(tool_key(*model_.toolpath, event.tool))},
+                     {"tool_index", event.tool < model_.toolpath->tools.size() ? Json(event.tool) : Json(nullptr)},
                      {"body", body_name(event.body)},
                      {"against", against_name(event.against)},
+                     {"acceptance", acceptance_json(model_, k)},
                      {"cures", cures(k)}});
     }
     return all;
@@ -220,6 +232,8 @@ class JsonReport {
                      {"kind", kind_name(move.kind)},
                      {"tool", text(tool_key(*model_.toolpath, move.tool))},
                      {"operation", text(operation_name(*model_.toolpath, move.operation))},
+                     {"statement", statement_json(*model_.toolpath, move)},
+                     {"motion", motion_key(*model_.toolpath, i)},
                      {"state", state_name(verdict.state)},
                      {"depth", has_depth ? length(verdict.depth_mm) : Json(nullptr)},
                      {"depth_upper", has_depth ? length(verdict.depth_upper_mm) : Json(nullptr)},
@@ -240,35 +254,6 @@ class JsonReport {
             {"positions", c.positions},
             {"nearest", distance(c.nearest_mm)},
             {"median", distance(c.median_mm)}};
-  }
-
-  [[nodiscard]] Json stickout_need(const StickoutNeed& need) const {
-    const bool has_move = need.move != kNone;
-    return {{"needed", need.stickout_mm ? length(*need.stickout_mm) : Json(nullptr)},
-            {"move", has_move ? Json(need.move) : Json(nullptr)},
-            {"line", has_move ? Json(std::size_t{model_.toolpath->moves[need.move].line}) : Json(nullptr)},
-            {"body", has_move ? Json(body_name(need.body)) : Json(nullptr)},
-            {"state", has_move ? Json(state_name(need.state)) : Json(nullptr)}};
-  }
-
-  [[nodiscard]] Json stickout() const {
-    if (!model_.stickout_options) return nullptr;
-    Json tools = Json::array();
-    for (const StickoutFacts& tool : model_.stickouts) {
-      Json operations = Json::array();
-      for (const OperationStickout& of : tool.found.operations) {
-        Json operation = {{"operation", text(operation_name(*model_.toolpath, of.operation))}};
-        operation.update(stickout_need(of.need));
-        operations.push_back(std::move(operation));
-      }
-      Json one = {{"tool", text(tool_key(*model_.toolpath, tool.found.tool))}, {"now", length(tool.found.now_mm)}};
-      one.update(stickout_need(tool.found.all));
-      one["operations"] = std::move(operations);
-      tools.push_back(std::move(one));
-    }
-    return {{"step", length(model_.stickout_options->step_mm)},
-            {"most_longer", length(model_.stickout_options->most_longer_mm)},
-            {"tools", std::move(tools)}};
   }
 
   // Per length to the power given, in the toolpath's unit.
@@ -408,6 +393,6 @@ class JsonReport {
 
 }  // namespace
 
-std::string write_json(const ReportModel& model) { return JsonReport(model).build().dump(1) + "\n"; }
+std::string write_json(const ReportModel& model) { return with_digest(JsonReport(model).build().dump(1) + "\n"); }
 
 }  // namespace gouge

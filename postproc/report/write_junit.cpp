@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "lib/base/number_text.h"
+#include "postproc/report/baseline_text.h"
 #include "postproc/report/findings.h"
 #include "postproc/report/report_text.h"
 
@@ -20,9 +21,10 @@ struct Case {
   std::vector<const Event*> events;
 };
 
-void count_move(Case& one, const CheckResult& result, std::size_t index) {
+void count_move(Case& one, const CheckResult& result, std::size_t index, bool is_accepted) {
   const MoveVerdict& verdict = result.verdicts[index];
   ++one.moves;
+  if (is_accepted) return;
   if (verdict.state == MoveState::gouge) {
     ++one.gouging;
     if (one.worst_move == kNone || verdict.depth_mm > result.verdicts[one.worst_move].depth_mm) one.worst_move = index;
@@ -44,8 +46,15 @@ std::vector<Case> cases_of(const ReportModel& model) {
     if (is_new) cases.push_back(Case{key.first, key.second, 0, 0, 0, 0, kNone, kNone, {}});
     return cases[entry->second];
   };
-  for (std::size_t i = 0; i < moves.size(); ++i) count_move(case_of(i), *model.result, i);
-  for (const Event& event : model.result->events) {
+  const std::vector<Event>& events = model.result->events;
+  std::vector<bool> is_accepted(moves.size(), false);
+  for (std::size_t k = 0; k < events.size(); ++k) {
+    for (std::size_t i = events[k].first_move; model.baseline.is_accepted(k) && i <= events[k].last_move; ++i)
+      is_accepted[i] = true;
+  }
+  for (std::size_t i = 0; i < moves.size(); ++i) count_move(case_of(i), *model.result, i, is_accepted[i]);
+  for (const Event& event : events) {
+    if (is_accepted[event.worst_move]) continue;
     if (event.state == MoveState::gouge || event.state == MoveState::buried) {
       case_of(event.worst_move).events.push_back(&event);
     }
@@ -99,6 +108,13 @@ JunitCase case_of(const ReportModel& model, const Case& one) {
 // Build servers show it, but it fails no test.
 std::string beside_the_verdict(const ReportModel& model) {
   std::string text;
+  for (std::size_t k = 0; k < model.result->events.size(); ++k) {
+    if (!model.baseline.is_accepted(k)) continue;
+    const Event& event = model.result->events[k];
+    text += model.toolpath->file + ":" + std::to_string(model.toolpath->moves[event.worst_move].line) + ": accepted " +
+            event_text(model, event) + span_text(event) + "\n";
+  }
+  text += baseline_lines(model);
   for (const std::string& reservation : reservations(model)) text += "note: " + reservation + "\n";
   for (const Diagnostic& note : model.notes) {
     if (note.severity == Severity::warning) text += to_text(note) + "\n";

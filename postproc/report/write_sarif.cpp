@@ -82,13 +82,25 @@ class SarifReport {
     Json location = {{"artifactLocation", {{"uri", uri_of(jobs_[job].toolpath)}, {"index", job}}}};
     if (finding.line > 0) location["region"] = {{"startLine", finding.line}};
     const std::size_t rule = rule_index(finding.state);
-    results_.push_back(
-        {{"ruleId", state_name(finding.state)},
-         {"ruleIndex", rule},
-         {"level", kRules.at(rule).level},
-         {"message", {{"text", valid_utf8(finding.message)}}},
-         {"locations", Json::array({{{"physicalLocation", location}}})},
-         {"partialFingerprints", {{"gougecheckFinding/v2", finding.fingerprint + ":" + std::to_string(occurrence)}}}});
+    Json result = {
+        {"ruleId", state_name(finding.state)},
+        {"ruleIndex", rule},
+        {"level", kRules.at(rule).level},
+        {"message", {{"text", valid_utf8(finding.message)}}},
+        {"locations", Json::array({{{"physicalLocation", location}}})},
+        {"partialFingerprints", {{"gougecheckFinding/v2", finding.fingerprint + ":" + std::to_string(occurrence)}}}};
+    if (!finding.baseline_state.empty()) {
+      result["baselineState"] = finding.baseline_state;
+      result["suppressions"] = suppressions(finding);
+    }
+    results_.push_back(std::move(result));
+  }
+
+  // An empty list: looked at and not accepted.
+  [[nodiscard]] static Json suppressions(const Finding& finding) {
+    if (finding.justification.empty()) return Json::array();
+    return Json::array(
+        {{{"kind", "external"}, {"status", "accepted"}, {"justification", valid_utf8(finding.justification)}}});
   }
 
   const std::vector<SarifJob>& jobs_;
@@ -103,7 +115,7 @@ SarifNote sarif_note_of(const Diagnostic& diagnostic) {
 }
 
 SarifJob sarif_job_of(const ReportModel& model) {
-  SarifJob job{model.toolpath->file, exit_status(overall_verdict(*model.result)), {}, list_findings(model)};
+  SarifJob job{model.toolpath->file, exit_status(overall_verdict(model)), {}, list_findings(model)};
   for (const Diagnostic& note : model.notes) {
     if (note.severity == Severity::warning) job.notes.push_back(sarif_note_of(note));
   }

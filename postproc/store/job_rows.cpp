@@ -24,10 +24,10 @@ void insert_findings(Database& database, std::int64_t job, const std::vector<Fin
   for (std::size_t k = 0; k < findings.size(); ++k) {
     const Finding& f = findings[k];
     const auto at = [&](int axis) { return f.point ? Cell((*f.point)[axis]) : Cell(nullptr); };
-    database.run(
-        "INSERT INTO findings VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)",
-        {job, whole(k), state_name(f.state), whole(f.line), whole(f.move), whole(f.moves), f.tool, f.body, f.against,
-         cell(f.depth), cell(f.depth_upper), cell(f.t), at(0), at(1), at(2), f.message, f.fingerprint});
+    database.run("INSERT INTO findings VALUES(?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)",
+                 {job, whole(k), state_name(f.state), whole(f.line), whole(f.move), whole(f.moves), f.tool, f.body,
+                  f.against, cell(f.depth), cell(f.depth_upper), cell(f.t), at(0), at(1), at(2), f.message,
+                  f.fingerprint, f.baseline_state, f.justification});
   }
 }
 
@@ -77,6 +77,8 @@ Finding finding_of(const Row& row) {
   if (!row.is_null(12)) f.point = Vec3(row.number(12), row.number(13), row.number(14));
   f.message = row.text(15);
   f.fingerprint = row.text(16);
+  f.baseline_state = row.text(17);
+  f.justification = row.text(18);
   return f;
 }
 

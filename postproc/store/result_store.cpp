@@ -19,7 +19,7 @@ std::int64_t number_of(Database& database, std::string_view sql) {
 
 Diagnostic too_new(const std::string& path) {
   return make_error("store-newer",
-                    "was written by a later version of gougecheck; expected one of this version: use that program, or "
+                    "was written by another version of gougecheck; expected one of this version: use that program, or "
                     "name another folder",
                     path);
 }

@@ -5,7 +5,7 @@
 namespace gouge {
 
 /// PRAGMA user_version of a store: other tables have another number.
-inline constexpr int kStoreVersion = 1;
+inline constexpr int kStoreVersion = 2;
 /// PRAGMA application_id: "goug".
 inline constexpr int kStoreApplication = 0x676f7567;
 
@@ -27,7 +27,7 @@ inline constexpr std::string_view kCreateTables[] = {
     "CREATE TABLE findings(job INTEGER NOT NULL, finding INTEGER NOT NULL, state TEXT NOT NULL, line INTEGER NOT NULL, "
     "move INTEGER NOT NULL, moves INTEGER NOT NULL, tool TEXT NOT NULL, body TEXT NOT NULL, against TEXT NOT NULL, "
     "depth REAL, depth_upper REAL, t REAL, x REAL, y REAL, z REAL, message TEXT NOT NULL, fingerprint TEXT NOT NULL, "
-    "PRIMARY KEY(job, finding)) WITHOUT ROWID",
+    "baseline_state TEXT NOT NULL, justification TEXT NOT NULL, PRIMARY KEY(job, finding)) WITHOUT ROWID",
     "CREATE TABLE cases(job INTEGER NOT NULL, number INTEGER NOT NULL, name TEXT NOT NULL, moves INTEGER NOT NULL, "
     "failure_type TEXT NOT NULL, failure_message TEXT NOT NULL, failure_text TEXT NOT NULL, skipped_message TEXT NOT "
     "NULL, error_message TEXT NOT NULL, PRIMARY KEY(job, number)) WITHOUT ROWID",

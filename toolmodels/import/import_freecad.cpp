@@ -76,7 +76,7 @@ std::string stem(const std::string& path) {
 
 class BitImporter {
  public:
-  BitImporter(Collector& collector, const detail::JsonFile& json, std::string file)
+  BitImporter(Collector& collector, const JsonFile& json, std::string file)
       : collector_(collector), json_(json), file_(std::move(file)) {}
 
   void read(std::optional<int> number) {
@@ -165,7 +165,7 @@ class BitImporter {
   }
 
   Collector& collector_;
-  const detail::JsonFile& json_;
+  const JsonFile& json_;
   std::string file_;
   CatalogueTool tool_;
   std::string who_;
@@ -196,7 +196,7 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
     return collector.report(who, make_error("import-field", path + " cannot be read from here"), line);
   const Result<std::string> bytes = collector.options().read_beside(path);
   if (!bytes) return collector.report(who, bytes.error(), line);
-  const Result<detail::JsonFile> bit = detail::parse_json(path, *bytes, detail::imported_kind("a FreeCAD tool bit"));
+  const Result<JsonFile> bit = parse_json(path, *bytes, detail::imported_kind("a FreeCAD tool bit"));
   if (!bit) return collector.report(who, bit.error(), line);
   if (!is_bit(bit->root))
     return collector.report(who, make_error("import-format", "this is no FreeCAD tool bit", path), line);
@@ -206,8 +206,7 @@ void read_listed(Collector& collector, const Json& entry, const std::string& who
 }  // namespace
 
 Result<ImportedTools> import_freecad(const std::string& file, std::string_view bytes, const ImportOptions& options) {
-  const Result<detail::JsonFile> json =
-      detail::parse_json(file, bytes, detail::imported_kind("a FreeCAD tool bit or library"));
+  const Result<JsonFile> json = parse_json(file, bytes, detail::imported_kind("a FreeCAD tool bit or library"));
   if (!json) return json.error();
   Collector collector(file, options);
   if (is_bit(json->root)) {

@@ -65,7 +65,7 @@ bool is_not_contour(const std::string& key) {
 
 class FusionImporter {
  public:
-  FusionImporter(Collector& collector, const detail::JsonLines& lines) : collector_(collector), lines_(lines) {}
+  FusionImporter(Collector& collector, const JsonLines& lines) : collector_(collector), lines_(lines) {}
 
   void entry(const Json& entry, const std::string& pointer, std::size_t position) {
     if (!entry.is_object())
@@ -244,7 +244,7 @@ class FusionImporter {
   void report(const Diagnostic& diagnostic) { collector_.report(who_, diagnostic, line_); }
 
   Collector& collector_;
-  const detail::JsonLines& lines_;
+  const JsonLines& lines_;
   std::string who_;
   std::size_t line_ = 0;
 };
@@ -259,7 +259,7 @@ Result<ImportedTools> import_fusion(const std::string& file, std::string_view by
     unzipped = std::move(*content);
     bytes = unzipped;
   }
-  const Result<detail::JsonFile> json = detail::parse_json(file, bytes, detail::imported_kind("a Fusion tool library"));
+  const Result<JsonFile> json = parse_json(file, bytes, detail::imported_kind("a Fusion tool library"));
   if (!json) return json.error();
   const auto data = json->root.find("data");
   if (data == json->root.end() || !data->is_array())

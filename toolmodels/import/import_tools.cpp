@@ -32,14 +32,14 @@ std::optional<ImportFormat> format_of(const nlohmann::json& root) {
   return std::nullopt;
 }
 
-detail::JsonKind any_library() { return detail::imported_kind("a tool library of Fusion or FreeCAD"); }
+JsonKind any_library() { return detail::imported_kind("a tool library of Fusion or FreeCAD"); }
 
 }  // namespace
 
 std::optional<ImportFormat> recognise_format(std::string_view bytes) {
   if (is_zip(bytes)) return ImportFormat::fusion;
   if (!is_json(bytes)) return has_class_line(bytes) ? std::optional(ImportFormat::nx) : std::nullopt;
-  const Result<detail::JsonFile> json = detail::parse_json({}, bytes, any_library());
+  const Result<JsonFile> json = parse_json({}, bytes, any_library());
   return json ? format_of(json->root) : std::nullopt;
 }
 
@@ -47,7 +47,7 @@ Result<ImportedTools> import_tools(const std::string& file, std::string_view byt
                                    const ImportOptions& options) {
   if (!format) format = recognise_format(bytes);
   if (!format && is_json(bytes)) {
-    const Result<detail::JsonFile> json = detail::parse_json(file, bytes, any_library());
+    const Result<JsonFile> json = parse_json(file, bytes, any_library());
     if (!json) return json.error();
   }
   if (!format)

@@ -8,9 +8,9 @@
 
 #include "lib/base/result.h"
 #include "lib/base/units.h"
+#include "lib/json/json_file.h"
 #include "toolmodels/assembly.h"
 #include "toolmodels/import/quantity.h"
-#include "toolmodels/json_file.h"
 
 // What the importers of JSON formats share.
 

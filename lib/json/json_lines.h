@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace gouge::detail {
+namespace gouge {
 
 /// Where each value of a JSON text begins, found by its JSON pointer ("/tools/0/name"), lines counted from 1.
 /// Kept as a tree: with the whole pointer of every value a small text of long keys would take gigabytes.
@@ -39,4 +39,4 @@ class JsonLines {
 
 [[nodiscard]] std::size_t line_of_byte(std::string_view text, std::size_t byte);
 
-}  // namespace gouge::detail
+}  // namespace gouge

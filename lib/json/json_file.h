@@ -5,12 +5,12 @@
 #include <string_view>
 
 #include "lib/base/result.h"
-#include "toolmodels/json_lines.h"
+#include "lib/json/json_lines.h"
 
 // The one way JSON is read, whoever wrote it: what would take memory or time out of proportion to the file is refused
 // before anything of it is stored.
 
-namespace gouge::detail {
+namespace gouge {
 
 inline constexpr std::size_t kDeepestJson = 64;         ///< objects and lists within each other
 inline constexpr std::size_t kLongestText = 1'000'000;  ///< bytes of one text or key
@@ -32,4 +32,4 @@ struct JsonKind {
 /// with the size of the text. Errors, with the line   json-too-deep, json-too-long, and those of `kind`.
 [[nodiscard]] Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, const JsonKind& kind);
 
-}  // namespace gouge::detail
+}  // namespace gouge

@@ -1,4 +1,4 @@
-#include "toolmodels/json_file.h"
+#include "lib/json/json_file.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
@@ -17,7 +17,7 @@ std::string repeated(const std::string& piece, std::size_t times) {
 }
 
 std::string error_of(const std::string& text) {
-  const auto json = detail::parse_json("a.json", text, {"some-syntax", "some-duplicate-key", "a list"});
+  const auto json = parse_json("a.json", text, {"some-syntax", "some-duplicate-key", "a list"});
   return json ? "" : to_text(json.error());
 }
 
@@ -71,8 +71,8 @@ TEST(JsonFile, OneKeyTwiceIsFoundHoweverItIsWritten) {
 }
 
 TEST(JsonFile, EveryValueHasItsLine) {
-  const auto json = detail::parse_json("a.json", "\xEF\xBB\xBF{\n\"a\":[1,\n{\"b/c\":\n2}],\"d\":\n3}",
-                                       {"some-syntax", "some-duplicate-key", "a list"});
+  const auto json = parse_json("a.json", "\xEF\xBB\xBF{\n\"a\":[1,\n{\"b/c\":\n2}],\"d\":\n3}",
+                               {"some-syntax", "some-duplicate-key", "a list"});
   ASSERT_TRUE(json);
   EXPECT_EQ(json->lines.at(""), 1U);
   EXPECT_EQ(json->lines.at("/a"), 2U);

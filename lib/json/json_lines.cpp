@@ -1,9 +1,9 @@
-#include "toolmodels/json_lines.h"
+#include "lib/json/json_lines.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-namespace gouge::detail {
+namespace gouge {
 namespace {
 
 struct Level {
@@ -127,4 +127,4 @@ std::size_t line_of_byte(std::string_view text, std::size_t byte) {
   return 1 + static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
 }
 
-}  // namespace gouge::detail
+}  // namespace gouge

@@ -1,9 +1,9 @@
-#include "toolmodels/json_file.h"
+#include "lib/json/json_file.h"
 
 #include <algorithm>
 #include <optional>
 
-namespace gouge::detail {
+namespace gouge {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
@@ -104,4 +104,4 @@ Result<JsonFile> parse_json(const std::string& file, std::string_view bytes, con
   }
 }
 
-}  // namespace gouge::detail
+}  // namespace gouge

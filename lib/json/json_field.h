@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/json/json_file.h"
+
+namespace gouge {
+
+/// Of one file that is read field by field: the first thing that is wrong with it.
+struct JsonErrors {
+  std::string file;                      ///< as the user named it
+  std::string code;                      ///< of what is wrong with a field
+  const JsonLines* lines = nullptr;      ///< of the file
+  std::optional<Diagnostic> first = {};  ///< none: all is well so far
+};
+
+/// A value of a JSON text that must be as expected. After the first error every reading gives an empty value, so that
+/// whoever reads looks at JsonErrors::first once, at the end. `errors` must outlive it, like the text.
+class JsonField {
+ public:
+  JsonField(const nlohmann::json& root, JsonErrors& errors) : value_(&root), errors_(&errors) {}
+
+  /// The value of `key`, which must be there.
+  [[nodiscard]] JsonField at(const std::string& key) const;
+  /// The same, or none where it is missing.
+  [[nodiscard]] std::optional<JsonField> find(const std::string& key) const;
+  /// The elements of a list.
+  [[nodiscard]] std::vector<JsonField> list() const;
+
+  [[nodiscard]] bool is_null() const { return value_ == nullptr || value_->is_null(); }
+  [[nodiscard]] bool is_text() const { return value_ != nullptr && value_->is_string(); }
+  [[nodiscard]] std::string text() const;
+  /// One of these words.
+  [[nodiscard]] std::size_t word(const std::vector<std::string>& words) const;
+  /// A finite number.
+  [[nodiscard]] double number() const;
+  [[nodiscard]] std::optional<double> number_or_null() const;
+  /// A whole number of 0 or more.
+  [[nodiscard]] std::size_t count() const;
+  [[nodiscard]] bool flag() const;
+
+  /// Names the field, its line, and what was expected of it, unless something else was wrong before.
+  void fail(const std::string& expected) const;
+
+ private:
+  JsonField(const nlohmann::json* value, std::string pointer, JsonErrors& errors)
+      : value_(value), pointer_(std::move(pointer)), errors_(&errors) {}
+
+  const nlohmann::json* value_;  // null: it is not there, and the error is reported
+  std::string pointer_;
+  JsonErrors* errors_;
+};
+
+}  // namespace gouge

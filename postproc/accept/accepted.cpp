@@ -1,0 +1,187 @@
+#include "postproc/accept/accepted.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "lib/base/sha256.h"
+#include "lib/json/json_field.h"
+#include "lib/path/motion_key.h"
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kFormat = "gougecheck-accepted";
+
+Json text(const std::string& value) { return valid_utf8(value); }
+
+Json texts(const std::vector<std::string>& values) {
+  Json all = Json::array();
+  for (const std::string& value : values) all.push_back(text(value));
+  return all;
+}
+
+Json setup_json(const AcceptedSetup& s) {
+  return {{"parts", texts(s.parts)},
+          {"fixtures", texts(s.fixtures)},
+          {"heads", texts(s.heads)},
+          {"placement", text(s.placement)},
+          {"tool", text(s.tool)},
+          {"tolerance_mm", s.tolerance_mm},
+          {"resolution_mm", s.resolution_mm},
+          {"stock_to_leave_mm", s.stock_to_leave_mm},
+          {"shank_clearance_mm", s.shank_clearance_mm},
+          {"holder_clearance_mm", s.holder_clearance_mm},
+          {"rapid", text(s.rapid)}};
+}
+
+Json entry_json(const Acceptance& a) {
+  Json moves = Json::array();
+  for (const AcceptedMove& move : a.moves) {
+    moves.push_back({{"motion", text(move.motion)},
+                     {"depth_mm", move.depth_mm},
+                     {"depth_upper_mm", move.depth_upper_mm},
+                     {"overcut_upper_mm", move.overcut_upper_mm ? Json(*move.overcut_upper_mm) : Json(nullptr)},
+                     {"passes", move.passes}});
+  }
+  return {{"reason", text(a.reason)},       {"by", text(a.by)},
+          {"date", text(a.date)},           {"finding", text(a.finding)},
+          {"toolpath", text(a.toolpath)},   {"line", a.line},
+          {"statement", text(a.statement)}, {"tool", text(a.tool)},
+          {"body", text(a.body)},           {"against", text(a.against)},
+          {"setup", setup_json(a.setup)},   {"moves", std::move(moves)}};
+}
+
+// Of the entry without its seal, its keys in their alphabetical order: white space and the order of keys do not matter.
+std::string seal_of(const nlohmann::json& entry) {
+  return "sha256:" + sha256_of(entry.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+}
+
+class EntryReader {
+ public:
+  explicit EntryReader(const JsonField& entry) : entry_(entry) {}
+
+  Acceptance run() {
+    Acceptance a;
+    a.reason = word("reason");
+    a.by = word("by");
+    a.date = word("date");
+    a.finding = word("finding");
+    a.toolpath = word("toolpath");
+    a.statement = entry_.at("statement").text();
+    a.line = entry_.at("line").count();
+    a.tool = entry_.at("tool").text();
+    a.body = word("body");
+    a.against = word("against");
+    read_setup(entry_.at("setup"), a.setup);
+    for (const JsonField& move : entry_.at("moves").list()) a.moves.push_back(read_move(move));
+    if (a.moves.empty()) entry_.at("moves").fail("at least one motion");
+    return a;
+  }
+
+ private:
+  [[nodiscard]] std::string word(const char* key) const {
+    const JsonField field = entry_.at(key);
+    std::string value = field.text();
+    if (value.empty()) field.fail("a text that is not empty");
+    return value;
+  }
+
+  [[nodiscard]] static double length(const JsonField& field) {
+    const double value = field.number();
+    if (value < 0) field.fail("a length of 0 or more");
+    return value;
+  }
+
+  static std::vector<std::string> texts_of(const JsonField& field) {
+    std::vector<std::string> all;
+    for (const JsonField& one : field.list()) all.push_back(one.text());
+    return all;
+  }
+
+  static void read_setup(const JsonField& field, AcceptedSetup& s) {
+    s.parts = texts_of(field.at("parts"));
+    s.fixtures = texts_of(field.at("fixtures"));
+    s.heads = texts_of(field.at("heads"));
+    s.placement = field.at("placement").text();
+    s.tool = field.at("tool").text();
+    if (s.tool.empty()) field.at("tool").fail("the identity of a tool");
+    s.tolerance_mm = length(field.at("tolerance_mm"));
+    s.resolution_mm = length(field.at("resolution_mm"));
+    s.stock_to_leave_mm = field.at("stock_to_leave_mm").number();
+    s.shank_clearance_mm = length(field.at("shank_clearance_mm"));
+    s.holder_clearance_mm = length(field.at("holder_clearance_mm"));
+    s.rapid = field.at("rapid").text();
+  }
+
+  static AcceptedMove read_move(const JsonField& field) {
+    AcceptedMove move;
+    move.motion = field.at("motion").text();
+    move.depth_mm = length(field.at("depth_mm"));
+    move.depth_upper_mm = length(field.at("depth_upper_mm"));
+    if (const JsonField overcut = field.at("overcut_upper_mm"); !overcut.is_null())
+      move.overcut_upper_mm = length(overcut);
+    move.passes = field.at("passes").count();
+    if (move.motion.size() != kMotionDigits)
+      field.at("motion").fail("a motion of " + std::to_string(kMotionDigits) + " digits");
+    if (move.depth_upper_mm < move.depth_mm) field.at("depth_upper_mm").fail("no less than the depth");
+    if (move.passes < 1) field.at("passes").fail("at least 1");
+    return move;
+  }
+
+  JsonField entry_;
+};
+
+Diagnostic edited(const std::string& file, std::size_t line, const std::string& what) {
+  return make_error(
+      "accepted-edited",
+      what + "; expected entries as 'gougecheck accept' wrote them; take it out, and accept the finding again", file,
+      line);
+}
+
+}  // namespace
+
+Result<std::vector<Acceptance>> read_accepted(const std::string& file, std::string_view bytes) {
+  const Result<JsonFile> json =
+      parse_json(file, bytes, {"accepted-syntax", "accepted-duplicate-key", "accepted findings"});
+  if (!json) return json.error();
+  const nlohmann::json& root = json->root;
+  if (!root.is_object() || root.value("format", nlohmann::json()) != kFormat ||
+      root.value("format_version", nlohmann::json()) != 1)
+    return make_error("accepted-format",
+                      "this is no file of accepted findings; expected what 'gougecheck accept' writes", file, 1);
+  JsonErrors errors{file, "accepted-field", &json->lines};
+  std::vector<Acceptance> all;
+  std::set<std::string> seals;
+  const std::vector<JsonField> entries = JsonField(root, errors).at("accepted").list();
+  for (std::size_t k = 0; k < entries.size(); ++k) {
+    all.push_back(EntryReader(entries[k]).run());
+    const std::string seal = entries[k].at("seal").text();
+    if (errors.first) return *errors.first;
+    nlohmann::json entry = root.at("accepted").at(k);
+    entry.erase("seal");
+    const std::size_t line = json->lines.at("/accepted/" + std::to_string(k));
+    if (seal_of(entry) != seal) return edited(file, line, "this entry was changed after it was written");
+    if (!seals.insert(seal).second) return edited(file, line, "this entry is there twice");
+  }
+  if (errors.first) return *errors.first;
+  return all;
+}
+
+std::string write_accepted(const std::vector<Acceptance>& entries) {
+  Json all = Json::array();
+  for (const Acceptance& entry : entries) {
+    Json json = entry_json(entry);
+    json["seal"] = seal_of(nlohmann::json(json));
+    all.push_back(std::move(json));
+  }
+  const Json file = {{"format", kFormat},
+                     {"format_version", 1},
+                     {"program", {{"name", kProgramName}, {"version", kProgramVersion}}},
+                     {"accepted", std::move(all)}};
+  return file.dump(1) + "\n";
+}
+
+}  // namespace gouge

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/result.h"
+#include "postproc/accept/accepted_setup.h"
+
+// Findings that somebody has accepted, as a file: docs/formats/accepted.md. Lengths are in mm.
+
+namespace gouge {
+
+/// A motion that may gouge, and how deep at most.
+struct AcceptedMove {
+  std::string motion;  ///< motion_key
+  double depth_mm = 0, depth_upper_mm = 0;
+  std::optional<double> overcut_upper_mm;  ///< none: none was measured
+  std::size_t passes = 1;                  ///< how often this motion gouged in the result: it may not do so more often
+};
+
+struct Acceptance {
+  std::string reason, by, date;
+  std::string finding, toolpath, statement;  ///< for people: what was accepted, and where it stood
+  std::size_t line = 0;
+  std::string tool, body, against;  ///< the tool by its key
+  AcceptedSetup setup;
+  std::vector<AcceptedMove> moves;
+};
+
+/// Reads the bytes of `file`.
+/// Errors, with the line: accepted-syntax, accepted-duplicate-key, json-too-deep, json-too-long, accepted-format (not
+/// such a file), accepted-field (missing or not as expected), accepted-edited (an entry that is not as it was written, or
+/// is there twice).
+[[nodiscard]] Result<std::vector<Acceptance>> read_accepted(const std::string& file, std::string_view bytes);
+
+/// The file, each entry with a seal of its contents. Reads back as the same entries.
+[[nodiscard]] std::string write_accepted(const std::vector<Acceptance>& entries);
+
+}  // namespace gouge

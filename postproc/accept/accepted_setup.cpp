@@ -1,0 +1,88 @@
+#include "postproc/accept/accepted_setup.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+template <class Inputs>
+std::vector<std::string> checksums(const Inputs& inputs, std::string_view role) {
+  std::vector<std::string> all;
+  for (const auto& input : inputs) {
+    if (input.role == role) all.push_back(input.checksum);
+  }
+  std::ranges::sort(all);
+  return all;
+}
+
+// A length in inches comes back from its text in millimetres but for the last bit.
+bool is_same_length(double a_mm, double b_mm) {
+  return std::abs(a_mm - b_mm) <= 1e-12 * std::max(std::abs(a_mm), std::abs(b_mm));
+}
+
+const char* rapid_word(RapidMode rapid) {
+  static constexpr std::array<const char*, 3> kWords{"straight", "dogleg", "skip"};
+  return kWords.at(static_cast<std::size_t>(rapid));
+}
+
+}  // namespace
+
+AcceptedSetup setup_of(const StoredResult& result, const std::string& tool) {
+  const StoredOptions& o = result.options;
+  return {checksums(result.inputs, "part"),
+          checksums(result.inputs, "fixture"),
+          checksums(result.inputs, "head"),
+          result.placement,
+          tool,
+          o.tolerance_mm,
+          o.resolution_mm,
+          o.stock_to_leave_mm,
+          o.shank_clearance_mm,
+          o.holder_clearance_mm,
+          o.rapid};
+}
+
+AcceptedSetup setup_of(const ReportModel& model, const std::string& tool) {
+  const CheckOptions& o = model.options;
+  return {checksums(model.inputs, "part"),
+          checksums(model.inputs, "fixture"),
+          checksums(model.inputs, "head"),
+          model.placement,
+          tool,
+          o.tolerance_mm,
+          o.resolution_mm,
+          o.stock_to_leave_mm,
+          o.shank_clearance_mm,
+          o.holder_clearance_mm,
+          rapid_word(o.rapid)};
+}
+
+std::optional<std::string> find_change(const AcceptedSetup& accepted, const AcceptedSetup& now, LengthUnit unit) {
+  if (accepted.parts != now.parts) return "the part is another one";
+  if (accepted.fixtures != now.fixtures) return "the fixtures are others";
+  if (accepted.heads != now.heads) return "the heads are others";
+  if (accepted.placement != now.placement) return "the STL files are placed elsewhere, or in another unit";
+  struct Length {
+    const char* what;
+    double AcceptedSetup::*member;
+  };
+  static constexpr Length kLengths[] = {{"the tolerance", &AcceptedSetup::tolerance_mm},
+                                        {"the resolution", &AcceptedSetup::resolution_mm},
+                                        {"the stock to leave", &AcceptedSetup::stock_to_leave_mm},
+                                        {"the shank's clearance", &AcceptedSetup::shank_clearance_mm},
+                                        {"the holder's clearance", &AcceptedSetup::holder_clearance_mm}};
+  for (const Length& one : kLengths) {
+    const double then_mm = accepted.*one.member, now_mm = now.*one.member;
+    if (is_same_length(then_mm, now_mm)) continue;
+    return std::string(one.what) + " is " + length_text(now_mm, unit) + ", " + length_text(then_mm, unit) +
+           " when it was accepted";
+  }
+  if (accepted.rapid != now.rapid) return "rapids are checked as " + now.rapid + ", then as " + accepted.rapid;
+  return std::nullopt;
+}
+
+}  // namespace gouge

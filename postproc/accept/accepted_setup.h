@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/base/units.h"
+#include "postproc/report/report_model.h"
+#include "postproc/result/stored_result.h"
+
+namespace gouge {
+
+/// All that the depth of a motion depends on beside the motion. Checksums are of whole files, sorted.
+struct AcceptedSetup {
+  std::vector<std::string> parts, fixtures, heads;
+  std::string placement;  ///< ReportModel::placement
+  std::string tool;       ///< ToolFacts::identity
+  double tolerance_mm = 0, resolution_mm = 0, stock_to_leave_mm = 0, shank_clearance_mm = 0, holder_clearance_mm = 0;
+  std::string rapid;
+};
+
+/// That of a stored result; `tool` is the identity of the finding's.
+[[nodiscard]] AcceptedSetup setup_of(const StoredResult& result, const std::string& tool);
+/// That of a check that was just made.
+[[nodiscard]] AcceptedSetup setup_of(const ReportModel& model, const std::string& tool);
+
+/// What is not as it was when something was accepted, a sentence ("the part is another one"); none: nothing. The tool is
+/// not looked at. Lengths of the sentence are in `unit`.
+[[nodiscard]] std::optional<std::string> find_change(const AcceptedSetup& accepted, const AcceptedSetup& now,
+                                                     LengthUnit unit);
+
+}  // namespace gouge

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "postproc/accept/accepted.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+
+/// What the acceptances of `file` say of a result. A finding is accepted only where each of its moves is: the very motion,
+/// with the same tool, body, counterpart and set-up, proved no deeper than it was, and no more often. What was not checked
+/// or certified, and a buried tool, is never accepted. Why that hides no gouge: docs/formats/accepted.md.
+[[nodiscard]] BaselineFacts apply_baseline(const std::string& file, const std::vector<Acceptance>& accepted,
+                                           const ReportModel& model);
+
+}  // namespace gouge

@@ -1,0 +1,194 @@
+#include "postproc/compare/compare_results.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <optional>
+#include <set>
+
+#include "lib/base/number_text.h"
+#include "lib/path/toolpath.h"
+#include "postproc/compare/judge_absence.h"
+#include "postproc/compare/match_findings.h"
+#include "postproc/compare/setup_differences.h"
+#include "postproc/compare/witness_grid.h"
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kAny_mm = std::numeric_limits<double>::infinity();
+
+/// What is known of how deep something is: at least `low`, at most `high`.
+struct DepthBounds {
+  double low = 0, high = 0;
+};
+
+DepthBounds depth_of(const StoredMove& move) {
+  if (move.state == MoveState::buried) return {kAny_mm, kAny_mm};
+  return {move.depth_mm.value_or(0), move.depth_upper_mm.value_or(kAny_mm)};
+}
+
+DepthBounds overcut_of(const StoredMove& move) {
+  if (!move.overcut_mm) return {0, kAny_mm};
+  return {*move.overcut_mm, move.overcut_upper_mm.value_or(kAny_mm)};
+}
+
+/// Moves of the new path between two motions that the old one has too.
+struct Stretch {
+  std::size_t first = 0, end = 0;
+  std::optional<bool> has_grown = {};  ///< none: not asked yet
+};
+
+class Comparer {
+ public:
+  Comparer(const StoredResult& before, const StoredResult& after, const CompareOptions& options)
+      : before_(before), after_(after), options_(options), motions_(align_motions(before.motions, after.motions)) {}
+
+  Comparison run() {
+    Comparison made;
+    made.before = &before_;
+    made.after = &after_;
+    const auto matched = match_findings(before_, after_, motions_);
+    std::vector<bool> is_matched(before_.findings.size(), false);
+    for (std::size_t n = 0; n < matched.size(); ++n) {
+      made.findings.push_back(judge(n, matched[n]));
+      for (const std::size_t k : matched[n]) is_matched[k] = true;
+    }
+    for (std::size_t k = 0; k < before_.findings.size(); ++k) {
+      if (is_matched[k]) continue;
+      const auto why = why_not_gone(before_, after_, motions_, before_.findings[k]);
+      made.findings.push_back({why ? Change::not_checked : Change::gone, {k}, {}, why.value_or("")});
+    }
+    made.differences = setup_differences(before_, after_);
+    std::size_t open = 0;
+    for (const StoredMove& move : after_.moves)
+      open += move.state == MoveState::not_checked || move.state == MoveState::not_certified ? 1U : 0U;
+    made.open_moves = open - std::min(open, after_.left_out_as_asked);
+    return made;
+  }
+
+ private:
+  [[nodiscard]] bool is_above(double depth_mm, double limit_mm) const {
+    return depth_mm > limit_mm + options_.same_within_mm;
+  }
+
+  [[nodiscard]] ComparedFinding judge(std::size_t n, const std::vector<std::size_t>& was) const {
+    ComparedFinding made{Change::same, was, {n}, {}};
+    if (was.empty()) {
+      made.change = Change::fresh;
+      return made;
+    }
+    DepthBounds old, now;
+    double old_overcut_upper = 0;
+    for (const std::size_t k : was) {
+      for (const StoredMove* move : before_.moves_of(before_.findings[k])) {
+        old.low = std::max(old.low, depth_of(*move).low);
+        old.high = std::max(old.high, depth_of(*move).high);
+        old_overcut_upper = std::max(old_overcut_upper, overcut_of(*move).high);
+      }
+    }
+    std::size_t wider = 0;
+    Stretch stretch;
+    const WitnessGrid places(before_, was, kSamePlace_mm);
+    for (const StoredMove* move : after_.moves_of(after_.findings[n])) {
+      const DepthBounds depth = depth_of(*move);
+      now.low = std::max(now.low, depth.low);
+      now.high = std::max(now.high, depth.high);
+      const std::size_t other = motions_.after_to_before[move->move];
+      if (other == kNone) {
+        if (is_above(depth.low, old.high) || is_above(overcut_of(*move).low, old_overcut_upper))
+          made.change = Change::deeper;
+        if (!is_there(places, *move) && has_grown(n, was, stretch_of(move->move, stretch))) {
+          made.change = Change::deeper;
+          ++wider;
+        }
+      } else if (is_deeper(*move, before_.find_move(other))) {
+        made.change = Change::deeper;
+        const StoredMove* then = before_.find_move(other);
+        if (then == nullptr || then->state != move->state) ++wider;
+      }
+    }
+    if (made.change == Change::deeper) {
+      if (wider > 0) made.why = count_text(wider, "motion gouges", "motions gouge") + " where nothing gouged before";
+      return made;
+    }
+    if (now.high + options_.same_within_mm < old.low) made.change = Change::shallower;
+    return made;
+  }
+
+  // Whether something gouged at the place of a move; of a buried tool nothing says where.
+  [[nodiscard]] static bool is_there(const WitnessGrid& places, const StoredMove& move) {
+    if (!move.witness) return true;
+    bool is_there = false;
+    places.for_each_near(move.witness->point, [&](const WitnessGrid::Near&, double) { is_there = true; });
+    return is_there;
+  }
+
+  // Whether more moves gouge between the nearest motions that both paths have than did there. Where the depth is the same
+  // over an area, its deepest point may be anywhere in it, so that places alone say little.
+  [[nodiscard]] bool has_grown(std::size_t n, const std::vector<std::size_t>& was, Stretch& stretch) const {
+    if (stretch.has_grown) return *stretch.has_grown;
+    const std::vector<std::size_t>& other = motions_.after_to_before;
+    const std::size_t first = stretch.first, end = stretch.end;
+    const std::size_t old_first = first > 0 ? other[first - 1] + 1 : 0;
+    const std::size_t old_end = end < other.size() ? other[end] : before_.motions.size();
+    std::size_t old_count = 0;
+    for (const std::size_t k : was) old_count += count_within(before_, before_.findings[k], old_first, old_end);
+    stretch.has_grown = count_within(after_, after_.findings[n], first, end) > old_count;
+    return *stretch.has_grown;
+  }
+
+  // `last` is that of the move before, and stays as long as it is the same one.
+  [[nodiscard]] Stretch& stretch_of(std::size_t move, Stretch& last) const {
+    if (move >= last.first && move < last.end) return last;
+    const std::vector<std::size_t>& other = motions_.after_to_before;
+    last = {move, move, {}};
+    while (last.first > 0 && other[last.first - 1] == kNone) --last.first;
+    while (last.end < other.size() && other[last.end] == kNone) ++last.end;
+    return last;
+  }
+
+  static std::size_t count_within(const StoredResult& result, const StoredFinding& finding, std::size_t first,
+                                  std::size_t end) {
+    std::size_t count = 0;
+    for (const StoredMove* move : result.moves_of(finding)) count += move->move >= first && move->move < end ? 1U : 0U;
+    return count;
+  }
+
+  // One motion in both runs; `then` is null where it was clean.
+  [[nodiscard]] bool is_deeper(const StoredMove& now, const StoredMove* then) const {
+    const bool was_found = then != nullptr && (then->state == MoveState::gouge || then->state == MoveState::buried);
+    if (!was_found) return is_above(depth_of(now).low, before_.options.tolerance_mm + before_.options.resolution_mm);
+    return is_above(depth_of(now).low, depth_of(*then).high) || is_above(overcut_of(now).low, overcut_of(*then).high);
+  }
+
+  const StoredResult& before_;
+  const StoredResult& after_;
+  const CompareOptions& options_;
+  MotionAlignment motions_;
+};
+
+}  // namespace
+
+const char* change_name(Change change) {
+  static constexpr std::array<const char*, kChanges> kNames = {"new",  "deeper",    "not-checked-any-more",
+                                                               "gone", "shallower", "same"};
+  return kNames.at(static_cast<std::size_t>(change));
+}
+
+std::size_t Comparison::count(Change change) const {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(findings, [&](const ComparedFinding& one) { return one.change == change; }));
+}
+
+ExitCode Comparison::exit_status() const {
+  if (count(Change::fresh) + count(Change::deeper) > 0) return kExitGouges;
+  return count(Change::not_checked) + open_moves > 0 ? kExitNotChecked : kExitClean;
+}
+
+Comparison compare_results(const StoredResult& before, const StoredResult& after, const CompareOptions& options) {
+  return Comparer(before, after, options).run();
+}
+
+}  // namespace gouge

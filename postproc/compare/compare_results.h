@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "lib/base/exit_code.h"
+#include "postproc/result/stored_result.h"
+
+namespace gouge {
+
+enum class Change { fresh, deeper, not_checked, gone, shallower, same };
+inline constexpr std::size_t kChanges = 6;
+/// "new", "deeper", "not-checked-any-more", "gone", "shallower", "same"
+[[nodiscard]] const char* change_name(Change change);
+
+/// A finding of the new run with those of the old one that it was, or one of the old run that it no longer has.
+struct ComparedFinding {
+  Change change = Change::same;
+  std::vector<std::size_t> before;  ///< indices of the old run's findings
+  std::vector<std::size_t> after;   ///< of the new run's: one, or none for gone and not_checked
+  std::string why;                  ///< of deeper and not_checked; may be empty
+};
+
+struct Comparison {
+  const StoredResult* before = nullptr;
+  const StoredResult* after = nullptr;
+  /// First those of the new run in the order of its path, then the others in the order of the old one's.
+  std::vector<ComparedFinding> findings;
+  std::vector<std::string> differences;  ///< between the set-ups of both runs, a sentence each
+  std::size_t open_moves = 0;            ///< of the new run, neither checked nor left out as asked
+
+  [[nodiscard]] std::size_t count(Change change) const;
+  /// 1: something is new or deeper; else 4: something is not checked any more or the new run has open moves; else 0.
+  [[nodiscard]] ExitCode exit_status() const;
+};
+
+struct CompareOptions {
+  double same_within_mm = 0.001;  ///< depths that differ by no more are the same
+};
+
+/// Both results must outlive the comparison. What is matched to what: docs/formats/compare.md.
+[[nodiscard]] Comparison compare_results(const StoredResult& before, const StoredResult& after,
+                                         const CompareOptions& options);
+
+}  // namespace gouge

@@ -1,0 +1,121 @@
+#include "postproc/compare/write_comparison.h"
+#include "postproc/report/html_style.h"
+#include "postproc/report/html_table.h"
+#include "postproc/report/report_model.h"
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+struct Section {
+  Change change;
+  const char* title;
+  const char* css;  ///< of its number
+};
+
+constexpr Section kSections[] = {{Change::fresh, "New", "bad"},
+                                 {Change::deeper, "Deeper", "bad"},
+                                 {Change::not_checked, "Not checked any more", "open"},
+                                 {Change::gone, "Gone", ""},
+                                 {Change::shallower, "Shallower", ""},
+                                 {Change::same, "Same", ""}};
+
+class ComparisonPage {
+ public:
+  explicit ComparisonPage(const Comparison& comparison) : c_(comparison) {}
+
+  [[nodiscard]] std::string build() const {
+    const std::string title = xml_escaped("Comparison: " + c_.before->file + " to " + c_.after->file);
+    std::string out =
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
+        "content=\"width=device-width, initial-scale=1\">\n<title>" +
+        title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
+        "<p class=\"soft\">" +
+        xml_escaped(c_.before->toolpath + " (" + c_.before->verdict + "), then " + c_.after->toolpath + " (" +
+                    c_.after->verdict + ")") +
+        "</p>\n" + banner();
+    for (const std::string& note : comparison_notes(c_))
+      out += "<p class=\"but\">Note: " + xml_escaped(note) + ".</p>\n";
+    out += numbers();
+    for (const Section& section : kSections) out += table(section);
+    return out + "<footer>" + kProgramName + " " + kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
+  }
+
+ private:
+  [[nodiscard]] std::string banner() const {
+    const ExitCode status = c_.exit_status();
+    const char* css = status == kExitGouges ? "gouges" : status == kExitClean ? "clean" : "not-fully-checked";
+    const char* word = status == kExitGouges ? "Worse" : "No worse";
+    return std::string("<div class=\"banner ") + css + "\"><strong>" + word + "</strong><div>" +
+           (status == kExitNotChecked ? "as far as it was checked: " : "") + xml_escaped(change_counts(c_)) +
+           "</div></div>\n";
+  }
+
+  [[nodiscard]] std::string numbers() const {
+    std::string out = "<div class=\"numbers\">";
+    for (const Section& section : kSections) {
+      const std::size_t count = c_.count(section.change);
+      out += std::string("<div class=\"") + (count > 0 ? section.css : "") + "\"><b>" + std::to_string(count) +
+             "</b><span>" + section.title + "</span></div>";
+    }
+    return out + "</div>\n";
+  }
+
+  [[nodiscard]] std::string depths(const StoredResult& result, const std::vector<std::size_t>& findings) const {
+    std::string text;
+    for (const std::size_t k : findings) {
+      const StoredFinding& finding = result.findings[k];
+      const StoredMove& worst = result.worst_of(finding);
+      text += (text.empty() ? "" : ", ") + (finding.state == MoveState::buried
+                                                ? std::string("buried")
+                                                : depth_text(worst.depth_mm.value_or(0), c_.after->unit));
+    }
+    return text.empty() ? "-" : text;
+  }
+
+  [[nodiscard]] static std::string numbers_of(const StoredResult& result, const std::vector<std::size_t>& findings) {
+    std::string text;
+    for (const std::size_t k : findings) text += (text.empty() ? "" : ", ") + std::to_string(result.findings[k].number);
+    return text.empty() ? "-" : text;
+  }
+
+  [[nodiscard]] std::string row(const ComparedFinding& one) const {
+    const bool is_new = !one.after.empty();
+    const StoredResult& result = is_new ? *c_.after : *c_.before;
+    const StoredFinding& finding = result.findings[(is_new ? one.after : one.before).front()];
+    const StoredMove& worst = result.worst_of(finding);
+    return html_cell(numbers_of(*c_.before, one.before), "n") + html_cell(numbers_of(*c_.after, one.after), "n") +
+           html_cell(std::to_string(finding.line), "n") + html_cell(depths(*c_.before, one.before), "n") +
+           html_cell(depths(*c_.after, one.after), "n") +
+           html_cell(finding.body + " " + stored_tool_label(finding.tool), "k") +
+           html_cell(worst.witness ? point_text(worst.witness->point, result.unit) : std::string(), "k") + "<td>" +
+           xml_escaped(worst.operation) + "<div class=\"soft\"><code>" + xml_escaped(worst.statement) +
+           "</code></div>" + (one.why.empty() ? std::string() : "<div>" + xml_escaped(one.why) + "</div>") + "</td>";
+  }
+
+  [[nodiscard]] std::string table(const Section& section) const {
+    if (c_.count(section.change) == 0) return {};
+    const bool is_old = section.change == Change::gone || section.change == Change::not_checked;
+    HtmlTable table({{"No. before", "n"},
+                     {"No. now", "n"},
+                     {is_old ? "Old line" : "Line", "n"},
+                     {"Depth before", "n"},
+                     {"Depth now", "n"},
+                     {"Body"},
+                     {"At, in " + std::string(unit_words(c_.after->unit))},
+                     {"Operation and statement"}});
+    for (const ComparedFinding& one : c_.findings) {
+      if (one.change != section.change) continue;
+      table.has_room() ? table.add(row(one)) : table.skip();
+    }
+    return std::string("<h2>") + section.title + "</h2>\n" + table.html();
+  }
+
+  const Comparison& c_;
+};
+
+}  // namespace
+
+std::string comparison_html(const Comparison& comparison) { return ComparisonPage(comparison).build(); }
+
+}  // namespace gouge

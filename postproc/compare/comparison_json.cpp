@@ -1,0 +1,77 @@
+#include <nlohmann/json.hpp>
+
+#include "postproc/compare/write_comparison.h"
+#include "postproc/report/report_model.h"
+#include "postproc/report/report_text.h"
+
+namespace gouge {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json run_json(const StoredResult& result) {
+  return {{"file", valid_utf8(result.file)},
+          {"toolpath", valid_utf8(result.toolpath)},
+          {"verdict", valid_utf8(result.verdict)},
+          {"version", valid_utf8(result.version)}};
+}
+
+Json length(const std::optional<double>& length_mm, LengthUnit unit) {
+  return length_mm ? Json(*length_mm / mm_per(unit)) : Json(nullptr);
+}
+
+Json findings_json(const StoredResult& result, const std::vector<std::size_t>& findings, LengthUnit unit) {
+  Json all = Json::array();
+  for (const std::size_t k : findings) {
+    const StoredFinding& finding = result.findings[k];
+    const StoredMove& worst = result.worst_of(finding);
+    Json point = nullptr;
+    if (worst.witness) {
+      point = Json::array();
+      for (int i = 0; i < 3; ++i) point.push_back(worst.witness->point[i] / mm_per(unit) + 0.0);
+    }
+    all.push_back({{"number", finding.number},
+                   {"state", state_name(finding.state)},
+                   {"line", finding.line},
+                   {"move", worst.move},
+                   {"tool", finding.tool},
+                   {"body", finding.body},
+                   {"against", finding.against},
+                   {"operation", worst.operation},
+                   {"statement", worst.statement},
+                   {"depth", length(worst.depth_mm, unit)},
+                   {"depth_upper", length(worst.depth_upper_mm, unit)},
+                   {"overcut", length(worst.overcut_mm, unit)},
+                   {"point", std::move(point)}});
+  }
+  return all;
+}
+
+}  // namespace
+
+std::string comparison_json(const Comparison& c) {
+  const LengthUnit unit = c.after->unit;
+  Json counts = Json::object(), findings = Json::array();
+  for (std::size_t k = 0; k < kChanges; ++k)
+    counts[change_name(static_cast<Change>(k))] = c.count(static_cast<Change>(k));
+  for (const ComparedFinding& one : c.findings) {
+    findings.push_back({{"change", change_name(one.change)},
+                        {"why", one.why},
+                        {"before", findings_json(*c.before, one.before, unit)},
+                        {"after", findings_json(*c.after, one.after, unit)}});
+  }
+  const Json json = {{"format", "gougecheck-comparison"},
+                     {"format_version", 1},
+                     {"program", {{"name", kProgramName}, {"version", kProgramVersion}}},
+                     {"exit_status", static_cast<int>(c.exit_status())},
+                     {"unit", unit_name(unit)},
+                     {"before", run_json(*c.before)},
+                     {"after", run_json(*c.after)},
+                     {"differences", c.differences},
+                     {"open_moves", c.open_moves},
+                     {"counts", std::move(counts)},
+                     {"findings", std::move(findings)}};
+  return json.dump(1) + "\n";
+}
+
+}  // namespace gouge

@@ -1,0 +1,206 @@
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/samples/small_shop.h"
+
+// `gougecheck compare` as a person would judge it. Each expectation was written down before the program was run.
+
+namespace gouge::testing_samples {
+namespace {
+
+const std::vector<Station> kTwoDeep = {{40, -0.2}, {50, -0.2}};
+
+class Compare : public testing::Test {
+ protected:
+  Outcome compare(const std::string& before, const std::string& after, const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {"compare", before + ".json", after + ".json", "--json", "changes.json"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    Outcome ran = shop_.run(arguments);
+    if (ran.exit_status == 0 || ran.exit_status == 1 || ran.exit_status == 4)
+      counts_ = shop_.json("changes.json").at("counts");
+    return ran;
+  }
+  /// "new 1, same 2", in the order of the counts; what is 0 is left out.
+  [[nodiscard]] std::string counts() const {
+    std::string text;
+    for (const char* name : {"new", "deeper", "not-checked-any-more", "gone", "shallower", "same"}) {
+      const int count = counts_.at(name);
+      if (count > 0) text += (text.empty() ? "" : ", ") + std::string(name) + " " + std::to_string(count);
+    }
+    return text;
+  }
+
+  SmallShop shop_;
+  nlohmann::json counts_;
+};
+
+TEST_F(Compare, TheSameRunTwiceIsTheSame) {
+  ASSERT_EQ(shop_.check("a", path_text(stations(kTwoDeep))).exit_status, 1);
+  shop_.check("b", path_text(stations(kTwoDeep)), {"--threads", "3"});
+  const Outcome ran = compare("a", "b", {"-v"});
+  EXPECT_EQ(ran.exit_status, 0) << ran.err;
+  EXPECT_EQ(counts(), "same 1");
+  EXPECT_EQ(ran.out.find("note:"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("path.apt:13: same: 0.200 mm cutter T1 at ("), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find(
+                "\na.json -> b.json\nno worse: 0 new, 0 deeper, 0 not checked any more, 0 gone, 0 shallower, 1 same\n"),
+            std::string::npos)
+      << ran.out;
+}
+
+TEST_F(Compare, WhatCorrectFreedIsGone) {
+  shop_.check("a", path_text(stations(kTwoDeep)));
+  const Outcome corrected =
+      shop_.run({"correct", "path.apt", "--part", "part.stl", "-o", "fixed.apt", "--json", "b.json"});
+  ASSERT_EQ(corrected.exit_status, 0) << corrected.out << corrected.err;
+  EXPECT_EQ(compare("a", "b").exit_status, 0);
+  EXPECT_EQ(counts(), "gone 1");
+  EXPECT_EQ(compare("b", "a").exit_status, 1);
+  EXPECT_EQ(counts(), "new 1");
+}
+
+TEST_F(Compare, LinesInsertedBeforeChangeNothing) {
+  shop_.check("a", path_text(stations(kTwoDeep)));
+  const std::string head = std::string(kHead) + "PPRINT/MORE\nRAPID\nGOTO/0,0,50\nGOTO/10,0,50\nGOTO/0,0,50\n";
+  shop_.check("b", path_text(stations(kTwoDeep), head));
+  EXPECT_EQ(compare("a", "b").exit_status, 0);
+  EXPECT_EQ(counts(), "same 1");
+}
+
+TEST_F(Compare, AnotherTessellationIsTheSamePartToItsChordError) {
+  shop_.write("fine.stl", plate_stl(7));
+  shop_.write("above.stl", plate_stl(5, 0.004));
+  shop_.check("a", path_text(stations(kTwoDeep)));
+  shop_.check("b", path_text(stations(kTwoDeep)), {"--part", "fine.stl"});
+  const Outcome fine = compare("a", "b");
+  EXPECT_EQ(fine.exit_status, 0);
+  EXPECT_EQ(counts(), "same 1");
+  EXPECT_NE(fine.out.find("note: the parts are other files\n"), std::string::npos) << fine.out;
+  shop_.check("c", path_text(stations(kTwoDeep)), {"--part", "above.stl"});
+  EXPECT_EQ(compare("a", "c").exit_status, 1);
+  EXPECT_EQ(counts(), "deeper 1");
+  EXPECT_EQ(compare("a", "c", {"--same-within", "0.005"}).exit_status, 0);
+  EXPECT_EQ(counts(), "same 1");
+}
+
+TEST_F(Compare, DeeperAndShallowerAreOfTheirDepth) {
+  shop_.check("a", path_text(stations({{40, -0.2}})));
+  shop_.check("b", path_text(stations({{40, -0.3}})));
+  const Outcome deeper = compare("a", "b");
+  EXPECT_EQ(deeper.exit_status, 1);
+  EXPECT_EQ(counts(), "deeper 1");
+  EXPECT_NE(deeper.out.find("deeper: 0.300 mm cutter T1"), std::string::npos) << deeper.out;
+  EXPECT_NE(deeper.out.find("; 0.200 mm before"), std::string::npos) << deeper.out;
+  EXPECT_EQ(compare("b", "a").exit_status, 0);
+  EXPECT_EQ(counts(), "shallower 1");
+}
+
+// The middle is lifted out of the part, then it is back in it: one finding, two, one.
+TEST_F(Compare, FindingsThatSplitAreNoWorseAndThoseThatMergeAre) {
+  const std::vector<Station> deep = {{30, -0.2}, {40, -0.2}, {50, -0.2}, {60, -0.2}, {70, -0.2}, {80, -0.2}};
+  std::vector<Station> lifted = deep;
+  lifted[2].z = lifted[3].z = 1;
+  shop_.check("one", path_text(stations(deep)));
+  shop_.check("two", path_text(stations(lifted)));
+  EXPECT_EQ(compare("one", "two").exit_status, 0);
+  EXPECT_EQ(counts(), "same 2");
+  const Outcome merged = compare("two", "one");
+  EXPECT_EQ(merged.exit_status, 1);
+  EXPECT_EQ(counts(), "deeper 1");
+  EXPECT_NE(merged.out.find("where nothing gouged before"), std::string::npos) << merged.out;
+}
+
+TEST_F(Compare, AnotherMotionAtTheSamePlaceIsNew) {
+  shop_.check("a", path_text(stations(kTwoDeep)));
+  std::vector<Station> twice = stations(kTwoDeep);
+  twice.push_back({60, 0});
+  twice.push_back({45, -0.1});
+  shop_.check("b", path_text(twice));
+  EXPECT_EQ(compare("a", "b").exit_status, 1);
+  EXPECT_EQ(counts(), "new 1, same 1");
+}
+
+TEST_F(Compare, AnotherToolIsSaidAndAnotherNumberIsAnotherFinding) {
+  shop_.check("a", path_text(stations(kTwoDeep)));
+  shop_.check("b", path_text(stations(kTwoDeep), "PARTNO/SHOP\nUNITS/MM\nCUTTER/12\nLOADTL/1\n"));
+  const Outcome wider = compare("a", "b");
+  EXPECT_NE(wider.out.find("note: T1 has other dimensions\n"), std::string::npos) << wider.out;
+  EXPECT_EQ(counts(), "same 1") << "the cutter is flat: as deep as before";
+  EXPECT_EQ(wider.exit_status, 0);
+  shop_.check("c", path_text(stations(kTwoDeep), "PARTNO/SHOP\nUNITS/MM\nCUTTER/10\nLOADTL/2\n"));
+  EXPECT_EQ(compare("a", "c").exit_status, 1);
+  EXPECT_EQ(counts(), "new 1, gone 1");
+}
+
+TEST_F(Compare, WhatTheNewRunDidNotCheckIsNotGone) {
+  const std::string path = path_text(stations(kTwoDeep));
+  shop_.check("a", path);
+  const auto is_open = [&](const std::string& why) {
+    const Outcome ran = compare("a", "b");
+    EXPECT_EQ(ran.exit_status, 4) << ran.out << ran.err;
+    EXPECT_EQ(counts(), "not-checked-any-more 1");
+    EXPECT_NE(ran.out.find(why), std::string::npos) << ran.out;
+  };
+  shop_.check("b", path, {"--tolerance", "0.25"});
+  is_open("the tolerance is 0.25 mm, 0.01 mm before");
+  std::vector<Station> first_three = stations();
+  first_three.resize(3);
+  shop_.check("b", path_text(first_three));
+  is_open("its motion is not in the new path");
+  shop_.check("b", "PARTNO/SHOP\nUNITS/MM\nCUTTER/10\nLOADTL/1\nGOTO/0,0,80\nGOTO/100,0,80\nFINI\n");
+  is_open("no motion of the old one");
+  const std::size_t at = path.find("GOTO/30.000000");
+  shop_.check("b", path.substr(0, at) + "CUTCOM/LEFT\n" + path.substr(at));
+  is_open("not checked: ");
+}
+
+TEST_F(Compare, OpenMovesOfTheNewRunAreSaidAndNeverClean) {
+  const std::string path = path_text(stations());
+  ASSERT_EQ(shop_.check("a", path).exit_status, 0);
+  const std::size_t at = path.find("GOTO/80.000000");
+  ASSERT_EQ(shop_.check("b", path.substr(0, at) + "CUTCOM/LEFT\n" + path.substr(at)).exit_status, 4);
+  const Outcome ran = compare("a", "b");
+  EXPECT_EQ(ran.exit_status, 4);
+  EXPECT_NE(ran.out.find("no worse as far as it was checked: "), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("nothing is said of what may be new there"), std::string::npos) << ran.out;
+}
+
+TEST_F(Compare, ThePageAndItsOutputsAreThoseOfTheTable) {
+  shop_.check("a", path_text(stations(kTwoDeep)));
+  shop_.check("b", path_text(stations({{40, -0.3}})));
+  EXPECT_EQ(compare("a", "b", {"--html", "changes.html", "-q"}).out, "");
+  const std::string page = shop_.read("changes.html");
+  EXPECT_NE(page.find("<h2>Deeper</h2>"), std::string::npos);
+  EXPECT_NE(page.find("GOTO/40.000000,50,-0.300000"), std::string::npos) << "the statement is quoted";
+  EXPECT_EQ(shop_.run({"compare", "a.json", "b.json", "--html", "a.json"}).exit_status, 2);
+  const Outcome piped = shop_.run({"compare", "a.json", "b.json", "--json", "-"});
+  EXPECT_EQ(nlohmann::json::parse(piped.out).at("exit_status"), 1);
+}
+
+TEST_F(Compare, AResultThatIsNotAsItWasWrittenIsRefused) {
+  shop_.check("a", path_text(stations(kTwoDeep)));
+  const std::string whole = shop_.read("a.json");
+  const auto refused = [&](const std::string& text) {
+    shop_.write("b.json", text);
+    const Outcome ran = compare("a", "b");
+    EXPECT_EQ(ran.exit_status, 3) << ran.out;
+    EXPECT_EQ(ran.out, "");
+    return ran.err;
+  };
+  std::string edited = whole;
+  edited.replace(edited.find("\"depth\": 0.2"), 12, "\"depth\": 0.1");
+  EXPECT_NE(refused(edited).find("[result-edited]"), std::string::npos);
+  std::string old = whole.substr(0, whole.rfind(",\n \"digest\"")) + "\n}\n";
+  EXPECT_NE(refused(old).find("[result-format]"), std::string::npos);
+  EXPECT_NE(refused(whole.substr(0, whole.size() / 2)).find("[result-syntax]"), std::string::npos);
+  edited = whole;
+  edited.replace(edited.find("\"depth\": 0.2"), 12, "\"depth\": NaN");
+  EXPECT_NE(refused(edited).find("[result-syntax]"), std::string::npos);
+  EXPECT_NE(refused("{\"format\": \"other\"}").find("[result-format]"), std::string::npos);
+  EXPECT_NE(refused("").find("[result-syntax]"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
