@@ -19,6 +19,7 @@
 #include "lib/path/axis_tilt.h"
 #include "lib/path/toolpath.h"
 #include "lib/stickout/find_stickout.h"
+#include "postproc/report/sign_off.h"
 
 // What every writer of a report shares, as plain data. Lengths are in mm here and turned into the toolpath's
 // unit when they are written. The model points at the toolpath and the verdicts; they must outlive it.
@@ -135,6 +136,7 @@ struct OptionText {
 };
 
 struct ReportModel {
+  SignOff sign_off;
   std::vector<InputFile> inputs;
   CheckOptions options;
   std::vector<OptionText> more_options;    ///< in force beside `options`: "place", "stl-units", ...
