@@ -41,7 +41,8 @@ TEST_F(SignOffOfReport, TheCommandIsTheSameHoweverItIsRun) {
 
 TEST_F(SignOffOfReport, TheCommandIsQuotedForAShell) {
   std::filesystem::copy_file(sample_.path + "/pocket.apt", sample_.path + "/it's mine.apt");
-  ASSERT_EQ(run_gougecheck(sample_.path, sample_.arguments("check", "it's mine.apt", {"--report", "r"})).exit_status, 1);
+  ASSERT_EQ(run_gougecheck(sample_.path, sample_.arguments("check", "it's mine.apt", {"--report", "r"})).exit_status,
+            1);
   const std::string html = text_of(sample_.path + "/r/report.html");
   EXPECT_NE(html.find("gougecheck check &#39;it&#39;\\&#39;&#39;s mine.apt&#39; --part"), std::string::npos);
 }
