@@ -2,7 +2,7 @@
 const byId = id => document.getElementById(id);
 
 const startDesk = async () => {
-  const section = byId('desk'), data = byId('desk-data');
+  const section = byId('desk-view'), data = byId('desk-data');
   if (!section || !data || typeof DecompressionStream === 'undefined') return;
   const canvas = byId('desk-scene');
   section.hidden = false;

@@ -88,7 +88,7 @@ def check_colours(browser, picture, found):
 def check_page(browser, report, found):
     browser.open(os.path.join(report, "report.html"))
     browser.wait("!!window.desk")
-    found.check(browser.evaluate("!document.getElementById('desk').hidden"), "the 3D view is shown")
+    found.check(browser.evaluate("!document.getElementById('desk-view').hidden"), "the 3D view is shown")
     found.check(browser.evaluate("getComputedStyle(document.getElementById('heat_map')).display") == "none",
                 "the heat map makes room for it")
     check_colours(browser, os.path.join(report, "heat_map.png"), found)
@@ -128,7 +128,7 @@ def check_page(browser, report, found):
     found.check(browser.evaluate("!!desk.plane()") and browser.evaluate("document.getElementById('desk-turn').hidden") is False, "a section is cut")
     browser.evaluate("document.querySelector('[data-do=section]').click(); document.querySelector('[data-do=measure]').click(); desk.view('top')")
     browser.evaluate(STILL)
-    browser.evaluate("document.getElementById('desk').scrollIntoView()")
+    browser.evaluate("document.getElementById('desk-view').scrollIntoView()")
     box = browser.evaluate("(() => { const b = desk.renderer.canvas.getBoundingClientRect(); return [b.x, b.y]; })()")
     for corner in ("[desk.box[0][0] + 5, desk.box[0][1] + 5, 0]", "[desk.box[1][0] - 5, desk.box[0][1] + 5, 0]"):
         x, y, _ = browser.evaluate(f"desk.camera.project({corner})")
@@ -163,7 +163,7 @@ def main():
     plain = Browser(1200, 1000, ["--disable-3d-apis"])
     try:
         plain.open(os.path.join(report, "report.html"))
-        plain.wait("document.getElementById('desk').hidden")
+        plain.wait("document.getElementById('desk-view').hidden")
         found.check(plain.evaluate("getComputedStyle(document.getElementById('heat_map')).display") != "none",
                     "without WebGL the pictures stand")
     finally:
