@@ -156,6 +156,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
                         const PreparedScene& prepared) const {
   ReportModel model;
   model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  model.sign_off = {options.date, arguments.command, arguments.project, arguments.reviewer};
   model.inputs = inputs;
   model.options = options.check;
   model.placement = placement_identity(options.place, stl_unit(arguments));

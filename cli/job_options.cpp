@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/length_text.h"
+#include "cli/report_date.h"
 #include "lib/base/parallel.h"
 
 namespace gouge {
@@ -74,6 +75,13 @@ void add_check_options(CLI::App& command, JobArguments& a) {
   add_threads_option(command, a.threads);
 }
 
+void add_sign_off(CLI::App& command, JobArguments& a) {
+  command.add_option("--project", a.project, "Project, order or part number for the head of the report")
+      ->type_name("TEXT");
+  command.add_option("--reviewer", a.reviewer, "Who reviews, for the head of the report and its line to sign")
+      ->type_name("TEXT");
+}
+
 void add_output_options(CLI::App& command, JobArguments& a) {
   command
       .add_option("--report", a.report_folder,
@@ -106,6 +114,7 @@ void add_progress_option(CLI::App& command, std::string& progress) {
 void add_common_job_options(CLI::App& command, JobArguments& arguments, bool needs_part) {
   add_input_options(command, arguments, needs_part);
   add_check_options(command, arguments);
+  add_sign_off(command, arguments);
 }
 
 void add_job_options(CLI::App& command, JobArguments& arguments) {
@@ -163,6 +172,9 @@ Result<JobOptions> understand(const JobArguments& a) {
                                               : RapidMode::straight;
   options.check.threads = static_cast<unsigned>(std::min<std::uint64_t>(a.threads, kMostThreads));
   options.progress = understand_progress(a.progress);
+  Result<std::string> date = date_of_report();
+  if (!date) return date.error();
+  options.date = std::move(*date);
   return options;
 }
 

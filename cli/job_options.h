@@ -35,6 +35,8 @@ struct JobArguments : Verbosity {
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;
   bool is_extended_up = false;
+  std::string project, reviewer;  ///< of the head of the report
+  std::string command;            ///< the command line, to be typed again (command_text.h)
 };
 
 /// The same, understood.
@@ -43,6 +45,7 @@ struct JobOptions {
   CheckOptions check;
   RigidTransform place;
   ProgressMode progress = ProgressMode::automatic;
+  std::string date;  ///< of the report
 };
 
 void add_job_options(CLI::App& command, JobArguments& arguments);

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "cli/command_text.h"
 #include "cli/correct_command.h"
 #include "cli/parse_errors.h"
 #include "postproc/report/report_model.h"
@@ -108,6 +109,7 @@ Result<CommandArguments> parse_command(const std::string& command, const std::ve
   } catch (const CLI::ParseError& error) {
     return describe_parse_error(parser.program, error);
   }
+  (command == "check" ? parser.check.job : parser.correct.job).command = repeatable_command(parser.command());
   const std::optional<Diagnostic> error =
       command == "check" ? find_wrong_value(parser.check) : find_wrong_value(parser.correct);
   if (error) return *error;

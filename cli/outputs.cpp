@@ -9,6 +9,7 @@
 #include "lib/base/printable_text.h"
 #include "postproc/image/report_pictures.h"
 #include "postproc/report/write_report.h"
+#include "postproc/viewer/write_viewer.h"
 
 namespace gouge {
 namespace {
@@ -83,12 +84,14 @@ Outcome JobOutputs::stage_report(const Job& job, const PreparedScene& scene, con
   CheckedToolpath before;
   if (model.has_correction)
     before = pictures_of(job, scene, *model.correction.toolpath_before, *model.correction.result_before);
-  Result<std::vector<NamedFile>> drawn =
-      draw_report_pictures(model, pictures_of(job, scene, *model.toolpath, *model.result), before, progress.call());
+  const CheckedToolpath input = pictures_of(job, scene, *model.toolpath, *model.result);
+  Result<std::vector<NamedFile>> drawn = draw_report_pictures(model, input, before, progress.call());
   if (!drawn) return drawn.error();
   std::vector<NamedFile> files = std::move(*drawn);
+  const Result<std::string> view = write_viewer(model, input, before, progress.call());
+  if (!view) return view.error();
   progress.begin("writing the report");
-  files.push_back({"report.html", write_html(model, files), ""});
+  files.push_back({"report.html", write_html(model, files, *view), ""});
   files.push_back({"result.json", write_json(model), ""});
   files.push_back({"moves.csv", write_csv(model), ""});
   return report_->stage(files);

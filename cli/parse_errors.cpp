@@ -84,6 +84,7 @@ class Command {
                                                                    {"NAME", "a name"},
                                                                    {"LENGTH", "a length"},
                                                                    {"SIZE", "a size"},
+                                                                   {"TEXT", "a text"},
                                                                    {"UINT", "a whole number of 0 or more"},
                                                                    {"FLOAT", "a number"},
                                                                    {"FLOAT:POSITIVE", "a number above 0"},

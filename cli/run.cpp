@@ -12,6 +12,7 @@
 #include "cli/batch_command.h"
 #include "cli/check_command.h"
 #include "cli/clash_command.h"
+#include "cli/command_text.h"
 #include "cli/compare_command.h"
 #include "cli/correct_command.h"
 #include "cli/help_text.h"
@@ -127,6 +128,9 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     }
     if (const std::optional<Diagnostic> empty = find_empty_value(app, words)) return fail(err, {*empty});
     if (app.got_subcommand("batch")) take_words(*app.get_subcommand("batch"), arguments.batch);
+    if (app.got_subcommand("check")) arguments.check.job.command = repeatable_command(*app.get_subcommand("check"));
+    if (app.got_subcommand("correct"))
+      arguments.correct.job.command = repeatable_command(*app.get_subcommand("correct"));
     return after_printing(dispatch(app, arguments, out, err), out, err);
   } catch (const std::bad_alloc&) {
     err << "gougecheck: error: out of memory; nothing more was written [out-of-memory]\n";

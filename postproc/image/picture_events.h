@@ -8,6 +8,9 @@
 
 namespace gouge {
 
+/// So many findings have a picture in a report.
+inline constexpr std::size_t kEventsOfReport = 6;
+
 /// A finding as the pictures number it: 1 is the worst.
 struct PictureEvent {
   int number = 0;

@@ -61,8 +61,7 @@ PictureScene::PictureScene(std::span<const HeadBody> heads, const RigidTransform
 
 void PictureScene::add(const Surface& surface, std::span<const Vec3> vertices) {
   const std::uint32_t first_face = face_count();
-  const std::uint32_t first_vertex =
-      meshes_.empty() ? 0 : meshes_.back().first_vertex + static_cast<std::uint32_t>(meshes_.back().vertices.size());
+  const std::uint32_t first_vertex = vertex_count();
   meshes_.push_back({vertices, surface.mesh().triangles, &surface.triangles_at_vertices(), first_vertex, first_face});
   find_edges(meshes_.back(), surface.mesh());
 }
@@ -122,6 +121,16 @@ std::vector<std::uint32_t> PictureScene::faces_in(const View& view) const {
   std::vector<std::uint32_t> faces = triangles_within(prepared_->parts, seen);
   for (const std::uint32_t t : triangles_within(prepared_->fixtures, seen)) faces.push_back(first_fixture_face_ + t);
   return faces;
+}
+
+std::uint32_t PictureScene::vertex_count() const {
+  return meshes_.empty() ? 0 : meshes_.back().first_vertex + static_cast<std::uint32_t>(meshes_.back().vertices.size());
+}
+
+std::array<std::uint32_t, 3> PictureScene::corner_vertices(std::uint32_t face) const {
+  const Mesh& mesh = owner_of(face);
+  const TriangleCorners& c = mesh.triangles[face - mesh.first_face];
+  return {mesh.first_vertex + c[0], mesh.first_vertex + c[1], mesh.first_vertex + c[2]};
 }
 
 const Vec3& PictureScene::vertex(std::uint32_t index) const {

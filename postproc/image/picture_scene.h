@@ -51,6 +51,9 @@ class PictureScene {
 
   [[nodiscard]] const std::vector<Edge>& edges() const { return edges_; }
   [[nodiscard]] const Vec3& vertex(std::uint32_t index) const;
+  [[nodiscard]] std::uint32_t vertex_count() const;
+  /// Of a face, in the list of vertices.
+  [[nodiscard]] std::array<std::uint32_t, 3> corner_vertices(std::uint32_t face) const;
 
   /// Vertices of each part: what a picture should show whole.
   [[nodiscard]] std::span<const std::span<const Vec3>> part_points() const { return part_points_; }

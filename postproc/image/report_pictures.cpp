@@ -5,12 +5,12 @@
 
 #include "postproc/image/heat_map.h"
 #include "postproc/image/render_drawing.h"
+#include "postproc/image/report_scales.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMostEvents = 6;
 constexpr std::size_t kViews = 2;
 constexpr std::size_t kMostWitnesses = 2000;
 
@@ -31,28 +31,6 @@ struct Album {
   }
 };
 
-// Colours of a correction cover the path before it, so that both halves can be compared.
-double worst_depth(const ReportModel& model, const CheckedToolpath& input) {
-  const CheckResult* before = model.has_correction ? model.correction.result_before : nullptr;
-  return std::max(input.result->worst_depth_mm, before != nullptr ? before->worst_depth_mm : 0.0);
-}
-
-/// What colours the surface at most: an overcut, or the depth of a gouge without one or of a head.
-double worst_on_surface(const CheckResult& result) {
-  double worst = 0;
-  for (const MoveVerdict& v : result.verdicts) {
-    if (v.state != MoveState::gouge) continue;
-    const bool is_head = v.witness && v.witness->body == Body::head;
-    worst = std::max(worst, v.overcut_mm.value_or(0) > 0 && !is_head ? *v.overcut_mm : v.depth_mm);
-  }
-  return worst;
-}
-
-double worst_on_surface(const ReportModel& model, const CheckedToolpath& input) {
-  const CheckResult* before = model.has_correction ? model.correction.result_before : nullptr;
-  return std::max(worst_on_surface(*input.result), before != nullptr ? worst_on_surface(*before) : 0.0);
-}
-
 Outcome add_before_after(Album& album, const PictureSet& after, const CheckedToolpath& before_input) {
   ReportModel model = after.model;
   model.toolpath = before_input.toolpath;
@@ -60,7 +38,7 @@ Outcome add_before_after(Album& album, const PictureSet& after, const CheckedToo
   const DepthField field(before_input);
   const OvercutField overcuts(before_input, field);
   PictureSet before{
-      model,       before_input,        after.scene, field, overcuts, worst_events(before_input, kMostEvents),
+      model,       before_input,        after.scene, field, overcuts, worst_events(before_input, kEventsOfReport),
       after.scale, after.surface_scale, {},          {}};
   before.directions = choose_directions(before_input, after.scene, before.events, 1);
   return album.add(draw_before_after(before, after), "before_after.png", "Before and after the correction");
@@ -96,17 +74,14 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
   const PictureScene scene(*input.prepared);
   const DepthField field(input);
   const OvercutField overcuts(input, field);
-  const auto scale_to = [&](double worst_mm) {
-    return make_colour_scale(model.options.tolerance_mm, worst_mm, model.toolpath->unit);
-  };
   PictureSet set{model,
                  input,
                  scene,
                  field,
                  overcuts,
-                 worst_events(input, kMostEvents),
-                 scale_to(worst_depth(model, input)),
-                 scale_to(worst_on_surface(model, input)),
+                 worst_events(input, kEventsOfReport),
+                 depth_scale(model, input),
+                 surface_scale(model, input),
                  {},
                  gouge_witnesses(input, kMostWitnesses)};
   const bool has_before = model.has_correction && before.toolpath != nullptr && before.result != nullptr;

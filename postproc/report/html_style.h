@@ -32,7 +32,7 @@ th { text-align: left; font-weight: 600; color: var(--soft); border-bottom: 2px 
 td { border-bottom: 1px solid var(--line); padding: 5px 12px 5px 0; vertical-align: top; overflow-wrap: anywhere;
   min-width: 6.5em; }
 td.n, th.n { text-align: right; font-variant-numeric: tabular-nums; white-space: nowrap; }
-td.k { white-space: nowrap; } td.n, td.k { min-width: 0; }
+td.n + td, th.n + th { padding-left: 10px; } td.k { white-space: nowrap; } td.n, td.k { min-width: 0; }
 details { margin: 10px 0; } details:not([open]) { display: inline-block; margin: 4px 20px 4px 0; }
 summary { cursor: pointer; color: var(--link); font-size: 14px; font-variant-numeric: tabular-nums; }
 code { font-family: "DejaVu Sans Mono", Consolas, monospace; font-size: 13px; }
@@ -51,13 +51,31 @@ figure svg { width: 100%; height: auto; display: block; }
 .state { display: inline-block; white-space: nowrap; padding: 0 8px; border-radius: 9px; color: #fff;
   font-size: 12.5px; background: var(--soft); }
 .state.gouge, .state.buried { background: var(--alarm); } .state.not-checked, .state.not-certified { background: var(--open); }
+.facts { display: flex; flex-wrap: wrap; gap: 4px 34px; margin: 14px 0 0; font-size: 14px; } .facts div { display: flex; gap: 9px; }
+.facts dt { color: var(--soft); } .facts dd { margin: 0; overflow-wrap: anywhere; } .facts .command { flex: 1 1 100%; }
+.facts .command dd { font: 13px/1.6 "DejaVu Sans Mono", Consolas, monospace; }
+.sign { display: flex; flex-wrap: wrap; gap: 14px 34px; margin: 22px 0 6px; break-inside: avoid; }
+.sign div { flex: 1 1 200px; } .sign b { font-weight: 600; }
+.sign p { margin: 0; height: 32px; padding: 9px 0 0; border-bottom: 1px solid var(--soft); line-height: 22px; }
+.sign span { color: var(--soft); font-size: 12.5px; }
+.filters { display: flex; flex-wrap: wrap; gap: 8px 12px; align-items: center; margin: 8px 0; font-size: 14px; }
+.filters select, .filters input, .filters button { font: inherit; padding: 3px 8px; border: 1px solid var(--line); border-radius: 4px;
+  background: #fff; color: inherit; max-width: 22em; } .filters input { width: 7em; } .filters button { cursor: pointer; }
+.findings th button { font: inherit; color: inherit; background: none; border: 0; padding: 0; cursor: pointer; }
+.findings th button:hover { color: var(--link); } .findings th[aria-sort=ascending] button::after { content: " \25B2"; }
+.findings th[aria-sort=descending] button::after { content: " \25BC"; }
+.has-desk .findings tbody tr { cursor: pointer; } .has-desk .findings tbody tr:hover { background: #f3f7fb; }
+.findings tr.chosen, .has-desk .findings tr.chosen:hover { background: #e3eefa; }
+@media screen { .findings.long { max-height: 70vh; overflow: auto; } .findings.long thead { position: sticky; top: 0; background: var(--paper); z-index: 1; }
+  .findings.long tr { height: 34px; } .findings.long td { white-space: nowrap; max-width: 24em; overflow: hidden; text-overflow: ellipsis; }
+  .on-paper, .sign { display: none; } }
 footer { margin-top: 36px; color: var(--soft); font-size: 13px; border-top: 1px solid var(--line); padding-top: 10px; }
 @media print {
-  @page { size: A4; margin: 14mm; }
+  @page { margin: 14mm; }
   body { background: #fff; font-size: 12px; } main { margin: 0; padding: 0; box-shadow: none; max-width: none; }
   .banner, .state, .numbers div { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
   figure, .banner, .numbers, tr { break-inside: avoid; } h2 { break-after: avoid; } a { color: inherit; }
-  .wide { overflow: visible; } td { min-width: 0; }
+  .filters { display: none; } .wide { overflow: visible; } td { min-width: 0; }
 }
 @media (max-width: 640px) { main { margin: 0; padding: 20px 16px; border-radius: 0; } }
 )css";

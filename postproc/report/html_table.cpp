@@ -11,10 +11,10 @@ std::string html_cell(const std::string& text, const char* css) {
          xml_escaped(text) + "</td>";
 }
 
-void HtmlTable::add(const std::string& cells) {
+void HtmlTable::add(const std::string& cells, const std::string& attributes) {
   if (rows_ % kRowsOfPage == 0) pages_.emplace_back();
   ++rows_;
-  pages_.back() += "<tr>" + cells + "</tr>\n";
+  pages_.back() += "<tr" + attributes + ">" + cells + "</tr>\n";
 }
 
 std::string HtmlTable::table(const std::string& rows) const {

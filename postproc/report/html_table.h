@@ -25,7 +25,8 @@ class HtmlTable {
 
   /// Whether the next row still has a page; what is not wanted need not be made, but must be counted by skip().
   [[nodiscard]] bool has_room() const { return rows_ < kMostRows; }
-  void add(const std::string& cells);
+  /// `attributes`: of the row, each with a blank before it.
+  void add(const std::string& cells, const std::string& attributes = {});
   void skip() { ++skipped_; }
 
   [[nodiscard]] std::string html() const;

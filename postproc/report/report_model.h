@@ -20,6 +20,7 @@
 #include "lib/path/toolpath.h"
 #include "lib/stickout/find_stickout.h"
 #include "postproc/report/baseline_facts.h"
+#include "postproc/report/sign_off.h"
 
 // What every writer of a report shares, as plain data. Lengths are in mm here and turned into the toolpath's
 // unit when they are written. The model points at the toolpath and the verdicts; they must outlive it.
@@ -138,6 +139,7 @@ struct OptionText {
 };
 
 struct ReportModel {
+  SignOff sign_off;
   std::vector<InputFile> inputs;
   CheckOptions options;
   std::string placement;                   ///< the same for equal units and places of STL files, 32 digits

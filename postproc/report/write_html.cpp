@@ -7,8 +7,7 @@
 #include "postproc/report/axis_html.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/baseline_text.h"
-#include "postproc/report/cure_text.h"
-#include "postproc/report/findings.h"
+#include "postproc/report/findings_html.h"
 #include "postproc/report/html_style.h"
 #include "postproc/report/html_table.h"
 #include "postproc/report/report_text.h"
@@ -29,8 +28,8 @@ std::string lengths_text(const Vec3& v, LengthUnit unit) { return point_text(v, 
 
 class HtmlReport {
  public:
-  HtmlReport(const ReportModel& model, const std::vector<NamedFile>& pictures)
-      : model_(model), pictures_(pictures), unit_(model.toolpath->unit), numbers_(finding_numbers(*model.result)) {}
+  HtmlReport(const ReportModel& model, const std::vector<NamedFile>& pictures, const std::string& view)
+      : model_(model), pictures_(pictures), view_(view), unit_(model.toolpath->unit) {}
 
   [[nodiscard]] std::string build() const {
     const std::string title = xml_escaped(std::string(model_.has_correction ? "Gouge correction: " : "Gouge check: ") +
@@ -38,7 +37,8 @@ class HtmlReport {
     return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<meta name=\"viewport\" "
            "content=\"width=device-width, initial-scale=1\">\n<title>" +
            title + "</title>\n<style>" + kHtmlStyle + "</style>\n</head>\n<body>\n<main>\n<h1>" + title + "</h1>\n" +
-           against() + banner() + numbers() + overview() + changes() + axis_section(model_) + findings() + stickouts() +
+           against() + sign_off_facts(model_) + banner() + numbers() + sign_off_lines(model_) + overview() + changes() +
+           axis_section(model_) + summaries_html(model_) + findings_html(model_, pictures_) + stickouts() +
            open_queries() + close_ups() + inputs() + tools() + options() + notes() + "<footer>" + kProgramName + " " +
            kProgramVersion + "</footer>\n</main>\n</body>\n</html>\n";
   }
@@ -120,7 +120,7 @@ class HtmlReport {
   }
 
   [[nodiscard]] std::string overview() const {
-    std::string out;
+    std::string out = view_;
     for (const char* name : {"before_after.png", "heat_map.png", "depth_along_path.png"}) {
       if (const NamedFile* file = picture(name)) out += figure(*file);
     }
@@ -133,79 +133,6 @@ class HtmlReport {
       if (file.name.starts_with("event_")) out += figure(file);
     }
     return out.empty() ? out : "<h2>The worst findings close up</h2>\n" + out;
-  }
-
-  [[nodiscard]] std::string link(const Event& event) const {
-    for (const NamedFile& file : pictures_) {
-      if (file.name.starts_with("event_") && file.move == event.worst_move) {
-        const std::string id = file.name.substr(0, file.name.find('.'));
-        return "<a href=\"#" + xml_escaped(id) + "\">picture " + xml_escaped(id.substr(6)) + "</a>";
-      }
-    }
-    return {};
-  }
-
-  [[nodiscard]] std::string acceptance(std::size_t event) const {
-    std::string out = model_.baseline.is_accepted(event) ? " <span class=\"state\">accepted</span>" : "";
-    for (const std::string& remark : acceptance_remarks(model_, event))
-      out += "<div class=\"soft\">" + xml_escaped(remark) + "</div>";
-    return out;
-  }
-
-  [[nodiscard]] std::string finding_row(const Event& event) const {
-    const auto index = static_cast<std::size_t>(&event - model_.result->events.data());
-    const MoveVerdict& verdict = model_.result->verdicts[event.worst_move];
-    const Move& move = model_.toolpath->moves[event.worst_move];
-    const std::string state = state_name(event.state);
-    std::string depth = "-";
-    if (event.state == MoveState::gouge) depth = depth_text(verdict.depth_mm, unit_);
-    if (has_wide_depth(model_, verdict)) depth += " to " + depth_text(verdict.depth_upper_mm, unit_);
-    if (event.state == MoveState::near_miss) depth = depth_text(verdict.clearance_mm.value_or(0), unit_) + " left";
-    std::string against = against_name(event.against);
-    if (verdict.witness) against += " " + mesh_name(model_, *verdict.witness);
-    const std::string span = event.moves < 2 ? std::to_string(event.worst_move)
-                                             : std::to_string(event.first_move) + "-" + std::to_string(event.last_move);
-    return html_cell(std::to_string(numbers_[index]), "n") + "<td><span class=\"state " + state + "\">" + state +
-           "</span>" + acceptance(index) + "</td>" + html_cell(std::to_string(move.line), "n") + html_cell(depth, "n") +
-           html_cell(std::string(body_name(event.body)) + " " + tool_label(*model_.toolpath, event.tool)) +
-           html_cell(against) +
-           html_cell(verdict.witness ? point_text(verdict.witness->point, unit_) : std::string(), "k") +
-           html_cell(span, "n") + html_cell(operation_name(*model_.toolpath, move.operation)) + cures_cell(event) +
-           "<td class=\"k\">" + link(event) + "</td>";
-  }
-
-  [[nodiscard]] std::string cures_cell(const Event& event) const {
-    if (!model_.cure_options) return {};
-    const auto index = static_cast<std::size_t>(&event - model_.result->events.data());
-    const FindingCures* const cures = cures_of(model_, index);
-    return html_cell(cures != nullptr ? cure_text(model_, *cures) : std::string());
-  }
-
-  [[nodiscard]] std::string findings() const {
-    std::vector<const Event*> events;
-    for (const Event& event : model_.result->events) {
-      if (event.state != MoveState::not_checked && event.state != MoveState::not_certified) events.push_back(&event);
-    }
-    if (events.empty()) return {};
-    std::ranges::sort(events, {}, [&](const Event* event) {
-      return numbers_[static_cast<std::size_t>(event - model_.result->events.data())];
-    });
-    std::vector<HtmlColumn> columns = {{"No.", "n"},
-                                       {"State"},
-                                       {"Line", "n"},
-                                       {"Depth", "n"},
-                                       {"Body"},
-                                       {"Against"},
-                                       {"At, in " + std::string(unit_words(unit_))},
-                                       {"Moves", "n"},
-                                       {"Operation"}};
-    if (model_.cure_options) columns.push_back({"Cured by"});
-    columns.push_back({""});
-    HtmlTable table(columns);
-    for (const Event* event : events) table.has_room() ? table.add(finding_row(*event)) : table.skip();
-    return "<h2>Findings</h2>\n<p class=\"soft\">Neighbouring moves of one tool and body are one finding, the worst "
-           "first. Line, depth and position are those of its deepest move.</p>\n" +
-           table.html();
   }
 
   [[nodiscard]] std::string open_queries() const {
@@ -385,14 +312,14 @@ class HtmlReport {
 
   const ReportModel& model_;
   const std::vector<NamedFile>& pictures_;
+  const std::string& view_;
   LengthUnit unit_;
-  std::vector<std::size_t> numbers_;  // of findings
 };
 
 }  // namespace
 
-std::string write_html(const ReportModel& model, const std::vector<NamedFile>& pictures) {
-  return HtmlReport(model, pictures).build();
+std::string write_html(const ReportModel& model, const std::vector<NamedFile>& pictures, const std::string& view) {
+  return HtmlReport(model, pictures, view).build();
 }
 
 }  // namespace gouge

@@ -22,7 +22,9 @@ namespace gouge {
 /// the changes of a correction, what was not checked, inputs with checksums, options. Prints well on A4.
 /// Long tables show their worst rows and say how many more there are; the CSV and JSON have them all.
 /// `pictures` are PNG files named as by draw_report_pictures; event_N.png is linked from the findings.
-[[nodiscard]] std::string write_html(const ReportModel& model, const std::vector<NamedFile>& pictures);
+/// `view` is the 3D view (postproc/viewer), HTML that stands before the pictures; may be empty.
+[[nodiscard]] std::string write_html(const ReportModel& model, const std::vector<NamedFile>& pictures,
+                                     const std::string& view = {});
 
 /// The report as JSON: docs/formats/report_json.md, schema docs/formats/report.schema.json. Key order is
 /// fixed, lengths are in the toolpath's unit and read back exactly, text is UTF-8.

@@ -25,7 +25,7 @@ TEST(WriteHtml, ReportsVerdictGuaranteeFindingsAndWhatWasNotChecked) {
   EXPECT_NE(html.find("sha256:"), std::string::npos);
   EXPECT_NE(html.find("nowhere: its moves are not checked"), std::string::npos);
   EXPECT_EQ(count_of(html, "<table>"), count_of(html, "</table>"));
-  EXPECT_EQ(count_of(html, "<tr>"), count_of(html, "</tr>"));
+  EXPECT_EQ(count_of(html, "<tr>") + count_of(html, "<tr data-finding="), count_of(html, "</tr>"));
 }
 
 TEST(WriteHtml, NeedsNothingBesideIt) {
@@ -35,7 +35,8 @@ TEST(WriteHtml, NeedsNothingBesideIt) {
   EXPECT_NE(html.find("<a href=\"#event_1\">picture 1</a>"), std::string::npos);
   EXPECT_EQ(count_of(html, "src=\"http"), 0U);
   EXPECT_EQ(count_of(html, "<link"), 0U);
-  EXPECT_EQ(count_of(html, "<script"), 0U);
+  EXPECT_EQ(count_of(html, "<script>"), 1U);
+  EXPECT_EQ(count_of(html, "<script"), 1U);
 }
 
 TEST(WriteHtml, EscapesWhatFilesSay) {
@@ -43,7 +44,7 @@ TEST(WriteHtml, EscapesWhatFilesSay) {
   report.path.file = "<script>alert(1)</script>.apt";
   report.path.operations[0].name = "a\"b<c>";
   const std::string html = write_html(report.model, {});
-  EXPECT_EQ(count_of(html, "<script"), 0U);
+  EXPECT_EQ(count_of(html, "<script>alert"), 0U);
   EXPECT_NE(html.find("a&quot;b&lt;c&gt;"), std::string::npos);
 }
 

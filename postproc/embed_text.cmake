@@ -1,0 +1,17 @@
+# cmake -DOUT=x.cpp -DHEADER=x.h -DNAME=kName -DFILES="a.js b.js" -P embed_text.cmake: the files, one after the other, as
+# the string `gouge::NAME`, which HEADER declares. In pieces, as compilers limit the length of a literal.
+string(REPLACE " " ";" FILES "${FILES}")
+set(text "")
+foreach(file IN LISTS FILES)
+  file(READ ${file} one)
+  string(APPEND text "${one}")
+endforeach()
+string(LENGTH "${text}" size)
+set(pieces "")
+set(at 0)
+while(at LESS size)
+  string(SUBSTRING "${text}" ${at} 8000 piece)
+  string(APPEND pieces "R\"embedded(${piece})embedded\"\n")
+  math(EXPR at "${at} + 8000")
+endwhile()
+file(WRITE ${OUT} "#include \"${HEADER}\"\n\nnamespace gouge {\n\nconst std::string_view ${NAME} =\n${pieces};\n\n}  // namespace gouge\n")

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lib/base/result.h"
+
+namespace gouge {
+
+/// What a browser gets of a scene: a JSON text and numbers beside it, deflated as one and written as base64.
+///
+/// Before deflating: the bytes of the JSON text as a little-endian number of four bytes, the text, then the planes of
+/// numbers, one after the other. A plane is the lowest byte of each number, then the next of each: neighbours are alike
+/// then, which deflates well. The JSON names each run of planes by the byte at which it begins, its count and its width.
+class Payload {
+ public:
+  /// Numbers below 256^bytes as they are. Returns what the JSON says of them.
+  nlohmann::ordered_json add(std::span<const std::uint32_t> numbers, int bytes);
+  /// Each as its difference from the one `stride` before it, modulo 256^bytes: small ones are near 0 and near the top, and
+  /// are folded (0, -1, 1, -2, ...) to be small.
+  nlohmann::ordered_json add_differences(std::span<const std::uint32_t> numbers, int bytes);
+
+  /// base64 of the deflated whole. Errors: page-not-packed, where there is no memory for it.
+  [[nodiscard]] Result<std::string> text(const nlohmann::ordered_json& json) const;
+
+ private:
+  std::string planes_;
+};
+
+}  // namespace gouge

@@ -1,0 +1,187 @@
+#include "postproc/viewer/refine_surface.h"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "postproc/viewer/gouged_cells.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kLooks = 60'000;                      // points that are looked at
+constexpr std::size_t kMostTriangles = 150'000;        // that may be added
+constexpr double kFinest = 1.0 / 400, kCoarser = 1.4;  // of the parts' size; what follows where that is too many
+constexpr int kMostCuts = 24;                          // of a triangle, one in the other
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+Vec3 normal_of(const ViewerMesh& mesh, const Triangle& t) {
+  const Vec3 a = mesh.positions[t[0]];
+  return (mesh.positions[t[1]] - a).cross(mesh.positions[t[2]] - a);
+}
+
+double area_of(const ViewerMesh& mesh) {
+  double area = 0;
+  for (const Triangle& t : mesh.triangles) area += 0.5 * normal_of(mesh, t).norm();
+  return area;
+}
+
+/// Points spread over the surface, about `apart_mm` from each other; one at least in the middle of each triangle that is
+/// not far smaller.
+std::vector<SurfacePoint> spread_points(const ViewerMesh& mesh, double apart_mm) {
+  std::vector<SurfacePoint> points;
+  double skipped = 0;  // area of triangles without a point
+  for (const Triangle& t : mesh.triangles) {
+    std::array<Vec3, 3> p;
+    for (std::size_t k = 0; k < 3; ++k) p[k] = mesh.positions[t[k]];
+    const Vec3 square = (p[1] - p[0]).cross(p[2] - p[0]);
+    const double doubled = square.norm();
+    if (!(doubled > 0)) continue;
+    std::size_t longest = 0;
+    for (std::size_t k = 1; k < 3; ++k) {
+      if ((p[(k + 1) % 3] - p[k]).norm() > (p[(longest + 1) % 3] - p[longest]).norm()) longest = k;
+    }
+    std::rotate(p.begin(), p.begin() + static_cast<std::ptrdiff_t>(longest), p.end());
+    const double length = (p[1] - p[0]).norm(), height = doubled / length;
+    skipped += 0.5 * doubled;
+    if (length < apart_mm && skipped < 0.5 * apart_mm * apart_mm) continue;
+    skipped = 0;
+    const int along = std::max(1, static_cast<int>(length / apart_mm));
+    const int across = std::max(1, static_cast<int>(height / apart_mm));
+    for (int j = 0; j < across; ++j) {
+      const double v = across == 1 ? 1.0 / 3 : (j + 0.5) / across;
+      const int row = std::max(1, static_cast<int>(along * (1 - v) + 0.5));
+      for (int i = 0; i < row; ++i) {
+        const double u = (i + 0.5) / row * (1 - v);
+        points.push_back({p[0] + u * (p[1] - p[0]) + v * (p[2] - p[0]), square / doubled, mesh.mesh_of[t[0]]});
+      }
+    }
+  }
+  return points;
+}
+
+/// Cuts triangles in two to four until no edge near a gouge is longer than it should be.
+class Cutter {
+ public:
+  Cutter(const ViewerMesh& mesh, const GougedCells& cells, double finest_mm)
+      : out_(mesh), cells_(cells), finest_mm_(finest_mm) {
+    out_.triangles.clear();
+  }
+
+  /// False where it comes to too many.
+  bool run(const std::vector<Triangle>& triangles) {
+    for (const Triangle& t : triangles) {
+      cut(t, 0);
+      if (out_.triangles.size() > triangles.size() + kMostTriangles) return false;
+    }
+    return true;
+  }
+
+  ViewerMesh out_;
+
+ private:
+  static constexpr std::uint32_t kWhole = 0xFFFFFFFFU;
+
+  // The middle of an edge that is to be cut, else kWhole. Whether, is said by where it is alone.
+  std::uint32_t middle(std::uint32_t a, std::uint32_t b) {
+    const std::uint64_t key = std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+    const auto [found, is_new] = middles_.try_emplace(key, kWhole);
+    if (!is_new) return found->second;
+    const Vec3 at = 0.5 * (out_.positions[a] + out_.positions[b]);
+    const double length = (out_.positions[a] - out_.positions[b]).norm();
+    if (length <= finest_mm_ || !cells_.is_near(at, 0.6 * length)) return kWhole;
+    found->second = static_cast<std::uint32_t>(out_.positions.size());
+    const Eigen::Vector3f sum = out_.normals[a] + out_.normals[b];
+    out_.positions.push_back(at);
+    out_.normals.push_back(sum.norm() > 0 ? Eigen::Vector3f(sum.normalized()) : out_.normals[a]);
+    out_.mesh_of.push_back(out_.mesh_of[a]);
+    return found->second;
+  }
+
+  void cut(const Triangle& t, int depth) {
+    std::array<std::uint32_t, 3> m{kWhole, kWhole, kWhole};  // m[k]: between k and k + 1
+    int cuts = 0;
+    for (std::size_t k = 0; k < 3 && depth < kMostCuts; ++k) {
+      m[k] = middle(t[k], t[(k + 1) % 3]);
+      cuts += m[k] != kWhole ? 1 : 0;
+    }
+    if (cuts == 0) return out_.triangles.push_back(t);
+    if (out_.triangles.size() > kMostTriangles + 4'000'000) return;
+    const auto go = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) { cut({a, b, c}, depth + 1); };
+    if (cuts == 3) {
+      for (std::size_t k = 0; k < 3; ++k) go(t[k], m[k], m[(k + 2) % 3]);
+      return go(m[0], m[1], m[2]);
+    }
+    std::size_t k = 0;  // one cut: the edge that is cut; two: so that k and k + 1 are cut
+    while (m[k] == kWhole || (cuts == 2 && m[(k + 1) % 3] == kWhole)) ++k;
+    const std::uint32_t a = t[k], b = t[(k + 1) % 3], c = t[(k + 2) % 3];
+    if (cuts == 1) {
+      go(a, m[k], c);
+      return go(m[k], b, c);
+    }
+    go(m[k], b, m[(k + 1) % 3]);
+    go(a, m[k], m[(k + 1) % 3]);
+    go(a, m[(k + 1) % 3], c);
+  }
+
+  const GougedCells& cells_;
+  double finest_mm_;
+  std::unordered_map<std::uint64_t, std::uint32_t> middles_;
+};
+
+// At vertices a little inside of a triangle, as what is measured along the normal is nothing on a sharp edge.
+std::vector<SurfacePoint> vertex_points(const ViewerMesh& mesh, const std::vector<std::uint32_t>& vertices) {
+  constexpr double kInside = 0.02;
+  std::vector<std::uint32_t> owner(mesh.positions.size(), 0);
+  for (std::size_t t = mesh.triangles.size(); t-- > 0;) {
+    for (const std::uint32_t v : mesh.triangles[t]) owner[v] = static_cast<std::uint32_t>(t);
+  }
+  std::vector<SurfacePoint> points;
+  points.reserve(vertices.size());
+  for (const std::uint32_t v : vertices) {
+    const Triangle& t = mesh.triangles[owner[v]];
+    const Vec3 centre = (mesh.positions[t[0]] + mesh.positions[t[1]] + mesh.positions[t[2]]) / 3;
+    const Vec3 square = normal_of(mesh, t);
+    const double length = square.norm();
+    points.push_back({mesh.positions[v] + kInside * (centre - mesh.positions[v]),
+                      length > 0 ? Vec3(square / length) : mesh.normals[v].cast<double>(), mesh.mesh_of[v]});
+  }
+  return points;
+}
+
+}  // namespace
+
+VertexValues refine_surface(ViewerMesh& mesh, const std::vector<const SurfaceValues*>& paths,
+                            const std::vector<Vec3>& points, double size_mm) {
+  const double apart_mm = std::max(std::sqrt(area_of(mesh) / kLooks), 1e-6 * size_mm + 1e-9);
+  GougedCells cells(apart_mm);
+  for (const Vec3& point : points) cells.add(point);
+  const std::vector<SurfacePoint> looks = spread_points(mesh, apart_mm);
+  for (const SurfaceValues* path : paths) {
+    const std::vector<float> found = path->at(looks);
+    for (std::size_t i = 0; i < looks.size(); ++i) {
+      if (found[i] > 0) cells.add(looks[i].at);
+    }
+  }
+  for (double finest_mm = kFinest * size_mm; finest_mm < size_mm; finest_mm *= kCoarser) {
+    Cutter cutter(mesh, cells, finest_mm);
+    if (!cutter.run(mesh.triangles)) continue;
+    mesh = std::move(cutter.out_);
+    break;
+  }
+  std::vector<std::uint32_t> asked;
+  for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
+    if (cells.is_near(mesh.positions[v], apart_mm)) asked.push_back(v);
+  }
+  const std::vector<SurfacePoint> at = vertex_points(mesh, asked);
+  VertexValues values;
+  for (const SurfaceValues* path : paths) {
+    const std::vector<float> found = path->at(at);
+    values.emplace_back(mesh.positions.size(), 0.0F);
+    for (std::size_t i = 0; i < asked.size(); ++i) values.back()[asked[i]] = found[i];
+  }
+  return values;
+}
+
+}  // namespace gouge

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "postproc/image/colour_scale.h"
+#include "postproc/viewer/payload.h"
+#include "postproc/viewer/refine_surface.h"
+#include "postproc/viewer/viewer_path.h"
+
+// The parts of a scene as numbers of a Payload. Each returns what its JSON says of it: docs/formats/report_scene.md.
+
+namespace gouge {
+
+/// Positions in 16 bits an axis, on one grid for all three.
+[[nodiscard]] nlohmann::ordered_json write_mesh(Payload& payload, const ViewerMesh& mesh);
+
+/// Values as places on a colour scale, in 16 bits; 0 is untouched and nothing else is.
+[[nodiscard]] nlohmann::ordered_json write_values(Payload& payload, const std::vector<float>& values_mm,
+                                                  const ColourScale& scale);
+
+/// Stations with what each move says: line, tool, kind, state and depth.
+[[nodiscard]] nlohmann::ordered_json write_path(Payload& payload, const std::vector<Station>& stations,
+                                                const CheckedToolpath& input, const ColourScale& depths);
+
+}  // namespace gouge

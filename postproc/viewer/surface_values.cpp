@@ -1,0 +1,63 @@
+#include "postproc/viewer/surface_values.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <utility>
+
+namespace gouge {
+namespace {
+
+// Every third bit, from the lowest 21 of a number.
+std::uint64_t spread_bits(std::uint64_t x) {
+  x &= 0x1FFFFFU;
+  x = (x | x << 32) & 0x1F00000000FFFFU;
+  x = (x | x << 16) & 0x1F0000FF0000FFU;
+  x = (x | x << 8) & 0x100F00F00F00F00FU;
+  x = (x | x << 4) & 0x10C30C30C30C30C3U;
+  return (x | x << 2) & 0x1249249249249249U;
+}
+
+// Along Morton's curve through their box: fields are quick where neighbours in the list are neighbours in space.
+std::vector<std::uint32_t> in_space(const std::vector<SurfacePoint>& points) {
+  Box3 box;
+  for (const SurfacePoint& p : points) box.extend(p.at);
+  const double side = std::max(box.sizes().maxCoeff(), 1e-9);
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    std::uint64_t key = 0;
+    for (int axis = 0; axis < 3; ++axis)
+      key |= spread_bits(static_cast<std::uint64_t>((points[i].at[axis] - box.min()[axis]) / side * 0x1FFFFF)) << axis;
+    keys[i] = {key, static_cast<std::uint32_t>(i)};
+  }
+  std::sort(keys.begin(), keys.end());
+  std::vector<std::uint32_t> order(points.size());
+  std::transform(keys.begin(), keys.end(), order.begin(), [](const auto& key) { return key.second; });
+  return order;
+}
+
+}  // namespace
+
+SurfaceValues::SurfaceValues(const CheckedToolpath& input)
+    : parts_(input.scene->parts.size()), depths_(input), overcuts_(input, depths_) {}
+
+std::vector<float> SurfaceValues::at(const std::vector<SurfacePoint>& points) const {
+  std::vector<float> values(points.size(), 0.0F);
+  if (is_empty() || points.empty()) return values;
+  const std::vector<std::uint32_t> order = in_space(points);
+  std::vector<float> sorted;
+  if (is_overcut()) {
+    std::vector<OvercutField::Ray> rays;
+    rays.reserve(points.size());
+    for (const std::uint32_t i : order) rays.push_back({points[i].at, -points[i].normal, points[i].mesh});
+    sorted = overcuts_.at(rays);
+  } else {
+    std::vector<FieldPoint> asked;
+    asked.reserve(points.size());
+    for (const std::uint32_t i : order) asked.push_back({points[i].at, points[i].mesh >= parts_});
+    sorted = depths_.depth_at(asked);
+  }
+  for (std::size_t k = 0; k < order.size(); ++k) values[order[k]] = sorted[k];
+  return values;
+}
+
+}  // namespace gouge

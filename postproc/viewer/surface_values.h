@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/field/overcut_field.h"
+
+namespace gouge {
+
+/// A point of the surface that a colour is wanted for.
+struct SurfacePoint {
+  Vec3 at = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();  ///< outward, unit
+  std::size_t mesh = 0;         ///< among parts, then fixtures
+};
+
+/// What colours the surface in the pictures of one path, at any point: the overcut, or the depth where no move has one.
+class SurfaceValues {
+ public:
+  /// `input` and what it points at must outlive it.
+  explicit SurfaceValues(const CheckedToolpath& input);
+
+  [[nodiscard]] bool is_overcut() const { return !overcuts_.is_empty(); }
+  [[nodiscard]] bool is_empty() const { return depths_.is_empty(); }
+  /// mm; 0 where nothing gouges. Quick for any order of the points.
+  [[nodiscard]] std::vector<float> at(const std::vector<SurfacePoint>& points) const;
+
+ private:
+  std::size_t parts_;
+  DepthField depths_;
+  OvercutField overcuts_;
+};
+
+}  // namespace gouge

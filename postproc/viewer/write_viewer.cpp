@@ -1,0 +1,164 @@
+#include "postproc/viewer/write_viewer.h"
+
+#include <algorithm>
+
+#include "postproc/image/gouge_witnesses.h"
+#include "postproc/image/heat_map.h"
+#include "postproc/image/report_scales.h"
+#include "postproc/image/tool_outline.h"
+#include "postproc/report/html_table.h"
+#include "postproc/report/report_text.h"
+#include "postproc/viewer/finding_texts.h"
+#include "postproc/viewer/scene_writer.h"
+#include "postproc/viewer/viewer_page.h"
+
+namespace gouge {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::size_t kMostStations = 200'000;  // moves of a path that are shown
+constexpr std::size_t kMostPoints = 2000;       // gouged ones that are known beforehand
+
+Json colour_json(const Colour& c) { return {c.r, c.g, c.b}; }
+
+Json scale_json(const ColourScale& scale, LengthUnit unit, const std::string& title) {
+  Json ticks = Json::array(), ramp = Json::array();
+  for (const Tick& tick : make_ticks(scale, unit, 0.12)) ticks.push_back({scale.place(tick.depth_mm), tick.text});
+  for (int k = 0; k <= 32; ++k) ramp.push_back(colour_json(scale.at(scale.depth_at(k / 32.0))));
+  return {{"title", title},
+          {"low", scale.low_mm},
+          {"high", scale.high_mm},
+          {"root", scale.is_root},
+          {"start", scale.place(scale.low_mm)},
+          {"ramp", ramp},
+          {"ticks", ticks}};
+}
+
+Json tools_json(const ReportModel& model, const CheckedToolpath& input) {
+  Json out = Json::array();
+  for (std::size_t i = 0; i < input.tools.size(); ++i) {
+    Json runs = Json::array();
+    if (input.tools[i] != nullptr) {
+      for (const OutlineRun& run : tool_outline(input.tools[i]->bare)) {
+        Json points = Json::array();
+        for (const Vec2& p : run.points)
+          points.insert(points.end(), {std::round(p.x() * 1e5) / 1e5, std::round(p.y() * 1e5) / 1e5});
+        runs.push_back({{"body", static_cast<int>(run.body)}, {"points", points}});
+      }
+    }
+    out.push_back({{"label", valid_utf8(tool_label(*model.toolpath, i))}, {"runs", runs}});
+  }
+  return out;
+}
+
+Json vector_json(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
+
+class ViewerWriter {
+ public:
+  ViewerWriter(const ReportModel& model, const CheckedToolpath& input, const CheckedToolpath& before)
+      : model_(model), input_(input), scene_(*input.prepared), scale_(surface_scale(model, input)) {
+    paths_.push_back(&input);
+    if (model.has_correction && before.toolpath != nullptr && before.result != nullptr) paths_.push_back(&before);
+  }
+
+  [[nodiscard]] bool has_scene() const { return scene_.face_count() > 0; }
+
+  Result<std::string> run() {
+    const LengthUnit unit = model_.toolpath->unit;
+    write_surface();
+    Json tools = tools_json(model_, input_);
+    json_["unit"] = {{"name", unit_name(unit)}, {"mm", mm_per(unit)}};
+    json_["scale"] = scale_json(scale_, unit, is_overcut_ ? "Overcut" : "Gouge depth");
+    json_["depths"] = scale_json(depth_scale(model_, input_), unit, "Depth of the move");
+    json_["bodies"] = {colour_json(body_colour(0)), colour_json(body_colour(1)), colour_json(body_colour(2)),
+                       colour_json(body_colour(3))};
+    json_["greys"] = {colour_json(kPartGrey), colour_json(kFixtureGrey)};
+    json_["tools"] = tools;
+    write_heads();
+    write_paths();
+    json_["findings"] = finding_texts(model_, input_, HtmlTable::kMostRows);
+    json_["view"] = first_view();
+    return payload_.text(json_);
+  }
+
+ private:
+  void write_surface() {
+    ViewerMesh mesh = ViewerMesh::from(scene_);
+    std::vector<std::unique_ptr<SurfaceValues>> fields;
+    std::vector<const SurfaceValues*> asked;
+    std::vector<Vec3> points;
+    for (const CheckedToolpath* path : paths_) {
+      asked.push_back(fields.emplace_back(std::make_unique<SurfaceValues>(*path)).get());
+      for (const GougeWitness& gouge : gouge_witnesses(*path, kMostPoints)) points.push_back(gouge.at);
+    }
+    is_overcut_ = fields.front()->is_overcut() || fields.back()->is_overcut();
+    const VertexValues values = refine_surface(mesh, asked, points, scene_.part_size_mm());
+    json_["surface"] = write_mesh(payload_, mesh);
+    Json by_path = Json::array();
+    for (const std::vector<float>& of_path : values) by_path.push_back(write_values(payload_, of_path, scale_));
+    json_["surface"]["values"] = by_path;
+    json_["surface"]["meshes"] = meshes_json(mesh);
+  }
+
+  // Name, kind, and how many triangles, in their order.
+  [[nodiscard]] Json meshes_json(const ViewerMesh& mesh) const {
+    std::vector<std::size_t> counts(model_.parts.size() + model_.fixtures.size(), 0);
+    for (const auto& t : mesh.triangles) ++counts[mesh.mesh_of[t[0]]];
+    Json out = Json::array();
+    for (std::size_t m = 0; m < counts.size(); ++m) {
+      const bool is_part = m < model_.parts.size();
+      const MeshFacts& facts = is_part ? model_.parts[m] : model_.fixtures[m - model_.parts.size()];
+      out.push_back(
+          {{"name", valid_utf8(facts.name)}, {"part", is_part}, {"closed", facts.is_closed}, {"triangles", counts[m]}});
+    }
+    return out;
+  }
+
+  void write_heads() {
+    if (input_.heads.empty()) return;
+    const PictureScene heads(input_.heads, RigidTransform{});
+    json_["heads"] = write_mesh(payload_, ViewerMesh::from(heads));
+  }
+
+  void write_paths() {
+    Json out = Json::array();
+    const double error_mm = scene_.part_size_mm() / 2000;
+    for (const CheckedToolpath* path : paths_) {
+      Json one = write_path(payload_, stations_of(*path, error_mm, kMostStations), *path, depth_scale(model_, input_));
+      one["name"] = paths_.size() == 1 ? "" : path == &input_ ? "After" : "Before";
+      one["moves_of_path"] = path->toolpath->moves.size();
+      out.push_back(one);
+    }
+    json_["paths"] = out;
+  }
+
+  // As the heat map's first.
+  [[nodiscard]] Json first_view() const {
+    const std::vector<PictureEvent> events = worst_events(input_, kEventsOfReport);
+    return vector_json(choose_directions(input_, scene_, events, 1).front());
+  }
+
+  const ReportModel& model_;
+  const CheckedToolpath& input_;
+  PictureScene scene_;
+  ColourScale scale_;
+  std::vector<const CheckedToolpath*> paths_;
+  Payload payload_;
+  Json json_;
+  bool is_overcut_ = false;
+};
+
+}  // namespace
+
+Result<std::string> write_viewer(const ReportModel& model, const CheckedToolpath& input, const CheckedToolpath& before,
+                                 const ProgressCall& progress) {
+  if (progress) progress("drawing the 3D view", 0, 1);
+  ViewerWriter writer(model, input, before);
+  if (!writer.has_scene()) return std::string();
+  const Result<std::string> scene = writer.run();
+  if (!scene) return scene.error();
+  return viewer_page(*scene);
+}
+
+}  // namespace gouge
