@@ -9,6 +9,7 @@
 #include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
 #include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/report/report_text.h"
 #include "toolmodels/compile_tool.h"
 
 namespace gouge {
@@ -149,6 +150,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   ReportModel model;
   model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   model.inputs = inputs;
+  if (arguments.project) model.inputs.push_back(arguments.project->input);
   model.options = options.check;
   if (!arguments.place.empty()) model.more_options.push_back({"place", arguments.place});
   if (!arguments.stl_units.empty()) model.more_options.push_back({"stl-units", arguments.stl_units});
@@ -167,6 +169,8 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.heads = files->head_facts;
   model.tools = tool_facts;
   model.notes = notes;
+  if (arguments.project)
+    model.notes.push_back(make_note(kProjectFile, arguments.project->summary, arguments.project->input.name));
   model.closeness = measure_closeness(path, tools(), prepared, result.verdicts, options.check.threads);
   const bool is_known = std::ranges::any_of(notes, [](const Diagnostic& note) { return note.code == kSceneMisplaced; });
   if (is_known) return model;
