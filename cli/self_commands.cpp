@@ -73,7 +73,8 @@ int run_self_command(const CLI::App& app, const SelfArguments& arguments, std::o
   if (app.got_subcommand("man")) {
     out << write_man(document(**command));
   } else {
-    out << (*command)->help(document(**command).name);
+    // Not help() of the command: that prints the help of the one that was parsed, which is this one.
+    out << app.get_formatter()->make_help(*command, document(**command).name, CLI::AppFormatMode::Normal);
   }
   return kExitClean;
 }
