@@ -70,7 +70,7 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
 void take_words(const CLI::App& command, BatchArguments& arguments) {
   constexpr std::string_view kOwn[] = {"output",   "jobs",   "resume",  "fresh", "dry-run", "no-reports",
                                        "stop-on",  "memory", "shard",   "watch", "force",   "threads",
-                                       "progress", "quiet",  "verbose", "help"};
+                                       "progress", "quiet",  "verbose", "color", "help"};
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || option->get_lnames().empty()) continue;
     const std::string& name = option->get_lnames().front();

@@ -39,6 +39,7 @@ void add_check_options(CLI::App& command, CheckArguments& check) {
   JobArguments& arguments = check.job;
   add_job_options(command, arguments);
   add_baseline_option(command, arguments.baseline_file);
+  command.option_defaults()->group("Check");
   command.add_flag("--find-cures", check.finds_cures,
                    "Find for every gouge of shank, holder or head the tilt and the least lift that free it");
   CLI::Option* const finds = command.add_flag(
@@ -52,8 +53,10 @@ void add_check_options(CLI::App& command, CheckArguments& check) {
       ->type_name("LENGTH")
       ->capture_default_str()
       ->needs(finds);
-  command.add_flag("--force", arguments.is_forced,
-                   "Let --report replace and remove files of a report's names that no report wrote, never an input");
+  command
+      .add_flag("--force", arguments.is_forced,
+                "Let --report replace and remove files of a report's names that no report wrote, never an input")
+      ->group(kOutputGroup);
   command.footer(
       "Example:\n"
       "  gougecheck check finish.apt --part part.stl --tools tools.json --report out\n\n"

@@ -181,11 +181,13 @@ std::string strategies_text(const CorrectArguments& arguments) {
 
 void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
   add_job_options(command, arguments.job);
+  command.option_defaults()->group("Correction");
   command
       .add_option("-o,--output", arguments.output,
                   "The corrected toolpath, in the same dialect (- for standard output alone)")
       ->type_name("FILE")
-      ->required();
+      ->required()
+      ->group(kOutputGroup);
   command
       .add_option(
           "--strategy", arguments.strategies,
@@ -214,9 +216,11 @@ void add_correct_options(CLI::App& command, CorrectArguments& arguments) {
       .add_option("--max-rotary-speed", arguments.max_rotary_speed,
                   "Report the feed time also for an axis that turns no faster; it changes no correction")
       ->type_name("DEG/MIN");
-  command.add_flag("--force", arguments.job.is_forced,
-                   "Correct also a path that plainly does not fit the part (units, placement, axis sign); let --report "
-                   "replace and remove files of a report's names that no report wrote, never an input");
+  command
+      .add_flag("--force", arguments.job.is_forced,
+                "Correct also a path that plainly does not fit the part (units, placement, axis sign); let --report "
+                "replace and remove files of a report's names that no report wrote, never an input")
+      ->group(kOutputGroup);
   command.footer(
       "Example:\n"
       "  gougecheck correct finish.apt --part part.stl --tools tools.json -o out.apt\n\n"

@@ -2,6 +2,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/command_doc.h"
+
 namespace gouge {
 namespace {
 
@@ -19,7 +21,9 @@ std::string paragraph(const std::string& text) { return text.empty() ? text : wr
 class HelpFormatter : public CLI::Formatter {
  public:
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
-    return row(make_option_name(option, is_positional) + make_option_opts(option), make_option_desc(option));
+    const OptionDoc doc = document(*option);
+    const std::string value = is_positional || doc.value.empty() ? "" : " " + doc.value;
+    return row(listed(doc.names) + value, doc.full_description());
   }
   std::string make_subcommand(const CLI::App* command) const override {
     return row(command->get_name(), command->get_description());

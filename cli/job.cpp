@@ -10,6 +10,7 @@
 #include "lib/check/reach.h"
 #include "lib/check/scene_reach.h"
 #include "postproc/cldata/reading/read_toolpath.h"
+#include "postproc/report/report_text.h"
 #include "toolmodels/compile_tool.h"
 
 namespace gouge {
@@ -158,6 +159,7 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   model.sign_off = {options.date, arguments.command, arguments.project, arguments.reviewer};
   model.inputs = inputs;
+  if (arguments.project_file) model.inputs.push_back(arguments.project_file->input);
   model.options = options.check;
   model.placement = placement_identity(options.place, stl_unit(arguments));
   if (!arguments.place.empty()) model.more_options.push_back({"place", arguments.place});
@@ -177,6 +179,8 @@ ReportModel Job::report(const JobArguments& arguments, const Toolpath& path, con
   model.heads = files->head_facts;
   model.tools = tool_facts;
   model.notes = notes;
+  if (arguments.project_file)
+    model.notes.push_back(make_note(kProjectFile, arguments.project_file->summary, arguments.project_file->input.name));
   model.closeness = measure_closeness(path, tools(), prepared, result.verdicts, options.check.threads);
   const bool is_known = std::ranges::any_of(notes, [](const Diagnostic& note) { return note.code == kSceneMisplaced; });
   if (is_known) return model;

@@ -17,6 +17,7 @@ void add_path(CLI::App& command, JobArguments& a) {
 }
 
 void add_input_options(CLI::App& command, JobArguments& a, bool needs_part) {
+  command.option_defaults()->group("Input");
   add_reading_options(command, a.reading);
   command.add_option("--part", a.parts, "Finished part that must not be cut into (STL; repeatable)")
       ->type_name("FILE")
@@ -36,10 +37,7 @@ void add_input_options(CLI::App& command, JobArguments& a, bool needs_part) {
                   "STL in the tool's frame, tip at 0,0,0, z to the spindle; repeatable)")
       ->type_name("FILE")
       ->allow_extra_args(false);
-  command.add_option("--place", a.place, "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z")
-      ->type_name("X,Y,Z");
-  command.add_option("--stl-units", a.stl_units, "Unit of the STL files (default: the toolpath's)")
-      ->check(CLI::IsMember(unit_words()));
+  add_placement_options(command, a.place, a.stl_units);
   command.add_option("--tools", a.tools_file, "Tool library (JSON); tools it lacks come from CUTTER or TLDATA")
       ->type_name("FILE");
   command
@@ -55,6 +53,7 @@ void add_input_options(CLI::App& command, JobArguments& a, bool needs_part) {
 }
 
 void add_check_options(CLI::App& command, JobArguments& a) {
+  command.option_defaults()->group("Check");
   command.add_option("--tolerance", a.tolerance, "Depth a move may have, against parts and fixtures alike")
       ->type_name("LENGTH")
       ->capture_default_str();
@@ -83,6 +82,7 @@ void add_sign_off(CLI::App& command, JobArguments& a) {
 }
 
 void add_output_options(CLI::App& command, JobArguments& a) {
+  command.option_defaults()->group(kOutputGroup);
   command
       .add_option("--report", a.report_folder,
                   "Folder for the report: report.html, pictures, JSON and CSV; an older report there is replaced, "
@@ -94,11 +94,21 @@ void add_output_options(CLI::App& command, JobArguments& a) {
       ->type_name("FILE");
   command.add_option("--sarif", a.sarif_file, "Write SARIF 2.1.0 for code review tools")->type_name("FILE");
   command.add_option("--junit", a.junit_file, "Write JUnit XML for build servers")->type_name("FILE");
+  add_listing_options(command, a.listing);
   add_progress_option(command, a.progress);
-  add_verbosity(command, a, "Print notes of all inputs, what the check spent and its peak memory (not with -q)");
+  add_verbosity(command, a,
+                "Print under each finding its statement, notes of all inputs, what the check spent and its peak memory "
+                "(not with -q)");
 }
 
 }  // namespace
+
+void add_placement_options(CLI::App& command, std::string& place, std::string& stl_units) {
+  command.add_option("--place", place, "Place the STL files: x,y,z[,rx,ry,rz], degrees about fixed X, Y, Z")
+      ->type_name("X,Y,Z");
+  command.add_option("--stl-units", stl_units, "Unit of the STL files (default: the toolpath's)")
+      ->check(CLI::IsMember(unit_words()));
+}
 
 void add_threads_option(CLI::App& command, std::uint32_t& threads) {
   command.add_option("--threads", threads, "Threads to use at most, up to 1024 (0: all; 1: none is started)")
@@ -108,7 +118,8 @@ void add_threads_option(CLI::App& command, std::uint32_t& threads) {
 void add_progress_option(CLI::App& command, std::string& progress) {
   command.add_option("--progress", progress, "Show progress on standard error")
       ->check(CLI::IsMember({"auto", "always", "never"}))
-      ->capture_default_str();
+      ->capture_default_str()
+      ->group(kTerminalGroup);
 }
 
 void add_common_job_options(CLI::App& command, JobArguments& arguments, bool needs_part) {
@@ -155,6 +166,7 @@ Result<JobOptions> understand(const JobArguments& a) {
     if (!value) return value.error();
     length.value = *value;
   }
+  if (const Result<FindingsView> view = understand(a.listing); !view) return view.error();
   if (const auto error = find_contradiction(a)) return *error;
   if (a.report_folder == "-") return usage_error("--report", a.report_folder, "a folder");
   if (!a.clearance.empty()) {

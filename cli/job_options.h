@@ -1,21 +1,30 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/listing_options.h"
 #include "cli/print_diagnostics.h"
 #include "cli/progress.h"
 #include "cli/reading_options.h"
 #include "lib/base/result.h"
 #include "lib/check/check_options.h"
 #include "lib/geom/rigid_transform.h"
+#include "postproc/report/report_model.h"
 
 namespace CLI {
 class App;
 }
 
 namespace gouge {
+
+/// The project file some of the options come from.
+struct ProjectUse {
+  InputFile input;      ///< the file, for reports
+  std::string summary;  ///< "part, tools and tolerance 0.02 come from ../gougecheck.json"
+};
 
 /// The options common to `check` and `correct`, as typed.
 struct JobArguments : Verbosity {
@@ -32,6 +41,8 @@ struct JobArguments : Verbosity {
   std::uint32_t threads = 0;
   std::string baseline_file;  ///< of `check`: findings that were accepted
   std::string report_folder, json_file, csv_file, sarif_file, junit_file;
+  ListingArguments listing;
+  std::optional<ProjectUse> project_file;  ///< none: no project file was used
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;
   bool is_extended_up = false;
@@ -51,6 +62,10 @@ struct JobOptions {
 void add_job_options(CLI::App& command, JobArguments& arguments);
 /// Of these what says how one path is checked: all but PATH itself and outputs, for commands that check many.
 void add_common_job_options(CLI::App& command, JobArguments& arguments, bool needs_part);
+/// The group of options that name outputs or say what they may replace.
+inline constexpr const char* kOutputGroup = "Output";
+/// --place and --stl-units, of commands that read meshes beside a toolpath.
+void add_placement_options(CLI::App& command, std::string& place, std::string& stl_units);
 /// --threads and --progress, as every command has them that may take long.
 void add_threads_option(CLI::App& command, std::uint32_t& threads);
 void add_progress_option(CLI::App& command, std::string& progress);

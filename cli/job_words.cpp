@@ -34,13 +34,14 @@ struct CommandParser {
   CorrectArguments correct;
 };
 
-// One for each command, as making one costs more than a small job list.
-const CLI::App& table_of(const std::string& command) {
-  static const CommandParser check("check"), correct("correct");
-  return (command == "check" ? check : correct).command();
+std::optional<std::string> why_not_in_job(const CLI::Option& option) {
+  const std::string& name = option.get_lnames().front();
+  if (std::ranges::find(kOfBatch, name) != std::end(kOfBatch))
+    return "is an option of the batch, not of a job; say it on the command line";
+  if (option.get_group() == kTerminalGroup)
+    return "says what is printed on a terminal; expected an option of the check";
+  return std::nullopt;
 }
-
-Diagnostic wrong(const std::string& message) { return make_error("jobs-option", message); }
 
 std::string kind_of(const nlohmann::json& value) {
   if (value.is_object()) return "an object";
@@ -49,19 +50,32 @@ std::string kind_of(const nlohmann::json& value) {
   return value.is_boolean() ? "true or false" : value.is_string() ? "a text" : "a number";
 }
 
-Diagnostic unknown(const std::string& command, const std::string& key) {
+}  // namespace
+
+const WordRules& job_rules() {
+  static const WordRules rules{"jobs-option", why_not_in_job};
+  return rules;
+}
+
+// One for each command, as making one costs more than a small job list.
+const CLI::App& option_table(const std::string& command) {
+  static const CommandParser check("check"), correct("correct");
+  return (command == "check" ? check : correct).command();
+}
+
+Diagnostic JobWords::wrong(const std::string& message) const { return make_error(rules_->error_code, message); }
+
+Diagnostic JobWords::unknown(const std::string& key) const {
   std::vector<std::string> names;
-  for (const CLI::Option* option : table_of(command).get_options()) {
+  for (const CLI::Option* option : option_table(command_).get_options()) {
     for (const std::string& name : option->get_lnames()) {
-      if (name != "help") names.push_back(name);
+      if (name != "help" && !rules_->why_not(*option)) names.push_back(name);
     }
   }
   const std::string nearest = nearest_name(key, names);
-  return wrong("\"" + key + "\" is no option of " + command + "; expected the long name of one without its --" +
-               (nearest.empty() ? "; see gougecheck " + command + " --help" : "; did you mean \"" + nearest + "\"?"));
+  return wrong("\"" + key + "\" is no option of " + command_ + "; expected the long name of one without its --" +
+               (nearest.empty() ? "; see gougecheck " + command_ + " --help" : "; did you mean \"" + nearest + "\"?"));
 }
-
-}  // namespace
 
 std::string JobWords::located(const std::string& file) const {
   if (folder_.empty() || file.empty() || file.front() == '/') return file;
@@ -69,10 +83,10 @@ std::string JobWords::located(const std::string& file) const {
 }
 
 Outcome JobWords::add(const std::string& key, const nlohmann::json& value) {
-  if (std::ranges::find(kOfBatch, key) != std::end(kOfBatch))
-    return wrong("\"" + key + "\" is an option of the batch, not of a job; say it on the command line");
-  const CLI::Option* option = table_of(command_).get_option_no_throw("--" + key);
-  if (option == nullptr || key == "help") return unknown(command_, key);
+  const CLI::Option* option = option_table(command_).get_option_no_throw("--" + key);
+  if (option == nullptr || key == "help") return unknown(key);
+  if (const auto reason = rules_->why_not(*option)) return wrong("\"" + key + "\" " + *reason);
+  if (value.is_object() && option->get_type_name() == "BODY=LENGTH") return add_by_body(key, value);
   const bool is_flag = option->get_items_expected_max() == 0;
   if (is_flag) {
     if (!value.is_boolean()) return wrong("\"" + key + "\" is " + kind_of(value) + "; expected true or false");
@@ -97,6 +111,18 @@ Outcome JobWords::add(const std::string& key, const nlohmann::json& value) {
   if (text == "-" && type == "FILE")
     return wrong("\"" + key + "\" is -; expected a file: standard output is the batch's");
   words_.push_back("--" + key + "=" + (is_file ? located(text) : text));
+  return Done{};
+}
+
+Outcome JobWords::add_by_body(const std::string& key, const nlohmann::json& value) {
+  std::string text;
+  for (const auto& [body, length] : value.items()) {
+    if (!length.is_string() && !length.is_number())
+      return wrong("\"" + key + "\" of \"" + body + "\" is " + kind_of(length) + "; expected a length");
+    text += (text.empty() ? "" : ",") + body + "=" + (length.is_string() ? length.get<std::string>() : length.dump());
+  }
+  if (text.empty()) return wrong("\"" + key + "\" is an empty object; expected {\"holder\": 1}, or leave it out");
+  words_.push_back("--" + key + "=" + text);
   return Done{};
 }
 

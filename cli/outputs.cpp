@@ -8,6 +8,7 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 #include "postproc/image/report_pictures.h"
+#include "postproc/report/report_text.h"
 #include "postproc/report/write_report.h"
 #include "postproc/viewer/write_viewer.h"
 
@@ -58,6 +59,10 @@ bool JobOutputs::write(const Job& job, const PreparedScene& scene, const ReportM
   if (!written) print(err, {written.error()});
   if (written && report_ && !arguments_.is_quiet) print(err, missing_letters(model));
   print_findings(model, written.has_value(), out);
+  const Result<bool> taken = is_stdout_taken(outputs_);
+  const bool is_silent = arguments_.is_quiet || !taken || *taken;
+  if (is_silent && !arguments_.is_verbose && arguments_.project_file)
+    print(err, {make_note(kProjectFile, arguments_.project_file->summary, arguments_.project_file->input.name)});
   return written.has_value();
 }
 
@@ -102,7 +107,7 @@ void JobOutputs::print_findings(const ReportModel& model, bool is_written, std::
   if (arguments_.is_quiet || !taken || *taken) return;
   ReportModel reported = model;
   if (!is_written) reported.correction.output_file.clear();
-  out << findings_text(reported);
+  out << findings_text(reported, view_on(out, arguments_.listing, arguments_.is_verbose));
   if (is_written && report_) out << "report: " << printable(report_folder_of(outputs_)) << "/report.html\n";
 }
 

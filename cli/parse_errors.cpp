@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "cli/command_doc.h"
 #include "cli/help_text.h"
 #include "postproc/report/report_model.h"
 
@@ -93,13 +94,6 @@ class Command {
       if (type == name) return kind;
     }
     return type;
-  }
-
-  // Those of "TEXT:{straight,dogleg,skip}".
-  [[nodiscard]] static std::vector<std::string> choices_in(const std::string& text) {
-    const std::size_t open = text.rfind('{'), close = text.rfind('}');
-    if (open == std::string::npos || close == std::string::npos || open > close) return {};
-    return CLI::detail::split(text.substr(open + 1, close - open - 1), ',');
   }
 
   [[nodiscard]] std::string see_help() const { return "; see " + name_ + " --help"; }

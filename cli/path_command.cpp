@@ -4,10 +4,14 @@
 #include <ostream>
 #include <utility>
 
+#include "cli/job_options.h"
+#include "cli/length_text.h"
 #include "cli/output_file.h"
 #include "cli/path_info_text.h"
 #include "cli/picture_file.h"
 #include "cli/print_diagnostics.h"
+#include "cli/progress.h"
+#include "cli/scene_files.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/files.h"
 #include "postproc/cldata/writing/write_toolpath.h"
@@ -37,10 +41,17 @@ int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostre
   return outcome ? kExitClean : fail(err, {outcome.error()}, kExitInternal);
 }
 
-int run_plot(const PathArguments& arguments, const Toolpath& path, bool is_svg, std::ostream& err) {
+int run_plot(const PathArguments& arguments, const RigidTransform& place, const Toolpath& path, bool is_svg,
+             std::ostream& err) {
   print(err, path.notes);
+  const LengthUnit unit = unit_called(arguments.stl_units).value_or(path.unit);
+  Progress progress(err, ProgressMode::automatic);
+  const auto scene =
+      load_scene({arguments.parts, {}, {}, unit, place, arguments.place, arguments.input.most_bytes, 0}, progress);
+  progress.end();
+  if (!scene->errors.empty()) return fail(err, scene->errors);
   if (!is_svg) print(err, find_missing_letters(path));
-  const Result<std::string> picture = plot_path(path, is_svg);
+  const Result<std::string> picture = plot_path(path, scene->scene.parts, is_svg);
   if (!picture) return fail(err, {picture.error()}, kExitInternal);
   const Outcome outcome = write_file(arguments.output, *picture);
   return outcome ? kExitClean : fail(err, {outcome.error()}, kExitInternal);
@@ -92,7 +103,11 @@ void add_path_options(CLI::App& command, PathArguments& arguments) {
 
   CLI::App& plot = add_command(command, arguments, "plot", "Draw the toolpath from the front, from above and askew");
   plot.add_option("-o,--output", arguments.output, "The picture: .png or .svg")->type_name("FILE")->required();
-  plot.footer("Example:\n  gougecheck path plot finish.apt -o finish.png\n\n" + std::string(kStatus));
+  plot.add_option("--part", arguments.parts, "Draw this part behind the path (STL; repeatable)")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
+  add_placement_options(plot, arguments.place, arguments.stl_units);
+  plot.footer("Example:\n  gougecheck path plot finish.apt --part part.stl -o finish.png\n\n" + std::string(kStatus));
 }
 
 int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& err) {
@@ -101,8 +116,13 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   const bool is_plot = !arguments.is_info && !arguments.is_convert;
   const Result<bool> is_svg = is_plot ? is_svg_file(arguments.output) : false;
   if (!is_svg) return fail(err, {is_svg.error()});
-  if (const auto status = refuse_outputs({{"the toolpath", arguments.path}},
-                                         asked_for({{"-o", arguments.output}, {"--json", arguments.json_file}}), err))
+  const Result<RigidTransform> place =
+      arguments.place.empty() ? RigidTransform{} : understand_place("--place", arguments.place);
+  if (!place) return fail(err, {place.error()});
+  std::vector<InputOption> inputs = {{"the toolpath", arguments.path}};
+  for (const std::string& part : arguments.parts) inputs.push_back({"--part", part});
+  if (const auto status =
+          refuse_outputs(inputs, asked_for({{"-o", arguments.output}, {"--json", arguments.json_file}}), err))
     return *status;
   Result<std::string> bytes = read_file(arguments.path, arguments.input.most_bytes);
   if (!bytes) return fail(err, {bytes.error()});
@@ -110,7 +130,7 @@ int run_path(const PathArguments& arguments, std::ostream& out, std::ostream& er
   if (!outcome.toolpath) return fail(err, outcome.errors);
   if (arguments.is_info) return run_info(arguments, *outcome.toolpath, out, err);
   if (arguments.is_convert) return run_convert(arguments, *outcome.toolpath, out, err);
-  return run_plot(arguments, *outcome.toolpath, *is_svg, err);
+  return run_plot(arguments, *place, *outcome.toolpath, *is_svg, err);
 }
 
 }  // namespace gouge

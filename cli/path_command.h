@@ -2,6 +2,7 @@
 
 #include <iosfwd>
 #include <string>
+#include <vector>
 
 #include "cli/reading_options.h"
 
@@ -16,7 +17,9 @@ struct PathArguments {
   ReadingArguments reading;
   InputLimit input;
   std::string json_file;
-  std::string output, to;  ///< convert and plot
+  std::string output, to;          ///< convert and plot
+  std::vector<std::string> parts;  ///< plot
+  std::string place, stl_units;
   bool is_info = false, is_convert = false;
 };
 

@@ -7,12 +7,15 @@
 #include <ostream>
 #include <string>
 
+#include "cli/listing_options.h"
+#include "cli/terminal.h"
 #include "lib/base/exit_code.h"
+#include "lib/base/paint.h"
 
 namespace gouge {
 void add_verbosity(CLI::App& command, Verbosity& verbosity, const std::string& on_verbose) {
-  command.add_flag("-q,--quiet", verbosity.is_quiet, "Print no findings, only errors");
-  command.add_flag("-v,--verbose", verbosity.is_verbose, on_verbose);
+  command.add_flag("-q,--quiet", verbosity.is_quiet, "Print no findings, only errors")->group(kTerminalGroup);
+  command.add_flag("-v,--verbose", verbosity.is_verbose, on_verbose)->group(kTerminalGroup);
 }
 
 std::optional<Diagnostic> find_contradiction(const Verbosity& verbosity) {
@@ -21,7 +24,7 @@ std::optional<Diagnostic> find_contradiction(const Verbosity& verbosity) {
 }
 
 void print(std::ostream& err, const Diagnostics& diagnostics) {
-  for (const Diagnostic& d : diagnostics) err << to_text(d) << "\n";
+  for (const Diagnostic& d : diagnostics) err << (is_coloured(err) ? painted_text(d) : to_text(d)) << "\n";
 }
 
 void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& verbosity) {
@@ -30,7 +33,7 @@ void print_notes(std::ostream& err, const Diagnostics& notes, const Verbosity& v
   if (verbosity.is_quiet) return;
   std::size_t warnings = 0;
   for (const Diagnostic& d : notes) {
-    if (d.severity == Severity::warning && ++warnings <= kMost) err << to_text(d) << "\n";
+    if (d.severity == Severity::warning && ++warnings <= kMost) print(err, {d});
   }
   if (warnings > kMost) err << "gougecheck: " << warnings - kMost << " more warnings; -v shows all\n";
 }

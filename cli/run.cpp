@@ -7,55 +7,27 @@
 #include <optional>
 #include <ostream>
 #include <span>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/accept_command.h"
 #include "cli/batch_command.h"
-#include "cli/check_command.h"
-#include "cli/clash_command.h"
 #include "cli/command_text.h"
-#include "cli/compare_command.h"
+#include "cli/config_command.h"
 #include "cli/correct_command.h"
-#include "cli/help_text.h"
-#include "cli/merge_command.h"
-#include "cli/mesh_command.h"
 #include "cli/parse_errors.h"
-#include "cli/path_command.h"
 #include "cli/print_diagnostics.h"
+#include "cli/program.h"
+#include "cli/project_use.h"
 #include "cli/standard_output.h"
-#include "cli/tool_command.h"
+#include "cli/terminal.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/parallel.h"
 #include "lib/base/printable_text.h"
-#include "postproc/report/report_model.h"
 
 namespace gouge {
 namespace {
-
-struct Arguments {
-  AcceptArguments accept;
-  CheckArguments check;
-  CorrectArguments correct;
-  BatchArguments batch;
-  ClashArguments clash;
-  CompareArguments compare;
-  MergeArguments merge;
-  MeshArguments mesh;
-  PathArguments path;
-  ToolArguments tool;
-};
-
-void describe(CLI::App& app) {
-  app.name(kProgramName);
-  app.formatter(make_help_formatter());
-  app.description(
-      "Certified gouge check and correction of 5-axis toolpaths.\n"
-      "Reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain APT, checks "
-      "cutter, shank and holder over the whole motion of every move against STL parts and fixtures, corrects what "
-      "gouges, and reports with evidence for every finding.");
-  app.set_version_flag("--version", std::string(kProgramName) + " " + kProgramVersion);
-  app.require_subcommand(1);
-  app.footer("Every command explains itself: gougecheck check --help");
-}
 
 /// What --threads asks for, for everything the command does. False where that is more than can be.
 bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& err) {
@@ -73,6 +45,16 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
   return true;
 }
 
+/// Tells the command of its project file. What is wrong with a value from there is found here, where its line is known.
+std::optional<Diagnostic> take_project(const ProjectLine& line, const CLI::App& app, Arguments& arguments) {
+  const bool is_check = app.got_subcommand("check");
+  JobArguments& job = is_check ? arguments.check.job : arguments.correct.job;
+  job.project_file = line.use();
+  const std::optional<Diagnostic> wrong =
+      is_check ? find_wrong_value(arguments.check) : find_wrong_value(arguments.correct);
+  return wrong ? std::optional(line.located(*wrong)) : std::nullopt;
+}
+
 int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out, std::ostream& err) {
   if (!set_threads(app, arguments, err)) return kExitInternal;
   if (app.got_subcommand("check")) return run_check(arguments.check, {out, err});
@@ -84,7 +66,10 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   if (app.got_subcommand("merge")) return run_merge(arguments.merge, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
   if (app.got_subcommand("tool")) return run_tool(arguments.tool, out, err);
-  return run_path(arguments.path, out, err);
+  if (app.got_subcommand("path")) return run_path(arguments.path, out, err);
+  if (app.got_subcommand("config")) return run_config(app.get_subcommand("config")->remaining(), out, err);
+  if (app.got_subcommand("init")) return run_init(app.get_subcommand("init")->remaining(), out, err);
+  return run_self_command(app, arguments.self, out, err);
 }
 
 // What people read may end early (`| head -1`); data that could not be delivered is a failure its command has reported.
@@ -98,35 +83,30 @@ int after_printing(int status, std::ostream& out, std::ostream& err) {
 
 int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err) {
   try {
-    CLI::App app;
-    describe(app);
-    Arguments arguments;
-    add_check_options(*app.add_subcommand("check", "Find gouges; report"), arguments.check);
-    add_correct_options(*app.add_subcommand("correct", "Write a corrected toolpath and check it again"),
-                        arguments.correct);
-    add_batch_options(*app.add_subcommand("batch", "Check or correct many toolpaths; resumed where it stopped"),
-                      arguments.batch);
-    add_clash_options(*app.add_subcommand("clash", "Find out whether two bodies of a set-up penetrate, and how deep"),
-                      arguments.clash);
-    add_compare_options(*app.add_subcommand("compare", "Say what changed from one result to another"),
-                        arguments.compare);
-    add_accept_options(
-        *app.add_subcommand("accept", "Accept findings, so that a check with --baseline counts them apart"),
-        arguments.accept);
-    add_merge_options(*app.add_subcommand("merge", "Join the results of the shards of a batch"), arguments.merge);
-    add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
-    add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), arguments.path);
-    add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), arguments.tool);
+    Program program;
+    CLI::App& app = program.app;
+    Arguments& arguments = program.arguments;
+    choose_colour(err, "auto");
     const std::span words(argv, static_cast<std::size_t>(argc));
+    const Result<ProjectLine> line = ProjectLine::make({words.begin(), words.end()});
+    if (!line) return fail(err, {line.error()});
     try {
-      app.parse(argc, argv);
+      std::vector<std::string> reversed(line->words().rbegin(), line->words().rend());
+      if (!reversed.empty()) reversed.pop_back();  // the program's name
+      app.parse(std::move(reversed));
     } catch (const CLI::ParseError& error) {
+      choose_colour(err, program.colour());
       // --help and --version come as errors of status 0.
       if (error.get_exit_code() == 0) return after_printing(app.exit(error, out, err), out, err);
       const std::optional<Diagnostic> empty = find_empty_value(app, words);
-      return fail(err, {empty ? *empty : describe_parse_error(app, error)});
+      return fail(err, {empty ? *empty : line->located(describe_parse_error(app, error))});
     }
     if (const std::optional<Diagnostic> empty = find_empty_value(app, words)) return fail(err, {*empty});
+    choose_colour(out, program.colour());
+    choose_colour(err, program.colour());
+    if (line->use()) {
+      if (const std::optional<Diagnostic> wrong = take_project(*line, app, arguments)) return fail(err, {*wrong});
+    }
     if (app.got_subcommand("batch")) take_words(*app.get_subcommand("batch"), arguments.batch);
     if (app.got_subcommand("check")) arguments.check.job.command = repeatable_command(*app.get_subcommand("check"));
     if (app.got_subcommand("correct"))

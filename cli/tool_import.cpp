@@ -67,7 +67,10 @@ void report_notes(const ImportedTools& made, std::ostream& out, std::ostream& er
 }  // namespace
 
 void add_tool_import_options(CLI::App& command, ToolImportArguments& arguments, std::string& output) {
-  command.add_option("file", arguments.file, "Fusion .json or .tools, FreeCAD .fctb or .fctl, NX tool_database.dat")
+  command
+      .add_option("file", arguments.file,
+                  "Fusion .json or .tools, FreeCAD .fctb or .fctl, NX tool_database.dat or "
+                  "holder_database.dat")
       ->type_name("FILE")
       ->required();
   command.add_option("-o,--output", output, "Tool library to write (JSON); - for standard output")

@@ -8,6 +8,7 @@
 #include "lib/base/number_text.h"
 #include "lib/path/chords.h"
 #include "lib/path/path_info.h"
+#include "postproc/image/plot_panel.h"
 #include "postproc/image/render_drawing.h"
 #include "postproc/image/thin_lines.h"
 
@@ -20,7 +21,6 @@ constexpr std::size_t kAxesDrawn = 400;  // at most, evenly over the path
 constexpr double kFont = 16;
 
 const Colour kInk{40, 44, 52, 1};
-const Colour kGrey{150, 155, 165, 1};
 const Colour kAxis{120, 130, 150, 0.45};
 
 struct Ink {
@@ -42,47 +42,19 @@ const Ink& ink_of(const Move& move) {
 
 std::uint8_t number_of(const Ink& ink) { return static_cast<std::uint8_t>(&ink - kInks.data()); }
 
-struct Panel {
-  double x = 0, y = 0, width = 0, height = 0;
-  const char* name = "";
-  Vec3 right = Vec3::UnitX(), up = Vec3::UnitY();
-  double scale = 1;
-  Vec2 shift = Vec2::Zero();
-
-  [[nodiscard]] Vec2 flat(const Vec3& p) const { return {p.dot(right), -p.dot(up)}; }
-  [[nodiscard]] Vec2 at(const Vec3& p) const { return scale * flat(p) + shift; }
-  void fit(const Box3& box);
-};
-
-void Panel::fit(const Box3& box) {
-  Vec2 low = flat(box.min()), high = low;
-  for (int corner = 0; corner < 8; ++corner) {
-    const Vec2 p = flat(box.corner(static_cast<Box3::CornerType>(corner)));
-    low = low.cwiseMin(p);
-    high = high.cwiseMax(p);
-  }
-  const Vec2 size = (high - low).cwiseMax(1e-9);
-  scale = std::min((width - 2 * kMargin) / size.x(), (height - 3 * kMargin) / size.y());
-  shift = Vec2(x + width / 2, y + height / 2 + kMargin / 2) - scale * 0.5 * (low + high);
-}
-
 void add_text(Drawing& drawing, double x, double y, const std::string& text, const Colour& colour,
               double size = kFont) {
   drawing.items.emplace_back(DrawnText{{x, y}, text, size, colour, TextAnchor::left, false});
 }
 
-void draw_panel(const Toolpath& path, Panel panel, const Box3& box, double axis_length, Drawing& drawing) {
-  panel.fit(box);
-  const Vec2 a(panel.x, panel.y), b(panel.x + panel.width, panel.y + panel.height);
-  drawing.items.emplace_back(DrawnLine{{a, {b.x(), a.y()}, b, {a.x(), b.y()}}, kGrey, 1, true, {}});
-  add_text(drawing, panel.x + 8, panel.y + 22, panel.name, kInk);
+void draw_panel(const Toolpath& path, const PlotPanel& panel, double axis_length, Drawing& drawing) {
   const std::size_t every = 1 + path.moves.size() / kAxesDrawn;
   for (std::size_t i = 0; i < path.moves.size(); i += every) {
     const Pose& pose = path.moves[i].end;
     drawing.items.emplace_back(
         DrawnLine{{panel.at(pose.tip), panel.at(pose.tip + axis_length * pose.axis)}, kAxis, 1, false, {}});
   }
-  ThinLines lines(a, b);
+  ThinLines lines({panel.x, panel.y}, {panel.x + panel.width, panel.y + panel.height});
   std::vector<Vec2> points;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
@@ -126,7 +98,7 @@ std::string size_text(const Toolpath& path, const Box3& box) {
 
 }  // namespace
 
-Drawing draw_path(const Toolpath& path) {
+Drawing draw_path(const Toolpath& path, const std::vector<IndexedMesh>& parts) {
   Drawing drawing;
   drawing.width = kWidth;
   drawing.height = kHeight;
@@ -134,6 +106,7 @@ Drawing draw_path(const Toolpath& path) {
   Box3 box = tips;
   const double axis_length = kAxisShare * (tips.max() - tips.min()).norm();
   for (const Move& move : path.moves) box.extend(move.end.tip + axis_length * move.end.axis);
+  for (const IndexedMesh& part : parts) box.extend(part.box());
   add_text(drawing, kMargin, 36, path.file.substr(path.file.find_last_of('/') + 1) + ": " + size_text(path, tips), kInk,
            20);
   draw_legend(path, drawing);
@@ -141,16 +114,21 @@ Drawing draw_path(const Toolpath& path) {
   const double low = (tall - kMargin) / 2;
   const Vec3 askew_right = Vec3(1, 1, 0).normalized();
   const Vec3 askew_up = Vec3(-1, 1, 2).normalized();
-  Panel top{kMargin, kTitle, half, low, "from above: x right, y up", Vec3::UnitX(), Vec3::UnitY()};
-  Panel front{kMargin,       kTitle + low + kMargin, half, low, "from the front: x right, z up",
-              Vec3::UnitX(), Vec3::UnitZ()};
-  Panel askew{2 * kMargin + half, kTitle, half, tall, "askew, from -y and +x: z up", askew_right, askew_up};
-  for (const Panel& panel : {top, front, askew}) draw_panel(path, panel, box, axis_length, drawing);
+  PlotPanel top{kMargin, kTitle, half, low, "from above: x right, y up", Vec3::UnitX(), Vec3::UnitY()};
+  PlotPanel front{kMargin,       kTitle + low + kMargin, half, low, "from the front: x right, z up",
+                  Vec3::UnitX(), Vec3::UnitZ()};
+  PlotPanel askew{2 * kMargin + half, kTitle, half, tall, "askew, from -y and +x: z up", askew_right, askew_up};
+  for (PlotPanel panel : {top, front, askew}) {
+    panel.fit(box);
+    draw_parts(panel, parts, drawing);
+    draw_panel(path, panel, axis_length, drawing);
+    draw_frame(panel, path.unit, drawing);
+  }
   return drawing;
 }
 
-Result<std::string> plot_path(const Toolpath& path, bool is_svg) {
-  const Drawing drawing = draw_path(path);
+Result<std::string> plot_path(const Toolpath& path, const std::vector<IndexedMesh>& parts, bool is_svg) {
+  const Drawing drawing = draw_path(path, parts);
   if (is_svg) return render_svg(drawing);
   return render_png(drawing);
 }

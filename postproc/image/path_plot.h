@@ -1,19 +1,22 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "lib/base/result.h"
 #include "lib/drawing/drawing.h"
+#include "lib/mesh/indexed_mesh.h"
 #include "lib/path/toolpath.h"
 
 namespace gouge {
 
 /// The path of the tool's tip seen from above, from the front and askew, each kind of move in its colour, with
-/// the tool axis at some positions. Arcs are drawn round; what nothing leads to is not joined. What cannot be seen of
-/// a dense path is left out (thin_lines.h), so that a million moves make a few megabytes.
-[[nodiscard]] Drawing draw_path(const Toolpath& path);
+/// the tool axis at some positions, the parts shaded behind it, coordinates along the edges and a scale. Arcs are drawn
+/// round; what nothing leads to is not joined. What cannot be seen of a dense path is left out (thin_lines.h), so that a
+/// million moves make a few megabytes. `parts` may be empty.
+[[nodiscard]] Drawing draw_path(const Toolpath& path, const std::vector<IndexedMesh>& parts);
 
 /// The same as the bytes of a picture. Errors: those of render_png.
-[[nodiscard]] Result<std::string> plot_path(const Toolpath& path, bool is_svg);
+[[nodiscard]] Result<std::string> plot_path(const Toolpath& path, const std::vector<IndexedMesh>& parts, bool is_svg);
 
 }  // namespace gouge

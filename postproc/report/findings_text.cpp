@@ -1,8 +1,10 @@
 #include "postproc/report/write_report.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "lib/base/number_text.h"
+#include "lib/base/paint.h"
 #include "lib/base/printable_text.h"
 #include "postproc/report/axis_text.h"
 #include "postproc/report/baseline_text.h"
@@ -19,10 +21,6 @@ constexpr double kNoteworthy = 1.02;
 // Names and reasons in a line are from outside: none may end it, begin another one or move the cursor.
 std::string line(const std::string& text) { return printable(text) + "\n"; }
 
-std::string line_prefix(const ReportModel& model, std::size_t move) {
-  return model.toolpath->file + ":" + std::to_string(model.toolpath->moves[move].line) + ": ";
-}
-
 std::string bodies(const ReportModel& model) {
   std::string text;
   for (const std::vector<MeshFacts>* meshes : {&model.parts, &model.fixtures}) {
@@ -31,42 +29,78 @@ std::string bodies(const ReportModel& model) {
   return text;
 }
 
+/// A result and the path it is of.
+struct Checked {
+  const Toolpath& path;
+  const CheckResult& result;
+};
+
 // Of all gouges, accepted or not.
-std::string deepest_words(const ReportModel& model) {
-  const CheckResult& result = *model.result;
+std::string deepest_words(const Checked& checked, const CheckOptions& limits) {
+  const CheckResult& result = checked.result;
   if (result.worst_move >= result.verdicts.size()) return {};
-  return ", the deepest " + depth_text(result.worst_depth_mm, model.toolpath->unit) + " at line " +
-         std::to_string(model.toolpath->moves[result.worst_move].line);
+  return ", the deepest " + depth_text(result.worst_depth_mm, checked.path.unit, limits) + " at line " +
+         std::to_string(checked.path.moves[result.worst_move].line);
 }
 
-std::string headline(const ReportModel& model) {
+std::string overcut_words(const ReportModel& model) {
+  // On shallow gouges both measures agree; where the tool is deeper in than it is thick, only overcut shows it.
   const CheckResult& result = *model.result;
+  const bool is_noteworthy = result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm;
+  return is_noteworthy ? ", overcut " + overcut_range_text(model) : std::string();
+}
+
+// `accepting`: the model whose baseline counts; null: none does.
+std::string headline(const Checked& checked, const CheckOptions& limits, const std::string& overcut,
+                     const ReportModel* accepting) {
+  const CheckResult& result = checked.result;
   const StateCounts& n = result.counts;
   const std::string of_moves = " of " + count_text(result.verdicts.size(), "move");
-  switch (overall_verdict(model)) {
+  switch (accepting != nullptr ? overall_verdict(*accepting) : overall_verdict(result)) {
     case OverallVerdict::accepted_gouges:
-      return accepted_words(model) + ": no other gouge in " + count_text(result.verdicts.size(), "move") +
-             deepest_words(model);
+      return accepted_words(*accepting) + ": no other gouge in " + count_text(result.verdicts.size(), "move") +
+             deepest_words(checked, limits);
     case OverallVerdict::clean:
       return "clean: no gouge in " + count_text(result.verdicts.size(), "move");
     case OverallVerdict::not_fully_checked:
       return std::string("not fully checked: no ") + (n.gouge > 0 ? "other " : "") + "gouge found, but " +
              std::to_string(n.not_checked - n.skipped + n.not_certified) + of_moves +
-             " could not be checked or certified" + (n.gouge > 0 ? "; " + accepted_words(model) : "");
+             " could not be checked or certified" + (n.gouge > 0 ? "; " + accepted_words(*accepting) : "");
     case OverallVerdict::gouges:
       break;
   }
-  const std::size_t accepted = model.baseline.accepted_findings();
+  const std::size_t accepted = accepting != nullptr ? accepting->baseline.accepted_findings() : 0;
   if (n.gouge == 0) return "gouges: the tool is buried in " + std::to_string(n.buried) + of_moves;
   const auto gouges =
       std::ranges::count_if(result.events, [](const Event& event) { return event.state == MoveState::gouge; });
   std::string text = "gouges: " + count_text(static_cast<std::size_t>(gouges), "finding") + " in " +
-                     std::to_string(n.gouge) + of_moves + deepest_words(model);
-  // On shallow gouges both measures agree; where the tool is deeper in than it is thick, only overcut shows it.
-  if (result.worst_overcut_mm > kNoteworthy * result.worst_depth_mm) text += ", overcut " + overcut_range_text(model);
+                     std::to_string(n.gouge) + of_moves + deepest_words(checked, limits) + overcut;
   if (accepted > 0) text += "; " + std::to_string(accepted) + " of these findings accepted";
   if (n.buried > 0) text += "; the tool is buried in " + count_text(n.buried, "move");
   return text;
+}
+
+// The word before the colon says it all: that is what a terminal shows in colour.
+std::string verdict_line(const std::string& text, OverallVerdict verdict, bool is_coloured) {
+  const Paint paint = verdict == OverallVerdict::clean    ? Paint::clean
+                      : verdict == OverallVerdict::gouges ? Paint::error
+                                                          : Paint::warning;
+  const std::string shown = printable(text);
+  const std::size_t end = shown.find(':') + 1;
+  return painted(shown.substr(0, end), paint, is_coloured) + shown.substr(end) + "\n";
+}
+
+std::string verdict_lines(const ReportModel& model, bool is_coloured) {
+  const Checked now{*model.toolpath, *model.result};
+  const std::string text = headline(now, model.options, overcut_words(model), &model);
+  const OverallVerdict verdict = overall_verdict(model);
+  const CorrectionFacts& correction = model.correction;
+  if (!model.has_correction || correction.result_before == nullptr || correction.toolpath_before == nullptr)
+    return verdict_line(text, verdict, is_coloured);
+  const Checked before{*correction.toolpath_before, *correction.result_before};
+  return "before " +
+         verdict_line(headline(before, model.options, {}, nullptr), overall_verdict(before.result), is_coloured) +
+         "after  " + verdict_line(text, verdict, is_coloured);
 }
 
 std::string counts_line(const StateCounts& n) {
@@ -117,11 +151,98 @@ std::string correction_lines(const ReportModel& model) {
   return line(text) + written_line(correction) + (correction.axes ? axis_lines(model) : std::string());
 }
 
+/// The lines before the summary.
+class FindingsWriter {
+ public:
+  FindingsWriter(const ReportModel& model, const FindingsView& view) : model_(model), view_(view) {}
+
+  std::string write() {
+    const ListedFindings listed = list_events(model_, view_);
+    for (const std::size_t k : listed.events) add(k);
+    add_rest(listed);
+    for (const ReasonGroup& group : group_reasons(*model_.result)) {
+      add(*model_.toolpath, model_.toolpath->moves[group.first_move].line, group_text(group), Paint::warning);
+      add_statement(group.first_move);
+    }
+    if (model_.has_correction) add_uncorrected();
+    return std::move(text_);
+  }
+
+ private:
+  // The word before the first colon of `what` is its kind.
+  void add(const Toolpath& path, std::size_t at, const std::string& what, Paint paint) {
+    const std::string shown = printable(what);
+    const std::size_t end = shown.find(':') + 1;
+    text_ += painted(printable(path.file) + ":" + std::to_string(at) + ":", Paint::place, view_.is_coloured) + " " +
+             painted(shown.substr(0, end), paint, view_.is_coloured) + shown.substr(end) + "\n";
+  }
+
+  void add(std::size_t index) {
+    const Event& event = model_.result->events[index];
+    const Toolpath& path = *model_.toolpath;
+    const Move& move = path.moves[event.worst_move];
+    const std::string operation = operation_name(path, move.operation);
+    add(path, move.line,
+        (model_.baseline.is_accepted(index) ? "accepted " : "") + event_text(model_, event) + span_text(event) +
+            (operation.empty() ? "" : ", operation " + operation),
+        event.state == MoveState::near_miss || model_.baseline.is_accepted(index) ? Paint::warning : Paint::error);
+    add_statement(event.worst_move);
+    for (const std::string& remark : acceptance_remarks(model_, index)) text_ += line("  " + remark);
+    if (const FindingCures* cures = cures_of(model_, index)) text_ += line("  cured by " + cure_text(model_, *cures));
+  }
+
+  // As compilers quote sources: the number of the line, a bar, the line.
+  void add_statement(std::size_t move) {
+    if (!view_.has_statements) return;
+    constexpr std::size_t kWidth = 6;
+    std::size_t number = model_.toolpath->moves[move].line;
+    for (const std::string& quoted : statement_lines(*model_.toolpath, move)) {
+      const std::string digits = std::to_string(number++);
+      const std::string before = std::string(kWidth - std::min(kWidth, digits.size()), ' ') + digits + " | ";
+      text_ += painted(before + printable(quoted), Paint::faint, view_.is_coloured) + "\n";
+    }
+  }
+
+  void add_rest(const ListedFindings& listed) {
+    const LengthUnit unit = model_.toolpath->unit;
+    if (listed.more > 0) {
+      text_ += "and " + grouped_text(listed.more) + " more" +
+               (listed.deepest_more_mm > 0 ? ", the deepest " + depth_text(listed.deepest_more_mm, unit, model_.options)
+                                           : std::string()) +
+               " (--max-findings all lists them)\n";
+    }
+    if (listed.shallower > 0)
+      text_ += grouped_text(listed.shallower) + " not listed, less deep than --min-depth " +
+               length_text(view_.min_depth_mm, unit) + "\n";
+  }
+
+  void add_uncorrected() {
+    const CorrectionFacts& correction = model_.correction;
+    const Toolpath& before = correction.toolpath_before ? *correction.toolpath_before : *model_.toolpath;
+    std::size_t count = 0;
+    for (const UncorrectedRecord& left : correction.uncorrected) {
+      if (++count > view_.most) continue;
+      add(before, left.line,
+          (left.is_changed ? "not freed: " : "not corrected: ") +
+              (left.depth_mm > 0 ? depth_text(left.depth_mm, model_.toolpath->unit, model_.options) + ", "
+                                 : std::string()) +
+              "move " + std::to_string(left.move) + ": " + left.reason,
+          Paint::error);
+    }
+    if (count > view_.most)
+      text_ += "and " + grouped_text(count - view_.most) + " more not corrected (--max-findings all lists them)\n";
+  }
+
+  const ReportModel& model_;
+  const FindingsView& view_;
+  std::string text_;
+};
+
 }  // namespace
 
-std::string summary_text(const ReportModel& model) {
+std::string summary_text(const ReportModel& model, bool is_coloured) {
   std::string text = line(model.toolpath->file + bodies(model));
-  text += line(headline(model));
+  text += verdict_lines(model, is_coloured);
   for (const std::string& reservation : reservations(model)) text += line("note: " + reservation);
   text += line("moves: " + counts_line(model.result->counts));
   const std::string overcut = overcut_gaps_text(model);
@@ -133,31 +254,8 @@ std::string summary_text(const ReportModel& model) {
   return text + line("guarantee: " + guarantee_text(model));
 }
 
-std::string findings_text(const ReportModel& model) {
-  std::string text;
-  for (std::size_t k = 0; k < model.result->events.size(); ++k) {
-    const Event& event = model.result->events[k];
-    if (event.state != MoveState::gouge && event.state != MoveState::buried && event.state != MoveState::near_miss) {
-      continue;
-    }
-    text += line(line_prefix(model, event.worst_move) + (model.baseline.is_accepted(k) ? "accepted " : "") +
-                 event_text(model, event) + span_text(event));
-    for (const std::string& remark : acceptance_remarks(model, k)) text += line("  " + remark);
-    if (const FindingCures* cures = cures_of(model, k)) text += line("  cured by " + cure_text(model, *cures));
-  }
-  for (const ReasonGroup& group : group_reasons(*model.result)) {
-    text += line(line_prefix(model, group.first_move) + group_text(group));
-  }
-  if (model.has_correction) {
-    for (const UncorrectedRecord& left : model.correction.uncorrected) {
-      const Toolpath& before = model.correction.toolpath_before ? *model.correction.toolpath_before : *model.toolpath;
-      text += line(before.file + ":" + std::to_string(left.line) +
-                   (left.is_changed ? ": not freed: " : ": not corrected: ") +
-                   (left.depth_mm > 0 ? depth_text(left.depth_mm, model.toolpath->unit) + ", " : std::string()) +
-                   "move " + std::to_string(left.move) + ": " + left.reason);
-    }
-  }
-  return text + summary_text(model);
+std::string findings_text(const ReportModel& model, const FindingsView& view) {
+  return FindingsWriter(model, view).write() + summary_text(model, view.is_coloured);
 }
 
 }  // namespace gouge

@@ -66,7 +66,7 @@ std::vector<std::string> reservations(const ReportModel& model) {
   constexpr std::size_t kNamed = 5;
   std::vector<std::string> all;
   for (const Diagnostic& note : model.notes) {
-    if (note.code == kSceneMisplaced) all.push_back(note.message);
+    if (note.code == kSceneMisplaced || note.code == kProjectFile) all.push_back(note.message);
   }
   // "Clean" is what is left of the path, not the part.
   if (std::string uncut = uncut_text(model.correction, model.toolpath->unit); !uncut.empty())

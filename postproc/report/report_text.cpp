@@ -19,6 +19,16 @@ int first_digit(double value) {
   return power;
 }
 
+constexpr int kMostDecimals = 12;
+
+// Of a length with its unit.
+double number_in(const std::string& text) { return parse_number(text.substr(0, text.find(' '))).value_or(0); }
+
+int decimals_of(const std::string& text) {
+  const std::size_t point = text.find('.');
+  return point == std::string::npos ? 0 : static_cast<int>(text.find(' ') - point) - 1;
+}
+
 std::string tool_phrase(const ReportModel& model, const Event& event) {
   return std::string(body_name(event.body)) + " " + tool_label(*model.toolpath, event.tool);
 }
@@ -32,14 +42,41 @@ std::string counterpart(const ReportModel& model, const Witness& witness) {
 
 }  // namespace
 
+std::string grouped_text(std::size_t count) {
+  std::string text = std::to_string(count);
+  for (std::size_t k = 3; k < text.size(); k += 4) text.insert(text.size() - k, ",");
+  return text;
+}
+
 std::string depth_text(double length_mm, LengthUnit unit) {
   const double value = length_mm / mm_per(unit);
   if (!std::isfinite(value)) return "any depth";
   const int usual = unit == LengthUnit::inch ? 4 : 3;
   // Below a millionth of a millimetre it is rounding, whose digits would only look like a finding.
   const bool is_reported = length_mm >= kLeastReported_mm;
-  const int decimals = is_reported ? std::clamp(1 - first_digit(value), usual, 12) : usual;
+  const int decimals = is_reported ? std::clamp(1 - first_digit(value), usual, kMostDecimals) : usual;
   return people_text(value, decimals, Zeros::kept) + " " + unit_name(unit);
+}
+
+std::string depth_text(double length_mm, LengthUnit unit, const CheckOptions& limits) {
+  const std::string usual = depth_text(length_mm, unit);
+  if (!std::isfinite(length_mm) || length_mm < kLeastReported_mm) return usual;
+  const double value = length_mm / mm_per(unit);
+  std::string text = usual;
+  for (int decimals = decimals_of(usual);;
+       ++decimals, text = people_text(value, decimals, Zeros::kept) + " " + unit_name(unit)) {
+    const double read = number_in(text);
+    const auto is_told_apart = [&](double limit_mm) {
+      if (limit_mm <= 0) return true;
+      const double limit = number_in(length_text(limit_mm, unit));
+      if (length_mm < limit_mm) return read < limit;
+      return length_mm > limit_mm ? read > limit : true;
+    };
+    const bool is_clear = is_told_apart(limits.tolerance_mm) && is_told_apart(limits.near_miss_mm) &&
+                          is_told_apart(limits.tolerance_mm + limits.resolution_mm);
+    if (is_clear) return text;
+    if (decimals >= kMostDecimals) return usual;
+  }
 }
 
 std::string length_text(double length_mm, LengthUnit unit) {
@@ -130,6 +167,26 @@ std::string_view statement_text(const Toolpath& path, const Move& move) {
   return std::string_view(path.source).substr(s.first_byte, s.last_byte - s.first_byte);
 }
 
+std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t move) {
+  constexpr std::size_t kMostLines = 3, kMostBytes = 200;
+  const std::string_view all = statement_text(toolpath, toolpath.moves[move]);
+  if (std::ranges::any_of(all, [](char c) { return c >= 0 && c < ' ' && c != '\t' && c != '\r' && c != '\n'; }))
+    return {};
+  std::vector<std::string> lines;
+  for (std::string_view rest = all.substr(0, all.find_last_not_of("\r\n") + 1); !rest.empty();) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    std::string_view one = rest.substr(0, end);
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+    while (!one.empty() && (one.back() == '\r' || one.back() == ' ')) one.remove_suffix(1);
+    const bool is_cut = one.size() > kMostBytes || (lines.size() + 1 == kMostLines && !rest.empty());
+    std::string shown(one.substr(0, kMostBytes));
+    std::ranges::replace(shown, '\t', ' ');
+    lines.push_back(shown + (is_cut ? " ..." : ""));
+    if (lines.size() == kMostLines) break;
+  }
+  return lines;
+}
+
 std::string event_text(const ReportModel& model, const Event& event) {
   const LengthUnit unit = model.toolpath->unit;
   const MoveVerdict& verdict = model.result->verdicts[event.worst_move];
@@ -141,8 +198,9 @@ std::string event_text(const ReportModel& model, const Event& event) {
   }
   const bool is_near = event.state == MoveState::near_miss;
   const double length_mm = is_near ? verdict.clearance_mm.value_or(0) : verdict.depth_mm;
-  text += depth_text(length_mm, unit) + (is_near ? " left " : " ");
-  if (has_wide_depth(model, verdict)) text += "(at most " + depth_text(verdict.depth_upper_mm, unit) + ") ";
+  text += depth_text(length_mm, unit, model.options) + (is_near ? " left " : " ");
+  if (has_wide_depth(model, verdict))
+    text += "(at most " + depth_text(verdict.depth_upper_mm, unit, model.options) + ") ";
   text += tool_phrase(model, event);
   if (!verdict.witness) return text + move;
   return text + counterpart(model, *verdict.witness) + " at " + point_text(verdict.witness->point, unit) + move +

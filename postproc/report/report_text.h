@@ -10,8 +10,16 @@
 
 namespace gouge {
 
+/// Code of the note on what a project file sets, which stands beside the verdict.
+inline constexpr const char* kProjectFile = "project-file";
+
+/// Thousands apart: "4,957".
+[[nodiscard]] std::string grouped_text(std::size_t count);
 /// A length for people, in `unit`, with its name: "0.213 mm", "0.0084 in". Small lengths keep two digits.
 [[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit);
+/// The same beside the limits of the check: with as many digits more as it takes to tell it from the tolerance, from
+/// tolerance + resolution and from the near miss asked for: "0.0112 mm" beside 0.011 mm.
+[[nodiscard]] std::string depth_text(double length_mm, LengthUnit unit, const CheckOptions& limits);
 /// Up to six digits, four below 1, no trailing zeros: "0.011 mm", "44.4543 mm", "0.0004331 in".
 [[nodiscard]] std::string length_text(double length_mm, LengthUnit unit);
 /// For pictures, where room is short: six decimals, or more where three digits need them; no trailing zeros:
@@ -49,6 +57,10 @@ struct UncutTotal {
 [[nodiscard]] std::string operation_name(const Toolpath& toolpath, std::size_t operation);
 /// The bytes of a move's statement, line end included; empty where the path does not say.
 [[nodiscard]] std::string_view statement_text(const Toolpath& toolpath, const Move& move);
+
+/// The statement of a move as its file has it, up to three lines of at most 200 bytes; what is more ends in " ...". None
+/// where the move has no statement or the file is no text.
+[[nodiscard]] std::vector<std::string> statement_lines(const Toolpath& toolpath, std::size_t move);
 
 /// One finding without its location: "gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42".
 [[nodiscard]] std::string event_text(const ReportModel& model, const Event& event);

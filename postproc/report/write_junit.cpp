@@ -70,7 +70,8 @@ std::string case_name(const ReportModel& model, const Case& one) {
 std::string failure_message(const ReportModel& model, const Case& one) {
   std::string message;
   if (one.gouging > 0) {
-    message = "gouge " + depth_text(model.result->verdicts[one.worst_move].depth_mm, model.toolpath->unit) +
+    message = "gouge " +
+              depth_text(model.result->verdicts[one.worst_move].depth_mm, model.toolpath->unit, model.options) +
               " deep at line " + std::to_string(model.toolpath->moves[one.worst_move].line) + "; " +
               std::to_string(one.gouging) + " of " + count_text(one.moves, "move") + " gouge";
   }

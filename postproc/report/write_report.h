@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "postproc/report/findings_view.h"
 #include "postproc/report/named_file.h"
 #include "postproc/report/report_model.h"
 
@@ -11,12 +12,13 @@
 namespace gouge {
 
 /// What `check` and `correct` print: one finding a line as compilers print them, in the order of the path,
-/// then what was not checked or not certified, grouped by reason, then a summary of a few lines.
-/// `path.apt:123: gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42 (7 moves, 118-124)`
-[[nodiscard]] std::string findings_text(const ReportModel& model);
+/// then what was not checked or not certified, grouped by reason, then a summary of a few lines. `view` may list fewer of
+/// the findings, in another order; what it leaves out is counted.
+/// `path.apt:123: gouge: 0.213 mm cutter T1 at (12.3, 4.5, 6.7), move 118 t=0.42 (7 moves, 118-124), operation ROUGH`
+[[nodiscard]] std::string findings_text(const ReportModel& model, const FindingsView& view = {});
 
 /// The summary alone.
-[[nodiscard]] std::string summary_text(const ReportModel& model);
+[[nodiscard]] std::string summary_text(const ReportModel& model, bool is_coloured = false);
 
 /// The report as one HTML page that needs nothing beside it: verdict, guarantee, pictures (embedded), findings,
 /// the changes of a correction, what was not checked, inputs with checksums, options. Prints well on A4.

@@ -31,7 +31,13 @@ TEST(HelpText, EveryHelpFitsIntoEightyColumns) {
                                                           {"path"},
                                                           {"path", "info"},
                                                           {"path", "convert"},
-                                                          {"path", "plot"}};
+                                                          {"path", "plot"},
+                                                          {"batch"},
+                                                          {"config"},
+                                                          {"init"},
+                                                          {"help"},
+                                                          {"man"},
+                                                          {"completion"}};
   for (const std::vector<const char*>& command : commands) {
     std::vector<const char*> argv = {"/usr/bin/gougecheck"};
     argv.insert(argv.end(), command.begin(), command.end());
@@ -44,6 +50,17 @@ TEST(HelpText, EveryHelpFitsIntoEightyColumns) {
     EXPECT_GT(count, 5U);
     EXPECT_EQ(out.str().find("/usr/bin"), std::string::npos) << "the program is called by its name";
   }
+}
+
+TEST(HelpText, TypesChoicesDefaultsAndNeedsAreNamed) {
+  const char* argv[] = {"gougecheck", "check", "--help"};
+  std::ostringstream out, err;
+  EXPECT_EQ(run(3, argv, out, err), 0);
+  for (const char* text : {"--rapid straight|dogleg|skip", "--tool N=NAME", "--tolerance LENGTH", "[default: 0.01]",
+                           "--part FILE", "[required]", "\nTerminal:\n", "\nOutput:\n", "--threads N"})
+    EXPECT_NE(out.str().find(text), std::string::npos) << text << out.str();
+  for (const char* text : {"TEXT", "UINT", "FLOAT", "REQUIRED"})
+    EXPECT_EQ(out.str().find(text), std::string::npos) << text;
 }
 
 }  // namespace

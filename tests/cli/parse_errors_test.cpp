@@ -33,13 +33,14 @@ TEST(ParseErrors, AnUnknownOptionIsNamedWithTheOneThatWasMeant) {
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--toler", "1"}),
             "gougecheck check has no option '--toler'; did you mean --tolerance?");
   EXPECT_EQ(said({"check", "a.apt", "--part", "p.stl", "--colour"}),
-            "gougecheck check has no option '--colour'; see gougecheck check --help");
+            "gougecheck check has no option '--colour'; did you mean --color?");
   EXPECT_EQ(said({"tool", "list", "--tolls", "x"}),
             "gougecheck tool list has no option '--tolls'; did you mean --tools?");
 }
 
 TEST(ParseErrors, AnUnknownCommandIsNamedWithTheCommandsThereAre) {
-  const std::string expected = "; expected check, correct, batch, clash, merge, mesh, path or tool";
+  const std::string expected =
+      "; expected check, correct, batch, clash, merge, mesh, path, tool, config, init, help, man or completion";
   EXPECT_EQ(said({"chekc", "x"}), "'chekc' is no command of gougecheck" + expected + "; did you mean check?");
   EXPECT_EQ(said({"simulate"}), "'simulate' is no command of gougecheck" + expected);
   EXPECT_EQ(said({}), "no command after gougecheck" + expected);

@@ -99,6 +99,16 @@ TEST(PathCommand, RefusesToWriteOverItsInputAndUnknownDialects) {
 
 TEST(PathPlot, WritesPicturesOfBothKinds) {
   const SampleFolder sample = open_sample("arcs_nx");
+  const Outcome with_part =
+      run_gougecheck(sample.path, {"path", "plot", sample.toolpath(), "--part", "part.stl", "-o", "with_part.svg"});
+  EXPECT_EQ(with_part.exit_status, 0) << with_part.err;
+  EXPECT_EQ(
+      run_gougecheck(sample.path, {"path", "plot", sample.toolpath(), "--part", "none.stl", "-o", "x.svg"}).exit_status,
+      3);
+  EXPECT_EQ(run_gougecheck(sample.path, {"path", "plot", sample.toolpath(), "--part", "part.stl", "-o", "part.stl"})
+                .exit_status,
+            2)
+      << "a part is an input";
   for (const auto& [file, start] : {std::pair{"plot.png", "\x89PNG"}, std::pair{"plot.svg", "<svg"}}) {
     EXPECT_EQ(run_gougecheck(sample.path, {"path", "plot", sample.toolpath(), "-o", file}).exit_status, 0);
     EXPECT_NE(text_of(sample.path + "/" + file).substr(0, 200).find(start), std::string::npos) << file;

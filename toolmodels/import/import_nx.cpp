@@ -5,18 +5,12 @@
 #include "lib/base/number_text.h"
 #include "toolmodels/import/collector.h"
 #include "toolmodels/import/import_tools.h"
+#include "toolmodels/import/nx_database.h"
+#include "toolmodels/import/nx_holders.h"
 #include "toolmodels/import/quantity.h"
 
 namespace gouge {
 namespace {
-
-using Fields = std::vector<std::string>;
-
-struct Row {
-  std::string tool_class;
-  std::map<std::string, std::string> values;
-  std::size_t line = 0;
-};
 
 std::optional<CatalogueShape> shape_of(const std::string& tool_class) {
   static constexpr std::pair<std::string_view, CatalogueShape> kClasses[] = {
@@ -46,106 +40,6 @@ std::optional<CatalogueShape> shape_of(const std::string& tool_class) {
   return std::nullopt;
 }
 
-Fields split_blanks(std::string_view text) {
-  Fields words;
-  for (text = trim_blanks(text); !text.empty(); text = trim_blanks(text)) {
-    const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
-    words.emplace_back(text.substr(0, end));
-    text.remove_prefix(end);
-  }
-  return words;
-}
-
-// The bar that closes a row is no empty last field.
-Fields split_bars(std::string_view text) {
-  Fields fields;
-  text = trim_blanks(text);
-  if (!text.empty() && text.front() == '|') text.remove_prefix(1);
-  while (true) {
-    const std::size_t bar = text.find('|');
-    fields.push_back(clean_text(text.substr(0, bar)));
-    if (bar == std::string_view::npos) break;
-    text.remove_prefix(bar + 1);
-    if (trim_blanks(text).empty()) break;
-  }
-  return fields;
-}
-
-bool begins_with_word(std::string_view line, std::string_view word) {
-  return line.starts_with(word) && (line.size() == word.size() || line[word.size()] == ' ' ||
-                                    line[word.size()] == '\t' || line[word.size()] == '|');
-}
-
-class DatabaseReader {
- public:
-  DatabaseReader(Collector& collector) : collector_(collector) {}
-
-  /// A row may go on in lines that begin with a bar, a FORMAT in lines without a keyword.
-  std::vector<Row> read(std::string_view text) {
-    for (std::size_t line = 1; !text.empty(); ++line) {
-      const std::size_t end = std::min(text.find('\n'), text.size());
-      take(trim_blanks(text.substr(0, end)), line);
-      text.remove_prefix(std::min(end + 1, text.size()));
-    }
-    close_row();
-    return std::move(rows_);
-  }
-
-  [[nodiscard]] bool has_class() const { return has_class_; }
-
- private:
-  void take(std::string_view line, std::size_t number) {
-    if (line.empty()) return;
-    if (line.front() == '#') {
-      close_row();
-      is_in_format_ = false;
-      const bool is_class = begins_with_word(line, "#CLASS");
-      if (!is_class && !begins_with_word(line, "#END_DATA")) return;
-      class_ = is_class ? clean_text(line.substr(6)) : std::string();
-      has_class_ = has_class_ || is_class;
-      format_.clear();
-    } else if (begins_with_word(line, "FORMAT")) {
-      close_row();
-      format_ = split_blanks(line.substr(6));
-      is_in_format_ = true;
-    } else if (begins_with_word(line, "DATA")) {
-      close_row();
-      is_in_format_ = false;
-      data_ = std::string(line.substr(4));
-      data_line_ = number;
-    } else if (line.front() == '|' && data_line_ > 0) {
-      data_ += line;
-    } else if (is_in_format_) {
-      for (std::string& word : split_blanks(line)) format_.push_back(std::move(word));
-    }
-  }
-
-  void close_row() {
-    if (data_line_ == 0) return;
-    const Fields fields = split_bars(data_);
-    const std::size_t line = std::exchange(data_line_, 0);
-    if (class_.empty() || format_.empty())
-      return collector_.report("row", make_error("import-field", "a DATA row stands outside of a #CLASS with a FORMAT"),
-                               line);
-    if (fields.size() > format_.size())
-      return collector_.report(
-          "row \"" + fields.front() + "\"",
-          make_error("import-field", "has " + std::to_string(fields.size()) + " values, but its FORMAT names " +
-                                         std::to_string(format_.size()) + " fields"),
-          line);
-    Row row{class_, {}, line};
-    for (std::size_t i = 0; i < fields.size(); ++i) row.values.emplace(format_[i], fields[i]);
-    rows_.push_back(std::move(row));
-  }
-
-  Collector& collector_;
-  std::vector<Row> rows_;
-  std::string class_, data_;
-  Fields format_;
-  std::size_t data_line_ = 0;
-  bool is_in_format_ = false, has_class_ = false;
-};
-
 std::optional<Dimension> dimension_of(const std::string& field, CatalogueShape shape) {
   if (field == "DIA") return Dimension::diameter;
   if (field == "FLEN") return Dimension::flute_length;
@@ -161,7 +55,8 @@ std::optional<Dimension> dimension_of(const std::string& field, CatalogueShape s
 
 class RowImporter {
  public:
-  RowImporter(Collector& collector, const Row& row, LengthUnit unit) : collector_(collector), row_(row), unit_(unit) {
+  RowImporter(Collector& collector, const NxRow& row, LengthUnit unit, NxHolderSource& holders)
+      : collector_(collector), row_(row), unit_(unit), holders_(holders) {
     tool_.line = row.line;
     tool_.unit = unit;
     tool_.name = text("LIBRF");
@@ -172,35 +67,21 @@ class RowImporter {
   }
 
   void read() {
-    const std::optional<CatalogueShape> shape = shape_of(row_.tool_class);
-    if (!shape) return collector_.leave_out(who_, row_.tool_class, row_.line);
+    const std::optional<CatalogueShape> shape = shape_of(row_.class_name);
+    if (!shape) return collector_.leave_out(who_, row_.class_name, row_.line);
     tool_.shape = *shape;
     if (const Outcome good = read_dimensions(); !good) return collector_.report(who_, good.error(), row_.line);
     if (const Outcome good = read_lengths(); !good) return collector_.report(who_, good.error(), row_.line);
-    if (!text("HLDREF").empty() && text("HLDREF") != "0")
-      collector_.report(
-          who_,
-          make_warning("import-left-out",
-                       "its holder \"" + text("HLDREF") +
-                           "\" stands in another file (holder_database.dat) and was left out; give one with --holder"),
-          row_.line);
+    read_holder(text("HLDREF"));
     collector_.add(std::move(tool_));
   }
 
  private:
-  [[nodiscard]] std::string text(const std::string& field) const {
-    const auto found = row_.values.find(field);
-    return found == row_.values.end() ? std::string() : found->second;
-  }
+  [[nodiscard]] std::string text(const std::string& field) const { return row_.text(field); }
 
   // Nothing for an empty field.
   Result<std::optional<double>> number(const std::string& field, bool angle) const {
-    const std::string value = text(field);
-    if (value.empty()) return std::optional<double>();
-    const std::optional<Quantity> quantity = parse_quantity(value);
-    if (!quantity || quantity->unit != QuantityUnit::none)
-      return make_error("import-field", field + " is \"" + value + "\"; expected a number");
-    return std::optional<double>(angle ? quantity->value : quantity->value * mm_per(unit_));
+    return row_.number(field, angle ? 1 : mm_per(unit_));
   }
 
   Outcome read_dimensions() {
@@ -253,6 +134,24 @@ class RowImporter {
     return Done{};
   }
 
+  // A holder is put on where it is known how far the tool stands out of it.
+  void read_holder(const std::string& name) {
+    if (name.empty() || name == "0") return;
+    const auto left_out = [&](const std::string& why) {
+      collector_.report(who_, make_warning("import-left-out", "its holder \"" + name + "\" " + why), row_.line);
+    };
+    const std::vector<ToolSegment>* segments = holders_.called(name);
+    if (segments == nullptr)
+      return left_out(
+          "stands in another file (holder_database.dat) and was left out; put that file beside this one, or "
+          "give a holder with --holder");
+    const bool has_stickout =
+        tool_.dimensions.value_or(Dimension::body_length, 0) > 0 || collector_.options().stickout_mm;
+    if (!has_stickout)
+      return left_out("was left out, as HOFF does not say how much of the tool is in it; give --stickout");
+    tool_.holder = *segments;
+  }
+
   void add_shank(double diameter_mm, double length_mm, double taper_mm) {
     const double below_mm = tool_.dimensions.value_or(Dimension::diameter, diameter_mm);
     if (taper_mm > 0 && below_mm > 0) tool_.shaft.push_back({below_mm, diameter_mm, taper_mm});
@@ -260,8 +159,9 @@ class RowImporter {
   }
 
   Collector& collector_;
-  const Row& row_;
+  const NxRow& row_;
   LengthUnit unit_;
+  NxHolderSource& holders_;
   CatalogueTool tool_;
   std::string who_;
 };
@@ -283,10 +183,11 @@ Result<LengthUnit> unit_of(const std::string& file, const ImportOptions& options
 
 Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes, const ImportOptions& options) {
   Collector collector(file, options);
-  DatabaseReader reader(collector);
-  const std::vector<Row> rows = reader.read(bytes);
-  if (!reader.has_class())
-    return make_error("import-format", "there is no #CLASS in this file; expected an NX tool_database.dat", file);
+  NxDatabaseReader reader(collector);
+  const std::vector<NxRow> rows = reader.read(bytes);
+  if (!reader.has_class() && !has_holders(rows))
+    return make_error("import-format",
+                      "there is no #CLASS in this file; expected an NX tool_database.dat or holder_database.dat", file);
   const Result<LengthUnit> unit = unit_of(file, options);
   if (!unit) return unit.error();
   if (!options.unit)
@@ -295,7 +196,12 @@ Result<ImportedTools> import_nx(const std::string& file, std::string_view bytes,
         make_note("import-guess", std::string("lengths are taken in ") + (*unit == LengthUnit::mm ? "mm" : "inches") +
                                       ", after the folder the file is in"),
         0);
-  for (const Row& row : rows) RowImporter(collector, row, *unit).read();
+  if (has_holders(rows)) {
+    import_nx_holders(collector, rows, *unit);
+    return collector.finish();
+  }
+  NxHolderSource holders(options, *unit);
+  for (const NxRow& row : rows) RowImporter(collector, row, *unit, holders).read();
   return collector.finish();
 }
 

@@ -9,9 +9,12 @@ namespace {
 
 bool has_key(const nlohmann::json& root, const char* key) { return root.is_object() && root.contains(key); }
 
+// A holder_database.dat may begin with a FORMAT that no class stands before.
 bool has_class_line(std::string_view text) {
-  for (std::size_t at = text.find("#CLASS"); at != std::string_view::npos; at = text.find("#CLASS", at + 1))
-    if (at == 0 || text[at - 1] == '\n') return true;
+  for (const std::string_view word : {"#CLASS", "FORMAT LIBRF"}) {
+    for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1))
+      if (at == 0 || text[at - 1] == '\n') return true;
+  }
   return false;
 }
 
@@ -53,7 +56,7 @@ Result<ImportedTools> import_tools(const std::string& file, std::string_view byt
   if (!format)
     return make_error("import-format",
                       "this is neither a Fusion library (JSON or .tools), nor a FreeCAD tool bit or library, nor an NX "
-                      "tool_database.dat; say which with --format",
+                      "tool_database.dat or holder_database.dat; say which with --format",
                       file);
   switch (*format) {
     case ImportFormat::fusion:

@@ -84,7 +84,7 @@ TEST(PlotPath, OfADensePathIsSmall) {
     move.has_start = i > 0;
     path.moves.push_back(move);
   }
-  const Result<std::string> svg = plot_path(path, true);
+  const Result<std::string> svg = plot_path(path, {}, true);
   ASSERT_TRUE(svg);
   EXPECT_LT(svg->size(), 1000000U);
   EXPECT_GT(svg->size(), 10000U);

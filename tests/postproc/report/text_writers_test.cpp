@@ -35,18 +35,103 @@ TEST(FindingsText, CountsTheRecordsWrittenAndThoseChangedButNotFreed) {
 
 TEST(FindingsText, ReportsEveryFindingAndTheSummary) {
   const SmallReport report;
-  EXPECT_EQ(findings_text(report.model),
-            "path.apt:12: gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2)\n"
-            "path.apt:13: near: 0.125 mm left holder T1 against fixture vise.stl at (1, 2, 3), move 3 t=0.5\n"
-            "path.apt:14: buried: cutter T1 lies inside a solid, no surface within the tool, move 4\n"
-            "path.apt:15: not certified: budget of 10 bounds spent, move 5\n"
-            "path.apt:16: not checked: arcs, as yet, are not read (2 moves, the first is move 6)\n"
-            "path.apt against part.stl, vise.stl\n"
-            "gouges: 1 finding in 2 of 8 moves, the deepest 0.333 mm at line 12; the tool is buried in 1 move\n"
-            "moves: 1 clean, 1 near, 2 gouge, 1 buried, 1 not certified, 2 not checked\n"
-            "guarantee: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm is "
-            "missed, and where none is reported the tool reaches at most 3 times that into a solid; it does not cover "
-            "the 3 moves not checked or not certified\n");
+  EXPECT_EQ(
+      findings_text(report.model),
+      "path.apt:12: gouge: 0.333 mm cutter T1 at (12.3, 4.5, 6.7), move 2 t=0.42 (2 moves, 1-2), operation finish <1>\n"
+      "path.apt:13: near: 0.125 mm left holder T1 against fixture vise.stl at (1, 2, 3), move 3 t=0.5, operation "
+      "finish <1>\n"
+      "path.apt:14: buried: cutter T1 lies inside a solid, no surface within the tool, move 4, operation finish <1>\n"
+      "path.apt:15: not certified: budget of 10 bounds spent, move 5\n"
+      "path.apt:16: not checked: arcs, as yet, are not read (2 moves, the first is move 6)\n"
+      "path.apt against part.stl, vise.stl\n"
+      "gouges: 1 finding in 2 of 8 moves, the deepest 0.333 mm at line 12; the tool is buried in 1 move\n"
+      "moves: 1 clean, 1 near, 2 gouge, 1 buried, 1 not certified, 2 not checked\n"
+      "guarantee: in the 5 moves that are certified, no gouge deeper than tolerance + resolution = 0.011 mm is "
+      "missed, and where none is reported the tool reaches at most 3 times that into a solid; it does not cover "
+      "the 3 moves not checked or not certified\n");
+}
+
+TEST(FindingsText, AViewListsLessAndCountsTheRest) {
+  const SmallReport report;
+  FindingsView deepest;
+  deepest.is_deepest_first = true;
+  EXPECT_EQ(list_events(report.model, deepest).events, (std::vector<std::size_t>{2, 0, 1})) << "buried, gouge, near";
+  FindingsView two;
+  two.most = 2;
+  const ListedFindings listed = list_events(report.model, two);
+  EXPECT_EQ(listed.events, (std::vector<std::size_t>{0, 2})) << "the two worst, in the order of the path";
+  EXPECT_EQ(listed.more, 1U);
+  FindingsView one = two;
+  one.most = 1;
+  EXPECT_NE(findings_text(report.model, one).find("and 2 more, the deepest 0.333 mm (--max-findings all lists them)\n"),
+            std::string::npos);
+  FindingsView deep;
+  deep.min_depth_mm = 100;
+  const ListedFindings shallow = list_events(report.model, deep);
+  EXPECT_EQ(shallow.events, std::vector<std::size_t>{2}) << "how deep a buried tool is, is not known";
+  EXPECT_EQ(shallow.shallower, 2U);
+}
+
+TEST(FindingsText, WhatMayBeDeepEnoughByItsUpperBoundIsListed) {
+  SmallReport report;
+  report.result.verdicts[1].depth_upper_mm = 7;
+  FindingsView view;
+  view.min_depth_mm = 6;
+  EXPECT_EQ(list_events(report.model, view).events, (std::vector<std::size_t>{0, 2}));
+}
+
+TEST(FindingsText, ColoursAreTheOnlyDifference) {
+  const SmallReport report;
+  FindingsView view;
+  view.is_coloured = true;
+  const std::string coloured = findings_text(report.model, view);
+  EXPECT_NE(coloured.find("\x1b[1mpath.apt:12:\x1b[0m \x1b[1;31mgouge:\x1b[0m 0.333 mm"), std::string::npos)
+      << coloured;
+  std::string plain;
+  for (std::size_t at = 0; at < coloured.size(); ++at) {
+    if (coloured[at] == '\x1b') {
+      at = coloured.find('m', at);
+    } else {
+      plain += coloured[at];
+    }
+  }
+  EXPECT_EQ(plain, findings_text(report.model));
+}
+
+TEST(DepthText, NeverContradictsTheLimitBesideIt) {
+  CheckOptions limits;  // 0.01 and 0.011
+  const auto text = [&](double depth_mm) { return depth_text(depth_mm, LengthUnit::mm, limits); };
+  EXPECT_EQ(text(0.0112), "0.0112 mm");
+  EXPECT_EQ(text(0.011), "0.011 mm");
+  EXPECT_EQ(text(0.0104), "0.0104 mm");
+  EXPECT_EQ(text(0.010004), "0.010004 mm");
+  EXPECT_EQ(text(0.00996), "0.00996 mm");
+  EXPECT_EQ(text(0.2134), "0.213 mm") << "far from every limit";
+  limits.near_miss_mm = 0.5;
+  EXPECT_EQ(text(0.4996), "0.4996 mm");
+  EXPECT_EQ(depth_text(0.0112, LengthUnit::inch, limits), "0.00044 in");
+  EXPECT_EQ(grouped_text(999), "999");
+  EXPECT_EQ(grouped_text(4957), "4,957");
+  EXPECT_EQ(grouped_text(1234567), "1,234,567");
+}
+
+TEST(StatementLines, AreThoseOfTheFileAndEnd) {
+  Toolpath path;
+  path.source = "GOTO/1,\t$\r\n 2\n";
+  path.statements = {SourceStatement{1, 0, path.source.size()}};
+  path.moves.resize(2);
+  path.moves[0].statement = 0;
+  EXPECT_EQ(statement_lines(path, 0), (std::vector<std::string>{"GOTO/1, $", " 2"}));
+  EXPECT_TRUE(statement_lines(path, 1).empty()) << "it has none";
+  path.source = std::string("\x01\x02\0GOTO", 7);
+  path.statements = {SourceStatement{1, 0, 7}};
+  EXPECT_TRUE(statement_lines(path, 0).empty()) << "no text";
+  path.source = "a\nb\nc\nd\n";
+  path.statements = {SourceStatement{1, 0, 8}};
+  EXPECT_EQ(statement_lines(path, 0), (std::vector<std::string>{"a", "b", "c ..."}));
+  path.source = std::string(300, 'x');
+  path.statements = {SourceStatement{1, 0, 300}};
+  EXPECT_EQ(statement_lines(path, 0), std::vector<std::string>{std::string(200, 'x') + " ..."});
 }
 
 TEST(FindingsText, SaysCleanOnlyWhenEverythingWasChecked) {

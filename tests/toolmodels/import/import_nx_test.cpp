@@ -59,6 +59,76 @@ TEST(ImportNx, ATaperIsMeasuredFromTheAxisAndDrillsHaveAnIncludedAngle) {
   EXPECT_EQ(std::get<DrillCutter>(made.library.with_number(21)->cutter).point_angle_deg, 118);
 }
 
+constexpr const char* kHolders =
+    "# HOLDER_DATABASE.DAT\n"
+    "#CLASS MILLING_DRILLING\n"
+    "FORMAT LIBRF RTYPE HTYPE SNUM DESCR\n"
+    "DATA | HLD001_00005 | 1 | 1 | 2 | Collet\n"
+    "DATA | HLD_LATHE    | 1 | 2 | 1 | Turning\n"
+    "#END_DATA\n"
+    "#CLASS MILLING_DRILLING\n"
+    "FORMAT LIBRF RTYPE SEQ DIAM LENGTH TAPER CRAD\n"
+    "DATA | HLD001_00005 | 2 | 2 | 40.0 | 30.0 | 0.0 | 1.0\n"
+    "DATA | HLD001_00005 | 2 | 1 | 30.0 | 50.0 | 5.7105931 | 0.0\n"
+    "#END_DATA\n";
+
+TEST(ImportNx, HoldersAreReadFromTheToolsSideUp) {
+  ImportOptions options;
+  options.unit = LengthUnit::mm;
+  EXPECT_EQ(recognise_format(kHolders), ImportFormat::nx);
+  const Result<ImportedTools> made = import_nx("holder_database.dat", kHolders, options);
+  ASSERT_TRUE(made.has_value()) << to_text(made.error());
+  ASSERT_EQ(made->library.holders.size(), 1U) << all_notes(*made);
+  const NamedHolder& holder = made->library.holders[0];
+  EXPECT_EQ(holder.name, "HLD001_00005");
+  ASSERT_EQ(holder.segments.size(), 2U);
+  expect_segment(holder.segments[0], 30, 40, 50);  // 30 + 2 * 50 * tan 5.71 deg
+  expect_segment(holder.segments[1], 40, 40, 30);
+  EXPECT_NE(notes_of(*made, "import-guess").find("from the tool's side up"), std::string::npos);
+  EXPECT_NE(notes_of(*made, "import-guess").find("CRAD"), std::string::npos);
+  EXPECT_NE(notes_of(*made, "import-shape").find("HLD_LATHE"), std::string::npos);
+  options.unit = LengthUnit::inch;
+  expect_segment(import_nx("holder_database.dat", kHolders, options)->library.holders[0].segments[1], 1016, 1016, 762);
+}
+
+TEST(ImportNx, AHolderBesideTheToolsIsPutOnWhereHoffSaysHowFar) {
+  ImportOptions options;
+  options.read_beside = [](const std::string& name) -> Result<std::string> {
+    EXPECT_EQ(name, "holder_database.dat");
+    return std::string(kHolders);
+  };
+  const ImportedTools made = import_corpus(options);
+  const ToolAssembly* tool = made.library.with_number(12);
+  ASSERT_NE(tool, nullptr) << all_notes(made);
+  ASSERT_EQ(tool->holder.size(), 2U) << all_notes(made);
+  expect_segment(tool->holder[0], 30, 40, 50);
+  EXPECT_EQ(notes_of(made, "import-left-out").find("HLD001_00005"), std::string::npos) << all_notes(made);
+}
+
+TEST(ImportNx, WrongSectionsLeaveTheirHolderOut) {
+  ImportOptions options;
+  options.unit = LengthUnit::mm;
+  const auto said = [&](const std::string& rows) {
+    const Result<ImportedTools> made =
+        import_nx("h.dat", "#CLASS MILLING_DRILLING\nFORMAT LIBRF RTYPE SEQ DIAM LENGTH TAPER CRAD\n" + rows, options);
+    if (!made) return to_text(made.error());
+    EXPECT_TRUE(made->library.holders.empty()) << rows;
+    return all_notes(*made);
+  };
+  const auto has = [&](const std::string& rows, const std::string& what) {
+    const std::string text = said(rows);
+    EXPECT_NE(text.find(what), std::string::npos) << rows << text;
+  };
+  has("DATA | H | 2 | 1 | wide | 10 | 0 | 0\n", "DIAM is \"wide\"; expected a number");
+  has("DATA | H | 2 | 1 | 30 | | 0 | 0\n", "section 1 has no LENGTH");
+  has("DATA | H | 2 | one | 30 | 10 | 0 | 0\n", "SEQ is \"one\"");
+  has("DATA | H | 2 | 1 | 30 | 10 | 0 | 0\nDATA | H | 2 | 1 | 30 | 10 | 0 | 0\n", "two sections of SEQ 1");
+  has("DATA | H | 2 | 1 | 30 | 10 | 95 | 0\n", "TAPER 95 is not possible");
+  has("DATA | H | 2 | 1 | 10 | 50 | -45 | 0\n", "would end below its axis");
+  has("DATA | H | 2 | 1 | -3 | 50 | 0 | 0\n", "holder \"H\"");
+  has("DATA | | 2 | 1 | 30 | 10 | 0 | 0\n", "a holder has no LIBRF");
+}
+
 TEST(ImportNx, ShapesThatCannotBeImportedAreReported) {
   EXPECT_NE(
       notes_of(import_corpus(), "import-shape").find("tool T31 \"ugt_barrel_16\": not imported: shape BARREL_MILL"),

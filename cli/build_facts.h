@@ -1,0 +1,10 @@
+#pragma once
+
+#include <string>
+
+namespace gouge {
+
+/// How this program was built and what it found here, a line each: compiler, libraries, instruction sets, MPI.
+[[nodiscard]] std::string build_facts_text();
+
+}  // namespace gouge

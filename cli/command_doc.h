@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
+// What the tables of options say, as plain data: help, manual pages and completions are made of it.
+
+namespace gouge {
+
+/// Those of "TEXT:{straight,dogleg,skip}", as the parser names a text of few values; empty for anything else.
+[[nodiscard]] std::vector<std::string> choices_in(const std::string& text);
+
+struct OptionDoc {
+  std::vector<std::string> names;    ///< "-o", "--output"; of a positional its one name
+  std::string value;                 ///< "FILE", "LENGTH", "auto|always|never"; empty: it takes none
+  std::vector<std::string> choices;  ///< all values it takes, where they are few
+  std::string description, default_value, group;
+  std::vector<std::string> needs;  ///< options without which it may not be given
+  bool is_positional = false, is_required = false, is_repeatable = false;
+
+  /// With "[default: 0.01]" and "[required]" where it is so.
+  [[nodiscard]] std::string full_description() const;
+  [[nodiscard]] bool takes_file() const;
+  [[nodiscard]] bool takes_folder() const { return value == "FOLDER"; }
+};
+[[nodiscard]] OptionDoc document(const CLI::Option& option);
+
+struct CommandDoc {
+  std::string name;  ///< with those above it: "gougecheck tool import"
+  std::string description, footer;
+  std::vector<OptionDoc> options;  ///< positionals first
+  std::vector<CommandDoc> commands;
+
+  /// Its own word: "import".
+  [[nodiscard]] std::string word() const;
+};
+/// `app` and all commands below it.
+[[nodiscard]] CommandDoc document(const CLI::App& app);
+
+}  // namespace gouge

@@ -1,0 +1,145 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <ostream>
+
+#include "cli/config_command.h"
+#include "cli/parse_errors.h"
+#include "cli/print_diagnostics.h"
+#include "cli/program.h"
+#include "cli/project_use.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/printable_text.h"
+#include "toolmodels/tool_library.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+std::string lower(std::string text) {
+  std::ranges::transform(text, text.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return text;
+}
+
+bool has_word(const std::string& name, std::initializer_list<const char*> words) {
+  return std::ranges::any_of(words, [&](const char* word) { return lower(name).find(word) != std::string::npos; });
+}
+
+/// What lies in the working directory, by the names of its files.
+struct Folder {
+  std::vector<std::string> parts, fixtures, heads, libraries, unclear;
+};
+
+bool is_library(const std::string& name) {
+  constexpr std::uint64_t kMostBytes = 10'000'000;
+  const Result<std::string> bytes = read_file(name, kMostBytes);
+  return bytes && read_tool_library(name, *bytes).has_value();
+}
+
+Folder look_around() {
+  Folder folder;
+  std::vector<std::string> names;
+  std::error_code failed;
+  for (fs::directory_iterator at(".", failed), end; !failed && at != end; at.increment(failed)) {
+    std::error_code ignored;
+    if (at->is_regular_file(ignored)) names.push_back(at->path().filename().string());
+  }
+  std::ranges::sort(names);
+  std::vector<std::string> others;
+  for (const std::string& name : names) {
+    const std::string ending = lower(fs::path(name).extension().string());
+    if (ending == ".json" && name != kProjectFileName && is_library(name)) folder.libraries.push_back(name);
+    if (ending != ".stl") continue;
+    if (has_word(name, {"fixture", "vise", "vice", "clamp", "jig"})) {
+      folder.fixtures.push_back(name);
+    } else if (has_word(name, {"head", "spindle"})) {
+      folder.heads.push_back(name);
+    } else {
+      (has_word(name, {"part"}) ? folder.parts : others).push_back(name);
+    }
+  }
+  if (folder.parts.empty() && others.size() == 1) {
+    folder.parts = others;
+  } else {
+    folder.unclear = others;
+  }
+  return folder;
+}
+
+void put(Json& json, const std::string& key, const std::vector<std::string>& values) {
+  if (values.empty() || json.contains(key)) return;
+  if (values.size() == 1) {
+    json[key] = values.front();
+  } else {
+    json[key] = values;
+  }
+}
+
+// Options as typed; those that no project file may have are an error when it is read.
+Result<Json> typed_options(const std::vector<std::string>& words) {
+  std::vector<std::string> line = {"check"};
+  line.insert(line.end(), words.begin(), words.end());
+  Program program;
+  CLI::App& command = *program.app.get_subcommand("check");
+  for (CLI::Option* option : command.get_options()) option->required(false);
+  try {
+    program.app.parse(std::vector<std::string>(line.rbegin(), line.rend()));
+  } catch (const CLI::ParseError& error) {
+    return describe_parse_error(program.app, error);
+  }
+  if (!program.arguments.check.job.path.empty())
+    return make_error("usage", "'" + printable(program.arguments.check.job.path) +
+                                   "' is one argument too many; init takes options of check alone");
+  if (const auto wrong = find_wrong_value(program.arguments.check)) return *wrong;
+  Json json = Json::object();
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || option->get_lnames().empty()) continue;
+    const std::string& key = option->get_lnames().front();
+    if (option->get_items_expected_max() == 0) {
+      json[key] = true;
+    } else if (option->get_type_name() == "LENGTH" && parse_number(option->results().front())) {
+      json[key] = *parse_number(option->results().front());
+    } else {
+      put(json, key, option->results());
+    }
+  }
+  return json;
+}
+
+}  // namespace
+
+int run_init(const std::vector<std::string>& words, std::ostream& out, std::ostream& err) {
+  const std::string name = kProjectFileName;
+  std::error_code ignored;
+  if (fs::symlink_status(name, ignored).type() != fs::file_type::not_found)
+    return fail(err, {make_error("usage", name + " exists already and is left as it is; edit it, or remove it first")});
+  Result<Json> json = typed_options(words);
+  if (!json) return fail(err, {json.error()});
+  const Folder folder = look_around();
+  put(*json, "part", folder.parts);
+  put(*json, "fixture", folder.fixtures);
+  put(*json, "head", folder.heads);
+  if (folder.libraries.size() == 1) put(*json, "tools", folder.libraries);
+  const std::string text = json->dump(2) + "\n";
+  const Result<ProjectFile> project = read_project_file(name, "", text);
+  if (!project) return fail(err, {make_error("usage", project.error().message)});
+  const Outcome written = write_file(name, text);
+  if (!written) return fail(err, {written.error()}, kExitInternal);
+  out << "wrote " << name << "\n";
+  for (const ProjectOption& option : project->options)
+    out << "  " << padded(option.key, 12) << " " << printable(option.value()) << "\n";
+  if (!json->contains("part")) out << "no part: name it with \"part\", the STL of the finished shape\n";
+  for (const std::string& file : folder.unclear) out << "not used: " << printable(file) << " (a part, a fixture?)\n";
+  if (folder.libraries.size() > 1 && !json->contains("tools"))
+    for (const std::string& file : folder.libraries)
+      out << "not used: " << printable(file) << " (one of several tool libraries)\n";
+  return kExitClean;
+}
+
+}  // namespace gouge

@@ -1,0 +1,69 @@
+#include "cli/program.h"
+
+#include "cli/build_facts.h"
+#include "cli/config_command.h"
+#include "cli/correct_command.h"
+#include "cli/help_text.h"
+#include "cli/project_use.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+namespace {
+
+void describe(CLI::App& app) {
+  app.name(kProgramName);
+  app.formatter(make_help_formatter());
+  app.description(
+      "Certified gouge check and correction of 5-axis toolpaths.\n"
+      "Reads the CL data of NX, CATIA, Creo, SolidWorks CAM, Fusion, NCCS, Mastercam (NCI) and plain APT, checks "
+      "cutter, shank and holder over the whole motion of every move against STL parts and fixtures, corrects what "
+      "gouges, and reports with evidence for every finding.");
+  const std::string name = std::string(kProgramName) + " " + kProgramVersion;
+  app.add_flag_callback(
+      "-V", [name] { throw CLI::CallForVersion(name, 0); }, "Print the version alone, in one line");
+  app.set_version_flag(
+      "--version", [name] { return name + "\n" + build_facts_text(); }, "Print the version and how it was built");
+  app.require_subcommand(1);
+  app.footer("Every command explains itself: gougecheck help check");
+}
+
+// Of every command that does something: those that only lead to others print nothing.
+void add_colour_below(CLI::App& app, std::string& colour) {
+  for (CLI::App* command : app.get_subcommands({})) {
+    if (command->get_subcommands({}).empty()) add_colour_option(*command, colour);
+    add_colour_below(*command, colour);
+  }
+}
+
+}  // namespace
+
+Program::Program() {
+  Arguments& a = arguments;
+  describe(app);
+  add_check_options(*app.add_subcommand("check", "Find gouges; report"), a.check);
+  add_correct_options(*app.add_subcommand("correct", "Write a corrected toolpath and check it again"), a.correct);
+  add_batch_options(*app.add_subcommand("batch", "Check or correct many toolpaths; resumed where it stopped"), a.batch);
+  add_clash_options(*app.add_subcommand("clash", "Find out whether two bodies of a set-up penetrate, and how deep"),
+                    a.clash);
+  add_compare_options(*app.add_subcommand("compare", "Say what changed from one result to another"), a.compare);
+  add_accept_options(
+      *app.add_subcommand("accept", "Accept findings, so that a check with --baseline counts them apart"), a.accept);
+  add_merge_options(*app.add_subcommand("merge", "Join the results of the shards of a batch"), a.merge);
+  add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), a.mesh);
+  add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), a.path);
+  add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), a.tool);
+  for (const char* command : {"check", "correct"})
+    add_no_config_option(*app.get_subcommand(command), a.is_without_project);
+  add_config_commands(app);
+  add_self_commands(app, a.self);
+  add_colour_below(app, a.colour);
+}
+
+std::string Program::colour() const {
+  const CLI::App* command = &app;
+  while (!command->get_subcommands().empty()) command = command->get_subcommands().back();
+  const CLI::Option* option = command->get_option_no_throw("--color");
+  return option == nullptr || option->results().empty() ? "auto" : option->results().back();
+}
+
+}  // namespace gouge

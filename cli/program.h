@@ -1,0 +1,50 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "cli/accept_command.h"
+#include "cli/batch_options.h"
+#include "cli/check_command.h"
+#include "cli/clash_command.h"
+#include "cli/compare_command.h"
+#include "cli/correct_options.h"
+#include "cli/merge_command.h"
+#include "cli/mesh_command.h"
+#include "cli/path_command.h"
+#include "cli/self_commands.h"
+#include "cli/tool_command.h"
+
+namespace gouge {
+
+struct Arguments {
+  AcceptArguments accept;
+  CheckArguments check;
+  CorrectArguments correct;
+  BatchArguments batch;
+  ClashArguments clash;
+  CompareArguments compare;
+  MergeArguments merge;
+  MeshArguments mesh;
+  PathArguments path;
+  ToolArguments tool;
+  SelfArguments self;
+  std::string colour = "auto";
+  bool is_without_project = false;
+};
+
+/// The table of all commands and their options, and the place their values go to.
+struct Program {
+  Program();
+  Program(const Program&) = delete;
+  Program& operator=(const Program&) = delete;
+
+  /// What --color says on the command line, also of one that is wrong; auto where it says nothing.
+  [[nodiscard]] std::string colour() const;
+
+  Arguments arguments;
+  CLI::App app;
+};
+
+}  // namespace gouge

@@ -1,0 +1,184 @@
+#include "cli/project_file.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+#include "cli/job_words.h"
+#include "cli/parse_errors.h"
+#include "toolmodels/json_file.h"
+
+namespace gouge {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What may come from a file that nobody named: inputs, and what the verdict says beside itself. No outputs, nothing that
+// overwrites, accepts or silences.
+constexpr std::array<std::string_view, 36> kAllowed = {
+    "part",          "fixture",       "allow-overlap",  "head",
+    "place",         "stl-units",     "tools",          "tool",
+    "holder",        "dialect",       "path-units",     "cutcom",
+    "max-input",     "extend-up",     "tolerance",      "stock-to-leave",
+    "clearance",     "near-miss",     "resolution",     "rapid",
+    "find-cures",    "find-stickout", "stickout-step",  "stickout-limit",
+    "strategy",      "max-shift",     "max-side-shift", "rapid-clearance",
+    "max-tilt",      "tilt",          "axis-cone",      "max-turn",
+    "max-turn-step", "blend",         "allow-multax",   "max-rotary-speed"};
+
+bool is_allowed(const CLI::Option& option) {
+  return !option.get_lnames().empty() && std::ranges::find(kAllowed, option.get_lnames().front()) != kAllowed.end();
+}
+
+std::optional<std::string> why_not_in_project(const CLI::Option& option) {
+  if (is_allowed(option)) return std::nullopt;
+  if (option.get_group() == kOutputGroup)
+    return "names an output or says what it replaces, which no project file may; say it on the command line";
+  return "cannot stand in a project file; say it on the command line";
+}
+
+const WordRules& project_rules() {
+  static const WordRules rules{"project-option", why_not_in_project};
+  return rules;
+}
+
+/// An open file, closed at the end.
+class Handle {
+ public:
+  explicit Handle(const std::string& path) : number_(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) {}
+  ~Handle() {
+    if (number_ >= 0) ::close(number_);
+  }
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  [[nodiscard]] int number() const { return number_; }
+
+ private:
+  int number_;
+};
+
+// The file that was looked at is the one that is read, whatever stands at its name meanwhile.
+Result<std::string> read_own_file(const std::string& name) {
+  constexpr std::size_t kMost = 1'000'000;
+  const auto unreadable = [&](const std::string& why) {
+    return make_error("project-unreadable", why + "; expected a project file, or --no-config to do without", name);
+  };
+  const Handle handle(name);
+  struct stat facts {};
+  if (handle.number() < 0 || ::fstat(handle.number(), &facts) != 0) return unreadable(std::strerror(errno));
+  if (!S_ISREG(facts.st_mode)) return unreadable("this is no file");
+  const bool is_mine = facts.st_uid == ::geteuid();
+  if (!is_mine || (facts.st_mode & S_IWOTH) != 0) {
+    return make_error(
+        "project-foreign",
+        std::string(is_mine ? "everybody may write this project file" : "this project file belongs to somebody else") +
+            "; expected one of your own that others cannot write, or --no-config to do without",
+        name);
+  }
+  std::string bytes;
+  std::array<char, 65536> buffer{};
+  while (true) {
+    const ssize_t count = ::read(handle.number(), buffer.data(), buffer.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return unreadable(std::strerror(errno));
+    if (count == 0) return bytes;
+    bytes.append(buffer.data(), static_cast<std::size_t>(count));
+    if (bytes.size() > kMost) return unreadable("this file has more than 1 MB");
+  }
+}
+
+/// The folders that are looked at, from the working directory up, as they are named from there: "", "../", ...
+std::vector<std::string> folders_to_search() {
+  std::error_code failed;
+  fs::path at = fs::current_path(failed);
+  if (failed) return {};
+  std::vector<std::string> folders = {""};
+  for (std::string above;; above += "../") {
+    if (fs::exists(at / ".git", failed)) return folders;
+    if (!at.has_parent_path() || at == at.parent_path()) return {""};  // no repository
+    at = at.parent_path();
+    folders.push_back(above + "../");
+  }
+}
+
+}  // namespace
+
+std::string ProjectOption::value() const {
+  std::string text;
+  for (const std::string& word : words) {
+    const std::size_t equals = word.find('=');
+    text += (text.empty() ? "" : ", ") + (equals == std::string::npos ? "yes" : word.substr(equals + 1));
+  }
+  return text;
+}
+
+const ProjectOption* ProjectFile::option(const std::string& key) const {
+  const auto found = std::ranges::find(options, key, &ProjectOption::key);
+  return found == options.end() ? nullptr : &*found;
+}
+
+std::vector<std::string> project_keys() {
+  std::vector<std::string> keys;
+  for (const char* command : {"check", "correct"}) {
+    for (const CLI::Option* option : option_table(command).get_options()) {
+      if (!is_allowed(*option)) continue;
+      const std::string& key = option->get_lnames().front();
+      if (std::ranges::find(keys, key) == keys.end()) keys.push_back(key);
+    }
+  }
+  return keys;
+}
+
+Result<std::optional<ProjectFile>> find_project_file() {
+  for (const std::string& folder : folders_to_search()) {
+    const std::string name = folder + kProjectFileName;
+    struct stat facts {};
+    if (::lstat(name.c_str(), &facts) != 0) continue;
+    const Result<std::string> bytes = read_own_file(name);
+    if (!bytes) return bytes.error();
+    Result<ProjectFile> project = read_project_file(name, folder, *bytes);
+    if (!project) return project.error();
+    return std::optional(std::move(*project));
+  }
+  return std::optional<ProjectFile>();
+}
+
+Result<ProjectFile> read_project_file(const std::string& name, const std::string& folder, const std::string& bytes) {
+  const Result<detail::JsonFile> json =
+      detail::parse_json(name, bytes, {"project-syntax", "project-duplicate-key", "a project file"});
+  if (!json) return json.error();
+  if (!json->root.is_object())
+    return make_error("project-syntax", "this is no object; expected {\"part\": \"part.stl\", ...}", name, 1);
+  ProjectFile project;
+  project.input = describe_input("project", name, bytes);
+  const std::vector<std::string> keys = project_keys();
+  for (const auto& [key, value] : json->root.items()) {
+    const std::size_t line = json->lines.at("/" + key);
+    const bool is_of_check = option_table("check").get_option_no_throw("--" + key) != nullptr;
+    const bool is_known = is_of_check || option_table("correct").get_option_no_throw("--" + key) != nullptr;
+    if (!is_known) {
+      const std::string nearest = nearest_name(key, keys);
+      return make_error("project-option",
+                        "\"" + key +
+                            "\" is no option of check or correct; expected the long name of one without its --" +
+                            (nearest.empty() ? "" : "; did you mean \"" + nearest + "\"?"),
+                        name, line);
+    }
+    JobWords words(is_of_check ? "check" : "correct", folder, project_rules());
+    if (const Outcome added = words.add(key, value); !added)
+      return make_error(added.error().code, added.error().message, name, line);
+    if (!words.words().empty()) project.options.push_back({key, words.words(), line});
+  }
+  std::ranges::sort(project.options, {},
+                    [&](const ProjectOption& option) { return std::ranges::find(keys, option.key) - keys.begin(); });
+  return project;
+}
+
+}  // namespace gouge

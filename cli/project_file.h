@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cli/job_options.h"
+#include "lib/base/result.h"
+
+namespace gouge {
+
+inline constexpr const char* kProjectFileName = "gougecheck.json";
+
+/// One option that a project file sets.
+struct ProjectOption {
+  std::string key;                 ///< its long name, without --
+  std::vector<std::string> words;  ///< "--fixture=a.stl", "--fixture=b.stl"
+  std::size_t line = 0;
+
+  /// For people: "a.stl, b.stl"; of a flag "yes".
+  [[nodiscard]] std::string value() const;
+};
+
+struct ProjectFile {
+  InputFile input;  ///< named from the working directory: "../gougecheck.json"
+  std::vector<ProjectOption> options;  ///< in the order of project_keys
+
+  [[nodiscard]] const ProjectOption* option(const std::string& key) const;
+};
+
+/// The long names of all options that a project file may set, in the order of the tables.
+[[nodiscard]] std::vector<std::string> project_keys();
+
+/// The project file that holds in the working directory: the nearest one from there up to the root of its repository
+/// (the folder with .git); without a repository the working directory alone. None where there is none.
+/// Errors: project-foreign where it belongs to somebody else or everybody may write it, project-unreadable.
+[[nodiscard]] Result<std::optional<ProjectFile>> find_project_file();
+
+/// The options of a project file called `name`, whose files are below `folder`. Errors, with the line: project-syntax,
+/// project-duplicate-key, project-option (no such option, or one that no project file may set, or a wrong kind of
+/// value), json-too-deep, json-too-long.
+[[nodiscard]] Result<ProjectFile> read_project_file(const std::string& name, const std::string& folder,
+                                                    const std::string& bytes);
+
+}  // namespace gouge

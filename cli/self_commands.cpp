@@ -1,0 +1,82 @@
+#include "cli/self_commands.h"
+
+#include <CLI/CLI.hpp>
+#include <ostream>
+
+#include "cli/command_doc.h"
+#include "cli/help_text.h"
+#include "cli/parse_errors.h"
+#include "cli/print_diagnostics.h"
+#include "cli/write_completion.h"
+#include "cli/write_man.h"
+#include "lib/base/exit_code.h"
+#include "lib/base/printable_text.h"
+#include "lib/base/result.h"
+
+namespace gouge {
+namespace {
+
+void add_words(CLI::App& command, SelfArguments& arguments) {
+  command.add_option("COMMAND", arguments.command, "The command: check, or two words: tool import")
+      ->type_name("COMMAND");
+}
+
+// Errors: usage, naming the word that is no command.
+Result<const CLI::App*> command_called(const CLI::App& app, const std::vector<std::string>& words) {
+  const CLI::App* at = &app;
+  for (const std::string& word : words) {
+    std::vector<std::string> names;
+    const CLI::App* next = nullptr;
+    for (const CLI::App* one : at->get_subcommands({})) {
+      names.push_back(one->get_name());
+      if (names.back() == word) next = one;
+    }
+    if (next == nullptr) {
+      const std::string nearest = nearest_name(word, names);
+      return make_error("usage", "'" + printable(word) + "' is no command of " + document(*at).name +
+                                     (names.empty() ? "" : "; expected " + listed(names, " or ")) +
+                                     (nearest.empty() ? "" : "; did you mean " + nearest + "?"));
+    }
+    at = next;
+  }
+  return at;
+}
+
+}  // namespace
+
+void add_self_commands(CLI::App& app, SelfArguments& arguments) {
+  CLI::App* help = app.add_subcommand("help", "Print the help of a command");
+  add_words(*help, arguments);
+  help->footer("Example:\n  gougecheck help tool import");
+  CLI::App* man = app.add_subcommand("man", "Print the manual page of a command, for man -l -");
+  add_words(*man, arguments);
+  man->footer("Example:\n  gougecheck man check | man -l -");
+  CLI::App* completion = app.add_subcommand("completion", "Print what completes command lines in a shell");
+  completion->add_option("SHELL", arguments.shell, "The shell: bash, zsh or fish")
+      ->check(CLI::IsMember({"bash", "zsh", "fish"}))
+      ->required();
+  completion->footer(
+      "Examples:\n"
+      "  source <(gougecheck completion bash)\n"
+      "  gougecheck completion zsh > ~/.zfunc/_gougecheck\n"
+      "  gougecheck completion fish > ~/.config/fish/completions/gougecheck.fish\n\n"
+      "An installed gougecheck has brought them along.");
+}
+
+int run_self_command(const CLI::App& app, const SelfArguments& arguments, std::ostream& out, std::ostream& err) {
+  if (app.got_subcommand("completion")) {
+    out << write_completion(arguments.shell, document(app));
+    return kExitClean;
+  }
+  const Result<const CLI::App*> command = command_called(app, arguments.command);
+  if (!command) return fail(err, {command.error()});
+  if (app.got_subcommand("man")) {
+    out << write_man(document(**command));
+  } else {
+    // Not help() of the command: that prints the help of the one that was parsed, which is this one.
+    out << app.get_formatter()->make_help(*command, document(**command).name, CLI::AppFormatMode::Normal);
+  }
+  return kExitClean;
+}
+
+}  // namespace gouge

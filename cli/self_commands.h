@@ -1,0 +1,25 @@
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace gouge {
+
+/// `help`, `man` and `completion`: what the program says of itself.
+struct SelfArguments {
+  std::vector<std::string> command;  ///< of help and man: the words of a command
+  std::string shell;
+};
+
+void add_self_commands(CLI::App& app, SelfArguments& arguments);
+
+/// The one of them that was asked for of `app`, after its parse. Returns the exit status.
+[[nodiscard]] int run_self_command(const CLI::App& app, const SelfArguments& arguments, std::ostream& out,
+                                   std::ostream& err);
+
+}  // namespace gouge

@@ -1,0 +1,17 @@
+# GOUGE_VERSIONS: the libraries of this build, for --version. CGAL and OpenCV say theirs in a header.
+function(gouge_version_in header pattern out)
+  set(version "")
+  file(STRINGS "${header}" lines REGEX "${pattern}")
+  foreach(line IN LISTS lines)
+    string(REGEX MATCH "[0-9][0-9.]*" number "${line}")
+    string(APPEND version "${version_separator}${number}")
+    set(version_separator ".")
+  endforeach()
+  set(${out} "${version}" PARENT_SCOPE)
+endfunction()
+
+find_path(CGAL_VERSION_FOLDER CGAL/version.h REQUIRED)
+mark_as_advanced(CGAL_VERSION_FOLDER)
+gouge_version_in(${CGAL_VERSION_FOLDER}/CGAL/version.h "define CGAL_VERSION [0-9]" cgal)
+gouge_version_in(${OPENCV_INCLUDE}/opencv2/core/version.hpp "define CV_VERSION_(MAJOR|MINOR|REVISION)" opencv)
+set(GOUGE_VERSIONS "CGAL ${cgal}, OpenCV ${opencv}, Eigen ${Eigen3_VERSION}, SQLite ${SQLite3_VERSION}, nlohmann-json ${nlohmann_json_VERSION}, OpenSSL ${OPENSSL_VERSION}")

@@ -1,0 +1,30 @@
+#include "lib/base/paint.h"
+
+#include <array>
+
+#include "lib/base/printable_text.h"
+
+namespace gouge {
+
+std::string painted(std::string_view text, Paint paint, bool is_on) {
+  if (!is_on || text.empty()) return std::string(text);
+  // Bold; bold red, magenta, cyan, green; faint. Legible on light and on dark ground.
+  static constexpr std::array<const char*, 6> kCodes = {"1", "1;31", "1;35", "1;36", "1;32", "2"};
+  return std::string("\x1b[") + kCodes[static_cast<std::size_t>(paint)] + "m" + std::string(text) + "\x1b[0m";
+}
+
+std::string painted_text(const Diagnostic& diagnostic) {
+  static constexpr std::array<Paint, 3> kPaints = {Paint::note, Paint::warning, Paint::error};
+  const std::string text = to_text(diagnostic);
+  // "PLACE: SEVERITY: MESSAGE [CODE]"; a place may hold ": " itself, so what comes after it is counted from the end.
+  const std::string code = diagnostic.code.empty() ? "" : " [" + diagnostic.code + "]";
+  const std::size_t behind = printable(diagnostic.message).size() + code.size() + 1;
+  const std::size_t severity_end = text.size() - behind;
+  const std::size_t severity = text.rfind(' ', severity_end - 1) + 1;
+  return painted(text.substr(0, severity - 1), Paint::place, true) + " " +
+         painted(text.substr(severity, severity_end - severity), kPaints[static_cast<std::size_t>(diagnostic.severity)],
+                 true) +
+         text.substr(severity_end, behind - code.size()) + painted(code, Paint::faint, true);
+}
+
+}  // namespace gouge

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "lib/base/diagnostic.h"
+
+namespace gouge {
+
+/// What a stretch of text for a terminal is, which says how it is coloured.
+enum class Paint { place, error, warning, note, clean, faint };
+
+/// `text` between escape sequences that a terminal shows as colour or weight (ECMA-48, SGR); as it is where `is_on` is
+/// false or it is empty. To be called after printable(), which would spell the sequences out.
+[[nodiscard]] std::string painted(std::string_view text, Paint paint, bool is_on);
+
+/// to_text of a diagnostic, in colour: its place, its severity, its code.
+[[nodiscard]] std::string painted_text(const Diagnostic& diagnostic);
+
+}  // namespace gouge

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "lib/base/units.h"
+#include "lib/drawing/drawing.h"
+#include "lib/geom/vec.h"
+#include "lib/mesh/indexed_mesh.h"
+
+// The panels of a plot: views along a direction at a scale, with what stands around and behind a path.
+
+namespace gouge {
+
+/// A view in a rectangle of a drawing. `right` and `up` are unit and perpendicular; y goes down in the drawing.
+struct PlotPanel {
+  double x = 0, y = 0, width = 0, height = 0;
+  const char* name = "";
+  Vec3 right = Vec3::UnitX(), up = Vec3::UnitY();
+  double scale = 1;  ///< drawing units a millimetre
+  Vec2 shift = Vec2::Zero();
+
+  [[nodiscard]] Vec2 flat(const Vec3& p) const { return {p.dot(right), -p.dot(up)}; }
+  [[nodiscard]] Vec2 at(const Vec3& p) const { return scale * flat(p) + shift; }
+  /// Along a coordinate axis: its ticks say where things are.
+  [[nodiscard]] bool is_along_axes() const;
+  /// Makes `box` fit between the margins.
+  void fit(const Box3& box);
+};
+
+/// The frame, its name, and ticks with their coordinates along the edges of a panel along axes; of another one the
+/// directions of x, y and z. Both with a bar of a round length. Coordinates are in `unit`.
+void draw_frame(const PlotPanel& panel, LengthUnit unit, Drawing& drawing);
+
+/// The parts as shaded surfaces, the nearest on top, in cells of two units: what it takes is bounded by the panel, not
+/// by the meshes. Cost O(triangles + cells they cover).
+void draw_parts(const PlotPanel& panel, const std::vector<IndexedMesh>& parts, Drawing& drawing);
+
+/// The largest of 1, 2 and 5 times a power of ten that is at most `length` > 0.
+[[nodiscard]] double round_length(double length);
+
+}  // namespace gouge

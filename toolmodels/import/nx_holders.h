@@ -1,0 +1,35 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "toolmodels/import/nx_database.h"
+
+namespace gouge {
+
+/// Whether these are the rows of a holder_database.dat.
+[[nodiscard]] bool has_holders(const std::vector<NxRow>& rows);
+
+/// Adds the holders of a holder_database.dat to the library. What is wrong with one leaves it out, and is reported.
+void import_nx_holders(Collector& collector, const std::vector<NxRow>& rows, LengthUnit unit);
+
+/// The holders of the holder_database.dat beside a tool_database.dat, read when the first is asked for.
+class NxHolderSource {
+ public:
+  NxHolderSource(const ImportOptions& options, LengthUnit unit) : options_(options), unit_(unit) {}
+
+  /// Null where there is no such file or no such holder in it.
+  [[nodiscard]] const std::vector<ToolSegment>* called(const std::string& name);
+
+ private:
+  void read();
+
+  const ImportOptions& options_;
+  LengthUnit unit_;
+  bool is_read_ = false;
+  std::map<std::string, std::vector<ToolSegment>> holders_;
+};
+
+}  // namespace gouge
