@@ -31,6 +31,7 @@ struct JobArguments : Verbosity {
   std::string rapid = "straight", progress = "auto";
   std::uint32_t threads = 0;
   std::string report_folder, json_file, csv_file, sarif_file, junit_file;
+  std::string certificate_file;  ///< of `check` alone
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;
   bool is_extended_up = false;

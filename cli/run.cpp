@@ -20,6 +20,7 @@
 #include "cli/print_diagnostics.h"
 #include "cli/standard_output.h"
 #include "cli/tool_command.h"
+#include "cli/verify_command.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/parallel.h"
 #include "lib/base/printable_text.h"
@@ -37,6 +38,7 @@ struct Arguments {
   MeshArguments mesh;
   PathArguments path;
   ToolArguments tool;
+  VerifyArguments verify;
 };
 
 void describe(CLI::App& app) {
@@ -59,6 +61,7 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
   if (app.got_subcommand("correct")) threads = arguments.correct.job.threads;
   if (app.got_subcommand("batch")) threads = arguments.batch.job.threads;
   if (app.got_subcommand("mesh")) threads = arguments.mesh.threads;
+  if (app.got_subcommand("verify")) threads = arguments.verify.threads;
   if (threads > kMostThreads) {
     print(err, {make_error("too-many-threads", "--threads '" + std::to_string(threads) + "': expected at most " +
                                                    std::to_string(kMostThreads) + ", or 0 for all the machine has")});
@@ -77,6 +80,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   if (app.got_subcommand("merge")) return run_merge(arguments.merge, out, err);
   if (app.got_subcommand("mesh")) return run_mesh(arguments.mesh, out, err);
   if (app.got_subcommand("tool")) return run_tool(arguments.tool, out, err);
+  if (app.got_subcommand("verify")) return run_verify(arguments.verify, out, err);
   return run_path(arguments.path, out, err);
 }
 
@@ -105,6 +109,8 @@ int run(int argc, const char* const* argv, std::ostream& out, std::ostream& err)
     add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), arguments.mesh);
     add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), arguments.path);
     add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), arguments.tool);
+    add_verify_options(*app.add_subcommand("verify", "Verify the result of a check by independent means"),
+                       arguments.verify);
     const std::span words(argv, static_cast<std::size_t>(argc));
     try {
       app.parse(argc, argv);
