@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/baseline.h"
+#include "cli/claimed_scene.h"
 #include "cli/job.h"
 #include "cli/length_text.h"
 #include "cli/outputs.h"
@@ -53,6 +54,12 @@ void add_check_options(CLI::App& command, CheckArguments& check) {
       ->type_name("LENGTH")
       ->capture_default_str()
       ->needs(finds);
+  command
+      .add_option(
+          "--certificate", arguments.certificate_file,
+          "Write proofs that 'gougecheck verify RESULT.json --certificate FILE' verifies (- for standard output)")
+      ->type_name("FILE")
+      ->group(kOutputGroup);
   command
       .add_flag("--force", arguments.is_forced,
                 "Let --report replace and remove files of a report's names that no report wrote, never an input")
@@ -114,7 +121,14 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   const PathFit fit = find_path_fit(job.toolpath, result.verdicts, job.tools(), scene, options->check.threads);
   if (const auto misfit = describe_misfit(job.toolpath, fit)) model.notes.push_back(*misfit);
   baseline->apply(model);
+  MadeCertificate certificate;
+  if (!arguments.certificate_file.empty()) {
+    certificate = make_certificate(claimed_scene(job), claims_of(result), inputs_digest(job.inputs), progress.call());
+    progress.end();
+    model.certificate_bytes = certificate.bytes;
+  }
   print_notes(err, model.notes, arguments);
+  if (!certificate.not_proved.empty() && !arguments.is_quiet) print(err, {describe_unproved(job, certificate)});
   if (arguments.is_verbose) {
     err << "spent: " << result.evaluations << " bounds in " << result.verdicts.size() << " moves\n";
   }

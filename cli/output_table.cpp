@@ -10,6 +10,8 @@ namespace {
 
 std::string corrected_toolpath(const ReportModel& model) { return std::string(model.correction.output_bytes); }
 
+std::string certificate(const ReportModel& model) { return std::string(model.certificate_bytes); }
+
 }  // namespace
 
 OutputTable outputs_of(const JobArguments& a, const std::string& corrected) {
@@ -18,6 +20,7 @@ OutputTable outputs_of(const JobArguments& a, const std::string& corrected) {
                     {"--csv", a.csv_file, Output::Kind::file, write_csv},
                     {"--sarif", a.sarif_file, Output::Kind::file, write_sarif},
                     {"--junit", a.junit_file, Output::Kind::file, write_junit},
+                    {"--certificate", a.certificate_file, Output::Kind::file, certificate},
                     {"--report", a.report_folder, Output::Kind::report_folder, nullptr}});
 }
 

@@ -52,6 +52,7 @@ Program::Program() {
   add_mesh_options(*app.add_subcommand("mesh", "Validate an STL file and repair it"), a.mesh);
   add_path_options(*app.add_subcommand("path", "Show what is in a toolpath file"), a.path);
   add_tool_options(*app.add_subcommand("tool", "List, show, draw and import the tools of a library"), a.tool);
+  add_verify_options(*app.add_subcommand("verify", "Verify the result of a check by independent means"), a.verify);
   for (const char* command : {"check", "correct"})
     add_no_config_option(*app.get_subcommand(command), a.is_without_project);
   add_config_commands(app);

@@ -15,6 +15,7 @@
 #include "cli/path_command.h"
 #include "cli/self_commands.h"
 #include "cli/tool_command.h"
+#include "cli/verify_command.h"
 
 namespace gouge {
 
@@ -29,6 +30,7 @@ struct Arguments {
   MeshArguments mesh;
   PathArguments path;
   ToolArguments tool;
+  VerifyArguments verify;
   SelfArguments self;
   std::string colour = "auto";
   bool is_without_project = false;

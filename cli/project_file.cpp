@@ -13,7 +13,7 @@
 
 #include "cli/job_words.h"
 #include "cli/parse_errors.h"
-#include "toolmodels/json_file.h"
+#include "lib/json/json_file.h"
 
 namespace gouge {
 namespace {
@@ -151,8 +151,7 @@ Result<std::optional<ProjectFile>> find_project_file() {
 }
 
 Result<ProjectFile> read_project_file(const std::string& name, const std::string& folder, const std::string& bytes) {
-  const Result<detail::JsonFile> json =
-      detail::parse_json(name, bytes, {"project-syntax", "project-duplicate-key", "a project file"});
+  const Result<JsonFile> json = parse_json(name, bytes, {"project-syntax", "project-duplicate-key", "a project file"});
   if (!json) return json.error();
   if (!json->root.is_object())
     return make_error("project-syntax", "this is no object; expected {\"part\": \"part.stl\", ...}", name, 1);

@@ -36,6 +36,7 @@ bool set_threads(const CLI::App& app, const Arguments& arguments, std::ostream& 
   if (app.got_subcommand("correct")) threads = arguments.correct.job.threads;
   if (app.got_subcommand("batch")) threads = arguments.batch.job.threads;
   if (app.got_subcommand("mesh")) threads = arguments.mesh.threads;
+  if (app.got_subcommand("verify")) threads = arguments.verify.threads;
   if (threads > kMostThreads) {
     print(err, {make_error("too-many-threads", "--threads '" + std::to_string(threads) + "': expected at most " +
                                                    std::to_string(kMostThreads) + ", or 0 for all the machine has")});
@@ -69,6 +70,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments, std::ostream& out,
   if (app.got_subcommand("path")) return run_path(arguments.path, out, err);
   if (app.got_subcommand("config")) return run_config(app.get_subcommand("config")->remaining(), out, err);
   if (app.got_subcommand("init")) return run_init(app.get_subcommand("init")->remaining(), out, err);
+  if (app.got_subcommand("verify")) return run_verify(arguments.verify, out, err);
   return run_self_command(app, arguments.self, out, err);
 }
 

@@ -4,7 +4,7 @@
 
 ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 BUILD="$ROOT/build/release"
-PACKAGES="g++ cmake ninja-build ccache libeigen3-dev libcgal-dev libopencv-imgproc-dev libpng-dev libfreetype-dev fonts-dejavu-core fonts-wqy-microhei libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev libzip-dev libssl-dev libsqlite3-dev zlib1g-dev ${MORE_PACKAGES:-}"
+PACKAGES="g++ cmake ninja-build ccache libeigen3-dev libcgal-dev libopencv-imgproc-dev libpng-dev libfreetype-dev fonts-dejavu-core fonts-wqy-microhei libcli11-dev nlohmann-json3-dev libgtest-dev libbenchmark-dev libzip-dev libssl-dev libsqlite3-dev zlib1g-dev libzstd-dev ${MORE_PACKAGES:-}"
 
 fail() {
   echo "$0: $*" >&2

@@ -152,7 +152,8 @@ struct ReportModel {
   Diagnostics notes;                       ///< warnings and notes of all inputs
   bool has_correction = false;
   CorrectionFacts correction;
-  double seconds = 0;  ///< spent from the first file read to this report; only JUnit has it
+  std::string_view certificate_bytes;  ///< of --certificate
+  double seconds = 0;                  ///< spent from the first file read to this report; only JUnit has it
   std::optional<StickoutOptions> stickout_options;  ///< none: not asked
   std::vector<StickoutFacts> stickouts;
   std::optional<CureOptions> cure_options;  ///< none: not asked

@@ -76,7 +76,14 @@ class JsonReport {
     static constexpr std::array<const char*, 3> kRapid{"straight", "dogleg", "skip"};
     const CheckOptions& o = model_.options;
     Json more = Json::object();
-    for (const OptionText& option : model_.more_options) more[valid_utf8(option.name)] = text(option.value);
+    for (const OptionText& option : model_.more_options) {
+      Json& value = more[valid_utf8(option.name)];
+      if (value.is_string()) value = Json::array({value});
+      if (value.is_array())
+        value.push_back(text(option.value));
+      else
+        value = text(option.value);
+    }
     return {{"tolerance", length(o.tolerance_mm)},
             {"resolution", length(o.resolution_mm)},
             {"stock_to_leave", length(o.stock_to_leave_mm)},

@@ -92,6 +92,23 @@ TEST(Repository, PartsOfAVerdictAreClosedToAllWhoCouldForgetTheOthers) {
   EXPECT_EQ(listed(check_closed_headers(repository(), modules())), "");
 }
 TEST(Repository, CgalAndOpenCvStayInTheirSources) { EXPECT_EQ(listed(check_heavy_libraries(repository())), ""); }
+TEST(Repository, TheVerifierSharesNothingWithTheCheckButReadersAndVectors) {
+  const std::set<std::string> shared_rooms{"lib/base", "lib/geom", "lib/mesh", "lib/path", "lib/tool", "lib/verify"};
+  const std::set<std::string> plain_data{"lib/tool/compiled_tool.h", "lib/tool/tool_variants.h"};
+  std::size_t sources = 0;
+  for (const SourceFile& file : repository()) {
+    if (file.path.rfind("lib/verify/", 0) != 0) continue;
+    ++sources;
+    for (const Include& include : includes_of(file.text)) {
+      if (!include.is_quoted) continue;
+      const std::string room = include.target.substr(0, include.target.rfind('/'));
+      EXPECT_EQ(shared_rooms.count(room), 1U) << file.path << " includes " << include.target;
+      EXPECT_TRUE(room != "lib/tool" || plain_data.count(include.target) == 1)
+          << file.path << " includes " << include.target;
+    }
+  }
+  EXPECT_GT(sources, 10U);
+}
 TEST(Repository, NothingBelowCliPrintsEndsOrThrows) { EXPECT_EQ(listed(check_banned_words(repository())), ""); }
 TEST(Repository, RandomNumbersAreTheSameEverywhere) { EXPECT_EQ(listed(check_random_numbers(repository())), ""); }
 TEST(Repository, FilesAreShortAndHeadersGuarded) { EXPECT_EQ(listed(check_shape(repository())), ""); }

@@ -23,7 +23,7 @@ using Complaints = std::vector<std::string>;
 /// benchmarks, which time single parts, may.
 [[nodiscard]] Complaints check_closed_headers(const std::vector<SourceFile>& files, const std::vector<Module>& modules);
 
-/// CGAL stays in two sources of lib/validate, OpenCV in one source of postproc/image.
+/// CGAL stays in two sources of lib/validate (its intervals in lib/verify/bounds.h), OpenCV in one source of postproc/image.
 [[nodiscard]] Complaints check_heavy_libraries(const std::vector<SourceFile>& files);
 
 /// Below cli: no printing, no ending of the program, no throwing, no number functions that depend on locale

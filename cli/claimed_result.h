@@ -1,0 +1,40 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/job_options.h"
+#include "lib/base/result.h"
+#include "lib/verify/claims.h"
+#include "postproc/report/report_model.h"
+
+// A result as JSON, read back: what was checked, with which options, and what is claimed of it.
+
+namespace gouge {
+
+struct ClaimedResult {
+  JobArguments arguments;  ///< files, tools and how they are read, as of the command that wrote the result
+  JobOptions options;
+  std::vector<InputFile> inputs;
+  std::string program;  ///< name and version
+  double mm_per_unit = 1;
+  std::size_t moves = 0;
+  std::map<std::size_t, MoveClaim> claims;    ///< of every move that is not clean
+  std::map<std::size_t, std::size_t> lines;   ///< of these
+  std::map<std::string, std::size_t> totals;  ///< by the name of a state
+
+  /// One a move.
+  [[nodiscard]] std::vector<MoveClaim> all_claims() const;
+};
+
+/// `file` is the name of the result. Inputs that are not where the result says are looked for beside it.
+/// Errors  those of JSON (result-syntax, result-duplicate-key), and result-invalid: it is no result of
+///         `check`, or lacks something, or has what cannot be.
+[[nodiscard]] Result<ClaimedResult> read_claimed_result(const std::string& file, std::string_view bytes);
+
+/// What contradicts itself in a result; nothing where all fits.
+[[nodiscard]] std::vector<std::string> find_contradictions(const ClaimedResult& result);
+
+}  // namespace gouge

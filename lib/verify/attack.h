@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/verify/claims.h"
+#include "lib/verify/triangle_order.h"
+#include "lib/verify/witness_check.h"
+
+namespace gouge {
+
+/// A point of the surface that is deeper in the tool than a claim allows.
+struct Counterexample {
+  std::size_t move = 0;
+  double t = 0;
+  Vec3 point = Vec3::Zero();
+  std::string what;
+};
+
+struct AttackResult {
+  std::size_t samples = 0;  ///< instants looked at
+  std::size_t moves = 0;    ///< of how many moves, each at least once
+  std::optional<Counterexample> found;
+};
+
+/// Looks for points deeper than `claims` allow: at instants of all moves in turn and at random, it goes down
+/// to the triangles that come deepest into the tool (or a head) and climbs from there over the triangle and
+/// over time. What it does not find may be there all the same.
+///
+/// `seconds`  how long it goes on at least; 0: one instant of every move and some thousand more, the same on
+///            every run.
+[[nodiscard]] AttackResult attack_claims(const ClaimedScene& scene, const ClaimedTools& tools,
+                                         const std::vector<MoveClaim>& claims, double seconds);
+
+}  // namespace gouge

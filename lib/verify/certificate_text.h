@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// The bytes of a certificate: docs/formats/certificate.md.
+
+namespace gouge {
+
+inline constexpr std::string_view kCertificateMagic = "gougecheck proof 1\n";
+inline constexpr std::size_t kMostBlockBytes = 256U << 20U, kMostMovesOfGroup = 256;
+
+/// Moves [first, first + count) and the steps that prove them.
+struct ProofGroup {
+  std::size_t first = 0, count = 0;
+  std::string steps;
+};
+
+/// What stands before the blocks.
+struct CertificateHeader {
+  std::string inputs;  ///< 64 hexadecimal digits
+  std::uint64_t moves = 0, part_triangles = 0, fixture_triangles = 0;
+  double tolerance_mm = 0, resolution_mm = 0;
+};
+
+[[nodiscard]] std::string to_bytes(const CertificateHeader& header);
+inline constexpr std::size_t kHeaderBytes = 64 + 5 * 8;
+/// Requires kHeaderBytes bytes.
+[[nodiscard]] CertificateHeader header_of(std::string_view bytes);
+
+/// A block with its length before it; no groups: the end.
+[[nodiscard]] std::string block_bytes(const std::vector<ProofGroup>& groups);
+/// The length a block begins with. Requires 4 bytes.
+[[nodiscard]] std::uint32_t block_length(std::string_view bytes);
+/// The groups of a block. Nothing where the bytes are none, or a group is empty or begins before `least_move`
+/// or before the one ahead of it ends, or ends beyond `moves`.
+[[nodiscard]] std::optional<std::vector<ProofGroup>> groups_of(std::string_view block, std::size_t least_move,
+                                                               std::size_t moves);
+
+}  // namespace gouge

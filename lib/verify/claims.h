@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "lib/mesh/indexed_mesh.h"
+#include "lib/path/toolpath.h"
+#include "lib/tool/tool_variants.h"
+
+// What a result says of a toolpath, and what it says it of: all that a verification starts from.
+
+namespace gouge {
+
+enum class ClaimedState : std::uint8_t { clean, near, gouge, buried, not_checked, not_certified };
+
+struct ClaimedWitness {
+  double t = 0;
+  Vec3 point = Vec3::Zero(), normal = Vec3::UnitZ();  ///< mm, part coordinates; unit
+  Body body = Body::cutter;
+  bool is_fixture = false;
+  std::size_t mesh = 0;      ///< of the parts or of the fixtures
+  std::size_t triangle = 0;  ///< in the file, counted from 0
+};
+
+struct MoveClaim {
+  ClaimedState state = ClaimedState::clean;
+  double depth_mm = 0;
+  std::optional<double> depth_upper_mm;  ///< none: unbounded, or by the state alone (clean)
+  std::optional<double> clearance_mm;
+  std::optional<ClaimedWitness> witness;
+};
+
+/// What is referred to must outlive it. Lengths in mm.
+struct ClaimedScene {
+  const Toolpath& path;
+  std::vector<const ToolVariants*> tools;  ///< one per Toolpath::tools; null: not defined
+  std::span<const IndexedMesh> parts, fixtures;
+  std::vector<const IndexedMesh*> heads;  ///< pieces of the bodies that move with the tool, in the tool's frame
+  bool is_dogleg = false;                 ///< how rapids run
+  double tolerance_mm = 0.01, resolution_mm = 0.001;
+  unsigned threads = 0;
+
+  [[nodiscard]] double largest_clean_mm() const { return tolerance_mm + resolution_mm; }
+};
+
+/// Whether a move of that state claims that nothing is deeper than tolerance + resolution.
+[[nodiscard]] inline bool claims_clean(const MoveClaim& claim) {
+  return claim.state == ClaimedState::clean || claim.state == ClaimedState::near;
+}
+
+}  // namespace gouge

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lib/verify/attack.h"
+#include "lib/verify/claims.h"
+#include "lib/verify/witness_check.h"
+
+namespace gouge {
+
+/// Whether the moves that claim to be clean are outside of all solids.
+struct OutsideCheck {
+  std::size_t proved = 0;      ///< moves whose tool leaves the box of all surfaces without meeting one
+  std::size_t sampled = 0;     ///< moves for which a winding number alone says so
+  std::size_t unexamined = 0;  ///< moves of tools too thin to have a point that no surface reaches
+  std::vector<Counterexample> refuted;
+};
+
+/// Points on the tool's axis that lie deeper in the tool than a clean move lets any surface come cannot pass
+/// through a surface, so what holds of them at one instant holds for a whole run of such moves
+/// (docs/verify.md, "Outside"). Takes for granted that no move is deeper than it claims.
+[[nodiscard]] OutsideCheck check_outside(const ClaimedScene& scene, const ClaimedTools& tools,
+                                         const std::vector<MoveClaim>& claims);
+
+}  // namespace gouge

@@ -1,0 +1,198 @@
+#include "lib/verify/surface_proof.h"
+
+#include <array>
+
+#include "lib/geom/triangle.h"
+#include "lib/verify/separation.h"
+
+namespace gouge {
+namespace {
+
+constexpr int kDeepest = 160;  // cuts, one in the other
+
+/// A part of the surface: a node of several triangles, or a triangle, or a piece of one.
+struct Place {
+  TriangleOrder::Node node;  // of two or more, else of no meaning
+  std::array<Vec3, 3> corners{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  bool is_node = false;
+};
+
+Place place_of(const TriangleOrder& order, const TriangleOrder::Node& node) {
+  Place place;
+  place.is_node = node.size() > 1;
+  place.node = node;
+  if (!place.is_node) place.corners = order.corners(node.first);
+  return place;
+}
+
+std::array<Place, 2> halves_of(const TriangleOrder& order, const Place& place) {
+  if (place.is_node)
+    return {place_of(order, {place.node.first, place.node.middle()}),
+            place_of(order, {place.node.middle(), place.node.last})};
+  std::array<Place, 2> both{place, place};
+  const auto parts = halves(place.corners, longest_edge(place.corners));
+  both[0].corners = parts[0];
+  both[1].corners = parts[1];
+  return both;
+}
+
+SurfacePatch patch_of(const TriangleOrder& order, const Place& place) {
+  return place.is_node ? node_patch(order, place.node) : triangle_patch(place.corners);
+}
+
+/// A part of the time: some pieces, or a part of one.
+struct Time {
+  Time(const MotionPiece* begin, const MotionPiece* end, std::size_t index)
+      : first(begin), last(end), piece(index), span(span_of(begin, end)) {}
+  const MotionPiece *first, *last;
+  std::size_t piece;  // the index of the first
+  TimeSpan span;
+  [[nodiscard]] bool is_one() const { return last - first == 1; }
+};
+
+/// Calls `part(half)` for both halves of a time until it says no.
+template <typename Part>
+bool for_halves(const Time& time, const Part& part) {
+  if (time.is_one()) {
+    const std::array<MotionPiece, 2> cut = time.first->halves();
+    return part(Time(&cut[0], &cut[0] + 1, time.piece)) && part(Time(&cut[1], &cut[1] + 1, time.piece));
+  }
+  const std::ptrdiff_t half = (time.last - time.first) / 2;
+  return part(Time(time.first, time.first + half, time.piece)) &&
+         part(Time(time.first + half, time.last, time.piece + static_cast<std::size_t>(half)));
+}
+
+class Finder {
+ public:
+  Finder(const ProofQuestion& question, std::uint64_t most_tries, std::string& steps)
+      : question_(question),
+        depth_mm_(question.depth_mm + 0.9 * kProofSlack_mm),  // what another machine rounds otherwise is in the rest
+        separation_(question.tool, question.depth_mm + kProofSlack_mm),
+        left_(most_tries),
+        steps_(steps) {}
+
+  bool prove(const Place& place, const Time& time, int level) {
+    if (left_ == 0 || level > kDeepest) return false;
+    --left_;
+    const SurfacePatch patch = patch_of(question_.surface, place);
+    separation_.look_at(patch, time.span);
+    if (const auto kind = kind_that_holds(place, patch, time)) {
+      steps_.push_back(static_cast<char>(*kind));
+      return true;
+    }
+    const double moves = time.span.path_mm + patch_reach(patch, time) * time.span.swing;
+    const double by_time = time_loss_ + 0.1 * moves + vague(time), by_patch = patch_loss_ + 0.2 * patch.radius_mm;
+    constexpr double kNothing_mm = 1e-10;
+    if (patch.radius_mm < kNothing_mm && moves + vague(time) < kNothing_mm) return false;
+    if (by_time > by_patch) {
+      steps_.push_back(kCutTime);
+      return for_halves(time, [&](const Time& half) { return prove(place, half, level + 1); });
+    }
+    steps_.push_back(kCutSurface);
+    for (const Place& half : halves_of(question_.surface, place))
+      if (!prove(half, time, level + 1)) return false;
+    return true;
+  }
+
+ private:
+  static double patch_reach(const SurfacePatch& patch, const Time& time) {
+    return (patch.center - time.span.middle.tip).norm() + patch.radius_mm;
+  }
+  // Of poses that are one box: how large it is.
+  static double vague(const Time& time) {
+    if (time.span.poses.size() > 1) return 0;
+    double wide = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      wide = std::max(wide, time.span.poses[0].tip[k].sup() - time.span.poses[0].tip[k].inf());
+    return wide;
+  }
+
+  std::optional<ProofKind> kind_that_holds(const Place& place, const SurfacePatch& patch, const Time& time) {
+    using enum ProofKind;
+    const auto holds = [&](ProofKind kind) {
+      const bool is_proved = separation_.holds(kind, depth_mm_);
+      patch_loss_ = separation_.patch_loss_mm();
+      time_loss_ = separation_.time_loss_mm();
+      return is_proved;
+    };
+    if (patch.into.squaredNorm() > 0 && holds(own_plane)) return own_plane;
+    if (holds(center_plane)) return center_plane;
+    if (place.is_node) return std::nullopt;
+    if (holds(closest_plane)) return closest_plane;
+    if (!question_.tool.is_stepped()) return std::nullopt;
+    for (const ProofKind kind : {own_ring, center_ring, closest_ring})
+      if (holds(kind)) return kind;
+    if (patch.radius_mm + time.span.path_mm < depth_mm_ + 0.01 && holds(exit_point)) return exit_point;
+    return std::nullopt;
+  }
+
+  const ProofQuestion& question_;
+  double depth_mm_;
+  Separation separation_;
+  std::uint64_t left_;
+  std::string& steps_;
+  double patch_loss_ = 0, time_loss_ = 0;
+};
+
+class Follower {
+ public:
+  Follower(const ProofQuestion& question, std::string_view& steps, ProofFault& fault)
+      : question_(question),
+        separation_(question.tool, question.depth_mm + kProofSlack_mm),
+        steps_(steps),
+        fault_(fault) {}
+
+  bool follow(const Place& place, const Time& time, int level) {
+    if (steps_.empty()) return fails(place, time, "the proof ends too early");
+    const char step = steps_.front();
+    steps_.remove_prefix(1);
+    if (level > kDeepest) return fails(place, time, "the proof cuts too finely");
+    if (step == kCutTime) return for_halves(time, [&](const Time& half) { return follow(place, half, level + 1); });
+    if (step == kCutSurface) {
+      for (const Place& half : halves_of(question_.surface, place))
+        if (!follow(half, time, level + 1)) return false;
+      return true;
+    }
+    if (step < static_cast<char>(ProofKind::own_plane) || step > static_cast<char>(ProofKind::exit_point))
+      return fails(place, time, "the proof has a step that is none");
+    const SurfacePatch patch = patch_of(question_.surface, place);
+    separation_.look_at(patch, time.span);
+    return separation_.holds(static_cast<ProofKind>(step), question_.depth_mm + kProofSlack_mm) ||
+           fails(place, time, "what the proof names does not keep the tool and the surface apart");
+  }
+
+ private:
+  bool fails(const Place& place, const Time& time, const char* what) {
+    fault_ = {time.piece, patch_of(question_.surface, place).center, what};
+    return false;
+  }
+
+  const ProofQuestion& question_;
+  Separation separation_;
+  std::string_view& steps_;
+  ProofFault& fault_;
+};
+
+bool is_nothing(const ProofQuestion& question) { return question.tool.empty() || question.surface.root().size() == 0; }
+
+}  // namespace
+
+bool find_proof(const ProofQuestion& question, std::span<const MotionPiece> pieces, std::uint64_t most_tries,
+                std::string& steps) {
+  if (is_nothing(question)) return true;
+  const std::size_t before = steps.size();
+  const Time all(pieces.data(), pieces.data() + pieces.size(), 0);
+  if (Finder(question, most_tries, steps).prove(place_of(question.surface, question.surface.root()), all, 0))
+    return true;
+  steps.resize(before);
+  return false;
+}
+
+bool follow_proof(const ProofQuestion& question, std::span<const MotionPiece> pieces, std::string_view& steps,
+                  ProofFault& fault) {
+  if (is_nothing(question)) return true;
+  const Time all(pieces.data(), pieces.data() + pieces.size(), 0);
+  return Follower(question, steps, fault).follow(place_of(question.surface, question.surface.root()), all, 0);
+}
+
+}  // namespace gouge

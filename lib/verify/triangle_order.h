@@ -1,0 +1,50 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lib/mesh/indexed_mesh.h"
+
+namespace gouge {
+
+/// All triangles of a set of meshes in an order in which near ones follow each other. A node is a range of
+/// that order; its two children are its halves, so the whole hierarchy is the order alone and a proof need
+/// not name it.
+class TriangleOrder {
+ public:
+  struct Node {
+    std::uint32_t first = 0, last = 0;  ///< [first, last)
+    [[nodiscard]] std::uint32_t size() const { return last - first; }
+    [[nodiscard]] std::uint32_t middle() const { return first + (last - first) / 2; }
+  };
+
+  /// What is known of the triangles of a node of two or more.
+  struct Extent {
+    Vec3 center = Vec3::Zero(), half = Vec3::Zero();  ///< every corner is within center +- half
+    Vec3 into = Vec3::Zero();                         ///< about the unit normal into the solid; zero: too uneven
+    double least = 0;                                 ///< into . p is nowhere smaller
+  };
+
+  /// The meshes must outlive it. Finite vertices. Cost: O(n log n), about 130 bytes a triangle.
+  explicit TriangleOrder(std::span<const IndexedMesh> meshes);
+
+  [[nodiscard]] Node root() const { return {0, static_cast<std::uint32_t>(order_.size())}; }
+  [[nodiscard]] const Extent& extent(const Node& node) const { return extents_[node.middle()]; }
+  /// Corners of the triangle at a place of the order.
+  [[nodiscard]] std::array<Vec3, 3> corners(std::uint32_t place) const;
+
+ private:
+  struct Named {
+    std::uint32_t mesh = 0, triangle = 0;
+  };
+  void sort(const Node& node, std::vector<Vec3>& centers, std::vector<std::uint32_t>& order);
+  void bound(const Node& node);
+
+  std::span<const IndexedMesh> meshes_;
+  std::vector<Named> order_;
+  std::vector<Extent> extents_;  // by the middle of the node, which no two nodes share
+};
+
+}  // namespace gouge

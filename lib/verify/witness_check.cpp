@@ -1,0 +1,147 @@
+#include "lib/verify/witness_check.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "lib/base/number_text.h"
+#include "lib/geom/point_triangle.h"
+#include "lib/mesh/winding.h"
+
+namespace gouge {
+namespace {
+
+constexpr double kExact_mm = 1e-6;  // what the promise says a witness is true to
+
+std::string mm(double value) { return people_text(value, 7) + " mm"; }
+
+Eigen::Quaterniond shortest_turn(const Vec3& axis) {
+  if (1 + axis.z() < 1e-9) return Eigen::Quaterniond(0, 1, 0, 0);  // half a turn about x
+  return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis);
+}
+
+bool is_near(double a, double b) { return std::abs(a - b) <= kExact_mm; }
+
+class WitnessChecker {
+ public:
+  WitnessChecker(const ClaimedScene& scene, const ClaimedTool& tool, std::size_t move, const MoveClaim& claim)
+      : scene_(scene), tool_(tool), move_(move), claim_(claim), w_(*claim.witness) {}
+
+  std::optional<std::string> fault() const {
+    if (!(w_.t >= 0 && w_.t <= 1)) return "its instant is not of the move";
+    if (!w_.point.allFinite() || !is_near(w_.normal.norm(), 1)) return "its point or normal is none";
+    if (auto off = find_off_triangle()) return off;
+    const double depth = depth_with({0, 0, 0});
+    if (!is_near(depth, claim_.depth_mm))
+      return "the point is " + mm(depth) + " deep, and said to be " + mm(claim_.depth_mm);
+    if (claim_.depth_mm > 0) return find_wrong_way_out();
+    if (claim_.clearance_mm && !is_near(clearance(), *claim_.clearance_mm))
+      return "the point is " + mm(clearance()) + " away, and said to be " + mm(*claim_.clearance_mm);
+    return std::nullopt;
+  }
+
+ private:
+  [[nodiscard]] std::optional<std::string> find_off_triangle() const {
+    const std::span<const IndexedMesh> meshes = w_.is_fixture ? scene_.fixtures : scene_.parts;
+    if (w_.mesh >= meshes.size()) return "its mesh is not there";
+    const IndexedMesh& mesh = meshes[w_.mesh];
+    const auto at = std::find(mesh.file_triangle.begin(), mesh.file_triangle.end(), w_.triangle);
+    if (at == mesh.file_triangle.end()) return "its triangle is not there";
+    const auto t = static_cast<std::size_t>(at - mesh.file_triangle.begin());
+    const double off2 =
+        closest_on_triangle(w_.point, {mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)}).distance2_mm2;
+    if (off2 <= kExact_mm * kExact_mm) return std::nullopt;
+    return "its point is " + mm(std::sqrt(off2)) + " off its triangle";
+  }
+
+  [[nodiscard]] Pose pose() const { return pose_at(scene_.path, move_, w_.t, scene_.is_dogleg); }
+  [[nodiscard]] const ToolContour& contour() const { return w_.is_fixture ? tool_.fixture : tool_.part; }
+
+  /// The depth once the tool has given way by `shift`.
+  [[nodiscard]] double depth_with(const Vec3& shift) const {
+    if (w_.body == Body::head) return depth_in_heads(scene_, head_frame(scene_, move_, w_.t), w_.point - shift);
+    const double distance = contour().nearest(in_tool(pose(), w_.point - shift)).signed_distance_mm;
+    return std::max(0.0, -distance);
+  }
+
+  [[nodiscard]] std::optional<std::string> find_wrong_way_out() const {
+    const double left = depth_with(claim_.depth_mm * w_.normal);
+    if (left > kExact_mm) return "the point is still " + mm(left) + " deep after the tool has given way";
+    if (w_.body == Body::head) return std::nullopt;
+    const double away = contour().distance_to(w_.body, in_tool(pose(), w_.point));
+    const bool is_its_body = is_near(away, claim_.depth_mm) || tool_.clearance.has(in_tool(pose(), w_.point));
+    if (!is_its_body) return "the surface of the body it names is " + mm(away) + " away";
+    return std::nullopt;
+  }
+
+  [[nodiscard]] double clearance() const {
+    const bool is_cutting = scene_.path.moves[move_].kind != MoveKind::rapid;
+    const ToolContour& watched = w_.is_fixture ? tool_.fixture : is_cutting ? tool_.non_cutting : tool_.part;
+    return std::max(0.0, watched.nearest(in_tool(pose(), w_.point)).signed_distance_mm);
+  }
+
+  const ClaimedScene& scene_;
+  const ClaimedTool& tool_;
+  std::size_t move_;
+  const MoveClaim& claim_;
+  const ClaimedWitness& w_;
+};
+
+}  // namespace
+
+ClaimedTools claimed_tools(const ClaimedScene& scene) {
+  ClaimedTools tools;
+  for (const ToolVariants* tool : scene.tools)
+    tools.push_back(tool == nullptr ? nullptr : std::make_unique<ClaimedTool>(*tool));
+  return tools;
+}
+
+Vec2 in_tool(const Pose& pose, const Vec3& point) {
+  const Vec3 u = point - pose.tip;
+  return {u.cross(pose.axis).norm(), u.dot(pose.axis)};
+}
+
+RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t) {
+  const Pose end = scene.path.moves[move].end;
+  const Pose start = scene.path.moves[move].has_start ? scene.path.start_of(move) : end;
+  const Pose at = pose_at(scene.path, move, t, scene.is_dogleg);
+  const auto carried = [&](const Vec3& axis) {  // the start's frame, carried along the great circle to `axis`
+    return Eigen::Quaterniond::FromTwoVectors(start.axis, axis) * shortest_turn(start.axis);
+  };
+  const Eigen::Matrix3d rest = (carried(end.axis).conjugate() * shortest_turn(end.axis)).toRotationMatrix();
+  const double twist = std::atan2(rest(1, 0) - rest(0, 1), rest(0, 0) + rest(1, 1));
+  const Eigen::Quaterniond frame = carried(at.axis) * Eigen::AngleAxisd(twist * t, Vec3::UnitZ());
+  return {frame.toRotationMatrix(), at.tip};
+}
+
+double depth_in_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point) {
+  const Vec3 q = frame.inverse().point(point);
+  double deepest = 0;
+  for (const IndexedMesh* head : scene.heads) {
+    if (!head->box().contains(q) || !is_inside({head, 1}, q)) continue;
+    double least2 = 1e300;
+    for (std::size_t t = 0; t < head->triangles.size(); ++t)
+      least2 = std::min(
+          least2, closest_on_triangle(q, {head->corner(t, 0), head->corner(t, 1), head->corner(t, 2)}).distance2_mm2);
+    deepest = std::max(deepest, std::sqrt(least2));
+  }
+  return deepest;
+}
+
+std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const ClaimedTools& tools, std::size_t move,
+                                              const MoveClaim& claim) {
+  const std::size_t tool = scene.path.moves[move].tool;
+  const double upper = claim.depth_upper_mm.value_or(1e300);
+  if (!(claim.depth_mm <= upper)) return "its depth is more than its bound";
+  if (claim.state == ClaimedState::near && claim.depth_upper_mm && upper > scene.largest_clean_mm() + kExact_mm)
+    return "it is said to be no gouge, and its bound is more than tolerance + resolution";
+  if (claim.state != ClaimedState::gouge && claim.state != ClaimedState::near && !claim.witness) return std::nullopt;
+  if (!claim.witness) return "it has no witness";
+  if (tool >= tools.size() || !tools[tool]) return "its tool is not defined";
+  if (auto fault = WitnessChecker(scene, *tools[tool], move, claim).fault()) return fault;
+  if (claim.state != ClaimedState::gouge || claim.depth_mm > scene.tolerance_mm) return std::nullopt;
+  const Vec2 at = in_tool(pose_at(scene.path, move, claim.witness->t, scene.is_dogleg), claim.witness->point);
+  if (tools[tool]->clearance.has(at)) return std::nullopt;
+  return "its depth is no more than the tolerance";
+}
+
+}  // namespace gouge

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "lib/verify/claims.h"
+#include "lib/verify/moving_pose.h"
+#include "lib/verify/tool_contour.h"
+
+// Depths at one point and instant, by the definition alone: the pose of the file, every piece of the contour,
+// every facet of a head.
+
+namespace gouge {
+
+/// The contours of a tool that a claim may be about.
+struct ClaimedTool {
+  explicit ClaimedTool(const ToolVariants& tool)
+      : bare(tool.bare),
+        part(tool.against_part),
+        fixture(tool.against_fixture),
+        clearance(tool.with_clearance),
+        non_cutting(tool.non_cutting) {}
+  ToolContour bare, part, fixture, clearance, non_cutting;
+};
+using ClaimedTools = std::vector<std::unique_ptr<ClaimedTool>>;  ///< by Toolpath::tools; null: not defined
+[[nodiscard]] ClaimedTools claimed_tools(const ClaimedScene& scene);
+
+/// A point of the part in the half plane of a tool.
+[[nodiscard]] Vec2 in_tool(const Pose& pose, const Vec3& point);
+
+/// The frame of the bodies that move with the tool at t, as docs/method.md says: at a position the part's z
+/// axis turned the shortest way to the tool's, in between on the great circle, the rest of the turn spread
+/// evenly.
+[[nodiscard]] RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t);
+/// How deep a point is in the heads; 0 where it is in none. Cost: O(facets).
+[[nodiscard]] double depth_in_heads(const ClaimedScene& scene, const RigidTransform& frame, const Vec3& point);
+
+/// Why what a claim says of its witness, or of its numbers, is not so; nothing where it is.
+[[nodiscard]] std::optional<std::string> find_witness_fault(const ClaimedScene& scene, const ClaimedTools& tools,
+                                                            std::size_t move, const MoveClaim& claim);
+
+}  // namespace gouge

@@ -1,0 +1,167 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <nlohmann/json.hpp>
+
+#include "tests/samples/program.h"
+#include "tests/samples/sample_folder.h"
+
+// gougecheck verify on the results and certificates of the samples, and on what was made of them by hand.
+
+namespace gouge::testing_samples {
+namespace {
+
+using nlohmann::json;
+
+SampleFolder checked_sample(const std::string& name, const std::vector<std::string>& more = {}) {
+  SampleFolder sample = open_sample(name);
+  std::vector<std::string> options{"--json", "result.json", "--certificate", "proofs.gcp", "-q"};
+  options.insert(options.end(), more.begin(), more.end());
+  const Outcome ran = run_gougecheck(sample.path, sample.arguments("check", sample.toolpath(), options));
+  EXPECT_LE(ran.exit_status, 4) << ran.err;
+  return sample;
+}
+
+Outcome verify(const SampleFolder& sample, const std::vector<std::string>& more = {"--certificate", "proofs.gcp"}) {
+  std::vector<std::string> arguments{"verify", "result.json"};
+  arguments.insert(arguments.end(), more.begin(), more.end());
+  return run_gougecheck(sample.path, arguments);
+}
+
+json result_of(const SampleFolder& sample) { return json::parse(text_of(sample.path + "/result.json")); }
+
+class Verify : public ::testing::TestWithParam<std::string> {};
+
+INSTANTIATE_TEST_SUITE_P(Samples, Verify, ::testing::ValuesIn(sample_names()),
+                         [](const auto& test) { return test.param; });
+
+TEST_P(Verify, AcceptsTheCertificateOfEverySample) {
+  const SampleFolder sample = checked_sample(GetParam());
+  const json totals = result_of(sample).at("totals");
+  const bool is_all_covered =
+      totals.at("buried") == 0 && totals.at("not_checked") == 0 && totals.at("not_certified") == 0;
+  const Outcome ran = verify(sample);
+  EXPECT_EQ(ran.exit_status, is_all_covered ? 0 : 4) << ran.out << ran.err;
+  EXPECT_EQ(ran.out.find("refuted:"), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out.find("said to be clean"), std::string::npos) << ran.out;
+}
+
+TEST(VerifyCommand, SaysThatWithoutACertificateCleanMovesAreOnlySampled) {
+  const SampleFolder sample = checked_sample("pocket");
+  const Outcome ran = verify(sample, {});
+  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+  EXPECT_NE(ran.out.find("only sampled: 134 moves said to be clean (no certificate)"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("verified: 4 witnesses"), std::string::npos) << ran.out;
+  EXPECT_EQ(ran.out.find("result: verified"), std::string::npos) << ran.out;
+}
+
+TEST(VerifyCommand, FindsInputsBesideTheResultAndRefusesThoseThatChanged) {
+  const SampleFolder sample = checked_sample("pocket");
+  const std::string above = std::filesystem::path(sample.path).parent_path();
+  EXPECT_EQ(run_gougecheck(above, {"verify", "pocket/result.json", "-q"}).exit_status, 0);
+  for (const char* name : {"pocket.apt", "part.stl", "clamp.stl", "tools.json"}) {
+    const std::string file = sample.path + "/" + name, whole = text_of(file);
+    std::string changed = whole;
+    changed[changed.size() / 2] ^= 1;
+    write_text(file, changed);
+    const Outcome ran = verify(sample);
+    EXPECT_EQ(ran.exit_status, 1) << name << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("is not the file that was checked (its SHA-256 differs)"), std::string::npos) << ran.out;
+    write_text(file, whole);
+  }
+  EXPECT_EQ(verify(sample).exit_status, 0);
+}
+
+// The library is changed by 0.01 mm and the result says that it was so: the proofs and witnesses must tell.
+TEST(VerifyCommand, FindsAToolThatIsNotTheOneThatWasChecked) {
+  const SampleFolder sample = checked_sample("pocket");
+  json tools = json::parse(text_of(sample.path + "/tools.json"));
+  auto& cutter = tools.at("tools").at(0).at("cutter");
+  cutter["diameter"] = cutter.at("diameter").get<double>() + 0.01;
+  write_text(sample.path + "/tools.json", tools.dump());
+  const Outcome sum = run_script(sample.path, "sha256sum tools.json");
+  json result = result_of(sample);
+  for (json& input : result.at("inputs"))
+    if (input.at("role") == "tools") input["checksum"] = "sha256:" + sum.out.substr(0, 64);
+  write_text(sample.path + "/result.json", result.dump());
+  EXPECT_EQ(verify(sample, {}).exit_status, 1);
+  EXPECT_EQ(verify(sample).exit_status, 3);  // the certificate is about other inputs
+}
+
+TEST(VerifyCommand, FindsWhatIsChangedInAResult) {
+  const SampleFolder sample = checked_sample("pocket");
+  const json whole = result_of(sample);
+  const std::vector<std::pair<const char*, std::function<void(json&)>>> changes = {
+      {"depth", [](json& r) { r["moves"][0]["depth"] = r["moves"][0]["depth"].get<double>() - 1e-5; }},
+      {"bound", [](json& r) { r["moves"][0]["depth_upper"] = r["moves"][0]["depth"].get<double>() - 1e-5; }},
+      {"instant", [](json& r) { r["moves"][0]["witness"]["t"] = 1.5; }},
+      {"triangle", [](json& r) { r["moves"][0]["witness"]["triangle"] = 0; }},
+      {"no triangle", [](json& r) { r["moves"][0]["witness"]["triangle"] = 4000000000U; }},
+      {"no mesh", [](json& r) { r["moves"][0]["witness"]["mesh"] = "other.stl"; }},
+      {"line", [](json& r) { r["moves"][0]["line"] = 1; }},
+      {"move removed", [](json& r) { r["moves"].erase(0); }},
+      {"move removed and counted so",
+       [](json& r) {
+         r["moves"].erase(0);
+         r["totals"]["gouge"] = r["totals"]["gouge"].get<int>() - 1;
+         r["totals"]["clean"] = r["totals"]["clean"].get<int>() + 1;
+       }},
+      {"called near", [](json& r) { r["moves"][0]["state"] = "near"; }},
+      {"moves", [](json& r) { r["totals"]["moves"] = 10; }},
+      {"tolerance", [](json& r) { r["options"]["tolerance"] = 100; }},
+  };
+  for (const auto& [what, change] : changes) {
+    json changed = whole;
+    change(changed);
+    write_text(sample.path + "/result.json", changed.dump());
+    const Outcome ran = verify(sample, {});
+    EXPECT_EQ(ran.exit_status, 1) << what << ": " << ran.out << ran.err;
+    EXPECT_NE(ran.out.find("refuted: "), std::string::npos) << what;
+  }
+}
+
+TEST(VerifyCommand, NamesTheMoveTheInstantAndThePointThatRefuteAResult) {
+  const SampleFolder sample = checked_sample("pocket");
+  json result = result_of(sample);
+  const json first = result.at("moves").at(0);
+  result.at("moves").at(0).at("depth") = 1;
+  write_text(sample.path + "/result.json", result.dump());
+  const Outcome ran = verify(sample, {});
+  const std::string start = "pocket.apt:" + std::to_string(first.at("line").get<int>()) + ": refuted: its witness: ";
+  EXPECT_EQ(ran.out.rfind(start, 0), 0U) << ran.out;
+  EXPECT_NE(ran.out.find(", move " + std::to_string(first.at("move").get<int>()) + " t="), std::string::npos)
+      << ran.out;
+}
+
+TEST(VerifyCommand, RefusesWhatIsNoResultAndNoCertificate) {
+  const SampleFolder sample = checked_sample("pocket");
+  const auto status = [&](const std::string& result, const std::string& certificate) {
+    return run_gougecheck(sample.path, {"verify", result, "--certificate", certificate}).exit_status;
+  };
+  write_text(sample.path + "/no.json", "{\"format\": \"gougecheck-report\", \"format_version\": 1}");
+  write_text(sample.path + "/empty", "");
+  EXPECT_EQ(status("no.json", "proofs.gcp"), 3);
+  EXPECT_EQ(status("empty", "proofs.gcp"), 3);
+  EXPECT_EQ(status("part.stl", "proofs.gcp"), 3);
+  EXPECT_EQ(status("missing.json", "proofs.gcp"), 3);
+  EXPECT_EQ(status("result.json", "missing.gcp"), 3);
+  EXPECT_EQ(status("result.json", "empty"), 3);
+  EXPECT_EQ(status("result.json", "result.json"), 3);
+  EXPECT_EQ(status("result.json", ""), 2);
+  EXPECT_EQ(run_gougecheck(sample.path, {"verify", "result.json", "--seconds", "x"}).exit_status, 2);
+  EXPECT_EQ(run_gougecheck(sample.path, {"verify", "result.json", "--seconds", "0.1", "-q"}).exit_status, 0);
+  std::filesystem::remove(sample.path + "/part.stl");
+  EXPECT_EQ(status("result.json", "proofs.gcp"), 3);
+}
+
+TEST(VerifyCommand, TakesTheOptionsOfTheCheckFromTheResult) {
+  const SampleFolder sample =
+      checked_sample("inch", {"--tolerance", "0.02", "--stock-to-leave", "0.03", "--clearance", "shank=0.1,holder=0.2",
+                              "--rapid", "dogleg", "--near-miss", "0.5", "--extend-up"});
+  const Outcome ran = verify(sample);
+  EXPECT_EQ(ran.exit_status, 0) << ran.out << ran.err;
+}
+
+}  // namespace
+}  // namespace gouge::testing_samples
