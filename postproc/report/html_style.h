@@ -64,8 +64,8 @@ figure svg { width: 100%; height: auto; display: block; }
 .findings th button { font: inherit; color: inherit; background: none; border: 0; padding: 0; cursor: pointer; }
 .findings th button:hover { color: var(--link); } .findings th[aria-sort=ascending] button::after { content: " \25B2"; }
 .findings th[aria-sort=descending] button::after { content: " \25BC"; }
-.has-desk .findings tbody tr { cursor: pointer; } .has-desk .findings tbody tr:hover { background: #f3f7fb; }
-.findings tr.chosen, .has-desk .findings tr.chosen:hover { background: #e3eefa; }
+.findings td { overflow-wrap: break-word; } .has-desk .findings tbody tr { cursor: pointer; } .has-desk .findings tbody tr:hover { background: #f3f7fb; }
+@media screen { .findings tr.chosen, .has-desk .findings tr.chosen:hover { background: #e3eefa; } }
 @media screen { .findings.long { max-height: 70vh; overflow: auto; } .findings.long thead { position: sticky; top: 0; background: var(--paper); z-index: 1; }
   .findings.long tr { height: 34px; } .findings.long td { white-space: nowrap; max-width: 24em; overflow: hidden; text-overflow: ellipsis; }
   .on-paper, .sign { display: none; } }
