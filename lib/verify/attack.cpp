@@ -41,7 +41,10 @@ class Attack {
  public:
   Attack(const ClaimedScene& scene, const ClaimedTools& tools, const std::vector<MoveClaim>& claims)
       : scene_(scene), tools_(tools), claims_(claims), parts_(scene.parts), fixtures_(scene.fixtures) {
-    for (const IndexedMesh* head : scene.heads) head_box_.extend(head->box());
+    for (const IndexedMesh* head : scene.heads) {
+      head_box_.extend(head->box());
+      looks_per_head_ += head->triangles.size() / 100;  // a look at a head takes time linear in its facets
+    }
   }
 
   AttackResult run(double seconds) {
@@ -86,7 +89,7 @@ class Attack {
       targets.push_back({&tool.clearance, &parts_, scene_.resolution_mm});
       targets.push_back({&tool.clearance, &fixtures_, scene_.resolution_mm});
     }
-    if (!scene_.heads.empty() && draws_.below(8) == 0) {
+    if (!scene_.heads.empty() && draws_.below(looks_per_head_) == 0) {
       targets.push_back({nullptr, &parts_, allowed});
       targets.push_back({nullptr, &fixtures_, allowed});
     }
@@ -189,6 +192,7 @@ class Attack {
   const std::vector<MoveClaim>& claims_;
   TriangleOrder parts_, fixtures_;
   Box3 head_box_;
+  std::size_t looks_per_head_ = 4;
   Draws draws_;
 };
 

@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kMovesPerBlock = 256, kMovesPerGroup = 32, kBlocksAtOnce = 64;
+constexpr std::size_t kMovesPerBlock = 256, kMovesPerGroup = 32, kBlocksAtOnce = 64, kBytesPerBlock = 1U << 24U;
 constexpr std::string_view kNoProof = "\x09";  // all the steps of a move for which none was found
 constexpr std::uint64_t kTriesPerMove = 3'000, kTriesAlone = 300'000;
 
@@ -122,6 +122,20 @@ class BlockMaker {
   std::vector<ProofGroup> groups_;
 };
 
+/// Blocks are small enough to be read with little memory, whatever it took to prove their moves.
+void add_blocks(const std::vector<ProofGroup>& groups, ZstdWriter& writer) {
+  std::vector<ProofGroup> block;
+  std::size_t bytes = 0;
+  for (const ProofGroup& group : groups) {
+    block.push_back(group);
+    bytes += group.steps.size();
+    if (bytes < kBytesPerBlock && &group != &groups.back()) continue;
+    writer.add(block_bytes(block));
+    block.clear();
+    bytes = 0;
+  }
+}
+
 Diagnostic invalid(const std::string& name, const std::string& what) {
   return make_error("certificate-invalid", what, name);
 }
@@ -219,7 +233,7 @@ MadeCertificate make_certificate(const ClaimedScene& scene, const std::vector<Mo
       found[k] = BlockMaker(questions, claims).make(first, std::min(moves, first + kMovesPerBlock));
     });
     for (const std::vector<ProofGroup>& groups : found) {
-      if (!groups.empty()) writer.add(block_bytes(groups));
+      add_blocks(groups, writer);
       for (const ProofGroup& group : groups) {
         if (group.steps == kNoProof) made.not_proved.push_back(group.first);
         made.proved += group.steps == kNoProof ? 0 : group.count;
@@ -243,11 +257,15 @@ Result<CertificateReading> verify_certificate(const ClaimedScene& scene, const s
   reading.of_move.resize(claims.size(), ProofState::missing);
   for (bool is_ended = false; !is_ended;) {
     std::vector<ProofGroup> groups;
-    for (std::size_t k = 0; k < kBlocksAtOnce && !is_ended; ++k) {
+    std::size_t held = 0;
+    for (std::size_t k = 0; k < kBlocksAtOnce && held < kBytesPerBlock && !is_ended; ++k) {
       Result<std::vector<ProofGroup>> block = reader.next();
       if (!block) return block.error();
       is_ended = block->empty();
-      std::move(block->begin(), block->end(), std::back_inserter(groups));
+      for (ProofGroup& group : *block) {
+        held += group.steps.size();
+        groups.push_back(std::move(group));
+      }
     }
     if (progress && !groups.empty()) progress("verifying proofs", groups.front().first, claims.size());
     std::vector<std::optional<ProofRefutation>> refuted(groups.size());

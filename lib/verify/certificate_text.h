@@ -11,7 +11,7 @@
 namespace gouge {
 
 inline constexpr std::string_view kCertificateMagic = "gougecheck proof 1\n";
-inline constexpr std::size_t kMostBlockBytes = 256U << 20U, kMostMovesOfGroup = 256;
+inline constexpr std::size_t kMostBlockBytes = 1U << 26U, kMostMovesOfGroup = 256;
 
 /// Moves [first, first + count) and the steps that prove them.
 struct ProofGroup {
