@@ -52,7 +52,7 @@ class Batch {
     if (arguments_.is_rehearsal) return ranks_->is_first() ? list() : kExitClean;
     if (!ranks_->is_first()) status = open_own_store().value_or(kExitClean);
     if (const int worst = ranks_->largest(status); worst != kExitClean) return worst;
-    const BatchOptions options{arguments_.folder, jobs_at_once(), memory_bytes(), stop_on()};
+    const BatchOptions options{arguments_.folder, jobs_at_once(), memory_bytes(), stop_on(), arguments_.chunk};
     Progress progress(err_, ranks_->is_first() ? understand_progress(arguments_.progress) : ProgressMode::never);
     BatchRun batch(jobs_, texts_, options, *store_, progress, *ranks_);
     BatchPlan plan = ranks_->is_first() ? batch.plan(jobs_to_run()) : BatchPlan();
@@ -142,6 +142,7 @@ class Batch {
     if (const auto wrong = find_other_shard()) return fail(err_, {*wrong});
     if (const auto wrong = find_foreign()) return fail(err_, {*wrong}, kExitUsage);
     if (const Outcome begun = store_->begin(identity_); !begun) return fail(err_, {begun.error()}, kExitInternal);
+    if (arguments_.is_fresh) remove_work(arguments_.folder);
     if (const Outcome taken = take_in_ranks(); !taken) return fail(err_, {taken.error()}, kExitInternal);
     return std::nullopt;
   }
@@ -292,6 +293,9 @@ class Batch {
     warn_of_two_contents(results);
     Outcome written = write_batch_files(*folder_, results);
     if (written && is_whole) written = store_->end();
+    const bool is_any_to_run_again =
+        std::ranges::any_of(results, [](const JobResult& job) { return job.status == kExitInternal; });
+    if (written && is_whole && !is_any_to_run_again) remove_work(arguments_.folder);
     if (!written) return fail(err_, {written.error()}, kExitInternal);
     is_done_ = true;
     if (!arguments_.is_quiet) {

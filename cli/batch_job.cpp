@@ -19,11 +19,15 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
 #include "lib/base/sha256.h"
+#include "postproc/store/work_store.h"
 
 namespace gouge {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::string_view kWorkEnding = ".work";
+constexpr std::size_t kHashDigits = 64;  // of SHA-256
 
 std::string host_name() {
   std::array<char, 256> name{};
@@ -44,6 +48,12 @@ std::string key_of(const std::string& text, const std::set<std::pair<std::string
   hash.add(text);
   for (const auto& [name, checksum] : files) hash.add(name + '\0' + checksum + '\n');
   return hash.finish();
+}
+
+std::set<std::pair<std::string, std::string>> checksums_of(const std::vector<InputFile>& inputs) {
+  std::set<std::pair<std::string, std::string>> files;
+  for (const InputFile& input : inputs) files.emplace(input.name, input.checksum);
+  return files;
 }
 
 /// Lists the outputs of a job that has ended, with the hashes of what stands there now.
@@ -155,15 +165,24 @@ bool is_below(const std::string& file) {
          std::ranges::none_of(path, [](const fs::path& step) { return step == ".." || step == "."; });
 }
 
-JobResult run_job(const BatchJob& job, const std::string& text, const std::string& folder, SceneStore& scenes) {
+JobRun run_job(const BatchJob& job, const std::string& text, const std::string& folder, std::size_t chunk,
+               SceneStore& scenes) {
   const auto began = std::chrono::steady_clock::now();
-  JobResult result;
+  JobRun run;
+  JobResult& result = run.result;
   result.name = job.name;
   result.command = job.command();
   result.toolpath = job.job().path;
   std::ostringstream out, err;
+  std::string work_file;
+  std::optional<WorkStore> work;
+  // Its name is a hash of what the job has read, not of what the files hold now.
+  const auto keep_work = [&](const std::vector<InputFile>& inputs) -> KeptWork* {
+    work_file = folder + "/" + kWorkFolder + "/" + key_of(text, checksums_of(inputs)) + std::string(kWorkEnding);
+    return &work.emplace(work_file, chunk);
+  };
   const JobContext context{out, err, scenes.source(job.job()),
-                           [&](const ReportModel& model) { take_report(model, result); }};
+                           [&](const ReportModel& model) { take_report(model, result); }, keep_work};
   std::error_code ignored;
   if (const fs::path output(job.output()); output.has_parent_path())
     fs::create_directories(output.parent_path(), ignored);
@@ -171,17 +190,30 @@ JobResult run_job(const BatchJob& job, const std::string& text, const std::strin
   result.messages = err.str();
   if (!result.unit.empty()) {
     if (job.has_report) result.report = "reports/" + job.name + "/report.html";
-    std::set<std::pair<std::string, std::string>> files;
-    for (const InputFile& input : result.inputs) files.emplace(input.name, input.checksum);
     if (auto outputs = OutputLister(job, folder).run()) {
       result.outputs = std::move(*outputs);
-      result.key = key_of(text, files);
+      result.key = key_of(text, checksums_of(result.inputs));
     }
   }
   result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   result.memory_mb = static_cast<double>(peak_memory_bytes().value_or(0) / 1'000'000);
   result.host = host_name();
-  return result;
+  if (work && work->is_used() && result.status != kExitInternal) run.work_file = work_file;
+  return run;
+}
+
+void remove_work(const std::string& folder) {
+  const std::string below = folder + "/" + kWorkFolder;
+  std::error_code ignored;
+  std::vector<std::string> files;
+  for (fs::directory_iterator entry(below, ignored), end; entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    const bool is_own = name.size() == kHashDigits + kWorkEnding.size() && name.ends_with(kWorkEnding) &&
+                        name.find_first_not_of("0123456789abcdef") == kHashDigits;
+    if (is_own) files.push_back(entry->path().string());
+  }
+  for (const std::string& file : files) remove_work_store(file);
+  fs::remove(below, ignored);  // where nothing else is in it
 }
 
 }  // namespace gouge

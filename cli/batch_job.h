@@ -34,8 +34,20 @@ class FileHashes {
 /// Whether the name of an output leads below the folder it is relative to: a store may come from somebody else.
 [[nodiscard]] bool is_below(const std::string& file);
 
-/// Runs one job to its end, whatever it meets, and describes what came of it. `text`: its job_text.
-[[nodiscard]] JobResult run_job(const BatchJob& job, const std::string& text, const std::string& folder,
-                                SceneStore& scenes);
+/// A job that was run, and the file of its work (WorkStore), to be removed once the result is safe; empty: none.
+struct JobRun {
+  JobResult result;
+  std::string work_file;
+};
+
+/// Runs one job to its end, whatever it meets, and describes what came of it. `text`: its job_text. What is done of a
+/// long check is kept in `folder` after every `chunk` moves.
+[[nodiscard]] JobRun run_job(const BatchJob& job, const std::string& text, const std::string& folder, std::size_t chunk,
+                             SceneStore& scenes);
+
+/// Where long jobs keep what is done of them, below the folder of a batch.
+inline constexpr const char* kWorkFolder = "unfinished";
+/// Removes what is left there of jobs that are done.
+void remove_work(const std::string& folder);
 
 }  // namespace gouge

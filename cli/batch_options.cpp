@@ -43,6 +43,12 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
   command
       .add_option("--memory", a.memory_gb, "Memory in GB that jobs may need together (default: 3/4 of the machine's)")
       ->check(CLI::PositiveNumber);
+  command
+      .add_option("--chunk", a.chunk,
+                  "Moves of a long check after which what is done of it is kept, for --resume; rounded up to 256")
+      ->capture_default_str()
+      ->check(CLI::PositiveNumber)
+      ->type_name("MOVES");
   command.add_option("--shard", a.shard, "Run share I of N of the jobs alone; 'gougecheck merge' joins the folders")
       ->type_name("I/N");
   command
@@ -68,9 +74,9 @@ void add_batch_options(CLI::App& command, BatchArguments& a) {
 }
 
 void take_words(const CLI::App& command, BatchArguments& arguments) {
-  constexpr std::string_view kOwn[] = {"output",   "jobs",   "resume",  "fresh", "dry-run", "no-reports",
-                                       "stop-on",  "memory", "shard",   "watch", "force",   "threads",
-                                       "progress", "quiet",  "verbose", "color", "help"};
+  constexpr std::string_view kOwn[] = {"output",  "jobs",     "resume", "fresh",   "dry-run", "no-reports",
+                                       "stop-on", "memory",   "chunk",  "shard",   "watch",   "force",
+                                       "threads", "progress", "quiet",  "verbose", "color",   "help"};
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0 || option->get_lnames().empty()) continue;
     const std::string& name = option->get_lnames().front();

@@ -25,6 +25,7 @@ struct BatchArguments : Verbosity {
   std::string folder, progress = "auto", stop_on, shard, watch;
   std::uint32_t jobs = 0;
   double memory_gb = 0;
+  std::size_t chunk = 65536;  ///< moves
   bool is_resumed = false, is_fresh = false, is_rehearsal = false, is_without_reports = false, is_forced = false;
 };
 

@@ -10,12 +10,15 @@
 #include "lib/base/exit_code.h"
 #include "lib/base/number_text.h"
 #include "lib/base/parallel.h"
+#include "postproc/store/work_store.h"
 
 namespace gouge {
 namespace {
 
 // Of a job without files; of a byte of an STL or a toolpath with all that is made of it (docs/benchmarks.md).
 constexpr std::uint64_t kBytesOfJob = 60'000'000, kPerMeshByte = 5, kPerPathByte = 25;
+// Of a long path as it is checked: the rest is in files (docs/scaling.md).
+constexpr std::uint64_t kMostOfCheckedPath = 1'500'000'000;
 
 std::uint64_t bytes_of(const std::string& file) {
   std::error_code error;
@@ -34,12 +37,15 @@ bool is_reason_to_stop(StopOn what, std::optional<int> status) {
 BatchRun::BatchRun(const std::vector<BatchJob>& jobs, const std::vector<std::string>& texts,
                    const BatchOptions& options, ResultStore& store, Progress& progress, Ranks& ranks)
     : jobs_(jobs), texts_(texts), options_(options), store_(store), progress_(progress), ranks_(ranks) {
-  for (const BatchJob& job : jobs) sizes_.push_back(size_of(job.job()));
+  for (const BatchJob& job : jobs) sizes_.push_back(size_of(job));
 }
 
-BatchRun::Size BatchRun::size_of(const JobArguments& arguments) {
+BatchRun::Size BatchRun::size_of(const BatchJob& job) {
+  const JobArguments& arguments = job.job();
   Size size{bytes_of(arguments.path), kBytesOfJob};
-  size.memory_bytes += kPerPathByte * size.path_bytes;
+  const std::uint64_t of_path = kPerPathByte * size.path_bytes;
+  size.memory_bytes +=
+      std::holds_alternative<CheckArguments>(job.arguments) ? std::min(of_path, kMostOfCheckedPath) : of_path;
   for (const auto* files : {&arguments.parts, &arguments.fixtures, &arguments.heads}) {
     for (const std::string& file : *files) size.memory_bytes += kPerMeshByte * bytes_of(file);
   }
@@ -112,20 +118,21 @@ void BatchRun::run_one(std::size_t number) {
   const JobArguments& arguments = jobs_[number].job();
   const Room room(*this, sizes_[number].memory_bytes);
   if (!is_stopped_) {
-    JobResult result = run_job(jobs_[number], texts_[number], options_.folder, scenes_);
-    result.rank = ranks_.rank();
-    note(number, std::move(result));
+    JobRun run = run_job(jobs_[number], texts_[number], options_.folder, options_.chunk, scenes_);
+    run.result.rank = ranks_.rank();
+    note(number, std::move(run));
     if (!has_writer_) write_queued();
   }
   scenes_.release(arguments);
 }
 
-void BatchRun::note(std::size_t number, JobResult&& result) {
+void BatchRun::note(std::size_t number, JobRun&& run) {
   const std::scoped_lock lock(guard_);
-  if (is_reason_to_stop(options_.stop_on, result.status)) is_stopped_ = true;
+  if (is_reason_to_stop(options_.stop_on, run.result.status)) is_stopped_ = true;
   ++done_;
-  moves_ += result.moves();
-  queued_.emplace_back(number, std::move(result));
+  moves_ += run.result.moves();
+  queued_.emplace_back(number, std::move(run.result));
+  if (!run.work_file.empty()) work_files_.push_back(std::move(run.work_file));
   news_.notify_one();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - began_).count();
   const std::string rate =
@@ -147,13 +154,18 @@ void BatchRun::write_until_closed() {
 void BatchRun::write_queued() {
   const std::scoped_lock writing(writing_);
   std::vector<ResultStore::Numbered> results;
+  std::vector<std::string> work_files;
   {
     const std::scoped_lock lock(guard_);
     if (failure_ || queued_.empty()) return;
     results.swap(queued_);
+    work_files.swap(work_files_);
   }
   const Outcome put = store_.put(results);
-  if (put) return;
+  if (put) {
+    for (const std::string& file : work_files) remove_work_store(file);
+    return;
+  }
   const std::scoped_lock lock(guard_);
   failure_ = put.error();
   is_stopped_ = true;

@@ -28,6 +28,7 @@ struct BatchOptions {
   std::size_t jobs_at_once = 1;
   std::uint64_t memory_bytes = 0;  ///< that all running jobs may need together, as estimated
   StopOn stop_on = StopOn::nothing;
+  std::size_t chunk = 0;  ///< moves after which a long job keeps what is done
 };
 
 /// In which order jobs begin.
@@ -57,11 +58,11 @@ class BatchRun {
     std::uint64_t path_bytes = 0, memory_bytes = 0;
   };
 
-  [[nodiscard]] static Size size_of(const JobArguments& arguments);
+  [[nodiscard]] static Size size_of(const BatchJob& job);
   [[nodiscard]] std::vector<std::size_t> in_order(std::vector<std::size_t> numbers) const;
   [[nodiscard]] std::optional<std::size_t> take(int list, const std::vector<std::size_t>& numbers);
   void run_one(std::size_t number);
-  void note(std::size_t number, JobResult&& result);
+  void note(std::size_t number, JobRun&& run);
   void write_queued();
   void write_until_closed();
 
@@ -105,6 +106,7 @@ class BatchRun {
   std::mutex guard_;    // of all that follows
   std::condition_variable room_, news_;
   std::vector<ResultStore::Numbered> queued_;
+  std::vector<std::string> work_files_;  // of these
   bool is_closed_ = false;
   bool has_writer_ = false;  // set before any job begins
   std::uint64_t in_use_ = 0;

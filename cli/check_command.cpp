@@ -97,7 +97,9 @@ int run_check(const CheckArguments& check_arguments, const JobContext& context) 
   const PreparedScene& scene = job.files->prepared(options->check.threads);
   progress.begin("checking the set-up");
   note_setup(job, arguments, scene);
-  const CheckResult result = check(job.toolpath, job.setup(scene), progress.call());
+  CheckSetup setup = job.setup(scene);
+  if (context.keep_work) setup.kept = context.keep_work(job.inputs);
+  const CheckResult result = check(job.toolpath, setup, progress.call());
   std::vector<StickoutFacts> stickouts;
   if (check_arguments.finds_stickout) {
     Result<std::vector<StickoutFacts>> found =

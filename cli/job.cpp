@@ -37,13 +37,14 @@ class JobLoader {
  private:
   bool read_path() {
     progress_.begin("reading " + arguments_.path);
-    Result<std::string> bytes = read_file(arguments_.path, arguments_.input.most_bytes);
+    Result<PagedVector<char>> bytes = read_long_file(arguments_.path, arguments_.input.most_bytes);
     if (!bytes) {
       errors_.push_back(bytes.error());
       return false;
     }
-    job_.inputs.push_back(describe_input("toolpath", arguments_.path, *bytes));
-    ReadOutcome outcome = read_toolpath(arguments_.path, std::move(*bytes), job_.options.reading);
+    SourceText text(std::move(*bytes));
+    job_.inputs.push_back(describe_input("toolpath", arguments_.path, text));
+    ReadOutcome outcome = read_toolpath(arguments_.path, std::move(text), job_.options.reading);
     errors_.insert(errors_.end(), outcome.errors.begin(), outcome.errors.end());
     if (!outcome.toolpath) return false;
     job_.toolpath = std::move(*outcome.toolpath);

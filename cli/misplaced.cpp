@@ -41,8 +41,8 @@ std::optional<Diagnostic> find_misplaced(const Toolpath& path, const Scene& scen
   return std::nullopt;
 }
 
-std::optional<Diagnostic> find_too_large(const Toolpath& path, const Scene& scene,
-                                         const std::vector<MoveVerdict>& verdicts, LengthUnit stl_unit) {
+std::optional<Diagnostic> find_too_large(const Toolpath& path, const Scene& scene, const MoveVerdicts& verdicts,
+                                         LengthUnit stl_unit) {
   const std::optional<PartsBesidePath> parts = compare_parts(path, scene);
   if (!parts || !parts->is_far_larger()) return std::nullopt;
   const std::string hint = unit_hint(parts->times_smaller, stl_unit);

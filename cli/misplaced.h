@@ -21,7 +21,7 @@ namespace gouge {
 /// The same warning where the part is many times larger than what the path cuts, another unit would make the sizes
 /// agree, and most cuts gouge or are buried. `verdicts`: those on the path.
 [[nodiscard]] std::optional<Diagnostic> find_too_large(const Toolpath& path, const Scene& scene,
-                                                       const std::vector<MoveVerdict>& verdicts, LengthUnit stl_unit);
+                                                       const MoveVerdicts& verdicts, LengthUnit stl_unit);
 
 /// The same warning where the tool was not seen near the part while it cuts, though it is not far from it. Nothing
 /// where too few positions were looked at to say so.

@@ -54,11 +54,16 @@ std::optional<std::string> why_not_made(const std::string& folder) {
 }  // namespace
 
 Outcome PendingOutputs::add(const std::string& file, std::string_view bytes) {
+  return add(file, [bytes](const PutText& put) { put(bytes); });
+}
+
+Outcome PendingOutputs::add(const std::string& file, const TextWriter& write) {
   if (file == "-") {
-    for_stdout_ = bytes;
+    for_stdout_.emplace();
+    write([&](std::string_view bytes) { *for_stdout_ += bytes; });
     return Done{};
   }
-  Result<StagedFile> staged = StagedFile::make(file, bytes);
+  Result<StagedFile> staged = StagedFile::make(file, write);
   if (!staged) return staged.error();
   files_.push_back(std::move(*staged));
   return Done{};

@@ -11,6 +11,7 @@
 #include "lib/base/diagnostic.h"
 #include "lib/base/result.h"
 #include "lib/base/staged_file.h"
+#include "lib/base/text_writer.h"
 
 // Outputs of commands: files, or standard output where their name is "-".
 
@@ -21,6 +22,7 @@ class PendingOutputs {
  public:
   /// Writes `bytes` so that only their place is missing; those for "-" are kept. Errors: file-unwritable.
   [[nodiscard]] Outcome add(const std::string& file, std::string_view bytes);
+  [[nodiscard]] Outcome add(const std::string& file, const TextWriter& write);
   /// Puts the files in their places, then writes what belongs on `out`. Errors: file-unwritable,
   /// output-unwritable.
   [[nodiscard]] Outcome commit(std::ostream& out);

@@ -8,19 +8,24 @@
 namespace gouge {
 namespace {
 
-std::string corrected_toolpath(const ReportModel& model) { return std::string(model.correction.output_bytes); }
+void put_corrected(const ReportModel& model, const PutText& put) { put(model.correction.output_bytes); }
+
+template <std::string (*write)(const ReportModel&)>
+void put_whole(const ReportModel& model, const PutText& put) {
+  put(write(model));
+}
 
 std::string certificate(const ReportModel& model) { return std::string(model.certificate_bytes); }
 
 }  // namespace
 
 OutputTable outputs_of(const JobArguments& a, const std::string& corrected) {
-  return asked_for({{"-o", corrected, Output::Kind::file, corrected_toolpath},
-                    {"--json", a.json_file, Output::Kind::file, write_json},
-                    {"--csv", a.csv_file, Output::Kind::file, write_csv},
-                    {"--sarif", a.sarif_file, Output::Kind::file, write_sarif},
-                    {"--junit", a.junit_file, Output::Kind::file, write_junit},
-                    {"--certificate", a.certificate_file, Output::Kind::file, certificate},
+  return asked_for({{"-o", corrected, Output::Kind::file, put_corrected},
+                    {"--json", a.json_file, Output::Kind::file, put_whole<write_json>},
+                    {"--csv", a.csv_file, Output::Kind::file, put_csv},
+                    {"--sarif", a.sarif_file, Output::Kind::file, put_whole<write_sarif>},
+                    {"--junit", a.junit_file, Output::Kind::file, put_whole<write_junit>},
+                    {"--certificate", a.certificate_file, Output::Kind::file, put_whole<certificate>},
                     {"--report", a.report_folder, Output::Kind::report_folder, nullptr}});
 }
 

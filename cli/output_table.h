@@ -5,6 +5,7 @@
 
 #include "cli/job_options.h"
 #include "lib/base/result.h"
+#include "lib/base/text_writer.h"
 
 namespace gouge {
 
@@ -18,7 +19,7 @@ struct Output {
   std::string option;  ///< "--csv"
   std::string file;    ///< as the user named it; "-": standard output, for a file
   Kind kind = Kind::file;
-  std::string (*write)(const ReportModel&) = nullptr;  ///< of `check` and `correct`, for a file
+  void (*write)(const ReportModel&, const PutText&) = nullptr;  ///< of `check` and `correct`, for a file
 };
 
 using OutputTable = std::vector<Output>;

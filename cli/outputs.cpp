@@ -75,7 +75,8 @@ Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, cons
   for (const Output& output : outputs_) {
     if (output.write == nullptr) continue;
     progress.begin(output.file == "-" ? "writing" : "writing " + output.file);
-    if (Outcome added = pending.add(output.file, output.write(model)); !added) return added;
+    const TextWriter write = [&](const PutText& put) { output.write(model, put); };
+    if (Outcome added = pending.add(output.file, write); !added) return added;
   }
   if (report_) {
     if (Outcome put = report_->commit(); !put) return put;

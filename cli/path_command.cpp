@@ -32,7 +32,7 @@ int run_info(const PathArguments& arguments, const Toolpath& path, std::ostream&
 }
 
 int run_convert(const PathArguments& arguments, const Toolpath& path, std::ostream& out, std::ostream& err) {
-  Result<WrittenToolpath> written = WrittenToolpath{path.source, {}};
+  Result<WrittenToolpath> written = WrittenToolpath{std::string(path.source.view()), {}};
   if (!arguments.to.empty()) written = write_toolpath(path, *dialect_called(arguments.to));
   if (!written) return fail(err, {written.error()});
   print(err, path.notes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "lib/base/text_writer.h"
 #include "samples/sample.h"
 
 // The samples, one function each. docs/testing.md says what each is for.
@@ -24,6 +25,10 @@ namespace gouge::samples {
 
 /// The same surface and passes with about 100,000 triangles and 10,000 moves, to measure with.
 [[nodiscard]] Sample make_freeform_large();
+
+/// The toolpath of a check that is long: the ball cutter of make_freeform() on its surface, pass after pass, in `moves`
+/// moves; one pass in 2,300 dives. Written in parts, as it may be longer than memory.
+void put_long_path(std::size_t moves, const PutText& put);
 
 [[nodiscard]] std::vector<Sample> make_all();
 

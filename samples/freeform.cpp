@@ -171,6 +171,34 @@ Sample make_with(const Density& density, const std::string& name) {
 
 }  // namespace
 
+void put_long_path(std::size_t moves, const PutText& put) {
+  constexpr int kSteps = 399;
+  constexpr std::size_t kColumns = 23;  // none of them under the wall
+  put("PARTNO/LONG SAMPLE\nUNITS/MM\nMULTAX/ON\nLOADTL/1\nSPINDL/12000.000, RPM, CLW\n");
+  for (std::size_t done = 0, pass = 0; done < moves; ++pass) {
+    const std::size_t column = pass % kColumns, round = pass / kColumns;
+    const double x =
+        2 + 4 * (static_cast<double>(column) + 0.97 * std::fmod(0.618033988749895 * static_cast<double>(round), 1.0));
+    const auto pose = [&](int step) -> Pose {
+      const double y = 2 + 96.0 * (pass % 2 == 0 ? step : kSteps - step) / kSteps;
+      const Vec3 axis = tool_axis(static_cast<int>(column), x, y);
+      const double pushed = column == 6 && round % 100 == 0 ? dip(6, 96.0 * step / kSteps) : 0;
+      return {Vec3(x, y, height(x, y)) + (kRadius + kAllowance - pushed) * normal(x, y) - kRadius * axis, axis};
+    };
+    const auto above = [&](int step) -> Pose { return {pose(step).tip + 30 * pose(step).axis, pose(step).axis}; };
+    ClText cl(ClText::Form::apt);
+    cl.rapid(above(0));
+    cl.line("FEDRAT/1200.0000, MMPM");
+    for (int step = 0; step <= kSteps; ++step) {
+      if (done + cl.positions() < moves) cl.feed(pose(step));
+    }
+    if (done + cl.positions() < moves) cl.rapid(above(kSteps));
+    done += cl.positions();
+    put(cl.text());
+  }
+  put("SPINDL/OFF\nFINI\n");
+}
+
 Sample make_freeform() { return make_with({}, "freeform"); }
 
 Sample make_freeform_large() { return make_with({224, 210, 400}, "freeform_large"); }

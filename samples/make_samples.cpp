@@ -1,18 +1,42 @@
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "lib/base/files.h"
+#include "lib/base/number_text.h"
+#include "lib/base/staged_file.h"
 #include "samples/cases.h"
 #include "samples/write_sample.h"
 
 // make_samples FOLDER: writes every sample and index.txt into FOLDER; make_samples FOLDER large: the one to measure
-// with. A program of its own, not part of the tool.
+// with; make_samples FOLDER long MOVES: FOLDER/freeform and in it long.apt, of as many moves. A program of its own, not
+// part of the tool.
+
+namespace {
+
+std::optional<std::size_t> moves_asked(int argc, char** argv) {
+  if (argc != 4 || std::string(argv[2]) != "long") return std::nullopt;
+  const auto moves = gouge::parse_integer(argv[3]);
+  return moves && *moves > 0 ? std::optional(static_cast<std::size_t>(*moves)) : std::nullopt;
+}
+
+gouge::Outcome write_long(const std::string& folder, std::size_t moves) {
+  const gouge::samples::Sample sample = gouge::samples::make_freeform();
+  if (gouge::Outcome written = gouge::samples::write_sample(sample, folder); !written) return written;
+  gouge::Result<gouge::StagedFile> path =
+      gouge::StagedFile::make(folder + "/" + sample.name + "/long.apt",
+                              [moves](const gouge::PutText& put) { gouge::samples::put_long_path(moves, put); });
+  return path ? path->commit() : path.error();
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   const bool is_large = argc == 3 && std::string(argv[2]) == "large";
-  if (argc != 2 && !is_large) {
-    std::fputs("usage: make_samples FOLDER [large]\n", stderr);
+  const std::optional<std::size_t> moves = moves_asked(argc, argv);
+  if (argc != 2 && !is_large && !moves) {
+    std::fputs("usage: make_samples FOLDER [large | long MOVES]\n", stderr);
     return 2;
   }
   const std::string folder = argv[1];
@@ -22,6 +46,7 @@ int main(int argc, char** argv) {
     if (!outcome) std::fprintf(stderr, "%s\n", gouge::to_text(outcome.error()).c_str());
     return !outcome;
   };
+  if (moves) return failed(write_long(folder, *moves)) ? 3 : 0;
   for (const gouge::samples::Sample& sample : samples) {
     if (failed(gouge::samples::write_sample(sample, folder))) return 3;
   }

@@ -44,7 +44,7 @@ gouge::MeshFacts facts_of(const Mesh& mesh) {
 
 /// The path with a tool for moves for which its file names none.
 Path with_every_tool_named(const Path& path) {
-  const std::vector<gouge::Move>& moves = path.content().path.moves;
+  const gouge::Moves& moves = path.content().path.moves;
   const auto is_unnamed = [](const gouge::Move& move) { return move.tool == gouge::kNone; };
   if (std::none_of(moves.begin(), moves.end(), is_unnamed)) return path;
   gouge::Toolpath named = path.content().path;

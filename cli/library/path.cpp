@@ -119,6 +119,8 @@ std::span<const Vec3> Path::axes() const { return content_->axes; }
 std::span<const MoveKind> Path::kinds() const { return content_->kinds; }
 std::span<const std::uint32_t> Path::lines() const { return content_->lines; }
 std::vector<Note> Path::notes() const { return to_notes(content_->path.notes); }
-std::string Path::text() const { return content_->is_from_memory ? apt_text(content_->path) : content_->path.source; }
+std::string Path::text() const {
+  return content_->is_from_memory ? apt_text(content_->path) : std::string(content_->path.source.view());
+}
 
 }  // namespace gougecheck

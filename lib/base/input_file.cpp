@@ -55,15 +55,16 @@ bool is_same_state(const struct stat& a, const struct stat& b) {
   return a.st_size == b.st_size && a.st_mtim.tv_sec == b.st_mtim.tv_sec && a.st_mtim.tv_nsec == b.st_mtim.tv_nsec;
 }
 
-Result<std::string> read_all(InputReader& file) {
-  std::string bytes;
+template <class Bytes>
+Result<Bytes> read_all(InputReader& file) {
+  Bytes bytes;
   bytes.reserve(file.expected_bytes());
   std::string chunk(std::size_t{1} << 20U, '\0');
   for (;;) {
     const Result<std::size_t> count = file.read(chunk.data(), chunk.size());
     if (!count) return count.error();
     if (*count == 0) return bytes;
-    bytes.append(chunk, 0, *count);
+    bytes.insert(bytes.end(), chunk.data(), chunk.data() + *count);
   }
 }
 
@@ -125,7 +126,7 @@ Result<FileView> view_file(const std::string& path, std::uint64_t most_bytes) {
   if (!file) return file.error();
   const std::size_t size = file->expected_bytes();
   if (size == 0) {
-    Result<std::string> read = read_all(*file);
+    Result<std::string> read = read_all<std::string>(*file);
     if (!read) return read.error();
     const auto kept = std::make_shared<const std::string>(std::move(*read));
     return FileView{*kept, kept};
@@ -144,7 +145,13 @@ Result<FileView> view_file(const std::string& path, std::uint64_t most_bytes) {
 Result<std::string> read_file(const std::string& path, std::uint64_t most_bytes) {
   Result<InputReader> file = InputReader::open(path, most_bytes);
   if (!file) return file.error();
-  return read_all(*file);
+  return read_all<std::string>(*file);
+}
+
+Result<PagedVector<char>> read_long_file(const std::string& path, std::uint64_t most_bytes) {
+  Result<InputReader> file = InputReader::open(path, most_bytes);
+  if (!file) return file.error();
+  return read_all<PagedVector<char>>(*file);
 }
 
 }  // namespace gouge

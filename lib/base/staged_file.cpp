@@ -117,7 +117,7 @@ bool StagedFile::open_beside() {
   return true;
 }
 
-bool StagedFile::fill(std::string_view bytes) {
+bool StagedFile::fill(const TextWriter& write) {
   struct stat old {
   }, own{};
   if (::stat(target_.c_str(), &old) == 0) {
@@ -126,16 +126,26 @@ bool StagedFile::fill(std::string_view bytes) {
     if (is_other && ::fchown(handle_, old.st_uid, old.st_gid) != 0) return false;
     if (::fchmod(handle_, old.st_mode & 0777) != 0) return false;
   }
-  return write_all(handle_, bytes) && synchronise(handle_);
+  int error = 0;  // the first: what follows it is in vain
+  write([&](std::string_view bytes) {
+    if (error == 0 && !write_all(handle_, bytes)) error = errno;
+  });
+  errno = error;
+  return error == 0 && synchronise(handle_);
 }
 
 Result<StagedFile> StagedFile::make(const std::string& path, std::string_view bytes, const std::string& prefix) {
+  return make(
+      path, [bytes](const PutText& put) { put(bytes); }, prefix);
+}
+
+Result<StagedFile> StagedFile::make(const std::string& path, const TextWriter& write, const std::string& prefix) {
   std::error_code ignored;
   const fs::file_status status = fs::status(path, ignored);
   if (fs::is_directory(status)) return unwritable(path, "it is a folder");
   StagedFile staged(path, prefix);
   if (fs::exists(status) && !fs::is_regular_file(status)) {
-    staged.direct_ = bytes;
+    write([&](std::string_view bytes) { staged.direct_ += bytes; });
     return staged;
   }
   const Result<std::string> target = follow_links(path);
@@ -144,7 +154,7 @@ Result<StagedFile> StagedFile::make(const std::string& path, std::string_view by
   if (fs::exists(status)) {
     if (const auto why = why_not_replaceable(staged.target_)) return unwritable(path, *why);
   }
-  if (!staged.open_beside() || !staged.fill(bytes)) return unwritable(path, reason());
+  if (!staged.open_beside() || !staged.fill(write)) return unwritable(path, reason());
   return staged;
 }
 

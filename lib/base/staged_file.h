@@ -6,6 +6,7 @@
 
 #include "lib/base/result.h"
 #include "lib/base/temporary_name.h"
+#include "lib/base/text_writer.h"
 
 namespace gouge {
 
@@ -30,6 +31,8 @@ class StagedFile {
   /// file-unwritable, with the system's reason.
   [[nodiscard]] static Result<StagedFile> make(const std::string& path, std::string_view bytes,
                                                const std::string& prefix = ".gougecheck-");
+  [[nodiscard]] static Result<StagedFile> make(const std::string& path, const TextWriter& write,
+                                               const std::string& prefix = ".gougecheck-");
   StagedFile(StagedFile&& other) noexcept;
   StagedFile(const StagedFile&) = delete;
   StagedFile& operator=(const StagedFile&) = delete;
@@ -42,7 +45,7 @@ class StagedFile {
  private:
   StagedFile(std::string path, std::string prefix) : path_(std::move(path)), prefix_(std::move(prefix)) {}
   [[nodiscard]] bool open_beside();
-  [[nodiscard]] bool fill(std::string_view bytes);
+  [[nodiscard]] bool fill(const TextWriter& write);
   [[nodiscard]] bool put_in_place();
   [[nodiscard]] TemporaryName name_beside() const;
 

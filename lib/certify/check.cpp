@@ -8,10 +8,10 @@
 namespace gouge {
 
 CheckResult check(const Toolpath& path, const CheckSetup& setup, const ProgressCall& progress) {
-  CheckResult result = check_path(path, setup.tools, setup.scene, setup.options, progress);
-  check_heads(path, setup.heads, setup.scene, setup.options, result, progress);
+  CheckResult result = check_path(path, setup.tools, setup.scene, setup.options, progress, setup.kept);
+  check_heads(path, setup.heads, setup.scene, setup.options, result, progress, setup.kept);
   summarise(path, result);  // the overcut asks for the worst move of each event
-  measure_overcuts(path, setup.tools, setup.scene, setup.options, result, setup.heads, progress);
+  measure_overcuts(path, setup.tools, setup.scene, setup.options, result, setup.heads, progress, setup.kept);
   return result;
 }
 

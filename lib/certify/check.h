@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lib/base/kept_work.h"
 #include "lib/base/parallel.h"
 #include "lib/check/check_options.h"
 #include "lib/check/prepared_scene.h"
@@ -20,6 +21,7 @@ struct CheckSetup {
   const std::vector<HeadBody>& heads;      ///< bodies that move with the tool; may be empty
   const PreparedScene& scene;              ///< parts and fixtures
   const CheckOptions& options;
+  KeptWork* kept = nullptr;  ///< of an earlier run of the very same check, or null
 };
 
 /// Checks every move of a path: tools and heads, against parts and fixtures, from outside and from inside, and how far

@@ -48,7 +48,7 @@ class ToolRegions {
 class BuriedMarker {
  public:
   BuriedMarker(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
-               const CheckOptions& options, std::vector<MoveVerdict>& verdicts)
+               const CheckOptions& options, MoveVerdicts& verdicts)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options), verdicts_(verdicts) {}
 
   void mark() {
@@ -169,10 +169,10 @@ class BuriedMarker {
   const std::vector<const ToolVariants*>& tools_;
   const PreparedScene& scene_;
   const CheckOptions& options_;
-  std::vector<MoveVerdict>& verdicts_;
+  MoveVerdicts& verdicts_;
   std::vector<std::unique_ptr<ToolRegions>> own_regions_;
-  std::vector<const FreeRegions*> regions_;  // per move; null without a proof
-  std::vector<std::size_t> first_;           // per move: the number of its first region
+  PagedVector<const FreeRegions*> regions_;  // per move; null without a proof
+  PagedVector<std::size_t> first_;           // per move: the number of its first region
 };
 
 }  // namespace
@@ -182,7 +182,7 @@ bool is_thin_feature(const MoveVerdict& verdict) {
 }
 
 void mark_buried(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
-                 const CheckOptions& options, std::vector<MoveVerdict>& verdicts) {
+                 const CheckOptions& options, MoveVerdicts& verdicts) {
   BuriedMarker(toolpath, tools, scene, options, verdicts).mark();
 }
 

@@ -22,6 +22,6 @@ namespace gouge {
 ///
 /// Cost     O(moves), and for each chain that never leaves the surfaces' box O(triangles).
 void mark_buried(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
-                 const CheckOptions& options, std::vector<MoveVerdict>& verdicts);
+                 const CheckOptions& options, MoveVerdicts& verdicts);
 
 }  // namespace gouge

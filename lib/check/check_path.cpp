@@ -9,6 +9,7 @@
 #include "lib/check/check_move.h"
 #include "lib/check/path_motion.h"
 #include "lib/check/reach.h"
+#include "lib/check/verdict_bytes.h"
 
 namespace gouge {
 namespace {
@@ -23,8 +24,7 @@ class PathChecker {
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options) {}
 
   /// Moves [first, last): those of one tool together.
-  void check(std::size_t first, std::size_t last, std::vector<MoveVerdict>& verdicts,
-             std::vector<std::uint64_t>& bounds) const {
+  void check(std::size_t first, std::size_t last, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) const {
     Batch batch;
     batch.moves.reserve(last - first);
     batch.motions.reserve(last - first);
@@ -74,7 +74,7 @@ class PathChecker {
     return move.curve_kind == CurveKind::none || move.curve < toolpath_.splines.size();
   }
 
-  void check(Batch& batch, std::vector<MoveVerdict>& verdicts, std::vector<std::uint64_t>& bounds) const {
+  void check(Batch& batch, MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) const {
     if (batch.moves.empty()) return;
     const std::size_t count = batch.moves.size();
     std::vector<MoveVerdict> found(count);
@@ -123,6 +123,30 @@ class PathChecker {
   const CheckOptions& options_;
 };
 
+// Of the bounds their sum, which stands with the first move.
+StretchForm form_of(MoveVerdicts& verdicts, PagedVector<std::uint64_t>& bounds) {
+  StretchForm form;
+  form.write = [&](std::size_t first, std::size_t last) {
+    std::string bytes;
+    std::uint64_t sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += bounds[i];
+    append_bytes(sum, bytes);
+    for (std::size_t i = first; i < last; ++i) append_bytes(verdicts[i], bytes);
+    return bytes;
+  };
+  form.read = [&](std::size_t first, std::size_t last, std::string_view bytes) {
+    std::uint64_t sum = 0;
+    std::vector<MoveVerdict> read(last - first);
+    bool is_whole = take_bytes(bytes, sum);
+    for (MoveVerdict& verdict : read) is_whole = is_whole && take_bytes(bytes, verdict);
+    if (!is_whole || !bytes.empty()) return false;
+    bounds[first] = sum;
+    std::move(read.begin(), read.end(), verdicts.begin() + static_cast<std::ptrdiff_t>(first));
+    return true;
+  };
+  return form;
+}
+
 }  // namespace
 
 Reason link_reason(const Toolpath& toolpath, std::size_t index) {
@@ -130,14 +154,16 @@ Reason link_reason(const Toolpath& toolpath, std::size_t index) {
 }
 
 CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
-                       const PreparedScene& scene, const CheckOptions& options, const ProgressCall& progress) {
+                       const PreparedScene& scene, const CheckOptions& options, const ProgressCall& progress,
+                       KeptWork* kept) {
   CheckResult result;
   const std::size_t total = toolpath.moves.size();
   result.verdicts.resize(total);
   const PathChecker checker(toolpath, tools, scene, options);
-  std::vector<std::uint64_t> bounds(total, 0);
-  for_each_chunk(total, kMovesPerChunk, options.threads, "checking moves", progress,
-                 [&](std::size_t first, std::size_t last) { checker.check(first, last, result.verdicts, bounds); });
+  PagedVector<std::uint64_t> bounds(total, 0);
+  for_each_kept_chunk(
+      total, kMovesPerChunk, options.threads, "checking moves", progress, kept, form_of(result.verdicts, bounds),
+      [&](std::size_t first, std::size_t last) { checker.check(first, last, result.verdicts, bounds); });
   if (scene.is_within_reach && why_unfit(options) == Reason::Kind::none)
     mark_buried(toolpath, tools, scene, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;

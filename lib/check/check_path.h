@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lib/base/kept_work.h"
 #include "lib/base/parallel.h"
 #include "lib/check/check_options.h"
 #include "lib/check/prepared_scene.h"
@@ -19,10 +20,11 @@ namespace gouge {
 ///          (2) the same result, bit for bit, at any number of threads.
 ///          (3) a move is clean only if every body of the tool is proved outside of all solids during it, and
 ///              buried only if one is proved inside; else it is not certified (buried.h).
+///          (4) the same result where stretches of it come from `kept`, which may be null.
 /// Source   design of docs/method.md; docs/algorithms/certified_sweep.md.
 [[nodiscard]] CheckResult check_path(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                                      const PreparedScene& scene, const CheckOptions& options,
-                                     const ProgressCall& progress = {});
+                                     const ProgressCall& progress = {}, KeptWork* kept = nullptr);
 
 /// Why a position alone is not checked whose link is not clean. Requires link_of(toolpath, index).
 [[nodiscard]] Reason link_reason(const Toolpath& toolpath, std::size_t index);

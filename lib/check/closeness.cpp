@@ -58,7 +58,7 @@ Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const Pr
 
 // What the check has seen of cuts already: a surface point of a part in the tool, or as near as it was seen.
 double seen_by_check_mm(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
-                        const std::vector<MoveVerdict>& verdicts) {
+                        const MoveVerdicts& verdicts) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < toolpath.moves.size() && i < verdicts.size(); ++i) {
     const MoveVerdict& v = verdicts[i];
@@ -77,8 +77,7 @@ std::optional<double> if_near(double distance) {
 }  // namespace
 
 std::optional<Closeness> measure_closeness(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
-                                           const PreparedScene& scene, const std::vector<MoveVerdict>& verdicts,
-                                           unsigned threads) {
+                                           const PreparedScene& scene, const MoveVerdicts& verdicts, unsigned threads) {
   Closeness closeness;
   closeness.cuts = static_cast<std::size_t>(std::count_if(toolpath.moves.begin(), toolpath.moves.end(),
                                                           [&](const Move& move) { return is_cut(move, tools); }));

@@ -30,7 +30,7 @@ struct Closeness {
 /// Cost     a search at 400 positions at most.
 [[nodiscard]] std::optional<Closeness> measure_closeness(const Toolpath& toolpath,
                                                          const std::vector<const ToolVariants*>& tools,
-                                                         const PreparedScene& scene,
-                                                         const std::vector<MoveVerdict>& verdicts, unsigned threads);
+                                                         const PreparedScene& scene, const MoveVerdicts& verdicts,
+                                                         unsigned threads);
 
 }  // namespace gouge

@@ -75,8 +75,8 @@ Scene scaled(const Scene& scene, double factor) {
 
 class FitFinder {
  public:
-  FitFinder(const Toolpath& path, const std::vector<MoveVerdict>& verdicts,
-            const std::vector<const ToolVariants*>& tools, const PreparedScene& scene, unsigned threads)
+  FitFinder(const Toolpath& path, const MoveVerdicts& verdicts, const std::vector<const ToolVariants*>& tools,
+            const PreparedScene& scene, unsigned threads)
       : path_(path), verdicts_(verdicts), tools_(tools), scene_(scene), threads_(threads) {}
 
   PathFit run() {
@@ -273,12 +273,12 @@ class FitFinder {
   }
 
   const Toolpath& path_;
-  const std::vector<MoveVerdict>& verdicts_;
+  const MoveVerdicts& verdicts_;
   const std::vector<const ToolVariants*>& tools_;
   const PreparedScene& scene_;
   unsigned threads_;
   PathFit fit_;
-  std::vector<std::size_t> cuts_;
+  PagedVector<std::size_t> cuts_;
   std::map<std::size_t, std::pair<std::size_t, std::size_t>> operations_;  // cuts, and how many of them are too deep
   std::vector<Sample> samples_;
 };
@@ -287,7 +287,7 @@ class FitFinder {
 
 double touch_mm(const ToolVariants& tool) { return std::clamp(0.05 * tool.bare.core_depth_mm, 0.02, 0.5); }
 
-PathFit find_path_fit(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts,
+PathFit find_path_fit(const Toolpath& toolpath, const MoveVerdicts& verdicts,
                       const std::vector<const ToolVariants*>& tools, const PreparedScene& scene, unsigned threads) {
   return FitFinder(toolpath, verdicts, tools, scene, threads).run();
 }

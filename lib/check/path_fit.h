@@ -53,7 +53,7 @@ struct PathFit {
 /// Cost     32 searches where little gouges; else some 27 mistakes, tried at 16 to 128 positions, spread by the golden
 ///          ratio so that they do not fall into step with passes: 0.1 s to 0.3 s, whatever the path's length, and twice
 ///          the trees of the part where its size is in doubt.
-[[nodiscard]] PathFit find_path_fit(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts,
+[[nodiscard]] PathFit find_path_fit(const Toolpath& toolpath, const MoveVerdicts& verdicts,
                                     const std::vector<const ToolVariants*>& tools, const PreparedScene& scene,
                                     unsigned threads);
 

@@ -23,7 +23,7 @@ SideResult SceneSides::side_of(const ConnectedPoints& joined, std::uint8_t beyon
 void FreeChains::decide(unsigned threads, const std::function<ConnectedPoints(std::size_t)>& points_of,
                         const std::function<bool(std::size_t)>& is_asked) {
   const std::size_t count = beyond_.size();
-  std::vector<std::uint32_t> last(count);
+  PagedVector<std::uint32_t> last(count);
   for (std::uint32_t i = 0; i < count; ++i) {
     const std::uint32_t root = joins_.root(i);
     beyond_[root] |= beyond_[i];

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/paged_memory.h"
 #include "lib/check/scene.h"
 #include "lib/mesh/enclosure.h"
 #include "lib/mesh/union_find.h"
@@ -59,8 +60,8 @@ class FreeChains {
  private:
   const SceneSides& sides_;
   UnionFind joins_;
-  std::vector<std::uint8_t> beyond_;
-  std::vector<std::uint32_t> result_of_;  // by root
+  PagedVector<std::uint8_t> beyond_;
+  PagedVector<std::uint32_t> result_of_;  // by root
   std::vector<SideResult> results_;
 };
 

@@ -20,7 +20,7 @@ bool is_worse(const MoveVerdict& a, const MoveVerdict& b) {
   return a.depth_mm > b.depth_mm;
 }
 
-std::vector<Event> gather_events(const Toolpath& toolpath, const std::vector<MoveVerdict>& verdicts) {
+std::vector<Event> gather_events(const Toolpath& toolpath, const MoveVerdicts& verdicts) {
   std::vector<Event> events;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const MoveVerdict& v = verdicts[i];

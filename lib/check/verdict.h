@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "lib/base/paged_memory.h"
 #include "lib/check/reason.h"
 #include "lib/geom/vec.h"
 #include "lib/tool/compiled_tool.h"
@@ -42,6 +43,8 @@ struct MoveVerdict {
   Reason reason;  ///< where not checked, not certified or buried; of a gouge and a near miss what else is to be said
 };
 
+using MoveVerdicts = PagedVector<MoveVerdict>;  ///< one a move, in path order
+
 /// A move that is not checked.
 [[nodiscard]] inline MoveVerdict not_checked(Reason reason) {
   MoveVerdict verdict;
@@ -68,7 +71,7 @@ struct StateCounts {
 
 /// The verdict on a whole path. verdicts.size() == toolpath.moves.size(); every move has one state.
 struct CheckResult {
-  std::vector<MoveVerdict> verdicts;
+  MoveVerdicts verdicts;
   std::vector<Event> events;  ///< in path order
   StateCounts counts;
   double worst_depth_mm = 0;

@@ -298,7 +298,7 @@ bool is_trimmable(const TrimJob& job, std::size_t i) {
 }  // namespace
 
 TrimPlan plan_trims(const TrimJob& job) {
-  const std::vector<Move>& moves = job.path.moves;
+  const Moves& moves = job.path.moves;
   TrimPlan plan;
   for (std::size_t first = 0, last = 0; first < moves.size(); first = last) {
     last = first + 1;

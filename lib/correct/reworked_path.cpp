@@ -29,8 +29,8 @@ void ReworkedPath::add(const Move& move, std::size_t from, bool moved, const Mov
 ReworkedPath with_positions(const Toolpath& path, const CheckResult& result, const ReworkedPath* base,
                             const std::vector<NewPosition>& positions, const std::vector<const ToolVariants*>& tools,
                             const MotionChecker& checker) {
-  const std::vector<Move>& moves = base != nullptr ? base->path.moves : path.moves;
-  const std::vector<MoveVerdict>& verdicts = base != nullptr ? base->result.verdicts : result.verdicts;
+  const Moves& moves = base != nullptr ? base->path.moves : path.moves;
+  const MoveVerdicts& verdicts = base != nullptr ? base->result.verdicts : result.verdicts;
   const CheckOptions& options = checker.options();
   ReworkedPath moved;
   moved.path = without_moves(path);

@@ -38,7 +38,7 @@ ReworkedPath tilt_path(const Toolpath& path, const CheckResult& result, const st
                        const TiltPlan& plan, const std::vector<const ToolVariants*>& tools,
                        const MotionChecker& checker) {
   const ReworkedPath* const base = straight ? &*straight : nullptr;
-  const std::vector<Move>& moves = base != nullptr ? base->path.moves : path.moves;
+  const Moves& moves = base != nullptr ? base->path.moves : path.moves;
   std::vector<NewPosition> positions;
   for (const SmoothedRun& run : plan.runs) {
     for (const TiltedPosition& p : run.positions) positions.push_back({p.move, p.is_end, p.pose, moves[p.move].kind});

@@ -103,8 +103,8 @@ class LiftSearch {
 
   [[nodiscard]] std::optional<Block> find_block(std::size_t k) const {
     const LiftedMoves moved = at(k);
-    const std::vector<Move>& moves = moved.path.moves;
-    std::vector<MoveVerdict> verdicts(moves.size());
+    const Moves& moves = moved.path.moves;
+    MoveVerdicts verdicts(moves.size());
     for_each_chunk(moves.size(), kMovesPerChunk, options_.threads, [&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) {
         const Motion motion = motion_of(moved.path, i, options_.rapid);

@@ -13,7 +13,7 @@ class Picker {
   Picker(const CheckedToolpath& input, std::size_t most,
          const std::function<std::size_t(const Motion&, std::size_t)>& wanted)
       : input_(input), most_(most), wanted_(wanted) {
-    const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
+    const MoveVerdicts& verdicts = input.result->verdicts;
     for (std::size_t i = 0; i < verdicts.size(); ++i) {
       const std::size_t tool = input.toolpath->moves[i].tool;
       const bool has_variants = tool < input.tools.size() && input.tools[tool] != nullptr;
@@ -41,7 +41,7 @@ class Picker {
   // Too many gouging moves even so: the worst of each group of neighbours.
   void add_worst_only() {
     clear();
-    const std::vector<MoveVerdict>& verdicts = input_.result->verdicts;
+    const MoveVerdicts& verdicts = input_.result->verdicts;
     const std::size_t group = gouging_.size() / std::max<std::size_t>(most_ / 2, 1) + 1;
     for (std::size_t first = 0; first < gouging_.size(); first += group) {
       // Depths are known to the resolution; equal ones leave the picks evenly spread.

@@ -25,7 +25,7 @@ constexpr double kUnseen = 1.02;  // no eye could tell the difference
 
 OvercutField::OvercutField(const CheckedToolpath& input, const DepthField& depths)
     : parts_(input.scene->parts.size()), tolerance_mm_(input.options.tolerance_mm), depths_(depths) {
-  const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
+  const MoveVerdicts& verdicts = input.result->verdicts;
   solids_.resize(parts_ + input.scene->fixtures.size());
   const double worst = input.result->worst_overcut_mm;
   for (const DepthField::FieldPose& pose : depths.poses()) {

@@ -9,6 +9,7 @@
 #include "lib/check/check_path.h"
 #include "lib/check/path_motion.h"
 #include "lib/check/reach.h"
+#include "lib/check/verdict_bytes.h"
 #include "lib/head/head_search.h"
 
 namespace gouge {
@@ -126,9 +127,8 @@ void HeadChecker::look_inside(const Pose& pose, const std::vector<double>& upper
   }
 }
 
-void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& options,
-                              const std::vector<std::vector<double>>& uppers_mm,
-                              std::vector<MoveVerdict>& verdicts) const {
+void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& options, const HeadUppers& uppers_mm,
+                              MoveVerdicts& verdicts) const {
   std::vector<std::pair<std::size_t, std::size_t>> cores;  // head, core
   for (std::size_t h = 0; h < heads_.size(); ++h) {
     for (std::size_t k = 0; k < heads_[h].cores.size(); ++k) cores.emplace_back(h, k);
@@ -139,7 +139,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
   };
   const auto is_free = [&](std::size_t i, std::size_t c) {
     const auto [h, k] = cores[c];
-    return !uppers_mm[i].empty() && uppers_mm[i][h] < heads_[h].core_depths_mm[k];
+    return uppers_mm.is_swept(i) && uppers_mm.of(i, h) < heads_[h].core_depths_mm[k];
   };
   FreeChains chains(sides_, verdicts.size() * cores.size());
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
@@ -161,7 +161,7 @@ void HeadChecker::mark_buried(const Toolpath& toolpath, const CheckOptions& opti
       },
       is_asked);
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
-    if (uppers_mm[i].empty() || !is_open_to_judgement(verdicts[i])) continue;
+    if (!uppers_mm.is_swept(i) || !is_open_to_judgement(verdicts[i])) continue;
     for (std::size_t c = 0; c < cores.size() && verdicts[i].state != MoveState::buried; ++c) {
       if (!is_free(i, c)) {
         decide(MoveState::not_certified, {Reason::Kind::head_too_thin}, verdicts[i]);
@@ -176,7 +176,7 @@ namespace {
 
 // The heads on the straight path to a position alone (check_path asks the tool).
 void check_links(const Toolpath& toolpath, const HeadChecker& checker, const CheckOptions& options,
-                 std::vector<MoveVerdict>& verdicts) {
+                 MoveVerdicts& verdicts) {
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     const std::optional<Motion> link = link_of(toolpath, i);
     if (!link || !is_open_to_judgement(verdicts[i])) continue;
@@ -188,10 +188,17 @@ void check_links(const Toolpath& toolpath, const HeadChecker& checker, const Che
   }
 }
 
+/// What the heads' search says of one move.
+struct HeadStep {
+  std::uint64_t bounds = 0;
+  std::vector<double> uppers_mm;
+  MoveVerdict verdict;
+};
+
 }  // namespace
 
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
-                 const CheckOptions& options, CheckResult& result, const ProgressCall& progress) {
+                 const CheckOptions& options, CheckResult& result, const ProgressCall& progress, KeptWork* kept) {
   if (heads.empty()) return;
   const Reason::Kind unfit = scene.is_within_reach ? why_unfit(options) : Reason::Kind::out_of_reach;
   if (unfit != Reason::Kind::none) {
@@ -199,16 +206,47 @@ void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, c
     return;
   }
   const HeadChecker checker(heads, scene);
-  std::vector<std::uint64_t> bounds(result.verdicts.size(), 0);
-  std::vector<std::vector<double>> uppers_mm(result.verdicts.size());
+  PagedVector<std::uint64_t> bounds(result.verdicts.size(), 0);
+  HeadUppers uppers_mm(result.verdicts.size(), heads.size());
   const auto sweep = [&](std::size_t first, std::size_t last) {
+    std::vector<double> uppers_of_move;
     for (std::size_t i = first; i < last; ++i) {
       if (result.verdicts[i].state == MoveState::not_checked) continue;
       const Motion motion = motion_of(toolpath, i, options.rapid);
-      bounds[i] = checker.sweep(motion, options, result.verdicts[i], uppers_mm[i]);
+      bounds[i] = checker.sweep(motion, options, result.verdicts[i], uppers_of_move);
+      uppers_mm.set(i, uppers_of_move);
     }
   };
-  for_each_chunk(result.verdicts.size(), kMovesPerChunk, options.threads, "checking heads", progress, sweep);
+  StretchForm form;
+  form.write = [&](std::size_t first, std::size_t last) {
+    std::string bytes;
+    for (std::size_t i = first; i < last; ++i) {
+      append_bytes(bounds[i], bytes);
+      for (std::size_t h = 0; h < heads.size(); ++h) append_bytes(uppers_mm.of(i, h), bytes);
+      append_bytes(result.verdicts[i], bytes);
+    }
+    return bytes;
+  };
+  form.read = [&](std::size_t first, std::size_t last, std::string_view bytes) {
+    std::vector<HeadStep> read(last - first);
+    bool is_whole = true;
+    for (HeadStep& step : read) {
+      step.uppers_mm.resize(heads.size());
+      is_whole = is_whole && take_bytes(bytes, step.bounds);
+      for (double& upper : step.uppers_mm) is_whole = is_whole && take_bytes(bytes, upper);
+      is_whole = is_whole && take_bytes(bytes, step.verdict);
+    }
+    if (!is_whole || !bytes.empty()) return false;
+    for (std::size_t i = first; i < last; ++i) {
+      HeadStep& step = read[i - first];
+      bounds[i] = step.bounds;
+      uppers_mm.set(i, step.uppers_mm);
+      result.verdicts[i] = std::move(step.verdict);
+    }
+    return true;
+  };
+  for_each_kept_chunk(result.verdicts.size(), kMovesPerChunk, options.threads, "checking heads", progress, kept, form,
+                      sweep);
   checker.mark_buried(toolpath, options, uppers_mm, result.verdicts);
   check_links(toolpath, checker, options, result.verdicts);
   for (const std::uint64_t b : bounds) result.evaluations += b;

@@ -1,8 +1,13 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <limits>
 #include <vector>
 
+#include "lib/base/kept_work.h"
+#include "lib/base/paged_memory.h"
 #include "lib/base/parallel.h"
 #include "lib/check/prepared_scene.h"
 #include "lib/check/verdict.h"
@@ -10,6 +15,25 @@
 #include "lib/head/head_search.h"
 
 namespace gouge {
+
+/// How deep the surface may be in each head, of every move of a path, mm. Requires a head.
+class HeadUppers {
+ public:
+  HeadUppers(std::size_t moves, std::size_t heads) : heads_(heads), all_(moves * heads, kNotSwept) {}
+
+  [[nodiscard]] bool is_swept(std::size_t move) const { return !std::isnan(all_[move * heads_]); }
+  [[nodiscard]] double of(std::size_t move, std::size_t head) const { return all_[move * heads_ + head]; }
+  /// `uppers_mm`: one of each head, or empty where the move was not swept.
+  void set(std::size_t move, const std::vector<double>& uppers_mm) {
+    for (std::size_t h = 0; h < heads_; ++h) all_[move * heads_ + h] = uppers_mm.empty() ? kNotSwept : uppers_mm[h];
+  }
+
+ private:
+  static constexpr double kNotSwept = std::numeric_limits<double>::quiet_NaN();
+
+  std::size_t heads_;
+  PagedVector<double> all_;
+};
 
 /// Heads against the meshes of a scene, which must both outlive it.
 class HeadChecker {
@@ -26,9 +50,9 @@ class HeadChecker {
                       std::vector<double>& uppers_mm) const;
 
   /// Turns moves that are clean or near into buried or not certified where a head is inside a solid or may be, as
-  /// mark_buried does for the tool. `uppers_mm`: of each move, empty where it was not swept.
-  void mark_buried(const Toolpath& toolpath, const CheckOptions& options,
-                   const std::vector<std::vector<double>>& uppers_mm, std::vector<MoveVerdict>& verdicts) const;
+  /// mark_buried does for the tool.
+  void mark_buried(const Toolpath& toolpath, const CheckOptions& options, const HeadUppers& uppers_mm,
+                   MoveVerdicts& verdicts) const;
 
   /// How much deeper than `allowed_mm` the heads are at a pose, less than the truth by `accuracy_mm` at most:
   /// the least they must still move. 0 only when that is proven and no head is buried; infinite when one is,
@@ -53,6 +77,7 @@ class HeadChecker {
 /// depth_upper is at most tolerance + resolution and that no head lies inside a solid (Body::head in the witness).
 /// Ensures  the same bits at any number of threads.
 void check_heads(const Toolpath& toolpath, const std::vector<HeadBody>& heads, const PreparedScene& scene,
-                 const CheckOptions& options, CheckResult& result, const ProgressCall& progress = {});
+                 const CheckOptions& options, CheckResult& result, const ProgressCall& progress = {},
+                 KeptWork* kept = nullptr);
 
 }  // namespace gouge

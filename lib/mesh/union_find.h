@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <vector>
+
+#include "lib/base/paged_memory.h"
 
 namespace gouge {
 
@@ -26,7 +27,7 @@ class UnionFind {
   }
 
  private:
-  std::vector<std::uint32_t> parent_;
+  PagedVector<std::uint32_t> parent_;
 };
 
 }  // namespace gouge

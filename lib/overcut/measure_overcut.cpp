@@ -11,6 +11,7 @@
 #include "lib/check/motion.h"
 #include "lib/check/overcut_gap.h"
 #include "lib/check/path_motion.h"
+#include "lib/check/verdict_bytes.h"
 #include "lib/overcut/overcut_search.h"
 #include "lib/overcut/swept_head.h"
 #include "lib/overcut/swept_tool.h"
@@ -75,22 +76,40 @@ class Measuring {
             const CheckOptions& options, const std::vector<HeadBody>& heads, CheckResult& result)
       : toolpath_(toolpath), tools_(tools), scene_(scene), options_(options), heads_(heads), result_(result) {}
 
-  void run(const ProgressCall& progress) {
+  void run(const ProgressCall& progress, KeptWork* kept) {
     is_worst_.resize(result_.verdicts.size(), false);
     for (const Event& event : result_.events) is_worst_[event.worst_move] = true;
     for (std::size_t i = 0; i < result_.verdicts.size(); ++i) {
       if (is_asked(i)) prepare(i);
     }
-    for_each_chunk(gouges_.size(), 4, options_.threads, "measuring overcuts", progress,
-                   [&](std::size_t first, std::size_t last) {
-                     for (std::size_t k = first; k < last; ++k) measure(gouges_[k]);
-                   });
+    for_each_kept_chunk(gouges_.size(), 4, options_.threads, "measuring overcuts", progress, kept, form(),
+                        [&](std::size_t first, std::size_t last) {
+                          for (std::size_t k = first; k < last; ++k) measure(gouges_[k]);
+                        });
     result_.worst_overcut_mm = 0;
     for (const std::size_t i : gouges_)
       result_.worst_overcut_mm = std::max(result_.worst_overcut_mm, result_.verdicts[i].overcut_mm.value_or(0));
   }
 
  private:
+  [[nodiscard]] StretchForm form() const {
+    StretchForm form;
+    form.write = [this](std::size_t first, std::size_t last) {
+      std::string bytes;
+      for (std::size_t k = first; k < last; ++k) append_bytes(result_.verdicts[gouges_[k]], bytes);
+      return bytes;
+    };
+    form.read = [this](std::size_t first, std::size_t last, std::string_view bytes) {
+      std::vector<MoveVerdict> read(last - first);
+      bool is_whole = true;
+      for (MoveVerdict& verdict : read) is_whole = is_whole && take_bytes(bytes, verdict);
+      if (!is_whole || !bytes.empty()) return false;
+      for (std::size_t k = first; k < last; ++k) result_.verdicts[gouges_[k]] = std::move(read[k - first]);
+      return true;
+    };
+    return form;
+  }
+
   [[nodiscard]] const Surface& surface_of(const MoveVerdict& verdict) const {
     return scene_.surface(verdict.witness->against, verdict.witness->mesh);
   }
@@ -142,7 +161,7 @@ class Measuring {
   const std::vector<HeadBody>& heads_;
   CheckResult& result_;
   std::vector<bool> is_worst_;  // by move
-  std::vector<std::size_t> gouges_;
+  PagedVector<std::size_t> gouges_;
   std::map<std::size_t, DepthBound> depth_bounds_;  // by tool
 };
 
@@ -150,8 +169,8 @@ class Measuring {
 
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                       const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
-                      const std::vector<HeadBody>& heads, const ProgressCall& progress) {
-  Measuring(toolpath, tools, scene, options, heads, result).run(progress);
+                      const std::vector<HeadBody>& heads, const ProgressCall& progress, KeptWork* kept) {
+  Measuring(toolpath, tools, scene, options, heads, result).run(progress, kept);
 }
 
 }  // namespace gouge

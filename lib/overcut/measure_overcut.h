@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "lib/base/kept_work.h"
 #include "lib/base/parallel.h"
 #include "lib/check/check_options.h"
 #include "lib/check/prepared_scene.h"
@@ -25,6 +26,6 @@ namespace gouge {
 /// Cost     some 10 microseconds a move of a tool that is blunt where it gouges, else up to a millisecond or a few.
 void measure_overcuts(const Toolpath& toolpath, const std::vector<const ToolVariants*>& tools,
                       const PreparedScene& scene, const CheckOptions& options, CheckResult& result,
-                      const std::vector<HeadBody>& heads, const ProgressCall& progress = {});
+                      const std::vector<HeadBody>& heads, const ProgressCall& progress = {}, KeptWork* kept = nullptr);
 
 }  // namespace gouge

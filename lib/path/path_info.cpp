@@ -58,7 +58,7 @@ PathInfo describe_path(const Toolpath& path) {
   PathInfo info;
   info.moves_of_tool.assign(path.tools.size(), 0);
   info.moves_of_operation.assign(path.operations.size(), 0);
-  std::vector<AxisKey> axes;
+  PagedVector<AxisKey> axes;
   for (std::size_t i = 0; i < path.moves.size(); ++i) {
     const Move& move = path.moves[i];
     ++info.moves_by_kind[static_cast<std::size_t>(move.kind)];

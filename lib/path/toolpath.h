@@ -10,12 +10,14 @@
 #include <vector>
 
 #include "lib/base/diagnostic.h"
+#include "lib/base/paged_memory.h"
 #include "lib/base/units.h"
 #include "lib/geom/pose.h"
 #include "lib/geom/rigid_transform.h"
 #include "lib/path/apt_cutter.h"
 #include "lib/path/curve.h"
 #include "lib/path/feed.h"
+#include "lib/path/source_text.h"
 
 // The neutral toolpath: what a cutter-location file says, free of any dialect, in mm and part coordinates,
 // every move remembering the source line its statement begins on. Readers and writers: postproc/cldata.
@@ -87,6 +89,8 @@ struct Move {
   }
 };
 
+using Moves = PagedVector<Move>;
+
 /// A logical statement and the bytes it spans, line end included, so that a writer can leave it untouched.
 struct SourceStatement {
   SmallIndex line;
@@ -98,12 +102,12 @@ struct Toolpath {
   std::string dialect;  ///< "apt", "nx-clsf", "apt-autodesk", ...: docs/formats/apt_cl.md
   LengthUnit unit = LengthUnit::mm;
   bool is_unit_stated = false;
-  std::string source;  ///< the file's bytes
-  std::vector<SourceStatement> statements;
+  SourceText source;  ///< the file's bytes
+  PagedVector<SourceStatement> statements;
   std::vector<PathTool> tools;
   std::vector<Operation> operations;
-  std::vector<Move> moves;
-  std::vector<PathArc> arcs;                                ///< of moves whose curve_kind is arc
+  Moves moves;
+  PagedVector<PathArc> arcs;                                ///< of moves whose curve_kind is arc
   std::vector<PathSpline> splines;                          ///< of moves whose curve_kind is spline
   std::map<std::string, std::size_t> words_not_understood;  ///< major word -> how often; reported to the user
   Diagnostics notes;  ///< warnings and notes of reading; errors make reading fail instead

@@ -112,7 +112,7 @@ class Chain {
     run.tool = job_.path.moves[begin->move].tool;
     run.first_wanted = stretch.first_move;
     run.last_wanted = stretch.last_move;
-    const std::vector<Move>& moves = job_.path.moves;
+    const Moves& moves = job_.path.moves;
     for (auto at = begin; at <= end; ++at) run.positions.push_back(position_at(*at, begin->way_mm));
     const bool begins_path = !moves[begin->move].has_start;
     const bool ends_path =
@@ -298,7 +298,7 @@ std::vector<bool> moves_near(const Toolpath& path, const std::vector<bool>& is_w
 
 std::vector<TiltRun> find_tilt_runs(const TiltJob& job, double spacing_mm) {
   const std::vector<bool> is_near = moves_near(job.path, job.is_wanted, job.options.blend_mm);
-  const std::vector<Move>& moves = job.path.moves;
+  const Moves& moves = job.path.moves;
   std::vector<TiltRun> runs;
   for (std::size_t first = 0, last = 0; first < moves.size(); first = last) {
     last = first + 1;

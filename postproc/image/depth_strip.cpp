@@ -25,7 +25,7 @@ struct Column {
 class Strip {
  public:
   Strip(const PictureSet& set, const Area& area) : set_(set), area_(area) {
-    const std::vector<MoveVerdict>& verdicts = set.input.result->verdicts;
+    const MoveVerdicts& verdicts = set.input.result->verdicts;
     moves_ = std::max<std::size_t>(verdicts.size(), 1);
     columns_.resize(std::min(moves_, static_cast<std::size_t>(area.width)));
     for (std::size_t i = 0; i < verdicts.size(); ++i) add(columns_[i * columns_.size() / moves_], verdicts[i]);
@@ -174,7 +174,7 @@ class Strip {
 // Which operation and tool is at work, as a row of labelled spans above the strip.
 void draw_operations(Page& page, const PictureSet& set, const Area& area) {
   const Toolpath& path = *set.input.toolpath;
-  const std::vector<Move>& moves = path.moves;
+  const Moves& moves = path.moves;
   bool is_even = false;
   for (std::size_t i = 0; i < moves.size();) {
     std::size_t j = i;
@@ -206,7 +206,7 @@ void draw_legend(Page& page, const PictureSet& set, double y) {
   };
   for (const Body body : {Body::cutter, Body::shank, Body::holder})
     entry(body_colour(static_cast<int>(body)), body_name(body));
-  const std::vector<MoveVerdict>& verdicts = set.input.result->verdicts;
+  const MoveVerdicts& verdicts = set.input.result->verdicts;
   const bool has_head =
       std::ranges::any_of(verdicts, [](const MoveVerdict& v) { return v.witness && v.witness->body == Body::head; });
   if (has_head) entry(body_colour(static_cast<int>(Body::head)), body_name(Body::head));

@@ -11,7 +11,7 @@ namespace gouge {
 
 std::vector<GougeWitness> gouge_witnesses(const CheckedToolpath& input, std::size_t most) {
   std::vector<std::size_t> gouging;
-  const std::vector<MoveVerdict>& verdicts = input.result->verdicts;
+  const MoveVerdicts& verdicts = input.result->verdicts;
   for (std::size_t i = 0; i < verdicts.size(); ++i) {
     if (verdicts[i].state == MoveState::gouge && verdicts[i].witness) gouging.push_back(i);
   }

@@ -87,7 +87,7 @@ class AxisSection {
   [[nodiscard]] std::string chart(const TiltedRun& run) const {
     const std::string svg = axis_chart(run, unit_);
     if (svg.empty()) return {};
-    const std::vector<Move>& moves = model_.toolpath->moves;
+    const Moves& moves = model_.toolpath->moves;
     const std::size_t first = moves[run.first].line, last = moves[run.last - 1].line;
     const std::string lines = first == last ? "Line " + std::to_string(first)
                                             : "Lines " + std::to_string(first) + " to " + std::to_string(last);

@@ -74,10 +74,22 @@ void add_row(const ReportModel& model, const PathCells& cells, std::size_t index
 }  // namespace
 
 std::string write_csv(const ReportModel& model) {
+  std::string text;
+  put_csv(model, [&](std::string_view part) { text += part; });
+  return text;
+}
+
+void put_csv(const ReportModel& model, const PutText& put) {
+  constexpr std::size_t kPart = std::size_t{1} << 20U;
   const PathCells cells(*model.toolpath);
   std::string text(kHeader);
-  for (std::size_t i = 0; i < model.result->verdicts.size(); ++i) add_row(model, cells, i, text);
-  return text;
+  for (std::size_t i = 0; i < model.result->verdicts.size(); ++i) {
+    add_row(model, cells, i, text);
+    if (text.size() < kPart) continue;
+    put(text);
+    text.clear();
+  }
+  put(text);
 }
 
 }  // namespace gouge

@@ -39,7 +39,7 @@ void count_move(Case& one, const CheckResult& result, std::size_t index, bool is
 std::vector<Case> cases_of(const ReportModel& model) {
   std::vector<Case> cases;
   std::map<std::pair<std::size_t, std::size_t>, std::size_t> known;
-  const std::vector<Move>& moves = model.toolpath->moves;
+  const Moves& moves = model.toolpath->moves;
   const auto case_of = [&](std::size_t move) -> Case& {
     const std::pair key{moves[move].operation, moves[move].tool};
     const auto [entry, is_new] = known.try_emplace(key, cases.size());

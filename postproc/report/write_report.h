@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "lib/base/text_writer.h"
 #include "postproc/report/findings_view.h"
 #include "postproc/report/named_file.h"
 #include "postproc/report/report_model.h"
@@ -35,6 +36,8 @@ namespace gouge {
 /// One row for every move, header first; RFC 4180 with line feeds. Columns and their meaning:
 /// docs/formats/csv.md. Lengths in the toolpath's unit, written so that they read back exactly.
 [[nodiscard]] std::string write_csv(const ReportModel& model);
+/// The same in parts, never whole in memory.
+void put_csv(const ReportModel& model, const PutText& put);
 
 /// The findings as SARIF 2.1.0, for code hosts and editors: one result an event, and one for each reason why
 /// moves were not checked or not certified. Rules: gouge, buried, near, not-checked, not-certified.

@@ -64,7 +64,7 @@ TEST(Misplaced, NamesTheUnitThatWouldFit) {
 TEST(Misplaced, IsReportedOfAPartFarTooLargeWhenTheCutsAreInIt) {
   const Toolpath path = paths::through({{{0, 0, 0}, {0, 0, 1}}, {{100, 0, 0}, {0, 0, 1}}, {{100, 80, 0}, {0, 0, 1}}});
   const Scene scene{{shapes::box({0, 0, -25.4 * 20}, {25.4 * 100, 25.4 * 80, 1})}, {}};
-  std::vector<MoveVerdict> verdicts(3);
+  MoveVerdicts verdicts(3);
   EXPECT_FALSE(find_too_large(path, scene, verdicts, LengthUnit::inch)) << "a small pocket in a large part";
   verdicts[0].state = MoveState::gouge;
   verdicts[1].state = MoveState::buried;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <csignal>
 #include <filesystem>
 
@@ -18,6 +19,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// The first has ten chunks of moves.
+const std::vector<std::string> kSamples = {"freeform",  "needles",  "between_rib",
+                                           "thin_post", "sunk_jaw", "between_swing"};
 constexpr int kSignals[] = {SIGKILL, SIGTERM, SIGKILL, SIGINT};
 
 std::size_t hidden_files(const std::string& folder) {
@@ -30,7 +34,7 @@ std::size_t hidden_files(const std::string& folder) {
 TEST(BatchKills, AreResumedToWhatAnUndisturbedBatchLeaves) {
   const std::string folder = testing_samples::fresh_folder();
   ASSERT_EQ(testing_samples::run_make_samples(folder).exit_status, 0);
-  testing_samples::write_job_list(folder, {"needles", "between_rib", "thin_post", "sunk_jaw", "between_swing"});
+  testing_samples::write_job_list(folder, kSamples);
   const std::vector<std::string> undisturbed = {"batch", "jobs.json", "-o", "whole", "-q"};
   const Ending whole = run_program(folder, undisturbed, {});
   ASSERT_EQ(whole.exit_status, 1) << whole.err;
@@ -43,8 +47,11 @@ TEST(BatchKills, AreResumedToWhatAnUndisturbedBatchLeaves) {
     Misfortune misfortune;
     misfortune.signal = kSignals[i % 4];
     misfortune.after_s = whole.seconds * random.in(0, 0.7);
-    const std::vector<std::string> jobs = {"batch", "jobs.json", "-o",     "killed",
-                                           "-q",    "--resume",  "--jobs", std::to_string(1 + i % 3)};
+    const std::vector<std::string> jobs = {"batch",   "jobs.json",
+                                           "-o",      "killed",
+                                           "-q",      "--resume",
+                                           "--jobs",  std::to_string(1 + i % 3),
+                                           "--chunk", i % 2 == 0 ? "65536" : "1"};
     const Ending ending = run_program(folder, jobs, misfortune);
     const bool is_killed = ending.signal == misfortune.signal;
     ASSERT_TRUE(is_killed || ending.exit_status == 1) << ending.exit_status << " " << ending.err;
@@ -62,6 +69,56 @@ TEST(BatchKills, AreResumedToWhatAnUndisturbedBatchLeaves) {
   }
   std::printf("batch: %ld of %ld ended by a signal, %ld batches resumed to their end\n", killed, kills, batches);
   EXPECT_TRUE(kills < 3 || killed > 0);
+}
+
+#ifdef GOUGE_MPI
+constexpr bool kHasMpi = true;
+#else
+constexpr bool kHasMpi = false;
+#endif
+
+// One of two to four ranks is killed, any of them, the first too; Open MPI then ends the others.
+TEST(BatchKills, OfARankAreResumedWithAnyNumberOfRanks) {
+  if (!kHasMpi) GTEST_SKIP() << "built without MPI (Debian: libopenmpi-dev, openmpi-bin)";
+  const std::string folder = testing_samples::fresh_folder();
+  ASSERT_EQ(testing_samples::run_make_samples(folder).exit_status, 0);
+  testing_samples::write_job_list(folder, kSamples);
+  ASSERT_EQ(run_program(folder, {"batch", "jobs.json", "-o", "whole", "-q"}, {}).exit_status, 1);
+  const auto expected = testing_samples::batch_files(folder + "/whole");
+  const std::string mpirun = "OMPI_MCA_plm_rsh_agent= mpirun --oversubscribe --allow-run-as-root -n ";
+  const std::string batch = " $GOUGECHECK batch jobs.json -o killed -q --resume --threads 1 --chunk 1";
+  const Ending usual = [&] {
+    Ending ending;
+    const auto begin = std::chrono::steady_clock::now();
+    ending.exit_status = testing_samples::run_script(folder, mpirun + "2" + batch).exit_status;
+    ending.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    fs::remove_all(folder + "/killed");
+    return ending;
+  }();
+  ASSERT_EQ(usual.exit_status, 1);
+
+  test::Scatter random(static_cast<std::uint64_t>(number_asked("GOUGE_SEED", 17)));
+  const long kills = number_asked("GOUGE_RANK_KILLS", 2);
+  long killed = 0, batches = 0;
+  for (long i = 0; i < kills; ++i) {
+    const std::string ranks = std::to_string(2 + i % 3), rank = std::to_string(1 + i % (2 + i % 3));
+    const std::string wait = std::to_string(usual.seconds * random.in(0.1, 0.9));
+    const testing_samples::Outcome ran =
+        testing_samples::run_script(folder, mpirun + ranks + batch + " & all=$!\nsleep " + wait +
+                                                "\nkill -9 $(pgrep -P $all -f 'batch jobs.json' | sed -n " + rank +
+                                                "p) && echo killed\nwait $all; echo $?");
+    killed += ran.out.find("killed") != std::string::npos ? 1 : 0;
+    if (random.in(0, 1) < 0.3) continue;
+    const testing_samples::Outcome resumed =
+        testing_samples::run_script(folder, mpirun + std::to_string(1 + i % 4) + batch);
+    ASSERT_EQ(resumed.exit_status, 1) << resumed.out << resumed.err;
+    ASSERT_EQ(testing_samples::difference(expected, testing_samples::batch_files(folder + "/killed")), "")
+        << "kill " << i << " of " << ranks << " after " << wait << " s";
+    EXPECT_EQ(hidden_files(folder + "/killed"), 0U);
+    ++batches;
+    fs::remove_all(folder + "/killed");
+  }
+  std::printf("ranks: %ld of %ld killed, %ld batches resumed to their end\n", killed, kills, batches);
 }
 
 }  // namespace

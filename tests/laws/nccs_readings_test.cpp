@@ -26,7 +26,7 @@ Toolpath read(const std::string& bytes, const std::string& dialect = "") {
   return std::move(*outcome.toolpath);
 }
 
-std::vector<MoveVerdict> verdicts(const Toolpath& path, const IndexedMesh& part) {
+MoveVerdicts verdicts(const Toolpath& path, const IndexedMesh& part) {
   Scene scene;
   scene.parts.push_back(part);
   const ToolVariants tool = tools::ball(1);

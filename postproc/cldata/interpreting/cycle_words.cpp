@@ -10,7 +10,7 @@ namespace {
 
 // CYCLE/OFF where no cycle is in force: one may have begun anywhere behind the last word that no cycle has.
 void doubt_moves_before_stray_end(States& s) {
-  std::vector<Move>& moves = s.in.path.moves;
+  Moves& moves = s.in.path.moves;
   std::string_view reason;
   for (std::size_t i = s.cycle.first_possible_hole(); i < moves.size(); ++i) {
     if (moves[i].kind != MoveKind::feed || !moves[i].not_checked_reason.empty()) continue;

@@ -133,7 +133,7 @@ void append(States& s, Move move, const Position& position) {
 
 void emit_unread(States& s, const char* reason, std::size_t statement) {
   resolve_tool(s);
-  const std::vector<Move>& moves = s.in.path.moves;
+  const Moves& moves = s.in.path.moves;
   Move move;
   move.line = s.in.path.statements[statement].line;
   move.statement = statement;

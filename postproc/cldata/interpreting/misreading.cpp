@@ -94,7 +94,7 @@ bool has_effect(const MachineEffect& e) {
 }
 
 void distrust_moves(States& s, std::size_t statement) {
-  std::vector<Move>& moves = s.in.path.moves;
+  Moves& moves = s.in.path.moves;
   for (std::size_t i = moves.size(); i-- > 0 && moves[i].statement == statement;) {
     if (!is_unread(moves[i].not_checked_reason)) moves[i].not_checked_reason = Reasons::kCutShort;
   }
@@ -109,7 +109,7 @@ void take_rest_of_statement(States& s, bool is_position) {
 }
 
 // Of the curve that is being read, or was last.
-void distrust_curve(std::vector<Move>& moves) {
+void distrust_curve(Moves& moves) {
   if (!moves.empty() && !is_unread(moves.back().not_checked_reason)) moves.back().not_checked_reason = Reasons::kSpline;
 }
 

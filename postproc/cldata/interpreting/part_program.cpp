@@ -51,7 +51,7 @@ bool PartProgram::take_assignment() {
 
 void PartProgram::refuse_assignments() {
   if (first_line_ == 0) return;
-  const std::vector<Move>& moves = in_.path.moves;
+  const Moves& moves = in_.path.moves;
   const bool has_position = std::ranges::any_of(
       moves, [](const Move& move) { return kind_of(move.not_checked_reason) != ReasonKind::may_be_unread; });
   if (has_position || in_.has_errors()) in_.refuse_part_program(first_, first_line_);

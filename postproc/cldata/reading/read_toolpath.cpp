@@ -275,7 +275,7 @@ void report_last_line(std::string_view bytes, const Dialect& dialect, Diagnostic
 
 }  // namespace
 
-ReadOutcome read_toolpath(const std::string& file_name, std::string bytes, const ReadOptions& options) {
+ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes, const ReadOptions& options) {
   ReadOutcome outcome;
   const Dialect dialect = options.dialect.value_or(recognise_dialect(bytes));
   if (auto error = find_unreadable(file_name, bytes, dialect, options.dialect.has_value())) {

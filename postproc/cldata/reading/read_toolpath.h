@@ -38,8 +38,9 @@ struct ReadOutcome {
 /// Cost     One pass, about 300 MB/s on one core; memory is the file, 96 bytes for each move and 12 for each
 ///          statement, none of them copied while it grows where lines have one position each. That is at most
 ///          12 times the file for the shortest positions there are (GOTO/1,1,1), 3 times for usual ones of five
-///          axes, 18 times for lists of positions of one digit, 39 for such holes, each of which is four moves.
-[[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, std::string bytes,
+///          axes, 18 times for lists of positions of one digit, 39 for such holes, each of which is four moves. Of long paths most of it is not in memory but
+///          in files (lib/base/paged_memory.h).
+[[nodiscard]] ReadOutcome read_toolpath(const std::string& file_name, SourceText bytes,
                                         const ReadOptions& options = {});
 
 }  // namespace gouge

@@ -231,7 +231,7 @@ Result<std::string> NccsCorrector::run() {
   const std::size_t count = source_.words();
   copy_source(copied, count);
   if (words_.size() != count * kWord) return laid_out();
-  std::string bytes = path_.source;
+  std::string bytes(path_.source.view());
   for (std::size_t word = 0; word < count; ++word)
     bytes.replace(NccsWords::offset(word), kWord, words_, word * kWord, kWord);
   return bytes;

@@ -12,7 +12,7 @@ namespace {
 using paths::upright;
 
 std::optional<Closeness> closeness(const Toolpath& path, const ToolVariants& tool = tools::flat(), unsigned threads = 1,
-                                   const std::vector<MoveVerdict>& verdicts = {}) {
+                                   const MoveVerdicts& verdicts = {}) {
   const Scene scene{{shapes::box(Vec3(-50, -50, -30), Vec3(50, 50, 0))}, {}};
   return measure_closeness(path, {&tool}, prepare_scene(scene), verdicts, threads);
 }
@@ -58,7 +58,7 @@ TEST(Closeness, WhatTheCheckHasSeenCounts) {
   std::vector<Pose> poses;
   for (int i = 0; i < 5000; ++i) poses.push_back(upright(0.002 * i, 0, 5));
   Toolpath path = paths::through(poses);
-  std::vector<MoveVerdict> verdicts(poses.size());
+  MoveVerdicts verdicts(poses.size());
   const auto nearest = [&] { return closeness(path, tools::flat(), 1, verdicts)->nearest_mm.value_or(99); };
   EXPECT_NEAR(nearest(), 5, 0.011);
   MoveVerdict& dive = verdicts[7];

@@ -103,7 +103,7 @@ TEST(PlanTrims, LeaveOutWhereTheHolderIsInTheWallAndNothingElse) {
 TEST(PlanTrims, CrossAtRapidWithTheClearanceAndFeedUpAndDown) {
   const Beside beside(60);
   const LawfulCorrection done = beside.run();
-  const std::vector<Move>& moves = done.after.path.moves;
+  const Moves& moves = done.after.path.moves;
   std::size_t rapids = 0, feeds_off_the_floor = 0;
   CheckOptions near;
   near.near_miss_mm = beside.correct.rapid_clearance_mm;

@@ -124,10 +124,10 @@ TEST(RealPaths, WrittenWithoutChangesAreTheSameBytes) {
   }
 }
 
-std::size_t count_lines_kept(const std::string& before, const std::string& after) {
+std::size_t count_lines_kept(std::string_view before, const std::string& after) {
   std::multiset<std::string_view> lines;
   for (std::size_t at = 0; at < before.size(); at = std::min(before.find('\n', at), before.size() - 1) + 1) {
-    lines.insert(std::string_view(before).substr(at, before.find('\n', at) - at));
+    lines.insert(before.substr(at, before.find('\n', at) - at));
   }
   std::size_t kept = 0;
   for (std::size_t at = 0; at < after.size(); at = std::min(after.find('\n', at), after.size() - 1) + 1) {

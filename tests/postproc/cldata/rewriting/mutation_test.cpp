@@ -153,7 +153,7 @@ TEST(MutatedNci, CanBeCorrectedAndReadAgain) {
     const ReadOutcome outcome = read_toolpath("mutated", mutated(whole, random), options);
     if (!outcome.toolpath) continue;
     const Toolpath& path = *outcome.toolpath;
-    SCOPED_TRACE(path.source);
+    SCOPED_TRACE(path.source.view());
     EXPECT_EQ(*write_corrected(path, {}), path.source);
     const std::vector<PathChange> changes = changes_everywhere(path);
     const Result<std::string> text = write_corrected(path, changes);

@@ -52,7 +52,7 @@ std::vector<PathChange> only_this_arc(const Toolpath& path, const RewritableMove
 }
 
 // First and last byte, from the end, in which two texts differ.
-std::pair<std::size_t, std::size_t> difference(const std::string& a, const std::string& b) {
+std::pair<std::size_t, std::size_t> difference(std::string_view a, std::string_view b) {
   std::size_t first = 0, last = 0;
   while (first < std::min(a.size(), b.size()) && a[first] == b[first]) ++first;
   while (last < std::min(a.size(), b.size()) - first && a[a.size() - 1 - last] == b[b.size() - 1 - last]) ++last;

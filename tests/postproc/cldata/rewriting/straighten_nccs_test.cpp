@@ -45,7 +45,7 @@ NccsFile two_arcs() {
   return file;
 }
 
-std::size_t count_circles(const std::string& bytes) {
+std::size_t count_circles(std::string_view bytes) {
   const NccsWords words(bytes);
   std::size_t circles = 0;
   for (std::size_t word = 0; word < words.words() && words.header(word).words > 0; word += words.header(word).words) {

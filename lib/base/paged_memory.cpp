@@ -1,0 +1,182 @@
+#include "lib/base/paged_memory.h"
+
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdlib>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <string>
+#include <thread>
+
+namespace gouge {
+namespace {
+
+constexpr PagedLimits kUsual{std::size_t{64} << 20U, std::size_t{512} << 20U};
+
+// A file without a name: it is gone with the process, however that ends.
+int open_nameless() {
+  const char* const wanted = std::getenv("TMPDIR");
+  const std::string folder = wanted != nullptr && *wanted != '\0' ? wanted : "/var/tmp";
+  const int handle = ::open(folder.c_str(), O_TMPFILE | O_RDWR | O_CLOEXEC | O_EXCL, 0600);
+  if (handle >= 0) return handle;
+  std::string name = folder + "/.gougecheck-pages-XXXXXX";
+  const int named = ::mkostemp(name.data(), O_CLOEXEC);
+  if (named >= 0) ::unlink(name.c_str());
+  return named;
+}
+
+// The room is taken at once: a full disk would else end the process where it writes to memory.
+void* map_file(std::size_t bytes) {
+  const int handle = open_nameless();
+  if (handle < 0) return nullptr;
+  void* start = MAP_FAILED;
+  if (::posix_fallocate(handle, 0, static_cast<off_t>(bytes)) == 0)
+    start = ::mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_SHARED, handle, 0);
+  ::close(handle);
+  return start == MAP_FAILED ? nullptr : start;
+}
+
+/// Pages of files that the process holds, those of its own program among them; none where the system does not say.
+std::optional<std::size_t> resident_file_bytes() {
+  std::array<char, 128> text{};
+  const int handle = ::open("/proc/self/statm", O_RDONLY | O_CLOEXEC);
+  if (handle < 0) return std::nullopt;
+  const ssize_t count = ::read(handle, text.data(), text.size() - 1);
+  ::close(handle);
+  if (count <= 0) return std::nullopt;
+  char* at = text.data();
+  static_cast<void>(std::strtoull(at, &at, 10));  // of the address space
+  static_cast<void>(std::strtoull(at, &at, 10));  // all that is resident
+  return static_cast<std::size_t>(std::strtoull(at, &at, 10)) * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+}
+
+/// All arrays in files, and the thread that lets their pages go while there are any.
+class Pages {
+ public:
+  // For tests of the program (docs/testing.md): all from this size on, and none of their pages kept.
+  Pages() {
+    if (const char* const asked = std::getenv("GOUGE_PAGED_BYTES"); asked != nullptr)
+      set({static_cast<std::size_t>(std::strtoull(asked, nullptr, 10)), 0});
+  }
+  Pages(const Pages&) = delete;
+  Pages& operator=(const Pages&) = delete;
+  ~Pages() { stop(); }
+
+  PagedLimits set(const PagedLimits& limits) {
+    const std::scoped_lock lock(guard_);
+    const PagedLimits before{least_file_bytes_, resident_bytes_};
+    least_file_bytes_ = limits.least_file_bytes;
+    resident_bytes_ = limits.resident_bytes;
+    return before;
+  }
+
+  void* allocate(std::size_t bytes) {
+    if (bytes < least_file_bytes_ || bytes == 0) return nullptr;
+    void* const start = map_file(bytes);
+    if (start == nullptr) return nullptr;
+    const std::scoped_lock lock(guard_);
+    arrays_.emplace(start, bytes);
+    if (bytes < smallest_) smallest_ = bytes;
+    if (arrays_.size() == 1) begin();
+    return start;
+  }
+
+  bool free(void* start, std::size_t bytes) noexcept {
+    if (bytes < smallest_) return false;
+    bool is_last = false;
+    {
+      const std::scoped_lock lock(guard_);
+      const auto found = arrays_.find(start);
+      if (found == arrays_.end()) return false;
+      ::munmap(start, found->second);
+      arrays_.erase(found);
+      is_last = arrays_.empty();
+    }
+    if (is_last) news_.notify_all();
+    return true;
+  }
+
+  std::size_t count() {
+    const std::scoped_lock lock(guard_);
+    return arrays_.size();
+  }
+
+ private:
+  // Without a thread the system lets pages go by itself, once it needs the memory.
+  void begin() {
+    if (trimmer_.joinable()) return news_.notify_all();
+    try {
+      trimmer_ = std::thread([this] { trim_while_open(); });
+    } catch (const std::exception&) {
+    }
+  }
+
+  void stop() {
+    {
+      const std::scoped_lock lock(guard_);
+      is_closed_ = true;
+    }
+    news_.notify_all();
+    if (trimmer_.joinable()) trimmer_.join();
+  }
+
+  void trim_while_open() {
+    constexpr auto kPause = std::chrono::milliseconds(20);
+    std::unique_lock lock(guard_);
+    while (!is_closed_) {
+      if (arrays_.empty()) {
+        news_.wait(lock);
+      } else {
+        news_.wait_for(lock, kPause);
+        trim();
+      }
+    }
+  }
+
+  // What is written there stays: the pages of a shared file are dropped from the process, not from the file.
+  void trim() {
+    const std::optional<std::size_t> resident = resident_file_bytes();
+    if (!resident || *resident < resident_bytes_) return;
+    for (const auto& [start, bytes] : arrays_) ::madvise(start, bytes, MADV_DONTNEED);
+  }
+
+  std::atomic<std::size_t> least_file_bytes_ = kUsual.least_file_bytes;
+  std::atomic<std::size_t> smallest_ = static_cast<std::size_t>(-1);  // that ever stood in a file
+  std::mutex guard_;                                                  // of all that follows
+  std::condition_variable news_;
+  std::size_t resident_bytes_ = kUsual.resident_bytes;
+  std::map<void*, std::size_t> arrays_;
+  std::thread trimmer_;
+  bool is_closed_ = false;
+};
+
+Pages& pages() {
+  static Pages all;
+  return all;
+}
+
+}  // namespace
+
+PagedLimits set_paged_limits(const PagedLimits& limits) { return pages().set(limits); }
+
+void* allocate_paged(std::size_t bytes) {
+  void* const start = pages().allocate(bytes);
+  return start != nullptr ? start : ::operator new(bytes);
+}
+
+void free_paged(void* start, std::size_t bytes) noexcept {
+  if (!pages().free(start, bytes)) ::operator delete(start);
+}
+
+std::size_t paged_arrays() { return pages().count(); }
+
+}  // namespace gouge

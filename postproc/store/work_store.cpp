@@ -1,0 +1,69 @@
+#include "postproc/store/work_store.h"
+
+#include <filesystem>
+#include <system_error>
+
+#include "lib/base/files.h"
+#include "postproc/store/tables.h"
+
+namespace gouge {
+
+namespace fs = std::filesystem;
+
+std::optional<std::string> WorkStore::find(std::string_view stage, std::size_t stretch) {
+  open();
+  if (!database_) return std::nullopt;
+  std::optional<std::string> bytes;
+  database_->each("SELECT bytes FROM stretches WHERE stage = ? AND stretch = ?",
+                  {stage, static_cast<std::int64_t>(stretch)}, [&](const Row& row) { bytes = row.text(0); });
+  return database_->error() ? std::nullopt : bytes;
+}
+
+void WorkStore::keep(std::string_view stage, std::size_t stretch, std::string_view bytes) {
+  open();
+  if (!database_) return;
+  const Outcome kept = database_->change([&] {
+    database_->run("INSERT OR REPLACE INTO stretches VALUES(?, ?, ?)",
+                   {stage, static_cast<std::int64_t>(stretch), bytes});
+  });
+  static_cast<void>(kept);  // else the job goes on without
+}
+
+void WorkStore::open() {
+  if (is_opened_) return;
+  is_opened_ = true;
+  if (open_once() || !database_) return;
+  const bool is_damaged = database_->error() && database_->error()->code == "store-unreadable";
+  database_.reset();
+  if (!is_damaged) return;
+  remove_work_store(path_);
+  if (!open_once()) database_.reset();
+}
+
+bool WorkStore::open_once() {
+  const fs::path folder = fs::path(path_).parent_path();
+  if (!folder.empty() && !make_folder(folder.string())) return false;
+  Result<Database> opened = Database::open(path_);
+  if (!opened) return false;
+  database_.emplace(std::move(*opened));
+  return prepare();
+}
+
+bool WorkStore::prepare() {
+  database_->begin_writing();
+  const Outcome made = database_->change([&] {
+    database_->run("PRAGMA application_id = " + std::to_string(kStoreApplication));
+    database_->run("PRAGMA user_version = " + std::to_string(kStoreVersion));
+    database_->run(
+        "CREATE TABLE IF NOT EXISTS stretches(stage TEXT NOT NULL, stretch INTEGER NOT NULL, bytes BLOB NOT NULL, "
+        "PRIMARY KEY(stage, stretch))");
+  });
+  return made.has_value();
+}
+
+void remove_work_store(const std::string& path) {
+  std::error_code ignored;
+  for (const char* end : {"", "-wal", "-shm", "-journal"}) fs::remove(path + end, ignored);
+}
+
+}  // namespace gouge

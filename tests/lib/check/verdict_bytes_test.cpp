@@ -1,0 +1,83 @@
+#include "lib/check/verdict_bytes.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace gouge {
+namespace {
+
+std::string bytes_of(const MoveVerdict& verdict) {
+  std::string bytes;
+  append_bytes(verdict, bytes);
+  return bytes;
+}
+
+MoveVerdict gouge_with_all() {
+  MoveVerdict v;
+  v.state = MoveState::gouge;
+  v.depth_mm = 0.1;
+  v.depth_upper_mm = std::numeric_limits<double>::infinity();
+  v.witness =
+      Witness{0.25, Vec3(1, -0.0, 3e-300), Vec3(0, 0.6, -0.8), Body::holder, Against::fixture, 7, 4'000'000'000};
+  v.clearance_mm = 0;
+  v.overcut_mm = 0.5;
+  v.overcut_upper_mm = 0.625;
+  v.reason = {Reason::Kind::clearance_entered, Body::shank, -1.5, std::string("text\0of\nall bytes\xff", 20)};
+  return v;
+}
+
+std::vector<MoveVerdict> verdicts() {
+  std::vector<MoveVerdict> all = {
+      {}, gouge_with_all(), not_checked({Reason::Kind::of_path, Body::cutter, 0, "an arc"})};
+  for (const MoveState state : {MoveState::near_miss, MoveState::buried, MoveState::not_certified}) {
+    all.emplace_back();
+    all.back().state = state;
+    all.back().depth_mm = -0.0;
+  }
+  return all;
+}
+
+TEST(VerdictBytes, ReadBackToEveryBit) {
+  std::string all;
+  for (const MoveVerdict& verdict : verdicts()) append_bytes(verdict, all);
+  std::string_view left = all;
+  for (const MoveVerdict& verdict : verdicts()) {
+    MoveVerdict read = gouge_with_all();
+    ASSERT_TRUE(take_bytes(left, read));
+    EXPECT_EQ(bytes_of(read), bytes_of(verdict));
+    EXPECT_EQ(read.state, verdict.state);
+    EXPECT_EQ(std::signbit(read.depth_mm), std::signbit(verdict.depth_mm));
+    EXPECT_EQ(read.witness.has_value(), verdict.witness.has_value());
+    EXPECT_EQ(read.clearance_mm, verdict.clearance_mm);
+    EXPECT_EQ(read.overcut_mm, verdict.overcut_mm);
+    EXPECT_TRUE(read.reason.is_same(verdict.reason));
+  }
+  EXPECT_TRUE(left.empty());
+}
+
+TEST(VerdictBytes, OfACleanMoveAreNine) { EXPECT_EQ(bytes_of({}).size(), 9U); }
+
+TEST(VerdictBytes, CutShortAreRefused) {
+  for (const MoveVerdict& verdict : verdicts()) {
+    const std::string whole = bytes_of(verdict);
+    for (std::size_t length = 0; length < whole.size(); ++length) {
+      std::string_view part = std::string_view(whole).substr(0, length);
+      MoveVerdict read;
+      EXPECT_FALSE(take_bytes(part, read)) << length << " of " << whole.size();
+    }
+  }
+}
+
+TEST(VerdictBytes, OfNoStateAreRefused) {
+  std::string bytes = bytes_of({});
+  bytes[0] = 7;
+  std::string_view left = bytes;
+  MoveVerdict read;
+  EXPECT_FALSE(take_bytes(left, read));
+}
+
+}  // namespace
+}  // namespace gouge
