@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "postproc/image/heat_map.h"
+#include "postproc/image/mask_painter.h"
 #include "postproc/image/render_drawing.h"
 #include "postproc/image/report_scales.h"
 #include "postproc/image/tilt_field.h"
@@ -89,8 +90,8 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
                  {},
                  gouge_witnesses(input, kMostWitnesses)};
   const bool has_before = model.has_correction && before.toolpath != nullptr && before.result != nullptr;
-  const std::size_t of_scene =
-      scene.face_count() == 0 ? 0 : 1 + (has_before ? 1 : 0) + (has_tilt_field(model) ? 1 : 0) + set.events.size();
+  const std::size_t of_path = 1U + (has_before ? 1U : 0U) + (has_tilt_field(model) ? 1U : 0U);
+  const std::size_t of_scene = scene.face_count() == 0 ? 0 : of_path + set.events.size();
   Album album{progress, of_scene + 1};
   album.report();
   if (of_scene > 0) {
