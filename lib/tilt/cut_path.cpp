@@ -38,7 +38,7 @@ std::vector<CutPath::Cut> CutPath::tilted(const TiltSpace& space, const TiltSequ
 /// Those moves near a ball, and parts of moves, that stay as programmed.
 void CutPath::add_unchanged(const ReplacedMoves& replaced, const Vec3& centre, double radius_mm,
                             CutterSweep& sweep) const {
-  const std::vector<Move>& moves = job_.path.moves;
+  const Moves& moves = job_.path.moves;
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const Move& move = moves[i];
     if (move.kind == MoveKind::rapid || !move.has_start || move.tool == kNone || job_.tools[move.tool] == nullptr)

@@ -34,7 +34,7 @@ double tilt_at(const TiltedRun& run, double length_mm) {
 
 std::vector<TiltedPose> tilted_poses(const ReportModel& model) {
   std::vector<TiltedPose> poses;
-  const std::vector<Move>& moves = model.toolpath->moves;
+  const Moves& moves = model.toolpath->moves;
   for (const TiltedRun& run : model.correction.axes->tilts.runs) {
     double length_mm = run.begin_mm;
     for (std::size_t i = run.first; i < run.last; ++i) {
