@@ -24,8 +24,10 @@ Outcome painted(const Paint& paint) {
     return Done{};
   } catch (const cv::Exception& failure) {
     const bool is_memory = failure.code == cv::Error::StsNoMem;
-    return make_error(is_memory ? "out-of-memory" : "picture-not-encoded",
-                      std::string("the picture could not be painted: ") + failure.what());
+    Diagnostic error;  // this module has nothing of the others but their headers
+    error.code = is_memory ? "out-of-memory" : "picture-not-encoded";
+    error.message = std::string("the picture could not be painted: ") + failure.what();
+    return error;
   }
 }
 
