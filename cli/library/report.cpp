@@ -52,9 +52,10 @@ struct Form {
 };
 
 std::string html_alone(const gouge::ReportModel& model) { return gouge::write_html(model, {}); }
+std::string all_findings(const gouge::ReportModel& model) { return gouge::findings_text(model); }
 
 constexpr Form kForms[] = {{".json", gouge::write_json}, {".csv", gouge::write_csv}, {".sarif", gouge::write_sarif},
-                           {".xml", gouge::write_junit}, {".html", html_alone},      {".txt", gouge::findings_text}};
+                           {".xml", gouge::write_junit}, {".html", html_alone},      {".txt", all_findings}};
 
 const Form& form_of(const std::string& file) {
   const std::string extension = std::filesystem::path(file).extension().string();
