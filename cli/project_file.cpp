@@ -23,18 +23,19 @@ namespace fs = std::filesystem;
 // What may come from a file that nobody named: inputs, and what the verdict says beside itself. No outputs, nothing that
 // overwrites, accepts or silences.
 constexpr std::array<std::string_view, 36> kAllowed = {
-    "part",          "fixture",       "allow-overlap",  "head",
-    "place",         "stl-units",     "tools",          "tool",
-    "holder",        "dialect",       "path-units",     "cutcom",
-    "max-input",     "extend-up",     "tolerance",      "stock-to-leave",
-    "clearance",     "near-miss",     "resolution",     "rapid",
-    "find-cures",    "find-stickout", "stickout-step",  "stickout-limit",
-    "strategy",      "max-shift",     "max-side-shift", "rapid-clearance",
-    "max-tilt",      "tilt",          "axis-cone",      "max-turn",
-    "max-turn-step", "blend",         "allow-multax",   "max-rotary-speed"};
+    "--part",          "--fixture",       "--allow-overlap",  "--head",
+    "--place",         "--stl-units",     "--tools",          "--tool",
+    "--holder",        "--dialect",       "--path-units",     "--cutcom",
+    "--max-input",     "--extend-up",     "--tolerance",      "--stock-to-leave",
+    "--clearance",     "--near-miss",     "--resolution",     "--rapid",
+    "--find-cures",    "--find-stickout", "--stickout-step",  "--stickout-limit",
+    "--strategy",      "--max-shift",     "--max-side-shift", "--rapid-clearance",
+    "--max-tilt",      "--tilt",          "--axis-cone",      "--max-turn",
+    "--max-turn-step", "--blend",         "--allow-multax",   "--max-rotary-speed"};
 
 bool is_allowed(const CLI::Option& option) {
-  return !option.get_lnames().empty() && std::ranges::find(kAllowed, option.get_lnames().front()) != kAllowed.end();
+  return !option.get_lnames().empty() &&
+         std::ranges::find(kAllowed, "--" + option.get_lnames().front()) != kAllowed.end();
 }
 
 std::optional<std::string> why_not_in_project(const CLI::Option& option) {

@@ -32,7 +32,9 @@ bool is_convex(const CompiledTool& tool) {
   return true;
 }
 
-double reach_mm(const CompiledTool& tool) { return std::hypot(tool.r_max_mm, std::max(tool.z_max_mm, -tool.z_min_mm)); }
+double reach_mm(const CompiledTool& tool) {
+  return Vec2(tool.r_max_mm, std::max(tool.z_max_mm, -tool.z_min_mm)).norm();
+}
 
 }  // namespace
 

@@ -11,7 +11,7 @@ namespace gouge {
 namespace {
 
 double reach_mm(const CompiledTool& cutter) {
-  return std::hypot(cutter.r_max_mm, std::max(cutter.z_max_mm, -cutter.z_min_mm));
+  return Vec2(cutter.r_max_mm, std::max(cutter.z_max_mm, -cutter.z_min_mm)).norm();
 }
 
 }  // namespace

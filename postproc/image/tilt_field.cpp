@@ -31,7 +31,7 @@ double tilt_at(const TiltedRun& run, double length_mm) {
   const auto behind = std::ranges::lower_bound(run.curve, length_mm, {}, &TiltPlace::length_mm);
   if (run.curve.empty()) return 0;
   const TiltPlace& place = behind == run.curve.end() ? run.curve.back() : *behind;
-  return std::hypot(place.lead_after_rad - place.lead_before_rad, place.side_after_rad - place.side_before_rad);
+  return Vec2(place.lead_after_rad - place.lead_before_rad, place.side_after_rad - place.side_before_rad).norm();
 }
 
 std::vector<TiltedPose> tilted_poses(const ReportModel& model) {
@@ -56,7 +56,7 @@ std::vector<TiltedPose> spread(std::vector<TiltedPose> poses, const View& view) 
     const Vec3 here = view.project(at.pose.tip);
     const bool is_apart = std::ranges::all_of(kept, [&](const TiltedPose& other) {
       const Vec3 there = view.project(other.pose.tip);
-      return std::hypot(here.x() - there.x(), here.y() - there.y()) > kAxisGap * kSupersampling;
+      return (here - there).head<2>().norm() > kAxisGap * kSupersampling;
     });
     if (is_apart) kept.push_back(at);
   }
