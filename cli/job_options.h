@@ -43,7 +43,7 @@ struct JobArguments : Verbosity {
   std::string report_folder, json_file, csv_file, sarif_file, junit_file;
   ListingArguments listing;
   std::optional<ProjectUse> project_file;  ///< none: no project file was used
-  std::string certificate_file;  ///< of `check` alone
+  std::string certificate_file;            ///< of `check` alone
   /// foreign files in the report's folder; of `correct` also a path that does not fit the part
   bool is_forced = false;
   bool is_extended_up = false;

@@ -22,7 +22,7 @@ struct ProjectOption {
 };
 
 struct ProjectFile {
-  InputFile input;  ///< named from the working directory: "../gougecheck.json"
+  InputFile input;                     ///< named from the working directory: "../gougecheck.json"
   std::vector<ProjectOption> options;  ///< in the order of project_keys
 
   [[nodiscard]] const ProjectOption* option(const std::string& key) const;

@@ -242,7 +242,8 @@ Complaints check_stray_text(const std::vector<SourceFile>& files) {
 }
 
 Complaints check_type_names(const std::vector<SourceFile>& files) {
-  static const std::regex kDefinition(R"(^(?:struct|class|enum class|enum) (?:[A-Z_]+_EXPORT )?(\w+(?:::\w+)*)[^;()]*\{.*$)");
+  static const std::regex kDefinition(
+      R"(^(?:struct|class|enum class|enum) (?:[A-Z_]+_EXPORT )?(\w+(?:::\w+)*)[^;()]*\{.*$)");
   static const std::regex kNamespace(R"(^namespace ([\w:]+) \{)");
   std::map<std::string, std::string> first;
   Complaints complaints;

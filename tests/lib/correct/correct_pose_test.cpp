@@ -169,8 +169,7 @@ TEST(Limits, AShiftBeyondTheLargestIsNoCorrection) {
   for (const Strategy strategy : {Strategy::weighted, Strategy::axis, Strategy::normal, Strategy::direction}) {
     EXPECT_FALSE(
         correct_as(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.25)).has_value());
-    const auto corrected =
-        correct_as(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.31));
+    const auto corrected = correct_as(strategy, pose, tools::ball(), OwnSetup(nullptr, scene).checker(), limits(0.31));
     ASSERT_TRUE(corrected.has_value());
     EXPECT_LE(corrected->shift_mm, 0.31);
   }
