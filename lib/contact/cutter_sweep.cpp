@@ -107,11 +107,6 @@ std::uint32_t CutterSweep::build(std::uint32_t first, std::uint32_t last) {
   return index;
 }
 
-void CutterSweep::remove(std::size_t first, std::size_t last) {
-  std::erase_if(pieces_, [&](const Piece& piece) { return piece.move >= first && piece.move <= last; });
-  index();
-}
-
 template <typename Within, typename Look>
 bool CutterSweep::visit(std::uint32_t index, std::span<const Vec3> points, const Within& within,
                         const Look& look) const {

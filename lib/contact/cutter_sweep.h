@@ -31,8 +31,6 @@ class CutterSweep {
   void add(const Motion& motion, const CompiledTool& cutter, std::size_t move);
   /// After the last motion. Cost linear.
   void index();
-  /// What was added for the moves [first, last] counts no more.
-  void remove(std::size_t first, std::size_t last);
 
   [[nodiscard]] bool is_empty() const { return pieces_.empty(); }
 
