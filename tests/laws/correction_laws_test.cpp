@@ -82,7 +82,7 @@ Figures hold_for_random(const BodyStrategies& strategies) {
                         how.max_shift_mm};
     for (const std::string& broken : LawBook(all).broken(figures)) ADD_FAILURE() << "program " << n << " " << broken;
     if (::testing::Test::HasFailure()) {
-      std::cout << made.text << "---- becomes\n" << corrected->after.path.source;
+      std::cout << made.text << "---- becomes\n" << corrected->after.path.source.view();
       for (const Uncorrected& u : corrected->correction.uncorrected) std::cout << u.move << ": " << u.reason << "\n";
       break;
     }

@@ -124,12 +124,13 @@ TEST(WriteViewer, ColoursTheMiddleOfALargeTriangleAsTheFieldDoes) {
 
 TEST(WriteViewer, QuotesTheStatementWithThreeLinesAround) {
   SmallScene small;
-  std::string& source = small.path.source;
+  std::string source;
   for (int line = 1; line <= 20; ++line) {
     const std::size_t first = source.size();
     source += "GOTO/" + std::to_string(line) + "\r\n";
     small.path.statements.push_back({static_cast<std::size_t>(line), first, source.size()});
   }
+  small.path.source = source;
   for (std::size_t i = 0; i < small.path.moves.size(); ++i) small.path.moves[i].statement = 9 + i;
   const UnpackedScene scene(page_of(small));
   const Json finding = scene.json.at("findings").begin().value();
