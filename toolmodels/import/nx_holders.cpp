@@ -12,6 +12,9 @@ namespace {
 
 constexpr const char* kGeneralRow = "1";  // RTYPE of the row that names a holder; its sections have 2
 
+// Diameters that differ by less are the same, rounded differently.
+constexpr double kSame_mm = 1e-4;
+
 /// The rows of one holder, in the order of the file.
 struct HolderRows {
   std::string name;
@@ -76,6 +79,10 @@ Result<HolderShape> shape_of(const HolderRows& holder, double mm) {
     if (!corner) return corner.error();
     shape.has_corners = shape.has_corners || corner->value_or(0) > 0;
     shape.segments.push_back(*segment);
+    // TAPER is rounded; where the next section begins is not.
+    if (k == 0) continue;
+    double& below = shape.segments[k - 1].upper_diameter_mm;
+    if (std::abs(below - segment->lower_diameter_mm) < kSame_mm) below = segment->lower_diameter_mm;
   }
   return shape;
 }
