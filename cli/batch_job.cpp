@@ -213,7 +213,7 @@ void remove_work(const std::string& folder) {
     if (is_own) files.push_back(entry->path().string());
   }
   for (const std::string& file : files) remove_work_store(file);
-  fs::remove(below, ignored);  // where nothing else is in it
+  ::rmdir(below.c_str());  // where it is a folder, and nothing else is in it
 }
 
 }  // namespace gouge

@@ -77,7 +77,7 @@ class KeptCheck : public ::testing::Test {
     options.threads = threads;
     options.near_miss_mm = 0.15;
     std::vector<HeadBody> heads;
-    if (has_head_) heads.push_back(*build_head_body(shapes::box(Vec3(20, -2, 59.5), Vec3(24, 2, 100))));
+    if (has_head_) heads.push_back(*build_head_body(shapes::box(Vec3(20, -2, 62), Vec3(24, 2, 100))));
     const OwnSetup own(&tool_, scene_, options, heads);
     CheckSetup setup = own.setup;
     setup.tools = {&tool_, &other_};
