@@ -109,7 +109,8 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
                  gouge_witnesses(input, kMostWitnesses)};
   const bool has_before = model.has_correction && before.toolpath != nullptr && before.result != nullptr;
   const std::size_t of_scene =
-      scene.face_count() == 0 ? 0 : 1 + (has_before ? 1 : 0) + (has_tilt_field(model) ? 1 : 0) + set.events.size();
+      scene.face_count() == 0 ? 0
+                              : 1 + std::size_t{has_before} + std::size_t{has_tilt_field(model)} + set.events.size();
   Album album{progress, of_scene + 1};
   album.report();
   if (of_scene > 0) {

@@ -5,8 +5,10 @@
 #include <numbers>
 #include <vector>
 
+#include "lib/base/number_text.h"
 #include "postproc/image/path_overlay.h"
 #include "postproc/image/shade.h"
+#include "postproc/report/axis_text.h"
 #include "postproc/report/report_text.h"
 
 namespace gouge {
@@ -118,8 +120,9 @@ Page draw_tilt_field(const PictureSet& set) {
     page.text({bar.right() + 11, y + 5}, tick_text(tick, step) + "\u00b0", 14, kInk);
   }
   double y = bar.bottom() + 34;
-  for (const std::string& words : {count_text(tilts.positions, "position") + " tilted", "from the programmed axis,",
-                                   "by up to " + angle_text(tilts.tilt_rad.value, DegreeSign::sign)}) {
+  for (const std::string& words :
+       {count_text(tilts.positions, "position") + " tilted", std::string("from the programmed axis,"),
+        "by up to " + angle_text(tilts.tilt_rad.value, DegreeSign::sign)}) {
     page.text({bar.x, y}, words, fitting_size(words, 14, kPageWidth - 16 - bar.x), kSoftInk);
     y += 19;
   }
