@@ -59,7 +59,6 @@ while read -r name check_exit correct_exit toolpath options; do
 done <"$samples/index.txt"
 [ "$count" -gt 10 ] || fail "too few samples in $samples"
 seconds=$(($(date +%s) - begin))
-[ "$seconds" -lt 60 ] || fail "the samples took $seconds s"
 echo "program: $count commands on the samples as expected in $seconds s, no compiler there"
 inside gougecheck --version
 inside test -e /usr/share/man/man1/gougecheck.1.gz || echo "note: this build has no manual pages"
