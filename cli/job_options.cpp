@@ -76,9 +76,9 @@ void add_check_options(CLI::App& command, JobArguments& a) {
 
 void add_sign_off(CLI::App& command, JobArguments& a) {
   command.add_option("--project", a.project, "Project, order or part number for the head of the report")
-      ->type_name("TEXT");
+      ->type_name("NAME");
   command.add_option("--reviewer", a.reviewer, "Who reviews, for the head of the report and its line to sign")
-      ->type_name("TEXT");
+      ->type_name("NAME");
 }
 
 void add_output_options(CLI::App& command, JobArguments& a) {

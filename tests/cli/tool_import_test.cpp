@@ -93,7 +93,8 @@ TEST_F(ToolImport, WhatCannotBeReadIsRefusedAndNothingIsWritten) {
   EXPECT_EQ(run("no-such-file.json"), kExitInput);
   arguments.format = "nx";
   EXPECT_EQ(run("fusion-mill.json"), kExitInput);
-  EXPECT_NE(err.find("expected an NX tool_database.dat [import-format]"), std::string::npos) << err;
+  EXPECT_NE(err.find("expected an NX tool_database.dat or holder_database.dat [import-format]"), std::string::npos)
+      << err;
   EXPECT_FALSE(fs::exists(path("new.json")));
 }
 

@@ -142,7 +142,7 @@ def check_page(browser, report, found):
     found.check(browser.evaluate(rows) == 2, "a filter by depth")
     browser.evaluate("document.querySelector('.filters button').click()")
     browser.evaluate("[...document.querySelectorAll('#findings th button')].find(b => b.textContent === 'Line').click()")
-    found.check(browser.evaluate("[...document.querySelectorAll('#findings tbody tr')].map(r => parseInt(r.cells[1].textContent))") == [136, 143, 151],
+    found.check(browser.evaluate("[...document.querySelectorAll('#findings tbody tr')].map(r => parseInt(r.cells[2].textContent))") == [136, 143, 151],
                 "a click on a column sorts")
 
 
