@@ -1,5 +1,6 @@
 #include "cli/claimed_result.h"
 
+#include <algorithm>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -47,7 +48,12 @@ class ResultReader {
     const json& totals = root_.at("totals");
     result_.moves = totals.at("moves");
     for (const auto& [word, state] : kStates) result_.totals[total_of(state)] = totals.at(total_of(state));
+    result_.totals["left_out_as_asked"] = totals.at("left_out_as_asked");
+    result_.verdict = root_.at("verdict");
     for (const json& move : root_.at("moves")) read_move(move);
+    for (const json& event : root_.at("events"))
+      result_.findings.push_back(
+          {state(event.at("state")), event.at("first_move"), event.at("last_move"), event.at("worst_move")});
     return std::move(result_);
   }
 
@@ -95,12 +101,15 @@ class ResultReader {
       a.tool_names = {tools.get<std::string>()};
   }
 
-  void read_move(const json& move) {
-    MoveClaim claim;
-    const std::string word = move.at("state");
+  [[nodiscard]] static ClaimedState state(const std::string& word) {
     const auto* const known =
         std::find_if(kStates.begin(), kStates.end(), [&](const auto& state) { return word == state.first; });
-    claim.state = known == kStates.end() ? ClaimedState::not_checked : known->second;
+    return known == kStates.end() ? ClaimedState::not_checked : known->second;
+  }
+
+  void read_move(const json& move) {
+    MoveClaim claim;
+    claim.state = state(move.at("state"));
     if (move.at("depth").is_number()) claim.depth_mm = length(move.at("depth"));
     if (move.at("depth_upper").is_number()) claim.depth_upper_mm = length(move.at("depth_upper"));
     if (move.at("clearance").is_number()) claim.clearance_mm = length(move.at("clearance"));
@@ -135,6 +144,38 @@ class ResultReader {
   std::map<std::string, std::size_t> meshes_;  // by role and name: which of its kind
   ClaimedResult result_;
 };
+
+/// Findings and moves must tell the same: every gouge is in a finding, and a finding's worst move is as it says.
+void compare_findings(const ClaimedResult& result, std::vector<std::string>& all) {
+  std::vector<std::pair<std::size_t, std::size_t>> gouges;  // of findings: first and last move
+  for (const ClaimedResult::Finding& finding : result.findings) {
+    const auto claim = result.claims.find(finding.worst_move);
+    const bool is_in = finding.first_move <= finding.worst_move && finding.worst_move <= finding.last_move;
+    if (!is_in || claim == result.claims.end() || claim->second.state != finding.state)
+      all.push_back("it has a finding of move " + std::to_string(finding.worst_move) +
+                    ", and its moves say otherwise of that move");
+    if (finding.state == ClaimedState::gouge) gouges.emplace_back(finding.first_move, finding.last_move);
+  }
+  std::sort(gouges.begin(), gouges.end());
+  std::size_t next = 0, reach = 0;  // findings begun at or before a move; where the farthest of these ends
+  bool has_begun = false;
+  for (const auto& [move, claim] : result.claims) {
+    if (claim.state != ClaimedState::gouge) continue;
+    for (; next < gouges.size() && gouges[next].first <= move; ++next, has_begun = true)
+      reach = std::max(reach, gouges[next].second);
+    if (!has_begun || move > reach) all.push_back("move " + std::to_string(move) + " gouges, and is in no finding");
+  }
+}
+
+/// The verdict and the totals: "clean" is a word for results where nothing else was found or left open.
+void compare_verdict(const ClaimedResult& result, std::vector<std::string>& all) {
+  const auto& n = result.totals;
+  const bool has_gouges = n.at("gouge") + n.at("buried") > 0;
+  const bool is_complete = n.at("not_certified") == 0 && n.at("not_checked") <= n.at("left_out_as_asked");
+  const bool names_gouges = result.verdict == "gouges" || result.verdict == "accepted-gouges";
+  if (has_gouges != names_gouges || (result.verdict == "clean" && !is_complete))
+    all.emplace_back("its verdict says other than its totals");
+}
 
 Diagnostic invalid(const std::string& file, const std::string& found) {
   return make_error("result-invalid", found + "; expected the JSON of 'gougecheck check --json'", file);
@@ -189,6 +230,8 @@ std::vector<std::string> find_contradictions(const ClaimedResult& result) {
       all.push_back("its totals count " + std::to_string(result.totals.at(key)) + " moves as " + word + ", its moves " +
                     std::to_string(counted[key]));
   }
+  compare_findings(result, all);
+  compare_verdict(result, all);
   return all;
 }
 

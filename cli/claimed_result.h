@@ -23,7 +23,14 @@ struct ClaimedResult {
   std::size_t moves = 0;
   std::map<std::size_t, MoveClaim> claims;    ///< of every move that is not clean
   std::map<std::size_t, std::size_t> lines;   ///< of these
-  std::map<std::string, std::size_t> totals;  ///< by the name of a state
+  std::map<std::string, std::size_t> totals;  ///< by the name of a state, and "left_out_as_asked"
+
+  struct Finding {
+    ClaimedState state = ClaimedState::not_checked;
+    std::size_t first_move = 0, last_move = 0, worst_move = 0;
+  };
+  std::vector<Finding> findings;
+  std::string verdict;  ///< its word: "clean", "gouges", ...
 
   /// One a move.
   [[nodiscard]] std::vector<MoveClaim> all_claims() const;

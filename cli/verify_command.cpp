@@ -139,7 +139,7 @@ void add_verify_options(CLI::App& command, VerifyArguments& a) {
       ->type_name("FILE");
   command
       .add_option("--seconds", a.seconds,
-                  "Attack by sampling for so long (default: one instant of every move and 4000 more)")
+                  "Attack by sampling for so long (default: the end of every move and 4000 instants more)")
       ->type_name("SECONDS");
   add_input_limit(command, a.input);
   add_threads_option(command, a.threads);

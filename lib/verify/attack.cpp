@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <queue>
+#include <tuple>
 
 #include "lib/base/number_text.h"
 #include "lib/verify/surface_proof.h"
@@ -64,7 +65,9 @@ class Attack {
       const bool is_turn = result.samples < bounded.size();
       const std::size_t move = bounded[is_turn ? result.samples : draws_.below(bounded.size())];
       ++result.samples;
-      result.found = look_at(move, draws_.below(4) == 0 ? static_cast<double>(draws_.below(2)) : draws_.share());
+      // Every end once (a plunge is deepest there), then instants at random, ends among them.
+      const double t = is_turn ? 1 : draws_.below(4) == 0 ? static_cast<double>(draws_.below(2)) : draws_.share();
+      result.found = look_at(move, t);
     }
     return result;
   }
@@ -114,77 +117,101 @@ class Attack {
     return radius - head_box_.exteriorDistance(q);
   }
 
-  /// The triangles that come deepest at t, by nodes in the order of what they may hold.
-  [[nodiscard]] std::vector<std::uint32_t> deepest(const Target& target, std::size_t move, double t) {
-    constexpr std::size_t kLooks = 200, kTriangles = 3;
-    using Entry = std::pair<double, std::pair<std::uint32_t, std::uint32_t>>;
-    std::priority_queue<Entry> open;
-    const TriangleOrder::Node root = target.surface->root();
-    open.push({1e300, {root.first, root.last}});
-    std::vector<std::uint32_t> found;
-    for (std::size_t looks = 0; !open.empty() && looks < kLooks && found.size() < kTriangles; ++looks) {
-      const TriangleOrder::Node node{open.top().second.first, open.top().second.second};
+  /// A node of the order of triangles, or a part of one triangle.
+  struct Piece {
+    double most_mm = 0;  ///< no point of it is deeper
+    TriangleOrder::Node node;
+    std::array<Vec3, 3> corners;  ///< of a part of the one triangle of `node`
+  };
+
+  /// The deepest point found at one instant.
+  struct Deepest {
+    double depth_mm = -1e300;
+    Vec3 point = Vec3::Zero();
+    std::uint32_t triangle = 0;  ///< its place in the order
+  };
+
+  /// Goes down to what may be deepest and halves triangles, until a point deeper than allowed is found, none can be, or
+  /// there were many looks.
+  [[nodiscard]] Deepest find_deepest(const Target& target, std::size_t move, double t) const {
+    constexpr std::size_t kLooks = 300;
+    const auto is_less = [](const Piece& a, const Piece& b) { return a.most_mm < b.most_mm; };
+    std::priority_queue<Piece, std::vector<Piece>, decltype(is_less)> open(is_less);
+    Deepest best;
+    const auto offer_triangle = [&](const TriangleOrder::Node& node, const std::array<Vec3, 3>& c) {
+      const Vec3 center = (c[0] + c[1] + c[2]) / 3;
+      double radius = 0;
+      for (const Vec3& p : c) radius = std::max(radius, (p - center).norm());
+      const double here = depth(target, move, t, center);
+      if (here > best.depth_mm) best = {here, center, node.first};
+      const double most = most_depth(target, move, t, center, radius);
+      if (most > target.allowed_mm) open.push({most, node, c});
+    };
+    const auto offer = [&](const TriangleOrder::Node& node) {
+      if (node.size() == 1) return offer_triangle(node, target.surface->corners(node.first));
+      const TriangleOrder::Extent& extent = target.surface->extent(node);
+      const double most = most_depth(target, move, t, extent.center, extent.half.norm());
+      if (most > target.allowed_mm) open.push({most, node, {}});
+    };
+    offer(target.surface->root());
+    for (std::size_t looks = 0; !open.empty() && looks < kLooks; ++looks) {
+      if (best.depth_mm > target.allowed_mm + kProofSlack_mm) break;
+      const Piece piece = open.top();
       open.pop();
-      if (node.size() == 1) {
-        found.push_back(node.first);
+      if (piece.node.size() > 1) {
+        offer({piece.node.first, piece.node.middle()});
+        offer({piece.node.middle(), piece.node.last});
         continue;
       }
-      for (const TriangleOrder::Node& half :
-           {TriangleOrder::Node{node.first, node.middle()}, TriangleOrder::Node{node.middle(), node.last}}) {
-        Vec3 center = Vec3::Zero();
-        double radius = 0;
-        if (half.size() == 1) {
-          const std::array<Vec3, 3> c = target.surface->corners(half.first);
-          center = (c[0] + c[1] + c[2]) / 3;
-          for (const Vec3& p : c) radius = std::max(radius, (p - center).norm());
-        } else {
-          center = target.surface->extent(half).center;
-          radius = target.surface->extent(half).half.norm();
-        }
-        const double most = most_depth(target, move, t, center, radius);
-        if (most > target.allowed_mm) open.push({most, {half.first, half.last}});
-      }
+      const std::array<Vec3, 3>& c = piece.corners;
+      std::size_t k = 0;  // the longest edge: from corner k to the next
+      for (const std::size_t i : {1U, 2U})
+        if ((c[(i + 1) % 3] - c[i]).squaredNorm() > (c[(k + 1) % 3] - c[k]).squaredNorm()) k = i;
+      const Vec3 &from = c[k], &to = c[(k + 1) % 3], &apex = c[(k + 2) % 3], middle = (from + to) / 2;
+      offer_triangle(piece.node, {from, middle, apex});
+      offer_triangle(piece.node, {middle, to, apex});
     }
-    return found;
+    return best;
+  }
+
+  /// Uphill from a point, over its triangle and over time, in steps that shrink.
+  [[nodiscard]] std::pair<Deepest, double> climb(const Target& target, std::size_t move, double t, Deepest best) const {
+    const std::array<Vec3, 3> c = target.surface->corners(best.triangle);
+    const Vec3 u = c[1] - c[0], v = c[2] - c[0];
+    const Eigen::Matrix2d edges{{u.dot(u), u.dot(v)}, {u.dot(v), v.dot(v)}};
+    const Vec3 from = best.point - c[0];
+    const Eigen::Vector2d shares = edges.fullPivLu().solve(Eigen::Vector2d(u.dot(from), v.dot(from)));
+    std::array<double, 3> at{shares[0], shares[1], t};
+    const auto take = [&](std::array<double, 3> next) {
+      for (double& x : next) x = std::clamp(x, 0.0, 1.0);
+      if (next[0] + next[1] > 1) return;
+      const Vec3 point = c[0] + next[0] * u + next[1] * v;
+      const double here = depth(target, move, next[2], point);
+      if (!(here > best.depth_mm)) return;
+      best.depth_mm = here;
+      best.point = point;
+      at = next;
+    };
+    const double finest = target.contour != nullptr ? 1e-4 : 0.05;
+    for (double step = 0.25; step > finest; step /= 2)
+      for (std::size_t k = 0; k < 3; ++k)
+        for (const double way : {-step, step}) {
+          std::array<double, 3> next = at;
+          next[k] += way;
+          take(next);
+        }
+    return {best, at[2]};
   }
 
   std::optional<Counterexample> attack(const Target& target, std::size_t move, double t) {
-    for (const std::uint32_t triangle : deepest(target, move, t)) {
-      const std::array<Vec3, 3> c = target.surface->corners(triangle);
-      // The share of two corners and the instant: uphill in steps that shrink, from the best corner and the
-      // middle.
-      std::array<double, 3> best{1 / 3.0, 1 / 3.0, t};
-      const auto point = [&](const std::array<double, 3>& at) {
-        return Vec3(c[0] + at[0] * (c[1] - c[0]) + at[1] * (c[2] - c[0]));
-      };
-      const auto value = [&](const std::array<double, 3>& at) { return depth(target, move, at[2], point(at)); };
-      double most = value(best);
-      const auto take = [&](std::array<double, 3> at) {
-        for (double& x : at) x = std::clamp(x, 0.0, 1.0);
-        if (at[0] + at[1] > 1) return;
-        const double here = value(at);
-        if (here > most) {
-          most = here;
-          best = at;
-        }
-      };
-      for (const auto& [a, b] : {std::pair(0.0, 0.0), std::pair(1.0, 0.0), std::pair(0.0, 1.0)}) take({a, b, t});
-      const double finest = target.contour != nullptr ? 1e-4 : 0.05;
-      for (double step = 0.25; step > finest; step /= 2)
-        for (std::size_t k = 0; k < 3; ++k)
-          for (const double way : {-step, step}) {
-            std::array<double, 3> at = best;
-            at[k] += way;
-            take(at);
-          }
-      if (most > target.allowed_mm + kProofSlack_mm) {
-        const std::string body = target.contour == nullptr ? "the head" : "the tool";
-        return Counterexample{move, best[2], point(best),
-                              "the surface is " + people_text(most, 6) + " mm deep in " + body +
-                                  ", and claimed to be at most " + people_text(target.allowed_mm, 6) + " mm"};
-      }
-    }
-    return std::nullopt;
+    Deepest deepest = find_deepest(target, move, t);
+    if (deepest.depth_mm <= -1e300) return std::nullopt;
+    std::tie(deepest, t) = climb(target, move, t, deepest);
+    if (!(deepest.depth_mm > target.allowed_mm + kProofSlack_mm)) return std::nullopt;
+    const std::string body = target.contour == nullptr ? "the head" : "the tool";
+    return Counterexample{move, t, deepest.point,
+                          "the surface is " + people_text(deepest.depth_mm, 6) + " mm deep in " + body +
+                              ", and claimed to be at most " + people_text(target.allowed_mm, 6) + " mm"};
   }
 
   const ClaimedScene& scene_;

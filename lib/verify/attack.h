@@ -24,11 +24,11 @@ struct AttackResult {
   std::optional<Counterexample> found;
 };
 
-/// Looks for points deeper than `claims` allow: at instants of all moves in turn and at random, it goes down
-/// to the triangles that come deepest into the tool (or a head) and climbs from there over the triangle and
-/// over time. What it does not find may be there all the same.
+/// Looks for points deeper than `claims` allow: at the end of every move and then at random instants it searches for
+/// the point of the surface that is deepest in the tool (or a head), best first, and climbs from there over its
+/// triangle and over time. What it does not find may be there all the same.
 ///
-/// `seconds`  how long it goes on at least; 0: one instant of every move and some thousand more, the same on
+/// `seconds`  how long it goes on at least; 0: the end of every move and some thousand instants more, the same on
 ///            every run.
 [[nodiscard]] AttackResult attack_claims(const ClaimedScene& scene, const ClaimedTools& tools,
                                          const std::vector<MoveClaim>& claims, double seconds);

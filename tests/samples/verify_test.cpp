@@ -107,6 +107,24 @@ TEST(VerifyCommand, FindsWhatIsChangedInAResult) {
          r["totals"]["gouge"] = r["totals"]["gouge"].get<int>() - 1;
          r["totals"]["clean"] = r["totals"]["clean"].get<int>() + 1;
        }},
+      {"all gouges removed and called clean",
+       [](json& r) {
+         r["moves"] = json::array();
+         r["events"] = json::array();
+         r["totals"]["clean"] = r["totals"]["moves"];
+         r["totals"]["gouge"] = 0;
+         r["verdict"] = "clean";
+         r["exit_status"] = 0;
+       }},
+      {"one gouge removed with its finding",
+       [](json& r) {
+         r["moves"].erase(3);
+         r["events"].erase(2);
+         r["totals"]["gouge"] = r["totals"]["gouge"].get<int>() - 1;
+         r["totals"]["clean"] = r["totals"]["clean"].get<int>() + 1;
+       }},
+      {"finding removed", [](json& r) { r["events"].erase(0); }},
+      {"verdict", [](json& r) { r["verdict"] = "clean"; }},
       {"called near", [](json& r) { r["moves"][0]["state"] = "near"; }},
       {"moves", [](json& r) { r["totals"]["moves"] = 10; }},
       {"tolerance", [](json& r) { r["options"]["tolerance"] = 100; }},
