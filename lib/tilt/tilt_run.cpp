@@ -7,6 +7,7 @@
 
 #include "lib/base/parallel.h"
 #include "lib/contact/contacts.h"
+#include "lib/geom/shortest_turn.h"
 #include "lib/path/path_info.h"
 
 namespace gouge {
@@ -242,7 +243,7 @@ class Measurer {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Vec3& axis = all[i].programmed.axis;
       const Vec3& before = all[i > 0 ? i - 1 : 0].programmed.axis;
-      first = Eigen::Quaterniond::FromTwoVectors(before, axis) * first;
+      first = shortest_turn(before, axis) * first;
       if (job_.options.freedom != TiltFreedom::both) {
         const Vec3 feed = all[std::min(i + 1, all.size() - 1)].programmed.tip - all[i > 0 ? i - 1 : 0].programmed.tip;
         const Vec3 across = feed - feed.dot(axis) * axis;

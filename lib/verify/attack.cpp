@@ -178,10 +178,10 @@ class Attack {
   [[nodiscard]] std::pair<Deepest, double> climb(const Target& target, std::size_t move, double t, Deepest best) const {
     const std::array<Vec3, 3> c = target.surface->corners(best.triangle);
     const Vec3 u = c[1] - c[0], v = c[2] - c[0];
-    const Eigen::Matrix2d edges{{u.dot(u), u.dot(v)}, {u.dot(v), v.dot(v)}};
-    const Vec3 from = best.point - c[0];
-    const Eigen::Vector2d shares = edges.fullPivLu().solve(Eigen::Vector2d(u.dot(from), v.dot(from)));
-    std::array<double, 3> at{shares[0], shares[1], t};
+    const Vec3 from = best.point - c[0], normal = u.cross(v);
+    const double area2 = normal.squaredNorm();
+    if (area2 == 0) return {best, t};
+    std::array<double, 3> at{from.cross(v).dot(normal) / area2, u.cross(from).dot(normal) / area2, t};
     const auto take = [&](std::array<double, 3> next) {
       for (double& x : next) x = std::clamp(x, 0.0, 1.0);
       if (next[0] + next[1] > 1) return;

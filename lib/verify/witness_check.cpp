@@ -5,6 +5,7 @@
 
 #include "lib/base/number_text.h"
 #include "lib/geom/point_triangle.h"
+#include "lib/geom/shortest_turn.h"
 #include "lib/mesh/winding.h"
 
 namespace gouge {
@@ -14,9 +15,9 @@ constexpr double kExact_mm = 1e-6;  // what the promise says a witness is true t
 
 std::string mm(double value) { return people_text(value, 7) + " mm"; }
 
-Eigen::Quaterniond shortest_turn(const Vec3& axis) {
+Eigen::Quaterniond turn_from_z(const Vec3& axis) {
   if (1 + axis.z() < 1e-9) return Eigen::Quaterniond(0, 1, 0, 0);  // half a turn about x
-  return Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), axis);
+  return shortest_turn(Vec3::UnitZ(), axis);
 }
 
 bool is_near(double a, double b) { return std::abs(a - b) <= kExact_mm; }
@@ -105,9 +106,9 @@ RigidTransform head_frame(const ClaimedScene& scene, std::size_t move, double t)
   const Pose start = scene.path.moves[move].has_start ? scene.path.start_of(move) : end;
   const Pose at = pose_at(scene.path, move, t, scene.is_dogleg);
   const auto carried = [&](const Vec3& axis) {  // the start's frame, carried along the great circle to `axis`
-    return Eigen::Quaterniond::FromTwoVectors(start.axis, axis) * shortest_turn(start.axis);
+    return shortest_turn(start.axis, axis) * turn_from_z(start.axis);
   };
-  const Eigen::Matrix3d rest = (carried(end.axis).conjugate() * shortest_turn(end.axis)).toRotationMatrix();
+  const Eigen::Matrix3d rest = (carried(end.axis).conjugate() * turn_from_z(end.axis)).toRotationMatrix();
   const double twist = std::atan2(rest(1, 0) - rest(0, 1), rest(0, 0) + rest(1, 1));
   const Eigen::Quaterniond frame = carried(at.axis) * Eigen::AngleAxisd(twist * t, Vec3::UnitZ());
   return {frame.toRotationMatrix(), at.tip};

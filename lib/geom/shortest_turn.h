@@ -1,0 +1,22 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "lib/geom/vec.h"
+
+namespace gouge {
+
+/// The rotation by the smallest angle that takes one unit vector to another; between opposite ones half a turn about some
+/// axis across them. (Eigen's own FromTwoVectors says the same through a singular value decomposition, which costs each
+/// source that calls it five seconds to compile.)
+[[nodiscard]] inline Eigen::Quaterniond shortest_turn(const Vec3& from, const Vec3& to) {
+  const double w = 1 + from.dot(to);
+  if (w < 1e-12) {
+    const Vec3 across = from.unitOrthogonal();
+    return {0, across.x(), across.y(), across.z()};
+  }
+  const Vec3 v = from.cross(to);
+  return Eigen::Quaterniond(w, v.x(), v.y(), v.z()).normalized();
+}
+
+}  // namespace gouge
