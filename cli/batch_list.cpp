@@ -18,7 +18,7 @@ namespace gouge {
 namespace {
 
 namespace fs = std::filesystem;
-using Json = nlohmann::json;
+using ListJson = nlohmann::json;
 
 constexpr std::size_t kLongestName = 100;
 
@@ -104,14 +104,14 @@ class JobListReader {
     if (!error_) error_ = make_error(code, message, file_, lines_->at(pointer));
   }
 
-  void read(const Json& root) {
+  void read(const ListJson& root) {
     if (!root.is_object())
       return fail("this is no object; expected a job list: {\"defaults\": {...}, \"jobs\": [...]}", "");
     for (const auto& [key, value] : root.items()) {
       if (key != "defaults" && key != "jobs")
         fail("a job list has no \"" + key + "\"; expected \"defaults\" and \"jobs\"", "/" + key);
     }
-    const Json defaults = root.value("defaults", Json::object());
+    const ListJson defaults = root.value("defaults", ListJson::object());
     if (!defaults.is_object()) return fail("\"defaults\" is no object; expected one of options", "/defaults");
     if (defaults.contains("name"))
       fail("\"defaults\" has a \"name\"; expected one in each job alone", "/defaults/name");
@@ -124,12 +124,12 @@ class JobListReader {
 
   // The value of a key and where it stands: in the job, else in the defaults.
   struct Field {
-    const Json* value = nullptr;
+    const ListJson* value = nullptr;
     std::string pointer;
   };
   using Fields = std::map<std::string, Field>;
 
-  void read_job(const Json& defaults, const Json& own, const std::string& pointer) {
+  void read_job(const ListJson& defaults, const ListJson& own, const std::string& pointer) {
     if (!own.is_object()) return fail("a job is no object; expected {\"name\": ..., \"path\": ...}", pointer);
     Fields fields;
     for (const auto& [key, value] : defaults.items()) fields[key] = {&value, "/defaults/" + key};
@@ -186,10 +186,10 @@ class JobListReader {
     }
     const Field field = found->second;
     fields.erase(found);
-    const std::vector<Json> values =
-        field.value->is_array() ? field.value->get<std::vector<Json>>() : std::vector<Json>{*field.value};
+    const std::vector<ListJson> values =
+        field.value->is_array() ? field.value->get<std::vector<ListJson>>() : std::vector<ListJson>{*field.value};
     std::vector<std::string> paths;
-    for (const Json& value : values) {
+    for (const ListJson& value : values) {
       if (!value.is_string() || value.get<std::string>().empty()) {
         fail("\"path\" holds no text, or an empty one; expected files or patterns", field.pointer);
         return {};

@@ -48,7 +48,7 @@ bool is_crossing_itself(const Surface& surface, const MeshFindings& findings, bo
   return judged.self_intersections.pairs > 0 || !judged.trouble.empty();
 }
 
-int status_of(ClashState state) {
+int clash_status(ClashState state) {
   if (state == ClashState::penetrating) return kExitGouges;
   return state == ClashState::not_certified ? kExitNotChecked : kExitClean;
 }
@@ -113,7 +113,7 @@ int run_clash(const ClashArguments& arguments, std::ostream& out, std::ostream& 
       return fail(err, {written.error()}, kExitInternal);
   }
   if (!arguments.is_quiet && arguments.json_file != "-") out << clash_text(report);
-  return status_of(report.clash.state);
+  return clash_status(report.clash.state);
 }
 
 }  // namespace gouge

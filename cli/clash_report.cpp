@@ -17,7 +17,7 @@ std::string direction_text(const Vec3& direction) {
          people_text(direction.z(), 3) + ")";
 }
 
-std::string finding(const ClashReport& r) {
+std::string clash_finding(const ClashReport& r) {
   const Clash& clash = r.clash;
   const std::string a = printable(r.a), b = printable(r.b), depth = depth_text(clash.depth_mm, r.unit);
   switch (clash.state) {
@@ -73,7 +73,7 @@ const char* state_name(ClashState state) {
 }
 
 std::string clash_text(const ClashReport& r) {
-  std::string text = finding(r) + "\n";
+  std::string text = clash_finding(r) + "\n";
   if (r.clash.state != ClashState::penetrating) return text;
   text += depth_line(r);
   for (const Contact& contact : r.clash.deepest) {

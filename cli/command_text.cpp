@@ -19,7 +19,7 @@ bool is_plain(char c) {
          kMore.find(c) != std::string_view::npos;
 }
 
-std::string quoted(const std::string& word) {
+std::string shell_quoted(const std::string& word) {
   if (!word.empty() && std::ranges::all_of(word, is_plain)) return word;
   std::string out = "'";
   for (const char c : word) out += c == '\'' ? std::string("'\\''") : std::string(1, c);
@@ -33,7 +33,7 @@ std::string repeatable_command(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     if (option->count() == 0) continue;
     if (option->get_lnames().empty()) {
-      for (const std::string& value : option->results()) text += " " + quoted(value);
+      for (const std::string& value : option->results()) text += " " + shell_quoted(value);
       continue;
     }
     const std::string& name = option->get_lnames().front();
@@ -43,7 +43,7 @@ std::string repeatable_command(const CLI::App& command) {
       text += " --" + name;
       continue;
     }
-    for (const std::string& value : option->results()) text += " --" + name + " " + quoted(value);
+    for (const std::string& value : option->results()) text += " --" + name + " " + shell_quoted(value);
   }
   return text;
 }

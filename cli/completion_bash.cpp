@@ -30,7 +30,7 @@ constexpr const char* kTail = R"(  esac
 complete -F _gougecheck gougecheck
 )";
 
-std::string joined(const std::vector<std::string>& words, const char* between) {
+std::string bash_words(const std::vector<std::string>& words, const char* between) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : between) + word;
   return text;
@@ -44,14 +44,14 @@ std::vector<std::string> words_of(const std::vector<CommandDoc>& commands) {
 
 // What stands after each option, one line of a case each.
 std::string value_case(const OptionDoc& option) {
-  std::string text = "        " + joined(option.names, "|") + ") ";
+  std::string text = "        " + bash_words(option.names, "|") + ") ";
   switch (completed_of(option)) {
     case Completed::files:
       return text + "kind=files ;;\n";
     case Completed::folders:
       return text + "kind=folders ;;\n";
     case Completed::choices:
-      return text + "kind=choices words=" + single_quoted(joined(option.choices, " ")) + " ;;\n";
+      return text + "kind=choices words=" + single_quoted(bash_words(option.choices, " ")) + " ;;\n";
     case Completed::commands:
     case Completed::nothing:
       break;
@@ -74,9 +74,9 @@ std::string command_case(const CommandDoc& program, const CommandDoc& command) {
     if (completed == Completed::commands) commands = words_of(program.commands);
     if (!commands.empty()) place = "choices";
   }
-  std::string text = "    " + single_quoted(command.name) + ")\n      opts=" + single_quoted(joined(options, " ")) +
+  std::string text = "    " + single_quoted(command.name) + ")\n      opts=" + single_quoted(bash_words(options, " ")) +
                      "\n      place=" + place + "\n";
-  if (!commands.empty()) text += "      cmds=" + single_quoted(joined(commands, " ")) + "\n";
+  if (!commands.empty()) text += "      cmds=" + single_quoted(bash_words(commands, " ")) + "\n";
   if (!values.empty()) text += "      case $prev in\n" + values + "      esac\n";
   return text + "      ;;\n";
 }

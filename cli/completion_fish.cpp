@@ -22,13 +22,13 @@ end
 complete -c gougecheck -f
 )";
 
-std::string quoted(const std::string& text) {
+std::string fish_quoted(const std::string& text) {
   std::string out = "'";
   for (const char c : text) out += c == '\'' || c == '\\' ? std::string("\\") + c : std::string(1, c);
   return out + "'";
 }
 
-std::string joined(const std::vector<std::string>& words) {
+std::string fish_words(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : " ") + word;
   return text;
@@ -42,10 +42,10 @@ std::string arguments_of(const CommandDoc& program, const OptionDoc& option) {
     case Completed::folders:
       return " -a '(__fish_complete_directories)'";
     case Completed::choices:
-      return " -a " + quoted(joined(option.choices));
+      return " -a " + fish_quoted(fish_words(option.choices));
     case Completed::commands:
       for (const CommandDoc& command : program.commands) words.push_back(command.word());
-      return " -a " + quoted(joined(words));
+      return " -a " + fish_quoted(fish_words(words));
     case Completed::nothing:
       break;
   }
@@ -53,12 +53,12 @@ std::string arguments_of(const CommandDoc& program, const OptionDoc& option) {
 }
 
 std::string line_of(const CommandDoc& program, const CommandDoc& command, const OptionDoc& option) {
-  std::string text = "complete -c gougecheck -n " + quoted("__gougecheck_at " + command.name);
+  std::string text = "complete -c gougecheck -n " + fish_quoted("__gougecheck_at " + command.name);
   if (option.is_positional) return text + arguments_of(program, option) + "\n";
   for (const std::string& name : option.names)
     text += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (!option.value.empty()) text += " -r" + arguments_of(program, option);
-  return text + " -d " + quoted(brief_of(option.description)) + "\n";
+  return text + " -d " + fish_quoted(brief_of(option.description)) + "\n";
 }
 
 }  // namespace
@@ -66,10 +66,10 @@ std::string line_of(const CommandDoc& program, const CommandDoc& command, const 
 std::string fish_completion(const CommandDoc& program) {
   std::string names, lines;
   for (const CommandDoc* command : flattened(program)) {
-    names += " " + quoted(command->name);
+    names += " " + fish_quoted(command->name);
     for (const CommandDoc& one : command->commands) {
-      lines += "complete -c gougecheck -n " + quoted("__gougecheck_at " + command->name) + " -a " + one.word() +
-               " -d " + quoted(brief_of(one.description)) + "\n";
+      lines += "complete -c gougecheck -n " + fish_quoted("__gougecheck_at " + command->name) + " -a " + one.word() +
+               " -d " + fish_quoted(brief_of(one.description)) + "\n";
     }
     for (const OptionDoc& option : command->options) {
       const bool says_something = !option.is_positional || completed_of(option) != Completed::nothing;

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t kWidth = 80;
 constexpr std::size_t kNames = 30;  // columns for what stands left of the descriptions
 
-std::string row(const std::string& name, const std::string& text) {
+std::string help_row(const std::string& name, const std::string& text) {
   std::string line = "  " + name;
   line += line.size() + 1 < kNames ? std::string(kNames - line.size(), ' ') : "\n" + std::string(kNames, ' ');
   return line + wrapped(text, kWidth, kNames) + "\n";
@@ -23,10 +23,10 @@ class HelpFormatter : public CLI::Formatter {
   std::string make_option(const CLI::Option* option, bool is_positional) const override {
     const OptionDoc doc = document(*option);
     const std::string value = is_positional || doc.value.empty() ? "" : " " + doc.value;
-    return row(listed(doc.names) + value, doc.full_description());
+    return help_row(listed(doc.names) + value, doc.full_description());
   }
   std::string make_subcommand(const CLI::App* command) const override {
-    return row(command->get_name(), command->get_description());
+    return help_row(command->get_name(), command->get_description());
   }
   std::string make_description(const CLI::App* command) const override { return paragraph(command->get_description()); }
   std::string make_footer(const CLI::App* command) const override { return paragraph(command->get_footer()); }

@@ -19,7 +19,7 @@
 namespace gouge {
 namespace {
 
-int status_of(const MeshValidation& judged) {
+int mesh_status(const MeshValidation& judged) {
   if (judged.is_sound()) return kExitClean;
   return judged.trouble.empty() ? kExitGouges : kExitNotChecked;
 }
@@ -121,7 +121,7 @@ int run_mesh(const MeshArguments& arguments, std::ostream& out, std::ostream& er
   if (!arguments.repair_file.empty()) failed = repair(arguments, mesh, info, outputs, progress, err);
   if (failed == kExitInternal || !deliver(arguments, info, outputs, out, err)) return kExitInternal;
   if (failed) return *failed;
-  return status_of(info.written_file.empty() ? info.judged : info.repair->after);
+  return mesh_status(info.written_file.empty() ? info.judged : info.repair->after);
 }
 
 }  // namespace gouge

@@ -8,10 +8,10 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kLabelWidth = 26;
+constexpr std::size_t kMeshLabelWidth = 26;
 
-std::string row(const std::string& name, const std::string& value) {
-  return "  " + padded(name, kLabelWidth - 1) + " " + printable(value) + "\n";
+std::string mesh_row(const std::string& name, const std::string& value) {
+  return "  " + padded(name, kMeshLabelWidth - 1) + " " + printable(value) + "\n";
 }
 
 // Writes lengths, areas and volumes of the mesh in the unit of its file.
@@ -58,37 +58,38 @@ std::string size_rows(const MeshInfo& info, const Lengths& lengths) {
   if (found.handles().value_or(0) > 0)
     handles = ", " + count_text(static_cast<std::size_t>(*found.handles()), "through hole");
   std::string text;
-  text += row("format", std::string(info.format == StlFormat::binary ? "binary" : "ASCII") + " STL, read as " +
-                            unit_name(info.unit));
-  text += row("triangles", std::to_string(found.triangles) + " (" + count_text(found.edges, "edge") + ", " +
-                               count_text(found.vertices, "vertex", "vertices") + ")");
-  text += row("pieces", std::to_string(found.components) + handles +
-                            (found.cavities > 0 ? ", of them inner shells: " + std::to_string(found.cavities) : ""));
-  text += row("size", lengths.vector(found.box_mm.sizes(), " x ") + " " + unit_name(info.unit) + ", from (" +
-                          lengths.vector(found.box_mm.min(), ", ") + ")");
-  text += row("area", lengths.power(found.area_mm2, 2));
-  text += row("volume", info.judged.volume_mm3 ? lengths.power(*info.judged.volume_mm3, 3)
-                                               : std::string("undefined (see below)"));
+  text += mesh_row("format", std::string(info.format == StlFormat::binary ? "binary" : "ASCII") + " STL, read as " +
+                                 unit_name(info.unit));
+  text += mesh_row("triangles", std::to_string(found.triangles) + " (" + count_text(found.edges, "edge") + ", " +
+                                    count_text(found.vertices, "vertex", "vertices") + ")");
+  text +=
+      mesh_row("pieces", std::to_string(found.components) + handles +
+                             (found.cavities > 0 ? ", of them inner shells: " + std::to_string(found.cavities) : ""));
+  text += mesh_row("size", lengths.vector(found.box_mm.sizes(), " x ") + " " + unit_name(info.unit) + ", from (" +
+                               lengths.vector(found.box_mm.min(), ", ") + ")");
+  text += mesh_row("area", lengths.power(found.area_mm2, 2));
+  text += mesh_row("volume", info.judged.volume_mm3 ? lengths.power(*info.judged.volume_mm3, 3)
+                                                    : std::string("undefined (see below)"));
   return text;
 }
 
 std::string defect_rows(const MeshValidation& judged, const Lengths& lengths) {
   const MeshFindings& found = judged.findings;
   std::string text;
-  text += row("open edges", lengths.spot(found.boundary_edges));
-  text += row("non-manifold edges", lengths.spot(found.non_manifold_edges));
-  text += row("non-manifold vertices", lengths.spot(found.non_manifold_vertices));
-  text += row("contradicting edges", lengths.spot(found.misoriented_edges));
-  text += row("pieces inside out", lengths.spot(found.inside_out_components));
-  text +=
-      row("self-intersections", judged.trouble.empty() ? lengths.crossings(judged.self_intersections) : "not decided");
-  text += row("duplicate triangles", lengths.spot(found.duplicate_triangles));
-  text += row("degenerate triangles", lengths.spot(found.degenerate_triangles));
-  text += row("triangles without area", lengths.spot(found.collinear_triangles));
+  text += mesh_row("open edges", lengths.spot(found.boundary_edges));
+  text += mesh_row("non-manifold edges", lengths.spot(found.non_manifold_edges));
+  text += mesh_row("non-manifold vertices", lengths.spot(found.non_manifold_vertices));
+  text += mesh_row("contradicting edges", lengths.spot(found.misoriented_edges));
+  text += mesh_row("pieces inside out", lengths.spot(found.inside_out_components));
+  text += mesh_row("self-intersections",
+                   judged.trouble.empty() ? lengths.crossings(judged.self_intersections) : "not decided");
+  text += mesh_row("duplicate triangles", lengths.spot(found.duplicate_triangles));
+  text += mesh_row("degenerate triangles", lengths.spot(found.degenerate_triangles));
+  text += mesh_row("triangles without area", lengths.spot(found.collinear_triangles));
   if (judged.bounds_volume && !*judged.bounds_volume && found.inside_out_components.count == 0) {
-    text += row("nesting", "a closed piece lies inside another without being a cavity of it");
+    text += mesh_row("nesting", "a closed piece lies inside another without being a cavity of it");
   }
-  if (found.opposite_normals.count > 0) text += row("normals turned", lengths.spot(found.opposite_normals));
+  if (found.opposite_normals.count > 0) text += mesh_row("normals turned", lengths.spot(found.opposite_normals));
   return text;
 }
 
@@ -107,11 +108,11 @@ std::string meaning(const MeshValidation& judged) {
 std::string weld_rows(const MeshInfo& info, const Lengths& lengths) {
   const MeshWeld& weld = *info.weld;
   std::string text = "weld: vertices no more than " + lengths.exact(weld.reach_mm) + " apart become one\n";
-  text +=
-      row("vertices joined",
-          std::to_string(weld.vertices_joined) +
-              (weld.vertices_joined > 0 ? ", moved by up to " + lengths.exact(weld.largest_shift_mm) : std::string()));
-  text += row("triangles collapsed", std::to_string(weld.triangles_collapsed));
+  text += mesh_row(
+      "vertices joined",
+      std::to_string(weld.vertices_joined) +
+          (weld.vertices_joined > 0 ? ", moved by up to " + lengths.exact(weld.largest_shift_mm) : std::string()));
+  text += mesh_row("triangles collapsed", std::to_string(weld.triangles_collapsed));
   text += defect_rows(weld.judged, lengths);
   text += "welded: " + verdict(weld.judged) + "\n";
   if (info.repair) return text;
@@ -121,20 +122,20 @@ std::string weld_rows(const MeshInfo& info, const Lengths& lengths) {
 std::string repair_rows(const MeshInfo& info) {
   const RepairSteps& steps = info.repair->steps;
   std::string text = "repair\n";
-  text += row("degenerate removed", std::to_string(steps.degenerate_removed));
-  text += row("duplicates removed", std::to_string(steps.duplicates_removed));
-  text += row("vertices split", std::to_string(steps.vertices_split));
-  text += row("borders stitched", count_text(steps.borders_stitched, "pair"));
-  text += row("without area removed",
-              std::to_string(steps.collinear_removed) +
-                  (steps.collinear_left > 0 ? ", " + std::to_string(steps.collinear_left) + " left" : ""));
-  text += row("holes filled", std::to_string(steps.holes_filled) + " (" +
-                                  count_text(steps.hole_triangles_added, "triangle") + " added), " +
-                                  std::to_string(steps.holes_left) + " left");
-  text += row("triangles turned", std::to_string(steps.triangles_turned));
+  text += mesh_row("degenerate removed", std::to_string(steps.degenerate_removed));
+  text += mesh_row("duplicates removed", std::to_string(steps.duplicates_removed));
+  text += mesh_row("vertices split", std::to_string(steps.vertices_split));
+  text += mesh_row("borders stitched", count_text(steps.borders_stitched, "pair"));
+  text += mesh_row("without area removed",
+                   std::to_string(steps.collinear_removed) +
+                       (steps.collinear_left > 0 ? ", " + std::to_string(steps.collinear_left) + " left" : ""));
+  text += mesh_row("holes filled", std::to_string(steps.holes_filled) + " (" +
+                                       count_text(steps.hole_triangles_added, "triangle") + " added), " +
+                                       std::to_string(steps.holes_left) + " left");
+  text += mesh_row("triangles turned", std::to_string(steps.triangles_turned));
   if (steps.pieces_not_oriented > 0) {
-    text += row("flat pieces",
-                std::to_string(steps.pieces_not_oriented) + ", closed but without an inside: left as they are");
+    text += mesh_row("flat pieces",
+                     std::to_string(steps.pieces_not_oriented) + ", closed but without an inside: left as they are");
   }
   text += "repaired: " + verdict(info.repair->after) + "\n";
   if (!info.written_file.empty()) return text + "written: " + printable(info.written_file) + "\n";

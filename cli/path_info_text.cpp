@@ -9,11 +9,11 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kLabelWidth = 22;
+constexpr std::size_t kPathLabelWidth = 22;
 constexpr int kShownDecimals = 4;
 
-std::string row(const std::string& name, const std::string& value) {
-  return padded(name, kLabelWidth - 1) + " " + printable(value) + "\n";
+std::string path_row(const std::string& name, const std::string& value) {
+  return padded(name, kPathLabelWidth - 1) + " " + printable(value) + "\n";
 }
 
 std::string shown(double value) { return people_text(value, kShownDecimals); }
@@ -51,17 +51,17 @@ std::string tools_text(const Toolpath& path, const PathInfo& info, double mm_per
   std::string text;
   for (std::size_t i = 0; i < path.tools.size(); ++i) {
     const PathTool& tool = path.tools[i];
-    text += row("tool " + tool_title(tool), cutter_text(tool, mm_per_unit) + "  (" +
-                                                count_text(info.moves_of_tool[i], "move") + ", line " +
-                                                std::to_string(tool.line) + ")");
-    if (!tool.name.empty()) text += row("", tool.name);
+    text += path_row("tool " + tool_title(tool), cutter_text(tool, mm_per_unit) + "  (" +
+                                                     count_text(info.moves_of_tool[i], "move") + ", line " +
+                                                     std::to_string(tool.line) + ")");
+    if (!tool.name.empty()) text += path_row("", tool.name);
   }
-  if (info.moves_without_tool > 0) text += row("no tool named", count_text(info.moves_without_tool, "move"));
+  if (info.moves_without_tool > 0) text += path_row("no tool named", count_text(info.moves_without_tool, "move"));
   for (std::size_t i = 0; i < path.operations.size(); ++i) {
     const Operation& operation = path.operations[i];
-    text += row(i == 0 ? "operations" : "", (operation.name.empty() ? "(no name)" : operation.name) + "  (" +
-                                                count_text(info.moves_of_operation[i], "move") + ", line " +
-                                                std::to_string(operation.line) + ")");
+    text += path_row(i == 0 ? "operations" : "", (operation.name.empty() ? "(no name)" : operation.name) + "  (" +
+                                                     count_text(info.moves_of_operation[i], "move") + ", line " +
+                                                     std::to_string(operation.line) + ")");
   }
   return text;
 }
@@ -69,14 +69,14 @@ std::string tools_text(const Toolpath& path, const PathInfo& info, double mm_per
 std::string doubts_text(const Toolpath& path, const PathInfo& info) {
   std::size_t count = 0;
   for (const auto& reason : info.not_checkable) count += reason.second;
-  std::string text = row("cannot be checked", count == 0 ? "none" : count_text(count, "move"));
-  for (const auto& [reason, moves] : info.not_checkable) text += row("", std::to_string(moves) + ": " + reason);
-  if (path.words_not_understood.empty()) return text + row("words not understood", "none");
+  std::string text = path_row("cannot be checked", count == 0 ? "none" : count_text(count, "move"));
+  for (const auto& [reason, moves] : info.not_checkable) text += path_row("", std::to_string(moves) + ": " + reason);
+  if (path.words_not_understood.empty()) return text + path_row("words not understood", "none");
   std::string words;
   for (const auto& [word, times] : path.words_not_understood) {
     words += (words.empty() ? "" : ", ") + word + " " + std::to_string(times);
   }
-  return text + row("words not understood", words);
+  return text + path_row("words not understood", words);
 }
 
 Json tool_json(const PathTool& tool, std::size_t moves, double mm_per_unit) {
@@ -100,22 +100,22 @@ Json tool_json(const PathTool& tool, std::size_t moves, double mm_per_unit) {
 std::string path_info_text(const Toolpath& path, const PathInfo& info, const std::string& dialect_title) {
   const double mm_per_unit = mm_per(path.unit);
   const std::string unit = unit_name(path.unit);
-  std::string text = row("file", path.file);
-  text += row("dialect", path.dialect + " (" + dialect_title + ")");
-  text += row("unit", unit + (path.is_unit_stated ? " (stated)" : " (not stated)"));
-  text += row("moves", std::to_string(path.moves.size()) + ": " + moves_text(info));
-  text += row("positions alone", std::to_string(info.alone) + " (nothing known leads to them)");
+  std::string text = path_row("file", path.file);
+  text += path_row("dialect", path.dialect + " (" + dialect_title + ")");
+  text += path_row("unit", unit + (path.is_unit_stated ? " (stated)" : " (not stated)"));
+  text += path_row("moves", std::to_string(path.moves.size()) + ": " + moves_text(info));
+  text += path_row("positions alone", std::to_string(info.alone) + " (nothing known leads to them)");
   if (!info.box.isEmpty()) {
-    text += row("box from", shown(info.box.min(), mm_per_unit) + " " + unit);
-    text += row("box to", shown(info.box.max(), mm_per_unit) + " " + unit);
+    text += path_row("box from", shown(info.box.min(), mm_per_unit) + " " + unit);
+    text += path_row("box to", shown(info.box.max(), mm_per_unit) + " " + unit);
   }
-  text += row("length", shown(info.feed_length_mm / mm_per_unit) + " " + unit + " feed, " +
-                            shown(info.rapid_length_mm / mm_per_unit) + " " + unit + " rapid");
-  text += row("orientations", std::to_string(info.orientations));
+  text += path_row("length", shown(info.feed_length_mm / mm_per_unit) + " " + unit + " feed, " +
+                                 shown(info.rapid_length_mm / mm_per_unit) + " " + unit + " rapid");
+  text += path_row("orientations", std::to_string(info.orientations));
   if (info.largest_turn_move != kNone) {
-    text += row("largest turn", shown(info.largest_turn_deg) + " degrees in move " +
-                                    std::to_string(info.largest_turn_move) + ", line " +
-                                    std::to_string(path.moves[info.largest_turn_move].line));
+    text += path_row("largest turn", shown(info.largest_turn_deg) + " degrees in move " +
+                                         std::to_string(info.largest_turn_move) + ", line " +
+                                         std::to_string(path.moves[info.largest_turn_move].line));
   }
   return text + tools_text(path, info, mm_per_unit) + doubts_text(path, info);
 }

@@ -15,7 +15,7 @@ std::string percent(std::size_t some, std::size_t all) {
   return percent(all == 0 ? 0.0 : static_cast<double>(some) / static_cast<double>(all));
 }
 
-std::string finding(const PathFit& fit) {
+std::string misfit_finding(const PathFit& fit) {
   const std::string positions = std::to_string(fit.positions) + " cutting positions";
   if (fit.kind == PathFit::Kind::too_deep) {
     return percent(fit.deep, fit.positions) + " of the " + positions +
@@ -36,7 +36,8 @@ bool has_turned_frame(const Toolpath& path) {
 
 std::optional<Diagnostic> describe_misfit(const Toolpath& path, const PathFit& fit) {
   if (fit.kind == PathFit::Kind::fits) return std::nullopt;
-  std::string message = "the path does not fit the part: " + finding(fit) + "; check units, placement, axis sign";
+  std::string message =
+      "the path does not fit the part: " + misfit_finding(fit) + "; check units, placement, axis sign";
   if (fit.explanation) {
     message += ": with " + fit.explanation->text + " " + percent(fit.explanation->share) +
                (fit.explanation->is_of_all ? " of the positions touch the part"

@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-void describe(CLI::App& app) {
+void describe_program(CLI::App& app) {
   app.name(kProgramName);
   app.formatter(make_help_formatter());
   app.description(
@@ -39,7 +39,7 @@ void add_colour_below(CLI::App& app, std::string& colour) {
 
 Program::Program() {
   Arguments& a = arguments;
-  describe(app);
+  describe_program(app);
   add_check_options(*app.add_subcommand("check", "Find gouges; report"), a.check);
   add_correct_options(*app.add_subcommand("correct", "Write a corrected toolpath and check it again"), a.correct);
   add_batch_options(*app.add_subcommand("batch", "Check or correct many toolpaths; resumed where it stopped"), a.batch);

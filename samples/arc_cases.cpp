@@ -18,7 +18,7 @@ constexpr double kCut = 5;       // z of the arcs
 constexpr double kWide = 14;     // radius of the one that would meet the second post the wrong way round
 constexpr double kClose = 6.2;   // radius of the one that comes too near to the first
 constexpr double kEnd_deg = 10;  // both run between this angle and 180 degrees less it
-constexpr const char* kFlatD10 =
+constexpr const char* kArcFlatD10 =
     R"({"units":"mm","tools":[{"number":1,"name":"flat D10","cutter":{"shape":"flat","diameter":10,"length":25},
   "shank":[{"lower_diameter":10,"upper_diameter":10,"length":25}],
   "holder":[{"lower_diameter":32,"upper_diameter":32,"length":40}]}]}
@@ -85,7 +85,7 @@ Sample make_arcs(const Dialect& dialect) {
   sample.about =
       "Two arcs of either sense about a post: the near one cuts its edges, the far one is clear only in its own sense";
   sample.toolpath_file = dialect.file;
-  sample.tools = kFlatD10;
+  sample.tools = kArcFlatD10;
   sample.check_exit = 1;
   const std::array<double, 4> x = {-30, -1, 1, 30}, z = {-10, 0, 10, 11};
   const std::array<double, 6> y = {-30, -15, -13, -1, 1, 30};

@@ -14,9 +14,9 @@
 namespace gouge::samples {
 namespace {
 
-constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kA = 20, kB = 3, kHeight = 60, kTwist = 35 * kTurn / 360 / kHeight;
-constexpr double kBall = 2, kAllowance = 0.006;
+constexpr double kBladeTurn = 2 * std::numbers::pi;
+constexpr double kA = 20, kB = 3, kHeight = 60, kTwist = 35 * kBladeTurn / 360 / kHeight;
+constexpr double kBall = 2, kBladeAllowance = 0.006;
 
 Vec3 turned(double x, double y, double z) {
   const double c = std::cos(kTwist * z), s = std::sin(kTwist * z);
@@ -25,18 +25,18 @@ Vec3 turned(double x, double y, double z) {
 
 Vec3 surface(double u, double z) { return turned(kA * std::cos(u), kB * std::sin(u), z); }
 
-Vec3 normal(double u, double z) {
+Vec3 blade_normal(double u, double z) {
   const Vec3 along_u = turned(-kA * std::sin(u), kB * std::cos(u), z) - Vec3(0, 0, z);
   const Vec3 p = surface(u, z);
   const Vec3 along_z(-kTwist * p.y(), kTwist * p.x(), 1);
   return along_u.cross(along_z).normalized();
 }
 
-Solid make_part() {
+Solid make_blade_part() {
   constexpr int kAround = 160, kRows = 60;
   const auto section = [](double z) {
     Ring ring;
-    for (int i = 0; i < kAround; ++i) ring.push_back(surface(kTurn * i / kAround, z));
+    for (int i = 0; i < kAround; ++i) ring.push_back(surface(kBladeTurn * i / kAround, z));
     return ring;
   };
   Solid solid;
@@ -51,18 +51,18 @@ Solid make_part() {
   return solid;
 }
 
-struct Position {
+struct BladePosition {
   Pose pose;
   double depth = 0;
 };
 
-Position position(double u, double z, double push) {
-  const Vec3 n = normal(u, z);
+BladePosition blade_position(double u, double z, double push) {
+  const Vec3 n = blade_normal(u, z);
   const Vec3 outward = Vec3(n.x(), n.y(), 0).normalized();
-  Position p;
+  BladePosition p;
   p.pose.axis = (0.5 * outward + std::sqrt(0.75) * Vec3::UnitZ()).normalized();
-  p.pose.tip = surface(u, z) + (kBall + kAllowance - push) * n - kBall * p.pose.axis;
-  p.depth = push - kAllowance;
+  p.pose.tip = surface(u, z) + (kBall + kBladeAllowance - push) * n - kBall * p.pose.axis;
+  p.depth = push - kBladeAllowance;
   return p;
 }
 
@@ -74,8 +74,8 @@ double step_at(double u) {
   return std::min(1.5 / length, 0.08 / turn);
 }
 
-std::vector<Position> make_spiral() {
-  std::vector<Position> spiral;
+std::vector<BladePosition> make_spiral() {
+  std::vector<BladePosition> spiral;
   int pushed_in_first = 0, pushed_in_second = 0;
   double u = 0, z = 56;
   while (z > 6) {
@@ -88,16 +88,16 @@ std::vector<Position> make_spiral() {
       push = 0.25;
       ++pushed_in_second;
     }
-    spiral.push_back(position(u, z, push));
+    spiral.push_back(blade_position(u, z, push));
     // The edges are sharp: the step must suit where it ends as well as where it begins.
     const double step = std::min(step_at(u), step_at(u + step_at(u)));
     u += step;
-    z -= 4 * step / kTurn;
+    z -= 4 * step / kBladeTurn;
   }
   return spiral;
 }
 
-Pose raised(const Pose& pose, double by) { return {pose.tip + by * pose.axis, pose.axis}; }
+Pose raised_blade(const Pose& pose, double by) { return {pose.tip + by * pose.axis, pose.axis}; }
 
 }  // namespace
 
@@ -112,7 +112,7 @@ Sample make_blade() {
   "shank":[{"lower_diameter":10,"upper_diameter":10,"length":20}],
   "holder":[{"lower_diameter":26,"upper_diameter":30,"length":40}]}]}
 )";
-  sample.parts.push_back({"blade.stl", make_part()});
+  sample.parts.push_back({"blade.stl", make_blade_part()});
   sample.check_exit = 1;
   RigidTransform block;  // what the MSYS below says: X along +Y, Y along -X
   block.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;
@@ -124,19 +124,19 @@ Sample make_blade() {
   cl.line("$$ centerline data");
   cl.line("PAINT/PATH");
   cl.line("LOAD/TOOL,7");
-  const std::vector<Position> spiral = make_spiral();
+  const std::vector<BladePosition> spiral = make_spiral();
   cl.rapid({Vec3(0, 0, 150), Vec3::UnitZ()});
-  cl.rapid(raised(spiral.front().pose, 20));
+  cl.rapid(raised_blade(spiral.front().pose, 20));
   cl.line("PAINT/COLOR,31");
   cl.line("FEDRAT/MMPM,900.0000");
   double before = 0;
-  for (const Position& p : spiral) {
+  for (const BladePosition& p : spiral) {
     const std::size_t line = cl.feed(p.pose);
     const double depth = std::max(before, p.depth);
     if (depth > 0) sample.findings.push_back({line, "gouge", "cutter", "part", depth - 0.01, depth + 0.01});
     before = p.depth;
   }
-  cl.rapid(raised(spiral.back().pose, 60));
+  cl.rapid(raised_blade(spiral.back().pose, 60));
   cl.rapid({Vec3(0, 0, 150), Vec3::UnitZ()});
   cl.line("END-OF-PATH");
   sample.toolpath = cl.text();

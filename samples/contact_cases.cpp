@@ -10,7 +10,7 @@
 namespace gouge::samples {
 namespace {
 
-void finish(Sample& sample, ClText& cl) {
+void finish_contact(Sample& sample, ClText& cl) {
   cl.line("FINI");
   sample.toolpath = cl.text();
   sample.moves = cl.positions();
@@ -55,7 +55,7 @@ Sample make_inch() {
     cl.feed(pose(1.2, py, 0));
     cl.rapid(pose(1.2, py, 0.5));
   }
-  finish(sample, cl);
+  finish_contact(sample, cl);
   return sample;
 }
 
@@ -89,7 +89,7 @@ Sample make_needles() {
     const double y = -95 + 5 * row, side = row % 2 == 0 ? -1 : 1;
     for (int i = 0; i <= 6; ++i) cl.feed({Vec3(side * (120 - 40 * i), y, 0), Vec3::UnitZ()});
   }
-  finish(sample, cl);
+  finish_contact(sample, cl);
   return sample;
 }
 
@@ -127,7 +127,7 @@ Sample make_big_triangles() {
     sample.findings.push_back({line, "gouge", "cutter", "part", 0.0998, 0.1002});
   }
   cl.feed(pose(60, 13, 0));
-  finish(sample, cl);
+  finish_contact(sample, cl);
   return sample;
 }
 

@@ -29,7 +29,7 @@ double height(double x, double y) {
   return 6 + 4 * std::sin(kTurn * x / 98) * std::sin(kTurn * y / 80 + 0.4) + 0.5 * std::cos(kTurn * y / 50);
 }
 
-Vec3 normal(double x, double y) {
+Vec3 freeform_normal(double x, double y) {
   const double wave = kTurn * y / 80 + 0.4;
   const double dx = 4 * kTurn / 98 * std::cos(kTurn * x / 98) * std::sin(wave);
   const double dy =
@@ -57,7 +57,7 @@ double dip(int pass, double j) {
   return 0;
 }
 
-Solid make_part(const Density& density) {
+Solid make_freeform_part(const Density& density) {
   std::vector<double> columns, rows;
   for (int i = 0; i <= density.columns; ++i) columns.push_back(kWallX * i / density.columns);
   for (int j = 0; j <= density.rows; ++j) rows.push_back(100.0 * j / density.rows);
@@ -89,28 +89,28 @@ Solid make_part(const Density& density) {
   return solid;
 }
 
-struct Position {
+struct FreeformPosition {
   Pose pose;
   double cutter_depth = 0;  ///< of the resting cutter; below 0: clear
   double holder_depth = 0;  ///< of the resting holder in the wall's top, where the axis is upright
 };
 
-Position position(int pass, int index, const Density& density) {
+FreeformPosition freeform_position(int pass, int index, const Density& density) {
   const int steps = density.per_pass - 1;
   const double j = 96.0 * index / steps;
   const double x = 2 + 4 * pass, y = 2 + 96.0 * (pass % 2 == 0 ? index : steps - index) / steps;
   const Vec3 axis = tool_axis(pass, x, y);
   const double offset = kRadius + kAllowance - dip(pass, j);
-  Position p;
+  FreeformPosition p;
   p.pose.axis = axis;
-  p.pose.tip = Vec3(x, y, height(x, y)) + offset * normal(x, y) - kRadius * axis;
+  p.pose.tip = Vec3(x, y, height(x, y)) + offset * freeform_normal(x, y) - kRadius * axis;
   p.cutter_depth = dip(pass, j) - kAllowance;
   if (pass == kPasses - 1) p.holder_depth = kWallTop - (p.pose.tip.z() + kHolderStart);
   return p;
 }
 
 /// The finding for the move between two positions; depths are largest at one of its ends.
-void add_finding(Sample& sample, std::size_t line, const Position& a, const Position& b) {
+void add_finding(Sample& sample, std::size_t line, const FreeformPosition& a, const FreeformPosition& b) {
   const double holder = std::max(a.holder_depth, b.holder_depth);
   const double cutter = std::max(a.cutter_depth, b.cutter_depth);
   if (holder > 0) {
@@ -120,8 +120,8 @@ void add_finding(Sample& sample, std::size_t line, const Position& a, const Posi
   }
 }
 
-Position raised(const Position& p, double by) {
-  Position up;
+FreeformPosition raised_freeform(const FreeformPosition& p, double by) {
+  FreeformPosition up;
   up.pose = {p.pose.tip + by * p.pose.axis, p.pose.axis};
   return up;
 }
@@ -138,7 +138,7 @@ Sample make_with(const Density& density, const std::string& name) {
   "shank":[{"lower_diameter":10,"upper_diameter":10,"length":20}],
   "holder":[{"lower_diameter":32,"upper_diameter":32,"length":40},{"lower_diameter":40,"upper_diameter":46,"length":30}]}]}
 )";
-  sample.parts.push_back({"part.stl", make_part(density)});
+  sample.parts.push_back({"part.stl", make_freeform_part(density)});
   sample.check_exit = 1;
   ClText cl(ClText::Form::apt);
   cl.line("PARTNO/FREEFORM SAMPLE");
@@ -150,15 +150,15 @@ Sample make_with(const Density& density, const std::string& name) {
   cl.rapid({Vec3(50, 50, 150), Vec3::UnitZ()});
   for (int pass = 0; pass < kPasses; ++pass) {
     cl.line("PPRINT/PASS " + std::to_string(pass + 1) + ", X " + fixed_text(2 + 4 * pass, 1));
-    Position before = raised(position(pass, 0, density), 30);
+    FreeformPosition before = raised_freeform(freeform_position(pass, 0, density), 30);
     cl.rapid(before.pose);
     cl.line("FEDRAT/1200.0000, MMPM");
     for (int j = 0; j < density.per_pass; ++j) {
-      const Position here = position(pass, j, density);
+      const FreeformPosition here = freeform_position(pass, j, density);
       add_finding(sample, cl.feed(here.pose), before, here);
       before = here;
     }
-    const Position retracted = raised(before, 30);
+    const FreeformPosition retracted = raised_freeform(before, 30);
     add_finding(sample, cl.rapid(retracted.pose), before, retracted);
   }
   cl.rapid({Vec3(50, 50, 150), Vec3::UnitZ()});
@@ -183,7 +183,8 @@ void put_long_path(std::size_t moves, const PutText& put) {
       const double y = 2 + 96.0 * (pass % 2 == 0 ? step : kSteps - step) / kSteps;
       const Vec3 axis = tool_axis(static_cast<int>(column), x, y);
       const double pushed = column == 6 && round % 100 == 0 ? dip(6, 96.0 * step / kSteps) : 0;
-      return {Vec3(x, y, height(x, y)) + (kRadius + kAllowance - pushed) * normal(x, y) - kRadius * axis, axis};
+      return {Vec3(x, y, height(x, y)) + (kRadius + kAllowance - pushed) * freeform_normal(x, y) - kRadius * axis,
+              axis};
     };
     const auto above = [&](int step) -> Pose { return {pose(step).tip + 30 * pose(step).axis, pose(step).axis}; };
     ClText cl(ClText::Form::apt);

@@ -27,7 +27,7 @@ Ring rounded(double half_x, double half_y, double radius, double z, int steps) {
   return ring;
 }
 
-Solid make_part() {
+Solid make_pocket_part() {
   constexpr int kSteps = 24, kFilletSteps = 12;
   Solid solid;
   const Ring outer_top = {{70, 50, 0}, {-70, 50, 0}, {-70, -50, 0}, {70, -50, 0}};
@@ -117,7 +117,7 @@ Sample make_pocket() {
   "shank":[{"lower_diameter":16,"upper_diameter":16,"length":20}],
   "holder":[{"lower_diameter":28,"upper_diameter":40,"length":20},{"lower_diameter":40,"upper_diameter":40,"length":40}]}]}
 )";
-  sample.parts.push_back({"part.stl", make_part()});
+  sample.parts.push_back({"part.stl", make_pocket_part()});
   sample.fixtures.push_back({"clamp.stl", make_box({45, -8, 0}, {65, 8, 12})});
   sample.check_exit = 1;
   PocketPath path;

@@ -30,7 +30,7 @@ ClText start_text(const Sample& sample) {
   return cl;
 }
 
-void finish(Sample& sample, ClText& cl) {
+void finish_sweep(Sample& sample, ClText& cl) {
   cl.line("FINI");
   sample.toolpath = cl.text();
   sample.moves = cl.positions();
@@ -59,7 +59,7 @@ Sample make_between_rib() {
   ClText cl = start_text(sample);
   cl.feed({Vec3(-20, 0, 5), Vec3::UnitZ()});
   sample.findings.push_back({cl.feed({Vec3(20, 0, 5), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.001});
-  finish(sample, cl);
+  finish_sweep(sample, cl);
   return sample;
 }
 
@@ -83,7 +83,7 @@ Sample make_between_swing() {
   cl.feed({Vec3(0, 0, 0), Vec3(std::sin(tilt), 0, std::cos(tilt))});
   const std::size_t line = cl.feed({Vec3(0, 0, 0), Vec3(-std::sin(tilt), 0, std::cos(tilt))});
   sample.findings.push_back({line, "gouge", "holder", "part", deepest - 1e-3, deepest + 1e-3});
-  finish(sample, cl);
+  finish_sweep(sample, cl);
   return sample;
 }
 
@@ -110,7 +110,7 @@ Sample make_between_head() {
   cl.feed({Vec3(0, 0, 0), Vec3(std::sin(tilt), 0, std::cos(tilt))});
   const std::size_t line = cl.feed({Vec3(0, 0, 0), Vec3(-std::sin(tilt), 0, std::cos(tilt))});
   sample.findings.push_back({line, "gouge", "head", "part", deepest - 1e-3, deepest + 1e-3});
-  finish(sample, cl);
+  finish_sweep(sample, cl);
   return sample;
 }
 
@@ -124,7 +124,7 @@ Sample make_thin_post() {
   cl.feed({Vec3(-60, 0, 4), Vec3::UnitZ()});
   // On the axis the depth is the tool's radius: the post reaches 6 mm above the tip.
   sample.findings.push_back({cl.rapid({Vec3(60, 0, 4), Vec3::UnitZ()}), "gouge", "cutter", "part", 2.999, 3.0001});
-  finish(sample, cl);
+  finish_sweep(sample, cl);
   return sample;
 }
 
@@ -140,7 +140,7 @@ Sample make_buried() {
   // Where the face is in the middle of the holder, a point on the axis is as deep as the holder's radius.
   sample.findings.push_back({cl.rapid({Vec3(10, 0, 320), Vec3::UnitZ()}), "gouge", "holder", "part", 14.999, 15.0001});
   cl.rapid({Vec3(0, 0, 330), Vec3::UnitZ()});
-  finish(sample, cl);
+  finish_sweep(sample, cl);
   return sample;
 }
 

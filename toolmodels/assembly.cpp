@@ -12,7 +12,7 @@ using detail::mm;
 
 constexpr double kSame_mm = 1e-9;  // lengths closer than this are the same
 
-Diagnostic within(const ToolAssembly& tool, const std::string& field, const Diagnostic& error) {
+Diagnostic named_within(const ToolAssembly& tool, const std::string& field, const Diagnostic& error) {
   Diagnostic reported = error;
   reported.message = "tool " + label(tool) + ": " + (field.empty() ? "" : field + ": ") + error.message;
   return reported;
@@ -47,7 +47,7 @@ Profile stack(Body body, const std::vector<PositionedSegment>& segments) {
 Outcome check_segments(const ToolAssembly& tool, const std::vector<ToolSegment>& segments, const std::string& body) {
   for (std::size_t i = 0; i < segments.size(); ++i)
     if (Outcome good = check_segment(segments[i]); !good)
-      return within(tool, body + " " + std::to_string(i + 1), good.error());
+      return named_within(tool, body + " " + std::to_string(i + 1), good.error());
   return Done{};
 }
 
@@ -58,7 +58,7 @@ Outcome check_extensions(const ToolAssembly& tool) {
   for (const ToolExtension& e : tool.extensions) {
     if (Outcome good = check_segments(tool, e.segments, "extension \"" + name_of(e) + "\""); !good) return good;
     if (is_holder_below && e.counts_as == Body::shank)
-      return within(
+      return named_within(
           tool, "extension \"" + name_of(e) + "\"",
           make_error("tool-extension",
                      "counts as shank, but stands on one that counts as holder; let this one count as holder too"));
@@ -77,18 +77,18 @@ bool is_held(const ToolAssembly& tool) { return !tool.extensions.empty() || !too
 
 Outcome check_stickout(const ToolAssembly& tool) {
   if (Outcome good = detail::check_not_negative("stickout", tool.stickout_mm); !good)
-    return within(tool, "", good.error());
+    return named_within(tool, "", good.error());
   if (Outcome good = detail::check_not_negative("gauge_length", tool.gauge_length_mm); !good)
-    return within(tool, "", good.error());
+    return named_within(tool, "", good.error());
   if (!(tool.stickout_mm > 0)) return Done{};
   const double flutes = length_mm(tool.cutter), end = shank_end_mm(tool);
   if (tool.stickout_mm < flutes - kSame_mm)
-    return within(
+    return named_within(
         tool, "",
         make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is less than the length of the flutes, " +
                                         mm(flutes) + ": the holder would swallow the cutter; give at least that"));
   if (tool.stickout_mm > end + kSame_mm)
-    return within(
+    return named_within(
         tool, "",
         make_error("tool-stickout", "stickout " + mm(tool.stickout_mm) + " is more than flutes and shank reach, " +
                                         mm(end) + "; give at most that, or a longer shank"));
@@ -147,7 +147,7 @@ double height_mm(const ToolAssembly& tool) {
 
 Result<BodyProfiles> make_body_profiles(const ToolAssembly& tool) {
   Result<Profile> cutter = make_cutter_profile(tool.cutter);
-  if (!cutter) return within(tool, "cutter", cutter.error());
+  if (!cutter) return named_within(tool, "cutter", cutter.error());
   if (Outcome good = check_segments(tool, tool.shank, "shank"); !good) return good.error();
   if (Outcome good = check_extensions(tool); !good) return good.error();
   if (Outcome good = check_segments(tool, tool.holder, "holder"); !good) return good.error();
@@ -164,7 +164,7 @@ Result<Profile> make_profile(const ToolAssembly& tool) {
   const Result<BodyProfiles> bodies = make_body_profiles(tool);
   if (!bodies) return bodies.error();
   Result<Profile> united = unite({{&(*bodies)[0], 0}, {&(*bodies)[1], 0}, {&(*bodies)[2], 0}});
-  if (!united) return within(tool, "", united.error());
+  if (!united) return named_within(tool, "", united.error());
   return united;
 }
 

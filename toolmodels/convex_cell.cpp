@@ -6,7 +6,7 @@
 namespace gouge::detail {
 namespace {
 
-constexpr double kSlack = 1e-13;           // of the size; two of these keep results within 1e-12
+constexpr double kCellSlack = 1e-13;       // of the size; two of these keep results within 1e-12
 constexpr double kDirectionSlack = 1e-14;  // of a unit direction
 
 double value(const DirectedLine& line, const Vec3& c) {
@@ -27,7 +27,7 @@ ConvexCell::ConvexCell(double size_mm)
 
 double ConvexCell::slack_at(const Vec3& c) const {
   if (!(c.z() > 0)) return kDirectionSlack;
-  return kSlack * (size_mm_ + std::abs(c.x()) + std::abs(c.y()));
+  return kCellSlack * (size_mm_ + std::abs(c.x()) + std::abs(c.y()));
 }
 
 CellSides ConvexCell::sides(const DirectedLine& line) const {

@@ -49,7 +49,7 @@ void fill_region(Drawing& drawing, const CompiledTool& tool, const TracedRegion&
 }
 
 // The part of the chord ab within the window, if any.
-std::optional<std::pair<Vec2, Vec2>> within(const Vec2& a, const Vec2& b, const ProfileView& view) {
+std::optional<std::pair<Vec2, Vec2>> clipped(const Vec2& a, const Vec2& b, const ProfileView& view) {
   double first = 0, last = 1;
   for (const int axis : {0, 1}) {
     const double run = b[axis] - a[axis];
@@ -75,7 +75,7 @@ void draw_within(Drawing& drawing, const std::vector<Vec2>& points, const std::v
     line.points.clear();
   };
   for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-    const auto part = is_drawn[i] && is_drawn[i + 1] ? within(points[i], points[i + 1], view) : std::nullopt;
+    const auto part = is_drawn[i] && is_drawn[i + 1] ? clipped(points[i], points[i + 1], view) : std::nullopt;
     if (!part) {
       flush();
       continue;

@@ -15,11 +15,11 @@ namespace {
 using detail::ProfileView;
 
 constexpr double kWidth = 1500, kHeight = 1000;
-constexpr double kTop = 120, kBottom = 930;  // of both panels
-constexpr double kAssemblyMiddle = 430;      // the axis of the left panel
+constexpr double kProfileTop = 120, kProfileBottom = 930;  // of both panels
+constexpr double kAssemblyMiddle = 430;                    // the axis of the left panel
 constexpr double kTipLeft = 880, kTipRight = 1460;
-constexpr Colour kInk{25, 28, 35, 1};
-constexpr Colour kFaint{120, 124, 132, 1};
+constexpr Colour kProfileInk{25, 28, 35, 1};
+constexpr Colour kProfileFaint{120, 124, 132, 1};
 
 class Sheet {
  public:
@@ -49,7 +49,7 @@ class Sheet {
     if (tool_.gauge_length_mm > 0) facts += ", gauge length " + length(tool_.gauge_length_mm);
     if (tool_.holder.empty()) facts += ", no holder";
     detail::draw_text(drawing_, {40, 78}, facts, 16, TextAnchor::left);
-    detail::draw_line(drawing_, {40, 94}, {kWidth - 40, 94}, kFaint, 1);
+    detail::draw_line(drawing_, {40, 94}, {kWidth - 40, 94}, kProfileFaint, 1);
     detail::draw_text(drawing_, {40, kHeight - 24},
                       "Tinted: the region of each boundary element (Voronoi diagram of the profile). Arrows: the way "
                       "out for a point at their tail.",
@@ -63,16 +63,16 @@ class Sheet {
   void draw_assembly() {
     const double height = compiled_.z_max_mm - compiled_.z_min_mm;
     ProfileView view;
-    view.scale = std::min(0.96 * (kBottom - kTop) / height, 225 / compiled_.r_max_mm);
+    view.scale = std::min(0.96 * (kProfileBottom - kProfileTop) / height, 225 / compiled_.r_max_mm);
     view.low = Vec2(0, compiled_.z_min_mm);
     view.high = Vec2(compiled_.r_max_mm, compiled_.z_max_mm);
-    const double middle = 0.5 * (kTop + kBottom);
+    const double middle = 0.5 * (kProfileTop + kProfileBottom);
     view.origin = Vec2(kAssemblyMiddle, middle + 0.5 * view.scale * (compiled_.z_max_mm + compiled_.z_min_mm));
     fill_bodies(view);
     detail::draw_regions(drawing_, compiled_, view, false);
     detail::draw_contour(drawing_, profile_, view, 2);
     detail::draw_line(drawing_, view.at(Vec2(0, view.high.y())) - Vec2(0, 22),
-                      view.at(Vec2(0, view.low.y())) + Vec2(0, 22), kFaint, 1, {14, 4, 3, 4});
+                      view.at(Vec2(0, view.low.y())) + Vec2(0, 22), kProfileFaint, 1, {14, 4, 3, 4});
     draw_lengths(view);
     draw_diameters(view);
   }
@@ -84,7 +84,7 @@ class Sheet {
       shape.fill = detail::lightened(detail::body_colour(static_cast<Body>(i)), 0.25);
       for (const ProfileElement& e : bodies_[i].elements)
         for (const Vec2& p : sample(e, 48)) shape.points.push_back(view.mirrored(p));
-      DrawnLine outline{shape.points, kInk, 1.2, false, {}};
+      DrawnLine outline{shape.points, kProfileInk, 1.2, false, {}};
       drawing_.items.emplace_back(std::move(shape));
       drawing_.items.emplace_back(std::move(outline));
     }
@@ -96,10 +96,10 @@ class Sheet {
     if (gap > 16) {
       const double half = std::min(0.5 * gap, 12.0);
       const Vec2 middle = 0.5 * (from + to);
-      detail::draw_arrow(drawing_, middle + Vec2(0, half - 1), from, kInk, 1);
-      detail::draw_arrow(drawing_, middle - Vec2(0, half - 1), to, kInk, 1);
+      detail::draw_arrow(drawing_, middle + Vec2(0, half - 1), from, kProfileInk, 1);
+      detail::draw_arrow(drawing_, middle - Vec2(0, half - 1), to, kProfileInk, 1);
     }
-    for (const Vec2& end : {from, to}) detail::draw_line(drawing_, end - Vec2(7, 0), end + Vec2(7, 0), kInk, 1);
+    for (const Vec2& end : {from, to}) detail::draw_line(drawing_, end - Vec2(7, 0), end + Vec2(7, 0), kProfileInk, 1);
     detail::draw_text(drawing_, {x - 9, 0.5 * (from.y() + to.y()) + 5}, text, 14, TextAnchor::right);
   }
 
@@ -163,7 +163,7 @@ class Sheet {
   // At the right of the tool, pushed apart upward where segments are short.
   void draw_diameters(const ProfileView& view) {
     const double x = view.at(Vec2(compiled_.r_max_mm, 0)).x() + 34;
-    double lowest = kBottom + 40;
+    double lowest = kProfileBottom + 40;
     for (Label label : diameter_labels(view)) {
       label.y = std::min(label.y, lowest - 20);
       lowest = label.y;
@@ -179,17 +179,18 @@ class Sheet {
     const Vec2 widest = widest_of_cutter();
     const auto [low, high] = heights_of_tip();
     ProfileView view;
-    const double tall = kBottom - kTop;
+    const double tall = kProfileBottom - kProfileTop;
     view.scale = std::min((kTipRight - kTipLeft) / (1.45 * widest.x()), 0.72 * tall / std::max(high - low, 1e-9));
-    view.origin = Vec2(kTipLeft, kBottom - 0.17 * tall + view.scale * low);
-    view.low = Vec2(0, (view.origin.y() - kBottom) / view.scale);
-    view.high = Vec2((kTipRight - kTipLeft) / view.scale, (view.origin.y() - kTop) / view.scale);
+    view.origin = Vec2(kTipLeft, kProfileBottom - 0.17 * tall + view.scale * low);
+    view.low = Vec2(0, (view.origin.y() - kProfileBottom) / view.scale);
+    view.high = Vec2((kTipRight - kTipLeft) / view.scale, (view.origin.y() - kProfileTop) / view.scale);
     detail::draw_regions(drawing_, compiled_, view, true);
     detail::draw_exit_arrows(drawing_, compiled_, view, 44);
     detail::draw_contour(drawing_, profile_, view, 2.5);
-    const Vec2 frame[] = {{kTipLeft, kTop}, {kTipRight, kTop}, {kTipRight, kBottom}, {kTipLeft, kBottom}};
-    drawing_.items.emplace_back(DrawnLine{{frame, frame + 4}, kFaint, 1, true, {}});
-    detail::draw_line(drawing_, frame[0], frame[3], kFaint, 1.5, {14, 4, 3, 4});
+    const Vec2 frame[] = {
+        {kTipLeft, kProfileTop}, {kTipRight, kProfileTop}, {kTipRight, kProfileBottom}, {kTipLeft, kProfileBottom}};
+    drawing_.items.emplace_back(DrawnLine{{frame, frame + 4}, kProfileFaint, 1, true, {}});
+    detail::draw_line(drawing_, frame[0], frame[3], kProfileFaint, 1.5, {14, 4, 3, 4});
     draw_scale_bar(view);
     draw_corner(view);
     draw_radius(view, widest);
@@ -209,12 +210,12 @@ class Sheet {
 
   // Half of the diameter, from the axis, below the tip.
   void draw_radius(const ProfileView& view, const Vec2& widest) {
-    const double y = kBottom - 56;
+    const double y = kProfileBottom - 56;
     const Vec2 from(kTipLeft, y), to(view.at(widest).x(), y);
-    const Vec2 above(to.x(), std::max(view.at(widest).y() + 4, kTop));
-    detail::draw_line(drawing_, above, to + Vec2(0, 8), kFaint, 1, {4, 4});
-    detail::draw_arrow(drawing_, to - Vec2(60, 0), to, kInk, 1);
-    detail::draw_line(drawing_, from, to - Vec2(60, 0), kInk, 1);
+    const Vec2 above(to.x(), std::max(view.at(widest).y() + 4, kProfileTop));
+    detail::draw_line(drawing_, above, to + Vec2(0, 8), kProfileFaint, 1, {4, 4});
+    detail::draw_arrow(drawing_, to - Vec2(60, 0), to, kProfileInk, 1);
+    detail::draw_line(drawing_, from, to - Vec2(60, 0), kProfileInk, 1);
     // The title gives the nominal diameter, which in a tapered tool is not that of the widest point.
     const bool is_nominal = std::abs(nominal_size(tool_.cutter).diameter_mm - 2 * widest.x()) < 1e-3;
     detail::draw_text(drawing_, {0.5 * (from.x() + to.x()), y - 6},
@@ -230,8 +231,8 @@ class Sheet {
         break;
       }
     const double pixels = bar * mm_per(unit_) * view.scale;
-    const Vec2 left(kTipRight - 20 - pixels, kBottom - 18);
-    detail::draw_line(drawing_, left, left + Vec2(pixels, 0), kInk, 3);
+    const Vec2 left(kTipRight - 20 - pixels, kProfileBottom - 18);
+    detail::draw_line(drawing_, left, left + Vec2(pixels, 0), kProfileInk, 3);
     detail::draw_text(drawing_, left + Vec2(pixels / 2, -8),
                       exact_text(std::round(bar * 1e6) / 1e6) + " " + unit_name(unit_), 14, TextAnchor::middle);
   }
@@ -242,7 +243,7 @@ class Sheet {
       if (e.is_arc) {
         const Vec2 middle = sample(e, 2)[1];
         const Vec2 from = view.at(middle), to = from + Vec2(60, 50);
-        detail::draw_arrow(drawing_, to, from, kInk, 1.2);
+        detail::draw_arrow(drawing_, to, from, kProfileInk, 1.2);
         detail::draw_text(drawing_, to + Vec2(4, 6), "R " + length(e.radius_mm), 15, TextAnchor::left, true);
       } else if (direction.y() > 0.02 && std::abs(direction.x()) > 1e-9) {
         draw_slope(view, e, direction);
@@ -254,13 +255,13 @@ class Sheet {
     const double from_axis = std::atan2(direction.x(), direction.y()) * 180 / 3.14159265358979323846;
     const Vec2 low = view.at(e.a);
     const Vec2 high = view.at(e.b);
-    const double y = std::max(0.5 * (low.y() + high.y()), kTop + 60);
+    const double y = std::max(0.5 * (low.y() + high.y()), kProfileTop + 60);
     const double t = std::clamp((y - low.y()) / (high.y() - low.y()), 0.0, 1.0);
     const Vec2 at = low + t * (high - low);
     const std::string text = exact_text(std::round(from_axis * 1e3) / 1e3) + " deg from the axis";
     const bool is_steep = std::abs(from_axis) > 45;
     const Vec2 to = at + (is_steep ? Vec2(30, 44) : Vec2(30, -20));
-    detail::draw_arrow(drawing_, to, at, kInk, 1.2);
+    detail::draw_arrow(drawing_, to, at, kProfileInk, 1.2);
     detail::draw_text(drawing_, to + Vec2(4, 5), text, 15, TextAnchor::left, true);
   }
 

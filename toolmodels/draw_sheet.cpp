@@ -12,9 +12,9 @@ namespace {
 using detail::ProfileView;
 
 constexpr double kFieldWidth = 620, kFieldHeight = 520;
-constexpr double kTop = 104, kBottom = 470;  // of the pictures within a field
-constexpr Colour kInk{25, 28, 35, 1};
-constexpr Colour kFaint{170, 174, 182, 1};
+constexpr double kSheetTop = 104, kSheetBottom = 470;  // of the pictures within a field
+constexpr Colour kSheetInk{25, 28, 35, 1};
+constexpr Colour kSheetFaint{170, 174, 182, 1};
 
 std::string number(double value_mm, LengthUnit unit) {
   const double digits = unit == LengthUnit::inch ? 1e4 : 1e3;
@@ -47,7 +47,7 @@ class Field {
 
   void draw_frame() {
     const std::vector<Vec2> frame{at(0, 0), at(kFieldWidth, 0), at(kFieldWidth, kFieldHeight), at(0, kFieldHeight)};
-    sheet_.items.emplace_back(DrawnLine{frame, kFaint, 1, true, {}});
+    sheet_.items.emplace_back(DrawnLine{frame, kSheetFaint, 1, true, {}});
     detail::draw_text(sheet_, at(20, 40), shortened(label(tool_), 38), 24, TextAnchor::left, true);
     detail::draw_text(sheet_, at(20, 70), shortened(describe_cutter(tool_.cutter, unit_), 62), 17, TextAnchor::left);
     const std::string lengths = "flutes " + number(length_mm(tool_.cutter), unit_) + ", assembly " +
@@ -64,7 +64,7 @@ class Field {
       for (const Vec2& p : sample(e, 48)) half.push_back(p);
     for (const Vec2& p : half) shape.points.push_back(view.at(p));
     for (auto p = half.rbegin(); p != half.rend(); ++p) shape.points.push_back(view.mirrored(*p));
-    DrawnLine outline{shape.points, kInk, 1.2, true, {}};
+    DrawnLine outline{shape.points, kSheetInk, 1.2, true, {}};
     sheet_.items.emplace_back(std::move(shape));
     sheet_.items.emplace_back(std::move(outline));
   }
@@ -72,10 +72,11 @@ class Field {
   [[nodiscard]] ProfileView view_of(const Profile& profile, double left, double right) const {
     const CompiledTool tool = compile_tool("", profile);
     ProfileView view;
-    view.scale = std::min((right - left) / (2 * tool.r_max_mm), (kBottom - kTop) / (tool.z_max_mm - tool.z_min_mm));
+    view.scale =
+        std::min((right - left) / (2 * tool.r_max_mm), (kSheetBottom - kSheetTop) / (tool.z_max_mm - tool.z_min_mm));
     view.low = Vec2(0, tool.z_min_mm);
     view.high = Vec2(tool.r_max_mm, tool.z_max_mm);
-    view.origin = at(0.5 * (left + right), kBottom + view.scale * tool.z_min_mm);
+    view.origin = at(0.5 * (left + right), kSheetBottom + view.scale * tool.z_min_mm);
     return view;
   }
 
@@ -94,7 +95,7 @@ class Field {
     detail::draw_regions(sheet_, compiled, view, false);
     detail::draw_contour(sheet_, cutter, view, 2);
     detail::draw_line(sheet_, view.at(Vec2(0, compiled.z_max_mm)) - Vec2(0, 12),
-                      view.at(Vec2(0, compiled.z_min_mm)) + Vec2(0, 12), kInk, 1, {12, 4, 3, 4});
+                      view.at(Vec2(0, compiled.z_min_mm)) + Vec2(0, 12), kSheetInk, 1, {12, 4, 3, 4});
   }
 
   Drawing& sheet_;

@@ -12,7 +12,7 @@ namespace {
 
 // A turn at an arc below this is a tangency found to half the digits, as where a growing arc meets a line:
 // the joint is then put where it belongs. Between segments a joint is smooth only when it is straight.
-constexpr double kSmoothTurn = 1e-7;
+constexpr double kSmoothElementTurn = 1e-7;
 constexpr double kStraightTurn = 1e-12;
 constexpr double kLargestShift = 1e-3;  // of the shorter element, by which a joint may be put right
 constexpr double kLargestSweep_rad = 150 * std::numbers::pi / 180;
@@ -126,7 +126,7 @@ std::vector<BoundaryElement> make_elements(const Profile& profile) {
     elements.push_back(boundary(parts[i]));
     if (i + 1 == parts.size()) break;
     // Between two bodies the lower one names the vertex.
-    const double smooth_turn = parts[i].is_arc || parts[i + 1].is_arc ? kSmoothTurn : kStraightTurn;
+    const double smooth_turn = parts[i].is_arc || parts[i + 1].is_arc ? kSmoothElementTurn : kStraightTurn;
     add(vertex({parts[i].b, end_direction(parts[i]), start_direction(parts[i + 1]), parts[i].body, smooth_turn,
                 opening(parts[i], parts[i + 1])}));
   }

@@ -9,17 +9,19 @@
 namespace gouge {
 namespace {
 
-double tangent(double degrees) { return std::tan(degrees * (std::numbers::pi / 180)); }
+double tangent_of(double degrees) { return std::tan(degrees * (std::numbers::pi / 180)); }
 
 std::string mm(double value) { return exact_text(std::round(value * 1e6) / 1e6) + " mm"; }
 
 // Highest point the corner can reach; what lies above is the side.
-double tip_height(const AptCutter& c) { return c.d_mm / 2 * tangent(std::clamp(c.alpha_deg, 0.0, 89.0)) + 2 * c.r_mm; }
+double tip_height(const AptCutter& c) {
+  return c.d_mm / 2 * tangent_of(std::clamp(c.alpha_deg, 0.0, 89.0)) + 2 * c.r_mm;
+}
 
 double assumed_height(const AptCutter& c) {
   const double usual = std::max({5 * c.d_mm, 50.0, 2 * tip_height(c)});
   if (c.beta_deg >= 0 || c.beta_deg <= -89) return usual;
-  return std::min(usual, 0.9 * (c.d_mm / 2) / tangent(-c.beta_deg));
+  return std::min(usual, 0.9 * (c.d_mm / 2) / tangent_of(-c.beta_deg));
 }
 
 // A height that is just the tip's is what writers put that do not know it.

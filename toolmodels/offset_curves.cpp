@@ -9,7 +9,7 @@
 namespace gouge::detail {
 namespace {
 
-constexpr double kSmoothTurn = 1e-12;  // sine of the turn below which two normals are one
+constexpr double kSmoothOffsetTurn = 1e-12;  // sine of the turn below which two normals are one
 
 Vec2 mirrored(const Vec2& v) { return {-v.x(), v.y()}; }
 
@@ -36,8 +36,8 @@ bool survives(const ProfileElement& e, double growth, double slack) {
 
 void add_corner(Body body, const Vec2& corner, const Vec2& before, const Vec2& after, double growth,
                 std::vector<ProfileElement>& curves) {
-  if (cross(before, after) < -kSmoothTurn) return;
-  if (cross(before, after) <= kSmoothTurn && before.dot(after) > 0) return;
+  if (cross(before, after) < -kSmoothOffsetTurn) return;
+  if (cross(before, after) <= kSmoothOffsetTurn && before.dot(after) > 0) return;
   curves.push_back(make_convex_arc(body, corner + growth * before, corner + growth * after, corner, growth));
 }
 

@@ -45,7 +45,7 @@ void verify_element(const ProfileElement& e, double slack, const std::string& na
   if (leftmost.x() < -slack && reaches(e, Vec2(-1, 0))) broken.push_back(name + " crosses the axis");
 }
 
-std::vector<Vec2> outline(const Profile& profile, std::vector<std::size_t>& owner) {
+std::vector<Vec2> outline_with_owners(const Profile& profile, std::vector<std::size_t>& owner) {
   std::vector<Vec2> points;
   for (std::size_t i = 0; i < profile.elements.size(); ++i) {
     const std::vector<Vec2> part = sample(profile.elements[i], 48);
@@ -70,7 +70,7 @@ double doubled_area(const std::vector<Vec2>& points) {
 
 void verify_shape(const Profile& profile, double slack, std::vector<std::string>& broken) {
   std::vector<std::size_t> owner;
-  const std::vector<Vec2> points = outline(profile, owner);
+  const std::vector<Vec2> points = outline_with_owners(profile, owner);
   if (doubled_area(points) <= 0) broken.push_back("the solid is not on the left of the contour");
   // A contour may leave the axis as steeply as it likes, so near its ends it may be near the axis.
   const auto is_near_end = [&](const Vec2& p) {

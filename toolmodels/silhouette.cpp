@@ -11,7 +11,7 @@ namespace {
 constexpr double kSameHeight_mm = 1e-3;
 constexpr int kSteps = 256;
 
-std::vector<Vec2> outline(const Profile& profile) {
+std::vector<Vec2> profile_outline(const Profile& profile) {
   std::vector<Vec2> points;
   for (const ProfileElement& element : profile.elements) {
     for (const Vec2& point : sample(element, element.is_arc ? kSteps : 1)) points.push_back(point);
@@ -64,7 +64,7 @@ class Widths {
 double reach_beyond_mm(const Cutter& cutter, const Cutter& other) {
   const Result<Profile> mine = make_cutter_profile(cutter), theirs = make_cutter_profile(other);
   if (!mine || !theirs) return 0;
-  const std::vector<Vec2> points = outline(*mine), others = outline(*theirs);
+  const std::vector<Vec2> points = profile_outline(*mine), others = profile_outline(*theirs);
   const double height = std::min(length_mm(cutter), length_mm(other));
   std::vector<double> heights = {height};
   for (const std::vector<Vec2>* corners : {&points, &others}) {

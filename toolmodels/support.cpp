@@ -11,7 +11,7 @@ namespace gouge {
 namespace {
 
 constexpr double kEndless = 1e300;
-constexpr double kSlack = 1e-12;            // of the size
+constexpr double kSupportSlack = 1e-12;     // of the size
 constexpr double kHorizontal = 1e-9;        // |n.r| below this: the plane is horizontal
 constexpr double kNearlyHorizontal = 1e-6;  // below this a foot may be bounded by a horizontal plane
 
@@ -32,7 +32,7 @@ struct Planes {
 class Support {
  public:
   Support(const Profile& profile, std::vector<BoundaryElement>& elements)
-      : elements_(elements), slack_(kSlack * size_of(profile)), stretches_(make_contour_tree(elements)) {
+      : elements_(elements), slack_(kSupportSlack * size_of(profile)), stretches_(make_contour_tree(elements)) {
     if (elements.size() <= kMostBspElements) stretches_.assign(1, {0, static_cast<std::uint32_t>(elements.size())});
   }
 

@@ -25,7 +25,7 @@ double at_corner(const DistanceForm& f, const Vec3& c) {
 }
 
 // The tangent plane of a circular form at `touch`; lies above a concave form and below a convex one.
-std::optional<DistanceForm> tangent(const DistanceForm& f, const Vec2& touch) {
+std::optional<DistanceForm> tangent_form(const DistanceForm& f, const Vec2& touch) {
   const Vec2 away = touch - f.center;
   const double length = away.norm();
   if (!(length > 0)) return std::nullopt;
@@ -184,8 +184,8 @@ Domains make_domains(const std::vector<BoundaryElement>& elements) {
 bool is_everywhere_below(const DistanceForm& f, const DistanceForm& g, const ConvexCell& cell) {
   if (is_convex(f) && is_concave(g)) return is_below_at_corners(f, g, cell);
   for (const Vec2& touch : cell.samples()) {
-    const std::optional<DistanceForm> above = is_convex(f) ? std::optional(f) : tangent(f, touch);
-    const std::optional<DistanceForm> below = is_concave(g) ? std::optional(g) : tangent(g, touch);
+    const std::optional<DistanceForm> above = is_convex(f) ? std::optional(f) : tangent_form(f, touch);
+    const std::optional<DistanceForm> below = is_concave(g) ? std::optional(g) : tangent_form(g, touch);
     if (above && below && is_below_at_corners(*above, *below, cell)) return true;
   }
   return false;

@@ -39,7 +39,7 @@ gouge::TriangleSoup soup_of(std::span<const Vec3> vertices, std::span<const Tria
   return soup;
 }
 
-void require_reach(const gouge::IndexedMesh& mesh) {
+void require_mesh_reach(const gouge::IndexedMesh& mesh) {
   if (const auto error = gouge::find_too_far(mesh, "mesh", kAdvice)) raise(*error);
 }
 
@@ -49,7 +49,7 @@ Mesh::Mesh(std::shared_ptr<const Content> content) : content_(std::move(content)
 
 Mesh::Mesh(std::span<const Vec3> vertices, std::span<const Triangle> faces, std::string name) {
   gouge::BuiltMesh built = value_or_raise(gouge::build_mesh(soup_of(vertices, faces, name)));
-  require_reach(built.mesh);
+  require_mesh_reach(built.mesh);
   gouge::MeshFindings findings = gouge::find_mesh_findings(built);
   auto content = std::make_shared<Content>(std::move(built.mesh));
   content->notes = gouge::describe(findings, name);
@@ -61,7 +61,7 @@ Mesh Mesh::read_stl(const std::string& file, const std::string& unit) {
   const auto known = gouge::unit_called(unit);
   if (!known) raise(gouge::make_error("usage", "unit '" + unit + "': expected um, mm, cm, m or inch", file));
   gouge::LoadedMesh loaded = value_or_raise(gouge::load_mesh(file, {*known, {}}));
-  require_reach(loaded.mesh);
+  require_mesh_reach(loaded.mesh);
   auto content = std::make_shared<Content>(std::move(loaded.mesh));
   content->findings = std::move(loaded.findings);
   content->notes = std::move(loaded.notes);

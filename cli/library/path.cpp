@@ -19,7 +19,7 @@ namespace {
                           "position " + std::to_string(position) + ": " + what, name));
 }
 
-void require_reach(const gouge::Toolpath& path) {
+void require_path_reach(const gouge::Toolpath& path) {
   for (const gouge::Move& move : path.moves) {
     if (gouge::is_within_reach(move.end.tip)) continue;
     raise(gouge::make_error(
@@ -95,7 +95,7 @@ Path PathAccess::from_bytes(const std::string& name, std::string bytes, const st
   options.dialect = gouge::dialect_called(dialect);
   gouge::ReadOutcome outcome = gouge::read_toolpath(name, std::move(bytes), options);
   if (!outcome.toolpath) raise(outcome.errors.front());
-  require_reach(*outcome.toolpath);
+  require_path_reach(*outcome.toolpath);
   return from(std::move(*outcome.toolpath), false);
 }
 

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t kMostPositions = 400;
 constexpr std::size_t kPositionsPerChunk = 16;
 constexpr double kAccuracy_mm = 0.01;
-constexpr std::uint64_t kBudget = 20'000;
+constexpr std::uint64_t kClosenessBudget = 20'000;
 
 bool is_cut(const Move& move, const std::vector<const ToolVariants*>& tools) {
   return move.kind != MoveKind::rapid && move.not_checked_reason.empty() && move.tool < tools.size() &&
@@ -50,7 +50,7 @@ struct Distance {
 Distance distance_from_part(const Pose& pose, const ToolVariants& tool, const PreparedScene& scene) {
   const SearchTarget part{&tool.against_part, &scene.parts, Against::part};
   const SearchResult result =
-      sweep_and_search(Motion(pose), {part}, {{0, kAccuracy_mm, kAccuracy_mm, kBudget}, Closeness::kFar_mm});
+      sweep_and_search(Motion(pose), {part}, {{0, kAccuracy_mm, kAccuracy_mm, kClosenessBudget}, Closeness::kFar_mm});
   const double seen =
       result.has_witness ? Closeness::kFar_mm - result.value_mm : std::numeric_limits<double>::infinity();
   return {std::max(0.0, seen), std::max(0.0, Closeness::kFar_mm - result.value_upper_mm)};

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t kFewestPositions = 10, kFewestChanged = 20;
 constexpr std::size_t kMostSamples = 128, kFirstSamples = 16;
 constexpr double kGoldenRatio = 0.6180339887498949;
-constexpr std::uint64_t kBudget = 20'000;
+constexpr std::uint64_t kFitBudget = 20'000;
 constexpr double kAccuracy = 0.2;  // of what counts as touching
 constexpr double kDeep = 0.9;      // of the cutter's radius, as a ball sunk in to its centre is where it is inclined
 constexpr double kMost = 0.5;
@@ -55,7 +55,7 @@ Contact contact_of(const Pose& pose, const ToolVariants& tool, const CompiledToo
   const double touch = touch_mm(tool);
   const SearchTarget part{&form, &scene.parts, Against::part};
   const SearchResult result =
-      sweep_and_search(Motion(pose), {part}, {{0, kAccuracy * touch, kAccuracy * touch, kBudget}, touch});
+      sweep_and_search(Motion(pose), {part}, {{0, kAccuracy * touch, kAccuracy * touch, kFitBudget}, touch});
   if (result.value_mm > 2 * touch) return Contact::gouging;
   return result.has_witness ? Contact::touching : Contact::apart;
 }
@@ -142,7 +142,7 @@ class FitFinder {
       return is_core_inside(pose, tool, *scene_.scene);
     const double deep = kDeep * tool.bare.core_depth_mm, gap = kAccuracy * deep;
     const SearchTarget part{&tool.cutting, &scene_.parts, Against::part};
-    return sweep_and_search(Motion(pose), {part}, {{deep, gap, gap, kBudget}, 0}).value_mm > deep;
+    return sweep_and_search(Motion(pose), {part}, {{deep, gap, gap, kFitBudget}, 0}).value_mm > deep;
   }
 
   [[nodiscard]] bool is_gouging(std::size_t move) const {

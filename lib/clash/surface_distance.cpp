@@ -13,7 +13,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kRounding_mm = 1e-9;  // of a bound
+constexpr double kDistanceRounding_mm = 1e-9;  // of a bound
 
 void take(const Vec3& a, const Vec3& b, ClosestPair& best) {
   const double distance = (b - a).norm();
@@ -53,9 +53,9 @@ Box3 box_around(const std::array<Vec3, 3>& triangle) {
 }
 
 /// Depth-first over pairs of nodes, the nearer pair first.
-class Search {
+class PairSearch {
  public:
-  Search(const Surface& a, const Surface& b, const Vec3& shift, double enough_mm)
+  PairSearch(const Surface& a, const Surface& b, const Vec3& shift, double enough_mm)
       : a_(a), b_(b), shift_(shift), enough_mm_(enough_mm) {
     best_.distance_mm = std::numeric_limits<double>::infinity();
   }
@@ -89,7 +89,7 @@ class Search {
       const Vec3 unit = direction / length;
       least = std::max(least, std::abs(unit.dot(between)) - a.bound.extent_mm(unit) - b.bound.extent_mm(unit));
     }
-    return std::max(0.0, least - kRounding_mm);
+    return std::max(0.0, least - kDistanceRounding_mm);
   }
 
   void visit(const Node& a, const Node& b) {
@@ -135,7 +135,7 @@ class Search {
       return std::tie(one.least2, one.a, one.b) < std::tie(other.least2, other.a, other.b);
     });
     for (const FacetPair& pair : pairs_) {
-      if (is_done() || std::sqrt(pair.least2) - kRounding_mm >= best_.distance_mm) return;
+      if (is_done() || std::sqrt(pair.least2) - kDistanceRounding_mm >= best_.distance_mm) return;
       const ClosestPair found = closest_points(a_.corners(a.triangle[pair.a]), facets_b[pair.b]);
       if (found.distance_mm < best_.distance_mm) best_ = found;
     }
@@ -167,7 +167,7 @@ ClosestPair closest_points(const std::array<Vec3, 3>& a, const std::array<Vec3, 
 }
 
 ClosestPair surface_distance(const Surface& a, const Surface& b, const Vec3& shift, double enough_mm) {
-  return Search(a, b, shift, enough_mm).run();
+  return PairSearch(a, b, shift, enough_mm).run();
 }
 
 }  // namespace gouge

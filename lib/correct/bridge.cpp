@@ -14,7 +14,7 @@ constexpr double kGap_mm = 0.02;       // how well the worst instant of a gougin
 constexpr double kStraight_mm = 1e-3;  // how far off its neighbours' straight path a position may be left out
 constexpr double kStraightAxis = 1e-5;
 
-Pose lifted(const Pose& pose, double lift) { return {pose.tip + lift * pose.axis, pose.axis}; }
+Pose retracted(const Pose& pose, double lift) { return {pose.tip + lift * pose.axis, pose.axis}; }
 
 }  // namespace
 
@@ -70,7 +70,7 @@ std::optional<BridgeNodes> Bridger::corner(const BridgeNode& u, const BridgeNode
 std::optional<BridgeNodes> Bridger::over(const BridgeNode& from, const BridgeNode& to, double clearance_mm) {
   const MoveVerdict direct = check(motion_between(from.pose(), to.pose()));
   for (const double lift : lifts_up_to(task_.limits.largest_shift_mm)) {
-    const Pose up = lifted(from.pose(), lift), down = lifted(to.pose(), lift);
+    const Pose up = retracted(from.pose(), lift), down = retracted(to.pose(), lift);
     const bool is_free = is_clean(from.pose(), up) && is_clean(down, to.pose());
     if (is_free && is_clean(up, down, clearance_mm)) {
       return BridgeNodes{{bridge_stop(from.pose(), up, lift, direct.depth_mm), from.t},

@@ -5,12 +5,12 @@
 namespace gouge {
 namespace {
 
-constexpr int kHalvings = 5;
-constexpr double kPiece = 1.0 / (1 << kHalvings);  // the shortest piece that is searched between gouges,
-constexpr double kPiece_mm = 0.25;                 // unless this is longer
-constexpr int kBisections = 14;                    // to find where a clean interval ends
-constexpr double kExact_mm = 0.01;                 // how exactly that is found
-constexpr double kArm_mm = 10;                     // at which a turn of the axis counts as a distance
+constexpr int kBorderHalvings = 5;
+constexpr double kPiece = 1.0 / (1 << kBorderHalvings);  // the shortest piece that is searched between gouges,
+constexpr double kPiece_mm = 0.25;                       // unless this is longer
+constexpr int kBisections = 14;                          // to find where a clean interval ends
+constexpr double kExact_mm = 0.01;                       // how exactly that is found
+constexpr double kArm_mm = 10;                           // at which a turn of the axis counts as a distance
 
 class IntervalSearch {
  public:

@@ -11,9 +11,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kAimShare = 0.5, kCleanShare = 0.8;  // of the tolerance
-constexpr double kSamePoint_mm = 1e-9;
-constexpr int kPlaces = 16;
+constexpr double kKeptAimShare = 0.5, kCleanShare = 0.8;  // of the tolerance
+constexpr double kKeptPoint_mm = 1e-9;
+constexpr int kKeptPlaces = 16;
 constexpr int kGrowths = 3;
 
 /// One record for the whole arc, by the deepest of those of its pieces.
@@ -111,8 +111,8 @@ class ArcKeeper {
     const Vec3 out_first = outward(task.arc, task.start.tip), out_last = outward(task.arc, task.end.tip);
     const double sign = first.dot(out_first) + last.dot(out_last) < 0 ? -1 : 1;
     const double tolerance = k_.checker.options().tolerance_mm;
-    const double radial = deepest(task) - kAimShare * tolerance;
-    if (std::abs(rise) > kSamePoint_mm && try_ends(change, task, rise * axis, rise * axis)) return true;
+    const double radial = deepest(task) - kKeptAimShare * tolerance;
+    if (std::abs(rise) > kKeptPoint_mm && try_ends(change, task, rise * axis, rise * axis)) return true;
     for (int g = 0; g < kGrowths; ++g) {
       const double growth = sign * (radial + 0.1 * g * tolerance);
       const Vec3 s = rise * axis + growth * out_first, e = rise * axis + growth * out_last;
@@ -215,8 +215,8 @@ class ArcKeeper {
   [[nodiscard]] bool keeps_programmed(std::size_t move, const std::vector<Pose>& stops) const {
     if (k_.path.moves[move].kind != MoveKind::feed) return true;
     const Motion programmed(k_.path.start_of(move), k_.path.moves[move].end);
-    for (int i = 0; i <= kPlaces; ++i) {
-      const Pose there = programmed.at(static_cast<double>(i) / kPlaces);
+    for (int i = 0; i <= kKeptPlaces; ++i) {
+      const Pose there = programmed.at(static_cast<double>(i) / kKeptPlaces);
       double off = (stops.front().tip - there.tip).norm();
       for (std::size_t k = 1; k < stops.size(); ++k)
         off = std::min(off, distance_to_segment(there.tip, stops[k - 1].tip, stops[k].tip));

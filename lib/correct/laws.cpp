@@ -12,7 +12,7 @@ namespace {
 constexpr double kSameTurn_rad = 0.05;  // far more than digits make of an arc, far less than another way round
 const std::optional<PathArc> kStraight;
 
-bool is_same(const Pose& a, const Pose& b) { return a.tip == b.tip && a.axis == b.axis; }
+bool is_same_pose(const Pose& a, const Pose& b) { return a.tip == b.tip && a.axis == b.axis; }
 
 // As near as the digits of a file put a position that is written again.
 bool is_near(const Pose& a, const Pose& b) {
@@ -36,8 +36,8 @@ bool is_same_curve(const Toolpath& a, const Move& ma, const Toolpath& b, const M
 
 bool is_same_motion(const Toolpath& a, std::size_t i, const Toolpath& b, std::size_t k) {
   const Move &ma = a.moves[i], &mb = b.moves[k];
-  if (ma.kind != mb.kind || ma.has_start != mb.has_start || !is_same(ma.end, mb.end)) return false;
-  return (!ma.has_start || is_same(a.start_of(i), b.start_of(k))) && is_same_curve(a, ma, b, mb);
+  if (ma.kind != mb.kind || ma.has_start != mb.has_start || !is_same_pose(ma.end, mb.end)) return false;
+  return (!ma.has_start || is_same_pose(a.start_of(i), b.start_of(k))) && is_same_curve(a, ma, b, mb);
 }
 
 /// The motions that the move became turn as the change says, and no other way round.
@@ -81,7 +81,7 @@ class LawsCheck {
     const PathChange* change = change_of_[i];
     if (own.tool != old.tool || own.not_checked_reason != old.not_checked_reason) return false;
     const bool may_end_elsewhere = change != nullptr && (change->new_end || change->hole_shift_mm);
-    if (!may_end_elsewhere && !is_same(own.end, old.end)) return false;
+    if (!may_end_elsewhere && !is_same_pose(own.end, old.end)) return false;
     const bool is_rapid_asked = change != nullptr && change->is_end_at_rapid();
     if (is_rapid_asked ? own.kind != MoveKind::rapid
                        : own.kind != old.kind && !(change != nullptr && change->is_straightened))

@@ -14,7 +14,7 @@ constexpr std::size_t kPositionsPerChunk = 4;
 // A correction aims at half the tolerance: the other half is for the rounding of the written numbers and for
 // the motion between corrected positions. What has no business at a surface, fixtures and bodies that must keep a
 // clearance, gets this much air.
-constexpr double kAimShare = 0.5;
+constexpr double kPositionAimShare = 0.5;
 constexpr double kAir_mm = 2e-3;
 // While bridging, motions are held to this share of the tolerance.
 constexpr double kBridgeShare = 0.8;
@@ -35,7 +35,7 @@ constexpr const char* kUncertain = "the check cannot tell whether it is clean, s
 bool is_straight(const Move& move) { return move.kind == MoveKind::feed || move.kind == MoveKind::rapid; }
 
 /// How deep the cutter may stay in the part.
-double aim_of(double tolerance_mm) { return tolerance_mm > 2 * kAir_mm ? kAimShare * tolerance_mm : -kAir_mm; }
+double aim_of(double tolerance_mm) { return tolerance_mm > 2 * kAir_mm ? kPositionAimShare * tolerance_mm : -kAir_mm; }
 
 }  // namespace
 

@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kAimShare = 0.5, kBridgeShare = 0.8;  // of the tolerance, as for positions
+constexpr double kHoleAimShare = 0.5, kBridgeShare = 0.8;  // of the tolerance, as for positions
 constexpr double kLeastStep_mm = 5e-4, kAir_mm = 2e-3;
 constexpr int kSteps = 40;
 
@@ -58,7 +58,7 @@ class HolePlanner {
   }
 
   [[nodiscard]] double excess(const std::vector<std::size_t>& gouging, const Vec3& by) const {
-    const CheckOptions options = within(kAimShare);
+    const CheckOptions options = within(kHoleAimShare);
     double most = 0;
     for (const std::size_t i : gouging) {
       const MoveVerdict verdict = checker_.check(shifted(i, by), path_.moves[i].kind, tool_of(i), options);

@@ -66,7 +66,7 @@ namespace {
 
 constexpr double kSamePose = 1e-9;
 
-bool is_same(const Pose& a, const Pose& b) {
+bool is_kept_pose(const Pose& a, const Pose& b) {
   return (a.tip - b.tip).cwiseAbs().maxCoeff() <= kSamePose && (a.axis - b.axis).cwiseAbs().maxCoeff() <= kSamePose;
 }
 
@@ -125,7 +125,7 @@ Correction restore_moves(const ReworkedPath& reworked, const Toolpath& path, con
       const bool is_last = last + 1 == reworked.origin.size() || reworked.origin[last + 1] != all.move;
       if (!is_last) all.inserted_before.push_back(end);
       all.at_rapid.push_back(is_rapid);
-      if (is_last && (has_new_end || !is_same(end, path.moves[all.move].end))) all.new_end = end;
+      if (is_last && (has_new_end || !is_kept_pose(end, path.moves[all.move].end))) all.new_end = end;
     }
     if (std::ranges::find(all.at_rapid, true) == all.at_rapid.end()) all.at_rapid.clear();
     whole.was_curve = is_curve(path.moves[all.move]) && reworked.path.moves[first].curve_kind == CurveKind::none;

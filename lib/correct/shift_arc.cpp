@@ -10,14 +10,14 @@ namespace gouge {
 namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
-constexpr double kAimShare = 0.8;  // of the tolerance
+constexpr double kShiftAimShare = 0.8;  // of the tolerance
 constexpr double kHeightShare = 0.2;
 constexpr double kTooDeepShare = 0.5;
 constexpr double kMostOfIt = 0.9;
 constexpr double kSweepChange_rad = 0.2;
-constexpr double kSamePoint_mm = 1e-9, kSameAxis = 1e-12;
+constexpr double kShiftedPoint_mm = 1e-9, kShiftedAxis = 1e-12;
 constexpr double kLeastRadius_mm = 1e-3;
-constexpr int kPlaces = 16;
+constexpr int kShiftPlaces = 16;
 constexpr double kNearby = 0.2;  // of the motion
 constexpr int kNarrowings = 40;
 
@@ -27,14 +27,14 @@ class ArcShift {
  public:
   ArcShift(const ArcTask& task, const MotionChecker& checker)
       : task_(task), checker_(checker), options_(checker.options()) {
-    is_full_ = (task.start.tip - task.end.tip).norm() <= kSamePoint_mm;
-    options_.tolerance_mm *= kAimShare;
+    is_full_ = (task.start.tip - task.end.tip).norm() <= kShiftedPoint_mm;
+    options_.tolerance_mm *= kShiftAimShare;
     options_.near_miss_mm = 0;
   }
 
   [[nodiscard]] std::optional<PathArc> run() const {
-    const bool keeps_axes = (task_.start.axis - task_.new_start.axis).norm() <= kSameAxis &&
-                            (task_.end.axis - task_.new_end.axis).norm() <= kSameAxis;
+    const bool keeps_axes = (task_.start.axis - task_.new_start.axis).norm() <= kShiftedAxis &&
+                            (task_.end.axis - task_.new_end.axis).norm() <= kShiftedAxis;
     if (!keeps_axes || std::abs(task_.arc.sweep_rad) > kTurn + 1e-9) return std::nullopt;
     const bool ends_meet = task_.new_start.tip == task_.new_end.tip;
     if (is_full_ != ends_meet) return std::nullopt;
@@ -84,18 +84,18 @@ class ArcShift {
     const double tolerance = checker_.options().tolerance_mm;
     int too_deep = 0;
     bool is_forced = true;
-    for (int i = 0; i <= kPlaces; ++i) {
-      const double t = static_cast<double>(i) / kPlaces;
-      const Pose from = before.at(t), to = i == 0 || i == kPlaces ? motion.at(t) : nearest(motion, t, from);
+    for (int i = 0; i <= kShiftPlaces; ++i) {
+      const double t = static_cast<double>(i) / kShiftPlaces;
+      const Pose from = before.at(t), to = i == 0 || i == kShiftPlaces ? motion.at(t) : nearest(motion, t, from);
       const double depth = checker_.measure(from, task_.kind, *task_.tool).depth_mm;
       const double shift = (to.tip - from.tip).norm();
       too_deep += depth > kTooDeepShare * tolerance ? 1 : 0;
       is_forced = is_forced && shift <= tolerance + kSideShiftsPerDepth * depth;
       // Between two clean positions so near to each other the arc, which is checked whole, says enough.
-      if (depth <= kAimShare * tolerance && shift <= tolerance) continue;
+      if (depth <= kShiftAimShare * tolerance && shift <= tolerance) continue;
       if (why_not_shift(from, {to.tip, from.axis}, task_.kind, *task_.tool, checker_) != nullptr) return false;
     }
-    return is_forced || too_deep >= kMostOfIt * (kPlaces + 1);
+    return is_forced || too_deep >= kMostOfIt * (kShiftPlaces + 1);
   }
 
   // The point of the new arc nearest to `from`, sought about the same instant: the distance has one least value there.

@@ -7,10 +7,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kAimShare = 0.8;  // of the tolerance
+constexpr double kSplitAimShare = 0.8;  // of the tolerance
 constexpr double kSamePoint_mm = 1e-9, kSameAxis = 1e-12;
-constexpr int kPlaces = 32;
-constexpr int kHalvings = 10;
+constexpr int kSplitPlaces = 32;
+constexpr int kSplitHalvings = 10;
 constexpr double kLeastSection_mm = 0.05;          // shorter ones are not worth a statement, and digits blur them
 constexpr double kShares[] = {0, 1.0 / 16, 0.25};  // of a stretch, given up for the path to what is corrected
 
@@ -22,7 +22,7 @@ class ArcSplit {
         checker_(checker),
         options_(checker.options()),
         whole_(task.start, task.end, task.arc) {
-    options_.tolerance_mm *= kAimShare;
+    options_.tolerance_mm *= kSplitAimShare;
     options_.near_miss_mm = 0;
     keeps_start_ = (task.start.tip - task.new_start.tip).norm() <= kSamePoint_mm;
     keeps_end_ = (task.end.tip - task.new_end.tip).norm() <= kSamePoint_mm;
@@ -62,7 +62,7 @@ class ArcSplit {
   // Of the instants between `clean` and `gouging` the last to which `is_clean_to` holds.
   template <class IsClean>
   static double last_clean(double clean, double gouging, const IsClean& is_clean_to) {
-    for (int i = 0; i < kHalvings; ++i) {
+    for (int i = 0; i < kSplitHalvings; ++i) {
       const double middle = 0.5 * (clean + gouging);
       (is_clean_to(middle) ? clean : gouging) = middle;
     }
@@ -70,10 +70,11 @@ class ArcSplit {
   }
 
   void find_segments() {
-    std::vector<bool> is_free(kPlaces + 1);
-    for (int i = 0; i <= kPlaces; ++i) {
-      const bool is_kept = (i > 0 || keeps_start_) && (i < kPlaces || keeps_end_);
-      is_free[static_cast<std::size_t>(i)] = is_kept && is_clean(Motion(whole_.at(static_cast<double>(i) / kPlaces)));
+    std::vector<bool> is_free(kSplitPlaces + 1);
+    for (int i = 0; i <= kSplitPlaces; ++i) {
+      const bool is_kept = (i > 0 || keeps_start_) && (i < kSplitPlaces || keeps_end_);
+      is_free[static_cast<std::size_t>(i)] =
+          is_kept && is_clean(Motion(whole_.at(static_cast<double>(i) / kSplitPlaces)));
     }
     for (std::size_t first = 0, last = 0; first < is_free.size(); first = last + 1) {
       for (last = first; last < is_free.size() && is_free[last];) ++last;
@@ -82,10 +83,10 @@ class ArcSplit {
   }
 
   void add_section(std::size_t first, std::size_t last) {
-    double from = static_cast<double>(first) / kPlaces, to = static_cast<double>(last) / kPlaces;
+    double from = static_cast<double>(first) / kSplitPlaces, to = static_cast<double>(last) / kSplitPlaces;
     if (!is_clean(from, to)) return;
-    const double step = 1.0 / kPlaces;
-    if (last < kPlaces) to = last_clean(to, to + step, [&](double t) { return is_clean(from, t); });
+    const double step = 1.0 / kSplitPlaces;
+    if (last < kSplitPlaces) to = last_clean(to, to + step, [&](double t) { return is_clean(from, t); });
     if (first > 0) from = last_clean(from, from - step, [&](double t) { return is_clean(t, to); });
     if (length_mm(from, to) >= kLeastSection_mm) sections_.push_back({from, to});
   }

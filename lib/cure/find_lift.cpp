@@ -17,7 +17,7 @@ constexpr double kChordShare = 0.25;  // of the tolerance, how far chords may be
 constexpr double kLeastChordError_mm = 2e-4;
 constexpr double kSameAxis = 1e-9;
 
-bool is_free(const MoveVerdict& verdict) {
+bool is_lifted_free(const MoveVerdict& verdict) {
   return verdict.state == MoveState::clean || verdict.state == MoveState::near_miss;
 }
 
@@ -115,7 +115,7 @@ class LiftSearch {
     });
     std::optional<Block> worst;
     for (std::size_t i = 0; i < moves.size(); ++i) {
-      if (!is_free(verdicts[i])) take_worse(worst, block_of(origin_of(moved, i), verdicts[i]));
+      if (!is_lifted_free(verdicts[i])) take_worse(worst, block_of(origin_of(moved, i), verdicts[i]));
     }
     return worst;
   }
@@ -126,7 +126,7 @@ class LiftSearch {
     const CheckResult result = check(moved.path, setup_);
     std::optional<Block> worst;
     for (std::size_t i = 0; i < result.verdicts.size(); ++i) {
-      if (!is_free(result.verdicts[i])) take_worse(worst, block_of(origin_of(moved, i), result.verdicts[i]));
+      if (!is_lifted_free(result.verdicts[i])) take_worse(worst, block_of(origin_of(moved, i), result.verdicts[i]));
     }
     return worst;
   }

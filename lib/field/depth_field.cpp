@@ -20,8 +20,8 @@ constexpr double kSpread = 0.5;    // of a node's radius: farther apart they are
 double angle_between(const Vec3& a, const Vec3& b) { return std::atan2(a.cross(b).norm(), a.dot(b)); }
 
 // Instants so close that what the tool leaves between two of them stays a small part of the depth.
-std::size_t instants_of(const Motion& motion, const CompiledTool& tool, double depth_mm,
-                        const std::optional<Witness>& witness) {
+std::size_t depth_instants(const Motion& motion, const CompiledTool& tool, double depth_mm,
+                           const std::optional<Witness>& witness) {
   // A holder is wide, but what moves slowly across the part is mostly the cutter, and its curvature counts.
   const double reach = std::clamp(tool.core_depth_mm, 0.1, std::max(tool.r_max_mm, 0.1));
   // Where it gouges the tool turns about its tip with this lever.
@@ -145,7 +145,7 @@ DepthField::DepthField(const CheckedToolpath& input, std::size_t most_poses)
   const auto variants_of = [&](std::size_t move) { return input.tools[input.toolpath->moves[move].tool]; };
   const auto wanted = [&](const Motion& motion, std::size_t move) {
     const MoveVerdict& verdict = input.result->verdicts[move];
-    return instants_of(motion, variants_of(move)->against_part, verdict.depth_mm, verdict.witness);
+    return depth_instants(motion, variants_of(move)->against_part, verdict.depth_mm, verdict.witness);
   };
   for (const FieldInstants& one : pick_instants(input, most_poses, wanted)) {
     const Motion motion = motion_of(*input.toolpath, one.move, input.options.rapid);

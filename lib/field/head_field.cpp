@@ -26,7 +26,7 @@ double reach_of(std::span<const HeadBody> heads) {
 }
 
 // Instants so close that what a swing leaves between two of them stays a small part of the depth.
-std::size_t instants_of(const Motion& motion, double reach_mm, double depth_mm, double most_step_mm) {
+std::size_t head_instants(const Motion& motion, double reach_mm, double depth_mm, double most_step_mm) {
   const double travel = HeadMotion(motion).turn_rad() * reach_mm + path_length_mm(motion);
   const double step = std::clamp(std::sqrt(8 * reach_mm * 0.01 * std::max(depth_mm, 1e-3)), 0.1 * most_step_mm,
                                  std::max(most_step_mm, 1e-6));
@@ -116,7 +116,7 @@ HeadField::HeadField(const CheckedToolpath& input, std::size_t most_poses)
   const double reach = reach_of(heads_);
   const double most_step = kSeenStep * scene.diagonal().norm();
   const auto wanted = [&](const Motion& motion, std::size_t move) {
-    return instants_of(motion, reach, input.result->verdicts[move].depth_mm, most_step);
+    return head_instants(motion, reach, input.result->verdicts[move].depth_mm, most_step);
   };
   std::vector<FieldInstants> picked = pick_instants(input, most_poses, wanted);
   // The deepest first: what they raise, the others need not be asked about.

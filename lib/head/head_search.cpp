@@ -13,8 +13,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kRounding_mm = 1e-9;   // of coordinates up to 100 m and a few additions
-constexpr double kSameNormal = 0.9999;  // cosine: a second plane as steep as the first bounds nothing more
+constexpr double kSearchRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
+constexpr double kSameNormal = 0.9999;       // cosine: a second plane as steep as the first bounds nothing more
 
 /// A node or leaf of a tree or a piece of a facet, over a time interval.
 struct Candidate : SearchCandidate {
@@ -139,11 +139,11 @@ class Search : public BestFirstSearch<Search, Candidate> {
   /// middle, which changes by no more than the distance moved.
   template <typename Region>
   [[nodiscard]] bool bound(Candidate& c, const Region& region) {
-    if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kRounding_mm) return false;
+    if (head_.box.exteriorDistance(region.middle) >= region.radius_mm + kSearchRounding_mm) return false;
     ++result_.bounds;
     const ClosestPoint foot = head_.surface.closest_point_from(region.middle, c.facet);
     c.facet = foot.triangle;
-    c.upper_mm = region.radius_mm - foot.signed_mm() + kRounding_mm;
+    c.upper_mm = region.radius_mm - foot.signed_mm() + kSearchRounding_mm;
     if (c.upper_mm > threshold_mm()) bound_by_planes(c, region, foot);
     c.is_time_next = region.travel_mm > 2 * region.size_mm && intervals_.can_halve(c.interval);
     return true;

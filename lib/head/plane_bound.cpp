@@ -4,8 +4,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kAbove_mm = 1e-6;     // of the plane over the facet it touches, and of the box about the region
-constexpr double kRounding_mm = 1e-9;  // what the search of a box may miss, and a few additions
+constexpr double kAbove_mm = 1e-6;          // of the plane over the facet it touches, and of the box about the region
+constexpr double kPlaneRounding_mm = 1e-9;  // what the search of a box may miss, and a few additions
 
 constexpr std::size_t kMostSides = 8;
 
@@ -32,7 +32,7 @@ std::optional<double> depth_below(const HeadBody& head, const Region& region, co
   prism.reserve(kMostSides + 4);
   region.add_sides(n, prism);
   const auto holds = [&](double depth_mm) {
-    const double base_mm = height.low_mm + depth_mm - kRounding_mm;
+    const double base_mm = height.low_mm + depth_mm - kPlaneRounding_mm;
     const double top_mm = std::max(height.high_mm, base_mm) + kAbove_mm;
     prism[0] = {n, n.dot(region.middle) + base_mm};
     prism[1] = {-n, -n.dot(region.middle) - top_mm};

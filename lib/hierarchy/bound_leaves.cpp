@@ -10,7 +10,7 @@ namespace gouge::detail {
 namespace {
 
 // Twice what single precision does to a number, relative to it.
-constexpr double kSingle = 1.2e-7;
+constexpr double kLeafSingle = 1.2e-7;
 
 using V = float __attribute__((vector_size(64)));
 
@@ -18,14 +18,18 @@ struct V3 {
   V x, y, z;
 };
 
-[[gnu::always_inline]] inline void load(const Lanes& from, V& to) { __builtin_memcpy(&to, from.data(), sizeof to); }
+[[gnu::always_inline]] inline void load_lanes(const Lanes& from, V& to) {
+  __builtin_memcpy(&to, from.data(), sizeof to);
+}
 
-[[gnu::always_inline]] inline void store(const V& from, Lanes& to) { __builtin_memcpy(to.data(), &from, sizeof from); }
+[[gnu::always_inline]] inline void store_lanes(const V& from, Lanes& to) {
+  __builtin_memcpy(to.data(), &from, sizeof from);
+}
 
-[[gnu::always_inline]] inline void load(const std::array<Lanes, 3>& from, V3& to) {
-  load(from[0], to.x);
-  load(from[1], to.y);
-  load(from[2], to.z);
+[[gnu::always_inline]] inline void load_lanes(const std::array<Lanes, 3>& from, V3& to) {
+  load_lanes(from[0], to.x);
+  load_lanes(from[1], to.y);
+  load_lanes(from[2], to.z);
 }
 
 [[gnu::always_inline]] inline void keep_largest(const V& value, V& largest) {
@@ -46,7 +50,7 @@ GOUGE_WIDE void find_extent(const TriangleBlock* leaf, const TriangleBlock* end,
   for (; leaf != end; ++leaf) {
     for (std::size_t c = 0; c < 3; ++c) {
       V3 p;
-      load(leaf->corner[c], p);
+      load_lanes(leaf->corner[c], p);
       for (std::size_t k = 0; k < 3; ++k) {
         const V along = axes[k][0] * p.x + axes[k][1] * p.y + axes[k][2] * p.z;
         keep_largest(along, high[k]);
@@ -55,8 +59,8 @@ GOUGE_WIDE void find_extent(const TriangleBlock* leaf, const TriangleBlock* end,
     }
   }
   for (std::size_t k = 0; k < 3; ++k) {
-    store(high[k], extent.high[k]);
-    store(low[k], extent.low[k]);
+    store_lanes(high[k], extent.high[k]);
+    store_lanes(low[k], extent.low[k]);
   }
 }
 
@@ -71,7 +75,7 @@ GOUGE_WIDE void find_reach(const TriangleBlock* leaf, const TriangleBlock* end, 
   for (; leaf != end; ++leaf) {
     for (std::size_t c = 0; c < 3; ++c) {
       V3 p;
-      load(leaf->corner[c], p);
+      load_lanes(leaf->corner[c], p);
       const V x = p.x - center[0], y = p.y - center[1], z = p.z - center[2];
       const V h = normal[0] * x + normal[1] * y + normal[2] * z;
       const V u = x - h * normal[0], v = y - h * normal[1], w = z - h * normal[2];
@@ -81,20 +85,20 @@ GOUGE_WIDE void find_reach(const TriangleBlock* leaf, const TriangleBlock* end, 
       keep_largest(x * x + y * y + z * z, radius2);
     }
   }
-  store(height, reach.height);
-  store(disc2, reach.disc2);
-  store(radius2, reach.radius2);
+  store_lanes(height, reach.height);
+  store_lanes(disc2, reach.disc2);
+  store_lanes(radius2, reach.radius2);
 }
 
 GOUGE_WIDE void find_areas(const TriangleBlock& leaf, std::array<Lanes, 3>& areas) {
   V3 a, b, c;
-  load(leaf.corner[0], a);
-  load(leaf.corner[1], b);
-  load(leaf.corner[2], c);
+  load_lanes(leaf.corner[0], a);
+  load_lanes(leaf.corner[1], b);
+  load_lanes(leaf.corner[2], c);
   const V bx = b.x - a.x, by = b.y - a.y, bz = b.z - a.z, cx = c.x - a.x, cy = c.y - a.y, cz = c.z - a.z;
-  store(by * cz - bz * cy, areas[0]);
-  store(bz * cx - bx * cz, areas[1]);
-  store(bx * cy - by * cx, areas[2]);
+  store_lanes(by * cz - bz * cy, areas[0]);
+  store_lanes(bz * cx - bx * cz, areas[1]);
+  store_lanes(bx * cy - by * cx, areas[2]);
 }
 
 double largest(const Lanes& lanes) { return static_cast<double>(*std::max_element(lanes.begin(), lanes.end())); }
@@ -137,7 +141,7 @@ void bound_leaves(std::span<const TriangleBlock> leaves, const Vec3& direction, 
   // Differences, products and sums in single precision are off by no more than 7 units of 6e-8 of the
   // distance from the center, and the stored normal is longer or shorter than 1 by 1e-7.
   const double radius = std::sqrt(largest(reach.radius2));
-  const double more = rounding_mm + 8 * kSingle * radius + 1e-9;
+  const double more = rounding_mm + 8 * kLeafSingle * radius + 1e-9;
   node.half_thickness_mm[lane] = rounded_up(largest(reach.height) + more);
   node.disc_radius_mm[lane] = rounded_up(std::sqrt(largest(reach.disc2)) + more);
   node.radius_mm[lane] = rounded_up(radius + more);

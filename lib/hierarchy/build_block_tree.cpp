@@ -16,8 +16,8 @@ namespace {
 using detail::Entry;
 
 // Twice what single precision does to a coordinate of that size.
-constexpr double kSingle = 1.2e-7;
-constexpr double kRoundUp = 1 + 1e-9;
+constexpr double kBlockSingle = 1.2e-7;
+constexpr double kBlockRoundUp = 1 + 1e-9;
 
 // Subtrees of this many triangles are made whole, one by one: their leaves stay in the processor's cache.
 constexpr std::size_t kSubtree = kBlockLanes * kBlockLanes * kBlockLanes;
@@ -65,8 +65,8 @@ class Builder {
     }
     if (total_ == 0) return;
     tree_.origin = box.center();
-    tree_.radius_mm = kRoundUp * 0.5 * box.diagonal().norm();
-    tree_.rounding_mm = kSingle * 0.5 * box.diagonal().norm();
+    tree_.radius_mm = kBlockRoundUp * 0.5 * box.diagonal().norm();
+    tree_.rounding_mm = kBlockSingle * 0.5 * box.diagonal().norm();
   }
 
   BlockTree build() {

@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kRounding_mm = 1e-9;
+constexpr double kColumnRounding_mm = 1e-9;
 
 class Climb {
  public:
@@ -38,10 +38,10 @@ class Climb {
       const double height = column_.direction.dot(from);
       if (height + lane.radius_mm <= highest_ || height - lane.radius_mm > column_.high_mm) continue;
       const double beside2 = from.squaredNorm() - height * height;
-      const double reach = column_.radius_mm + lane.radius_mm + kRounding_mm;
+      const double reach = column_.radius_mm + lane.radius_mm + kColumnRounding_mm;
       if (beside2 > reach * reach) continue;
-      const double up = lane.extent_mm(column_.direction) + kRounding_mm;
-      if (height + up <= highest_ || height - lane.extent_mm(-column_.direction) - kRounding_mm > column_.high_mm)
+      const double up = lane.extent_mm(column_.direction) + kColumnRounding_mm;
+      if (height + up <= highest_ || height - lane.extent_mm(-column_.direction) - kColumnRounding_mm > column_.high_mm)
         continue;
       if (height + up <= enough_) {
         highest_ = std::max(highest_, height + up);
@@ -92,13 +92,13 @@ class Climb {
       const double across = std::sqrt(std::max(0.0, normal.squaredNorm() - along * along));
       highest = std::min(highest, middle + across / along * column_.radius_mm);
     }
-    return highest + kRounding_mm;
+    return highest + kColumnRounding_mm;
   }
 
   /// Whether the triangle, seen along the column, is proven to miss its disc: by a line through an edge or by a line
   /// square to the direction of its nearest corner.
   [[nodiscard]] bool is_beside(const std::array<Vec3, 3>& flat) const {
-    const double reach = column_.radius_mm + kRounding_mm;
+    const double reach = column_.radius_mm + kColumnRounding_mm;
     for (std::size_t k = 0; k < 3; ++k) {
       const Vec3& a = flat[k];
       const Vec3& b = flat[(k + 1) % 3];
@@ -131,7 +131,7 @@ class Climb {
   double height_ = 0;             // of the column's point along the first, in the tree's frame
   std::array<double, 2> beside_;  // along the others
   // Single precision is off by less than eight units of the largest coordinate in the tree's frame.
-  double off_mm_ = 8 * tree_.rounding_mm + kRounding_mm;
+  double off_mm_ = 8 * tree_.rounding_mm + kColumnRounding_mm;
 };
 
 }  // namespace

@@ -7,7 +7,7 @@ namespace gouge {
 namespace {
 
 // The stored normal is longer or shorter than 1 by less, and so is what lies across it less than at right angles to it.
-constexpr double kNormal = 1e-6;
+constexpr double kBoundNormal = 1e-6;
 
 Vec3 vector_of(const std::array<Lanes, 3>& lanes, std::size_t lane) {
   return {static_cast<double>(lanes[0][lane]), static_cast<double>(lanes[1][lane]),
@@ -33,7 +33,7 @@ double LaneBound::extent_mm(const Vec3& direction) const {
   const double cosine = std::abs(normal.dot(direction));
   const double sine = std::sqrt(std::max(0.0, 1 - cosine * cosine));
   const double of_cylinder =
-      cosine * half_thickness_mm + sine * disc_radius_mm + kNormal * (half_thickness_mm + disc_radius_mm);
+      cosine * half_thickness_mm + sine * disc_radius_mm + kBoundNormal * (half_thickness_mm + disc_radius_mm);
   return std::min(radius_mm, of_cylinder);
 }
 
@@ -42,14 +42,14 @@ double LaneBound::least_distance_mm(const Vec3& point) const {
   const double height = normal.dot(t);
   const double over = std::max(0.0, std::abs(height) - half_thickness_mm);
   const double beyond = std::max(0.0, (t - height * normal).norm() - disc_radius_mm);
-  return std::max({0.0, t.norm() - radius_mm, (1 - kNormal) * std::sqrt(over * over + beyond * beyond)});
+  return std::max({0.0, t.norm() - radius_mm, (1 - kBoundNormal) * std::sqrt(over * over + beyond * beyond)});
 }
 
 std::array<Vec3, 8> LaneBound::hull() const {
   const Vec3 up = normal.normalized(), across = up.unitOrthogonal();
-  const double disc_mm = disc_radius_mm + kNormal * half_thickness_mm;
+  const double disc_mm = disc_radius_mm + kBoundNormal * half_thickness_mm;
   const Vec3 u = disc_mm * across, v = disc_mm * up.cross(across);
-  const Vec3 w = (1 + kNormal) * half_thickness_mm * up;
+  const Vec3 w = (1 + kBoundNormal) * half_thickness_mm * up;
   std::array<Vec3, 8> corners;
   for (std::size_t k = 0; k < 8; ++k) {
     corners[k] =

@@ -9,10 +9,10 @@
 namespace gouge {
 namespace {
 
-constexpr double kRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
+constexpr double kLaneRounding_mm = 1e-9;  // of coordinates up to 100 m and a few additions
 // More than single precision is off in what is added up here, relative to coordinates in the tree's frame, and in where
 // corners are stored.
-constexpr double kSingle = 1e-6;
+constexpr double kLaneSingle = 1e-6;
 constexpr float kNormal = 1e-6F;  // the stored normal of a node is longer or shorter than 1 by less
 
 using V = float __attribute__((vector_size(64)));
@@ -37,7 +37,7 @@ LaneSpace::LaneSpace(const BlockTree& tree, std::span<const HalfSpace> space)
     : count_(std::min(space.size(), halves_.size())) {
   for (std::size_t i = 0; i < count_; ++i) {
     const double least_mm = space[i].least_mm - space[i].direction.dot(tree.origin);
-    const double slack_mm = kSingle * (tree.radius_mm + std::abs(least_mm)) + kRounding_mm;
+    const double slack_mm = kLaneSingle * (tree.radius_mm + std::abs(least_mm)) + kLaneRounding_mm;
     for (std::size_t k = 0; k < 3; ++k)
       halves_[i].direction[k] = static_cast<float>(space[i].direction[static_cast<Eigen::Index>(k)]);
     halves_[i].least_mm = static_cast<float>(least_mm - slack_mm);

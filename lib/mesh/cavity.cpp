@@ -13,10 +13,10 @@ namespace {
 
 // Material around a cavity is at least this share of the cavity's size: two shells closer to each other than that are
 // rather one wall written twice.
-constexpr double kLeastWall = 0.01;
-constexpr double kWhole = 1e-6;
+constexpr double kLeastCavityWall = 0.01;
+constexpr double kWholeCavity = 1e-6;
 
-bool is_about(double value, double whole) { return std::abs(value - whole) <= kWhole; }
+bool is_about(double value, double whole) { return std::abs(value - whole) <= kWholeCavity; }
 
 /// False only when the triangle and the box are apart.
 bool may_meet(const std::array<Vec3, 3>& triangle, const Box3& box) {
@@ -82,7 +82,7 @@ bool Cavities::contain(const Vec3& point) const {
 
 bool Cavities::stands_alone(std::uint32_t shell, const Vec3& point) const {
   Box3 box = shells_[shell].box;
-  const Vec3 wall = Vec3::Constant(kLeastWall * box.diagonal().norm());
+  const Vec3 wall = Vec3::Constant(kLeastCavityWall * box.diagonal().norm());
   box = Box3(box.min() - wall, box.max() + wall);
   for (std::uint32_t t = 0; t < mesh_.triangles.size(); ++t) {
     if (shell_of_[t] == shell || !shells_[shell_of_[t]].box.contains(point)) continue;

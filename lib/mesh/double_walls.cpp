@@ -74,9 +74,9 @@ class Overlap {
   double other_area_ = 0;
 };
 
-class Finder {
+class WallFinder {
  public:
-  Finder(const IndexedMesh& mesh, const SurfacePieces& pieces)
+  WallFinder(const IndexedMesh& mesh, const SurfacePieces& pieces)
       : mesh_(mesh), pieces_(pieces), is_double_(mesh.triangles.size(), false) {
     Box3 all;
     normals_.reserve(mesh.triangles.size());
@@ -174,7 +174,7 @@ class Finder {
 }  // namespace
 
 std::vector<bool> find_double_walls(const IndexedMesh& mesh, const SurfacePieces& pieces) {
-  return Finder(mesh, pieces).find();
+  return WallFinder(mesh, pieces).find();
 }
 
 }  // namespace gouge

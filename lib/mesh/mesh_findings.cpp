@@ -78,9 +78,9 @@ void find_pieces(const IndexedMesh& mesh, UnionFind& pieces, const std::vector<b
   }
 }
 
-class Finder {
+class FaultFinder {
  public:
-  Finder(const IndexedMesh& mesh, const MeshAdjacency& adjacency)
+  FaultFinder(const IndexedMesh& mesh, const MeshAdjacency& adjacency)
       : mesh_(mesh), adjacency_(adjacency), pieces_(mesh.triangles.size()) {}
 
   MeshFindings find() {
@@ -202,7 +202,7 @@ std::optional<long long> MeshFindings::handles() const {
 }
 
 MeshFindings find_mesh_findings(const IndexedMesh& mesh, const MeshAdjacency& adjacency) {
-  return Finder(mesh, adjacency).find();
+  return FaultFinder(mesh, adjacency).find();
 }
 
 MeshFindings find_mesh_findings(const IndexedMesh& mesh) {

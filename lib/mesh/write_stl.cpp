@@ -8,7 +8,7 @@ namespace {
 
 // Not "solid": readers that go by the first word would take the file for ASCII.
 constexpr std::string_view kHeader = "binary STL, written by gougecheck";
-constexpr std::size_t kHeaderSize = 80;
+constexpr std::size_t kTextSize = 80;
 
 void append_word(std::string& bytes, std::uint32_t word) {
   for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>((word >> shift) & 0xffU);
@@ -22,9 +22,9 @@ void append_vector(std::string& bytes, const Vec3& v) {
 
 std::string binary_stl_bytes(const IndexedMesh& mesh, LengthUnit unit) {
   std::string bytes;
-  bytes.reserve(kHeaderSize + 4 + 50 * mesh.triangles.size());
+  bytes.reserve(kTextSize + 4 + 50 * mesh.triangles.size());
   bytes = kHeader;
-  bytes.resize(kHeaderSize, ' ');
+  bytes.resize(kTextSize, ' ');
   append_word(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Vec3 cross = (mesh.corner(t, 1) - mesh.corner(t, 0)).cross(mesh.corner(t, 2) - mesh.corner(t, 0));

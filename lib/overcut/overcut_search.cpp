@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kInTool_mm = 1e-9;  // a point this little outside the tool counts as in it: rounding of its foot
 constexpr double kSeed_mm = 1e-6;    // the witness of a move is that exact
-constexpr double kRounding_mm = 1e-9;
+constexpr double kSearchRounding_mm = 1e-9;
 constexpr double kNotable_mm = 0.1 * kOvercutGap_mm;
 constexpr double kNear_mm = 0.02;  // a climb ends when it looks no farther than that
 constexpr int kClimbs = 24;
@@ -105,7 +105,7 @@ class Search : public BestFirstSearch<Search, Cell> {
   void add(Cell cell) {
     ++looked_;
     const double radius = cell.half.norm();
-    cell.upper_mm = cell.inside_mm + radius + kRounding_mm;
+    cell.upper_mm = cell.inside_mm + radius + kSearchRounding_mm;
     if (cell.upper_mm <= threshold_mm()) return prune(cell.upper_mm);
     const SweptBound swept = tool_.bound(cell.centre, radius, cell.interval);
     if (!swept.is_reached) return;
@@ -188,8 +188,8 @@ class Search : public BestFirstSearch<Search, Cell> {
     Column column;
     column.through = cell.centre;
     column.direction = outward;
-    column.radius_mm = std::sqrt(beside2) + kRounding_mm;
-    const double reach = cell.half.dot(up.cwiseAbs()) + kRounding_mm;
+    column.radius_mm = std::sqrt(beside2) + kSearchRounding_mm;
+    const double reach = cell.half.dot(up.cwiseAbs()) + kSearchRounding_mm;
     return ceiling(part_, column, reach, enough, cell.inside_mm < 0);
   }
 

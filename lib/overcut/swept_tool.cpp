@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kRounding_mm = 1e-9;
+constexpr double kToolRounding_mm = 1e-9;
 
 /// The smallest distance of a stretch from the tool axis.
 double smallest_radius(const Vec3& a, const Vec3& b) {
@@ -96,11 +96,11 @@ SweptBound SweptTool::bound(const Vec3& centre, double radius, std::uint32_t ind
   bound.t = interval.middle();
   bound.path_length_mm = length + 2 * chord.bulge_mm;
   bound.can_halve = intervals_.can_halve(index);
-  if (bound.distance_mm - 0.5 * length - chord.bulge_mm > radius + kRounding_mm) return bound;
+  if (bound.distance_mm - 0.5 * length - chord.bulge_mm > radius + kToolRounding_mm) return bound;
   bound.is_reached = true;
   if (sharp_zones_) {
     const Vec2 q(middle.q.head<2>().norm(), middle.q.z());
-    const double around = radius + 0.5 * length + chord.bulge_mm + kRounding_mm;
+    const double around = radius + 0.5 * length + chord.bulge_mm + kToolRounding_mm;
     bound.is_blunt = std::none_of(sharp_zones_->begin(), sharp_zones_->end(),
                                   [&](const Box2& zone) { return zone.squaredExteriorDistance(q) <= around * around; });
   }
@@ -133,7 +133,7 @@ Box3 SweptTool::extent(const Eigen::Matrix3d& frame, std::uint32_t index, const 
     for (int k = 0; k < 3; ++k) {
       const Vec3 direction = frame.row(k);
       const double along = at->rows.row(2).dot(direction);
-      const double across = ring.max().x() * std::sqrt(std::max(0.0, 1 - along * along)) + bulge + kRounding_mm;
+      const double across = ring.max().x() * std::sqrt(std::max(0.0, 1 - along * along)) + bulge + kToolRounding_mm;
       const double tip = at->tip.dot(direction);
       const double a = tip + along * ring.min().y(), b = tip + along * ring.max().y();
       box.min()[k] = std::min(box.min()[k], std::min(a, b) - across);

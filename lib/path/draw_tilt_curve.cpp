@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kError_mm = 0.05;
+constexpr double kCurveError_mm = 0.05;
 constexpr double kLeastMargin_mm = 1, kMostMargin_mm = 10, kMarginOfLength = 0.1;
 constexpr double kCosOfCorner = 0.9;  // of about 26 degrees: below, the feed bends, above it turns a corner
 constexpr double kNoDirection = 1e-9;
@@ -81,7 +81,7 @@ class TiltCurve {
       places_.push_back({end_mm(), move.end.tip, programmed_[k], move.end.axis});
       return;
     }
-    const std::vector<Pose> poses = chords_of(after_, k, kError_mm);
+    const std::vector<Pose> poses = chords_of(after_, k, kCurveError_mm);
     const Vec3 from = programmed_[k - 1];
     for (std::size_t i = 0; i < poses.size(); ++i) {
       const double t = static_cast<double>(i + 1) / static_cast<double>(poses.size());

@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kError_mm = 0.01;
+constexpr double kAxisError_mm = 0.01;
 constexpr double kTimesNearest = 2;
 
 /// One straight piece of a programmed motion. Its axis turns evenly on the great circle.
@@ -52,7 +52,7 @@ Vec3 axis_at_nearest(const std::vector<Pose>& motion, const Pose& pose) {
   double nearest = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < motion.size(); ++i)
     nearest = std::min(nearest, Stretch{motion[i], motion[i + 1]}.distance(pose.tip));
-  const double reach_mm = kTimesNearest * nearest + kError_mm;
+  const double reach_mm = kTimesNearest * nearest + kAxisError_mm;
   Vec3 best = motion.back().axis;
   double least_rad = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i + 1 < motion.size(); ++i) {
@@ -81,7 +81,7 @@ std::vector<Vec3> programmed_axes(const Toolpath& before, const Toolpath& after,
     axes[k] = programmed.end.axis;
     if (!is_inserted || !programmed.has_start) continue;
     if (origin != of_move) {
-      motion = chords_of(before, origin, kError_mm);
+      motion = chords_of(before, origin, kAxisError_mm);
       motion.insert(motion.begin(), before.start_of(origin));
       of_move = origin;
     }

@@ -40,7 +40,7 @@ void fill_node_boxes(DepthBody& body) {
 
 // A coordinate of size s is off by 2^-24 s in single precision, a projection of three by less than four times
 // that.
-constexpr double kSingle = 4.0 / (1 << 24);
+constexpr double kBodySingle = 4.0 / (1 << 24);
 
 double largest_coordinate(const IndexedMesh& mesh) {
   double largest = 0;
@@ -100,7 +100,7 @@ DepthBody build_depth_body(Surface surface, const DepthBodyOptions& options) {
   const MeshAdjacency adjacency(mesh);
   DepthBody body{std::move(surface), options, options.offset_vertices(mesh, adjacency), {}, {}, {}, {}, {}, {}};
   const double reach = largest_coordinate(mesh) + (1 + kLongestOffset) * options.depth_mm;
-  body.slack_mm = static_cast<float>(kSingle * reach);
+  body.slack_mm = static_cast<float>(kBodySingle * reach);
   std::vector<Vec3> centres;
   centres.reserve(mesh.triangles.size());
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
@@ -109,7 +109,7 @@ DepthBody build_depth_body(Surface surface, const DepthBodyOptions& options) {
   }
   const std::vector<Vec3> normals = face_normals(mesh);
   const InnerReach inner(mesh, adjacency, normals);
-  FacetBounds bounds(body, inner, kSingle * reach);
+  FacetBounds bounds(body, inner, kBodySingle * reach);
   body.tree = build_kdop_tree(options.directions, centres, {options.width, options.leaf_triangles},
                               [&bounds](std::uint32_t t, float* intervals) { bounds(t, intervals); });
   for (const std::uint32_t t : body.tree.order) {

@@ -6,8 +6,8 @@
 namespace gouge {
 namespace {
 
-constexpr float kSingle = 8.0F / (1 << 24);
-constexpr std::size_t kFloatsPerBlock = 12;
+constexpr float kPenetrationSingle = 8.0F / (1 << 24);
+constexpr std::size_t kFloatsPerTriangleBlock = 12;
 constexpr std::size_t kManyFacets = 192, kManyItems = 2000, kNoLimit = std::numeric_limits<std::size_t>::max();
 
 /// Largest side along x, y and z, the first axes of most families.
@@ -46,7 +46,7 @@ const PenetrationResult& PenetrationFinder::find(const RigidTransform& pose) {
   }
   for (std::size_t i = 0; i < body_.tree.directions.axes.size(); ++i)
     shifts_[i] = static_cast<float>(body_.tree.directions.axes[i].dot(pose.shift));
-  slack_ = kSingle * static_cast<float>(points_.reach_mm + pose.shift.cwiseAbs().maxCoeff());
+  slack_ = kPenetrationSingle * static_cast<float>(points_.reach_mm + pose.shift.cwiseAbs().maxCoeff());
   stack_.assign(1, 0);
   visit(0, {0, 1});
   std::sort(result_.contacts.begin(), result_.contacts.end(),
@@ -137,7 +137,8 @@ void PenetrationFinder::update_volume(std::uint32_t index, float* volume) {
     ++result_.counters.volumes_shifted;
   } else {
     const std::uint32_t first = points_.corner_first[index];
-    axes_.bound(points_.corners.data() + kFloatsPerBlock * first, points_.corner_first[index + 1] - first, turned);
+    axes_.bound(points_.corners.data() + kFloatsPerTriangleBlock * first, points_.corner_first[index + 1] - first,
+                turned);
     turn_of_[index] = turn_;
     result_.counters.corners_transformed += points_.corner_count[index];
   }
@@ -151,7 +152,7 @@ void PenetrationFinder::update_volume(std::uint32_t index, float* volume) {
 
 void PenetrationFinder::bound_points(std::uint32_t index, float* volume) {
   const std::size_t count = (points_.tree.nodes[index].item_count + 3) / 4;
-  const float* const blocks = points_.leaf_points.data() + kFloatsPerBlock * points_.leaf_first[index];
+  const float* const blocks = points_.leaf_points.data() + kFloatsPerTriangleBlock * points_.leaf_first[index];
   axes_.bound(blocks, count, volume);
   for (std::size_t i = 0; i < stride_; ++i) {
     volume[low_slot(i)] += shifts_[i] - slack_;

@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kFloatsPerBlock = 32;
+constexpr std::size_t kFloatsPerPairBlock = 32;
 // Filters compare squares of single-precision distances: a few roundings of the largest coordinate.
 constexpr float kFilterSlack = 8;
 
@@ -26,9 +26,9 @@ void NarrowPhase::set_leaves(std::span<const std::uint32_t> leaves) {
     for (std::uint32_t k = 0; k < node.item_count; ++k) slots_.push_back(node.first + k);
   }
   const std::size_t blocks = (slots_.size() + 3) / 4;
-  blocks_.resize(blocks * kFloatsPerBlock);
+  blocks_.resize(blocks * kFloatsPerPairBlock);
   for (std::size_t i = 0; i < 4 * blocks; ++i) {
-    float* const to = blocks_.data() + i / 4 * kFloatsPerBlock + i % 4;
+    float* const to = blocks_.data() + i / 4 * kFloatsPerPairBlock + i % 4;
     const FacetRecord& f = body_.facets[slots_[std::min(i, slots_.size() - 1)]];
     const std::array<float, 8> numbers = {f.n[0], f.n[1], f.n[2], f.o, f.c[0], f.c[1], f.c[2], f.r};
     for (std::size_t k = 0; k < numbers.size(); ++k) to[4 * k] = numbers[k];
@@ -42,7 +42,7 @@ bool NarrowPhase::filter(const Vec3& point) {
   const Float4 reach = all4(reach_);
   bool is_behind = false;
   for (std::size_t i = 0; i < slots_.size(); i += 4) {
-    const float* const f = blocks_.data() + i / 4 * kFloatsPerBlock;
+    const float* const f = blocks_.data() + i / 4 * kFloatsPerPairBlock;
     const Float4 h = load4(f) * x + load4(f + 4) * y + load4(f + 8) * z - load4(f + 12);
     const Float4 dx = x - load4(f + 16), dy = y - load4(f + 20), dz = z - load4(f + 24), r = load4(f + 28);
     const Float4 d2 = dx * dx + dy * dy + dz * dz, far = r + reach;

@@ -8,7 +8,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kSingle = 4.0 / (1 << 24);
+constexpr double kPointSingle = 4.0 / (1 << 24);
 
 void add_blocks(std::span<const Vec3> points, std::vector<float>& blocks) {
   for (std::size_t first = 0; first < points.size(); first += 4) {
@@ -29,7 +29,7 @@ PointBody build_point_body(std::span<const Vec3> points, const PointBodyOptions&
   body.options = options;
   body.points.assign(points.begin(), points.end());
   for (const Vec3& p : points) body.reach_mm = std::max(body.reach_mm, p.norm());
-  const double slack = kSingle * body.reach_mm;
+  const double slack = kPointSingle * body.reach_mm;
   body.tree = build_kdop_tree(options.directions, points, {options.width, options.leaf_points},
                               [&](std::uint32_t i, float* intervals) {
                                 write_intervals(options.directions, points.subspan(i, 1), slack, intervals);

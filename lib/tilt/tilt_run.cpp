@@ -17,7 +17,7 @@ namespace {
 // cut.
 constexpr std::array kContacts_mm = {0.05, 1.0};
 constexpr std::array kShares = {0.5, 0.8, 0.95};  // of the tolerance, how deep the cutter may be at a position
-constexpr double kAccuracy_mm = 2e-4;
+constexpr double kContactAccuracy_mm = 2e-4;
 constexpr double kArm_mm = 10;  // at which a turn of the programmed axis counts as way
 constexpr double kNoWay_mm = 1e-9;
 
@@ -207,7 +207,7 @@ class Measurer {
   [[nodiscard]] double share_at(const Pose& pose) const {
     const double tolerance = job_.checker.options().tolerance_mm;
     const auto is_enough = [&](double share) {
-      return largest_excess(pose, tool_.cutting, job_.checker.scene(), share * tolerance, kAccuracy_mm) <= 0;
+      return largest_excess(pose, tool_.cutting, job_.checker.scene(), share * tolerance, kContactAccuracy_mm) <= 0;
     };
     const auto found = std::ranges::find_if(kShares, is_enough);
     return found == kShares.end() ? kShares.back() : *found;

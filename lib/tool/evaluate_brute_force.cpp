@@ -34,7 +34,7 @@ int crossings_with_segment(const BoundaryElement& e, const Vec2& q) {
 }
 
 // Whether the contour rises where it passes `at` on an arc; at a pole `inward` decides, +1 for the start.
-bool is_rising(const BoundaryElement& arc, const Vec2& at, double inward) {
+bool rises_at(const BoundaryElement& arc, const Vec2& at, double inward) {
   const double out = at.x() - arc.center.x();
   if (out > 0 || out < 0) return turn_of(arc) * out > 0;
   return inward * (at.y() - arc.center.y()) < 0;
@@ -48,8 +48,8 @@ int crossings_with_arc(const BoundaryElement& e, const Vec2& q) {
     const bool is_right_half = is_up != e.is_reflex;
     return (is_right_half ? away.x() < 0 || is_within : away.x() < 0 && !is_within) ? 1 : 0;
   };
-  const bool rises = is_rising(e, e.a, 1);
-  const bool ends_rising = is_rising(e, e.b, -1);
+  const bool rises = rises_at(e, e.a, 1);
+  const bool ends_rising = rises_at(e, e.b, -1);
   if (rises == ends_rising) return crossing(e.a.y(), e.b.y(), rises);
   const double pole = e.center.y() + (rises ? e.radius_mm : -e.radius_mm);
   return crossing(e.a.y(), pole, rises) + crossing(pole, e.b.y(), ends_rising);

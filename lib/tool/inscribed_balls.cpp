@@ -8,14 +8,14 @@
 namespace gouge {
 namespace {
 
-constexpr double kRounding = 1e-10;  // of the tool's size
+constexpr double kBallRounding = 1e-10;  // of the tool's size
 constexpr double kUpright = 1e-12;
 constexpr double kShrink = 0.97;  // where that takes long, a smaller ball will do
 constexpr int kMostShrinks = 30, kQuickShrinks = 10;
 constexpr std::size_t kMostStretches = 100'000;  // beyond, what would be cut further counts as having no ball
 
 /// Whether heights do not fall along the element.
-bool is_rising(const BoundaryElement& e) {
+bool faces_outwards(const BoundaryElement& e) {
   if (e.kind == ElementKind::vertex) return true;
   if (e.kind == ElementKind::segment) return e.normal.x() >= -kUpright;
   const double out = e.is_reflex ? -1 : 1;
@@ -41,7 +41,7 @@ InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, dou
   if (inward.x() < 0) t = std::min(t, foot.x() / -inward.x());
   for (int k = 0; k < kMostShrinks && t > least_mm; ++k) {
     Vec2 center = foot + t * inward;
-    if (center.x() < kRounding * size) center.x() = 0;
+    if (center.x() < kBallRounding * size) center.x() = 0;
     const ToolDistance at = evaluate(tool, center.x(), center.y());
     if (-at.signed_distance_mm >= t - nearly_mm) return {center, -at.signed_distance_mm};
     const Vec2 across = at.foot - foot;
@@ -53,7 +53,7 @@ InscribedBall inscribed_ball(const CompiledTool& tool, const FootCell& cell, dou
 }
 
 InscribedBalls::InscribedBalls(const CompiledTool& tool, double slack_mm)
-    : slack_mm_(slack_mm), is_single_valued_(std::all_of(tool.elements.begin(), tool.elements.end(), is_rising)) {
+    : slack_mm_(slack_mm), is_single_valued_(std::all_of(tool.elements.begin(), tool.elements.end(), faces_outwards)) {
   for (const FootCell& cell : foot_cells(tool)) cover(tool, cell);
 }
 

@@ -180,7 +180,7 @@ class Attack {
     const Vec3 u = c[1] - c[0], v = c[2] - c[0];
     const Vec3 from = best.point - c[0], normal = u.cross(v);
     const double area2 = normal.squaredNorm();
-    if (area2 == 0) return {best, t};
+    if (!(area2 > 0)) return {best, t};
     std::array<double, 3> at{from.cross(v).dot(normal) / area2, u.cross(from).dot(normal) / area2, t};
     const auto take = [&](std::array<double, 3> next) {
       for (double& x : next) x = std::clamp(x, 0.0, 1.0);

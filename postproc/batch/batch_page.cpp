@@ -71,7 +71,7 @@ std::string remark(const JobResult& job) {
   return all.front() + (all.size() > 1 ? "; and " + std::to_string(all.size() - 1) + " more" : "");
 }
 
-std::string row_of(const JobResult& job, std::size_t rank) {
+std::string page_row(const JobResult& job, std::size_t rank) {
   const std::string verdict = job.verdict();
   const std::string state = "<span class=\"state " + verdict + "\">" + verdict + "</span>";
   std::string row = picture_cell(job) + name_cell(job) + sorted_by(std::to_string(rank), state, "k");
@@ -130,7 +130,7 @@ std::string write_batch_page(const std::vector<JobResult>& jobs) {
   }
   page += "</tr></thead><tbody>\n";
   std::size_t rank = 0;
-  for (const std::size_t job : worst_first(jobs)) page += "<tr>" + row_of(jobs[job], rank++) + "</tr>\n";
+  for (const std::size_t job : worst_first(jobs)) page += "<tr>" + page_row(jobs[job], rank++) + "</tr>\n";
   return page + "</tbody></table></div>\n<footer>" + kProgramName + " " + kProgramVersion +
          "</footer>\n</main>\n<script>" + kScript + "</script>\n</body>\n</html>\n";
 }

@@ -15,7 +15,7 @@ using TableRow = std::array<std::string, 6>;
 // Long enough for people to compare, short enough for a line.
 std::string time_text(double seconds) { return fixed_text(seconds, seconds < 10 ? 2 : seconds < 100 ? 1 : 0) + " s"; }
 
-TableRow row_of(const JobResult& job) {
+TableRow text_row(const JobResult& job) {
   if (!job.status) return {printable(job.name), job.verdict(), "", "", "", ""};
   std::string deepest = deepest_text(job);
   if (job.unit.empty()) {
@@ -38,7 +38,7 @@ std::string batch_text(const std::vector<JobResult>& jobs, std::size_t most) {
   std::vector<TableRow> rows = {{"job", "verdict", "moves", "findings", "time", "deepest"}};
   for (const std::size_t job : worst_first(jobs)) {
     if (rows.size() > most) break;
-    rows.push_back(row_of(jobs[job]));
+    rows.push_back(text_row(jobs[job]));
   }
   std::array<std::size_t, 6> widths{};
   for (const TableRow& row : rows) {

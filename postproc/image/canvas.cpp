@@ -20,11 +20,11 @@ constexpr double kCapHeightOfEm = 0.729;    // of DejaVu Sans
 constexpr double kHersheyCapHeight = 21.0;  // of the letters of strokes at scale 1
 
 // Pixels of the large picture; x and y may lie outside of it.
-struct Area {
+struct PixelArea {
   int x = 0, y = 0, width = 0, height = 0;
 
   [[nodiscard]] bool is_empty() const { return width <= 0 || height <= 0; }
-  [[nodiscard]] Area within(int w, int h) const {
+  [[nodiscard]] PixelArea within(int w, int h) const {
     const int left = std::max(x, 0), top = std::max(y, 0);
     return {left, top, std::min(x + width, w) - left, std::min(y + height, h) - top};
   }
@@ -47,7 +47,7 @@ std::vector<MaskPoint> mask_points(const std::vector<Vec2>& points) {
   return out;
 }
 
-void shift_to(const Area& seen, std::vector<MaskPoint>& points) {
+void shift_to(const PixelArea& seen, std::vector<MaskPoint>& points) {
   for (MaskPoint& p : points) {
     p.x -= seen.x * kMaskUnits;
     p.y -= seen.y * kMaskUnits;
@@ -105,8 +105,8 @@ class Painter {
   void paint(const PlacedRaster& placed) {
     if (placed.raster.rgb.empty()) return;
     const Raster& raster = placed.raster;
-    const Area target{placed.x * kSupersampling, placed.y * kSupersampling, raster.width, raster.height};
-    const Area seen = target.within(width_, height_);
+    const PixelArea target{placed.x * kSupersampling, placed.y * kSupersampling, raster.width, raster.height};
+    const PixelArea seen = target.within(width_, height_);
     if (seen.is_empty()) return;
     for (int y = 0; y < seen.height; ++y) {
       const std::size_t first =
@@ -132,7 +132,7 @@ class Painter {
     for (const std::vector<Vec2>& stroke : cut_dashes(line)) strokes.push_back(mask_points(stroke));
     std::vector<MaskPoint> all;
     for (const auto& stroke : strokes) all.insert(all.end(), stroke.begin(), stroke.end());
-    blend(bounds(all, thickness + 2), colour, [&](Mask& mask, const Area& seen) {
+    blend(bounds(all, thickness + 2), colour, [&](Mask& mask, const PixelArea& seen) {
       for (auto& stroke : strokes) shift_to(seen, stroke);
       return masks_.draw(mask, strokes, thickness);
     });
@@ -141,7 +141,7 @@ class Painter {
   void operator()(const DrawnShape& shape) {
     if (shape.points.size() < 3) return;
     std::vector<MaskPoint> outline = mask_points(shape.points);
-    blend(bounds(outline, 2), shape.fill, [&](Mask& mask, const Area& seen) {
+    blend(bounds(outline, 2), shape.fill, [&](Mask& mask, const PixelArea& seen) {
       shift_to(seen, outline);
       return masks_.fill(mask, outline);
     });
@@ -157,8 +157,8 @@ class Painter {
     const TextMask letters = installed_font().draw(text.text, std::min(size, 4096.0), text.is_bold, left - whole);
     // The base line lies between two pixels of the picture: feet that end there are sharp.
     const int base = static_cast<int>(std::lround(std::clamp(text.at.y(), -1e5, 1e5))) * kSupersampling;
-    const Area area{static_cast<int>(whole) + letters.left, base + letters.top, letters.width, letters.height};
-    blend(area, text.colour, [&](Mask& mask, const Area& seen) -> Outcome {
+    const PixelArea area{static_cast<int>(whole) + letters.left, base + letters.top, letters.width, letters.height};
+    blend(area, text.colour, [&](Mask& mask, const PixelArea& seen) -> Outcome {
       for (int y = 0; y < seen.height; ++y) {
         const auto row = letters.grey.begin() + (seen.y - area.y + y) * std::ptrdiff_t{letters.width} + seen.x - area.x;
         std::copy(row, row + seen.width, mask.grey.begin() + std::ptrdiff_t{y} * seen.width);
@@ -177,7 +177,7 @@ class Painter {
     const int y = static_cast<int>(std::lround(std::clamp(text.at.y(), -1e5, 1e5) * kSupersampling));
     const int high = static_cast<int>(std::lround(text.size * kSupersampling)) + 4;
     blend({x - high, y - high, static_cast<int>(width) + 2 * high, 2 * high}, text.colour,
-          [&](Mask& mask, const Area& seen) {
+          [&](Mask& mask, const PixelArea& seen) {
             return masks_.write(mask, ascii, x - seen.x, y - seen.y, scale_of(text.size), thickness);
           });
   }
@@ -200,7 +200,7 @@ class Painter {
   }
 
  private:
-  static Area bounds(const std::vector<MaskPoint>& points, int margin) {
+  static PixelArea bounds(const std::vector<MaskPoint>& points, int margin) {
     if (points.empty()) return {};
     MaskPoint least = points.front(), most = points.front();
     for (const MaskPoint& p : points) {
@@ -219,8 +219,8 @@ class Painter {
   // Paints `draw` into a mask over `area` and lays the colour over the picture through it, so that overlapping
   // strokes of one item do not add up.
   template <class Draw>
-  void blend(const Area& area, const Colour& colour, const Draw& draw) {
-    const Area seen = area.within(width_, height_);
+  void blend(const PixelArea& area, const Colour& colour, const Draw& draw) {
+    const PixelArea seen = area.within(width_, height_);
     if (failure_ || area.is_empty() || seen.is_empty() || !(colour.opacity > 0)) return;
     Mask mask(seen.width, seen.height);
     const Outcome drawn = draw(mask, seen);

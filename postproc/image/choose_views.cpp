@@ -8,7 +8,7 @@ namespace gouge {
 namespace {
 
 constexpr double kDistinctCosine = 0.643;  // of 50 degrees
-constexpr std::size_t kMostWitnesses = 400;
+constexpr std::size_t kMostWitnessesSeen = 400;
 constexpr double kClear = 0.01;  // of the parts' size: what lies as near to a point does not hide it
 
 struct Candidate {
@@ -56,7 +56,7 @@ double gouged_area(const CheckedToolpath& input, const std::vector<GougeWitness>
 std::vector<Vec3> choose_directions(const CheckedToolpath& input, const PictureScene& scene,
                                     const std::vector<PictureEvent>& events, std::size_t count) {
   const Vec3 axis = mean_axis(*input.toolpath);
-  const std::vector<GougeWitness> gouges = gouge_witnesses(input, kMostWitnesses);
+  const std::vector<GougeWitness> gouges = gouge_witnesses(input, kMostWitnessesSeen);
   const double clear_mm = kClear * scene.part_size_mm();
   std::vector<Candidate> all = candidates(axis);
   double most_gouged = 0;

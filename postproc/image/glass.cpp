@@ -104,7 +104,8 @@ class HeadPane : public Pane {
   [[nodiscard]] double hidden_opacity() const override { return 0.10; }
 };
 
-void draw_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& head, const Vec3& a, const Vec3& b) {
+void draw_glass_edge(Raster& raster, const SurfaceBuffer& part, const SurfaceBuffer& head, const Vec3& a,
+                     const Vec3& b) {
   const double slack = 2.5 * part.view.mm_per_pixel;
   walk_two_wide(a, b, raster.width, raster.height, [&](const Vec3& p, int x, int y) {
     const std::size_t i = head.index(x, y);
@@ -133,8 +134,8 @@ void lay_glass(Raster& raster, const SurfaceBuffer& part, const ToolSurface& too
     }
   });
   for (const PictureScene::Edge& edge : heads.edges()) {
-    draw_edge(raster, part, head_pane->buffer(), part.view.project(heads.vertex(edge.a)),
-              part.view.project(heads.vertex(edge.b)));
+    draw_glass_edge(raster, part, head_pane->buffer(), part.view.project(heads.vertex(edge.a)),
+                    part.view.project(heads.vertex(edge.b)));
   }
 }
 

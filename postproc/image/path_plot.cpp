@@ -18,9 +18,9 @@ namespace {
 constexpr double kWidth = 1600, kHeight = 1000, kMargin = 24, kTitle = 84;
 constexpr double kAxisShare = 0.04;      // length of a drawn tool axis as a share of the box's diagonal
 constexpr std::size_t kAxesDrawn = 400;  // at most, evenly over the path
-constexpr double kFont = 16;
+constexpr double kPathFont = 16;
 
-const Colour kInk{40, 44, 52, 1};
+const Colour kPathInk{40, 44, 52, 1};
 const Colour kAxis{120, 130, 150, 0.45};
 
 struct Ink {
@@ -42,8 +42,8 @@ const Ink& ink_of(const Move& move) {
 
 std::uint8_t number_of(const Ink& ink) { return static_cast<std::uint8_t>(&ink - kInks.data()); }
 
-void add_text(Drawing& drawing, double x, double y, const std::string& text, const Colour& colour,
-              double size = kFont) {
+void add_path_text(Drawing& drawing, double x, double y, const std::string& text, const Colour& colour,
+                   double size = kPathFont) {
   drawing.items.emplace_back(DrawnText{{x, y}, text, size, colour, TextAnchor::left, false});
 }
 
@@ -71,7 +71,7 @@ void draw_panel(const Toolpath& path, const PlotPanel& panel, double axis_length
   for (DrawnLine& line : lines.take()) drawing.items.emplace_back(std::move(line));
 }
 
-void draw_legend(const Toolpath& path, Drawing& drawing) {
+void draw_path_legend(const Toolpath& path, Drawing& drawing) {
   std::vector<const Ink*> used;
   for (const Move& move : path.moves) {
     const Ink* ink = &ink_of(move);
@@ -81,11 +81,11 @@ void draw_legend(const Toolpath& path, Drawing& drawing) {
   double x = kMargin;
   for (const Ink* ink : used) {
     drawing.items.emplace_back(DrawnLine{{{x, 66}, {x + 34, 66}}, ink->colour, 2, false, ink->dashes});
-    add_text(drawing, x + 42, 71, ink->name, kInk);
+    add_path_text(drawing, x + 42, 71, ink->name, kPathInk);
     x += 62 + 9.0 * static_cast<double>(std::string(ink->name).size());
   }
   drawing.items.emplace_back(DrawnLine{{{x, 66}, {x + 34, 66}}, kAxis, 2, false, {}});
-  add_text(drawing, x + 42, 71, "tool axis", kInk);
+  add_path_text(drawing, x + 42, 71, "tool axis", kPathInk);
 }
 
 std::string size_text(const Toolpath& path, const Box3& box) {
@@ -107,9 +107,9 @@ Drawing draw_path(const Toolpath& path, const std::vector<IndexedMesh>& parts) {
   const double axis_length = kAxisShare * (tips.max() - tips.min()).norm();
   for (const Move& move : path.moves) box.extend(move.end.tip + axis_length * move.end.axis);
   for (const IndexedMesh& part : parts) box.extend(part.box());
-  add_text(drawing, kMargin, 36, path.file.substr(path.file.find_last_of('/') + 1) + ": " + size_text(path, tips), kInk,
-           20);
-  draw_legend(path, drawing);
+  add_path_text(drawing, kMargin, 36, path.file.substr(path.file.find_last_of('/') + 1) + ": " + size_text(path, tips),
+                kPathInk, 20);
+  draw_path_legend(path, drawing);
   const double half = (kWidth - 3 * kMargin) / 2, tall = kHeight - kTitle - kMargin;
   const double low = (tall - kMargin) / 2;
   const Vec3 askew_right = Vec3(1, 1, 0).normalized();

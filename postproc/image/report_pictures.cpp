@@ -13,7 +13,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kViews = 2;
-constexpr std::size_t kMostWitnesses = 2000;
+constexpr std::size_t kMostWitnessesDrawn = 2000;
 
 struct Album {
   const ProgressCall& progress;
@@ -84,7 +84,7 @@ Result<std::vector<NamedFile>> draw_report_pictures(const ReportModel& model, co
                  depth_scale(model, input),
                  surface_scale(model, input),
                  {},
-                 gouge_witnesses(input, kMostWitnesses)};
+                 gouge_witnesses(input, kMostWitnessesDrawn)};
   const bool has_before = model.has_correction && before.toolpath != nullptr && before.result != nullptr;
   const std::size_t of_scene = scene.face_count() == 0 ? 0 : 1 + (has_before ? 1 : 0) + set.events.size();
   Album album{progress, of_scene + 1};

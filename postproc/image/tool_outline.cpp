@@ -7,7 +7,7 @@
 namespace gouge {
 namespace {
 
-constexpr int kSides = 96;
+constexpr int kOutlineSides = 96;
 constexpr double kArcStep = 0.06;  // radians
 
 void append_arc(std::vector<Vec2>& points, const BoundaryElement& e) {
@@ -61,18 +61,18 @@ ToolSurface tool_surface(const CompiledTool& tool, const Pose& pose) {
   for (const OutlineRun& run : tool_outline(tool)) {
     const auto base = static_cast<std::uint32_t>(surface.vertices.size());
     for (const Vec2& p : run.points) {
-      for (int k = 0; k < kSides; ++k) {
-        const double angle = 2 * std::numbers::pi * k / kSides;
+      for (int k = 0; k < kOutlineSides; ++k) {
+        const double angle = 2 * std::numbers::pi * k / kOutlineSides;
         surface.vertices.emplace_back(pose.tip + pose.axis * p.y() +
                                       p.x() * (std::cos(angle) * e1 + std::sin(angle) * e2));
       }
     }
     for (std::uint32_t ring = 0; ring + 1 < run.points.size(); ++ring) {
-      for (std::uint32_t k = 0; k < kSides; ++k) {
-        const std::uint32_t a = base + ring * kSides + k;
-        const std::uint32_t b = base + ring * kSides + (k + 1) % kSides;
-        surface.faces.push_back({a, b, b + kSides});
-        surface.faces.push_back({a, b + kSides, a + kSides});
+      for (std::uint32_t k = 0; k < kOutlineSides; ++k) {
+        const std::uint32_t a = base + ring * kOutlineSides + k;
+        const std::uint32_t b = base + ring * kOutlineSides + (k + 1) % kOutlineSides;
+        surface.faces.push_back({a, b, b + kOutlineSides});
+        surface.faces.push_back({a, b + kOutlineSides, a + kOutlineSides});
         surface.bodies.insert(surface.bodies.end(), 2, run.body);
       }
     }

@@ -36,7 +36,7 @@ double tick_step(double span, double most) {
   return power * 10;
 }
 
-int decimals_of(double step) {
+int tick_decimals(double step) {
   int decimals = 0;
   for (double x = step; x < 0.999 && decimals < 9; x *= 10) ++decimals;
   return decimals;
@@ -157,13 +157,13 @@ class AxisChart {
     for (double k = std::ceil(range.low / step); k * step <= range.high; ++k) {
       const double y = y_of(top, range, k * step);
       out += line(kLeft, y, right, y, std::abs(k) < 0.5 ? "zero" : "grid") +
-             words(kLeft - 8, y + 4.5, "end", people_text(k * step, decimals_of(step)) + "°");
+             words(kLeft - 8, y + 4.5, "end", people_text(k * step, tick_decimals(step)) + "°");
     }
     const double along = tick_step(length_ / scale_, 12);
     for (double k = 0; k * along * scale_ <= length_ * (1 + 1e-9); ++k) {
       const double x = x_of(k * along * scale_);
       out += line(x, bottom, x, bottom + 4, "frame");
-      if (is_lowest) out += words(x, bottom + 18, "middle", people_text(k * along, decimals_of(along)));
+      if (is_lowest) out += words(x, bottom + 18, "middle", people_text(k * along, tick_decimals(along)));
     }
     out += "<polygon class=\"gap\" points=\"" + points(top, range, before) + " " + points(top, range, after, true) +
            "\"/>\n<polyline class=\"before\" points=\"" + points(top, range, before) +

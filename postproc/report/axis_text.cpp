@@ -10,7 +10,7 @@ namespace gouge {
 namespace {
 
 constexpr double kLeastPlain = 0.001;
-constexpr double kDegrees = 180 / std::numbers::pi;
+constexpr double kDegreesOfText = 180 / std::numbers::pi;
 
 // As with three digits of each: 9.996 is 10.
 std::string three_digits(double value) {
@@ -69,10 +69,10 @@ std::string time_line(const AxisFacts& axes) {
 
 }  // namespace
 
-std::string angle_text(double angle_rad, DegreeSign sign) { return degrees(angle_rad * kDegrees, sign); }
+std::string angle_text(double angle_rad, DegreeSign sign) { return degrees(angle_rad * kDegreesOfText, sign); }
 
 std::string turn_rate_text(double turn_rad_per_mm, LengthUnit unit, DegreeSign sign) {
-  return degrees(turn_rad_per_mm * kDegrees * mm_per(unit), sign) + "/" + unit_name(unit);
+  return degrees(turn_rad_per_mm * kDegreesOfText * mm_per(unit), sign) + "/" + unit_name(unit);
 }
 
 std::string bending_text(double bending, LengthUnit unit) { return three_digits(bending * std::pow(mm_per(unit), 3)); }

@@ -14,7 +14,7 @@ constexpr std::size_t kLinesAround = 3;
 constexpr std::size_t kLongestLine = 160;  // characters quoted of a line
 constexpr std::size_t kMostLines = 24;
 
-Json vector_json(const Vec3& v, double scale) {
+Json scaled_json(const Vec3& v, double scale) {
   Json out = Json::array();
   for (int k = 0; k < 3; ++k) out.push_back(std::round(v[k] * scale) / scale);
   return out;
@@ -67,7 +67,7 @@ Json finding_json(const ReportModel& model, const CheckedToolpath& input, const 
   const Pose pose = motion.is_defined() ? motion.at(t) : move.end;
   Json out = {{"state", state_name(event.state)},  {"move", event.worst_move},
               {"t", std::round(t * 1e6) / 1e6},    {"tool", event.tool},
-              {"tip", vector_json(pose.tip, 1e6)}, {"axis", vector_json(pose.axis, 1e7)}};
+              {"tip", scaled_json(pose.tip, 1e6)}, {"axis", scaled_json(pose.axis, 1e7)}};
   Json rows = Json::array();
   const auto add = [&](const char* name, const std::string& value) {
     if (!value.empty()) rows.push_back(Json::array({name, valid_utf8(value)}));
@@ -83,8 +83,8 @@ Json finding_json(const ReportModel& model, const CheckedToolpath& input, const 
       std::string(against_name(event.against)) + (verdict.witness ? " " + mesh_name(model, *verdict.witness) : ""));
   if (verdict.witness) {
     add("At", point_text(verdict.witness->point, unit));
-    out["point"] = vector_json(verdict.witness->point, 1e6);
-    out["normal"] = vector_json(verdict.witness->normal, 1e6);
+    out["point"] = scaled_json(verdict.witness->point, 1e6);
+    out["normal"] = scaled_json(verdict.witness->normal, 1e6);
   }
   out["depth"] = event.state == MoveState::gouge ? verdict.depth_mm : 0.0;
   add("Instant", "move " + std::to_string(event.worst_move) + ", t = " + instant_text(t));

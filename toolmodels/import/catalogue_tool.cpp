@@ -8,7 +8,7 @@ namespace {
 using enum Dimension;
 
 // Lengths that differ by less are the same, rounded differently.
-constexpr double kSame_mm = 1e-4;
+constexpr double kSameShape_mm = 1e-4;
 
 Diagnostic guess(const std::string& message) { return make_note("import-guess", message); }
 
@@ -36,13 +36,13 @@ Result<Stickout> find_stickout(const CatalogueTool& tool, const ImportOptions& o
 
 Outcome check_lengths(const Dimensions& d, const Stickout& stickout) {
   const double overall = d.value_or(overall_length, 0), flutes = d.value_or(flute_length, 0);
-  if (overall > 0 && flutes > overall + kSame_mm)
+  if (overall > 0 && flutes > overall + kSameShape_mm)
     return field(d.text(flute_length) + " is greater than " + d.text(overall_length) +
                  "; the flutes cannot be longer than the tool");
-  if (overall > 0 && stickout.length_mm > overall + kSame_mm)
+  if (overall > 0 && stickout.length_mm > overall + kSameShape_mm)
     return field(stickout.text + " is greater than " + d.text(overall_length) +
                  "; the tool would not reach its holder");
-  if (flutes > stickout.length_mm + kSame_mm)
+  if (flutes > stickout.length_mm + kSameShape_mm)
     return field(d.text(flute_length) + " is greater than " + stickout.text +
                  "; the holder would swallow a part of the flutes");
   return Done{};
@@ -84,7 +84,7 @@ class ShankBuilder {
   void add_shoulder(double top_mm) {
     const Dimensions& d = tool_.dimensions;
     const double end = std::min(d.value_or(shoulder_length, 0), top_mm);
-    if (end <= z_ + kSame_mm) return;
+    if (end <= z_ + kSameShape_mm) return;
     const double given = d.value_or(shoulder_diameter, 0);
     const double width = given > 0 ? given : diameter_;
     push({width, width, end - z_});
@@ -96,12 +96,12 @@ class ShankBuilder {
       if (!(s.length_mm > 0 && s.lower_diameter_mm > 0 && s.upper_diameter_mm > 0))
         return field("shaft segment " + std::to_string(i + 1) + " has a length or a diameter that is not above 0");
       const double room = stickout.length_mm - z_;
-      if (room <= kSame_mm) {
+      if (room <= kSameShape_mm) {
         notes_.push_back(
             guess("its shaft goes on above " + stickout.text + "; that part is in the holder and left out"));
         break;
       }
-      if (s.length_mm > room + kSame_mm)
+      if (s.length_mm > room + kSameShape_mm)
         push({s.lower_diameter_mm, diameter_at(s, room), room});
       else
         push(s);
@@ -111,7 +111,7 @@ class ShankBuilder {
 
   void add_rest(const Stickout& stickout) {
     const double room = stickout.length_mm - z_;
-    if (room <= kSame_mm) return;
+    if (room <= kSameShape_mm) return;
     double width = tool_.dimensions.value_or(shank_diameter, 0);
     if (!(width > 0)) {
       width = diameter_;
@@ -141,7 +141,7 @@ Result<ToolAssembly> make_catalogue_tool(const CatalogueTool& tool, const Import
   if (!stickout) return stickout.error();
   if (Outcome good = check_lengths(tool.dimensions, *stickout); !good) return good.error();
   ShankBuilder builder(tool, *cutter, notes);
-  if (builder.z() > stickout->length_mm + kSame_mm)
+  if (builder.z() > stickout->length_mm + kSameShape_mm)
     return field("the flutes reach up to " + mm_text(builder.z()) + ", more than " + stickout->text +
                  "; the holder would swallow a part of them");
   Result<std::vector<ToolSegment>> shank = builder.build(*stickout);

@@ -10,7 +10,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-std::optional<CatalogueShape> shape_of(const std::string& word) {
+std::optional<CatalogueShape> freecad_shape(const std::string& word) {
   static constexpr std::pair<std::string_view, CatalogueShape> kShapes[] = {
       {"endmill", CatalogueShape::flat},
       {"ballend", CatalogueShape::ball},
@@ -62,7 +62,7 @@ std::optional<Parameter> parameter_of(const std::string& key) {
   return std::nullopt;
 }
 
-bool is_not_contour(const std::string& key) {
+bool is_no_freecad_contour(const std::string& key) {
   static constexpr std::string_view kKeys[] = {"Flutes",   "Units",    "Material", "SpindleDirection",
                                                "Chipload", "ChipLoad", "Pitch",    "Coating"};
   return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);
@@ -87,7 +87,7 @@ class BitImporter {
     who_ = tool_label(tool_.number, tool_.name);
     std::string type = detail::text_of(json_.root, "shape-type");
     if (type.empty()) type = stem(detail::text_of(json_.root, "shape"));
-    const std::optional<CatalogueShape> shape = shape_of(plain_word(type));
+    const std::optional<CatalogueShape> shape = freecad_shape(plain_word(type));
     if (!shape)
       return report(make_warning("import-shape", "not imported: shape " + (type.empty() ? "not named" : type)));
     tool_.shape = *shape;
@@ -103,7 +103,7 @@ class BitImporter {
   Outcome read_parameters(const Json& parameters) {
     std::optional<double> flat_radius, neck_height;
     for (const auto& [key, value] : parameters.items()) {
-      if (is_not_contour(key)) continue;
+      if (is_no_freecad_contour(key)) continue;
       const std::optional<Parameter> parameter = parameter_of(key);
       if (!parameter && key != "FlatRadius" && key != "NeckHeight") {
         report(make_note("import-left-out", "has a parameter \"" + clean_text(key) +

@@ -14,7 +14,7 @@ using Json = nlohmann::json;
 
 constexpr double kAgree_mm = 5e-3;
 
-std::optional<CatalogueShape> shape_of(const std::string& word) {
+std::optional<CatalogueShape> fusion_shape(const std::string& word) {
   static constexpr std::pair<std::string_view, CatalogueShape> kShapes[] = {
       {"flatendmill", CatalogueShape::flat},
       {"ballendmill", CatalogueShape::ball},
@@ -47,7 +47,7 @@ std::optional<CatalogueShape> shape_of(const std::string& word) {
 }
 
 // Keys of `geometry` that say nothing about the contour of the shapes above.
-bool is_not_contour(const std::string& key) {
+bool is_no_fusion_contour(const std::string& key) {
   static constexpr std::string_view kKeys[] = {"NOF",
                                                "NT",
                                                "HAND",
@@ -81,7 +81,7 @@ class FusionImporter {
     if (!tool.number && tool.name.empty()) tool.name = "entry " + std::to_string(position);
     who_ = tool_label(tool.number, tool.name);
     line_ = tool.line;
-    const std::optional<CatalogueShape> shape = shape_of(plain_word(type));
+    const std::optional<CatalogueShape> shape = fusion_shape(plain_word(type));
     if (!shape) return collector_.leave_out(who_, type.empty() ? "not named" : type, line_);
     tool.shape = *shape;
     if (const Outcome good = read_tool(entry, tool); !good) return collector_.report(who_, good.error(), line_);
@@ -161,7 +161,7 @@ class FusionImporter {
     for (const auto& [key, value] : geometry.items()) {
       std::optional<Dimension> dimension = catalogue_dimension(key);
       if (!dimension) {
-        if (!is_not_contour(key))
+        if (!is_no_fusion_contour(key))
           report(make_note("import-left-out", "geometry has a key \"" + clean_text(key) +
                                                   "\" that has no meaning for this shape here and was left out"));
         continue;

@@ -12,7 +12,7 @@
 namespace gouge {
 namespace {
 
-std::optional<CatalogueShape> shape_of(const std::string& tool_class) {
+std::optional<CatalogueShape> nx_shape(const std::string& tool_class) {
   static constexpr std::pair<std::string_view, CatalogueShape> kClasses[] = {
       {"END_MILL_NON_INDEXABLE", CatalogueShape::five_numbers},
       {"END_MILL_INDEXABLE", CatalogueShape::five_numbers},
@@ -67,7 +67,7 @@ class RowImporter {
   }
 
   void read() {
-    const std::optional<CatalogueShape> shape = shape_of(row_.class_name);
+    const std::optional<CatalogueShape> shape = nx_shape(row_.class_name);
     if (!shape) return collector_.leave_out(who_, row_.class_name, row_.line);
     tool_.shape = *shape;
     if (const Outcome good = read_dimensions(); !good) return collector_.report(who_, good.error(), row_.line);

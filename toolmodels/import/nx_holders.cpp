@@ -13,7 +13,7 @@ namespace {
 constexpr const char* kGeneralRow = "1";  // RTYPE of the row that names a holder; its sections have 2
 
 // Diameters that differ by less are the same, rounded differently.
-constexpr double kSame_mm = 1e-4;
+constexpr double kSameHolder_mm = 1e-4;
 
 /// The rows of one holder, in the order of the file.
 struct HolderRows {
@@ -60,7 +60,7 @@ struct HolderShape {
   bool has_corners = false;  ///< some section has a corner radius
 };
 
-Result<HolderShape> shape_of(const HolderRows& holder, double mm) {
+Result<HolderShape> holder_shape(const HolderRows& holder, double mm) {
   std::vector<std::pair<long long, const NxRow*>> ordered;
   for (const NxRow* row : holder.sections) {
     const std::optional<long long> place = parse_integer(row->text("SEQ"));
@@ -82,7 +82,7 @@ Result<HolderShape> shape_of(const HolderRows& holder, double mm) {
     // TAPER is rounded; where the next section begins is not.
     if (k == 0) continue;
     double& below = shape.segments[k - 1].upper_diameter_mm;
-    if (std::abs(below - segment->lower_diameter_mm) < kSame_mm) below = segment->lower_diameter_mm;
+    if (std::abs(below - segment->lower_diameter_mm) < kSameHolder_mm) below = segment->lower_diameter_mm;
   }
   return shape;
 }
@@ -109,7 +109,7 @@ void import_nx_holders(Collector& collector, const std::vector<NxRow>& rows, Len
       collector.leave_out(who, holder.sections.empty() ? "without sections" : "that is not round", holder.line);
       continue;
     }
-    Result<HolderShape> shape = shape_of(holder, mm_per(unit));
+    Result<HolderShape> shape = holder_shape(holder, mm_per(unit));
     if (!shape) {
       collector.report(who, shape.error(), holder.line);
       continue;
@@ -148,7 +148,7 @@ void NxHolderSource::read() {
       return row->values.contains("DIAM");
     });
     if (!is_round) continue;
-    if (Result<HolderShape> shape = shape_of(holder, mm_per(unit_))) holders_.emplace(holder.name, shape->segments);
+    if (Result<HolderShape> shape = holder_shape(holder, mm_per(unit_))) holders_.emplace(holder.name, shape->segments);
   }
 }
 

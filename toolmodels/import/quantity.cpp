@@ -17,19 +17,19 @@ struct KnownUnit {
 };
 
 constexpr double kDegrees = 180 / std::numbers::pi;
-constexpr std::array kUnits = {KnownUnit{"", QuantityUnit::none, 1},
-                               KnownUnit{"mm", QuantityUnit::mm, 1},
-                               KnownUnit{"cm", QuantityUnit::mm, 10},
-                               KnownUnit{"m", QuantityUnit::mm, 1000},
-                               KnownUnit{"um", QuantityUnit::mm, 1e-3},
-                               KnownUnit{"\xC2\xB5m", QuantityUnit::mm, 1e-3},
-                               KnownUnit{"in", QuantityUnit::inch, 25.4},
-                               KnownUnit{"inch", QuantityUnit::inch, 25.4},
-                               KnownUnit{"\"", QuantityUnit::inch, 25.4},
-                               KnownUnit{"thou", QuantityUnit::inch, 0.0254},
-                               KnownUnit{"deg", QuantityUnit::degree, 1},
-                               KnownUnit{"\xC2\xB0", QuantityUnit::degree, 1},
-                               KnownUnit{"rad", QuantityUnit::degree, kDegrees}};
+constexpr std::array kQuantityUnits = {KnownUnit{"", QuantityUnit::none, 1},
+                                       KnownUnit{"mm", QuantityUnit::mm, 1},
+                                       KnownUnit{"cm", QuantityUnit::mm, 10},
+                                       KnownUnit{"m", QuantityUnit::mm, 1000},
+                                       KnownUnit{"um", QuantityUnit::mm, 1e-3},
+                                       KnownUnit{"\xC2\xB5m", QuantityUnit::mm, 1e-3},
+                                       KnownUnit{"in", QuantityUnit::inch, 25.4},
+                                       KnownUnit{"inch", QuantityUnit::inch, 25.4},
+                                       KnownUnit{"\"", QuantityUnit::inch, 25.4},
+                                       KnownUnit{"thou", QuantityUnit::inch, 0.0254},
+                                       KnownUnit{"deg", QuantityUnit::degree, 1},
+                                       KnownUnit{"\xC2\xB0", QuantityUnit::degree, 1},
+                                       KnownUnit{"rad", QuantityUnit::degree, kDegrees}};
 
 bool is_number_char(char c) { return (c >= '0' && c <= '9') || c == '.' || c == ',' || c == '+' || c == '-'; }
 
@@ -59,8 +59,9 @@ std::optional<Quantity> parse_quantity(std::string_view text) {
   const std::size_t end = number_end(text);
   std::string digits(text.substr(0, end));
   const std::string_view word = trim_blanks(text.substr(end));
-  const auto unit = std::find_if(kUnits.begin(), kUnits.end(), [&](const KnownUnit& u) { return u.word == word; });
-  if (unit == kUnits.end()) return std::nullopt;
+  const auto unit =
+      std::find_if(kQuantityUnits.begin(), kQuantityUnits.end(), [&](const KnownUnit& u) { return u.word == word; });
+  if (unit == kQuantityUnits.end()) return std::nullopt;
   const auto commas = std::count(digits.begin(), digits.end(), ',');
   if (commas > 1 || (commas == 1 && digits.find('.') != std::string::npos)) return std::nullopt;
   std::replace(digits.begin(), digits.end(), ',', '.');

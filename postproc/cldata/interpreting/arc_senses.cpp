@@ -12,8 +12,8 @@ namespace {
 
 constexpr double kShortest_mm = 1e-3;  // of a straight path whose direction means anything
 constexpr double kSmooth = 0.999;      // cosine between a line and an arc that go on in each other
-constexpr double kSameAxis = 1e-9;     // sine of an angle
-constexpr double kSamePoint_mm = 1e-3;
+constexpr double kSameArcAxis = 1e-9;  // sine of an angle
+constexpr double kSameArcPoint_mm = 1e-3;
 constexpr double kLeavesPlane_mm = 0.02;  // as far as start and end of an arc may differ in radius
 constexpr double kTurningAxis = 1e-4;     // sine of an angle
 constexpr std::size_t kClearVotes = 10;   // times as many as for the other sense
@@ -55,7 +55,7 @@ void ArcSenses::doubt_sense(ArcStatement& arc, const Pose& start, const Move& mo
   constexpr double kOpposite = -0.999;
   const Vec3& end = move.end.tip;
   if (fits_both_ways(arc, start.tip, end)) {
-    const bool is_flat_circle = (end - start.tip).norm() <= 0 && start.axis.cross(move.end.axis).norm() <= kSameAxis;
+    const bool is_flat_circle = (end - start.tip).norm() <= 0 && start.axis.cross(move.end.axis).norm() <= kSameArcAxis;
     if (!is_flat_circle) arc.sense = ArcSense::unknown;
     return;
   }
@@ -71,7 +71,7 @@ void ArcSenses::doubt_sense(ArcStatement& arc, const Pose& start, const Move& mo
 bool ArcSenses::is_round(const ArcStatement& arc, const Position& position, const Pose& start, Move& move) const {
   const Vec3 way = move.end.tip - start.tip;
   const bool turns = start.axis.cross(move.end.axis).norm() > kTurningAxis;
-  if (position.points > 1 && position.point == 0 && way.norm() <= kSamePoint_mm) return false;
+  if (position.points > 1 && position.point == 0 && way.norm() <= kSameArcPoint_mm) return false;
   if (!turns && std::abs(way.dot(arc.axis)) <= kLeavesPlane_mm) return true;
   move.not_checked_reason = Reasons::kNccsArc;
   return false;

@@ -3,8 +3,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kSamePoint_mm = 1e-9;
-constexpr double kSameAxis = 1e-9;  // sine of an angle
+constexpr double kSameHolePoint_mm = 1e-9;
+constexpr double kSameHoleAxis = 1e-9;  // sine of an angle
 
 Position step_to(const Position& position, const Vec3& tip_local) {
   Position step = position;
@@ -27,8 +27,8 @@ void emit_step(States& s, const Position& position, const Vec3& tip_local, bool 
   const Position step = step_to(position, tip_local);
   Move move = make_move(s, step, MoveKind::cycle);
   const std::optional<Pose>& last = s.chain.last_pose();
-  const bool is_same_point = move.has_start && (last->tip - move.end.tip).norm() <= kSamePoint_mm &&
-                             last->axis.cross(move.end.axis).norm() <= kSameAxis;
+  const bool is_same_point = move.has_start && (last->tip - move.end.tip).norm() <= kSameHolePoint_mm &&
+                             last->axis.cross(move.end.axis).norm() <= kSameHoleAxis;
   if (is_same_point) return;
   if (is_rapid) move.set_feed({0, FeedUnit::rapid});
   const Feed& plunge = s.cycle.drill()->feed;
@@ -47,7 +47,7 @@ void emit_hole(States& s, const Position& position, const DrillCycle& cycle) {
   if (s.chain.is_start_certain()) {
     const Pose here = s.frame.to_local(*s.chain.last_pose());
     const double height = (here.tip - position.tip_local).dot(axis);
-    if (here.axis.cross(axis).norm() > kSameAxis) {
+    if (here.axis.cross(axis).norm() > kSameHoleAxis) {
       emit_step(s, position, above(cycle.retract_mm), true);
     } else if (height < cycle.clearance_mm) {
       emit_step(s, position, here.tip + (cycle.clearance_mm - height) * axis, true);

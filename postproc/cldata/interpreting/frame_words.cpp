@@ -39,7 +39,7 @@ bool is_rigid_by_rows(const StatementContext& in) {
          rotation.determinant() > 0;
 }
 
-void doubt_frame(States& s, const char* reason = Reasons::kUnreadFrame) {
+void doubt_frame_word(States& s, const char* reason = Reasons::kUnreadFrame) {
   s.doubts.set(Doubt::unread_frame, s.in.because(reason));
 }
 
@@ -68,7 +68,7 @@ void set_frame(States& s, const RigidTransform& to_part) {
   if (s.frame.set(to_part)) {
     break_motion(s);
     s.chain.forbid_link();
-    if (has_blocks && s.blocks.has_positions(s.in.moves())) doubt_frame(s);
+    if (has_blocks && s.blocks.has_positions(s.in.moves())) doubt_frame_word(s);
   }
   s.doubts.clear(Doubt::setup);  // the file says where it is
 }
@@ -96,7 +96,7 @@ void take_csys(States& s) {
 void take_camera(States& s) {
   if (s.in.dialect.has_camera_csys && is_rigid_by_rows(s.in)) return note_creo_csys(s);
   s.in.count_unknown();
-  doubt_frame(s);
+  doubt_frame_word(s);
 }
 
 void note_creo_csys(States& s) {
@@ -141,7 +141,7 @@ void take_rotabl(States& s) {
   if (s.in.dialect.has_setups && s.setup.take_turn()) return;
   const bool is_turned = std::ranges::any_of(
       arguments, [](const Argument& a) { return a.number ? std::abs(*a.number) > 0 : may_be_number(a); });
-  if (is_turned) doubt_frame(s, Reasons::kTurned);
+  if (is_turned) doubt_frame_word(s, Reasons::kTurned);
 }
 
 // All that is known of other systems than the part's is that these three numbers would shift them.
@@ -167,12 +167,12 @@ void take_mode(States& s) {
     if (s.in.has(word)) s.doubts.set(Doubt::mode, s.in.because(Reasons::kTurning));
   }
   for (const char* word : {"INCR", "INCREMENTAL"}) {
-    if (s.in.has(word)) doubt_frame(s);
+    if (s.in.has(word)) doubt_frame_word(s);
   }
   for (const Argument& argument : s.in.arguments) {
     const std::optional<LengthUnit> unit = unit_of_word(argument.text);
     const bool is_other = unit && std::abs(mm_per(*unit) / s.frame.mm_per_unit() - 1) > 1e-9;
-    if (is_other || equals_ignoring_case(argument.text, "METRIC")) doubt_frame(s);
+    if (is_other || equals_ignoring_case(argument.text, "METRIC")) doubt_frame_word(s);
   }
 }
 

@@ -15,7 +15,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kLongestMajor = 24;  // of a word that is shown
+constexpr std::size_t kLongestShownMajor = 24;  // of a word that is shown
 
 std::string cut_short_text(FileForm form) {
   if (form == FileForm::nccs_records)
@@ -43,14 +43,14 @@ bool has_arguments(Word word) {
 
 void fail_too_long(StatementContext& in) {
   in.arguments.clear();
-  in.fail("path-count", std::string(in.statement().major.substr(0, kLongestMajor)) + " has " +
+  in.fail("path-count", std::string(in.statement().major.substr(0, kLongestShownMajor)) + " has " +
                             std::to_string(kMostArguments) +
                             " arguments or more; expected a statement as CAM systems write it: divide it into several");
 }
 
 void fail_run_on(StatementContext& in, std::string_view hidden) {
   const Statement& statement = in.statement();
-  const std::string major(statement.word == Word::comment ? "$$->" : statement.major.substr(0, kLongestMajor));
+  const std::string major(statement.word == Word::comment ? "$$->" : statement.major.substr(0, kLongestShownMajor));
   in.fail("path-statement",
           quoted_text(hidden) + " stands within " + quoted_text(major) +
               "; expected one statement a line: a line end is missing, or a $ continues a statement that has ended");

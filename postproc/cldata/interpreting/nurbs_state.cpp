@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kSameAxis = 1e-9;  // sine of an angle
+constexpr double kSameKnotAxis = 1e-9;  // sine of an angle
 
 }  // namespace
 
@@ -63,7 +63,7 @@ std::optional<Position> NurbsState::end() {
 
 void NurbsState::attach(const Pose& start, Move& move) {
   move.not_checked_reason = Reasons::kSpline;
-  const bool is_turning = start.axis.cross(move.end.axis).norm() > kSameAxis;
+  const bool is_turning = start.axis.cross(move.end.axis).norm() > kSameKnotAxis;
   if (!is_understood_ || is_turning || knots_.empty() || std::abs(knots_.back() - 1) > 0) return;
   std::vector<Vec3> control;
   control.reserve(control_local_.size() + 1);

@@ -9,7 +9,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kLinesLookedAt = 300;
+constexpr std::size_t kForeignLines = 300;
 constexpr std::size_t kStlHeader = 80, kStlCount = 4, kStlTriangle = 50;
 
 struct Beginning {
@@ -95,7 +95,7 @@ std::optional<std::string> describe_lines(std::string_view bytes) {
   constexpr std::size_t kLongestHeading = 5;
   std::size_t blocks = 0, rows = 0, others = 0, heading = 0;
   bool is_first = true;
-  for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kLinesLookedAt; ++lines) {
+  for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kForeignLines; ++lines) {
     const std::size_t end = bytes.find('\n', at);
     const std::string_view line = trim(bytes.substr(at, end - at));
     at = end == std::string_view::npos ? bytes.size() : end + 1;

@@ -11,7 +11,7 @@
 namespace gouge {
 namespace {
 
-constexpr std::size_t kLinesLookedAt = 400;
+constexpr std::size_t kDialectLines = 400;
 constexpr std::size_t kBytesOfLineLookedAt = 200;
 
 enum class Where { line_start, in_comment };
@@ -68,7 +68,7 @@ struct FirstLines {
 
 FirstLines look_at(std::string_view bytes) {
   FirstLines found;
-  for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kLinesLookedAt; ++lines) {
+  for (std::size_t at = 0, lines = 0; at < bytes.size() && lines < kDialectLines; ++lines) {
     const std::size_t end = bytes.find('\n', at);
     const std::string line = squeezed(bytes.substr(at, end - at));
     for (std::size_t i = 0; i < found.best_mark; ++i) {

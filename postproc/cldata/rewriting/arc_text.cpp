@@ -15,14 +15,14 @@ namespace gouge {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::size_t kStatementsLearned = 5000;
+constexpr std::size_t kArcStatementsLearned = 5000;
 constexpr int kLeastDirectionDecimals = 6, kUsualDirectionDecimals = 9;
 constexpr int kLeastAngleDecimals = 4, kUsualAngleDecimals = 6;
-constexpr int kUsualDecimals = 6;
+constexpr int kUsualArcDecimals = 6;
 constexpr double kMoreThanOneTurn_rad = 2 * kPi + 1e-6;
 constexpr double kSameNumber_mm = 3e-4;  // half a digit of a file of the fewest decimals, in each direction
 constexpr double kSameAngle_rad = 1e-3;
-constexpr double kSameAxis = 1e-9;
+constexpr double kSameArcAxis = 1e-9;
 constexpr double kHalfTurn_rad = 0.01;  // within this of half a turn either word is right
 
 std::optional<std::size_t> index_of(const std::vector<Argument>& arguments, std::string_view word) {
@@ -90,12 +90,12 @@ ArcText::ArcText(const Toolpath& path, const MotionRecords& records)
     if (record.curve_statement == kNone) continue;
     SmallIndex& count = arcs_of_statement_[record.curve_statement];
     count = count + 1;
-    if (count > 1 || path_.moves[i].curve_kind != CurveKind::arc || learned >= kStatementsLearned) continue;
+    if (count > 1 || path_.moves[i].curve_kind != CurveKind::arc || learned >= kArcStatementsLearned) continue;
     learn(statement_at(path_, record.curve_statement));
     if (record.form == PositionForm::curve) learn(statement_at(path_, record.statement));
     ++learned;
   }
-  lengths_.choose_decimals(least_coordinate_decimals(path.unit), kUsualDecimals);
+  lengths_.choose_decimals(least_coordinate_decimals(path.unit), kUsualArcDecimals);
   directions_.choose_decimals(kLeastDirectionDecimals, kUsualDirectionDecimals);
   angles_.choose_decimals(kLeastAngleDecimals, kUsualAngleDecimals);
 }
@@ -224,7 +224,7 @@ Result<std::string> ArcText::description(std::size_t move, const WrittenArc& arc
   add_point(fields, indices.axis, directions_, arc.arc.axis);
   // By as much as they change, since the file's own numbers need not agree with each other to the last digit.
   const WrittenArc old = as_read(move);
-  if (dialect_.has_z_alone && (arc.arc.axis - old.arc.axis).norm() > kSameAxis)
+  if (dialect_.has_z_alone && (arc.arc.axis - old.arc.axis).norm() > kSameArcAxis)
     return refuse(move, "the vector of a CLT arc is an axis of the part");
   if (indices.radius) {
     const double stated = *arguments[*indices.radius].number;

@@ -10,7 +10,7 @@ namespace gouge {
 namespace {
 
 constexpr std::size_t kPairsLearned = 5000;
-constexpr int kUsualDecimals = 6, kMostDecimals = 15;
+constexpr int kUsualNciDecimals = 6, kMostDecimals = 15;
 constexpr double kLeastAxisError = 1e-6, kMostAxisError = 1e-5;
 
 bool is_zero(const Argument& field) { return field.number && std::abs(*field.number) <= 0; }
@@ -36,10 +36,10 @@ NciText::NciText(const Toolpath& path, const MotionRecords& records) : path_(pat
     ++learned;
   }
   NumberStyle as_it_is = second_points_;
-  as_it_is.choose_decimals(0, kUsualDecimals);
+  as_it_is.choose_decimals(0, kUsualNciDecimals);
   least_axis_error_ = std::sqrt(0.75) * std::pow(10.0, -as_it_is.decimals());
-  tips_.choose_decimals(least_coordinate_decimals(path.unit), kUsualDecimals);
-  second_points_.choose_decimals(least_coordinate_decimals(path.unit), kUsualDecimals);
+  tips_.choose_decimals(least_coordinate_decimals(path.unit), kUsualNciDecimals);
+  second_points_.choose_decimals(least_coordinate_decimals(path.unit), kUsualNciDecimals);
 }
 
 NciMotionPair NciText::pair_of(std::size_t move) const {

@@ -10,7 +10,7 @@
 namespace gouge {
 namespace {
 
-constexpr double kSameAxis = 1e-12;
+constexpr double kSameNccsAxis = 1e-12;
 constexpr std::size_t kWord = 8;
 constexpr std::uint16_t kPoints = 5, kRapid = 5, kMultaxOn = 0, kMultaxOff = 1;
 
@@ -128,7 +128,7 @@ void NccsCorrector::add(std::uint16_t klass, std::uint16_t subclass, std::uint16
 
 // Without MULTAX a position with an axis would be two positions, so it is switched on for this one.
 void NccsCorrector::add_position(const MotionRecord& record, const Pose& local, std::uint16_t sequence) {
-  const bool is_new_axis = (local.axis - record.implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
+  const bool is_new_axis = (local.axis - record.implied_axis_local).cwiseAbs().maxCoeff() > kSameNccsAxis;
   const bool has_axis = record.numbers == 6 || (record.numbers == 0 && !record.is_multax_off) || is_new_axis;
   const bool is_expanded = source_.header(first_word_of(record.statement)).klass == NccsClass::kExpanded;
   const bool is_switched = record.is_multax_off && has_axis && (record.numbers != 6 || is_expanded);
@@ -164,7 +164,7 @@ bool NccsCorrector::is_split(std::size_t first, std::size_t last, const NccsHead
   if (records_[first].form == PositionForm::godlta || header.klass == NccsClass::kExpanded) return true;
   for (std::size_t i = first; i < last; ++i) {
     const bool is_new_axis = records_[i].numbers == 3 &&
-                             (local_end(i).axis - records_[i].implied_axis_local).cwiseAbs().maxCoeff() > kSameAxis;
+                             (local_end(i).axis - records_[i].implied_axis_local).cwiseAbs().maxCoeff() > kSameNccsAxis;
     if (is_new_axis || changes_.has_insertion(i) || changes_.is_straightened(i) || needs_own_circle(i)) return true;
   }
   return false;

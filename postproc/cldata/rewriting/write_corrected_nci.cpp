@@ -10,9 +10,9 @@
 namespace gouge {
 namespace {
 
-constexpr double kSameAxis = 5e-7;
+constexpr double kSameNciAxis = 5e-7;
 
-bool is_plain(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameAxis; }
+bool is_plain(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameNciAxis; }
 
 class NciCorrector {
  public:

@@ -10,9 +10,9 @@ namespace gouge {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr double kSameAxis = 1e-12;
+constexpr double kSameTextAxis = 1e-12;
 
-bool is_plus_z(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameAxis; }
+bool is_plus_z(const Vec3& axis) { return (axis - Vec3::UnitZ()).cwiseAbs().maxCoeff() <= kSameTextAxis; }
 
 // Enough for a feed to keep its value, which in inches per revolution may be small.
 int feed_decimals(double value, int usual) {
@@ -150,7 +150,7 @@ bool TextSink::go_round(const PathArc& arc, const Pose& start, const Pose& end) 
   if (format_.has_tlon) return write_tlon(arc, start, end);
   if (format_.circle.empty() || is_block_due_) return false;
   const Vec3 right = arc.sweep_rad < 0 ? Vec3(-arc.axis) : arc.axis;
-  if (options_.dialect.has_z_alone && std::abs(std::abs(right.z()) - 1) > kSameAxis) return false;
+  if (options_.dialect.has_z_alone && std::abs(std::abs(right.z()) - 1) > kSameTextAxis) return false;
   const Vec3 radial = start.tip - arc.center;
   const CutterStatement cutter = tool_ && tool_->cutter ? *tool_->cutter : CutterStatement{};
   fill(format_.circle, {{"center", format_.point(arc.center / mm_per(options_.unit))},
@@ -174,7 +174,7 @@ bool TextSink::write_tlon(const PathArc& arc, const Pose& start, const Pose& end
   const double half_digit = 0.5 * std::pow(10.0, -format_.decimals);
   const bool is_planar =
       std::abs(radial.dot(right)) <= half_digit && std::abs((end.tip - start.tip).dot(right)) <= half_digit;
-  const bool keeps_axis = (start.axis - end.axis).cwiseAbs().maxCoeff() <= kSameAxis;
+  const bool keeps_axis = (start.axis - end.axis).cwiseAbs().maxCoeff() <= kSameTextAxis;
   if (!is_planar || !keeps_axis || sweep > 2 * kPi - 0.1) return false;
   const std::string center = format_.point(arc.center / mm_per(options_.unit));
   line("AUTOPS");

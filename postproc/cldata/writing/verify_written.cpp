@@ -10,8 +10,8 @@
 namespace gouge {
 namespace {
 
-constexpr double kSamePoint_mm = 1e-3;
-constexpr double kSameAxis = 1e-4;
+constexpr double kWrittenPoint_mm = 1e-3;
+constexpr double kWrittenAxis = 1e-4;
 constexpr double kSameFeed = 1e-4;  // relative
 
 std::string feed_name(const Feed& feed) {
@@ -100,8 +100,8 @@ std::optional<Diagnostic> Verification::find_other_feed() const {
 }
 
 bool Verification::is_same_motion(const Move& found, const ExpectedMotion& meant) const {
-  if ((found.end.tip * factor() - meant.end.tip).norm() > kSamePoint_mm) return false;
-  if ((found.end.axis - meant.end.axis).norm() > kSameAxis || found.has_start == meant.is_alone) return false;
+  if ((found.end.tip * factor() - meant.end.tip).norm() > kWrittenPoint_mm) return false;
+  if ((found.end.axis - meant.end.axis).norm() > kWrittenAxis || found.has_start == meant.is_alone) return false;
   const bool is_checked = found.not_checked_reason.empty();
   if (is_checked != meant.is_checked) return false;
   if (!is_checked) return true;

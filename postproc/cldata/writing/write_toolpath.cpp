@@ -185,7 +185,7 @@ void PathWriter::expect(const Pose& end, bool is_alone, double sweep_rad) {
 // Half a turn, and a whole one of a helix, fit whichever way round they are read in the dialect that states sweeps
 // and of whose writers some mean the other way: there they are written in parts.
 bool PathWriter::write_arc(std::size_t index) {
-  constexpr double kPi = std::numbers::pi, kNear_rad = 0.2;
+  constexpr double kHalfTurn = std::numbers::pi, kNear_rad = 0.2;
   const Move& move = path_.moves[index];
   PathArc arc = path_.arcs[move.curve];
   Pose start = path_.start_of(index);
@@ -193,7 +193,7 @@ bool PathWriter::write_arc(std::size_t index) {
   const bool is_flat_circle =
       (start.tip - move.end.tip).norm() <= 0 && (start.axis - move.end.axis).cwiseAbs().maxCoeff() <= kTilt;
   const bool is_open =
-      std::abs(sweep - kPi) <= kNear_rad || (std::abs(sweep - 2 * kPi) <= kNear_rad && !is_flat_circle);
+      std::abs(sweep - kHalfTurn) <= kNear_rad || (std::abs(sweep - 2 * kHalfTurn) <= kNear_rad && !is_flat_circle);
   if (target_.arc_rule != ArcRule::by_vector_or_against || !is_open) {
     if (!sink_->go_round(arc, start, move.end)) return false;
     expect(move.end, false, arc.sweep_rad);
