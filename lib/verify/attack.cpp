@@ -103,18 +103,26 @@ class Attack {
     return std::nullopt;
   }
 
-  [[nodiscard]] double depth(const Target& target, std::size_t move, double t, const Vec3& point) const {
-    if (target.contour == nullptr) return depth_in_heads(scene_, head_frame(scene_, move, t), point);
-    const Pose pose = pose_at(scene_.path, move, t, scene_.is_dogleg);
-    return -target.contour->nearest(in_tool(pose, point)).signed_distance_mm;
+  /// Where the tool, or the heads, are at one instant.
+  struct Place {
+    Pose pose;
+    RigidTransform heads;
+  };
+
+  [[nodiscard]] Place place(const Target& target, std::size_t move, double t) const {
+    if (target.contour == nullptr) return {{}, head_frame(scene_, move, t)};
+    return {pose_at(scene_.path, move, t, scene_.is_dogleg), {}};
+  }
+
+  [[nodiscard]] double depth(const Target& target, const Place& place, const Vec3& point) const {
+    if (target.contour == nullptr) return depth_in_heads(scene_, place.heads, point);
+    return -target.contour->nearest(in_tool(place.pose, point)).signed_distance_mm;
   }
 
   /// No point within `radius` of `center` is deeper.
-  [[nodiscard]] double most_depth(const Target& target, std::size_t move, double t, const Vec3& center,
-                                  double radius) const {
-    if (target.contour != nullptr) return depth(target, move, t, center) + radius;
-    const Vec3 q = head_frame(scene_, move, t).inverse().point(center);
-    return radius - head_box_.exteriorDistance(q);
+  [[nodiscard]] double most_depth(const Target& target, const Place& place, const Vec3& center, double radius) const {
+    if (target.contour != nullptr) return depth(target, place, center) + radius;
+    return radius - head_box_.exteriorDistance(place.heads.inverse().point(center));
   }
 
   /// A node of the order of triangles, or a part of one triangle.
@@ -138,19 +146,20 @@ class Attack {
     const auto is_less = [](const Piece& a, const Piece& b) { return a.most_mm < b.most_mm; };
     std::priority_queue<Piece, std::vector<Piece>, decltype(is_less)> open(is_less);
     Deepest best;
+    const Place here = place(target, move, t);
     const auto offer_triangle = [&](const TriangleOrder::Node& node, const std::array<Vec3, 3>& c) {
       const Vec3 center = (c[0] + c[1] + c[2]) / 3;
       double radius = 0;
       for (const Vec3& p : c) radius = std::max(radius, (p - center).norm());
-      const double here = depth(target, move, t, center);
-      if (here > best.depth_mm) best = {here, center, node.first};
-      const double most = most_depth(target, move, t, center, radius);
+      const double at_center = depth(target, here, center);
+      if (at_center > best.depth_mm) best = {at_center, center, node.first};
+      const double most = target.contour != nullptr ? at_center + radius : most_depth(target, here, center, radius);
       if (most > target.allowed_mm) open.push({most, node, c});
     };
     const auto offer = [&](const TriangleOrder::Node& node) {
       if (node.size() == 1) return offer_triangle(node, target.surface->corners(node.first));
       const TriangleOrder::Extent& extent = target.surface->extent(node);
-      const double most = most_depth(target, move, t, extent.center, extent.half.norm());
+      const double most = most_depth(target, here, extent.center, extent.half.norm());
       if (most > target.allowed_mm) open.push({most, node, {}});
     };
     offer(target.surface->root());
@@ -186,7 +195,7 @@ class Attack {
       for (double& x : next) x = std::clamp(x, 0.0, 1.0);
       if (next[0] + next[1] > 1) return;
       const Vec3 point = c[0] + next[0] * u + next[1] * v;
-      const double here = depth(target, move, next[2], point);
+      const double here = depth(target, place(target, move, next[2]), point);
       if (!(here > best.depth_mm)) return;
       best.depth_mm = here;
       best.point = point;
