@@ -9,9 +9,9 @@
 namespace gouge {
 namespace {
 
-constexpr std::string_view kOfNoResult[] = {"threads",  "progress", "quiet", "verbose",   "report",       "json",
-                                            "csv",      "sarif",    "junit", "output",    "help",         "project",
-                                            "reviewer", "color",    "sort",  "min-depth", "max-findings", "no-config"};
+constexpr std::string_view kOfNoResult[] = {
+    "threads", "progress", "quiet",   "verbose",  "report", "json", "csv",       "sarif",        "junit",    "export",
+    "output",  "help",     "project", "reviewer", "color",  "sort", "min-depth", "max-findings", "no-config"};
 
 bool is_plain(char c) {
   constexpr std::string_view kMore = "%+,-./:=@_^";

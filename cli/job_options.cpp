@@ -6,6 +6,7 @@
 #include "cli/length_text.h"
 #include "cli/report_date.h"
 #include "lib/base/parallel.h"
+#include "postproc/export/write_scene.h"
 
 namespace gouge {
 namespace {
@@ -94,6 +95,12 @@ void add_output_options(CLI::App& command, JobArguments& a) {
       ->type_name("FILE");
   command.add_option("--sarif", a.sarif_file, "Write SARIF 2.1.0 for code review tools")->type_name("FILE");
   command.add_option("--junit", a.junit_file, "Write JUnit XML for build servers")->type_name("FILE");
+  command
+      .add_option("--export", a.export_files,
+                  "Write the part with depth and overcut at its vertices, path and tool for other 3D programs, by the "
+                  "ending: .glb (Blender), .vtp (ParaView), .ply (MeshLab); repeatable")
+      ->type_name("FILE")
+      ->allow_extra_args(false);
   add_listing_options(command, a.listing);
   add_progress_option(command, a.progress);
   add_verbosity(command, a,
@@ -168,6 +175,10 @@ Result<JobOptions> understand(const JobArguments& a) {
   }
   if (const Result<FindingsView> view = understand(a.listing); !view) return view.error();
   if (const auto error = find_contradiction(a)) return *error;
+  for (const std::string& file : a.export_files) {
+    if (scene_format_of(file) == nullptr)
+      return usage_error("--export", file, "a file whose name ends in .glb, .vtp or .ply");
+  }
   if (a.report_folder == "-") return usage_error("--report", a.report_folder, "a folder");
   if (!a.clearance.empty()) {
     if (const auto wrong = parse_clearance(a.clearance, options.check)) {

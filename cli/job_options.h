@@ -41,6 +41,7 @@ struct JobArguments : Verbosity {
   std::uint32_t threads = 0;
   std::string baseline_file;  ///< of `check`: findings that were accepted
   std::string report_folder, json_file, csv_file, sarif_file, junit_file;
+  std::vector<std::string> export_files;
   ListingArguments listing;
   std::optional<ProjectUse> project_file;  ///< none: no project file was used
   std::string certificate_file;            ///< of `check` alone

@@ -20,13 +20,16 @@ std::string certificate(const ReportModel& model) { return std::string(model.cer
 }  // namespace
 
 OutputTable outputs_of(const JobArguments& a, const std::string& corrected) {
-  return asked_for({{"-o", corrected, Output::Kind::file, put_corrected},
-                    {"--json", a.json_file, Output::Kind::file, put_whole<write_json>},
-                    {"--csv", a.csv_file, Output::Kind::file, put_csv},
-                    {"--sarif", a.sarif_file, Output::Kind::file, put_whole<write_sarif>},
-                    {"--junit", a.junit_file, Output::Kind::file, put_whole<write_junit>},
-                    {"--certificate", a.certificate_file, Output::Kind::file, put_whole<certificate>},
-                    {"--report", a.report_folder, Output::Kind::report_folder, nullptr}});
+  OutputTable all = {{"-o", corrected, Output::Kind::file, put_corrected},
+                     {"--json", a.json_file, Output::Kind::file, put_whole<write_json>},
+                     {"--csv", a.csv_file, Output::Kind::file, put_csv},
+                     {"--sarif", a.sarif_file, Output::Kind::file, put_whole<write_sarif>},
+                     {"--junit", a.junit_file, Output::Kind::file, put_whole<write_junit>},
+                     {"--certificate", a.certificate_file, Output::Kind::file, put_whole<certificate>},
+                     {"--report", a.report_folder, Output::Kind::report_folder, nullptr}};
+  for (const std::string& file : a.export_files)
+    all.push_back({"--export", file, Output::Kind::file, nullptr, scene_format_of(file)});
+  return asked_for(all);
 }
 
 OutputTable asked_for(const OutputTable& outputs) {

@@ -6,6 +6,7 @@
 #include "cli/job_options.h"
 #include "lib/base/result.h"
 #include "lib/base/text_writer.h"
+#include "postproc/export/write_scene.h"
 
 namespace gouge {
 
@@ -20,6 +21,7 @@ struct Output {
   std::string file;    ///< as the user named it; "-": standard output, for a file
   Kind kind = Kind::file;
   void (*write)(const ReportModel&, const PutText&) = nullptr;  ///< of `check` and `correct`, for a file
+  WriteScene write_scene = nullptr;                             ///< in place of it, for an exported scene
 };
 
 using OutputTable = std::vector<Output>;

@@ -7,6 +7,7 @@
 #include "cli/picture_file.h"
 #include "lib/base/exit_code.h"
 #include "lib/base/printable_text.h"
+#include "postproc/export/make_export.h"
 #include "postproc/image/report_pictures.h"
 #include "postproc/report/report_text.h"
 #include "postproc/report/write_report.h"
@@ -72,9 +73,17 @@ Outcome JobOutputs::write_files(const Job& job, const PreparedScene& scene, cons
   if (report_) {
     if (Outcome staged = stage_report(job, scene, model, progress); !staged) return staged;
   }
+  std::optional<ExportScene> exported;
   for (const Output& output : outputs_) {
-    if (output.write == nullptr) continue;
     progress.begin(output.file == "-" ? "writing" : "writing " + output.file);
+    if (output.write_scene != nullptr) {
+      if (!exported)
+        exported = make_export(model, pictures_of(job, scene, *model.toolpath, *model.result), progress.call());
+      const Result<std::string> bytes = output.write_scene(*exported);
+      if (!bytes) return bytes.error();
+      if (Outcome added = pending.add(output.file, *bytes); !added) return added;
+    }
+    if (output.write == nullptr) continue;
     const TextWriter write = [&](const PutText& put) { output.write(model, put); };
     if (Outcome added = pending.add(output.file, write); !added) return added;
   }

@@ -152,14 +152,14 @@ std::vector<SurfacePoint> vertex_points(const ViewerMesh& mesh, const std::vecto
 
 }  // namespace
 
-VertexValues refine_surface(ViewerMesh& mesh, const std::vector<const SurfaceValues*>& paths,
-                            const std::vector<Vec3>& points, double size_mm) {
+VertexValues refine_surface(ViewerMesh& mesh, const std::vector<AskedValues>& asked, const std::vector<Vec3>& points,
+                            double size_mm) {
   const double apart_mm = std::max(std::sqrt(area_of(mesh) / kLooks), 1e-6 * size_mm + 1e-9);
   GougedCells cells(apart_mm);
   for (const Vec3& point : points) cells.add(point);
   const std::vector<SurfacePoint> looks = spread_points(mesh, apart_mm);
-  for (const SurfaceValues* path : paths) {
-    const std::vector<float> found = path->at(looks);
+  for (const AskedValues& one : asked) {
+    const std::vector<float> found = one.values->at(looks, one.quantity);
     for (std::size_t i = 0; i < looks.size(); ++i) {
       if (found[i] > 0) cells.add(looks[i].at);
     }
@@ -170,16 +170,16 @@ VertexValues refine_surface(ViewerMesh& mesh, const std::vector<const SurfaceVal
     mesh = std::move(cutter.out_);
     break;
   }
-  std::vector<std::uint32_t> asked;
+  std::vector<std::uint32_t> near;
   for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-    if (cells.is_near(mesh.positions[v], apart_mm)) asked.push_back(v);
+    if (cells.is_near(mesh.positions[v], apart_mm)) near.push_back(v);
   }
-  const std::vector<SurfacePoint> at = vertex_points(mesh, asked);
+  const std::vector<SurfacePoint> at = vertex_points(mesh, near);
   VertexValues values;
-  for (const SurfaceValues* path : paths) {
-    const std::vector<float> found = path->at(at);
+  for (const AskedValues& one : asked) {
+    const std::vector<float> found = one.values->at(at, one.quantity);
     values.emplace_back(mesh.positions.size(), 0.0F);
-    for (std::size_t i = 0; i < asked.size(); ++i) values.back()[asked[i]] = found[i];
+    for (std::size_t i = 0; i < near.size(); ++i) values.back()[near[i]] = found[i];
   }
   return values;
 }

@@ -40,16 +40,16 @@ std::vector<std::uint32_t> in_space(const std::vector<SurfacePoint>& points) {
 SurfaceValues::SurfaceValues(const CheckedToolpath& input)
     : parts_(input.scene->parts.size()), depths_(input), overcuts_(input, depths_) {}
 
-std::vector<float> SurfaceValues::at(const std::vector<SurfacePoint>& points) const {
+std::vector<float> SurfaceValues::at(const std::vector<SurfacePoint>& points, SurfaceQuantity quantity) const {
   std::vector<float> values(points.size(), 0.0F);
-  if (is_empty() || points.empty()) return values;
+  if (is_empty() || points.empty() || (quantity == SurfaceQuantity::overcut && !is_overcut())) return values;
   const std::vector<std::uint32_t> order = in_space(points);
   std::vector<float> sorted;
-  if (is_overcut()) {
+  if (is_overcut() && quantity != SurfaceQuantity::depth) {
     std::vector<OvercutField::Ray> rays;
     rays.reserve(points.size());
     for (const std::uint32_t i : order) rays.push_back({points[i].at, -points[i].normal, points[i].mesh});
-    sorted = overcuts_.at(rays);
+    sorted = quantity == SurfaceQuantity::overcut ? overcuts_.overcut_at(rays) : overcuts_.at(rays);
   } else {
     std::vector<FieldPoint> asked;
     asked.reserve(points.size());

@@ -13,6 +13,9 @@ struct SurfacePoint {
   std::size_t mesh = 0;         ///< among parts, then fixtures
 };
 
+/// What is asked of a point: what the pictures colour it by, the depth, or the overcut alone (0 where none is known).
+enum class SurfaceQuantity : std::uint8_t { pictured, depth, overcut };
+
 /// What colours the surface in the pictures of one path, at any point: the overcut, or the depth where no move has one.
 class SurfaceValues {
  public:
@@ -22,7 +25,8 @@ class SurfaceValues {
   [[nodiscard]] bool is_overcut() const { return !overcuts_.is_empty(); }
   [[nodiscard]] bool is_empty() const { return depths_.is_empty(); }
   /// mm; 0 where nothing gouges. Quick for any order of the points.
-  [[nodiscard]] std::vector<float> at(const std::vector<SurfacePoint>& points) const;
+  [[nodiscard]] std::vector<float> at(const std::vector<SurfacePoint>& points,
+                                      SurfaceQuantity quantity = SurfaceQuantity::pictured) const;
 
  private:
   std::size_t parts_;

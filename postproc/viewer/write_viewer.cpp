@@ -86,10 +86,10 @@ class ViewerWriter {
   void write_surface() {
     ViewerMesh mesh = ViewerMesh::from(scene_);
     std::vector<std::unique_ptr<SurfaceValues>> fields;
-    std::vector<const SurfaceValues*> asked;
+    std::vector<AskedValues> asked;
     std::vector<Vec3> points;
     for (const CheckedToolpath* path : paths_) {
-      asked.push_back(fields.emplace_back(std::make_unique<SurfaceValues>(*path)).get());
+      asked.push_back({fields.emplace_back(std::make_unique<SurfaceValues>(*path)).get()});
       for (const GougeWitness& gouge : gouge_witnesses(*path, kMostPoints)) points.push_back(gouge.at);
     }
     is_overcut_ = fields.front()->is_overcut() || fields.back()->is_overcut();

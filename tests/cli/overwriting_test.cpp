@@ -125,9 +125,10 @@ TEST(OutputTable, EveryOutputIsInTheTable) {
   job.sarif_file = "s";
   job.junit_file = "u";
   job.report_folder = "r";
+  job.export_files = {"e.glb", "e.ply"};
   std::string files;
   for (const Output& output : outputs_of(job, "o")) files += output.option + "=" + output.file + " ";
-  EXPECT_EQ(files, "-o=o --json=j --csv=c --sarif=s --junit=u --report=r ");
+  EXPECT_EQ(files, "-o=o --json=j --csv=c --sarif=s --junit=u --report=r --export=e.glb --export=e.ply ");
   EXPECT_TRUE(outputs_of(JobArguments{}, "").empty());
 }
 

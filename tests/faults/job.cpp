@@ -14,7 +14,9 @@ namespace {
 using testing_samples::SampleFolder;
 
 std::vector<std::string> outputs_of(const std::string& name) {
-  if (name == "check") return {"--json", "o.json", "--csv", "o.csv", "--sarif", "o.sarif", "--junit", "o.xml"};
+  if (name == "check")
+    return {"--json", "o.json",   "--csv", "o.csv",    "--sarif", "o.sarif",  "--junit",
+            "o.xml",  "--export", "o.glb", "--export", "o.vtp",   "--export", "o.ply"};
   if (name == "correct") return {"-o", "o.apt", "--csv", "o.csv"};
   return {"--report", "report", "--json", "o.json"};
 }

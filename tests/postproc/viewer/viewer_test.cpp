@@ -166,7 +166,7 @@ TEST(RefineSurface, LeavesNoGapBetweenTriangles) {
   EXPECT_EQ(mesh.triangles.size(), 12U);
   EXPECT_EQ(mesh.positions.size(), 24U);  // three normals at each corner
   const SurfaceValues field(small.input);
-  const VertexValues values = refine_surface(mesh, {&field}, {}, 50);
+  const VertexValues values = refine_surface(mesh, {AskedValues{&field}}, {}, 50);
   ASSERT_EQ(values.size(), 1U);
   EXPECT_EQ(values[0].size(), mesh.positions.size());
   EXPECT_GT(mesh.triangles.size(), 1000U);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "lib/base/parallel.h"
+#include "lib/field/checked_toolpath.h"
+#include "postproc/export/export_scene.h"
+#include "postproc/report/report_model.h"
+
+namespace gouge {
+
+/// What an exported file shows of a checked path: parts and fixtures, cut finer where the path gouges, with depth,
+/// overcut and the colours of the heat map; the path of the tip; for each tool with a gouge the tool at its worst, and
+/// the heads at the worst of all.
+///
+/// Shape    `input` belongs to model.toolpath and model.result.
+/// Ensures  Depths and overcuts are sampled as for pictures (lib/field): no evidence. The same on every run and at any
+///          number of threads.
+/// Cost     About a heat map.
+[[nodiscard]] ExportScene make_export(const ReportModel& model, const CheckedToolpath& input,
+                                      const ProgressCall& progress = {});
+
+}  // namespace gouge
