@@ -53,7 +53,7 @@ std::string kind_of(const nlohmann::json& value) {
 }  // namespace
 
 const WordRules& job_rules() {
-  static const WordRules rules{"jobs-option", why_not_in_job};
+  static const WordRules rules{"jobs-option", why_not_in_job, "standard output is the batch's"};
   return rules;
 }
 
@@ -108,8 +108,7 @@ Outcome JobWords::add(const std::string& key, const nlohmann::json& value) {
   if (text.empty()) return wrong("\"" + key + "\" is empty; expected a value, or leave it out");
   const std::string type = option->get_type_name();
   const bool is_file = type == "FILE" || type == "FIXTURE";
-  if (text == "-" && type == "FILE")
-    return wrong("\"" + key + "\" is -; expected a file: standard output is the batch's");
+  if (text == "-" && type == "FILE") return wrong("\"" + key + "\" is -; expected a file: " + rules_->why_no_dash);
   words_.push_back("--" + key + "=" + (is_file ? located(text) : text));
   return Done{};
 }

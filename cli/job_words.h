@@ -24,6 +24,7 @@ struct WordRules {
   std::string error_code;
   /// Why an option of the command cannot stand in the file; nothing where it can.
   std::optional<std::string> (*why_not)(const CLI::Option& option);
+  std::string why_no_dash;  ///< why a file cannot be -
 };
 /// Those of a job list.
 [[nodiscard]] const WordRules& job_rules();

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 // What may come from a file that nobody named: inputs, and what the verdict says beside itself. No outputs, nothing that
 // overwrites, accepts or silences.
-constexpr std::array<std::string_view, 36> kAllowed = {
+constexpr std::array<std::string_view, 38> kAllowed = {
     "--part",          "--fixture",       "--allow-overlap",  "--head",
     "--place",         "--stl-units",     "--tools",          "--tool",
     "--holder",        "--dialect",       "--path-units",     "--cutcom",
@@ -31,7 +31,8 @@ constexpr std::array<std::string_view, 36> kAllowed = {
     "--find-cures",    "--find-stickout", "--stickout-step",  "--stickout-limit",
     "--strategy",      "--max-shift",     "--max-side-shift", "--rapid-clearance",
     "--max-tilt",      "--tilt",          "--axis-cone",      "--max-turn",
-    "--max-turn-step", "--blend",         "--allow-multax",   "--max-rotary-speed"};
+    "--max-turn-step", "--blend",         "--allow-multax",   "--max-rotary-speed",
+    "--project",       "--reviewer"};
 
 bool is_allowed(const CLI::Option& option) {
   return !option.get_lnames().empty() &&
@@ -46,7 +47,7 @@ std::optional<std::string> why_not_in_project(const CLI::Option& option) {
 }
 
 const WordRules& project_rules() {
-  static const WordRules rules{"project-option", why_not_in_project};
+  static const WordRules rules{"project-option", why_not_in_project, "a project file cannot name standard input"};
   return rules;
 }
 

@@ -54,6 +54,12 @@ TEST(ProjectFile, NoKeyNamesAnOutputOrOverwrites) {
   EXPECT_GE(keys.size(), 30U);
 }
 
+TEST(ProjectFile, NamesNoStandardInput) {
+  const Result<ProjectFile> project = read_project_file("g.json", "", R"({"part": "-"})");
+  ASSERT_FALSE(project.has_value());
+  EXPECT_EQ(project.error().message, "\"part\" is -; expected a file: a project file cannot name standard input");
+}
+
 TEST(ProjectFile, AbsolutePathsStay) {
   const Result<ProjectFile> project = read_project_file("g.json", "../", R"({"fixture": ["/a.stl", "b.stl"]})");
   ASSERT_TRUE(project.has_value());
