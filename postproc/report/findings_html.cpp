@@ -102,9 +102,10 @@ class FindingsTable {
     const Move& move = model_.toolpath->moves[event.worst_move];
     const std::string state = state_name(event.state);
     std::string depth = "-";
-    if (event.state == MoveState::gouge) depth = depth_text(verdict.depth_mm, unit_);
-    if (has_wide_depth(model_, verdict)) depth += " to " + depth_text(verdict.depth_upper_mm, unit_);
-    if (event.state == MoveState::near_miss) depth = depth_text(verdict.clearance_mm.value_or(0), unit_) + " left";
+    if (event.state == MoveState::gouge) depth = depth_text(verdict.depth_mm, unit_, model_.options);
+    if (has_wide_depth(model_, verdict)) depth += " to " + depth_text(verdict.depth_upper_mm, unit_, model_.options);
+    if (event.state == MoveState::near_miss)
+      depth = depth_text(verdict.clearance_mm.value_or(0), unit_, model_.options) + " left";
     const double overcut_mm = overcut_of(model_, event);
     std::string against = against_name(event.against);
     if (verdict.witness) against += " " + mesh_name(model_, *verdict.witness);
@@ -167,7 +168,7 @@ std::string share_table(const ReportModel& model, const char* what, const std::v
   for (std::size_t i = 0; i < shares.size(); ++i) {
     const Share& s = shares[i];
     if (s.moves == 0) continue;
-    const auto length = [&](double mm) { return html_cell(mm > 0 ? depth_text(mm, unit) : "", "n"); };
+    const auto length = [&](double mm) { return html_cell(mm > 0 ? depth_text(mm, unit, model.options) : "", "n"); };
     const std::string cells = html_cell(i + 1 < shares.size() ? name(i) : "none") +
                               html_cell(std::to_string(s.moves), "n") + html_cell(std::to_string(s.findings), "n") +
                               length(s.depth_mm) + length(s.overcut_mm) +

@@ -110,7 +110,7 @@ class HtmlReport {
     if (n.buried > 0) add(std::to_string(n.buried), "buried", "bad");
     if (n.not_checked > 0) add(std::to_string(n.not_checked), "not checked", n.not_checked > n.skipped ? "open" : "");
     if (n.not_certified > 0) add(std::to_string(n.not_certified), "not certified", "open");
-    if (n.gouge > 0) add(depth_text(model_.result->worst_depth_mm, unit_), "deepest gouge", "bad");
+    if (n.gouge > 0) add(depth_text(model_.result->worst_depth_mm, unit_, model_.options), "deepest gouge", "bad");
     return out + "</div>\n";
   }
 
@@ -201,7 +201,8 @@ class HtmlReport {
     return html_cell(std::to_string(r.line), "n") + html_cell(std::to_string(r.move), "n") + html_cell(r.strategy) +
            html_cell(depth_text(r.shift_length_mm, unit_), "n") + html_cell(lengths_text(r.shift_mm, unit_), "k") +
            html_cell(r.tilt_rad > 0 ? angle_text(r.tilt_rad, DegreeSign::sign) : "", "n") +
-           html_cell(depth_text(r.depth_before_mm, unit_), "n") + html_cell(depth_text(r.depth_after_mm, unit_), "n") +
+           html_cell(depth_text(r.depth_before_mm, unit_, model_.options), "n") +
+           html_cell(depth_text(r.depth_after_mm, unit_, model_.options), "n") +
            html_cell(std::to_string(r.iterations), "n") + html_cell(cause(r));
   }
 
@@ -219,7 +220,7 @@ class HtmlReport {
     if (left.empty()) return {};
     HtmlTable table({{"Line", "n"}, {"Move", "n"}, {"Depth", "n"}, {"Reason"}});
     for (const UncorrectedRecord& one : left) {
-      const std::string depth = one.depth_mm > 0 ? depth_text(one.depth_mm, unit_) : "-";
+      const std::string depth = one.depth_mm > 0 ? depth_text(one.depth_mm, unit_, model_.options) : "-";
       table.has_room() ? table.add(html_cell(std::to_string(one.line), "n") + html_cell(std::to_string(one.move), "n") +
                                    html_cell(depth, "n") + html_cell(one.reason))
                        : table.skip();

@@ -73,11 +73,12 @@ Json finding_json(const ReportModel& model, const CheckedToolpath& input, const 
     if (!value.empty()) rows.push_back(Json::array({name, valid_utf8(value)}));
   };
   if (event.state == MoveState::gouge) {
-    add("Depth", depth_text(verdict.depth_mm, unit));
-    add("At most", depth_text(verdict.depth_upper_mm, unit));
+    add("Depth", depth_text(verdict.depth_mm, unit, model.options));
+    add("At most", depth_text(verdict.depth_upper_mm, unit, model.options));
     if (verdict.overcut_mm.value_or(0) > 0) add("Overcut", depth_text(*verdict.overcut_mm, unit));
   }
-  if (event.state == MoveState::near_miss) add("Left", depth_text(verdict.clearance_mm.value_or(0), unit));
+  if (event.state == MoveState::near_miss)
+    add("Left", depth_text(verdict.clearance_mm.value_or(0), unit, model.options));
   add("Body", std::string(body_name(event.body)) + " " + tool_label(path, event.tool));
   add("Against",
       std::string(against_name(event.against)) + (verdict.witness ? " " + mesh_name(model, *verdict.witness) : ""));
