@@ -72,10 +72,14 @@ figure svg { width: 100%; height: auto; display: block; }
 footer { margin-top: 36px; color: var(--soft); font-size: 13px; border-top: 1px solid var(--line); padding-top: 10px; }
 @media print {
   @page { margin: 14mm; }
-  body { background: #fff; font-size: 12px; } main { margin: 0; padding: 0; box-shadow: none; max-width: none; }
+  body { background: #fff; font-size: 12px; } main { margin: 0; padding: 0 1px; box-shadow: none; max-width: none; }
   .banner, .state, .numbers div { print-color-adjust: exact; -webkit-print-color-adjust: exact; }
+  .numbers b { font-size: 18px; white-space: nowrap; } td code { font-size: 8.5px; }
+  figure { margin: 8px 0 12px; } figure img { width: auto; max-width: 100%; max-height: 104mm; }  /* two a page */
   figure, .banner, .numbers, tr { break-inside: avoid; } h2 { break-after: avoid; } a { color: inherit; }
   .filters { display: none; } .wide { overflow: visible; } td { min-width: 0; }
+  .findings th button { display: contents; } table { font-size: 11px; } .findings table { font-size: 9.3px; }
+  .findings td, .findings th { padding: 3px 5px 3px 0; } .findings .state { font-size: 9px; padding: 0 6px; }
 }
 @media (max-width: 640px) { main { margin: 0; padding: 20px 16px; border-radius: 0; } }
 )css";
