@@ -4,6 +4,7 @@ const kKinds = ['feed', 'rapid', 'arc', 'cycle'];
 const kStateColours = ['#1860ba', '#b8860b', '#b2182b', '#7a0c58', '#ce7608', '#ce7608', '#9aa4af'];
 const kViews = { top: [0, 0, 1], bottom: [0, 0, -1], front: [0, -1, 0], back: [0, 1, 0], right: [1, 0, 0], left: [-1, 0, 0],
                  iso: [1, -1, 0.9] };
+const kMostSeenThrough = 200000;  // triangles of a closed mesh that are drawn on both sides
 const rgbOf = hex => [1, 3, 5].map(k => parseInt(hex.slice(k, k + 2), 16) / 255);
 
 class Desk {
@@ -25,6 +26,7 @@ class Desk {
     this.camera = new Camera(json.view);
     this.measured = [];
     this.turn = 0;
+    this.isAsked = true;  // nothing is drawn before begin()
     this.choosePath(0);
   }
 
@@ -38,14 +40,19 @@ class Desk {
       first += 3 * one.triangles;
     }
     const low = [1e9, 1e9, 1e9], high = [-1, -1, -1], hasPart = this.ranges.some(range => range.isPart);
+    const { corners, places } = mesh;
     for (const range of this.ranges) {
+      range.facing = range.isClosed && range.count > 3 * kMostSeenThrough ? facingOf(mesh, range) : 0;
       if (hasPart && !range.isPart) continue;
-      for (let i = range.first; i < range.first + range.count; ++i) {
-        const at = 4 * mesh.corners[i];
-        for (let k = 0; k < 3; ++k) {
-          low[k] = Math.min(low[k], mesh.places[at + k]);
-          high[k] = Math.max(high[k], mesh.places[at + k]);
+      for (let k = 0; k < 3; ++k) {
+        let least = 1e9, most = -1;
+        for (let i = range.first; i < range.first + range.count; ++i) {
+          const place = places[4 * corners[i] + k];
+          if (place < least) least = place;
+          if (place > most) most = place;
         }
+        low[k] = Math.min(low[k], least);
+        high[k] = Math.max(high[k], most);
       }
     }
     const place = p => add(this.json.surface.origin, times(p, this.json.surface.step));
@@ -128,6 +135,11 @@ class Desk {
 
   shownRanges() { return this.ranges.filter(range => range.isPart ? this.shows.part : this.shows.fixtures); }
 
+  begin() {
+    this.isAsked = false;
+    this.draw();
+  }
+
   redraw() {
     if (this.isAsked) return;
     this.isAsked = true;
@@ -136,7 +148,9 @@ class Desk {
 
   resize() {
     const canvas = this.renderer.canvas, box = canvas.parentElement.getBoundingClientRect();
-    this.ratio = Math.min(window.devicePixelRatio || 1, 2);
+    const ratio = Math.min(window.devicePixelRatio || 1, 2);
+    if (ratio === this.ratio && box.width === this.camera.width && box.height === this.camera.height) return false;
+    this.ratio = ratio;
     this.camera.width = box.width;
     this.camera.height = box.height;
     for (const one of [canvas, this.over.canvas]) {
@@ -144,6 +158,7 @@ class Desk {
       one.height = Math.round(box.height * this.ratio);
     }
     this.redraw();
+    return true;
   }
 
   draw() {

@@ -3,16 +3,18 @@ const byId = id => document.getElementById(id);
 
 const startDesk = async () => {
   const section = byId('desk-view'), data = byId('desk-data');
-  if (!section || !data || typeof DecompressionStream === 'undefined') return;
+  if (!section || !data) return;
   const canvas = byId('desk-scene');
   section.hidden = false;
   document.body.classList.add('has-desk');
   let desk;
   try {
+    if (typeof DecompressionStream === 'undefined') throw new Error('no DecompressionStream');
     desk = new Desk(canvas, byId('desk-over'), await unpackScene(data.textContent.trim()));
   } catch (error) {  // then the pictures stand
     section.hidden = true;
     document.body.classList.remove('has-desk');
+    byId('desk-missing').hidden = false;
     console.info('no 3D view: ' + error.message);
     return;
   }
@@ -171,8 +173,8 @@ const startDesk = async () => {
     window.findings.choose(first);
   }
   say();
-  new ResizeObserver(() => { desk.resize(); drawStrip(); }).observe(canvas.parentElement);
-  desk.draw();
+  new ResizeObserver(() => { if (desk.resize()) drawStrip(); }).observe(canvas.parentElement);
+  desk.begin();
   window.desk = desk;
 };
 

@@ -115,7 +115,14 @@ class Renderer {
     gl.depthFunc(gl.LEQUAL);
     gl.disable(gl.BLEND);
     gl.blendFunc(gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    for (const range of frame.ranges) this.drawSurface(range);
+    for (const range of frame.ranges) {
+      // Of a closed mesh the faces turned away are hidden: half the work of a large one.
+      const isHalf = range.facing && !frame.plane;
+      if (isHalf) gl.enable(gl.CULL_FACE);
+      gl.cullFace(range.facing < 0 ? gl.FRONT : gl.BACK);
+      this.drawSurface(range);
+      gl.disable(gl.CULL_FACE);
+    }
     gl.enable(gl.BLEND);
     this.drawEdges();
     if (frame.plane) this.drawCaps();

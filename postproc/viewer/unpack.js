@@ -1,6 +1,7 @@
 // The scene as C++ wrote it (postproc/viewer/payload.h): base64, deflated, JSON and planes of numbers.
 const unpackScene = async text => {
-  const packed = Uint8Array.from(atob(text), c => c.charCodeAt(0));
+  const letters = atob(text), packed = new Uint8Array(letters.length);
+  for (let i = 0; i < packed.length; ++i) packed[i] = letters.charCodeAt(i);
   const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
   const bytes = new Uint8Array(await new Response(stream).arrayBuffer());
   const head = new DataView(bytes.buffer).getUint32(0, true);
@@ -10,10 +11,11 @@ const unpackScene = async text => {
 
 const numbersOf = (planes, { at, count, bytes }) => {
   const out = new Uint32Array(count);
-  for (let plane = 0; plane < bytes; ++plane) {
-    const from = at + plane * count, shift = 8 * plane;
-    for (let i = 0; i < count; ++i) out[i] |= planes[from + i] << shift;
-  }
+  const [a, b, c, d] = [0, 1, 2, 3].map(plane => planes.subarray(at + plane * count, at + (plane + 1) * count));
+  if (bytes === 1) out.set(a);
+  else if (bytes === 2) for (let i = 0; i < count; ++i) out[i] = a[i] | b[i] << 8;
+  else if (bytes === 3) for (let i = 0; i < count; ++i) out[i] = a[i] | b[i] << 8 | c[i] << 16;
+  else for (let i = 0; i < count; ++i) out[i] = a[i] | b[i] << 8 | c[i] << 16 | d[i] << 24;
   return out;
 };
 
@@ -50,6 +52,17 @@ const meshOf = (planes, json) => {
   });
   return { origin: json.origin, step: json.step, count, places, normals,
            corners: cornersOf(planes, json.corners), edges: summedOf(planes, json.edges) };
+};
+
+// 1 where the triangles of a closed mesh face outward as a whole, -1 where inward.
+const facingOf = ({ corners, places }, { first, count }) => {
+  let volume = 0;
+  const at = i => [places[4 * corners[i]] - 32768, places[4 * corners[i] + 1] - 32768, places[4 * corners[i] + 2] - 32768];
+  for (let i = first; i < first + count; i += 3) {
+    const [ax, ay, az] = at(i), [bx, by, bz] = at(i + 1), [cx, cy, cz] = at(i + 2);
+    volume += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+  }
+  return Math.sign(volume);
 };
 
 const fromOctahedron = (u, v, top) => {

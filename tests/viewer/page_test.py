@@ -4,6 +4,7 @@ import os
 import shutil
 import subprocess
 import sys
+import time
 
 from browser import Browser, find_chromium, read_png
 
@@ -146,6 +147,50 @@ def check_page(browser, report, found):
                 "a click on a column sorts")
 
 
+def check_large(browser, found):
+    """What hides the back of a large closed mesh shows the same of a small one."""
+    pixels = """(facing => { for (const range of desk.ranges) range.facing = facing; desk.draw();
+      const g = desk.renderer.gl, c = desk.renderer.canvas, p = new Uint8Array(4 * c.width * c.height);
+      g.readPixels(0, 0, c.width, c.height, g.RGBA, g.UNSIGNED_BYTE, p);
+      let sum = 0; for (const v of p) sum = (sum * 31 + v) % 2147483647; return sum; })"""
+    both, outward, inward = (browser.evaluate(f"{pixels}({facing})") for facing in (0, 1, -1))
+    found.check(both == outward and both != inward, "faces turned away are left out unseen")
+    browser.evaluate("for (const range of desk.ranges) range.facing = 0; desk.redraw();")
+
+
+def check_paper(browser, report, found):
+    browser.open(os.path.join(report, "report.html"))
+    browser.wait("!!window.desk")
+    browser.call("Emulation.setEmulatedMedia", media="print")
+    shown = "getComputedStyle(document.querySelector('{}')).display"
+    found.check(browser.evaluate(shown.format("#desk-view")) == "none" and browser.evaluate(shown.format("#heat_map")) != "none",
+                "on paper the heat map stands for the view")
+    found.check(browser.evaluate(shown.format(".sign")) != "none" and browser.evaluate(shown.format(".filters")) == "none",
+                "with lines to sign and no boxes")
+    # A button in the head of a table keeps Chromium from repeating the head on every page.
+    found.check(browser.evaluate(shown.format("#findings th button")) == "contents", "heads of columns are plain text")
+    browser.call("Emulation.setEmulatedMedia", media="")
+
+
+def check_phone(browser, report, found):
+    browser.call("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=2, mobile=True)
+    browser.open(os.path.join(report, "report.html"))
+    browser.wait("!!window.desk")
+    found.check(browser.evaluate("document.documentElement.scrollWidth") == 390, "on a phone the page is no wider than the screen")
+    found.check(browser.evaluate("desk.renderer.canvas.getBoundingClientRect().height") > 300, "and the view has room")
+
+
+def check_without_script(browser, report, found):
+    browser.call("Emulation.setScriptExecutionDisabled", value=True)
+    browser.call("Page.navigate", url="file://" + os.path.abspath(os.path.join(report, "report.html")))
+    time.sleep(2)
+    shown = "getComputedStyle(document.querySelector('{}')).display"
+    found.check(browser.evaluate(shown.format("#heat_map")) != "none" and browser.evaluate(shown.format("#desk-view")) == "none",
+                "without scripts the pictures stand")
+    found.check(browser.evaluate("document.querySelectorAll('#findings tbody tr').length") == 3, "and every finding")
+    found.check("pictures" in browser.evaluate("document.querySelector('noscript')?.textContent ?? ''"), "and the page says so")
+
+
 def main():
     gougecheck, make_samples, folder = sys.argv[1:4]
     if find_chromium() is None:
@@ -158,6 +203,9 @@ def main():
     browser = Browser(1200, 1000)
     try:
         check_page(browser, report, found)
+        check_large(browser, found)
+        check_paper(browser, report, found)
+        check_phone(browser, report, found)
         found.check(browser.errors == [], "the console has no error " + "; ".join(browser.errors))
     finally:
         browser.close()
@@ -167,6 +215,8 @@ def main():
         plain.wait("document.getElementById('desk-view').hidden")
         found.check(plain.evaluate("getComputedStyle(document.getElementById('heat_map')).display") != "none",
                     "without WebGL the pictures stand")
+        found.check(plain.evaluate("!document.getElementById('desk-missing').hidden"), "and the page says why")
+        check_without_script(plain, report, found)
     finally:
         plain.close()
     return 1 if found.count else 0
