@@ -47,6 +47,7 @@
     filters.push({ control: select, keeps: row => select.value === "" || of(row) === select.value });
   };
   addChoice("any state", row => row.dataset.state);
+  addChoice("accepted or not", row => row.dataset.accepted ?? "");
   addChoice("any tool", row => row.dataset.tool);
   addChoice("any body", row => row.dataset.body);
   addChoice("any operation", row => text(row, at.operation));

@@ -73,7 +73,10 @@ class FindingsTable {
     const double shown = event.state == MoveState::buried ? 1e30 : depth / per;
     return add("finding", std::to_string(index_of(event))) + add("state", state_name(event.state)) +
            add("depth", exact_text(shown)) + add("overcut", exact_text(overcut_of(model_, event) / per)) +
-           add("body", body_name(event.body)) + add("tool", tool_label(*model_.toolpath, event.tool));
+           add("body", body_name(event.body)) + add("tool", tool_label(*model_.toolpath, event.tool)) +
+           (model_.baseline.is_given()
+                ? add("accepted", model_.baseline.is_accepted(index_of(event)) ? "accepted" : "not accepted")
+                : std::string());
   }
 
   [[nodiscard]] std::string link(const Event& event) const {
