@@ -89,6 +89,7 @@ class Comparer {
       }
     }
     std::size_t wider = 0;
+    std::string of_one_move;  // what has become deeper, where the finding as a whole has not
     Stretch stretch;
     const WitnessGrid places(before_, was, kSamePlace_mm);
     for (const StoredMove* move : after_.moves_of(after_.findings[n])) {
@@ -106,11 +107,18 @@ class Comparer {
       } else if (is_deeper(*move, before_.find_move(other))) {
         made.change = Change::deeper;
         const StoredMove* then = before_.find_move(other);
-        if (then == nullptr || then->state != move->state) ++wider;
+        if (then == nullptr || then->state != move->state)
+          ++wider;
+        else if (of_one_move.empty() && is_above(depth.low, depth_of(*then).high))
+          of_one_move = "line " + std::to_string(move->line) + " is " + depth_text(depth.low, after_.unit) + " deep, " +
+                        depth_text(depth_of(*then).low, after_.unit) + " before";
       }
     }
     if (made.change == Change::deeper) {
-      if (wider > 0) made.why = count_text(wider, "motion gouges", "motions gouge") + " where nothing gouged before";
+      if (wider > 0)
+        made.why = count_text(wider, "motion gouges", "motions gouge") + " where nothing gouged before";
+      else if (!is_above(now.low, old.high))
+        made.why = of_one_move;
       return made;
     }
     if (now.high + options_.same_within_mm < old.low) made.change = Change::shallower;
